@@ -1,0 +1,2 @@
+export { FrameRecorder } from './recording.ts';
+export { ArcadeSimulation } from './simulation.ts';

@@ -1,0 +1,2 @@
+export { boxCircleGap, boxOverlapsCircle } from './box-circle.ts';
+export { circlesOverlap } from './circle-circle.ts';

@@ -1,0 +1,10 @@
+import type { Effect } from './effect.ts';
+
+export const alienExplosion: Effect = {
+  name: 'alien-explosion',
+  summary: 'two aliens that touch explode',
+  calledFor: (level) => {
+    const n = level.aliens.length;
+    return n > 1 ? { called: true, because: `${n} aliens` } : { called: false, because: 'fewer than two aliens' };
+  },
+};

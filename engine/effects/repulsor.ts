@@ -1,0 +1,8 @@
+import type { Effect } from './effect.ts';
+
+import { whereAny } from './count.ts';
+export const repulsor: Effect = {
+  name: 'repulsor',
+  summary: 'pushes her away at 20 px/s2 while her centre is inside, instead of the gun',
+  calledFor: whereAny('repulsors', 'repulsor'),
+};

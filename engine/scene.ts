@@ -1,0 +1,56 @@
+import type { Circle, Level } from '../schema/index.ts';
+import { ACCURACIES, type Accuracy, type AccuracyName, DEFAULT_ACCURACY } from './accuracy.ts';
+import { chooseEffects, type EffectChoice } from './effects/index.ts';
+
+/** Circles as parallel arrays, px. `index` is the place in the level's own list of that kind. */
+export interface Circles {
+  readonly count: number;
+  readonly x: Float64Array;
+  readonly y: Float64Array;
+  readonly r: Float64Array;
+  readonly index: Int32Array;
+}
+
+/** A level made ready to simulate at one accuracy. Never written to after `compile`; share it freely. */
+export interface Scene {
+  readonly level: Level;
+  readonly accuracy: Accuracy;
+  /** What the level calls for and what it doesn't, with the reason. */
+  readonly effects: EffectChoice;
+  /** Everything the gun can target: cold asteroids in level order, then hot ones (the order in which ties are broken). */
+  readonly targets: Circles;
+  /** The first so many of `targets` are cold. */
+  readonly coldCount: number;
+  readonly novae: Circles;
+  readonly repulsors: Circles;
+  readonly aliens: Circles;
+  readonly minerals: Circles;
+}
+
+function circles(list: readonly Circle[], order: readonly number[]): Circles {
+  const pick = (f: (c: Circle) => number) => Float64Array.from(order, (i) => f(list[i]));
+  return { count: order.length, x: pick((c) => c.x), y: pick((c) => c.y), r: pick((c) => c.radius), index: Int32Array.from(order) };
+}
+
+/**
+ * Makes a valid level ready to simulate: chooses the effects it calls for and lays its objects out in typed arrays.
+ * @param level a level from `schema`; the engine trusts its numbers to be finite and its radii positive
+ * @param accuracy a name, or a full setting of one's own
+ */
+export function compile(level: Level, accuracy: AccuracyName | Accuracy = DEFAULT_ACCURACY): Scene {
+  const all = (list: readonly Circle[]) => circles(list, [...list.keys()]);
+  const cold: number[] = [];
+  const hot: number[] = [];
+  for (const [i, a] of level.asteroids.entries()) (a.hot ? hot : cold).push(i);
+  return {
+    level,
+    accuracy: typeof accuracy === 'string' ? ACCURACIES[accuracy] : accuracy,
+    effects: chooseEffects(level),
+    targets: circles(level.asteroids, [...cold, ...hot]),
+    coldCount: cold.length,
+    novae: all(level.novae),
+    repulsors: all(level.repulsors),
+    aliens: all(level.aliens),
+    minerals: all(level.minerals),
+  };
+}

@@ -1,0 +1,98 @@
+import type { Hold } from '../schema/index.ts';
+import { ArcadeSimulation, FrameRecorder } from './arcade/index.ts';
+import type { Clearance } from './clearance.ts';
+import { DEFAULT_MAX_TIME, TICK, TICK_RATE } from './constants.ts';
+import { Hash } from './hash.ts';
+import type { Scene } from './scene.ts';
+import { joinHolds, playScript } from './script.ts';
+import { type Outcome, type RunEvent, type Simulation, STATE_SIZE, type Touched } from './simulation.ts';
+import type { Trajectory } from './trajectory.ts';
+
+/** x, y in px, vx, vy in px/s; cos, sin: direction of the box's x axis, a unit vector. */
+export interface State {
+  readonly x: number;
+  readonly y: number;
+  readonly vx: number;
+  readonly vy: number;
+  readonly cos: number;
+  readonly sin: number;
+}
+
+export interface Run {
+  readonly outcome: Outcome;
+  readonly with: Touched | null;
+  /** s from the start */
+  readonly time: number;
+  /** The 1/60 s tick that `time` falls in; under `arcade` the frame whose update raised the outcome. */
+  readonly tick: number;
+  /** In the order they were collected. `arcade` may count one twice, as the original did. */
+  readonly minerals: readonly { readonly index: number; readonly time: number }[];
+  readonly events: readonly RunEvent[];
+  /** null where the level has nothing deadly */
+  readonly clearance: Clearance | null;
+  readonly final: State;
+  readonly trajectory: Trajectory;
+  /** Over the state at every tick, every event and the final state, bit for bit; the same in every JavaScript engine. */
+  readonly hash: string;
+}
+
+export interface SimulateOptions {
+  /** s of simulated time after which the run is a `timeout`; {@link DEFAULT_MAX_TIME} when left out */
+  readonly maxTime?: number;
+}
+
+/** A simulation at the start of the scene, to be advanced by hand: a playtest, a search. */
+export function createSimulation(scene: Scene): Simulation {
+  return new ArcadeSimulation(scene);
+}
+
+/**
+ * Plays a script and says in full what happened.
+ * @param holds half-open [press, release) intervals in ticks of 1/60 s; overlapping ones are joined
+ */
+export function simulate(scene: Scene, holds: readonly Hold[], options: SimulateOptions = {}): Run {
+  const maxTicks = Math.round((options.maxTime ?? DEFAULT_MAX_TIME) * TICK_RATE);
+  const recorder = new FrameRecorder(scene);
+  const simulation = new ArcadeSimulation(scene, recorder);
+  playScript(simulation, joinHolds(holds), maxTicks);
+
+  const ending = simulation.ending;
+  const { events } = recorder;
+  const state = new Float64Array(STATE_SIZE);
+  simulation.readState(state);
+  return {
+    outcome: ending?.outcome ?? 'timeout',
+    with: ending?.with ?? null,
+    time: ending?.time ?? maxTicks * TICK,
+    tick: ending?.tick ?? maxTicks,
+    minerals: events.flatMap((e) => (e.type === 'mineral' ? [{ index: e.index, time: e.time }] : [])),
+    events,
+    clearance: recorder.clearance,
+    final: { x: state[0], y: state[1], vx: state[2], vy: state[3], cos: state[4], sin: state[5] },
+    trajectory: recorder,
+    hash: hashRun(recorder, events, state, ending?.outcome ?? 'timeout'),
+  };
+}
+
+function hashRun(trajectory: Trajectory, events: readonly RunEvent[], final: Float64Array, outcome: Outcome): string {
+  const hash = new Hash();
+  const state = new Float64Array(STATE_SIZE);
+  const ticks = Math.floor(trajectory.duration * TICK_RATE + 1e-6);
+  for (let tick = 0; tick <= ticks; tick++) {
+    trajectory.at(tick * TICK, state);
+    for (let i = 0; i < STATE_SIZE; i++) hash.add(state[i]);
+  }
+  for (const event of events) {
+    hash.addText(event.type);
+    hash.add(event.time);
+    if ('index' in event) hash.add(event.index);
+    if ('aliens' in event) for (const alien of event.aliens) hash.add(alien);
+    if ('with' in event && event.with !== null) {
+      hash.addText(event.with.kind);
+      hash.add(event.with.index);
+    }
+  }
+  hash.addText(outcome);
+  for (let i = 0; i < STATE_SIZE; i++) hash.add(final[i]);
+  return hash.digest();
+}
