@@ -1,0 +1,13 @@
+import { defineConfig } from 'vitest/config';
+
+export default defineConfig({
+  test: {
+    include: ['tests/**/*.test.ts'],
+    // a skipped test is loud on a developer's machine and an error in CI: see .ci/run
+    reporters: ['default'],
+    testTimeout: 60_000,
+    hookTimeout: 60_000,
+    // two workers: more would only wait for each other on the machines this runs on
+    maxWorkers: 2,
+  },
+});
