@@ -29,7 +29,13 @@ export interface Scene {
 
 function circles(list: readonly Circle[], order: readonly number[]): Circles {
   const pick = (f: (c: Circle) => number) => Float64Array.from(order, (i) => f(list[i]));
-  return { count: order.length, x: pick((c) => c.x), y: pick((c) => c.y), r: pick((c) => c.radius), index: Int32Array.from(order) };
+  return {
+    count: order.length,
+    x: pick((c) => c.x),
+    y: pick((c) => c.y),
+    r: pick((c) => c.radius),
+    index: Int32Array.from(order),
+  };
 }
 
 /**

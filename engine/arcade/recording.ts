@@ -1,5 +1,5 @@
-import { TICK, TICK_RATE } from '../constants.ts';
 import { type Clearance, ClearanceTracker } from '../clearance.ts';
+import { TICK, TICK_RATE } from '../constants.ts';
 import type { Scene } from '../scene.ts';
 import { type BodyKind, type Outcome, type RunEvent, type Simulation, STATE_SIZE } from '../simulation.ts';
 import type { Trajectory } from '../trajectory.ts';

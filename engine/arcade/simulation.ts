@@ -1,12 +1,4 @@
-import {
-  ALIEN_PULL,
-  ALIEN_SIGHT,
-  EXPLOSION_FRAMES,
-  GUN_PULL,
-  REPULSOR_PUSH,
-  SPEED_LIMIT,
-  TICK,
-} from '../constants.ts';
+import { ALIEN_PULL, ALIEN_SIGHT, EXPLOSION_FRAMES, GUN_PULL, REPULSOR_PUSH, SPEED_LIMIT, TICK } from '../constants.ts';
 import { boxOverlapsCircle, circlesOverlap } from '../contact/index.ts';
 import type { Scene } from '../scene.ts';
 import type { BodyKind, Ending, Simulation } from '../simulation.ts';
@@ -328,7 +320,13 @@ export class ArcadeSimulation implements Simulation {
         s[COS] = cos;
         s[SIN] = sin;
         recorder.row(this);
-        if (outcome !== 0) recorder.end(frame, outcome === LOST ? 'lost' : outcome === BLACK_HOLE ? 'completed' : 'collided', TOUCH_KIND[outcome], touched);
+        if (outcome !== 0)
+          recorder.end(
+            frame,
+            outcome === LOST ? 'lost' : outcome === BLACK_HOLE ? 'completed' : 'collided',
+            TOUCH_KIND[outcome],
+            touched,
+          );
       }
     }
 

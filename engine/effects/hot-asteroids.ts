@@ -5,6 +5,8 @@ export const hotAsteroids: Effect = {
   summary: 'burn on touch, and pull like cold ones',
   calledFor: (level) => {
     const n = level.asteroids.filter((a) => a.hot).length;
-    return n > 0 ? { called: true, because: `${n} hot ${n === 1 ? 'asteroid' : 'asteroids'}` } : { called: false, because: 'no hot asteroids' };
+    return n > 0
+      ? { called: true, because: `${n} hot ${n === 1 ? 'asteroid' : 'asteroids'}` }
+      : { called: false, because: 'no hot asteroids' };
   },
 };

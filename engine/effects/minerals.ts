@@ -1,6 +1,5 @@
-import type { Effect } from './effect.ts';
-
 import { whereAny } from './count.ts';
+import type { Effect } from './effect.ts';
 export const minerals: Effect = {
   name: 'minerals',
   summary: 'collected on touch',

@@ -1,6 +1,5 @@
-import type { Effect } from './effect.ts';
-
 import { whereAny } from './count.ts';
+import type { Effect } from './effect.ts';
 export const repulsor: Effect = {
   name: 'repulsor',
   summary: 'pushes her away at 20 px/s2 while her centre is inside, instead of the gun',
