@@ -1,0 +1,206 @@
+import { execFileSync } from 'node:child_process';
+import { cpSync, existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import { dirname, join, relative, sep } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { importProblems, importsOf, purityProblems } from './architecture/inspect-source.ts';
+import { machineWords } from './architecture/machine-words.ts';
+import { ROOMS } from './architecture/rooms.ts';
+
+const root = dirname(dirname(fileURLToPath(import.meta.url)));
+const manifest = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8'));
+const dependencies = Object.keys(manifest.dependencies);
+
+const NOT_OURS = new Set(['node_modules', 'dist', '.git', 'coverage']);
+
+function filesUnder(folder: string): string[] {
+  if (!existsSync(folder)) return [];
+  return readdirSync(folder, { withFileTypes: true }).flatMap((entry) => {
+    if (NOT_OURS.has(entry.name)) return [];
+    const path = join(folder, entry.name);
+    return entry.isDirectory() ? filesUnder(path) : entry.isFile() ? [path] : [];
+  });
+}
+
+const fromRoot = (path: string) => relative(root, path).split(sep).join('/');
+const sourcesOf = (room: string) =>
+  filesUnder(join(root, room))
+    .filter((path) => path.endsWith('.ts'))
+    .map((path) => ({ path: fromRoot(path), text: readFileSync(path, 'utf8') }));
+
+describe.each(Object.entries(ROOMS).filter(([name]) => existsSync(join(root, name))))('room %s', (name, room) => {
+  const sources = sourcesOf(name);
+
+  it('imports only what it may know, by the faces of folders', () => {
+    expect(sources.length).toBeGreaterThan(0);
+    expect(sources.flatMap(({ path, text }) => importProblems(path, text, dependencies))).toEqual([]);
+  });
+
+  if (room.pure) {
+    it('is pure, and its arithmetic is the same in every engine', () => {
+      expect(sources.flatMap(({ path, text }) => purityProblems(path, text))).toEqual([]);
+    });
+  }
+
+  it('has a tsconfig that lets the compiler keep the same walls', () => {
+    const config = JSON.parse(readFileSync(join(root, name, 'tsconfig.json'), 'utf8'));
+    const references = config.references.map((r: { path: string }) => r.path.replace('../', ''));
+    expect(references.filter((r: string) => !room.knows.includes(r))).toEqual([]);
+    if (room.pure) expect(config.compilerOptions.types).toEqual([]);
+    if (room.pure) expect(config.compilerOptions.lib ?? ['es2023']).toEqual(['es2023']);
+  });
+});
+
+describe('the walls see a breach', () => {
+  const cases: [path: string, text: string, problem: RegExp][] = [
+    ['schema/a.ts', `import { TICK } from '../engine/index.ts';`, /schema may not know engine\/index.ts/],
+    ['schema/a.ts', `export type T = import('../engine/index.ts').Run;`, /schema may not know/],
+    ['schema/a.ts', `import { commander } from 'commander';`, /schema may not use commander/],
+    ['engine/a.ts', `import type { Level } from '../schema/level.ts';`, /not the face of its folder/],
+    ['engine/arcade/a.ts', `export * from '../../cli/main.ts';`, /engine may not know cli/],
+    ['engine/a.ts', `import fs from 'node:fs';`, /engine is pure/],
+    ['engine/a.ts', `const f = await import('node:fs');`, /engine is pure/],
+    ['engine/a.ts', `const name = 'node' + ':fs'; await import(name);`, /something computed/],
+    ['engine/a.ts', `import Phaser from 'phaser';`, /Phaser/],
+    ['engine/a.ts', `import '../tests/x.ts';`, /engine may not know tests/],
+    ['cli/a.ts', `import Phaser from 'phaser';`, /Phaser/],
+    ['cli/a.ts', `import { Hash } from '../engine/hash.ts';`, /not the face of its folder/],
+    ['cli/commands/a.ts', `import { x } from '../../editor/index.ts';`, /cli may not know editor/],
+    ['cli/a.ts', `import matter from 'matter-js';`, /not among the dependencies/],
+    ['cli/a.ts', `import { y } from '@scope/name/deep';`, /@scope\/name is not among the dependencies/],
+  ];
+  it.each(cases)('%s: %s', (path, text, problem) => {
+    expect(importProblems(path, text, dependencies)).toEqual([expect.stringMatching(problem)]);
+  });
+
+  it.each([
+    ['schema/a.ts', `import * as z from 'zod';`],
+    ['engine/arcade/a.ts', `import type { Level } from '../../schema/index.ts';`],
+    ['cli/a.ts', `import { findWarnings } from '../engine/warnings/index.ts'; import fs from 'node:fs';`],
+    ['engine/a.ts', `// import fs from 'node:fs'\nconst text = "import fs from 'node:fs'"; export { text };`],
+  ])('lets pass %s: %s', (path, text) => {
+    expect(importProblems(path, text, dependencies)).toEqual([]);
+  });
+
+  it('sees every form of import', () => {
+    const text = `import a from './1.ts'; import type { B } from './2.ts'; export * from './3.ts'; export { c } from './4.ts';
+      import './5.ts'; type D = import('./6.ts').D; const e = await import('./7.ts');`;
+    expect(importsOf('engine/a.ts', text)).toEqual([1, 2, 3, 4, 5, 6, 7].map((n) => `./${n}.ts`));
+  });
+});
+
+const IMPURE = [
+  ...['sin', 'cos', 'tan', 'asin', 'acos', 'atan', 'atan2', 'exp', 'expm1', 'log', 'log2', 'log10', 'log1p', 'pow', 'hypot'].map(
+    (f) => `export const a = Math.${f}(1, 2);`,
+  ),
+  ...['cbrt', 'sinh', 'cosh', 'tanh', 'random'].map((f) => `export const a = [1].map(Math.${f});`),
+  'export const a = 2 ** 3;',
+  'let a = 2; a **= 3; export { a };',
+  `export const a = Math['sin'](1);`,
+  'export const { sin } = Math;',
+  'const m = Math; export const a = m.sin(1);',
+  'export const a = Math.sqrt(Math.sin(1));',
+  'export const a = globalThis.Math;',
+  'export const a = Date.now();',
+  'export const a = new Intl.NumberFormat();',
+];
+
+const PURE = [
+  '// Math.sin(1), 2 ** 3\nexport const a = 1;',
+  `export const a = 'Math.sin(1) ** 2 Date';`,
+  'export const a = (x: number) => Math.sqrt(Math.abs(Math.min(x, Math.PI)));',
+  'export const a = (s: { sin: number; cos: number }) => s.sin * s.cos;',
+];
+
+describe('purity sees a breach', () => {
+  it.each(IMPURE)('%s', (text) => expect(purityProblems('engine/a.ts', text)).toHaveLength(1));
+  it.each(PURE)('lets pass %s', (text) => expect(purityProblems('engine/a.ts', text)).toEqual([]));
+});
+
+describe('lint sees a breach', () => {
+  const bad: [path: string, text: string][] = [
+    ...['schema', 'engine', 'solver'].flatMap((room) => IMPURE.map((text): [string, string] => [room, text])),
+    ...['schema', 'engine', 'solver'].map((room): [string, string] => [room, `import a from 'node:fs'; export { a };`]),
+    ...['schema', 'engine', 'cli'].map((room): [string, string] => [room, `import a from 'phaser'; export { a };`]),
+    ['schema', `export * from '../engine/index.ts';`],
+    ['engine', `export * from '../schema/level.ts';`],
+    ['engine', `export * from '../cli/main.ts';`],
+    ['engine', `export * from '../solver/index.ts';`],
+    ['solver', `export * from '../engine/hash.ts';`],
+    ['solver', `export * from '../cli/main.ts';`],
+    ['cli', `export * from '../engine/hash.ts';`],
+    ['cli', `export * from '../tests/a.ts';`],
+  ];
+  const good: [path: string, text: string][] = [
+    ...['schema', 'engine', 'solver'].flatMap((room) => PURE.map((text): [string, string] => [room, text])),
+    ['engine', `export * from '../schema/index.ts';`],
+    ['solver', `export * from '../engine/index.ts';`],
+    ['cli', `import a from 'node:fs'; export { a }; export * from '../engine/index.ts';`],
+    ['cli', 'export const a = Math.sin(1) + 2 ** 3 + Date.now();'],
+  ];
+  const name = (kind: string, room: string, i: number) => `${room}/${kind}-${i}.ts`;
+  const reported = new Set<string>();
+  let folder = '';
+
+  // one run of the real linter over all snippets, in a project of their own
+  beforeAll(() => {
+    folder = mkdtempSync(join(tmpdir(), 'gq-lint-'));
+    for (const part of ['biome.json', 'lint', '.gitignore']) cpSync(join(root, part), join(folder, part), { recursive: true });
+    for (const [kind, list] of [['bad', bad] as const, ['good', good] as const]) {
+      for (const [i, [room, text]] of list.entries()) {
+        mkdirSync(join(folder, room), { recursive: true });
+        writeFileSync(join(folder, name(kind, room, i)), `${text}\n`);
+      }
+    }
+    const biome = join(dirname(createRequire(import.meta.url).resolve('@biomejs/biome/package.json')), 'bin', 'biome');
+    const only = ['noRestrictedImports', 'noRestrictedGlobals'].flatMap((rule) => ['--only', `style/${rule}`]);
+    const args = [biome, 'lint', ...only, '--only', 'plugin', '--max-diagnostics=none', '--reporter=json', '.'];
+    let out = '';
+    try {
+      out = execFileSync(process.execPath, args, { cwd: folder, encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] });
+    } catch (error) {
+      out = (error as { stdout: string }).stdout;
+    }
+    for (const { location, severity } of JSON.parse(out.slice(out.indexOf('{'))).diagnostics) {
+      const path = typeof location.path === 'string' ? location.path : location.path.file;
+      if (severity === 'error') reported.add(path.split(sep).join('/').replace(/^\.\//, ''));
+    }
+  });
+  afterAll(() => rmSync(folder, { recursive: true, force: true }));
+
+  it.each(bad.map(([room, text], i) => [room, text, i] as const))('%s: %s', (room, _, i) => {
+    expect([...reported]).toContain(name('bad', room, i));
+  });
+  it.each(good.map(([room, text], i) => [room, text, i] as const))('lets pass %s: %s', (room, _, i) => {
+    expect([...reported]).not.toContain(name('good', room, i));
+  });
+});
+
+describe('the project speaks only of itself', () => {
+  const isText = (path: string) => !readFileSync(path).subarray(0, 8000).includes(0);
+
+  it('names no path of one machine and no host of a registry', () => {
+    const files = filesUnder(root).filter((path) => statSync(path).size < 5e6 && isText(path));
+    expect(files.length).toBeGreaterThan(20);
+    const found = files.flatMap((path) => machineWords(readFileSync(path, 'utf8')).map((word) => `${fromRoot(path)}:${word}`));
+    expect(found).toEqual([]);
+  });
+
+  const slash = '/';
+  it.each([
+    `see ${slash}work/main`,
+    `'${slash}shared/truth'`,
+    `cd ${slash}home/me`,
+    `"${slash}Users/me"`,
+    `"C:${'\\'}Users${'\\'}me"`,
+    `"https:${slash}${slash}registry${'.'}npmjs.org/x"`,
+    `"http:${slash}${slash}10.0${'.'}0.7:4873/zod"`,
+  ])('sees %s', (text) => expect(machineWords(text)).toHaveLength(1));
+
+  it.each(['../shared/truth', 'docs/work/a', 'a/home', 'frameworks', 'x /workers', 'https://example.org/work', '1.10.2.3'])(
+    'lets pass %s',
+    (text) => expect(machineWords(text)).toEqual([]),
+  );
+});

@@ -1,0 +1,113 @@
+import { dirname, posix } from 'node:path';
+import { parseSync } from 'vite';
+import { IMPURE_GLOBALS, PORTABLE_MATH, ROOMS } from './rooms.ts';
+
+interface Node {
+  readonly type: string;
+  readonly start: number;
+  readonly [key: string]: unknown;
+}
+
+const isNode = (value: unknown): value is Node =>
+  typeof value === 'object' && value !== null && typeof (value as { type?: unknown }).type === 'string';
+
+function walk(
+  node: Node,
+  visit: (node: Node, parent: Node | null, key: string) => void,
+  parent: Node | null = null,
+  key = '',
+): void {
+  visit(node, parent, key);
+  for (const [name, value] of Object.entries(node)) {
+    for (const child of Array.isArray(value) ? value : [value]) if (isNode(child)) walk(child, visit, node, name);
+  }
+}
+
+function parse(path: string, text: string): Node {
+  const { program, errors } = parseSync(path, text);
+  if (errors.length > 0) throw new SyntaxError(`${path}: ${errors[0].message}`);
+  return program as unknown as Node;
+}
+
+const literal = (value: unknown): string | null =>
+  isNode(value) && value.type === 'Literal' && typeof value.value === 'string' ? value.value : null;
+
+/** What a source file imports: static, re-exported, dynamic and in types. A dynamic import of no literal is `null`. */
+export function importsOf(path: string, text: string): (string | null)[] {
+  const found: (string | null)[] = [];
+  walk(parse(path, text), (node) => {
+    if (node.type === 'ImportDeclaration' || node.type === 'ImportExpression' || node.type === 'TSImportType') {
+      found.push(literal(node.source));
+    }
+    if ((node.type === 'ExportNamedDeclaration' && node.source) || node.type === 'ExportAllDeclaration') {
+      found.push(literal(node.source));
+    }
+  });
+  return found;
+}
+
+const packageName = (specifier: string) =>
+  specifier
+    .split('/')
+    .slice(0, specifier.startsWith('@') ? 2 : 1)
+    .join('/');
+
+/**
+ * What is wrong with the imports of a file in a room.
+ * @param path from the project's root, with slashes: `engine/hash.ts`
+ * @param dependencies the names under `dependencies` of package.json
+ */
+export function importProblems(path: string, text: string, dependencies: readonly string[]): string[] {
+  const own = path.split('/')[0];
+  const room = ROOMS[own];
+  const problems: string[] = [];
+  for (const specifier of importsOf(path, text)) {
+    if (specifier === null) {
+      if (room.pure) problems.push(`${path}: imports something computed`);
+    } else if (specifier.startsWith('.')) {
+      const target = posix.join(dirname(path), specifier);
+      const other = target.split('/')[0];
+      if (other === own) continue;
+      if (!room.knows.includes(other) && target !== 'package.json') problems.push(`${path}: ${own} may not know ${target}`);
+      else if (room.knows.includes(other) && posix.basename(target) !== 'index.ts') {
+        problems.push(`${path}: ${target} is not the face of its folder (index.ts)`);
+      }
+    } else if (specifier.startsWith('node:')) {
+      if (room.pure) problems.push(`${path}: ${own} is pure and may not import ${specifier}`);
+    } else if (specifier === 'phaser' || specifier.startsWith('phaser/')) {
+      problems.push(`${path}: ${own} may not know Phaser`);
+    } else {
+      const name = packageName(specifier);
+      if (!dependencies.includes(name)) problems.push(`${path}: ${name} is not among the dependencies of package.json`);
+      else if (room.packages !== null && !room.packages.includes(name)) problems.push(`${path}: ${own} may not use ${name}`);
+    }
+  }
+  return problems;
+}
+
+/** Places in a pure file where something not bit-identical between engines, or impure, is used. */
+export function purityProblems(path: string, text: string): string[] {
+  const problems: string[] = [];
+  walk(parse(path, text), (node, parent, key) => {
+    const where = `${path}:${text.slice(0, node.start).split('\n').length}`;
+    if (
+      (node.type === 'BinaryExpression' && node.operator === '**') ||
+      (node.type === 'AssignmentExpression' && node.operator === '**=')
+    ) {
+      problems.push(`${where}: ${node.operator} is not bit-identical between engines`);
+    }
+    if (node.type !== 'Identifier' || parent === null) return;
+    const isProperty =
+      (key === 'property' && parent.type === 'MemberExpression' && parent.computed !== true) ||
+      (key === 'key' && parent.computed !== true && parent.shorthand !== true);
+    if (isProperty) return;
+    if (node.name === 'Math') {
+      const property = parent.type === 'MemberExpression' && parent.computed !== true ? (parent.property as Node) : null;
+      if (property === null || !PORTABLE_MATH.has(property.name as string)) {
+        problems.push(`${where}: Math.${property?.name ?? '?'} is not bit-identical between engines`);
+      }
+    }
+    if (IMPURE_GLOBALS.has(node.name as string)) problems.push(`${where}: ${node.name} has no place in a pure room`);
+  });
+  return problems;
+}

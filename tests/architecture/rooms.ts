@@ -1,0 +1,26 @@
+/** What a room may know: other rooms by a folder's index.ts, packages, and whether it is pure. */
+export interface Room {
+  readonly knows: readonly string[];
+  /** null: whatever package.json lists as a dependency */
+  readonly packages: readonly string[] | null;
+  /** Pure: no Node, no DOM, no clock, no randomness, and arithmetic that every JavaScript engine does alike. */
+  readonly pure: boolean;
+}
+
+export const ROOMS: Readonly<Record<string, Room>> = {
+  schema: { knows: [], packages: ['zod', 'jsonc-parser'], pure: true },
+  engine: { knows: ['schema'], packages: ['flatbush', 'kdbush'], pure: true },
+  solver: { knows: ['schema', 'engine'], packages: ['flatbush', 'kdbush'], pure: true },
+  cli: { knows: ['schema', 'engine', 'solver'], packages: null, pure: false },
+};
+
+/** ECMAScript fixes these to the last bit; the rest of Math differs between engines (or between calls). */
+export const PORTABLE_MATH: ReadonlySet<string> = new Set([
+  ...['abs', 'sqrt', 'min', 'max', 'floor', 'ceil', 'round', 'trunc', 'sign', 'imul', 'fround', 'clz32', 'PI'],
+]);
+
+/** Globals by which a clock, a locale or the outside gets into a pure room. */
+export const IMPURE_GLOBALS: ReadonlySet<string> = new Set([
+  ...['Date', 'Intl', 'globalThis', 'performance', 'process', 'console', 'crypto', 'window', 'document', 'self'],
+  ...['setTimeout', 'setInterval', 'queueMicrotask', 'fetch', 'require', 'Buffer', 'eval', 'Function'],
+]);
