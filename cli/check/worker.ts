@@ -1,0 +1,13 @@
+import { checkLevel } from './check-level.ts';
+import type { CheckSettings, LevelReport } from './report.ts';
+
+/** What one message to a worker asks for. */
+export interface Batch {
+  readonly files: readonly string[];
+  readonly settings: CheckSettings;
+}
+
+/** Runs in a worker thread: checks a batch of level files. */
+export default function checkBatch({ files, settings }: Batch): LevelReport[] {
+  return files.map((file) => checkLevel(file, settings));
+}

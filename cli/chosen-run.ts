@@ -1,0 +1,35 @@
+import type { Hold, Level } from '../schema/index.ts';
+import { Failure } from './failure.ts';
+import { didYouMean } from './suggest.ts';
+
+export interface ChosenRun {
+  readonly name: string;
+  readonly holds: readonly Hold[];
+}
+
+/**
+ * The run that `--run` and `--holds` ask for; the level's first when neither is given.
+ * @throws Failure when there is no such run
+ */
+export function chooseRun(
+  file: string,
+  level: Level,
+  options: { readonly run?: string; readonly holds?: readonly Hold[] },
+): ChosenRun {
+  if (options.run !== undefined && options.holds !== undefined) {
+    throw new Failure('--run and --holds exclude each other: a run has its own holds; give one of the two');
+  }
+  if (options.holds !== undefined)
+    return { name: options.holds.length === 0 ? 'she drifts' : 'holds from the command line', holds: options.holds };
+  const names = level.runs.map((run) => run.name);
+  if (options.run !== undefined) {
+    const found = level.runs.find((run) => run.name === options.run);
+    if (found !== undefined) return { name: `run ${JSON.stringify(found.name)}`, holds: found.holds };
+    const has = names.length === 0 ? 'the level has no runs' : `it has ${names.map((n) => JSON.stringify(n)).join(', ')}`;
+    throw new Failure(`${file}: no run is named ${JSON.stringify(options.run)}${didYouMean(options.run, names)}; ${has}`);
+  }
+  const first = level.runs[0];
+  if (first === undefined)
+    throw new Failure(`${file}: the level has no run; give one with --holds 12-96,130-188, or --holds none to let her drift`);
+  return { name: `run ${JSON.stringify(first.name)}`, holds: first.holds };
+}

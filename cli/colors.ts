@@ -1,0 +1,14 @@
+import process from 'node:process';
+import pc from 'picocolors';
+
+export type Colors = ReturnType<typeof pc.createColors>;
+
+/** No colours at all: for files, pipes and tests. */
+export const PLAIN: Colors = pc.createColors(false);
+
+/** Colours for a stream: on a terminal, unless NO_COLOR says no or TERM is dumb; FORCE_COLOR asks for them anywhere. */
+export function colorsFor(stream: { readonly isTTY?: boolean }): Colors {
+  const { NO_COLOR, FORCE_COLOR, TERM } = process.env;
+  if (NO_COLOR) return PLAIN;
+  return pc.createColors(FORCE_COLOR ? FORCE_COLOR !== '0' : stream.isTTY === true && TERM !== 'dumb');
+}

@@ -1,0 +1,99 @@
+import { readFileSync } from 'node:fs';
+import process from 'node:process';
+import { Command, CommanderError } from 'commander';
+import type { CommandResult } from './command.ts';
+import { COMMANDS } from './commands/index.ts';
+import { Failure } from './failure.ts';
+import { endOnSignals } from './signals.ts';
+import { visible } from './visible.ts';
+
+/**
+ * Runs one command: parse, work, report.
+ * @param args the arguments after `gq`
+ * @returns the exit code
+ */
+export async function runCommandLine(args: readonly string[]): Promise<number> {
+  endOnSignals();
+  watchStreams();
+  try {
+    const result = await perform(args);
+    if (result.messages) process.stderr.write(result.messages);
+    if (result.output !== undefined && result.output.length > 0) process.stdout.write(result.output);
+    return result.exitCode;
+  } catch (error) {
+    return reportError(error);
+  }
+}
+
+async function perform(args: readonly string[]): Promise<CommandResult> {
+  let result: CommandResult = { exitCode: 0 };
+  const asked = args[0] === 'help' ? args[1] : args[0];
+  const program = createProgram();
+  for (const { name, summary, load } of COMMANDS) {
+    const command = program.command(name).summary(summary).description(summary);
+    if (name !== asked) continue;
+    const module = await load();
+    module.declare(command, (r) => {
+      result = r;
+    });
+  }
+  await program.parseAsync(args, { from: 'user' });
+  return result;
+}
+
+function createProgram(): Command {
+  const program = new Command('gq');
+  program
+    .description('Level-design toolkit for Gravity Quest: checks that levels can be completed.')
+    .version(readVersion(), '-V, --version', 'print the version')
+    .helpOption('-h, --help', 'show help')
+    .helpCommand('help [command]', 'show help for a command')
+    .exitOverride()
+    .showHelpAfterError("(gq --help lists the commands, gq COMMAND --help a command's options)")
+    .configureOutput({ outputError: (text, write) => write(visible(text)) })
+    .addHelpText(
+      'after',
+      `
+Examples:
+  $ gq check                          every level under levels/
+  $ gq check levels --format github   the same, as annotations of a pull request
+  $ gq simulate levels/01.level.json  what happens in its first run
+  $ gq explain unknown-key            what a problem means
+
+Exit codes: 0 every level is completable, or the command did what was asked; 1 a level is not, or is invalid;
+2 it could not be done: bad option, nothing matched, unreadable file; 130 and 143 on SIGINT and SIGTERM.`,
+    );
+  return program;
+}
+
+function readVersion(): string {
+  return JSON.parse(readFileSync(new URL('../../package.json', import.meta.url), 'utf8')).version;
+}
+
+function reportError(error: unknown): number {
+  // commander has written its message, or the help that was asked for, by then
+  if (error instanceof CommanderError) return error.exitCode === 0 ? 0 : 2;
+  process.stderr.write(describeError(error));
+  return 2;
+}
+
+function describeError(error: unknown): string {
+  if (error instanceof Failure) return `error: ${visible(error.message)}\n`;
+  const stack = error instanceof Error ? (error.stack ?? error.message) : String(error);
+  return `gq crashed: this is a bug in gq, please report it with the level and the command line.\n${visible(stack)}\n`;
+}
+
+function watchStreams(): void {
+  process.stdout.on('error', (error: NodeJS.ErrnoException) => {
+    // the reader has gone away (`gq check | head -1`): it has what it wanted
+    if (error.code === 'EPIPE') return;
+    process.stderr.write(`error: can't write to the standard output: ${error.message}\n`);
+    process.exitCode = 2;
+  });
+  // nowhere left to complain to
+  process.stderr.on('error', () => {});
+  process.on('uncaughtException', (error) => {
+    process.stderr.write(describeError(error));
+    process.exit(2);
+  });
+}

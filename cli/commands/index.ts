@@ -1,0 +1,20 @@
+import type { CommandModule } from '../command.ts';
+
+interface CommandEntry {
+  readonly name: string;
+  readonly summary: string;
+  /** A command's module, and with it the engine or the renderer, is loaded only when it is the one asked for. */
+  readonly load: () => Promise<CommandModule>;
+}
+
+/** Every command, in the order in which `gq --help` lists them. */
+export const COMMANDS: readonly CommandEntry[] = [
+  { name: 'check', summary: 'check that every level can be completed', load: () => import('./check.ts') },
+  { name: 'simulate', summary: 'play one run of a level and say in full what happens', load: () => import('./simulate.ts') },
+  { name: 'inspect', summary: 'what a level calls for: effects, counts, warnings', load: () => import('./inspect.ts') },
+  { name: 'render', summary: 'draw a level and its run as SVG or PNG', load: () => import('./render.ts') },
+  { name: 'import', summary: "turn the original game's levels into level files", load: () => import('./import.ts') },
+  { name: 'fmt', summary: 'lay level files out canonically', load: () => import('./fmt.ts') },
+  { name: 'schema', summary: 'print the JSON Schema of a level file', load: () => import('./schema.ts') },
+  { name: 'explain', summary: 'what a problem means, why it matters, how to fix it', load: () => import('./explain.ts') },
+];

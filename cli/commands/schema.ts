@@ -1,0 +1,17 @@
+import type { Command } from 'commander';
+import { levelJsonSchema } from '../../schema/index.ts';
+import type { CommandResult } from '../command.ts';
+
+export function declare(command: Command, finish: (result: CommandResult) => void): void {
+  command
+    .description('Print the JSON Schema of a level file.')
+    .addHelpText(
+      'after',
+      `
+Editors use it for completion in level files that name it in "$schema".
+
+Examples:
+  $ gq schema > level.schema.json`,
+    )
+    .action(() => finish({ output: `${JSON.stringify(levelJsonSchema(), null, 2)}\n`, exitCode: 0 }));
+}

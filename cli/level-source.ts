@@ -1,0 +1,41 @@
+import process from 'node:process';
+import { findWarnings, type Run } from '../engine/index.ts';
+import { type Level, type LevelDocument, type Problem, readLevel } from '../schema/index.ts';
+import { colorsFor } from './colors.ts';
+import type { CommandResult } from './command.ts';
+import { readBytes } from './files.ts';
+import { type ShownProblem, showProblems } from './problem.ts';
+import { showFileProblems } from './reporters/problem.ts';
+
+export interface OpenedLevel {
+  readonly level: Level;
+  readonly document: LevelDocument;
+}
+
+/**
+ * Reads the one level that a command is about.
+ * @returns the level, or what the command is to leave behind when the file is not a valid level
+ * @throws Failure when the file can't be read
+ */
+export function openLevel(file: string): OpenedLevel | CommandResult {
+  const read = readLevel(readBytes(file));
+  if (read.ok) return read;
+  return { messages: showFileProblems(file, showProblems(read.problems, read.text), colorsFor(process.stderr)), exitCode: 1 };
+}
+
+/** What looks wrong in a valid level and in the runs of it that were simulated, with places. */
+export function warningsOf({ level, document }: OpenedLevel, runs: readonly Run[]): ShownProblem[] {
+  const warnings = findWarnings(level, runs);
+  return warnings.length === 0
+    ? []
+    : showProblems(
+        warnings.map((w) => placed(w, document)),
+        document.text,
+      );
+}
+
+/** A problem that is known by its JSON pointer, with the place of that pointer in the file. */
+export function placed(problem: Omit<Problem, 'line' | 'column'>, document: LevelDocument): Problem {
+  if (problem.pointer === '') return { ...problem, line: null, column: null };
+  return { ...problem, ...document.locate(problem.pointer) };
+}

@@ -1,0 +1,15 @@
+#!/usr/bin/env node
+import { readFileSync } from 'node:fs';
+import process from 'node:process';
+
+// what a command needs is loaded only once it is known which: `gq --version` must start as fast as node itself
+const args = process.argv.slice(2);
+if (args.length === 1 && (args[0] === '--version' || args[0] === '-V')) {
+  const manifest = readFileSync(new URL('../../package.json', import.meta.url), 'utf8');
+  // a reader that has gone away (`gq --version | true`) is no reason to complain
+  process.stdout.on('error', () => {});
+  process.stdout.write(`${JSON.parse(manifest).version}\n`);
+} else {
+  const { runCommandLine } = await import('./command-line.ts');
+  process.exitCode = await runCommandLine(args);
+}

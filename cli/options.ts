@@ -1,0 +1,34 @@
+import { InvalidArgumentError, Option } from 'commander';
+import { ACCURACIES, DEFAULT_ACCURACY, DEFAULT_MAX_TIME } from '../engine/index.ts';
+
+/** The longest run that is ever simulated, s: an hour, as far as a level file's holds reach. */
+const LONGEST_RUN = 3600;
+
+/** Reads a number within bounds. */
+export function numberOption(what: string, above: number, max: number): (text: string) => number {
+  return (text) => {
+    const value = /^\s*$/.test(text) ? Number.NaN : Number(text);
+    if (value > above && value <= max) return value;
+    throw new InvalidArgumentError(`expected ${what} above ${above}, at most ${max}`);
+  };
+}
+
+/** Reads a whole number within bounds. */
+export function wholeNumberOption(what: string, min: number, max: number): (text: string) => number {
+  return (text) => {
+    const value = Number(text);
+    if (/^\d+$/.test(text) && value >= min && value <= max) return value;
+    throw new InvalidArgumentError(`expected ${what}: a whole number from ${min} to ${max}`);
+  };
+}
+
+export const formatOption = (...formats: string[]): Option =>
+  new Option('--format <format>', 'how to report').choices(formats).default(formats[0]);
+
+export const accuracyOption = (): Option =>
+  new Option('--accuracy <name>', 'how exactly to simulate').choices(Object.keys(ACCURACIES)).default(DEFAULT_ACCURACY);
+
+export const maxTimeOption = (): Option =>
+  new Option('--max-time <seconds>', 'simulated time after which a run is a timeout')
+    .argParser(numberOption('seconds', 0, LONGEST_RUN))
+    .default(DEFAULT_MAX_TIME);

@@ -1,0 +1,46 @@
+import type { LevelReport, Verdict } from '../check/report.ts';
+import { summarize } from '../check/summary.ts';
+import type { Colors } from '../colors.ts';
+import { bodyInWords, collected } from '../outcome.ts';
+import { visibleLine } from '../visible.ts';
+import { showFileProblems } from './problem.ts';
+import { alignColumns } from './table.ts';
+
+const WHAT_TO_DO: Record<Exclude<Verdict, 'completable'>, string> = {
+  broken: 'none of its runs completes it: change the level or a run; gq simulate shows what happens',
+  unproven: 'it has no run: add one that completes it',
+  impossible: 'it cannot be completed: change the level',
+  invalid: 'the file is not a valid level: mend what is said above',
+  crashed: 'gq itself failed: please report it with the level',
+};
+
+/** What `check` found out, for a person: a line a level, its problems below it, and a summary. */
+export function checkPretty(reports: readonly LevelReport[], colors: Colors): string {
+  const lines = alignColumns(reports.map(row));
+  const paint = (verdict: Verdict): ((text: string) => string) =>
+    verdict === 'completable' ? colors.green : verdict === 'unproven' ? colors.yellow : colors.red;
+  let text = '';
+  for (const [i, { file, verdict, problems }] of reports.entries()) {
+    text += `${paint(verdict)(verdict)}${lines[i].slice(verdict.length)}\n${showFileProblems(file, problems, colors)}`;
+  }
+  const summary = summarize(reports);
+  const counts = Object.entries(summary).filter(([, count]) => count > 0);
+  const total = `${reports.length} ${reports.length === 1 ? 'level' : 'levels'}`;
+  text += `\n${colors.bold(total)}: ${counts.map(([v, count]) => paint(v as Verdict)(`${count} ${v}`)).join(', ')}\n`;
+  for (const [verdict] of counts) {
+    if (verdict !== 'completable') text += `${verdict}: ${WHAT_TO_DO[verdict as Exclude<Verdict, 'completable'>]}\n`;
+  }
+  if (reports.some((report) => report.problems.length > 0)) text += 'gq explain CODE says more about a problem\n';
+  return text;
+}
+
+/** verdict, file, name, time, minerals, clearance */
+function row({ verdict, file, name, run, mineralCount }: LevelReport): string[] {
+  const cells = [verdict, visibleLine(file), visibleLine(name ?? '')];
+  if (verdict !== 'completable' || run === null) return cells;
+  const minerals = mineralCount === 0 ? 'no minerals' : `${collected(run)} of ${mineralCount} minerals`;
+  const near = run.clearance;
+  const clearance =
+    near === null ? 'nothing deadly' : `${near.distance.toFixed(1)} px clear of ${bodyInWords(near.kind, near.index)}`;
+  return [...cells, `${run.time.toFixed(2)} s`, minerals, clearance];
+}

@@ -1,0 +1,32 @@
+import type { Colors } from '../colors.ts';
+import type { ShownProblem } from '../problem.ts';
+import { visibleLine } from '../visible.ts';
+import { showFileProblems } from './problem.ts';
+import { problemJson } from './problem-json.ts';
+
+export interface FormattedFile {
+  readonly file: string;
+  readonly status: 'unchanged' | 'formatted' | 'would change' | 'invalid';
+  readonly problems: readonly ShownProblem[];
+}
+
+/** What `fmt` did, for a program. */
+export function fmtJson(files: readonly FormattedFile[]): string {
+  const list = files.map(({ file, status, problems }) => ({ file, status, problems: problems.map(problemJson) }));
+  return `${JSON.stringify({ files: list })}\n`;
+}
+
+/** What `fmt` did, for a person: the files that were not as they should be, and a count. */
+export function fmtPretty(files: readonly FormattedFile[], colors: Colors): string {
+  let text = '';
+  for (const { file, status, problems } of files) {
+    if (status === 'unchanged') continue;
+    const paint = status === 'invalid' ? colors.red : colors.yellow;
+    text += `${paint(status)} ${visibleLine(file)}\n${showFileProblems(file, problems, colors)}`;
+  }
+  const counts = (['unchanged', 'formatted', 'would change', 'invalid'] as const)
+    .map((status) => [status, files.filter((file) => file.status === status).length] as const)
+    .filter(([, count]) => count > 0)
+    .map(([status, count]) => `${count} ${status}`);
+  return `${text}${files.length} ${files.length === 1 ? 'file' : 'files'}: ${counts.join(', ')}\n`;
+}

@@ -1,0 +1,6 @@
+import type { Problem } from '../../schema/index.ts';
+
+/** A problem as every JSON report gives it. */
+export function problemJson({ code, severity, message, line, column, pointer }: Problem): object {
+  return { code, severity, message, line, column, pointer };
+}

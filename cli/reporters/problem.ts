@@ -1,0 +1,27 @@
+import type { Colors } from '../colors.ts';
+import { MAX_FRAMES, type ShownProblem } from '../problem.ts';
+import { visible, visibleLine } from '../visible.ts';
+
+/** `file:line:col`, or the file alone where a problem is about all of it. */
+function place(file: string, { line, column }: ShownProblem): string {
+  return visibleLine(line === null ? file : `${file}:${line}:${column ?? 1}`);
+}
+
+/** One problem for a person: its place first, then what, the lines around it, and what to do. */
+export function showProblem(file: string, problem: ShownProblem, colors: Colors): string {
+  const paint = problem.severity === 'error' ? colors.red : colors.yellow;
+  const head = `${place(file, problem)}: ${paint(problem.severity)} ${colors.dim(problem.code)}: ${visibleLine(problem.message)}`;
+  const frame = problem.frame === null ? '' : `${indent(visible(problem.frame.trimEnd()))}\n`;
+  const hint = problem.hint === '' ? '' : `${indent(visible(problem.hint))}\n`;
+  return `${head}\n${frame}${hint}`;
+}
+
+/** The problems of one file; of very many only the first. */
+export function showFileProblems(file: string, problems: readonly ShownProblem[], colors: Colors): string {
+  const shown = problems.slice(0, MAX_FRAMES).map((problem) => showProblem(file, problem, colors));
+  const more = problems.length - shown.length;
+  if (more > 0) shown.push(`${visibleLine(file)}: ${more} more ${more === 1 ? 'problem' : 'problems'} like these\n`);
+  return shown.join('');
+}
+
+const indent = (text: string): string => text.replace(/^(?=.)/gm, '    ');

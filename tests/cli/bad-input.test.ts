@@ -1,0 +1,235 @@
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { afterAll, describe, expect, it } from 'vitest';
+import { fallThrough, gq, makeFiles } from './gq.ts';
+
+const good = fallThrough();
+const asteroid = (radius: string): string => good.replace('"radius":16', `"radius":${radius}`);
+
+// each: what the file holds, the code of the problem, and where it is; all are valid levels but for one thing
+const INVALID: readonly [name: string, content: string | Uint8Array, code: string, place: string][] = [
+  ['empty', '', 'empty-file', ':1:1'],
+  [
+    'not-utf8',
+    Buffer.concat([Buffer.from(good.slice(0, 20)), Buffer.from([0xff, 0xfe]), Buffer.from(good.slice(20))]),
+    'not-utf8',
+    ':1:21',
+  ],
+  ['truncated', good.slice(0, -20), 'truncated-json', ':1:'],
+  ['duplicate-key', good.replace('{"version":1', '{"version":1,\n"version":1'), 'duplicate-key', ':2:1'],
+  ['proto', good.replace('{"version":1', '{"version":1,\n"__proto__":{"name":"x"}'), 'unknown-key', ':2:1'],
+  ['infinite', good.replace('"x":170', '\n"x":1e999'), '', ':2:'],
+  ['nan', good.replace('"x":170', '\n"x":NaN'), '', ':2:'],
+  ['deep', '['.repeat(100_000) + ']'.repeat(100_000), 'too-deep', ':1:65'],
+  ['huge', `{"version":1,"name":"${'x'.repeat(50_000_000)}"}`, 'file-too-large', ''],
+  ['newer', good.replace('"version":1', '"version":99'), '', ':1:'],
+  ['unknown-key', good.replace('"asteroids":', '\n"asteriods":'), 'unknown-key', ':2:1'],
+  ['zero-radius', asteroid('\n0'), '', ':2:1'],
+  ['negative-radius', asteroid('\n-16'), '', ':2:1'],
+  ['two-astronauts', good.replace('"astronaut":{"x":0,"y":0}', '"astronaut":\n[{"x":0,"y":0},{"x":1,"y":0}]'), '', ':2:1'],
+  ['two-astronaut-keys', good.replace('"astronaut":', '"astronaut":{"x":9,"y":9},\n"astronaut":'), 'duplicate-key', ':2:1'],
+  ['hold-reversed', good.replace('[0,600]', '\n[600,0]'), '', ':2:'],
+  ['hold-negative', good.replace('[0,600]', '\n[-5,600]'), '', ':2:'],
+  ['hold-fraction', good.replace('[0,600]', '\n[0.5,600]'), '', ':2:'],
+  ['not-json', 'version: 1\n', 'invalid-json', ':1:1'],
+  ['a-list', '[]', '', ':1:1'],
+];
+
+const files = makeFiles({
+  ...Object.fromEntries(INVALID.map(([name, content]) => [`invalid/${name}.level.json`, content])),
+  'fine/good.level.json': good,
+  'fine/overlapping.level.json': good.replace('[0,600]', '[0,300],[200,600]'),
+  'fine/crowd.level.json': fallThrough({
+    asteroids: [
+      { x: 100, y: 0, radius: 16 },
+      ...Array.from({ length: 99_999 }, (_, i) => ({ x: 1e5 + i * 40, y: 0, radius: 16 })),
+    ],
+  }),
+  'bom/bom.level.json': `\ufeff${good}`,
+  'nothing/readme.md': 'no level here',
+  'a-file': 'not a directory',
+  'originals.json': JSON.stringify([
+    { player: { x: 0, y: 0 }, target: { x: 9, y: 9, radius: 18 }, asteroids: [], maxDistance: 250 },
+  ]),
+});
+const cwd = files.directory;
+afterAll(files.remove);
+
+describe('an invalid file', () => {
+  it('is told with its place, a code that explain knows, and exit code 1', async () => {
+    const { code, signal, stdout, stderr } = await gq(['check', 'invalid', '--format', 'json'], { cwd });
+    expect({ code, signal, stderr }).toEqual({ code: 1, signal: null, stderr: '' });
+    const report = JSON.parse(stdout);
+    expect(report.summary.invalid).toBe(INVALID.length);
+    const known = new Set(
+      JSON.parse((await gq(['explain', '--format', 'json'])).stdout).codes.map((c: { code: string }) => c.code),
+    );
+    for (const [name, , expectedCode] of INVALID) {
+      const level = report.levels.find((l: { file: string }) => l.file === `invalid/${name}.level.json`);
+      expect(level, name).toMatchObject({ name: null, verdict: 'invalid', run: null });
+      expect(level.problems.length, name).toBeGreaterThan(0);
+      if (expectedCode !== '') expect(level.problems[0].code, name).toBe(expectedCode);
+      for (const problem of level.problems) expect([...known], name).toContain(problem.code);
+    }
+  });
+
+  it('is told as file:line:col first in pretty form, and does not flood the terminal', async () => {
+    const { code, stdout } = await gq(['check', 'invalid'], { cwd });
+    expect(code).toBe(1);
+    for (const [name, , , place] of INVALID) expect(stdout).toContain(`\ninvalid/${name}.level.json${place}`);
+    expect(stdout.length).toBeLessThan(60_000);
+    expect(Math.max(...stdout.split('\n').map((line) => line.length))).toBeLessThan(1000);
+  });
+
+  it('is refused alike by every command that reads one level', async () => {
+    const commands = [['simulate'], ['inspect'], ['render', '-o', 'out.svg']];
+    const ended = await Promise.all(
+      commands.map(([name, ...rest]) => gq([name, 'invalid/unknown-key.level.json', ...rest], { cwd })),
+    );
+    for (const { code, stdout, stderr } of ended) {
+      expect({ code, stdout }).toEqual({ code: 1, stdout: '' });
+      expect(stderr).toMatch(/^invalid\/unknown-key\.level\.json:2:1: error unknown-key: .*did you mean `?asteroids/);
+    }
+    expect(existsSync(join(cwd, 'out.svg'))).toBe(false);
+  });
+
+  it('is left alone by fmt', async () => {
+    const before = readFileSync(join(cwd, 'invalid/unknown-key.level.json'), 'utf8');
+    const { code, stdout } = await gq(['fmt', 'invalid/unknown-key.level.json'], { cwd });
+    expect(code).toBe(1);
+    expect(stdout).toContain('invalid/unknown-key.level.json:2:1: error');
+    expect(readFileSync(join(cwd, 'invalid/unknown-key.level.json'), 'utf8')).toBe(before);
+  });
+});
+
+it('a level of 100,000 asteroids and one with overlapping holds end in a verdict', async () => {
+  const { code, stdout, stderr } = await gq(['check', 'fine', '--format', 'json'], { cwd });
+  expect(stderr).toBe('');
+  const verdicts = JSON.parse(stdout).levels.map((l: { file: string; verdict: string }) => [l.file, l.verdict]);
+  expect(verdicts).toContainEqual(['fine/good.level.json', 'completable']);
+  expect(verdicts).toContainEqual(['fine/overlapping.level.json', 'completable']);
+  expect(verdicts[0][0]).toBe('fine/crowd.level.json');
+  expect(['completable', 'invalid']).toContain(verdicts[0][1]);
+  expect([0, 1]).toContain(code);
+});
+
+it('a byte order mark is a problem with a way out, or harmless', async () => {
+  const checked = await gq(['check', 'bom', '--format', 'json'], { cwd });
+  const [level] = JSON.parse(checked.stdout).levels;
+  expect(level.problems.map((p: { code: string }) => p.code)).toContain('byte-order-mark');
+  expect(checked.code).toBe(level.verdict === 'completable' ? 0 : 1);
+});
+
+describe('a path that matches nothing', () => {
+  it('is named, every one, even beside one that matches, and nothing is checked', async () => {
+    const { code, stdout, stderr } = await gq(
+      ['check', 'nowhere', 'fine/good.level.json', 'nothing', 'fine/*.lvl', 'fine/god.level.json'],
+      { cwd },
+    );
+    expect({ code, stdout }).toEqual({ code: 2, stdout: '' });
+    expect(stderr).toContain('  nowhere: no such file or directory\n');
+    expect(stderr).toContain('  nothing: the directory holds no *.level.json\n');
+    expect(stderr).toContain('  fine/*.lvl: no file matches this pattern\n');
+    expect(stderr).toContain('  fine/god.level.json: no such file or directory (did you mean good.level.json?)\n');
+    expect(stderr).not.toContain('fine/good.level.json:');
+  });
+
+  it('is an error for the default directory, for fmt, and for an empty name', async () => {
+    const ended = await Promise.all([gq(['check'], { cwd }), gq(['fmt'], { cwd }), gq(['check', ''], { cwd })]);
+    for (const { code, stdout, stderr } of ended) {
+      expect({ code, stdout }).toEqual({ code: 2, stdout: '' });
+      expect(stderr).toContain('match');
+    }
+    expect(ended[0].stderr).toContain('levels: no such file or directory');
+  });
+
+  it('is told for a single level, as is a directory in its place', async () => {
+    const [missing, directory] = await Promise.all([
+      gq(['simulate', 'fine/goood.level.json'], { cwd }),
+      gq(['inspect', 'fine'], { cwd }),
+    ]);
+    expect(missing).toMatchObject({ code: 2, stdout: '' });
+    expect(missing.stderr).toContain(
+      "fine/goood.level.json: can't be read: no such file or directory (did you mean good.level.json?)",
+    );
+    expect(directory).toMatchObject({ code: 2, stdout: '' });
+    expect(directory.stderr).toContain("fine: can't be read: is a directory; expected a file");
+  });
+});
+
+describe('holds on the command line', () => {
+  const WRONG: readonly [holds: string, caret: number, why: string][] = [
+    ['96-12', 0, 'the release (12) must be later than the press (96)'],
+    ['12-12', 0, 'the release (12) must be later'],
+    ['12-96,90-188', 6, 'this hold begins at 90, before the one before it ends (96)'],
+    ['-5-10', 0, 'expected the tick of a press here'],
+    ['12-x', 3, 'expected the tick of a release here (a whole number from 0 to 216000), found "x"'],
+    ['12', 2, 'expected "-" and the tick of the release after 12'],
+    ['12-96;', 5, 'expected "," and another hold, or the end'],
+    ['12-96,', 6, 'found the end'],
+    ['1.5-3', 1, 'expected "-"'],
+    ['0-99999999999999999999', 2, 'is beyond 216000'],
+  ];
+
+  it('are refused with what was expected and a caret under the place', async () => {
+    const ended = await Promise.all(WRONG.map(([holds]) => gq(['simulate', 'fine/good.level.json', '--holds', holds], { cwd })));
+    for (const [i, [holds, caret, why]] of WRONG.entries()) {
+      const { code, stdout, stderr } = ended[i];
+      expect({ code, stdout }, holds).toEqual({ code: 2, stdout: '' });
+      expect(stderr, holds).toContain('like 12-96,130-188; or none');
+      expect(stderr, holds).toContain(`\n  ${holds}\n  ${' '.repeat(caret)}^ `);
+      expect(stderr, holds).toContain(why);
+    }
+  });
+});
+
+describe('options that make no sense', () => {
+  const WRONG: readonly [args: string[], message: RegExp][] = [
+    [['chek'], /unknown command 'chek'\n\(Did you mean check\?\)/],
+    [['check', '--acuracy', 'arcade'], /unknown option '--acuracy'\n\(Did you mean --accuracy\?\)/],
+    [['check', '--accuracy', 'perfect'], /'perfect' is invalid.*arcade/],
+    [['check', '--format', 'xml'], /'xml' is invalid.*pretty, json, github/],
+    [['check', '--jobs', '0'], /'0' is invalid.*a whole number from 1 to 256/],
+    [['check', '--max-time', 'soon'], /'soon' is invalid.*expected seconds above 0, at most 3600/],
+    [['check', '--max-time', '1e999'], /'1e999' is invalid/],
+    [['simulate'], /missing required argument 'level'/],
+    [['simulate', 'a', 'b'], /too many arguments/],
+    [['simulate', 'fine/good.level.json', '--sample', '-1'], /'-1' is invalid/],
+    [['simulate', 'fine/good.level.json', '--sample', '10000', '--max-time', '3600'], /may give more than 1000000 samples/],
+    [['simulate', 'fine/good.level.json', '--recoil', 'maybe'], /'maybe' is invalid.*on, off/],
+    [['simulate', 'fine/good.level.json', '--run', 'hodl'], /no run is named "hodl" \(did you mean hold\?\); it has "hold"/],
+    [['simulate', 'fine/good.level.json', '--run', 'hold', '--holds', 'none'], /exclude each other/],
+    [['render', 'fine/good.level.json'], /required option '-o, --output <file>'/],
+    [['render', 'fine/good.level.json', '-o', 'picture.gif'], /ends in \.svg or \.png/],
+    [['import', 'originals.json'], /required option '--out <dir>'/],
+    [['explain', 'unknwon-key'], /"unknwon-key" \(did you mean unknown-key\?\)/],
+    [[], /Usage: gq/],
+  ];
+
+  it('are refused with exit code 2, all of it on stderr', async () => {
+    const ended = await Promise.all(WRONG.map(([args]) => gq(args, { cwd })));
+    for (const [i, [args, message]] of WRONG.entries()) {
+      const { code, stdout, stderr } = ended[i];
+      expect({ code, stdout }, args.join(' ')).toEqual({ code: 2, stdout: '' });
+      expect(stderr, args.join(' ')).toMatch(message);
+    }
+  });
+});
+
+describe('an output that cannot be written', () => {
+  it('is told, and nothing is left half written', async () => {
+    const before = readdirSync(cwd);
+    const ended = await Promise.all([
+      gq(['import', 'originals.json', '--out', 'a-file/levels'], { cwd }),
+      gq(['import', 'originals.json', '--out', 'a-file'], { cwd }),
+      gq(['render', 'fine/good.level.json', '-o', 'a-file/out.svg'], { cwd }),
+      gq(['render', 'fine/good.level.json', '-o', 'nowhere/out.svg'], { cwd }),
+    ]);
+    for (const { code, stdout, stderr } of ended) {
+      expect({ code, stdout }).toEqual({ code: 2, stdout: '' });
+      expect(stderr).toMatch(/^error: .*(can't be made|can't be written): .+/);
+    }
+    expect(readdirSync(cwd)).toEqual(before);
+    expect(readFileSync(join(cwd, 'a-file'), 'utf8')).toBe('not a directory');
+  });
+});
