@@ -1,2 +1,14 @@
+export { codeFrame } from './code-frame.ts';
+export { CODES, type CodeExplanation } from './codes.ts';
+export { formatLevel } from './format.ts';
+export { withIds } from './ids.ts';
+export { type ImportedLevel, type ImportReading, importOriginal } from './import-original.ts';
+export { formatLevelJsonSchema, levelJsonSchema } from './json-schema.ts';
 export * from './level.ts';
+export type { JsonObject, Migration } from './migrate.ts';
+export type { Problem } from './problem.ts';
+export { MAX_FILE_SIZE } from './read-json.ts';
+export { type LevelDocument, type LevelReading, type ReadLevelOptions, readLevel } from './read-level.ts';
+export * from './report.ts';
 export { resolveLevel } from './resolve.ts';
+export type { TextPlace } from './text-place.ts';

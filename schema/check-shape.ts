@@ -1,0 +1,234 @@
+import * as z from 'zod';
+import { closestName } from './closest-name.ts';
+import { LEVEL_VERSION, LIMITS, levelSchema, OBJECT_LISTS } from './level.ts';
+import { type Finding, MAX_FINDINGS, type Path, toWords } from './problem.ts';
+import { quote, sayValue } from './say.ts';
+
+const { shape } = levelSchema;
+const runSchema = shape.runs.unwrap().element;
+
+/** What the original game calls things: people who know it write these. */
+const NAMES_OF_THE_ORIGINAL: Readonly<Record<string, string>> = {
+  player: 'astronaut',
+  target: 'blackHole',
+  antiForceFields: 'repulsors',
+  goodies: 'minerals',
+  maxDistance: 'range',
+  enemy: 'hot',
+};
+
+const EXPECTED: Readonly<Record<string, string>> = {
+  number: 'a number',
+  int: 'a whole number',
+  string: 'a text in double quotes',
+  boolean: 'true or false',
+  array: 'a list in [ ]',
+  tuple: 'a pair [press, release]',
+  object: 'an object in { }',
+};
+
+type Parts = { readonly [list: string]: z.core.$ZodType };
+
+interface Compiled {
+  readonly root: z.core.$ZodType;
+  readonly elements: Parts;
+  readonly run: z.core.$ZodType;
+  readonly hold: z.core.$ZodType;
+}
+
+let compiled: Compiled | null = null;
+
+/** The schemas of the parts, compiled by zod on first use: five times faster than interpreted, after some ms once. */
+function parts(): Compiled {
+  compiled ??= {
+    root: z.compile(levelSchema),
+    elements: Object.fromEntries(OBJECT_LISTS.map((list) => [list, z.compile(shape[list].unwrap().element)])),
+    run: z.compile(runSchema),
+    hold: z.compile(runSchema.shape.holds.element),
+  };
+  return compiled;
+}
+
+const isObject = (value: unknown): value is Record<string, unknown> =>
+  typeof value === 'object' && value !== null && !Array.isArray(value);
+
+function valueAt(value: unknown, path: Path): unknown {
+  let current = value;
+  for (const step of path) {
+    if (typeof current !== 'object' || current === null || !Object.hasOwn(current, step)) return undefined;
+    current = (current as Record<string | number, unknown>)[step];
+  }
+  return current;
+}
+
+/** The keys that the object at this path may have. */
+function keysAt(path: Path): string[] {
+  let schema: z.core.$ZodType = levelSchema;
+  const unwrap = () => {
+    if (schema instanceof z.ZodOptional) schema = schema.unwrap();
+  };
+  for (const step of path) {
+    if (schema instanceof z.ZodArray) schema = schema.element;
+    else if (schema instanceof z.ZodObject) schema = schema.shape[step];
+    unwrap();
+  }
+  return schema instanceof z.ZodObject ? Object.keys(schema.shape) : [];
+}
+
+const found = (path: Path, code: Finding['code'], message: string, hint: string): Finding => ({
+  code,
+  message: path.length === 0 ? message : `${toWords(path)}: ${message}`,
+  hint,
+  path,
+  part: 'value',
+});
+
+function unknownKey(path: Path, key: string): { finding: Finding; meant: string | null } {
+  const known = keysAt(path);
+  const original = Object.hasOwn(NAMES_OF_THE_ORIGINAL, key) ? NAMES_OF_THE_ORIGINAL[key] : '';
+  const isOriginal = known.includes(original);
+  const meant = isOriginal ? original : closestName(key, known);
+  const where = path.length === 0 ? '' : ` in ${toWords(path)}`;
+  const guess = meant === null ? '' : `: did you mean "${meant}"?`;
+  let hint = `Known keys are ${known.join(', ')}. Keys of your own begin with x-.`;
+  if (isOriginal) hint = `Write "${meant}"; gq import reads files of the original game.`;
+  else if (meant !== null) hint = `Write "${meant}", or begin a key of your own with x-.`;
+  const message = `unknown key ${quote(key)}${where}${guess}`;
+  return { finding: { code: 'unknown-key', message, hint, path: [...path, key], part: 'key' }, meant };
+}
+
+function missingKey(path: Path): Finding {
+  const object = path.slice(0, -1);
+  const key = String(path[path.length - 1]);
+  if (object.length === 0 && key === 'version') {
+    const hint = `Add "version": ${LEVEL_VERSION} as the first key.`;
+    return { code: 'missing-version', message: 'the key "version" is missing', hint, path: object, part: 'value' };
+  }
+  const where = object.length === 0 ? '' : ` in ${toWords(object)}`;
+  return {
+    code: 'missing-key',
+    message: `the key "${key}" is missing${where}`,
+    hint: `Add "${key}".`,
+    path: object,
+    part: 'value',
+  };
+}
+
+function wrongType(path: Path, expected: string, value: unknown): Finding {
+  if (Array.isArray(value) && path.length === 1 && (path[0] === 'astronaut' || path[0] === 'blackHole')) {
+    const what = path[0] === 'astronaut' ? 'astronaut' : 'black hole';
+    const hint = `Keep one of them, without the list around it: "${path[0]}": { "x": 0, "y": 0 }.`;
+    return found(path, 'one-per-level', `a level has exactly one ${what}, found ${sayValue(value)}`, hint);
+  }
+  if (path.length === 0) {
+    const hint = 'A level is one object in { }; gq import reads the list of levels of the original game.';
+    return found(path, 'wrong-type', `expected a level, an object in { }, found ${sayValue(value)}`, hint);
+  }
+  if (expected === 'int' && typeof value === 'number') {
+    return found(path, 'not-whole', `expected a whole number, found ${value}`, `Write ${Math.round(value)}.`);
+  }
+  const words = EXPECTED[expected] ?? expected;
+  let hint = `Write ${words}.`;
+  const isNumber = expected === 'number' || expected === 'int';
+  if (isNumber && typeof value === 'string' && /^-?\d+(\.\d+)?$/.test(value)) hint = 'Remove the quotes.';
+  else if (expected === 'boolean' && (value === 'true' || value === 'false')) hint = 'Remove the quotes.';
+  return found(path, 'wrong-type', `expected ${words}, found ${sayValue(value)}`, hint);
+}
+
+function outOfLimits(path: Path, issue: z.core.$ZodIssueTooBig | z.core.$ZodIssueTooSmall, value: unknown): Finding {
+  const isBig = issue.code === 'too_big';
+  const limit = Number(isBig ? issue.maximum : issue.minimum);
+  if (typeof value === 'string') {
+    if (!isBig) return found(path, 'empty-text', 'expected a text that says something, found ""', 'Write a name.');
+    const message = `expected at most ${limit} characters, found ${value.length}`;
+    return found(path, 'text-too-long', message, 'Shorten it.');
+  }
+  if (Array.isArray(value)) return wrongType(path, 'tuple', value);
+  const words = isBig ? `at most ${limit}` : issue.inclusive ? `at least ${limit}` : `more than ${limit}`;
+  return found(path, 'out-of-limits', `expected a number of ${words}, found ${String(value)}`, `Write a number of ${words}.`);
+}
+
+function toFinding(issue: z.core.$ZodIssue, path: Path, value: unknown): Finding {
+  if (issue.code === 'invalid_type') return wrongType(path, issue.expected, value);
+  if (issue.code === 'too_big' || issue.code === 'too_small') return outOfLimits(path, issue, value);
+  if (issue.code === 'invalid_format') {
+    const message = `expected 2 to 16 of the characters a-z and 0-9, found ${sayValue(value)}`;
+    return found(path, 'bad-id', message, 'Correct it, or remove it: gq fmt writes a new one.');
+  }
+  const message = `expected ${LEVEL_VERSION}, found ${sayValue(value)}`;
+  return found(path, 'unsupported-version', message, `Write "version": ${LEVEL_VERSION}.`);
+}
+
+/** Checks one part of a level, and says in words what zod finds. */
+function checkPart(schema: z.core.$ZodType, part: unknown, base: Path, into: Finding[]): void {
+  const parsed = z.safeParse(schema, part);
+  if (parsed.success) return;
+  const meant = new Set<string>();
+  const seen = new Set<string>();
+  for (const issue of parsed.error.issues) {
+    if (issue.code !== 'unrecognized_keys') continue;
+    const path = [...base, ...(issue.path as Path)];
+    for (const key of issue.keys) {
+      if (into.length >= MAX_FINDINGS) return;
+      const unknown = unknownKey(path, key);
+      into.push(unknown.finding);
+      if (unknown.meant !== null) meant.add(toWords([...path, unknown.meant]));
+    }
+  }
+  for (const issue of parsed.error.issues) {
+    if (issue.code === 'unrecognized_keys') continue;
+    if (into.length >= MAX_FINDINGS) return;
+    const inner = issue.path as Path;
+    const path = [...base, ...inner];
+    const words = toWords(path);
+    // one problem a value is enough: the first is the most basic one
+    if (seen.has(words)) continue;
+    seen.add(words);
+    const value = valueAt(part, inner);
+    if (value !== undefined) into.push(toFinding(issue, path, value));
+    // a misspelt key is one problem, not two
+    else if (!meant.has(words)) into.push(missingKey(path));
+  }
+}
+
+function checkLength(list: readonly unknown[], most: number, path: Path, into: Finding[]): boolean {
+  if (list.length <= most) return true;
+  into.push(
+    found(path, 'too-many', `expected at most ${most} entries, found ${list.length}`, 'Remove entries, or split the level.'),
+  );
+  return false;
+}
+
+function checkRuns(runs: readonly unknown[], into: Finding[]): void {
+  for (let r = 0; r < runs.length && into.length < MAX_FINDINGS; r++) {
+    const run = runs[r];
+    const holds = isObject(run) && Array.isArray(run.holds) ? run.holds : null;
+    checkPart(parts().run, holds === null ? run : { ...(run as object), holds: [] }, ['runs', r], into);
+    if (holds === null || !checkLength(holds, LIMITS.holds, ['runs', r, 'holds'], into)) continue;
+    for (let h = 0; h < holds.length && into.length < MAX_FINDINGS; h++) {
+      checkPart(parts().hold, holds[h], ['runs', r, 'holds', h], into);
+    }
+  }
+}
+
+/**
+ * Checks a JSON value without x- keys against `levelSchema`: keys, types, limits.
+ * Part by part, so that a file with millions of wrong entries costs no more than one with `MAX_FINDINGS`.
+ */
+export function checkShape(value: unknown): Finding[] {
+  const findings: Finding[] = [];
+  if (!isObject(value)) return [wrongType([], 'object', value)];
+  const hollow = { ...value };
+  for (const list of [...OBJECT_LISTS, 'runs']) if (Array.isArray(hollow[list])) hollow[list] = [];
+  checkPart(parts().root, hollow, [], findings);
+  for (const list of OBJECT_LISTS) {
+    const entries = value[list];
+    if (!Array.isArray(entries) || !checkLength(entries, LIMITS.objects, [list], findings)) continue;
+    const schema = parts().elements[list];
+    for (let i = 0; i < entries.length && findings.length < MAX_FINDINGS; i++) {
+      checkPart(schema, entries[i], [list, i], findings);
+    }
+  }
+  if (Array.isArray(value.runs) && checkLength(value.runs, LIMITS.runs, ['runs'], findings)) checkRuns(value.runs, findings);
+  return findings;
+}

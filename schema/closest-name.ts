@@ -1,0 +1,43 @@
+/**
+ * Optimal string alignment distance: the least number of letters inserted, deleted, replaced, or swapped with their neighbour.
+ * Stops early with `limit` + 1 when it must be larger. Source: Damerau 1964, restricted edit distance.
+ */
+export function editDistance(a: string, b: string, limit: number): number {
+  if (Math.abs(a.length - b.length) > limit) return limit + 1;
+  let before: number[] = [];
+  let above = Array.from({ length: b.length + 1 }, (_, j) => j);
+  for (let i = 1; i <= a.length; i++) {
+    const row = [i];
+    let least = i;
+    for (let j = 1; j <= b.length; j++) {
+      const same = a[i - 1] === b[j - 1];
+      let cost = Math.min(above[j] + 1, row[j - 1] + 1, above[j - 1] + (same ? 0 : 1));
+      if (i > 1 && j > 1 && a[i - 1] === b[j - 2] && a[i - 2] === b[j - 1]) cost = Math.min(cost, before[j - 2] + 1);
+      row.push(cost);
+      if (cost < least) least = cost;
+    }
+    // a swap reaches back two rows, so one row above the limit does not decide yet
+    if (least > limit + 1) return limit + 1;
+    before = above;
+    above = row;
+  }
+  return Math.min(above[b.length], limit + 1);
+}
+
+/** The name among `known` that someone who wrote `name` most likely meant, or null when none is close. */
+export function closestName(name: string, known: readonly string[]): string | null {
+  const written = name.toLowerCase();
+  let best: string | null = null;
+  let bestDistance = Number.POSITIVE_INFINITY;
+  for (const candidate of known) {
+    const shorter = Math.min(written.length, candidate.length);
+    // one slip in three letters is a slip, more is another word
+    const limit = Math.max(1, Math.floor(shorter / 3));
+    const distance = editDistance(written, candidate.toLowerCase(), limit);
+    // a name of one letter shares nothing with another after one replacement
+    if (distance > limit || distance >= candidate.length || distance >= bestDistance) continue;
+    best = candidate;
+    bestDistance = distance;
+  }
+  return best;
+}

@@ -1,0 +1,199 @@
+/** What a problem's code means, for `gq explain`. */
+export interface CodeExplanation {
+  readonly code: string;
+  readonly severity: 'error' | 'warning';
+  readonly title: string;
+  /** Why it matters. */
+  readonly why: string;
+  /** How to fix it. */
+  readonly fix: string;
+  readonly example?: string;
+}
+
+interface Explanation {
+  readonly title: string;
+  readonly why: string;
+  readonly fix: string;
+  readonly example?: string;
+}
+
+const EXPLANATIONS = {
+  'file-too-large': {
+    title: 'The file is larger than 8 MiB',
+    why: 'A level of 100 objects takes about 6 kB. A file this large is something else, and reading it would only cost time and memory.',
+    fix: 'Check that the path names a level file.',
+  },
+  'empty-file': {
+    title: 'The file is empty',
+    why: 'A save that was cut short leaves an empty file; there is nothing to check in it.',
+    fix: 'Write a level into it, or delete it.',
+    example: '{ "version": 1, "name": "First swing", "astronaut": { "x": 0, "y": 0 }, "blackHole": { "x": 0, "y": 200 } }',
+  },
+  'not-utf8': {
+    title: 'The file is not UTF-8 text',
+    why: 'Level files are UTF-8. Bytes of another encoding would be read as other letters on other machines.',
+    fix: 'Save the file as UTF-8 in your editor (not Latin-1, Windows-1252 or UTF-16).',
+  },
+  'byte-order-mark': {
+    title: 'The file begins with a byte order mark',
+    why: 'Level files have one canonical layout. The three invisible bytes EF BB BF break tools that read JSON strictly, and show up as a change in git.',
+    fix: 'Save the file as "UTF-8", not "UTF-8 with BOM"; `gq fmt` removes the mark.',
+  },
+  'invalid-json': {
+    title: 'The text is not valid JSON',
+    why: 'Nothing can be said about a level whose text cannot be read. Only the first such place is reported, since what follows depends on it.',
+    fix: 'Correct the marked place. Texts and keys stand in double quotes, entries are separated by commas.',
+    example: '{ "x": 712, "y": 600 }',
+  },
+  'truncated-json': {
+    title: 'The text ends too early',
+    why: 'A bracket or a text is still open at the end of the file: the end of it is missing, as after a save that was cut short or a bad merge.',
+    fix: 'Add what is missing, or take the file from git again.',
+  },
+  'too-deep': {
+    title: 'Brackets are nested too deep',
+    why: 'A level needs 4 levels of brackets. More than 64 is a mistake or an attack, and some JSON readers crash on it.',
+    fix: 'Remove the brackets.',
+  },
+  'duplicate-key': {
+    title: 'A key stands twice in one object',
+    why: 'JSON readers silently keep one of the two values, not all of them the same one: two tools would see two different levels.',
+    fix: 'Keep one of the two.',
+    example: '{ "x": 1, "x": 2 }  ->  { "x": 2 }',
+  },
+  'not-a-number': {
+    title: 'NaN or Infinity stands where a number should',
+    why: 'JSON has no such values, and no place or size in a level can be one. A program that wrote the file has computed nonsense.',
+    fix: 'Write a number.',
+  },
+  'number-too-large': {
+    title: 'A number is too large for a double',
+    why: 'It would be read as Infinity, and every distance to it would be infinite or not a number.',
+    fix: 'Write a number that can be represented: at most 1.79e308, and within the limits of its key.',
+    example: '1e999',
+  },
+  comment: {
+    title: 'There is a comment in the file',
+    why: 'JSON has no comments, and a comment could not survive formatting.',
+    fix: 'Move the text into a key: "description", or one of your own that begins with x-.',
+    example: '"x-note": "the narrow gap is meant"',
+  },
+  'trailing-comma': {
+    title: 'A comma stands before a closing bracket',
+    why: 'JSON does not allow it, and some readers count an empty entry.',
+    fix: 'Remove the comma.',
+    example: '[1, 2,]  ->  [1, 2]',
+  },
+  'wrong-quotes': {
+    title: 'A text stands in the wrong quotes',
+    why: 'JSON knows only the straight double quote ". Single quotes, backticks and typographic quotes are not quotes to it.',
+    fix: 'Use double quotes.',
+    example: '\'name\'  ->  "name"',
+  },
+  'missing-version': {
+    title: 'The file does not say which version of the format it has',
+    why: 'The version tells how to read the rest, now and when the format changes.',
+    fix: 'Add "version": 1 as the first key.',
+  },
+  'newer-version': {
+    title: 'The file has a newer version of the format',
+    why: 'It was written by a newer toolkit. Reading it with an older one could misunderstand it, so it is refused.',
+    fix: 'Update the toolkit.',
+  },
+  'unsupported-version': {
+    title: 'The version is not one that this toolkit can read',
+    why: 'The version is a whole number from 1 on. For another value there is no rule how to read the rest.',
+    fix: 'Write "version": 1 if the file follows the current format.',
+  },
+  'unknown-key': {
+    title: 'An object has a key that the format does not know',
+    why: 'A misspelt key would be ignored, and the level would silently miss what it says. So every unknown key is an error.',
+    fix: 'Correct the spelling or remove the key. Keys of your own begin with x-: they are kept and not checked.',
+    example: '"asteriods"  ->  "asteroids"',
+  },
+  'missing-key': {
+    title: 'An object lacks a key that it must have',
+    why: 'There is no sensible default for it.',
+    fix: 'Add the key.',
+  },
+  'wrong-type': {
+    title: 'A value is of the wrong type',
+    why: 'Nothing is converted silently: a number in quotes or a list in place of an object is a mistake in the program that wrote it.',
+    fix: 'Write a value of the type that is asked for.',
+    example: '"x": "712"  ->  "x": 712',
+  },
+  'out-of-limits': {
+    title: 'A number is outside its limits',
+    why: 'A radius of 0 or less has no meaning, and numbers far beyond any level cost accuracy: coordinates go to 1e9 px, radii to 1e6 px, speeds to 1000 px/s per axis, ticks to 216000 (an hour).',
+    fix: 'Write a number within the limits.',
+  },
+  'not-whole': {
+    title: 'A tick is not a whole number',
+    why: 'The gun is pressed and released at ticks of 1/60 s, counted from 0.',
+    fix: 'Round it to the nearest tick.',
+    example: '[12.5, 96]  ->  [12, 96]',
+  },
+  'too-many': {
+    title: 'A list is too long',
+    why: 'Lists of objects and of holds end at 20,000 entries, lists of runs at 1,000. A longer one was made by a program that went wrong.',
+    fix: 'Remove entries, or split the level.',
+  },
+  'empty-text': {
+    title: 'A text is empty that must say something',
+    why: 'Levels and runs are known by their names in reports, pictures and the editor.',
+    fix: 'Give it a name.',
+  },
+  'text-too-long': {
+    title: 'A text is too long',
+    why: 'Names must fit a line of a report: 120 characters for a level, 80 for a run; descriptions have 2000.',
+    fix: 'Shorten it.',
+  },
+  'bad-id': {
+    title: 'An id has characters or a length that ids do not have',
+    why: 'Ids are 2 to 16 of the characters a-z and 0-9, so that they need no quoting anywhere.',
+    fix: 'Remove the id: `gq fmt` writes a new one.',
+    example: '"id": "Rock 1"  ->  "id": "k3x9qa"',
+  },
+  'duplicate-id': {
+    title: 'Two objects have the same id',
+    why: 'Ids tell objects apart when a level is edited, compared or merged. Copying an object by hand copies its id, too.',
+    fix: 'Remove one of the two ids: `gq fmt` writes a new one.',
+  },
+  'duplicate-run-name': {
+    title: 'Two runs have the same name',
+    why: 'A run is asked for by its name (`gq simulate --run NAME`).',
+    fix: 'Rename one of the two.',
+  },
+  'reversed-hold': {
+    title: 'A hold is released before it is pressed, or at once',
+    why: 'A hold is [press, release): the gun is held from tick press up to, not including, tick release. If release is not after press, it is never held.',
+    fix: 'Swap the two ticks, or remove the hold.',
+    example: '[96, 12]  ->  [12, 96]',
+  },
+  'one-per-level': {
+    title: 'There is a list where a level has exactly one',
+    why: 'A level has one astronaut and one black hole.',
+    fix: 'Keep one of them, without the list around it.',
+    example: '"astronaut": [{ "x": 0, "y": 0 }]  ->  "astronaut": { "x": 0, "y": 0 }',
+  },
+  'nothing-to-import': {
+    title: 'There is no level in the file',
+    why: 'Empty objects are placeholders of the original game and are skipped; nothing else is in the file.',
+    fix: 'Check that it is the file with the level objects: a list of objects with "player" and "target", or one of them.',
+  },
+  'more-problems': {
+    title: 'There are more problems than are shown',
+    why: 'After 20 problems the rest is only counted: most of them tend to have one cause.',
+    fix: 'Fix those that are shown, and check again.',
+  },
+} as const satisfies Record<string, Explanation>;
+
+/** Every code that reading or importing a file can give. */
+export type ProblemCode = keyof typeof EXPLANATIONS;
+
+/** An explanation of every code that reading or importing a file can give. */
+export const CODES: readonly CodeExplanation[] = Object.entries(EXPLANATIONS).map(([code, explanation]) => ({
+  code,
+  severity: 'error',
+  ...explanation,
+}));

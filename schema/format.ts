@@ -1,0 +1,69 @@
+import { type LevelFile, levelSchema, OBJECT_LISTS } from './level.ts';
+
+type Json = { readonly [key: string]: unknown };
+
+const { shape } = levelSchema;
+const run = shape.runs.unwrap().element;
+
+/** The order of keys in a file is the order in the schema. */
+const KEYS = {
+  level: Object.keys(shape),
+  astronaut: Object.keys(shape.astronaut.shape),
+  blackHole: Object.keys(shape.blackHole.shape),
+  runs: Object.keys(run.shape),
+  ...Object.fromEntries(OBJECT_LISTS.map((list) => [list, Object.keys(shape[list].unwrap().element.shape)])),
+} as { readonly [part: string]: readonly string[] };
+
+/** Entries in canonical order: those with a place in `order` first, then the others as they come; none that is undefined. */
+function entriesOf(object: Json, order: readonly string[]): [string, unknown][] {
+  const known = order.filter((key) => Object.hasOwn(object, key)).map((key): [string, unknown] => [key, object[key]]);
+  const others = Object.entries(object).filter(([key]) => !order.includes(key));
+  return [...known, ...others].filter(([, value]) => value !== undefined);
+}
+
+/** A JSON value on one line; numbers in the shortest form that reads back the same. */
+function inline(value: unknown, order: readonly string[] = []): string {
+  if (typeof value === 'number' && !Number.isFinite(value)) throw new RangeError(`a level file can't hold the number ${value}`);
+  if (typeof value !== 'object' || value === null) return JSON.stringify(value);
+  if (Array.isArray(value)) return `[${value.map((entry) => inline(entry)).join(', ')}]`;
+  const entries = entriesOf(value as Json, order).map(([key, inner]) => `${JSON.stringify(key)}: ${inline(inner)}`);
+  return entries.length === 0 ? '{}' : `{ ${entries.join(', ')} }`;
+}
+
+/** `open`, one row a line, `close`; on one line when there is no row. */
+function block(open: string, rows: readonly string[], close: string, indent: string): string {
+  if (rows.length === 0) return open + close;
+  return `${open}\n${rows.map((row) => `${indent}  ${row}`).join(',\n')}\n${indent}${close}`;
+}
+
+function formatRun(value: Json, indent: string): string {
+  const rows = entriesOf(value, KEYS.runs).map(([key, inner]) => {
+    const isHolds = key === 'holds' && Array.isArray(inner);
+    const text = isHolds
+      ? block(
+          '[',
+          inner.map((hold) => inline(hold)),
+          ']',
+          `${indent}  `,
+        )
+      : inline(inner);
+    return `${JSON.stringify(key)}: ${text}`;
+  });
+  return block('{', rows, '}', indent);
+}
+
+function formatMember(key: string, value: unknown): string {
+  if (!Array.isArray(value) || !Object.hasOwn(KEYS, key)) return inline(value, KEYS[key]);
+  const rows = value.map((entry) => (key === 'runs' ? formatRun(entry as Json, '    ') : inline(entry, KEYS[key])));
+  return block('[', rows, ']', '  ');
+}
+
+/**
+ * The canonical text of a level file: keys in the schema's order and x- keys after them, one object and one hold a line, LF, a new line at the end.
+ * Lists keep their order, what is missing stays missing; -0 is written 0.
+ * @throws RangeError for a number that JSON can't hold
+ */
+export function formatLevel(file: LevelFile): string {
+  const rows = entriesOf(file, KEYS.level).map(([key, value]) => `${JSON.stringify(key)}: ${formatMember(key, value)}`);
+  return `${block('{', rows, '}', '')}\n`;
+}

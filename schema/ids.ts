@@ -1,0 +1,41 @@
+import { type LevelFile, OBJECT_LISTS } from './level.ts';
+
+const LENGTH = 6;
+
+/** 32-bit FNV-1a over UTF-16 units, with murmur3's final mixing so that like texts get unlike numbers. */
+function hash(text: string, seed: number): number {
+  let h = 0x811c9dc5 ^ seed;
+  for (let i = 0; i < text.length; i++) h = Math.imul(h ^ text.charCodeAt(i), 0x01000193);
+  h = Math.imul(h ^ (h >>> 16), 0x85ebca6b);
+  h = Math.imul(h ^ (h >>> 13), 0xc2b2ae35);
+  return (h ^ (h >>> 16)) >>> 0;
+}
+
+function freshId(content: string, taken: ReadonlySet<string>): string {
+  for (let attempt = 0; ; attempt++) {
+    const id = hash(content, attempt).toString(36).padStart(LENGTH, '0').slice(-LENGTH);
+    if (!taken.has(id)) return id;
+  }
+}
+
+/**
+ * A copy of the file in which every object has an id. Ids that exist stay. New ones come from the object's list, content and place alone,
+ * so that two people who add objects in two branches get different ids, and the same file always gets the same ones.
+ */
+export function withIds(file: LevelFile): LevelFile {
+  const taken = new Set<string>();
+  for (const list of OBJECT_LISTS) for (const object of file[list] ?? []) if (object.id !== undefined) taken.add(object.id);
+  const name = <T extends { id?: string | undefined }>(list: string, object: T): T => {
+    if (object.id !== undefined) return object;
+    const id = freshId(`${list}${JSON.stringify(object)}`, taken);
+    taken.add(id);
+    return { ...object, id };
+  };
+  const named = { ...file };
+  if (file.asteroids) named.asteroids = file.asteroids.map((object) => name('asteroids', object));
+  if (file.novae) named.novae = file.novae.map((object) => name('novae', object));
+  if (file.repulsors) named.repulsors = file.repulsors.map((object) => name('repulsors', object));
+  if (file.aliens) named.aliens = file.aliens.map((object) => name('aliens', object));
+  if (file.minerals) named.minerals = file.minerals.map((object) => name('minerals', object));
+  return named;
+}

@@ -1,0 +1,17 @@
+import * as z from 'zod';
+import { levelSchema } from './level.ts';
+
+/** The JSON Schema (draft 2020-12) of a level file, for editors and other tools. Keys that begin with x- are allowed in every object. */
+export function levelJsonSchema(): object {
+  return z.toJSONSchema(levelSchema, {
+    target: 'draft-2020-12',
+    override: ({ jsonSchema }) => {
+      if (jsonSchema.type === 'object') jsonSchema.patternProperties = { '^x-': {} };
+    },
+  });
+}
+
+/** The text of `level.schema.json`. */
+export function formatLevelJsonSchema(): string {
+  return `${JSON.stringify(levelJsonSchema(), null, 2)}\n`;
+}

@@ -1,0 +1,120 @@
+import { createLocator, type Locator } from './locate.ts';
+import { type Finding, MAX_FINDINGS, MAX_PROBLEMS, type Problem, toPointer } from './problem.ts';
+import { scanJson } from './scan-json.ts';
+import { createPlaceFinder } from './text-place.ts';
+import { decodeUtf8 } from './utf8.ts';
+
+/** Files above this are not read, in bytes (for a text: in UTF-16 units). */
+export const MAX_FILE_SIZE = 8 * 1024 * 1024;
+
+/** A JSON document, or what keeps it from being one. `text` is without a byte order mark. */
+export type JsonReading =
+  | {
+      readonly ok: true;
+      readonly text: string;
+      readonly value: unknown;
+      readonly locator: Locator;
+      /** Whether any key begins with x-. */
+      readonly hasExtensions: boolean;
+      /** What is wrong although the text could be read. */
+      readonly findings: readonly Finding[];
+    }
+  | { readonly ok: false; readonly problems: Problem[]; readonly text: string };
+
+const MARK = '\ufeff';
+
+function markFinding(isWanted: boolean): Finding[] {
+  if (!isWanted) return [];
+  const message = 'the file begins with a byte order mark (EF BB BF)';
+  const hint = 'Save it as UTF-8 without BOM; gq fmt removes the mark.';
+  return [{ code: 'byte-order-mark', message, hint, path: [], part: 'value', offset: 0 }];
+}
+
+function wholeFile(code: Finding['code'], message: string, hint: string): JsonReading {
+  return { ok: false, problems: [{ code, severity: 'error', message, hint, pointer: '', line: null, column: null }], text: '' };
+}
+
+function badByteFinding(bytes: Uint8Array, bad: { byte: number; at: number; offset: number }): Finding {
+  const isUtf16 = bytes.length >= 2 && ((bytes[0] === 0xff && bytes[1] === 0xfe) || (bytes[0] === 0xfe && bytes[1] === 0xff));
+  const hex = bad.byte.toString(16).toUpperCase().padStart(2, '0');
+  return {
+    code: 'not-utf8',
+    message: `the byte ${hex} at offset ${bad.at} is not UTF-8${isUtf16 ? ': the file looks like UTF-16' : ''}`,
+    hint: 'Save the file as UTF-8.',
+    path: [],
+    part: 'value',
+    offset: bad.offset,
+  };
+}
+
+/** Findings with their places, in the order of the text; at most `MAX_PROBLEMS`, and one more that counts the rest. */
+export function toProblems(findings: readonly Finding[], locator: Locator): Problem[] {
+  const placed = findings.map((finding) => {
+    const pointer = toPointer(finding.path);
+    return { finding, pointer, offset: finding.offset ?? locator.offsetOf(pointer, finding.part) };
+  });
+  placed.sort((a, b) => a.offset - b.offset);
+  const problems: Problem[] = placed.slice(0, MAX_PROBLEMS).map(({ finding, pointer, offset }) => {
+    const { code, message, hint } = finding;
+    return { code, severity: 'error', message, hint, pointer, ...locator.placeAt(offset) };
+  });
+  const rest = findings.length - problems.length;
+  if (rest > 0) {
+    problems.push({
+      code: 'more-problems',
+      severity: 'error',
+      message: `and ${findings.length >= MAX_FINDINGS ? 'at least ' : ''}${rest} more`,
+      hint: 'Fix the ones above first, and check again.',
+      pointer: '',
+      line: null,
+      column: null,
+    });
+  }
+  return problems;
+}
+
+/** For a text that is not JSON, where only offsets have places. */
+function toPlacedProblems(findings: readonly Finding[], text: string): JsonReading {
+  const locator: Locator = { offsetOf: () => 0, placeAt: createPlaceFinder(text) };
+  return { ok: false, problems: toProblems(findings, locator), text };
+}
+
+/**
+ * Reads the text of a JSON file strictly: size, encoding, syntax, nesting, keys given twice, numbers beyond a double.
+ * @param source the bytes of the file, or its text
+ * @param byteOrderMark whether a byte order mark is a problem ('refuse') or passed over ('skip')
+ */
+export function readJson(source: Uint8Array | string, byteOrderMark: 'refuse' | 'skip'): JsonReading {
+  if (source.length > MAX_FILE_SIZE) {
+    const size = `${(source.length / (1024 * 1024)).toFixed(1)} MiB`;
+    return wholeFile('file-too-large', `a file may have 8 MiB, this one has ${size}`, 'Check that the path names a level file.');
+  }
+  const decoded = typeof source === 'string' ? { text: source, bad: null } : decodeUtf8(source);
+  const hasMark = decoded.text.startsWith(MARK);
+  const text = hasMark ? decoded.text.slice(1) : decoded.text;
+  const marks = markFinding(hasMark && byteOrderMark === 'refuse');
+  if (decoded.bad !== null && typeof source !== 'string') {
+    const bad = { ...decoded.bad, offset: decoded.bad.offset - (hasMark ? 1 : 0) };
+    return toPlacedProblems([...marks, badByteFinding(source, bad)], text);
+  }
+  if (text.trim() === '') {
+    return toPlacedProblems(
+      [
+        ...marks,
+        {
+          code: 'empty-file',
+          message: 'the file is empty',
+          hint: 'Write a level into it, or delete it.',
+          path: [],
+          part: 'value',
+          offset: 0,
+        },
+      ],
+      text,
+    );
+  }
+  const { failure, repeated, hasExtensions } = scanJson(text);
+  const findings = [...marks, ...repeated];
+  if (failure !== null) return toPlacedProblems([...findings, failure], text);
+  return { ok: true, text, value: JSON.parse(text), locator: createLocator(text), hasExtensions, findings };
+}
