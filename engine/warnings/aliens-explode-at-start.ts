@@ -1,0 +1,25 @@
+import { distance, px } from './numbers.ts';
+import { overlaps } from './pairs.ts';
+import type { Rule } from './warning.ts';
+
+/** They are gone before anybody has seen them. */
+export const aliensExplodeAtStart: Rule = {
+  explanation: {
+    code: 'aliens-explode-at-start',
+    severity: 'warning',
+    title: 'two aliens touch at the start',
+    why: 'Two aliens that touch explode. These overlap in the level as it stands, so they explode as it begins and never play a part.',
+    fix: 'Move them apart, farther than the sum of their radii; or leave them out.',
+  },
+  *find({ level }) {
+    const aliens = level.aliens.map(({ x, y, radius }, i) => ({ x, y, radius, i }));
+    for (const [a, b] of overlaps(aliens)) {
+      const reach = a.radius + b.radius;
+      yield {
+        message: `aliens[${a.i}] and aliens[${b.i}] explode at the start: centres ${px(distance(a, b))} apart, and they touch below ${px(reach)}`,
+        hint: `move them apart by ${px(reach - distance(a, b))} or more`,
+        pointer: `/aliens/${a.i}`,
+      };
+    }
+  },
+};

@@ -1,0 +1,57 @@
+import type { Hold } from '../../schema/index.ts';
+import type { Rule } from './warning.ts';
+
+const text = ([press, release]: Hold): string => `[${press}, ${release}]`;
+
+/** A release that never happens. */
+export const holdsOverlap: Rule = {
+  explanation: {
+    code: 'holds-overlap',
+    severity: 'warning',
+    title: 'holds of a run overlap or touch',
+    why: 'The gun is one button: while one hold lasts another can’t begin. Holds that overlap or touch are played as one, so a release and a press in the script never happen.',
+    fix: 'Join them into one hold, or let the second begin at least a tick after the first ends.',
+  },
+  *find({ level }) {
+    for (const [r, { name, holds }] of level.runs.entries()) {
+      const order = [...holds.keys()].sort((a, b) => holds[a][0] - holds[b][0]);
+      let last: number | null = null;
+      for (const i of order) {
+        const [press, release] = holds[i];
+        if (release <= press) continue;
+        if (last !== null && press <= holds[last][1]) {
+          const end = holds[last][1];
+          const how = press === end ? `touch at tick ${end}` : `overlap by ${Math.min(end, release) - press} ticks`;
+          yield {
+            message: `run '${name}': the holds ${text(holds[last])} and ${text(holds[i])} ${how} and are played as one`,
+            hint: `write ${text([holds[last][0], Math.max(end, release)])} instead of both, or press after tick ${end}`,
+            pointer: `/runs/${r}/holds/${i}`,
+          };
+        }
+        if (last === null || release > holds[last][1]) last = i;
+      }
+    }
+  },
+};
+
+/** A script that doesn't read as it plays. */
+export const holdsUnsorted: Rule = {
+  explanation: {
+    code: 'holds-unsorted',
+    severity: 'warning',
+    title: 'holds of a run are not in order of time',
+    why: 'The holds are played in order of time, wherever they stand in the list. A list that says otherwise misleads who reads it or compares two versions.',
+    fix: 'Sort the holds by their first number.',
+  },
+  *find({ level }) {
+    for (const [r, { name, holds }] of level.runs.entries()) {
+      const i = holds.findIndex(([press], k) => k > 0 && press < holds[k - 1][0]);
+      if (i < 0) continue;
+      yield {
+        message: `run '${name}': the hold ${text(holds[i])} comes after ${text(holds[i - 1])}, which presses later`,
+        hint: 'sort the holds by their first number',
+        pointer: `/runs/${r}/holds/${i}`,
+      };
+    }
+  },
+};

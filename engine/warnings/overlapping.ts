@@ -1,0 +1,34 @@
+import { isHazard } from './bodies.ts';
+import { covers } from './covered.ts';
+import { distance, px } from './numbers.ts';
+import { overlaps } from './pairs.ts';
+import type { Rule } from './warning.ts';
+
+/** Solid things drawn into each other. Repulsor fields and minerals may lie anywhere; aliens among themselves explode. */
+export const overlapping: Rule = {
+  explanation: {
+    code: 'overlapping',
+    severity: 'warning',
+    title: 'two solid things overlap',
+    why: 'An asteroid, nova, alien or black hole reaches into another: the player sees one shape where there are two, and can’t tell which of them acts. Nothing breaks; it is seldom meant.',
+    fix: 'Move them apart. A wall needs no overlap: a gap of less than 20 px lets nobody through.',
+  },
+  *find({ level, bodies }) {
+    // the same kind at the same place is told by `same-place`, and would fill the list here
+    const places = new Set<string>();
+    const distinct = bodies.filter(({ kind, x, y }) => {
+      const place = `${kind} ${x} ${y}`;
+      return !places.has(place) && places.add(place);
+    });
+    for (const [a, b] of overlaps(distinct)) {
+      if (a.kind === 'alien' && b.kind === 'alien') continue;
+      if (b.kind === 'black hole' && isHazard(a) && covers(a, level.blackHole)) continue;
+      const depth = px(a.radius + b.radius - distance(a, b));
+      yield {
+        message: `${a.name} and ${b.name} overlap by ${depth}: centres ${px(distance(a, b))} apart, radii ${px(a.radius)} and ${px(b.radius)}`,
+        hint: `move them apart by ${depth}`,
+        pointer: a.pointer,
+      };
+    }
+  },
+};

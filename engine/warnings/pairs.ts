@@ -1,0 +1,56 @@
+import Flatbush from 'flatbush';
+
+export interface Disc {
+  readonly x: number;
+  readonly y: number;
+  readonly radius: number;
+}
+
+// below this many, comparing all pairs is quicker than building an index
+const INDEX_FROM = 64;
+
+// thousands of discs in one heap have millions of pairs; past this many the search gives up rather than hang
+const MAX_CANDIDATES = 2_000_000;
+
+/**
+ * Pairs of discs of one list that overlap (touching from outside is no overlap), the earlier in the list first.
+ * Lazy: whoever has seen enough stops asking.
+ */
+export function* overlaps<T extends Disc>(discs: readonly T[]): Generator<readonly [T, T]> {
+  const near = finderOf(discs);
+  let candidates = 0;
+  for (const [i, a] of discs.entries()) {
+    for (const j of near(a)) {
+      if (++candidates > MAX_CANDIDATES) return;
+      if (j > i && overlap(a, discs[j])) yield [a, discs[j]];
+    }
+  }
+}
+
+/** Pairs of a disc of one list and a disc of the other that overlap, in the order of the first list. Lazy, too. */
+export function* overlapsBetween<T extends Disc, U extends Disc>(discs: readonly T[], others: readonly U[]): Generator<readonly [T, U]> {
+  const near = finderOf(others);
+  let candidates = 0;
+  for (const a of discs) {
+    for (const j of near(a)) {
+      if (++candidates > MAX_CANDIDATES) return;
+      if (overlap(a, others[j])) yield [a, others[j]];
+    }
+  }
+}
+
+/** Says which discs may overlap one: their indices, ascending. */
+function finderOf(discs: readonly Disc[]): (disc: Disc) => Iterable<number> {
+  if (discs.length < INDEX_FROM) return () => discs.keys();
+  const index = new Flatbush(discs.length);
+  for (const { x, y, radius } of discs) index.add(x - radius, y - radius, x + radius, y + radius);
+  index.finish();
+  return ({ x, y, radius }) => index.search(x - radius, y - radius, x + radius, y + radius).sort((a, b) => a - b);
+}
+
+function overlap(a: Disc, b: Disc): boolean {
+  const dx = a.x - b.x;
+  const dy = a.y - b.y;
+  const reach = a.radius + b.radius;
+  return dx * dx + dy * dy < reach * reach;
+}

@@ -1,0 +1,31 @@
+import { covers } from './covered.ts';
+import { distance, px } from './numbers.ts';
+import { overlaps } from './pairs.ts';
+import type { Rule } from './warning.ts';
+
+/** Drawn, but without effect. */
+export const repulsorNeverActs: Rule = {
+  explanation: {
+    code: 'repulsor-never-acts',
+    severity: 'warning',
+    title: 'a repulsor lies inside an earlier one',
+    why: 'Where repulsors overlap, the first in the level’s list wins. This one lies wholly inside an earlier one, so it never pushes.',
+    fix: 'Move it out, delete it, or put it before the larger one in the list.',
+  },
+  *find({ level }) {
+    const fields = level.repulsors.map(({ x, y, radius }, i) => ({ x, y, radius, i }));
+    const told = new Set<number>();
+    for (const [first, later] of overlaps(fields)) {
+      // at the very same place `same-place` has said enough
+      if (told.has(later.i) || distance(first, later) === 0 || !covers(first, later)) continue;
+      told.add(later.i);
+      yield {
+        message:
+          `repulsors[${later.i}] never pushes: it lies inside repulsors[${first.i}], which comes first ` +
+          `(centres ${px(distance(first, later))} apart, radius ${px(later.radius)} against ${px(first.radius)})`,
+        hint: `put repulsors[${later.i}] before repulsors[${first.i}], move it or delete it`,
+        pointer: `/repulsors/${later.i}`,
+      };
+    }
+  },
+};

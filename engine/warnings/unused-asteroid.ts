@@ -1,0 +1,58 @@
+import type { Level } from '../../schema/index.ts';
+import type { Run } from '../simulate.ts';
+import { STATE_SIZE } from '../simulation.ts';
+import { px } from './numbers.ts';
+import type { Rule } from './warning.ts';
+
+// how often a run is looked at for who keeps her in range, s; she flies about 10 px in between
+const LOOK_EVERY = 0.1;
+
+// room for what happens between two looks, and for recoil, px
+const MARGIN = 25;
+
+/** Scenery, a lure, or left over: only its designer knows. */
+export const unusedAsteroid: Rule = {
+  explanation: {
+    code: 'unused-asteroid',
+    severity: 'warning',
+    title: 'no run needs this asteroid',
+    why: 'In no run that completes the level does the gun target this asteroid, and she never depends on it to stay in range. It may be scenery or a lure, then all is well; it may be left over, or the level may be meant to be played another way than its runs show. Hot asteroids are not told: an obstacle is a use.',
+    fix: 'Delete it, add a run that uses it, or leave it if it is there to look at or to mislead.',
+  },
+  *find({ level, runs }) {
+    const completed = runs.filter((run) => run.outcome === 'completed');
+    if (completed.length === 0) return;
+    const used = new Set<number>();
+    for (const { events } of completed) for (const e of events) if (e.type === 'target') used.add(e.index);
+    const idle = [...level.asteroids.keys()].filter((i) => !level.asteroids[i].hot && !used.has(i));
+    if (idle.length === 0) return;
+    for (const run of completed) keepersOf(level, run, idle, used);
+    for (const i of idle) {
+      if (used.has(i)) continue;
+      yield {
+        message:
+          `asteroids[${i}] is not used: none of ${completed.length} completing run${completed.length === 1 ? '' : 's'} targets it, ` +
+          `and another asteroid is always within the range of ${px(level.range)}`,
+        hint: 'delete it or add a run that uses it; if it is scenery or a lure, leave it',
+        pointer: `/asteroids/${i}`,
+      };
+    }
+  },
+};
+
+/** Adds to `keepers` those of `idle` without which she would have been lost somewhere on the way. */
+function keepersOf({ asteroids, range }: Level, run: Run, idle: readonly number[], keepers: Set<number>): void {
+  const state = new Float64Array(STATE_SIZE);
+  const others = [...asteroids.keys()].filter((i) => !idle.includes(i));
+  const near = (i: number, reach: number): boolean => {
+    const dx = asteroids[i].x - state[0];
+    const dy = asteroids[i].y - state[1];
+    return dx * dx + dy * dy <= reach * reach;
+  };
+  for (let time = 0; time < run.trajectory.duration; time += LOOK_EVERY) {
+    run.trajectory.at(time, state);
+    if (others.some((i) => near(i, range - MARGIN))) continue;
+    // any of these would do; which of them is the designer's choice, so none is told
+    for (const i of idle) if (near(i, range + MARGIN)) keepers.add(i);
+  }
+}
