@@ -1,0 +1,84 @@
+import { spawnSync } from 'node:child_process';
+import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import type { LevelFile } from '../schema/index.ts';
+import { atMost, compare, publish } from './harness.ts';
+
+const GQ = fileURLToPath(new URL('../cli/main.js', import.meta.url));
+const SHIPPED = fileURLToPath(new URL('../../levels/', import.meta.url));
+const FILES = 1000;
+
+/** The level moved by (dx, dy) px with its first run alone: another file with the same verdict. */
+function moved(file: LevelFile, dx: number, dy: number, name: string): LevelFile {
+  const place = <T extends { x: number; y: number }>(o: T): T => ({ ...o, x: o.x + dx, y: o.y + dy });
+  return {
+    ...file,
+    name,
+    astronaut: place(file.astronaut),
+    blackHole: place(file.blackHole),
+    asteroids: file.asteroids?.map(place),
+    novae: file.novae?.map(place),
+    repulsors: file.repulsors?.map(place),
+    aliens: file.aliens?.map(place),
+    minerals: file.minerals?.map(place),
+    runs: file.runs?.slice(0, 1),
+  };
+}
+
+/** Writes 1,000 level files, made by turns from those shipped that have a run, into `directory`. */
+function writeLevels(directory: string): void {
+  const shipped = readdirSync(SHIPPED)
+    .filter((name) => name.endsWith('.level.json'))
+    .map((name) => JSON.parse(readFileSync(join(SHIPPED, name), 'utf8')) as LevelFile)
+    .filter((file) => (file.runs?.length ?? 0) > 0);
+  if (shipped.length === 0) throw new Error(`expected level files with a run in ${SHIPPED}, found none`);
+  for (let i = 0; i < FILES; i++) {
+    const name = `Moved ${i}`;
+    const file = moved(shipped[i % shipped.length], i, -2 * i, name);
+    writeFileSync(join(directory, `${String(i).padStart(4, '0')}.level.json`), `${JSON.stringify(file, null, 2)}\n`);
+  }
+}
+
+/** Checks the directory with `jobs` workers; @throws Error unless it checked every file and each is completable. */
+function check(directory: string, jobs: number): number {
+  const { stdout, stderr, status } = spawnSync(
+    process.execPath,
+    [GQ, 'check', directory, '--jobs', String(jobs), '--accuracy', 'arcade', '--format', 'json'],
+    { encoding: 'utf8', maxBuffer: 2 ** 30 },
+  );
+  if (status !== 0) throw new Error(`expected gq check to exit with 0, it exited with ${status}: ${stderr.slice(0, 2000)}`);
+  const { summary } = JSON.parse(stdout) as { summary: Record<string, number> };
+  if (summary.completable !== FILES) throw new Error(`expected ${FILES} completable levels, found ${JSON.stringify(summary)}`);
+  return summary.completable;
+}
+
+const directory = mkdtempSync(join(tmpdir(), 'gq-bench-check-'));
+try {
+  const levels = join(directory, 'levels');
+  mkdirSync(levels);
+  writeLevels(levels);
+  const names = { one: '--jobs 1', two: '--jobs 2' };
+  const measured = compare(
+    [
+      { name: names.one, run: () => check(levels, 1) },
+      { name: names.two, run: () => check(levels, 2) },
+    ],
+    { rounds: 15, sampleMs: 0, warmUpMs: 0 },
+  );
+  publish({
+    title: `gq check on ${FILES} level files, a run each, process start and JSON report included`,
+    columns: ['', 's', 'quartiles', 'ms a level'],
+    rows: Object.values(names).map((name) => {
+      const { median, q1, q3 } = measured.time(name);
+      return [name, median / 1000, `${(q1 / 1000).toFixed(2)} - ${(q3 / 1000).toFixed(2)}`, median / FILES];
+    }),
+    claims: [atMost(`${FILES} files with --jobs 2, s`, measured.time(names.two).median / 1000, 2)],
+    notes: [
+      `Medians of ${measured.rounds} interleaved checks. The files are the shipped levels, each moved as a whole by some px.`,
+    ],
+  });
+} finally {
+  rmSync(directory, { recursive: true, force: true });
+}

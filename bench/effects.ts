@@ -1,0 +1,204 @@
+import { ACCURACIES, type AccuracyName, compile, createSimulation, joinHolds, playScript, TICK_RATE } from '../engine/index.ts';
+import { type Hold, type LevelFile, resolveLevel } from '../schema/index.ts';
+import { atMost, type Claim, compare, publish } from './harness.ts';
+import { ORBIT, ORBIT_FILE } from './scenes/index.ts';
+
+const TICKS = 60 * TICK_RATE;
+const INERT_LIMIT = 1.03;
+
+interface Played {
+  readonly level: LevelFile;
+  readonly holds: readonly Hold[];
+}
+
+/** One effect in three scenes: without it, with it where it can never act, and with it acting. */
+interface EffectCase {
+  readonly effect: string;
+  readonly without: Played;
+  readonly inert: Played;
+  /** Scenes to try in turn; the first that lasts its minute and in which `acted` holds is measured. */
+  readonly acting: readonly Played[];
+  /** What `acting` is compared with, where that isn't `without`. */
+  readonly actingWithout?: Played;
+  /** Whether the effect did something, by the types of the run's events or her end; null: it acts by being there. */
+  readonly sign: 'wake' | 'enter' | 'explosion' | 'mineral' | null;
+}
+
+const held = (level: LevelFile): Played => ({ level, holds: ORBIT.holds });
+const orbit = held(ORBIT_FILE);
+
+/** Places on rings around her orbit, from outside inwards. */
+function ring(radii: readonly number[]): { x: number; y: number }[] {
+  const around = Array.from({ length: 24 }, (_, i) => (i * Math.PI) / 12);
+  return radii.flatMap((r) => around.map((a) => ({ x: Math.round(r * Math.cos(a)), y: Math.round(r * Math.sin(a)) })));
+}
+
+const drifting: LevelFile = { ...ORBIT_FILE, astronaut: { x: 110, y: 0, vx: 0.5, vy: 1 } };
+const asteroids = ORBIT_FILE.asteroids ?? [];
+const novae = ORBIT_FILE.novae ?? [];
+
+const CASES: readonly EffectCase[] = [
+  {
+    effect: 'novae',
+    without: held({ ...ORBIT_FILE, novae: [] }),
+    inert: orbit,
+    acting: [150, 165, 180, 195, 210].map((far) =>
+      held({
+        ...ORBIT_FILE,
+        novae: novae.map((nova, i) => ({ ...nova, x: far * [1, 0, -1, 0][i], y: far * [0, 1, 0, -1][i], radius: 16 })),
+      }),
+    ),
+    sign: null,
+  },
+  {
+    effect: 'hot-asteroids',
+    without: orbit,
+    inert: held({ ...ORBIT_FILE, asteroids: asteroids.map((a, i) => ({ ...a, hot: i > 3 })) }),
+    acting: [held({ ...ORBIT_FILE, asteroids: asteroids.map((a, i) => ({ ...a, hot: i === 0 })) })],
+    sign: null,
+  },
+  {
+    effect: 'minerals',
+    without: orbit,
+    inert: held({ ...ORBIT_FILE, minerals: [0, 1, 2].map((i) => ({ x: 700 + 50 * i, y: -700 })) }),
+    acting: [held({ ...ORBIT_FILE, minerals: [0, 1, 2].map((i) => ({ x: [100, -90, 0][i], y: [20, 0, 95][i] })) })],
+    sign: 'mineral',
+  },
+  {
+    effect: 'repulsor',
+    without: orbit,
+    inert: held({ ...ORBIT_FILE, repulsors: [{ x: 700, y: -700, radius: 48 }] }),
+    acting: ring([150, 140, 130, 120, 110]).map((place) => held({ ...ORBIT_FILE, repulsors: [{ ...place, radius: 48 }] })),
+    sign: 'enter',
+  },
+  {
+    effect: 'alien-chase',
+    without: orbit,
+    inert: held({ ...ORBIT_FILE, aliens: [{ x: 700, y: -700 }] }),
+    acting: ring([258, 255, 252, 249, 246, 243, 240]).map((place) => held({ ...ORBIT_FILE, aliens: [place] })),
+    sign: 'wake',
+  },
+  {
+    effect: 'alien-explosion',
+    without: held({ ...ORBIT_FILE, aliens: [{ x: 700, y: -700 }] }),
+    inert: held({
+      ...ORBIT_FILE,
+      aliens: [
+        { x: 700, y: -700 },
+        { x: 800, y: -800 },
+      ],
+    }),
+    acting: ring([235, 230, 225, 220, 210, 200]).map(({ x, y }) =>
+      held({
+        ...ORBIT_FILE,
+        aliens: [
+          { x: x - 0.13 * y, y: y + 0.13 * x },
+          { x: x + 0.13 * y, y: y - 0.13 * x },
+        ],
+      }),
+    ),
+    sign: 'explosion',
+  },
+  {
+    effect: 'recoil',
+    without: { level: drifting, holds: [] },
+    inert: { level: { ...drifting, recoil: true }, holds: [] },
+    acting: [held({ ...ORBIT_FILE, recoil: true })],
+    actingWithout: orbit,
+    sign: null,
+  },
+];
+
+function playable({ level, holds }: Played, accuracy: AccuracyName) {
+  const simulation = createSimulation(compile(resolveLevel(level), accuracy));
+  const script = joinHolds(holds);
+  const state = new Float64Array(6);
+  return {
+    simulation,
+    state,
+    run() {
+      simulation.reset();
+      playScript(simulation, script, TICKS);
+      simulation.readState(state);
+      return state[0] + state[1];
+    },
+  };
+}
+
+/** Plays a scene tick by tick and looks whether its effect showed. */
+function acts(played: Played, accuracy: AccuracyName, sign: EffectCase['sign']): boolean {
+  const { simulation } = playable(played, accuracy);
+  const { level } = simulation.scene;
+  const aliens = new Float64Array(3 * level.aliens.length);
+  const state = new Float64Array(6);
+  let shown = sign === null;
+  const script = joinHolds(played.holds);
+  for (let tick = 0; tick < TICKS && simulation.ending === null; tick++) {
+    simulation.advance(
+      1,
+      script.some(([press, release]) => press <= tick && tick < release),
+    );
+    if (shown) continue;
+    simulation.readState(state);
+    simulation.readAliens(aliens);
+    if (sign === 'mineral') shown = simulation.mineralCount === level.minerals.length;
+    if (sign === 'enter') shown = level.repulsors.some((r) => Math.hypot(r.x - state[0], r.y - state[1]) < r.radius - 8);
+    if (sign === 'wake')
+      shown = level.aliens.some((alien, i) => Math.hypot(aliens[3 * i] - alien.x, aliens[3 * i + 1] - alien.y) > 5);
+    if (sign === 'explosion') shown = aliens[2] === 0 && aliens[5] === 0;
+  }
+  return shown && simulation.ending === null;
+}
+
+const only = process.argv.indexOf('--accuracy');
+const accuracies = (Object.keys(ACCURACIES) as AccuracyName[]).filter((name) => only < 0 || process.argv[only + 1] === name);
+if (accuracies.length === 0) throw new Error(`expected one of ${Object.keys(ACCURACIES).join(', ')} after --accuracy`);
+
+const rows: (string | number | null)[][] = [];
+const claims: Claim[] = [];
+const notes: string[] = [];
+for (const accuracy of accuracies) {
+  for (const { effect, without, inert, acting, actingWithout, sign } of CASES) {
+    const found = acting.find((played) => acts(played, accuracy, sign));
+    if (found === undefined) notes.push(`${accuracy}: none of ${acting.length} scenes lasts a minute with ${effect} acting.`);
+    const played: [string, Played][] = [
+      ['without', without],
+      ['inert', inert],
+    ];
+    if (actingWithout !== undefined) played.push(['acting without', actingWithout]);
+    if (found !== undefined) played.push(['acting', found]);
+    const scenes = played.map(([name, scene]) => ({ name, ...playable(scene, accuracy) }));
+    for (const scene of scenes) {
+      scene.run();
+      if (scene.simulation.ending !== null)
+        throw new Error(`${accuracy}, ${effect}, ${scene.name}: ended (${scene.simulation.ending.outcome})`);
+    }
+    const [plain, idle] = scenes;
+    if (plain.state.some((value, i) => !Object.is(value, idle.state[i]))) {
+      throw new Error(`${accuracy}: ${effect} that can never act changes where she ends`);
+    }
+    const measured = compare(scenes, { rounds: 101, sampleMs: 1.5, warmUpMs: 100 });
+    const inertRatio = measured.ratio('inert', 'without').median;
+    rows.push([
+      `${accuracy}, ${effect}`,
+      (1000 * measured.time('without').median) / 60,
+      (1000 * measured.time('inert').median) / 60,
+      inertRatio,
+      found === undefined ? null : (1000 * measured.time('acting').median) / 60,
+      found === undefined ? null : measured.ratio('acting', actingWithout === undefined ? 'without' : 'acting without').median,
+    ]);
+    claims.push(atMost(`${accuracy}: ${effect} present but never able to act / without`, inertRatio, INERT_LIMIT));
+  }
+}
+
+publish({
+  title: 'What each effect costs: us a simulated second of a minute around one of 12 circles',
+  columns: ['', 'without', 'never acts', 'ratio', 'acting', 'ratio'],
+  rows,
+  claims,
+  notes: [
+    ...notes,
+    'Medians of 101 interleaved rounds, ratios pair by pair. recoil never acts where the gun is never fired; acting, it is ' +
+      'compared with the same swings without recoil. The gun, the range, the black hole and the speed limit are in every level: no cost without them.',
+  ],
+});

@@ -1,0 +1,85 @@
+import type { Hold, Level } from '../../schema/index.ts';
+
+/** What a peer's own contact detection reported first: an overlap, or the rule's range. */
+export type PeerOutcome = 'completed' | 'collided' | 'lost' | null;
+
+/** A level in another engine's world, stepped at a fixed rate. */
+export interface PeerWorld {
+  /** One step of 1 / rate s with the gun held or not. */
+  step(held: boolean): void;
+  /** Writes x, y (px), vx, vy (px/s) into `out`. */
+  read(out: Float64Array): void;
+  /** The first thing that would have ended the run; the world goes on, for its cost is wanted. */
+  readonly outcome: PeerOutcome;
+  /** Frees what the engine doesn't free by itself. */
+  dispose(): void;
+}
+
+/** Another physics engine, behind the face that all of them share here. */
+export interface Peer {
+  readonly name: string;
+  /** Numbers it computes in. */
+  readonly precision: 'double' | 'single';
+  /** Loads the engine (WebAssembly, stubs); once. */
+  load(): Promise<void>;
+  /**
+   * @param rate steps per second
+   * @throws RangeError for a level with parts that peers aren't driven through: aliens or recoil
+   */
+  create(level: Level, rate: number): PeerWorld;
+}
+
+/** A peer's run: the state at every full second and at the end, and the first outcome its contacts reported. */
+export interface PeerRun {
+  /** t (s), x, y (px), vx, vy (px/s) */
+  readonly samples: readonly (readonly [t: number, x: number, y: number, vx: number, vy: number])[];
+  readonly outcome: PeerOutcome;
+  /** Time of the step that reported it, s. */
+  readonly outcomeTime: number | null;
+}
+
+/** @throws RangeError for a level that the peers can't be driven through the same way */
+export function requireSupported(level: Level): void {
+  const found = [
+    level.aliens.length > 0 ? 'aliens' : '',
+    level.recoil ? 'recoil' : '',
+    level.repulsors.length > 0 ? 'repulsors' : '',
+  ];
+  const names = found.filter((name) => name !== '').join(', ');
+  if (names !== '')
+    throw new RangeError(`expected a level of asteroids, novae and minerals for a peer, found ${names} in '${level.name}'`);
+}
+
+/** The button at every step: 1 while held. A step of another rate takes the button of the tick in which it begins. */
+export function buttonPerStep(holds: readonly Hold[], steps: number, rate: number): Uint8Array {
+  const button = new Uint8Array(steps);
+  for (const [press, release] of holds) {
+    const from = Math.ceil((press * rate) / 60);
+    const to = Math.ceil((release * rate) / 60);
+    button.fill(1, Math.min(from, steps), Math.min(to, steps));
+  }
+  return button;
+}
+
+/** Plays a script in a peer's world from its start. `rate`: steps per second. */
+export function simulatePeer(peer: Peer, level: Level, holds: readonly Hold[], seconds: number, rate: number): PeerRun {
+  const world = peer.create(level, rate);
+  const steps = Math.round(seconds * rate);
+  const button = buttonPerStep(holds, steps, rate);
+  const state = new Float64Array(4);
+  const samples: [number, number, number, number, number][] = [];
+  let outcomeTime: number | null = null;
+  for (let i = 0; i < steps; i++) {
+    if (i % rate === 0) {
+      world.read(state);
+      samples.push([i / rate, state[0], state[1], state[2], state[3]]);
+    }
+    world.step(button[i] === 1);
+    if (outcomeTime === null && world.outcome !== null) outcomeTime = (i + 1) / rate;
+  }
+  world.read(state);
+  samples.push([steps / rate, state[0], state[1], state[2], state[3]]);
+  const { outcome } = world;
+  world.dispose();
+  return { samples, outcome, outcomeTime };
+}
