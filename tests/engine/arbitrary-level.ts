@@ -1,0 +1,99 @@
+import fc from 'fast-check';
+import type { Circle, Hold, Level } from '../../schema/index.ts';
+
+type Point = readonly [x: number, y: number];
+
+const double = (min: number, max: number) => fc.double({ min, max, noNaN: true, noDefaultInfinity: true });
+
+const coordinate = fc.oneof(
+  { weight: 6, arbitrary: fc.integer({ min: -300, max: 300 }) },
+  { weight: 4, arbitrary: double(-400, 400) },
+  // exact ties and touches
+  { weight: 2, arbitrary: fc.constantFrom(0, -0, 16, 32, 34, 150, 250, -150, -250) },
+  { weight: 1, arbitrary: double(-1e9, 1e9) },
+  { weight: 1, arbitrary: fc.constantFrom(5e-324, -5e-324, 1e-160, 1e9, -1e9) },
+);
+
+const point: fc.Arbitrary<Point> = fc.tuple(coordinate, coordinate);
+
+const radius = fc.oneof(
+  { weight: 6, arbitrary: fc.constantFrom(7, 16, 18, 25, 32, 48) },
+  { weight: 2, arbitrary: double(1, 200) },
+  { weight: 1, arbitrary: fc.constantFrom(5e-324, 1e-160, 1e-9, 1e6) },
+);
+
+const velocity = fc.oneof(
+  { weight: 4, arbitrary: fc.constant(0) },
+  { weight: 3, arbitrary: double(-120, 120) },
+  { weight: 1, arbitrary: fc.constantFrom(1000, -1000, 5e-324, -0) },
+);
+
+const list = <T>(item: fc.Arbitrary<T>, most: number) => fc.array(item, { maxLength: most });
+
+/**
+ * Any level the schema lets pass, and the nastier the likelier: objects of every kind, piled upon each other and upon her
+ * (distances of exactly 0), at exact ties and touches, with radii and ranges from the smallest double to a million px,
+ * recoil on and off, starting at rest or at the speed limit.
+ */
+export const arbitraryLevel: fc.Arbitrary<Level> = fc.array(point, { minLength: 1, maxLength: 5 }).chain((shared) => {
+  const place = fc.oneof({ weight: 1, arbitrary: fc.constantFrom(...shared) }, { weight: 2, arbitrary: point });
+  const circle: fc.Arbitrary<Circle> = fc.tuple(place, radius).map(([[x, y], r]) => ({ id: null, x, y, radius: r }));
+  return fc.record({
+    name: fc.constant('arbitrary'),
+    description: fc.constant(''),
+    astronaut: fc.tuple(place, velocity, velocity).map(([[x, y], vx, vy]) => ({ x, y, vx, vy })),
+    blackHole: circle.map(({ x, y, radius: r }) => ({ x, y, radius: r })),
+    range: fc.oneof(
+      { weight: 4, arbitrary: fc.constant(250) },
+      { weight: 4, arbitrary: double(200, 2000) },
+      { weight: 1, arbitrary: fc.constantFrom(5e-324, 1, 1e6) },
+    ),
+    recoil: fc.boolean(),
+    asteroids: list(
+      fc.tuple(circle, fc.boolean()).map(([c, hot]) => ({ ...c, hot })),
+      6,
+    ),
+    novae: list(circle, 3),
+    repulsors: list(circle, 4),
+    aliens: list(circle, 4),
+    minerals: list(circle, 5),
+    runs: fc.constant([]),
+  });
+});
+
+/** A level in which a run can go on for a while: nothing deadly near her start, an asteroid in reach, ordinary sizes. */
+export const arbitraryPlayableLevel: fc.Arbitrary<Level> = fc.record({
+  name: fc.constant('playable'),
+  description: fc.constant(''),
+  astronaut: fc.record({ x: double(-20, 20), y: double(-20, 20), vx: double(-40, 40), vy: double(-40, 40) }),
+  blackHole: fc.constant({ x: 900, y: 900, radius: 18 }),
+  range: double(400, 2000),
+  recoil: fc.boolean(),
+  asteroids: fc.array(
+    fc
+      .tuple(double(-300, 300), double(-300, 300), fc.constantFrom(16, 32))
+      .map(([x, y, r]) => ({ id: null, x, y, radius: r, hot: Math.abs(x) + Math.abs(y) > 350 })),
+    { minLength: 1, maxLength: 5 },
+  ),
+  novae: list(away(16), 2),
+  repulsors: list(away(48), 3),
+  aliens: list(away(25), 4),
+  minerals: list(
+    fc.tuple(double(-80, 80), double(-80, 80)).map(([x, y]) => ({ id: null, x, y, radius: 7 })),
+    4,
+  ),
+  runs: fc.constant([]),
+});
+
+function away(r: number): fc.Arbitrary<Circle> {
+  return fc
+    .tuple(double(90, 400), double(60, 400), fc.boolean(), fc.boolean())
+    .map(([x, y, left, up]) => ({ id: null, x: left ? -x : x, y: up ? -y : y, radius: r }));
+}
+
+/** Holds as a person may write them: in any order, overlapping, touching, empty. */
+export const arbitraryHolds = (lastTick: number): fc.Arbitrary<Hold[]> =>
+  fc.array(
+    fc.tuple(fc.nat(lastTick), fc.nat(lastTick)).map(([a, b]): Hold => (a <= b ? [a, b] : [b, a])),
+    { maxLength: 6 },
+  );

@@ -1,0 +1,37 @@
+import type { Asteroid, Circle, Level } from '../../schema/index.ts';
+
+type Place = Pick<Circle, 'x' | 'y' | 'radius'>;
+
+/** The lists of a level as a test writes them: without ids, cold where not said otherwise. */
+export interface PlainLevel {
+  astronaut?: Partial<Level['astronaut']>;
+  blackHole?: Partial<Level['blackHole']>;
+  range?: number;
+  recoil?: boolean;
+  asteroids?: readonly (Place & { hot?: boolean })[];
+  novae?: readonly Place[];
+  repulsors?: readonly Place[];
+  aliens?: readonly Place[];
+  minerals?: readonly Place[];
+}
+
+const named = (list: readonly Place[] | undefined): Circle[] => (list ?? []).map((o) => ({ id: null, ...o }));
+
+/** A level with only what the test is about: she rests at 0, 0; the black hole and an asteroid (never in reach) are far away. */
+export function plainLevel(parts: PlainLevel = {}): Level {
+  const asteroids = parts.asteroids ?? [{ x: 1e5, y: 1e5, radius: 16 }];
+  return {
+    name: 'test',
+    description: '',
+    astronaut: { x: 0, y: 0, vx: 0, vy: 0, ...parts.astronaut },
+    blackHole: { x: -1e5, y: -1e5, radius: 18, ...parts.blackHole },
+    range: parts.range ?? 1e6,
+    recoil: parts.recoil ?? false,
+    asteroids: asteroids.map((o): Asteroid => ({ id: null, hot: false, ...o })),
+    novae: named(parts.novae),
+    repulsors: named(parts.repulsors),
+    aliens: named(parts.aliens),
+    minerals: named(parts.minerals),
+    runs: [],
+  };
+}
