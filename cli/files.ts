@@ -110,7 +110,8 @@ function once(files: readonly string[]): string[] {
   });
 }
 
-function statOrError(path: string): Stats | Error {
+/** What stands at a path, or why that can't be said. */
+export function statOrError(path: string): Stats | Error {
   try {
     return statSync(path);
   } catch (error) {

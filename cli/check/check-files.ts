@@ -1,7 +1,9 @@
-import { statSync } from 'node:fs';
+import type { Stats } from 'node:fs';
 import { setImmediate } from 'node:timers/promises';
+import { statOrError } from '../files.ts';
+import { endAtOnceDuring } from '../signals.ts';
 import { checkLevel, crashedLevel } from './check-level.ts';
-import type { CheckSettings, LevelReport } from './report.ts';
+import type { CheckedLevel, CheckSettings } from './checked-level.ts';
 import type { Batch } from './worker.ts';
 
 /** Fewer files than this are checked faster without workers, which take about as long to start. */
@@ -24,26 +26,31 @@ export async function checkFiles(
   settings: CheckSettings,
   jobs: number,
   onProgress: (done: number) => void,
-): Promise<LevelReport[]> {
-  const many = jobs > 1 && files.length >= MANY_FILES;
-  return many || areLarge(files) ? checkInWorkers(files, settings, jobs, onProgress) : checkHere(files, settings, onProgress);
+): Promise<CheckedLevel[]> {
+  const stats = files.map((file) => statOrError(file));
+  // a pipe may keep its reader waiting for ever, and a worker that waits can't be ended
+  const waiting = files.filter((_, i) => isWaiting(stats[i]));
+  const regular = files.filter((file) => !waiting.includes(file));
+  const early = waiting.map((file) => endAtOnceDuring(() => checkLevel(file, settings)));
+
+  const bytes = stats.reduce((sum, s) => sum + (s instanceof Error ? 0 : s.size), 0);
+  const useWorkers = (jobs > 1 && regular.length >= MANY_FILES) || bytes > MANY_BYTES;
+  const reports = await (useWorkers
+    ? checkInWorkers(regular, settings, jobs, onProgress)
+    : checkHere(regular, settings, onProgress));
+  if (early.length === 0) return reports;
+  const byFile = new Map([...early, ...reports].map((report) => [report.file, report]));
+  return files.map((file) => byFile.get(file)!);
 }
 
-function areLarge(files: readonly string[]): boolean {
-  let total = 0;
-  for (const file of files) {
-    total += statSync(file, { throwIfNoEntry: false })?.size ?? 0;
-    if (total > MANY_BYTES) return true;
-  }
-  return false;
-}
+const isWaiting = (stats: Stats | Error): boolean => !(stats instanceof Error) && !stats.isFile();
 
 async function checkHere(
   files: readonly string[],
   settings: CheckSettings,
   onProgress: (done: number) => void,
-): Promise<LevelReport[]> {
-  const reports: LevelReport[] = [];
+): Promise<CheckedLevel[]> {
+  const reports: CheckedLevel[] = [];
   let listened = performance.now();
   for (const file of files) {
     reports.push(checkLevel(file, settings));
@@ -60,7 +67,7 @@ async function checkInWorkers(
   settings: CheckSettings,
   jobs: number,
   onProgress: (done: number) => void,
-): Promise<LevelReport[]> {
+): Promise<CheckedLevel[]> {
   const { Tinypool } = await import('tinypool');
   // several batches a worker, so that none waits long for another that got the slow levels
   const size = Math.max(1, Math.min(32, Math.ceil(files.length / (4 * jobs))));
@@ -72,13 +79,13 @@ async function checkInWorkers(
     isolateWorkers: false,
   });
   let done = 0;
-  const check = async (batch: readonly string[]): Promise<LevelReport[]> => {
+  const check = async (batch: readonly string[]): Promise<CheckedLevel[]> => {
     const reports = await runBatch(batch);
     done += batch.length;
     onProgress(done);
     return reports;
   };
-  const runBatch = async (batch: readonly string[]): Promise<LevelReport[]> => {
+  const runBatch = async (batch: readonly string[]): Promise<CheckedLevel[]> => {
     try {
       return await pool.run({ files: batch, settings } satisfies Batch);
     } catch (error) {

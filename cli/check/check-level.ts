@@ -1,3 +1,4 @@
+import { basename } from 'node:path';
 import { type AccuracyName, compile, type Run, simulate } from '../../engine/index.ts';
 import { type Level, type Problem, readLevel, type ScriptedRun } from '../../schema/index.ts';
 import { Failure } from '../failure.ts';
@@ -5,17 +6,17 @@ import { readBytes } from '../files.ts';
 import { type OpenedLevel, placed, warningsOf } from '../level-source.ts';
 import { outcomeInWords } from '../outcome.ts';
 import { type ShownProblem, showProblems } from '../problem.ts';
-import { runToJson } from '../run-json.ts';
-import type { CheckSettings, LevelReport } from './report.ts';
+import { reportRun } from '../run-report.ts';
+import type { CheckedLevel, CheckSettings } from './checked-level.ts';
 
 /** Reads and validates one level file and replays its scripted runs in order. Never throws: what goes wrong is a verdict. */
-export function checkLevel(file: string, settings: CheckSettings): LevelReport {
+export function checkLevel(file: string, settings: CheckSettings): CheckedLevel {
   const start = performance.now();
   const report = judge(file, settings);
   return { ...report, ms: performance.now() - start };
 }
 
-function judge(file: string, settings: CheckSettings): LevelReport {
+function judge(file: string, settings: CheckSettings): CheckedLevel {
   try {
     const read = readLevel(readBytes(file));
     return read.ok ? replay(file, read, settings) : refuse(file, 'invalid', showProblems(read.problems, read.text));
@@ -25,13 +26,13 @@ function judge(file: string, settings: CheckSettings): LevelReport {
 }
 
 /** The report of a file that can't be read. */
-export function unreadableLevel(file: string, message: string): LevelReport {
+export function unreadableLevel(file: string, message: string): CheckedLevel {
   const hint = 'nothing is known of this level: make the file readable, or leave it out';
   return { ...refuse(file, 'invalid', [problemOfFile('unreadable-file', message, hint)]), unreadable: true };
 }
 
 /** The report of a level on which the toolkit itself fell over. */
-export function crashedLevel(file: string, error: unknown): LevelReport {
+export function crashedLevel(file: string, error: unknown): CheckedLevel {
   const message = `checking this level crashed: ${error instanceof Error ? error.message : String(error)}`;
   return refuse(file, 'crashed', [
     problemOfFile('crashed', message, 'this is a bug in gq: please report it with the level file'),
@@ -49,11 +50,20 @@ const problemOfFile = (code: string, message: string, hint: string): ShownProble
   frame: null,
 });
 
-function refuse(file: string, verdict: 'invalid' | 'crashed', problems: readonly ShownProblem[]): LevelReport {
-  return { file, name: null, verdict, run: null, runName: null, mineralCount: 0, problems, unreadable: false, ms: 0 };
+function refuse(file: string, verdict: 'invalid' | 'crashed', problems: readonly ShownProblem[]): CheckedLevel {
+  return {
+    file,
+    name: basename(file).replace(/(\.level)?\.json$/, ''),
+    verdict,
+    run: null,
+    mineralCount: 0,
+    problems,
+    unreadable: false,
+    ms: 0,
+  };
 }
 
-function replay(file: string, opened: OpenedLevel, settings: CheckSettings): LevelReport {
+function replay(file: string, opened: OpenedLevel, settings: CheckSettings): CheckedLevel {
   const { level, document } = opened;
   const scene = compile(level, settings.accuracy as AccuracyName);
   const played = level.runs.map((script) => ({ script, run: simulate(scene, script.holds, { maxTime: settings.maxTime }) }));
@@ -64,14 +74,14 @@ function replay(file: string, opened: OpenedLevel, settings: CheckSettings): Lev
   const problems: Problem[] = [];
   if (best === undefined) problems.push(noRun);
   for (const [i, { script, run }] of played.entries()) {
-    if (run.outcome !== 'completed') problems.push(placed(failedRun(level, i, script, run, verdict === 'broken'), document));
+    if (run.outcome !== 'completed')
+      problems.push(placed(failedRun(file, level, i, script, run, verdict === 'broken'), document));
   }
   return {
     file,
     name: level.name,
     verdict,
-    run: best === undefined ? null : runToJson(level, settings.accuracy, best.script.holds, best.run, null),
-    runName: best?.script.name ?? null,
+    run: best === undefined ? null : reportRun(level, settings.accuracy, best.script.holds, best.run, null),
     mineralCount: level.minerals.length,
     problems: [...(problems.length > 0 ? showProblems(problems, document.text) : []), ...warningsOf(opened, runs)],
     unreadable: false,
@@ -90,13 +100,14 @@ const noRun: Problem = {
 };
 
 function failedRun(
+  file: string,
   level: Level,
   index: number,
   script: ScriptedRun,
   run: Run,
   noneCompletes: boolean,
 ): Omit<Problem, 'line' | 'column'> {
-  const again = `see gq simulate --run ${JSON.stringify(script.name)}`;
+  const again = `see gq simulate ${/^[\w./\\:-]+$/.test(file) ? file : JSON.stringify(file)} --run ${JSON.stringify(script.name)}`;
   return {
     code: 'run-does-not-complete',
     severity: noneCompletes ? 'error' : 'warning',

@@ -1,14 +1,15 @@
-import { type LevelReport, VERDICTS, type Verdict } from './report.ts';
+import { VERDICTS, type Verdict } from '../../schema/index.ts';
+import type { CheckedLevel } from './checked-level.ts';
 
 /** How many levels got which verdict; every verdict is named. */
-export function summarize(reports: readonly LevelReport[]): Record<Verdict, number> {
+export function summarize(reports: readonly CheckedLevel[]): Record<Verdict, number> {
   const summary = Object.fromEntries(VERDICTS.map((verdict) => [verdict, 0])) as Record<Verdict, number>;
   for (const { verdict } of reports) summary[verdict]++;
   return summary;
 }
 
 /** 2 when a file could not be read or gq itself failed on it, else 1 when a level is not completable, else 0. Nothing checked is 2. */
-export function exitCodeOf(reports: readonly LevelReport[]): 0 | 1 | 2 {
+export function exitCodeOf(reports: readonly CheckedLevel[]): 0 | 1 | 2 {
   if (reports.length === 0 || reports.some((r) => r.unreadable || r.verdict === 'crashed')) return 2;
   return reports.every((r) => r.verdict === 'completable') ? 0 : 1;
 }

@@ -1,5 +1,5 @@
 import { checkLevel } from './check-level.ts';
-import type { CheckSettings, LevelReport } from './report.ts';
+import type { CheckedLevel, CheckSettings } from './checked-level.ts';
 
 /** What one message to a worker asks for. */
 export interface Batch {
@@ -8,6 +8,6 @@ export interface Batch {
 }
 
 /** Runs in a worker thread: checks a batch of level files. */
-export default function checkBatch({ files, settings }: Batch): LevelReport[] {
+export default function checkBatch({ files, settings }: Batch): CheckedLevel[] {
   return files.map((file) => checkLevel(file, settings));
 }

@@ -3,7 +3,7 @@ import process from 'node:process';
 import type { Command } from 'commander';
 import { checkFiles } from '../check/check-files.ts';
 import { unreadableLevel } from '../check/check-level.ts';
-import type { LevelReport } from '../check/report.ts';
+import type { CheckedLevel } from '../check/checked-level.ts';
 import { exitCodeOf } from '../check/summary.ts';
 import { colorsFor } from '../colors.ts';
 import type { CommandResult } from '../command.ts';
@@ -50,13 +50,13 @@ Examples:
 async function check(paths: readonly string[], options: CheckOptions): Promise<CommandResult> {
   const { files, unreadable } = findLevelFiles(paths);
   const progress = createProgress('checked', files.length);
-  const reports: LevelReport[] = await checkFiles(files, options, options.jobs, progress.update);
+  const reports: CheckedLevel[] = await checkFiles(files, options, options.jobs, progress.update);
   progress.clear();
   for (const { path, reason } of unreadable) reports.push(unreadableLevel(path, `${path}: can't be looked into: ${reason}`));
   return { output: report(reports, options.format), exitCode: exitCodeOf(reports) };
 }
 
-function report(reports: readonly LevelReport[], format: CheckOptions['format']): string {
+function report(reports: readonly CheckedLevel[], format: CheckOptions['format']): string {
   switch (format) {
     case 'json':
       return checkJson(reports);

@@ -53,7 +53,7 @@ async function fmt(paths: readonly string[], options: FmtOptions): Promise<Comma
 
 async function formatFile(file: string, onlyCheck: boolean): Promise<FormattedFile> {
   const bytes = readBytes(file);
-  const read = readLevel(bytes);
+  const read = readLevel(bytes, { byteOrderMark: 'skip' });
   if (!read.ok) return { file, status: 'invalid', problems: showProblems(read.problems, read.text) };
   const text = formatLevel(read.document.file);
   if (Buffer.from(text).equals(bytes)) return { file, status: 'unchanged', problems: [] };

@@ -1,5 +1,5 @@
 import type { Command } from 'commander';
-import { levelJsonSchema } from '../../schema/index.ts';
+import { formatLevelJsonSchema } from '../../schema/index.ts';
 import type { CommandResult } from '../command.ts';
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
@@ -13,5 +13,5 @@ Editors use it for completion in level files that name it in "$schema".
 Examples:
   $ gq schema > level.schema.json`,
     )
-    .action(() => finish({ output: `${JSON.stringify(levelJsonSchema(), null, 2)}\n`, exitCode: 0 }));
+    .action(() => finish({ output: formatLevelJsonSchema(), exitCode: 0 }));
 }

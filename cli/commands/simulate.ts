@@ -10,7 +10,7 @@ import { parseHolds } from '../holds-option.ts';
 import { openLevel } from '../level-source.ts';
 import { accuracyOption, formatOption, maxTimeOption, numberOption } from '../options.ts';
 import { simulatePretty } from '../reporters/simulate-pretty.ts';
-import { runToJson } from '../run-json.ts';
+import { reportRun } from '../run-report.ts';
 import { endAtOnceDuring } from '../signals.ts';
 
 const MAX_SAMPLES = 1_000_000;
@@ -66,9 +66,11 @@ function play(file: string, options: SimulateOptions): CommandResult {
     const level: Level = options.recoil === undefined ? opened.level : { ...opened.level, recoil: options.recoil === 'on' };
     const { name, holds } = chooseRun(file, level, options);
     const run = simulate(compile(level, accuracy as AccuracyName), holds, { maxTime });
-    const json = runToJson(level, accuracy, holds, run, sample ?? null);
+    const report = reportRun(level, accuracy, holds, run, sample ?? null);
     const output =
-      options.format === 'json' ? `${JSON.stringify(json)}\n` : simulatePretty(level, name, json, colorsFor(process.stdout));
+      options.format === 'json'
+        ? `${JSON.stringify(report)}\n`
+        : simulatePretty(level, name, run, report, colorsFor(process.stdout));
     return { output, exitCode: 0 };
   });
 }

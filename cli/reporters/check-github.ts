@@ -1,8 +1,9 @@
-import type { LevelReport } from '../check/report.ts';
+import type { CheckedLevel } from '../check/checked-level.ts';
 import { summarize } from '../check/summary.ts';
+import { plural } from './plural.ts';
 
 /** What `check` found out, as workflow commands that GitHub shows at the lines of a pull request, and a line of summary. */
-export function checkGithub(reports: readonly LevelReport[]): string {
+export function checkGithub(reports: readonly CheckedLevel[]): string {
   let text = '';
   for (const { file, problems } of reports) {
     for (const { severity, code, message, hint, line, column } of problems) {
@@ -11,7 +12,7 @@ export function checkGithub(reports: readonly LevelReport[]): string {
     }
   }
   const counts = Object.entries(summarize(reports)).filter(([, count]) => count > 0);
-  return `${text}${reports.length} levels: ${counts.map(([verdict, count]) => `${count} ${verdict}`).join(', ')}\n`;
+  return `${text}${plural(reports.length, 'level')}: ${counts.map(([verdict, count]) => `${count} ${verdict}`).join(', ')}\n`;
 }
 
 const data = (text: string): string => text.replaceAll('%', '%25').replaceAll('\r', '%0D').replaceAll('\n', '%0A');

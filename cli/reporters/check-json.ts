@@ -1,11 +1,15 @@
-import type { LevelReport } from '../check/report.ts';
+import type { CheckReport } from '../../schema/index.ts';
+import type { CheckedLevel } from '../check/checked-level.ts';
 import { summarize } from '../check/summary.ts';
 import { problemJson } from './problem-json.ts';
 
 /** What `check` found out, for a program. But for `ms` it is the same whenever and with however many workers it is made. */
-export function checkJson(reports: readonly LevelReport[]): string {
-  const levels = reports.map(({ file, name, verdict, run, problems, ms }) => {
-    return { file, name, verdict, run, problems: problems.map(problemJson), ms };
-  });
-  return `${JSON.stringify({ levels, summary: summarize(reports) })}\n`;
+export function checkJson(reports: readonly CheckedLevel[]): string {
+  const report: CheckReport = {
+    levels: reports.map(({ file, name, verdict, run, problems, ms }) => {
+      return { file, name, verdict, run, problems: problems.map(problemJson), ms };
+    }),
+    summary: summarize(reports),
+  };
+  return `${JSON.stringify(report)}\n`;
 }

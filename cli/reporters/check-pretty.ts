@@ -1,8 +1,10 @@
-import type { LevelReport, Verdict } from '../check/report.ts';
+import type { Verdict } from '../../schema/index.ts';
+import type { CheckedLevel } from '../check/checked-level.ts';
 import { summarize } from '../check/summary.ts';
 import type { Colors } from '../colors.ts';
 import { bodyInWords, collected } from '../outcome.ts';
 import { visibleLine } from '../visible.ts';
+import { plural } from './plural.ts';
 import { showFileProblems } from './problem.ts';
 import { alignColumns } from './table.ts';
 
@@ -15,8 +17,8 @@ const WHAT_TO_DO: Record<Exclude<Verdict, 'completable'>, string> = {
 };
 
 /** What `check` found out, for a person: a line a level, its problems below it, and a summary. */
-export function checkPretty(reports: readonly LevelReport[], colors: Colors): string {
-  const lines = alignColumns(reports.map(row));
+export function checkPretty(reports: readonly CheckedLevel[], colors: Colors): string {
+  const lines = alignColumns(reports.map(row), [TIME_COLUMN]);
   const paint = (verdict: Verdict): ((text: string) => string) =>
     verdict === 'completable' ? colors.green : verdict === 'unproven' ? colors.yellow : colors.red;
   let text = '';
@@ -25,8 +27,7 @@ export function checkPretty(reports: readonly LevelReport[], colors: Colors): st
   }
   const summary = summarize(reports);
   const counts = Object.entries(summary).filter(([, count]) => count > 0);
-  const total = `${reports.length} ${reports.length === 1 ? 'level' : 'levels'}`;
-  text += `\n${colors.bold(total)}: ${counts.map(([v, count]) => paint(v as Verdict)(`${count} ${v}`)).join(', ')}\n`;
+  text += `\n${colors.bold(plural(reports.length, 'level'))}: ${counts.map(([v, count]) => paint(v as Verdict)(`${count} ${v}`)).join(', ')}\n`;
   for (const [verdict] of counts) {
     if (verdict !== 'completable') text += `${verdict}: ${WHAT_TO_DO[verdict as Exclude<Verdict, 'completable'>]}\n`;
   }
@@ -34,11 +35,13 @@ export function checkPretty(reports: readonly LevelReport[], colors: Colors): st
   return text;
 }
 
+const TIME_COLUMN = 3;
+
 /** verdict, file, name, time, minerals, clearance */
-function row({ verdict, file, name, run, mineralCount }: LevelReport): string[] {
-  const cells = [verdict, visibleLine(file), visibleLine(name ?? '')];
+function row({ verdict, file, name, run, mineralCount }: CheckedLevel): string[] {
+  const cells = [verdict, visibleLine(file), verdict === 'invalid' || verdict === 'crashed' ? '' : visibleLine(name)];
   if (verdict !== 'completable' || run === null) return cells;
-  const minerals = mineralCount === 0 ? 'no minerals' : `${collected(run)} of ${mineralCount} minerals`;
+  const minerals = mineralCount === 0 ? 'no minerals' : `${collected(run)} of ${plural(mineralCount, 'mineral')}`;
   const near = run.clearance;
   const clearance =
     near === null ? 'nothing deadly' : `${near.distance.toFixed(1)} px clear of ${bodyInWords(near.kind, near.index)}`;

@@ -1,6 +1,7 @@
 import type { Colors } from '../colors.ts';
 import type { ShownProblem } from '../problem.ts';
 import { visibleLine } from '../visible.ts';
+import { plural } from './plural.ts';
 import { showFileProblems } from './problem.ts';
 import { problemJson } from './problem-json.ts';
 
@@ -28,5 +29,5 @@ export function fmtPretty(files: readonly FormattedFile[], colors: Colors): stri
     .map((status) => [status, files.filter((file) => file.status === status).length] as const)
     .filter(([, count]) => count > 0)
     .map(([status, count]) => `${count} ${status}`);
-  return `${text}${files.length} ${files.length === 1 ? 'file' : 'files'}: ${counts.join(', ')}\n`;
+  return `${text}${plural(files.length, 'file')}: ${counts.join(', ')}\n`;
 }

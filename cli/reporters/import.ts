@@ -1,4 +1,5 @@
 import { visibleLine } from '../visible.ts';
+import { plural } from './plural.ts';
 
 export interface ImportedFile {
   readonly file: string;
@@ -20,8 +21,6 @@ export const importJson = (imported: Imported): string => `${JSON.stringify(impo
 export function importPretty({ files, notes }: Imported): string {
   const lines = files.map(({ file, status }) => `${status} ${visibleLine(file)}`);
   lines.push(...notes.map((note) => `note: ${visibleLine(note)}`));
-  lines.push(
-    `${files.length} ${files.length === 1 ? 'level' : 'levels'} imported; gq check says which can be completed once they have runs`,
-  );
+  lines.push(`${plural(files.length, 'level')} imported; gq check says which can be completed once they have runs`);
   return `${lines.join('\n')}\n`;
 }

@@ -1,6 +1,7 @@
 import type { Colors } from '../colors.ts';
 import type { Inspection } from '../inspection.ts';
 import { visibleLine } from '../visible.ts';
+import { plural } from './plural.ts';
 import { showFileProblems } from './problem.ts';
 import { alignColumns } from './table.ts';
 
@@ -22,7 +23,7 @@ export function inspectPretty({ file, level, effects, counts, work, problems }: 
       .join('');
   const has = Object.entries(counts)
     .filter(([, count]) => count > 0)
-    .map(([key, count]) => `${count} ${COUNTED[key][count === 1 ? 0 : 1]}`);
+    .map(([key, count]) => `${plural(count, ...COUNTED[key])}`);
   let text = `${colors.bold(visibleLine(level))}: ${has.length === 0 ? 'nothing but the black hole' : has.join(', ')}\n`;
   text += `\n${colors.bold('simulated')}\n${list(effects.simulated)}`;
   if (effects.notCalledFor.length > 0) text += `\n${colors.bold('not called for')}\n${list(effects.notCalledFor)}`;

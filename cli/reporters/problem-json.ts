@@ -1,6 +1,13 @@
-import type { Problem } from '../../schema/index.ts';
+import type { CheckReport, Problem } from '../../schema/index.ts';
 
 /** A problem as every JSON report gives it. */
-export function problemJson({ code, severity, message, line, column, pointer }: Problem): object {
+export function problemJson({
+  code,
+  severity,
+  message,
+  line,
+  column,
+  pointer,
+}: Problem): CheckReport['levels'][number]['problems'][number] {
   return { code, severity, message, line, column, pointer };
 }

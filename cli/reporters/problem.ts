@@ -1,6 +1,7 @@
 import type { Colors } from '../colors.ts';
 import { MAX_FRAMES, type ShownProblem } from '../problem.ts';
 import { visible, visibleLine } from '../visible.ts';
+import { plural } from './plural.ts';
 
 /** `file:line:col`, or the file alone where a problem is about all of it. */
 function place(file: string, { line, column }: ShownProblem): string {
@@ -20,7 +21,7 @@ export function showProblem(file: string, problem: ShownProblem, colors: Colors)
 export function showFileProblems(file: string, problems: readonly ShownProblem[], colors: Colors): string {
   const shown = problems.slice(0, MAX_FRAMES).map((problem) => showProblem(file, problem, colors));
   const more = problems.length - shown.length;
-  if (more > 0) shown.push(`${visibleLine(file)}: ${more} more ${more === 1 ? 'problem' : 'problems'} like these\n`);
+  if (more > 0) shown.push(`${visibleLine(file)}: ${plural(more, 'more problem', 'more problems')} like these\n`);
   return shown.join('');
 }
 

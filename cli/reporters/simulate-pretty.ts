@@ -1,30 +1,29 @@
-import type { RunEvent } from '../../engine/index.ts';
-import type { Level } from '../../schema/index.ts';
+import type { Run, RunEvent } from '../../engine/index.ts';
+import type { Level, RunReport } from '../../schema/index.ts';
 import type { Colors } from '../colors.ts';
 import { bodyInWords, collected, outcomeInWords } from '../outcome.ts';
-import type { RunJson } from '../run-json.ts';
 import { visibleLine } from '../visible.ts';
 
 /** One run in full, for a person. */
-export function simulatePretty(level: Level, runName: string, run: RunJson, colors: Colors): string {
+export function simulatePretty(level: Level, runName: string, run: Run, report: RunReport, colors: Colors): string {
   const paint = run.outcome === 'completed' ? colors.green : colors.red;
-  const { x, y, vx, vy, angle } = run.final;
+  const { x, y, vx, vy, angle } = report.final;
   const near = run.clearance;
   const lines = [
-    `${colors.bold(visibleLine(level.name))}, ${visibleLine(runName)}, ${run.accuracy}`,
+    `${colors.bold(visibleLine(level.name))}, ${visibleLine(runName)}, ${report.accuracy}`,
     paint(outcomeInWords(run, level)),
     '',
     ...run.events.map((event) => `${event.time.toFixed(3).padStart(8)} s  ${eventInWords(event)}`),
     '',
-    `holds      ${run.holds.length === 0 ? 'none' : run.holds.map(([press, release]) => `${press}-${release}`).join(',')}`,
+    `holds      ${report.holds.length === 0 ? 'none' : report.holds.map(([press, release]) => `${press}-${release}`).join(',')}`,
     `minerals   ${collected(run)} of ${level.minerals.length}`,
     `clearance  ${near === null ? 'nothing deadly in the level' : `${near.distance.toFixed(3)} px to ${bodyInWords(near.kind, near.index)} at ${near.time.toFixed(3)} s`}`,
     `final      x ${x.toFixed(3)}, y ${y.toFixed(3)} px; ${vx.toFixed(3)}, ${vy.toFixed(3)} px/s; angle ${angle.toFixed(4)} rad`,
     `hash       ${run.hash}`,
   ];
-  if (run.samples.length > 0) {
+  if (report.samples.length > 0) {
     lines.push('', '       t s           x           y          vx          vy    angle');
-    for (const [t, ...rest] of run.samples) {
+    for (const [t, ...rest] of report.samples) {
       const cells = rest.map((value, i) => (i < 4 ? value.toFixed(3).padStart(12) : value.toFixed(4).padStart(9)));
       lines.push(t.toFixed(4).padStart(10) + cells.join(''));
     }

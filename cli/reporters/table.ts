@@ -1,16 +1,16 @@
-/** Rows of cells as lines: every column as wide as its widest cell, numbers to the right, no space at the ends. */
-export function alignColumns(rows: readonly (readonly string[])[]): string[] {
+/**
+ * Rows of cells as lines: every column as wide as its widest cell, no space at the ends.
+ * @param right the columns, from 0, that are set to the right
+ */
+export function alignColumns(rows: readonly (readonly string[])[], right: readonly number[] = []): string[] {
   const widths: number[] = [];
-  for (const row of rows) for (const [i, cell] of row.entries()) widths[i] = Math.max(widths[i] ?? 0, [...cell].length);
-  return rows.map((row) =>
-    row
-      .map((cell, i) => pad(cell, widths[i]))
-      .join('  ')
-      .trimEnd(),
-  );
+  for (const row of rows) for (const [i, cell] of row.entries()) widths[i] = Math.max(widths[i] ?? 0, length(cell));
+  const pad = (cell: string, i: number): string => {
+    const space = ' '.repeat(widths[i] - length(cell));
+    return right.includes(i) ? space + cell : cell + space;
+  };
+  return rows.map((row) => row.map(pad).join('  ').trimEnd());
 }
 
-function pad(cell: string, width: number): string {
-  const space = ' '.repeat(width - [...cell].length);
-  return /^-?\d/.test(cell) ? space + cell : cell + space;
-}
+/** Characters, not UTF-16 code units. */
+const length = (cell: string): number => [...cell].length;

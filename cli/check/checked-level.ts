@@ -1,21 +1,14 @@
+import type { RunReport, Verdict } from '../../schema/index.ts';
 import type { ShownProblem } from '../problem.ts';
-import type { RunJson } from '../run-json.ts';
-
-/** What `check` says of a level, in the order in which a summary counts them. */
-export const VERDICTS = ['completable', 'broken', 'unproven', 'impossible', 'invalid', 'crashed'] as const;
-
-export type Verdict = (typeof VERDICTS)[number];
 
 /** What `check` found out about one level file. */
-export interface LevelReport {
+export interface CheckedLevel {
   readonly file: string;
-  /** null where the file is not a valid level */
-  readonly name: string | null;
+  /** The level's name; the file's where it is not a valid level. */
+  readonly name: string;
   readonly verdict: Verdict;
   /** The first run that completes the level, else its first run. */
-  readonly run: RunJson | null;
-  /** The name of that run. */
-  readonly runName: string | null;
+  readonly run: RunReport | null;
   /** How many minerals the level has. */
   readonly mineralCount: number;
   readonly problems: readonly ShownProblem[];
