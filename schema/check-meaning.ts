@@ -42,7 +42,7 @@ function checkRuns(level: unknown, into: Finding[]): void {
   const runs = listOf(keyOf(level, 'runs'));
   for (let r = 0; r < runs.length && into.length < MAX_FINDINGS; r++) {
     const name = keyOf(runs[r], 'name');
-    const owner = typeof name === 'string' ? first.get(name) : undefined;
+    const owner = typeof name === 'string' && name !== '' ? first.get(name) : undefined;
     if (typeof name === 'string' && owner === undefined) {
       first.set(name, r);
     } else if (typeof name === 'string') {

@@ -1,5 +1,5 @@
 import { createLocator, type Locator } from './locate.ts';
-import { type Finding, MAX_FINDINGS, MAX_PROBLEMS, type Problem, toPointer } from './problem.ts';
+import { type Finding, MAX_FINDINGS, MAX_PROBLEMS, type Path, type Problem, toPointer } from './problem.ts';
 import { scanJson } from './scan-json.ts';
 import { createPlaceFinder } from './text-place.ts';
 import { decodeUtf8 } from './utf8.ts';
@@ -20,6 +20,9 @@ export type JsonReading =
       readonly findings: readonly Finding[];
     }
   | { readonly ok: false; readonly problems: Problem[]; readonly text: string };
+
+// a key of a megabyte must not end up in a report
+const MAX_POINTER = 500;
 
 const MARK = '\ufeff';
 
@@ -47,11 +50,17 @@ function badByteFinding(bytes: Uint8Array, bad: { byte: number; at: number; offs
   };
 }
 
+/** The pointer of a path; where a key makes it endless, of the value around it. */
+function readablePointer(path: Path): string {
+  const pointer = toPointer(path);
+  return pointer.length > MAX_POINTER ? readablePointer(path.slice(0, -1)) : pointer;
+}
+
 /** Findings with their places, in the order of the text; at most `MAX_PROBLEMS`, and one more that counts the rest. */
 export function toProblems(findings: readonly Finding[], locator: Locator): Problem[] {
   const placed = findings.map((finding) => {
-    const pointer = toPointer(finding.path);
-    return { finding, pointer, offset: finding.offset ?? locator.offsetOf(pointer, finding.part) };
+    const offset = finding.offset ?? locator.offsetOf(toPointer(finding.path), finding.part);
+    return { finding, pointer: readablePointer(finding.path), offset };
   });
   placed.sort((a, b) => a.offset - b.offset);
   const problems: Problem[] = placed.slice(0, MAX_PROBLEMS).map(({ finding, pointer, offset }) => {

@@ -1,3 +1,4 @@
+import { closestName } from './closest-name.ts';
 import { type Finding, MAX_FINDINGS, type Path } from './problem.ts';
 import { quote } from './say.ts';
 
@@ -25,7 +26,7 @@ const isWord = (c: number) => isDigit(c) || (c >= 65 && c <= 90) || (c >= 97 && 
 const isSpace = (c: number) => c === 32 || c === 10 || c === 13 || c === 9;
 
 /** What may come next. */
-type Mode = 'value' | 'value or ]' | 'key' | 'key or }' | 'after' | 'end';
+type Mode = 'value' | 'value or ]' | 'key' | 'key or }' | 'colon' | 'after' | 'end';
 
 /** Where a text ends for a reader: the offset after its last character that is not space. */
 function visibleEnd(text: string): number {
@@ -133,9 +134,9 @@ export function scanJson(text: string): Scan {
           `Put the key in double quotes: ${shown}.`,
         );
       }
-      const literal = LITERALS.find((name) => name === word.toLowerCase());
-      if (literal !== undefined && literal !== word) {
-        return fail('invalid-json', i, `expected ${expected}, found ${word}`, `Write ${literal}.`);
+      const literal = closestName(word, LITERALS);
+      if (literal !== null && literal !== word) {
+        return fail('invalid-json', i, `expected ${expected}, found ${shown} without quotes`, `Write ${literal}.`);
       }
       if (mode === 'value' || mode === 'value or ]') {
         return fail(
@@ -145,6 +146,9 @@ export function scanJson(text: string): Scan {
           'Put texts in double quotes; leave out keys without a value.',
         );
       }
+    }
+    if (mode === 'colon') {
+      return fail('invalid-json', i, `expected ${expected}, found ${quote(c)}`, 'Write a colon between the key and its value.');
     }
     if (mode === 'after') {
       const found = c === '"' ? 'a text' : quote(c);
@@ -362,15 +366,17 @@ export function scanJson(text: string): Scan {
           if (end < 0) return;
           takeKey(i, end);
           i = end;
-          while (isSpace(text.charCodeAt(i))) i++;
-          if (text.charCodeAt(i) !== 58) {
-            failUnexpected(i, 'a colon after the key', 'after');
+          mode = 'colon';
+          break;
+        }
+        case 'colon':
+          if (c !== 58) {
+            failUnexpected(i, 'a colon after the key', mode);
             return;
           }
           i++;
           mode = 'value';
           break;
-        }
         case 'after':
           if (depth === 0) {
             mode = 'end';
