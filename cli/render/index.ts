@@ -1,20 +1,14 @@
 import type { Run } from '../../engine/index.ts';
 import type { Hold, Level } from '../../schema/index.ts';
-import { drawAlien, drawSight } from './alien.ts';
-import { drawAsteroid } from './asteroid.ts';
-import { drawAstronaut } from './astronaut.ts';
 import { drawBackground } from './background.ts';
-import { drawBlackHole } from './black-hole.ts';
 import { drawCaption, outcomeText } from './caption.ts';
 import { drawGradients } from './gradients.ts';
-import { drawHotAsteroid } from './hot-asteroid.ts';
-import { drawMineral, drawTick } from './mineral.ts';
-import { drawNova } from './nova.ts';
+import { drawTick } from './mineral.ts';
+import { drawObjects } from './objects.ts';
 import { place } from './place.ts';
 import { drawRanges } from './range.ts';
-import { drawRepulsor } from './repulsor.ts';
 import { drawAlienWays, drawEnd, drawPresses, drawSeconds, drawTethers, drawWay } from './run.ts';
-import { drawText } from './text.ts';
+import { drawStart } from './start.ts';
 import { THEMES, type Theme } from './theme.ts';
 import { frame, type View } from './view.ts';
 import { stretchesOf } from './way.ts';
@@ -37,30 +31,6 @@ export interface RenderOptions {
 /** Everything is laid out for a picture of this width and then scaled, so that pictures of any size look alike. */
 const UNITS = 960;
 
-function drawObjects(view: View, theme: Theme, level: Level): string {
-  const parts: string[] = [];
-  const put = (kind: string, list: readonly { x: number; y: number }[], draw: (index: number) => string): void => {
-    for (const [i, at] of list.entries()) parts.push(place(view, kind, i, at, draw(i)));
-  };
-  put('repulsor', level.repulsors, (i) => drawRepulsor(level.repulsors[i].radius, theme));
-  put('sight', level.aliens, () => drawSight(theme));
-  parts.push(place(view, 'black-hole', 0, level.blackHole, drawBlackHole(level.blackHole.radius, theme)));
-  for (const [i, asteroid] of level.asteroids.entries()) {
-    const draw = asteroid.hot ? drawHotAsteroid : drawAsteroid;
-    parts.push(place(view, asteroid.hot ? 'hot-asteroid' : 'asteroid', i, asteroid, draw(asteroid.radius, i, theme)));
-  }
-  put('nova', level.novae, (i) => drawNova(level.novae[i].radius, i, theme));
-  put('alien', level.aliens, (i) => drawAlien(level.aliens[i].radius, theme));
-  put('mineral', level.minerals, (i) => drawMineral(level.minerals[i].radius, theme));
-  return parts.join('');
-}
-
-function drawStart(view: View, theme: Theme, level: Level): string {
-  const { x, y } = level.astronaut;
-  const label = drawText('start', view.x(x), view.y(y) + 16 * view.scale + 13, { size: 6.5, color: theme.muted, anchor: 'middle' });
-  return place(view, 'astronaut', 0, level.astronaut, drawAstronaut(theme, theme.muted)) + label;
-}
-
 function drawCollected(view: View, theme: Theme, level: Level, run: Run): string {
   const indices = [...new Set(run.minerals.map(({ index }) => index))];
   return indices.map((i) => place(view, 'collected', i, level.minerals[i], drawTick(theme))).join('');
@@ -74,7 +44,11 @@ export function renderSvg(level: Level, options: RenderOptions = {}): string {
   const { run, holds, width = UNITS, title = level.name } = options;
   const theme = THEMES[options.theme ?? 'dark'];
   const stretches = run === undefined ? [] : stretchesOf(run);
-  const view = frame(level, stretches.flatMap(({ points }) => points), UNITS);
+  const view = frame(
+    level,
+    stretches.flatMap(({ points }) => points),
+    UNITS,
+  );
   const caption = drawCaption(level, theme, view.height, UNITS, title, run, holds);
   const height = view.height + caption.height;
 
@@ -89,7 +63,7 @@ export function renderSvg(level: Level, options: RenderOptions = {}): string {
       drawCollected(view, theme, level, run),
     );
   }
-  scene.push(drawStart(view, theme, level));
+  scene.push(drawStart(view, theme, level, run));
   if (run !== undefined) scene.push(drawEnd(view, theme, level, run));
 
   const about = run === undefined ? level.description : outcomeText(level, run);

@@ -26,7 +26,10 @@ function entriesOf(level: Level, theme: Theme, withRun: boolean): Entry[] {
   const entries: Entry[] = [];
   if (withRun) {
     entries.push(
-      { label: 'gun held', icon: `<path d="M-10 3C-4-4 4-4 10-1" fill="none" stroke="${theme.gun}" stroke-width="4.6" stroke-linecap="round"/>` },
+      {
+        label: 'gun held',
+        icon: `<path d="M-10 3C-4-4 4-4 10-1" fill="none" stroke="${theme.gun}" stroke-width="4.6" stroke-linecap="round"/>`,
+      },
       {
         label: 'coasting, a dot each second',
         icon: `<path d="M-10 0H10" stroke="${theme.coast}" stroke-width="1.5"/><circle r="2.7" cx="-4" fill="${theme.text}"/><circle r="2.7" cx="6" fill="${theme.text}"/>`,
@@ -34,7 +37,8 @@ function entriesOf(level: Level, theme: Theme, withRun: boolean): Entry[] {
     );
   }
   if (level.asteroids.some((a) => !a.hot)) entries.push({ label: 'asteroid', icon: radiusIcon(drawAsteroid(16, 0, theme), 16) });
-  if (level.asteroids.some((a) => a.hot)) entries.push({ label: 'hot asteroid', icon: radiusIcon(drawHotAsteroid(16, 0, theme), 16) });
+  if (level.asteroids.some((a) => a.hot))
+    entries.push({ label: 'hot asteroid', icon: radiusIcon(drawHotAsteroid(16, 0, theme), 16) });
   if (level.novae.length > 0) entries.push({ label: 'nova', icon: radiusIcon(drawNova(16, 0, theme), 16) });
   if (level.repulsors.length > 0) entries.push({ label: 'repulsor', icon: radiusIcon(drawRepulsor(16, theme), 16) });
   if (level.aliens.length > 0) entries.push({ label: 'alien', icon: radiusIcon(drawAlien(25, theme), 25) });
@@ -50,7 +54,14 @@ function entriesOf(level: Level, theme: Theme, withRun: boolean): Entry[] {
 }
 
 /** What the signs of this picture mean, in rows of at most `width`. */
-export function drawLegend(level: Level, theme: Theme, withRun: boolean, x: number, y: number, width: number): { readonly svg: string; readonly height: number } {
+export function drawLegend(
+  level: Level,
+  theme: Theme,
+  withRun: boolean,
+  x: number,
+  y: number,
+  width: number,
+): { readonly svg: string; readonly height: number } {
   let left = x;
   let top = y;
   let svg = '';

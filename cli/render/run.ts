@@ -1,13 +1,14 @@
-import { STATE_SIZE, type Run } from '../../engine/index.ts';
+import { type Run, STATE_SIZE } from '../../engine/index.ts';
 import type { Level } from '../../schema/index.ts';
 import { drawAlienWay } from './alien.ts';
 import { drawAstronaut } from './astronaut.ts';
 import { drawContact } from './contact.ts';
 import { place } from './place.ts';
+import type { Point } from './simplify.ts';
+import { startLabelAt } from './start.ts';
 import { drawText } from './text.ts';
 import type { Theme } from './theme.ts';
 import type { View } from './view.ts';
-import type { Point } from './simplify.ts';
 import { alienWay, heldTimes, positionAt, type Stretch } from './way.ts';
 import { num } from './xml.ts';
 
@@ -65,7 +66,13 @@ export function drawPresses(view: View, theme: Theme, level: Level, run: Run): s
   const presses = heldTimes(run);
   if (presses.length > MOST_NUMBERS) return '';
   const state = new Float64Array(STATE_SIZE);
-  const taken: Point[] = [[view.x(level.astronaut.x), view.y(level.astronaut.y)]];
+  const numbersAt: Point[] = [];
+  const start: Point = [view.x(level.astronaut.x), view.y(level.astronaut.y)];
+  const apart = ([ax, ay]: Point, [bx, by]: Point, distance: number): boolean => Math.hypot(ax - bx, ay - by) >= distance;
+  const isFree = (p: Point): boolean =>
+    apart(p, start, 18 * view.scale + 7) &&
+    apart(p, startLabelAt(view, level, run), 24) &&
+    numbersAt.every((n) => apart(p, n, 17));
   const numbers = presses.map(([time], i) => {
     run.trajectory.at(time, state);
     const [x, y, vx, vy, cos, sin] = state;
@@ -74,9 +81,8 @@ export function drawPresses(view: View, theme: Theme, level: Level, run: Run): s
     const [nx, ny] = speed < 1 ? [-sin, cos] : [-vy / speed, vx / speed];
     const side = nx * cos + ny * sin > 1e-6 ? -1 : 1;
     const at = (distance: number): Point => [view.x(x) + side * distance * nx, view.y(y) + side * distance * ny];
-    const isFree = ([px, py]: Point): boolean => taken.every(([tx, ty], k) => Math.hypot(px - tx, py - ty) >= (k === 0 ? 30 : 17));
     const [px, py] = [16, -16, 34, -34, 52, -52].map(at).find(isFree) ?? at(16);
-    taken.push([px, py]);
+    numbersAt.push([px, py]);
     return (
       `<circle cx="${num(px)}" cy="${num(py)}" r="7.6" fill="${theme.halo}" stroke="${theme.gun}" stroke-width="1.2"/>` +
       drawText(String(i + 1), px, py + 3.6, { size: 7.2, color: theme.gun, anchor: 'middle', bold: true })

@@ -61,7 +61,10 @@ function sample(run: Run, from: number, to: number): Point[] {
   return points;
 }
 
-/** The way of an alien, level px, and whether it had exploded by the end; null when it never moved. */
+/** An alien that moved less than this is drawn where the level has it, level px. */
+const STIRRED = 8;
+
+/** The way of an alien, level px, and whether it had exploded by the end; null when it hardly moved. */
 export function alienWay(
   run: Run,
   alien: number,
@@ -70,14 +73,14 @@ export function alienWay(
   const state = new Float64Array(3 * count);
   const points: Point[] = [];
   const end = run.trajectory.duration;
-  const ticks = Math.floor(end * TICK_RATE);
-  for (let tick = 0; tick <= ticks; tick++) {
-    run.trajectory.aliensAt(tick * TICK, state);
+  const look = (time: number): void => {
+    run.trajectory.aliensAt(time, state);
     points.push([state[3 * alien], state[3 * alien + 1]]);
-  }
-  run.trajectory.aliensAt(end, state);
+  };
+  for (let tick = 0; tick * TICK < end; tick++) look(tick * TICK);
+  look(end);
   const exploded = state[3 * alien + 2] === 0;
-  const way = simplify(points, TOLERANCE);
-  const moved = way.some(([x, y]) => x !== way[0][0] || y !== way[0][1]);
-  return moved || exploded ? { points: way, exploded } : null;
+  const [x, y] = points[0];
+  const moved = points.some(([px, py]) => Math.hypot(px - x, py - y) >= STIRRED);
+  return moved || exploded ? { points: simplify(points, TOLERANCE), exploded } : null;
 }

@@ -6,29 +6,35 @@ export interface Body {
   readonly x: number;
   readonly y: number;
   readonly radius: number;
-  /** JSON pointer of the object in the level file. */
-  readonly pointer: string;
-  /** What to call it in a sentence: `nova novae[2]`. */
-  readonly name: string;
+  /** Place in the level's list of that kind. */
+  readonly index: number;
 }
 
-const LISTS = { asteroid: 'asteroids', 'hot asteroid': 'asteroids', nova: 'novae', alien: 'aliens' } as const;
-
-function body(kind: keyof typeof LISTS, index: number, { x, y, radius }: { x: number; y: number; radius: number }): Body {
-  const list = LISTS[kind];
-  return { kind, x, y, radius, pointer: `/${list}/${index}`, name: `${kind} ${list}[${index}]` };
-}
+/** Which of the level's lists a body is in. */
+export const LIST_OF = { asteroid: 'asteroids', 'hot asteroid': 'asteroids', nova: 'novae', alien: 'aliens' } as const;
 
 /** Asteroids, novae, aliens, then the black hole. */
 export function bodiesOf(level: Level): Body[] {
-  const { x, y, radius } = level.blackHole;
-  return [
-    ...level.asteroids.map((o, i) => body(o.hot ? 'hot asteroid' : 'asteroid', i, o)),
-    ...level.novae.map((o, i) => body('nova', i, o)),
-    ...level.aliens.map((o, i) => body('alien', i, o)),
-    { kind: 'black hole', x, y, radius, pointer: '/blackHole', name: 'black hole' },
-  ];
+  const bodies: Body[] = [];
+  const add = (
+    kind: Body['kind'],
+    index: number,
+    o: { readonly x: number; readonly y: number; readonly radius: number },
+  ): void => {
+    bodies.push({ kind, x: o.x, y: o.y, radius: o.radius, index });
+  };
+  for (const [i, o] of level.asteroids.entries()) add(o.hot ? 'hot asteroid' : 'asteroid', i, o);
+  for (const [i, o] of level.novae.entries()) add('nova', i, o);
+  for (const [i, o] of level.aliens.entries()) add('alien', i, o);
+  add('black hole', 0, level.blackHole);
+  return bodies;
 }
+
+/** JSON pointer of a body in the level file. */
+export const pointerOf = ({ kind, index }: Body): string => (kind === 'black hole' ? '/blackHole' : `/${LIST_OF[kind]}/${index}`);
+
+/** What to call a body in a sentence: `nova novae[2]`. */
+export const nameOf = ({ kind, index }: Body): string => (kind === 'black hole' ? kind : `${kind} ${LIST_OF[kind]}[${index}]`);
 
 /** Whether touching it ends the run badly. */
 export const isHazard = ({ kind }: Body): boolean => kind === 'nova' || kind === 'hot asteroid' || kind === 'alien';

@@ -1,11 +1,15 @@
 import type { Level } from '../../schema/index.ts';
 import type { Run } from '../simulate.ts';
 import { aliensExplodeAtStart } from './aliens-explode-at-start.ts';
+import { blackHoleCovered } from './black-hole-covered.ts';
+import { blackHoleOutOfReach } from './black-hole-out-of-reach.ts';
 import { bodiesOf } from './bodies.ts';
-import { blackHoleCovered, mineralCovered } from './covered.ts';
-import { holdsOverlap, holdsUnsorted } from './holds.ts';
+import { copiesOf } from './copies.ts';
+import { holdsOverlap } from './holds-overlap.ts';
+import { holdsUnsorted } from './holds-unsorted.ts';
+import { mineralCovered } from './mineral-covered.ts';
+import { mineralOutOfReach } from './mineral-out-of-reach.ts';
 import { nothingInRangeAtStart } from './nothing-in-range-at-start.ts';
-import { blackHoleOutOfReach, mineralOutOfReach } from './out-of-reach.ts';
 import { overlapping } from './overlapping.ts';
 import { reachOf } from './reach.ts';
 import { repulsorNeverActs } from './repulsor-never-acts.ts';
@@ -47,7 +51,7 @@ export const MAX_WARNINGS_PER_CODE = 20;
  * @returns in a fixed order; empty when all is well
  */
 export function findWarnings(level: Level, runs: readonly Run[] = []): Warning[] {
-  const subject = { level, runs, bodies: bodiesOf(level), reach: reachOf(level) };
+  const subject = { level, runs, bodies: bodiesOf(level), reach: reachOf(level), copies: copiesOf(level) };
   const warnings: Warning[] = [];
   for (const { explanation, find } of RULES) {
     const { code, severity } = explanation;

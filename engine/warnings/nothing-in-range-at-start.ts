@@ -1,4 +1,4 @@
-import { distance, px } from './numbers.ts';
+import { distance, px } from './geometry.ts';
 import type { Rule } from './warning.ts';
 
 /** She is lost at once. */

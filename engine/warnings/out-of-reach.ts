@@ -1,11 +1,13 @@
-import { px } from './numbers.ts';
-import type { Finding, Rule, Subject } from './warning.ts';
+import { px } from './geometry.ts';
+import type { Finding, Subject } from './warning.ts';
 
-const RULE_OF_REACH =
+/** What both explanations rest on. */
+export const RULE_OF_REACH =
   'She is lost farther than the range from the centre of every asteroid, and her box reaches at most 18.9 px beyond her centre. ' +
   'Only asteroids count that she can come to, hopping from range to range. With recoil, the warning allows for how far asteroids can drift in 60 s.';
 
-function* outOfReach(
+/** The finding that a thing can't be touched, if that is so. */
+export function* outOfReach(
   { level, reach }: Subject,
   what: string,
   thing: { readonly x: number; readonly y: number; readonly radius: number },
@@ -23,31 +25,3 @@ function* outOfReach(
     pointer,
   };
 }
-
-/** The level can't be completed. */
-export const blackHoleOutOfReach: Rule = {
-  explanation: {
-    code: 'black-hole-out-of-reach',
-    severity: 'warning',
-    title: 'the black hole is out of reach of every asteroid',
-    why: `${RULE_OF_REACH} So nobody can touch this black hole: the level can't be completed.`,
-    fix: 'Put an asteroid nearer to the black hole, a stepping stone in the gap before it, or raise the range.',
-  },
-  find: (subject) => outOfReach(subject, 'the black hole', subject.level.blackHole, '/blackHole'),
-};
-
-/** It can't be collected. */
-export const mineralOutOfReach: Rule = {
-  explanation: {
-    code: 'mineral-out-of-reach',
-    severity: 'warning',
-    title: 'a mineral is out of reach of every asteroid',
-    why: `${RULE_OF_REACH} So nobody can collect this mineral.`,
-    fix: 'Put the mineral nearer to an asteroid, an asteroid nearer to the mineral, or raise the range.',
-  },
-  *find(subject) {
-    for (const [i, mineral] of subject.level.minerals.entries()) {
-      yield* outOfReach(subject, `minerals[${i}]`, mineral, `/minerals/${i}`);
-    }
-  },
-};

@@ -1,6 +1,5 @@
-import { isHazard } from './bodies.ts';
-import { covers } from './covered.ts';
-import { distance, px } from './numbers.ts';
+import { isHazard, LIST_OF, nameOf, pointerOf } from './bodies.ts';
+import { covers, distance, px } from './geometry.ts';
 import { overlaps } from './pairs.ts';
 import type { Rule } from './warning.ts';
 
@@ -13,21 +12,17 @@ export const overlapping: Rule = {
     why: 'An asteroid, nova, alien or black hole reaches into another: the player sees one shape where there are two, and can’t tell which of them acts. Nothing breaks; it is seldom meant.',
     fix: 'Move them apart. A wall needs no overlap: a gap of less than 20 px lets nobody through.',
   },
-  *find({ level, bodies }) {
-    // the same kind at the same place is told by `same-place`, and would fill the list here
-    const places = new Set<string>();
-    const distinct = bodies.filter(({ kind, x, y }) => {
-      const place = `${kind} ${x} ${y}`;
-      return !places.has(place) && places.add(place);
-    });
+  *find({ level, bodies, copies }) {
+    // copies are told by `same-place`, and would fill the list here
+    const distinct = bodies.filter(({ kind, index }) => kind === 'black hole' || !copies[LIST_OF[kind]].has(index));
     for (const [a, b] of overlaps(distinct)) {
       if (a.kind === 'alien' && b.kind === 'alien') continue;
       if (b.kind === 'black hole' && isHazard(a) && covers(a, level.blackHole)) continue;
       const depth = px(a.radius + b.radius - distance(a, b));
       yield {
-        message: `${a.name} and ${b.name} overlap by ${depth}: centres ${px(distance(a, b))} apart, radii ${px(a.radius)} and ${px(b.radius)}`,
+        message: `${nameOf(a)} and ${nameOf(b)} overlap by ${depth}: centres ${px(distance(a, b))} apart, radii ${px(a.radius)} and ${px(b.radius)}`,
         hint: `move them apart by ${depth}`,
-        pointer: a.pointer,
+        pointer: pointerOf(a),
       };
     }
   },

@@ -1,10 +1,5 @@
 import Flatbush from 'flatbush';
-
-export interface Disc {
-  readonly x: number;
-  readonly y: number;
-  readonly radius: number;
-}
+import type { Disc } from './geometry.ts';
 
 // below this many, comparing all pairs is quicker than building an index
 const INDEX_FROM = 64;
@@ -28,7 +23,10 @@ export function* overlaps<T extends Disc>(discs: readonly T[]): Generator<readon
 }
 
 /** Pairs of a disc of one list and a disc of the other that overlap, in the order of the first list. Lazy, too. */
-export function* overlapsBetween<T extends Disc, U extends Disc>(discs: readonly T[], others: readonly U[]): Generator<readonly [T, U]> {
+export function* overlapsBetween<T extends Disc, U extends Disc>(
+  discs: readonly T[],
+  others: readonly U[],
+): Generator<readonly [T, U]> {
   const near = finderOf(others);
   let candidates = 0;
   for (const a of discs) {
@@ -40,8 +38,11 @@ export function* overlapsBetween<T extends Disc, U extends Disc>(discs: readonly
 }
 
 /** Says which discs may overlap one: their indices, ascending. */
-function finderOf(discs: readonly Disc[]): (disc: Disc) => Iterable<number> {
-  if (discs.length < INDEX_FROM) return () => discs.keys();
+function finderOf(discs: readonly Disc[]): (disc: Disc) => readonly number[] {
+  if (discs.length < INDEX_FROM) {
+    const all = [...discs.keys()];
+    return () => all;
+  }
   const index = new Flatbush(discs.length);
   for (const { x, y, radius } of discs) index.add(x - radius, y - radius, x + radius, y + radius);
   index.finish();

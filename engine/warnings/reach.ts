@@ -1,7 +1,7 @@
 import Flatbush from 'flatbush';
 import type { Asteroid, Level } from '../../schema/index.ts';
 import { DEFAULT_MAX_TIME, HALF_DIAGONAL, SPEED_LIMIT, TICK } from '../constants.ts';
-import { distance, type Place } from './numbers.ts';
+import { distance, type Place } from './geometry.ts';
 
 /** Where she can be at all: never farther than the range from an asteroid she can come to. */
 export interface Reach {
@@ -41,7 +41,8 @@ export function reachOf(level: Level): Reach {
     limit: (radius) => level.range + radius + HALF_DIAGONAL + slack,
     nearest(place) {
       if (reached.length >= INDEX_FROM) index ??= indexOf(level.asteroids, reached);
-      const found = index === null ? nearestOf(level.asteroids, reached, place) : reached[index.neighbors(place.x, place.y, 1)[0]];
+      const found =
+        index === null ? nearestOf(level.asteroids, reached, place) : reached[index.neighbors(place.x, place.y, 1)[0]];
       return found === undefined ? null : { distance: distance(level.asteroids[found], place), index: found };
     },
     hasIslands: reached.length < level.asteroids.length,

@@ -1,5 +1,4 @@
-import { covers } from './covered.ts';
-import { distance, px } from './numbers.ts';
+import { covers, distance, px } from './geometry.ts';
 import { overlaps } from './pairs.ts';
 import type { Rule } from './warning.ts';
 

@@ -1,6 +1,6 @@
 import { boxCircleGap, boxOverlapsCircle } from '../contact/index.ts';
-import { isHazard } from './bodies.ts';
-import { px } from './numbers.ts';
+import { isHazard, nameOf } from './bodies.ts';
+import { px } from './geometry.ts';
 import type { Rule } from './warning.ts';
 
 /** She dies before she can do anything. */
@@ -18,8 +18,8 @@ export const startsInHazard: Rule = {
       if (!isHazard(body) || !boxOverlapsCircle(body.x - x, body.y - y, 1, 0, body.radius)) continue;
       const depth = -boxCircleGap(body.x - x, body.y - y, 1, 0, body.radius);
       yield {
-        message: `the astronaut starts inside ${body.name}: her box reaches ${px(depth)} into its radius of ${px(body.radius)}`,
-        hint: `move the astronaut or ${body.name} apart by at least ${px(depth)}`,
+        message: `the astronaut starts inside ${nameOf(body)}: her box reaches ${px(depth)} into its radius of ${px(body.radius)}`,
+        hint: `move the astronaut or ${nameOf(body)} apart by at least ${px(depth)}`,
         pointer: '/astronaut',
       };
     }

@@ -1,5 +1,5 @@
 import { boxCircleGap, boxOverlapsCircle } from '../contact/index.ts';
-import { px } from './numbers.ts';
+import { px } from './geometry.ts';
 import type { Rule } from './warning.ts';
 
 /** Nothing is left to play. */

@@ -1,7 +1,7 @@
 import type { Level } from '../../schema/index.ts';
 import type { Run } from '../simulate.ts';
 import { STATE_SIZE } from '../simulation.ts';
-import { px } from './numbers.ts';
+import { px } from './geometry.ts';
 import type { Rule } from './warning.ts';
 
 // how often a run is looked at for who keeps her in range, s; she flies about 10 px in between

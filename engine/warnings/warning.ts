@@ -1,6 +1,7 @@
 import type { Level } from '../../schema/index.ts';
 import type { Run } from '../simulate.ts';
 import type { Body } from './bodies.ts';
+import type { Copies } from './copies.ts';
 import type { Reach } from './reach.ts';
 
 /** Something about a valid level that its designer most likely didn't mean. */
@@ -24,7 +25,7 @@ export interface WarningExplanation {
   readonly fix: string;
 }
 
-/** What the rules look at. What several of them need is made once, when the first one asks. */
+/** What the rules look at, and what several of them need. */
 export interface Subject {
   readonly level: Level;
   /** Runs of the level that were simulated; may be empty. */
@@ -32,6 +33,7 @@ export interface Subject {
   /** Everything solid. */
   readonly bodies: readonly Body[];
   readonly reach: Reach;
+  readonly copies: Copies;
 }
 
 /** A warning as a rule gives it: its code and severity are the rule's. */

@@ -1,0 +1,14 @@
+import { outOfReach, RULE_OF_REACH } from './out-of-reach.ts';
+import type { Rule } from './warning.ts';
+
+/** The level can't be completed. */
+export const blackHoleOutOfReach: Rule = {
+  explanation: {
+    code: 'black-hole-out-of-reach',
+    severity: 'warning',
+    title: 'the black hole is out of reach of every asteroid',
+    why: `${RULE_OF_REACH} So nobody can touch this black hole: the level can't be completed.`,
+    fix: 'Put an asteroid nearer to the black hole, a stepping stone in the gap before it, or raise the range.',
+  },
+  find: (subject) => outOfReach(subject, 'the black hole', subject.level.blackHole, '/blackHole'),
+};

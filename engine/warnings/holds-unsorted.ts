@@ -1,0 +1,24 @@
+import { holdText } from './hold-text.ts';
+import type { Rule } from './warning.ts';
+
+/** A script that doesn't read as it plays. */
+export const holdsUnsorted: Rule = {
+  explanation: {
+    code: 'holds-unsorted',
+    severity: 'warning',
+    title: 'holds of a run are not in order of time',
+    why: 'The holds are played in order of time, wherever they stand in the list. A list that says otherwise misleads who reads it or compares two versions.',
+    fix: 'Sort the holds by their first number.',
+  },
+  *find({ level }) {
+    for (const [r, { name, holds }] of level.runs.entries()) {
+      const i = holds.findIndex(([press], k) => k > 0 && press < holds[k - 1][0]);
+      if (i < 0) continue;
+      yield {
+        message: `run '${name}': the hold ${holdText(holds[i])} comes after ${holdText(holds[i - 1])}, which presses later`,
+        hint: 'sort the holds by their first number',
+        pointer: `/runs/${r}/holds/${i}`,
+      };
+    }
+  },
+};

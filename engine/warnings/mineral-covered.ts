@@ -1,0 +1,32 @@
+import { nameOf, staysPut } from './bodies.ts';
+import { covers, distance, px } from './geometry.ts';
+import { overlapsBetween } from './pairs.ts';
+import type { Rule } from './warning.ts';
+
+/** It can be collected only by dying. */
+export const mineralCovered: Rule = {
+  explanation: {
+    code: 'mineral-covered',
+    severity: 'warning',
+    title: 'a mineral lies inside something deadly',
+    why: 'The whole disc of the mineral lies inside a nova, or inside a hot asteroid that stays where it is: who touches the mineral burns in the same instant.',
+    fix: 'Move the mineral out until at least a part of it can be touched from outside.',
+  },
+  *find({ level, bodies }) {
+    const hazards = bodies.filter((body) => staysPut(body, level.recoil));
+    if (hazards.length === 0) return;
+    const minerals = level.minerals.map(({ x, y, radius }, index) => ({ x, y, radius, index }));
+    const told = new Set<number>();
+    for (const [mineral, hazard] of overlapsBetween(minerals, hazards)) {
+      if (told.has(mineral.index) || !covers(hazard, mineral)) continue;
+      told.add(mineral.index);
+      const name = `minerals[${mineral.index}]`;
+      const apart = distance(hazard, mineral);
+      yield {
+        message: `${name} lies inside ${nameOf(hazard)}: centres ${px(apart)} apart, radius ${px(mineral.radius)} against ${px(hazard.radius)}`,
+        hint: `move ${name} outwards by more than ${px(hazard.radius - mineral.radius - apart)}`,
+        pointer: `/minerals/${mineral.index}`,
+      };
+    }
+  },
+};
