@@ -9,8 +9,8 @@ import type { Batch } from './worker.ts';
 /** Fewer files than this are checked faster without workers, which take about as long to start. */
 const MANY_FILES = 64;
 
-/** Files larger than this together, in bytes, go to a worker however few they are, so that Ctrl-C is heard at once. */
-const MANY_BYTES = 256 * 1024;
+/** Beyond this the work goes to a worker however few files there are, so that Ctrl-C is heard at once: bytes times longest run in s. */
+const MUCH_WORK = 256 * 1024 * 60;
 
 /** How long the main thread works before it listens for signals again, ms. */
 const SLICE = 20;
@@ -34,7 +34,7 @@ export async function checkFiles(
   const early = waiting.map((file) => endAtOnceDuring(() => checkLevel(file, settings)));
 
   const bytes = stats.reduce((sum, s) => sum + (s instanceof Error ? 0 : s.size), 0);
-  const useWorkers = (jobs > 1 && regular.length >= MANY_FILES) || bytes > MANY_BYTES;
+  const useWorkers = (jobs > 1 && regular.length >= MANY_FILES) || bytes * settings.maxTime > MUCH_WORK;
   const reports = await (useWorkers
     ? checkInWorkers(regular, settings, jobs, onProgress)
     : checkHere(regular, settings, onProgress));

@@ -1,0 +1,199 @@
+import { type ChildProcess, execFileSync, spawn } from 'node:child_process';
+import { closeSync, constants, mkdirSync, openSync, readFileSync, symlinkSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import process from 'node:process';
+import { setTimeout } from 'node:timers/promises';
+import { afterAll, describe, expect, it } from 'vitest';
+import { fallThrough, gq, MAIN, makeFiles } from './gq.ts';
+
+// drifting for an hour takes long enough to be interrupted
+const drift = fallThrough({
+  asteroids: [{ x: 100, y: 0, radius: 16 }],
+  runs: Array.from({ length: 40 }, (_, i) => ({ name: `${i}`, holds: [] })),
+});
+const files = makeFiles({
+  ...Object.fromEntries(Array.from({ length: 130 }, (_, i) => [`many/${i}.level.json`, fallThrough({ name: `Level ${i}` })])),
+  ...Object.fromEntries(Array.from({ length: 200 }, (_, i) => [`long/${i}.level.json`, drift])),
+  'good.level.json': fallThrough(),
+});
+const cwd = files.directory;
+afterAll(files.remove);
+
+const withoutTimes = (json: string): string => json.replace(/"ms":[\d.e-]+/g, '"ms":0');
+
+it('says its version, and help for every command, on stdout', async () => {
+  const { version } = JSON.parse(readFileSync(new URL('../../package.json', import.meta.url), 'utf8'));
+  const names = ['check', 'simulate', 'inspect', 'render', 'import', 'fmt', 'schema', 'explain'];
+  const [short, long, root, ...helps] = await Promise.all([
+    gq(['-V']),
+    gq(['--version']),
+    gq(['--help']),
+    ...names.map((name) => gq([name, '--help'])),
+    gq(['help', 'check']),
+  ]);
+  expect([short, long]).toEqual(Array(2).fill({ code: 0, signal: null, stdout: `${version}\n`, stderr: '' }));
+  for (const name of names) expect(root.stdout).toContain(`\n  ${name} `);
+  for (const help of [root, ...helps]) {
+    expect(help).toMatchObject({ code: 0, stderr: '' });
+    expect(help.stdout).toContain('Examples:\n  $ gq ');
+  }
+  expect(helps.at(-1)).toEqual(helps[0]);
+});
+
+it('gives the same output however many workers it has', async () => {
+  const ended = await Promise.all(
+    ['1', '2', '7'].map((jobs) => gq(['check', 'many', '--format', 'json', '--jobs', jobs], { cwd })),
+  );
+  const reports = ended.map(({ stdout }) => withoutTimes(stdout));
+  expect(new Set(reports).size).toBe(1);
+  const names = JSON.parse(reports[0]).levels.map((level: { name: string }) => level.name);
+  expect(names).toEqual(
+    Array.from({ length: 130 }, (_, i) => `Level ${i}`).sort((a, b) => (`${a.slice(6)}.` < `${b.slice(6)}.` ? -1 : 1)),
+  );
+  expect(ended.map(({ code }) => code)).toEqual([0, 0, 0]);
+});
+
+describe('a reader that goes away', () => {
+  it('ends the writer quietly, with the exit code of the check', () => {
+    const pipe = (command: string) =>
+      execFileSync('bash', ['-c', `${command} 2>err; echo "\${PIPESTATUS[0]}"; cat err`, '--', process.execPath, MAIN], {
+        cwd,
+        encoding: 'utf8',
+      });
+    expect(pipe('"$1" "$2" check many | head -1').split('\n').slice(1)).toEqual(['0', '']);
+    expect(pipe('"$1" "$2" simulate good.level.json --sample 10000 --format json | head -c 5')).toBe('{"lev0\n');
+    expect(pipe('"$1" "$2" --version | true')).toBe('0\n');
+  });
+});
+
+it('writes a large report whole into a slow pipe', async () => {
+  const { code, stdout } = await gq(
+    ['simulate', 'good.level.json', '--accuracy', 'arcade', '--sample', '10000', '--format', 'json'],
+    {
+      cwd,
+      during: (child) => {
+        child.stdout?.pause();
+        void setTimeout(300).then(() => child.stdout?.resume());
+      },
+    },
+  );
+  expect(code).toBe(0);
+  const report = JSON.parse(stdout);
+  expect(report.samples.length).toBeGreaterThan(10_000);
+  expect(report.samples.at(-1)[0]).toBeLessThanOrEqual(report.time);
+});
+
+it.runIf(process.platform === 'linux')('tells a full disk behind stdout, with exit code 2', () => {
+  const text = execFileSync('bash', ['-c', '"$1" "$2" check many 2>&1 >/dev/full; echo $?', '--', process.execPath, MAIN], {
+    cwd,
+    encoding: 'utf8',
+  });
+  expect(text).toMatch(/^error: can't write to the standard output: .*ENOSPC.*\n2\n$/);
+});
+
+describe.runIf(process.platform === 'linux')('a signal', () => {
+  // says when the process listens for signals: before that the system ends it
+  const ready = `process.on('newListener', (name) => name === 'SIGTERM' && setImmediate(() => process._rawDebug('ready')));`;
+  const env = { NODE_OPTIONS: `--import=data:text/javascript,${encodeURIComponent(ready)}` };
+  const interrupt = (signal: NodeJS.Signals) => (child: ChildProcess) => {
+    child.stderr?.once('data', () => void setTimeout(200).then(() => child.kill(signal)));
+  };
+
+  it('ends the work and its workers with 130 or 143, and writes nothing', async () => {
+    const args = ['check', 'long', '--format', 'json', '--max-time', '3600'];
+    for (const jobs of ['1', '2']) {
+      const [int, term] = await Promise.all([
+        gq([...args, '--jobs', jobs], { cwd, env, during: interrupt('SIGINT') }),
+        gq([...args, '--jobs', jobs], { cwd, env, during: interrupt('SIGTERM') }),
+      ]);
+      expect(int).toEqual({ code: 130, signal: null, stdout: '', stderr: 'ready\n' });
+      expect(term).toEqual({ code: 143, signal: null, stdout: '', stderr: 'ready\n' });
+    }
+  });
+
+  it('ends at once what waits for a pipe', async () => {
+    execFileSync('mkfifo', [join(cwd, 'pipe')]);
+    const child = spawn(process.execPath, [MAIN, 'check', 'pipe'], { cwd });
+    const ended = new Promise((resolve) => child.on('close', (code, signal) => resolve([code, signal])));
+    // opening a pipe for writing succeeds once somebody reads it
+    let writer: number | null = null;
+    while (writer === null) {
+      try {
+        writer = openSync(join(cwd, 'pipe'), constants.O_WRONLY | constants.O_NONBLOCK);
+      } catch {
+        await setTimeout(10);
+      }
+    }
+    child.kill('SIGINT');
+    expect(await ended).toEqual([null, 'SIGINT']);
+    closeSync(writer);
+  });
+});
+
+describe('colours', () => {
+  it('are left out of pipes and with NO_COLOR, and forced by FORCE_COLOR', async () => {
+    const env = { NO_COLOR: '', CI: 'true' };
+    const [piped, forced, none] = await Promise.all([
+      gq(['check', 'good.level.json'], { cwd, env }),
+      gq(['check', 'good.level.json'], { cwd, env: { ...env, FORCE_COLOR: '1' } }),
+      gq(['check', 'good.level.json'], { cwd, env: { FORCE_COLOR: '1', NO_COLOR: '1' } }),
+    ]);
+    expect(piped.stdout).not.toContain('\u001b');
+    expect(forced.stdout).toContain('\u001b[32mcompletable');
+    expect(none.stdout).toBe(piped.stdout);
+  });
+
+  it('of a level itself never reach the terminal', async () => {
+    writeFileSync(
+      join(cwd, 'evil.level.json'),
+      fallThrough({ name: 'red \u001b[31m \u009b\u202e', runs: [{ name: '\u001b]0;title\u0007', holds: [] }] }),
+    );
+    writeFileSync(join(cwd, 'worse.level.json'), '{"\u001b[2J": 1}');
+    const ended = await Promise.all([
+      gq(['check', 'evil.level.json', 'worse.level.json'], { cwd }),
+      gq(['simulate', 'evil.level.json'], { cwd }),
+      gq(['inspect', 'worse.level.json'], { cwd }),
+      gq(['simulate', 'evil.level.json', '--run', '\u001b[1m'], { cwd }),
+      gq(['check', '\u001b[1m'], { cwd }),
+    ]);
+    // but for newlines
+    for (const { stdout, stderr } of ended) expect((stdout + stderr).replaceAll('\n', '')).not.toMatch(/[\p{Cc}\u202e]/u);
+    expect(ended[0].stdout).toContain('red \\u001b[31m');
+  });
+});
+
+describe('what stands in a directory', () => {
+  it('is read once, links followed, loops and what is hidden left out; a link to nowhere is exit code 2 and the rest is checked', async () => {
+    const root = join(cwd, 'tree');
+    for (const name of ['sub/deep', '.git', 'node_modules/x', 'named.level.json'])
+      mkdirSync(join(root, name), { recursive: true });
+    for (const name of ['z', 'sub/deep/b', '.git/hidden', 'node_modules/x/foreign', 'named.level.json/inside']) {
+      writeFileSync(join(root, `${name}.level.json`), fallThrough());
+    }
+    symlinkSync('..', join(root, 'sub/up'));
+    symlinkSync('round.level.json', join(root, 'round.level.json'));
+    symlinkSync('z.level.json', join(root, 'link.level.json'));
+    const { code, stdout } = await gq(['check', 'tree', './tree/z.level.json', '--format', 'json'], { cwd });
+    expect(code).toBe(2);
+    const { levels, summary } = JSON.parse(stdout);
+    expect(levels.map((l: { file: string; verdict: string }) => [l.file, l.verdict])).toEqual([
+      ['tree/link.level.json', 'completable'],
+      ['tree/named.level.json/inside.level.json', 'completable'],
+      ['tree/round.level.json', 'invalid'],
+      ['tree/sub/deep/b.level.json', 'completable'],
+      ['tree/z.level.json', 'completable'],
+    ]);
+    expect(levels[2].problems[0]).toMatchObject({ code: 'unreadable-file', line: null, column: null, pointer: '' });
+    expect(summary).toEqual({ completable: 4, broken: 0, unproven: 0, impossible: 0, invalid: 1, crashed: 0 });
+  });
+
+  it('can be picked by patterns, too', async () => {
+    const files = async (...patterns: string[]) => {
+      const { stdout } = await gq(['check', '--format', 'json', ...patterns], { cwd });
+      return JSON.parse(stdout).levels.map((level: { file: string }) => level.file);
+    };
+    expect(await files('many/1?.level.json')).toEqual(Array.from({ length: 10 }, (_, i) => `many/1${i}.level.json`));
+    expect(await files('**/b*.json')).toEqual(['tree/sub/deep/b.level.json']);
+    expect(await files('good.*', 'many/129.level.json')).toEqual(['good.level.json', 'many/129.level.json']);
+  });
+});

@@ -1,0 +1,127 @@
+import { chmodSync, existsSync, readdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { afterAll, describe, expect, it } from 'vitest';
+import { fallThrough, gq, makeFiles } from './gq.ts';
+
+const original = {
+  player: { x: 0, y: 0 },
+  target: { x: 170, y: 0, radius: 18 },
+  asteroids: [{ x: 100, y: 0, radius: '16' }],
+  maxDistance: 250,
+};
+const files = makeFiles({
+  'originals.json': JSON.stringify([{}, original, { ...original, intro: 'hello' }]),
+  'not-originals.json': '[{"player": 3}]',
+  'untidy/a.level.json': fallThrough({ 'x-note': { kept: true } }),
+  'untidy/b.level.json': `\ufeff${fallThrough()}`,
+  'untidy/c.level.json': '{',
+});
+const cwd = files.directory;
+afterAll(files.remove);
+const read = (name: string): string => readFileSync(join(cwd, name), 'utf8');
+
+describe('import', () => {
+  it('writes level files, says what it skipped, and never overwrites a different file unasked', async () => {
+    const first = await gq(['import', 'originals.json', '--out', 'new/levels'], { cwd });
+    expect(first).toMatchObject({ code: 0, stderr: '' });
+    const written = readdirSync(join(cwd, 'new/levels')).sort();
+    expect(written).toHaveLength(2);
+    for (const name of written) expect(first.stdout).toContain(`written new/levels/${name}\n`);
+    expect(first.stdout).toMatch(/note: .*skipped/);
+    expect(first.stdout).toMatch(/note: .*intro/);
+    expect(JSON.parse(read(`new/levels/${written[0]}`))).toMatchObject({
+      recoil: true,
+      asteroids: [{ x: 100, y: 0, radius: 16 }],
+    });
+
+    const again = await gq(['import', 'originals.json', '--out', 'new/levels', '--format', 'json'], { cwd });
+    expect(JSON.parse(again.stdout).files.map((f: { status: string }) => f.status)).toEqual(['unchanged', 'unchanged']);
+
+    const precious = join('new/levels', written[1]);
+    writeFileSync(join(cwd, precious), 'precious');
+    const refused = await gq(['import', 'originals.json', '--out', 'new/levels', '--recoil', 'off'], { cwd });
+    expect(refused).toMatchObject({ code: 2, stdout: '' });
+    expect(refused.stderr).toContain(`nothing was written`);
+    expect(refused.stderr).toContain(precious);
+    expect(read(precious)).toBe('precious');
+    expect(JSON.parse(read(`new/levels/${written[0]}`)).recoil).toBe(true);
+
+    const forced = await gq(['import', 'originals.json', '--out', 'new/levels', '--recoil', 'off', '--force'], { cwd });
+    expect(forced.stdout).toContain(`overwritten ${precious}\n`);
+    expect(JSON.parse(read(precious)).recoil ?? false).toBe(false);
+    expect(readdirSync(join(cwd, 'new/levels')).sort()).toEqual(written);
+
+    const fmt = await gq(['fmt', '--check', 'new'], { cwd });
+    expect(fmt).toMatchObject({ code: 0, stdout: '2 files: 2 unchanged\n' });
+  });
+
+  it('tells what is wrong with its place, and makes no directory then', async () => {
+    const { code, stdout, stderr } = await gq(['import', 'not-originals.json', '--out', 'never'], { cwd });
+    expect({ code, stdout }).toEqual({ code: 1, stdout: '' });
+    expect(stderr).toMatch(/^not-originals\.json:1:\d+: error /);
+    expect(existsSync(join(cwd, 'never'))).toBe(false);
+  });
+
+  it('takes back what it wrote when a later file cannot be written', async () => {
+    // a directory in the place of the second level
+    const trap = makeFiles({ 'out/level-02.level.json/x': '' });
+    const { code, stderr } = await gq(['import', join(cwd, 'originals.json'), '--out', 'out'], { cwd: trap.directory });
+    expect(code).toBe(2);
+    expect(stderr).toMatch(/out\/level-02\.level\.json: .*(is a directory)/);
+    expect(readdirSync(join(trap.directory, 'out'))).toEqual(['level-02.level.json']);
+    trap.remove();
+  });
+});
+
+describe('fmt', () => {
+  it('rewrites only what is not canonical, keeps modes and x- keys, and leaves invalid files alone', async () => {
+    chmodSync(join(cwd, 'untidy/a.level.json'), 0o640);
+    const before = read('untidy/a.level.json');
+    const only = await gq(['fmt', '--check', 'untidy'], { cwd });
+    expect(only.code).toBe(1);
+    expect(only.stdout).toContain(
+      'would change untidy/a.level.json\nwould change untidy/b.level.json\ninvalid untidy/c.level.json\nuntidy/c.level.json:1:2: error',
+    );
+    expect(read('untidy/a.level.json')).toBe(before);
+
+    const done = await gq(['fmt', 'untidy', '--format', 'json'], { cwd });
+    expect(done.code).toBe(1);
+    expect(JSON.parse(done.stdout).files.map((f: { status: string }) => f.status)).toEqual(['formatted', 'formatted', 'invalid']);
+    expect(read('untidy/a.level.json')).not.toBe(before);
+    expect(JSON.parse(read('untidy/a.level.json'))).toEqual(JSON.parse(before));
+    expect(statSync(join(cwd, 'untidy/a.level.json')).mode & 0o777).toBe(0o640);
+    expect(read('untidy/b.level.json').charCodeAt(0)).toBe('{'.charCodeAt(0));
+    expect(read('untidy/c.level.json')).toBe('{');
+
+    const { mtimeMs } = statSync(join(cwd, 'untidy/a.level.json'));
+    const again = await gq(['fmt', 'untidy/a.level.json', 'untidy/b.level.json'], { cwd });
+    expect(again).toMatchObject({ code: 0, stdout: '2 files: 2 unchanged\n' });
+    expect(statSync(join(cwd, 'untidy/a.level.json')).mtimeMs).toBe(mtimeMs);
+  });
+});
+
+describe('render', () => {
+  it('writes SVG and PNG, and SVG to stdout', async () => {
+    const level = 'untidy/a.level.json';
+    const [svg, png, out, bare] = await Promise.all([
+      gq(['render', level, '-o', 'run.svg', '--accuracy', 'arcade'], { cwd }),
+      gq(['render', level, '-o', 'RUN.PNG', '--width', '320', '--theme', 'light'], { cwd }),
+      gq(['render', level, '-o', '-', '--accuracy', 'arcade'], { cwd }),
+      gq(['render', level, '-o', '-', '--no-run'], { cwd }),
+    ]);
+    expect([svg, png, out, bare].map(({ code }) => code)).toEqual([0, 0, 0, 0]);
+    expect(svg).toMatchObject({ stdout: '', stderr: 'wrote run.svg\n' });
+    expect(read('run.svg')).toBe(out.stdout);
+    expect(out.stdout).toMatch(/^<svg .*<\/svg>\n$/s);
+    expect(bare.stdout).not.toBe(out.stdout);
+    const bytes = readFileSync(join(cwd, 'RUN.PNG'));
+    expect(bytes.subarray(1, 4).toString()).toBe('PNG');
+    expect(bytes.readUInt32BE(16)).toBe(320);
+  });
+});
+
+it('schema prints the JSON Schema that is published', async () => {
+  const { code, stdout } = await gq(['schema']);
+  expect(code).toBe(0);
+  expect(JSON.parse(stdout)).toMatchObject({ $schema: expect.stringContaining('json-schema.org'), type: 'object' });
+});
