@@ -15,7 +15,7 @@ export function drawBackground(view: View, theme: Theme, level: Level): string {
     specks[Math.floor(size)] += `M${num(random() * view.width)} ${num(random() * view.height)}h.01`;
   }
   const stars = specks
-    .map((d, i) => (d === '' ? '' : `<path d="${d}" stroke-width="${0.9 + 0.6 * i}" opacity="${0.4 + 0.2 * i}"/>`))
+    .map((d, i) => (d === '' ? '' : `<path d="${d}" stroke-width="${num(0.9 + 0.6 * i)}" opacity="${num(0.4 + 0.2 * i)}"/>`))
     .join('');
   return (
     `<rect width="${num(view.width)}" height="${num(view.height)}" fill="url(#gq-space)"/>` +

@@ -9,7 +9,7 @@ export function place(
   at: { readonly x: number; readonly y: number },
   drawing: string,
 ): string {
-  const scale = Number(view.scale.toPrecision(5));
+  const scale = Number(view.scale.toFixed(6));
   return (
     `<g data-kind="${kind}" data-index="${index}" transform="translate(${num(view.x(at.x))} ${num(view.y(at.y))}) ` +
     `scale(${scale})">${drawing}</g>`
