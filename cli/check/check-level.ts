@@ -1,13 +1,13 @@
 import { basename } from 'node:path';
-import { type AccuracyName, compile, type Run, simulate } from '../../engine/index.ts';
-import { type Level, type Problem, readLevel, type ScriptedRun } from '../../schema/index.ts';
+import { type AccuracyName, compile, simulate } from '../../engine/index.ts';
+import { type Problem, readLevel } from '../../schema/index.ts';
 import { Failure } from '../failure.ts';
 import { readBytes } from '../files.ts';
 import { type OpenedLevel, placed, warningsOf } from '../level-source.ts';
-import { outcomeInWords } from '../outcome.ts';
 import { type ShownProblem, showProblems } from '../problem.ts';
 import { reportRun } from '../run-report.ts';
 import type { CheckedLevel, CheckSettings } from './checked-level.ts';
+import { failedRun, NO_RUN } from './run-problems.ts';
 
 /** Reads and validates one level file and replays its scripted runs in order. Never throws: what goes wrong is a verdict. */
 export function checkLevel(file: string, settings: CheckSettings): CheckedLevel {
@@ -63,58 +63,28 @@ function refuse(file: string, verdict: 'invalid' | 'crashed', problems: readonly
   };
 }
 
-function replay(file: string, opened: OpenedLevel, settings: CheckSettings): CheckedLevel {
+function replay(file: string, opened: OpenedLevel, { accuracy, maxTime }: CheckSettings): CheckedLevel {
   const { level, document } = opened;
-  const scene = compile(level, settings.accuracy as AccuracyName);
-  const played = level.runs.map((script) => ({ script, run: simulate(scene, script.holds, { maxTime: settings.maxTime }) }));
-  const runs = played.map(({ run }) => run);
-  const best = played.find(({ run }) => run.outcome === 'completed') ?? played[0];
-  const verdict = best === undefined ? 'unproven' : best.run.outcome === 'completed' ? 'completable' : 'broken';
+  const scene = compile(level, accuracy as AccuracyName);
+  const runs = level.runs.map(({ holds }) => simulate(scene, holds, { maxTime }));
+  const first = runs.findIndex((run) => run.outcome === 'completed');
+  const shown = Math.max(first, 0);
+  const verdict = runs.length === 0 ? 'unproven' : first < 0 ? 'broken' : 'completable';
 
   const problems: Problem[] = [];
-  if (best === undefined) problems.push(noRun);
-  for (const [i, { script, run }] of played.entries()) {
-    if (run.outcome !== 'completed')
-      problems.push(placed(failedRun(file, level, i, script, run, verdict === 'broken'), document));
+  if (verdict === 'unproven') problems.push(NO_RUN);
+  for (const [index, run] of runs.entries()) {
+    if (run.outcome === 'completed') continue;
+    problems.push(placed(failedRun({ file, level, accuracy, index, run, noneCompletes: verdict === 'broken' }), document));
   }
   return {
     file,
     name: level.name,
     verdict,
-    run: best === undefined ? null : reportRun(level, settings.accuracy, best.script.holds, best.run, null),
+    run: runs.length === 0 ? null : reportRun(level, accuracy, level.runs[shown].holds, runs[shown], null),
     mineralCount: level.minerals.length,
     problems: [...(problems.length > 0 ? showProblems(problems, document.text) : []), ...warningsOf(opened, runs)],
     unreadable: false,
     ms: 0,
-  };
-}
-
-const noRun: Problem = {
-  code: 'no-run',
-  severity: 'error',
-  message: 'the level has no run, so nothing shows that it can be completed',
-  hint: 'add a run that completes it: "runs": [{ "name": "solution", "holds": [[press, release], ...] }], in ticks of 1/60 s',
-  pointer: '',
-  line: null,
-  column: null,
-};
-
-function failedRun(
-  file: string,
-  level: Level,
-  index: number,
-  script: ScriptedRun,
-  run: Run,
-  noneCompletes: boolean,
-): Omit<Problem, 'line' | 'column'> {
-  const again = `see gq simulate ${/^[\w./\\:-]+$/.test(file) ? file : JSON.stringify(file)} --run ${JSON.stringify(script.name)}`;
-  return {
-    code: 'run-does-not-complete',
-    severity: noneCompletes ? 'error' : 'warning',
-    message: `run ${JSON.stringify(script.name)} does not complete the level: ${outcomeInWords(run, level)}`,
-    hint: noneCompletes
-      ? `move what is in the way or change the run; ${again}`
-      : `another run does; mend this one or take it out; ${again}`,
-    pointer: `/runs/${index}`,
   };
 }

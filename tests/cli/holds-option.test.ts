@@ -1,0 +1,52 @@
+import { InvalidArgumentError } from 'commander';
+import fc from 'fast-check';
+import { expect, it } from 'vitest';
+import { parseHolds } from '../../cli/holds-option.ts';
+
+// holds in order, none overlapping; some touch
+const holds = fc.array(fc.tuple(fc.nat(50), fc.integer({ min: 1, max: 50 })), { minLength: 1, maxLength: 20 }).map((gaps) => {
+  let at = 0;
+  return gaps.map(([wait, length]): [number, number] => {
+    const press = at + wait;
+    at = press + length;
+    return [press, at];
+  });
+});
+
+it('reads what is written as press-release pairs, with or without spaces', () => {
+  fc.assert(
+    fc.property(holds, fc.constantFrom(',', ', ', ' , '), (list, comma) => {
+      expect(parseHolds(list.map(([press, release]) => `${press}-${release}`).join(comma))).toEqual(list);
+    }),
+  );
+  expect(parseHolds('none')).toEqual([]);
+});
+
+it('refuses anything else with a caret under a place in it, and never gives holds that are reversed or overlap', () => {
+  fc.assert(
+    fc.property(fc.string({ unit: fc.constantFrom('0', '1', '9', '-', ',', ' ', '.', 'x', '\t'), maxLength: 12 }), (text) => {
+      try {
+        const list = parseHolds(text).flat();
+        expect(list.length).toBeGreaterThan(0);
+        for (let i = 1; i < list.length; i++) expect(list[i]).toBeGreaterThanOrEqual(list[i - 1] + (i % 2));
+      } catch (error) {
+        if (!(error instanceof InvalidArgumentError)) throw error;
+        const [, shown, caret] = error.message.split('\n');
+        expect(shown).toBe(`  ${text.replace(/\s/g, ' ')}`);
+        expect(caret).toMatch(/^ {2,}\^ \S/);
+        expect(caret.indexOf('^')).toBeLessThanOrEqual(2 + text.length);
+      }
+    }),
+    { numRuns: 2000 },
+  );
+});
+
+it('shows only the part around the place of a very long value', () => {
+  const text = `${Array.from({ length: 5000 }, (_, i) => `${2 * i}-${2 * i + 1}`).join(',')};`;
+  expect(() => parseHolds(text)).toThrow(/\^ expected "," and another hold, or the end$/);
+  try {
+    parseHolds(text);
+  } catch (error) {
+    expect((error as Error).message.length).toBeLessThan(500);
+  }
+});

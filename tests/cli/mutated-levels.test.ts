@@ -1,0 +1,93 @@
+import { writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import fc from 'fast-check';
+import { afterAll, expect, it } from 'vitest';
+import { checkLevel } from '../../cli/check/check-level.ts';
+import { PLAIN } from '../../cli/colors.ts';
+import { checkJson } from '../../cli/reporters/check-json.ts';
+import { checkPretty } from '../../cli/reporters/check-pretty.ts';
+import { checkReportSchema } from '../../schema/index.ts';
+import { fallThrough, makeFiles } from './gq.ts';
+
+const base = fallThrough({
+  recoil: true,
+  range: 250,
+  novae: [{ x: 0, y: 90, radius: 16 }],
+  repulsors: [{ x: 60, y: 0, radius: 32 }],
+  aliens: [
+    { x: 0, y: -140, radius: 25 },
+    { x: 40, y: -140 },
+  ],
+  minerals: [{ x: 50, y: 0 }],
+  runs: [
+    { name: 'hold', holds: [[0, 600]] },
+    {
+      name: 'taps',
+      holds: [
+        [5, 9],
+        [20, 40],
+      ],
+    },
+  ],
+});
+
+const { directory, remove } = makeFiles({});
+afterAll(remove);
+const file = join(directory, 'mutated.level.json');
+
+const weird = fc.oneof(
+  fc.constantFrom('1e999', '-0', 'NaN', '1e308', '5e-324', '-1', '0', '""', 'null', '[]', '{}', '[0,1]', '1000000000', '0.1'),
+  fc.double({ noNaN: true, noDefaultInfinity: true, min: -300, max: 300 }).map(String),
+  fc.json({ maxDepth: 2 }),
+);
+
+type Mutation = { kind: 'number' | 'cut' | 'insert' | 'key'; at: number; with: string; length: number };
+const mutation: fc.Arbitrary<Mutation> = fc.record({
+  // most keep the syntax, so that more than the reader of JSON is put to the test
+  kind: fc.constantFrom('number', 'number', 'number', 'number', 'cut', 'insert', 'key'),
+  at: fc.nat(1_000_000),
+  with: weird,
+  length: fc.nat(8),
+});
+
+function mutate(text: string, { kind, at, with: value, length }: Mutation): string {
+  const pick = (pattern: RegExp) => {
+    const all = [...text.matchAll(pattern)];
+    return all[at % all.length];
+  };
+  const place = at % (text.length + 1);
+  if (kind === 'cut') return text.slice(0, place) + text.slice(place + length);
+  if (kind === 'insert') return text.slice(0, place) + value + text.slice(place);
+  const match = kind === 'number' ? pick(/-?\d+(\.\d+)?/g) : pick(/"\w+"/g);
+  if (match === undefined) return text;
+  return text.slice(0, match.index) + value + text.slice(match.index + match[0].length);
+}
+
+it('whatever becomes of a level file, it ends in a verdict with finite numbers', () => {
+  const seen = new Set<string>();
+  fc.assert(
+    fc.property(fc.array(mutation, { minLength: 1, maxLength: 3 }), (mutations) => {
+      writeFileSync(file, mutations.reduce(mutate, base));
+      const checked = checkLevel(file, { accuracy: 'arcade', maxTime: 60 });
+      expect(checked.verdict).not.toBe('crashed');
+      seen.add(checked.verdict);
+      // a number that is not finite is null in JSON, and refused by the schema
+      const report = checkReportSchema.parse(JSON.parse(checkJson([checked])));
+      expect(report.levels[0].problems.length > 0 || checked.verdict === 'completable').toBe(true);
+      expect(checkPretty([checked], PLAIN)).toContain(checked.verdict);
+    }),
+    { numRuns: 600, seed: 20 },
+  );
+  // the mutations reach past the reader
+  expect([...seen].sort()).toEqual(['broken', 'completable', 'invalid']);
+});
+
+it('any bytes at all end in a verdict', () => {
+  fc.assert(
+    fc.property(fc.uint8Array({ maxLength: 200 }), (bytes) => {
+      writeFileSync(file, bytes);
+      expect(checkLevel(file, { accuracy: 'arcade', maxTime: 60 }).verdict).toBe('invalid');
+    }),
+    { numRuns: 200 },
+  );
+});
