@@ -18,11 +18,14 @@ export interface Accuracy {
 /** The accuracies that have a name. */
 export const ACCURACIES = {
   arcade: { name: 'arcade', integrator: 'arcade', rate: 60, tolerance: null, contact: 'frame' },
+  fast: { name: 'fast', integrator: 'verlet', rate: 60, tolerance: null, contact: 'swept' },
+  standard: { name: 'standard', integrator: 'rk4', rate: 60, tolerance: null, contact: 'swept' },
+  precise: { name: 'precise', integrator: 'taylor', rate: null, tolerance: 1e-9, contact: 'swept' },
 } as const satisfies Record<string, Accuracy>;
 
 export type AccuracyName = keyof typeof ACCURACIES;
 
 /** The accuracy used when none is named. */
-export const DEFAULT_ACCURACY: AccuracyName = 'arcade';
+export const DEFAULT_ACCURACY: AccuracyName = 'precise';
 
 export const isAccuracyName = (name: string): name is AccuracyName => Object.hasOwn(ACCURACIES, name);

@@ -1,6 +1,7 @@
 import type { Hold } from '../schema/index.ts';
 import { ArcadeSimulation, FrameRecorder } from './arcade/index.ts';
 import type { Clearance } from './clearance.ts';
+import { ContinuousSimulation, PieceRecorder } from './continuous/index.ts';
 import { DEFAULT_MAX_TIME, TICK, TICK_RATE } from './constants.ts';
 import { Hash } from './hash.ts';
 import type { Scene } from './scene.ts';
@@ -43,7 +44,7 @@ export interface SimulateOptions {
 
 /** A simulation at the start of the scene, to be advanced by hand: a playtest, a search. */
 export function createSimulation(scene: Scene): Simulation {
-  return new ArcadeSimulation(scene);
+  return scene.accuracy.integrator === 'arcade' ? new ArcadeSimulation(scene) : new ContinuousSimulation(scene);
 }
 
 /**
@@ -52,9 +53,9 @@ export function createSimulation(scene: Scene): Simulation {
  */
 export function simulate(scene: Scene, holds: readonly Hold[], options: SimulateOptions = {}): Run {
   const maxTicks = Math.round((options.maxTime ?? DEFAULT_MAX_TIME) * TICK_RATE);
-  const recorder = new FrameRecorder(scene);
-  const simulation = new ArcadeSimulation(scene, recorder);
+  const { recorder, simulation } = recorded(scene);
   playScript(simulation, joinHolds(holds), maxTicks);
+  if (simulation instanceof ContinuousSimulation) simulation.recordLast();
 
   const ending = simulation.ending;
   const { events } = recorder;
@@ -72,6 +73,15 @@ export function simulate(scene: Scene, holds: readonly Hold[], options: Simulate
     trajectory: recorder,
     hash: hashRun(recorder, events, state, ending?.outcome ?? 'timeout'),
   };
+}
+
+function recorded(scene: Scene) {
+  if (scene.accuracy.integrator === 'arcade') {
+    const recorder = new FrameRecorder(scene);
+    return { recorder, simulation: new ArcadeSimulation(scene, recorder) };
+  }
+  const recorder = new PieceRecorder(scene);
+  return { recorder, simulation: new ContinuousSimulation(scene, recorder) };
 }
 
 function hashRun(trajectory: Trajectory, events: readonly RunEvent[], final: Float64Array, outcome: Outcome): string {

@@ -1,0 +1,2 @@
+export { PieceRecorder } from './recording.ts';
+export { ContinuousSimulation } from './simulation.ts';

@@ -1,0 +1,159 @@
+import type { Accuracy } from '../accuracy.ts';
+import { dragQuadratic, dragRungeKutta, type DragStep, eulerStep, rungeKuttaStep, verletStep } from './fixed-step.ts';
+import { CENTRAL, type Flow, LINEAR } from './flow.ts';
+import { pairAt, valueAt } from './polynomial.ts';
+import { centralSeries, chaserSeries, linearSeries, TAYLOR_DEGREE, taylorStep } from './taylor.ts';
+
+/**
+ * A way to turn a flow into polynomial pieces. Series hold place and velocity in [0..1] on entry; lengths in s, px.
+ */
+export interface Integrator {
+  readonly degree: number;
+  /** Force evaluations a piece costs, for the account of work. */
+  readonly evaluations: number;
+  /**
+   * Expands the astronaut's motion, and the recoiling base's where there is one.
+   * @param longest how far the piece may reach; Infinity when nothing says
+   * @returns the length for which the piece holds
+   */
+  expand(flow: Flow, x: Float64Array, y: Float64Array, longest: number, px: Float64Array | null, py: Float64Array | null, kappa: number): number;
+  /** Expands a body that accelerates at `kappa` towards the place (ax, ay); returns the length for which it holds. */
+  chase(qx: Float64Array, qy: Float64Array, ax: Float64Array, ay: Float64Array, kappa: number, h: number): number;
+  /** Bound on |u''| over the piece. */
+  acceleration(flow: Flow, x: Float64Array, y: Float64Array, h: number): number;
+  /** Place and velocity after `t` of a piece of length `h`, into out[0..3]. */
+  settle(flow: Flow, x: Float64Array, y: Float64Array, t: number, h: number, out: Float64Array): void;
+}
+
+/** A Taylor piece in accelerated flow is cut here, so that bounds over it stay tight, s. */
+const LONGEST_TAYLOR = 4;
+
+/**
+ * Largest part of the time to the centre that a Taylor piece may reach. The series' singularity lies at the complex time
+ * at which u.u = 0, |t| = d / v when the motion is nearly straight; a pass too close for the last terms to show must
+ * not be stepped over.
+ */
+const CONVERGENCE = 0.6;
+
+function timeToCentre(x: Float64Array, y: Float64Array): number {
+  const v2 = x[1] * x[1] + y[1] * y[1];
+  return v2 > 0 ? Math.sqrt((x[0] * x[0] + y[0] * y[0]) / v2) : Number.POSITIVE_INFINITY;
+}
+
+/** Largest part of the distance to the centre that a fixed step may cover near it. */
+const CLOSE_PASS = 0.1;
+
+function taylor(tolerance: number): Integrator {
+  return {
+    degree: TAYLOR_DEGREE,
+    evaluations: 1,
+    expand(flow, x, y, longest, px, py, kappa) {
+      if (flow.kind === LINEAR) {
+        linearSeries(x, y, flow.ax, flow.ay, flow.beta);
+        return taylorStep(x, y, tolerance, Math.min(longest, LONGEST_TAYLOR));
+      }
+      centralSeries(x, y, flow.alpha, flow.beta, flow.freeX, flow.freeY, px, py, kappa);
+      return taylorStep(x, y, tolerance, Math.min(longest, LONGEST_TAYLOR, CONVERGENCE * timeToCentre(x, y)));
+    },
+    chase(qx, qy, ax, ay, kappa, h) {
+      chaserSeries(qx, qy, ax, ay, kappa);
+      return taylorStep(qx, qy, tolerance, Math.min(h, LONGEST_TAYLOR));
+    },
+    acceleration(flow, x, y, h) {
+      const alpha = Math.abs(flow.alpha);
+      if (flow.alpha > 0) return alpha;
+      // a pull weakens with distance while she is in range; `beta d` may win only beyond it
+      const d = Math.sqrt(x[0] * x[0] + y[0] * y[0]) + (Math.sqrt(x[1] * x[1] + y[1] * y[1]) + alpha * h) * h;
+      return Math.max(alpha, flow.beta * d);
+    },
+    settle(_flow, x, y, t, _h, out) {
+      pairAt(x, y, TAYLOR_DEGREE, t, out, 0);
+    },
+  };
+}
+
+/** A step near the centre of the force covers at most a part of the distance to it. */
+function closePass(flow: Flow, x: Float64Array, y: Float64Array, longest: number): number {
+  if (flow.kind !== CENTRAL) return longest;
+  const d = Math.sqrt(x[0] * x[0] + y[0] * y[0]);
+  const v = Math.sqrt(x[1] * x[1] + y[1] * y[1]) + Math.sqrt(Math.abs(flow.alpha) * d);
+  return Math.min(longest, (CLOSE_PASS * d) / v);
+}
+
+function fixedStep(
+  degree: number,
+  evaluations: number,
+  step: (flow: Flow, x: Float64Array, y: Float64Array, h: number, end: Float64Array) => void,
+  drag: DragStep,
+  settle: Integrator['settle'],
+): Integrator {
+  const end = new Float64Array(4);
+  return {
+    degree,
+    evaluations,
+    expand(flow, x, y, longest, px, py, kappa) {
+      const h = closePass(flow, x, y, longest);
+      step(flow, x, y, h, end);
+      if (px !== null && py !== null) {
+        if (kappa > 0) drag(px, py, x, y, degree, kappa, false, h);
+        else for (let k = 2; k <= degree; k++) px[k] = py[k] = 0;
+      }
+      return h;
+    },
+    chase(qx, qy, ax, ay, kappa, h) {
+      drag(qx, qy, ax, ay, degree, kappa, true, h);
+      return h;
+    },
+    acceleration(_flow, x, y, h) {
+      const c3x = degree > 2 ? 6 * x[3] * h : 0;
+      const c3y = degree > 2 ? 6 * y[3] * h : 0;
+      const ax = 2 * x[2];
+      const ay = 2 * y[2];
+      const first = ax * ax + ay * ay;
+      const last = (ax + c3x) * (ax + c3x) + (ay + c3y) * (ay + c3y);
+      return Math.sqrt(Math.max(first, last));
+    },
+    settle,
+  };
+}
+
+const at = new Float64Array(2);
+const redo = [new Float64Array(4), new Float64Array(4)];
+
+const euler = fixedStep(2, 1, eulerStep, dragQuadratic, (_flow, x, y, t, _h, out) => pairAt(x, y, 2, t, out, 0));
+
+// velocities by the mean of the accelerations at both ends, for whatever part of the step was made
+const verlet = fixedStep(2, 1, verletStep, dragQuadratic, (flow, x, y, t, _h, out) => {
+  out[0] = valueAt(x, 2, t);
+  out[1] = valueAt(y, 2, t);
+  flow.accelerate(out[0], out[1], at, 0);
+  out[2] = x[1] + (x[2] + at[0] / 2) * t;
+  out[3] = y[1] + (y[2] + at[1] / 2) * t;
+});
+
+// a step cut short is made anew with its own length: better than reading the cubic inside
+const rungeKutta = fixedStep(3, 4, rungeKuttaStep, dragRungeKutta, (flow, x, y, t, _h, out) => {
+  if (t <= 0) {
+    pairAt(x, y, 1, 0, out, 0);
+    return;
+  }
+  redo[0].set(x.subarray(0, 2));
+  redo[1].set(y.subarray(0, 2));
+  rungeKuttaStep(flow, redo[0], redo[1], t, out);
+});
+
+/** The integrator an accuracy names; a Taylor piece may err by a thousandth of the tolerance. */
+export function integratorOf(accuracy: Accuracy): Integrator {
+  switch (accuracy.integrator) {
+    case 'euler':
+      return euler;
+    case 'verlet':
+      return verlet;
+    case 'rk4':
+      return rungeKutta;
+    case 'taylor':
+      return taylor((accuracy.tolerance ?? 1e-9) / 1000);
+    default:
+      throw new RangeError(`'${accuracy.integrator}' is not an integrator in continuous time`);
+  }
+}
