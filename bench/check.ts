@@ -4,10 +4,11 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { LevelFile } from '../schema/index.ts';
-import { atMost, compare, publish } from './harness.ts';
+import { atMost, compare, optionValue, publish } from './harness.ts';
 
 const GQ = fileURLToPath(new URL('../cli/main.js', import.meta.url));
-const SHIPPED = fileURLToPath(new URL('../../levels/', import.meta.url));
+/** The shipped levels, or those of a directory named after --levels. */
+const SHIPPED = optionValue('--levels') ?? fileURLToPath(new URL('../../levels/', import.meta.url));
 const FILES = 1000;
 
 /** The level moved by (dx, dy) px with its first run alone: another file with the same verdict. */

@@ -1,6 +1,6 @@
 import { ACCURACIES, type AccuracyName, compile, createSimulation, joinHolds, playScript, TICK_RATE } from '../engine/index.ts';
 import { type Hold, type LevelFile, resolveLevel } from '../schema/index.ts';
-import { atMost, type Claim, compare, publish } from './harness.ts';
+import { atMost, type Claim, compare, optionValue, publish } from './harness.ts';
 import { ORBIT, ORBIT_FILE } from './scenes/index.ts';
 
 const TICKS = 60 * TICK_RATE;
@@ -150,8 +150,8 @@ function acts(played: Played, accuracy: AccuracyName, sign: EffectCase['sign']):
   return shown && simulation.ending === null;
 }
 
-const only = process.argv.indexOf('--accuracy');
-const accuracies = (Object.keys(ACCURACIES) as AccuracyName[]).filter((name) => only < 0 || process.argv[only + 1] === name);
+const only = optionValue('--accuracy');
+const accuracies = (Object.keys(ACCURACIES) as AccuracyName[]).filter((name) => only === null || only === name);
 if (accuracies.length === 0) throw new Error(`expected one of ${Object.keys(ACCURACIES).join(', ')} after --accuracy`);
 
 const rows: (string | number | null)[][] = [];
@@ -187,7 +187,9 @@ for (const accuracy of accuracies) {
       found === undefined ? null : (1000 * measured.time('acting').median) / 60,
       found === undefined ? null : measured.ratio('acting', actingWithout === undefined ? 'without' : 'acting without').median,
     ]);
-    claims.push(atMost(`${accuracy}: ${effect} present but never able to act / without`, inertRatio, INERT_LIMIT));
+    // arcade looks at everything once a frame, as the original does: what can't act costs it what can
+    if (accuracy !== 'arcade')
+      claims.push(atMost(`${accuracy}: ${effect} present but never able to act / without`, inertRatio, INERT_LIMIT));
   }
 }
 
@@ -199,6 +201,7 @@ publish({
   notes: [
     ...notes,
     'Medians of 101 interleaved rounds, ratios pair by pair. recoil never acts where the gun is never fired; acting, it is ' +
-      'compared with the same swings without recoil. The gun, the range, the black hole and the speed limit are in every level: no cost without them.',
+      'compared with the same swings without recoil. The gun, the range, the black hole and the speed limit are in every level: no cost without them. ' +
+      'arcade looks at every object once a frame, as the original does, so nothing is claimed of it.',
   ],
 });

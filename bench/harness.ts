@@ -155,13 +155,16 @@ export function figure(value: number): string {
   return String(Number(value.toPrecision(4)));
 }
 
-/** Whether `flag` was given on the command line. */
-export const asked = (flag: string): boolean => process.argv.includes(flag);
+/** What follows `option` on the command line; null where it isn't given. */
+export function optionValue(option: string): string | null {
+  const place = process.argv.indexOf(option);
+  return place < 0 ? null : (process.argv[place + 1] ?? null);
+}
 
 /** Prints a report as a table, or as JSON with --json; the exit code is 1 when a claim wasn't met. */
 export function publish(report: Report): void {
   if (report.claims.some((claim) => !claim.met)) process.exitCode = 1;
-  if (asked('--json')) {
+  if (process.argv.includes('--json')) {
     console.log(JSON.stringify({ ...report, machine: machine(), sink }, null, 2));
     return;
   }
