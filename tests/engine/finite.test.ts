@@ -1,0 +1,83 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { compile, type Run, SPEED_LIMIT, STATE_SIZE, simulate, TICK } from '../../engine/index.ts';
+import type { Level } from '../../schema/index.ts';
+import { accuracyNames } from './accuracies.ts';
+import { arbitraryHolds, arbitraryLevel } from './arbitrary-level.ts';
+
+const LAST_TICK = 240;
+
+/** Every number of a run that is not finite, by its name. */
+function notFinite(level: Level, run: Run): string[] {
+  const found: string[] = [];
+  const see = (name: string, value: number) => {
+    if (!Number.isFinite(value)) found.push(`${name} ${value}`);
+  };
+  const state = new Float64Array(STATE_SIZE);
+  const aliens = new Float64Array(3 * level.aliens.length);
+  for (let tick = 0; tick <= LAST_TICK; tick++) {
+    run.trajectory.at(tick * TICK, state);
+    run.trajectory.aliensAt(tick * TICK, aliens);
+    for (const value of state) see(`state at tick ${tick}`, value);
+    for (const value of aliens) see(`alien at tick ${tick}`, value);
+  }
+  for (const event of run.events) see(`time of ${event.type}`, event.time);
+  for (const [name, value] of Object.entries(run.final)) see(`final ${name}`, value);
+  for (const [name, value] of Object.entries(run.clearance ?? {})) if (name !== 'kind') see(`clearance ${name}`, Number(value));
+  see('time', run.time);
+  see('tick', run.tick);
+  see('duration', run.trajectory.duration);
+  return found;
+}
+
+describe.each(accuracyNames)('any level at %s', (accuracy) => {
+  it('ends in an outcome, with finite numbers, in time order', () => {
+    fc.assert(
+      fc.property(arbitraryLevel, arbitraryHolds(LAST_TICK), (level, holds) => {
+        const run = simulate(compile(level, accuracy), holds, { maxTime: LAST_TICK / 60 });
+        expect(notFinite(level, run)).toEqual([]);
+        expect(['completed', 'collided', 'lost', 'timeout']).toContain(run.outcome);
+        expect(run.with === null).toBe(run.outcome === 'lost' || run.outcome === 'timeout');
+        expect(run.time).toBeGreaterThanOrEqual(0);
+        expect(run.time).toBeLessThanOrEqual(LAST_TICK / 60);
+        for (let i = 1; i < run.events.length; i++) expect(run.events[i].time).toBeGreaterThanOrEqual(run.events[i - 1].time);
+        for (const event of run.events) expect(event.time).toBeLessThanOrEqual(run.time);
+        expect(Math.abs(run.final.vx)).toBeLessThanOrEqual(SPEED_LIMIT);
+        expect(Math.abs(run.final.vy)).toBeLessThanOrEqual(SPEED_LIMIT);
+        expect(Math.hypot(run.final.cos, run.final.sin)).toBeCloseTo(1, 12);
+      }),
+      { numRuns: 1500, seed: 1 },
+    );
+  });
+
+  it('is the mirror image in the mirrored level, bit for bit', () => {
+    const mirrored = (level: Level): Level => {
+      const flip = <T extends { y: number }>(o: T): T => ({ ...o, y: 0 - o.y });
+      return {
+        ...level,
+        astronaut: { ...flip(level.astronaut), vy: 0 - level.astronaut.vy },
+        blackHole: flip(level.blackHole),
+        asteroids: level.asteroids.map(flip),
+        novae: level.novae.map(flip),
+        repulsors: level.repulsors.map(flip),
+        aliens: level.aliens.map(flip),
+        minerals: level.minerals.map(flip),
+      };
+    };
+    fc.assert(
+      fc.property(arbitraryLevel, arbitraryHolds(LAST_TICK), (level, holds) => {
+        const run = simulate(compile(level, accuracy), holds, { maxTime: LAST_TICK / 60 });
+        const image = simulate(compile(mirrored(level), accuracy), holds, { maxTime: LAST_TICK / 60 });
+        const { x, y, vx, vy, cos, sin } = image.final;
+        expect({ x, y: 0 - y, vx, vy: 0 - vy, cos, sin: 0 - sin }).toEqual({
+          ...run.final,
+          y: run.final.y + 0,
+          vy: run.final.vy + 0,
+          sin: run.final.sin + 0,
+        });
+        expect({ ...image, final: 0, hash: 0, trajectory: 0 }).toEqual({ ...run, final: 0, hash: 0, trajectory: 0 });
+      }),
+      { numRuns: 500, seed: 2 },
+    );
+  });
+});

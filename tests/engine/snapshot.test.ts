@@ -1,0 +1,138 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { compile, createSimulation, joinHolds, playScript, type Simulation, STATE_SIZE, simulate } from '../../engine/index.ts';
+import { accuracyNames } from './accuracies.ts';
+import { arbitraryHolds, arbitraryLevel, arbitraryPlayableLevel } from './arbitrary-level.ts';
+
+const LAST_TICK = 300;
+
+/** Everything that can be seen of a simulation. */
+function view(simulation: Simulation) {
+  const { level } = simulation.scene;
+  const state = new Float64Array(STATE_SIZE);
+  const aliens = new Float64Array(3 * level.aliens.length);
+  const asteroids = new Float64Array(2 * level.asteroids.length);
+  simulation.readState(state);
+  simulation.readAliens(aliens);
+  simulation.readAsteroids(asteroids);
+  return {
+    tick: simulation.tick,
+    ending: simulation.ending,
+    minerals: simulation.mineralCount,
+    collected: level.minerals.map((_, i) => simulation.isCollected(i)),
+    numbers: [...state, ...aliens, ...asteroids],
+    inside: [...simulation.snapshot()],
+  };
+}
+
+// half of the levels are those in which a run lasts
+const level = fc.oneof(arbitraryLevel, arbitraryPlayableLevel);
+
+/** Button states with how many ticks each lasts. */
+const plan = fc.array(fc.record({ ticks: fc.integer({ min: 1, max: 90 }), held: fc.boolean() }), { maxLength: 8 });
+
+describe.each(accuracyNames)('a simulation at %s', (accuracy) => {
+  it('goes on from a snapshot with the same bits as if it had not been interrupted', () => {
+    fc.assert(
+      fc.property(level, plan, plan, plan, (of, before, other, after) => {
+        const scene = compile(of, accuracy);
+        const simulation = createSimulation(scene);
+        const play = (steps: typeof plan extends fc.Arbitrary<infer T> ? T : never) => {
+          for (const { ticks, held } of steps) simulation.advance(ticks, held);
+          return view(simulation);
+        };
+        const there = play(before);
+        const snapshot = simulation.snapshot();
+        const uninterrupted = play(after);
+        simulation.restore(snapshot);
+        expect(view(simulation)).toEqual(there);
+        play(other);
+        simulation.restore(snapshot);
+        expect(play(after)).toEqual(uninterrupted);
+
+        // another simulation of the same scene takes the snapshot, too
+        const fresh = createSimulation(scene);
+        fresh.restore(snapshot);
+        for (const { ticks, held } of after) fresh.advance(ticks, held);
+        expect(view(fresh)).toEqual(uninterrupted);
+
+        simulation.reset();
+        expect(view(simulation)).toEqual(view(createSimulation(scene)));
+      }),
+      { numRuns: 200, seed: 1 },
+    );
+  });
+
+  it('advances in many calls to the same bits as in one', () => {
+    fc.assert(
+      fc.property(level, plan, fc.array(fc.integer({ min: 1, max: 17 }), { minLength: 1 }), (of, steps, chunks) => {
+        const scene = compile(of, accuracy);
+        const whole = createSimulation(scene);
+        const split = createSimulation(scene);
+        let k = 0;
+        for (const { ticks, held } of steps) {
+          let advanced = 0;
+          for (let left = ticks; left > 0; ) {
+            const chunk = Math.min(left, chunks[k++ % chunks.length]);
+            advanced += split.advance(chunk, held);
+            left -= chunk;
+          }
+          expect(whole.advance(ticks, held)).toBe(advanced);
+        }
+        expect(view(split)).toEqual(view(whole));
+      }),
+      { numRuns: 200, seed: 2 },
+    );
+  });
+
+  it('advances by what is asked, or to the tick in which the run ends, and then no more', () => {
+    fc.assert(
+      fc.property(level, fc.integer({ min: 0, max: 200 }), fc.boolean(), (of, ticks, held) => {
+        const simulation = createSimulation(compile(of, accuracy));
+        const advanced = simulation.advance(ticks, held);
+        expect(simulation.tick).toBe(advanced);
+        if (simulation.ending === null) expect(advanced).toBe(ticks);
+        else {
+          expect(simulation.ending.tick).toBe(advanced - 1);
+          const { inside: _, ...before } = view(simulation);
+          expect(simulation.advance(10, !held)).toBe(0);
+          expect(view(simulation)).toMatchObject(before);
+        }
+      }),
+      { numRuns: 200, seed: 3 },
+    );
+  });
+
+  it('ends where simulate says, and simulating twice gives the same hash', () => {
+    fc.assert(
+      fc.property(level, arbitraryHolds(LAST_TICK), (of, holds) => {
+        const scene = compile(of, accuracy);
+        const run = simulate(scene, holds, { maxTime: LAST_TICK / 60 });
+        const simulation = createSimulation(scene);
+        playScript(simulation, joinHolds(holds), LAST_TICK);
+        expect(simulation.ending?.outcome ?? 'timeout').toBe(run.outcome);
+        expect(simulation.mineralCount).toBe(run.minerals.length);
+        const state = new Float64Array(STATE_SIZE);
+        simulation.readState(state);
+        const { x, y, vx, vy, cos, sin } = run.final;
+        expect([...state]).toEqual([x, y, vx, vy, cos, sin]);
+        expect(simulate(compile(structuredClone(of), accuracy), holds, { maxTime: LAST_TICK / 60 }).hash).toBe(run.hash);
+      }),
+      { numRuns: 200, seed: 4 },
+    );
+  });
+
+  it('refuses a snapshot of another scene', () => {
+    fc.assert(
+      fc.property(level, (of) => {
+        const simulation = createSimulation(compile(of, accuracy));
+        const snapshot = simulation.snapshot();
+        expect(() => simulation.restore(snapshot.slice(1))).toThrow(RangeError);
+        const into = new Float64Array(snapshot.length);
+        expect(simulation.snapshot(into)).toBe(into);
+        expect([...into]).toEqual([...snapshot]);
+      }),
+      { numRuns: 20, seed: 5 },
+    );
+  });
+});
