@@ -1,4 +1,4 @@
-import { type Run, STATE_SIZE } from '../../engine/index.ts';
+import { ALIEN_SIGHT, type Run, STATE_SIZE } from '../../engine/index.ts';
 import type { Level } from '../../schema/index.ts';
 import { drawAlienWay } from './alien.ts';
 import { drawAstronaut } from './astronaut.ts';
@@ -40,12 +40,16 @@ export function drawSeconds(view: View, theme: Theme, run: Run): string {
   const end = run.trajectory.duration;
   const every = Math.max(1, Math.ceil(end / MOST_DOTS));
   let dots = '';
+  let [lastX, lastY] = positionAt(run, 0);
   for (let time = every; time < end; time += every) {
     const [x, y] = positionAt(run, time);
-    const large = time % (5 * every) === 0;
-    dots += `<circle cx="${num(view.x(x))}" cy="${num(view.y(y))}" r="${large ? 4 : 2.7}"/>`;
+    // where she is slow they shrink, or they would cover her way
+    const room = 0.3 * Math.hypot(x - lastX, y - lastY) * view.scale;
+    const radius = Math.max(0.8, Math.min(room, time % (5 * every) === 0 ? 4 : 2.7));
+    dots += `<circle cx="${num(view.x(x))}" cy="${num(view.y(y))}" r="${num(radius)}"/>`;
+    [lastX, lastY] = [x, y];
   }
-  return `<g data-kind="seconds" fill="${theme.text}" stroke="${theme.halo}" stroke-width="1.2">${dots}</g>`;
+  return `<g data-kind="seconds" fill="${theme.text}" stroke="${theme.halo}" stroke-width="1">${dots}</g>`;
 }
 
 /** A faint line from her to each asteroid as it becomes the target. */
@@ -94,6 +98,10 @@ export function drawPresses(view: View, theme: Theme, level: Level, run: Run): s
 /** Where aliens went, those that woke. */
 export function drawAlienWays(view: View, theme: Theme, level: Level, run: Run): string {
   const woke = new Set<number>();
+  // one that is awake from the start has no event that says so
+  for (const [i, { x, y }] of level.aliens.entries()) {
+    if (Math.hypot(x - level.astronaut.x, y - level.astronaut.y) < ALIEN_SIGHT) woke.add(i);
+  }
   for (const event of run.events) {
     if (event.type === 'wake') woke.add(event.index);
     if (event.type === 'explosion') for (const alien of event.aliens) woke.add(alien);
