@@ -1,6 +1,6 @@
 import type { Scene } from '../engine/index.ts';
 import type { Level } from '../schema/index.ts';
-import type { ShownProblem } from './problem.ts';
+import type { ShownProblem } from './shown-problem.ts';
 
 /** What simulating a run took. */
 export interface Work {

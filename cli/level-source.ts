@@ -1,11 +1,12 @@
 import process from 'node:process';
 import { findWarnings, type Run } from '../engine/index.ts';
 import { type Level, type LevelDocument, type Problem, readLevel } from '../schema/index.ts';
+import { showProblems } from './code-frames.ts';
 import { colorsFor } from './colors.ts';
 import type { CommandResult } from './command.ts';
 import { readBytes } from './files.ts';
-import { type ShownProblem, showProblems } from './problem.ts';
 import { showFileProblems } from './reporters/problem.ts';
+import type { ShownProblem } from './shown-problem.ts';
 
 export interface OpenedLevel {
   readonly level: Level;

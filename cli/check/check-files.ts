@@ -2,8 +2,8 @@ import type { Stats } from 'node:fs';
 import { setImmediate } from 'node:timers/promises';
 import { statOrError } from '../files.ts';
 import { endAtOnceDuring } from '../signals.ts';
-import { checkLevel, crashedLevel } from './check-level.ts';
 import type { CheckedLevel, CheckSettings } from './checked-level.ts';
+import { crashedLevel } from './refused-level.ts';
 import type { Batch } from './worker.ts';
 
 /** Fewer files than this are checked faster without workers, which take about as long to start. */
@@ -31,7 +31,7 @@ export async function checkFiles(
   // a pipe may keep its reader waiting for ever, and a worker that waits can't be ended
   const waiting = files.filter((_, i) => isWaiting(stats[i]));
   const regular = files.filter((file) => !waiting.includes(file));
-  const early = waiting.map((file) => endAtOnceDuring(() => checkLevel(file, settings)));
+  const early = waiting.length === 0 ? [] : await checkWaiting(waiting, settings);
 
   const bytes = stats.reduce((sum, s) => sum + (s instanceof Error ? 0 : s.size), 0);
   const useWorkers = (jobs > 1 && regular.length >= MANY_FILES) || bytes * settings.maxTime > MUCH_WORK;
@@ -45,11 +45,18 @@ export async function checkFiles(
 
 const isWaiting = (stats: Stats | Error): boolean => !(stats instanceof Error) && !stats.isFile();
 
+async function checkWaiting(files: readonly string[], settings: CheckSettings): Promise<CheckedLevel[]> {
+  const { checkLevel } = await import('./check-level.ts');
+  return files.map((file) => endAtOnceDuring(() => checkLevel(file, settings)));
+}
+
 async function checkHere(
   files: readonly string[],
   settings: CheckSettings,
   onProgress: (done: number) => void,
 ): Promise<CheckedLevel[]> {
+  // schema and engine are loaded by the thread that needs them
+  const { checkLevel } = await import('./check-level.ts');
   const reports: CheckedLevel[] = [];
   let listened = performance.now();
   for (const file of files) {

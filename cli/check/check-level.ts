@@ -1,12 +1,12 @@
-import { basename } from 'node:path';
 import { type AccuracyName, compile, simulate } from '../../engine/index.ts';
 import { type Problem, readLevel } from '../../schema/index.ts';
+import { showProblems } from '../code-frames.ts';
 import { Failure } from '../failure.ts';
 import { readBytes } from '../files.ts';
 import { type OpenedLevel, placed, warningsOf } from '../level-source.ts';
-import { type ShownProblem, showProblems } from '../problem.ts';
 import { reportRun } from '../run-report.ts';
 import type { CheckedLevel, CheckSettings } from './checked-level.ts';
+import { crashedLevel, refusedLevel, unreadableLevel } from './refused-level.ts';
 import { failedRun, NO_RUN } from './run-problems.ts';
 
 /** Reads and validates one level file and replays its scripted runs in order. Never throws: what goes wrong is a verdict. */
@@ -19,48 +19,10 @@ export function checkLevel(file: string, settings: CheckSettings): CheckedLevel 
 function judge(file: string, settings: CheckSettings): CheckedLevel {
   try {
     const read = readLevel(readBytes(file));
-    return read.ok ? replay(file, read, settings) : refuse(file, 'invalid', showProblems(read.problems, read.text));
+    return read.ok ? replay(file, read, settings) : refusedLevel(file, 'invalid', showProblems(read.problems, read.text));
   } catch (error) {
     return error instanceof Failure ? unreadableLevel(file, error.message) : crashedLevel(file, error);
   }
-}
-
-/** The report of a file that can't be read. */
-export function unreadableLevel(file: string, message: string): CheckedLevel {
-  const hint = 'nothing is known of this level: make the file readable, or leave it out';
-  return { ...refuse(file, 'invalid', [problemOfFile('unreadable-file', message, hint)]), unreadable: true };
-}
-
-/** The report of a level on which the toolkit itself fell over. */
-export function crashedLevel(file: string, error: unknown): CheckedLevel {
-  const message = `checking this level crashed: ${error instanceof Error ? error.message : String(error)}`;
-  return refuse(file, 'crashed', [
-    problemOfFile('crashed', message, 'this is a bug in gq: please report it with the level file'),
-  ]);
-}
-
-const problemOfFile = (code: string, message: string, hint: string): ShownProblem => ({
-  code,
-  severity: 'error',
-  message,
-  hint,
-  pointer: '',
-  line: null,
-  column: null,
-  frame: null,
-});
-
-function refuse(file: string, verdict: 'invalid' | 'crashed', problems: readonly ShownProblem[]): CheckedLevel {
-  return {
-    file,
-    name: basename(file).replace(/(\.level)?\.json$/, ''),
-    verdict,
-    run: null,
-    mineralCount: 0,
-    problems,
-    unreadable: false,
-    ms: 0,
-  };
 }
 
 function replay(file: string, opened: OpenedLevel, { accuracy, maxTime }: CheckSettings): CheckedLevel {

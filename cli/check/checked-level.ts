@@ -1,5 +1,5 @@
 import type { RunReport, Verdict } from '../../schema/index.ts';
-import type { ShownProblem } from '../problem.ts';
+import type { ShownProblem } from '../shown-problem.ts';
 
 /** What `check` found out about one level file. */
 export interface CheckedLevel {

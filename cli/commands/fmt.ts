@@ -1,12 +1,12 @@
 import process from 'node:process';
 import type { Command } from 'commander';
 import { formatLevel, readLevel } from '../../schema/index.ts';
+import { showProblems } from '../code-frames.ts';
 import { colorsFor } from '../colors.ts';
 import type { CommandResult } from '../command.ts';
 import { Failure } from '../failure.ts';
 import { findLevelFiles, readBytes } from '../files.ts';
 import { formatOption } from '../options.ts';
-import { showProblems } from '../problem.ts';
 import { type FormattedFile, fmtJson, fmtPretty } from '../reporters/fmt.ts';
 import { writeWhole } from '../write-file.ts';
 

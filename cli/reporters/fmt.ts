@@ -1,5 +1,5 @@
 import type { Colors } from '../colors.ts';
-import type { ShownProblem } from '../problem.ts';
+import type { ShownProblem } from '../shown-problem.ts';
 import { visibleLine } from '../visible.ts';
 import { plural } from './plural.ts';
 import { showFileProblems } from './problem.ts';

@@ -1,5 +1,5 @@
 import type { Colors } from '../colors.ts';
-import { MAX_FRAMES, type ShownProblem } from '../problem.ts';
+import { MAX_SHOWN, type ShownProblem } from '../shown-problem.ts';
 import { visible, visibleLine } from '../visible.ts';
 import { plural } from './plural.ts';
 
@@ -19,7 +19,7 @@ export function showProblem(file: string, problem: ShownProblem, colors: Colors)
 
 /** The problems of one file; of very many only the first. */
 export function showFileProblems(file: string, problems: readonly ShownProblem[], colors: Colors): string {
-  const shown = problems.slice(0, MAX_FRAMES).map((problem) => showProblem(file, problem, colors));
+  const shown = problems.slice(0, MAX_SHOWN).map((problem) => showProblem(file, problem, colors));
   const more = problems.length - shown.length;
   if (more > 0) shown.push(`${visibleLine(file)}: ${plural(more, 'more problem', 'more problems')} like these\n`);
   return shown.join('');

@@ -14,7 +14,7 @@ export function simulatePretty(level: Level, runName: string, run: Run, report: 
     paint(outcomeInWords(run, level)),
     '',
     ...run.events.map((event) => `${event.time.toFixed(3).padStart(8)} s  ${eventInWords(event)}`),
-    '',
+    ...(run.events.length > 0 ? [''] : []),
     `holds      ${report.holds.length === 0 ? 'none' : report.holds.map(([press, release]) => `${press}-${release}`).join(',')}`,
     `minerals   ${collected(run)} of ${level.minerals.length}`,
     `clearance  ${near === null ? 'nothing deadly in the level' : `${near.distance.toFixed(3)} px to ${bodyInWords(near.kind, near.index)} at ${near.time.toFixed(3)} s`}`,

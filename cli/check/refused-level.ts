@@ -1,0 +1,42 @@
+import { basename } from 'node:path';
+import type { ShownProblem } from '../shown-problem.ts';
+import type { CheckedLevel } from './checked-level.ts';
+
+/** The report of a file that can't be read. */
+export function unreadableLevel(file: string, message: string): CheckedLevel {
+  const hint = 'nothing is known of this level: make the file readable, or leave it out';
+  return { ...refusedLevel(file, 'invalid', [problemOfFile('unreadable-file', message, hint)]), unreadable: true };
+}
+
+/** The report of a level on which the toolkit itself fell over. */
+export function crashedLevel(file: string, error: unknown): CheckedLevel {
+  const message = `checking this level crashed: ${error instanceof Error ? error.message : String(error)}`;
+  return refusedLevel(file, 'crashed', [
+    problemOfFile('crashed', message, 'this is a bug in gq: please report it with the level file'),
+  ]);
+}
+
+const problemOfFile = (code: string, message: string, hint: string): ShownProblem => ({
+  code,
+  severity: 'error',
+  message,
+  hint,
+  pointer: '',
+  line: null,
+  column: null,
+  frame: null,
+});
+
+/** The report of a file of which nothing but its problems is known. */
+export function refusedLevel(file: string, verdict: 'invalid' | 'crashed', problems: readonly ShownProblem[]): CheckedLevel {
+  return {
+    file,
+    name: basename(file).replace(/(\.level)?\.json$/, ''),
+    verdict,
+    run: null,
+    mineralCount: 0,
+    problems,
+    unreadable: false,
+    ms: 0,
+  };
+}
