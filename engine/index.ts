@@ -8,3 +8,10 @@ export { joinHolds, playScript } from './script.ts';
 export { createSimulation, type Run, type SimulateOptions, type State, simulate } from './simulate.ts';
 export * from './simulation.ts';
 export type { Trajectory } from './trajectory.ts';
+export {
+  findWarnings,
+  MAX_WARNINGS_PER_CODE,
+  WARNING_CODES,
+  type Warning,
+  type WarningExplanation,
+} from './warnings/index.ts';

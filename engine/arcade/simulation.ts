@@ -87,6 +87,7 @@ export class ArcadeSimulation implements Simulation {
     for (let i = 0, o = this.aliens; i < aliens.count; i++, o += ALIEN) {
       s[o] = aliens.x[i];
       s[o + 1] = aliens.y[i];
+      if (circlesOverlap(s[X] - s[o], s[Y] - s[o + 1], ALIEN_SIGHT)) s[o + 6] = AWAKE;
     }
   }
 

@@ -209,6 +209,7 @@ export class ContinuousSimulation implements Simulation {
       const o = this.chasers + CHASER * i;
       s[o] = aliens.x[i] - this.originX;
       s[o + 1] = aliens.y[i] - this.originY;
+      if (s[o] * s[o] + s[o + 1] * s[o + 1] < ALIEN_SIGHT * ALIEN_SIGHT) s[o + 4] = AWAKE;
     }
     s[COVER] = this.nearest();
     s[FIELD] = this.fieldAround(-1);
