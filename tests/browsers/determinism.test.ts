@@ -1,0 +1,115 @@
+import { execFileSync } from 'node:child_process';
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { chromium } from 'playwright-core';
+import { getQuickJS } from 'quickjs-emscripten';
+import { beforeAll, describe, expect, it } from 'vitest';
+import { declareMissing } from '../missing.ts';
+import { bundleEngine } from './bundle.ts';
+import { type HashTable, questions, tableHere, tableOf } from './hash-table.ts';
+import { hashedRuns } from './scenes.ts';
+
+const here = dirname(fileURLToPath(import.meta.url));
+const hashesFile = join(here, 'hashes.json');
+const committed: HashTable = existsSync(hashesFile) ? JSON.parse(readFileSync(hashesFile, 'utf8')) : {};
+const runs = hashedRuns();
+const asked = questions(runs);
+
+const CHROMIUM = process.env.CHROMIUM ?? '/usr/bin/chromium';
+const BUN = join(dirname(createRequire(import.meta.url).resolve('bun/package.json')), 'bin', 'bun.exe');
+
+/** QuickJS interprets, some hundred times slower: it is asked about a part of the runs. */
+const QUICKJS_SHARE = 10;
+
+describe('hashes of runs', () => {
+  let bundle = '';
+  beforeAll(async () => {
+    bundle = await bundleEngine();
+  });
+
+  it('in Node are the committed ones (npm run hashes rewrites them)', () => {
+    const table = tableHere(runs);
+    expect(table).toEqual(committed);
+    // the runs differ, so the hashes must
+    const all = Object.values(table).flatMap((row) => Object.values(row));
+    expect(new Set(all).size).toBe(all.length);
+  });
+
+  if (existsSync(CHROMIUM)) {
+    it('in Chromium are the committed ones', async () => {
+      const browser = await chromium.launch({
+        executablePath: CHROMIUM,
+        headless: true,
+        args: [
+          ...[
+            '--headless',
+            '--no-sandbox',
+            '--disable-gpu',
+            '--disable-quic',
+            '--no-first-run',
+            '--disable-background-networking',
+          ],
+          ...['--disable-component-update', '--disable-sync'],
+        ],
+      });
+      try {
+        const page = await browser.newPage();
+        await page.addScriptTag({ content: bundle });
+        const answers = await page.evaluate(
+          (list) =>
+            list.map(([level, holds, accuracy]) =>
+              // biome-ignore lint/suspicious/noExplicitAny: the bundle's global
+              (globalThis as any).gravityQuest.hashOf(level, holds, accuracy),
+            ),
+          asked,
+        );
+        expect(tableOf(runs, answers)).toEqual(committed);
+      } finally {
+        await browser.close();
+      }
+    }, 120_000);
+  } else {
+    declareMissing('hashes in Chromium', `no browser at ${CHROMIUM}: install Chromium or name it in CHROMIUM`);
+  }
+
+  if (existsSync(BUN)) {
+    it('in Bun (the engine of Safari) are the committed ones', () => {
+      const folder = mkdtempSync(join(tmpdir(), 'gq-bun-'));
+      try {
+        writeFileSync(join(folder, 'questions.json'), JSON.stringify(asked));
+        const ask = `;process.stdout.write(JSON.stringify(JSON.parse(require('fs').readFileSync('questions.json', 'utf8'))
+          .map(([level, holds, accuracy]) => gravityQuest.hashOf(level, holds, accuracy))));`;
+        writeFileSync(join(folder, 'run.cjs'), bundle + ask);
+        const out = execFileSync(BUN, ['run.cjs'], { cwd: folder, encoding: 'utf8', maxBuffer: 1e8 });
+        expect(tableOf(runs, JSON.parse(out))).toEqual(committed);
+      } finally {
+        rmSync(folder, { recursive: true, force: true });
+      }
+    }, 120_000);
+  } else {
+    declareMissing('hashes in Bun', `no binary at ${BUN}: run npm ci`);
+  }
+
+  it(`in QuickJS are the committed ones, every ${QUICKJS_SHARE}th run`, async () => {
+    const context = (await getQuickJS()).newContext();
+    try {
+      context.unwrapResult(context.evalCode(bundle)).dispose();
+      const part = runs.filter((_, i) => i % QUICKJS_SHARE === 0);
+      for (const run of part) {
+        const answers = questions([run]).map((question) => {
+          const call = `gravityQuest.hashOf(${question.map((text) => JSON.stringify(text)).join(', ')})`;
+          const result = context.unwrapResult(context.evalCode(call));
+          const answer = context.getString(result);
+          result.dispose();
+          return answer;
+        });
+        expect(tableOf([run], answers)).toEqual({ [run.name]: committed[run.name] });
+      }
+    } finally {
+      context.dispose();
+    }
+  }, 120_000);
+});
