@@ -11,12 +11,8 @@ function hash(text: string, seed: number): number {
   return (h ^ (h >>> 16)) >>> 0;
 }
 
-function freshId(content: string, taken: ReadonlySet<string>): string {
-  for (let attempt = 0; ; attempt++) {
-    const id = hash(content, attempt).toString(36).padStart(LENGTH, '0').slice(-LENGTH);
-    if (!taken.has(id)) return id;
-  }
-}
+const idFor = (content: string, attempt: number): string =>
+  hash(content, attempt).toString(36).padStart(LENGTH, '0').slice(-LENGTH);
 
 /**
  * A copy of the file in which every object has an id. Ids that exist stay. New ones come from the object's list, content and place alone,
@@ -24,10 +20,16 @@ function freshId(content: string, taken: ReadonlySet<string>): string {
  */
 export function withIds(file: LevelFile): LevelFile {
   const taken = new Set<string>();
+  const attempts = new Map<string, number>();
   for (const list of OBJECT_LISTS) for (const object of file[list] ?? []) if (object.id !== undefined) taken.add(object.id);
   const name = <T extends { id?: string | undefined }>(list: string, object: T): T => {
     if (object.id !== undefined) return object;
-    const id = freshId(`${list}${JSON.stringify(object)}`, taken);
+    const content = `${list}${JSON.stringify(object)}`;
+    // equal objects go on where the last one ended, or thousands of them would take millions of tries
+    let attempt = attempts.get(content) ?? 0;
+    let id = idFor(content, attempt++);
+    while (taken.has(id)) id = idFor(content, attempt++);
+    attempts.set(content, attempt);
     taken.add(id);
     return { ...object, id };
   };

@@ -114,10 +114,10 @@ export const levelSchema = z
       .describe(`Farther than this from the centre of every asteroid she is lost, px; ${DEFAULT_RANGE} when left out.`),
     recoil: z.boolean().optional().describe('Whether the target of the gun is pulled towards her, too; false when left out.'),
     asteroids: z.array(asteroid).max(LIMITS.objects).optional().describe('What the gun can target.'),
-    novae: z.array(nova).max(LIMITS.objects).optional(),
-    repulsors: z.array(repulsor).max(LIMITS.objects).optional(),
-    aliens: z.array(alien).max(LIMITS.objects).optional(),
-    minerals: z.array(mineral).max(LIMITS.objects).optional(),
+    novae: z.array(nova).max(LIMITS.objects).optional().describe('Burn on touch; never a target.'),
+    repulsors: z.array(repulsor).max(LIMITS.objects).optional().describe('Fields that push her away.'),
+    aliens: z.array(alien).max(LIMITS.objects).optional().describe('Chase her when she comes near.'),
+    minerals: z.array(mineral).max(LIMITS.objects).optional().describe('To collect on the way; usually three.'),
     runs: z.array(run).max(LIMITS.runs).optional().describe('Scripted runs; the first is the one that is shown.'),
   })
   .describe('A level of Gravity Quest. Keys that begin with x- are yours: they are kept and not checked.');

@@ -152,7 +152,7 @@ export function scanJson(text: string): Scan {
     }
     if (mode === 'after') {
       const found = c === '"' ? 'a text' : quote(c);
-      return fail('invalid-json', i, `expected ${expected}, found ${found}`, 'Is a comma missing before this place?');
+      return fail('invalid-json', i, `expected ${expected}, found ${found}`, 'Add a comma before it, if one is missing.');
     }
     if (mode === 'end') {
       return fail('invalid-json', i, `expected ${expected}, found ${quote(c)}`, 'Remove what follows the last bracket.');

@@ -1,0 +1,98 @@
+import fc from 'fast-check';
+import { describe, expect, test } from 'vitest';
+import { formatLevel, type LevelFile, readLevel } from '../../schema/index.ts';
+import { arbitraryFile } from './arbitrary-file.ts';
+import { BASE } from './base-level.ts';
+
+function read(text: string): LevelFile {
+  const reading = readLevel(text);
+  if (!reading.ok) throw new Error(JSON.stringify(reading.problems));
+  return reading.document.file;
+}
+
+/** As JSON sees it: without keys that are undefined, and with 0 for -0. */
+const plain = (value: unknown): unknown => JSON.parse(JSON.stringify(value));
+
+describe('the canonical text', () => {
+  test('is what the base level is written in', () => {
+    expect(formatLevel(read(BASE))).toBe(BASE);
+  });
+
+  test('orders keys, keeps lists in order, keys of one’s own come last and untouched', () => {
+    const text = `{"x-a":{"b":[1,{"c":null}],"x-z":[]},"runs":[{"x-r":0,"holds":[],"name":"n"}],"novae":[{"radius":2.50,"y":-0,"x-k":"ü\\u0007","x":1e3},
+      {"x":1,"y":1,"radius":1}],"aliens":[],"blackHole":{"y":0.1,"x":1E-9},"astronaut":{"y":2,"x":1},"name":"a","version":1}`;
+    expect(formatLevel(read(text))).toBe(`{
+  "version": 1,
+  "name": "a",
+  "astronaut": { "x": 1, "y": 2 },
+  "blackHole": { "x": 1e-9, "y": 0.1 },
+  "novae": [
+    { "x": 1000, "y": 0, "radius": 2.5, "x-k": "ü\\u0007" },
+    { "x": 1, "y": 1, "radius": 1 }
+  ],
+  "aliens": [],
+  "runs": [
+    {
+      "name": "n",
+      "holds": [],
+      "x-r": 0
+    }
+  ],
+  "x-a": { "b": [1, { "c": null }], "x-z": [] }
+}
+`);
+  });
+
+  test('reads back as the same file, and is canonical itself', () => {
+    fc.assert(
+      fc.property(arbitraryFile, (file) => {
+        const text = formatLevel(file);
+        const again = read(text);
+        expect(again).toEqual(plain(file));
+        expect(formatLevel(again)).toBe(text);
+        expect(text.endsWith('}\n')).toBe(true);
+        expect(text).not.toMatch(/\r|[ \t]\n/);
+      }),
+      { numRuns: 300 },
+    );
+  });
+
+  test('changes in one line when one object moves', () => {
+    fc.assert(
+      fc.property(arbitraryFile, fc.nat(), fc.double({ min: -1000, max: 1000, noNaN: true }), (file, pick, x) => {
+        const before = plain(file) as LevelFile;
+        const after = plain(file) as LevelFile;
+        const objects = [after.astronaut, after.blackHole, ...(after.asteroids ?? []), ...(after.minerals ?? [])];
+        const moved = objects[pick % objects.length];
+        fc.pre(moved.x !== x + 0);
+        moved.x = x;
+        const [a, b] = [formatLevel(before).split('\n'), formatLevel(after).split('\n')];
+        expect(b).toHaveLength(a.length);
+        expect(b.filter((line, i) => line !== a[i])).toHaveLength(1);
+      }),
+      { numRuns: 200 },
+    );
+  });
+
+  test('changes in one line when a hold changes', () => {
+    const a = BASE.split('\n');
+    const file = read(BASE);
+    file.runs![0].holds[1] = [131, 190];
+    expect(
+      formatLevel(file)
+        .split('\n')
+        .filter((line, i) => line !== a[i]),
+    ).toEqual(['        [131, 190]']);
+  });
+
+  test('keeps an own __proto__ inside a key of one’s own', () => {
+    const file = read(BASE.replace('"range"', '"x-a": { "__proto__": { "b": 1 } },\n  "range"'));
+    expect(formatLevel(file)).toContain('  "x-a": { "__proto__": { "b": 1 } }\n');
+  });
+
+  test('refuses numbers that JSON can’t hold', () => {
+    const file = read(BASE);
+    file.astronaut.x = Number.NaN;
+    expect(() => formatLevel(file)).toThrow(RangeError);
+  });
+});

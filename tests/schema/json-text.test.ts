@@ -1,0 +1,194 @@
+import fc from 'fast-check';
+import { describe, expect, test } from 'vitest';
+import { createLocator } from '../../schema/locate.ts';
+import { fromPointer, toPointer } from '../../schema/problem.ts';
+import { scanJson } from '../../schema/scan-json.ts';
+import { createPlaceFinder } from '../../schema/text-place.ts';
+import { decodeUtf8 } from '../../schema/utf8.ts';
+
+/** Texts near JSON: valid ones with some characters taken out, put in or replaced. */
+const nearJson = fc
+  .tuple(
+    fc.oneof(
+      fc.json(),
+      fc.json().map((text) => JSON.stringify(JSON.parse(text), null, 2)),
+    ),
+    fc.array(fc.tuple(fc.nat(), fc.nat(2), fc.constantFrom(...'{}[]:,"\\/ \n\t0123456789-+.eEuntrfalse\u0001ü'), fc.boolean()), {
+      maxLength: 3,
+    }),
+  )
+  .map(([text, edits]) =>
+    edits.reduce((t, [at, removed, put, puts]) => {
+      const i = at % (t.length + 1);
+      return t.slice(0, i) + (puts ? put : '') + t.slice(i + removed);
+    }, text),
+  );
+
+function parses(text: string): boolean {
+  try {
+    JSON.parse(text);
+    return true;
+  } catch {
+    return false;
+  }
+}
+
+/** Every value in a JSON value with its path. */
+function* valuesIn(value: unknown, path: (string | number)[] = []): Generator<[(string | number)[], unknown]> {
+  yield [path, value];
+  if (typeof value !== 'object' || value === null) return;
+  for (const [key, inner] of Object.entries(value)) yield* valuesIn(inner, [...path, Array.isArray(value) ? Number(key) : key]);
+}
+
+describe('the scan of a JSON text', () => {
+  test('fails for what JSON.parse refuses, and only for that', () => {
+    let refused = 0;
+    fc.assert(
+      fc.property(nearJson, (text) => {
+        const { failure } = scanJson(text);
+        const isBeyond = failure?.code === 'too-deep' || failure?.code === 'number-too-large';
+        if (!isBeyond) expect(failure === null).toBe(parses(text));
+        if (failure === null) return;
+        refused++;
+        expect(failure.offset).toBeGreaterThanOrEqual(0);
+        expect(failure.offset).toBeLessThanOrEqual(text.length);
+      }),
+      { numRuns: 3000 },
+    );
+    // or the property would say nothing
+    expect(refused).toBeGreaterThan(500);
+  });
+
+  test.each([
+    '',
+    ' ',
+    '0',
+    '-0',
+    '1e5',
+    '1E+5',
+    '"\\ud800"',
+    '[]',
+    '{}',
+    ' [ 1 , { } ] ',
+    'true',
+    'nul',
+    '1 2',
+    '-',
+    '00',
+    '[1]]',
+    '"',
+    '{"a"',
+    '\u00a01',
+    '\u2028',
+  ])('agrees with JSON.parse about %j', (text) => {
+    expect(scanJson(text).failure === null).toBe(parses(text));
+  });
+
+  test('finds every key that stands again in its object', () => {
+    const key = fc.constantFrom('a', 'b', 'c', '__proto__', 'constructor', '', '\n');
+    fc.assert(
+      fc.property(fc.array(key), (names) => {
+        const { failure, repeated } = scanJson(`[0,{${names.map((name) => `${JSON.stringify(name)}:{}`).join()}}]`);
+        expect(failure).toBeNull();
+        const again = names.filter((name, i) => names.indexOf(name) < i);
+        expect(repeated.map(({ path }) => path)).toEqual(again.map((name) => [1, name]));
+      }),
+    );
+  });
+
+  test('64 deep is not too deep', () => {
+    expect(scanJson('['.repeat(64) + ']'.repeat(64)).failure).toBeNull();
+  });
+});
+
+describe('the place of a value', () => {
+  test('is where its text begins', () => {
+    fc.assert(
+      fc.property(fc.jsonValue({ maxDepth: 4 }), fc.constantFrom(undefined, 1, '\t'), (value, space) => {
+        const text = ` ${JSON.stringify(value, null, space)}`;
+        const locator = createLocator(text);
+        for (const [path, inner] of valuesIn(JSON.parse(text))) {
+          const pointer = toPointer(path);
+          expect(fromPointer(pointer)).toEqual(path.map(String));
+          const token = typeof inner === 'object' && inner !== null ? (Array.isArray(inner) ? '[' : '{') : JSON.stringify(inner);
+          expect(text.startsWith(token, locator.offsetOf(pointer, 'value'))).toBe(true);
+          const last = path.at(-1);
+          if (typeof last === 'string')
+            expect(text.startsWith(JSON.stringify(last), locator.offsetOf(pointer, 'key'))).toBe(true);
+        }
+      }),
+    );
+  });
+
+  test('is that of the nearest value around it when it is missing', () => {
+    const locator = createLocator('{"a": {"b": 1}}');
+    expect(locator.offsetOf('/a/c/d', 'value')).toBe(6);
+    expect(locator.offsetOf('/a/b/d', 'value')).toBe(12);
+    expect(locator.offsetOf('/z', 'value')).toBe(0);
+  });
+
+  test('is that of the last of two equal keys, whose value JSON.parse takes', () => {
+    expect(createLocator('{"a":1,"a":2}').offsetOf('/a', 'value')).toBe(11);
+  });
+
+  test('line and column lead back to the offset', () => {
+    const part = fc.constantFrom('a', '\n', '\r\n', 'ü', '\t', '🚀');
+    fc.assert(
+      fc.property(fc.array(part), fc.nat(), (parts, n) => {
+        const text = parts.join('');
+        const offset = n % (text.length + 1);
+        const { line, column } = createPlaceFinder(text)(offset);
+        const before = text.split('\n').slice(0, line - 1);
+        expect(before.join('\n').length + (line > 1 ? 1 : 0) + column - 1).toBe(offset);
+      }),
+    );
+  });
+});
+
+describe('UTF-8', () => {
+  const strict = new TextDecoder('utf-8', { fatal: true, ignoreBOM: true });
+
+  const byte = fc.oneof(
+    fc.nat(255),
+    // the bytes at the edges of what may begin or go on a sequence
+    fc.constantFrom(0x00, 0x7f, 0x80, 0x8f, 0x90, 0x9f, 0xa0, 0xbf, 0xc0, 0xc1, 0xc2, 0xdf, 0xe0, 0xed, 0xef, 0xf0, 0xf4, 0xf5),
+  );
+
+  test('is refused exactly where the platform’s decoder refuses it', () => {
+    fc.assert(
+      fc.property(fc.array(byte, { maxLength: 6 }), (list) => {
+        const bytes = Uint8Array.from(list);
+        let expected: string | null = null;
+        try {
+          expected = strict.decode(bytes);
+        } catch {}
+        const { text, bad } = decodeUtf8(bytes);
+        expect(bad === null).toBe(expected !== null);
+        if (expected !== null) expect(text).toBe(expected);
+      }),
+      { numRuns: 5000 },
+    );
+  });
+
+  test('is read like the platform’s decoder reads it', () => {
+    fc.assert(
+      fc.property(fc.string({ unit: 'binary' }), fc.nat(20_000), (text, length) => {
+        const long = text + 'a'.repeat(length) + text;
+        const { text: read, bad } = decodeUtf8(new TextEncoder().encode(long));
+        expect(bad).toBeNull();
+        expect(read === long).toBe(true);
+      }),
+    );
+  });
+
+  test('what stands before a bad byte is kept', () => {
+    fc.assert(
+      fc.property(fc.string({ unit: 'binary' }), (before) => {
+        const bytes = new TextEncoder().encode(before);
+        const { text, bad } = decodeUtf8(Uint8Array.from([...bytes, 0xff, 0x61]));
+        expect(bad).toEqual({ byte: 0xff, at: bytes.length, offset: before.length });
+        expect(text).toBe(`${before}\ufffda`);
+      }),
+    );
+  });
+});

@@ -1,0 +1,105 @@
+import fc from 'fast-check';
+import { describe, expect, test } from 'vitest';
+import { closestName, editDistance } from '../../schema/closest-name.ts';
+import { codeFrame, levelSchema } from '../../schema/index.ts';
+import { quote } from '../../schema/say.ts';
+
+/** The distance by its definition, without a limit. */
+function plainDistance(a: string, b: string): number {
+  if (a === '' || b === '') return a.length + b.length;
+  const [x, y] = [a.at(-1), b.at(-1)];
+  const [p, q] = [a.slice(0, -1), b.slice(0, -1)];
+  let least = Math.min(plainDistance(p, b) + 1, plainDistance(a, q) + 1, plainDistance(p, q) + (x === y ? 0 : 1));
+  if (p.at(-1) === y && q.at(-1) === x && p !== '' && q !== '')
+    least = Math.min(least, plainDistance(a.slice(0, -2), b.slice(0, -2)) + 1);
+  return least;
+}
+
+const KEYS = Object.keys(levelSchema.shape);
+
+describe('did you mean', () => {
+  test('the distance is the definition’s up to the limit, and above it only above it', () => {
+    const word = fc.string({ unit: fc.constantFrom('a', 'b', 'c'), maxLength: 6 });
+    fc.assert(
+      fc.property(word, word, fc.nat(6), (a, b, limit) => {
+        const distance = plainDistance(a, b);
+        expect(editDistance(a, b, limit)).toBe(distance <= limit ? distance : limit + 1);
+      }),
+      { numRuns: 500 },
+    );
+  });
+
+  test('one slip in any key of the format is recognised', () => {
+    fc.assert(
+      fc.property(fc.constantFrom(...KEYS), fc.nat(), fc.constantFrom('drop', 'double', 'swap'), (key, n, slip) => {
+        const i = n % (key.length - 1);
+        const [a, b] = [key[i], key[i + 1]];
+        const middle = slip === 'drop' ? b : slip === 'double' ? a + a + b : b + a;
+        expect(closestName(key.slice(0, i) + middle + key.slice(i + 2), KEYS)).toBe(key);
+      }),
+    );
+  });
+
+  test.each([
+    ['asteriods', 'asteroids'],
+    ['Asteroids', 'asteroids'],
+    ['blackhole', 'blackHole'],
+    ['schema', '$schema'],
+    ['repulsers', 'repulsors'],
+    ['gravity', null],
+    ['z', null],
+    ['', null],
+  ])('%s: %s', (written, meant) => {
+    expect(closestName(written, KEYS)).toBe(meant);
+  });
+
+  test('no one-letter key is guessed from another letter', () => {
+    expect(closestName('z', ['x', 'y'])).toBeNull();
+    expect(closestName('X', ['x', 'y'])).toBe('x');
+  });
+});
+
+describe('quoted text', () => {
+  test('is short and holds nothing that steers a terminal', () => {
+    fc.assert(
+      fc.property(fc.string({ unit: 'binary' }), (text) => {
+        const quoted = quote(text);
+        expect(quoted).not.toMatch(/[\p{Cc}\p{Cf}]/u);
+        if (/^[a-z ]{0,40}$/.test(text)) expect(quoted).toBe(`"${text}"`);
+      }),
+    );
+    expect(quote('a'.repeat(99))).toBe(`"${'a'.repeat(40)}…"`);
+  });
+});
+
+describe('the code frame', () => {
+  const text = 'one\ntwo\n\tthree: 3\nfour\r\nfive\nsix';
+
+  test('shows two lines around, with a caret below the column', () => {
+    expect(codeFrame(text, 3, 9)).toBe(
+      ['  1 | one', '  2 | two', '> 3 |  three: 3', '    |         ^', '  4 | four', '  5 | five'].join('\n'),
+    );
+  });
+
+  test('ends where the text ends', () => {
+    expect(codeFrame(text, 1, 1)).toBe(['> 1 | one', '    | ^', '  2 | two', '  3 |  three: 3'].join('\n'));
+    expect(codeFrame(text, 6, 4)).toBe(['  4 | four', '  5 | five', '> 6 | six', '    |    ^'].join('\n'));
+  });
+
+  test('cuts long lines to the part around the column', () => {
+    const frame = codeFrame(`${'a'.repeat(5000)}X${'b'.repeat(5000)}`, 1, 5001).split('\n');
+    expect(frame[0].length).toBeLessThan(130);
+    expect(frame[0][frame[1].indexOf('^')]).toBe('X');
+  });
+
+  test('the caret stands below the character, whatever stands before it', () => {
+    const character = fc.constantFrom('a', '\t', 'ü', '🚀', '\u0007', '\u200b');
+    fc.assert(
+      fc.property(fc.array(character, { maxLength: 60 }), (before) => {
+        const [line, caret] = codeFrame(`${before.join('')}X`, 1, before.join('').length + 1).split('\n');
+        expect(Array.from(line)[caret.indexOf('^')]).toBe('X');
+        expect(line).not.toMatch(/[\p{Cc}\p{Cf}]/u);
+      }),
+    );
+  });
+});
