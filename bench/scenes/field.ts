@@ -6,7 +6,7 @@ const SPACING = 160;
 
 /**
  * A field of `count` asteroids, one per cell of a square grid, moved within its cell at random; she starts in the middle and
- * plays the same script of short holds at any size. Where `count` grows the field grows, its density stays.
+ * plays the same script of short holds at any size, in which she stays within 500 px of the middle. Where `count` grows the field grows, its density stays.
  */
 export function asteroidField(count: number): BenchScene {
   const random = seeded(20);
@@ -34,7 +34,7 @@ export function asteroidField(count: number): BenchScene {
       blackHole: { x: 1e6, y: 1e6 },
       asteroids,
     }),
-    holds: Array.from({ length: 20 }, (_, i) => [90 * i, 90 * i + 45] as const),
+    holds: Array.from({ length: 30 }, (_, i) => [60 * i, 60 * i + 40] as const),
     seconds: 30,
   };
 }

@@ -83,5 +83,7 @@ describe('the scenes', () => {
   it('a larger field of asteroids has the smaller one in its middle', () => {
     const small = asteroidField(100).level.asteroids;
     expect(asteroidField(2500).level.asteroids.slice(0, 100)).toEqual(small);
+    const [few, many] = [asteroidField(100), asteroidField(2500)];
+    expect(playArcade(many.level, many.holds, 1800)).toEqual(playArcade(few.level, few.holds, 1800));
   });
 });
