@@ -170,6 +170,25 @@ describe('UTF-8', () => {
     );
   });
 
+  test('so for every pair of first bytes, with as many after them as they need', () => {
+    const disagreeing: number[][] = [];
+    for (let first = 0x80; first < 0x100; first++) {
+      for (let second = 0; second < 0x100; second++) {
+        for (const after of [[], [0x80], [0xbf, 0x80]]) {
+          const bytes = Uint8Array.from([first, second, ...after]);
+          let isValid = true;
+          try {
+            strict.decode(bytes);
+          } catch {
+            isValid = false;
+          }
+          if ((decodeUtf8(bytes).bad === null) !== isValid) disagreeing.push([...bytes]);
+        }
+      }
+    }
+    expect(disagreeing).toEqual([]);
+  });
+
   test('is read like the platform’s decoder reads it', () => {
     fc.assert(
       fc.property(fc.string({ unit: 'binary' }), fc.nat(20_000), (text, length) => {

@@ -73,5 +73,7 @@ describe('reading a level', () => {
   test('-0 is 0', () => {
     const { level } = read(broken('"x": 712, "y": 600', '"x": -0, "y": -0.0, "vx": -0'));
     expect(level.astronaut).toEqual({ x: 0, y: 0, vx: 0, vy: 0 });
+    const [mineral] = read(broken('"x": 715, "y": 730', '"x": -0, "y": -0')).level.minerals;
+    expect([mineral.x, mineral.y]).toEqual([0, 0]);
   });
 });
