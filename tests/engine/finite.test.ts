@@ -2,8 +2,8 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { compile, type Run, SPEED_LIMIT, STATE_SIZE, simulate, TICK } from '../../engine/index.ts';
 import type { Level } from '../../schema/index.ts';
-import { accuracyNames } from './accuracies.ts';
-import { arbitraryHolds, arbitraryLevel } from './arbitrary-level.ts';
+import { accuracyNames, levelsFor } from './accuracies.ts';
+import { arbitraryHolds } from './arbitrary-level.ts';
 
 const LAST_TICK = 240;
 
@@ -33,7 +33,7 @@ function notFinite(level: Level, run: Run): string[] {
 describe.each(accuracyNames)('any level at %s', (accuracy) => {
   it('ends in an outcome, with finite numbers, in time order', () => {
     fc.assert(
-      fc.property(arbitraryLevel, arbitraryHolds(LAST_TICK), (level, holds) => {
+      fc.property(levelsFor(accuracy), arbitraryHolds(LAST_TICK), (level, holds) => {
         const run = simulate(compile(level, accuracy), holds, { maxTime: LAST_TICK / 60 });
         expect(notFinite(level, run)).toEqual([]);
         expect(['completed', 'collided', 'lost', 'timeout']).toContain(run.outcome);
@@ -46,7 +46,7 @@ describe.each(accuracyNames)('any level at %s', (accuracy) => {
         expect(Math.abs(run.final.vy)).toBeLessThanOrEqual(SPEED_LIMIT);
         expect(Math.hypot(run.final.cos, run.final.sin)).toBeCloseTo(1, 12);
       }),
-      { numRuns: 1500, seed: 1 },
+      { numRuns: accuracy === 'arcade' ? 1500 : 300, seed: 1 },
     );
   });
 
@@ -65,7 +65,7 @@ describe.each(accuracyNames)('any level at %s', (accuracy) => {
       };
     };
     fc.assert(
-      fc.property(arbitraryLevel, arbitraryHolds(LAST_TICK), (level, holds) => {
+      fc.property(levelsFor(accuracy), arbitraryHolds(LAST_TICK), (level, holds) => {
         const run = simulate(compile(level, accuracy), holds, { maxTime: LAST_TICK / 60 });
         const image = simulate(compile(mirrored(level), accuracy), holds, { maxTime: LAST_TICK / 60 });
         const { x, y, vx, vy, cos, sin } = image.final;
@@ -77,7 +77,7 @@ describe.each(accuracyNames)('any level at %s', (accuracy) => {
         });
         expect({ ...image, final: 0, hash: 0, trajectory: 0 }).toEqual({ ...run, final: 0, hash: 0, trajectory: 0 });
       }),
-      { numRuns: 500, seed: 2 },
+      { numRuns: accuracy === 'arcade' ? 500 : 200, seed: 2 },
     );
   });
 });
