@@ -99,10 +99,8 @@ export function compare(contestants: readonly Contestant[], options: CompareOpti
   if (rounds < 15) throw new RangeError(`expected at least 15 rounds, found ${rounds}`);
 
   for (const contestant of contestants) warmUp(contestant, warmUpMs);
-  // how often each has to run is settled after all have warmed up: the shared code is optimised for all of them by then
-  const times = contestants.map((contestant) =>
-    Math.max(1, Math.round(sampleMs / Math.max(warmUp(contestant, warmUpMs / 3), 1e-6))),
-  );
+  // settled after all have warmed up: the code they share is optimised for all of them by then
+  const times = contestants.map((contestant) => timesToLast(contestant, sampleMs));
   const samples: Record<string, number[]> = Object.fromEntries(contestants.map((c) => [c.name, []]));
   for (let round = 0; round < rounds; round++) {
     for (let k = 0; k < contestants.length; k++) {
@@ -119,12 +117,19 @@ export function compare(contestants: readonly Contestant[], options: CompareOpti
   };
 }
 
-/** Runs a contestant for about `ms`; the time of one run at the end, ms. */
-function warmUp(contestant: Contestant, ms: number): number {
+/** Runs a contestant for about `ms`, and once at least. */
+function warmUp(contestant: Contestant, ms: number): void {
   const until = performance.now() + ms;
-  let last = timed(contestant, 1);
-  while (performance.now() < until) last = timed(contestant, 1);
-  return last;
+  do timed(contestant, 1);
+  while (performance.now() < until);
+}
+
+/** How often a contestant has to run to last about `ms`: found by doubling, for one short run is mostly the clock's own error. */
+function timesToLast(contestant: Contestant, ms: number): number {
+  for (let times = 1; ; times *= 2) {
+    const spent = timed(contestant, times) * times;
+    if (spent >= ms / 2) return Math.max(1, Math.round((times * ms) / Math.max(spent, 1e-6)));
+  }
 }
 
 export const atMost = (what: string, measured: number, limit: number): Claim => ({

@@ -1,0 +1,131 @@
+import {
+  ACCURACIES,
+  type Accuracy,
+  type AccuracyName,
+  compile,
+  createSimulation,
+  joinHolds,
+  playScript,
+  type Run,
+  type Scene,
+  type Simulation,
+  STATE_SIZE,
+  simulate,
+  TICK_RATE,
+} from '../../engine/index.ts';
+import type { Hold, Level } from '../../schema/index.ts';
+import { seeded } from '../scenes/seeded.ts';
+import type { RandomScene } from './random-scene.ts';
+import { verifyRun } from './verify-run.ts';
+
+/** `bug` must not be; `hangs` is a run whose outcome hangs on its last digits: named, not held against the engine. */
+export interface Finding {
+  readonly kind: 'bug' | 'hangs';
+  readonly accuracy: string;
+  readonly what: string;
+}
+
+const TIGHTER: Accuracy = { ...ACCURACIES.precise, name: 'precise at 1e-11', tolerance: 1e-11 };
+
+/** How far a place may be beyond what a rule allows, px; a fixed step reads places in a way the guards do not. */
+const SLACK: Readonly<Record<AccuracyName, number>> = { arcade: Number.POSITIVE_INFINITY, fast: 0.1, standard: 1e-3, precise: 1e-8 };
+
+/** More pieces than this in a second of play mean that a run does not go on. */
+const MOST_PIECES_A_SECOND = 2000;
+
+/** Everything that can be seen of a simulation, for comparing bits. */
+function view(simulation: Simulation): string {
+  const { level } = simulation.scene;
+  const state = new Float64Array(STATE_SIZE);
+  const aliens = new Float64Array(3 * level.aliens.length);
+  const asteroids = new Float64Array(2 * level.asteroids.length);
+  simulation.readState(state);
+  simulation.readAliens(aliens);
+  simulation.readAsteroids(asteroids);
+  return [simulation.tick, JSON.stringify(simulation.ending), simulation.mineralCount, state, aliens, asteroids].join(' ');
+}
+
+/** Looks for anything wrong with a scene: see the README of bench/. */
+export function checkScene({ level, holds, maxTime }: RandomScene, seed: number): Finding[] {
+  const findings: Finding[] = [];
+  for (const accuracy of ['precise', 'standard', 'fast'] as const) {
+    const bug = (what: string) => findings.push({ kind: 'bug', accuracy, what });
+    try {
+      const scene = compile(level, accuracy);
+      const run = simulate(scene, holds, { maxTime });
+      const slack = SLACK[accuracy] + 4e-15 * (Math.abs(level.astronaut.x) + Math.abs(level.astronaut.y));
+      for (const what of verifyRun(scene, holds, run, slack)) bug(what);
+      const whole = wholeRun(scene, holds, maxTime, bug);
+      if (splitRun(scene, holds, maxTime, seed) !== whole) bug('split, with snapshots, it is another run');
+      if (accuracy === 'precise') findings.push(...atTwoTolerances(level, holds, maxTime, run));
+    } catch (error) {
+      bug(`throws ${error instanceof Error ? error.message : error}`);
+    }
+  }
+  return findings;
+}
+
+function wholeRun(scene: Scene, holds: readonly Hold[], maxTime: number, bug: (what: string) => void): string {
+  const simulation = createSimulation(scene);
+  playScript(simulation, joinHolds(holds), maxTime * TICK_RATE);
+  const pieces = 'work' in simulation ? (simulation.work as { pieces: number }).pieces : 0;
+  if (pieces > 1000 + MOST_PIECES_A_SECOND * (simulation.ending?.time ?? maxTime)) bug(`${pieces} pieces`);
+  return view(simulation);
+}
+
+/** The same run advanced in random parts, carried over to another simulation by snapshot half of the time. */
+function splitRun(scene: Scene, holds: readonly Hold[], maxTime: number, seed: number): string {
+  const random = seeded(seed ^ 0x5b1175);
+  const script = joinHolds(holds);
+  const last = Math.round(maxTime * TICK_RATE);
+  let simulation = createSimulation(scene);
+  let other = createSimulation(scene);
+  for (let tick = 0; tick < last && simulation.ending === null; ) {
+    const hold = script.find(([, release]) => release > tick);
+    const held = hold !== undefined && hold[0] <= tick;
+    const change = hold === undefined ? last : held ? hold[1] : hold[0];
+    const part = Math.min(change - tick, last - tick, 1 + Math.floor(random() * 40));
+    simulation.advance(part, held);
+    tick += part;
+    if (random() < 0.5) continue;
+    other.restore(simulation.snapshot());
+    [simulation, other] = [other, simulation];
+  }
+  return view(simulation);
+}
+
+function atTwoTolerances(level: Level, holds: readonly Hold[], maxTime: number, run: Run): Finding[] {
+  const tighter = simulate(compile(level, TIGHTER), holds, { maxTime });
+  const difference = firstDifference(run, tighter);
+  if (difference === null) return [];
+  // a start moved by a billionth of a pixel that ends otherwise, too, says that the run is at fault, not the engine
+  const { x, y } = level.astronaut;
+  const step = Math.max(1e-9, 1e-15 * Math.max(Math.abs(x), Math.abs(y)));
+  const moved = [
+    [step, 0],
+    [-step, 0],
+    [0, step],
+    [0, -step],
+  ].map(([dx, dy]) =>
+    simulate(compile({ ...level, astronaut: { ...level.astronaut, x: x + dx, y: y + dy } }, TIGHTER), holds, { maxTime }),
+  );
+  const hangs = moved.some((m) => ending(m) !== ending(tighter) || Math.abs(m.time - tighter.time) > 1e-6);
+  return [{ kind: hangs ? 'hangs' : 'bug', accuracy: 'precise', what: `two tolerances: ${difference}` }];
+}
+
+const ending = (run: Run): string => `${run.outcome} ${run.with?.kind} ${run.with?.index}`;
+
+/** The first event in which two runs of the same script differ, when they end differently; otherwise null. */
+function firstDifference(a: Run, b: Run): string | null {
+  if (ending(a) === ending(b) && Math.abs(a.time - b.time) < 1e-6) return null;
+  const name = (run: Run, i: number) => {
+    const event = run.events[i];
+    return event === undefined ? 'nothing more' : JSON.stringify(event);
+  };
+  for (let i = 0; i < Math.max(a.events.length, b.events.length); i++) {
+    const { time: ta, ...ea } = a.events[i] ?? { time: -1 };
+    const { time: tb, ...eb } = b.events[i] ?? { time: -1 };
+    if (JSON.stringify(ea) !== JSON.stringify(eb) || Math.abs(ta - tb) > 1e-6) return `${name(a, i)} against ${name(b, i)}`;
+  }
+  return `${ending(a)} against ${ending(b)}`;
+}

@@ -1,0 +1,195 @@
+import { boxCircleGap, createSimulation, joinHolds, type Run, type Scene, STATE_SIZE, TICK } from '../../engine/index.ts';
+import type { Circle, Hold } from '../../schema/index.ts';
+
+/** Most complaints kept of one run. */
+const ENOUGH = 5;
+
+interface Modes {
+  readonly held: boolean;
+  readonly target: number;
+  readonly field: number;
+  readonly awake: readonly boolean[];
+}
+
+/**
+ * Holds a run in continuous time against the rules, using nothing of how it was found: at every tick the gun must pull
+ * towards the nearest asteroid, the first field around her must be the one she is in, nothing may overlap her that should
+ * have ended the run or been collected, and between events energy, angular momentum and straight lines must be kept.
+ * @param slack how far a place may be beyond what a rule allows, px
+ * @returns what is wrong, in words; empty when all is well
+ */
+export function verifyRun(scene: Scene, holds: readonly Hold[], run: Run, slack: number): string[] {
+  const { level } = scene;
+  const complaints: string[] = [];
+  const complain = (what: string) => {
+    if (complaints.length < ENOUGH) complaints.push(what);
+  };
+  const duration = run.trajectory.duration;
+  const script = joinHolds(holds);
+  const events = run.events;
+
+  for (let i = 1; i < events.length; i++) {
+    if (!(events[i].time >= events[i - 1].time)) complain(`${events[i].type} at ${events[i].time} after ${events[i - 1].time}`);
+  }
+  for (const event of events) {
+    if (!(event.time >= 0 && event.time <= run.time + 1e-12)) complain(`${event.type} at ${event.time} of ${run.time} s`);
+  }
+
+  const state = new Float64Array(STATE_SIZE);
+  const aliens = new Float64Array(3 * level.aliens.length);
+  const rocks = new Float64Array(2 * level.asteroids.length);
+  const simulation = createSimulation(scene);
+  const awake = level.aliens.map((a) => distance(a, level.astronaut.x, level.astronaut.y) < 150);
+  const collected = level.minerals.map(() => false);
+  const dead = level.aliens.map(() => false);
+  let field = level.repulsors.findIndex((f) => distance(f, level.astronaut.x, level.astronaut.y) < f.radius);
+  let target = -1;
+  let next = 0;
+  const follow = (until: number) => {
+    let happened = false;
+    for (; next < events.length && events[next].time <= until; next++) {
+      const event = events[next];
+      happened = true;
+      if (event.type === 'release') target = -1;
+      else if (event.type === 'target') target = event.index;
+      else if (event.type === 'enter') {
+        if (field !== -1) complain(`enter ${event.index} at ${event.time} while in ${field}`);
+        field = event.index;
+      } else if (event.type === 'leave') {
+        if (field !== event.index) complain(`leave ${event.index} at ${event.time} while in ${field}`);
+        field = -1;
+      } else if (event.type === 'wake') awake[event.index] = true;
+      else if (event.type === 'sleep') awake[event.index] = false;
+      else if (event.type === 'mineral') {
+        if (collected[event.index]) complain(`mineral ${event.index} twice`);
+        collected[event.index] = true;
+      } else if (event.type === 'explosion') for (const a of event.aliens) dead[a] = true;
+    }
+    return happened;
+  };
+
+  let before: { time: number; state: Float64Array; modes: Modes } | null = null;
+  const lastTick = Math.floor(duration / TICK + 1e-9);
+  for (let tick = 0; tick <= lastTick; tick++) {
+    const time = tick * TICK;
+    const held = script.some(([press, release]) => press <= tick && tick < release);
+    // a press or release at this very tick is still ahead
+    if (tick > 0) simulation.advance(1, script.some(([press, release]) => press <= tick - 1 && tick - 1 < release));
+    if (simulation.ending !== null && tick < lastTick) {
+      complain(`replayed tick by tick it ends at tick ${simulation.tick}, whole at ${run.tick}`);
+      break;
+    }
+    if (simulation.ending !== null) break;
+    simulation.readState(state);
+    simulation.readAliens(aliens);
+    simulation.readAsteroids(rocks);
+    const happened = follow(time - 1e-9);
+    for (const value of [...state, ...aliens, ...rocks]) if (!Number.isFinite(value)) complain(`${value} at tick ${tick}`);
+    const [x, y, vx, vy, cos, sin] = state;
+    const at = `at tick ${tick}`;
+
+    // modes hold on both sides of an instant; near one both answers are right
+    const near = next < events.length && events[next].time < time + 1e-9;
+    let least = Number.POSITIVE_INFINITY;
+    const rockDistance = level.asteroids.map((_, i) => Math.hypot(rocks[2 * i] - x, rocks[2 * i + 1] - y));
+    for (const d of rockDistance) least = Math.min(least, d);
+    if (least > level.range + slack) complain(`not lost ${at}, ${least - level.range} px out of range`);
+    if (target >= 0 && rockDistance[target] > least + slack) {
+      complain(`target ${target} ${at} is ${rockDistance[target] - least} px farther than the nearest`);
+    }
+    if (target >= 0 && rockDistance[target] > 1e-3) {
+      const d = rockDistance[target];
+      const off = Math.hypot((rocks[2 * target] - x) / d - cos, (rocks[2 * target + 1] - y) / d - sin);
+      if (off > 1e-9 + (1e-15 * scale(scene)) / d) complain(`box ${at} is turned ${off} away from target ${target}`);
+    }
+    for (const [i, f] of level.repulsors.entries()) {
+      const d = distance(f, x, y);
+      if (i === field && d > f.radius + slack) complain(`in field ${i} ${at}, ${d - f.radius} px outside it`);
+      if ((field < 0 || i < field) && d < f.radius - slack) complain(`not in field ${i} but ${field} ${at}, ${f.radius - d} px inside`);
+    }
+    for (const [i, a] of level.novae.entries()) overlap('nova', i, a.x, a.y, a.radius);
+    for (const [i, a] of level.asteroids.entries()) {
+      if (a.hot) overlap('hot asteroid', i, rocks[2 * i], rocks[2 * i + 1], a.radius);
+    }
+    overlap('black hole', 0, level.blackHole.x, level.blackHole.y, level.blackHole.radius);
+    for (const [i, a] of level.minerals.entries()) if (!collected[i] && !near) overlap('mineral', i, a.x, a.y, a.radius);
+    for (const [i, a] of level.aliens.entries()) {
+      if (dead[i] !== (aliens[3 * i + 2] === 0) && !near) complain(`alien ${i} alive: ${aliens[3 * i + 2]} ${at}, by events ${!dead[i]}`);
+      if (dead[i]) continue;
+      const ax = aliens[3 * i];
+      const ay = aliens[3 * i + 1];
+      const d = Math.hypot(ax - x, ay - y);
+      if (awake[i] ? d > 150 + slack : d < 150 - slack) complain(`alien ${i} ${awake[i] ? 'awake' : 'asleep'} ${at} at ${d} px`);
+      overlap('alien', i, ax, ay, a.radius);
+      for (let j = i + 1; j < level.aliens.length; j++) {
+        if (dead[j]) continue;
+        const gap = Math.hypot(aliens[3 * j] - ax, aliens[3 * j + 1] - ay) - a.radius - level.aliens[j].radius;
+        if (gap < -slack) complain(`aliens ${i} and ${j} overlap by ${-gap} px ${at}`);
+      }
+    }
+    function overlap(what: string, i: number, cx: number, cy: number, r: number) {
+      // at tick 0 the contact itself may be the first event
+      if (near || tick === 0) return;
+      const gap = boxCircleGap(cx - x, cy - y, cos, sin, r);
+      if (gap < -slack) complain(`${what} ${i} overlaps her by ${-gap} px ${at}`);
+    }
+
+    const modes: Modes = { held, target, field, awake: [...awake] };
+    if (before !== null && !happened && before.time > 0) keepsInvariants(before.state, state, before.modes);
+    before = near ? null : { time, state: state.slice(), modes };
+
+    function keepsInvariants(a: Float64Array, b: Float64Array, m: Modes) {
+      if (Math.max(Math.abs(a[2]), Math.abs(a[3]), Math.abs(b[2]), Math.abs(b[3])) > 999.99) return;
+      const speed = Math.hypot(a[2], a[3]);
+      if (!m.held && m.field < 0) {
+        const off = Math.hypot(b[2] - a[2], b[3] - a[3]) + Math.hypot(b[0] - a[0] - a[2] * TICK, b[1] - a[1] - a[3] * TICK);
+        if (off > 1e-12 * (1 + speed) + 1e-15 * scale(scene)) complain(`coasting ${at} bends by ${off}`);
+        return;
+      }
+      if (m.field < 0 && (level.recoil || m.target < 0)) return;
+      const centre = m.field >= 0 ? level.repulsors[m.field] : level.asteroids[m.target];
+      const potential = (d: number) => (m.field >= 0 ? -20 * d : 39 * (d - (d * d) / (2 * level.range)));
+      const [ea, la, size] = invariants(a);
+      const [eb, lb] = invariants(b);
+      const rounding = 1e-15 * scale(scene);
+      const bound = 1e-10 * (1 + size) + rounding * 100;
+      if (Math.abs(eb - ea) > bound) complain(`energy ${at} jumps by ${eb - ea} of ${ea} (${JSON.stringify(m)})`);
+      if (Math.abs(lb - la) > bound + rounding * (speed + 100)) complain(`angular momentum ${at} jumps by ${lb - la} of ${la}`);
+      function invariants(q: Float64Array): [number, number, number] {
+        const dx = q[0] - centre.x;
+        const dy = q[1] - centre.y;
+        const d = Math.hypot(dx, dy);
+        const v2 = q[2] * q[2] + q[3] * q[3];
+        return [v2 / 2 + potential(d), dx * q[3] - dy * q[2], v2 + Math.abs(potential(d)) + d * Math.sqrt(v2)];
+      }
+    }
+  }
+  verifyEnd(scene, run, slack, complain);
+  return complaints;
+}
+
+function verifyEnd(scene: Scene, run: Run, slack: number, complain: (what: string) => void): void {
+  const { level } = scene;
+  const { x, y, cos, sin } = run.final;
+  if (run.outcome === 'timeout' || run.with === null) return;
+  const { kind, index } = run.with;
+  const moved = new Float64Array(3 * level.aliens.length);
+  run.trajectory.aliensAt(run.time, moved);
+  let c: { x: number; y: number; radius: number } = level.blackHole;
+  if (kind === 'nova') c = level.novae[index];
+  if (kind === 'alien') c = { x: moved[3 * index], y: moved[3 * index + 1], radius: level.aliens[index].radius };
+  if (kind === 'asteroid') {
+    if (level.recoil) return;
+    c = level.asteroids[index];
+    if (!level.asteroids[index].hot) complain(`burned on cold asteroid ${index}`);
+  }
+  const gap = boxCircleGap(c.x - x, c.y - y, cos, sin, c.radius);
+  if (gap > slack) complain(`ended on ${kind} ${index} at ${run.time} s, ${gap} px away from it`);
+  // an end in mid-flight is the first touch; at the start or at a press she may be deep inside
+  const atTick = Math.abs(run.time * 60 - Math.round(run.time * 60)) < 1e-9;
+  if (gap < -slack && !atTick) complain(`ended on ${kind} ${index} at ${run.time} s, ${-gap} px deep in it`);
+}
+
+const scale = (scene: Scene): number => Math.abs(scene.level.astronaut.x) + Math.abs(scene.level.astronaut.y) + 1000;
+
+const distance = (c: Circle, x: number, y: number): number => Math.hypot(c.x - x, c.y - y);
