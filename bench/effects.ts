@@ -33,7 +33,15 @@ function ring(radii: readonly number[]): { x: number; y: number }[] {
   return radii.flatMap((r) => around.map((a) => ({ x: Math.round(r * Math.cos(a)), y: Math.round(r * Math.sin(a)) })));
 }
 
-const drifting: LevelFile = { ...ORBIT_FILE, astronaut: { x: 110, y: 0, vx: 0.5, vy: 1 } };
+/** She moves without the gun: to and fro between two repulsors. */
+const bouncing: LevelFile = {
+  ...ORBIT_FILE,
+  astronaut: { x: 0, y: 0, vx: 10, vy: 0 },
+  repulsors: [
+    { x: -60, y: 0, radius: 48 },
+    { x: 60, y: 0, radius: 48 },
+  ],
+};
 const asteroids = ORBIT_FILE.asteroids ?? [];
 const novae = ORBIT_FILE.novae ?? [];
 
@@ -101,8 +109,8 @@ const CASES: readonly EffectCase[] = [
   },
   {
     effect: 'recoil',
-    without: { level: drifting, holds: [] },
-    inert: { level: { ...drifting, recoil: true }, holds: [] },
+    without: { level: bouncing, holds: [] },
+    inert: { level: { ...bouncing, recoil: true }, holds: [] },
     acting: [held({ ...ORBIT_FILE, recoil: true })],
     actingWithout: orbit,
     sign: null,
@@ -200,7 +208,7 @@ publish({
   claims,
   notes: [
     ...notes,
-    'Medians of 101 interleaved rounds, ratios pair by pair. recoil never acts where the gun is never fired; acting, it is ' +
+    'Medians of 101 interleaved rounds, ratios pair by pair. recoil never acts where the gun is never fired: she bounces between two repulsors; acting, it is ' +
       'compared with the same swings without recoil. The gun, the range, the black hole and the speed limit are in every level: no cost without them. ' +
       'arcade looks at every object once a frame, as the original does, so nothing is claimed of it.',
   ],

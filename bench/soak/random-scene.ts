@@ -55,12 +55,18 @@ export function randomScene(seed: number): RandomScene {
   });
   const speed = pick(0, 0, 0, 20, 100, 300, 1000);
   const velocity = () => (grid > 0 && speed > 0 && chance(0.6) ? pick(-speed, 0, speed) : between(-speed, speed));
+  const range = wild && chance(0.4) ? pick(0.5, 20, 60, 100, 5000) : pick(150, 250, 250, 400, 1000);
+  // out of range at once is soon told: mostly something keeps her
+  if (asteroids.length > 0 && !chance(0.05)) {
+    const [x, y] = place(0.7 * range);
+    asteroids[0] = { ...asteroids[0], x: originX + x, y: originY + y };
+  }
   const level: Level = {
     name: `random scene ${seed}`,
     description: '',
     astronaut: { x: originX, y: originY, vx: velocity(), vy: velocity() },
     blackHole: awayFromStart(() => circle(radius(18))),
-    range: wild && chance(0.4) ? pick(0.5, 20, 60, 100, 5000) : pick(150, 250, 250, 400, 1000),
+    range,
     recoil: chance(0.4),
     asteroids,
     novae: list(pick(1, 4), () => awayFromStart(() => circle(radius(16, 32)))),
