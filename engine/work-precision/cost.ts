@@ -1,0 +1,102 @@
+import type { Hold, Level } from '../../schema/index.ts';
+import type { Accuracy } from '../accuracy.ts';
+import { TICK } from '../constants.ts';
+import { compile } from '../scene.ts';
+import { joinHolds, playScript } from '../script.ts';
+import { createSimulation } from '../simulate.ts';
+
+/** Something whose cost per simulated second is wanted. */
+export interface Player {
+  /** Called before each `play`, not timed. */
+  prepare?(): void;
+  /** Does the work once; returns the seconds it simulated. */
+  play(): number;
+}
+
+/** Microseconds per simulated second. */
+export interface Cost {
+  readonly minimum: number;
+  readonly median: number;
+}
+
+export interface CostOptions {
+  /** How long all of it may take, about, ms. */
+  readonly budget: number;
+  /** Shortest time of one sample, ms: shorter work is repeated within the sample. */
+  readonly sample: number;
+}
+
+const FEWEST_ROUNDS = 3;
+const MOST_ROUNDS = 41;
+
+/**
+ * Times players against each other: they take turns (A B C, B C A, ...), so that what slows the machine for a while slows all.
+ * @param now a clock, ms
+ * @returns one cost a player, in the same order
+ */
+export function measureCosts(players: readonly Player[], now: () => number, { budget, sample }: CostOptions): Cost[] {
+  const time = (player: Player, times: number): readonly [ms: number, seconds: number] => {
+    let ms = 0;
+    let seconds = 0;
+    if (player.prepare === undefined) {
+      const start = now();
+      for (let i = 0; i < times; i++) seconds += player.play();
+      return [now() - start, seconds];
+    }
+    for (let i = 0; i < times; i++) {
+      player.prepare();
+      const start = now();
+      seconds += player.play();
+      ms += now() - start;
+    }
+    return [ms, seconds];
+  };
+
+  // a quarter of the budget warms up, so that the shared code is optimised for all before any is counted
+  const warmUp = budget / 4 / players.length;
+  const once = players.map((player) => {
+    const until = now() + warmUp;
+    let least = time(player, 1)[0];
+    while (now() < until) least = Math.min(least, time(player, 1)[0]);
+    return least;
+  });
+  const times = once.map((ms) => Math.max(1, Math.round(sample / Math.max(ms, 1e-3))));
+  const round = once.reduce((sum, ms, i) => sum + ms * times[i], 0);
+  const rounds = Math.max(FEWEST_ROUNDS, Math.min(MOST_ROUNDS, Math.floor((0.75 * budget) / Math.max(round, 1e-3))));
+
+  const samples = players.map((): number[] => []);
+  for (let r = 0; r < rounds; r++) {
+    for (let k = 0; k < players.length; k++) {
+      const i = (r + k) % players.length;
+      const [ms, seconds] = time(players[i], times[i]);
+      samples[i].push((1000 * ms) / seconds);
+    }
+  }
+  return samples.map((list) => {
+    list.sort((a, b) => a - b);
+    return { minimum: list[0], median: list[list.length >> 1] };
+  });
+}
+
+/** Plays scripts of levels at one setting, one after the other. */
+export function playerOf(
+  runs: readonly { readonly level: Level; readonly holds: readonly Hold[] }[],
+  accuracy: Accuracy,
+  maxTicks: number,
+): Player {
+  const made = runs.map(({ level, holds }) => ({
+    simulation: createSimulation(compile(level, accuracy)),
+    script: joinHolds(holds),
+  }));
+  return {
+    play() {
+      let seconds = 0;
+      for (const { simulation, script } of made) {
+        simulation.reset();
+        playScript(simulation, script, maxTicks);
+        seconds += simulation.ending?.time ?? simulation.tick * TICK;
+      }
+      return seconds;
+    },
+  };
+}
