@@ -1,5 +1,5 @@
-import type { Scene } from '../engine/index.ts';
-import type { Level } from '../schema/index.ts';
+import { createSimulation, joinHolds, playScript, type Scene, TICK_RATE } from '../engine/index.ts';
+import type { Hold, Level } from '../schema/index.ts';
 import type { ShownProblem } from './shown-problem.ts';
 
 /** What simulating a run took. */
@@ -38,4 +38,16 @@ export function countObjects(level: Level): Record<string, number> {
     minerals: level.minerals.length,
     runs: level.runs.length,
   };
+}
+
+/**
+ * Plays a script for the work that it takes, nothing recorded.
+ * @param maxTime s
+ */
+export function measureWork(scene: Scene, holds: readonly Hold[], maxTime: number): Work {
+  const simulation = createSimulation(scene);
+  playScript(simulation, joinHolds(holds), Math.round(maxTime * TICK_RATE));
+  if ('work' in simulation) return simulation.work as Work;
+  // a frame of `arcade` is a piece with one evaluation; it tests contacts at frames: no guard is followed, no root sought
+  return { pieces: simulation.tick, forceEvaluations: simulation.tick, guards: 0, roots: 0 };
 }

@@ -3,7 +3,7 @@ import type { Command } from 'commander';
 import { type AccuracyName, compile, simulate } from '../../engine/index.ts';
 import { colorsFor } from '../colors.ts';
 import type { CommandResult } from '../command.ts';
-import { countObjects, type Inspection, type Work } from '../inspection.ts';
+import { countObjects, type Inspection, measureWork, type Work } from '../inspection.ts';
 import { openLevel, warningsOf } from '../level-source.ts';
 import { accuracyOption, formatOption, maxTimeOption } from '../options.ts';
 import { inspectJson } from '../reporters/inspect-json.ts';
@@ -48,7 +48,7 @@ function inspect(file: string, options: InspectOptions): CommandResult {
       effects: scene.effects,
       counts: countObjects(level),
       modes: [],
-      work: runs.length === 0 ? NO_WORK : workOfFrames(runs[0].tick + 1),
+      work: runs.length === 0 ? NO_WORK : measureWork(scene, level.runs[0].holds, options.maxTime),
       problems: warningsOf(opened, runs),
     };
     const output = options.format === 'json' ? inspectJson(inspection) : inspectPretty(inspection, colorsFor(process.stdout));
@@ -57,6 +57,3 @@ function inspect(file: string, options: InspectOptions): CommandResult {
 }
 
 const NO_WORK: Work = { pieces: 0, forceEvaluations: 0, guards: 0, roots: 0 };
-
-/** A frame of `arcade` is a piece with one evaluation of the forces; it tests contacts at frames, so no guard is followed and no root sought. */
-const workOfFrames = (frames: number): Work => ({ pieces: frames, forceEvaluations: frames, guards: 0, roots: 0 });

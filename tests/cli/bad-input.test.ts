@@ -109,15 +109,15 @@ it('a level of 100,000 asteroids and one with overlapping holds end in a verdict
   expect(verdicts).toContainEqual(['fine/good.level.json', 'completable']);
   expect(verdicts).toContainEqual(['fine/overlapping.level.json', 'completable']);
   expect(verdicts[0][0]).toBe('fine/crowd.level.json');
-  expect(['completable', 'invalid']).toContain(verdicts[0][1]);
-  expect([0, 1]).toContain(code);
+  expect(verdicts[0][1]).toBe('invalid');
+  expect(code).toBe(1);
 });
 
-it('a byte order mark is a problem with a way out, or harmless', async () => {
+it('a byte order mark is a problem with a way out', async () => {
   const checked = await gq(['check', 'bom', '--format', 'json'], { cwd });
   const [level] = JSON.parse(checked.stdout).levels;
   expect(level.problems.map((p: { code: string }) => p.code)).toContain('byte-order-mark');
-  expect(checked.code).toBe(level.verdict === 'completable' ? 0 : 1);
+  expect([level.verdict, checked.code]).toEqual(['invalid', 1]);
 });
 
 describe('a path that matches nothing', () => {
@@ -157,30 +157,10 @@ describe('a path that matches nothing', () => {
   });
 });
 
-describe('holds on the command line', () => {
-  const WRONG: readonly [holds: string, caret: number, why: string][] = [
-    ['96-12', 0, 'the release (12) must be later than the press (96)'],
-    ['12-12', 0, 'the release (12) must be later'],
-    ['12-96,90-188', 6, 'this hold begins at 90, before the one before it ends (96)'],
-    ['-5-10', 0, 'expected the tick of a press here'],
-    ['12-x', 3, 'expected the tick of a release here (a whole number from 0 to 216000), found "x"'],
-    ['12', 2, 'expected "-" and the tick of the release after 12'],
-    ['12-96;', 5, 'expected "," and another hold, or the end'],
-    ['12-96,', 6, 'found the end'],
-    ['1.5-3', 1, 'expected "-"'],
-    ['0-99999999999999999999', 2, 'is beyond 216000'],
-  ];
-
-  it('are refused with what was expected and a caret under the place', async () => {
-    const ended = await Promise.all(WRONG.map(([holds]) => gq(['simulate', 'fine/good.level.json', '--holds', holds], { cwd })));
-    for (const [i, [holds, caret, why]] of WRONG.entries()) {
-      const { code, stdout, stderr } = ended[i];
-      expect({ code, stdout }, holds).toEqual({ code: 2, stdout: '' });
-      expect(stderr, holds).toContain('like 12-96,130-188; or none');
-      expect(stderr, holds).toContain(`\n  ${holds}\n  ${' '.repeat(caret)}^ `);
-      expect(stderr, holds).toContain(why);
-    }
-  });
+it('holds on the command line that make no sense are refused with a caret under the place', async () => {
+  const { code, stdout, stderr } = await gq(['simulate', 'fine/good.level.json', '--holds', '12-96,90-188'], { cwd });
+  expect({ code, stdout }).toEqual({ code: 2, stdout: '' });
+  expect(stderr).toContain('\n  12-96,90-188\n        ^ this hold begins at 90, before the one before it ends (96)\n');
 });
 
 describe('options that make no sense', () => {

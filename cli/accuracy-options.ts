@@ -1,0 +1,96 @@
+import { type Command, Option } from 'commander';
+import { ACCURACIES, type Accuracy, type AccuracyName, DEFAULT_ACCURACY } from '../engine/index.ts';
+import { accuracyOf } from '../engine/work-precision/index.ts';
+import { Failure } from './failure.ts';
+import { numberOption } from './options.ts';
+
+/** What the options that `addAccuracyOptions` declares leave behind. */
+export interface AccuracyOptions {
+  readonly accuracy?: AccuracyName;
+  readonly integrator?: 'euler' | 'verlet' | 'rk4' | 'taylor';
+  readonly rate?: number;
+  readonly tolerance?: number;
+  readonly contact?: 'frame' | 'swept';
+}
+
+const HIGHEST_RATE = 100_000;
+/** px: below this the rounding of doubles is all that is left */
+const TIGHTEST = 1e-14;
+
+const EXAMPLES = 'for example --integrator rk4 --rate 120, or --integrator taylor --tolerance 1e-6';
+
+/** Declares `--accuracy` and the parts of a setting of one's own. */
+export function addAccuracyOptions(command: Command): Command {
+  return command
+    .addOption(
+      new Option('--accuracy <name>', `how exactly to simulate (default: "${DEFAULT_ACCURACY}")`).choices(
+        Object.keys(ACCURACIES),
+      ),
+    )
+    .addOption(
+      new Option('--integrator <name>', 'a setting of your own instead: how motion is advanced').choices([
+        'euler',
+        'verlet',
+        'rk4',
+        'taylor',
+      ]),
+    )
+    .option('--rate <hz>', 'its steps a second, of euler, verlet and rk4', numberOption('steps a second', 0, HIGHEST_RATE))
+    .option('--tolerance <px>', 'its error a second, of taylor', parseTolerance)
+    .addOption(
+      new Option('--contact <test>', 'its contact test: along the whole way, or once a frame (default: "swept")').choices([
+        'frame',
+        'swept',
+      ]),
+    );
+}
+
+const parseTolerance = (text: string): number => {
+  const value = numberOption('an error in px', 0, 1)(text);
+  if (value >= TIGHTEST) return value;
+  throw new Failure(`--tolerance ${text}: expected an error of at least ${TIGHTEST} px: doubles round by more than that`);
+};
+
+/**
+ * The accuracy that the options ask for; the default one when they ask for none.
+ * @throws Failure when they don't go together
+ */
+export function chooseAccuracy(options: AccuracyOptions): Accuracy {
+  return customAccuracy(options) ?? ACCURACIES[options.accuracy ?? DEFAULT_ACCURACY];
+}
+
+/**
+ * The setting of their own that the options spell out; null when they don't.
+ * @throws Failure when they don't go together
+ */
+export function customAccuracy({ accuracy, integrator, rate, tolerance, contact }: AccuracyOptions): Accuracy | null {
+  if (integrator === undefined) {
+    const part =
+      rate !== undefined ? '--rate' : tolerance !== undefined ? '--tolerance' : contact !== undefined ? '--contact' : '';
+    if (part === '') return null;
+    throw new Failure(`${part} is a part of a setting of your own: expected --integrator with it, ${EXAMPLES}`);
+  }
+  if (accuracy !== undefined) {
+    throw new Failure(`--accuracy ${accuracy} and --integrator ${integrator} exclude each other: give a name or the parts`);
+  }
+  if (integrator === 'taylor') {
+    if (rate !== undefined) {
+      throw new Failure(
+        `--rate ${rate}: taylor chooses its own steps: expected --tolerance instead, for example --tolerance 1e-6`,
+      );
+    }
+    if (tolerance === undefined) {
+      throw new Failure('--integrator taylor: expected --tolerance with it, an error in px, for example --tolerance 1e-6');
+    }
+  } else {
+    if (tolerance !== undefined) {
+      throw new Failure(
+        `--tolerance ${tolerance}: ${integrator} has fixed steps: expected --rate instead, for example --rate 120`,
+      );
+    }
+    if (rate === undefined) {
+      throw new Failure(`--integrator ${integrator}: expected --rate with it, steps a second, for example --rate 120`);
+    }
+  }
+  return accuracyOf({ integrator, rate: rate ?? null, tolerance: tolerance ?? null, contact: contact ?? 'swept' });
+}
