@@ -1,7 +1,10 @@
 import type { Flow } from './flow.ts';
 import { valueAt } from './polynomial.ts';
 
+// scratch: accelerations at the stages, and what a step adds
 const a = new Float64Array(8);
+const gain = new Float64Array(4);
+const unused = new Float64Array(4);
 
 /** Semi-implicit Euler: v1 = v0 + a0 h, x = x0 + v1 t. */
 export function eulerStep(flow: Flow, x: Float64Array, y: Float64Array, h: number): void {
@@ -19,37 +22,68 @@ export function verletStep(flow: Flow, x: Float64Array, y: Float64Array): void {
   y[2] = a[1] / 2;
 }
 
+/** Place and velocity after `t` of a Verlet step: the velocity by the mean of the accelerations at both ends. */
+export function verletEnd(flow: Flow, x: Float64Array, y: Float64Array, t: number, out: Float64Array): void {
+  flow.accelerate(x[0], y[0], a, 0);
+  out[0] = ((a[0] / 2) * t + x[1]) * t + x[0];
+  out[1] = ((a[1] / 2) * t + y[1]) * t + y[0];
+  flow.accelerate(out[0], out[1], a, 2);
+  out[2] = x[1] + (a[0] / 2 + a[2] / 2) * t;
+  out[3] = y[1] + (a[1] / 2 + a[3] / 2) * t;
+}
+
 /**
- * Classical 4th-order Runge-Kutta for x'' = f(x), as the cubic that meets place and velocity at both ends.
- * Writes place and velocity at the end to `end`: x, y, vx, vy.
+ * Classical 4th-order Runge-Kutta for x'' = f(x): place and velocity after `h`, into out[0..3].
+ * Leaves in `gain` what the step adds: the place beyond h v0, and the velocity.
  */
-export function rungeKuttaStep(flow: Flow, x: Float64Array, y: Float64Array, h: number, end: Float64Array): void {
+export function rungeKuttaEnd(flow: Flow, x: Float64Array, y: Float64Array, h: number, out: Float64Array): void {
   const x0 = x[0];
   const y0 = y[0];
   const vx = x[1];
   const vy = y[1];
   const half = h / 2;
-  const quarter = (h * h) / 4;
+  const quarter = half * half;
   flow.accelerate(x0, y0, a, 0);
-  flow.accelerate(x0 + half * vx, y0 + half * vy, a, 2);
-  flow.accelerate(x0 + half * vx + quarter * a[0], y0 + half * vy + quarter * a[1], a, 4);
-  flow.accelerate(x0 + h * vx + 2 * quarter * a[2], y0 + h * vy + 2 * quarter * a[3], a, 6);
-  const sixth = (h * h) / 6;
-  const stepX = h * vx + sixth * (a[0] + a[2] + a[4]);
-  const stepY = h * vy + sixth * (a[1] + a[3] + a[5]);
-  const gainX = (h / 6) * (a[0] + 2 * a[2] + 2 * a[4] + a[6]);
-  const gainY = (h / 6) * (a[1] + 2 * a[3] + 2 * a[5] + a[7]);
-  end[0] = x0 + stepX;
-  end[1] = y0 + stepY;
-  end[2] = vx + gainX;
-  end[3] = vy + gainY;
-  // what the cubic adds to the straight line, from the increments: no digits are lost
-  const bendX = (stepX - h * vx) / h;
-  const bendY = (stepY - h * vy) / h;
-  x[2] = (3 * bendX - gainX) / h;
-  y[2] = (3 * bendY - gainY) / h;
-  x[3] = (gainX - 2 * bendX) / (h * h);
-  y[3] = (gainY - 2 * bendY) / (h * h);
+  const ax = a[0];
+  const ay = a[1];
+  const middleX = x0 + half * vx;
+  const middleY = y0 + half * vy;
+  flow.accelerate(middleX, middleY, a, 0);
+  const bx = a[0];
+  const by = a[1];
+  flow.accelerate(middleX + quarter * ax, middleY + quarter * ay, a, 0);
+  const cx = a[0];
+  const cy = a[1];
+  flow.accelerate(x0 + h * vx + 2 * quarter * bx, y0 + h * vy + 2 * quarter * by, a, 0);
+  const sixth = h / 6;
+  const gx = sixth * h * (ax + bx + cx);
+  const gy = sixth * h * (ay + by + cy);
+  const gvx = sixth * (ax + 2 * (bx + cx) + a[0]);
+  const gvy = sixth * (ay + 2 * (by + cy) + a[1]);
+  gain[0] = gx;
+  gain[1] = gy;
+  gain[2] = gvx;
+  gain[3] = gvy;
+  out[0] = x0 + (h * vx + gx);
+  out[1] = y0 + (h * vy + gy);
+  out[2] = vx + gvx;
+  out[3] = vy + gvy;
+}
+
+/** The same step as the cubic that meets place and velocity at both ends. */
+export function rungeKuttaStep(flow: Flow, x: Float64Array, y: Float64Array, h: number): void {
+  rungeKuttaEnd(flow, x, y, h, unused);
+  cubic(x, y, h);
+}
+
+/** The cubic from what a step adds to the straight line: no digits are lost. */
+function cubic(x: Float64Array, y: Float64Array, h: number): void {
+  const bendX = gain[0] / h;
+  const bendY = gain[1] / h;
+  x[2] = (3 * bendX - gain[2]) / h;
+  y[2] = (3 * bendY - gain[3]) / h;
+  x[3] = (gain[2] - 2 * bendX) / (h * h);
+  y[3] = (gain[3] - 2 * bendY) / (h * h);
 }
 
 /** How a body that another one drags along is advanced: q'' = kappa d / |d|, with d read from a known piece. */
@@ -93,14 +127,12 @@ export const dragRungeKutta: DragStep = (qx, qy, ax, ay, degree, kappa, chase, h
     kappa,
     6,
   );
-  const bendX = (h / 6) * (a[0] + a[2] + a[4]);
-  const bendY = (h / 6) * (a[1] + a[3] + a[5]);
-  const gainX = (h / 6) * (a[0] + 2 * a[2] + 2 * a[4] + a[6]);
-  const gainY = (h / 6) * (a[1] + 2 * a[3] + 2 * a[5] + a[7]);
-  qx[2] = (3 * bendX - gainX) / h;
-  qy[2] = (3 * bendY - gainY) / h;
-  qx[3] = (gainX - 2 * bendX) / (h * h);
-  qy[3] = (gainY - 2 * bendY) / (h * h);
+  const sixth = h / 6;
+  gain[0] = sixth * h * (a[0] + a[2] + a[4]);
+  gain[1] = sixth * h * (a[1] + a[3] + a[5]);
+  gain[2] = sixth * (a[0] + 2 * a[2] + 2 * a[4] + a[6]);
+  gain[3] = sixth * (a[1] + 2 * a[3] + 2 * a[5] + a[7]);
+  cubic(qx, qy, h);
 };
 
 /** The same with the acceleration at the start of the step, as a quadratic: for Euler and Verlet. */

@@ -1,7 +1,16 @@
 import type { Accuracy } from '../accuracy.ts';
-import { dragQuadratic, dragRungeKutta, type DragStep, eulerStep, rungeKuttaStep, verletStep } from './fixed-step.ts';
+import {
+  type DragStep,
+  dragQuadratic,
+  dragRungeKutta,
+  eulerStep,
+  rungeKuttaEnd,
+  rungeKuttaStep,
+  verletEnd,
+  verletStep,
+} from './fixed-step.ts';
 import { CENTRAL, type Flow, LINEAR } from './flow.ts';
-import { pairAt, valueAt } from './polynomial.ts';
+import { pairAt } from './polynomial.ts';
 import { centralSeries, chaserSeries, linearSeries, TAYLOR_DEGREE, taylorStep } from './taylor.ts';
 
 /**
@@ -21,8 +30,13 @@ export interface Integrator {
   chase(qx: Float64Array, qy: Float64Array, ax: Float64Array, ay: Float64Array, kappa: number, h: number): number;
   /** Bound on |u''| over the piece. */
   acceleration(flow: Flow, x: Float64Array, y: Float64Array, h: number): number;
-  /** Place and velocity after `t` of a piece of length `h`, into out[0..3]. */
-  settle(flow: Flow, x: Float64Array, y: Float64Array, t: number, h: number, out: Float64Array): void;
+  /** Place and velocity after `t` of an expanded piece, into out[0..3]. */
+  settle(flow: Flow, x: Float64Array, y: Float64Array, t: number, out: Float64Array): void;
+  /**
+   * Advances place and velocity in x[0..1], y[0..1] by a whole step: the bits that `expand` and `settle` would give,
+   * without the piece. null where there are no fixed steps.
+   */
+  readonly advance: ((flow: Flow, x: Float64Array, y: Float64Array, h: number) => void) | null;
 }
 
 /** A Taylor piece in accelerated flow is cut here, so that bounds over it stay tight, s. */
@@ -66,34 +80,36 @@ function taylor(tolerance: number): Integrator {
       const d = Math.sqrt(x[0] * x[0] + y[0] * y[0]) + (Math.sqrt(x[1] * x[1] + y[1] * y[1]) + alpha * h) * h;
       return Math.max(alpha, flow.beta * d);
     },
-    settle(_flow, x, y, t, _h, out) {
+    settle(_flow, x, y, t, out) {
       pairAt(x, y, TAYLOR_DEGREE, t, out, 0);
     },
+    advance: null,
   };
 }
 
-/** A step near the centre of the force covers at most a part of the distance to it. */
-function closePass(flow: Flow, x: Float64Array, y: Float64Array, longest: number): number {
+/** The length of a step: near the centre of the force it covers at most a part of the distance to it. */
+export function closePass(flow: Flow, x: Float64Array, y: Float64Array, longest: number): number {
   if (flow.kind !== CENTRAL) return longest;
-  const d = Math.sqrt(x[0] * x[0] + y[0] * y[0]);
-  const v = Math.sqrt(x[1] * x[1] + y[1] * y[1]) + Math.sqrt(Math.abs(flow.alpha) * d);
-  return Math.min(longest, (CLOSE_PASS * d) / v);
+  const d2 = x[0] * x[0] + y[0] * y[0];
+  const v2 = x[1] * x[1] + y[1] * y[1];
+  const alpha = Math.abs(flow.alpha);
+  // (v + w)^2 <= 2 v^2 + 2 w^2: far away no root is needed
+  const far = (CLOSE_PASS * CLOSE_PASS * d2) / (longest * longest);
+  if (far > 2 * v2 && (far - 2 * v2) * (far - 2 * v2) > 4 * alpha * alpha * d2) return longest;
+  const d = Math.sqrt(d2);
+  return Math.min(longest, (CLOSE_PASS * d) / (Math.sqrt(v2) + Math.sqrt(alpha * d)));
 }
 
-function fixedStep(
-  degree: number,
-  evaluations: number,
-  step: (flow: Flow, x: Float64Array, y: Float64Array, h: number, end: Float64Array) => void,
-  drag: DragStep,
-  settle: Integrator['settle'],
-): Integrator {
+type Step = (flow: Flow, x: Float64Array, y: Float64Array, h: number) => void;
+
+function fixedStep(degree: number, evaluations: number, step: Step, drag: DragStep, settle: Integrator['settle']): Integrator {
   const end = new Float64Array(4);
   return {
     degree,
     evaluations,
     expand(flow, x, y, longest, px, py, kappa) {
       const h = closePass(flow, x, y, longest);
-      step(flow, x, y, h, end);
+      step(flow, x, y, h);
       if (px !== null && py !== null) {
         if (kappa > 0) drag(px, py, x, y, degree, kappa, false, h);
         else for (let k = 2; k <= degree; k++) px[k] = py[k] = 0;
@@ -114,33 +130,24 @@ function fixedStep(
       return Math.sqrt(Math.max(first, last));
     },
     settle,
+    advance(flow, x, y, h) {
+      if (degree === 3) rungeKuttaEnd(flow, x, y, h, end);
+      else if (settle === verletEnd) verletEnd(flow, x, y, h, end);
+      else {
+        step(flow, x, y, h);
+        settle(flow, x, y, h, end);
+      }
+      x[0] = end[0];
+      y[0] = end[1];
+      x[1] = end[2];
+      y[1] = end[3];
+    },
   };
 }
 
-const at = new Float64Array(2);
-const redo = [new Float64Array(4), new Float64Array(4)];
-
-const euler = fixedStep(2, 1, eulerStep, dragQuadratic, (_flow, x, y, t, _h, out) => pairAt(x, y, 2, t, out, 0));
-
-// velocities by the mean of the accelerations at both ends, for whatever part of the step was made
-const verlet = fixedStep(2, 1, verletStep, dragQuadratic, (flow, x, y, t, _h, out) => {
-  out[0] = valueAt(x, 2, t);
-  out[1] = valueAt(y, 2, t);
-  flow.accelerate(out[0], out[1], at, 0);
-  out[2] = x[1] + (x[2] + at[0] / 2) * t;
-  out[3] = y[1] + (y[2] + at[1] / 2) * t;
-});
-
-// a step cut short is made anew with its own length: better than reading the cubic inside
-const rungeKutta = fixedStep(3, 4, rungeKuttaStep, dragRungeKutta, (flow, x, y, t, _h, out) => {
-  if (t <= 0) {
-    pairAt(x, y, 1, 0, out, 0);
-    return;
-  }
-  redo[0].set(x.subarray(0, 2));
-  redo[1].set(y.subarray(0, 2));
-  rungeKuttaStep(flow, redo[0], redo[1], t, out);
-});
+const euler = fixedStep(2, 1, eulerStep, dragQuadratic, (_flow, x, y, t, out) => pairAt(x, y, 2, t, out, 0));
+const verlet = fixedStep(2, 1, verletStep, dragQuadratic, verletEnd);
+const rungeKutta = fixedStep(3, 4, rungeKuttaStep, dragRungeKutta, rungeKuttaEnd);
 
 /** The integrator an accuracy names; a Taylor piece may err by a thousandth of the tolerance. */
 export function integratorOf(accuracy: Accuracy): Integrator {

@@ -14,7 +14,7 @@ import type { Scene } from '../scene.ts';
 import type { BodyKind, Ending, Simulation } from '../simulation.ts';
 import { CENTRAL, COAST, Flow, LINEAR } from './flow.ts';
 import { safeStep } from './march.ts';
-import { type Integrator, integratorOf } from './integrator.ts';
+import { closePass, type Integrator, integratorOf } from './integrator.ts';
 import { NeighbourList } from './neighbour-list.ts';
 import { pairAt } from './polynomial.ts';
 import type { PieceRecorder } from './recording.ts';
@@ -97,11 +97,17 @@ const GONE = 2;
 
 const ROCK = 4;
 
+/** Bound on any acceleration of hers, px/s2, with room for what a fixed step makes of it. */
+const STRONGEST = 1.05 * GUN_PULL;
+
 // how the circle of a contact moves
 const STILL = 0;
 const DRIFTS = 1;
 const SERIES = 2;
 const IS_BASE = 3;
+
+/** What can move her between two events. */
+export const MODES = ['coast', 'pull', 'pull on a line', 'push', 'push on a line'] as const;
 
 /**
  * The game in continuous time: a hybrid automaton. Between events every body moves on a polynomial piece; guards
@@ -115,6 +121,8 @@ export class ContinuousSimulation implements Simulation {
   readonly scene: Scene;
   /** Work done since the last reset. */
   readonly work = { pieces: 0, forceEvaluations: 0, guards: 0, roots: 0 };
+  /** Time spent in each of MODES since the last reset, s. */
+  readonly modeSeconds = new Float64Array(MODES.length);
   private readonly s: Float64Array;
   private readonly start: Float64Array;
   private readonly ux: Float64Array;
@@ -244,6 +252,9 @@ export class ContinuousSimulation implements Simulation {
   reset(): void {
     this.s.set(this.start);
     this.setFlow();
+    this.modeSeconds.fill(0);
+    const { work } = this;
+    work.pieces = work.forceEvaluations = work.guards = work.roots = 0;
   }
 
   snapshot(into?: Float64Array): Float64Array {
@@ -341,7 +352,7 @@ export class ContinuousSimulation implements Simulation {
     while (s[OUTCOME] === 0 && s[START] + s[NEXT] <= time) {
       still = s[NEXT] > s[FROM] ? 0 : still + 1;
       if (still > 10_000) throw new Error(`more than 10,000 events at ${s[START] + s[NEXT]} s: the run does not go on`);
-      this.fire();
+      this.fire(time);
     }
   }
 
@@ -368,10 +379,17 @@ export class ContinuousSimulation implements Simulation {
     this.recorder?.event({ time, type: 'target', index: this.scene.targets.index[this.s[TARGET]] });
   }
 
+  /** Index into MODES. */
+  private get mode(): number {
+    const { s } = this;
+    return s[KIND] === COAST ? 0 : s[KIND] + (s[FIELD] >= 0 ? 2 : 0);
+  }
+
   /** Ends the piece after `t`: everything is put where it is then, and the next piece begins at `time`. */
   private stop(t: number, time: number): void {
     const { s, e, ux, uy, px, py } = this;
     this.recorder?.piece(this, t);
+    this.modeSeconds[this.mode] += t;
     this.directionAt(t);
     s[COS] = e[8];
     s[SIN] = e[9];
@@ -419,7 +437,7 @@ export class ContinuousSimulation implements Simulation {
   }
 
   /** What happens at the event that was located. */
-  private fire(): void {
+  private fire(until: number): void {
     const { s, scene, recorder } = this;
     const kind = s[EVENT];
     const a = s[EVENT_A];
@@ -434,6 +452,11 @@ export class ContinuousSimulation implements Simulation {
     }
     this.stop(s[NEXT], time);
     s[LAST_EVENT] = 0;
+    if (kind === PIECE_END) {
+      if (this.integrator.advance !== null && recorder === null) this.skipQuietSteps(until);
+      this.proceed();
+      return;
+    }
     switch (kind) {
       case NOVA:
       case HOT:
@@ -527,7 +550,7 @@ export class ContinuousSimulation implements Simulation {
   private settleAt(t: number): void {
     const { s, e } = this;
     if (s[KIND] === COAST) pairAt(this.ux, this.uy, 1, t, e, 0);
-    else this.integrator.settle(this.flow, this.ux, this.uy, t, s[LENGTH_H], e);
+    else this.integrator.settle(this.flow, this.ux, this.uy, t, e);
     if (this.recoil) pairAt(this.px, this.py, s[DEGREE], t, e, 4);
     else e[4] = e[5] = e[6] = e[7] = 0;
   }
@@ -686,9 +709,113 @@ export class ContinuousSimulation implements Simulation {
     } else if (held && field >= 0) {
       s[TURN] = TURN_TO_TARGET;
     }
+    this.proceed();
+  }
+
+  /** The next piece of the same flow. */
+  private proceed(): void {
     this.setFlow();
     this.expand();
     this.locate();
+  }
+
+  /**
+   * Makes the fixed steps during which nothing can happen, up to `until`, without looking for events: those that she
+   * needs at least to cover the distance to the nearest guard. Gives the bits that piece after piece would.
+   */
+  private skipQuietSteps(until: number): void {
+    const { s, ux, uy, flow, integrator, work } = this;
+    const { rate } = this.scene.accuracy;
+    if (integrator.advance === null || rate === null || this.recoil || s[KIND] === COAST) return;
+    const v = Math.sqrt(ux[1] * ux[1] + uy[1] * uy[1]);
+    if (v > SPEED_LIMIT / 2) return;
+    const end = Math.min(until, s[START] + this.quietTime());
+    const from = s[START];
+    let start = from;
+    let steps = 0;
+    for (;;) {
+      const longest = (Math.floor(start * rate + 1e-7) + 1) / rate - start;
+      const h = closePass(flow, ux, uy, longest);
+      if (start + h > end) break;
+      if (flow.kind === LINEAR) this.setFlow();
+      integrator.advance(flow, ux, uy, h);
+      start += h;
+      steps++;
+    }
+    s[START] = start;
+    this.modeSeconds[this.mode] += start - from;
+    work.pieces += steps;
+    work.forceEvaluations += steps * integrator.evaluations;
+  }
+
+  /**
+   * For how long no guard can fire whatever the flow does, s: first strides of the march, with bounds that hold for any
+   * piece. 0 while an alien is awake.
+   */
+  private quietTime(): number {
+    const { s, scene, near, ux, uy } = this;
+    const { novae, targets, minerals, repulsors, aliens, level } = scene;
+    const x = s[BASE_X] + ux[0];
+    const y = s[BASE_Y] + uy[0];
+    const vx = ux[1];
+    const vy = uy[1];
+    const v = Math.sqrt(vx * vx + vy * vy);
+    const longest = 4;
+    const reach = (v + STRONGEST * longest) * longest;
+    // the list must hold for the whole stretch; a shorter one is better than making it anew too often
+    if (!near.covers(x, y, Math.min(reach, 16), s[TARGET])) this.refresh(x, y, 64);
+    const gone = Math.sqrt((x - near.x) * (x - near.x) + (y - near.y) * (y - near.y));
+    let time = Math.min(longest, safeStep(near.skin - gone, -v, STRONGEST));
+    const outOf = (cx: number, cy: number, r: number) => {
+      const dx = x - cx;
+      const dy = y - cy;
+      const d = Math.sqrt(dx * dx + dy * dy);
+      // the distance from a point is convex
+      time = d > r ? Math.min(time, safeStep(d - r, (dx * vx + dy * vy) / d, STRONGEST)) : 0;
+    };
+    for (let n = 0; n < near.count && time > 0; n++) {
+      if (near.slack[n] > gone + (v + STRONGEST * time) * time) continue;
+      const i = near.index[n];
+      const margin = HALF_DIAGONAL + 1e-6;
+      switch (near.kind[n]) {
+        case NOVA:
+          outOf(novae.x[i] - this.originX, novae.y[i] - this.originY, novae.r[i] + margin);
+          break;
+        case HOT:
+          outOf(this.targetX[i], this.targetY[i], targets.r[i] + margin);
+          break;
+        case HOLE:
+          outOf(level.blackHole.x - this.originX, level.blackHole.y - this.originY, level.blackHole.radius + margin);
+          break;
+        case MINERAL:
+          if (s[this.minerals + i] === 0) outOf(minerals.x[i] - this.originX, minerals.y[i] - this.originY, minerals.r[i] + margin);
+          break;
+        case ENTER: {
+          const dx = x + this.originX - repulsors.x[i];
+          const dy = y + this.originY - repulsors.y[i];
+          const d = Math.sqrt(dx * dx + dy * dy);
+          const slope = d > repulsors.r[i] ? (dx * vx + dy * vy) / d : -v;
+          time = Math.min(time, safeStep(Math.max(0, Math.abs(d - repulsors.r[i]) - 1e-6), slope, STRONGEST));
+          break;
+        }
+        default: {
+          const g = this.switchGuard(i, 0) - 1e-6;
+          const mx = this.targetX[i] - this.targetX[s[TARGET]];
+          const my = this.targetY[i] - this.targetY[s[TARGET]];
+          const m = Math.sqrt(mx * mx + my * my);
+          time = g > 0 ? Math.min(time, safeStep(g, this.e[9], 2 * m * STRONGEST)) : 0;
+        }
+      }
+    }
+    const left = level.range - Math.sqrt(this.distanceSquared(s[COVER])) - 1e-6;
+    time = left > 0 ? Math.min(time, safeStep(left, -v, STRONGEST)) : 0;
+    if (s[KIND] === LINEAR) time = Math.min(time, safeStep(Math.sqrt(ux[0] * ux[0] + uy[0] * uy[0]), -v, STRONGEST));
+    for (let i = 0; i < aliens.count; i++) {
+      const o = this.chasers + CHASER * i;
+      if (s[o + 4] === AWAKE) return 0;
+      if (s[o + 4] !== GONE) outOf(s[o], s[o + 1], Math.max(ALIEN_SIGHT, aliens.r[i] + HALF_DIAGONAL) + 1e-6);
+    }
+    return time;
   }
 
   /** The acceleration of the target's recoil, px/s2; 0 where it has none. */
