@@ -29,3 +29,18 @@ export type AccuracyName = keyof typeof ACCURACIES;
 export const DEFAULT_ACCURACY: AccuracyName = 'precise';
 
 export const isAccuracyName = (name: string): name is AccuracyName => Object.hasOwn(ACCURACIES, name);
+
+/** What a setting is called where it has no name of its own: `rk4 120 Hz, frame`. Swept contacts go without saying. */
+function nameOfSetting({ integrator, rate, tolerance, contact }: Omit<Accuracy, 'name'>): string {
+  const size = rate === null ? `${tolerance?.toExponential()} px` : `${rate} Hz`;
+  return `${integrator} ${size}${contact === 'frame' ? ', frame' : ''}`;
+}
+
+const sameSetting = (a: Omit<Accuracy, 'name'>, b: Accuracy): boolean =>
+  a.integrator === b.integrator && a.rate === b.rate && a.tolerance === b.tolerance && a.contact === b.contact;
+
+/** The accuracy with these settings: the named one where there is one, else called by its parts. */
+export function accuracyOf(setting: Omit<Accuracy, 'name'>): Accuracy {
+  const named = Object.values<Accuracy>(ACCURACIES).find((accuracy) => sameSetting(setting, accuracy));
+  return named ?? { name: nameOfSetting(setting), ...setting };
+}

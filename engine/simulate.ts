@@ -1,12 +1,12 @@
 import type { Hold } from '../schema/index.ts';
 import { ArcadeSimulation, FrameRecorder } from './arcade/index.ts';
 import type { Clearance } from './clearance.ts';
-import { ContinuousSimulation, PieceRecorder } from './continuous/index.ts';
 import { DEFAULT_MAX_TIME, TICK, TICK_RATE } from './constants.ts';
+import { ContinuousSimulation, PieceRecorder } from './continuous/index.ts';
 import { Hash } from './hash.ts';
 import type { Scene } from './scene.ts';
 import { joinHolds, playScript } from './script.ts';
-import { type Outcome, type RunEvent, type Simulation, STATE_SIZE, type Touched } from './simulation.ts';
+import { type Mode, type Outcome, type RunEvent, type Simulation, STATE_SIZE, type Touched, type Work } from './simulation.ts';
 import type { Trajectory } from './trajectory.ts';
 
 /** x, y in px, vx, vy in px/s; cos, sin: direction of the box's x axis, a unit vector. */
@@ -33,6 +33,9 @@ export interface Run {
   readonly clearance: Clearance | null;
   readonly final: State;
   readonly trajectory: Trajectory;
+  readonly work: Work;
+  /** Share of the simulated time in each mode of motion. */
+  readonly modes: readonly Mode[];
   /** Over the state at every tick, every event and the final state, bit for bit; the same in every JavaScript engine. */
   readonly hash: string;
 }
@@ -58,20 +61,32 @@ export function simulate(scene: Scene, holds: readonly Hold[], options: Simulate
   if (simulation instanceof ContinuousSimulation) simulation.recordLast();
 
   const ending = simulation.ending;
+  const outcome = ending?.outcome ?? 'timeout';
   const { events } = recorder;
   const state = new Float64Array(STATE_SIZE);
   simulation.readState(state);
+  // looked at by some, and dearer than the run itself: made when asked for
+  let clearance: Clearance | null | undefined;
+  let hash: string | undefined;
   return {
-    outcome: ending?.outcome ?? 'timeout',
+    outcome,
     with: ending?.with ?? null,
     time: ending?.time ?? maxTicks * TICK,
     tick: ending?.tick ?? maxTicks,
     minerals: events.flatMap((e) => (e.type === 'mineral' ? [{ index: e.index, time: e.time }] : [])),
     events,
-    clearance: recorder.clearance,
+    get clearance() {
+      if (clearance === undefined) clearance = recorder.clearance();
+      return clearance;
+    },
     final: { x: state[0], y: state[1], vx: state[2], vy: state[3], cos: state[4], sin: state[5] },
     trajectory: recorder,
-    hash: hashRun(recorder, events, state, ending?.outcome ?? 'timeout'),
+    work: simulation.work,
+    modes: simulation.modes,
+    get hash() {
+      if (hash === undefined) hash = hashRun(recorder, events, state, outcome);
+      return hash;
+    },
   };
 }
 

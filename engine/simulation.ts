@@ -30,6 +30,20 @@ export type RunEvent =
   | { readonly time: number; readonly type: 'explosion'; readonly aliens: readonly [number, number] }
   | { readonly time: number; readonly type: Exclude<Outcome, 'timeout'>; readonly with: Touched | null };
 
+/** What a run cost. Under `arcade` a piece is a frame, and a guard a test for contact. */
+export interface Work {
+  readonly pieces: number;
+  readonly forceEvaluations: number;
+  readonly guards: number;
+  readonly roots: number;
+}
+
+/** A mode of motion and its share of the simulated time, 0 to 1. */
+export interface Mode {
+  readonly name: string;
+  readonly share: number;
+}
+
 /** Doubles per state in a trajectory: x, y (px), vx, vy (px/s), cos, sin of the box's x axis. */
 export const STATE_SIZE = 6;
 
@@ -43,6 +57,10 @@ export interface Simulation {
   readonly tick: number;
   /** How it ended, or null while it goes on. */
   readonly ending: Ending | null;
+  /** Work done since the start or the last reset. */
+  readonly work: Work;
+  /** How the time since then was spent. */
+  readonly modes: readonly Mode[];
   /** Minerals counted so far. */
   readonly mineralCount: number;
   /**

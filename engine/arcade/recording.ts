@@ -11,20 +11,17 @@ export class FrameRecorder implements Trajectory {
   private rows: Float64Array;
   private count = 0;
   private wasHeld = false;
-  private readonly near: ClearanceTracker;
+  private readonly state = new Float64Array(STATE_SIZE);
   private readonly aliens: Float64Array;
   private readonly asteroids: Float64Array;
+  private readonly asteroidsMove: boolean;
 
   constructor(private readonly scene: Scene) {
     this.aliens = new Float64Array(3 * scene.aliens.count);
     this.asteroids = new Float64Array(2 * scene.targets.count);
-    this.width = STATE_SIZE + this.aliens.length;
+    this.asteroidsMove = scene.level.recoil;
+    this.width = STATE_SIZE + this.aliens.length + (this.asteroidsMove ? this.asteroids.length : 0);
     this.rows = new Float64Array(this.width * 1024);
-    this.near = new ClearanceTracker(scene);
-  }
-
-  get clearance(): Clearance | null {
-    return this.near.best;
   }
 
   get duration(): number {
@@ -32,13 +29,36 @@ export class FrameRecorder implements Trajectory {
   }
 
   at(time: number, out: Float64Array): void {
-    const o = this.width * this.rowAt(time);
-    for (let i = 0; i < STATE_SIZE; i++) out[i] = this.rows[o + i];
+    this.read(this.rowAt(time), 0, STATE_SIZE, out);
   }
 
   aliensAt(time: number, out: Float64Array): void {
-    const o = this.width * this.rowAt(time) + STATE_SIZE;
-    for (let i = 0; i < this.aliens.length; i++) out[i] = this.rows[o + i];
+    this.read(this.rowAt(time), STATE_SIZE, this.aliens.length, out);
+  }
+
+  asteroidsAt(time: number, out: Float64Array): void {
+    if (this.asteroidsMove) {
+      this.read(this.rowAt(time), STATE_SIZE + this.aliens.length, this.asteroids.length, out);
+      return;
+    }
+    for (const [i, { x, y }] of this.scene.level.asteroids.entries()) {
+      out[2 * i] = x;
+      out[2 * i + 1] = y;
+    }
+  }
+
+  /** The smallest gap to a hazard at any frame. */
+  clearance(): Clearance | null {
+    const { scene, state, aliens, asteroids } = this;
+    const near = new ClearanceTracker(scene);
+    this.asteroidsAt(0, asteroids);
+    for (let row = 0; row < this.count; row++) {
+      this.read(row, 0, STATE_SIZE, state);
+      this.read(row, STATE_SIZE, aliens.length, aliens);
+      if (this.asteroidsMove) this.read(row, STATE_SIZE + aliens.length, asteroids.length, asteroids);
+      near.see(row * TICK, state[0], state[1], state[4], state[5], aliens, asteroids);
+    }
+    return near.best;
   }
 
   private rowAt(time: number): number {
@@ -46,20 +66,33 @@ export class FrameRecorder implements Trajectory {
     return Math.min(this.count - 1, Math.max(0, Math.floor(time * TICK_RATE + 1e-6)));
   }
 
+  private read(row: number, from: number, length: number, out: Float64Array): void {
+    const o = this.width * row + from;
+    for (let i = 0; i < length; i++) out[i] = this.rows[o + i];
+  }
+
+  private write(from: number, values: Float64Array): void {
+    const o = this.width * this.count + from;
+    for (let i = 0; i < values.length; i++) this.rows[o + i] = values[i];
+  }
+
   /** Keeps the state of a simulation at the end of a frame. */
   row(simulation: Simulation): void {
-    const o = this.width * this.count;
-    if (o === this.rows.length) {
+    if (this.width * this.count === this.rows.length) {
       const grown = new Float64Array(2 * this.rows.length);
       grown.set(this.rows);
       this.rows = grown;
     }
-    const row = this.rows.subarray(o, o + this.width);
-    simulation.readState(row);
-    simulation.readAliens(this.aliens);
-    simulation.readAsteroids(this.asteroids);
-    row.set(this.aliens, STATE_SIZE);
-    this.near.see(this.count * TICK, row[0], row[1], row[4], row[5], this.aliens, this.asteroids);
+    simulation.readState(this.state);
+    this.write(0, this.state);
+    if (this.aliens.length > 0) {
+      simulation.readAliens(this.aliens);
+      this.write(STATE_SIZE, this.aliens);
+    }
+    if (this.asteroidsMove) {
+      simulation.readAsteroids(this.asteroids);
+      this.write(STATE_SIZE + this.aliens.length, this.asteroids);
+    }
     this.count++;
   }
 

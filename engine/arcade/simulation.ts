@@ -1,12 +1,12 @@
 import { ALIEN_PULL, ALIEN_SIGHT, EXPLOSION_FRAMES, GUN_PULL, REPULSOR_PUSH, SPEED_LIMIT, TICK } from '../constants.ts';
 import { boxOverlapsCircle, circlesOverlap } from '../contact/index.ts';
 import type { Scene } from '../scene.ts';
-import type { BodyKind, Ending, Simulation } from '../simulation.ts';
+import type { BodyKind, Ending, Mode, Simulation, Work } from '../simulation.ts';
 import type { FrameRecorder } from './recording.ts';
 
 // Layout of the state: one typed array, so that a snapshot is one copy.
 const FRAME = 0;
-const HELD = 1;
+const HELD_FRAMES = 1;
 const X = 2;
 const Y = 3;
 const VX = 4;
@@ -93,6 +93,23 @@ export class ArcadeSimulation implements Simulation {
 
   get tick(): number {
     return this.s[FRAME];
+  }
+
+  get work(): Work {
+    const { targets, coldCount, novae, minerals, aliens } = this.scene;
+    const pieces = this.s[FRAME];
+    const circles = 1 + novae.count + (targets.count - coldCount) + minerals.count + aliens.count;
+    return { pieces, forceEvaluations: this.s[HELD_FRAMES], guards: pieces * circles, roots: 0 };
+  }
+
+  get modes(): readonly Mode[] {
+    const frames = this.s[FRAME];
+    const held = this.s[HELD_FRAMES];
+    const all = [
+      { name: 'coast', share: (frames - held) / frames },
+      { name: 'pull', share: held / frames },
+    ];
+    return all.filter(({ share }) => share > 0);
   }
 
   get mineralCount(): number {
@@ -332,7 +349,7 @@ export class ArcadeSimulation implements Simulation {
     }
 
     s[FRAME] = frame;
-    s[HELD] = held ? 1 : 0;
+    if (held) s[HELD_FRAMES] += frame - from;
     s[X] = x;
     s[Y] = y;
     s[VX] = vx;

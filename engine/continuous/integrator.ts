@@ -25,7 +25,15 @@ export interface Integrator {
    * @param longest how far the piece may reach; Infinity when nothing says
    * @returns the length for which the piece holds
    */
-  expand(flow: Flow, x: Float64Array, y: Float64Array, longest: number, px: Float64Array | null, py: Float64Array | null, kappa: number): number;
+  expand(
+    flow: Flow,
+    x: Float64Array,
+    y: Float64Array,
+    longest: number,
+    px: Float64Array | null,
+    py: Float64Array | null,
+    kappa: number,
+  ): number;
   /** Expands a body that accelerates at `kappa` towards the place (ax, ay); returns the length for which it holds. */
   chase(qx: Float64Array, qy: Float64Array, ax: Float64Array, ay: Float64Array, kappa: number, h: number): number;
   /** Bound on |u''| over the piece. */

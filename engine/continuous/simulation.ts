@@ -11,10 +11,10 @@ import {
 } from '../constants.ts';
 import { boxCircleGap } from '../contact/index.ts';
 import type { Scene } from '../scene.ts';
-import type { BodyKind, Ending, Simulation } from '../simulation.ts';
+import type { BodyKind, Ending, Mode, Simulation } from '../simulation.ts';
 import { CENTRAL, COAST, Flow, LINEAR } from './flow.ts';
-import { safeStep } from './march.ts';
 import { closePass, type Integrator, integratorOf } from './integrator.ts';
+import { safeStep } from './march.ts';
 import { NeighbourList } from './neighbour-list.ts';
 import { pairAt } from './polynomial.ts';
 import type { PieceRecorder } from './recording.ts';
@@ -52,7 +52,11 @@ const LAST_A = 28;
 const DEGREE = 29;
 const LENGTH_H = 30; // natural length of the piece, s
 const ACCELERATION = 31; // bound on |u''| over the piece, px/s2
-const HEAD = 32;
+const MOVES = 32; // 1 from the first press on where the level has recoil
+const AWAKE_COUNT = 33;
+const CROSSED = 34; // LINEAR: when she last crossed the centre, and the time before; 0 when something else happened since
+const CROSSED_BEFORE = 35;
+const HEAD = 36;
 
 // what turns the box
 const TURN_NOT = 0;
@@ -89,6 +93,12 @@ const SMALLEST_STRIDE = 1e-10;
 /** An impact parameter that rounding can't tell from 0, px: the motion is on a line through the centre. */
 const RADIAL = 1e-12;
 
+/**
+ * A swing or orbit about the centre smaller than this counts as rest in it, px: it would take more events a second than
+ * anybody could wait for, and its velocity is below 3e-3 px/s.
+ */
+const SMALLEST_ORBIT = 1e-7;
+
 // Per alien: place, velocity, what it is up to.
 const CHASER = 5;
 const ASLEEP = 0;
@@ -122,7 +132,7 @@ export class ContinuousSimulation implements Simulation {
   /** Work done since the last reset. */
   readonly work = { pieces: 0, forceEvaluations: 0, guards: 0, roots: 0 };
   /** Time spent in each of MODES since the last reset, s. */
-  readonly modeSeconds = new Float64Array(MODES.length);
+  private readonly modeSeconds = new Float64Array(MODES.length);
   private readonly s: Float64Array;
   private readonly start: Float64Array;
   private readonly ux: Float64Array;
@@ -134,7 +144,8 @@ export class ContinuousSimulation implements Simulation {
   private readonly chaserY: Float64Array[] = [];
   private readonly rocks: number;
   private readonly minerals: number;
-  private readonly recoil: boolean;
+  /** Whether the level has recoil; nothing moves before the first press. */
+  private readonly recoils: boolean;
   private readonly originX: number;
   private readonly originY: number;
   /** Places of everything relative to the origin, px. */
@@ -163,17 +174,17 @@ export class ContinuousSimulation implements Simulation {
     this.integrator = integratorOf(scene.accuracy);
     this.frameRate = scene.accuracy.contact === 'frame' ? (scene.accuracy.rate ?? TICK_RATE) : 0;
     const { level, targets, aliens, minerals, novae, repulsors } = scene;
-    this.recoil = level.recoil && targets.count > 0;
+    this.recoils = level.recoil && targets.count > 0;
     this.originX = level.astronaut.x;
     this.originY = level.astronaut.y;
     this.targetX = targets.x.map((x) => x - this.originX);
     this.targetY = targets.y.map((y) => y - this.originY);
     // the rock she holds while in a field is dragged along like an alien: one chaser more
-    const chasers = aliens.count + (this.recoil ? 1 : 0);
+    const chasers = aliens.count + (this.recoils ? 1 : 0);
     const length = this.integrator.degree + 1;
     this.chasers = HEAD;
     this.rocks = this.chasers + CHASER * chasers;
-    this.minerals = this.rocks + (this.recoil ? ROCK * targets.count : 0);
+    this.minerals = this.rocks + (this.recoils ? ROCK * targets.count : 0);
     let end = this.minerals + minerals.count;
     this.s = new Float64Array(end + length * (4 + 2 * chasers));
     const series = () => {
@@ -190,7 +201,7 @@ export class ContinuousSimulation implements Simulation {
     }
     this.wx = new Float64Array(length);
     this.wy = new Float64Array(length);
-    this.near = new NeighbourList(targets.count * 2 + novae.count + minerals.count + repulsors.count + 1);
+    this.near = new NeighbourList(2 * (targets.count + aliens.count) + novae.count + minerals.count + repulsors.count + 1);
     this.layOut();
     this.start = this.s.slice();
     this.begin();
@@ -207,7 +218,7 @@ export class ContinuousSimulation implements Simulation {
     s[COS] = 1;
     this.ux[1] = level.astronaut.vx;
     this.uy[1] = level.astronaut.vy;
-    if (this.recoil) {
+    if (this.recoils) {
       for (let i = 0; i < scene.targets.count; i++) {
         s[this.rocks + ROCK * i] = this.targetX[i];
         s[this.rocks + ROCK * i + 1] = this.targetY[i];
@@ -217,7 +228,9 @@ export class ContinuousSimulation implements Simulation {
       const o = this.chasers + CHASER * i;
       s[o] = aliens.x[i] - this.originX;
       s[o + 1] = aliens.y[i] - this.originY;
-      if (s[o] * s[o] + s[o + 1] * s[o + 1] < ALIEN_SIGHT * ALIEN_SIGHT) s[o + 4] = AWAKE;
+      if (s[o] * s[o] + s[o + 1] * s[o + 1] >= ALIEN_SIGHT * ALIEN_SIGHT) continue;
+      s[o + 4] = AWAKE;
+      s[AWAKE_COUNT]++;
     }
     s[COVER] = this.nearest();
     s[FIELD] = this.fieldAround(-1);
@@ -227,8 +240,20 @@ export class ContinuousSimulation implements Simulation {
     this.holdLimits();
   }
 
+  /** Whether asteroids move: from the first press on where the level has recoil. */
+  private get recoil(): boolean {
+    return this.s[MOVES] === 1;
+  }
+
   get tick(): number {
     return this.s[TICK_NOW];
+  }
+
+  get modes(): readonly Mode[] {
+    const seconds = Float64Array.from(this.modeSeconds);
+    seconds[this.mode] += this.sincePieceBegan;
+    const all = seconds.reduce((sum, t) => sum + t, 0);
+    return MODES.map((name, i) => ({ name, share: all > 0 ? seconds[i] / all : 0 })).filter(({ share }) => share > 0);
   }
 
   get mineralCount(): number {
@@ -251,6 +276,7 @@ export class ContinuousSimulation implements Simulation {
 
   reset(): void {
     this.s.set(this.start);
+    if (this.scene.aliens.count > 0 || this.recoils) this.near.skin = -1;
     this.setFlow();
     this.modeSeconds.fill(0);
     const { work } = this;
@@ -268,6 +294,7 @@ export class ContinuousSimulation implements Simulation {
       throw new RangeError(`expected a snapshot of ${this.s.length} numbers of this scene, found ${snapshot.length}`);
     }
     this.s.set(snapshot);
+    if (this.scene.aliens.count > 0 || this.recoils) this.near.skin = -1;
     this.setFlow();
   }
 
@@ -366,6 +393,8 @@ export class ContinuousSimulation implements Simulation {
     const { s } = this;
     this.stop(time - s[START], time);
     s[HELD] = held ? 1 : 0;
+    s[CROSSED] = 0;
+    if (held && this.recoils) s[MOVES] = 1;
     s[TARGET] = held ? this.nearest() : -1;
     if (held) s[COVER] = s[TARGET];
     if (this.recorder !== null) {
@@ -452,9 +481,11 @@ export class ContinuousSimulation implements Simulation {
     }
     this.stop(s[NEXT], time);
     s[LAST_EVENT] = 0;
+    if (kind !== CENTRE && kind !== PIECE_END) s[CROSSED] = 0;
     if (kind === PIECE_END) {
       if (this.integrator.advance !== null && recorder === null) this.skipQuietSteps(until);
-      this.proceed();
+      if (s[LIMIT_X] === 0 && s[LIMIT_Y] === 0) this.proceed();
+      else this.begin();
       return;
     }
     switch (kind) {
@@ -476,6 +507,7 @@ export class ContinuousSimulation implements Simulation {
       case CENTRE:
         this.ux[0] = 0;
         this.uy[0] = 0;
+        this.skipPeriods();
         break;
       case SWITCH:
         s[LAST_EVENT] = SWITCH;
@@ -504,14 +536,16 @@ export class ContinuousSimulation implements Simulation {
         s[o + 2] = 0;
         s[o + 3] = 0;
         s[o + 4] = kind === WAKE ? AWAKE : ASLEEP;
+        s[AWAKE_COUNT] += kind === WAKE ? 1 : -1;
+        this.near.skin = -1;
         s[LAST_EVENT] = kind === WAKE ? SLEEP : WAKE;
         s[LAST_A] = a;
         recorder?.event({ time, type: kind === WAKE ? 'wake' : 'sleep', index: a });
         break;
       }
       case PAIR:
-        s[this.chasers + CHASER * a + 4] = GONE;
-        s[this.chasers + CHASER * s[EVENT_B] + 4] = GONE;
+        this.explode(a);
+        this.explode(s[EVENT_B]);
         recorder?.event({ time, type: 'explosion', aliens: [a, s[EVENT_B]] });
         break;
       case LIMIT:
@@ -526,6 +560,14 @@ export class ContinuousSimulation implements Simulation {
       default:
     }
     this.begin();
+  }
+
+  private explode(alien: number): void {
+    const { s } = this;
+    const o = this.chasers + CHASER * alien;
+    if (s[o + 4] === AWAKE) s[AWAKE_COUNT]--;
+    s[o + 4] = GONE;
+    this.near.skin = -1;
   }
 
   private end(kind: number, index: number, time: number): void {
@@ -553,6 +595,11 @@ export class ContinuousSimulation implements Simulation {
     else this.integrator.settle(this.flow, this.ux, this.uy, t, e);
     if (this.recoil) pairAt(this.px, this.py, s[DEGREE], t, e, 4);
     else e[4] = e[5] = e[6] = e[7] = 0;
+    // a fixed step may overshoot the speed limit by what its velocity errs
+    const vx = e[2] + e[6];
+    const vy = e[3] + e[7];
+    if (vx > SPEED_LIMIT || vx < -SPEED_LIMIT) e[2] = (vx > 0 ? SPEED_LIMIT : -SPEED_LIMIT) - e[6];
+    if (vy > SPEED_LIMIT || vy < -SPEED_LIMIT) e[3] = (vy > 0 ? SPEED_LIMIT : -SPEED_LIMIT) - e[7];
   }
 
   /** e[8], e[9]: direction of the box's x axis after `t`. */
@@ -686,9 +733,14 @@ export class ContinuousSimulation implements Simulation {
     const vy = uy[1];
     const d = Math.sqrt(x * x + y * y);
     const v = Math.sqrt(vx * vx + vy * vy);
-    if ((field >= 0 || held) && (d > 0 || v > 0)) {
-      const free = s[LIMIT_X] === 0 && s[LIMIT_Y] === 0;
-      if (free && Math.abs(x * vy - y * vx) <= RADIAL * v) {
+    const free = s[LIMIT_X] === 0 && s[LIMIT_Y] === 0;
+    const onLine = Math.abs(x * vy - y * vx) <= RADIAL * v;
+    // how far from the centre she could get under the pull with the energy she has
+    const swing = held && field < 0 ? d + (v * v) / (2 * GUN_PULL) : Number.POSITIVE_INFINITY;
+    if (swing < (onLine && !this.recoil ? RADIAL : SMALLEST_ORBIT)) {
+      for (let k = 0; k < 2; k++) ux[k] = uy[k] = 0;
+    } else if ((field >= 0 || held) && (d > 0 || v > 0) && (free || d > SMALLEST_ORBIT)) {
+      if (free && onLine) {
         s[KIND] = LINEAR;
         // close to the centre the velocity knows the line better than the place does
         const byPlace = d > 1e-6 || v === 0;
@@ -720,6 +772,26 @@ export class ContinuousSimulation implements Simulation {
   }
 
   /**
+   * She swings to and fro on a line through the centre, faster than the ticks: after two crossings everything is as it
+   * was but the time, so whole periods are skipped, up to the next tick.
+   */
+  private skipPeriods(): void {
+    const { s } = this;
+    const period = s[CROSSED] > 0 ? s[START] - s[CROSSED_BEFORE] : 0;
+    if (s[CROSSED_BEFORE] > 0 && period > 0 && !this.recoil && s[AWAKE_COUNT] === 0) {
+      const tick = (Math.floor(s[START] * TICK_RATE + 1e-9) + 1) / TICK_RATE;
+      const skipped = Math.floor((tick - s[START]) / period) - 1;
+      if (skipped > 0) {
+        s[START] += skipped * period;
+        this.modeSeconds[this.mode] += skipped * period;
+        s[CROSSED] += skipped * period;
+      }
+    }
+    s[CROSSED_BEFORE] = s[CROSSED];
+    s[CROSSED] = s[START];
+  }
+
+  /**
    * Makes the fixed steps during which nothing can happen, up to `until`, without looking for events: those that she
    * needs at least to cover the distance to the nearest guard. Gives the bits that piece after piece would.
    */
@@ -742,7 +814,12 @@ export class ContinuousSimulation implements Simulation {
       start += h;
       steps++;
     }
+    if (steps === 0) return;
     s[START] = start;
+    s[DEGREE] = 1;
+    this.directionAt(0);
+    s[COS] = this.e[8];
+    s[SIN] = this.e[9];
     this.modeSeconds[this.mode] += start - from;
     work.pieces += steps;
     work.forceEvaluations += steps * integrator.evaluations;
@@ -754,6 +831,7 @@ export class ContinuousSimulation implements Simulation {
    */
   private quietTime(): number {
     const { s, scene, near, ux, uy } = this;
+    if (s[AWAKE_COUNT] > 0) return 0;
     const { novae, targets, minerals, repulsors, aliens, level } = scene;
     const x = s[BASE_X] + ux[0];
     const y = s[BASE_Y] + uy[0];
@@ -788,7 +866,8 @@ export class ContinuousSimulation implements Simulation {
           outOf(level.blackHole.x - this.originX, level.blackHole.y - this.originY, level.blackHole.radius + margin);
           break;
         case MINERAL:
-          if (s[this.minerals + i] === 0) outOf(minerals.x[i] - this.originX, minerals.y[i] - this.originY, minerals.r[i] + margin);
+          if (s[this.minerals + i] === 0)
+            outOf(minerals.x[i] - this.originX, minerals.y[i] - this.originY, minerals.r[i] + margin);
           break;
         case ENTER: {
           const dx = x + this.originX - repulsors.x[i];
@@ -796,6 +875,12 @@ export class ContinuousSimulation implements Simulation {
           const d = Math.sqrt(dx * dx + dy * dy);
           const slope = d > repulsors.r[i] ? (dx * vx + dy * vy) / d : -v;
           time = Math.min(time, safeStep(Math.max(0, Math.abs(d - repulsors.r[i]) - 1e-6), slope, STRONGEST));
+          break;
+        }
+        case WAKE:
+        case ALIEN_TOUCH: {
+          const o = this.chasers + CHASER * i;
+          outOf(s[o], s[o + 1], near.kind[n] === WAKE ? ALIEN_SIGHT + 1e-6 : aliens.r[i] + margin);
           break;
         }
         default: {
@@ -810,11 +895,6 @@ export class ContinuousSimulation implements Simulation {
     const left = level.range - Math.sqrt(this.distanceSquared(s[COVER])) - 1e-6;
     time = left > 0 ? Math.min(time, safeStep(left, -v, STRONGEST)) : 0;
     if (s[KIND] === LINEAR) time = Math.min(time, safeStep(Math.sqrt(ux[0] * ux[0] + uy[0] * uy[0]), -v, STRONGEST));
-    for (let i = 0; i < aliens.count; i++) {
-      const o = this.chasers + CHASER * i;
-      if (s[o + 4] === AWAKE) return 0;
-      if (s[o + 4] !== GONE) outOf(s[o], s[o + 1], Math.max(ALIEN_SIGHT, aliens.r[i] + HALF_DIAGONAL) + 1e-6);
-    }
     return time;
   }
 
@@ -870,6 +950,10 @@ export class ContinuousSimulation implements Simulation {
     }
     s[DEGREE] = 1;
     s[ACCELERATION] = 0;
+    if (kind === COAST && (s[LIMIT_X] !== 0 || s[LIMIT_Y] !== 0) && (s[FIELD] >= 0 || held)) {
+      // at the limit through the very centre: out of it straight on
+      h = Math.min(h, SMALLEST_ORBIT / SPEED_LIMIT);
+    }
     if (kind !== COAST) {
       s[DEGREE] = integrator.degree;
       const kappa = this.recoil && s[FIELD] < 0 ? this.kappa : 0;
@@ -940,13 +1024,13 @@ export class ContinuousSimulation implements Simulation {
     const rockTravel = this.recoil ? this.rockTravel(h) : 0;
     const reach = travel + rockTravel;
 
-    if (!near.covers(x, y, reach, s[TARGET])) this.refresh(x, y, reach);
+    if (this.recoil || !near.covers(x, y, reach, s[TARGET])) this.refresh(x, y, reach);
     const gone = Math.sqrt((x - near.x) * (x - near.x) + (y - near.y) * (y - near.y)) + reach;
     for (let i = 0; i < near.count; i++) {
       if (near.slack[i] > gone) continue;
       this.consider(near.kind[i], near.index[i], from);
     }
-    if (this.scene.aliens.count > 0) this.considerAliens(x, y, travel, from);
+    if (s[AWAKE_COUNT] > 0 || (s[START] === 0 && this.scene.aliens.count > 1)) this.considerAwake(x, y, travel, from);
     this.considerCover(from);
     if (s[KIND] === LINEAR) this.offer(this.centreTime(from), CENTRE, 0, 0);
     if (speed + s[ACCELERATION] * h >= SPEED_LIMIT || s[LIMIT_X] !== 0 || s[LIMIT_Y] !== 0) this.considerLimits(from);
@@ -986,7 +1070,7 @@ export class ContinuousSimulation implements Simulation {
   /** Makes the neighbour list anew around (x, y) for a path of length `reach`. */
   private refresh(x: number, y: number, reach: number): void {
     const { s, scene, near, recoil } = this;
-    const { targets, novae, minerals, repulsors, level } = scene;
+    const { targets, novae, minerals, repulsors, aliens, level } = scene;
     // places of rocks change under recoil: then the list serves one piece
     const skin = recoil ? reach : Math.max(2 * reach, 64);
     near.restart(x, y, skin, s[TARGET]);
@@ -1009,6 +1093,13 @@ export class ContinuousSimulation implements Simulation {
     for (let i = 0; i < repulsors.count; i++) {
       const d = distance(repulsors.x[i] - this.originX, repulsors.y[i] - this.originY);
       near.add(ENTER, i, Math.abs(d - repulsors.r[i]) - 1e-6);
+    }
+    for (let i = 0; i < aliens.count; i++) {
+      const o = this.chasers + CHASER * i;
+      if (s[o + 4] !== ASLEEP) continue;
+      const d = distance(s[o], s[o + 1]);
+      near.add(WAKE, i, d - ALIEN_SIGHT - 1e-6);
+      near.add(ALIEN_TOUCH, i, d - aliens.r[i] - margin);
     }
     const target = s[TARGET];
     if (target < 0) return;
@@ -1054,6 +1145,12 @@ export class ContinuousSimulation implements Simulation {
         this.offer(this.rimTime(scene.repulsors.r[i], !inside, 0, from, this.justFired(event, i)), event, i, 0);
         return;
       }
+      case WAKE:
+        this.considerRim(i, WAKE, from);
+        return;
+      case ALIEN_TOUCH:
+        this.considerAlienTouch(i, from);
+        return;
       default:
         this.offer(this.switchTime(i, from), SWITCH, i, 0);
     }
@@ -1064,28 +1161,33 @@ export class ContinuousSimulation implements Simulation {
     return s[FROM] === 0 && s[LAST_EVENT] === event && s[LAST_A] === a;
   }
 
-  private considerAliens(x: number, y: number, travel: number, from: number): void {
+  /** Aliens that are awake, and pairs with one of them; those asleep are in the neighbour list. */
+  private considerAwake(x: number, y: number, travel: number, from: number): void {
     const { s, scene } = this;
     const { aliens } = scene;
     const h = s[LENGTH_H];
     for (let i = 0; i < aliens.count; i++) {
       const o = this.chasers + CHASER * i;
       if (s[o + 4] === GONE) continue;
-      const awake = s[o + 4] === AWAKE;
+      for (let j = i + 1; j < aliens.count; j++) this.considerPair(i, j, from);
+      if (s[o + 4] === ASLEEP) continue;
       const d = Math.sqrt((s[o] - x) * (s[o] - x) + (s[o + 1] - y) * (s[o + 1] - y));
       const moves = travel + this.alienTravel(i, h);
-      const pull = awake ? ALIEN_PULL : 0;
-      if (awake ? d + moves > ALIEN_SIGHT - 1e-6 : d - moves < ALIEN_SIGHT + 1e-6) {
-        this.placeAlien(i);
-        const event = awake ? SLEEP : WAKE;
-        this.offer(this.rimTime(ALIEN_SIGHT, !awake, pull, from, this.justFired(event, i)), event, i, 0);
-      }
-      if (d - moves < aliens.r[i] + HALF_DIAGONAL + 1e-6) {
-        this.placeAlien(i);
-        this.offer(this.contactTime(aliens.r[i], pull, from), ALIEN_TOUCH, i, 0);
-      }
-      for (let j = i + 1; j < aliens.count; j++) this.considerPair(i, j, from);
+      if (d + moves > ALIEN_SIGHT - 1e-6) this.considerRim(i, SLEEP, from);
+      if (d - moves < aliens.r[i] + HALF_DIAGONAL + 1e-6) this.considerAlienTouch(i, from);
     }
+  }
+
+  private considerRim(i: number, event: number, from: number): void {
+    this.placeAlien(i);
+    const pull = event === SLEEP ? ALIEN_PULL : 0;
+    this.offer(this.rimTime(ALIEN_SIGHT, event === WAKE, pull, from, this.justFired(event, i)), event, i, 0);
+  }
+
+  private considerAlienTouch(i: number, from: number): void {
+    this.placeAlien(i);
+    const pull = this.circleMotion === SERIES ? ALIEN_PULL : 0;
+    this.offer(this.contactTime(this.scene.aliens.r[i], pull, from), ALIEN_TOUCH, i, 0);
   }
 
   /** Farthest an alien moves in `h`, px. */
@@ -1293,9 +1395,7 @@ export class ContinuousSimulation implements Simulation {
           cap = (0.25 * d) / (v + root);
           const fast = v + 0.25 * root;
           const turning = central ? (2.5 * Math.abs(momentum)) / d2 : fast / (0.72 * d);
-          const bending = central
-            ? (7 * Math.abs(momentum) * fast) / (d2 * d)
-            : (1.4 * relative) / d + (4 * fast * fast) / d2;
+          const bending = central ? (7 * Math.abs(momentum) * fast) / (d2 * d) : (1.4 * relative) / d + (4 * fast * fast) / d2;
           const speed = Math.sqrt(dvx * dvx + dvy * dvy) + relative * cap;
           const lever = Math.sqrt(dx * dx + dy * dy) + speed * cap;
           k += 2 * turning * speed + lever * (bending + turning * turning);
