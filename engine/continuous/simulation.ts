@@ -901,7 +901,10 @@ export class ContinuousSimulation implements Simulation {
   /** The acceleration of the target's recoil, px/s2; 0 where it has none. */
   private get kappa(): number {
     const { s } = this;
-    return this.recoil && s[HELD] === 1 ? 1 / (2 * this.scene.targets.r[s[TARGET]]) : 0;
+    if (!this.recoil || s[HELD] === 0) return 0;
+    // at rest in its very centre there is no direction to recoil in
+    if (s[KIND] === COAST && s[FIELD] < 0) return 0;
+    return 1 / (2 * this.scene.targets.r[s[TARGET]]);
   }
 
   /** Sets the flow from the state: after a restore it must be what it was. */
@@ -1228,7 +1231,7 @@ export class ContinuousSimulation implements Simulation {
       const slope = 2 * (dx * vx + dy * vy);
       const far = Math.sqrt(dx * dx + dy * dy) + (Math.sqrt(vx * vx + vy * vy) + 2 * ALIEN_PULL * h) * h;
       const step = safeStep(g, slope, 4 * far * ALIEN_PULL);
-      if (t + step >= horizon) return;
+      if (!(t + step < horizon)) return;
       if (n > 64) small *= 2;
       t = Math.min(horizon, t + Math.max(step, small));
     }
@@ -1414,7 +1417,7 @@ export class ContinuousSimulation implements Simulation {
       const lvy = dvy * cos - dvx * sin - omega * lx;
       const slope = ((lx < 0 ? -nx : nx) * lvx + (ly < 0 ? -ny : ny) * lvy) / norm;
       const step = Math.min(cap, safeStep(g, slope, k));
-      if (t + step >= horizon) return -1;
+      if (!(t + step < horizon)) return -1;
       if (n > 64) small *= 2;
       before = t;
       t = Math.min(horizon, t + Math.max(step, small));
@@ -1528,7 +1531,7 @@ export class ContinuousSimulation implements Simulation {
         k = 2 * (d + fast * cap) * a + (inward ? 0 : 2 * fast * fast);
       }
       const step = Math.min(cap, safeStep(g, slope, k));
-      if (t + step >= horizon) return -1;
+      if (!(t + step < horizon)) return -1;
       if (n > 64) small *= 2;
       before = t;
       t = Math.min(horizon, t + Math.max(step, small));
@@ -1568,7 +1571,7 @@ export class ContinuousSimulation implements Simulation {
       }
       if (t >= horizon) return -1;
       const step = safeStep(g, e[9], e[10]);
-      if (t + step >= horizon) return -1;
+      if (!(t + step < horizon)) return -1;
       if (n > 64) small *= 2;
       before = t;
       t = Math.min(horizon, t + Math.max(step, small));
@@ -1647,7 +1650,7 @@ export class ContinuousSimulation implements Simulation {
       }
       if (t >= horizon) return -1;
       const step = safeStep(Math.max(g, 0), slope, s[ACCELERATION]);
-      if (t + step >= horizon) return -1;
+      if (!(t + step < horizon)) return -1;
       before = t;
       t = Math.min(horizon, t + Math.max(step, s[LENGTH_H] * 1e-9));
     }
