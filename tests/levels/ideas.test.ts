@@ -1,0 +1,99 @@
+import { describe, expect, it } from 'vitest';
+import { type AccuracyName, compile, createSimulation, type RunEvent, simulate } from '../../engine/index.ts';
+import type { Level } from '../../schema/index.ts';
+import { accuracyNames, holdsOf, play, shipped } from './shipped-pack.ts';
+
+// Each level has an idea; here its solution is held to it, so that a retouched level can't lose its point unseen.
+
+type EventOf<T extends RunEvent['type']> = Extract<RunEvent, { type: T }>;
+
+function eventsOf<T extends RunEvent['type']>(level: Level, type: T, accuracy: AccuracyName): EventOf<T>[] {
+  return play(level, 'solution', accuracy).events.filter((event): event is EventOf<T> => event.type === type);
+}
+
+describe.each(accuracyNames)('under %s', (accuracy) => {
+  it.each(['let-it-sleep', 'blind-date', 'watchdog', 'grand-tour'])('%s: an alien wakes', (slug) => {
+    expect(eventsOf(shipped(slug).level, 'wake', accuracy)).not.toEqual([]);
+  });
+
+  it.each(['blind-date', 'grand-tour'])('%s: two aliens are lured into each other', (slug) => {
+    expect(eventsOf(shipped(slug).level, 'explosion', accuracy)).toHaveLength(1);
+  });
+
+  it.each(['soft-landing', 'bumper-alley', 'run-up', 'watchdog', 'grand-tour'])('%s: a repulsor is entered', (slug) => {
+    expect(eventsOf(shipped(slug).level, 'enter', accuracy)).not.toEqual([]);
+  });
+
+  it('soft-landing: the repulsor stops her and sends her back', () => {
+    const { level } = shipped('soft-landing');
+    const run = play(level, 'solution', accuracy);
+    const entered = run.events.find((event) => event.type === 'enter');
+    const state = new Float64Array(6);
+    run.trajectory.at(entered?.time ?? 0, state);
+    expect(state[2]).toBeGreaterThan(0);
+    expect(run.final.vx).toBeLessThan(0);
+  });
+
+  it.each(['hot-rock', 'firewalk', 'grand-tour'])('%s: a hot asteroid is the target', (slug) => {
+    const { level } = shipped(slug);
+    const hot = eventsOf(level, 'target', accuracy).filter((event) => level.asteroids[event.index].hot);
+    expect(hot).not.toEqual([]);
+  });
+
+  it.each(['three-swings', 'firewalk', 'grand-tour'])('%s: three asteroids pull', (slug) => {
+    const targets = new Set(eventsOf(shipped(slug).level, 'target', accuracy).map((event) => event.index));
+    expect(targets.size).toBeGreaterThanOrEqual(3);
+  });
+
+  it('pebbles: without recoil the solution misses', () => {
+    const { level } = shipped('pebbles');
+    expect(level.recoil).toBe(true);
+    const rigid = compile({ ...level, recoil: false }, accuracy);
+    expect(simulate(rigid, holdsOf(level, 'solution')).outcome).not.toBe('completed');
+  });
+});
+
+it('first-swing, running-start: she starts with a velocity', () => {
+  for (const slug of ['first-swing', 'running-start']) {
+    const { vx, vy } = shipped(slug).level.astronaut;
+    expect(vx * vx + vy * vy).toBeGreaterThan(0);
+  }
+});
+
+it('detour: the quick way out takes no mineral', () => {
+  expect(play(shipped('detour').level, 'solution', 'precise').minerals).toEqual([]);
+});
+
+/** Ticks between the presses, and between the releases, that are tried. */
+const GRID = 10;
+const LATEST = 1000;
+
+/** How many single holds [press, release) on the grid complete the level, drifting on for up to 25 s. */
+function singleHoldsThatComplete(level: Level): number {
+  const simulation = createSimulation(compile(level, 'arcade'));
+  let count = 0;
+  for (let press = 0; press < LATEST && simulation.ending === null; press += GRID) {
+    const atPress = simulation.snapshot();
+    for (let release = press + GRID; release <= LATEST && simulation.ending === null; release += GRID) {
+      simulation.advance(GRID, true);
+      const atRelease = simulation.snapshot();
+      simulation.advance(1500 - simulation.tick, false);
+      if (simulation.ending?.outcome === 'completed') count++;
+      simulation.restore(atRelease);
+    }
+    simulation.restore(atPress);
+    simulation.advance(GRID, false);
+  }
+  return count;
+}
+
+describe('a single press', () => {
+  it.each(['three-swings', 'grand-tour', 'blind-date', 'watchdog'])('%s: does not do', (slug) => {
+    expect(singleHoldsThatComplete(shipped(slug).level)).toBe(0);
+  });
+
+  // negative control: the count finds single presses where they are
+  it.each(['first-pull', 'first-swing', 'detour'])('%s: does', (slug) => {
+    expect(singleHoldsThatComplete(shipped(slug).level)).toBeGreaterThan(0);
+  });
+});
