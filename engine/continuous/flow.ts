@@ -1,3 +1,5 @@
+import { GUN_PULL } from '../constants.ts';
+
 /** No force: a straight line. */
 export const COAST = 0;
 /** Towards or away from the centre of the frame: u'' = alpha u / |u| + beta u. */
@@ -12,7 +14,12 @@ export class Flow {
   alpha = 0;
   /** 1/s2 */
   beta = 0;
-  /** LINEAR: acceleration and place at the start */
+  /** LINEAR: range of the pull (px; 0 for a push), what acts beside it (px/s2), and the direction away from the centre. */
+  range = 0;
+  extra = 0;
+  outX = 0;
+  outY = 0;
+  /** LINEAR: acceleration and place at the start of the step */
   ax = 0;
   ay = 0;
   x0 = 0;
@@ -20,6 +27,16 @@ export class Flow {
   /** false: the speed limit holds this axis */
   freeX = true;
   freeY = true;
+
+  /** LINEAR: begins a step at (x, y). */
+  moveTo(x: number, y: number): void {
+    // written so that the pull is exactly 0 at the range
+    const pull = this.range > 0 ? GUN_PULL * (1 - Math.sqrt(x * x + y * y) / this.range) : 0;
+    this.ax = (this.extra - pull) * this.outX;
+    this.ay = (this.extra - pull) * this.outY;
+    this.x0 = x;
+    this.y0 = y;
+  }
 
   /** Writes the acceleration at u = (x, y) into `out` at `at`. */
   accelerate(x: number, y: number, out: Float64Array, at: number): void {

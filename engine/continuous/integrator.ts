@@ -9,7 +9,8 @@ import {
   verletEnd,
   verletStep,
 } from './fixed-step.ts';
-import { CENTRAL, type Flow, LINEAR } from './flow.ts';
+import { type Flow, LINEAR } from './flow.ts';
+import { closePass, eulerWhole, type Glide, glideBy, glideRungeKutta, glideVerlet } from './glide.ts';
 import { pairAt } from './polynomial.ts';
 import { centralSeries, chaserSeries, linearSeries, TAYLOR_DEGREE, taylorStep } from './taylor.ts';
 
@@ -41,10 +42,11 @@ export interface Integrator {
   /** Place and velocity after `t` of an expanded piece, into out[0..3]. */
   settle(flow: Flow, x: Float64Array, y: Float64Array, t: number, out: Float64Array): void;
   /**
-   * Advances place and velocity in x[0..1], y[0..1] by a whole step: the bits that `expand` and `settle` would give,
-   * without the piece. null where there are no fixed steps.
+   * Makes whole steps of the grid of `rate` from `start` while they end by `end`: place and velocity in x[0..1], y[0..1]
+   * become the bits that `expand` and `settle` would give, without the pieces. null where there are no fixed steps.
+   * @returns the time reached
    */
-  readonly advance: ((flow: Flow, x: Float64Array, y: Float64Array, h: number) => void) | null;
+  readonly glide: Glide | null;
 }
 
 /** A Taylor piece in accelerated flow is cut here, so that bounds over it stay tight, s. */
@@ -61,9 +63,6 @@ function timeToCentre(x: Float64Array, y: Float64Array): number {
   const v2 = x[1] * x[1] + y[1] * y[1];
   return v2 > 0 ? Math.sqrt((x[0] * x[0] + y[0] * y[0]) / v2) : Number.POSITIVE_INFINITY;
 }
-
-/** Largest part of the distance to the centre that a fixed step may cover near it. */
-const CLOSE_PASS = 0.1;
 
 function taylor(tolerance: number): Integrator {
   return {
@@ -91,27 +90,20 @@ function taylor(tolerance: number): Integrator {
     settle(_flow, x, y, t, out) {
       pairAt(x, y, TAYLOR_DEGREE, t, out, 0);
     },
-    advance: null,
+    glide: null,
   };
-}
-
-/** The length of a step: near the centre of the force it covers at most a part of the distance to it. */
-export function closePass(flow: Flow, x: Float64Array, y: Float64Array, longest: number): number {
-  if (flow.kind !== CENTRAL) return longest;
-  const d2 = x[0] * x[0] + y[0] * y[0];
-  const v2 = x[1] * x[1] + y[1] * y[1];
-  const alpha = Math.abs(flow.alpha);
-  // (v + w)^2 <= 2 v^2 + 2 w^2: far away no root is needed
-  const far = (CLOSE_PASS * CLOSE_PASS * d2) / (longest * longest);
-  if (far > 2 * v2 && (far - 2 * v2) * (far - 2 * v2) > 4 * alpha * alpha * d2) return longest;
-  const d = Math.sqrt(d2);
-  return Math.min(longest, (CLOSE_PASS * d) / (Math.sqrt(v2) + Math.sqrt(alpha * d)));
 }
 
 type Step = (flow: Flow, x: Float64Array, y: Float64Array, h: number) => void;
 
-function fixedStep(degree: number, evaluations: number, step: Step, drag: DragStep, settle: Integrator['settle']): Integrator {
-  const end = new Float64Array(4);
+function fixedStep(
+  degree: number,
+  evaluations: number,
+  step: Step,
+  drag: DragStep,
+  settle: Integrator['settle'],
+  glide: Glide,
+): Integrator {
   return {
     degree,
     evaluations,
@@ -138,24 +130,13 @@ function fixedStep(degree: number, evaluations: number, step: Step, drag: DragSt
       return Math.sqrt(Math.max(first, last));
     },
     settle,
-    advance(flow, x, y, h) {
-      if (degree === 3) rungeKuttaEnd(flow, x, y, h, end);
-      else if (settle === verletEnd) verletEnd(flow, x, y, h, end);
-      else {
-        step(flow, x, y, h);
-        settle(flow, x, y, h, end);
-      }
-      x[0] = end[0];
-      y[0] = end[1];
-      x[1] = end[2];
-      y[1] = end[3];
-    },
+    glide,
   };
 }
 
-const euler = fixedStep(2, 1, eulerStep, dragQuadratic, (_flow, x, y, t, out) => pairAt(x, y, 2, t, out, 0));
-const verlet = fixedStep(2, 1, verletStep, dragQuadratic, verletEnd);
-const rungeKutta = fixedStep(3, 4, rungeKuttaStep, dragRungeKutta, rungeKuttaEnd);
+const euler = fixedStep(2, 1, eulerStep, dragQuadratic, (_flow, x, y, t, out) => pairAt(x, y, 2, t, out, 0), glideBy(eulerWhole));
+const verlet = fixedStep(2, 1, verletStep, dragQuadratic, verletEnd, glideVerlet);
+const rungeKutta = fixedStep(3, 4, rungeKuttaStep, dragRungeKutta, rungeKuttaEnd, glideRungeKutta);
 
 /** The integrator an accuracy names; a Taylor piece may err by a thousandth of the tolerance. */
 export function integratorOf(accuracy: Accuracy): Integrator {

@@ -13,7 +13,8 @@ import { boxCircleGap } from '../contact/index.ts';
 import type { Scene } from '../scene.ts';
 import type { BodyKind, Ending, Mode, Simulation } from '../simulation.ts';
 import { CENTRAL, COAST, Flow, LINEAR } from './flow.ts';
-import { closePass, type Integrator, integratorOf } from './integrator.ts';
+import { untilGrid } from './glide.ts';
+import { type Integrator, integratorOf } from './integrator.ts';
 import { safeStep } from './march.ts';
 import { NeighbourList } from './neighbour-list.ts';
 import { pairAt } from './polynomial.ts';
@@ -157,6 +158,7 @@ export class ContinuousSimulation implements Simulation {
   private readonly near: NeighbourList;
   private readonly recorder: PieceRecorder | null;
   private readonly e = new Float64Array(12);
+  private readonly steps = new Int32Array(1);
   private readonly wx: Float64Array;
   private readonly wy: Float64Array;
 
@@ -483,7 +485,7 @@ export class ContinuousSimulation implements Simulation {
     s[LAST_EVENT] = 0;
     if (kind !== CENTRE && kind !== PIECE_END) s[CROSSED] = 0;
     if (kind === PIECE_END) {
-      if (this.integrator.advance !== null && recorder === null) this.skipQuietSteps(until);
+      if (this.integrator.glide !== null && recorder === null) this.skipQuietSteps(until);
       if (s[LIMIT_X] === 0 && s[LIMIT_Y] === 0) this.proceed();
       else this.begin();
       return;
@@ -798,22 +800,14 @@ export class ContinuousSimulation implements Simulation {
   private skipQuietSteps(until: number): void {
     const { s, ux, uy, flow, integrator, work } = this;
     const { rate } = this.scene.accuracy;
-    if (integrator.advance === null || rate === null || this.recoil || s[KIND] === COAST) return;
+    if (integrator.glide === null || rate === null || this.recoil || s[KIND] === COAST) return;
     const v = Math.sqrt(ux[1] * ux[1] + uy[1] * uy[1]);
     if (v > SPEED_LIMIT / 2) return;
     const end = Math.min(until, s[START] + this.quietTime());
     const from = s[START];
-    let start = from;
-    let steps = 0;
-    for (;;) {
-      const longest = (Math.floor(start * rate + 1e-7) + 1) / rate - start;
-      const h = closePass(flow, ux, uy, longest);
-      if (start + h > end) break;
-      if (flow.kind === LINEAR) this.setFlow();
-      integrator.advance(flow, ux, uy, h);
-      start += h;
-      steps++;
-    }
+    this.steps[0] = 0;
+    const start = integrator.glide(flow, ux, uy, from, end, rate, this.steps);
+    const steps = this.steps[0];
     if (steps === 0) return;
     s[START] = start;
     s[DEGREE] = 1;
@@ -843,7 +837,7 @@ export class ContinuousSimulation implements Simulation {
     // the list must hold for the whole stretch; a shorter one is better than making it anew too often
     if (!near.covers(x, y, Math.min(reach, 16), s[TARGET])) this.refresh(x, y, 64);
     const gone = Math.sqrt((x - near.x) * (x - near.x) + (y - near.y) * (y - near.y));
-    let time = Math.min(longest, safeStep(near.skin - gone, -v, STRONGEST));
+    let time = Math.min(longest, safeStep(Math.min(near.skin - gone, 1e6), -v, STRONGEST));
     const outOf = (cx: number, cy: number, r: number) => {
       const dx = x - cx;
       const dy = y - cy;
@@ -918,13 +912,11 @@ export class ContinuousSimulation implements Simulation {
     flow.alpha = inField ? REPULSOR_PUSH : -(GUN_PULL + kappa);
     flow.beta = inField ? 0 : GUN_PULL / scene.level.range;
     if (flow.kind !== LINEAR) return;
-    const d = Math.sqrt(ux[0] * ux[0] + uy[0] * uy[0]);
-    // written so that the pull is exactly 0 at the range
-    const a = inField ? REPULSOR_PUSH : -GUN_PULL * (1 - d / scene.level.range) - kappa;
-    flow.ax = a * s[SIDE] * s[LINE_X];
-    flow.ay = a * s[SIDE] * s[LINE_Y];
-    flow.x0 = ux[0];
-    flow.y0 = uy[0];
+    flow.range = inField ? 0 : scene.level.range;
+    flow.extra = inField ? REPULSOR_PUSH : -kappa;
+    flow.outX = s[SIDE] * s[LINE_X];
+    flow.outY = s[SIDE] * s[LINE_Y];
+    flow.moveTo(ux[0], uy[0]);
   }
 
   private expand(): void {
@@ -948,8 +940,7 @@ export class ContinuousSimulation implements Simulation {
     let h = Number.POSITIVE_INFINITY;
     const { rate } = this.scene.accuracy;
     if ((kind !== COAST || awake > 0) && rate !== null) {
-      const step = Math.floor(s[START] * rate + 1e-7) + 1;
-      h = step / rate - s[START];
+      h = untilGrid(s[START], rate);
     }
     s[DEGREE] = 1;
     s[ACCELERATION] = 0;
