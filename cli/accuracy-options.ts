@@ -1,6 +1,5 @@
-import { type Command, Option } from 'commander';
-import { ACCURACIES, type Accuracy, type AccuracyName, DEFAULT_ACCURACY } from '../engine/index.ts';
-import { accuracyOf } from '../engine/work-precision/index.ts';
+import { type Command, InvalidArgumentError, Option } from 'commander';
+import { ACCURACIES, type Accuracy, type AccuracyName, accuracyOf, DEFAULT_ACCURACY } from '../engine/index.ts';
 import { Failure } from './failure.ts';
 import { numberOption } from './options.ts';
 
@@ -48,7 +47,7 @@ export function addAccuracyOptions(command: Command): Command {
 const parseTolerance = (text: string): number => {
   const value = numberOption('an error in px', 0, 1)(text);
   if (value >= TIGHTEST) return value;
-  throw new Failure(`--tolerance ${text}: expected an error of at least ${TIGHTEST} px: doubles round by more than that`);
+  throw new InvalidArgumentError(`expected an error of at least ${TIGHTEST} px: doubles round by more than that`);
 };
 
 /**

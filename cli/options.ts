@@ -1,5 +1,5 @@
 import { InvalidArgumentError, Option } from 'commander';
-import { ACCURACIES, DEFAULT_ACCURACY, DEFAULT_MAX_TIME } from '../engine/index.ts';
+import { DEFAULT_MAX_TIME } from '../engine/index.ts';
 
 /** The longest run that is ever simulated, s: an hour, as far as a level file's holds reach. */
 const LONGEST_RUN = 3600;
@@ -24,9 +24,6 @@ export function wholeNumberOption(what: string, min: number, max: number): (text
 
 export const formatOption = (...formats: string[]): Option =>
   new Option('--format <format>', 'how to report').choices(formats).default(formats[0]);
-
-export const accuracyOption = (): Option =>
-  new Option('--accuracy <name>', 'how exactly to simulate').choices(Object.keys(ACCURACIES)).default(DEFAULT_ACCURACY);
 
 export const maxTimeOption = (): Option =>
   new Option('--max-time <seconds>', 'simulated time after which a run is a timeout')

@@ -1,10 +1,11 @@
-import { type AccuracyName, compile, simulate } from '../../engine/index.ts';
+import { compile, simulate } from '../../engine/index.ts';
 import { type Problem, readLevel } from '../../schema/index.ts';
 import { showProblems } from '../code-frames.ts';
 import { Failure } from '../failure.ts';
-import { readBytes } from '../files.ts';
 import { type OpenedLevel, placed, warningsOf } from '../level-source.ts';
+import { readBytes } from '../files.ts';
 import { reportRun } from '../run-report.ts';
+import { hangsOnAccuracy } from './accuracy-hang.ts';
 import type { CheckedLevel, CheckSettings } from './checked-level.ts';
 import { crashedLevel, refusedLevel, unreadableLevel } from './refused-level.ts';
 import { failedRun, NO_RUN } from './run-problems.ts';
@@ -27,7 +28,7 @@ function judge(file: string, settings: CheckSettings): CheckedLevel {
 
 function replay(file: string, opened: OpenedLevel, { accuracy, maxTime }: CheckSettings): CheckedLevel {
   const { level, document } = opened;
-  const scene = compile(level, accuracy as AccuracyName);
+  const scene = compile(level, accuracy);
   const runs = level.runs.map(({ holds }) => simulate(scene, holds, { maxTime }));
   const first = runs.findIndex((run) => run.outcome === 'completed');
   const shown = Math.max(first, 0);
@@ -37,13 +38,16 @@ function replay(file: string, opened: OpenedLevel, { accuracy, maxTime }: CheckS
   if (verdict === 'unproven') problems.push(NO_RUN);
   for (const [index, run] of runs.entries()) {
     if (run.outcome === 'completed') continue;
-    problems.push(placed(failedRun({ file, level, accuracy, index, run, noneCompletes: verdict === 'broken' }), document));
+    problems.push(
+      placed(failedRun({ file, level, accuracy: accuracy.name, index, run, noneCompletes: verdict === 'broken' }), document),
+    );
   }
+  for (const problem of hangsOnAccuracy(file, level, runs, accuracy, maxTime)) problems.push(placed(problem, document));
   return {
     file,
     name: level.name,
     verdict,
-    run: runs.length === 0 ? null : reportRun(level, accuracy, level.runs[shown].holds, runs[shown], null),
+    run: runs.length === 0 ? null : reportRun(level, accuracy.name, level.runs[shown].holds, runs[shown], null),
     mineralCount: level.minerals.length,
     problems: [...(problems.length > 0 ? showProblems(problems, document.text) : []), ...warningsOf(opened, runs)],
     unreadable: false,

@@ -1,3 +1,4 @@
+import type { Accuracy } from '../../engine/index.ts';
 import type { RunReport, Verdict } from '../../schema/index.ts';
 import type { ShownProblem } from '../shown-problem.ts';
 
@@ -20,7 +21,7 @@ export interface CheckedLevel {
 
 /** How a level is to be checked. */
 export interface CheckSettings {
-  readonly accuracy: string;
+  readonly accuracy: Accuracy;
   /** s of simulated time after which a run is a timeout */
   readonly maxTime: number;
 }

@@ -22,6 +22,20 @@ export const CHECK_CODES: readonly CodeExplanation[] = [
     example: '"runs": [\n  { "name": "solution", "holds": [[12, 96], [130, 188]] }\n]',
   },
   {
+    code: 'verdict-hangs-on-accuracy',
+    severity: 'warning',
+    title: 'a run completes the level at some accuracies and not at others',
+    why:
+      'She passes something deadly, a change of target or the edge of the range so closely that how exactly the motion is simulated ' +
+      'decides how the run ends. A player, whose hand is less exact than any of these, would hardly succeed that way. Under `arcade`, ' +
+      "the original's frames, runs differ most: what was found there often doesn't hold in continuous time, and the other way round. " +
+      'A run that fails everywhere, in whatever ways, is not reported.',
+    fix:
+      'Look at what each accuracy makes of it with `gq accuracy LEVEL --run NAME`, and at where it is close with `gq simulate LEVEL ' +
+      '--run NAME` (its clearance). Give her more room there, or find a run that keeps away. If the level is only ever played at ' +
+      'one accuracy, check it with that one.',
+  },
+  {
     code: 'unreadable-file',
     severity: 'error',
     title: 'a file or directory can not be read',

@@ -1,6 +1,7 @@
 import { availableParallelism } from 'node:os';
 import process from 'node:process';
 import type { Command } from 'commander';
+import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../accuracy-options.ts';
 import { checkFiles } from '../check/check-files.ts';
 import type { CheckedLevel } from '../check/checked-level.ts';
 import { unreadableLevel } from '../check/refused-level.ts';
@@ -8,24 +9,22 @@ import { exitCodeOf } from '../check/summary.ts';
 import { colorsFor } from '../colors.ts';
 import type { CommandResult } from '../command.ts';
 import { findLevelFiles } from '../files.ts';
-import { accuracyOption, formatOption, maxTimeOption, wholeNumberOption } from '../options.ts';
+import { formatOption, maxTimeOption, wholeNumberOption } from '../options.ts';
 import { createProgress } from '../progress.ts';
 import { checkGithub } from '../reporters/check-github.ts';
 import { checkJson } from '../reporters/check-json.ts';
 import { checkPretty } from '../reporters/check-pretty.ts';
 
-interface CheckOptions {
-  readonly accuracy: string;
+interface CheckOptions extends AccuracyOptions {
   readonly maxTime: number;
   readonly format: 'pretty' | 'json' | 'github';
   readonly jobs: number;
 }
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  command
+  addAccuracyOptions(command)
     .description('Read, validate and replay every level, and say which can be completed.')
     .argument('[path...]', 'level files, directories, or quoted patterns with * ** ?', ['levels'])
-    .addOption(accuracyOption())
     .addOption(maxTimeOption())
     .addOption(formatOption('pretty', 'json', 'github'))
     .option('-j, --jobs <n>', 'worker threads at most', wholeNumberOption('a number of threads', 1, 256), availableParallelism())
@@ -48,9 +47,10 @@ Examples:
 }
 
 async function check(paths: readonly string[], options: CheckOptions): Promise<CommandResult> {
+  const settings = { accuracy: chooseAccuracy(options), maxTime: options.maxTime };
   const { files, unreadable } = findLevelFiles(paths);
   const progress = createProgress('checked', files.length);
-  const reports: CheckedLevel[] = await checkFiles(files, options, options.jobs, progress.update);
+  const reports: CheckedLevel[] = await checkFiles(files, settings, options.jobs, progress.update);
   progress.clear();
   for (const { path, reason } of unreadable) reports.push(unreadableLevel(path, `${path}: can't be looked into: ${reason}`));
   return { output: report(reports, options.format), exitCode: exitCodeOf(reports) };

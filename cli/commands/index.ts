@@ -11,6 +11,7 @@ interface CommandEntry {
 export const COMMANDS: readonly CommandEntry[] = [
   { name: 'check', summary: 'check that every level can be completed', load: () => import('./check.ts') },
   { name: 'simulate', summary: 'play one run of a level and say in full what happens', load: () => import('./simulate.ts') },
+  { name: 'accuracy', summary: 'what accuracy costs in time, for one run of a level', load: () => import('./accuracy.ts') },
   { name: 'inspect', summary: 'what a level calls for: effects, counts, warnings', load: () => import('./inspect.ts') },
   { name: 'render', summary: 'draw a level and its run as SVG or PNG', load: () => import('./render.ts') },
   { name: 'import', summary: "turn the original game's levels into level files", load: () => import('./import.ts') },

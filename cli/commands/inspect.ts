@@ -1,32 +1,31 @@
 import process from 'node:process';
 import type { Command } from 'commander';
-import { type AccuracyName, compile, simulate } from '../../engine/index.ts';
+import { compile, simulate, type Work } from '../../engine/index.ts';
+import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../accuracy-options.ts';
 import { colorsFor } from '../colors.ts';
 import type { CommandResult } from '../command.ts';
-import { countObjects, type Inspection, measureWork, type Work } from '../inspection.ts';
+import { countObjects, type Inspection } from '../inspection.ts';
 import { openLevel, warningsOf } from '../level-source.ts';
-import { accuracyOption, formatOption, maxTimeOption } from '../options.ts';
+import { formatOption, maxTimeOption } from '../options.ts';
 import { inspectJson } from '../reporters/inspect-json.ts';
 import { inspectPretty } from '../reporters/inspect-pretty.ts';
 import { endAtOnceDuring } from '../signals.ts';
 
-interface InspectOptions {
-  readonly accuracy: string;
+interface InspectOptions extends AccuracyOptions {
   readonly maxTime: number;
   readonly format: 'pretty' | 'json';
 }
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  command
+  addAccuracyOptions(command)
     .description('What a level calls for: the effects simulated for it and those not, with the reason; counts; warnings.')
     .argument('<level>', 'a level file')
-    .addOption(accuracyOption())
     .addOption(maxTimeOption())
     .addOption(formatOption('pretty', 'json'))
     .addHelpText(
       'after',
       `
-The work is that of the level's first run. Exit code: 0; 1 when the level is invalid; 2 when it could not be read.
+Work and modes are those of the level's first run. Exit code: 0; 1 when the level is invalid; 2 when it could not be read.
 
 Examples:
   $ gq inspect levels/01.level.json
@@ -36,19 +35,20 @@ Examples:
 }
 
 function inspect(file: string, options: InspectOptions): CommandResult {
+  const accuracy = chooseAccuracy(options);
   return endAtOnceDuring(() => {
     const opened = openLevel(file);
     if (!('level' in opened)) return opened;
     const { level } = opened;
-    const scene = compile(level, options.accuracy as AccuracyName);
+    const scene = compile(level, accuracy);
     const runs = level.runs.map((script) => simulate(scene, script.holds, { maxTime: options.maxTime }));
     const inspection: Inspection = {
       file,
       level: level.name,
       effects: scene.effects,
       counts: countObjects(level),
-      modes: [],
-      work: runs.length === 0 ? NO_WORK : measureWork(scene, level.runs[0].holds, options.maxTime),
+      modes: runs[0]?.modes ?? [],
+      work: runs[0]?.work ?? NO_WORK,
       problems: warningsOf(opened, runs),
     };
     const output = options.format === 'json' ? inspectJson(inspection) : inspectPretty(inspection, colorsFor(process.stdout));

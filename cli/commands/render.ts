@@ -1,38 +1,36 @@
 import { extname } from 'node:path';
 import { type Command, Option } from 'commander';
-import type { AccuracyName } from '../../engine/index.ts';
 import { compile, simulate } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
+import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../accuracy-options.ts';
 import { chooseRun } from '../chosen-run.ts';
 import type { CommandResult } from '../command.ts';
 import { Failure } from '../failure.ts';
 import { parseHolds } from '../holds-option.ts';
 import { openLevel } from '../level-source.ts';
-import { accuracyOption, maxTimeOption, wholeNumberOption } from '../options.ts';
+import { maxTimeOption, wholeNumberOption } from '../options.ts';
 import { renderPng, renderSvg } from '../render/index.ts';
 import { writeWhole } from '../write-file.ts';
 
 const DEFAULT_WIDTH = 1200;
 
-interface RenderOptions {
+interface RenderOptions extends AccuracyOptions {
   readonly output: string;
   readonly run?: string | false;
   readonly holds?: readonly Hold[];
-  readonly accuracy: string;
   readonly maxTime: number;
   readonly width: number;
   readonly theme: 'dark' | 'light';
 }
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  command
+  addAccuracyOptions(command)
     .description('Draw a level and one of its runs.')
     .argument('<level>', 'a level file')
     .requiredOption('-o, --output <file>', 'FILE.svg or FILE.png; - writes SVG to the standard output')
     .option('--run <name>', 'the run to draw; the first when left out')
     .option('--no-run', 'draw the level alone')
     .option('--holds <holds>', 'draw this run instead: 12-96,130-188 (ticks); none: she drifts', parseHolds)
-    .addOption(accuracyOption())
     .addOption(maxTimeOption())
     .option('--width <px>', 'width of the picture', wholeNumberOption('a width in px', 100, 8192), DEFAULT_WIDTH)
     .addOption(new Option('--theme <theme>', 'colours').choices(['dark', 'light']).default('dark'))
@@ -50,7 +48,8 @@ Examples:
 }
 
 async function render(file: string, options: RenderOptions): Promise<CommandResult> {
-  const { output, width, theme } = options;
+  const { output, width, theme, maxTime } = options;
+  const accuracy = chooseAccuracy(options);
   const kind = output === '-' ? '.svg' : extname(output).toLowerCase();
   if (kind !== '.svg' && kind !== '.png') {
     throw new Failure(`--output ${output}: expected a name that ends in .svg or .png, or - for SVG on the standard output`);
@@ -62,17 +61,13 @@ async function render(file: string, options: RenderOptions): Promise<CommandResu
   await writeWhole(output, kind === '.svg' ? svg : await renderPng(svg, width));
   return { messages: `wrote ${output}\n`, exitCode: 0 };
 
-  function draw(
-    name: string,
-    level: Parameters<typeof renderSvg>[0],
-    { run: wanted, holds, accuracy, maxTime }: RenderOptions,
-  ): string {
+  function draw(name: string, level: Parameters<typeof renderSvg>[0], { run: wanted, holds }: RenderOptions): string {
     if (wanted === false && holds !== undefined)
       throw new Failure('--no-run and --holds exclude each other: give one of the two');
     const nothingToPlay = wanted === undefined && holds === undefined && level.runs.length === 0;
     if (wanted === false || nothingToPlay) return renderSvg(level, { width, theme });
     const chosen = chooseRun(name, level, { run: wanted || undefined, holds });
-    const run = simulate(compile(level, accuracy as AccuracyName), chosen.holds, { maxTime });
+    const run = simulate(compile(level, accuracy), chosen.holds, { maxTime });
     return renderSvg(level, { run, holds: chosen.holds, width, theme });
   }
 }

@@ -1,24 +1,24 @@
 import process from 'node:process';
 import { type Command, Option } from 'commander';
-import { type AccuracyName, compile, simulate } from '../../engine/index.ts';
+import { compile, simulate } from '../../engine/index.ts';
 import type { Hold, Level } from '../../schema/index.ts';
+import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../accuracy-options.ts';
 import { chooseRun } from '../chosen-run.ts';
 import { colorsFor } from '../colors.ts';
 import type { CommandResult } from '../command.ts';
 import { Failure } from '../failure.ts';
 import { parseHolds } from '../holds-option.ts';
 import { openLevel } from '../level-source.ts';
-import { accuracyOption, formatOption, maxTimeOption, numberOption } from '../options.ts';
+import { formatOption, maxTimeOption, numberOption } from '../options.ts';
 import { simulatePretty } from '../reporters/simulate-pretty.ts';
 import { reportRun } from '../run-report.ts';
 import { endAtOnceDuring } from '../signals.ts';
 
 const MAX_SAMPLES = 1_000_000;
 
-interface SimulateOptions {
+interface SimulateOptions extends AccuracyOptions {
   readonly run?: string;
   readonly holds?: readonly Hold[];
-  readonly accuracy: string;
   readonly maxTime: number;
   readonly sample?: number;
   readonly recoil?: 'on' | 'off';
@@ -26,7 +26,7 @@ interface SimulateOptions {
 }
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  command
+  addAccuracyOptions(command)
     .description('Play one run of a level and say in full what happens.')
     .argument('<level>', 'a level file')
     .option('--run <name>', 'a run of the level; its first when left out')
@@ -35,7 +35,6 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
       'ticks of 1/60 s in which the gun is held, [press, release): 12-96,130-188; none: she drifts',
       parseHolds,
     )
-    .addOption(accuracyOption())
     .addOption(maxTimeOption())
     .option('--sample <hz>', 'give her state so many times a second', numberOption('samples a second', 0, 10_000))
     .addOption(new Option('--recoil <on|off>', 'play with or without recoil, whatever the level says').choices(['on', 'off']))
@@ -48,13 +47,15 @@ Exit code: 0 when the run was played, however it ended; 1 when the level is inva
 Examples:
   $ gq simulate levels/01.level.json
   $ gq simulate levels/01.level.json --run "all minerals" --sample 10
+  $ gq simulate levels/01.level.json --integrator rk4 --rate 240
   $ gq simulate levels/01.level.json --holds 12-96,130-188 --format json | jq .outcome`,
     )
     .action((file: string, options: SimulateOptions) => finish(play(file, options)));
 }
 
 function play(file: string, options: SimulateOptions): CommandResult {
-  const { sample, accuracy, maxTime } = options;
+  const { sample, maxTime } = options;
+  const accuracy = chooseAccuracy(options);
   if (sample !== undefined && sample * maxTime > MAX_SAMPLES) {
     throw new Failure(
       `--sample ${sample} over --max-time ${maxTime} may give more than ${MAX_SAMPLES} samples: lower one of the two`,
@@ -65,8 +66,8 @@ function play(file: string, options: SimulateOptions): CommandResult {
     if (!('level' in opened)) return opened;
     const level: Level = options.recoil === undefined ? opened.level : { ...opened.level, recoil: options.recoil === 'on' };
     const { name, holds } = chooseRun(file, level, options);
-    const run = simulate(compile(level, accuracy as AccuracyName), holds, { maxTime });
-    const report = reportRun(level, accuracy, holds, run, sample ?? null);
+    const run = simulate(compile(level, accuracy), holds, { maxTime });
+    const report = reportRun(level, accuracy.name, holds, run, sample ?? null);
     const output =
       options.format === 'json'
         ? `${JSON.stringify(report)}\n`

@@ -16,7 +16,7 @@ const COUNTED: Record<string, readonly [one: string, many: string]> = {
 };
 
 /** What `inspect` found out, for a person. */
-export function inspectPretty({ file, level, effects, counts, work, problems }: Inspection, colors: Colors): string {
+export function inspectPretty({ file, level, effects, counts, modes, work, problems }: Inspection, colors: Colors): string {
   const list = (rows: readonly { readonly name: string; readonly because: string }[]): string =>
     alignColumns(rows.map(({ name, because }) => [name, because]))
       .map((line) => `  ${line}\n`)
@@ -30,6 +30,8 @@ export function inspectPretty({ file, level, effects, counts, work, problems }: 
   if (work.pieces > 0) {
     const { pieces, forceEvaluations, guards, roots } = work;
     text += `\nits first run takes ${pieces} pieces of motion, ${forceEvaluations} force evaluations, ${guards} guards, ${roots} roots\n`;
+    const spent = modes.map(({ name, share }) => `${(100 * share).toFixed(1)} % ${name}`);
+    text += `its time: ${spent.join(', ')}\n`;
   }
   if (problems.length > 0) text += `\n${showFileProblems(file, problems, colors)}`;
   return text;

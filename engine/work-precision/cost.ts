@@ -26,7 +26,7 @@ export interface CostOptions {
   readonly sample: number;
 }
 
-const FEWEST_ROUNDS = 3;
+const FEWEST_ROUNDS = 5;
 const MOST_ROUNDS = 41;
 
 /**

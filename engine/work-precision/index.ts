@@ -1,7 +1,7 @@
 export { compareWith, type Deviation, deviationOf } from './compare.ts';
 export { type Cost, type CostOptions, measureCosts, type Player, playerOf } from './cost.ts';
 export { cheapestGoodEnough, GOOD_ENOUGH, type Measured, measureWorkPrecision, type WorkPrecision } from './measure.ts';
-export { accuracyOf, METHODS, RATES, TOLERANCES } from './methods.ts';
+export { METHODS, RATES, TOLERANCES } from './methods.ts';
 export { largestDistance, type Path, pathOf } from './path.ts';
 export { quantile } from './quantile.ts';
 export { type Reference, REFERENCE_TOLERANCE, referenceOf } from './reference.ts';

@@ -1,25 +1,10 @@
-import { ACCURACIES, type Accuracy } from '../accuracy.ts';
+import { ACCURACIES, type Accuracy, accuracyOf } from '../accuracy.ts';
 
 /** Steps per second at which fixed-step integrators are measured, Hz. */
 export const RATES = [15, 30, 60, 120, 240, 480, 960] as const;
 
 /** Tolerances at which the error-controlled integrator is measured, px a second; the last is that of `precise`. */
 export const TOLERANCES = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9] as const;
-
-/** What a setting is called where it has no name of its own: `rk4 120 Hz, frame`. Swept contacts go without saying. */
-export function nameOfSetting({ integrator, rate, tolerance, contact }: Omit<Accuracy, 'name'>): string {
-  const size = rate === null ? `${tolerance?.toExponential()} px` : `${rate} Hz`;
-  return `${integrator} ${size}${contact === 'frame' ? ', frame' : ''}`;
-}
-
-const sameSetting = (a: Omit<Accuracy, 'name'>, b: Accuracy): boolean =>
-  a.integrator === b.integrator && a.rate === b.rate && a.tolerance === b.tolerance && a.contact === b.contact;
-
-/** The accuracy with these settings: the named one where there is one, else called by its parts. */
-export function accuracyOf(setting: Omit<Accuracy, 'name'>): Accuracy {
-  const named = Object.values<Accuracy>(ACCURACIES).find((accuracy) => sameSetting(setting, accuracy));
-  return named ?? { name: nameOfSetting(setting), ...setting };
-}
 
 /** Everything that is measured: `arcade`, and every integrator at every rate or tolerance, contacts swept and at frames. */
 export const METHODS: readonly Accuracy[] = [

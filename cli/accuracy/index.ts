@@ -1,0 +1,5 @@
+export { type Diagram, type DiagramLine, type DiagramPoint, drawDiagram } from './diagram.ts';
+export type { Ground } from './ink.ts';
+export { levelDiagram, linesOf, noteOf } from './level-diagram.ts';
+export { type AccuracyReport, accuracyJson } from './report.ts';
+export { accuracyPretty, brief } from './table.ts';

@@ -1,0 +1,44 @@
+import type { Accuracy } from '../../engine/index.ts';
+import { GOOD_ENOUGH, type Measured, type WorkPrecision } from '../../engine/work-precision/index.ts';
+import type { Hold } from '../../schema/index.ts';
+
+/** What `accuracy` found out about a run of a level. */
+export interface AccuracyReport {
+  readonly file: string;
+  /** The level's name. */
+  readonly level: string;
+  /** What the run is called. */
+  readonly run: string;
+  readonly holds: readonly Hold[];
+  readonly measured: WorkPrecision;
+  /** The cheapest setting with the reference's outcome and an error below {@link GOOD_ENOUGH}. */
+  readonly cheapest: Measured | null;
+  /** The setting that was asked for on the command line. */
+  readonly asked: Accuracy | null;
+}
+
+const methodJson = ({ accuracy, error, cost, outcome, time, sameVerdict }: Measured) => ({
+  name: accuracy.name,
+  integrator: accuracy.integrator,
+  ...(accuracy.rate === null ? { tolerance: accuracy.tolerance } : { rate: accuracy.rate }),
+  contact: accuracy.contact,
+  error,
+  cost: cost.minimum,
+  medianCost: cost.median,
+  outcome,
+  time,
+  sameVerdict,
+});
+
+/** What `accuracy` found out, for a program: errors in px, costs in microseconds per simulated second, times in s. */
+export function accuracyJson({ level, holds, measured, cheapest }: AccuracyReport): string {
+  const { tolerance, outcome, time, floor } = measured.reference;
+  const report = {
+    level,
+    holds,
+    reference: { tolerance, outcome, time, floor },
+    methods: measured.methods.map(methodJson),
+    cheapest: { below: GOOD_ENOUGH, name: cheapest?.accuracy.name ?? null },
+  };
+  return `${JSON.stringify(report)}\n`;
+}

@@ -1,0 +1,86 @@
+import { ACCURACIES, type Accuracy } from '../../engine/index.ts';
+import { GOOD_ENOUGH, type Measured } from '../../engine/work-precision/index.ts';
+import type { Colors } from '../colors.ts';
+import { alignColumns } from '../reporters/table.ts';
+import { visibleLine } from '../visible.ts';
+import type { AccuracyReport } from './report.ts';
+
+const COLUMNS = ['setting', 'error, px', 'cost, us/s', 'end', 'frame tests: cost', 'end'];
+const RIGHT = [1, 2, 4];
+
+/** A length, a time or a cost with two digits that matter: 12, 0.034, 5.6e-7. */
+export function brief(value: number): string {
+  if (value === 0) return '0';
+  if (value < 1e-3 || value >= 1e5) return value.toExponential(1);
+  return value >= 100 ? value.toFixed(0) : String(Number(value.toPrecision(2)));
+}
+
+/** What `accuracy` found out, for a designer: every setting, those with a name, and what it comes to. */
+export function accuracyPretty(report: AccuracyReport, colors: Colors): string {
+  const { level, run, measured, cheapest, asked } = report;
+  const { reference, methods } = measured;
+  const how = `${reference.outcome} at ${reference.time.toFixed(6)} s`;
+  let text = `${colors.bold(visibleLine(level))}, ${visibleLine(run)}: ${how}\n`;
+  text += `Errors are largest distances at ticks before the end to a run at tolerance ${reference.tolerance.toExponential()} px, `;
+  text += `known to ${brief(reference.floor)} px:\nwhat rounding of doubles leaves of it. Costs are microseconds of computing per simulated second.\n\n`;
+
+  const end = (m: Measured): string => {
+    if (!m.sameVerdict) return `! ${m.outcome} at ${m.time.toFixed(3)} s`;
+    const late = m.time - reference.time;
+    if (Math.abs(late) < 1e-9) return m.outcome;
+    return `${m.outcome} ${brief(Math.abs(late) * 1000)} ms ${late > 0 ? 'later' : 'earlier'}`;
+  };
+  const rows: (readonly string[])[] = [COLUMNS];
+  const colored: ((line: string) => string)[] = [colors.bold];
+  let before: string | null = null;
+  for (const m of methods) {
+    const { accuracy } = m;
+    if (accuracy.contact === 'frame' && accuracy.integrator !== 'arcade' && hasSwept(methods, accuracy)) continue;
+    if (before !== null && before !== accuracy.integrator) {
+      rows.push([]);
+      colored.push((line) => line);
+    }
+    before = accuracy.integrator;
+    const frame = accuracy.contact === 'swept' ? methods.find((other) => isFrameOf(other.accuracy, accuracy)) : undefined;
+    const pair = frame === undefined ? [] : [brief(frame.cost.minimum), end(frame)];
+    rows.push([nameIn(accuracy), brief(m.error), brief(m.cost.minimum), end(m), ...pair]);
+    colored.push(m === cheapest ? colors.green : m.sameVerdict ? (line) => line : colors.red);
+  }
+  text += alignColumns(rows, RIGHT)
+    .map((line, i) => `${colored[i](line)}\n`)
+    .join('');
+
+  text += `\n${conclusion(report)}`;
+  if (asked !== null) {
+    const m = methods.find(({ accuracy }) => accuracy.name === asked.name);
+    if (m !== undefined) text += `${asked.name}: error ${brief(m.error)} px, ${brief(m.cost.minimum)} us/s, ${end(m)}\n`;
+  }
+  return text;
+}
+
+const isFrameOf = (other: Accuracy, { integrator, rate, tolerance }: Accuracy): boolean =>
+  other.contact === 'frame' && other.integrator === integrator && other.rate === rate && other.tolerance === tolerance;
+
+const hasSwept = (methods: readonly Measured[], frame: Accuracy): boolean =>
+  methods.some(({ accuracy }) => accuracy.contact === 'swept' && isFrameOf(frame, accuracy));
+
+/** `rk4 60 Hz = standard` */
+function nameIn({ name, integrator, rate, tolerance }: Accuracy): string {
+  if (!Object.hasOwn(ACCURACIES, name)) return name;
+  const size = rate === null ? `${tolerance?.toExponential()} px` : `${rate} Hz`;
+  return integrator === 'arcade' ? name : `${integrator} ${size} = ${name}`;
+}
+
+function conclusion({ measured: { methods, reference }, cheapest }: AccuracyReport): string {
+  const others = methods.filter((m) => !m.sameVerdict).map(({ accuracy }) => accuracy.name);
+  let text =
+    others.length === 0
+      ? `The outcome is the same at every setting.\n`
+      : `Another outcome than ${reference.outcome} at ${others.length} of ${methods.length} settings: ${others.join('; ')}.\n`;
+  if (cheapest === null) return `${text}No setting has the same outcome and an error below ${GOOD_ENOUGH} px.\n`;
+  const { name } = cheapest.accuracy;
+  text += `Cheapest with the same outcome and an error below ${GOOD_ENOUGH} px: ${name} (${brief(cheapest.cost.minimum)} us/s, ${brief(cheapest.error)} px)`;
+  const precise = methods.find(({ accuracy }) => accuracy.name === ACCURACIES.precise.name);
+  if (precise === undefined || precise === cheapest) return `${text}.\n`;
+  return `${text};\nprecise costs ${brief(precise.cost.minimum / cheapest.cost.minimum)} times as much, with an error of ${brief(precise.error)} px.\n`;
+}

@@ -1,0 +1,114 @@
+import process from 'node:process';
+import { type Command, Option } from 'commander';
+import { ACCURACIES } from '../../engine/index.ts';
+import { cheapestGoodEnough, METHODS, measureWorkPrecision } from '../../engine/work-precision/index.ts';
+import type { Hold } from '../../schema/index.ts';
+import {
+  type AccuracyReport,
+  accuracyJson,
+  accuracyPretty,
+  brief,
+  drawDiagram,
+  type Ground,
+  levelDiagram,
+} from '../accuracy/index.ts';
+import { type AccuracyOptions, addAccuracyOptions, customAccuracy } from '../accuracy-options.ts';
+import { chooseRun } from '../chosen-run.ts';
+import { colorsFor } from '../colors.ts';
+import type { CommandResult } from '../command.ts';
+import { Failure } from '../failure.ts';
+import { parseHolds } from '../holds-option.ts';
+import { openLevel } from '../level-source.ts';
+import { formatOption, maxTimeOption } from '../options.ts';
+import { endAtOnceDuring } from '../signals.ts';
+import { writeWhole } from '../write-file.ts';
+
+/** How long the timing takes, ms. */
+const BUDGET = 3000;
+
+interface Options extends AccuracyOptions {
+  readonly run?: string;
+  readonly holds?: readonly Hold[];
+  readonly svg?: string;
+  readonly theme: Ground;
+  readonly maxTime: number;
+  readonly format: 'pretty' | 'json';
+}
+
+export function declare(command: Command, finish: (result: CommandResult) => void): void {
+  addAccuracyOptions(command)
+    .description(
+      'What accuracy costs in time for a run of a level: error and cost of every setting, and the cheapest that will do.',
+    )
+    .argument('<level>', 'a level file')
+    .option('--run <name>', 'a run of the level; its first when left out')
+    .option('--holds <holds>', 'this run instead: 12-96,130-188 (ticks); none: she drifts', parseHolds)
+    .option('--svg <file>', 'draw the work-precision diagram into FILE.svg')
+    .addOption(
+      new Option('--theme <theme>', 'colours of the diagram; auto follows the viewer')
+        .choices(['auto', 'light', 'dark'])
+        .default('auto'),
+    )
+    .addOption(maxTimeOption())
+    .addOption(formatOption('pretty', 'json'))
+    .addHelpText(
+      'after',
+      `
+Every named accuracy is measured, euler, verlet and rk4 at 15 to 960 Hz and taylor at 1e-2 to 1e-9 px, each with contacts
+swept and at frames; a setting of your own comes on top. Timing takes about ${BUDGET / 1000} s; costs are the least of several turns.
+
+Exit code: 0; 1 when the level is invalid; 2 when it could not be read or the diagram not be written.
+
+Examples:
+  $ gq accuracy levels/01.level.json
+  $ gq accuracy levels/01.level.json --run "all minerals" --svg accuracy.svg
+  $ gq accuracy levels/01.level.json --integrator verlet --rate 90
+  $ gq accuracy levels/01.level.json --format json | jq '.methods[] | select(.sameVerdict | not) | .name'`,
+    )
+    .action(async (file: string, options: Options) => finish(await measure(file, options)));
+}
+
+async function measure(file: string, options: Options): Promise<CommandResult> {
+  const { svg, format } = options;
+  if (svg !== undefined && !/\.svg$/i.test(svg)) throw new Failure(`--svg ${svg}: expected a name that ends in .svg`);
+  const custom = customAccuracy(options);
+  const asked = custom ?? (options.accuracy === undefined ? null : ACCURACIES[options.accuracy]);
+  const isNew = custom !== null && METHODS.every(({ name }) => name !== custom.name);
+
+  const opened = openLevel(file);
+  if (!('level' in opened)) return opened;
+  const { level } = opened;
+  const { name, holds } = chooseRun(file, level, options);
+  const measured = endAtOnceDuring(() =>
+    measureWorkPrecision(level, holds, {
+      maxTime: options.maxTime,
+      now: () => performance.now(),
+      budget: BUDGET,
+      methods: isNew ? [...METHODS, custom] : METHODS,
+    }),
+  );
+  const report: AccuracyReport = {
+    file,
+    level: level.name,
+    run: name,
+    holds,
+    measured,
+    cheapest: cheapestGoodEnough(measured.methods),
+    asked,
+  };
+  if (svg !== undefined) await writeWhole(svg, draw(report, options.theme));
+  return {
+    output: format === 'json' ? accuracyJson(report) : accuracyPretty(report, colorsFor(process.stdout)),
+    messages: svg === undefined ? undefined : `wrote ${svg}\n`,
+    exitCode: 0,
+  };
+}
+
+function draw({ level, run, measured, asked }: AccuracyReport, theme: Ground): string {
+  const { outcome, time, tolerance, floor } = measured.reference;
+  const subtitle =
+    `${outcome} at ${time.toFixed(3)} s. Error: largest distance at ticks to a run at tolerance ${tolerance.toExponential()} px, ` +
+    `known to ${brief(floor)} px`;
+  const named = [...Object.keys(ACCURACIES), ...(asked === null ? [] : [asked.name])];
+  return drawDiagram(levelDiagram(`What accuracy costs: ${level}, ${run}`, subtitle, measured, named), theme);
+}
