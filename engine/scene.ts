@@ -1,6 +1,7 @@
 import type { Circle, Level } from '../schema/index.ts';
 import { ACCURACIES, type Accuracy, type AccuracyName, DEFAULT_ACCURACY } from './accuracy.ts';
 import { chooseEffects, type EffectChoice } from './effects/index.ts';
+import { indexCircles, type SpatialIndex } from './spatial-index.ts';
 
 /** Circles as parallel arrays, px. `index` is the place in the level's own list of that kind. */
 export interface Circles {
@@ -11,6 +12,11 @@ export interface Circles {
   readonly index: Int32Array;
 }
 
+/** A list of circles that stand still, with an index where there are many. */
+export interface IndexedCircles extends Circles {
+  readonly spatial: SpatialIndex | null;
+}
+
 /** A level made ready to simulate at one accuracy. Never written to after `compile`; share it freely. */
 export interface Scene {
   readonly level: Level;
@@ -18,13 +24,17 @@ export interface Scene {
   /** What the level calls for and what it doesn't, with the reason. */
   readonly effects: EffectChoice;
   /** Everything the gun can target: cold asteroids in level order, then hot ones (the order in which ties are broken). */
-  readonly targets: Circles;
+  readonly targets: IndexedCircles;
   /** The first so many of `targets` are cold. */
   readonly coldCount: number;
-  readonly novae: Circles;
-  readonly repulsors: Circles;
+  readonly novae: IndexedCircles;
+  readonly repulsors: IndexedCircles;
   readonly aliens: Circles;
-  readonly minerals: Circles;
+  readonly minerals: IndexedCircles;
+}
+
+function indexed(circles: Circles): IndexedCircles {
+  return { ...circles, spatial: indexCircles(circles) };
 }
 
 function circles(list: readonly Circle[], order: readonly number[]): Circles {
@@ -52,11 +62,11 @@ export function compile(level: Level, accuracy: AccuracyName | Accuracy = DEFAUL
     level,
     accuracy: typeof accuracy === 'string' ? ACCURACIES[accuracy] : accuracy,
     effects: chooseEffects(level),
-    targets: circles(level.asteroids, [...cold, ...hot]),
+    targets: indexed(circles(level.asteroids, [...cold, ...hot])),
     coldCount: cold.length,
-    novae: all(level.novae),
-    repulsors: all(level.repulsors),
+    novae: indexed(all(level.novae)),
+    repulsors: indexed(all(level.repulsors)),
     aliens: all(level.aliens),
-    minerals: all(level.minerals),
+    minerals: indexed(all(level.minerals)),
   };
 }

@@ -10,7 +10,7 @@ import {
   TICK_RATE,
 } from '../constants.ts';
 import { boxCircleGap } from '../contact/index.ts';
-import type { Scene } from '../scene.ts';
+import type { IndexedCircles, Scene } from '../scene.ts';
 import type { BodyKind, Ending, Mode, Simulation } from '../simulation.ts';
 import { CENTRAL, COAST, Flow, LINEAR } from './flow.ts';
 import { untilGrid } from './glide.ts';
@@ -108,6 +108,9 @@ const GONE = 2;
 
 const ROCK = 4;
 
+/** Longest piece of a coast among so many things that an index finds the near ones, px. */
+const CROWDED_REACH = 128;
+
 /** Bound on any acceleration of hers, px/s2, with room for what a fixed step makes of it. */
 const STRONGEST = 1.05 * GUN_PULL;
 
@@ -155,6 +158,7 @@ export class ContinuousSimulation implements Simulation {
   private readonly flow = new Flow();
   private readonly integrator: Integrator;
   private readonly frameRate: number;
+  private readonly crowded: boolean;
   private readonly near: NeighbourList;
   private readonly recorder: PieceRecorder | null;
   private readonly e = new Float64Array(12);
@@ -177,6 +181,7 @@ export class ContinuousSimulation implements Simulation {
     this.frameRate = scene.accuracy.contact === 'frame' ? (scene.accuracy.rate ?? TICK_RATE) : 0;
     const { level, targets, aliens, minerals, novae, repulsors } = scene;
     this.recoils = level.recoil && targets.count > 0;
+    this.crowded = [targets, novae, minerals, repulsors].some(({ spatial }) => spatial !== null);
     this.originX = level.astronaut.x;
     this.originY = level.astronaut.y;
     this.targetX = targets.x.map((x) => x - this.originX);
@@ -671,9 +676,24 @@ export class ContinuousSimulation implements Simulation {
 
   /** The nearest target; the first on a tie; -1 where there is none. */
   private nearest(): number {
+    const { s, scene, ux, uy } = this;
+    const { spatial, count } = scene.targets;
     let best = Number.POSITIVE_INFINITY;
     let nearest = -1;
-    for (let i = 0; i < this.scene.targets.count; i++) {
+    if (spatial !== null && !this.recoil) {
+      // the index knows one of the nearest; which of them comes first is decided in our own digits
+      const x = this.originX + s[BASE_X] + ux[0];
+      const y = this.originY + s[BASE_Y] + uy[0];
+      const reach = Math.sqrt(this.distanceSquared(spatial.nearestCentre(x, y))) * (1 + 1e-9) + 1e-6;
+      for (const i of spatial.around(x, y, reach)) {
+        const d = this.distanceSquared(i);
+        if (d > best || (d === best && i > nearest)) continue;
+        best = d;
+        nearest = i;
+      }
+      return nearest;
+    }
+    for (let i = 0; i < count; i++) {
       const d = this.distanceSquared(i);
       if (d < best) {
         best = d;
@@ -944,6 +964,11 @@ export class ContinuousSimulation implements Simulation {
     }
     s[DEGREE] = 1;
     s[ACCELERATION] = 0;
+    if (kind === COAST && this.crowded) {
+      // where an index finds the neighbours, a long path would find them all
+      const speed = Math.sqrt(ux[1] * ux[1] + uy[1] * uy[1]);
+      if (speed > 0) h = Math.min(h, CROWDED_REACH / speed);
+    }
     if (kind === COAST && (s[LIMIT_X] !== 0 || s[LIMIT_Y] !== 0) && (s[FIELD] >= 0 || held)) {
       // at the limit through the very centre: out of it straight on
       h = Math.min(h, SMALLEST_ORBIT / SPEED_LIMIT);
@@ -1068,26 +1093,25 @@ export class ContinuousSimulation implements Simulation {
     // places of rocks change under recoil: then the list serves one piece
     const skin = recoil ? reach : Math.max(2 * reach, 64);
     near.restart(x, y, skin, s[TARGET]);
-    const distance = (cx: number, cy: number) => Math.sqrt((cx - x) * (cx - x) + (cy - y) * (cy - y));
+    const levelX = x + this.originX;
+    const levelY = y + this.originY;
     const margin = HALF_DIAGONAL + 1e-6;
-    for (let i = 0; i < novae.count; i++) {
-      near.add(NOVA, i, distance(novae.x[i] - this.originX, novae.y[i] - this.originY) - novae.r[i] - margin);
-    }
-    const rock = this.rocks;
-    for (let i = scene.coldCount; i < targets.count; i++) {
-      const cx = recoil ? s[rock + ROCK * i] : this.targetX[i];
-      const cy = recoil ? s[rock + ROCK * i + 1] : this.targetY[i];
-      near.add(HOT, i, distance(cx, cy) - targets.r[i] - margin);
-    }
-    const hole = level.blackHole;
-    near.add(HOLE, 0, distance(hole.x - this.originX, hole.y - this.originY) - hole.radius - margin);
-    for (let i = 0; i < minerals.count; i++) {
-      near.add(MINERAL, i, distance(minerals.x[i] - this.originX, minerals.y[i] - this.originY) - minerals.r[i] - margin);
-    }
-    for (let i = 0; i < repulsors.count; i++) {
+    const distance = (cx: number, cy: number) => Math.sqrt((cx - x) * (cx - x) + (cy - y) * (cy - y));
+    const touching = (kind: number, circles: IndexedCircles, i: number) =>
+      near.add(kind, i, distance(circles.x[i] - this.originX, circles.y[i] - this.originY) - circles.r[i] - margin);
+    const each = (circles: IndexedCircles, within: number, visit: (i: number) => void) => {
+      const { spatial } = circles;
+      if (spatial !== null) for (const i of spatial.around(levelX, levelY, within)) visit(i);
+      else for (let i = 0; i < circles.count; i++) visit(i);
+    };
+    each(novae, skin + margin, (i) => touching(NOVA, novae, i));
+    each(minerals, skin + margin, (i) => touching(MINERAL, minerals, i));
+    each(repulsors, skin + margin, (i) => {
       const d = distance(repulsors.x[i] - this.originX, repulsors.y[i] - this.originY);
       near.add(ENTER, i, Math.abs(d - repulsors.r[i]) - 1e-6);
-    }
+    });
+    const hole = level.blackHole;
+    near.add(HOLE, 0, distance(hole.x - this.originX, hole.y - this.originY) - hole.radius - margin);
     for (let i = 0; i < aliens.count; i++) {
       const o = this.chasers + CHASER * i;
       if (s[o + 4] !== ASLEEP) continue;
@@ -1096,16 +1120,23 @@ export class ContinuousSimulation implements Simulation {
       near.add(ALIEN_TOUCH, i, d - aliens.r[i] - margin);
     }
     const target = s[TARGET];
-    if (target < 0) return;
-    const tx = recoil ? s[rock + ROCK * target] : this.targetX[target];
-    const ty = recoil ? s[rock + ROCK * target + 1] : this.targetY[target];
-    const own = distance(tx, ty);
-    for (let i = 0; i < targets.count; i++) {
-      if (i === target) continue;
-      const cx = recoil ? s[rock + ROCK * i] : this.targetX[i];
-      const cy = recoil ? s[rock + ROCK * i + 1] : this.targetY[i];
-      near.add(SWITCH, i, (distance(cx, cy) - own) / 2 - 1e-6);
-    }
+    const own = target < 0 ? 0 : this.rockDistance(target, x, y);
+    const rock = (i: number) => {
+      if (i < scene.coldCount && (target < 0 || i === target)) return;
+      const d = this.rockDistance(i, x, y);
+      if (i >= scene.coldCount) near.add(HOT, i, d - targets.r[i] - margin);
+      if (target >= 0 && i !== target) near.add(SWITCH, i, (d - own) / 2 - 1e-6);
+    };
+    if (recoil) for (let i = 0; i < targets.count; i++) rock(i);
+    else each(targets, Math.max(skin + margin, 2 * skin + own + 1e-3), rock);
+  }
+
+  /** Distance of a target from (x, y) at the start of the piece, px. */
+  private rockDistance(i: number, x: number, y: number): number {
+    const { s } = this;
+    const dx = (this.recoil ? s[this.rocks + ROCK * i] : this.targetX[i]) - x;
+    const dy = (this.recoil ? s[this.rocks + ROCK * i + 1] : this.targetY[i]) - y;
+    return Math.sqrt(dx * dx + dy * dy);
   }
 
   /** Tests one entry of the neighbour list. */
