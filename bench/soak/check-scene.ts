@@ -58,7 +58,10 @@ function view(simulation: Simulation): string {
   return [simulation.tick, JSON.stringify(simulation.ending), simulation.mineralCount, state, aliens, asteroids].join(' ');
 }
 
-/** Looks for anything wrong with a scene: see the README of bench/. */
+/**
+ * Looks for anything wrong with a scene: rules broken along the way, numbers that are none, runs that do not go on, other bits
+ * when split or carried over by snapshots, another ending at a tighter tolerance.
+ */
 export function checkScene({ level, holds, maxTime }: RandomScene, seed: number): Finding[] {
   const findings: Finding[] = [];
   for (const accuracy of ['precise', 'standard', 'fast'] as const) {
