@@ -1,12 +1,8 @@
-import { closeSync, type Dirent, openSync, readdirSync, readSync, realpathSync, type Stats, statSync } from 'node:fs';
-import { basename, dirname, resolve, sep } from 'node:path';
+import { type Dirent, readdirSync, realpathSync, type Stats, statSync } from 'node:fs';
+import { resolve, sep } from 'node:path';
 import { Failure, systemReason } from './failure.ts';
-import { didYouMean } from './suggest.ts';
 
 const LEVEL_FILE = /\.level\.json$/;
-
-/** A level file is a few kB; what is larger than this, in bytes, is not read. */
-export const MAX_FILE_SIZE = 64 * 1024 * 1024;
 
 export interface FoundFiles {
   /** Paths as they were given, a directory's files below it sorted by path; each file once. */
@@ -20,12 +16,12 @@ export interface FoundFiles {
  * below it, but for hidden directories and node_modules; a path with `*`, `**` or `?` that names no file, for what matches it.
  * @throws Failure naming every path that stands for nothing
  */
-export function findLevelFiles(paths: readonly string[]): FoundFiles {
+export async function findLevelFiles(paths: readonly string[]): Promise<FoundFiles> {
   const files: string[] = [];
   const unreadable: { path: string; reason: string }[] = [];
   const unmatched: string[] = [];
   for (const path of paths) {
-    const found = expand(path, unreadable);
+    const found = await expand(path, unreadable);
     if (typeof found === 'string') unmatched.push(`${path}: ${found}`);
     else for (const file of found) files.push(file);
   }
@@ -39,7 +35,7 @@ export function findLevelFiles(paths: readonly string[]): FoundFiles {
 }
 
 /** The files that a path stands for, or why it stands for none. */
-function expand(path: string, unreadable: { path: string; reason: string }[]): string[] | string {
+async function expand(path: string, unreadable: { path: string; reason: string }[]): Promise<string[] | string> {
   const before = unreadable.length;
   const stats = statOrError(path);
   if (!(stats instanceof Error)) {
@@ -47,7 +43,11 @@ function expand(path: string, unreadable: { path: string; reason: string }[]): s
     const found = walk(path, (name) => LEVEL_FILE.test(name), unreadable);
     return found.length > 0 || unreadable.length > before ? found : 'the directory holds no *.level.json';
   }
-  if (!/[*?]/.test(path)) return systemReason(stats) + siblingHint(path);
+  if (!/[*?]/.test(path)) {
+    // with it comes the schema, which a check leaves to its workers
+    const { siblingHint } = await import('./sibling-hint.ts');
+    return systemReason(stats) + siblingHint(path);
+  }
   const pattern = path.split(sep).join('/');
   const fixed = pattern.slice(0, pattern.search(/[*?]/));
   const root = fixed.includes('/') ? fixed.slice(0, fixed.lastIndexOf('/') + 1) : '.';
@@ -116,48 +116,5 @@ export function statOrError(path: string): Stats | Error {
     return statSync(path);
   } catch (error) {
     return error as Error;
-  }
-}
-
-function siblingHint(path: string): string {
-  try {
-    return didYouMean(basename(path), readdirSync(dirname(path)));
-  } catch {
-    return '';
-  }
-}
-
-/**
- * A file's bytes.
- * @throws Failure saying why it can't be read
- */
-export function readBytes(path: string): Uint8Array {
-  let descriptor: number | null = null;
-  try {
-    descriptor = openSync(path, 'r');
-    return readUpTo(descriptor, MAX_FILE_SIZE);
-  } catch (error) {
-    if (error instanceof Failure) throw new Failure(`${path}: ${error.message}`);
-    const code = (error as NodeJS.ErrnoException).code;
-    const hint = code === 'ENOENT' ? siblingHint(path) : code === 'EISDIR' ? '; expected a file' : '';
-    throw new Failure(`${path}: can't be read: ${systemReason(error)}${hint}`);
-  } finally {
-    if (descriptor !== null) closeSync(descriptor);
-  }
-}
-
-/** Reads in pieces: a pipe has no size to ask for, and a device may have no end. */
-function readUpTo(descriptor: number, limit: number): Uint8Array {
-  const pieces: Uint8Array[] = [];
-  let total = 0;
-  let size = 16 * 1024;
-  for (;;) {
-    const piece = Buffer.allocUnsafe(size);
-    const count = readSync(descriptor, piece);
-    if (count === 0) return pieces.length === 1 ? pieces[0] : Buffer.concat(pieces, total);
-    pieces.push(piece.subarray(0, count));
-    total += count;
-    if (total > limit) throw new Failure(`is larger than ${limit / 1024 / 1024} MB; expected a level file, which is a few kB`);
-    size = Math.min(2 * size, 4 * 1024 * 1024);
   }
 }

@@ -4,7 +4,7 @@ import { type Level, type LevelDocument, type Problem, readLevel } from '../sche
 import { showProblems } from './code-frames.ts';
 import { colorsFor } from './colors.ts';
 import type { CommandResult } from './command.ts';
-import { readBytes } from './files.ts';
+import { readBytes } from './read-bytes.ts';
 import { showFileProblems } from './reporters/problem.ts';
 import type { ShownProblem } from './shown-problem.ts';
 

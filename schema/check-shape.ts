@@ -144,7 +144,7 @@ function outOfLimits(path: Path, issue: z.core.$ZodIssueTooBig | z.core.$ZodIssu
     return found(path, 'text-too-long', message, 'Shorten it.');
   }
   if (Array.isArray(value)) return wrongType(path, 'tuple', value);
-  const words = isBig ? `at most ${limit}` : issue.inclusive ? `at least ${limit}` : `more than ${limit}`;
+  const words = isBig ? `at most ${limit}` : `at least ${limit}`;
   return found(path, 'out-of-limits', `expected a number of ${words}, found ${String(value)}`, `Write a number of ${words}.`);
 }
 

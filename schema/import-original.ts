@@ -69,7 +69,7 @@ class OriginalReader {
     return undefined;
   }
 
-  /** A length in px above 0, written as a number or as a text of digits. */
+  /** A radius or range in px, written as a number or as a text of digits. */
   size(object: Json, key: string, path: Path): number | undefined {
     if (!Object.hasOwn(object, key)) return undefined;
     const value = object[key];
@@ -77,9 +77,9 @@ class OriginalReader {
     const at = [...path, key];
     if (typeof size !== 'number') {
       this.find('wrong-type', at, `expected a number or a text of digits, found ${sayValue(value)}`, 'Write a number.');
-    } else if (size <= 0 || size > LIMITS.radius) {
-      const limits = `more than 0 and at most ${LIMITS.radius}`;
-      this.find('out-of-limits', at, `expected a number of ${limits}, found ${size}`, `Write a number of ${limits}.`);
+    } else if (size < LIMITS.leastRadius || size > LIMITS.radius) {
+      const limits = `from ${LIMITS.leastRadius} to ${LIMITS.radius}`;
+      this.find('out-of-limits', at, `expected a number ${limits}, found ${size}`, `Write a number ${limits}.`);
     } else {
       return size;
     }

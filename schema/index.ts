@@ -1,3 +1,4 @@
+export { closestName } from './closest-name.ts';
 export { codeFrame } from './code-frame.ts';
 export { CODES, type CodeExplanation } from './codes.ts';
 export { formatLevel } from './format.ts';

@@ -9,12 +9,14 @@ export const DEFAULT_RADIUS = { blackHole: 18, alien: 25, mineral: 7 } as const;
 /** Farther than this from every asteroid she is lost, in px, when a level doesn't say. */
 export const DEFAULT_RANGE = 250;
 
-/** What numbers and lists of a level may be at most. */
+/** What numbers and lists of a level may be at most, and radii at least. */
 export const LIMITS = {
   /** px, either sign */
   coordinate: 1e9,
-  /** px; a radius is also more than 0 */
+  /** px */
   radius: 1e6,
+  /** px, radii and the range: recoil goes with 1 / diameter, and what is smaller could only be hit by rounding */
+  leastRadius: 1e-3,
   /** px/s per axis, either sign: the game's own speed limit */
   velocity: 1000,
   /** ticks of 1/60 s: an hour */
@@ -29,7 +31,7 @@ export const LIMITS = {
 const x = z.number().min(-LIMITS.coordinate).max(LIMITS.coordinate).describe('Place in px, from left to right.');
 const y = z.number().min(-LIMITS.coordinate).max(LIMITS.coordinate).describe('Place in px, from top to bottom.');
 const velocity = z.number().min(-LIMITS.velocity).max(LIMITS.velocity);
-const radius = z.number().positive().max(LIMITS.radius);
+const radius = z.number().min(LIMITS.leastRadius).max(LIMITS.radius);
 
 const id = z
   .string()

@@ -95,8 +95,7 @@ function toPlacedProblems(findings: readonly Finding[], text: string): JsonReadi
  */
 export function readJson(source: Uint8Array | string, byteOrderMark: 'refuse' | 'skip'): JsonReading {
   if (source.length > MAX_FILE_SIZE) {
-    const size = `${(source.length / (1024 * 1024)).toFixed(1)} MiB`;
-    return wholeFile('file-too-large', `a file may have 8 MiB, this one has ${size}`, 'Check that the path names a level file.');
+    return wholeFile('file-too-large', 'a file may have 8 MiB, this one has more', 'Check that the path names a level file.');
   }
   const decoded = typeof source === 'string' ? { text: source, bad: null } : decodeUtf8(source);
   const hasMark = decoded.text.startsWith(MARK);

@@ -3,7 +3,7 @@ import { type Problem, readLevel } from '../../schema/index.ts';
 import { showProblems } from '../code-frames.ts';
 import { Failure } from '../failure.ts';
 import { type OpenedLevel, placed, warningsOf } from '../level-source.ts';
-import { readBytes } from '../files.ts';
+import { readBytes } from '../read-bytes.ts';
 import { reportRun } from '../run-report.ts';
 import { hangsOnAccuracy } from './accuracy-hang.ts';
 import type { CheckedLevel, CheckSettings } from './checked-level.ts';

@@ -48,7 +48,7 @@ Examples:
 
 async function check(paths: readonly string[], options: CheckOptions): Promise<CommandResult> {
   const settings = { accuracy: chooseAccuracy(options), maxTime: options.maxTime };
-  const { files, unreadable } = findLevelFiles(paths);
+  const { files, unreadable } = await findLevelFiles(paths);
   const progress = createProgress('checked', files.length);
   const reports: CheckedLevel[] = await checkFiles(files, settings, options.jobs, progress.update);
   progress.clear();

@@ -5,10 +5,10 @@ import { CODES } from '../../schema/index.ts';
 import { CHECK_CODES } from '../check/codes.ts';
 import { colorsFor } from '../colors.ts';
 import type { CommandResult } from '../command.ts';
+import { didYouMean } from '../did-you-mean.ts';
 import { Failure } from '../failure.ts';
 import { formatOption } from '../options.ts';
 import { explainPretty, listCodes } from '../reporters/explain.ts';
-import { didYouMean } from '../suggest.ts';
 
 const ALL = [...CHECK_CODES, ...CODES, ...WARNING_CODES];
 

@@ -1,12 +1,13 @@
 import process from 'node:process';
 import type { Command } from 'commander';
-import { formatLevel, readLevel } from '../../schema/index.ts';
+import { formatLevel, readLevel, withIds } from '../../schema/index.ts';
 import { showProblems } from '../code-frames.ts';
 import { colorsFor } from '../colors.ts';
 import type { CommandResult } from '../command.ts';
 import { Failure } from '../failure.ts';
-import { findLevelFiles, readBytes } from '../files.ts';
+import { findLevelFiles } from '../files.ts';
 import { formatOption } from '../options.ts';
+import { readBytes } from '../read-bytes.ts';
 import { type FormattedFile, fmtJson, fmtPretty } from '../reporters/fmt.ts';
 import { writeWhole } from '../write-file.ts';
 
@@ -17,7 +18,9 @@ interface FmtOptions {
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
   command
-    .description('Give level files their one canonical layout. What they say stays the same; an invalid file is left alone.')
+    .description(
+      'Give level files their one canonical layout, and ids to objects that have none. What they say stays the same; an invalid file is left alone.',
+    )
     .argument('[path...]', 'level files, directories, or quoted patterns with * ** ?', ['levels'])
     .option('--check', 'only report which files would change')
     .addOption(formatOption('pretty', 'json'))
@@ -35,7 +38,7 @@ Examples:
 }
 
 async function fmt(paths: readonly string[], options: FmtOptions): Promise<CommandResult> {
-  const { files, unreadable } = findLevelFiles(paths);
+  const { files, unreadable } = await findLevelFiles(paths);
   const done: FormattedFile[] = [];
   const failures = unreadable.map(({ path, reason }) => `error: ${path}: can't be looked into: ${reason}\n`);
   for (const file of files) {
@@ -55,7 +58,7 @@ async function formatFile(file: string, onlyCheck: boolean): Promise<FormattedFi
   const bytes = readBytes(file);
   const read = readLevel(bytes, { byteOrderMark: 'skip' });
   if (!read.ok) return { file, status: 'invalid', problems: showProblems(read.problems, read.text) };
-  const text = formatLevel(read.document.file);
+  const text = formatLevel(withIds(read.document.file));
   if (Buffer.from(text).equals(bytes)) return { file, status: 'unchanged', problems: [] };
   if (!onlyCheck) await writeWhole(file, text);
   return { file, status: onlyCheck ? 'would change' : 'formatted', problems: [] };

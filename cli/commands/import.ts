@@ -7,10 +7,11 @@ import { showProblems } from '../code-frames.ts';
 import { colorsFor } from '../colors.ts';
 import type { CommandResult } from '../command.ts';
 import { Failure, systemReason } from '../failure.ts';
-import { readBytes } from '../files.ts';
 import { formatOption } from '../options.ts';
+import { readBytes } from '../read-bytes.ts';
 import { type ImportedFile, importJson, importPretty } from '../reporters/import.ts';
 import { showFileProblems } from '../reporters/problem.ts';
+import { schemaReference } from '../schema-reference.ts';
 import { writeWhole } from '../write-file.ts';
 
 interface ImportOptions {
@@ -53,9 +54,10 @@ async function importFile(file: string, options: ImportOptions): Promise<Command
     const problems = showProblems(imported.problems, imported.text);
     return { messages: showFileProblems(file, problems, colorsFor(process.stderr)), exitCode: 1 };
   }
+  const $schema = schemaReference(options.out) ?? undefined;
   const targets = imported.levels.map(({ slug, file: level }): Target => {
     const path = join(options.out, `${slug}.level.json`);
-    const text = formatLevel(level);
+    const text = formatLevel({ $schema, ...level });
     const before = contentOf(path);
     return {
       file: path,

@@ -8,7 +8,7 @@ export interface Room {
 }
 
 export const ROOMS: Readonly<Record<string, Room>> = {
-  schema: { knows: [], packages: ['zod', 'jsonc-parser'], pure: true },
+  schema: { knows: [], packages: ['zod'], pure: true },
   engine: { knows: ['schema'], packages: ['flatbush', 'kdbush'], pure: true },
   solver: { knows: ['schema', 'engine'], packages: ['flatbush', 'kdbush'], pure: true },
   cli: { knows: ['schema', 'engine', 'solver'], packages: null, pure: false },

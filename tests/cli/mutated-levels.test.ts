@@ -6,6 +6,7 @@ import { checkLevel } from '../../cli/check/check-level.ts';
 import { PLAIN } from '../../cli/colors.ts';
 import { checkJson } from '../../cli/reporters/check-json.ts';
 import { checkPretty } from '../../cli/reporters/check-pretty.ts';
+import { ACCURACIES } from '../../engine/index.ts';
 import { checkReportSchema } from '../../schema/index.ts';
 import { fallThrough, makeFiles } from './gq.ts';
 
@@ -63,30 +64,33 @@ function mutate(text: string, { kind, at, with: value, length }: Mutation): stri
   return text.slice(0, match.index) + value + text.slice(match.index + match[0].length);
 }
 
-it('whatever becomes of a level file, it ends in a verdict with finite numbers', () => {
-  const seen = new Set<string>();
-  fc.assert(
-    fc.property(fc.array(mutation, { minLength: 1, maxLength: 3 }), (mutations) => {
-      writeFileSync(file, mutations.reduce(mutate, base));
-      const checked = checkLevel(file, { accuracy: 'arcade', maxTime: 60 });
-      expect(checked.verdict).not.toBe('crashed');
-      seen.add(checked.verdict);
-      // a number that is not finite is null in JSON, and refused by the schema
-      const report = checkReportSchema.parse(JSON.parse(checkJson([checked])));
-      expect(report.levels[0].problems.length > 0 || checked.verdict === 'completable').toBe(true);
-      expect(checkPretty([checked], PLAIN)).toContain(checked.verdict);
-    }),
-    { numRuns: 600, seed: 20 },
-  );
-  // the mutations reach past the reader
-  expect([...seen].sort()).toEqual(['broken', 'completable', 'invalid']);
-});
+it.each([ACCURACIES.arcade, ACCURACIES.precise])(
+  'whatever becomes of a level file, it ends in a verdict with finite numbers: $name',
+  (accuracy) => {
+    const seen = new Set<string>();
+    fc.assert(
+      fc.property(fc.array(mutation, { minLength: 1, maxLength: 3 }), (mutations) => {
+        writeFileSync(file, mutations.reduce(mutate, base));
+        const checked = checkLevel(file, { accuracy, maxTime: 60 });
+        expect(checked.verdict).not.toBe('crashed');
+        seen.add(checked.verdict);
+        // a number that is not finite is null in JSON, and refused by the schema
+        const report = checkReportSchema.parse(JSON.parse(checkJson([checked])));
+        expect(report.levels[0].problems.length > 0 || checked.verdict === 'completable').toBe(true);
+        expect(checkPretty([checked], PLAIN)).toContain(checked.verdict);
+      }),
+      { numRuns: 600, seed: 20 },
+    );
+    // the mutations reach past the reader
+    expect([...seen].sort()).toEqual(['broken', 'completable', 'invalid']);
+  },
+);
 
 it('any bytes at all end in a verdict', () => {
   fc.assert(
     fc.property(fc.uint8Array({ maxLength: 200 }), (bytes) => {
       writeFileSync(file, bytes);
-      expect(checkLevel(file, { accuracy: 'arcade', maxTime: 60 }).verdict).toBe('invalid');
+      expect(checkLevel(file, { accuracy: ACCURACIES.precise, maxTime: 60 }).verdict).toBe('invalid');
     }),
     { numRuns: 200 },
   );

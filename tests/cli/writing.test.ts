@@ -1,6 +1,8 @@
 import { chmodSync, existsSync, readdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
 import { afterAll, describe, expect, it } from 'vitest';
+import { schemaReference } from '../../cli/schema-reference.ts';
 import { fallThrough, gq, makeFiles } from './gq.ts';
 
 const original = {
@@ -55,6 +57,24 @@ describe('import', () => {
     expect(fmt).toMatchObject({ code: 0, stdout: '2 files: 2 unchanged\n' });
   });
 
+  it('names the JSON Schema of the toolkit where the project has installed it, and none where there is none', async () => {
+    const project = makeFiles({ 'node_modules/gravity-quest-toolkit/schema/level.schema.json': '{}' });
+    const ended = await gq(['import', join(cwd, 'originals.json'), '--out', 'a/b'], { cwd: project.directory });
+    expect(ended.code).toBe(0);
+    const text = readFileSync(join(project.directory, 'a/b/level-01.level.json'), 'utf8');
+    const { $schema } = JSON.parse(text);
+    expect($schema).toBe('../../node_modules/gravity-quest-toolkit/schema/level.schema.json');
+    expect(existsSync(join(project.directory, 'a/b', $schema))).toBe(true);
+    project.remove();
+    expect(schemaReference(cwd)).toBeNull();
+  });
+
+  it('names its own JSON Schema within its own folder', () => {
+    const root = fileURLToPath(new URL('../../', import.meta.url));
+    expect(schemaReference(join(root, 'levels/new'))).toBe('../../schema/level.schema.json');
+    expect(schemaReference(root)).toBe('schema/level.schema.json');
+  });
+
   it('tells what is wrong with its place, and makes no directory then', async () => {
     const { code, stdout, stderr } = await gq(['import', 'not-originals.json', '--out', 'never'], { cwd });
     expect({ code, stdout }).toEqual({ code: 1, stdout: '' });
@@ -88,7 +108,10 @@ describe('fmt', () => {
     expect(done.code).toBe(1);
     expect(JSON.parse(done.stdout).files.map((f: { status: string }) => f.status)).toEqual(['formatted', 'formatted', 'invalid']);
     expect(read('untidy/a.level.json')).not.toBe(before);
-    expect(JSON.parse(read('untidy/a.level.json'))).toEqual(JSON.parse(before));
+    const { asteroids, ...rest } = JSON.parse(read('untidy/a.level.json'));
+    const { asteroids: unnamed, ...others } = JSON.parse(before);
+    expect(rest).toEqual(others);
+    expect(asteroids).toEqual([{ ...unnamed[0], id: expect.stringMatching(/^[a-z0-9]{2,16}$/) }]);
     expect(statSync(join(cwd, 'untidy/a.level.json')).mode & 0o777).toBe(0o640);
     expect(read('untidy/b.level.json').charCodeAt(0)).toBe('{'.charCodeAt(0));
     expect(read('untidy/c.level.json')).toBe('{');

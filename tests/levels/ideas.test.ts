@@ -71,10 +71,11 @@ const LATEST = 1000;
 /** How many single holds [press, release) on the grid complete the level, drifting on for up to 25 s. */
 function singleHoldsThatComplete(level: Level): number {
   const simulation = createSimulation(compile(level, 'arcade'));
+  const isOver = (): boolean => simulation.ending !== null;
   let count = 0;
-  for (let press = 0; press < LATEST && simulation.ending === null; press += GRID) {
+  for (let press = 0; press < LATEST && !isOver(); press += GRID) {
     const atPress = simulation.snapshot();
-    for (let release = press + GRID; release <= LATEST && simulation.ending === null; release += GRID) {
+    for (let release = press + GRID; release <= LATEST && !isOver(); release += GRID) {
       simulation.advance(GRID, true);
       const atRelease = simulation.snapshot();
       simulation.advance(1500 - simulation.tick, false);

@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { type LevelFile, LIMITS } from '../../schema/index.ts';
 
 const within = (limit: number) => fc.double({ min: -limit, max: limit, noNaN: true });
-const radius = fc.double({ min: 1e-9, max: LIMITS.radius, noNaN: true });
+const radius = fc.double({ min: LIMITS.leastRadius, max: LIMITS.radius, noNaN: true });
 const id = fc.option(fc.stringMatching(/^[a-z0-9]{2,16}$/), { nil: undefined });
 const place = { id, x: within(LIMITS.coordinate), y: within(LIMITS.coordinate) };
 

@@ -113,7 +113,7 @@ describe('importing levels of the original game', () => {
     ['"asteroids":[{"x":1,"y":2}]', 'missing-key /asteroids/0 | the key "radius" is missing in asteroids[0]'],
     [
       '"novae":[{"x":1,"y":2,"radius":"0"}]',
-      'out-of-limits /novae/0/radius | novae[0].radius: expected a number of more than 0 and at most 1000000, found 0',
+      'out-of-limits /novae/0/radius | novae[0].radius: expected a number from 0.001 to 1000000, found 0',
     ],
     [
       '"novae":[{"x":1,"y":2,"radius":"1e2"}]',
@@ -130,10 +130,7 @@ describe('importing levels of the original game', () => {
     ],
     ['"aliens":{}', 'wrong-type /aliens | aliens: expected a list in [ ], found an object'],
     ['"aliens":[null]', 'wrong-type /aliens/0 | aliens[0]: expected an object in { }, found null'],
-    [
-      '"maxDistance":-1',
-      'out-of-limits /maxDistance | maxDistance: expected a number of more than 0 and at most 1000000, found -1',
-    ],
+    ['"maxDistance":-1', 'out-of-limits /maxDistance | maxDistance: expected a number from 0.001 to 1000000, found -1'],
   ])('a level with %s', (rest, problem) => {
     const said = problems(`{"player":{"x":1,"y":2},"target":{"x":3,"y":4,"radius":5},${rest}}`);
     expect(said.map((line) => line.replace(/^1:\d+ /, ''))).toEqual([problem]);
