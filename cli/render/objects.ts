@@ -10,6 +10,14 @@ import { drawRepulsor } from './repulsor.ts';
 import { drawSpeck, SPECKS_FROM, type SpeckKind } from './speck.ts';
 import type { Theme } from './theme.ts';
 import type { View } from './view.ts';
+import { num } from './xml.ts';
+
+/** Nothing is drawn smaller than this: radius in units of the picture. */
+const LEAST = 4;
+
+/** Around a thing that is drawn larger than it is, so that nobody takes what is drawn for its size. */
+const drawRing = (radius: number, view: View, theme: Theme): string =>
+  `<circle r="${num(2 * radius)}" fill="none" stroke="${theme.text}" stroke-opacity=".6" stroke-width="${num(0.8 / view.scale)}"/>`;
 
 /** Everything in the level but the astronaut, from what lies at the back to what must never be hidden. */
 export function drawObjects(view: View, theme: Theme, level: Level): string {
@@ -22,7 +30,12 @@ export function drawObjects(view: View, theme: Theme, level: Level): string {
     circle: Circle,
     draw: (radius: number, index: number, theme: Theme) => string,
   ): void => {
-    const drawing = crowded ? drawSpeck(kind, circle.radius, theme) : draw(circle.radius, index, theme);
+    const least = LEAST / view.scale;
+    const drawing = crowded
+      ? drawSpeck(kind, circle.radius, theme)
+      : circle.radius < least
+        ? draw(least, index, theme) + drawRing(least, view, theme)
+        : draw(circle.radius, index, theme);
     parts.push(place(view, kind, index, circle, drawing));
   };
   for (const [i, o] of repulsors.entries()) put('repulsor', i, o, (radius) => drawRepulsor(radius, theme));

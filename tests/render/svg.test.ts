@@ -47,6 +47,27 @@ describe('a picture shows what the level has', () => {
   });
 });
 
+describe('what is very small', () => {
+  const asteroid = (radius: number) => {
+    const svg = renderSvg(level({ ...DROP, asteroids: [{ x: 0, y: 120, radius }] }));
+    const scale = Number(/data-kind="asteroid"[^>]*scale\(([\d.]+)\)/.exec(svg)?.[1]);
+    const drawn = svg.slice(svg.indexOf('data-kind="asteroid"'));
+    return [...drawn.slice(0, drawn.indexOf('data-kind', 1)).matchAll(/<circle r="([\d.]+)"/g)].map(([, r]) => Number(r) * scale);
+  };
+
+  test('is drawn large enough to see, in a ring that says so', () => {
+    const [disc, ring] = asteroid(1);
+    expect(disc).toBeGreaterThan(3.9);
+    expect(ring).toBeCloseTo(2 * disc, 1);
+    expect(asteroid(1)).toEqual(asteroid(0.001));
+  });
+
+  test('what is large enough is drawn as it is, without a ring', () => {
+    const [disc, ...ring] = asteroid(16);
+    expect([disc / asteroid(32)[0], ring]).toEqual([expect.closeTo(0.5, 2), []]);
+  });
+});
+
 describe('a picture shows what the run did', () => {
   const run = play(DROP, HOLDS);
   const svg = renderSvg(level(DROP), { run });
