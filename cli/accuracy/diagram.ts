@@ -179,9 +179,7 @@ export function drawDiagram(diagram: Diagram, ground: Ground = 'auto'): string {
     );
     // names first: they get the better places
     wanted.sort((a, b) => b.style.size - a.style.size);
-    const marks = lines.flatMap(({ points: own }, index) =>
-      own.map((p) => [good(p) ? x.at(p.error) : failedX(index, p.failures), y.at(p.cost)] as const),
-    );
+    const marks = lines.flatMap((drawn, index) => alongLine(drawn, index));
     const within = { left: PLOT.left, right: FAILED.right, top: PLOT.top, bottom: PLOT.bottom };
     const placed = placeLabels(
       wanted.map((label) => ({ ...label, size: label.style.size })),
@@ -196,6 +194,21 @@ export function drawDiagram(diagram: Diagram, ground: Ground = 'auto'): string {
         return ink(kind, lead) + ink(style.size < 8 ? 'muted' : 'text', write(text, lx, ly, style));
       })
       .join('');
+  }
+
+  /** Its marks, and places close together on the way from one to the next: what a label should not cover. */
+  function alongLine({ points: own }: DiagramLine, index: number): (readonly [number, number])[] {
+    const places = own.filter(good).map((p) => [x.at(p.error), y.at(p.cost)] as const);
+    const between = places.slice(1).flatMap(([toX, toY], i) => {
+      const [fromX, fromY] = places[i];
+      const count = Math.floor(Math.hypot(toX - fromX, toY - fromY) / 8);
+      return Array.from({ length: count }, (_, k) => {
+        const part = (k + 1) / (count + 1);
+        return [fromX + part * (toX - fromX), fromY + part * (toY - fromY)] as const;
+      });
+    });
+    const failed = own.filter((p) => p.failures > 0).map((p) => [failedX(index, p.failures), y.at(p.cost)] as const);
+    return [...places, ...between, ...failed];
   }
 
   function drawLegend(): string {

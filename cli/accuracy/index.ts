@@ -3,3 +3,4 @@ export type { Ground } from './ink.ts';
 export { levelDiagram, linesOf, noteOf } from './level-diagram.ts';
 export { type AccuracyReport, accuracyJson } from './report.ts';
 export { accuracyPretty, brief } from './table.ts';
+export { drawTunnelling, type Tunnelling, type TunnellingCurve } from './tunnelling.ts';

@@ -72,15 +72,29 @@ function nameIn({ name, integrator, rate, tolerance }: Accuracy): string {
 }
 
 function conclusion({ measured: { methods, reference }, cheapest }: AccuracyReport): string {
-  const others = methods.filter((m) => !m.sameVerdict).map(({ accuracy }) => accuracy.name);
+  const failed = methods.filter((m) => !m.sameVerdict);
   let text =
-    others.length === 0
-      ? `The outcome is the same at every setting.\n`
-      : `Another outcome than ${reference.outcome} at ${others.length} of ${methods.length} settings: ${others.join('; ')}.\n`;
+    failed.length === 0
+      ? 'The outcome is the same at every setting.\n'
+      : `Another outcome than ${reference.outcome} at ${failed.length} of ${methods.length} settings: ${inGroups(failed, methods)}.\n`;
   if (cheapest === null) return `${text}No setting has the same outcome and an error below ${GOOD_ENOUGH} px.\n`;
   const { name } = cheapest.accuracy;
   text += `Cheapest with the same outcome and an error below ${GOOD_ENOUGH} px: ${name} (${brief(cheapest.cost.minimum)} us/s, ${brief(cheapest.error)} px)`;
   const precise = methods.find(({ accuracy }) => accuracy.name === ACCURACIES.precise.name);
   if (precise === undefined || precise === cheapest) return `${text}.\n`;
   return `${text};\nprecise costs ${brief(precise.cost.minimum / cheapest.cost.minimum)} times as much, with an error of ${brief(precise.error)} px.\n`;
+}
+
+/** `every euler with frame tests, verlet 15 Hz`: settings by name, but for whole groups. */
+function inGroups(failed: readonly Measured[], methods: readonly Measured[]): string {
+  const groupOf = ({ accuracy: { integrator, contact } }: Measured): string =>
+    integrator === 'arcade' ? integrator : `every ${integrator} with ${contact === 'frame' ? 'frame tests' : 'swept contacts'}`;
+  const groups = new Set(failed.map(groupOf));
+  return [...groups]
+    .map((group) => {
+      const own = failed.filter((m) => groupOf(m) === group);
+      const whole = own.length === methods.filter((m) => groupOf(m) === group).length;
+      return whole ? group : own.map(({ accuracy }) => accuracy.name).join(', ');
+    })
+    .join('; ');
 }

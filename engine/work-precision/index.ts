@@ -4,4 +4,5 @@ export { cheapestGoodEnough, GOOD_ENOUGH, type Measured, measureWorkPrecision, t
 export { METHODS, RATES, TOLERANCES } from './methods.ts';
 export { largestDistance, type Path, pathOf } from './path.ts';
 export { quantile } from './quantile.ts';
-export { type Reference, REFERENCE_TOLERANCE, referenceOf } from './reference.ts';
+export { REFERENCE_TOLERANCE, type Reference, referenceOf } from './reference.ts';
+export { type Missed, missedContacts, type TunnellingOptions } from './tunnelling.ts';
