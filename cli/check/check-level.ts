@@ -26,7 +26,7 @@ function judge(file: string, settings: CheckSettings): CheckedLevel {
   }
 }
 
-function replay(file: string, opened: OpenedLevel, { accuracy, maxTime }: CheckSettings): CheckedLevel {
+function replay(file: string, opened: OpenedLevel, { accuracy, maxTime, inFull }: CheckSettings): CheckedLevel {
   const { level, document } = opened;
   const scene = compile(level, accuracy);
   const runs = level.runs.map(({ holds }) => simulate(scene, holds, { maxTime }));
@@ -42,12 +42,14 @@ function replay(file: string, opened: OpenedLevel, { accuracy, maxTime }: CheckS
       placed(failedRun({ file, level, accuracy: accuracy.name, index, run, noneCompletes: verdict === 'broken' }), document),
     );
   }
+  const run = runs.at(shown);
   for (const problem of hangsOnAccuracy(file, level, runs, accuracy, maxTime)) problems.push(placed(problem, document));
   return {
     file,
     name: level.name,
     verdict,
-    run: runs.length === 0 ? null : reportRun(level, accuracy.name, level.runs[shown].holds, runs[shown], null),
+    run: run === undefined ? null : { time: run.time, minerals: [...run.minerals], clearance: run.clearance },
+    report: run === undefined || !inFull ? null : reportRun(level, accuracy.name, level.runs[shown].holds, run, null),
     mineralCount: level.minerals.length,
     problems: [...(problems.length > 0 ? showProblems(problems, document.text) : []), ...warningsOf(opened, runs)],
     unreadable: false,

@@ -47,7 +47,7 @@ Examples:
 }
 
 async function check(paths: readonly string[], options: CheckOptions): Promise<CommandResult> {
-  const settings = { accuracy: chooseAccuracy(options), maxTime: options.maxTime };
+  const settings = { accuracy: chooseAccuracy(options), maxTime: options.maxTime, inFull: options.format === 'json' };
   const { files, unreadable } = await findLevelFiles(paths);
   const progress = createProgress('checked', files.length);
   const reports: CheckedLevel[] = await checkFiles(files, settings, options.jobs, progress.update);

@@ -3,11 +3,11 @@ import type { CheckedLevel } from '../check/checked-level.ts';
 import { summarize } from '../check/summary.ts';
 import { problemJson } from './problem-json.ts';
 
-/** What `check` found out, for a program. But for `ms` it is the same whenever and with however many workers it is made. */
+/** What `check` found out, runs in full, for a program. But for `ms` it is the same whenever and with however many workers it is made. */
 export function checkJson(reports: readonly CheckedLevel[]): string {
   const report: CheckReport = {
-    levels: reports.map(({ file, name, verdict, run, problems, ms }) => {
-      return { file, name, verdict, run, problems: problems.map(problemJson), ms };
+    levels: reports.map(({ file, name, verdict, report, problems, ms }) => {
+      return { file, name, verdict, run: report, problems: problems.map(problemJson), ms };
     }),
     summary: summarize(reports),
   };

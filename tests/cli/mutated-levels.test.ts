@@ -71,7 +71,7 @@ it.each([ACCURACIES.arcade, ACCURACIES.precise])(
     fc.assert(
       fc.property(fc.array(mutation, { minLength: 1, maxLength: 3 }), (mutations) => {
         writeFileSync(file, mutations.reduce(mutate, base));
-        const checked = checkLevel(file, { accuracy, maxTime: 60 });
+        const checked = checkLevel(file, { accuracy, maxTime: 60, inFull: true });
         expect(checked.verdict).not.toBe('crashed');
         seen.add(checked.verdict);
         // a number that is not finite is null in JSON, and refused by the schema
@@ -90,7 +90,7 @@ it('any bytes at all end in a verdict', () => {
   fc.assert(
     fc.property(fc.uint8Array({ maxLength: 200 }), (bytes) => {
       writeFileSync(file, bytes);
-      expect(checkLevel(file, { accuracy: ACCURACIES.precise, maxTime: 60 }).verdict).toBe('invalid');
+      expect(checkLevel(file, { accuracy: ACCURACIES.precise, maxTime: 60, inFull: true }).verdict).toBe('invalid');
     }),
     { numRuns: 200 },
   );
