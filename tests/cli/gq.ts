@@ -22,7 +22,8 @@ export interface SpawnOptions {
   readonly during?: (child: ChildProcess) => void;
 }
 
-const TOO_LONG = 30_000;
+/** ms: only what hangs takes so long, however busy the machine */
+const TOO_LONG = 120_000;
 
 /** Runs gq to its end; one that hangs is killed, and ends with a signal. */
 export function gq(args: readonly string[], { cwd, env, during }: SpawnOptions = {}): Promise<Ended> {

@@ -4,6 +4,7 @@ import { join } from 'node:path';
 import process from 'node:process';
 import { setTimeout } from 'node:timers/promises';
 import { afterAll, describe, expect, it } from 'vitest';
+import { findLevelFiles } from '../../cli/files.ts';
 import { fallThrough, gq, MAIN, makeFiles } from './gq.ts';
 
 // drifting for an hour takes long enough to be interrupted
@@ -100,7 +101,7 @@ describe.runIf(process.platform === 'linux')('a signal', () => {
   };
 
   it('ends the work and its workers with 130 or 143, and writes nothing', async () => {
-    const args = ['check', 'long', '--format', 'json', '--max-time', '3600'];
+    const args = ['check', 'long', '--format', 'json', '--accuracy', 'arcade', '--max-time', '3600'];
     for (const jobs of ['1', '2']) {
       const [int, term] = await Promise.all([
         gq([...args, '--jobs', jobs], { cwd, env, during: interrupt('SIGINT') }),
@@ -188,12 +189,11 @@ describe('what stands in a directory', () => {
   });
 
   it('can be picked by patterns, too', async () => {
-    const files = async (...patterns: string[]) => {
-      const { stdout } = await gq(['check', '--format', 'json', ...patterns], { cwd });
-      return JSON.parse(stdout).levels.map((level: { file: string }) => level.file);
-    };
-    expect(await files('many/1?.level.json')).toEqual(Array.from({ length: 10 }, (_, i) => `many/1${i}.level.json`));
-    expect(await files('**/b*.json')).toEqual(['tree/sub/deep/b.level.json']);
-    expect(await files('good.*', 'many/129.level.json')).toEqual(['good.level.json', 'many/129.level.json']);
+    const files = async (pattern: string) => (await findLevelFiles([`${cwd}/${pattern}`])).files;
+    expect(await files('many/1?.level.json')).toEqual(Array.from({ length: 10 }, (_, i) => `${cwd}/many/1${i}.level.json`));
+    expect(await files('**/b*.json')).toEqual([`${cwd}/tree/sub/deep/b.level.json`]);
+    const { stdout } = await gq(['check', '--format', 'json', 'good.*', 'many/12?.level.json'], { cwd });
+    const named = JSON.parse(stdout).levels.map((level: { file: string }) => level.file);
+    expect(named).toEqual(['good.level.json', ...Array.from({ length: 10 }, (_, i) => `many/12${i}.level.json`)]);
   });
 });
