@@ -54,14 +54,16 @@ const LONGEST_TAYLOR = 4;
 
 /**
  * Largest part of the time to the centre that a Taylor piece may reach. The series' singularity lies at the complex time
- * at which u.u = 0, |t| = d / v when the motion is nearly straight; a pass too close for the last terms to show must
- * not be stepped over.
+ * at which u.u = 0, no nearer than she could be at the centre; a pass too close for the last terms to show it must not be
+ * stepped over.
  */
 const CONVERGENCE = 0.6;
 
-function timeToCentre(x: Float64Array, y: Float64Array): number {
+/** The least time in which she can be at the centre of a force of strength `alpha`, s. */
+function timeToCentre(x: Float64Array, y: Float64Array, alpha: number): number {
+  const d = Math.sqrt(x[0] * x[0] + y[0] * y[0]);
   const v2 = x[1] * x[1] + y[1] * y[1];
-  return v2 > 0 ? Math.sqrt((x[0] * x[0] + y[0] * y[0]) / v2) : Number.POSITIVE_INFINITY;
+  return (2 * d) / (Math.sqrt(v2) + Math.sqrt(v2 + 2 * Math.abs(alpha) * d));
 }
 
 function taylor(tolerance: number): Integrator {
@@ -74,7 +76,7 @@ function taylor(tolerance: number): Integrator {
         return taylorStep(x, y, tolerance, Math.min(longest, LONGEST_TAYLOR));
       }
       centralSeries(x, y, flow.alpha, flow.beta, flow.freeX, flow.freeY, px, py, kappa);
-      return taylorStep(x, y, tolerance, Math.min(longest, LONGEST_TAYLOR, CONVERGENCE * timeToCentre(x, y)));
+      return taylorStep(x, y, tolerance, Math.min(longest, LONGEST_TAYLOR, CONVERGENCE * timeToCentre(x, y, flow.alpha)));
     },
     chase(qx, qy, ax, ay, kappa, h) {
       chaserSeries(qx, qy, ax, ay, kappa);

@@ -32,7 +32,6 @@ export class PieceRecorder implements Trajectory {
   /** Keeps the piece the simulation is on; it is left after `t` seconds. */
   piece(simulation: ContinuousSimulation, t: number): void {
     this.end = simulation.pieceStart + t;
-    if (t <= 0 && this.starts.length > 0) return;
     this.states.push(simulation.snapshot());
     this.starts.push(simulation.pieceStart);
     this.lengths.push(t);
@@ -76,47 +75,51 @@ export class PieceRecorder implements Trajectory {
   /** The smallest gap to a hazard: from looks along every piece, the best of them refined. */
   clearance(): Clearance | null {
     if (this.scene.novae.count + this.scene.aliens.count + this.scene.targets.count - this.scene.coldCount === 0) return null;
-    let bestPiece = 0;
-    let bestTime = 0;
-    let stride = 0;
     for (let i = 0; i < this.starts.length; i++) {
       const length = this.lengths[i];
       // a long piece is looked at as often as at ticks
-      const looks = Math.max(LOOKS, Math.min(MOST_LOOKS, Math.ceil(length * TICK_RATE)));
+      const looks = length > 0 ? Math.max(LOOKS, Math.min(MOST_LOOKS, Math.ceil(length * TICK_RATE))) : 0;
+      const stride = looks > 0 ? length / looks : 0;
       this.reader.restore(this.states[i]);
-      for (let k = 0; k <= looks; k++) {
-        const before = this.near.best;
-        const t = (length * k) / looks;
-        this.look(this.starts[i], t);
-        if (this.near.best === before) continue;
-        bestPiece = i;
-        bestTime = t;
-        stride = length / looks;
+      let before = Number.POSITIVE_INFINITY;
+      let last = this.look(this.starts[i], 0);
+      for (let k = 1; k <= looks; k++) {
+        const gap = this.look(this.starts[i], stride * k);
+        // a dip between two looks may be deeper than the best so far
+        if (last <= before && last <= gap) this.refine(i, stride * (k - 1), stride, last, gap);
+        before = last;
+        last = gap;
       }
+      if (looks > 0 && last <= before) this.refine(i, length, stride, last, last);
     }
-    this.refine(bestPiece, bestTime, stride);
     return this.near.best;
   }
 
-  /** Halves the stride around the best look until it no longer matters. */
-  private refine(piece: number, time: number, stride: number): void {
-    this.reader.restore(this.states[piece]);
+  /** Looks closer around a dip, where it may be the deepest: halves the stride until it no longer matters. */
+  private refine(piece: number, time: number, stride: number, gap: number, beside: number): void {
+    const best = this.near.best;
+    if (best !== null && gap > best.distance + Math.max(1, beside - gap)) return;
+    const start = this.starts[piece];
     let t = time;
+    let least = gap;
     for (let h = stride / 2; h > 1e-9; h /= 2) {
-      for (const side of [t - h, t + h]) {
-        if (side < 0 || side > this.lengths[piece]) continue;
-        const before = this.near.best;
-        this.look(this.starts[piece], side);
-        if (this.near.best !== before) t = side;
+      for (let side = -1; side <= 1; side += 2) {
+        const there = t + side * h;
+        if (there < 0 || there > this.lengths[piece]) continue;
+        const found = this.look(start, there);
+        if (found >= least) continue;
+        least = found;
+        t = there;
+        break;
       }
     }
   }
 
-  private look(start: number, t: number): void {
+  private look(start: number, t: number): number {
     const { reader, state, aliens, asteroids } = this;
     reader.stateAt(t, state);
     reader.aliensAt(t, aliens);
     reader.asteroidsAt(t, asteroids);
-    this.near.see(start + t, state[0], state[1], state[4], state[5], aliens, asteroids);
+    return this.near.see(start + t, state[0], state[1], state[4], state[5], aliens, asteroids);
   }
 }

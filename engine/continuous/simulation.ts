@@ -57,7 +57,11 @@ const MOVES = 32; // 1 from the first press on where the level has recoil
 const AWAKE_COUNT = 33;
 const CROSSED = 34; // LINEAR: when she last crossed the centre, and the time before; 0 when something else happened since
 const CROSSED_BEFORE = 35;
-const HEAD = 36;
+const RIM = 36; // the rim crossed last, when, and how often in no time; until when it is not watched
+const RIM_TIME = 37;
+const RIM_COUNT = 38;
+const RIM_HOLD = 39;
+const HEAD = 40;
 
 // what turns the box
 const TURN_NOT = 0;
@@ -108,6 +112,9 @@ const GONE = 2;
 
 const ROCK = 4;
 
+/** Two crossings of a rim nearer than this may be sliding along it, s. */
+const SLIDING = 1 / 480;
+
 /** Longest piece of a coast among so many things that an index finds the near ones, px. */
 const CROWDED_REACH = 128;
 
@@ -148,6 +155,8 @@ export class ContinuousSimulation implements Simulation {
   private readonly chaserY: Float64Array[] = [];
   private readonly rocks: number;
   private readonly minerals: number;
+  /** From here on a flag for each repulsor that contains her. */
+  private readonly inside: number;
   /** Whether the level has recoil; nothing moves before the first press. */
   private readonly recoils: boolean;
   private readonly originX: number;
@@ -192,7 +201,8 @@ export class ContinuousSimulation implements Simulation {
     this.chasers = HEAD;
     this.rocks = this.chasers + CHASER * chasers;
     this.minerals = this.rocks + (this.recoils ? ROCK * targets.count : 0);
-    let end = this.minerals + minerals.count;
+    this.inside = this.minerals + minerals.count;
+    let end = this.inside + repulsors.count;
     this.s = new Float64Array(end + length * (4 + 2 * chasers));
     const series = () => {
       end += length;
@@ -222,6 +232,7 @@ export class ContinuousSimulation implements Simulation {
     s[FIELD] = -1;
     s[COVER] = -1;
     s[BASE] = -1;
+    s[RIM] = -1;
     s[COS] = 1;
     this.ux[1] = level.astronaut.vx;
     this.uy[1] = level.astronaut.vy;
@@ -240,7 +251,7 @@ export class ContinuousSimulation implements Simulation {
       s[AWAKE_COUNT]++;
     }
     s[COVER] = this.nearest();
-    s[FIELD] = this.fieldAround(-1);
+    this.enterFields();
     const limit = (v: number) => (v >= SPEED_LIMIT ? 1 : v <= -SPEED_LIMIT ? -1 : 0);
     s[LIMIT_X] = limit(this.ux[1]);
     s[LIMIT_Y] = limit(this.uy[1]);
@@ -524,18 +535,13 @@ export class ContinuousSimulation implements Simulation {
         this.recordTarget(time);
         break;
       case ENTER:
-        if (s[FIELD] >= 0) recorder?.event({ time, type: 'leave', index: s[FIELD] });
-        s[LAST_EVENT] = LEAVE;
-        s[LAST_A] = a;
-        s[FIELD] = a;
-        recorder?.event({ time, type: 'enter', index: a });
-        break;
       case LEAVE:
-        recorder?.event({ time, type: 'leave', index: a });
-        s[LAST_EVENT] = ENTER;
+        s[this.inside + a] = kind === ENTER ? 1 : 0;
+        s[FIELD] = this.actingField();
+        s[LAST_EVENT] = kind === ENTER ? LEAVE : ENTER;
         s[LAST_A] = a;
-        s[FIELD] = this.fieldAround(a);
-        if (s[FIELD] >= 0) recorder?.event({ time, type: 'enter', index: s[FIELD] });
+        this.watchForSliding(a, time);
+        recorder?.event({ time, type: kind === ENTER ? 'enter' : 'leave', index: a });
         break;
       case WAKE:
       case SLEEP: {
@@ -703,16 +709,35 @@ export class ContinuousSimulation implements Simulation {
     return nearest;
   }
 
-  /** The first repulsor that contains her, leaving out `but`; -1 where there is none. */
-  private fieldAround(but: number): number {
+  /** Marks the repulsors that contain her at the start. */
+  private enterFields(): void {
     const { s, scene } = this;
     const { repulsors } = scene;
     for (let i = 0; i < repulsors.count; i++) {
-      const dx = repulsors.x[i] - this.originX - s[BASE_X] - this.ux[0];
-      const dy = repulsors.y[i] - this.originY - s[BASE_Y] - this.uy[0];
-      if (i !== but && dx * dx + dy * dy < repulsors.r[i] * repulsors.r[i]) return i;
+      const dx = repulsors.x[i] - this.originX;
+      const dy = repulsors.y[i] - this.originY;
+      s[this.inside + i] = dx * dx + dy * dy < repulsors.r[i] * repulsors.r[i] ? 1 : 0;
     }
+    s[FIELD] = this.actingField();
+  }
+
+  /** The first repulsor that contains her; -1 where there is none. */
+  private actingField(): number {
+    for (let i = 0; i < this.scene.repulsors.count; i++) if (this.s[this.inside + i] === 1) return i;
     return -1;
+  }
+
+  /**
+   * Where the gun pulls into a field that pushes out she slides along its rim: in and out without end. Rims crossed again
+   * and again in no time are left unwatched for a moment, which keeps her on the rim to about 1e-4 px.
+   */
+  private watchForSliding(field: number, time: number): void {
+    const { s } = this;
+    const again = s[RIM] === field && time - s[RIM_TIME] < SLIDING;
+    s[RIM_COUNT] = again ? s[RIM_COUNT] + 1 : 0;
+    s[RIM] = field;
+    s[RIM_TIME] = time;
+    s[RIM_HOLD] = s[RIM_COUNT] >= 16 ? time + SLIDING : 0;
   }
 
   // ---- pieces -------------------------------------------------------------------------------------------------
@@ -1163,11 +1188,13 @@ export class ContinuousSimulation implements Simulation {
         this.offer(this.contactTime(scene.minerals.r[i], 0, from), MINERAL, i, 0);
         return;
       case ENTER: {
-        const inside = s[FIELD] === i;
-        if (!inside && s[FIELD] >= 0 && s[FIELD] < i) return;
-        this.placeCircle(scene.repulsors.x[i] - this.originX, scene.repulsors.y[i] - this.originY);
+        const inside = s[this.inside + i] === 1;
         const event = inside ? LEAVE : ENTER;
-        this.offer(this.rimTime(scene.repulsors.r[i], !inside, 0, from, this.justFired(event, i)), event, i, 0);
+        const start = s[RIM] === i ? Math.max(from, s[RIM_HOLD] - s[START]) : from;
+        if (start > s[LENGTH_H]) return;
+        this.placeCircle(scene.repulsors.x[i] - this.originX, scene.repulsors.y[i] - this.originY);
+        const atZero = start === from && this.justFired(event, i);
+        this.offer(this.rimTime(scene.repulsors.r[i], !inside, 0, start, atZero), event, i, 0);
         return;
       }
       case WAKE:
@@ -1424,6 +1451,11 @@ export class ContinuousSimulation implements Simulation {
           const speed = Math.sqrt(dvx * dvx + dvy * dvy) + relative * cap;
           const lever = Math.sqrt(dx * dx + dy * dy) + speed * cap;
           k += 2 * turning * speed + lever * (bending + turning * turning);
+        } else if (bvx !== 0 || bvy !== 0) {
+          // in the very centre: the way she will look as soon as she has left it
+          const v = Math.sqrt(bvx * bvx + bvy * bvy);
+          cos = bvx / v;
+          sin = bvy / v;
         }
       }
       const lx = dx * cos + dy * sin;

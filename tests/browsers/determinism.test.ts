@@ -5,6 +5,7 @@ import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
+import puppeteer from 'puppeteer-core';
 import { getQuickJS } from 'quickjs-emscripten';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { declareMissing } from '../missing.ts';
@@ -19,10 +20,12 @@ const runs = hashedRuns();
 const asked = questions(runs);
 
 const CHROMIUM = process.env.CHROMIUM ?? '/usr/bin/chromium';
+const FIREFOX = process.env.FIREFOX ?? '/usr/bin/firefox-esr';
 const BUN = join(dirname(createRequire(import.meta.url).resolve('bun/package.json')), 'bin', 'bun.exe');
 
-/** QuickJS interprets, some hundred times slower: it is asked about a part of the runs. */
+/** QuickJS interprets, some hundred times slower: of the seeded scenes it is asked about a part. */
 const QUICKJS_SHARE = 10;
+const forQuickJs = runs.filter((run, i) => !run.name.startsWith('scene ') || i % QUICKJS_SHARE === 0);
 
 describe('hashes of runs', () => {
   let bundle = '';
@@ -75,6 +78,29 @@ describe('hashes of runs', () => {
     declareMissing('hashes in Chromium', `no browser at ${CHROMIUM}: install Chromium or name it in CHROMIUM`);
   }
 
+  if (existsSync(FIREFOX)) {
+    it('in Firefox are the committed ones', async () => {
+      const browser = await puppeteer.launch({ browser: 'firefox', executablePath: FIREFOX, headless: true });
+      try {
+        const page = await browser.newPage();
+        await page.addScriptTag({ content: bundle });
+        const answers = await page.evaluate(
+          (list) =>
+            list.map(([level, holds, accuracy]) =>
+              // biome-ignore lint/suspicious/noExplicitAny: the bundle's global
+              (globalThis as any).gravityQuest.hashOf(level, holds, accuracy),
+            ),
+          asked,
+        );
+        expect(tableOf(runs, answers)).toEqual(committed);
+      } finally {
+        await browser.close();
+      }
+    }, 240_000);
+  } else {
+    declareMissing('hashes in Firefox', `no browser at ${FIREFOX}: install Firefox or name it in FIREFOX`);
+  }
+
   if (existsSync(BUN)) {
     it('in Bun (the engine of Safari) are the committed ones', () => {
       const folder = mkdtempSync(join(tmpdir(), 'gq-bun-'));
@@ -93,12 +119,11 @@ describe('hashes of runs', () => {
     declareMissing('hashes in Bun', `no binary at ${BUN}: run npm ci`);
   }
 
-  it(`in QuickJS are the committed ones, every ${QUICKJS_SHARE}th run`, async () => {
+  it(`in QuickJS are the committed ones, of the seeded scenes every ${QUICKJS_SHARE}th`, async () => {
     const context = (await getQuickJS()).newContext();
     try {
       context.unwrapResult(context.evalCode(bundle)).dispose();
-      const part = runs.filter((_, i) => i % QUICKJS_SHARE === 0);
-      for (const run of part) {
+      for (const run of forQuickJs) {
         const answers = questions([run]).map((question) => {
           const call = `gravityQuest.hashOf(${question.map((text) => JSON.stringify(text)).join(', ')})`;
           const result = context.unwrapResult(context.evalCode(call));
@@ -111,5 +136,5 @@ describe('hashes of runs', () => {
     } finally {
       context.dispose();
     }
-  }, 120_000);
+  }, 240_000);
 });
