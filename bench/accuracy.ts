@@ -207,11 +207,12 @@ const typicalFloor = quantile(
 const what = levels === 1 ? scripts[0].level.name : `${levels} levels`;
 const svg = drawDiagram({
   title: `What accuracy costs: ${what}, ${scripts.length} runs`,
-  subtitle:
-    `Median over runs of the largest distance to a run at tolerance ${REFERENCE_TOLERANCE.toExponential()} px, known to ${brief(typicalFloor)} px.` +
-    (peers.length > 0
-      ? ` Other engines at ${PEER_RATES.join(', ')} Hz, on the ${driven.length} runs they can be driven through.`
-      : ''),
+  subtitle: [
+    `Largest distance to a run at tolerance ${REFERENCE_TOLERANCE.toExponential()} px, known to ${brief(typicalFloor)} px: the median over runs.`,
+    ...(peers.length > 0
+      ? [`Other engines at ${PEER_RATES.join(', ')} Hz, on the ${driven.length} runs they can be driven through.`]
+      : []),
+  ],
   runs: scripts.length,
   floor: typicalFloor,
   lines: [

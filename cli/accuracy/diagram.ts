@@ -30,7 +30,8 @@ export interface DiagramLine {
 
 export interface Diagram {
   readonly title: string;
-  readonly subtitle: string;
+  /** Two lines at most. */
+  readonly subtitle: readonly string[];
   /** Runs behind each point. */
   readonly runs: number;
   /** How well the reference is known, px. */
@@ -39,10 +40,10 @@ export interface Diagram {
 }
 
 const WIDTH = 960;
-const HEIGHT = 560;
-const PLOT = { left: 84, top: 92, right: 664, bottom: 486 };
+const HEIGHT = 580;
+const PLOT = { left: 84, top: 114, right: 664, bottom: 506 };
 const FAILED = { left: 684, right: 772 };
-const LEGEND = { left: 796, top: 104, step: 25 };
+const LEGEND = { left: 796, top: 126, step: 25 };
 
 /** A work-precision diagram as a standalone SVG document. The same input gives the same text. */
 export function drawDiagram(diagram: Diagram, ground: Ground = 'auto'): string {
@@ -71,7 +72,7 @@ export function drawDiagram(diagram: Diagram, ground: Ground = 'auto'): string {
   const parts: string[] = [];
   parts.push(ink('panel', `<rect width="${WIDTH}" height="${HEIGHT}" rx="10" fill="currentColor"/>`));
   parts.push(ink('text', write(title, 24, 36, { size: 13, bold: true, maxWidth: WIDTH - 48 })));
-  parts.push(ink('muted', write(subtitle, 24, 60, { maxWidth: WIDTH - 48 })));
+  parts.push(ink('muted', subtitle.map((text, i) => write(text, 24, 58 + 16 * i, { maxWidth: 640 })).join('')));
   parts.push(drawGround());
   parts.push(mostFailures > 0 ? drawFailures() : '');
   for (const faint of [true, false]) for (const drawn of lines) if (drawn.faint === faint) parts.push(drawLine(drawn));
@@ -79,7 +80,7 @@ export function drawDiagram(diagram: Diagram, ground: Ground = 'auto'): string {
 
   return (
     `<svg xmlns="http://www.w3.org/2000/svg" width="${WIDTH}" height="${HEIGHT}" viewBox="0 0 ${WIDTH} ${HEIGHT}" role="img">` +
-    `<title>${escapeXml(title)}</title><desc>${escapeXml(subtitle)}</desc>${inkStyle(ground)}${parts.join('')}</svg>\n`
+    `<title>${escapeXml(title)}</title><desc>${escapeXml(subtitle.join(' '))}</desc>${inkStyle(ground)}${parts.join('')}</svg>\n`
   );
 
   function drawGround(): string {
@@ -162,7 +163,7 @@ export function drawDiagram(diagram: Diagram, ground: Ground = 'auto'): string {
       if (!faint && kind !== 'peer') {
         drawn += `<circle cx="${num(x.at(point.error))}" cy="${num(at)}" r="9" fill="none" stroke="currentColor" stroke-width="1.4"/>`;
       }
-      if (point.worseError === null) continue;
+      if (point.worseError === null || kind === 'peer') continue;
       const to = x.at(point.worseError);
       drawn += line(x.at(point.error), at, to, at, 'stroke-width="1.2"') + line(to, at - 4, to, at + 4, 'stroke-width="1.2"');
     }

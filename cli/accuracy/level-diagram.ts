@@ -36,7 +36,7 @@ export function noteOf({ rate, tolerance }: Accuracy): string | null {
  */
 export function levelDiagram(
   title: string,
-  subtitle: string,
+  subtitle: readonly string[],
   { reference, methods }: WorkPrecision,
   named: readonly string[],
 ): Diagram {

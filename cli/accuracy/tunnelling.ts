@@ -72,7 +72,7 @@ export function drawTunnelling({ title, subtitle, curves, sweptNote }: Tunnellin
     ink('muted', write(subtitle, 24, 56, { size: 7.5, maxWidth: WIDTH - 48 }) + texts.join('')) +
     ink('rule', `<path d="${rules.join('')}" stroke="currentColor" fill="none"/>`) +
     ink('euler', lines.join('')) +
-    ink('taylor', zero + write(sweptNote, PLOT.left + 8, PLOT.bottom - 7, { size: 7.5 })) +
+    ink('taylor', zero + write(sweptNote, PLOT.left, PLOT.bottom + 42, { size: 7.5 })) +
     '</svg>\n'
   );
 }

@@ -16,7 +16,8 @@ type Ended = Pick<Run, 'outcome' | 'with' | 'time' | 'tick'>;
 
 /**
  * Warnings of runs that complete the level at some accuracies and not at others. Two that fail in different ways are no
- * news: such a run proves nothing anyway.
+ * news: such a run proves nothing anyway. Beside the accuracy asked for the coarsest and the finest are played, and the
+ * others only where those don't agree: a thousand levels have to be checked while somebody waits.
  * @param runs the level's, simulated at the accuracy asked for; the others are only played, nothing recorded
  */
 export function hangsOnAccuracy(
@@ -27,18 +28,25 @@ export function hangsOnAccuracy(
   maxTime: number,
 ): Omit<Problem, 'line' | 'column'>[] {
   if (runs.length === 0) return [];
-  const others = Object.values<Accuracy>(ACCURACIES).filter((accuracy) => accuracy.name !== asked.name);
-  const outcomes = others.map((accuracy) => playAll(level, accuracy, Math.round(maxTime * TICK_RATE)));
-  return runs.flatMap((run, index) => {
-    const completes = (ended: Ended): boolean => ended.outcome === 'completed';
-    if (outcomes.every((ended) => completes(ended[index]) === completes(run))) return [];
-    const all = [
-      { name: asked.name, ended: run as Ended },
-      ...others.map(({ name }, i) => ({ name, ended: outcomes[i][index] })),
-    ];
-    const good = all.filter(({ ended }) => completes(ended)).map(({ name }) => name);
+  const maxTicks = Math.round(maxTime * TICK_RATE);
+  const outcomes = new Map<string, readonly Ended[]>([[asked.name, runs]]);
+  const play = (accuracy: Accuracy): void => {
+    if (!outcomes.has(accuracy.name)) outcomes.set(accuracy.name, playAll(level, accuracy, maxTicks));
+  };
+  const agree = (index: number): boolean => {
+    const [first, ...rest] = [...outcomes.values()].map((ended) => ended[index].outcome === 'completed');
+    return rest.every((completes) => completes === first);
+  };
+  play(ACCURACIES.arcade);
+  play(ACCURACIES.precise);
+  if (runs.every((_, index) => agree(index))) return [];
+  for (const accuracy of Object.values<Accuracy>(ACCURACIES)) play(accuracy);
+  return runs.flatMap((_, index) => {
+    if (agree(index)) return [];
+    const all = [...outcomes].map(([name, ended]) => ({ name, ended: ended[index] }));
+    const good = all.filter(({ ended }) => ended.outcome === 'completed').map(({ name }) => name);
     const bad = all
-      .filter(({ ended }) => !completes(ended))
+      .filter(({ ended }) => ended.outcome !== 'completed')
       .map(({ name, ended }) => `${name} (${outcomeInWords(ended, level)})`);
     const name = JSON.stringify(level.runs[index].name);
     const path = /^[\w./\\:-]+$/.test(file) ? file : JSON.stringify(file);

@@ -106,9 +106,10 @@ async function measure(file: string, options: Options): Promise<CommandResult> {
 
 function draw({ level, run, measured, asked }: AccuracyReport, theme: Ground): string {
   const { outcome, time, tolerance, floor } = measured.reference;
-  const subtitle =
-    `${outcome} at ${time.toFixed(3)} s. Error: largest distance at ticks to a run at tolerance ${tolerance.toExponential()} px, ` +
-    `known to ${brief(floor)} px`;
+  const subtitle = [
+    `${outcome} at ${time.toFixed(3)} s. Error: largest distance, at ticks before the end,`,
+    `to a run at tolerance ${tolerance.toExponential()} px, which is known to ${brief(floor)} px`,
+  ];
   const named = [...Object.keys(ACCURACIES), ...(asked === null ? [] : [asked.name])];
   return drawDiagram(levelDiagram(`What accuracy costs: ${level}, ${run}`, subtitle, measured, named), theme);
 }

@@ -1,0 +1,183 @@
+import { describe, expect, it } from 'vitest';
+import { ACCURACIES, accuracyOf, compile, createSimulation } from '../../engine/index.ts';
+import {
+  cheapestGoodEnough,
+  compareWith,
+  METHODS,
+  type Measured,
+  measureCosts,
+  measureWorkPrecision,
+  missedContacts,
+  pathOf,
+  quantile,
+  RATES,
+  REFERENCE_TOLERANCE,
+  referenceOf,
+  TOLERANCES,
+} from '../../engine/work-precision/index.ts';
+import type { Level } from '../../schema/index.ts';
+import { SWING } from './scenes.ts';
+
+const TICKS = 600;
+const HOLDS = [[0, 600]] as const;
+const reference = referenceOf(SWING, HOLDS, TICKS);
+
+const fixed = (integrator: 'euler' | 'verlet' | 'rk4', rate: number) =>
+  compareWith(reference, SWING, HOLDS, accuracyOf({ integrator, rate, tolerance: null, contact: 'swept' }), TICKS).error;
+
+/** Slope of log error over log step by least squares. */
+function order(rates: readonly number[], errors: readonly number[]): number {
+  const x = rates.map((rate) => -Math.log2(rate));
+  const y = errors.map((error) => Math.log2(error));
+  const mean = (list: number[]) => list.reduce((a, b) => a + b, 0) / list.length;
+  const [mx, my] = [mean(x), mean(y)];
+  return x.reduce((sum, xi, i) => sum + (xi - mx) * (y[i] - my), 0) / x.reduce((sum, xi) => sum + (xi - mx) ** 2, 0);
+}
+
+describe('errors on a smooth swing', () => {
+  // an integrator with a slip in a coefficient still draws a nice curve, but of a lower order
+  it.each([
+    ['euler', 1],
+    ['verlet', 2],
+    ['rk4', 4],
+  ] as const)('of %s fall with the power %i of the step', (integrator, expected) => {
+    const rates = RATES.slice(2, 6);
+    const errors = rates.map((rate) => fixed(integrator, rate));
+    expect(order(rates, errors)).toBeGreaterThan(expected - 0.15);
+    expect(order(rates, errors)).toBeLessThan(expected + 0.15);
+  });
+
+  it('of taylor stay below the tolerance times the seconds, down to what rounding leaves', () => {
+    for (const tolerance of TOLERANCES) {
+      const accuracy = accuracyOf({ integrator: 'taylor', rate: null, tolerance, contact: 'swept' });
+      const { error } = compareWith(reference, SWING, HOLDS, accuracy, TICKS);
+      expect(error).toBeLessThan(Math.max((tolerance * TICKS) / 60, 3 * reference.floor));
+    }
+  });
+});
+
+describe('the reference', () => {
+  it('is at least 1000 times tighter than anything measured, and says how far it can be trusted', () => {
+    const tightest = Math.min(...METHODS.map(({ tolerance }) => tolerance ?? 1));
+    expect(tightest / REFERENCE_TOLERANCE).toBeGreaterThanOrEqual(1000 * (1 - 1e-12));
+    expect(reference.floor).toBeGreaterThan(0);
+    expect(reference.floor).toBeLessThan(1e-10);
+  });
+
+  it('is what another method comes to', () => {
+    expect(fixed('rk4', 3840)).toBeLessThan(1e-10);
+  });
+});
+
+describe('methods', () => {
+  it('have names of their own, the named accuracies among them', () => {
+    const names = METHODS.map(({ name }) => name);
+    expect(new Set(names).size).toBe(names.length);
+    expect(names).toEqual(expect.arrayContaining(Object.keys(ACCURACIES)));
+    for (const method of METHODS) if (method.name in ACCURACIES) expect(method).toEqual(ACCURACIES[method.name as 'fast']);
+  });
+});
+
+describe('paths', () => {
+  it('hold the states at ticks before the end, the same as advancing in one go', () => {
+    const level: Level = { ...SWING, blackHole: { x: 60, y: 90, radius: 18 } };
+    const simulation = createSimulation(compile(level, 'precise'));
+    const path = pathOf(simulation, HOLDS, TICKS);
+    expect(path.ending?.outcome).toBe('completed');
+    const end = path.ending?.time ?? 0;
+    expect((path.count - 1) / 60).toBeLessThan(end);
+    expect(path.count / 60).toBeGreaterThanOrEqual(end);
+    const state = new Float64Array(6);
+    simulation.reset();
+    simulation.advance(path.count - 1, true);
+    simulation.readState(state);
+    expect([path.x[path.count - 1], path.y[path.count - 1]]).toEqual([state[0], state[1]]);
+  });
+
+  it('of another outcome are told from the reference', () => {
+    const simulated = compareWith(reference, { ...SWING, range: 105 }, HOLDS, ACCURACIES.precise, TICKS);
+    expect(simulated).toMatchObject({ outcome: 'lost', sameVerdict: false });
+    expect(reference.outcome).toBe('timeout');
+  });
+});
+
+describe('costs', () => {
+  /** A clock that only the work moves, ms. */
+  function fakeWork() {
+    let clock = 0;
+    const player = (ms: number, seconds: number) => ({
+      play() {
+        clock += ms;
+        return seconds;
+      },
+    });
+    return { now: () => clock, player };
+  }
+
+  it('are microseconds per simulated second, of each player', () => {
+    const { now, player } = fakeWork();
+    const costs = measureCosts([player(2, 10), player(0.5, 1)], now, { budget: 100, sample: 1 });
+    expect(costs[0].minimum).toBeCloseTo(200, 6);
+    expect(costs[1].median).toBeCloseTo(500, 6);
+  });
+
+  it('leave out what a player prepares', () => {
+    let clock = 0;
+    const player = {
+      prepare() {
+        clock += 100;
+      },
+      play() {
+        clock += 3;
+        return 3;
+      },
+    };
+    expect(measureCosts([player], () => clock, { budget: 50, sample: 1 })[0].minimum).toBeCloseTo(1000, 6);
+  });
+
+  it('and errors make a diagram, of which the cheapest good setting is chosen', () => {
+    let clock = 0;
+    const now = () => {
+      clock += 0.01;
+      return clock;
+    };
+    const methods = [ACCURACIES.arcade, ACCURACIES.fast, ACCURACIES.precise];
+    const { methods: measured } = measureWorkPrecision(SWING, HOLDS, { maxTime: 1, now, budget: 1, methods });
+    expect(measured.map(({ accuracy }) => accuracy)).toEqual(methods);
+    const make = (error: number, minimum: number, sameVerdict = true): Measured => ({
+      ...measured[0],
+      error,
+      sameVerdict,
+      cost: { minimum, median: minimum },
+    });
+    const best = make(1e-3, 5);
+    expect(cheapestGoodEnough([make(0.1, 1), make(1e-9, 9), best, make(1e-9, 2, false)])).toBe(best);
+    expect(cheapestGoodEnough([make(0.1, 1)])).toBeNull();
+  });
+});
+
+describe('missed contacts', () => {
+  const lcg = () => {
+    let state = 12345;
+    return () => {
+      state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+      return state / 2 ** 32;
+    };
+  };
+  const missed = (radius: number, speed: number, rate = 60) =>
+    missedContacts(radius, speed, { rate, flights: 400, random: lcg() });
+
+  it('grow with speed and shrink with radius and rate; the swept test misses none', () => {
+    expect(missed(0.5, 1000).frame).toBeGreaterThan(missed(0.5, 300).frame);
+    expect(missed(0.5, 1000).frame).toBeGreaterThan(missed(16, 1000).frame);
+    expect(missed(0.5, 1000).frame).toBeGreaterThan(missed(0.5, 1000, 240).frame);
+    for (const radius of [0.5, 4, 16]) for (const speed of [50, 400, 1000]) expect(missed(radius, speed).swept).toBe(0);
+  });
+});
+
+it('quantiles lie between the values', () => {
+  expect(quantile([3, 1, 2], 0.5)).toBe(2);
+  expect(quantile([0, 10], 0.9)).toBe(9);
+  expect(quantile([4], 1)).toBe(4);
+  expect(() => quantile([], 0.5)).toThrow(RangeError);
+});
