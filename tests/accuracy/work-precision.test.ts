@@ -167,6 +167,10 @@ describe('missed contacts', () => {
   const missed = (radius: number, speed: number, rate = 60) =>
     missedContacts(radius, speed, { rate, flights: 400, random: lcg() });
 
+  it('are none where frames are very many', () => {
+    expect(missed(4, 1000, 60_000).frame).toBe(0);
+  });
+
   it('grow with speed and shrink with radius and rate; the swept test misses none', () => {
     expect(missed(0.5, 1000).frame).toBeGreaterThan(missed(0.5, 300).frame);
     expect(missed(0.5, 1000).frame).toBeGreaterThan(missed(16, 1000).frame);
