@@ -12,8 +12,8 @@ import {
 } from '../cli/accuracy/index.ts';
 import { ACCURACIES, type Accuracy, DEFAULT_MAX_TIME, TICK_RATE } from '../engine/index.ts';
 import {
-  compareWith,
   type Cost,
+  compareWith,
   type Deviation,
   deviationOf,
   METHODS,
@@ -23,8 +23,8 @@ import {
   type Player,
   playerOf,
   quantile,
-  type Reference,
   REFERENCE_TOLERANCE,
+  type Reference,
   referenceOf,
 } from '../engine/work-precision/index.ts';
 import { type Hold, type Level, readLevel } from '../schema/index.ts';

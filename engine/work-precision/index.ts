@@ -1,8 +1,8 @@
 export { compareWith, type Deviation, deviationOf } from './compare.ts';
-export { type Cost, type CostOptions, measureCosts, type Player, playerOf } from './cost.ts';
+export { type Cost, measureCosts, type Player, playerOf } from './cost.ts';
 export { cheapestGoodEnough, GOOD_ENOUGH, type Measured, measureWorkPrecision, type WorkPrecision } from './measure.ts';
 export { METHODS, RATES, TOLERANCES } from './methods.ts';
-export { largestDistance, type Path, pathOf } from './path.ts';
+export { type Path, pathOf } from './path.ts';
 export { quantile } from './quantile.ts';
 export { REFERENCE_TOLERANCE, type Reference, referenceOf } from './reference.ts';
-export { type Missed, missedContacts, type TunnellingOptions } from './tunnelling.ts';
+export { missedContacts } from './tunnelling.ts';
