@@ -445,7 +445,12 @@ export class ContinuousSimulation implements Simulation {
     for (let i = 0; i < this.chaserX.length; i++) {
       const o = this.chasers + CHASER * i;
       if (s[o + 4] !== AWAKE) continue;
-      pairAt(this.chaserX[i], this.chaserY[i], degree, t, s, o);
+      const qx = this.chaserX[i];
+      const qy = this.chaserY[i];
+      pairAt(qx, qy, degree, t, s, o);
+      // the series begins here too, for whoever looks before the next piece is made, if one is
+      qx[0] = s[o];
+      qy[0] = s[o + 1];
       if (i < aliens) continue;
       const rock = this.rocks + ROCK * s[TARGET];
       for (let k = 0; k < ROCK; k++) s[rock + k] = s[o + k];
@@ -624,17 +629,24 @@ export class ContinuousSimulation implements Simulation {
     this.placeAt(t);
     let dx = -e[0];
     let dy = -e[1];
+    let dvx = -e[2];
+    let dvy = -e[3];
     if (s[TURN] === TURN_TO_TARGET) {
-      const hx = s[BASE_X] + e[0];
-      const hy = s[BASE_Y] + e[1];
-      this.rockAt(s[TARGET], t);
-      dx = e[0] - hx;
-      dy = e[1] - hy;
+      this.lookAt(t);
+      dx = e[8];
+      dy = e[9];
+      dvx = e[10];
+      dvy = e[11];
     }
-    const d = Math.sqrt(dx * dx + dy * dy);
-    if (d === 0) return;
-    e[8] = dx / d;
-    e[9] = dy / d;
+    let d = Math.sqrt(dx * dx + dy * dy);
+    if (d === 0) {
+      // in the very centre: the way she will look as soon as she has left it
+      dx = dvx;
+      dy = dvy;
+      d = Math.sqrt(dx * dx + dy * dy);
+    }
+    e[8] = d > 0 ? dx / d : s[COS];
+    e[9] = d > 0 ? dy / d : s[SIN];
   }
 
   /** e[0..3]: u and its velocity on the piece as it was located; e[4..7]: the base's displacement. */
