@@ -2,6 +2,7 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { type Circle, type Hold, type Level, type LevelFile, resolveLevel } from '../../schema/index.ts';
+import { hardCases } from '../hard-cases/cases.ts';
 
 const levelsFolder = join(dirname(dirname(dirname(fileURLToPath(import.meta.url)))), 'levels');
 
@@ -70,5 +71,12 @@ function randomRun(seed: number): HashedRun {
   return { name: `scene ${seed}`, level, holds };
 }
 
-/** What is hashed: all shipped runs, and 50 crowded scenes from fixed seeds. */
-export const hashedRuns = (): HashedRun[] => [...shippedRuns(), ...Array.from({ length: 50 }, (_, i) => randomRun(i + 1))];
+/** The hard cases, for the seconds a run has when nothing else is said. */
+const hardRuns = (): HashedRun[] => hardCases().map(({ name, level, holds }) => ({ name: `hard: ${name}`, level, holds }));
+
+/** What is hashed: all shipped runs, all hard cases, and 50 crowded scenes from fixed seeds. */
+export const hashedRuns = (): HashedRun[] => [
+  ...shippedRuns(),
+  ...hardRuns(),
+  ...Array.from({ length: 50 }, (_, i) => randomRun(i + 1)),
+];

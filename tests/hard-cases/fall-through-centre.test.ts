@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { compile, GUN_PULL, simulate } from '../../engine/index.ts';
+import { compile, simulate } from '../../engine/index.ts';
 import type { Level } from '../../schema/index.ts';
+import { fallen } from './fall.ts';
 
 const RANGE = 250;
 const SECONDS = 10;
@@ -20,19 +21,6 @@ const level = (d0: number, sideways: number): Level => ({
   runs: [],
 });
 
-/**
- * Place on the line after `t` s of a fall from rest at 0 through the centre at d0: d(t) = M - (M - d0) cosh(t sqrt(A / M))
- * down to the centre, mirrored beyond it.
- */
-function fallen(d0: number, t: number): number {
-  const rate = Math.sqrt(GUN_PULL / RANGE);
-  const quarter = Math.acosh(RANGE / (RANGE - d0)) / rate;
-  const phase = t % (4 * quarter);
-  const fromApex = Math.min(phase, 4 * quarter - phase);
-  const fall = (s: number) => RANGE - (RANGE - d0) * Math.cosh(s * rate);
-  return fromApex <= quarter ? d0 - fall(fromApex) : d0 + fall(2 * quarter - fromApex);
-}
-
 /** px: what each accuracy may err by in 10 s. */
 const BOUNDS = [
   ['precise', 1e-9],
@@ -46,6 +34,6 @@ describe.each(BOUNDS)('fall through the centre at %s', (accuracy, bound) => {
     [5, 20, 60, 100, 200].flatMap((d0) => [0, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10].map((sideways) => [d0, sideways] as const)),
   )('from %d px, with %d px/s sideways', (d0, sideways) => {
     const { x } = simulate(compile(level(d0, sideways), accuracy), [[0, 60 * SECONDS]], { maxTime: SECONDS }).final;
-    expect(Math.abs(x - fallen(d0, SECONDS))).toBeLessThanOrEqual(bound);
+    expect(Math.abs(x - fallen(d0, RANGE, SECONDS))).toBeLessThanOrEqual(bound);
   });
 });
