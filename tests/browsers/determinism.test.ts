@@ -36,8 +36,8 @@ describe('hashes of runs', () => {
   it('in Node are the committed ones (npm run hashes rewrites them)', () => {
     const table = tableHere(runs);
     expect(table).toEqual(committed);
-    // the runs differ, so the hashes must
-    const all = Object.values(table).flatMap((row) => Object.values(row));
+    // the runs differ, so the hashes must; of the hard cases many are misses on the same way, or exact at every accuracy
+    const all = Object.entries(table).flatMap(([name, row]) => (name.startsWith('hard: ') ? [] : Object.values(row)));
     expect(new Set(all).size).toBe(all.length);
   });
 
