@@ -45,7 +45,8 @@ function recordedCases(directory: string): Case[] {
 }
 
 const recordings = optionValue('--recordings');
-if (recordings !== null && !existsSync(recordings)) throw new Error(`expected a directory of recordings, found none at ${recordings}`);
+if (recordings !== null && !existsSync(recordings))
+  throw new Error(`expected a directory of recordings, found none at ${recordings}`);
 const cases =
   recordings === null
     ? packCases(optionValue('--levels') ?? fileURLToPath(new URL('../../levels/', import.meta.url)))

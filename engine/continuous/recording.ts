@@ -16,14 +16,15 @@ export class PieceRecorder implements Trajectory {
   private starts: number[] = [];
   private lengths: number[] = [];
   private end = 0;
-  private readonly reader: ContinuousSimulation;
+  /** Stands on the piece that was asked for last; made when the first is. */
+  private reader: ContinuousSimulation | null = null;
+  private readerAt = -1;
   private readonly near: ClearanceTracker;
   private readonly state = new Float64Array(STATE_SIZE);
   private readonly aliens: Float64Array;
   private readonly asteroids: Float64Array;
 
   constructor(private readonly scene: Scene) {
-    this.reader = new ContinuousSimulation(scene);
     this.near = new ClearanceTracker(scene);
     this.aliens = new Float64Array(3 * scene.aliens.count);
     this.asteroids = new Float64Array(2 * scene.targets.count);
@@ -46,30 +47,45 @@ export class PieceRecorder implements Trajectory {
   }
 
   at(time: number, out: Float64Array): void {
-    this.reader.stateAt(this.open(time), out);
+    const piece = this.pieceAt(time);
+    this.open(piece).stateAt(this.sinceStart(piece, time), out);
   }
 
   aliensAt(time: number, out: Float64Array): void {
-    this.reader.aliensAt(this.open(time), out);
+    const piece = this.pieceAt(time);
+    this.open(piece).aliensAt(this.sinceStart(piece, time), out);
   }
 
   asteroidsAt(time: number, out: Float64Array): void {
-    this.reader.asteroidsAt(this.open(time), out);
+    const piece = this.pieceAt(time);
+    this.open(piece).asteroidsAt(this.sinceStart(piece, time), out);
   }
 
-  /** Puts the reader on the piece that holds at `time`; returns the time since it began. */
-  private open(time: number): number {
-    const t = Math.min(this.end, Math.max(0, time));
-    let low = 0;
-    let high = this.starts.length - 1;
+  /** The last piece that began by `time`. */
+  private pieceAt(time: number): number {
+    const { starts } = this;
+    // asked in order, as samples are, the answer is the same piece or the next
+    let low = this.readerAt >= 0 && starts[this.readerAt] <= time ? this.readerAt : 0;
+    let high = low + 1 < starts.length && starts[low + 1] > time ? low : starts.length - 1;
     while (low < high) {
       const middle = (low + high + 1) >> 1;
-      if (this.starts[middle] <= t) low = middle;
+      if (starts[middle] <= time) low = middle;
       else high = middle - 1;
     }
-    this.reader.restore(this.states[low]);
-    // between whole periods that were skipped she is shown where the last piece left her
-    return Math.min(this.lengths[low], Math.max(0, t - this.starts[low]));
+    return low;
+  }
+
+  /** Between whole periods that were skipped she is shown where the last piece left her. */
+  private sinceStart(piece: number, time: number): number {
+    return Math.min(this.lengths[piece], Math.max(0, time - this.starts[piece]));
+  }
+
+  /** The reader, on a piece. */
+  private open(piece: number): ContinuousSimulation {
+    this.reader ??= new ContinuousSimulation(this.scene);
+    if (this.readerAt !== piece) this.reader.restore(this.states[piece]);
+    this.readerAt = piece;
+    return this.reader;
   }
 
   /** The smallest gap to a hazard: from looks along every piece, the best of them refined. */
@@ -80,11 +96,10 @@ export class PieceRecorder implements Trajectory {
       // a long piece is looked at as often as at ticks
       const looks = length > 0 ? Math.max(LOOKS, Math.min(MOST_LOOKS, Math.ceil(length * TICK_RATE))) : 0;
       const stride = looks > 0 ? length / looks : 0;
-      this.reader.restore(this.states[i]);
       let before = Number.POSITIVE_INFINITY;
-      let last = this.look(this.starts[i], 0);
+      let last = this.look(i, 0);
       for (let k = 1; k <= looks; k++) {
-        const gap = this.look(this.starts[i], stride * k);
+        const gap = this.look(i, stride * k);
         // a dip between two looks may be deeper than the best so far
         if (last <= before && last <= gap) this.refine(i, stride * (k - 1), stride, last, gap);
         before = last;
@@ -99,14 +114,13 @@ export class PieceRecorder implements Trajectory {
   private refine(piece: number, time: number, stride: number, gap: number, beside: number): void {
     const best = this.near.best;
     if (best !== null && gap > best.distance + Math.max(1, beside - gap)) return;
-    const start = this.starts[piece];
     let t = time;
     let least = gap;
     for (let h = stride / 2; h > 1e-9; h /= 2) {
       for (let side = -1; side <= 1; side += 2) {
         const there = t + side * h;
         if (there < 0 || there > this.lengths[piece]) continue;
-        const found = this.look(start, there);
+        const found = this.look(piece, there);
         if (found >= least) continue;
         least = found;
         t = there;
@@ -115,11 +129,12 @@ export class PieceRecorder implements Trajectory {
     }
   }
 
-  private look(start: number, t: number): number {
-    const { reader, state, aliens, asteroids } = this;
+  private look(piece: number, t: number): number {
+    const { state, aliens, asteroids } = this;
+    const reader = this.open(piece);
     reader.stateAt(t, state);
     reader.aliensAt(t, aliens);
     reader.asteroidsAt(t, asteroids);
-    return this.near.see(start + t, state[0], state[1], state[4], state[5], aliens, asteroids);
+    return this.near.see(this.starts[piece] + t, state[0], state[1], state[4], state[5], aliens, asteroids);
   }
 }

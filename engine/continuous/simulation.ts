@@ -1102,12 +1102,12 @@ export class ContinuousSimulation implements Simulation {
     const { s } = this;
     const same = SAME_INSTANT * (1 + s[START]);
     if (time > s[LENGTH_H]) return;
-    if (time < s[NEXT] - same || (time <= s[NEXT] + same && kind < s[EVENT])) {
-      s[NEXT] = time;
-      s[EVENT] = kind;
-      s[EVENT_A] = a;
-      s[EVENT_B] = b;
-    }
+    const earlier = time < s[NEXT] - same;
+    if (!earlier && !(time <= s[NEXT] + same && kind < s[EVENT])) return;
+    s[NEXT] = Math.min(s[NEXT], time);
+    s[EVENT] = kind;
+    s[EVENT_A] = a;
+    s[EVENT_B] = b;
   }
 
   /** Farthest a drifting or recoiling rock moves in `h`, px. */
@@ -1410,10 +1410,9 @@ export class ContinuousSimulation implements Simulation {
    * @param r radius, px
    * @param pull bound on the circle's own acceleration, px/s2
    */
-  private contactTime(r: number, pull: number, from: number): number {
+  private sweptTime(r: number, pull: number, from: number): number {
     const { s, e, work } = this;
     work.guards++;
-    if (this.frameRate > 0) return this.contactFrame(r, from);
     const horizon = Math.min(this.horizon, s[LENGTH_H]);
     const turn = s[TURN];
     const acceleration = s[ACCELERATION] + this.kappa;
@@ -1545,15 +1544,19 @@ export class ContinuousSimulation implements Simulation {
     return b;
   }
 
-  /** Contact tested at frames only, as games do; what passes between two frames is missed. */
-  private contactFrame(r: number, from: number): number {
-    const { s } = this;
-    const last = (s[START] + Math.min(s[NEXT], s[LENGTH_H])) * this.frameRate;
-    const first = Math.ceil((s[START] + from) * this.frameRate - 1e-7);
-    if (!(last < first + 1e7)) return -1;
-    for (let frame = first; frame <= last + 1e-7; frame++) {
-      const t = Math.max(0, frame / this.frameRate - s[START]);
+  /** First time at which a contact with the placed circle counts, or -1: when it happens, or is seen at a frame. */
+  private contactTime(r: number, pull: number, from: number): number {
+    const { s, frameRate } = this;
+    let t = this.sweptTime(r, pull, from);
+    if (frameRate === 0) return t;
+    // a contact seen at a frame lies within an overlap; one that is over before the next frame is missed, as games do
+    let frame = Number.NEGATIVE_INFINITY;
+    while (t >= 0) {
+      frame = Math.max(frame + 1, Math.ceil((s[START] + t) * frameRate - 1e-7));
+      t = Math.max(0, frame / frameRate - s[START]);
+      if (t > Math.min(this.horizon, s[LENGTH_H])) return -1;
       if (this.gapAt(t, r) < 0) return t;
+      t = this.sweptTime(r, pull, t);
     }
     return -1;
   }
