@@ -1,5 +1,5 @@
 // Close passes of an asteroid's centre in whole numbers of 2^-192 (BigInt), by Taylor series of order 40: writes near-radial.json.
-// Run: node bench/high-precision/near-radial.mjs
+// Run: node bench/high-precision/near-radial.mjs && npx biome format --write bench/high-precision
 import { writeFileSync } from 'node:fs';
 
 const BITS = 192n;
