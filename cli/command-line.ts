@@ -57,7 +57,7 @@ function createProgram(): Command {
 Examples:
   $ gq check                          every level under levels/
   $ gq check levels --format github   the same, as annotations of a pull request
-  $ gq simulate levels/01.level.json  what happens in its first run
+  $ gq simulate levels/01-first-pull.level.json  what happens in its first run
   $ gq explain unknown-key            what a problem means
 
 Exit codes: 0 every level is completable, or the command did what was asked; 1 a level is not, or is invalid;

@@ -60,10 +60,10 @@ swept and at frames; a setting of your own comes on top. Timing takes about ${BU
 Exit code: 0; 1 when the level is invalid; 2 when it could not be read or the diagram not be written.
 
 Examples:
-  $ gq accuracy levels/01.level.json
-  $ gq accuracy levels/01.level.json --run "all minerals" --svg accuracy.svg
-  $ gq accuracy levels/01.level.json --integrator verlet --rate 90
-  $ gq accuracy levels/01.level.json --format json | jq '.methods[] | select(.sameVerdict | not) | .name'`,
+  $ gq accuracy levels/01-first-pull.level.json
+  $ gq accuracy levels/02-first-swing.level.json --run all-minerals --svg accuracy.svg
+  $ gq accuracy levels/01-first-pull.level.json --integrator verlet --rate 90
+  $ gq accuracy levels/01-first-pull.level.json --format json | jq '.methods[] | select(.sameVerdict | not) | .name'`,
     )
     .action(async (file: string, options: Options) => finish(await measure(file, options)));
 }

@@ -28,8 +28,8 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
 Work and modes are those of the level's first run. Exit code: 0; 1 when the level is invalid; 2 when it could not be read.
 
 Examples:
-  $ gq inspect levels/01.level.json
-  $ gq inspect levels/01.level.json --format json | jq .effects.notCalledFor`,
+  $ gq inspect levels/01-first-pull.level.json
+  $ gq inspect levels/01-first-pull.level.json --format json | jq .effects.notCalledFor`,
     )
     .action((file: string, options: InspectOptions) => finish(inspect(file, options)));
 }

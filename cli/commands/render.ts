@@ -40,9 +40,9 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
 Exit code: 0; 1 when the level is invalid; 2 when it could not be read or the picture not be written.
 
 Examples:
-  $ gq render levels/01.level.json -o first.svg
-  $ gq render levels/01.level.json -o first.png --width 800 --theme light
-  $ gq render levels/01.level.json -o - --no-run > level.svg`,
+  $ gq render levels/01-first-pull.level.json -o first.svg
+  $ gq render levels/01-first-pull.level.json -o first.png --width 800 --theme light
+  $ gq render levels/01-first-pull.level.json -o - --no-run > level.svg`,
     )
     .action(async (file: string, options: RenderOptions) => finish(await render(file, options)));
 }

@@ -45,10 +45,10 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
 Exit code: 0 when the run was played, however it ended; 1 when the level is invalid; 2 when it could not be played.
 
 Examples:
-  $ gq simulate levels/01.level.json
-  $ gq simulate levels/01.level.json --run "all minerals" --sample 10
-  $ gq simulate levels/01.level.json --integrator rk4 --rate 240
-  $ gq simulate levels/01.level.json --holds 12-96,130-188 --format json | jq .outcome`,
+  $ gq simulate levels/01-first-pull.level.json
+  $ gq simulate levels/02-first-swing.level.json --run all-minerals --sample 10
+  $ gq simulate levels/01-first-pull.level.json --integrator rk4 --rate 240
+  $ gq simulate levels/01-first-pull.level.json --holds 12-96,130-188 --format json | jq .outcome`,
     )
     .action((file: string, options: SimulateOptions) => finish(play(file, options)));
 }

@@ -140,7 +140,13 @@ const euler = fixedStep(2, 1, eulerStep, dragQuadratic, (_flow, x, y, t, out) =>
 const verlet = fixedStep(2, 1, verletStep, dragQuadratic, verletEnd, glideVerlet);
 const rungeKutta = fixedStep(3, 4, rungeKuttaStep, dragRungeKutta, rungeKuttaEnd, glideRungeKutta);
 
-/** The integrator an accuracy names; a Taylor piece may err by a thousandth of the tolerance. */
+/**
+ * How much less than the tolerance a single Taylor piece may err: errors of velocity grow with time, and there are many
+ * pieces. At 25,000 the energy of an orbit drifts by less than 1e-12 in an hour at the default tolerance.
+ */
+const PIECE_SHARE = 25_000;
+
+/** The integrator an accuracy names. */
 export function integratorOf(accuracy: Accuracy): Integrator {
   switch (accuracy.integrator) {
     case 'euler':
@@ -150,7 +156,7 @@ export function integratorOf(accuracy: Accuracy): Integrator {
     case 'rk4':
       return rungeKutta;
     case 'taylor':
-      return taylor((accuracy.tolerance ?? 1e-9) / 1000);
+      return taylor((accuracy.tolerance ?? 1e-9) / PIECE_SHARE);
     default:
       throw new RangeError(`'${accuracy.integrator}' is not an integrator in continuous time`);
   }

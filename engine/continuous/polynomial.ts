@@ -8,14 +8,6 @@ export function valueAt(c: Float64Array, degree: number, t: number): number {
   return v;
 }
 
-/** Derivative of the same polynomial. */
-export function slopeAt(c: Float64Array, degree: number, t: number): number {
-  if (degree === 0) return 0;
-  let v = degree * c[degree];
-  for (let k = degree - 1; k >= 1; k--) v = v * t + k * c[k];
-  return v;
-}
-
 /**
  * Value and derivative of a pair of polynomials (x, y) in one pass.
  * @param out receives x, y, x', y' from `at` on

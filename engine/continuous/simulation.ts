@@ -95,6 +95,9 @@ const SAME_INSTANT = 2e-14;
 /** The smallest stride past a guard that touches zero without crossing it, s. What it may overlook is below 1e-18 px deep. */
 const SMALLEST_STRIDE = 1e-10;
 
+/** A dip across the bisector of two asteroids shallower than this is within the error of the way: no change of target, px. */
+const TIE = 1e-11;
+
 /** An impact parameter that rounding can't tell from 0, px: the motion is on a line through the centre. */
 const RADIAL = 1e-12;
 
@@ -1293,7 +1296,7 @@ export class ContinuousSimulation implements Simulation {
       const far = Math.sqrt(dx * dx + dy * dy) + (Math.sqrt(vx * vx + vy * vy) + 2 * ALIEN_PULL * h) * h;
       const step = safeStep(g, slope, 4 * far * ALIEN_PULL);
       if (!(t + step < horizon)) return;
-      if (n > 64) small *= 2;
+      if (n > 400) small *= 2;
       t = Math.min(horizon, t + Math.max(step, small));
     }
   }
@@ -1483,7 +1486,7 @@ export class ContinuousSimulation implements Simulation {
       const slope = ((lx < 0 ? -nx : nx) * lvx + (ly < 0 ? -ny : ny) * lvy) / norm;
       const step = Math.min(cap, safeStep(g, slope, k));
       if (!(t + step < horizon)) return -1;
-      if (n > 64) small *= 2;
+      if (n > 400) small *= 2;
       before = t;
       t = Math.min(horizon, t + Math.max(step, small));
     }
@@ -1601,7 +1604,7 @@ export class ContinuousSimulation implements Simulation {
       }
       const step = Math.min(cap, safeStep(g, slope, k));
       if (!(t + step < horizon)) return -1;
-      if (n > 64) small *= 2;
+      if (n > 400) small *= 2;
       before = t;
       t = Math.min(horizon, t + Math.max(step, small));
     }
@@ -1633,15 +1636,17 @@ export class ContinuousSimulation implements Simulation {
     work.guards++;
     for (let n = 0; ; n++) {
       let g = this.switchGuard(i, t);
-      if (g < 0) {
+      // shallower than what the way itself may err by it is a tie, and the target stays
+      if (g < -e[11]) {
         if (n > 0) return this.switchBetween(i, before, t);
         if (!atZero && (e[9] < 0 || g < -1e-9)) return t;
-        g = 0;
       }
+      if (g < 0) g = 0;
       if (t >= horizon) return -1;
+      // e[9]: slope, e[10]: how fast it may fall
       const step = safeStep(g, e[9], e[10]);
       if (!(t + step < horizon)) return -1;
-      if (n > 64) small *= 2;
+      if (n > 400) small *= 2;
       before = t;
       t = Math.min(horizon, t + Math.max(step, small));
     }
@@ -1662,7 +1667,7 @@ export class ContinuousSimulation implements Simulation {
 
   /**
    * Squared distance to asteroid `i` minus that to the target, px2. Where both stand still it is linear in her place.
-   * e[9]: its slope; e[10]: a bound on how fast the slope can fall.
+   * e[9]: its slope; e[10]: a bound on how fast the slope can fall; e[11]: what TIE px across the bisector make of it.
    */
   private switchGuard(i: number, t: number): number {
     const { s, e } = this;
@@ -1677,7 +1682,9 @@ export class ContinuousSimulation implements Simulation {
       const mx = ix - tx;
       const my = iy - ty;
       e[9] = -2 * (mx * e[2] + my * e[3]);
-      e[10] = 2 * a * Math.sqrt(mx * mx + my * my);
+      const apart = Math.sqrt(mx * mx + my * my);
+      e[10] = 2 * a * apart;
+      e[11] = 2 * TIE * apart;
       // (i - u)^2 - (t - u)^2 = (i - t).(i + t - 2 u)
       return mx * (ix + tx - 2 * e[0]) + my * (iy + ty - 2 * e[1]);
     }
@@ -1697,6 +1704,7 @@ export class ContinuousSimulation implements Simulation {
     const g = (e[4] - tx) * (e[4] + tx) + (e[5] - ty) * (e[5] + ty);
     e[9] = slope;
     e[10] = 2 * fast * fast + 2 * far * pull;
+    e[11] = 2 * TIE * Math.sqrt((e[4] - tx) * (e[4] - tx) + (e[5] - ty) * (e[5] - ty));
     return g;
   }
 
