@@ -1,5 +1,5 @@
 import { type Clearance, ClearanceTracker } from '../clearance.ts';
-import { TICK_RATE } from '../constants.ts';
+import { GUN_PULL, HALF_DIAGONAL, HALF_WIDTH, TICK_RATE } from '../constants.ts';
 import type { Scene } from '../scene.ts';
 import { type RunEvent, STATE_SIZE } from '../simulation.ts';
 import type { Trajectory } from '../trajectory.ts';
@@ -23,8 +23,10 @@ export class PieceRecorder implements Trajectory {
   private readonly state = new Float64Array(STATE_SIZE);
   private readonly aliens: Float64Array;
   private readonly asteroids: Float64Array;
+  private readonly othersMove: boolean;
 
   constructor(private readonly scene: Scene) {
+    this.othersMove = scene.level.recoil || scene.aliens.count > 0;
     this.near = new ClearanceTracker(scene);
     this.aliens = new Float64Array(3 * scene.aliens.count);
     this.asteroids = new Float64Array(2 * scene.targets.count);
@@ -91,6 +93,7 @@ export class PieceRecorder implements Trajectory {
   /** The smallest gap to a hazard: from looks along every piece, the best of them refined. */
   clearance(): Clearance | null {
     if (this.scene.novae.count + this.scene.aliens.count + this.scene.targets.count - this.scene.coldCount === 0) return null;
+    this.open(0).asteroidsAt(0, this.asteroids);
     for (let i = 0; i < this.starts.length; i++) {
       const length = this.lengths[i];
       // a long piece is looked at as often as at ticks
@@ -99,6 +102,11 @@ export class PieceRecorder implements Trajectory {
       let before = Number.POSITIVE_INFINITY;
       let last = this.look(i, 0);
       for (let k = 1; k <= looks; k++) {
+        const quiet = this.quietTime(last, length - stride * (k - 1));
+        if (quiet > 2 * stride) {
+          k = Math.min(looks, k - 1 + Math.floor(quiet / stride));
+          last = Number.POSITIVE_INFINITY;
+        }
         const gap = this.look(i, stride * k);
         // a dip between two looks may be deeper than the best so far
         if (last <= before && last <= gap) this.refine(i, stride * (k - 1), stride, last, gap);
@@ -108,6 +116,17 @@ export class PieceRecorder implements Trajectory {
       if (looks > 0 && last <= before) this.refine(i, length, stride, last, last);
     }
     return this.near.best;
+  }
+
+  /** For how long after the last look the gap stays above the best, s; 0 where other bodies move too. */
+  private quietTime(gap: number, left: number): number {
+    const best = this.near.best;
+    if (best === null || this.othersMove) return 0;
+    // however the box turns, the gap is at most this much larger than the distance of its circumcircle
+    const slack = gap - (HALF_DIAGONAL - HALF_WIDTH) - best.distance;
+    if (slack <= 0) return 0;
+    const [, , vx, vy] = this.state;
+    return slack / (Math.sqrt(vx * vx + vy * vy) + GUN_PULL * left + 1e-9);
   }
 
   /** Looks closer around a dip, where it may be the deepest: halves the stride until it no longer matters. */
@@ -133,8 +152,10 @@ export class PieceRecorder implements Trajectory {
     const { state, aliens, asteroids } = this;
     const reader = this.open(piece);
     reader.stateAt(t, state);
-    reader.aliensAt(t, aliens);
-    reader.asteroidsAt(t, asteroids);
+    if (this.othersMove) {
+      reader.aliensAt(t, aliens);
+      reader.asteroidsAt(t, asteroids);
+    }
     return this.near.see(this.starts[piece] + t, state[0], state[1], state[4], state[5], aliens, asteroids);
   }
 }
