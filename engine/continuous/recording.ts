@@ -9,6 +9,9 @@ import { ContinuousSimulation } from './simulation.ts';
 const LOOKS = 8;
 const MOST_LOOKS = 4096;
 
+/** Where looking closer ends, s: about its dip the gap changes with the square of this. */
+const FINEST = 1e-7;
+
 /** Keeps every piece and event of a run in continuous time. */
 export class PieceRecorder implements Trajectory {
   readonly events: RunEvent[] = [];
@@ -132,10 +135,13 @@ export class PieceRecorder implements Trajectory {
   /** Looks closer around a dip, where it may be the deepest: halves the stride until it no longer matters. */
   private refine(piece: number, time: number, stride: number, gap: number, beside: number): void {
     const best = this.near.best;
-    if (best !== null && gap > best.distance + Math.max(1, beside - gap)) return;
+    // moving and turning she can come nearer by no more than this within a stride
+    const [, , vx, vy] = this.state;
+    const nearer = 3 * Math.sqrt(vx * vx + vy * vy) * stride + beside - gap;
+    if (best !== null && gap > best.distance + nearer) return;
     let t = time;
     let least = gap;
-    for (let h = stride / 2; h > 1e-9; h /= 2) {
+    for (let h = stride / 2; h > FINEST; h /= 2) {
       for (let side = -1; side <= 1; side += 2) {
         const there = t + side * h;
         if (there < 0 || there > this.lengths[piece]) continue;
