@@ -27,6 +27,13 @@ const BUN = join(dirname(createRequire(import.meta.url).resolve('bun/package.jso
 const QUICKJS_SHARE = 10;
 const forQuickJs = runs.filter((run, i) => !run.name.startsWith('scene ') || i % QUICKJS_SHARE === 0);
 
+/** Runs within a page that has the bundle. */
+const answersInPage = (list: typeof asked): string[] =>
+  list.map(([level, holds, accuracy]) =>
+    // biome-ignore lint/suspicious/noExplicitAny: the bundle's global
+    (globalThis as any).gravityQuest.hashOf(level, holds, accuracy),
+  );
+
 describe('hashes of runs', () => {
   let bundle = '';
   beforeAll(async () => {
@@ -62,14 +69,7 @@ describe('hashes of runs', () => {
       try {
         const page = await browser.newPage();
         await page.addScriptTag({ content: bundle });
-        const answers = await page.evaluate(
-          (list) =>
-            list.map(([level, holds, accuracy]) =>
-              // biome-ignore lint/suspicious/noExplicitAny: the bundle's global
-              (globalThis as any).gravityQuest.hashOf(level, holds, accuracy),
-            ),
-          asked,
-        );
+        const answers = await page.evaluate(answersInPage, asked);
         expect(tableOf(runs, answers)).toEqual(committed);
       } finally {
         await browser.close();
@@ -85,14 +85,7 @@ describe('hashes of runs', () => {
       try {
         const page = await browser.newPage();
         await page.addScriptTag({ content: bundle });
-        const answers = await page.evaluate(
-          (list) =>
-            list.map(([level, holds, accuracy]) =>
-              // biome-ignore lint/suspicious/noExplicitAny: the bundle's global
-              (globalThis as any).gravityQuest.hashOf(level, holds, accuracy),
-            ),
-          asked,
-        );
+        const answers = await page.evaluate(answersInPage, asked);
         expect(tableOf(runs, answers)).toEqual(committed);
       } finally {
         await browser.close();
