@@ -11,6 +11,8 @@ export class FrameRecorder implements Trajectory {
   private rows: Float64Array;
   private count = 0;
   private wasHeld = false;
+  private lastNearest = -1;
+  private lastField = -1;
   private readonly state = new Float64Array(STATE_SIZE);
   private readonly aliens: Float64Array;
   private readonly asteroids: Float64Array;
@@ -96,9 +98,11 @@ export class FrameRecorder implements Trajectory {
     this.count++;
   }
 
-  button(frame: number, held: boolean, nearest: number, before: number): void {
+  button(frame: number, held: boolean, nearest: number): void {
     const time = frame * TICK;
     const pressed = held && !this.wasHeld;
+    const before = this.lastNearest;
+    this.lastNearest = nearest;
     if (held !== this.wasHeld) this.events.push({ time, type: held ? 'press' : 'release' });
     if (held && nearest >= 0 && (pressed || nearest !== before)) {
       this.events.push({ time, type: 'target', index: this.scene.targets.index[nearest] });
@@ -106,7 +110,10 @@ export class FrameRecorder implements Trajectory {
     this.wasHeld = held;
   }
 
-  field(frame: number, before: number, now: number): void {
+  field(frame: number, now: number): void {
+    const before = this.lastField;
+    if (now === before) return;
+    this.lastField = now;
     if (before >= 0) this.events.push({ time: frame * TICK, type: 'leave', index: before });
     if (now >= 0) this.events.push({ time: frame * TICK, type: 'enter', index: now });
   }

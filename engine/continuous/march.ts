@@ -12,3 +12,11 @@ export function safeStep(g: number, dg: number, k: number): number {
   if (dg < 0) return (2 * g) / (root - dg);
   return k > 0 ? (dg + root) / k : Number.POSITIVE_INFINITY;
 }
+
+/**
+ * The smallest stride past a guard that touches zero without crossing it, s. What it may overlook is below 1e-18 px deep.
+ * @param length natural length of the piece, s
+ */
+export function smallestStride(length: number): number {
+  return Math.min(1e-10, length * 1e-6);
+}

@@ -35,11 +35,11 @@ export class PieceRecorder implements Trajectory {
     this.asteroids = new Float64Array(2 * scene.targets.count);
   }
 
-  /** Keeps the piece the simulation is on; it is left after `t` seconds. */
-  piece(simulation: ContinuousSimulation, t: number): void {
-    this.end = simulation.pieceStart + t;
-    this.states.push(simulation.snapshot());
-    this.starts.push(simulation.pieceStart);
+  /** Keeps the piece that began at `start` s, with the state at its beginning; it is left after `t` seconds. */
+  piece(start: number, state: Float64Array, t: number): void {
+    this.end = start + t;
+    this.states.push(state);
+    this.starts.push(start);
     this.lengths.push(t);
   }
 

@@ -1,0 +1,320 @@
+import {
+  ALIEN_PULL,
+  ALIEN_SIGHT,
+  EXPLOSION_FRAMES,
+  GUN_PULL,
+  HALF_DIAGONAL,
+  REPULSOR_PUSH,
+  SPEED_LIMIT,
+  TICK,
+  TICK_RATE,
+} from '../constants.ts';
+import { boxOverlapsCircle, circlesOverlap } from '../contact/index.ts';
+import type { Scene } from '../scene.ts';
+import { COS, FRAME, ROUSED, SIN, VX, VY, X, Y } from './layout.ts';
+import { limitSpeed } from './limit-speed.ts';
+import { liesWithin, type Neighbourhood } from './neighbourhoods.ts';
+import type { FrameRecorder } from './recording.ts';
+
+/** Per alien: place, velocity, acceleration, what it is up to. */
+const ALIEN = 7;
+const ASLEEP = 0;
+const AWAKE = 1;
+// an exploded alien holds FUSE + the frame in which it stops chasing
+const FUSE = 2;
+
+/** So many frames at most are foreseen. */
+export const AHEAD = 16;
+/** For so many ahead it is asked whether two can touch. */
+const APART_FRAMES = 60;
+/** What rests farther than this from mattering is left out of account, px. */
+const NEAR = 8;
+
+// V8 folds constants of the same module; what is chosen between an imported one and a number becomes a box
+const DT = TICK;
+const PULL = ALIEN_PULL;
+const SIGHT = ALIEN_SIGHT;
+const CORNER = HALF_DIAGONAL;
+
+// after k frames from rest at acceleration a, something has come a k (k + 1) / 2 frames^2 far: so much faster than at first, px/s
+const HASTE = ((ALIEN_PULL + Math.max(GUN_PULL, REPULSOR_PUSH) + 1) * (AHEAD + 1) * TICK) / 2;
+const APART_HASTE = ((2 * ALIEN_PULL + 1) * (APART_FRAMES + 1) * TICK) / 2;
+/** What is no faster than this, both axes together, px/s, doesn't come to the speed limit within the frames foreseen. */
+const FAST = SPEED_LIMIT - (Math.max(GUN_PULL, REPULSOR_PUSH, ALIEN_PULL) * AHEAD + 1) * TICK;
+
+/** The aliens of a simulation, in its state from `offset` on. */
+export class Aliens {
+  /** Numbers of state for so many. */
+  static length(count: number): number {
+    return ALIEN * count;
+  }
+
+  readonly end: number;
+  private readonly count: number;
+  private readonly r: Float64Array;
+  // while she is nearer than this to there, px, all of them rest; derived from the state, and forgotten when it changes otherwise
+  private calmX = 0;
+  private calmY = 0;
+  private calm = -1;
+  /** Until this frame no two of them can touch; derived likewise. */
+  private apartUntil = -1;
+  /** Frames in which none of those that move can touch her or another. */
+  ahead = Number.POSITIVE_INFINITY;
+  /** How far she may move before one of those that rest matters, px. */
+  room = Number.POSITIVE_INFINITY;
+  /** How many move, or may do so soon: */
+  moving = 0;
+  /** which. */
+  private readonly mobile: Int32Array;
+
+  constructor(
+    private readonly s: Float64Array,
+    private readonly scene: Scene,
+    private readonly offset: number,
+  ) {
+    this.count = scene.aliens.count;
+    this.r = scene.aliens.r;
+    this.end = offset + ALIEN * this.count;
+    this.mobile = new Int32Array(this.count);
+  }
+
+  layOut(s: Float64Array): void {
+    const { aliens } = this.scene;
+    for (let i = 0; i < this.count; i++) {
+      const o = this.offset + ALIEN * i;
+      // adding 0 makes 0 of -0, as moving by 0 would
+      s[o] = aliens.x[i] + 0;
+      s[o + 1] = aliens.y[i] + 0;
+      if (circlesOverlap(s[X] - s[o], s[Y] - s[o + 1], SIGHT)) {
+        s[o + 6] = AWAKE;
+        s[ROUSED] = 1;
+      }
+      for (let j = 0; j < i; j++) {
+        if (circlesOverlap(aliens.x[j] - aliens.x[i], aliens.y[j] - aliens.y[i], aliens.r[j] + aliens.r[i])) s[ROUSED] = 1;
+      }
+    }
+  }
+
+  /** The state has become another than the frames made it. */
+  forget(): void {
+    this.calm = -1;
+    this.apartUntil = -1;
+  }
+
+  /** Whether none of them moves, wakes or touches while she is in her cell. */
+  restWhileIn(cell: Neighbourhood): boolean {
+    if (this.s[ROUSED] === 0 && cell.unseen) return true;
+    return liesWithin(cell, this.calmX, this.calmY, this.calm);
+  }
+
+  /** Looks how long nothing but chasing can happen: `ahead`, `room` and `moving` say so until the next frame is made. */
+  lookAhead(cell: Neighbourhood): void {
+    const { s, r, count } = this;
+    this.moving = 0;
+    this.ahead = Number.POSITIVE_INFINITY;
+    this.room = Number.POSITIVE_INFINITY;
+    if (s[ROUSED] === 0 && cell.unseen) return;
+    const x = s[X];
+    const y = s[Y];
+    if (this.calm > 0) {
+      this.room = this.calm - Math.sqrt((x - this.calmX) * (x - this.calmX) + (y - this.calmY) * (y - this.calmY));
+      if (this.room > NEAR) return;
+    }
+    const frame = s[FRAME];
+    // two that touch where the level has them explode in the first frame, though they rest
+    if (frame === 0) {
+      this.ahead = 0;
+      return;
+    }
+    const vx = s[VX];
+    const vy = s[VY];
+    let moving = 0;
+    let fastest = Math.abs(vx) + Math.abs(vy);
+    let room = Number.POSITIVE_INFINITY;
+    let time = AHEAD * DT;
+    for (let i = 0; i < count; i++) {
+      const o = this.offset + ALIEN * i;
+      const dx = s[o] - x;
+      const dy = s[o + 1] - y;
+      const d = Math.sqrt(dx * dx + dy * dy);
+      const reach = CORNER + r[i];
+      const state = s[o + 6];
+      const itsVX = s[o + 2];
+      const itsVY = s[o + 3];
+      if (itsVX === 0 && itsVY === 0 && s[o + 4] === 0 && s[o + 5] === 0) {
+        const dead = state >= FUSE && frame >= state - FUSE;
+        const gap = d * (1 - 1e-9) - (dead || reach > SIGHT ? reach : SIGHT) - 1e-3;
+        if (gap > NEAR) {
+          room = Math.min(room, gap);
+          continue;
+        }
+      }
+      this.mobile[moving++] = i;
+      fastest = Math.max(fastest, Math.abs(itsVX) + Math.abs(itsVY));
+      // how fast they come nearer at most: it may stop at any time
+      const hers = vx * dx + vy * dy;
+      const its = -(itsVX * dx + itsVY * dy);
+      const speed = ((hers > 0 ? hers : 0) + (its > 0 ? its : 0)) / d;
+      time = Math.min(time, (d - reach - 1e-2) / (speed + HASTE));
+    }
+    if (moving === 0) {
+      this.calmX = x;
+      this.calmY = y;
+      this.calm = room;
+    } else {
+      this.calm = -1;
+      this.moving = moving;
+      // beyond, the speed limit may act at once
+      if (!(time > 0) || fastest > FAST) this.ahead = 0;
+      else this.ahead = Math.min(Math.floor(time * TICK_RATE), this.apart(frame) - frame);
+    }
+    this.room = room;
+  }
+
+  /** The first frame in which two of them may touch. */
+  private apart(frame: number): number {
+    if (frame < this.apartUntil) return this.apartUntil;
+    const { s, r, count } = this;
+    let time = APART_FRAMES * DT;
+    for (let i = 0; i < count; i++) {
+      const a = this.offset + ALIEN * i;
+      if (s[a + 6] >= FUSE) continue;
+      for (let j = i + 1; j < count; j++) {
+        const b = this.offset + ALIEN * j;
+        if (s[b + 6] >= FUSE) continue;
+        const dx = s[b] - s[a];
+        const dy = s[b + 1] - s[a + 1];
+        const d = Math.sqrt(dx * dx + dy * dy);
+        const one = s[a + 2] * dx + s[a + 3] * dy;
+        const other = -(s[b + 2] * dx + s[b + 3] * dy);
+        const speed = ((one > 0 ? one : 0) + (other > 0 ? other : 0)) / d;
+        time = Math.min(time, (d - r[i] - r[j] - 1e-2) / (speed + APART_HASTE));
+      }
+    }
+    this.apartUntil = time > 0 ? frame + Math.floor(time * TICK_RATE) : frame;
+    return this.apartUntil;
+  }
+
+  /** Two that touch explode. */
+  explode(frame: number, recorder: FrameRecorder | null): void {
+    if (frame < this.apart(frame)) return;
+    const { s, r, count } = this;
+    for (let i = 0; i < count; i++) {
+      const a = this.offset + ALIEN * i;
+      for (let j = i + 1; j < count; j++) {
+        const b = this.offset + ALIEN * j;
+        if (s[a + 6] >= FUSE || s[b + 6] >= FUSE) continue;
+        if (!circlesOverlap(s[a] - s[b], s[a + 1] - s[b + 1], r[i] + r[j])) continue;
+        s[a + 6] = FUSE + frame + EXPLOSION_FRAMES;
+        s[b + 6] = FUSE + frame + EXPLOSION_FRAMES;
+        if (recorder !== null) recorder.explosion(frame, i, j);
+      }
+    }
+  }
+
+  /**
+   * The frames that {@link lookAhead} foresaw: those that move chase her.
+   * @param path her place at the start of each frame, x and y in turn
+   */
+  follow(path: Float64Array, from: number, frames: number): void {
+    const { s, mobile, moving } = this;
+    for (let k = 0; k < moving; k++) {
+      const o = this.offset + ALIEN * mobile[k];
+      let x = s[o];
+      let y = s[o + 1];
+      let vx = s[o + 2];
+      let vy = s[o + 3];
+      let ax = s[o + 4];
+      let ay = s[o + 5];
+      const state = s[o + 6];
+      const exploded = state >= FUSE;
+      const stop = exploded ? state - FUSE - from : frames;
+      let awake = false;
+      let roused = !(vx === 0 && vy === 0 && ax === 0 && ay === 0);
+      for (let n = 0; n < frames; n++) {
+        vx = limitSpeed(vx + ax * DT);
+        vy = limitSpeed(vy + ay * DT);
+        // they don't touch: the distance is not 0
+        const dx = path[2 * n] - x;
+        const dy = path[2 * n + 1] - y;
+        const d = Math.sqrt(dx * dx + dy * dy);
+        x += vx * DT;
+        y += vy * DT;
+        awake = d < SIGHT && n < stop;
+        if (awake) {
+          ax = (PULL * dx) / d;
+          ay = (PULL * dy) / d;
+          roused = true;
+        } else {
+          vx = 0;
+          vy = 0;
+          ax = 0;
+          ay = 0;
+        }
+      }
+      s[o] = x;
+      s[o + 1] = y;
+      s[o + 2] = vx;
+      s[o + 3] = vy;
+      s[o + 4] = ax;
+      s[o + 5] = ay;
+      if (!exploded) s[o + 6] = awake ? AWAKE : ASLEEP;
+      if (roused) s[ROUSED] = 1;
+    }
+  }
+
+  /**
+   * Velocities, then accelerations for the next frame, then places. An exploded one goes on until its fuse is out, and one that
+   * stops still makes this frame's move: slips of the original.
+   * @returns index of the first that touched her before, or -1
+   */
+  move(frame: number, recorder: FrameRecorder | null): number {
+    const { s, r, count } = this;
+    const x = s[X];
+    const y = s[Y];
+    let touching = -1;
+    for (let i = 0; i < count; i++) {
+      const o = this.offset + ALIEN * i;
+      const vx = limitSpeed(s[o + 2] + s[o + 4] * DT);
+      const vy = limitSpeed(s[o + 3] + s[o + 5] * DT);
+      const dx = x - s[o];
+      const dy = y - s[o + 1];
+      const d = Math.sqrt(dx * dx + dy * dy);
+      if (touching < 0 && d < r[i] + CORNER + 1 && boxOverlapsCircle(-dx, -dy, s[COS], s[SIN], r[i])) touching = i;
+      const state = s[o + 6];
+      const exploded = state >= FUSE;
+      const awake = d < SIGHT && !(exploded && frame >= state - FUSE);
+      s[o] += vx * DT;
+      s[o + 1] += vy * DT;
+      if (awake) {
+        s[o + 2] = vx;
+        s[o + 3] = vy;
+        s[o + 4] = d > 0 ? (PULL * dx) / d : PULL;
+        s[o + 5] = d > 0 ? (PULL * dy) / d : 0;
+      } else {
+        s[o + 2] = 0;
+        s[o + 3] = 0;
+        s[o + 4] = 0;
+        s[o + 5] = 0;
+      }
+      if (awake || vx !== 0 || vy !== 0) {
+        s[ROUSED] = 1;
+        this.calm = -1;
+      }
+      if (exploded || awake === (state === AWAKE)) continue;
+      s[o + 6] = awake ? AWAKE : ASLEEP;
+      if (recorder !== null) recorder.alien(frame, i, awake);
+    }
+    return touching;
+  }
+
+  read(out: Float64Array): void {
+    const { s } = this;
+    for (let i = 0; i < this.count; i++) {
+      const o = this.offset + ALIEN * i;
+      out[3 * i] = s[o];
+      out[3 * i + 1] = s[o + 1];
+      out[3 * i + 2] = s[o + 6] < FUSE ? 1 : 0;
+    }
+  }
+}

@@ -1,0 +1,237 @@
+import { GUN_PULL, REPULSOR_PUSH, TICK } from '../constants.ts';
+import { boxOverlapsCircle, circlesOverlap } from '../contact/index.ts';
+import type { Simulation } from '../simulation.ts';
+import {
+  ALIEN_TOUCH,
+  ASTEROID,
+  AX,
+  AY,
+  BLACK_HOLE,
+  COS,
+  FRAME,
+  HEAD,
+  LOST,
+  MINERALS,
+  NOVA,
+  OUTCOME,
+  SIN,
+  TOUCH_KIND,
+  TOUCHED,
+  VX,
+  VY,
+  X,
+  Y,
+} from './layout.ts';
+import { limitSpeed } from './limit-speed.ts';
+import type { Neighbourhood } from './neighbourhoods.ts';
+import type { FrameRecorder } from './recording.ts';
+import { ROCK } from './rocks.ts';
+import type { World } from './world.ts';
+
+// V8 folds constants of the same module, imported ones it loads
+const DT = TICK;
+const PULL = GUN_PULL;
+const PUSH = REPULSOR_PUSH;
+
+/** So many frames among things are made before it is looked again whether they are near. */
+const FRAMES_AMONG = 6;
+const FRAMES_ALERT = 12;
+
+/** Frames in which everything in her neighbourhood is looked at, in the order of the original. */
+export class Encounters {
+  constructor(
+    private readonly simulation: Simulation,
+    private readonly world: World,
+    private readonly recorder: FrameRecorder | null,
+  ) {}
+
+  /**
+   * Some frames among things; ends where she leaves the cell or the run ends.
+   * @param alert whether an alien matters
+   */
+  meet(cell: Neighbourhood, until: number, held: boolean, alert: boolean): void {
+    const { recorder } = this;
+    const {
+      s,
+      range,
+      targetR,
+      recoil,
+      rocks,
+      aliens,
+      repulsorX,
+      repulsorY,
+      repulsorR,
+      places,
+      placesFrom,
+      placesStep,
+      deadlyX,
+      deadlyY,
+      deadlyR,
+      firstTarget,
+    } = this.world;
+    const { left, right, top, bottom, rivals, deadly } = cell;
+    const near = cell.minerals;
+    const fields = cell.repulsors;
+    const rangeSquared = range * range;
+    const limit = Math.min(until, s[FRAME] + (alert ? FRAMES_ALERT : FRAMES_AMONG));
+    let frame = s[FRAME];
+    let x = s[X];
+    let y = s[Y];
+    let vx = s[VX];
+    let vy = s[VY];
+    let ax = s[AX];
+    let ay = s[AY];
+    let cos = s[COS];
+    let sin = s[SIN];
+    do {
+      // velocities and displacements; positions stay those of the frame before until the end of the frame
+      vx = limitSpeed(vx + ax * DT);
+      vy = limitSpeed(vy + ay * DT);
+      const moveX = vx * DT;
+      const moveY = vy * DT;
+
+      // the nearest asteroid; the first wins a tie
+      let best = Number.POSITIVE_INFINITY;
+      let nearest = -1;
+      for (let k = 0; k < rivals.length; k++) {
+        const o = placesFrom + placesStep * rivals[k];
+        const dx = places[o] - x;
+        const dy = places[o + 1] - y;
+        const d2 = dx * dx + dy * dy;
+        if (d2 < best) {
+          best = d2;
+          nearest = rivals[k];
+        }
+      }
+      if (best > rangeSquared) s[OUTCOME] = LOST;
+
+      if (held && nearest >= 0) {
+        const o = placesFrom + placesStep * nearest;
+        const d = Math.sqrt(best);
+        // atan2(0, 0) is 0 in the original: at the very centre she turns to angle 0 and is pulled that way
+        cos = d > 0 ? (places[o] - x) / d : 1;
+        sin = d > 0 ? (places[o + 1] - y) / d : 0;
+        s[COS] = cos;
+        s[SIN] = sin;
+        const pull = PULL * (1 - d / range);
+        ax = pull * cos;
+        ay = pull * sin;
+        if (recoil) {
+          const a = 1 / (2 * targetR[nearest]);
+          s[o + 4] = -a * cos;
+          s[o + 5] = -a * sin;
+          rocks.stir(nearest);
+        }
+      } else {
+        ax = 0;
+        ay = 0;
+        if (recoil && nearest >= 0) {
+          const o = HEAD + ROCK * nearest;
+          s[o + 4] = 0;
+          s[o + 5] = 0;
+        }
+      }
+      if (recorder !== null) recorder.button(frame, held, nearest);
+
+      // the checks, in the order of the original
+      const going = s[OUTCOME] === 0;
+      if (going) {
+        for (let k = 0; k < deadly.length; k++) {
+          const code = deadly[k];
+          const o = placesFrom + placesStep * (code - firstTarget);
+          const moves = recoil && code >= firstTarget;
+          const dx = (moves ? places[o] : deadlyX[code]) - x;
+          const dy = (moves ? places[o + 1] : deadlyY[code]) - y;
+          if (!boxOverlapsCircle(dx, dy, cos, sin, deadlyR[code])) continue;
+          this.touch(code);
+          break;
+        }
+        if (near.length > 0) this.collectMinerals(near);
+        if (alert) aliens.explode(frame, recorder);
+      }
+      if (alert) {
+        const alien = aliens.move(frame, recorder);
+        if (alien >= 0 && going && s[OUTCOME] === 0) this.end(ALIEN_TOUCH, this.world.scene.aliens.index[alien]);
+      }
+
+      // the first repulsor in the level's list that she is in pushes her
+      let field = -1;
+      for (let k = 0; k < fields.length; k++) {
+        const i = fields[k];
+        const dx = x - repulsorX[i];
+        const dy = y - repulsorY[i];
+        if (!circlesOverlap(dx, dy, repulsorR[i])) continue;
+        const d = Math.sqrt(dx * dx + dy * dy);
+        ax = d > 0 ? (PUSH * dx) / d : PUSH;
+        ay = d > 0 ? (PUSH * dy) / d : 0;
+        field = i;
+        break;
+      }
+      if (recorder !== null) recorder.field(frame, field);
+
+      if (s[OUTCOME] >= NOVA) {
+        vx = 0;
+        vy = 0;
+      }
+      x += moveX;
+      y += moveY;
+      s[X] = x;
+      s[Y] = y;
+      if (recoil) rocks.step();
+      frame++;
+      if (recorder !== null) {
+        s[FRAME] = frame;
+        s[VX] = vx;
+        s[VY] = vy;
+        this.record(recorder, frame - 1);
+      }
+    } while (frame < limit && s[OUTCOME] === 0 && x >= left && x < right && y >= top && y < bottom);
+    s[FRAME] = frame;
+    s[VX] = vx;
+    s[VY] = vy;
+    s[AX] = ax;
+    s[AY] = ay;
+    if (recoil) rocks.watchAll();
+  }
+
+  private record(recorder: FrameRecorder, frame: number): void {
+    const outcome = this.world.s[OUTCOME];
+    recorder.row(this.simulation);
+    if (outcome === 0) return;
+    recorder.end(
+      frame,
+      outcome === LOST ? 'lost' : outcome === BLACK_HOLE ? 'completed' : 'collided',
+      TOUCH_KIND[outcome],
+      this.world.s[TOUCHED],
+    );
+  }
+
+  private end(outcome: number, touched: number): void {
+    this.world.s[OUTCOME] = outcome;
+    this.world.s[TOUCHED] = touched;
+  }
+
+  /** She touches the black hole, a nova or a hot asteroid. */
+  private touch(code: number): void {
+    const { scene, firstTarget } = this.world;
+    if (code === 0) this.end(BLACK_HOLE, 0);
+    else if (code < firstTarget) this.end(NOVA, scene.novae.index[code - 1]);
+    else this.end(ASTEROID, scene.targets.index[code - firstTarget]);
+  }
+
+  /** Of several minerals touched in one frame all are counted, but only the last is taken away: a slip of the original. */
+  private collectMinerals(near: Int32Array): void {
+    const { recorder } = this;
+    const { s, collected, mineralX, mineralY, mineralR } = this.world;
+    let last = -1;
+    for (let k = 0; k < near.length; k++) {
+      const i = near[k];
+      if (s[collected + i] !== 0) continue;
+      if (!boxOverlapsCircle(mineralX[i] - s[X], mineralY[i] - s[Y], s[COS], s[SIN], mineralR[i])) continue;
+      s[MINERALS]++;
+      last = i;
+      if (recorder !== null) recorder.mineral(s[FRAME], i);
+    }
+    if (last >= 0) s[collected + last] = 1;
+  }
+}

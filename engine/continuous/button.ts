@@ -1,0 +1,28 @@
+import type { Motion } from './motion.ts';
+import { nearest } from './nearest.ts';
+import { begin } from './piece.ts';
+import { SLOTS } from './state.ts';
+import { stop } from './stop.ts';
+
+const { START, HELD, TARGET, COVER, MOVES, CROSSED } = SLOTS;
+
+/** Presses or releases at `time`, s. */
+export function button(m: Motion, held: boolean, time: number): void {
+  const { s, recorder } = m;
+  stop(m, time - s[START], time);
+  s[HELD] = held ? 1 : 0;
+  s[CROSSED] = 0;
+  if (held && m.recoils) s[MOVES] = 1;
+  s[TARGET] = held ? nearest(m) : -1;
+  if (held) s[COVER] = s[TARGET];
+  if (recorder !== null) {
+    recorder.event({ time, type: held ? 'press' : 'release' });
+    if (held) recordTarget(m, time);
+  }
+  begin(m);
+}
+
+/** Tells the recorder which asteroid the gun holds from now on. */
+export function recordTarget(m: Motion, time: number): void {
+  m.recorder?.event({ time, type: 'target', index: m.scene.targets.index[m.s[TARGET]] });
+}

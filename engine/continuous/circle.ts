@@ -1,0 +1,95 @@
+import type { Motion } from './motion.ts';
+import { pairAt } from './polynomial.ts';
+import { ALERTNESS, RECORDS, SLOTS } from './state.ts';
+
+const { TARGET, BASE, BASE_X, BASE_Y, DEGREE } = SLOTS;
+const { CHASER, ROCK } = RECORDS;
+const { AWAKE } = ALERTNESS;
+
+// how the circle of a contact moves
+const STILL = 0;
+
+const DRIFTS = 1;
+
+export const SERIES = 2;
+
+const IS_BASE = 3;
+
+/** The circle that guards look at: one that stands still, px from the origin of the motion. */
+export function placeCircle(m: Motion, x: number, y: number): void {
+  m.circleX = x - m.s[BASE_X];
+  m.circleY = y - m.s[BASE_Y];
+  m.circleMotion = STILL;
+}
+
+/** The circle that guards look at is this target, wherever recoil takes it. */
+export function placeRock(m: Motion, i: number): void {
+  const { s } = m;
+  if (!m.recoil) {
+    placeCircle(m, m.targetX[i], m.targetY[i]);
+    return;
+  }
+  const dragged = m.chaserX.length - 1;
+  if (i === s[BASE]) {
+    m.circleMotion = IS_BASE;
+    return;
+  }
+  if (i === s[TARGET] && s[m.chasers + CHASER * dragged + 4] === AWAKE) {
+    m.circleMotion = SERIES;
+    m.circleSeries = dragged;
+    return;
+  }
+  const o = m.rocks + ROCK * i;
+  placeCircle(m, s[o], s[o + 1]);
+  m.circleMotion = DRIFTS;
+  m.circleVX = s[o + 2];
+  m.circleVY = s[o + 3];
+}
+
+/** The circle that guards look at is this alien, on its chase if it is awake. */
+export function placeAlien(m: Motion, i: number): void {
+  const o = m.chasers + CHASER * i;
+  placeCircle(m, m.s[o], m.s[o + 1]);
+  if (m.s[o + 4] !== AWAKE) return;
+  m.circleMotion = SERIES;
+  m.circleSeries = i;
+}
+
+/** e[0..3]: u and its velocity; e[4..7]: the circle's centre minus hers, and its velocity, after `t` s; px, px/s. */
+export function relativeAt(m: Motion, t: number): void {
+  const { s, e } = m;
+  const degree = s[DEGREE];
+  pairAt(m.ux, m.uy, degree, t, e, 0);
+  if (m.circleMotion === IS_BASE) {
+    e[4] = -e[0];
+    e[5] = -e[1];
+    e[6] = -e[2];
+    e[7] = -e[3];
+    return;
+  }
+  if (m.circleMotion === SERIES) {
+    pairAt(m.chaserX[m.circleSeries], m.chaserY[m.circleSeries], m.integrator.degree, t, e, 4);
+    e[4] -= s[BASE_X];
+    e[5] -= s[BASE_Y];
+  } else if (m.circleMotion === DRIFTS) {
+    e[4] = m.circleX + m.circleVX * t;
+    e[5] = m.circleY + m.circleVY * t;
+    e[6] = m.circleVX;
+    e[7] = m.circleVY;
+  } else {
+    e[4] = m.circleX;
+    e[5] = m.circleY;
+    e[6] = 0;
+    e[7] = 0;
+  }
+  e[4] -= e[0];
+  e[5] -= e[1];
+  e[6] -= e[2];
+  e[7] -= e[3];
+  if (!m.recoil) return;
+  pairAt(m.px, m.py, degree, t, e, 8);
+  e[4] -= e[8];
+  e[5] -= e[9];
+  e[6] -= e[10];
+  e[7] -= e[11];
+}

@@ -1,0 +1,113 @@
+import { ALIEN_PULL, SPEED_LIMIT } from '../constants.ts';
+import { CENTRAL, COAST, LINEAR } from './flow.ts';
+import { untilGrid } from './glide.ts';
+import type { Motion } from './motion.ts';
+import { SMALLEST_ORBIT } from './piece.ts';
+import { ALERTNESS, RECORDS, SLOTS } from './state.ts';
+
+const {
+  START,
+  HELD,
+  TARGET,
+  FIELD,
+  BASE_X,
+  BASE_Y,
+  KIND,
+  SIDE,
+  LINE_X,
+  LINE_Y,
+  LIMIT_X,
+  LIMIT_Y,
+  DEGREE,
+  LENGTH_H,
+  ACCELERATION,
+} = SLOTS;
+const { CHASER, ROCK } = RECORDS;
+const { AWAKE } = ALERTNESS;
+
+/** Longest piece of a coast among so many things that an index finds the near ones, px. */
+const CROWDED_REACH = 128;
+
+export function expand(m: Motion): void {
+  const { s, flow, integrator, ux, uy, px, py, work } = m;
+  const aliens = m.scene.aliens.count;
+  const held = s[HELD] === 1;
+  const kind = s[KIND];
+  let awake = 0;
+  for (let i = 0; i < aliens; i++) if (s[m.chasers + CHASER * i + 4] === AWAKE) awake++;
+  const dragged = m.recoil && held && s[FIELD] >= 0;
+  if (dragged) {
+    const o = m.chasers + CHASER * aliens;
+    const rock = m.rocks + ROCK * s[TARGET];
+    for (let k = 0; k < ROCK; k++) s[o + k] = s[rock + k];
+    s[o + 4] = AWAKE;
+    awake++;
+  }
+  work.pieces++;
+
+  // fixed steps end on a grid of their own rate, which the ticks are a part of
+  let h = Number.POSITIVE_INFINITY;
+  const { rate } = m.scene.accuracy;
+  if ((kind !== COAST || awake > 0) && rate !== null) {
+    h = untilGrid(s[START], rate);
+  }
+  s[DEGREE] = 1;
+  s[ACCELERATION] = 0;
+  if (kind === COAST && m.crowded) {
+    // where an index finds the neighbours, a long path would find them all
+    const speed = Math.sqrt(ux[1] * ux[1] + uy[1] * uy[1]);
+    if (speed > 0) h = Math.min(h, CROWDED_REACH / speed);
+  }
+  if (kind === COAST && (s[LIMIT_X] !== 0 || s[LIMIT_Y] !== 0) && (s[FIELD] >= 0 || held)) {
+    // at the limit through the very centre: out of it straight on
+    h = Math.min(h, SMALLEST_ORBIT / SPEED_LIMIT);
+  }
+  if (kind !== COAST) {
+    s[DEGREE] = integrator.degree;
+    const kappa = m.recoil && s[FIELD] < 0 ? m.kappa : 0;
+    const drags = m.recoil && kind === CENTRAL;
+    h = integrator.expand(flow, ux, uy, h, drags ? px : null, drags ? py : null, kappa);
+    if (m.recoil && kind === LINEAR) recoilOnLine(m, kappa);
+    s[ACCELERATION] = integrator.acceleration(flow, ux, uy, h);
+    work.forceEvaluations += integrator.evaluations;
+  }
+  if (awake > 0) h = expandChasers(m, h);
+  s[LENGTH_H] = h;
+}
+
+/** On a line through the centre the target's recoil is constant. */
+function recoilOnLine(m: Motion, kappa: number): void {
+  const { s, px, py } = m;
+  const a = (kappa * s[SIDE]) / 2;
+  px[2] = a * s[LINE_X];
+  py[2] = a * s[LINE_Y];
+  for (let k = 3; k <= s[DEGREE]; k++) px[k] = py[k] = 0;
+}
+
+/** Expands aliens that are awake, and the rock she drags from within a field. */
+function expandChasers(m: Motion, longest: number): number {
+  const { s, scene, ux, uy, px, py, wx, wy, integrator, work } = m;
+  const aliens = scene.aliens.count;
+  for (let k = 0; k < wx.length; k++) {
+    const known = k <= s[DEGREE];
+    wx[k] = known ? ux[k] + (m.recoil ? px[k] : 0) : 0;
+    wy[k] = known ? uy[k] + (m.recoil ? py[k] : 0) : 0;
+  }
+  wx[0] += s[BASE_X];
+  wy[0] += s[BASE_Y];
+  let h = longest;
+  for (let i = 0; i < m.chaserX.length; i++) {
+    const o = m.chasers + CHASER * i;
+    if (s[o + 4] !== AWAKE) continue;
+    const qx = m.chaserX[i];
+    const qy = m.chaserY[i];
+    qx[0] = s[o];
+    qy[0] = s[o + 1];
+    qx[1] = s[o + 2];
+    qy[1] = s[o + 3];
+    const pull = i < aliens ? ALIEN_PULL : m.kappa;
+    h = Math.min(h, integrator.chase(qx, qy, wx, wy, pull, h));
+    work.forceEvaluations += integrator.evaluations;
+  }
+  return h;
+}

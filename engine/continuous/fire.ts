@@ -1,0 +1,161 @@
+import { recordTarget } from './button.ts';
+import { endingOf } from './ending.ts';
+import { actingField, watchForSliding } from './fields.ts';
+import { locate } from './locate.ts';
+import type { Motion } from './motion.ts';
+import { distanceSquared, nearest } from './nearest.ts';
+import { begin, holdLimits, proceed } from './piece.ts';
+import { skipPeriods, skipQuietSteps } from './skip.ts';
+import { ALERTNESS, EVENTS, RECORDS, SLOTS } from './state.ts';
+import { stop } from './stop.ts';
+
+const {
+  START,
+  FROM,
+  NEXT,
+  EVENT,
+  EVENT_A,
+  EVENT_B,
+  TARGET,
+  FIELD,
+  COVER,
+  LIMIT_X,
+  LIMIT_Y,
+  OUTCOME,
+  TOUCHED,
+  END_TIME,
+  MINERALS,
+  LAST_EVENT,
+  LAST_A,
+  AWAKE_COUNT,
+  CROSSED,
+} = SLOTS;
+const {
+  MINERAL,
+  NOVA,
+  HOT,
+  ALIEN_TOUCH,
+  HOLE,
+  LEAVE_COVER,
+  CENTRE,
+  SWITCH,
+  ENTER,
+  LEAVE,
+  WAKE,
+  SLEEP,
+  PAIR,
+  LIMIT,
+  UNLIMIT,
+  PIECE_END,
+} = EVENTS;
+const { CHASER } = RECORDS;
+const { ASLEEP, AWAKE, GONE } = ALERTNESS;
+
+/** What happens at the event that was located. */
+export function fire(m: Motion, until: number): void {
+  const { s, scene, recorder } = m;
+  const kind = s[EVENT];
+  const a = s[EVENT_A];
+  const time = s[START] + s[NEXT];
+  if (kind === MINERAL) {
+    s[m.minerals + a] = 1;
+    s[MINERALS]++;
+    s[FROM] = s[NEXT];
+    recorder?.event({ time, type: 'mineral', index: scene.minerals.index[a] });
+    locate(m);
+    return;
+  }
+  stop(m, s[NEXT], time);
+  s[LAST_EVENT] = 0;
+  if (kind !== CENTRE && kind !== PIECE_END) s[CROSSED] = 0;
+  if (kind === PIECE_END) {
+    if (m.integrator.glide !== null && recorder === null) skipQuietSteps(m, until);
+    if (s[LIMIT_X] === 0 && s[LIMIT_Y] === 0) proceed(m);
+    else begin(m);
+    return;
+  }
+  switch (kind) {
+    case NOVA:
+    case HOT:
+    case ALIEN_TOUCH:
+    case HOLE:
+      end(m, kind, kind === HOT ? scene.targets.index[a] : a, time);
+      return;
+    case LEAVE_COVER: {
+      const other = nearest(m);
+      if (other < 0 || other === a || distanceSquared(m, other) > scene.level.range * scene.level.range) {
+        end(m, LEAVE_COVER, 0, time);
+        return;
+      }
+      s[COVER] = other;
+      break;
+    }
+    case CENTRE:
+      m.ux[0] = 0;
+      m.uy[0] = 0;
+      skipPeriods(m);
+      break;
+    case SWITCH:
+      s[LAST_EVENT] = SWITCH;
+      s[LAST_A] = s[TARGET];
+      s[TARGET] = a;
+      s[COVER] = a;
+      recordTarget(m, time);
+      break;
+    case ENTER:
+    case LEAVE:
+      s[m.inside + a] = kind === ENTER ? 1 : 0;
+      s[FIELD] = actingField(m);
+      s[LAST_EVENT] = kind === ENTER ? LEAVE : ENTER;
+      s[LAST_A] = a;
+      watchForSliding(m, a, time);
+      recorder?.event({ time, type: kind === ENTER ? 'enter' : 'leave', index: a });
+      break;
+    case WAKE:
+    case SLEEP: {
+      const o = m.chasers + CHASER * a;
+      s[o + 2] = 0;
+      s[o + 3] = 0;
+      s[o + 4] = kind === WAKE ? AWAKE : ASLEEP;
+      s[AWAKE_COUNT] += kind === WAKE ? 1 : -1;
+      m.near.skin = -1;
+      s[LAST_EVENT] = kind === WAKE ? SLEEP : WAKE;
+      s[LAST_A] = a;
+      recorder?.event({ time, type: kind === WAKE ? 'wake' : 'sleep', index: a });
+      break;
+    }
+    case PAIR:
+      explode(m, a);
+      explode(m, s[EVENT_B]);
+      recorder?.event({ time, type: 'explosion', aliens: [a, s[EVENT_B]] });
+      break;
+    case LIMIT:
+      s[a === 0 ? LIMIT_X : LIMIT_Y] = s[EVENT_B];
+      holdLimits(m);
+      break;
+    case UNLIMIT:
+      s[LAST_EVENT] = LIMIT;
+      s[LAST_A] = a;
+      s[a === 0 ? LIMIT_X : LIMIT_Y] = 0;
+      break;
+    default:
+  }
+  begin(m);
+}
+
+function explode(m: Motion, alien: number): void {
+  const { s } = m;
+  const o = m.chasers + CHASER * alien;
+  if (s[o + 4] === AWAKE) s[AWAKE_COUNT]--;
+  s[o + 4] = GONE;
+  m.near.skin = -1;
+}
+
+function end(m: Motion, kind: number, index: number, time: number): void {
+  const { s, recorder } = m;
+  s[OUTCOME] = kind;
+  s[TOUCHED] = index;
+  s[END_TIME] = time;
+  const ending = endingOf(m);
+  if (ending !== null) recorder?.event({ time, type: ending.outcome, with: ending.with });
+}

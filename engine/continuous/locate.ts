@@ -1,0 +1,151 @@
+import { ALIEN_PULL, ALIEN_SIGHT, HALF_DIAGONAL, SPEED_LIMIT } from '../constants.ts';
+import { placeAlien, placeCircle, placeRock, SERIES } from './circle.ts';
+import { justFired, offer } from './first-event.ts';
+import { LINEAR } from './flow.ts';
+import { considerPair } from './guards/alien-pair.ts';
+import { centreTime } from './guards/centre.ts';
+import { contactTime } from './guards/contact.ts';
+import { rimTime } from './guards/rim.ts';
+import { considerLimits } from './guards/speed-limit.ts';
+import { switchTime } from './guards/target-switch.ts';
+import type { Motion } from './motion.ts';
+import { alienTravel, refresh, rockTravel } from './neighbourhood.ts';
+import { placeAt } from './places.ts';
+import { ALERTNESS, EVENTS, RECORDS, SLOTS } from './state.ts';
+
+const {
+  START,
+  FROM,
+  NEXT,
+  EVENT,
+  TARGET,
+  COVER,
+  BASE_X,
+  BASE_Y,
+  KIND,
+  LIMIT_X,
+  LIMIT_Y,
+  LENGTH_H,
+  ACCELERATION,
+  AWAKE_COUNT,
+  RIM,
+  RIM_HOLD,
+} = SLOTS;
+const { MINERAL, NOVA, HOT, ALIEN_TOUCH, HOLE, LEAVE_COVER, CENTRE, SWITCH, ENTER, LEAVE, WAKE, SLEEP, PIECE_END } = EVENTS;
+const { CHASER } = RECORDS;
+const { ASLEEP, GONE } = ALERTNESS;
+
+/** Locates the first event in (FROM, LENGTH_H] of the piece; the natural end where nothing happens before. */
+export function locate(m: Motion): void {
+  const { s, e, near } = m;
+  s[NEXT] = s[LENGTH_H];
+  s[EVENT] = PIECE_END;
+  const from = s[FROM];
+  // the path stays within `reach` of its start
+  placeAt(m, 0);
+  const x = s[BASE_X] + e[0];
+  const y = s[BASE_Y] + e[1];
+  const speedX = e[2] + (m.recoil ? e[6] : 0);
+  const speedY = e[3] + (m.recoil ? e[7] : 0);
+  const h = s[LENGTH_H];
+  const speed = Math.sqrt(speedX * speedX + speedY * speedY);
+  const travel = s[ACCELERATION] > 0 ? (speed + (s[ACCELERATION] + m.kappa) * h) * h : speed > 0 ? speed * h : 0;
+  const rocks = m.recoil ? rockTravel(m, h) : 0;
+  const reach = travel + rocks;
+
+  if (m.recoil || !near.covers(x, y, reach, s[TARGET])) refresh(m, x, y, reach);
+  const gone = Math.sqrt((x - near.x) * (x - near.x) + (y - near.y) * (y - near.y)) + reach;
+  for (let i = 0; i < near.count; i++) {
+    if (near.slack[i] > gone) continue;
+    consider(m, near.kind[i], near.index[i], from);
+  }
+  if (s[AWAKE_COUNT] > 0 || (s[START] === 0 && m.scene.aliens.count > 1)) considerAwake(m, x, y, travel, from);
+  considerCover(m, from);
+  if (s[KIND] === LINEAR) offer(m, centreTime(m, from), CENTRE, 0, 0);
+  if (speed + s[ACCELERATION] * h >= SPEED_LIMIT || s[LIMIT_X] !== 0 || s[LIMIT_Y] !== 0) considerLimits(m, from);
+}
+
+/** Tests one entry of the neighbour list. */
+function consider(m: Motion, kind: number, i: number, from: number): void {
+  const { s, scene } = m;
+  switch (kind) {
+    case NOVA:
+      placeCircle(m, scene.novae.x[i] - m.originX, scene.novae.y[i] - m.originY);
+      offer(m, contactTime(m, scene.novae.r[i], 0, from), NOVA, scene.novae.index[i], 0);
+      return;
+    case HOT:
+      placeRock(m, i);
+      offer(m, contactTime(m, scene.targets.r[i], m.kappa, from), HOT, i, 0);
+      return;
+    case HOLE: {
+      const { x, y, radius } = scene.level.blackHole;
+      placeCircle(m, x - m.originX, y - m.originY);
+      offer(m, contactTime(m, radius, 0, from), HOLE, 0, 0);
+      return;
+    }
+    case MINERAL:
+      if (s[m.minerals + i] !== 0) return;
+      placeCircle(m, scene.minerals.x[i] - m.originX, scene.minerals.y[i] - m.originY);
+      offer(m, contactTime(m, scene.minerals.r[i], 0, from), MINERAL, i, 0);
+      return;
+    case ENTER: {
+      const inside = s[m.inside + i] === 1;
+      const event = inside ? LEAVE : ENTER;
+      const start = s[RIM] === i ? Math.max(from, s[RIM_HOLD] - s[START]) : from;
+      if (start > s[LENGTH_H]) return;
+      placeCircle(m, scene.repulsors.x[i] - m.originX, scene.repulsors.y[i] - m.originY);
+      const atZero = start === from && justFired(m, event, i);
+      offer(m, rimTime(m, scene.repulsors.r[i], !inside, 0, start, atZero), event, i, 0);
+      return;
+    }
+    case WAKE:
+      considerRim(m, i, WAKE, from);
+      return;
+    case ALIEN_TOUCH:
+      considerAlienTouch(m, i, from);
+      return;
+    default:
+      offer(m, switchTime(m, i, from), SWITCH, i, 0);
+  }
+}
+
+/** Aliens that are awake, and pairs with one of them; those asleep are in the neighbour list. */
+function considerAwake(m: Motion, x: number, y: number, travel: number, from: number): void {
+  const { s, scene } = m;
+  const { aliens } = scene;
+  const h = s[LENGTH_H];
+  for (let i = 0; i < aliens.count; i++) {
+    const o = m.chasers + CHASER * i;
+    if (s[o + 4] === GONE) continue;
+    for (let j = i + 1; j < aliens.count; j++) considerPair(m, i, j, from);
+    if (s[o + 4] === ASLEEP) continue;
+    const d = Math.sqrt((s[o] - x) * (s[o] - x) + (s[o + 1] - y) * (s[o + 1] - y));
+    const moves = travel + alienTravel(m, i, h);
+    if (d + moves > ALIEN_SIGHT - 1e-6) considerRim(m, i, SLEEP, from);
+    if (d - moves < aliens.r[i] + HALF_DIAGONAL + 1e-6) considerAlienTouch(m, i, from);
+  }
+}
+
+function considerRim(m: Motion, i: number, event: number, from: number): void {
+  placeAlien(m, i);
+  const pull = event === SLEEP ? ALIEN_PULL : 0;
+  offer(m, rimTime(m, ALIEN_SIGHT, event === WAKE, pull, from, justFired(m, event, i)), event, i, 0);
+}
+
+function considerAlienTouch(m: Motion, i: number, from: number): void {
+  placeAlien(m, i);
+  const pull = m.circleMotion === SERIES ? ALIEN_PULL : 0;
+  offer(m, contactTime(m, m.scene.aliens.r[i], pull, from), ALIEN_TOUCH, i, 0);
+}
+
+/** The asteroid that keeps her in range: when she leaves its range another may take over, or she is lost. */
+function considerCover(m: Motion, from: number): void {
+  const { s, scene } = m;
+  const cover = s[COVER];
+  if (cover < 0) {
+    offer(m, from, LEAVE_COVER, -1, 0);
+    return;
+  }
+  placeRock(m, cover);
+  offer(m, rimTime(m, scene.level.range, false, m.kappa, from, false), LEAVE_COVER, cover, 0);
+}

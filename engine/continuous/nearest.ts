@@ -1,0 +1,44 @@
+import type { Motion } from './motion.ts';
+import { RECORDS, SLOTS } from './state.ts';
+
+const { BASE_X, BASE_Y } = SLOTS;
+const { ROCK } = RECORDS;
+
+/** Squared distance of a target at the start of the piece, exact in the frame's own digits. */
+export function distanceSquared(m: Motion, i: number): number {
+  const { s } = m;
+  const rx = m.recoil ? s[m.rocks + ROCK * i] : m.targetX[i];
+  const ry = m.recoil ? s[m.rocks + ROCK * i + 1] : m.targetY[i];
+  const dx = rx - s[BASE_X] - m.ux[0];
+  const dy = ry - s[BASE_Y] - m.uy[0];
+  return dx * dx + dy * dy;
+}
+
+/** The nearest target; the first on a tie; -1 where there is none. */
+export function nearest(m: Motion): number {
+  const { s, scene, ux, uy } = m;
+  const { spatial, count } = scene.targets;
+  let best = Number.POSITIVE_INFINITY;
+  let nearest = -1;
+  if (spatial !== null && !m.recoil) {
+    // the index knows one of the nearest; which of them comes first is decided in our own digits
+    const x = m.originX + s[BASE_X] + ux[0];
+    const y = m.originY + s[BASE_Y] + uy[0];
+    const reach = Math.sqrt(distanceSquared(m, spatial.nearestCentre(x, y))) * (1 + 1e-9) + 1e-6;
+    for (const i of spatial.around(x, y, reach)) {
+      const d = distanceSquared(m, i);
+      if (d > best || (d === best && i > nearest)) continue;
+      best = d;
+      nearest = i;
+    }
+    return nearest;
+  }
+  for (let i = 0; i < count; i++) {
+    const d = distanceSquared(m, i);
+    if (d < best) {
+      best = d;
+      nearest = i;
+    }
+  }
+  return nearest;
+}

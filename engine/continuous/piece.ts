@@ -1,0 +1,106 @@
+import { GUN_PULL, REPULSOR_PUSH, SPEED_LIMIT } from '../constants.ts';
+import { expand } from './expand.ts';
+import { CENTRAL, COAST, LINEAR } from './flow.ts';
+import { rebase } from './frame.ts';
+import { locate } from './locate.ts';
+import type { Motion } from './motion.ts';
+import { RECORDS, SLOTS, TURNS } from './state.ts';
+
+const { HELD, TARGET, FIELD, KIND, TURN, COS, SIN, SIDE, LINE_X, LINE_Y, LIMIT_X, LIMIT_Y } = SLOTS;
+const { TURN_NOT, TURN_TO_BASE, TURN_TO_TARGET } = TURNS;
+const { ROCK } = RECORDS;
+
+/** An impact parameter that rounding can't tell from 0, px: the motion is on a line through the centre. */
+const RADIAL = 1e-12;
+
+/**
+ * A swing or orbit about the centre smaller than this counts as rest in it, px: it would take more events a second than
+ * anybody could wait for, and its velocity is below 3e-3 px/s.
+ */
+export const SMALLEST_ORBIT = 1e-7;
+
+/** Chooses frame and flow at the start of a piece, expands it, and locates the first event. */
+export function begin(m: Motion): void {
+  const { s, scene, ux, uy } = m;
+  const held = s[HELD] === 1;
+  const target = s[TARGET];
+  const field = s[FIELD];
+  if (field >= 0) {
+    rebase(m, -1, scene.repulsors.x[field] - m.originX, scene.repulsors.y[field] - m.originY, 0, 0);
+  } else if (held && m.recoil) {
+    const o = m.rocks + ROCK * target;
+    rebase(m, target, s[o], s[o + 1], s[o + 2], s[o + 3]);
+  } else if (held) {
+    rebase(m, target, m.targetX[target], m.targetY[target], 0, 0);
+  }
+
+  s[KIND] = COAST;
+  s[TURN] = TURN_NOT;
+  const x = ux[0];
+  const y = uy[0];
+  const vx = ux[1];
+  const vy = uy[1];
+  const d = Math.sqrt(x * x + y * y);
+  const v = Math.sqrt(vx * vx + vy * vy);
+  const free = s[LIMIT_X] === 0 && s[LIMIT_Y] === 0;
+  const onLine = Math.abs(x * vy - y * vx) <= RADIAL * v;
+  // how far from the centre she could get under the pull with the energy she has
+  const swing = held && field < 0 ? d + (v * v) / (2 * GUN_PULL) : Number.POSITIVE_INFINITY;
+  if (swing < (onLine && !m.recoil ? RADIAL : SMALLEST_ORBIT)) {
+    for (let k = 0; k < 2; k++) ux[k] = uy[k] = 0;
+  } else if ((field >= 0 || held) && (d > 0 || v > 0) && (free || d > SMALLEST_ORBIT)) {
+    if (free && onLine) {
+      s[KIND] = LINEAR;
+      // close to the centre the velocity knows the line better than the place does
+      const byPlace = d > 1e-6 || v === 0;
+      s[LINE_X] = byPlace ? x / d : vx / v;
+      s[LINE_Y] = byPlace ? y / d : vy / v;
+      s[SIDE] = x * s[LINE_X] + y * s[LINE_Y] < 0 ? -1 : 1;
+    } else {
+      s[KIND] = CENTRAL;
+    }
+    if (held && field >= 0) {
+      s[TURN] = TURN_TO_TARGET;
+    } else if (held && s[KIND] === LINEAR) {
+      s[COS] = -s[SIDE] * s[LINE_X];
+      s[SIN] = -s[SIDE] * s[LINE_Y];
+    } else if (held) {
+      s[TURN] = TURN_TO_BASE;
+    }
+  } else if (held && field >= 0) {
+    s[TURN] = TURN_TO_TARGET;
+  }
+  proceed(m);
+}
+
+/** The next piece of the same flow. */
+export function proceed(m: Motion): void {
+  setFlow(m);
+  expand(m);
+  locate(m);
+}
+
+/** Sets the flow from the state: after a restore it must be what it was. */
+export function setFlow(m: Motion): void {
+  const { s, flow, scene, ux, uy } = m;
+  flow.kind = s[KIND];
+  flow.freeX = s[LIMIT_X] === 0;
+  flow.freeY = s[LIMIT_Y] === 0;
+  const inField = s[FIELD] >= 0;
+  const kappa = inField ? 0 : m.kappa;
+  flow.alpha = inField ? REPULSOR_PUSH : -(GUN_PULL + kappa);
+  flow.beta = inField ? 0 : GUN_PULL / scene.level.range;
+  if (flow.kind !== LINEAR) return;
+  flow.range = inField ? 0 : scene.level.range;
+  flow.extra = inField ? REPULSOR_PUSH : -kappa;
+  flow.outX = s[SIDE] * s[LINE_X];
+  flow.outY = s[SIDE] * s[LINE_Y];
+  flow.moveTo(ux[0], uy[0]);
+}
+
+/** Keeps a limited axis at exactly the limit. */
+export function holdLimits(m: Motion): void {
+  const { s, ux, uy, px, py } = m;
+  if (s[LIMIT_X] !== 0) ux[1] = s[LIMIT_X] * SPEED_LIMIT - px[1];
+  if (s[LIMIT_Y] !== 0) uy[1] = s[LIMIT_Y] * SPEED_LIMIT - py[1];
+}

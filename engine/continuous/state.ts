@@ -1,0 +1,96 @@
+/**
+ * What a run in continuous time is made of: one typed array, so that a snapshot is one copy. First these slots, then the
+ * chasers and rocks, a flag for each mineral and repulsor, and the coefficients of the present piece.
+ *
+ * Files take the slots they need apart at their top, `const { START } = SLOTS;`: V8 folds constants of the file itself
+ * into the code, imported ones it reads and checks at every use.
+ */
+export const SLOTS = {
+  /** Time the piece begins, s. */
+  START: 0,
+  /** Events up to this time after START are behind us, s. */
+  FROM: 1,
+  /** Time after START of the next event or the natural end, s; then which it is. */
+  NEXT: 2,
+  EVENT: 3,
+  EVENT_A: 4,
+  EVENT_B: 5,
+  TICK_NOW: 6,
+  HELD: 7,
+  TARGET: 8,
+  FIELD: 9,
+  /** An asteroid that keeps her in range. */
+  COVER: 10,
+  /** The target whose place is the origin of the frame, or -1: a fixed point. */
+  BASE: 11,
+  BASE_X: 12,
+  BASE_Y: 13,
+  /** Of flow. */
+  KIND: 14,
+  TURN: 15,
+  COS: 16,
+  SIN: 17,
+  /** LINEAR: +1 or -1, on which side of the centre she is along (LINE_X, LINE_Y). */
+  SIDE: 18,
+  LINE_X: 19,
+  LINE_Y: 20,
+  /** +1 or -1 while the speed limit holds that axis. */
+  LIMIT_X: 21,
+  LIMIT_Y: 22,
+  /** The kind of event that ended the run, or 0. */
+  OUTCOME: 23,
+  TOUCHED: 24,
+  END_TIME: 25,
+  MINERALS: 26,
+  /** The guard that fired at START: it is at its zero, not past it. */
+  LAST_EVENT: 27,
+  LAST_A: 28,
+  DEGREE: 29,
+  /** Natural length of the piece, s. */
+  LENGTH_H: 30,
+  /** Bound on |u''| over the piece, px/s2. */
+  ACCELERATION: 31,
+  /** 1 from the first press on where the level has recoil. */
+  MOVES: 32,
+  AWAKE_COUNT: 33,
+  /** LINEAR: when she last crossed the centre, and the time before; 0 when something else happened since. */
+  CROSSED: 34,
+  CROSSED_BEFORE: 35,
+  /** The rim crossed last, when, and how often in no time; until when it is not watched. */
+  RIM: 36,
+  RIM_TIME: 37,
+  RIM_COUNT: 38,
+  RIM_HOLD: 39,
+} as const;
+
+/** Slots before the first chaser. */
+export const HEAD = 40;
+
+/** What turns the box. */
+export const TURNS = { TURN_NOT: 0, TURN_TO_BASE: 1, TURN_TO_TARGET: 2 } as const;
+
+/** Kinds of events, in the order in which they happen when they fall on the same instant. */
+export const EVENTS = {
+  MINERAL: 1,
+  NOVA: 2,
+  HOT: 3,
+  ALIEN_TOUCH: 4,
+  HOLE: 5,
+  LEAVE_COVER: 6,
+  CENTRE: 7,
+  SWITCH: 8,
+  ENTER: 9,
+  LEAVE: 10,
+  WAKE: 11,
+  SLEEP: 12,
+  PAIR: 13,
+  LIMIT: 14,
+  UNLIMIT: 15,
+  PIECE_END: 16,
+} as const;
+
+/** Slots per chaser (place, velocity, what it is up to) and per rock (place, velocity). */
+export const RECORDS = { CHASER: 5, ROCK: 4 } as const;
+
+/** What an alien is up to. */
+export const ALERTNESS = { ASLEEP: 0, AWAKE: 1, GONE: 2 } as const;

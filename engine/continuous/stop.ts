@@ -1,0 +1,64 @@
+import type { Motion } from './motion.ts';
+import { directionAt, settleAt } from './places.ts';
+import { pairAt } from './polynomial.ts';
+import { ALERTNESS, RECORDS, SLOTS } from './state.ts';
+
+const { START, FROM, HELD, TARGET, FIELD, BASE, BASE_X, BASE_Y, COS, SIN, LAST_EVENT } = SLOTS;
+const { CHASER, ROCK } = RECORDS;
+const { ASLEEP, AWAKE } = ALERTNESS;
+
+/** Ends the piece after `t`: everything is put where it is then, and the next piece begins at `time`. */
+export function stop(m: Motion, t: number, time: number): void {
+  const { s, e, ux, uy, px, py } = m;
+  m.recorder?.piece(s[START], s.slice(), t);
+  m.modeSeconds[m.mode] += t;
+  directionAt(m, t);
+  s[COS] = e[8];
+  s[SIN] = e[9];
+  const aliens = m.scene.aliens.count;
+  const { degree } = m.integrator;
+  for (let i = 0; i < m.chaserX.length; i++) {
+    const o = m.chasers + CHASER * i;
+    if (s[o + 4] !== AWAKE) continue;
+    const qx = m.chaserX[i];
+    const qy = m.chaserY[i];
+    pairAt(qx, qy, degree, t, s, o);
+    // the series begins here too, for whoever looks before the next piece is made, if one is
+    qx[0] = s[o];
+    qy[0] = s[o + 1];
+    if (i < aliens) continue;
+    const rock = m.rocks + ROCK * s[TARGET];
+    for (let k = 0; k < ROCK; k++) s[rock + k] = s[o + k];
+    s[o + 4] = ASLEEP;
+  }
+  settleAt(m, t);
+  ux[0] = e[0];
+  uy[0] = e[1];
+  ux[1] = e[2];
+  uy[1] = e[3];
+  if (m.recoil) {
+    const dragged = s[HELD] === 1 && s[FIELD] >= 0 ? s[TARGET] : -1;
+    for (let i = 0; i < m.scene.targets.count; i++) {
+      const o = m.rocks + ROCK * i;
+      if (i === s[BASE] || i === dragged) continue;
+      s[o] += s[o + 2] * t;
+      s[o + 1] += s[o + 3] * t;
+    }
+    s[BASE_X] += e[4];
+    s[BASE_Y] += e[5];
+    px[0] = 0;
+    py[0] = 0;
+    px[1] = e[6];
+    py[1] = e[7];
+    if (s[BASE] >= 0) {
+      const o = m.rocks + ROCK * s[BASE];
+      s[o] = s[BASE_X];
+      s[o + 1] = s[BASE_Y];
+      s[o + 2] = e[6];
+      s[o + 3] = e[7];
+    }
+  }
+  s[START] = time;
+  s[FROM] = 0;
+  if (t > 0) s[LAST_EVENT] = 0;
+}

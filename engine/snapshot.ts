@@ -1,0 +1,5 @@
+/** Throws a RangeError unless a snapshot has the length of the state it is to replace. */
+export function expectSnapshot(snapshot: Float64Array, length: number): void {
+  if (snapshot.length === length) return;
+  throw new RangeError(`expected a snapshot of ${length} numbers of this scene, found ${snapshot.length}`);
+}
