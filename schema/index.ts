@@ -1,6 +1,7 @@
 export { closestName } from './closest-name.ts';
 export { codeFrame } from './code-frame.ts';
 export { CODES, type CodeExplanation } from './codes.ts';
+export * from './edit-api.ts';
 export { formatLevel } from './format.ts';
 export { withIds } from './ids.ts';
 export { type ImportedLevel, type ImportReading, importOriginal } from './import-original.ts';

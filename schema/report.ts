@@ -63,3 +63,171 @@ export type LevelReport = z.infer<typeof levelReport>;
 
 /** What `check` prints. */
 export type CheckReport = z.infer<typeof checkReportSchema>;
+
+const share = z.number().min(0).max(1);
+const interval = z.tuple([share, share]).describe('95 % interval (Wilson).');
+
+/** How much a run forgives. */
+export const robustnessReportSchema = z.strictObject({
+  p30: share.describe('Share of attempts that succeed when every press and release is off by Gaussian noise of 30 ms.'),
+  p40: share,
+  p60: share,
+  p80: share,
+  certifiedTicks: z
+    .int()
+    .min(0)
+    .describe('Every combination of shifts of all presses and releases by up to so many ticks was tried, and succeeds.'),
+  decided: z.boolean().describe('Whether some shift by one tick more is known to fail; false where there were too many to try.'),
+  slack: z
+    .array(z.tuple([z.int().min(0), z.int().min(0)]))
+    .describe('[ticks earlier, ticks later] that each press and release can move alone: two a hold.'),
+  intervals: z.strictObject({ p30: interval, p40: interval, p60: interval, p80: interval }),
+  samples: z.int().min(0).describe('Attempts behind each share.'),
+});
+
+/** How much a run forgives, as reports have it. */
+export type RobustnessReport = z.infer<typeof robustnessReportSchema>;
+
+const effort = z.strictObject({
+  runs: z.int().min(0).describe('Stretches simulated in one go.'),
+  ticks: z.int().min(0).describe('Simulated, of 1/60 s each: the same --effort gives the same answer.'),
+  seconds: z.number().min(0).describe('Wall time.'),
+  seed: z.int(),
+});
+
+const closest = z.strictObject({
+  distance: z.number().min(0).describe("px, from her box to the black hole's rim"),
+  tick: z.int().min(0),
+  holds: runReportSchema.shape.holds,
+});
+
+const impossible = z.strictObject({
+  code: z.string(),
+  reason: z.string(),
+  certificate: z.json().describe('What a checker needs to see that the proof holds.'),
+});
+
+const solution = z.strictObject({
+  level: z.string(),
+  accuracy: z.string(),
+  found: z.boolean(),
+  holds: runReportSchema.shape.holds.nullable().describe('null: no run was found'),
+  outcome: runReportSchema.shape.outcome.nullable(),
+  time: time.nullable(),
+  tick: z.int().min(0).nullable(),
+  minerals: runReportSchema.shape.minerals,
+  effort,
+  robustness: robustnessReportSchema.nullable(),
+  closest: closest
+    .nullable()
+    .describe('The nearest any run came to the black hole; null when one was found, or nothing was tried.'),
+  impossible: impossible.nullable().describe('The proof that no run can do what was asked.'),
+  hash: z.string().nullable().describe("The run's, as `simulate` gives it."),
+});
+
+/** What `solve` prints as JSON: the best run; with --count the others, too. */
+export const solveReportSchema = z.strictObject({
+  ...solution.shape,
+  interrupted: z.boolean().describe('Ended by a signal: this is what was found by then.'),
+  solutions: z.array(solution).optional().describe('With --count above 1: all of them, best first.'),
+});
+
+/** What `solve` prints. */
+export type SolveReport = z.infer<typeof solveReportSchema>;
+
+/** One run that `solve` found, or what it found instead. */
+export type SolutionReport = z.infer<typeof solution>;
+
+const runFound = z.strictObject({
+  holds: runReportSchema.shape.holds,
+  time,
+  tick: z.int().min(0),
+  minerals: z.array(index).describe('Different ones that it collects, sorted.'),
+});
+
+/** A run that meets its goal, in brief. */
+export type RunFoundReport = z.infer<typeof runFound>;
+
+const measuredDifficulty = z.strictObject({
+  run: z.strictObject({ name: z.string().nullable().describe('null: not of the level, a search found it'), ...runFound.shape }),
+  grade: z.strictObject({ value: z.number().min(1).max(10), word: z.string() }).describe('An estimate.'),
+  robustness: robustnessReportSchema,
+  sigmaAtHalf: z
+    .strictObject({ ms: z.number(), low: z.number(), high: z.number(), capped: z.boolean() })
+    .describe('Timing noise at which every second attempt succeeds, with its 95 % interval; capped: at least that.'),
+  smallestWindow: z
+    .int()
+    .min(0)
+    .nullable()
+    .describe('Ticks that the tightest press or release can move in all; null without any.'),
+  presses: z.int().min(0),
+  length: time,
+  randomPlay: z.strictObject({ share, low: share, high: share, samples: z.int() }).describe('How often random play wins.'),
+  mineralsExtra: z
+    .strictObject({ run: runFound, time: z.number(), presses: z.int(), p40: z.number() })
+    .nullable()
+    .describe('What a run with all minerals costs beyond; null where none is known.'),
+  shortcuts: z.strictObject({
+    withoutPressing: runFound.nullable(),
+    onePress: z.strictObject({
+      count: z.int(),
+      tried: z.int(),
+      length: z.int().describe('Presses and releases were tried up to this tick.'),
+      stride: z.int().min(1).describe('At multiples of so many ticks: 1, every tick, in the report on a single level.'),
+      example: runFound.nullable(),
+    }),
+    withoutAsteroid: z.array(
+      z.strictObject({
+        asteroid: index,
+        use: z.enum(['avoidable', 'replaceable', 'needed', 'unknown']),
+        run: runFound.nullable(),
+      }),
+    ),
+  }),
+  curve: z
+    .array(z.strictObject({ sigma: z.number(), p: share, low: share, high: share, samples: z.int() }))
+    .describe('Success at more noises, with --svg.'),
+});
+
+/** What `difficulty` prints as JSON. */
+export const difficultyReportSchema = z.strictObject({
+  levels: z.array(
+    z.strictObject({
+      file: z.string(),
+      name: z.string(),
+      problems: z.array(problem),
+      measured: measuredDifficulty.nullable(),
+      why: z.string().nullable().describe('Why nothing was measured.'),
+    }),
+  ),
+});
+
+/** What `difficulty` prints. */
+export type DifficultyReport = z.infer<typeof difficultyReportSchema>;
+
+/** What `generate` prints as JSON. */
+export const generateReportSchema = z.strictObject({
+  asked: z.int().min(1).describe('Levels asked for.'),
+  interrupted: z.boolean(),
+  levels: z.array(
+    z.strictObject({
+      seed: z.int(),
+      status: z
+        .enum(['written', 'unchanged', 'in the way', 'nothing'])
+        .describe('unchanged: there already; in the way: another file of that name, which stays; nothing: none was good enough.'),
+      file: z.string().nullable(),
+      name: z.string().nullable(),
+      grade: z.strictObject({ value: z.number(), word: z.string() }).nullable(),
+      p40: share.nullable(),
+      certifiedTicks: z.int().nullable(),
+      length: time.nullable(),
+      presses: z.int().nullable(),
+      attempts: z.int().describe('Layouts tried.'),
+      ticks: z.int().describe('Simulated, of 1/60 s each.'),
+    }),
+  ),
+  rejected: z.int().min(0).describe('Layouts that were thrown away.'),
+});
+
+/** What `generate` prints. */
+export type GenerateReport = z.infer<typeof generateReportSchema>;
