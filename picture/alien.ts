@@ -1,0 +1,52 @@
+import { ALIEN_SIGHT } from '../engine/index.ts';
+import type { Theme } from './theme.ts';
+import type { View } from './view.ts';
+import { num } from './xml.ts';
+
+// within a circle of radius 25: antennae, a dome, and a skirt of tentacles
+const BODY =
+  'M-17 4C-18-13-9-19 0-19S18-13 17 4C17 9 19 14 15 18C12 20 11 15 9 15S7 21 4 21S2 16 0 16S-1 21-4 21S-7 15-9 15S-12 20-15 18C-19 14-17 9-17 4Z';
+const ANTENNAE = 'M-6-18C-7-21-9-22-10.5-22M6-18C7-21 9-22 10.5-22';
+
+/** An alien around its centre: a small creature with two large eyes, inside the circle that kills. */
+export function drawAlien(radius: number, theme: Theme): string {
+  return (
+    `<g transform="scale(${num(radius / 25)})"><circle r="25" fill="${theme.alien}" fill-opacity=".13" stroke="${theme.alien}" stroke-opacity=".75" stroke-width="1.2" stroke-dasharray="4 3"/>` +
+    `<path d="${ANTENNAE}" fill="none" stroke="${theme.alien}" stroke-width="1.8" stroke-linecap="round"/>` +
+    `<circle cx="-11" cy="-22" r="2" fill="${theme.alien}"/><circle cx="11" cy="-22" r="2" fill="${theme.alien}"/>` +
+    `<path d="${BODY}" fill="${theme.alien}"/>` +
+    `<g fill="${theme.alienEye}"><ellipse cx="-7" cy="-3.5" rx="4.6" ry="6.4" transform="rotate(14 -7 -3.5)"/><ellipse cx="7" cy="-3.5" rx="4.6" ry="6.4" transform="rotate(-14 7 -3.5)"/></g>` +
+    `<g fill="${theme.alien}"><circle cx="-5.4" cy="-6" r="1.6"/><circle cx="8.4" cy="-6" r="1.6"/></g>` +
+    `<path d="M-4 8.5Q0 11.5 4 8.5" fill="none" stroke="${theme.alienEye}" stroke-width="1.5" stroke-linecap="round"/></g>`
+  );
+}
+
+/** The ring within which it wakes, around its centre. */
+export const drawSight = (theme: Theme): string =>
+  `<circle r="${ALIEN_SIGHT}" fill="${theme.alien}" fill-opacity=".035" stroke="${theme.alien}" stroke-opacity=".55" stroke-width="1.1" stroke-dasharray="9 4 2 4"/>`;
+
+/** The way of an alien that moved, and where it was at the end: a ghost, or a burst where it had exploded. */
+export function drawAlienWay(
+  view: View,
+  theme: Theme,
+  way: readonly (readonly [number, number])[],
+  radius: number,
+  exploded: boolean,
+): string {
+  const points = way.map(([x, y]) => `${num(view.x(x))} ${num(view.y(y))}`).join('L');
+  const [x, y] = way[way.length - 1];
+  const r = radius * view.scale;
+  let burst = '';
+  for (let i = 0; i < 12; i++) {
+    const [cos, sin] = [Math.cos((i * Math.PI) / 6), Math.sin((i * Math.PI) / 6)];
+    const from = i % 2 === 0 ? 0.35 : 0.5;
+    burst += `M${num(from * r * cos)} ${num(from * r * sin)}L${num(r * cos)} ${num(r * sin)}`;
+  }
+  const end = exploded
+    ? `<path d="${burst}" stroke-width="2" stroke-linecap="round"/>`
+    : `<circle r="${num(r)}" stroke-width="1.2" stroke-dasharray="4 3"/><circle cx="${num(-0.28 * r)}" cy="${num(-0.14 * r)}" r="${num(0.16 * r)}" stroke-width="1.2"/><circle cx="${num(0.28 * r)}" cy="${num(-0.14 * r)}" r="${num(0.16 * r)}" stroke-width="1.2"/>`;
+  return (
+    `<g data-kind="alien-way" fill="none" stroke="${theme.alien}"><path d="M${points}" stroke-width="1.6" stroke-dasharray=".1 5" stroke-linecap="round"/>` +
+    `<g transform="translate(${num(view.x(x))} ${num(view.y(y))})">${end}</g></g>`
+  );
+}

@@ -1,0 +1,90 @@
+import type { Run } from '../engine/index.ts';
+import type { Hold, Level } from '../schema/index.ts';
+import { drawLegend, type LegendEntry } from './legend.ts';
+import { drawSeveralTimelines, type NamedRun } from './several.ts';
+import { drawText, textWidth, wrapText } from './text.ts';
+import type { Theme } from './theme.ts';
+import { drawTimeline } from './timeline.ts';
+import { num } from './xml.ts';
+
+const PADDING = 26;
+const KINDS = { nova: 'nova', asteroid: 'hot asteroid', alien: 'alien', blackHole: 'black hole' } as const;
+
+/** How the run went, in a few words. */
+export function outcomeText(level: Level, run: Run): string {
+  const time = `${run.time.toFixed(2)} s`;
+  const what = {
+    completed: `completed in ${time}`,
+    collided: `burned by ${run.with === null ? 'a hazard' : `${KINDS[run.with.kind]} ${run.with.index}`} at ${time}`,
+    lost: `lost at ${time}`,
+    timeout: `nothing ended it in ${time}`,
+  }[run.outcome];
+  const all = level.minerals.length;
+  // `arcade` may count one twice
+  const collected = new Set(run.minerals.map(({ index }) => index)).size;
+  return all === 0 ? what : `${what} · ${collected} of ${all} mineral${all === 1 ? '' : 's'}`;
+}
+
+export interface Caption {
+  readonly title: string;
+  readonly run: Run | undefined;
+  readonly holds: readonly Hold[] | undefined;
+  /** Several runs instead of one; empty for one or none. */
+  readonly ways: readonly NamedRun[];
+  /** A sentence below the title; '' for none. */
+  readonly note: string;
+  /** Signs that are not those of the level's things. */
+  readonly signs: readonly LegendEntry[];
+}
+
+const NOTE = 7.6;
+
+/** Below the scene: name, outcome, when the gun was held, and what the signs mean. */
+export function drawCaption(
+  level: Level,
+  theme: Theme,
+  top: number,
+  width: number,
+  { title, run, holds, ways, note, signs }: Caption,
+): { readonly svg: string; readonly height: number } {
+  const inner = width - 2 * PADDING;
+  let y = top + 34;
+  let outcome = '';
+  let outcomeWidth = 0;
+  if (run !== undefined) {
+    const words = outcomeText(level, run);
+    const color = run.outcome === 'completed' ? theme.good : run.outcome === 'timeout' ? theme.muted : theme.bad;
+    outcomeWidth = textWidth(words, 9.5) + 24;
+    outcome = drawText(words, width - PADDING, y, { size: 9.5, color, anchor: 'end' });
+  }
+  const name = drawText(title, PADDING, y, { size: 14, color: theme.text, bold: true, maxWidth: inner - outcomeWidth });
+  y += 18;
+  const notes = note === '' ? [] : wrapText(note, NOTE, inner);
+  const written = notes.map((line, i) => drawText(line, PADDING, y + 6 + 15 * i, { size: NOTE, color: theme.muted })).join('');
+  y += 15 * notes.length + (notes.length > 0 ? 6 : 0);
+  let timeline: string;
+  if (ways.length > 0) {
+    const several = drawSeveralTimelines(theme, ways, PADDING, y, inner);
+    timeline = several.svg;
+    y += several.height + 8;
+  } else {
+    timeline = drawTimeline(theme, PADDING, y, inner, run, holds);
+    y += timeline === '' ? 8 : 50;
+  }
+  const legend = drawLegend(
+    level,
+    theme,
+    ways.length > 0 ? 'several' : run === undefined ? 'none' : 'one',
+    signs,
+    PADDING,
+    y,
+    inner,
+  );
+  const height = y + legend.height - top;
+  return {
+    svg:
+      `<g data-kind="caption"><rect y="${num(top)}" width="${num(width)}" height="${num(height)}" fill="${theme.panel}"/>` +
+      `<path d="M0 ${num(top)}H${num(width)}" stroke="${theme.rule}"/>${name}${outcome}${written}${timeline}${legend.svg}</g>`,
+    height,
+  };
+}

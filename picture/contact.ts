@@ -1,0 +1,52 @@
+import { HALF_HEIGHT, HALF_WIDTH, type Run } from '../engine/index.ts';
+import type { Level } from '../schema/index.ts';
+import type { Theme } from './theme.ts';
+import type { View } from './view.ts';
+import { num } from './xml.ts';
+
+const CROSS = 'M-7-7L7 7M-7 7L7-7';
+
+/** A sign where the run ended: a ring at the black hole, a cross in a ring at a hazard, a broken ring where she was lost. */
+export function drawContact(view: View, theme: Theme, level: Level, run: Run): string {
+  const { final, outcome } = run;
+  if (outcome === 'timeout') return '';
+  const at = outcome === 'lost' ? final : touchOf(level, run);
+  const sign = {
+    completed: `<circle r="12" stroke="${theme.good}" stroke-width="2"/><path d="M-5 .5L-1.5 4L5.5-4" stroke="${theme.halo}" stroke-width="6"/><path d="M-5 .5L-1.5 4L5.5-4" stroke="${theme.good}" stroke-width="2.8"/>`,
+    collided: `<circle r="14" stroke="${theme.bad}" stroke-width="2"/><path d="${CROSS}" stroke="${theme.halo}" stroke-width="7"/><path d="${CROSS}" stroke="${theme.bad}" stroke-width="3.4"/>`,
+    lost: `<circle r="30" stroke="${theme.bad}" stroke-width="2" stroke-dasharray="7 7"/>`,
+  }[outcome];
+  return (
+    `<g data-kind="contact" data-outcome="${outcome}" transform="translate(${num(view.x(at.x))} ${num(view.y(at.y))})" fill="none" ` +
+    `stroke-linecap="round" stroke-linejoin="round">${sign}</g>`
+  );
+}
+
+/** The point of her box nearest to what she touched: the middle of it, clamped to the box in the box's own frame. */
+function touchOf(level: Level, run: Run): { x: number; y: number } {
+  const { x, y, cos, sin } = run.final;
+  const touched = touchedAt(level, run);
+  const dx = touched.x - x;
+  const dy = touched.y - y;
+  const along = Math.max(-HALF_WIDTH, Math.min(HALF_WIDTH, dx * cos + dy * sin));
+  const across = Math.max(-HALF_HEIGHT, Math.min(HALF_HEIGHT, dy * cos - dx * sin));
+  return { x: x + along * cos - across * sin, y: y + along * sin + across * cos };
+}
+
+function touchedAt(level: Level, run: Run): { readonly x: number; readonly y: number } {
+  switch (run.with?.kind) {
+    case 'nova':
+      return level.novae[run.with.index];
+    case 'asteroid':
+      return level.asteroids[run.with.index];
+    case 'alien': {
+      const aliens = new Float64Array(3 * level.aliens.length);
+      run.trajectory.aliensAt(run.trajectory.duration, aliens);
+      return { x: aliens[3 * run.with.index], y: aliens[3 * run.with.index + 1] };
+    }
+    case 'blackHole':
+      return level.blackHole;
+    default:
+      return run.final;
+  }
+}

@@ -1,0 +1,118 @@
+import type { Run } from '../engine/index.ts';
+import type { Hold, Level } from '../schema/index.ts';
+import { drawBackground } from './background.ts';
+import { drawCaption, outcomeText } from './caption.ts';
+import { drawContact } from './contact.ts';
+import { drawFan, drawFanSign } from './fan.ts';
+import { drawGap } from './gap.ts';
+import { drawGradients } from './gradients.ts';
+import { drawHeat, drawHeatSign, type Explored } from './heat.ts';
+import type { LegendEntry } from './legend.ts';
+import { drawTick } from './mineral.ts';
+import { drawObjects } from './objects.ts';
+import { place } from './place.ts';
+import { drawProof, type ProofOverlay, proofSigns } from './proof.ts';
+import { drawRanges } from './range.ts';
+import { drawAlienWays, drawEnd, drawPresses, drawSeconds, drawTethers, drawWay } from './run.ts';
+import { drawSeveral, type NamedRun } from './several.ts';
+import type { Point } from './simplify.ts';
+import { drawStart } from './start.ts';
+import { THEMES, type Theme } from './theme.ts';
+import { frame, type View } from './view.ts';
+import { stretchesOf } from './way.ts';
+import { escapeXml, num } from './xml.ts';
+
+export interface RenderOptions {
+  /** A simulated run of the level, to be drawn into it. */
+  readonly run?: Run;
+  /** What the timeline shows; the run's own presses and releases when left out. */
+  readonly holds?: readonly Hold[];
+  /** Width of the picture in px; 960 when left out. The height follows. */
+  readonly width?: number;
+  readonly theme?: Theme['name'];
+  /** Above the timeline; the level's name when left out. */
+  readonly title?: string;
+  /** A sentence below the title. */
+  readonly note?: string;
+  /** Several runs, each in a colour; instead of `run`. */
+  readonly ways?: readonly NamedRun[];
+  /** Where a search has been. */
+  readonly explored?: Explored;
+  /** The same run with presses and releases at other times. */
+  readonly fan?: readonly Run[];
+  /** When the run is nearest to the black hole, s: how near is drawn. */
+  readonly nearest?: number;
+  /** Why something can't be reached. */
+  readonly proof?: ProofOverlay;
+}
+
+/** Everything is laid out for a picture of this width and then scaled, so that pictures of any size look alike. */
+const UNITS = 960;
+
+function drawCollected(view: View, theme: Theme, level: Level, run: Run): string {
+  const indices = [...new Set(run.minerals.map(({ index }) => index))];
+  return indices.map((i) => place(view, 'collected', i, level.minerals[i], drawTick(theme))).join('');
+}
+
+/**
+ * A picture of a level as a standalone SVG document: its objects, and the run when one is given. The same input gives
+ * the same text. Texts from the level are escaped.
+ */
+export function renderSvg(level: Level, options: RenderOptions = {}): string {
+  const { run, holds, width = UNITS, title = level.name, note = '', ways = [], explored, fan, nearest, proof } = options;
+  const theme = THEMES[options.theme ?? 'dark'];
+  const stretches = run === undefined ? [] : stretchesOf(run);
+  const others = ways.map((way) => stretchesOf(way.run));
+  const view = frame(level, [...[...stretches, ...others.flat()].flatMap(({ points }) => points), ...cornersOf(options)], UNITS);
+  const signs = signsOf(theme, options);
+  const caption = drawCaption(level, theme, view.height, UNITS, { title, run, holds, ways, note, signs });
+  const height = view.height + caption.height;
+
+  const scene = [drawBackground(view, theme, level)];
+  if (explored !== undefined) scene.push(drawHeat(view, theme, explored));
+  scene.push(drawRanges(view, theme, level), drawObjects(view, theme, level));
+  if (proof !== undefined) scene.push(drawProof(view, theme, proof));
+  if (fan !== undefined) scene.push(drawFan(view, theme, fan));
+  if (ways.length > 0) {
+    scene.push(drawSeveral(view, theme, others, ways));
+    for (const way of ways) if (way.run.outcome !== 'completed') scene.push(drawContact(view, theme, level, way.run));
+  }
+  if (run !== undefined) {
+    scene.push(
+      drawTethers(view, theme, level, run),
+      drawAlienWays(view, theme, level, run),
+      drawWay(view, theme, stretches),
+      drawSeconds(view, theme, run),
+      drawPresses(view, theme, level, run),
+      drawCollected(view, theme, level, run),
+    );
+  }
+  scene.push(drawStart(view, theme, level, run));
+  if (run !== undefined) scene.push(drawEnd(view, theme, level, run));
+  if (run !== undefined && nearest !== undefined) scene.push(drawGap(view, theme, level, run, nearest));
+
+  const about = run === undefined ? level.description : outcomeText(level, run);
+  return (
+    `<svg xmlns="http://www.w3.org/2000/svg" width="${num(width)}" height="${num((height * width) / UNITS)}" viewBox="0 0 ${UNITS} ${num(height)}" role="img">` +
+    `<title>${escapeXml(title)}</title><desc>${escapeXml(note === '' ? about : note)}</desc>${drawGradients(theme)}` +
+    `<clipPath id="gq-scene"><rect width="${UNITS}" height="${num(view.height)}"/></clipPath>` +
+    `<g data-kind="scene" clip-path="url(#gq-scene)">${scene.join('')}</g>${caption.svg}</svg>\n`
+  );
+}
+
+/** Places beside the level's things that the picture has to hold. */
+function cornersOf({ explored, proof }: RenderOptions): Point[] {
+  const cells = (explored?.cells ?? []).map(({ x, y }): Point => [x, y]);
+  const lines = (proof?.lines ?? []).flatMap(({ points }) => points.map(({ x, y }): Point => [x, y]));
+  return [...cells, ...lines];
+}
+
+function signsOf(theme: Theme, { explored, fan, proof }: RenderOptions): LegendEntry[] {
+  const signs: LegendEntry[] = [];
+  if (explored !== undefined) signs.push({ label: 'where the search has been', icon: drawHeatSign(theme) });
+  for (const completes of [true, false]) {
+    if (!fan?.some(({ outcome }) => (outcome === 'completed') === completes)) continue;
+    signs.push({ label: completes ? 'still completes it' : 'fails', icon: drawFanSign(theme, completes) });
+  }
+  return proof === undefined ? signs : [...signs, ...proofSigns(theme, proof)];
+}

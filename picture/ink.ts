@@ -1,0 +1,32 @@
+/** Colours of diagrams by what they are for: [on a light ground, on a dark one]. Nothing is told by colour alone. */
+const INKS = {
+  panel: ['#ffffff', '#0a0e1d'],
+  shade: ['#eef1f8', '#141a33'],
+  rule: ['#dbe0ec', '#242c4c'],
+  text: ['#151b33', '#eef2ff'],
+  muted: ['#566087', '#98a4cc'],
+  euler: ['#b35c00', '#f0a050'],
+  verlet: ['#1f6fd0', '#6fb1ff'],
+  rk4: ['#0f8a4b', '#5fe09a'],
+  taylor: ['#8a3fd1', '#c79bff'],
+  arcade: ['#d02020', '#ff6b6b'],
+  peer: ['#5d6680', '#9aa6c9'],
+} as const;
+
+export type Ink = keyof typeof INKS;
+
+/** `auto` follows what the reader's system prefers, where the viewer knows that; light elsewhere. */
+export type Ground = 'auto' | 'light' | 'dark';
+
+/** Puts drawings into an ink: what they draw in `currentColor` has it. */
+export function inked(ground: Ground, ink: Ink, drawings: string): string {
+  if (drawings === '') return '';
+  return `<g class="gq-${ink}" color="${INKS[ink][ground === 'dark' ? 1 : 0]}">${drawings}</g>`;
+}
+
+/** The style that turns a light picture into a dark one; empty unless the ground is `auto`. */
+export function inkStyle(ground: Ground): string {
+  if (ground !== 'auto') return '';
+  const rules = Object.entries(INKS).map(([ink, [, dark]]) => `.gq-${ink}{color:${dark}}`);
+  return `<style>@media (prefers-color-scheme:dark){${rules.join('')}}</style>`;
+}

@@ -1,0 +1,83 @@
+import type { Level } from '../schema/index.ts';
+import { drawAlien } from './alien.ts';
+import { drawAsteroid } from './asteroid.ts';
+import { drawBlackHole } from './black-hole.ts';
+import { drawHotAsteroid } from './hot-asteroid.ts';
+import { drawMineral } from './mineral.ts';
+import { drawNova } from './nova.ts';
+import { drawRepulsor } from './repulsor.ts';
+import { drawText, textWidth } from './text.ts';
+import type { Theme } from './theme.ts';
+import { num } from './xml.ts';
+
+const ICON = 9;
+const LABEL = 7;
+const ROW = 25;
+const GAP = 20;
+
+export interface LegendEntry {
+  readonly label: string;
+  readonly icon: string;
+}
+
+const radiusIcon = (drawing: string, radius: number): string => `<g transform="scale(${num(ICON / radius)})">${drawing}</g>`;
+
+function entriesOf(level: Level, theme: Theme, runs: 'none' | 'one' | 'several', others: readonly LegendEntry[]): LegendEntry[] {
+  const entries: LegendEntry[] = [...others];
+  if (runs !== 'none') {
+    const dots = `<circle r="2.7" cx="-4" fill="${theme.text}"/><circle r="2.7" cx="6" fill="${theme.text}"/>`;
+    entries.push(
+      {
+        label: 'gun held',
+        icon: `<path d="M-10 3C-4-4 4-4 10-1" fill="none" stroke="${theme.gun}" stroke-width="4.6" stroke-linecap="round"/>`,
+      },
+      {
+        label: runs === 'one' ? 'coasting, a dot each second' : 'coasting',
+        icon: `<path d="M-10 0H10" stroke="${theme.coast}" stroke-width="1.5"/>${runs === 'one' ? dots : ''}`,
+      },
+    );
+  }
+  if (level.asteroids.some((a) => !a.hot)) entries.push({ label: 'asteroid', icon: radiusIcon(drawAsteroid(16, 0, theme), 16) });
+  if (level.asteroids.some((a) => a.hot))
+    entries.push({ label: 'hot asteroid', icon: radiusIcon(drawHotAsteroid(16, 0, theme), 16) });
+  if (level.novae.length > 0) entries.push({ label: 'nova', icon: radiusIcon(drawNova(16, 0, theme), 16) });
+  if (level.repulsors.length > 0) entries.push({ label: 'repulsor', icon: radiusIcon(drawRepulsor(16, theme), 16) });
+  if (level.aliens.length > 0) entries.push({ label: 'alien', icon: radiusIcon(drawAlien(25, theme), 25) });
+  if (level.minerals.length > 0) entries.push({ label: 'mineral', icon: radiusIcon(drawMineral(7, theme), 7) });
+  entries.push({ label: 'black hole', icon: `<g transform="scale(.72)">${radiusIcon(drawBlackHole(16, theme), 16)}</g>` });
+  if (level.asteroids.length > 0) {
+    entries.push({
+      label: 'range',
+      icon: `<circle r="${ICON}" fill="${theme.range}" fill-opacity=".12" stroke="${theme.range}" stroke-opacity=".7" stroke-dasharray="1.5 3" stroke-linecap="round"/>`,
+    });
+  }
+  return entries;
+}
+
+/** What the signs of this picture mean, in rows of at most `width`; `others` come first. */
+export function drawLegend(
+  level: Level,
+  theme: Theme,
+  runs: 'none' | 'one' | 'several',
+  others: readonly LegendEntry[],
+  x: number,
+  y: number,
+  width: number,
+): { readonly svg: string; readonly height: number } {
+  let left = x;
+  let top = y;
+  let svg = '';
+  for (const { label, icon } of entriesOf(level, theme, runs, others)) {
+    const labelLeft = ICON + 7;
+    const entryWidth = ICON + labelLeft + textWidth(label, LABEL);
+    if (left > x && left + entryWidth > x + width) {
+      left = x;
+      top += ROW;
+    }
+    svg +=
+      `<g transform="translate(${num(left + ICON)} ${num(top)})">${icon}` +
+      `${drawText(label, labelLeft, LABEL / 2, { size: LABEL, color: theme.muted })}</g>`;
+    left += entryWidth + GAP;
+  }
+  return { svg: `<g data-kind="legend">${svg}</g>`, height: top - y + ROW };
+}

@@ -1,0 +1,17 @@
+import type { View } from './view.ts';
+import { num } from './xml.ts';
+
+/** Puts a thing that was drawn around its own centre, in level px, where the level has it. */
+export function place(
+  view: View,
+  kind: string,
+  index: number,
+  at: { readonly x: number; readonly y: number },
+  drawing: string,
+): string {
+  const scale = Number(view.scale.toFixed(6));
+  return (
+    `<g data-kind="${kind}" data-index="${index}" transform="translate(${num(view.x(at.x))} ${num(view.y(at.y))}) ` +
+    `scale(${scale})">${drawing}</g>`
+  );
+}

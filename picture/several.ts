@@ -1,0 +1,98 @@
+import type { Run } from '../engine/index.ts';
+import type { Point } from './simplify.ts';
+import { drawText } from './text.ts';
+import type { Theme } from './theme.ts';
+import type { View } from './view.ts';
+import { heldTimes, positionAt, type Stretch } from './way.ts';
+import { num } from './xml.ts';
+
+/** One of several runs in a picture. */
+export interface NamedRun {
+  readonly run: Run;
+  /** Beside its line of time: what it is called, how long it takes. */
+  readonly label: string;
+}
+
+const BADGE = 8;
+
+/** Several ways through a level, each in a colour and with a number. */
+export function drawSeveral(view: View, theme: Theme, ways: readonly (readonly Stretch[])[], runs: readonly NamedRun[]): string {
+  const d = ({ points }: Stretch): string => `M${points.map(([x, y]) => `${num(view.x(x))} ${num(view.y(y))}`).join('L')}`;
+  const halo = `<path d="${ways.flat().map(d).join('')}" stroke="${theme.halo}" stroke-width="6" stroke-opacity=".5"/>`;
+  const lines = ways.map((stretches, i) => {
+    const held = stretches.filter((s) => s.held).map(d);
+    const coasting = stretches.filter((s) => !s.held).map(d);
+    return (
+      `<g data-kind="way" data-index="${i}" stroke="${wayColor(theme, i)}"><path d="${held.join('')}" stroke-width="4"/>` +
+      `<path d="${coasting.join('')}" stroke-width="1.6"/></g>`
+    );
+  });
+  const badges = placeBadges(view, runs).map(([x, y], i) => drawBadge(theme, i, x, y));
+  return `<g data-kind="ways" fill="none" stroke-linecap="round" stroke-linejoin="round">${halo}${lines.join('')}</g>${badges.join('')}`;
+}
+
+const wayColor = ({ ways }: Theme, index: number): string => ways[index % ways.length];
+
+function drawBadge(theme: Theme, index: number, x: number, y: number): string {
+  const color = wayColor(theme, index);
+  return (
+    `<circle data-kind="badge" cx="${num(x)}" cy="${num(y)}" r="${BADGE}" fill="${theme.halo}" stroke="${color}" stroke-width="1.6"/>` +
+    drawText(String(index + 1), x, y + 3.6, { size: 7.2, color, anchor: 'middle', bold: true })
+  );
+}
+
+/** A place on each way for its number: far from its ends, from the other numbers and from the other ways, as far as may be. */
+function placeBadges(view: View, runs: readonly NamedRun[]): Point[] {
+  const tracks = runs.map(({ run }) => {
+    const count = 60;
+    return Array.from({ length: count + 1 }, (_, k): Point => {
+      const [x, y] = positionAt(run, (run.trajectory.duration * k) / count);
+      return [view.x(x), view.y(y)];
+    });
+  });
+  const placed: Point[] = [];
+  for (const [i, track] of tracks.entries()) {
+    const others = tracks.flatMap((other, k) => (k === i ? [] : other));
+    const room = ([x, y]: Point): number => {
+      const near = (points: readonly Point[]): number => Math.min(120, ...points.map(([px, py]) => Math.hypot(px - x, py - y)));
+      return near(others) + 2 * near([track[0], track[track.length - 1], ...placed]);
+    };
+    // not at its ends: all begin and end together
+    const inner = track.slice(6, -6);
+    placed.push(inner.reduce((best, p) => (room(p) > room(best) ? p : best), inner[Math.floor(inner.length / 2)]));
+  }
+  return placed;
+}
+
+const ROW = 27;
+const BAR = 7;
+
+/** Below the scene: what each way is, and when the gun was held, on one scale of time. */
+export function drawSeveralTimelines(
+  theme: Theme,
+  runs: readonly NamedRun[],
+  x: number,
+  y: number,
+  width: number,
+): { readonly svg: string; readonly height: number } {
+  const longest = Math.max(...runs.map(({ run }) => run.time), 1e-9);
+  const rows = runs.map(({ run, label }, i) => {
+    const top = y + ROW * i;
+    const left = x + 26;
+    const at = (time: number): number => left + ((width - 26) * time) / longest;
+    const color = wayColor(theme, i);
+    const held = heldTimes(run)
+      .map(
+        ([from, to]) =>
+          `<rect x="${num(at(from))}" y="${num(top)}" width="${num(Math.max(1, at(to) - at(from)))}" height="${BAR}" rx="2"/>`,
+      )
+      .join('');
+    const words = drawText(label, left, top + BAR + 11, { size: 6.8, color: theme.muted, maxWidth: width - 26 });
+    return (
+      `<g data-kind="timeline" data-index="${i}">${drawBadge(theme, i, x + BADGE, top + BAR)}` +
+      `<rect x="${num(left)}" y="${num(top)}" width="${num(at(run.time) - left)}" height="${BAR}" rx="2" fill="${theme.rule}"/>` +
+      `<g fill="${color}">${held}</g>${words}</g>`
+    );
+  });
+  return { svg: rows.join(''), height: ROW * runs.length + 8 };
+}

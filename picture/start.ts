@@ -1,0 +1,27 @@
+import type { Run } from '../engine/index.ts';
+import type { Level } from '../schema/index.ts';
+import { drawAstronaut } from './astronaut.ts';
+import { place } from './place.ts';
+import type { Point } from './simplify.ts';
+import { drawText } from './text.ts';
+import type { Theme } from './theme.ts';
+import type { View } from './view.ts';
+import { positionAt } from './way.ts';
+
+// by then she has left her box, s
+const SOON = 3;
+
+/** Where the word beside the astronaut's start has its middle: on the side that she doesn't leave to. */
+export function startLabelAt(view: View, level: Level, run: Run | undefined): Point {
+  const { x, y } = level.astronaut;
+  const leavesDown = run !== undefined && positionAt(run, SOON)[1] > y;
+  const off = 16 * view.scale + 9;
+  return [view.x(x), view.y(y) + (leavesDown ? -off : off)];
+}
+
+/** The astronaut as she starts: upright in her box. */
+export function drawStart(view: View, theme: Theme, level: Level, run: Run | undefined): string {
+  const [x, y] = startLabelAt(view, level, run);
+  const label = drawText('start', x, y + 3.3, { size: 6.5, color: theme.muted, anchor: 'middle' });
+  return place(view, 'astronaut', 0, level.astronaut, drawAstronaut(theme, theme.muted)) + label;
+}

@@ -1,0 +1,103 @@
+/** Every colour of the picture. Nothing is told by colour alone: shape and pattern differ as well. */
+export interface Theme {
+  readonly name: 'dark' | 'light';
+  readonly space: readonly [centre: string, edge: string];
+  readonly star: string;
+  readonly panel: string;
+  readonly rule: string;
+  readonly text: string;
+  readonly muted: string;
+  readonly coast: string;
+  readonly gun: string;
+  readonly halo: string;
+  readonly range: string;
+  readonly rock: readonly [lit: string, middle: string, shade: string];
+  readonly crater: string;
+  readonly craterEdge: string;
+  readonly hot: readonly [lit: string, middle: string, shade: string];
+  readonly flame: string;
+  readonly nova: readonly [core: string, middle: string, edge: string];
+  readonly repulsor: string;
+  readonly alien: string;
+  readonly alienEye: string;
+  readonly mineral: readonly [lit: string, middle: string, shade: string];
+  readonly hole: string;
+  readonly disc: string;
+  readonly suit: string;
+  readonly suitEdge: string;
+  readonly visor: string;
+  readonly good: string;
+  readonly bad: string;
+  /** Where a search has been. */
+  readonly heat: string;
+  /** Several ways in one picture, in turn. */
+  readonly ways: readonly string[];
+}
+
+const dark: Theme = {
+  name: 'dark',
+  space: ['#141b36', '#070a16'],
+  star: '#cdd8ff',
+  panel: '#0a0e1d',
+  rule: '#2a3355',
+  text: '#eef2ff',
+  muted: '#98a4cc',
+  coast: '#c8d3f5',
+  gun: '#ffd166',
+  halo: '#070a16',
+  range: '#8fa6ff',
+  rock: ['#c3c7d4', '#858b9e', '#474c5e'],
+  crater: '#5a6074',
+  craterEdge: '#d3d7e3',
+  hot: ['#ffb35c', '#d9481c', '#5c1408'],
+  flame: '#fff0b8',
+  nova: ['#ffffff', '#ffc6ee', '#e0489f'],
+  repulsor: '#4fd8d0',
+  alien: '#7be06b',
+  alienEye: '#0c1b0e',
+  mineral: ['#dff6ff', '#62c6ff', '#1f74c9'],
+  hole: '#020208',
+  disc: '#b58cff',
+  suit: '#f4f6ff',
+  suitEdge: '#5c6a94',
+  visor: '#2f6fd6',
+  good: '#6ee7a0',
+  bad: '#ff5d5d',
+  heat: '#ff9b5c',
+  ways: ['#ffd166', '#6fb1ff', '#ff8ad8', '#5fe09a', '#ff9b5c', '#c79bff', '#7ef0f0', '#e6e86a'],
+};
+
+const light: Theme = {
+  name: 'light',
+  space: ['#ffffff', '#edf0f8'],
+  star: '#a9b4d6',
+  panel: '#ffffff',
+  rule: '#ccd3e6',
+  text: '#151b33',
+  muted: '#566087',
+  coast: '#39456f',
+  gun: '#c77700',
+  halo: '#ffffff',
+  range: '#5b6fc4',
+  rock: ['#d9dce5', '#a3a9ba', '#6b7184'],
+  crater: '#7f869a',
+  craterEdge: '#f1f3f8',
+  hot: ['#ffa64d', '#d9481c', '#7a1c0c'],
+  flame: '#fff3c9',
+  nova: ['#ffffff', '#ff9fda', '#c2227d'],
+  repulsor: '#0f8f89',
+  alien: '#3fa433',
+  alienEye: '#ffffff',
+  mineral: ['#cfefff', '#3ba9ee', '#135ea8'],
+  hole: '#0c0a1c',
+  disc: '#6d3fd1',
+  suit: '#ffffff',
+  suitEdge: '#3b4770',
+  visor: '#2f6fd6',
+  good: '#0f8a4b',
+  bad: '#d02020',
+  heat: '#e0701c',
+  ways: ['#b87400', '#1f6fd0', '#c2227d', '#0f8a4b', '#c8501a', '#7a3fd1', '#0f8f9f', '#7d8000'],
+};
+
+export const THEMES = { dark, light } as const;
