@@ -1,0 +1,1 @@
+export { type Cleaned, type CleanOptions, cleanRun } from './clean-run.ts';

@@ -1,0 +1,94 @@
+import { createSimulation, type Scene, type Simulation } from '../../engine/index.ts';
+import type { Hold } from '../../schema/index.ts';
+import { type Goal, mineralsNeeded } from '../goal.ts';
+import { type CoastingFilter, coastingFilter } from './coasting.ts';
+import { wins } from './wins.ts';
+
+/** What every possible single press does. */
+export interface OnePressCount {
+  /** pairs of press and release that meet the goal */
+  readonly count: number;
+  /** pairs tried: every 0 <= press < release <= length, in strides */
+  readonly tried: number;
+  /** a winning pair in the middle of the longest row of neighbouring releases: the one easiest to play; null when none wins */
+  readonly example: readonly Hold[] | null;
+  /** ticks simulated */
+  readonly ticks: number;
+}
+
+/**
+ * Tries every single press, exhaustively: 0 <= press < release <= `length` (ticks), then coasting on to `maxTicks`.
+ * Shares what runs have in common: coasts once, goes off at each press, and looks from each release whether coasting wins.
+ * @param stride only edges at multiples of it are tried: 1 is exhaustive, more is a sample
+ */
+export function countOnePress(scene: Scene, goal: Goal, length: number, maxTicks: number, stride = 1): OnePressCount {
+  const needed = mineralsNeeded(goal, scene.minerals.count);
+  const filter = coastingFilter(scene);
+  const coast = createSimulation(scene);
+  const held = createSimulation(scene);
+  const probe = createSimulation(scene);
+  const branch = coast.snapshot();
+  const released = coast.snapshot();
+  const steps = Math.floor(length / stride);
+  let count = 0;
+  let ticks = 0;
+  let longest = 0;
+  let example: readonly Hold[] | null = null;
+
+  for (let press = 0; press < steps; press++) {
+    if (coast.ending !== null) {
+      // the run is over before these presses: they change nothing
+      const left = steps - press;
+      if (wins(coast, needed)) {
+        count += (left * (left + 1)) / 2;
+        example ??= [[press * stride, length]];
+      }
+      break;
+    }
+    held.restore(coast.snapshot(branch));
+    let row = 0;
+    const closeRow = (last: number) => {
+      if (row > longest) {
+        longest = row;
+        example = [[press * stride, (last - Math.floor(row / 2)) * stride]];
+      }
+      row = 0;
+    };
+    let release = press + 1;
+    for (; release <= steps; release++) {
+      ticks += held.advance(stride, true);
+      if (held.ending !== null) break;
+      let won = false;
+      if (filter.mayReach(held)) {
+        probe.restore(held.snapshot(released));
+        ticks += coastOn(probe, filter, maxTicks);
+        won = wins(probe, needed);
+      }
+      if (won) {
+        count++;
+        row++;
+      } else closeRow(release - 1);
+    }
+    if (held.ending !== null && wins(held, needed)) {
+      // she gets there while she holds: every later release is as good
+      count += steps - release + 1;
+      row += steps - release + 1;
+      release = steps + 1;
+    }
+    closeRow(release - 1);
+    ticks += coast.advance(stride, false);
+  }
+  return { count, tried: (steps * (steps + 1)) / 2, example, ticks };
+}
+
+// ticks: after so many a repulsor may have turned her away for good
+const LOOK_AGAIN = 60;
+
+/** Coasts until the end, or until it is sure that the black hole is not on the way. @returns ticks advanced */
+function coastOn(probe: Simulation, filter: CoastingFilter, maxTicks: number): number {
+  const from = probe.tick;
+  while (probe.ending === null && probe.tick < maxTicks && filter.mayReach(probe)) {
+    probe.advance(Math.min(LOOK_AGAIN, maxTicks - probe.tick), false);
+  }
+  return probe.tick - from;
+}

@@ -1,0 +1,77 @@
+import { compile, isAccuracyName, type Scene, simulate, TICK } from '../../engine/index.ts';
+import type { Hold, Level } from '../../schema/index.ts';
+import type { Goal } from '../goal.ts';
+import { proveImpossible } from '../proofs/index.ts';
+import { type Candidate, createSearch } from '../search/index.ts';
+import { verifyRun } from '../verified-run.ts';
+
+/**
+ * Whether the level can be won without an asteroid that the given run uses:
+ * - `avoidable`: a run of the level as it is wins and never targets this asteroid
+ * - `replaceable`: no such run was found, but the level with the asteroid taken out is won
+ * - `needed`: it is proved that without the asteroid the black hole can't be reached
+ * - `unknown`: neither a run nor a proof was found; most likely it is needed
+ */
+export type AsteroidUse = 'avoidable' | 'replaceable' | 'needed' | 'unknown';
+
+export interface WithoutAsteroid {
+  /** index in the level's list of asteroids */
+  readonly asteroid: number;
+  readonly use: AsteroidUse;
+  /** the run that shows it: of the level as it is when `avoidable`, of the level without the asteroid when `replaceable`; else null */
+  readonly run: Candidate | null;
+}
+
+/** Asteroids that the gun targets in a run, by index in the level's list, ascending. */
+export function targetsOf(scene: Scene, holds: readonly Hold[], maxTicks: number): number[] {
+  const { events } = simulate(scene, holds, { maxTime: maxTicks * TICK });
+  const used = new Set<number>();
+  for (const event of events) if (event.type === 'target') used.add(event.index);
+  return [...used].sort((a, b) => a - b);
+}
+
+/**
+ * Asks for each asteroid that a run uses whether the level is won without it.
+ * @param effort ticks to simulate for each asteroid, shared by the two searches
+ */
+export function findWithoutAsteroids(
+  scene: Scene,
+  holds: readonly Hold[],
+  goal: Goal,
+  options: { readonly effort: number; readonly seed: number; readonly maxTicks: number },
+): WithoutAsteroid[] {
+  const { effort, seed, maxTicks } = options;
+  const intended = targetsOf(scene, holds, maxTicks);
+  if (intended.length === 0) return [];
+  // ways through the level as it is: each may do without one asteroid or another
+  const search = createSearch(scene, { goal, seed, maxTicks });
+  search.advance(effort);
+  const ways = search.solutions.map((run) => ({ run, targets: targetsOf(scene, run.holds, maxTicks) }));
+
+  return intended.map((asteroid): WithoutAsteroid => {
+    const way = ways.find(({ targets }) => !targets.includes(asteroid));
+    if (way !== undefined) return { asteroid, use: 'avoidable', run: way.run };
+    const reduced = compile(levelWithout(scene.level, asteroid), scene.accuracy);
+    if (isProvedImpossible(reduced, maxTicks)) return { asteroid, use: 'needed', run: null };
+    const other = createSearch(reduced, { goal, seed, maxTicks });
+    other.advance(effort);
+    for (const { holds } of other.solutions) {
+      const inFull = verifyRun(scene, holds, goal, maxTicks);
+      if (inFull === null || targetsOf(scene, holds, maxTicks).includes(asteroid)) continue;
+      return { asteroid, use: 'avoidable', run: inFull };
+    }
+    const run = other.solutions[0];
+    return run === undefined ? { asteroid, use: 'unknown', run: null } : { asteroid, use: 'replaceable', run };
+  });
+}
+
+const levelWithout = (level: Level, asteroid: number): Level => ({
+  ...level,
+  asteroids: level.asteroids.filter((_, i) => i !== asteroid),
+});
+
+/** Whether there is a proof for the accuracy the scene is played at; proofs know only accuracies with a name. */
+function isProvedImpossible({ level, accuracy }: Scene, maxTicks: number): boolean {
+  if (!isAccuracyName(accuracy.name)) return false;
+  return proveImpossible(level, { accuracy: accuracy.name, maxTime: maxTicks * TICK }) !== null;
+}

@@ -1,0 +1,139 @@
+import type { Random } from '../random.ts';
+import type { Wish } from './wish.ts';
+
+export interface Place {
+  readonly x: number;
+  readonly y: number;
+}
+
+export interface Disc extends Place {
+  readonly radius: number;
+}
+
+/** A level in the making: places are whole px. */
+export interface Layout {
+  readonly start: Place & { readonly vx: number; readonly vy: number };
+  readonly blackHole: Disc;
+  readonly recoil: boolean;
+  readonly asteroids: readonly (Disc & { readonly hot: boolean })[];
+  readonly repulsors: readonly Disc[];
+  readonly aliens: readonly Disc[];
+  readonly novae: readonly Disc[];
+  readonly minerals: readonly Disc[];
+}
+
+/** px: what is drawn nearer to each other looks like one thing. */
+export const GAP = 12;
+
+/** px between anything and the edge of the level. */
+const MARGIN = 50;
+
+/** px around the start that stay free: nobody should burn before the first press. */
+const START_FREE = 75;
+
+/** px/s on each axis, at most. */
+const START_SPEED = 50;
+
+const TRIES = 60;
+
+export const distance = (a: Place, b: Place): number => {
+  const dx = a.x - b.x;
+  const dy = a.y - b.y;
+  return Math.sqrt(dx * dx + dy * dy);
+};
+
+/** Everything that is drawn solid, and repulsors, whose rims should be seen whole. */
+export function bodiesOf(layout: Layout): Disc[] {
+  return [layout.blackHole, ...layout.asteroids, ...layout.repulsors, ...layout.aliens, ...layout.novae];
+}
+
+/** Whether a disc lies within the margins and keeps the gap to all others and to the start. */
+export function fits(layout: Layout, wish: Wish, disc: Disc, gap = GAP): boolean {
+  const { x, y, radius } = disc;
+  if (x < MARGIN + radius || y < MARGIN + radius) return false;
+  if (x > wish.width - MARGIN - radius || y > wish.height - MARGIN - radius) return false;
+  if (distance(disc, layout.start) < START_FREE + radius) return false;
+  return bodiesOf(layout).every((other) => distance(other, disc) >= other.radius + radius + gap);
+}
+
+/**
+ * Lays out a chain of asteroids, each within reach of the one before, and what else moves her or comes after her.
+ * The black hole, novae and minerals come later, when it is known where she flies.
+ * @returns null when the chain did not fit
+ */
+export function layOut(random: Random, wish: Wish): Layout | null {
+  const between = (least: number, most: number) => least + random.below(most - least + 1);
+  const near = (around: Place, least: number, most: number): Place => {
+    for (;;) {
+      const place = { x: between(-most, most), y: between(-most, most) };
+      const d = distance(place, { x: 0, y: 0 });
+      if (d >= least && d <= most) return { x: around.x + place.x, y: around.y + place.y };
+    }
+  };
+  // one level in three begins on the move
+  const speed = random.below(3) === 0 ? START_SPEED : 0;
+  const start = {
+    x: between(MARGIN + 30, wish.width - MARGIN - 30),
+    y: between(MARGIN + 30, wish.height - MARGIN - 30),
+    vx: between(-speed, speed),
+    vy: between(-speed, speed),
+  };
+  let layout: Layout = {
+    start,
+    blackHole: FAR_AWAY,
+    recoil: wish.ingredients.includes('recoil') && random.below(2) === 0,
+    asteroids: [],
+    repulsors: [],
+    aliens: [],
+    novae: [],
+    minerals: [],
+  };
+
+  const count = between(...wish.asteroids);
+  let last: Place = start;
+  for (let i = 0; i < count; i++) {
+    const radius = random.below(2) === 0 ? 16 : 32;
+    const hot = i > 0 && wish.ingredients.includes('hot') && random.below(5) === 0;
+    const place = tryOften(() => {
+      const disc = { ...(i === 0 ? near(start, 100, 190) : near(last, 160, 270)), radius };
+      const apart = layout.asteroids.every((other) => distance(other, disc) >= 140);
+      return apart && fits(layout, wish, disc) ? disc : null;
+    });
+    if (place === null) return null;
+    layout = { ...layout, asteroids: [...layout.asteroids, { ...place, hot }] };
+    last = place;
+  }
+
+  // where she comes by: what lies out of every asteroid's range is only scenery
+  const inPlay = (): Place => near(layout.asteroids[random.below(layout.asteroids.length)], 50, 190);
+  const some = (ingredient: 'repulsors' | 'aliens') =>
+    wish.ingredients.includes(ingredient) && random.below(3) === 0 ? between(1, Math.max(1, Math.round(count / 2))) : 0;
+  for (let n = some('repulsors'); n > 0; n--) {
+    const disc = tryOften(() => {
+      const field = { ...inPlay(), radius: random.below(2) === 0 ? 32 : 48 };
+      return fits(layout, wish, field) ? field : null;
+    });
+    if (disc !== null) layout = { ...layout, repulsors: [...layout.repulsors, disc] };
+  }
+  for (let n = some('aliens'); n > 0; n--) {
+    const disc = tryOften(() => {
+      const alien = { ...inPlay(), radius: 25 };
+      const isAsleep = distance(alien, start) >= 175;
+      return isAsleep && fits(layout, wish, alien, 40) ? alien : null;
+    });
+    if (disc !== null) layout = { ...layout, aliens: [...layout.aliens, disc] };
+  }
+  return layout;
+}
+
+// where the black hole is as long as it isn't anywhere: nobody gets there
+const FAR_AWAY: Disc = { x: 1e6, y: 1e6, radius: 18 };
+
+/** The first of many tries that gives something. */
+export function tryOften<T>(attempt: () => T | null): T | null {
+  for (let i = 0; i < TRIES; i++) {
+    const result = attempt();
+    if (result !== null) return result;
+  }
+  return null;
+}

@@ -1,0 +1,35 @@
+import { type Hold, LEVEL_VERSION, type Level, type LevelFile, resolveLevel, withIds } from '../../schema/index.ts';
+import type { Disc, Layout } from './layout.ts';
+
+const circle = ({ x, y, radius }: Disc) => ({ x, y, radius });
+const place = ({ x, y }: Disc) => ({ x, y });
+
+/** A layout as a level file; lists without anything in them are left out, and so are the radii that are the format's defaults. */
+export function toLevelFile(
+  layout: Layout,
+  name: string,
+  description: string,
+  runs: readonly { readonly name: string; readonly holds: readonly Hold[] }[],
+): LevelFile {
+  const { start, blackHole, recoil, asteroids, novae, repulsors, aliens, minerals } = layout;
+  return withIds({
+    version: LEVEL_VERSION,
+    name,
+    description,
+    astronaut: { x: start.x, y: start.y, ...((start.vx !== 0 || start.vy !== 0) && { vx: start.vx, vy: start.vy }) },
+    blackHole: place(blackHole),
+    ...(recoil && { recoil }),
+    asteroids: asteroids.map(({ hot, ...rest }) => ({ ...circle(rest), ...(hot && { hot }) })),
+    ...(novae.length > 0 && { novae: novae.map(circle) }),
+    ...(repulsors.length > 0 && { repulsors: repulsors.map(circle) }),
+    ...(aliens.length > 0 && { aliens: aliens.map(place) }),
+    ...(minerals.length > 0 && { minerals: minerals.map(place) }),
+    runs: runs.map((run) => ({
+      name: run.name,
+      holds: run.holds.map(([press, release]) => [press, release] as [number, number]),
+    })),
+  });
+}
+
+/** A layout as a level to simulate. */
+export const toLevel = (layout: Layout): Level => resolveLevel(toLevelFile(layout, 'generated', '', []));

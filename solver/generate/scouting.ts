@@ -1,0 +1,77 @@
+import { compile, createSimulation, type Scene } from '../../engine/index.ts';
+import { type Grade, gradeOf } from '../difficulty/grade.ts';
+import { countOnePress, type OnePressCount } from '../difficulty/one-press.ts';
+import { playAtRandom, playGameAtRandom } from '../difficulty/random-play.ts';
+import { findSigmaAtHalf } from '../difficulty/sigma-at-half.ts';
+import type { Goal } from '../goal.ts';
+import type { Random } from '../random.ts';
+import { successProbability } from '../robustness/index.ts';
+import { createSolver } from '../solve/index.ts';
+import { type Candidate, DEFAULT_MAX_TICKS, verifyRun } from '../verified-run.ts';
+import type { Layout } from './layout.ts';
+import { toLevel } from './level-file.ts';
+import { type Way, wayOf } from './tube.ts';
+
+export const ANY: Goal = { minerals: 'any' };
+export const ALL: Goal = { minerals: 'all' };
+
+// ticks simulated between two yields
+const SLICE = 100_000;
+
+// ticks to find ways through a level, or one with all its minerals
+const SOLVE_EFFORT = 800_000;
+
+const SAMPLES = 300;
+const GAMES = 400;
+
+// every third tick is enough to see which share of single presses wins
+const STRIDE = 3;
+
+/** The scene of a layout for scouting: frame by frame, which is quickest. What is claimed in the end is measured in continuous time, too. */
+export const sceneOf = (layout: Layout): Scene => compile(toLevel(layout), 'arcade');
+
+/** Different runs that meet a goal, the most robust first, each of which wins at `precise`, too. */
+export function* findWays(scene: Scene, goal: Goal, seed: number): Generator<number, Candidate[]> {
+  const solver = createSolver(scene, { goal, seed, count: 4 });
+  while (solver.effort.ticks < SOLVE_EFFORT && !solver.finished) {
+    const before = solver.effort.ticks;
+    solver.advance(SLICE);
+    yield solver.effort.ticks - before;
+  }
+  const precise = compile(scene.level);
+  return solver.solutions.filter(({ holds }) => verifyRun(precise, holds, goal) !== null);
+}
+
+/** The most robust first. */
+export function sortByP40(scene: Scene, runs: readonly Candidate[]): Candidate[] {
+  const p40 = (run: Candidate) => successProbability(scene, run.holds, ANY, 40, { samples: SAMPLES, seed: 1 }).p;
+  const valued = runs.map((run) => ({ run, p: p40(run) }));
+  return valued.sort((a, b) => b.p - a.p).map(({ run }) => run);
+}
+
+/** How hard a level is, by its best run known. */
+export function gradeRun(scene: Scene, run: Candidate, seed: number): Grade {
+  const options = { samples: SAMPLES, seed };
+  return gradeOf({
+    p40: successProbability(scene, run.holds, ANY, 40, options).p,
+    sigmaAtHalf: findSigmaAtHalf(scene, run.holds, ANY, options).ms,
+    presses: run.holds.length,
+    seconds: run.time,
+    randomShare: playAtRandom(scene, ANY, { samples: GAMES, seed, maxTicks: DEFAULT_MAX_TICKS }).share,
+  });
+}
+
+/** What single presses within a run's length do, in strides. */
+export const scoutOnePress = (scene: Scene, run: Candidate): OnePressCount =>
+  countOnePress(scene, ANY, run.tick + 1, DEFAULT_MAX_TICKS, STRIDE);
+
+/** Ways by which random play got to the black hole, a few of them. */
+export function luckyWays(scene: Scene, most: number, random: Random): Way[] {
+  const simulation = createSimulation(scene);
+  const ways: Way[] = [];
+  for (let game = 0; game < GAMES && ways.length < most; game++) {
+    const holds = playGameAtRandom(simulation, random, DEFAULT_MAX_TICKS);
+    if (simulation.ending?.outcome === 'completed') ways.push(wayOf(scene, holds));
+  }
+  return ways;
+}

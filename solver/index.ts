@@ -1,0 +1,64 @@
+export { type Cleaned, type CleanOptions, cleanRun } from './clean/index.ts';
+export {
+  type AsteroidUse,
+  type Difficulty,
+  type DifficultyOptions,
+  findShortcuts,
+  GRADE_WORDS,
+  type Grade,
+  type GradeWord,
+  type MineralsExtra,
+  measureDifficulty,
+  type OnePress,
+  type RandomPlay,
+  type ShortcutOptions,
+  type Shortcuts,
+  type SigmaAtHalf,
+  type WithoutAsteroid,
+} from './difficulty/index.ts';
+export {
+  createGenerator,
+  type Generated,
+  type GeneratorOptions,
+  type Ingredient,
+  type LevelGenerator,
+  type WantedDifficulty,
+  type WantedSize,
+} from './generate/index.ts';
+export { type Goal, mineralsNeeded } from './goal.ts';
+export {
+  type About,
+  type BarrierEdge,
+  type Blocker,
+  type Certificate,
+  type FanGrid,
+  type LineEnd,
+  OUTDONE_WARNINGS,
+  type Proof,
+  type ProofCode,
+  type ProofPicture,
+  type ProofRole,
+  type ProveOptions,
+  proofPicture,
+  proveImpossible,
+  proveMineralsUnreachable,
+  type ThingRef,
+} from './proofs/index.ts';
+export { createRandom, type Random } from './random.ts';
+export {
+  type Certification,
+  type CertifyOptions,
+  certify,
+  type EdgeSlack,
+  findSlack,
+  measureRobustness,
+  type Robustness,
+  type SampleOptions,
+  type Success,
+  slackByEdge,
+  successProbability,
+} from './robustness/index.ts';
+export { type Closest, createSearch, type Effort, type Explored, type Search, type SearchOptions } from './search/index.ts';
+export { createSolver, mergeSolutions, type Objective, type Solution, type SolveOptions, type Solver } from './solve/index.ts';
+export { type Candidate, createReplay, cutHolds, DEFAULT_MAX_TICKS, type Replay, verifyRun } from './verified-run.ts';
+export { type Verification, verifyProof } from './verify/index.ts';

@@ -1,0 +1,62 @@
+import { TICK } from '../../engine/index.ts';
+import { followFan } from './fan.ts';
+import type { About, Blocker, FanGrid, Proof } from './proof.ts';
+import { distance } from './rounding.ts';
+import { subject, thing } from './say.ts';
+import { ALL_ACCURACIES, type Setting, type Thing } from './setting.ts';
+
+/** How finely, ticks a step and px and px/s a square: the coarse one is enough mostly. */
+const GRIDS = [
+  { cell: 8, bin: 16, frames: 6 },
+  { cell: 4, bin: 8, frames: 4 },
+] as const;
+
+/** What isn't over by then, or by so many boxes, will go on for long, s. */
+const LONGEST = 8;
+export const MOST_BOXES = 10_000;
+
+/** Whatever she presses she runs into a hazard or out of range within seconds, and comes nowhere near the thing. */
+export function proveDoomed(setting: Setting, about: About, goal: Thing): Proof | null {
+  const { level, maxTime } = setting;
+  const { vx, vy } = level.astronaut;
+  const pushed = level.repulsors.some((field) => distance(field, level.astronaut) <= field.radius);
+  // at rest she can wait as long as she likes
+  if (vx === 0 && vy === 0 && !pushed) return null;
+  for (const fineness of GRIDS) {
+    const grid: FanGrid = { ...fineness, axis: axisOf(setting), steps: Math.floor(LONGEST / (fineness.frames * TICK)) };
+    const { closed, steps, endedBy } = followFan(setting, about, goal, grid, MOST_BOXES);
+    if (!closed) continue;
+    return {
+      code: 'doomed',
+      about,
+      reason: reasonOf(about, steps * grid.frames * TICK, endedBy),
+      covers: ALL_ACCURACIES,
+      maxTime: level.recoil ? maxTime : null,
+      certificate: { kind: 'doomed', grid: { ...grid, steps } },
+    };
+  }
+  return null;
+}
+
+/** The grid's first axis: towards the asteroid nearest to the start, so that the first pull is along it. */
+function axisOf({ level: { asteroids, astronaut } }: Setting): readonly [number, number] {
+  let best = Number.POSITIVE_INFINITY;
+  let axis: readonly [number, number] = [1, 0];
+  for (const a of asteroids) {
+    const d = distance(a, astronaut);
+    if (d >= best || d === 0) continue;
+    best = d;
+    axis = [(a.x - astronaut.x) / d, (a.y - astronaut.y) / d];
+  }
+  return axis;
+}
+
+function reasonOf(about: About, seconds: number, endedBy: readonly Blocker[]): string {
+  const names = endedBy.map((by) => (by.kind === 'range' ? 'the end of the range' : thing(by)));
+  const last = names.pop();
+  const what = names.length > 0 ? `${names.join(', ')} or ${last}` : `${last}`;
+  return (
+    `${subject(about)} is never reached: with the speed she has at the start every run ends within ${Math.ceil(seconds * 10) / 10} s ` +
+    `at ${what}, whatever is pressed: start slower, elsewhere or in another direction, or clear her way`
+  );
+}

@@ -1,0 +1,247 @@
+import { GUN_PULL, REPULSOR_PUSH, SPEED_LIMIT, TICK } from '../../engine/index.ts';
+import { standingCircles } from './blockers.ts';
+import type { About, Blocker, FanGrid } from './proof.ts';
+import { LEAST_HALF, type Setting, type Thing } from './setting.ts';
+
+/** Her places and velocities as a box: least and most of x, y, vx, vy; px and px/s, in the grid's own axes. */
+type Box = Float64Array;
+
+interface Circle {
+  readonly x: number;
+  readonly y: number;
+  readonly r: number;
+}
+
+const RANGE: Blocker = { kind: 'range' };
+
+/** Nothing accelerates her by more, px/s2. */
+const STRONGEST = GUN_PULL;
+
+/** What every bound is rounded outwards by in a step, px and px/s. */
+const SLACK = 1e-6;
+
+/** All that she may do from the start, as far as it was followed. */
+export interface FanResult {
+  /** every run is over, and none came near the thing */
+  readonly closed: boolean;
+  readonly steps: number;
+  /** what ended runs; `range`: the end of the range */
+  readonly endedBy: readonly Blocker[];
+  /** the squares she may come through: their lower left corners in the grid's own axes, px */
+  readonly squares: readonly { readonly x: number; readonly y: number }[];
+}
+
+/**
+ * Follows all that she may do from the start, step by step: a set of boxes in place and velocity that holds every run,
+ * whatever is pressed. A box that lies in a hazard or out of range as a whole is over. Given up when a box comes near the
+ * thing, or when there are more than `most`.
+ */
+export function followFan(setting: Setting, about: About, goal: Thing, grid: FanGrid, most: number): FanResult {
+  const fan = new Fan(setting, about, goal, grid);
+  let layer = fan.start();
+  let boxes = 0;
+  let steps = 0;
+  let near = false;
+  while (layer.size > 0 && !near && boxes <= most && steps < grid.steps) {
+    const next = new Map<number, Box>();
+    steps++;
+    for (const box of layer.values()) {
+      near = !fan.advance(box, steps * grid.frames * TICK, next);
+      if (near) break;
+    }
+    boxes += next.size;
+    layer = next;
+  }
+  return { closed: !near && layer.size === 0, steps, endedBy: [...fan.endedBy], squares: [...fan.squares.values()] };
+}
+
+class Fan {
+  private readonly setting: Setting;
+  private readonly grid: FanGrid;
+  private readonly step: number;
+  private readonly goal: Circle;
+  private readonly hazards: readonly (Circle & { readonly of: Blocker })[];
+  private readonly asteroids: readonly Circle[];
+  private readonly fields: readonly Circle[];
+  private readonly a = new Float64Array(4);
+  readonly endedBy = new Set<Blocker>();
+  readonly squares = new Map<number, { x: number; y: number }>();
+
+  constructor(setting: Setting, about: About, goal: Thing, grid: FanGrid) {
+    const { level } = setting;
+    this.setting = setting;
+    this.grid = grid;
+    this.step = grid.frames * TICK;
+    const [ux, uy] = grid.axis;
+    const turned = ({ x, y }: { x: number; y: number }, r: number): Circle => ({ x: x * ux + y * uy, y: y * ux - x * uy, r });
+    const place = ({ x, y }: { x: number; y: number }) => ({ x: x - level.astronaut.x, y: y - level.astronaut.y });
+    this.goal = turned(goal, goal.touch);
+    this.hazards = standingCircles(setting, about).map((c) => ({ ...turned(c, c.radius + LEAST_HALF), of: c.of }));
+    this.asteroids = level.asteroids.map((c) => turned(place(c), level.range));
+    this.fields = level.repulsors.map((c) => turned(place(c), c.radius));
+  }
+
+  start(): Map<number, Box> {
+    const { vx, vy } = this.setting.level.astronaut;
+    const [ux, uy] = this.grid.axis;
+    const v = { x: vx * ux + vy * uy, y: vy * ux - vx * uy };
+    const layer = new Map<number, Box>();
+    this.put(layer, Float64Array.of(-SLACK, SLACK, -SLACK, SLACK, v.x - SLACK, v.x + SLACK, v.y - SLACK, v.y + SLACK), 0);
+    return layer;
+  }
+
+  /** How far recoil can have carried an asteroid after `time`, px. */
+  private drift(i: number, time: number): number {
+    const { level } = this.setting;
+    return level.recoil ? (0.2525 * time * (time + TICK)) / level.asteroids[i].radius : 0;
+  }
+
+  /** Everything that a box becomes in a step that ends at `time` is added to `next`; false when it comes near the thing. */
+  advance(box: Box, time: number, next: Map<number, Box>): boolean {
+    const { step, a } = this;
+    // all places within the step
+    const bend = STRONGEST * step * (step + TICK) * 0.5 + SLACK;
+    const xa = box[0] + Math.min(0, step * box[4]) - bend;
+    const xb = box[1] + Math.max(0, step * box[5]) + bend;
+    const ya = box[2] + Math.min(0, step * box[6]) - bend;
+    const yb = box[3] + Math.max(0, step * box[7]) + bend;
+    if (nearestTo(this.goal, xa, xb, ya, yb) <= this.goal.r + SLACK) return false;
+    this.accelerations(xa, xb, ya, yb, time);
+    // a t2 / 2; frames, which push either before or after they move, do half a frame's push less or more
+    const less = 0.5 * step * (step - TICK);
+    const more = 0.5 * step * (step + TICK);
+    const low = (v: number) => Math.min(v * less, v * more);
+    const high = (v: number) => Math.max(v * less, v * more);
+    const moved = Float64Array.of(
+      box[0] + box[4] * step + low(a[0]) - SLACK,
+      box[1] + box[5] * step + high(a[1]) + SLACK,
+      box[2] + box[6] * step + low(a[2]) - SLACK,
+      box[3] + box[7] * step + high(a[3]) + SLACK,
+      box[4] + a[0] * step - SLACK,
+      box[5] + a[1] * step + SLACK,
+      box[6] + a[2] * step - SLACK,
+      box[7] + a[3] * step + SLACK,
+    );
+    if (Math.max(-moved[4], moved[5], -moved[6], moved[7]) > SPEED_LIMIT / 2) return false;
+    this.put(next, moved, time);
+    return true;
+  }
+
+  /** Cuts a box along the grid and adds what is not over to the layer, joined with what is there. */
+  private put(layer: Map<number, Box>, box: Box, time: number): void {
+    const { cell, bin } = this.grid;
+    for (let i = Math.floor(box[0] / cell); i * cell <= box[1]; i++) {
+      const xa = Math.max(box[0], i * cell);
+      const xb = Math.min(box[1], (i + 1) * cell);
+      for (let j = Math.floor(box[2] / cell); j * cell <= box[3]; j++) {
+        const ya = Math.max(box[2], j * cell);
+        const yb = Math.min(box[3], (j + 1) * cell);
+        if (time > 0 && this.isOver(xa, xb, ya, yb, time)) continue;
+        this.squares.set(i * 32768 + j, { x: i * cell, y: j * cell });
+        for (let k = Math.floor(box[4] / bin); k * bin <= box[5]; k++) {
+          for (let l = Math.floor(box[6] / bin); l * bin <= box[7]; l++) {
+            const key = (((i + 16384) * 32768 + (j + 16384)) * 2048 + (k + 1024)) * 2048 + (l + 1024);
+            const va = Math.max(box[4], k * bin);
+            const vb = Math.min(box[5], (k + 1) * bin);
+            const wa = Math.max(box[6], l * bin);
+            const wb = Math.min(box[7], (l + 1) * bin);
+            const there = layer.get(key);
+            if (there === undefined) layer.set(key, Float64Array.of(xa, xb, ya, yb, va, vb, wa, wb));
+            else join(there, xa, xb, ya, yb, va, vb, wa, wb);
+          }
+        }
+      }
+    }
+  }
+
+  /** Whether a rectangle lies in one hazard as a whole, or out of range of everything. */
+  private isOver(xa: number, xb: number, ya: number, yb: number, time: number): boolean {
+    for (const hazard of this.hazards) {
+      if (farthestFrom(hazard, xa, xb, ya, yb) >= hazard.r - SLACK) continue;
+      this.endedBy.add(hazard.of);
+      return true;
+    }
+    const lost = this.asteroids.every((rock, i) => nearestTo(rock, xa, xb, ya, yb) > rock.r + this.drift(i, time) + SLACK);
+    if (lost) this.endedBy.add(RANGE);
+    return lost;
+  }
+
+  /** Writes least and most acceleration within a rectangle to `a`, whatever is pressed. */
+  private accelerations(xa: number, xb: number, ya: number, yb: number, time: number): void {
+    const { a } = this;
+    a.fill(0);
+    let inField = false;
+    let first = true;
+    const include = (x0: number, x1: number, y0: number, y1: number) => {
+      a[0] = first ? x0 : Math.min(a[0], x0);
+      a[1] = first ? x1 : Math.max(a[1], x1);
+      a[2] = first ? y0 : Math.min(a[2], y0);
+      a[3] = first ? y1 : Math.max(a[3], y1);
+      first = false;
+    };
+    for (const field of this.fields) {
+      const near = nearestTo(field, xa, xb, ya, yb);
+      if (near > field.r + SLACK) continue;
+      const far = farthestFrom(field, xa, xb, ya, yb);
+      if (far < field.r - SLACK) inField = true;
+      if (near < 1) include(-REPULSOR_PUSH, REPULSOR_PUSH, -REPULSOR_PUSH, REPULSOR_PUSH);
+      else {
+        const g0 = REPULSOR_PUSH / far;
+        const g1 = REPULSOR_PUSH / near;
+        include(
+          least(xa - field.x, g0, g1),
+          greatest(xb - field.x, g0, g1),
+          least(ya - field.y, g0, g1),
+          greatest(yb - field.y, g0, g1),
+        );
+      }
+    }
+    if (inField) return;
+    include(0, 0, 0, 0);
+    const { range } = this.setting.level;
+    let reach = Number.POSITIVE_INFINITY;
+    for (const [i, rock] of this.asteroids.entries()) {
+      reach = Math.min(reach, farthestFrom(rock, xa, xb, ya, yb) + this.drift(i, time));
+    }
+    for (const [i, rock] of this.asteroids.entries()) {
+      const moved = this.drift(i, time);
+      const near = nearestTo(rock, xa, xb, ya, yb) - moved;
+      if (near > reach + SLACK) continue;
+      if (near < 1) {
+        include(-GUN_PULL, GUN_PULL, -GUN_PULL, GUN_PULL);
+        continue;
+      }
+      // the pull is GUN_PULL (1 / d - 1 / range) times the way to the asteroid
+      const g0 = Math.max(0, GUN_PULL * (1 / (farthestFrom(rock, xa, xb, ya, yb) + moved) - 1 / range));
+      const g1 = Math.max(0, GUN_PULL * (1 / near - 1 / range));
+      include(
+        least(rock.x - moved - xb, g0, g1),
+        greatest(rock.x + moved - xa, g0, g1),
+        least(rock.y - moved - yb, g0, g1),
+        greatest(rock.y + moved - ya, g0, g1),
+      );
+    }
+  }
+}
+
+const least = (v: number, g0: number, g1: number): number => Math.min(v * g0, v * g1);
+const greatest = (v: number, g0: number, g1: number): number => Math.max(v * g0, v * g1);
+
+function join(box: Box, ...by: number[]): void {
+  for (let i = 0; i < 8; i += 2) {
+    box[i] = Math.min(box[i], by[i]);
+    box[i + 1] = Math.max(box[i + 1], by[i + 1]);
+  }
+}
+
+function nearestTo({ x, y }: Circle, xa: number, xb: number, ya: number, yb: number): number {
+  const dx = Math.max(0, xa - x, x - xb);
+  const dy = Math.max(0, ya - y, y - yb);
+  return Math.sqrt(dx * dx + dy * dy);
+}
+
+function farthestFrom({ x, y }: Circle, xa: number, xb: number, ya: number, yb: number): number {
+  const dx = Math.max(x - xa, xb - x);
+  const dy = Math.max(y - ya, yb - y);
+  return Math.sqrt(dx * dx + dy * dy);
+}

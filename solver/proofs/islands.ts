@@ -1,0 +1,38 @@
+import type { About, Proof } from './proof.ts';
+import { distance, surelyLess } from './rounding.ts';
+import { px, subject } from './say.ts';
+import { ALL_ACCURACIES, CONTINUOUS, type Setting, type Thing } from './setting.ts';
+
+/** The thing is farther than the range, and what her box reaches beyond her centre, from every asteroid she can come to. */
+export function proveOutOfRange(setting: Setting, about: About, goal: Thing): Proof | null {
+  const { level, drift, jump, maxTime } = setting;
+  // touched in the instant in which she is lost, the black hole wins
+  if (!surelyLess(goal.touch, distance(goal, { x: 0, y: 0 }))) return null;
+  const { reached } = setting;
+  let nearest = -1;
+  let least = Number.POSITIVE_INFINITY;
+  for (const i of reached) {
+    const a = level.asteroids[i];
+    const d = distance({ x: a.x - level.astronaut.x, y: a.y - level.astronaut.y }, goal);
+    const reach = level.range + drift[i] + goal.touch;
+    if (!surelyLess(reach, d)) return null;
+    if (d >= least) continue;
+    least = d;
+    nearest = i;
+  }
+  const all = reached.length === level.asteroids.length;
+  const limit = level.range + goal.touch;
+  const whom = all ? 'the nearest asteroid' : 'the nearest asteroid she can come to';
+  return {
+    code: 'out-of-range',
+    about,
+    reason:
+      nearest < 0
+        ? `${subject(about)} is out of reach: no asteroid is in range of the start, so she is lost at once`
+        : `${subject(about)} is ${px(least)} from ${whom}, asteroids[${nearest}], she is lost beyond ${px(level.range)} and her box touches it ` +
+          `from at most ${px(goal.touch)}: move it or add an asteroid ${all ? '' : 'she can come to '}within ${px(limit)} of it`,
+    covers: jump > 0 ? ALL_ACCURACIES : CONTINUOUS,
+    maxTime: level.recoil ? maxTime : null,
+    certificate: { kind: 'out-of-range', asteroids: reached },
+  };
+}

@@ -1,0 +1,256 @@
+import { GUN_PULL, HALF_HEIGHT, HALF_WIDTH } from '../../engine/index.ts';
+import { type StandingCircle, standingCircles } from './blockers.ts';
+import { findDeadEnd } from './dead-end.ts';
+import type { About, Blocker, LineEnd, Proof } from './proof.ts';
+import { distance, surelyLess } from './rounding.ts';
+import { px, subject, thing } from './say.ts';
+import { ALL_ACCURACIES, CONTINUOUS, type Setting, type Thing } from './setting.ts';
+import { swingDrift } from './swing-drift.ts';
+
+/**
+ * How far from the exact line she may be, px, and her box turned from it by as much at its corners: rounding moves her by
+ * less than a thousandth of that, and what is decided by so little is better left undecided.
+ */
+const TUBE = 0.01;
+
+/** Two distances that differ by less are a tie, px. */
+const TIE = 1e-7;
+
+/** The line from the start through the centre of the asteroid nearest to it, and how things lie to it. */
+interface Line {
+  readonly target: number;
+  /** direction, a unit vector */
+  readonly ux: number;
+  readonly uy: number;
+  /** the centre of the asteroid, px from the start */
+  readonly centre: number;
+}
+
+/** A stretch of the line on which her box overlaps a hazard, and whose it is. */
+interface Stretch {
+  readonly from: number;
+  readonly to: number;
+  readonly by: Blocker;
+}
+
+/**
+ * The line trap. From rest the first pull goes along the line to the nearest asteroid, and she stays on that line until another
+ * asteroid is nearer or a field pushes her. Where neither happens between two places that end the run, the thing is out of
+ * reach when no box on that stretch touches it.
+ */
+export function proveLineTrap(setting: Setting, about: About, goal: Thing): Proof | null {
+  const { level, jump, maxTime } = setting;
+  if (level.astronaut.vx !== 0 || level.astronaut.vy !== 0) return null;
+  const line = lineOf(setting);
+  if (line === null) return null;
+  // on the line the gun pulls one asteroid alone, so recoil moves no other
+  const drift = setting.drift.map((d, i) => (i === line.target ? d : 0));
+  const circles = standingCircles({ ...setting, drift }, about);
+  const trap = oneWay(setting, line, circles) ?? (jump > 0 ? null : bothWays(setting, line, circles));
+  if (trap === null) return null;
+  const stretch = holds(setting, line, trap, goal) ? trap : withDeadEnds(setting, line, circles, trap, goal);
+  if (stretch === null) return null;
+  return {
+    code: 'line-trap',
+    about,
+    reason: reasonOf(setting, about, line, stretch),
+    covers: jump > 0 ? ALL_ACCURACIES : CONTINUOUS,
+    maxTime: level.recoil ? maxTime : null,
+    certificate: { kind: 'line-trap', target: line.target, ...stretch },
+  };
+}
+
+/** Both ends of the stretch she is trapped on, px from the start along the line. */
+interface Trap {
+  readonly back: LineEnd;
+  readonly front: LineEnd;
+}
+
+/**
+ * How far recoil can carry the target while she falls the way `to`, px. Whenever it is accelerated she is, too, and always forward, at least
+ * as strongly as at the start: so its speed, and the way it makes, are to hers at most as the accelerations are.
+ */
+function driftOnFall({ level, drift }: Setting, { target, centre }: Line, to: number): number {
+  if (!level.recoil) return 0;
+  const weakest = GUN_PULL * (1 - (centre + TUBE) / level.range);
+  if (weakest <= 0) return drift[target];
+  return Math.min(drift[target], (1.01 * to) / (2 * level.asteroids[target].radius * weakest));
+}
+
+function lineOf({ level: { asteroids, astronaut } }: Setting): Line | null {
+  let target = -1;
+  let centre = Number.POSITIVE_INFINITY;
+  for (const [i, a] of asteroids.entries()) {
+    const d = distance(a, astronaut);
+    if (d >= centre) continue;
+    centre = d;
+    target = i;
+  }
+  if (target < 0 || !surelyLess(TUBE, centre)) return null;
+  const { x, y } = asteroids[target];
+  return { target, centre, ux: (x - astronaut.x) / centre, uy: (y - astronaut.y) / centre };
+}
+
+/** Where along the line her box, its short side along it, overlaps a circle even if both err by the tube; null where nowhere. */
+function stretchOf(line: Line, { x, y, radius, of }: StandingCircle): Stretch | null {
+  const along = x * line.ux + y * line.uy;
+  const aside = Math.max(0, Math.abs(y * line.ux - x * line.uy) + 2 * TUBE - HALF_HEIGHT);
+  if (aside >= radius) return null;
+  const half = HALF_WIDTH + Math.sqrt(radius * radius - aside * aside) - 2 * TUBE;
+  return half > 0 ? { from: along - half, to: along + half, by: of } : null;
+}
+
+/** A hazard before she comes to the centre: she is only ever pulled towards it. */
+function oneWay(setting: Setting, line: Line, circles: readonly StandingCircle[]): Trap | null {
+  const { level, jump } = setting;
+  const target = level.asteroids[line.target];
+  const ends: LineEnd[] = circles
+    .flatMap((circle) => stretchOf(line, circle) ?? [])
+    .filter(({ from, to }) => to > Math.max(0, from) + jump)
+    .map(({ from, by }) => ({ at: Math.max(0, from), by }));
+  if (target.hot) {
+    // the target itself, if it burns: recoil only brings it nearer
+    const at = Math.max(0, line.centre - target.radius - HALF_WIDTH + 2 * TUBE);
+    if (jump < target.radius) ends.push({ at, by: { kind: 'asteroid', index: line.target } });
+  }
+  const first = nearestEnd(ends, (end) => end.at >= 0, 1);
+  if (first === null) return null;
+  const isTarget = first.by.kind === 'asteroid' && first.by.index === line.target;
+  const last = line.centre - (isTarget ? 0 : driftOnFall(setting, line, first.at + jump + TUBE)) - jump - 2 * TUBE;
+  return first.at < last ? { back: { at: 0, by: { kind: 'start' } }, front: first } : null;
+}
+
+/** How far recoil can carry the target while she swings between the ends, px. */
+function driftOnSwing({ level, drift, maxTime }: Setting, { target, centre }: Line, { back, front }: Trap): number {
+  if (!level.recoil) return 0;
+  const reach = Math.max(Math.abs(front.at - centre), Math.abs(back.at - centre)) + TUBE;
+  const way = Math.max(front.at, -back.at) + TUBE;
+  return Math.min(drift[target], swingDrift(level.asteroids[target].radius, level.range, reach, way, maxTime));
+}
+
+/** Past the centre she may come back, and swing out farther than she started: both ends must stop her. */
+function bothWays({ level, drift }: Setting, line: Line, circles: readonly StandingCircle[]): Trap | null {
+  const stretches = circles.flatMap((circle) => stretchOf(line, circle) ?? []);
+  const reach = level.range + drift[line.target] + 2 * TUBE;
+  const out: Blocker = { kind: 'range' };
+  const front = nearestEnd(
+    [...stretches.map(({ from, by }) => ({ at: from, by })), { at: line.centre + reach, by: out }],
+    (end) => end.at >= 0,
+    1,
+  );
+  const back = nearestEnd(
+    [...stretches.map(({ to, by }) => ({ at: to, by })), { at: line.centre - reach, by: out }],
+    (end) => end.at <= 0,
+    -1,
+  );
+  return front === null || back === null ? null : { front, back };
+}
+
+/** The trap with an end where another asteroid becomes nearer, if it does, and if the way on from there is a dead end. */
+function withDeadEnds(
+  setting: Setting,
+  line: Line,
+  circles: readonly StandingCircle[],
+  { back, front }: Trap,
+  goal: Thing,
+): Trap | null {
+  if (setting.level.recoil || setting.jump > 0 || back.by.kind === 'start') return null;
+  const shut = (end: LineEnd, sign: number): LineEnd | null => {
+    const at = firstTie(setting, line, sign);
+    if (at === null || sign * at >= sign * end.at) return end;
+    const apex = { x: at * line.ux, y: at * line.uy };
+    const cone = findDeadEnd(setting, goal, circles, apex, { x: sign * line.ux, y: sign * line.uy }, line.target);
+    return cone === null ? null : { at, by: { kind: 'dead-end', ...cone } };
+  };
+  const shutFront = shut(front, 1);
+  const shutBack = shutFront === null ? null : shut(back, -1);
+  if (shutFront === null || shutBack === null) return null;
+  const trap = { front: shutFront, back: shutBack };
+  return holds(setting, line, trap, goal) ? trap : null;
+}
+
+/** The first place along the line, on one side of the target's centre, where another asteroid is as near as the target. */
+function firstTie({ level: { asteroids, astronaut } }: Setting, { target, centre, ux, uy }: Line, sign: number): number | null {
+  let first: number | null = null;
+  for (const [i, a] of asteroids.entries()) {
+    const x = (a.x - astronaut.x) * ux + (a.y - astronaut.y) * uy;
+    const y = (a.y - astronaut.y) * ux - (a.x - astronaut.x) * uy;
+    if (i === target || !surelyLess(0, sign * (x - centre))) continue;
+    const at = (x * x + y * y - centre * centre) / (2 * (x - centre));
+    if (sign * at > 0 && (first === null || sign * at < sign * first)) first = at;
+  }
+  return first;
+}
+
+function nearestEnd(ends: readonly LineEnd[], ahead: (end: LineEnd) => boolean, sign: number): LineEnd | null {
+  let nearest: LineEnd | null = null;
+  for (const end of ends) if (ahead(end) && (nearest === null || sign * end.at < sign * nearest.at)) nearest = end;
+  return nearest;
+}
+
+/** Whether all along the stretch the target stays the nearest, no field acts, and no box touches the thing. */
+function holds(setting: Setting, line: Line, { back, front }: Trap, goal: Thing): boolean {
+  const { level, jump } = setting;
+  const { asteroids, astronaut, repulsors } = level;
+  // where a dead end begins, another is as near: up to there and no farther the line is looked at
+  const from = back.at - (back.by.kind === 'dead-end' ? 0 : TUBE);
+  const to = front.at + (front.by.kind === 'dead-end' ? 0 : TUBE + jump);
+  const ties = (s: number) => (s === from ? back : front).by.kind === 'dead-end';
+  const at = (s: number) => ({ x: s * line.ux, y: s * line.uy });
+  const place = ({ x, y }: { x: number; y: number }) => ({ x: x - astronaut.x, y: y - astronaut.y });
+
+  // squared distances differ by something linear along the line: what holds at both ends holds between
+  const drift = back.by.kind === 'start' ? driftOnFall(setting, line, to) : driftOnSwing(setting, line, { back, front });
+  const moved = [line.centre - drift, line.centre + drift];
+  const staysNearest = asteroids.every((asteroid, i) => {
+    if (i === line.target) return true;
+    return [from, to].every((s) =>
+      moved.every((centre) => {
+        const near = Math.abs(s - centre);
+        const other = distance(at(s), place(asteroid));
+        return ties(s) ? near < other + TIE : surelyLess(near + 4 * TUBE, other);
+      }),
+    );
+  });
+  if (!staysNearest) return false;
+  const clear = repulsors.every((field) => surelyLess(field.radius + TUBE, distanceToStretch(line, from, to, place(field))));
+  if (!clear) return false;
+
+  // her box before the first press stands upright; then its short side lies along the line
+  const upright = gapOf(goal.x, goal.y, 0, 0);
+  const along = gapOf(goal.x * line.ux + goal.y * line.uy, goal.y * line.ux - goal.x * line.uy, from, to);
+  return surelyLess(goal.radius + 4 * TUBE, upright) && surelyLess(goal.radius + 4 * TUBE, along);
+}
+
+/** Distance from a place to the box swept from `from` to `to` along its short side, px. */
+function gapOf(along: number, aside: number, from: number, to: number): number {
+  const dx = Math.max(0, along - to - HALF_WIDTH, from - HALF_WIDTH - along);
+  const dy = Math.max(0, Math.abs(aside) - HALF_HEIGHT);
+  return Math.sqrt(dx * dx + dy * dy);
+}
+
+function distanceToStretch(line: Line, from: number, to: number, p: { x: number; y: number }): number {
+  const along = Math.max(from, Math.min(to, p.x * line.ux + p.y * line.uy));
+  return distance(p, { x: along * line.ux, y: along * line.uy });
+}
+
+function reasonOf({ level }: Setting, about: About, line: Line, { back, front }: Trap): string {
+  const end = ({ at, by }: LineEnd): string =>
+    by.kind === 'range'
+      ? `the end of the range at ${px(Math.abs(at))}`
+      : by.kind === 'start'
+        ? 'the start'
+        : by.kind === 'dead-end'
+          ? `a dead end after ${px(Math.abs(at))}, where another asteroid pulls her and all ways lead into hazards`
+          : `${thing(by)}, which her box hits after ${px(Math.abs(at))}`;
+  const where =
+    back.by.kind === 'start'
+      ? `she can only fall towards ${end(front)}`
+      : `on one side is ${end(front)}, on the other ${end(back)}`;
+  const before = [back, front].some(({ by }) => by.kind === 'dead-end') ? ' before a dead end' : '';
+  return (
+    `${subject(about)} is not on the line that she is bound to: from rest the gun pulls her straight towards asteroids[${line.target}], ` +
+    `no other asteroid becomes nearer${before}${level.repulsors.length > 0 ? ' and no field is in the way' : ''}, and ${where}: ` +
+    'give her some speed at the start, move the start, or bring another asteroid nearer to that line'
+  );
+}

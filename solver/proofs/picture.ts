@@ -1,0 +1,118 @@
+import { HALF_DIAGONAL, HALF_WIDTH } from '../../engine/index.ts';
+import type { Level } from '../../schema/index.ts';
+import { MOST_BOXES } from './doomed.ts';
+import { followFan } from './fan.ts';
+import type { Direction, Proof } from './proof.ts';
+import { distance } from './rounding.ts';
+import { settingOf, thingOf } from './setting.ts';
+
+interface Place {
+  readonly x: number;
+  readonly y: number;
+}
+
+/** How far the sides of a cone are drawn, px. */
+const SIDE = 60;
+
+/** What a drawn disc or line means. */
+export type ProofRole = 'blocked' | 'range' | 'thing' | 'barrier' | 'stretch' | 'reach';
+
+/** What to draw over a picture of the level to show a proof; px in the level's own coordinates. */
+export interface ProofPicture {
+  /** `blocked`: where her centre can't be; `range`: outside all of these she is lost; `thing`: where her box could touch it */
+  readonly discs: readonly (Place & { readonly radius: number; readonly role: ProofRole })[];
+  /** `barrier`: a closed line that she can't cross; `stretch`: the line that she can't leave; `reach`: squares she may come through */
+  readonly lines: readonly { readonly points: readonly Place[]; readonly closed: boolean; readonly role: ProofRole }[];
+}
+
+/** The picture of a proof that `proveImpossible` or `proveMineralsUnreachable` gave for this level. */
+export function proofPicture(level: Level, { about, certificate, maxTime }: Proof): ProofPicture {
+  const thing = about.kind === 'blackHole' ? level.blackHole : level.minerals[about.index];
+  const touch = { x: thing.x, y: thing.y, radius: thing.radius + HALF_DIAGONAL, role: 'thing' as const };
+  const ranges = (indices: readonly number[]) =>
+    indices.map((i) => ({ x: level.asteroids[i].x, y: level.asteroids[i].y, radius: level.range, role: 'range' as const }));
+  const blocked = (by: readonly { readonly kind: string; readonly index?: number }[], more: number) =>
+    circlesOf(level, by).map(({ x, y, radius }) => ({ x, y, radius: radius + more, role: 'blocked' as const }));
+  switch (certificate.kind) {
+    case 'nothing-in-range':
+      return { discs: [...ranges([...level.asteroids.keys()]), touch], lines: [] };
+    case 'starts-in-hazard':
+      return { discs: [...blocked([certificate.hazard], 0), touch], lines: [] };
+    case 'covered': {
+      const near = (c: Place & { radius: number }) => distance(c, thing) < touch.radius + c.radius;
+      const hazards = [...level.novae, ...level.asteroids.filter(({ hot }) => hot)].filter(near);
+      return { discs: [...hazards.map(({ x, y, radius }) => ({ x, y, radius, role: 'blocked' as const })), touch], lines: [] };
+    }
+    case 'out-of-range':
+      return { discs: [...ranges(certificate.asteroids), touch], lines: [] };
+    case 'enclosed': {
+      const { barrier } = certificate;
+      const atRange = barrier.some(({ by }) => by.kind === 'range');
+      return {
+        discs: [
+          ...(atRange ? ranges([...level.asteroids.keys()]) : []),
+          ...blocked(
+            barrier.map(({ by }) => by),
+            HALF_WIDTH,
+          ),
+          touch,
+        ],
+        lines: [{ points: barrier.map(({ x, y }) => ({ x, y })), closed: true, role: 'barrier' }],
+      };
+    }
+    case 'line-trap': {
+      const { back, front, target } = certificate;
+      const { x, y } = level.astronaut;
+      const dx = level.asteroids[target].x - x;
+      const dy = level.asteroids[target].y - y;
+      const d = Math.sqrt(dx * dx + dy * dy);
+      const at = (s: number) => ({ x: x + (s * dx) / d, y: y + (s * dy) / d });
+      const atRange = back.by.kind === 'range' || front.by.kind === 'range';
+      // the sides of the cone that she can't leave
+      const sides = [back, front].flatMap(({ at: s, by }) => {
+        if (by.kind !== 'dead-end') return [];
+        const apex = at(s);
+        const side = ([ux, uy]: Direction) => ({ x: apex.x + SIDE * ux, y: apex.y + SIDE * uy });
+        return [{ points: [side(by.from), apex, side(by.to)], closed: false, role: 'stretch' as const }];
+      });
+      return {
+        discs: [...(atRange ? ranges([target]) : []), ...blocked([back.by, front.by], 0), touch],
+        lines: [{ points: [at(back.at), at(front.at)], closed: false, role: 'stretch' }, ...sides],
+      };
+    }
+    case 'doomed': {
+      const { axis, cell } = certificate.grid;
+      const { squares, endedBy } = followFan(
+        settingOf(level, maxTime, true),
+        about,
+        thingOf(level, thing),
+        certificate.grid,
+        MOST_BOXES,
+      );
+      const corner = (x: number, y: number) => ({
+        x: level.astronaut.x + x * axis[0] - y * axis[1],
+        y: level.astronaut.y + x * axis[1] + y * axis[0],
+      });
+      const square = ({ x, y }: Place) => [corner(x, y), corner(x + cell, y), corner(x + cell, y + cell), corner(x, y + cell)];
+      return {
+        discs: [...blocked(endedBy, HALF_WIDTH), touch],
+        lines: squares.map((at) => ({ points: square(at), closed: true, role: 'reach' })),
+      };
+    }
+  }
+}
+
+/** The circles of the things named, each once. */
+function circlesOf(
+  level: Level,
+  things: readonly { readonly kind: string; readonly index?: number }[],
+): (Place & { radius: number })[] {
+  const lists: Readonly<Record<string, readonly (Place & { radius: number })[]>> = {
+    nova: level.novae,
+    asteroid: level.asteroids,
+    alien: level.aliens,
+    blackHole: [level.blackHole],
+  };
+  const circles = things.flatMap(({ kind, index }) => lists[kind]?.[index ?? -1] ?? []);
+  return [...new Set(circles)];
+}

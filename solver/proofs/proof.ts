@@ -1,0 +1,94 @@
+import type { AccuracyName } from '../../engine/index.ts';
+
+/** What a proof says can never be touched. */
+export type About = { readonly kind: 'blackHole' } | { readonly kind: 'mineral'; readonly index: number };
+
+/** A thing of the level, by its place in the level's own list of that kind. */
+export interface ThingRef {
+  readonly kind: 'nova' | 'asteroid' | 'alien' | 'blackHole';
+  readonly index: number;
+}
+
+/** What blocks a piece of a barrier: a thing that stands still, or that all of it is out of range. */
+export type Blocker = ThingRef | { readonly kind: 'range' };
+
+/** The corner of a barrier, px, and what blocks the straight edge from here to the next corner; after the last comes the first. */
+export interface BarrierEdge {
+  readonly x: number;
+  readonly y: number;
+  readonly by: Blocker;
+}
+
+/** A unit vector. */
+export type Direction = readonly [x: number, y: number];
+
+/** All directions from one to another, less than half a turn on, from x to y. */
+export interface Cone {
+  readonly from: Direction;
+  readonly to: Direction;
+}
+
+/**
+ * Where along a line her box must overlap something that ends the run, px from the start; or where she can't go back beyond; or where another
+ * asteroid becomes the nearer one, and she stays in a cone in which every way ends at a hazard.
+ */
+export interface LineEnd {
+  readonly at: number;
+  readonly by: Blocker | { readonly kind: 'start' } | ({ readonly kind: 'dead-end' } & Cone);
+}
+
+/** How finely all that she may do is followed. */
+export interface FanGrid {
+  /** direction of its first axis, a unit vector; the second is a quarter turn from it, from x to y */
+  readonly axis: readonly [number, number];
+  /** side of the squares that places are cut into, px */
+  readonly cell: number;
+  /** the same for velocities, px/s */
+  readonly bin: number;
+  /** length of a step, ticks of 1/60 s */
+  readonly frames: number;
+  /** after so many steps everything is over */
+  readonly steps: number;
+}
+
+/** The kinds of proof. */
+export type ProofCode =
+  | 'nothing-in-range'
+  | 'starts-in-hazard'
+  | 'out-of-range'
+  | 'enclosed'
+  | 'line-trap'
+  | 'doomed'
+  | 'covered';
+
+/**
+ * What the checker in solver/verify needs to see that a proof holds: plain JSON, lengths in px.
+ * - `nothing-in-range`: the level alone shows it
+ * - `starts-in-hazard`: the hazard her box overlaps at time 0
+ * - `out-of-range`: every asteroid she can ever be in range of; all others lie beyond gaps she can't cross
+ * - `enclosed`: a closed line between the start and the thing, each edge of which one hazard blocks, or the range
+ * - `line-trap`: the asteroid whose line she is bound to, and the ends of the stretch that she can't leave
+ * - `covered`: the level alone shows it
+ * - `doomed`: how finely to follow all that she may do until everything is over
+ */
+export type Certificate =
+  | { readonly kind: 'nothing-in-range' }
+  | { readonly kind: 'starts-in-hazard'; readonly hazard: ThingRef }
+  | { readonly kind: 'out-of-range'; readonly asteroids: readonly number[] }
+  | { readonly kind: 'enclosed'; readonly barrier: readonly BarrierEdge[] }
+  | { readonly kind: 'line-trap'; readonly target: number; readonly back: LineEnd; readonly front: LineEnd }
+  | { readonly kind: 'doomed'; readonly grid: FanGrid }
+  | { readonly kind: 'covered' };
+
+/** A proof that the black hole, or a mineral, can never be touched in a level, whatever the player does. */
+export interface Proof {
+  readonly code: ProofCode;
+  readonly about: About;
+  /** why, for a designer, in a sentence, and what to do about it */
+  readonly reason: string;
+  /** the accuracies it holds for: use it for no other */
+  readonly covers: readonly AccuracyName[];
+  /** it holds for runs up to this long, s; null: however long */
+  readonly maxTime: number | null;
+  readonly certificate: Certificate;
+}

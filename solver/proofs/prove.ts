@@ -1,0 +1,75 @@
+import type { AccuracyName } from '../../engine/index.ts';
+import type { Level } from '../../schema/index.ts';
+import { proveNothingInRange, proveStartsInHazard } from './at-start.ts';
+import { proveCovered } from './covered.ts';
+import { proveDoomed } from './doomed.ts';
+import { proveEnclosed } from './enclosure.ts';
+import { proveOutOfRange } from './islands.ts';
+import { proveLineTrap } from './line.ts';
+import type { About, Proof } from './proof.ts';
+import { type Setting, settingOf, type Thing, thingOf } from './setting.ts';
+
+export interface ProveOptions {
+  /** the accuracy the proof has to cover; when left out one that covers all is looked for first, then one that covers continuous time */
+  readonly accuracy?: AccuracyName;
+  /** longest run, s; 60 when left out. Only recoil makes a difference: it moves asteroids as long as a run lasts */
+  readonly maxTime?: number;
+}
+
+type Kind = (setting: Setting, about: About, goal: Thing) => Proof | null;
+
+// those a designer understands at a glance first
+const CHEAP: readonly Kind[] = [proveNothingInRange, proveStartsInHazard, proveOutOfRange, proveLineTrap];
+
+/** Cost milliseconds each. */
+const DEAR: readonly Kind[] = [proveCovered, proveEnclosed];
+
+/** For so many minerals the dear ones are tried. */
+const MOST_MINERALS = 64;
+
+/** A proof that the black hole can't be reached, or null where none is found: then it may still be out of reach. */
+export function proveImpossible(level: Level, options: ProveOptions = {}): Proof | null {
+  const settings = settingsOf(level, options);
+  const goal = thingOf(level, level.blackHole);
+  const about = { kind: 'blackHole' } as const;
+  // the last holds for frames and for continuous time alike
+  return prove(settings, [...CHEAP, ...DEAR], about, goal, options) ?? proveDoomed(settings[0], about, goal);
+}
+
+/** A proof for each mineral that is proved to be out of reach in every run; of very many minerals only by what is cheap to prove. */
+export function proveMineralsUnreachable(level: Level, options: ProveOptions = {}): Proof[] {
+  const settings = settingsOf(level, options);
+  // where not all runs are over soon, that is so whatever mineral is looked at
+  let isDoomed: boolean | null = null;
+  return level.minerals.flatMap((mineral, index) => {
+    const about = { kind: 'mineral', index } as const;
+    const goal = thingOf(level, mineral);
+    const proof = prove(settings, level.minerals.length <= MOST_MINERALS ? [...CHEAP, ...DEAR] : CHEAP, about, goal, options);
+    if (proof !== null) return proof;
+    isDoomed ??= proveDoomed(settings[0], { kind: 'blackHole' }, thingOf(level, level.blackHole)) !== null;
+    return isDoomed ? (proveDoomed(settings[0], about, goal) ?? []) : [];
+  });
+}
+
+/** Frames first: what holds for them holds for continuous time. */
+function settingsOf(level: Level, { accuracy, maxTime }: ProveOptions): Setting[] {
+  const frames = accuracy === undefined || accuracy === 'arcade' ? [settingOf(level, maxTime ?? null, true)] : [];
+  const continuous = accuracy !== 'arcade' ? [settingOf(level, maxTime ?? null, false)] : [];
+  return [...frames, ...continuous];
+}
+
+function prove(
+  settings: readonly Setting[],
+  kinds: readonly Kind[],
+  about: About,
+  goal: Thing,
+  { accuracy }: ProveOptions,
+): Proof | null {
+  for (const setting of settings) {
+    for (const kind of kinds) {
+      const proof = kind(setting, about, goal);
+      if (proof !== null && (accuracy === undefined || proof.covers.includes(accuracy))) return proof;
+    }
+  }
+  return null;
+}

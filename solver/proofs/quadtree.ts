@@ -1,0 +1,87 @@
+/** What a cell is known to be. */
+export type CellState = 'free' | 'mixed' | 'blocked';
+
+/** A square of whole units: its lower left corner and side. A leaf has no children. */
+export interface Cell {
+  readonly x: number;
+  readonly y: number;
+  readonly size: number;
+  readonly state: CellState;
+  /** what blocks all of it, or -1 */
+  readonly blocker: number;
+  /** what reaches into it, for whoever looks at its quarters */
+  readonly nearby: readonly number[];
+  children: readonly Cell[] | null;
+  /** marks of a search: the cell it came from, and the number of the search that came here */
+  from: Cell | null;
+  seen: number;
+}
+
+/** What a square is, judged from what reaches into the square around it. */
+export interface Judgement {
+  readonly state: CellState;
+  readonly blocker: number;
+  readonly nearby: readonly number[];
+}
+
+/** Judges the square with this corner and side, in units. */
+export type Judge = (x: number, y: number, size: number, nearby: readonly number[]) => Judgement;
+
+/** A square of `size` units (a power of two) that is cut into quarters where it matters. */
+export class Quadtree {
+  readonly root: Cell;
+  private readonly judge: Judge;
+  leaves = 1;
+
+  constructor(size: number, judge: Judge, all: readonly number[]) {
+    this.judge = judge;
+    this.root = this.cell(0, 0, size, all);
+  }
+
+  private cell(x: number, y: number, size: number, nearby: readonly number[]): Cell {
+    return { x, y, size, ...this.judge(x, y, size, nearby), children: null, from: null, seen: 0 };
+  }
+
+  /** Cuts a leaf into quarters. */
+  split(leaf: Cell): readonly Cell[] {
+    const half = leaf.size / 2;
+    const { x, y, nearby } = leaf;
+    leaf.children = [
+      this.cell(x, y, half, nearby),
+      this.cell(x + half, y, half, nearby),
+      this.cell(x, y + half, half, nearby),
+      this.cell(x + half, y + half, half, nearby),
+    ];
+    this.leaves += 3;
+    return leaf.children;
+  }
+
+  /** The leaf that holds the unit square at (x, y); null outside. */
+  leafAt(x: number, y: number): Cell | null {
+    let cell = this.root;
+    if (x < 0 || y < 0 || x >= cell.size || y >= cell.size) return null;
+    while (cell.children !== null) {
+      const half = cell.size / 2;
+      cell = cell.children[(x >= cell.x + half ? 1 : 0) + (y >= cell.y + half ? 2 : 0)];
+    }
+    return cell;
+  }
+
+  /** Calls `visit` with each leaf that shares a piece of a side with this one, and null for a side on the rim of the square. */
+  neighbours(leaf: Cell, visit: (neighbour: Cell | null) => void): void {
+    const { x, y, size } = leaf;
+    this.along(x + size, y, size, false, visit);
+    this.along(x - 1, y, size, false, visit);
+    this.along(x, y + size, size, true, visit);
+    this.along(x, y - 1, size, true, visit);
+  }
+
+  private along(x: number, y: number, size: number, across: boolean, visit: (neighbour: Cell | null) => void): void {
+    for (let at = 0; at < size; ) {
+      const neighbour = across ? this.leafAt(x + at, y) : this.leafAt(x, y + at);
+      visit(neighbour);
+      if (neighbour === null || neighbour.size >= size) return;
+      at += neighbour.size;
+    }
+  }
+}

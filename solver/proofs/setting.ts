@@ -1,0 +1,99 @@
+import {
+  type AccuracyName,
+  DEFAULT_MAX_TIME,
+  GUN_PULL,
+  HALF_DIAGONAL,
+  HALF_WIDTH,
+  SPEED_LIMIT,
+  TICK,
+} from '../../engine/index.ts';
+import type { Level } from '../../schema/index.ts';
+import { reachableAsteroids } from './reachable.ts';
+
+/** A circle about (x, y), px from the start. */
+export interface Disc {
+  readonly x: number;
+  readonly y: number;
+  readonly r: number;
+}
+
+/** The accuracies with swept contacts: whoever plays them, her way is continuous and no contact on it is missed. */
+export const CONTINUOUS: readonly AccuracyName[] = ['fast', 'standard', 'precise'];
+
+/** Every accuracy. */
+export const ALL_ACCURACIES: readonly AccuracyName[] = ['arcade', ...CONTINUOUS];
+
+/** The numbers that proofs about a level share, places relative to her start. */
+export interface Setting {
+  readonly level: Level;
+  /** longest run, s */
+  readonly maxTime: number;
+  /**
+   * How far she can jump between two looks at the range and at contacts, px: 0 in continuous time, a frame's flight in `arcade`.
+   * A bound, from the fastest she can be anywhere in range: speed 2 a s for the acceleration a and the way s from where she was.
+   */
+  readonly jump: number;
+  /** how far recoil can carry each asteroid, px; the bound a t2 / 2 for an asteroid that is pulled all the time */
+  readonly drift: readonly number[];
+  /** the asteroids she can ever be in range of */
+  readonly reached: readonly number[];
+}
+
+/** The numbers of a level for one of the two ways of playing. */
+export function settingOf(level: Level, maxTime: number | null, frames: boolean): Setting {
+  const time = maxTime ?? DEFAULT_MAX_TIME;
+  // a hundredth more than a t2 / 2 with a = 1 / (2 radius): frames step a little farther than the flow
+  const drift = level.asteroids.map(({ radius }) => (level.recoil ? (1.01 * time * time) / (4 * radius) : 0));
+  const jump = frames ? frameJump(level, drift) : 0;
+  // dear in large levels, and of use to many proofs or to none
+  let reached: readonly number[] | null = null;
+  return {
+    level,
+    maxTime: time,
+    drift,
+    jump,
+    get reached() {
+      reached ??= reachableAsteroids(level, drift, jump);
+      return reached;
+    },
+  };
+}
+
+/** Farthest flight of one frame at the speed limit on both axes, px. */
+const FASTEST_FRAME = SPEED_LIMIT * TICK * 1.4143;
+
+function frameJump({ asteroids, range, astronaut }: Level, drift: readonly number[]): number {
+  let left = 0;
+  let right = 0;
+  let top = 0;
+  let bottom = 0;
+  for (const [i, { x, y }] of asteroids.entries()) {
+    const r = range + drift[i];
+    left = Math.min(left, x - astronaut.x - r);
+    right = Math.max(right, x - astronaut.x + r);
+    top = Math.min(top, y - astronaut.y - r);
+    bottom = Math.max(bottom, y - astronaut.y + r);
+  }
+  const across = right - left + 2 * FASTEST_FRAME;
+  const down = bottom - top + 2 * FASTEST_FRAME;
+  const way = Math.sqrt(across * across + down * down);
+  const start = astronaut.vx * astronaut.vx + astronaut.vy * astronaut.vy;
+  return Math.min(FASTEST_FRAME, Math.sqrt(start + 2 * GUN_PULL * way) * TICK * 1.001);
+}
+
+/** The thing a proof is about, px from the start. */
+export interface Thing {
+  readonly x: number;
+  readonly y: number;
+  readonly radius: number;
+  /** her centre is nearer than this to the thing's centre whenever her box touches it, px */
+  readonly touch: number;
+}
+
+/** A circle of the level as the thing a proof is about. */
+export function thingOf({ astronaut }: Level, { x, y, radius }: { x: number; y: number; radius: number }): Thing {
+  return { x: x - astronaut.x, y: y - astronaut.y, radius, touch: radius + HALF_DIAGONAL };
+}
+
+/** Her box touches a circle for certain when her centre is nearer to its centre than its radius and this, px. */
+export const LEAST_HALF = HALF_WIDTH;

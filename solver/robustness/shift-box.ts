@@ -1,0 +1,146 @@
+import { joinHolds } from '../../engine/index.ts';
+import type { Hold } from '../../schema/index.ts';
+import { advanceTo, isSuccess, type Trials } from './trials.ts';
+
+/** Stands for a press before, or a release after, all of a cluster. */
+const FAR = 1e9;
+
+/**
+ * Edges so close that shifts can bring them out of order: they are shifted together. Clusters are so far apart that the
+ * button is surely in a known position between them.
+ */
+export interface Cluster {
+  /** Whether the button is held before the first of these edges, whatever the shifts. */
+  readonly heldBefore: boolean;
+  /** What the game may read, each once: ticks at which the button changes, ascending. Extreme shifts come first. */
+  readonly ways: readonly (readonly number[])[];
+}
+
+/** What a {@link ShiftBox} has found: a run that fails, that there is none, or that there is more to try. */
+export type BoxResult = readonly Hold[] | 'proved' | 'unfinished';
+
+/**
+ * All combinations of shifts of every edge by up to k ticks, tried one after the other, and bit by bit if one likes.
+ * Depth first: a combination goes on from the state that those with the same beginning have left.
+ */
+export class ShiftBox {
+  private readonly trials: Trials;
+  private readonly clusters: readonly Cluster[];
+  /** Per depth: the state before the cluster, which way is next, and the way taken. */
+  private readonly states: Float64Array[];
+  private readonly next: number[] = [0];
+  private readonly chosen: (readonly number[])[] = [];
+  private depth = 0;
+
+  /** @param clusters at least one, from {@link clustersOf} */
+  constructor(trials: Trials, clusters: readonly Cluster[]) {
+    this.trials = trials;
+    this.clusters = clusters;
+    trials.simulation.reset();
+    this.states = [trials.simulation.snapshot()];
+  }
+
+  /** Tries until one fails, all have succeeded, or `maxRuns` more have been played. */
+  run(maxRuns: number): BoxResult {
+    const { trials, clusters, states, next, chosen } = this;
+    const { simulation, maxTicks } = trials;
+    const until = trials.runs + maxRuns;
+    while (this.depth >= 0) {
+      const { depth } = this;
+      const { ways, heldBefore } = clusters[depth];
+      if (next[depth] === ways.length) {
+        this.depth--;
+        continue;
+      }
+      if (trials.runs >= until) return 'unfinished';
+      const way = ways[next[depth]++];
+      simulation.restore(states[depth]);
+      let held = heldBefore;
+      for (const tick of way) {
+        advanceTo(trials, Math.min(tick, maxTicks), held);
+        held = !held;
+      }
+      chosen[depth] = way;
+      chosen.length = depth + 1;
+      // one that has ended doesn't depend on the edges that are left
+      if (simulation.ending === null && depth + 1 < clusters.length) {
+        states[depth + 1] = simulation.snapshot(states[depth + 1]);
+        next[depth + 1] = 0;
+        this.depth++;
+        continue;
+      }
+      // the last edge of all is a release
+      advanceTo(trials, maxTicks, false);
+      if (!isSuccess(trials, () => this.played())) return this.played();
+    }
+    return 'proved';
+  }
+
+  /** The run played last. */
+  private played(): Hold[] {
+    const ticks = this.chosen.flat();
+    if (ticks.length % 2 === 1) ticks.push(this.trials.maxTicks);
+    const holds: Hold[] = [];
+    for (let i = 0; i < ticks.length; i += 2) holds.push([ticks[i], ticks[i + 1]]);
+    return holds;
+  }
+}
+
+/** Shifts of up to k ticks, the likeliest to fail first. */
+export function shiftsUpTo(k: number): number[] {
+  const shifts = [0];
+  for (let by = 1; by <= k; by++) shifts.unshift(-by, by);
+  return shifts;
+}
+
+/**
+ * What the game may read when every edge is shifted by one of `shifts`, up to k ticks either way.
+ * @param holds sorted and disjoint, at least one
+ * @returns null when some edges are so close that more than `maxWays` combinations of theirs would have to be read
+ */
+export function clustersOf(holds: readonly Hold[], k: number, shifts: readonly number[], maxWays: number): Cluster[] | null {
+  const edges = holds.flat();
+  const clusters: Cluster[] = [];
+  for (let first = 0; first < edges.length; ) {
+    let last = first;
+    while (last + 1 < edges.length && edges[last + 1] - edges[last] <= 2 * k) last++;
+    const ways = waysOf(edges, first, last, shifts, maxWays);
+    if (ways === null) return null;
+    clusters.push({ heldBefore: first % 2 === 1, ways });
+    first = last + 1;
+  }
+  return clusters;
+}
+
+/** Every way in which the game may read the edges from `first` to `last`; null when more than `maxWays` would be tried. */
+function waysOf(
+  edges: readonly number[],
+  first: number,
+  last: number,
+  shifts: readonly number[],
+  maxWays: number,
+): number[][] | null {
+  const count = last - first + 1;
+  let combinations = 1;
+  for (let i = 0; i < count; i++) {
+    combinations *= shifts.length;
+    if (combinations > maxWays) return null;
+  }
+  const ways = new Map<string, number[]>();
+  for (let c = 0; c < combinations; c++) {
+    const moved: number[] = first % 2 === 1 ? [-FAR] : [];
+    for (let i = 0, rest = c; i < count; i++) {
+      moved.push(Math.max(0, edges[first + i] + shifts[rest % shifts.length]));
+      rest = Math.floor(rest / shifts.length);
+    }
+    if (last % 2 === 0) moved.push(FAR);
+    const pairs: Hold[] = [];
+    for (let i = 0; i < moved.length; i += 2) pairs.push([moved[i], moved[i + 1]]);
+    const read = joinHolds(pairs)
+      .flat()
+      .filter((tick) => tick > -FAR && tick < FAR);
+    const key = read.join();
+    if (!ways.has(key)) ways.set(key, read);
+  }
+  return [...ways.values()];
+}

@@ -1,0 +1,75 @@
+import { joinHolds, type Scene } from '../../engine/index.ts';
+import type { Hold } from '../../schema/index.ts';
+import type { Goal } from '../goal.ts';
+import { shiftHolds } from './shift-holds.ts';
+import { advanceTo, createTrials, playFrom, type Trials } from './trials.ts';
+
+/** Ticks by which one edge alone can come earlier or later, each tick up to there included, and the run still meets the goal. */
+export interface EdgeSlack {
+  readonly earlier: number;
+  readonly later: number;
+}
+
+/** Farther than this no edge is moved, ticks: a second. */
+export const SLACK_LIMIT = 60;
+
+/**
+ * How far each press and release can move alone. Exact: every single shift is simulated.
+ * @param holds [press, release) in ticks; joined where they overlap, and the slack is of the joined ones
+ * @returns two for each hold: press, release; all 0 for a run that doesn't meet the goal
+ */
+export function findSlack(scene: Scene, holds: readonly Hold[], goal: Goal, limit = SLACK_LIMIT): EdgeSlack[] {
+  return slackOf(createTrials(scene, goal), joinHolds(holds), limit);
+}
+
+/** {@link findSlack}, the slack of one edge after the other: for who must do something else in between. */
+export const slackByEdge = (scene: Scene, holds: readonly Hold[], goal: Goal, limit = SLACK_LIMIT): Generator<EdgeSlack> =>
+  edgesOf(createTrials(scene, goal), joinHolds(holds), limit);
+
+/** {@link findSlack} on trials at hand. @param holds sorted and disjoint */
+export const slackOf = (trials: Trials, holds: readonly Hold[], limit: number): EdgeSlack[] => [...edgesOf(trials, holds, limit)];
+
+function* edgesOf(trials: Trials, holds: readonly Hold[], limit: number): Generator<EdgeSlack> {
+  const edges = holds.flat();
+  const { simulation } = trials;
+  simulation.reset();
+  const start = simulation.snapshot();
+  if (!playFrom(trials, start, holds)) {
+    for (const _ of edges) yield { earlier: 0, later: 0 };
+    return;
+  }
+
+  const shifts = new Array<number>(edges.length).fill(0);
+  // runs that differ only from here on share what comes before
+  let shared = start;
+  const largest = (edge: number, direction: number): number => {
+    for (let by = 1; by <= limit; by++) {
+      shifts[edge] = by * direction;
+      const succeeds = playFrom(trials, shared, shiftHolds(holds, shifts));
+      shifts[edge] = 0;
+      if (!succeeds) return by - 1;
+    }
+    return limit;
+  };
+  for (const [edge, tick] of edges.entries()) {
+    shared = stateAt(trials, shared, holds, Math.max(0, tick - limit));
+    const earlier = largest(edge, -1);
+    const before = shared;
+    shared = stateAt(trials, shared, holds, tick);
+    const later = largest(edge, 1);
+    shared = before;
+    yield { earlier, later };
+  }
+}
+
+/** The state of a run at a tick, from a state of it that comes before. */
+function stateAt(trials: Trials, before: Float64Array, holds: readonly Hold[], tick: number): Float64Array {
+  const { simulation } = trials;
+  simulation.restore(before);
+  for (const [press, release] of holds) {
+    advanceTo(trials, Math.min(press, tick), false);
+    advanceTo(trials, Math.min(release, tick), true);
+  }
+  advanceTo(trials, tick, false);
+  return simulation.snapshot();
+}

@@ -1,0 +1,41 @@
+import { boxCircleGap, HALF_DIAGONAL, type Scene } from '../../engine/index.ts';
+import type { Hold } from '../../schema/index.ts';
+import type { NodeList } from './node-list.ts';
+import type { Closest } from './search.ts';
+
+/** Remembers the nearest that any stretch came to the black hole. */
+export class Approach {
+  private readonly scene: Scene;
+  private distance = Number.POSITIVE_INFINITY;
+  private node = -1;
+  private tick = 0;
+  private held = false;
+  private holds: readonly Hold[] | null = null;
+
+  constructor(scene: Scene) {
+    this.scene = scene;
+  }
+
+  /** Looks at a state on a stretch from `node`. */
+  look(state: Float64Array, node: number, tick: number, held: boolean): void {
+    const hole = this.scene.level.blackHole;
+    const dx = hole.x - state[0];
+    const dy = hole.y - state[1];
+    const far = this.distance + hole.radius + HALF_DIAGONAL;
+    if (dx * dx + dy * dy > far * far) return;
+    const distance = Math.max(0, boxCircleGap(dx, dy, state[4], state[5], hole.radius));
+    if (distance >= this.distance) return;
+    this.distance = distance;
+    this.node = node;
+    this.tick = tick;
+    this.held = held;
+    this.holds = null;
+  }
+
+  /** Written out when asked for, since at first every look is nearer; must be asked before the nodes are thrown away. */
+  closest(nodes: NodeList): Closest | null {
+    if (this.node < 0) return null;
+    this.holds ??= nodes.holdsTo(this.node, this.tick, this.held);
+    return { distance: this.distance, tick: this.tick, holds: this.holds };
+  }
+}

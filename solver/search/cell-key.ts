@@ -1,0 +1,53 @@
+import type { Scene, Simulation } from '../../engine/index.ts';
+
+/** Aliens whose places tell cells apart; where there are more, the first so many. */
+const ALIENS = 32;
+
+const mix = (h: number, k: number): number => Math.imul(h ^ k ^ (h >>> 15), 0x2c1b3c6d);
+const stir = (h: number, k: number): number => Math.imul(h ^ k ^ (h >>> 13), 0x297a2d39);
+
+/**
+ * The cell a state lies in, as two 32-bit hashes: her place and velocity in steps of the cell's size, the places of aliens, and
+ * the minerals she has.
+ */
+export class CellKey {
+  low = 0;
+  high = 0;
+  private readonly originX: number;
+  private readonly originY: number;
+  private readonly aliens: Float64Array;
+
+  constructor(scene: Scene) {
+    this.originX = scene.level.astronaut.x;
+    this.originY = scene.level.astronaut.y;
+    this.aliens = new Float64Array(3 * scene.aliens.count);
+  }
+
+  /**
+   * @param state as `readState` gives it
+   * @param place side of a cell, px
+   * @param speed side of a cell, px/s
+   * @param minerals a number that says which she has
+   */
+  find(simulation: Simulation, state: Float64Array, place: number, speed: number, minerals: number): void {
+    const x = Math.floor((state[0] - this.originX) / place);
+    const y = Math.floor((state[1] - this.originY) / place);
+    // rest lies in the middle of a cell, not at the corner of four
+    const vx = Math.floor(state[2] / speed + 0.5);
+    const vy = Math.floor(state[3] / speed + 0.5);
+    let low = mix(mix(mix(mix(minerals ^ 0x3c6ef372, x), y), vx), vy);
+    let high = stir(stir(stir(stir(minerals ^ 0x1b873593, vy), vx), y), x);
+    const { aliens } = this;
+    if (aliens.length > 0) {
+      simulation.readAliens(aliens);
+      for (let i = 0; i < aliens.length && i < 3 * ALIENS; i += 3) {
+        const ax = Math.floor((aliens[i] - this.originX) / place);
+        const ay = Math.floor((aliens[i + 1] - this.originY) / place);
+        low = mix(mix(low, ax), ay ^ (aliens[i + 2] << 30));
+        high = stir(stir(high, ay), ax ^ (aliens[i + 2] << 30));
+      }
+    }
+    this.low = low ^ (low >>> 16);
+    this.high = high ^ (high >>> 16);
+  }
+}

@@ -1,0 +1,411 @@
+import { createSimulation, HALF_DIAGONAL, type Scene, type Simulation, STATE_SIZE, TICK_RATE } from '../../engine/index.ts';
+import { mineralsNeeded } from '../goal.ts';
+import { createRandom, type Random } from '../random.ts';
+import { type Candidate, createReplay, DEFAULT_MAX_TICKS } from '../verified-run.ts';
+import { Approach } from './approach.ts';
+import { CellKey } from './cell-key.ts';
+import { CellTable } from './cell-table.ts';
+import { HeatMap } from './heat-map.ts';
+import { LineOfFlight } from './line-of-flight.ts';
+import { MineralSet } from './mineral-set.ts';
+import { NodeList } from './node-list.ts';
+import { OpenList } from './open-list.ts';
+import { Reports } from './reports.ts';
+import type { Closest, Effort, Explored, Search, SearchOptions } from './search.ts';
+import { SnapshotPool } from './snapshot-pool.ts';
+
+// what has been tried from a node
+const PRESSED = 2;
+const COASTED = 4;
+// a run over this node that ends with the button held, or not, has been reported
+const REPORTED_HELD = 8;
+const REPORTED_FREE = 16;
+const TRIED = PRESSED | COASTED;
+
+/** Doubles that snapshots may take (96 MB) before the search starts afresh with other random numbers. */
+const MEMORY = 12_000_000;
+
+// The sizes below were chosen on random levels: half or twice as much costs a tenth to a fifth more ticks to a first run.
+
+/** Side of a cell at first, px and px/s; when everything has been tried cells shrink. */
+const CELL_PLACE = 32;
+const CELL_SPEED = 24;
+const SHRINK = 0.7;
+
+/** Ticks she may have to drift to what is aimed at; doubles when cells shrink. */
+const PATIENCE = 600;
+
+/** Longest stretch, ticks. Long holds are worth it: she swings to and fro, and each swing points elsewhere. */
+const LONGEST_HOLD = 600;
+const LONGEST_COAST = 1200;
+
+/** Most ticks between two looks; fewer where she flies farther than this part of a cell. */
+const HOLD_STRIDE = 16;
+const COAST_STRIDE = 120;
+const STEP = 1.1;
+
+/** So many looks in cells that are known end a stretch. */
+const FAMILIAR_HOLD = 15;
+const FAMILIAR_COAST = 3;
+
+/** A cell is taken over by a way that is earlier by so many ticks and this part. */
+const EARLIER = 60;
+const EARLIER_PART = 0.8;
+
+/** Nodes that are drawn to choose one. */
+const CANDIDATES = 10;
+
+/** Share of stretches with the button held: it is there that runs are found. */
+const PRESS_SHARE = 0.85;
+
+/** Share of choices that go by minerals first, where the goal asks for some. */
+const RICH_SHARE = 0.5;
+
+/** Ticks on the way that make a node half as good a choice as one at the start. */
+const FAR_TICKS = 300;
+
+/**
+ * An archive of cells over place, velocity, aliens and minerals, each with a snapshot of a way to it. From the cells visited
+ * least, stretches with the button held or not find new cells; wherever the button is held, the search looks whether letting
+ * go there brings her into the black hole.
+ */
+class CellSearch implements Search {
+  readonly scene: Scene;
+  private readonly simulation: Simulation;
+  private readonly reports: Reports;
+  private readonly random: Random;
+  private readonly needed: number;
+  private readonly maxTicks: number;
+  private readonly start: Float64Array;
+  private readonly scratch: Float64Array;
+  private readonly pool: SnapshotPool;
+  private readonly capacity: number;
+  private readonly state = new Float64Array(STATE_SIZE);
+  private readonly line: LineOfFlight;
+  private readonly minerals: MineralSet;
+  private readonly key: CellKey;
+  private readonly cells = new CellTable();
+  private readonly heat: HeatMap;
+  private readonly toPress = new OpenList();
+  private readonly toCoast = new OpenList();
+  private readonly toCoastFirst: number[] = [];
+  private nodes = new NodeList();
+  private runs = 0;
+  private ticks = 0;
+  private asked = 0;
+  private place = CELL_PLACE;
+  private speed = CELL_SPEED;
+  private patience = PATIENCE;
+  private readonly approach: Approach;
+
+  constructor(scene: Scene, options: SearchOptions) {
+    const goal = options.goal ?? { minerals: 'any' };
+    this.scene = scene;
+    this.simulation = createSimulation(scene);
+    this.needed = mineralsNeeded(goal, scene.minerals.count);
+    this.maxTicks = options.maxTicks ?? DEFAULT_MAX_TICKS;
+    this.reports = new Reports(createReplay(scene, goal, this.maxTicks));
+    this.random = createRandom(options.seed ?? 0);
+    this.start = this.simulation.snapshot();
+    this.scratch = this.simulation.snapshot();
+    this.pool = new SnapshotPool(this.start.length);
+    this.capacity = Math.max(2, Math.floor(MEMORY / this.start.length));
+    this.approach = new Approach(scene);
+    this.line = new LineOfFlight(scene);
+    this.minerals = new MineralSet(scene, this.needed > 0);
+    this.key = new CellKey(scene);
+    this.heat = new HeatMap(scene.level.astronaut.x, scene.level.astronaut.y);
+    this.restart();
+  }
+
+  get solutions(): readonly Candidate[] {
+    return this.reports.solutions;
+  }
+
+  get effort(): Effort {
+    return { runs: this.runs, ticks: this.ticks };
+  }
+
+  get closest(): Closest | null {
+    return this.approach.closest(this.nodes);
+  }
+
+  get explored(): Explored {
+    return this.heat.explored();
+  }
+
+  get exhausted(): boolean {
+    return this.nodes.count === 0;
+  }
+
+  advance(ticks: number): number {
+    const before = this.reports.solutions.length;
+    this.asked += ticks;
+    while (this.ticks < this.asked && this.step());
+    return this.reports.solutions.length - before;
+  }
+
+  private restart(): void {
+    this.approach.closest(this.nodes);
+    this.cells.clear();
+    this.nodes = new NodeList();
+    this.toPress.clear();
+    this.toCoast.clear();
+    this.toCoastFirst.length = 0;
+    this.place = CELL_PLACE;
+    this.speed = CELL_SPEED;
+    this.simulation.restore(this.start);
+    this.minerals.read(this.simulation);
+    this.simulation.readState(this.state);
+    if (this.needed > this.scene.minerals.count) return;
+    this.findCell();
+    // what happens by itself comes first
+    this.toCoastFirst.push(this.store(-1, false, this.visit()));
+  }
+
+  /** One stretch from one node; false when there is nothing to try. */
+  private step(): boolean {
+    const { nodes } = this;
+    if (nodes.count === 0) return false;
+    if (nodes.count >= this.capacity) this.restart();
+    const first = this.toCoastFirst.pop();
+    if (first !== undefined) {
+      this.sweep(first, false);
+      return true;
+    }
+    let held = this.random.unit() < PRESS_SHARE;
+    let node = this.select(held);
+    if (node < 0) {
+      held = !held;
+      node = this.select(held);
+    }
+    if (node < 0) this.refine();
+    else this.sweep(node, held);
+    return true;
+  }
+
+  /** A node from which this has not been tried: of a few at random the one where she has been least. */
+  private select(held: boolean): number {
+    const { nodes, heat } = this;
+    const tried = held ? PRESSED : COASTED;
+    const rich = this.needed > 0 && this.random.unit() < RICH_SHARE;
+    const score = (node: number): number => {
+      if ((nodes.flags[node] & tried) !== 0) return Number.POSITIVE_INFINITY;
+      const tick = nodes.tick[node];
+      const h = heat.visits[nodes.square[node]] * (tick + FAR_TICKS);
+      return rich ? h - 1e10 * nodes.minerals[node] : h;
+    };
+    return (held ? this.toPress : this.toCoast).take(this.random, CANDIDATES, score);
+  }
+
+  /** Simulates from a node with the button held or not, and stores what it finds on the way. */
+  private sweep(node: number, held: boolean): void {
+    const { simulation, state, minerals, nodes, needed } = this;
+    nodes.flags[node] |= held ? PRESSED : COASTED;
+    simulation.restore(this.pool.at(node));
+    minerals.read(simulation);
+    simulation.readState(state);
+    this.runs++;
+    const known = held ? FAMILIAR_HOLD : FAMILIAR_COAST;
+    const until = Math.min(this.maxTicks, simulation.tick + (held ? LONGEST_HOLD : LONGEST_COAST));
+    let last = node;
+    let familiar = 0;
+    let crossBefore = 0;
+    let dotBefore = 0;
+    let hit = false;
+    let aimed = 0;
+    while (simulation.tick < until) {
+      const stride = this.strideFor(held, until - simulation.tick);
+      this.ticks += simulation.advance(stride, held);
+      simulation.readState(state);
+      minerals.update(simulation);
+      const square = this.visit();
+      this.approach.look(state, last, simulation.tick, held);
+      const { ending } = simulation;
+      if (ending !== null) {
+        if (ending.outcome === 'completed' && minerals.size >= needed) this.report(last, simulation.tick, held);
+        return;
+      }
+      if (held && minerals.size >= needed) {
+        const hole = this.scene.level.blackHole;
+        const dx = hole.x - state[0];
+        const dy = hole.y - state[1];
+        const dot = dx * state[2] + dy * state[3];
+        const cross = dx * state[3] - dy * state[2];
+        const reach = HALF_DIAGONAL + hole.radius;
+        if (dot > 0 && cross * cross < reach * reach * (state[2] * state[2] + state[3] * state[3])) {
+          if (!hit) hit = this.probe(last);
+        } else {
+          if (!hit && stride > 1 && (dot > 0 || dotBefore > 0) && cross * crossBefore < 0) this.probeBetween(last, stride);
+          hit = false;
+        }
+        crossBefore = cross;
+        dotBefore = dot;
+      }
+      let stored = -1;
+      if (this.isBetter()) {
+        stored = this.store(last, held, square);
+        nodes.flags[last] |= held ? PRESSED : COASTED;
+        last = stored;
+        familiar = 0;
+      } else if (++familiar > known) return;
+      if (held && minerals.size < needed) {
+        const aims = this.mineralsAhead() & ~aimed;
+        if (aims !== 0) {
+          aimed |= aims;
+          if (stored < 0) {
+            stored = this.store(last, held, square);
+            nodes.flags[last] |= held ? PRESSED : COASTED;
+            last = stored;
+          }
+          this.toCoastFirst.push(stored);
+        }
+      }
+      // so slow that waiting shows nothing new: one look ahead is enough
+      if (!held && stride === COAST_STRIDE) return;
+    }
+  }
+
+  private strideFor(held: boolean, left: number): number {
+    const { state } = this;
+    const speed = Math.sqrt(state[2] * state[2] + state[3] * state[3]);
+    const most = Math.min(left, held ? HOLD_STRIDE : COAST_STRIDE);
+    const stride = Math.floor((TICK_RATE * STEP * this.place) / speed) + 1;
+    return stride < most ? stride : most;
+  }
+
+  /** The minerals (bit by index) that she would meet if she let go here. */
+  private mineralsAhead(): number {
+    const { simulation, state, line } = this;
+    const { x, y, r } = this.scene.minerals;
+    const speedSquared = state[2] * state[2] + state[3] * state[3];
+    let ahead = 0;
+    for (let i = 0; i < this.minerals.aims; i++) {
+      if (simulation.isCollected(i)) continue;
+      const dx = x[i] - state[0];
+      const dy = y[i] - state[1];
+      const cross = dx * state[3] - dy * state[2];
+      const reach = HALF_DIAGONAL + r[i];
+      if (!(dx * state[2] + dy * state[3] > 0 && cross * cross < reach * reach * speedSquared)) continue;
+      line.from(state);
+      const distance = line.distanceTo(x[i], y[i], r[i]);
+      if (distance >= 0 && line.ticksFor(distance) < this.patience && line.isClear(distance)) ahead |= 1 << i;
+    }
+    return ahead;
+  }
+
+  /** Lets go at every tick since the last sample, `stride` ticks ago, between which the aim swept across the black hole. */
+  private probeBetween(last: number, stride: number): void {
+    const { simulation, state, minerals } = this;
+    const end = simulation.tick;
+    simulation.restore(this.pool.at(last));
+    if (end - stride > simulation.tick) this.ticks += simulation.advance(end - stride - simulation.tick, true);
+    let hit = false;
+    while (simulation.tick < end) {
+      this.ticks += simulation.advance(hit ? end - simulation.tick : 1, true);
+      if (simulation.tick >= end) break;
+      simulation.readState(state);
+      hit = this.probe(last);
+    }
+    simulation.readState(state);
+    minerals.read(simulation);
+  }
+
+  /** Whether letting go here brings her into the black hole: looked at first, then tried. */
+  private probe(last: number): boolean {
+    const { simulation, line, state, minerals } = this;
+    const hole = this.scene.level.blackHole;
+    line.from(state);
+    const distance = line.distanceTo(hole.x, hole.y, hole.radius);
+    if (distance < 0) return false;
+    const flight = line.ticksFor(distance);
+    if (!(flight < this.patience) || !line.isClear(distance)) return false;
+    simulation.snapshot(this.scratch);
+    const released = simulation.tick;
+    this.runs++;
+    this.ticks += simulation.advance(Math.min(this.maxTicks - released, Math.ceil(flight) + 30), false);
+    minerals.read(simulation);
+    const hit = simulation.ending?.outcome === 'completed' && minerals.size >= this.needed;
+    if (hit) this.report(last, released, true);
+    simulation.restore(this.scratch);
+    minerals.read(simulation);
+    return hit;
+  }
+
+  /** Reports the run over a node that goes on to tick `until` with the button held or not; from each node once for either. */
+  private report(last: number, until: number, held: boolean): void {
+    const { nodes, reports } = this;
+    const reported = held ? REPORTED_HELD : REPORTED_FREE;
+    if ((nodes.flags[last] & reported) !== 0) return;
+    nodes.flags[last] |= reported;
+    const before = reports.ticks;
+    this.runs++;
+    reports.add(nodes, this.heat, last, until, held);
+    this.ticks += reports.ticks - before;
+  }
+
+  /** Everything has been tried: smaller cells, and all nodes once more. */
+  private refine(): void {
+    this.place *= SHRINK;
+    this.speed *= SHRINK;
+    this.patience *= 2;
+    this.cells.clear();
+    this.toPress.clear();
+    this.toCoast.clear();
+    // counts as work, so that a search without anywhere to go comes to its end, too
+    this.ticks++;
+    const { nodes, cells, key } = this;
+    for (let node = 0; node < nodes.count; node++) {
+      nodes.flags[node] &= ~TRIED;
+      this.simulation.restore(this.pool.at(node));
+      this.simulation.readState(this.state);
+      this.minerals.read(this.simulation);
+      this.findCell();
+      const place = cells.find(key.low, key.high);
+      if (cells.at(place) < 0) cells.put(place, key.low, key.high, node);
+      if (nodes.tick[node] >= this.maxTicks) continue;
+      this.toPress.add(node);
+      this.toCoast.add(node);
+    }
+  }
+
+  /** Notes where she is; returns the square. */
+  private visit(): number {
+    const { state, heat } = this;
+    const square = heat.squareAt(state[0], state[1], this.minerals.hash);
+    heat.visits[square]++;
+    return square;
+  }
+
+  private findCell(): void {
+    this.key.find(this.simulation, this.state, this.place, this.speed, this.minerals.hash);
+  }
+
+  /** Whether she is in a new cell, or much earlier in a known one than before: then what was known of it is given up. */
+  private isBetter(): boolean {
+    this.findCell();
+    const { nodes, cells, key } = this;
+    const other = cells.at(cells.find(key.low, key.high));
+    if (other < 0) return true;
+    if (this.simulation.tick + EARLIER > nodes.tick[other] * EARLIER_PART) return false;
+    nodes.flags[other] |= TRIED;
+    return true;
+  }
+
+  private store(parent: number, held: boolean, square: number): number {
+    const { key, cells, simulation } = this;
+    const node = this.nodes.add(parent, simulation.tick, held, square, this.minerals.size);
+    simulation.snapshot(this.pool.at(node));
+    cells.put(cells.find(key.low, key.high), key.low, key.high, node);
+    if (simulation.tick < this.maxTicks) {
+      this.toPress.add(node);
+      this.toCoast.add(node);
+    }
+    return node;
+  }
+}
+
+/** A search for runs of a scene that meet a goal. Nothing is simulated before its first `advance`. */
+export function createSearch(scene: Scene, options: SearchOptions = {}): Search {
+  return new CellSearch(scene, options);
+}

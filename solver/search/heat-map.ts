@@ -1,0 +1,100 @@
+import type { Explored } from './search.ts';
+
+/** Side of a square of the map, px. */
+const SIZE = 32;
+
+const hash = (x: number, y: number, layer: number): number => {
+  const h = Math.imul(Math.imul(x, 0x9e3779b1) ^ Math.imul(y, 0x85ebca6b) ^ layer, 0xcc9e2d51);
+  return h ^ (h >>> 15);
+};
+
+/**
+ * How often each square of the level has been visited, with each set of minerals in hand (its layer) apart. Squares are counted
+ * from where she starts and numbered as they are found.
+ */
+export class HeatMap {
+  /** visits of square `i` */
+  visits = new Int32Array(128);
+  private count = 0;
+  private x = new Int32Array(128);
+  private y = new Int32Array(128);
+  private layer = new Int32Array(128);
+  private table = new Int32Array(256).fill(-1);
+  private last = -1;
+  private readonly originX: number;
+  private readonly originY: number;
+
+  constructor(originX: number, originY: number) {
+    this.originX = originX;
+    this.originY = originY;
+  }
+
+  /** The number of the square that holds a place in px. */
+  squareAt(px: number, py: number, layer: number): number {
+    const x = Math.floor((px - this.originX) / SIZE);
+    const y = Math.floor((py - this.originY) / SIZE);
+    const { last } = this;
+    if (last >= 0 && this.x[last] === x && this.y[last] === y && this.layer[last] === layer) return last;
+    const mask = this.table.length - 1;
+    let i = hash(x, y, layer) & mask;
+    for (;;) {
+      const square = this.table[i];
+      if (square < 0) break;
+      if (this.x[square] === x && this.y[square] === y && this.layer[square] === layer) {
+        this.last = square;
+        return square;
+      }
+      i = (i + 1) & mask;
+    }
+    if (this.count === this.x.length) {
+      this.grow();
+      return this.squareAt(px, py, layer);
+    }
+    const square = this.count++;
+    this.table[i] = square;
+    this.x[square] = x;
+    this.y[square] = y;
+    this.layer[square] = layer;
+    this.last = square;
+    return square;
+  }
+
+  /** A number that says roughly where a square lies: the same for three by three of them. */
+  districtOf(square: number): number {
+    return Math.imul(Math.floor(this.x[square] / 3), 0x9e3779b1) ^ Math.imul(Math.floor(this.y[square] / 3), 0x85ebca6b);
+  }
+
+  explored(): Explored {
+    const cells = new Map<string, { x: number; y: number; visits: number }>();
+    for (let i = 0; i < this.count; i++) {
+      if (this.visits[i] === 0) continue;
+      const key = `${this.x[i]} ${this.y[i]}`;
+      const cell = cells.get(key);
+      if (cell !== undefined) cell.visits += this.visits[i];
+      else {
+        const x = this.originX + (this.x[i] + 0.5) * SIZE;
+        cells.set(key, { x, y: this.originY + (this.y[i] + 0.5) * SIZE, visits: this.visits[i] });
+      }
+    }
+    return { cellSize: SIZE, cells: [...cells.values()] };
+  }
+
+  private grow(): void {
+    const doubled = (array: Int32Array) => {
+      const larger = new Int32Array(2 * array.length);
+      larger.set(array);
+      return larger;
+    };
+    this.x = doubled(this.x);
+    this.y = doubled(this.y);
+    this.layer = doubled(this.layer);
+    this.visits = doubled(this.visits);
+    this.table = new Int32Array(2 * this.table.length).fill(-1);
+    const mask = this.table.length - 1;
+    for (let square = 0; square < this.count; square++) {
+      let i = hash(this.x[square], this.y[square], this.layer[square]) & mask;
+      while (this.table[i] >= 0) i = (i + 1) & mask;
+      this.table[i] = square;
+    }
+  }
+}

@@ -1,0 +1,3 @@
+export type { Candidate } from '../verified-run.ts';
+export { createSearch } from './cell-search.ts';
+export type { Closest, Effort, Explored, Search, SearchOptions } from './search.ts';

@@ -1,0 +1,106 @@
+import { HALF_HEIGHT, HALF_WIDTH, type Scene, TICK_RATE } from '../../engine/index.ts';
+
+/** px that recoil or a frame's step may move things against what is computed here. */
+const SLACK = 0.25;
+
+/**
+ * Where she drifts when the gun is let go: on a straight line, with her box as it is turned. A box that moves on a line sweeps
+ * a strip, so she touches a circle when its centre is nearer to the line than the strip's half width and the circle's radius.
+ * Says nothing of aliens; a line through a repulsor counts as barred.
+ */
+export class LineOfFlight {
+  private readonly scene: Scene;
+  private readonly hotCount: number;
+  private x = 0;
+  private y = 0;
+  private ux = 0;
+  private uy = 0;
+  private speed = 0;
+  private halfWidth = 0;
+
+  constructor(scene: Scene) {
+    this.scene = scene;
+    this.hotCount = scene.targets.count - scene.coldCount;
+  }
+
+  /** Sets off from a state as `Simulation.readState` gives it. */
+  from(state: Float64Array): void {
+    const vx = state[2];
+    const vy = state[3];
+    const speed = Math.sqrt(vx * vx + vy * vy);
+    this.x = state[0];
+    this.y = state[1];
+    this.speed = speed;
+    this.ux = speed > 0 ? vx / speed : 0;
+    this.uy = speed > 0 ? vy / speed : 0;
+    const { ux, uy } = this;
+    // how far the box reaches to either side of the line
+    this.halfWidth = HALF_WIDTH * Math.abs(ux * state[5] - uy * state[4]) + HALF_HEIGHT * Math.abs(ux * state[4] + uy * state[5]);
+  }
+
+  /** px to fly until she touches a circle, or -1. */
+  distanceTo(cx: number, cy: number, r: number): number {
+    const dx = cx - this.x;
+    const dy = cy - this.y;
+    const along = dx * this.ux + dy * this.uy;
+    if (!(along > 0)) return -1;
+    const aside = dx * this.uy - dy * this.ux;
+    const reach = this.halfWidth + r;
+    const left = reach * reach - aside * aside;
+    if (!(left > 0)) return -1;
+    const distance = along - Math.sqrt(left);
+    return distance > 0 ? distance : 0;
+  }
+
+  /** Ticks it takes to fly so many px. */
+  ticksFor(distance: number): number {
+    return (distance / this.speed) * TICK_RATE;
+  }
+
+  /** Whether nothing is in the way of the next `distance` px, and an asteroid in range all along. */
+  isClear(distance: number): boolean {
+    const { novae, targets, coldCount, repulsors } = this.scene;
+    for (let i = 0; i < novae.count; i++) if (this.isBarred(novae.x[i], novae.y[i], novae.r[i], distance)) return false;
+    for (let i = coldCount; i < coldCount + this.hotCount; i++) {
+      if (this.isBarred(targets.x[i], targets.y[i], targets.r[i], distance)) return false;
+    }
+    for (let i = 0; i < repulsors.count; i++) {
+      const dx = repulsors.x[i] - this.x;
+      const dy = repulsors.y[i] - this.y;
+      const aside = dx * this.uy - dy * this.ux;
+      const along = dx * this.ux + dy * this.uy;
+      const left = repulsors.r[i] * repulsors.r[i] - aside * aside;
+      if (left <= 0) continue;
+      const half = Math.sqrt(left);
+      if (along + half > 0 && along - half < distance) return false;
+    }
+    return this.staysInRange(distance);
+  }
+
+  private isBarred(cx: number, cy: number, r: number, distance: number): boolean {
+    const hit = this.distanceTo(cx, cy, r - SLACK);
+    return hit >= 0 && hit < distance;
+  }
+
+  private staysInRange(distance: number): boolean {
+    const { targets, level } = this.scene;
+    const reach = level.range * level.range;
+    let covered = 0;
+    for (;;) {
+      let farthest = covered;
+      for (let i = 0; i < targets.count; i++) {
+        const dx = targets.x[i] - this.x;
+        const dy = targets.y[i] - this.y;
+        const along = dx * this.ux + dy * this.uy;
+        const aside = dx * this.uy - dy * this.ux;
+        const left = reach - aside * aside;
+        if (left <= 0) continue;
+        const half = Math.sqrt(left);
+        if (along - half <= covered && along + half > farthest) farthest = along + half;
+      }
+      if (farthest >= distance) return true;
+      if (farthest <= covered) return false;
+      covered = farthest;
+    }
+  }
+}

@@ -1,0 +1,57 @@
+import type { Hold } from '../../schema/index.ts';
+
+const doubled = (array: Int32Array<ArrayBuffer>): Int32Array<ArrayBuffer> => {
+  const larger = new Int32Array(2 * array.length);
+  larger.set(array);
+  return larger;
+};
+
+/** The nodes of the tree of stretches: each the state at the end of a stretch with the button held or not. */
+export class NodeList {
+  count = 0;
+  parent = new Int32Array(256);
+  tick = new Int32Array(256);
+  /** bit 0: the button on the way here; further bits: what has been tried from here */
+  flags = new Int32Array(256);
+  /** the square of the heat map it lies in */
+  square = new Int32Array(256);
+  /** how many of the minerals that count she has */
+  minerals = new Int32Array(256);
+
+  add(parent: number, tick: number, held: boolean, square: number, minerals: number): number {
+    if (this.count === this.parent.length) {
+      this.parent = doubled(this.parent);
+      this.tick = doubled(this.tick);
+      this.flags = doubled(this.flags);
+      this.square = doubled(this.square);
+      this.minerals = doubled(this.minerals);
+    }
+    const node = this.count++;
+    this.parent[node] = parent;
+    this.tick[node] = tick;
+    this.flags[node] = held ? 1 : 0;
+    this.square[node] = square;
+    this.minerals[node] = minerals;
+    return node;
+  }
+
+  /** Whether the button was held on the way to a node. */
+  isHeld(node: number): boolean {
+    return (this.flags[node] & 1) === 1;
+  }
+
+  /** The holds on the way to a node, followed by a hold up to tick `until` when `held`. */
+  holdsTo(node: number, until: number, held: boolean): Hold[] {
+    const holds: [number, number][] = [];
+    const add = (from: number, to: number) => {
+      const next = holds[holds.length - 1];
+      if (next !== undefined && next[0] === to) next[0] = from;
+      else holds.push([from, to]);
+    };
+    if (held && until > this.tick[node]) add(this.tick[node], until);
+    for (let n = node; this.parent[n] >= 0; n = this.parent[n]) {
+      if (this.isHeld(n)) add(this.tick[this.parent[n]], this.tick[n]);
+    }
+    return holds.reverse();
+  }
+}

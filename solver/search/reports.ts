@@ -1,0 +1,50 @@
+import type { Candidate, Replay } from '../verified-run.ts';
+import type { HeatMap } from './heat-map.ts';
+import type { NodeList } from './node-list.ts';
+
+/** So many runs that press and let go in about the same places are kept. */
+const ALIKE = 4;
+
+/** The runs found: each replayed from the start, and no more than a few of a kind. */
+export class Reports {
+  readonly solutions: Candidate[] = [];
+  private readonly replay: Replay;
+  private readonly families = new Map<number, number>();
+  private readonly scripts = new Set<string>();
+
+  constructor(replay: Replay) {
+    this.replay = replay;
+  }
+
+  /** Ticks that replays have taken. */
+  get ticks(): number {
+    return this.replay.ticks;
+  }
+
+  /** Adds the run over node `last` that goes on to tick `until` with the button held or not. */
+  add(nodes: NodeList, heat: HeatMap, last: number, until: number, held: boolean): void {
+    const family = familyOf(nodes, heat, last, held);
+    const members = this.families.get(family) ?? 0;
+    if (members >= ALIKE) return;
+    const candidate = this.replay.play(nodes.holdsTo(last, until, held));
+    if (candidate === null) return;
+    // ways by other cells may be the same holds
+    const script = candidate.holds.join(' ');
+    if (this.scripts.has(script)) return;
+    this.scripts.add(script);
+    this.families.set(family, members + 1);
+    this.solutions.push(candidate);
+  }
+}
+
+/** A number for runs that press and let go in about the same places. */
+function familyOf(nodes: NodeList, heat: HeatMap, last: number, held: boolean): number {
+  let family = held ? 1 : 2;
+  let button = held;
+  for (let n = last; n >= 0; n = nodes.parent[n]) {
+    if (nodes.isHeld(n) === button && n !== last) continue;
+    button = nodes.isHeld(n);
+    family = Math.imul(family ^ heat.districtOf(nodes.square[n]), 0x9e3779b1);
+  }
+  return family;
+}

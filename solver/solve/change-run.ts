@@ -1,0 +1,52 @@
+import type { Hold } from '../../schema/index.ts';
+import type { Random } from '../random.ts';
+
+/** A run that is nearly another: one hold dropped, one added, a pause put in, the rest shifted, or everything shaken. */
+export function changeRun(holds: readonly Hold[], random: Random): Hold[] {
+  const edges = holds.flat();
+  const between = (low: number, high: number) => low + random.below(Math.max(1, high - low));
+  switch (random.below(5)) {
+    case 0:
+      if (edges.length > 2) edges.splice(2 * random.below(holds.length), 2);
+      break;
+    case 1: {
+      const first = random.below(edges.length);
+      const by = (random.below(2) === 0 ? 1 : -1) * between(4, 44);
+      for (let i = first; i < edges.length; i++) edges[i] += by;
+      break;
+    }
+    case 2: {
+      // two edges into a stretch: a pause in a hold, a hold in a pause
+      const place = random.below(edges.length);
+      const low = place === 0 ? 0 : edges[place - 1];
+      if (edges[place] - low <= 20) break;
+      const first = between(low + 4, edges[place] - 12);
+      edges.splice(place, 0, first, between(first + 4, Math.min(first + 64, edges[place] - 2)));
+      break;
+    }
+    case 3: {
+      // without what follows one of the holds, which then lasts
+      const last = random.below(holds.length);
+      edges.length = 2 * last + 2;
+      edges[2 * last + 1] += 240;
+      break;
+    }
+    default: {
+      const size = between(10, 40);
+      for (let i = 0; i < edges.length; i++) edges[i] += Math.round((random.unit() + random.unit() - 1) * size);
+    }
+  }
+  return inOrder(edges);
+}
+
+/** Edges that got out of order are pushed later. */
+function inOrder(edges: readonly number[]): Hold[] {
+  const holds: Hold[] = [];
+  let last = -1;
+  for (let i = 0; i < edges.length; i += 2) {
+    const press = Math.max(last + 1, edges[i]);
+    last = Math.max(press + 1, edges[i + 1]);
+    holds.push([press, last]);
+  }
+  return holds;
+}

@@ -1,0 +1,70 @@
+import { joinHolds, type Scene } from '../../engine/index.ts';
+import type { Hold } from '../../schema/index.ts';
+import type { Goal } from '../goal.ts';
+import { createTrials, type Trials } from '../robustness/index.ts';
+import { type Candidate, verifyRun } from '../verified-run.ts';
+import { Restarts } from './restarts.ts';
+import type { Objective, Solution } from './solution.ts';
+
+/** What the ways of solving share: what is asked, what has been spent, what has been found. */
+export interface Desk {
+  readonly scene: Scene;
+  readonly goal: Goal;
+  readonly maxTicks: number;
+  readonly objective: Objective;
+  readonly count: number;
+  /** Runs to start from, as they were given. */
+  readonly known: readonly (readonly Hold[])[];
+  /** A seed of its own for the n-th piece of work that needs one. */
+  seedOf(n: number): number;
+  readonly trials: Trials;
+  readonly restarts: Restarts;
+  /** Best first. */
+  solutions: readonly Solution[];
+}
+
+/** What is asked of a {@link Desk}. */
+export interface Order {
+  readonly goal: Goal;
+  readonly seed: number;
+  readonly lane: number;
+  readonly maxTicks: number;
+  readonly objective: Objective;
+  readonly count: number;
+  readonly known: readonly (readonly Hold[])[];
+}
+
+/** Seeds of one lane; lanes have nothing in common up to so many. */
+const SEEDS_OF_A_LANE = 1_000_000;
+const SEEDS_OF_A_SOLVER = 1000 * SEEDS_OF_A_LANE;
+
+export function createDesk(scene: Scene, order: Order): Desk {
+  const { goal, maxTicks, seed, lane } = order;
+  const seedOf = (n: number) => seed * SEEDS_OF_A_SOLVER + lane * SEEDS_OF_A_LANE + n;
+  return {
+    scene,
+    ...order,
+    seedOf,
+    trials: createTrials(scene, goal, maxTicks),
+    restarts: new Restarts(scene, goal, maxTicks, seedOf),
+    solutions: [],
+  };
+}
+
+/** Ticks that a last hold which lasts to the end goes on after it. */
+const HOLD_ON = 120;
+
+/**
+ * The run as a player would do it: without what comes after the end, and holding on where she arrives held.
+ * @returns null when the run doesn't meet the goal
+ */
+export function playable(desk: Desk, holds: readonly Hold[]): { candidate: Candidate; holds: Hold[] } | null {
+  const candidate = verifyRun(desk.scene, holds, desk.goal, desk.maxTicks);
+  desk.trials.runs++;
+  desk.trials.ticks += candidate?.tick ?? desk.maxTicks;
+  if (candidate === null) return null;
+  const kept = joinHolds(holds).filter(([press]) => press <= candidate.tick);
+  const last = kept.length - 1;
+  if (last >= 0 && kept[last][1] > candidate.tick) kept[last] = [kept[last][0], candidate.tick + HOLD_ON];
+  return { candidate, holds: kept };
+}

@@ -1,0 +1,3 @@
+export { mergeSolutions } from './merge-solutions.ts';
+export type { Objective, Solution } from './solution.ts';
+export { createSolver, type SolveOptions, type Solver } from './solver.ts';

@@ -1,0 +1,49 @@
+import type { Hold } from '../../schema/index.ts';
+import { drawShift, judgeAll, shiftHolds, type TickNoise, type Trials, uniformOf } from '../robustness/index.ts';
+
+/** What noise did to a run. */
+export interface NoisySample {
+  /** Executions that met the goal, of those tried. */
+  readonly successes: number;
+  readonly tried: number;
+  /** By how many ticks each edge was late in those, on average: towards where there is more room. All 0 without a success. */
+  readonly drift: Float64Array;
+}
+
+/**
+ * Executes a run under noise, each execution followed by its mirror image (what came early comes late), so that noise
+ * that happens to lean to one side isn't mistaken for room on the other.
+ * @param from, to which executions of the endless row of this seed
+ */
+export function sampleNoise(
+  trials: Trials,
+  holds: readonly Hold[],
+  noise: TickNoise,
+  seed: number,
+  from: number,
+  to: number,
+): NoisySample {
+  const edges = 2 * holds.length;
+  const shifts: Int32Array[] = [];
+  for (let i = from; i < to; i++) {
+    const shift = new Int32Array(edges);
+    for (let edge = 0; edge < edges; edge++) {
+      const late = drawShift(noise, uniformOf(seed, i >> 1, edge));
+      shift[edge] = i % 2 === 0 ? late : -late;
+    }
+    shifts.push(shift);
+  }
+  const succeeded = judgeAll(
+    trials,
+    shifts.map((shift) => shiftHolds(holds, shift)),
+  );
+  const drift = new Float64Array(edges);
+  let successes = 0;
+  for (let i = 0; i < shifts.length; i++) {
+    if (succeeded[i] === 0) continue;
+    successes++;
+    for (let edge = 0; edge < edges; edge++) drift[edge] += shifts[i][edge];
+  }
+  if (successes > 0) for (let edge = 0; edge < edges; edge++) drift[edge] /= successes;
+  return { successes, tried: shifts.length, drift };
+}

@@ -1,0 +1,60 @@
+import { DEFAULT_MAX_TIME, GUN_PULL, HALF_DIAGONAL, SPEED_LIMIT, TICK } from '../../engine/index.ts';
+import type { Level } from '../../schema/index.ts';
+import type { About } from '../proofs/index.ts';
+
+/**
+ * What a certificate is checked against: places relative to her start (the start is 0, 0), and the few numbers on which
+ * the arguments rest.
+ */
+export interface Claim {
+  readonly level: Level;
+  readonly about: About;
+  /** The thing that is said to be out of reach. */
+  readonly thing: { readonly x: number; readonly y: number; readonly radius: number };
+  /** Her centre is nearer than this to the thing's centre whenever her box touches it, px. */
+  readonly touch: number;
+  /**
+   * Frames: she is looked at once a frame only (`arcade`), so that between two looks she may jump. Otherwise her way is
+   * continuous and every contact on it is found.
+   */
+  readonly frames: boolean;
+  /** The farthest jump from one look to the next, px; 0 in continuous time. */
+  readonly jump: number;
+  /** How far recoil can carry an asteroid while a run lasts, px. */
+  drift(asteroid: number): number;
+  /** A thing of the level with its place relative to the start. */
+  place<T extends { readonly x: number; readonly y: number }>(thing: T): T;
+}
+
+/** The claim of a proof about a level, for the one way of playing or the other. */
+export function claimOf(level: Level, about: About, maxTime: number | null, frames: boolean): Claim {
+  const { astronaut, range, recoil } = level;
+  const place = <T extends { readonly x: number; readonly y: number }>(thing: T): T => ({
+    ...thing,
+    x: thing.x - astronaut.x,
+    y: thing.y - astronaut.y,
+  });
+  const thing = place(about.kind === 'blackHole' ? level.blackHole : level.minerals[about.index]);
+  const time = maxTime ?? DEFAULT_MAX_TIME;
+  // acceleration 1 / diameter, all the time: a t2 / 2, and a hundredth for frames, which step a little farther
+  const drift = (i: number): number => (recoil ? (1.01 * time * time) / (4 * level.asteroids[i].radius) : 0);
+  return { level, about, thing, touch: thing.radius + HALF_DIAGONAL, frames, jump: frames ? frameJump() : 0, drift, place };
+
+  /**
+   * Nothing accelerates her by more than GUN_PULL. If she has the speed v at a place, then some time ago she was at least
+   * (v2 - v0^2) / (2 GUN_PULL) away from it, with v0 her speed at the start; and places in range are not farther from
+   * each other than the diagonal of the box about all discs of the range (and a frame's flight beyond, at each end).
+   */
+  function frameJump(): number {
+    const fastest = 1.4143 * SPEED_LIMIT * TICK;
+    const lows = level.asteroids.map((a, i) => ({ x: place(a).x - range - drift(i), y: place(a).y - range - drift(i) }));
+    const highs = level.asteroids.map((a, i) => ({ x: place(a).x + range + drift(i), y: place(a).y + range + drift(i) }));
+    const spread = (axis: 'x' | 'y') =>
+      highs.reduce((most, p) => Math.max(most, p[axis]), 0) - lows.reduce((least, p) => Math.min(least, p[axis]), 0);
+    const width = spread('x') + 2 * fastest;
+    const height = spread('y') + 2 * fastest;
+    const way = Math.sqrt(width * width + height * height);
+    const speed2 = astronaut.vx * astronaut.vx + astronaut.vy * astronaut.vy + 2 * GUN_PULL * way;
+    return Math.min(fastest, 1.001 * Math.sqrt(speed2) * TICK);
+  }
+}

@@ -1,0 +1,76 @@
+import { HALF_DIAGONAL, HALF_HEIGHT, HALF_WIDTH } from '../../engine/index.ts';
+import type { Claim } from './claim.ts';
+import { standingHazard } from './hazards.ts';
+import { apart, less, type Point } from './rounded.ts';
+
+const START = { x: 0, y: 0 };
+
+/** No more sets of poses are looked at than this. */
+const MOST = 400_000;
+
+type Circle = Point & { readonly radius: number };
+
+/** Places of a square, and directions of the box's short side from one to another, less than half a turn on. */
+interface Poses {
+  readonly centre: Point;
+  readonly half: number;
+  readonly from: Point;
+  readonly to: Point;
+}
+
+/**
+ * Every pose in which her box touches the thing overlaps a hazard. Sets of poses are halved until in each no box touches the
+ * thing, or all overlap one hazard: a box moved by some px, or turned so that no point of it moves farther, has its gaps changed by no
+ * more than that.
+ */
+export function checkCovered(claim: Claim): string | null {
+  // a frame that shows her in both completes the level
+  if (claim.frames) return 'with frames the black hole comes before hazards';
+  if (!less(claim.touch, apart(claim.thing, START))) return 'she may touch it at the start';
+  const { novae, asteroids } = claim.level;
+  const hazards = [
+    ...novae.map((_, index) => standingHazard(claim, { kind: 'nova', index })),
+    ...asteroids.map((_, index) => standingHazard(claim, { kind: 'asteroid', index })),
+    standingHazard(claim, { kind: 'blackHole', index: 0 }),
+  ].filter((hazard) => hazard !== null && hazard.radius > 0) as Circle[];
+  const quarter = (from: Point, to: Point): Poses => ({ centre: claim.thing, half: claim.touch, from, to });
+  // the box looks the same after half a turn
+  const waiting = [quarter({ x: 1, y: 0 }, { x: 0, y: 1 }), quarter({ x: 0, y: 1 }, { x: -1, y: 0 })];
+  for (let looked = 0; waiting.length > 0; looked++) {
+    if (looked > MOST) return 'it takes too many poses to see whether it is covered';
+    const poses = waiting.pop() as Poses;
+    const middle = unit({ x: poses.from.x + poses.to.x, y: poses.from.y + poses.to.y });
+    const shift = poses.half * 1.4143;
+    const turn = HALF_DIAGONAL * 1.00001 * Math.max(apart(middle, poses.from), apart(middle, poses.to));
+    if (less(shift + turn, gap(poses.centre, middle, claim.thing))) continue;
+    const isCovered = hazards.some((hazard) =>
+      // a mineral counts even when a press turns her into a hazard in that instant: only where she can't be at all it is covered
+      claim.about.kind === 'mineral'
+        ? less(apart(poses.centre, hazard) + shift, hazard.radius + HALF_WIDTH)
+        : less(gap(poses.centre, middle, hazard) + shift + turn, 0),
+    );
+    if (isCovered) continue;
+    if (shift + turn < 0.05) return 'she may touch it and no hazard';
+    if (shift > turn) waiting.push(...quarters(poses));
+    else waiting.push({ ...poses, to: middle }, { ...poses, from: middle });
+  }
+  return null;
+}
+
+function quarters(poses: Poses): Poses[] {
+  const half = poses.half / 2;
+  return [-half, half].flatMap((dx) =>
+    [-half, half].map((dy) => ({ ...poses, half, centre: { x: poses.centre.x + dx, y: poses.centre.y + dy } })),
+  );
+}
+
+const unit = ({ x, y }: Point): Point => ({ x: x / Math.sqrt(x * x + y * y), y: y / Math.sqrt(x * x + y * y) });
+
+/** Gap between her box and a circle, px: negative where they overlap, but by no more than the radius. */
+function gap(centre: Point, side: Point, circle: Circle): number {
+  const dx = circle.x - centre.x;
+  const dy = circle.y - centre.y;
+  const along = Math.max(0, Math.abs(dx * side.x + dy * side.y) - HALF_WIDTH);
+  const across = Math.max(0, Math.abs(dy * side.x - dx * side.y) - HALF_HEIGHT);
+  return Math.sqrt(along * along + across * across) - circle.radius;
+}

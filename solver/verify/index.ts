@@ -1,0 +1,1 @@
+export { type Verification, verifyProof } from './verify-proof.ts';

@@ -1,0 +1,165 @@
+import { GUN_PULL, HALF_HEIGHT, HALF_WIDTH } from '../../engine/index.ts';
+import type { LineEnd } from '../proofs/index.ts';
+import type { Claim } from './claim.ts';
+import { checkDeadEnd } from './dead-end.ts';
+import { standingHazard } from './hazards.ts';
+import { apart, isIndex, less, type Point } from './rounded.ts';
+
+const START = { x: 0, y: 0 };
+
+/** She may be this far from the exact line, px, and turned by as much at the corners of her box: rounding is far below it. */
+const TUBE = 0.01;
+
+/** Distances that differ by less are equal, px. */
+const TIE = 1e-6;
+
+/** The line from the start through the asteroid she falls to: `along` it and `aside` of it, px. */
+interface Line {
+  readonly target: number;
+  readonly centre: number;
+  readonly radius: number;
+  readonly drift: number;
+  along(p: Point): number;
+  aside(p: Point): number;
+}
+
+/**
+ * She rests at the start. The gun pulls her along the line to the nearest asteroid, and nothing takes her off this line as long as
+ * no other asteroid is nearer and no field acts. Neither happens between the two ends of the stretch; she can't pass these;
+ * and no box on the stretch touches the thing.
+ */
+export function checkLineTrap(
+  claim: Claim,
+  { target, back, front }: { readonly target: number; readonly back: LineEnd; readonly front: LineEnd },
+): string | null {
+  const { astronaut, asteroids, repulsors } = claim.level;
+  if (astronaut.vx !== 0 || astronaut.vy !== 0) return 'she does not rest at the start';
+  if (!isIndex(target, asteroids)) return 'it names an asteroid that the level does not have';
+  if (!Number.isFinite(back?.at) || !Number.isFinite(front?.at) || !(back.at <= 0 && front.at >= 0))
+    return 'its stretch does not hold the start';
+  const centre = apart(claim.place(asteroids[target]), START);
+  if (!less(TUBE, centre)) return 'the asteroid is where she starts: there is no line';
+  const u = { x: claim.place(asteroids[target]).x / centre, y: claim.place(asteroids[target]).y / centre };
+  const line: Line = {
+    target,
+    centre,
+    radius: asteroids[target].radius,
+    drift:
+      back.by?.kind === 'start' ? driftOnFall(claim, target, centre, front.at) : driftOnSwing(claim, target, centre, back, front),
+    along: (p) => p.x * u.x + p.y * u.y,
+    aside: (p) => Math.abs(p.y * u.x - p.x * u.y),
+  };
+  const why = back.by?.kind === 'start' ? checkOneWay(claim, line, back, front) : checkBothWays(claim, line, back, front);
+  if (why !== null) return why;
+
+  // from where a dead end begins another asteroid is as near: she is on the line up to there
+  const from = back.by?.kind === 'dead-end' ? back.at : back.at - TUBE;
+  const to = front.by?.kind === 'dead-end' ? front.at : front.at + claim.jump + TUBE;
+  // the target may have drifted either way; a difference of squared distances is linear in her place, so its worst is at an end
+  for (const [i, asteroid] of asteroids.entries()) {
+    if (i === target) continue;
+    const other = claim.place(asteroid);
+    for (const at of [from, to]) {
+      const toTarget = Math.max(Math.abs(at - centre + line.drift), Math.abs(at - centre - line.drift));
+      const toOther = apart({ x: at, y: 0 }, { x: line.along(other), y: line.aside(other) });
+      const isDeadEnd = (at === to ? front : back).by?.kind === 'dead-end';
+      const isNearer = isDeadEnd ? toTarget < toOther + TIE : less(toTarget + 2 * TUBE, toOther);
+      if (!isNearer) return `asteroids[${i}] may be the nearer one on the stretch`;
+    }
+  }
+  for (const [i, field] of repulsors.entries()) {
+    if (!less(field.radius + TUBE, gap(line, claim.place(field), from, to, 0, 0)))
+      return `repulsors[${i}] may push her on the stretch`;
+  }
+  const upright = { x: Math.max(0, Math.abs(claim.thing.x) - HALF_WIDTH), y: Math.max(0, Math.abs(claim.thing.y) - HALF_HEIGHT) };
+  if (!less(claim.thing.radius + TUBE, apart(upright, START))) return 'she may touch it at the start';
+  const swept = gap(line, claim.thing, from, to, HALF_WIDTH, HALF_HEIGHT);
+  return less(claim.thing.radius + 2 * TUBE, swept) ? null : 'she may touch it on the stretch';
+}
+
+/**
+ * Recoil accelerates the target by 1 / diameter, and only while the gun pulls her forward by no less than it does at the start: so it makes at most
+ * that share of her way, which is no longer than the stretch (and a hundredth for frames).
+ */
+function driftOnFall(claim: Claim, target: number, centre: number, end: number): number {
+  const { recoil, range, asteroids } = claim.level;
+  const pull = GUN_PULL * (1 - (centre + TUBE) / range);
+  if (!recoil || !less(0, pull)) return claim.drift(target);
+  return Math.min(claim.drift(target), (1.01 * (end + claim.jump + TUBE)) / (2 * asteroids[target].radius * pull));
+}
+
+/**
+ * Swinging between the ends, she is accelerated by between `weakest` and GUN_PULL whenever the target is, by 1 / diameter, the other way. With
+ * m the mean of both, the target's velocity is -1 / (m diameter) of hers, and what at most (GUN_PULL - weakest) / (2 m) of its own acceleration
+ * adds up to; over time, that share of her way, which the ends bound, and of the bound for constant acceleration. If from a drift of
+ * at most d follows one below d, then d is never reached: some d are tried, from far too much on.
+ */
+function driftOnSwing(claim: Claim, target: number, centre: number, back: LineEnd, front: LineEnd): number {
+  const { recoil, range, asteroids } = claim.level;
+  const most = claim.drift(target);
+  if (!recoil) return most;
+  const way = Math.max(front.at, -back.at) + TUBE;
+  let least = most;
+  for (let part = 1; part >= 1 / 1024; part *= 0.96) {
+    const d = part * most;
+    const weakest = GUN_PULL * (1 - (Math.max(front.at - centre, centre - back.at) + TUBE + d) / range);
+    if (weakest <= 0) continue;
+    const mean = (GUN_PULL + weakest) / 2;
+    const follows = ((GUN_PULL - weakest) / (2 * mean)) * most + (1.01 * way) / (mean * 2 * asteroids[target].radius);
+    if (less(follows, d)) least = Math.min(least, d);
+  }
+  return least;
+}
+
+/** She dies before she comes to the asteroid's centre, so that it only ever pulls her forward: she can't go back beyond the start. */
+function checkOneWay(claim: Claim, line: Line, back: LineEnd, front: LineEnd): string | null {
+  if (back.at !== 0) return 'its stretch does not begin at the start';
+  if (front.by?.kind === 'asteroid' && front.by.index === line.target) {
+    // recoil brings it towards her: she meets it here at the latest, and doesn't jump over half of it
+    if (!claim.level.asteroids[line.target].hot) return 'the asteroid at its end is cold';
+    if (!less(line.centre - front.at + TUBE, line.radius + HALF_WIDTH)) return 'she may stop before she touches the asteroid';
+    return less(claim.jump + TUBE, line.radius) ? null : 'she may jump over the asteroid';
+  }
+  if (!less(front.at + claim.jump + TUBE, line.centre - line.drift)) return 'she may come to the centre of the asteroid';
+  return checkHazard(claim, line, front);
+}
+
+/** Past the centre she may turn back, and gain speed by pulling on the way in only: nothing but what ends the run stops her. */
+function checkBothWays(claim: Claim, line: Line, back: LineEnd, front: LineEnd): string | null {
+  // a frame in the very centre pulls her to the right, off the line
+  if (claim.frames) return 'with frames she may leave the line at the centre of the asteroid';
+  return checkEnd(claim, line, back) ?? checkEnd(claim, line, front);
+}
+
+function checkEnd(claim: Claim, line: Line, end: LineEnd): string | null {
+  if (end.by?.kind === 'dead-end') {
+    const { x, y } = claim.place(claim.level.asteroids[line.target]);
+    const u = { x: x / line.centre, y: y / line.centre };
+    const ahead = end.at > 0 ? u : { x: -u.x, y: -u.y };
+    return checkDeadEnd(claim, end.by, { x: u.x * end.at, y: u.y * end.at }, ahead, line.target);
+  }
+  if (end.by?.kind !== 'range') return checkHazard(claim, line, end);
+  const beyond = less(claim.level.range + line.drift + TUBE, Math.abs(end.at - line.centre));
+  return beyond ? null : 'an end of its stretch is still in range';
+}
+
+/** Her box at the end of the stretch, and as far beyond as she may jump, overlaps the hazard. */
+function checkHazard(claim: Claim, line: Line, { at, by }: LineEnd): string | null {
+  // the gun pulls the target alone, so recoil moves no other asteroid
+  const still: Claim = { ...claim, drift: (i) => (i === line.target ? claim.drift(i) : 0) };
+  const isThing = by?.kind !== 'start' && by?.kind !== 'range' && by?.kind !== 'dead-end';
+  const hazard = isThing ? standingHazard(still, by) : null;
+  if (hazard === null) return 'what it names at an end of the stretch is no hazard that stands still';
+  const dy = Math.max(0, line.aside(hazard) - HALF_HEIGHT + TUBE);
+  for (const place of [at, at + claim.jump]) {
+    const dx = Math.max(0, Math.abs(line.along(hazard) - place) - HALF_WIDTH) + TUBE;
+    if (!less(apart({ x: dx, y: dy }, START), hazard.radius)) return 'the hazard at an end of the stretch may not stop her';
+  }
+  return null;
+}
+
+/** Distance from a place to a box swept along the line, px: half its length along the line and half its width aside. */
+function gap(line: Line, p: Point, from: number, to: number, halfAlong: number, halfAside: number): number {
+  const dx = Math.max(0, line.along(p) - to - halfAlong, from - halfAlong - line.along(p));
+  return apart({ x: dx, y: Math.max(0, line.aside(p) - halfAside) }, START);
+}
