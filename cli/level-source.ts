@@ -13,14 +13,20 @@ export interface OpenedLevel {
   readonly document: LevelDocument;
 }
 
+/** With the bytes of its file, by which a change is noticed. */
+export interface OpenedFile extends OpenedLevel {
+  readonly bytes: Uint8Array;
+}
+
 /**
  * Reads the one level that a command is about.
  * @returns the level, or what the command is to leave behind when the file is not a valid level
  * @throws Failure when the file can't be read
  */
-export function openLevel(file: string): OpenedLevel | CommandResult {
-  const read = readLevel(readBytes(file));
-  if (read.ok) return read;
+export function openLevel(file: string): OpenedFile | CommandResult {
+  const bytes = readBytes(file);
+  const read = readLevel(bytes);
+  if (read.ok) return { level: read.level, document: read.document, bytes };
   return { messages: showFileProblems(file, showProblems(read.problems, read.text), colorsFor(process.stderr)), exitCode: 1 };
 }
 

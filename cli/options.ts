@@ -29,3 +29,11 @@ export const maxTimeOption = (): Option =>
   new Option('--max-time <seconds>', 'simulated time after which a run is a timeout')
     .argParser(numberOption('seconds', 0, LONGEST_RUN))
     .default(DEFAULT_MAX_TIME);
+
+export const seedOption = (): Option =>
+  new Option('--seed <n>', 'chance of the search').argParser(wholeNumberOption('a seed', 0, 2 ** 32 - 1)).default(0);
+
+export const jobsOption = (most: number): Option =>
+  new Option('-j, --jobs <n>', 'worker threads at most')
+    .argParser(wholeNumberOption('a number of threads', 1, 256))
+    .default(most);

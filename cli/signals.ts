@@ -22,3 +22,33 @@ export function endAtOnceDuring<T>(work: () => T): T {
     for (const signal of SIGNALS) process.on(signal, end);
   }
 }
+
+/** The exit code of a process that such a signal ended. */
+export type SignalCode = 130 | 143;
+
+/**
+ * Does work that a signal is to bring to a good end: the first one calls `stop`, with the exit code that belongs to it; a
+ * second one ends the process as ever.
+ */
+export async function stopOnSignalDuring<T>(stop: (code: SignalCode) => void, work: () => Promise<T>): Promise<T> {
+  const heard = (signal: NodeJS.Signals): void => {
+    giveBack();
+    stop(signal === 'SIGINT' ? 130 : 143);
+  };
+  const giveBack = (): void => {
+    for (const signal of SIGNALS) {
+      process.off(signal, heard);
+      process.off(signal, end);
+      process.on(signal, end);
+    }
+  };
+  for (const signal of SIGNALS) {
+    process.off(signal, end);
+    process.on(signal, heard);
+  }
+  try {
+    return await work();
+  } finally {
+    giveBack();
+  }
+}

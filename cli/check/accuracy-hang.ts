@@ -11,6 +11,7 @@ import {
 } from '../../engine/index.ts';
 import type { Level, Problem } from '../../schema/index.ts';
 import { outcomeInWords } from '../outcome.ts';
+import { shellPath } from '../shown-path.ts';
 
 type Ended = Pick<Run, 'outcome' | 'with' | 'time' | 'tick'>;
 
@@ -49,13 +50,12 @@ export function hangsOnAccuracy(
       .filter(({ ended }) => ended.outcome !== 'completed')
       .map(({ name, ended }) => `${name} (${outcomeInWords(ended, level)})`);
     const name = JSON.stringify(level.runs[index].name);
-    const path = /^[\w./\\:-]+$/.test(file) ? file : JSON.stringify(file);
     return [
       {
         code: 'verdict-hangs-on-accuracy',
         severity: 'warning',
         message: `run ${name} completes the level under ${good.join(', ')}, but not under ${bad.join(', ')}`,
-        hint: `it hangs by a hair: give it more room, or change the run; see gq accuracy ${path} --run ${name}`,
+        hint: `it hangs by a hair: give it more room, or change the run; see gq accuracy ${shellPath(file)} --run ${name}`,
         pointer: `/runs/${index}`,
       },
     ];

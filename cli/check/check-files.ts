@@ -34,7 +34,7 @@ export async function checkFiles(
   const early = waiting.length === 0 ? [] : await checkWaiting(waiting, settings);
 
   const bytes = stats.reduce((sum, s) => sum + (s instanceof Error ? 0 : s.size), 0);
-  const useWorkers = (jobs > 1 && regular.length >= MANY_FILES) || bytes * settings.maxTime > MUCH_WORK;
+  const useWorkers = isLong(settings) || (jobs > 1 && regular.length >= MANY_FILES) || bytes * settings.maxTime > MUCH_WORK;
   const reports = await (useWorkers
     ? checkInWorkers(regular, settings, jobs, onProgress)
     : checkHere(regular, settings, onProgress));
@@ -42,6 +42,9 @@ export async function checkFiles(
   const byFile = new Map([...early, ...reports].map((report) => [report.file, report]));
   return files.map((file) => byFile.get(file)!);
 }
+
+/** A level may take seconds. */
+const isLong = ({ search, requireSlack }: CheckSettings): boolean => search !== null || requireSlack !== null;
 
 const isWaiting = (stats: Stats | Error): boolean => !(stats instanceof Error) && !stats.isFile();
 
@@ -77,7 +80,7 @@ async function checkInWorkers(
 ): Promise<CheckedLevel[]> {
   const { Tinypool } = await import('tinypool');
   // several batches a worker, so that none waits long for another that got the slow levels
-  const size = Math.max(1, Math.min(32, Math.ceil(files.length / (4 * jobs))));
+  const size = isLong(settings) ? 1 : Math.max(1, Math.min(32, Math.ceil(files.length / (4 * jobs))));
   const threads = Math.min(jobs, Math.ceil(files.length / size));
   const pool = new Tinypool({
     filename: new URL('./worker.js', import.meta.url).href,

@@ -1,5 +1,5 @@
-import { compile, simulate } from '../../engine/index.ts';
-import { type Problem, readLevel } from '../../schema/index.ts';
+import { compile, type Run, simulate } from '../../engine/index.ts';
+import { type Level, type Problem, readLevel } from '../../schema/index.ts';
 import { showProblems } from '../code-frames.ts';
 import { Failure } from '../failure.ts';
 import { type OpenedLevel, placed, warningsOf } from '../level-source.ts';
@@ -8,7 +8,9 @@ import { reportRun } from '../run-report.ts';
 import { hangsOnAccuracy } from './accuracy-hang.ts';
 import type { CheckedLevel, CheckSettings } from './checked-level.ts';
 import { crashedLevel, refusedLevel, unreadableLevel } from './refused-level.ts';
-import { failedRun, NO_RUN } from './run-problems.ts';
+import { failedRun, mineralLost } from './run-problems.ts';
+import { completingRuns, slackProblems } from './slack-problems.ts';
+import { judgeWithoutRun, mineralsLost, type PlayedRun } from './without-run.ts';
 
 /** Reads and validates one level file and replays its scripted runs in order. Never throws: what goes wrong is a verdict. */
 export function checkLevel(file: string, settings: CheckSettings): CheckedLevel {
@@ -26,33 +28,51 @@ function judge(file: string, settings: CheckSettings): CheckedLevel {
   }
 }
 
-function replay(file: string, opened: OpenedLevel, { accuracy, maxTime, inFull }: CheckSettings): CheckedLevel {
+function replay(file: string, opened: OpenedLevel, settings: CheckSettings): CheckedLevel {
   const { level, document } = opened;
+  const { accuracy, maxTime, inFull } = settings;
   const scene = compile(level, accuracy);
-  const runs = level.runs.map(({ holds }) => simulate(scene, holds, { maxTime }));
-  const first = runs.findIndex((run) => run.outcome === 'completed');
-  const shown = Math.max(first, 0);
-  const verdict = runs.length === 0 ? 'unproven' : first < 0 ? 'broken' : 'completable';
+  const scripted = level.runs.map(({ holds }) => simulate(scene, holds, { maxTime }));
+  const first = scripted.findIndex((run) => run.outcome === 'completed');
+  const beyond = first >= 0 ? null : judgeWithoutRun(file, scene, settings);
+  const found = beyond?.found ?? null;
+  const verdict = first >= 0 ? 'completable' : (beyond?.verdict ?? 'broken');
 
   const problems: Problem[] = [];
-  if (verdict === 'unproven') problems.push(NO_RUN);
-  for (const [index, run] of runs.entries()) {
+  const add = (problem: Omit<Problem, 'line' | 'column'>) => problems.push(placed(problem, document));
+  for (const problem of beyond?.problems ?? []) add(problem);
+  for (const [index, run] of scripted.entries()) {
     if (run.outcome === 'completed') continue;
-    problems.push(
-      placed(failedRun({ file, level, accuracy: accuracy.name, index, run, noneCompletes: verdict === 'broken' }), document),
-    );
+    add(failedRun({ file, level, accuracy: accuracy.name, index, run, noneCompletes: verdict !== 'completable' }));
   }
-  const run = runs.at(shown);
-  for (const problem of hangsOnAccuracy(file, level, runs, accuracy, maxTime)) problems.push(placed(problem, document));
+  for (const problem of hangsOnAccuracy(file, level, scripted, accuracy, maxTime)) add(problem);
+  const completing = completingRuns(level, scripted, found);
+  for (const problem of slackProblems(scene, completing, settings)) add(problem);
+  const lost = mineralsLost(level, scripted, found?.run ?? null, settings);
+  for (const mineral of lost) add(mineralLost(mineral));
+
+  const shown = found ?? chosen(level, scripted, Math.max(first, 0));
+  const proved = new Set(lost.map(({ index }) => `/minerals/${index}`));
+  // what is proved need not be warned of, too
+  const isOutdone = (code: string, pointer: string): boolean =>
+    code === beyond?.outdone || (/^mineral-(?:out-of-reach|covered)$/.test(code) && proved.has(pointer));
+  const warnings = warningsOf(opened, found === null ? scripted : [...scripted, found.run]);
   return {
     file,
     name: level.name,
     verdict,
-    run: run === undefined ? null : { time: run.time, minerals: [...run.minerals], clearance: run.clearance },
-    report: run === undefined || !inFull ? null : reportRun(level, accuracy.name, level.runs[shown].holds, run, null),
+    run: shown === null ? null : { time: shown.run.time, minerals: [...shown.run.minerals], clearance: shown.run.clearance },
+    found: found?.holds ?? null,
+    report: shown === null || !inFull ? null : reportRun(level, accuracy.name, shown.holds, shown.run, null),
     mineralCount: level.minerals.length,
-    problems: [...(problems.length > 0 ? showProblems(problems, document.text) : []), ...warningsOf(opened, runs)],
+    problems: [
+      ...(problems.length > 0 ? showProblems(problems, document.text) : []),
+      ...warnings.filter(({ code, pointer }) => !isOutdone(code, pointer)),
+    ],
     unreadable: false,
     ms: 0,
   };
 }
+
+const chosen = ({ runs }: Level, played: readonly Run[], index: number): PlayedRun | null =>
+  runs.length === 0 ? null : { holds: runs[index].holds, run: played[index] };

@@ -1,6 +1,7 @@
 import type { Accuracy } from '../../engine/index.ts';
-import type { RunReport, Verdict } from '../../schema/index.ts';
+import type { Hold, RunReport, Verdict } from '../../schema/index.ts';
 import type { ShownProblem } from '../shown-problem.ts';
+import type { Limits } from '../solve/settings.ts';
 
 /** What a line about a run says. */
 export type RunInBrief = Pick<RunReport, 'time' | 'minerals' | 'clearance'>;
@@ -11,8 +12,10 @@ export interface CheckedLevel {
   /** The level's name; the file's where it is not a valid level. */
   readonly name: string;
   readonly verdict: Verdict;
-  /** The first run that completes the level, else its first run. */
+  /** The first run that completes the level, scripted or found, else its first run. */
   readonly run: RunInBrief | null;
+  /** Its holds when no script has it: a search found it. */
+  readonly found: readonly Hold[] | null;
   /** The same run in full; null where the settings don't ask for it. */
   readonly report: RunReport | null;
   /** How many minerals the level has. */
@@ -31,4 +34,17 @@ export interface CheckSettings {
   readonly maxTime: number;
   /** Whether runs are reported in full: the hash, which covers every sample, takes an eighth of the time of a check. */
   readonly inFull: boolean;
+  /** Whether it is tried to prove that minerals which no run collects can't be: up to 0.1 s a level. */
+  readonly proveMinerals: boolean;
+  /** How to search where no scripted run completes a level; null: not at all. */
+  readonly search: SearchSettings | null;
+  /** Ticks by which all presses and releases of each run that completes a level may be off; null: nothing is required. */
+  readonly requireSlack: number | null;
+}
+
+/** How a level without a run that completes it is searched. */
+export interface SearchSettings {
+  /** for each level */
+  readonly limits: Limits;
+  readonly seed: number;
 }

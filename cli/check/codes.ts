@@ -18,8 +18,74 @@ export const CHECK_CODES: readonly CodeExplanation[] = [
     severity: 'error',
     title: 'the level has no run',
     why: 'Without a run that completes it nothing shows that a player can complete the level: it is unproven, and `gq check` is not green.',
-    fix: 'Add a run that completes it: a name, and the ticks (1/60 s) in which the gun is held, [press, release).',
+    fix:
+      'Let one be found with `gq solve LEVEL --write`, or add one: a name, and the ticks (1/60 s) in which the gun is held, ' +
+      '[press, release). `gq check --solve` searches without writing.',
     example: '"runs": [\n  { "name": "solution", "holds": [[12, 96], [130, 188]] }\n]',
+  },
+  {
+    code: 'found-run',
+    severity: 'warning',
+    title: 'the level is completable, but not by a run of its own',
+    why:
+      '`gq check --solve` found a run where no scripted one completes the level. It was replayed from the start, so the level can be ' +
+      'completed; but the next check has to search again, and a search with another seed or budget may not find it.',
+    fix: 'Keep it: `gq solve LEVEL --write` finds a run, the one that forgives most, and puts it into the file.',
+  },
+  {
+    code: 'no-run-found',
+    severity: 'error',
+    title: 'a search found neither a run nor a proof that there is none',
+    why:
+      'Nothing is known: the level may be impossible, or very hard. The message says how much was tried and how near it came; that ' +
+      'is no proof. A level that nobody can show to be completable should not be shipped.',
+    fix:
+      'Draw the nearest with `gq render LEVEL --holds ... -o near.svg`, or where the search has been with `gq render LEVEL ' +
+      '--explored -o explored.svg`. Make the level easier, or search longer with `gq solve LEVEL --budget 60`.',
+  },
+  {
+    code: 'proved-impossible',
+    severity: 'error',
+    title: 'nobody can complete the level',
+    why:
+      'It is proved that no way of pressing and releasing leads to the black hole: out of range of everything reachable, enclosed by ' +
+      'what is deadly, bound to a line, and the like. The proof is rigorous for the game at this accuracy, rounding included, for ' +
+      'runs as long as --max-time, and a separate small checker has confirmed its certificate.',
+    fix:
+      'The message says what to move. `gq render LEVEL --proof -o proof.svg` draws it, `gq solve LEVEL --format json` has the ' +
+      'certificate.',
+  },
+  {
+    code: 'mineral-never-collectable',
+    severity: 'warning',
+    title: 'nobody can collect a mineral',
+    why:
+      'It is proved, as for the black hole, that no run touches this mineral: "all minerals" can never be achieved in this level. ' +
+      'It takes up to a tenth of a second a level, so of more than 64 files at once it is looked for with --solve only.',
+    fix: 'Move the mineral, or what keeps her from it, as the message says.',
+  },
+  {
+    code: 'low-slack',
+    severity: 'warning',
+    title: 'a run forgives nothing',
+    why:
+      'Presses and releases that come one tick (1/60 s) too early or too late can make it fail: every combination was tried. People ' +
+      'are off by 30 ms and more, so this run shows that the level can be completed, hardly that somebody will. It is looked for by ' +
+      '`gq check --solve` and `--require-slack` alone, since it takes long.',
+    fix:
+      'Give her more room where `gq difficulty LEVEL` shows the smallest window, or take a run that forgives more: `gq solve LEVEL` ' +
+      'looks for the one that forgives most.',
+  },
+  {
+    code: 'slack-below-required',
+    severity: 'error',
+    title: 'a run forgives less than --require-slack asks for',
+    why:
+      '`gq check --require-slack K` asks that every run that completes a level still does when all its presses and releases are off by ' +
+      'up to K ticks (1/60 s), in every combination. The message has a combination that fails. The verdict stays: the level is completable.',
+    fix:
+      'Give her more room where `gq difficulty LEVEL` shows the smallest window, replace the run by one that forgives more (`gq solve ' +
+      'LEVEL`), or ask for less.',
   },
   {
     code: 'verdict-hangs-on-accuracy',

@@ -34,6 +34,7 @@ export function refusedLevel(file: string, verdict: 'invalid' | 'crashed', probl
     name: basename(file).replace(/(\.level)?\.json$/, ''),
     verdict,
     run: null,
+    found: null,
     report: null,
     mineralCount: 0,
     problems,

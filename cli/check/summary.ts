@@ -8,8 +8,10 @@ export function summarize(reports: readonly CheckedLevel[]): Record<Verdict, num
   return summary;
 }
 
-/** 2 when a file could not be read or gq itself failed on it, else 1 when a level is not completable, else 0. Nothing checked is 2. */
+/** 2 when a file could not be read or gq itself failed on it, else 1 when a level is not completable or has an error, else 0. Nothing checked is 2. */
 export function exitCodeOf(reports: readonly CheckedLevel[]): 0 | 1 | 2 {
   if (reports.length === 0 || reports.some((r) => r.unreadable || r.verdict === 'crashed')) return 2;
-  return reports.every((r) => r.verdict === 'completable') ? 0 : 1;
+  const isGood = ({ verdict, problems }: CheckedLevel): boolean =>
+    verdict === 'completable' && problems.every(({ severity }) => severity === 'warning');
+  return reports.every(isGood) ? 0 : 1;
 }

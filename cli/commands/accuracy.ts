@@ -2,16 +2,9 @@ import process from 'node:process';
 import { type Command, Option } from 'commander';
 import { ACCURACIES } from '../../engine/index.ts';
 import { cheapestGoodEnough, METHODS, measureWorkPrecision } from '../../engine/work-precision/index.ts';
+import { drawDiagram, type Ground, levelDiagram } from '../../picture/accuracy/index.ts';
 import type { Hold } from '../../schema/index.ts';
-import {
-  type AccuracyReport,
-  accuracyJson,
-  accuracyPretty,
-  brief,
-  drawDiagram,
-  type Ground,
-  levelDiagram,
-} from '../accuracy/index.ts';
+import { type AccuracyReport, accuracyJson, accuracyPretty, brief } from '../accuracy/index.ts';
 import { type AccuracyOptions, addAccuracyOptions, customAccuracy } from '../accuracy-options.ts';
 import { chooseRun } from '../chosen-run.ts';
 import { colorsFor } from '../colors.ts';
@@ -96,7 +89,7 @@ async function measure(file: string, options: Options): Promise<CommandResult> {
     cheapest: cheapestGoodEnough(measured.methods),
     asked,
   };
-  if (svg !== undefined) await writeWhole(svg, draw(report, options.theme));
+  if (svg !== undefined) writeWhole(svg, draw(report, options.theme));
   return {
     output: format === 'json' ? accuracyJson(report) : accuracyPretty(report, colorsFor(process.stdout)),
     messages: svg === undefined ? undefined : `wrote ${svg}\n`,

@@ -60,6 +60,6 @@ async function formatFile(file: string, onlyCheck: boolean): Promise<FormattedFi
   if (!read.ok) return { file, status: 'invalid', problems: showProblems(read.problems, read.text) };
   const text = formatLevel(withIds(read.document.file));
   if (Buffer.from(text).equals(bytes)) return { file, status: 'unchanged', problems: [] };
-  if (!onlyCheck) await writeWhole(file, text);
+  if (!onlyCheck) writeWhole(file, text);
   return { file, status: onlyCheck ? 'would change' : 'formatted', problems: [] };
 }

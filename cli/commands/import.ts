@@ -94,7 +94,7 @@ async function writeAll(directory: string, targets: readonly Target[]): Promise<
   try {
     for (const { file, text, status } of targets) {
       if (status === 'unchanged') continue;
-      await writeWhole(file, text);
+      writeWhole(file, text);
       if (status === 'written') created.push(file);
     }
   } catch (error) {

@@ -1,23 +1,52 @@
+import { availableParallelism } from 'node:os';
 import { extname } from 'node:path';
 import { type Command, Option } from 'commander';
-import { compile, simulate } from '../../engine/index.ts';
+import { TICK_RATE } from '../../engine/index.ts';
+import { renderSvg } from '../../picture/index.ts';
 import type { Hold } from '../../schema/index.ts';
+import type { Goal } from '../../solver/index.ts';
 import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../accuracy-options.ts';
-import { chooseRun } from '../chosen-run.ts';
+import { type ChosenRun, chooseRun } from '../chosen-run.ts';
 import type { CommandResult } from '../command.ts';
 import { Failure } from '../failure.ts';
 import { parseHolds } from '../holds-option.ts';
 import { openLevel } from '../level-source.ts';
-import { maxTimeOption, wholeNumberOption } from '../options.ts';
-import { renderPng, renderSvg } from '../render/index.ts';
+import { maxTimeOption, seedOption, wholeNumberOption } from '../options.ts';
+import { renderPng } from '../png.ts';
+import {
+  type Subject,
+  type View,
+  viewAllRuns,
+  viewExploration,
+  viewFan,
+  viewProof,
+  viewRun,
+  viewSolved,
+} from '../render/views.ts';
+import { shellPath } from '../shown-path.ts';
+import { type Solved, solveLevel } from '../solve/solve-level.ts';
+import { expectMinerals, mineralsOption } from '../solve/solve-options.ts';
+import { visibleLine } from '../visible.ts';
 import { writeWhole } from '../write-file.ts';
 
 const DEFAULT_WIDTH = 1200;
 
-interface RenderOptions extends AccuracyOptions {
+/** Ticks simulated for a picture of a search, where nothing else is said. */
+const DEFAULT_EFFORT = 2_000_000;
+
+interface Options extends AccuracyOptions {
   readonly output: string;
   readonly run?: string | false;
   readonly holds?: readonly Hold[];
+  readonly allRuns?: true;
+  readonly solve?: number;
+  readonly explored?: true;
+  readonly closest?: true;
+  readonly fan?: number;
+  readonly proof?: true;
+  readonly minerals: Goal['minerals'];
+  readonly effort: number;
+  readonly seed: number;
   readonly maxTime: number;
   readonly width: number;
   readonly theme: 'dark' | 'light';
@@ -25,49 +54,133 @@ interface RenderOptions extends AccuracyOptions {
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
   addAccuracyOptions(command)
-    .description('Draw a level and one of its runs.')
+    .description('Draw a level with one of its runs, or what the solver knows of it.')
     .argument('<level>', 'a level file')
     .requiredOption('-o, --output <file>', 'FILE.svg or FILE.png; - writes SVG to the standard output')
     .option('--run <name>', 'the run to draw; the first when left out')
     .option('--no-run', 'draw the level alone')
     .option('--holds <holds>', 'draw this run instead: 12-96,130-188 (ticks); none: she drifts', parseHolds)
+    .option('--all-runs', 'draw every run of the level, each in a colour')
+    .option('--solve <n>', 'draw so many really different runs that a search finds', wholeNumberOption('a number of runs', 1, 20))
+    .option('--explored', 'draw where a search for runs has been')
+    .option('--closest', 'draw the nearest that a search came to the black hole')
+    .option(
+      '--fan <ticks>',
+      'draw where the run goes when its presses and releases are off by up to so many ticks',
+      wholeNumberOption('a number of ticks', 1, 60),
+    )
+    .option('--proof', 'draw why nobody can complete it, or with --minerals not collect so many')
+    .addOption(mineralsOption())
+    .option(
+      '--effort <ticks>',
+      'ticks of 1/60 s to simulate for --solve, --explored and --closest',
+      wholeNumberOption('a number of ticks', 1, Number.MAX_SAFE_INTEGER),
+      DEFAULT_EFFORT,
+    )
+    .addOption(seedOption())
     .addOption(maxTimeOption())
     .option('--width <px>', 'width of the picture', wholeNumberOption('a width in px', 100, 8192), DEFAULT_WIDTH)
     .addOption(new Option('--theme <theme>', 'colours').choices(['dark', 'light']).default('dark'))
     .addHelpText(
       'after',
       `
-Exit code: 0; 1 when the level is invalid; 2 when it could not be read or the picture not be written.
+--explored and --closest go together; the other views are for themselves. --seed is the chance of searches and of the fan.
+
+Exit code: 0; 1 when the level is invalid, or when there is no run or no proof to draw; 2 when it could not be read or the
+picture not be written.
 
 Examples:
   $ gq render levels/01-first-pull.level.json -o first.svg
   $ gq render levels/01-first-pull.level.json -o first.png --width 800 --theme light
-  $ gq render levels/01-first-pull.level.json -o - --no-run > level.svg`,
+  $ gq render levels/01-first-pull.level.json -o - --no-run > level.svg
+  $ gq render levels/16-firewalk.level.json -o ways.svg --all-runs
+  $ gq render levels/16-firewalk.level.json -o fan.svg --fan 3
+  $ gq render levels/16-firewalk.level.json -o explored.png --explored --minerals all`,
     )
-    .action(async (file: string, options: RenderOptions) => finish(await render(file, options)));
+    .action(async (file: string, options: Options) => finish(await render(file, options)));
 }
 
-async function render(file: string, options: RenderOptions): Promise<CommandResult> {
-  const { output, width, theme, maxTime } = options;
-  const accuracy = chooseAccuracy(options);
+async function render(file: string, options: Options): Promise<CommandResult> {
+  const { output, width, theme } = options;
+  const subject = { accuracy: chooseAccuracy(options), maxTime: options.maxTime };
   const kind = output === '-' ? '.svg' : extname(output).toLowerCase();
   if (kind !== '.svg' && kind !== '.png') {
     throw new Failure(`--output ${output}: expected a name that ends in .svg or .png, or - for SVG on the standard output`);
   }
+  expectOneView(options);
   const opened = openLevel(file);
   if (!('level' in opened)) return opened;
-  const svg = draw(file, opened.level, options);
+  const view = await viewOf(file, { level: opened.level, ...subject }, options);
+  if ('exitCode' in view) return view;
+  const svg = renderSvg(opened.level, { ...view, width, theme });
   if (output === '-') return { output: svg, exitCode: 0 };
-  await writeWhole(output, kind === '.svg' ? svg : await renderPng(svg, width));
+  writeWhole(output, kind === '.svg' ? svg : await renderPng(svg, width));
   return { messages: `wrote ${output}\n`, exitCode: 0 };
+}
 
-  function draw(name: string, level: Parameters<typeof renderSvg>[0], { run: wanted, holds }: RenderOptions): string {
-    if (wanted === false && holds !== undefined)
-      throw new Failure('--no-run and --holds exclude each other: give one of the two');
-    const nothingToPlay = wanted === undefined && holds === undefined && level.runs.length === 0;
-    if (wanted === false || nothingToPlay) return renderSvg(level, { width, theme });
-    const chosen = chooseRun(name, level, { run: wanted || undefined, holds });
-    const run = simulate(compile(level, accuracy), chosen.holds, { maxTime });
-    return renderSvg(level, { run, holds: chosen.holds, width, theme });
+/** What the options ask to be shown, or what the command is to leave behind when there is no such thing. */
+async function viewOf(file: string, subject: Subject, options: Options): Promise<View | CommandResult> {
+  const { run: wanted, holds, minerals, effort, seed, solve } = options;
+  const { level } = subject;
+  const goal: Goal = { minerals };
+  expectMinerals(file, level, minerals);
+  if (options.proof) {
+    return viewProof(subject, goal) ?? nothing(`${file}: there is no proof that nobody can do it: gq solve may find a run`);
   }
+  if (options.allRuns) return level.runs.length > 0 ? viewAllRuns(subject) : nothing(`${file}: the level has no run to draw`);
+  if (solve !== undefined) {
+    const solved = await solveFor(subject, goal, { count: solve, effort, seed });
+    return solved.runs.length > 0
+      ? viewSolved(subject, solved)
+      : nothing(`${file}: no run was found; see gq solve ${shellPath(file)}`);
+  }
+  const explicit = wanted !== undefined || holds !== undefined;
+  if (options.explored || options.closest) {
+    const explored = viewExploration(subject, {
+      goal,
+      seed,
+      effort,
+      heat: options.explored === true,
+      nearest: options.closest === true,
+    });
+    return options.explored && explicit && wanted !== false ? { ...explored, ...viewRun(subject, chosen()) } : explored;
+  }
+  const nothingToPlay = !explicit && level.runs.length === 0 && options.fan === undefined;
+  if (wanted === false || nothingToPlay) return {};
+  return options.fan === undefined ? viewRun(subject, chosen()) : viewFan(subject, chosen(), options.fan, seed);
+
+  function chosen(): ChosenRun {
+    return chooseRun(file, level, { run: wanted || undefined, holds });
+  }
+}
+
+const nothing = (message: string): CommandResult => ({ messages: `error: ${visibleLine(message)}\n`, exitCode: 1 });
+
+function solveFor(
+  { level, accuracy, maxTime }: Subject,
+  goal: Goal,
+  { count, effort, seed }: { readonly count: number; readonly effort: number; readonly seed: number },
+): Promise<Solved> {
+  const maxTicks = Math.round(maxTime * TICK_RATE);
+  const asked = { accuracy, goal, objective: 'robust', seed, maxTicks, count } as const;
+  const settings = { level: { ...level, runs: [] }, ...asked, known: [] };
+  const limits = { budget: null, effort };
+  return solveLevel(settings, { limits, jobs: availableParallelism(), onStart: () => {}, onRound: () => {} });
+}
+
+/** @throws Failure when the options ask for views that don't go into one picture */
+function expectOneView({ run, holds, allRuns, solve, explored, closest, fan, proof }: Options): void {
+  const views = [
+    allRuns && '--all-runs',
+    solve !== undefined && '--solve',
+    explored ? (closest ? '--explored with --closest' : '--explored') : closest && '--closest',
+    fan !== undefined && '--fan',
+    proof && '--proof',
+  ].filter((view) => typeof view === 'string');
+  if (views.length > 1) throw new Failure(`${views.join(' and ')} exclude each other: give one of them`);
+  if (run === false && holds !== undefined) throw new Failure('--no-run and --holds exclude each other: give one of the two');
+  if (run === false && fan !== undefined) throw new Failure('--no-run and --fan exclude each other: the fan is of a run');
+  const others = views.filter((view) => view !== '--fan' && view !== '--explored');
+  const given = typeof run === 'string' ? '--run' : holds !== undefined ? '--holds' : null;
+  if (given !== null && others.length > 0) throw new Failure(`${given} and ${others[0]} exclude each other: give one of the two`);
 }

@@ -10,8 +10,8 @@ import { alignColumns } from './table.ts';
 
 const WHAT_TO_DO: Record<Exclude<Verdict, 'completable'>, string> = {
   broken: 'none of its runs completes it: change the level or a run; gq simulate shows what happens',
-  unproven: 'it has no run: add one that completes it',
-  impossible: 'it cannot be completed: change the level',
+  unproven: 'nothing shows that it can be completed: gq solve looks for a run',
+  impossible: 'proved that nobody can complete it: change the level',
   invalid: 'the file is not a valid level: mend what is said above',
   crashed: 'gq itself failed: please report it with the level',
 };
@@ -38,12 +38,12 @@ export function checkPretty(reports: readonly CheckedLevel[], colors: Colors): s
 const TIME_COLUMN = 3;
 
 /** verdict, file, name, time, minerals, clearance */
-function row({ verdict, file, name, run, mineralCount }: CheckedLevel): string[] {
+function row({ verdict, file, name, run, found, mineralCount }: CheckedLevel): string[] {
   const cells = [verdict, visibleLine(file), verdict === 'invalid' || verdict === 'crashed' ? '' : visibleLine(name)];
   if (verdict !== 'completable' || run === null) return cells;
   const minerals = mineralCount === 0 ? 'no minerals' : `${collected(run)} of ${plural(mineralCount, 'mineral')}`;
   const near = run.clearance;
   const clearance =
     near === null ? 'nothing deadly' : `${near.distance.toFixed(1)} px clear of ${bodyInWords(near.kind, near.index)}`;
-  return [...cells, `${run.time.toFixed(2)} s`, minerals, clearance];
+  return [...cells, `${run.time.toFixed(2)} s`, minerals, found === null ? clearance : `${clearance}, by a run that was found`];
 }

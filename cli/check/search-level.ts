@@ -1,0 +1,29 @@
+import { type Scene, TICK_RATE } from '../../engine/index.ts';
+import { type Closest, createSolver, type Effort, type Solution } from '../../solver/index.ts';
+import type { CheckSettings, SearchSettings } from './checked-level.ts';
+
+/** What a search for a run came to. */
+export interface Searched {
+  readonly found: Solution | null;
+  readonly effort: Effort;
+  readonly closest: Closest | null;
+}
+
+/** Ticks simulated between two looks at the clock. */
+const SLICE = 50_000;
+
+/**
+ * Looks for a run that completes a level: for any, or, where slack is required, for the one that forgives most.
+ * Takes the thread it is called from as long as the limits allow.
+ */
+export function searchLevel(scene: Scene, { limits, seed }: SearchSettings, { maxTime, requireSlack }: CheckSettings): Searched {
+  const objective = requireSlack === null ? 'first' : 'robust';
+  const solver = createSolver(scene, { objective, seed, maxTicks: Math.round(maxTime * TICK_RATE) });
+  const end = limits.budget === null ? Number.POSITIVE_INFINITY : performance.now() + 1000 * limits.budget;
+  const most = limits.effort ?? Number.POSITIVE_INFINITY;
+  while (!solver.finished && solver.effort.ticks < most && performance.now() < end) {
+    solver.advance(Math.min(SLICE, most - solver.effort.ticks));
+  }
+  const { best, effort, closest } = solver;
+  return { found: best, effort: { ...effort }, closest };
+}

@@ -1,0 +1,59 @@
+import process from 'node:process';
+import type { Command } from 'commander';
+import type { CommandResult } from '../command.ts';
+import { DEFAULT_PORT, type EditServer, openBrowser, PAGE, startServer } from '../edit/index.ts';
+import { wholeNumberOption } from '../options.ts';
+import { visible } from '../visible.ts';
+
+interface EditOptions {
+  readonly port?: number;
+  readonly open?: true;
+}
+
+export function declare(command: Command, _finish: (result: CommandResult) => void): void {
+  command
+    .description('Edit the levels of a folder in the browser: the run and its verdict are live while a level is changed.')
+    .argument('[dir]', 'folder of level files', 'levels')
+    .option(
+      '--port <n>',
+      `port on 127.0.0.1; 0 for any (default: ${DEFAULT_PORT}, or the next that is free)`,
+      wholeNumberOption('a port', 0, 65535),
+    )
+    .option('--open', 'open the browser')
+    .addHelpText(
+      'after',
+      `
+Prints an address that works until the command ends (Ctrl-C); whoever has it can change the levels in the folder, nobody else can.
+Changes are saved as they are made, each file whole or not at all; deleted levels are kept in DIR/.gq-trash.
+
+Exit code: 130 on Ctrl-C; 2 when it could not start: no such folder, the port is taken.
+
+Examples:
+  $ gq edit
+  $ gq edit levels --open
+  $ gq edit my-levels --port 8080`,
+    )
+    .action(edit);
+}
+
+/** Ends by a signal alone. */
+async function edit(folder: string, options: EditOptions): Promise<void> {
+  const say = (text: string): void => void process.stderr.write(visible(text));
+  const onCrash = (error: unknown): void => {
+    const stack = error instanceof Error ? error.stack : String(error);
+    say(`gq edit goes on, but this is a bug in gq, please report it:\n${stack}\n`);
+  };
+  const server = await startServer({ folder, port: options.port ?? null, page: PAGE, onCrash });
+  // unlike other commands' reports this is needed before the end
+  process.stdout.write(announcement(folder, server, options));
+  if (options.open) {
+    openBrowser(server.address, (why) => say(`the browser could not be opened (${why}): open the address above yourself\n`));
+  }
+  await new Promise<never>(() => {});
+}
+
+function announcement(folder: string, { address, port }: EditServer, options: EditOptions): string {
+  const isOther = options.port === undefined && port !== DEFAULT_PORT;
+  const note = isOther ? `Port ${DEFAULT_PORT} is taken, perhaps by another gq edit: this one has ${port}.\n` : '';
+  return `${note}Editing ${visible(folder)} at\n  ${address}\nCtrl-C ends it.\n`;
+}

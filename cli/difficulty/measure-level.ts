@@ -1,0 +1,88 @@
+import { basename } from 'node:path';
+import { compile, type Scene, TICK_RATE } from '../../engine/index.ts';
+import { type Level, readLevel } from '../../schema/index.ts';
+import { createSolver, measureDifficulty, type Success, successProbability, verifyRun } from '../../solver/index.ts';
+import { showProblems } from '../code-frames.ts';
+import { Failure } from '../failure.ts';
+import { readBytes } from '../read-bytes.ts';
+import { closestInWords, effortInWords } from '../reporters/effort.ts';
+import { proveGoalImpossible } from '../solve/prove.ts';
+import type { MeasuredLevel, MeasureSettings, MeasureTask } from './measured-level.ts';
+
+/** Noises at which a curve is sampled, ms; success at 0 is certain. */
+const SIGMAS = [10, 20, 30, 40, 50, 60, 80, 100, 130, 160, 200, 250, 300] as const;
+
+const CURVE_SAMPLES = 1000;
+
+/** Among several levels one press is tried at every fourth tick: a sixteenth of all pairs. */
+const ONE_PRESS_STRIDE = 4;
+
+/** Measures how hard one level file is. Throws only where gq itself fails. */
+export function measureLevel({ file, settings }: MeasureTask): MeasuredLevel {
+  const fileName = basename(file).replace(/(\.level)?\.json$/, '');
+  const nothing = { file, name: fileName, runName: null, difficulty: null, curve: [], problems: [] } as const;
+  let bytes: Uint8Array;
+  try {
+    bytes = readBytes(file);
+  } catch (error) {
+    if (error instanceof Failure) return { ...nothing, why: error.message, code: 2 };
+    throw error;
+  }
+  const read = readLevel(bytes);
+  if (!read.ok) return { ...nothing, why: 'not a valid level', problems: showProblems(read.problems, read.text), code: 1 };
+  return { ...nothing, name: read.level.name, ...measure(read.level, settings) };
+}
+
+type Measured = Pick<MeasuredLevel, 'runName' | 'difficulty' | 'curve' | 'why' | 'code'>;
+
+const failed = (why: string): Measured => ({ runName: null, difficulty: null, curve: [], why, code: 1 });
+
+function measure(level: Level, settings: MeasureSettings): Measured {
+  const { accuracy, goal, effort, seed, inFull } = settings;
+  if (typeof goal.minerals === 'number' && goal.minerals > level.minerals.length) {
+    return failed(`it has only ${level.minerals.length} of ${goal.minerals} minerals`);
+  }
+  const scene = compile(level, accuracy);
+  const maxTicks = Math.round(settings.maxTime * TICK_RATE);
+  const chosen = chooseRun(scene, settings, maxTicks);
+  if ('why' in chosen) return failed(chosen.why);
+  const difficulty = measureDifficulty(scene, chosen.holds, {
+    goal,
+    seed,
+    maxTicks,
+    effort: inFull ? effort : 0,
+    asteroidEffort: inFull ? undefined : 0,
+    onePressStride: inFull ? 1 : ONE_PRESS_STRIDE,
+  });
+  if (difficulty === null) throw new Error(`a run that meets the goal could not be measured: ${JSON.stringify(chosen.holds)}`);
+  const curve = settings.withCurve ? curveOf(scene, difficulty.run.holds, settings) : [];
+  return { runName: chosen.name, difficulty, curve, why: '', code: 0 };
+}
+
+type Chosen = { readonly name: string | null; readonly holds: readonly (readonly [number, number])[] } | { readonly why: string };
+
+/** The run to measure: the one asked for, the first of the level's that meets the goal, or one that a search finds. */
+function chooseRun(scene: Scene, { goal, run, search, effort, seed, accuracy }: MeasureSettings, maxTicks: number): Chosen {
+  const { level } = scene;
+  if (run !== null) {
+    const named = level.runs.find(({ name }) => name === run);
+    if (named === undefined) return { why: `it has no run named ${JSON.stringify(run)}` };
+    if (verifyRun(scene, named.holds, goal, maxTicks) === null) return { why: `run ${JSON.stringify(run)} does not complete it` };
+    return named;
+  }
+  const scripted = search ? undefined : level.runs.find(({ holds }) => verifyRun(scene, holds, goal, maxTicks) !== null);
+  if (scripted !== undefined) return scripted;
+  const proof = proveGoalImpossible(level, accuracy, goal, maxTicks);
+  if (proof !== null) return { why: `impossible, proved: ${proof.reason}` };
+  const solver = createSolver(scene, { goal, seed, maxTicks, objective: 'robust' });
+  solver.advance(effort);
+  if (solver.best !== null) return { name: null, holds: solver.best.holds };
+  const near = solver.closest === null ? '' : `, the nearest ${closestInWords(solver.closest)}`;
+  return { why: `no run was found: ${effortInWords(solver.effort)}${near}` };
+}
+
+function curveOf(scene: Scene, holds: readonly (readonly [number, number])[], { goal, seed }: MeasureSettings): Success[] {
+  const certain: Success = { sigma: 0, p: 1, low: 1, high: 1, samples: 1 };
+  const noisy = SIGMAS.map((sigma) => successProbability(scene, holds, goal, sigma, { samples: CURVE_SAMPLES, seed }));
+  return [certain, ...noisy];
+}

@@ -1,0 +1,1 @@
+export { measureLevel as default } from './measure-level.ts';

@@ -1,0 +1,89 @@
+import type { HttpBindings } from '@hono/node-server';
+import type { Context } from 'hono';
+import {
+  deleteRequestSchema,
+  EDIT_API,
+  orderRequestSchema,
+  renameRequestSchema,
+  restoreRequestSchema,
+  writeRequestSchema,
+} from '../../schema/index.ts';
+import { createEventStreams } from './event-stream.ts';
+import type { LevelFolder } from './level-folder.ts';
+import { Refusal } from './refusal.ts';
+import { baseOf, etagGiven, idOf, readBody } from './request.ts';
+
+export type EditContext = Context<{ Bindings: HttpBindings }>;
+
+/** What answers a request; it may throw a `Refusal`. */
+export type Answer = (c: EditContext, query: URLSearchParams) => Response | Promise<Response>;
+
+/** What answers each `METHOD /address` of `EDIT_API`. */
+export function createApi(levels: LevelFolder): ReadonlyMap<string, Answer> {
+  const streams = createEventStreams(levels.known);
+  const { LEVELS, LEVEL, RENAME, DUPLICATE, DELETE, TRASH, RESTORE, ORDER, EVENTS } = EDIT_API;
+
+  const list: Answer = (c) => c.json(levels.known.refresh());
+
+  const read: Answer = (c, query) => {
+    const level = levels.read(idOf(query));
+    return c.json(level, 200, tagged(level.etag));
+  };
+
+  const write: Answer = async (c, query) => {
+    const id = idOf(query);
+    const base = baseOf(c.env.incoming);
+    const { text, client } = await readBody(c.env.incoming, writeRequestSchema);
+    // a half of a character would be stored as another one
+    if (/\p{Surrogate}/u.test(text)) throw new Refusal('bad-request', 'the text holds half a character', 'Send whole ones.');
+    const { entry, created } = await levels.write(id, text, base, client);
+    return c.json({ entry }, created ? 201 : 200, tagged(entry.etag));
+  };
+
+  const rename: Answer = async (c) => {
+    const etag = etagGiven(c.env.incoming);
+    const { id, to, client } = await readBody(c.env.incoming, renameRequestSchema);
+    return c.json({ entry: await levels.rename(id, to, etag, client) });
+  };
+
+  const duplicate: Answer = async (c) => {
+    const etag = etagGiven(c.env.incoming);
+    const { id, to, client } = await readBody(c.env.incoming, renameRequestSchema);
+    return c.json({ entry: await levels.duplicate(id, to, etag, client) }, 201);
+  };
+
+  const remove: Answer = async (c) => {
+    const etag = etagGiven(c.env.incoming);
+    const { id, client } = await readBody(c.env.incoming, deleteRequestSchema);
+    return c.json(await levels.remove(id, etag, client));
+  };
+
+  const trash: Answer = (c) => c.json(levels.trash());
+
+  const restore: Answer = async (c) => {
+    const { trash: deleted, to, client } = await readBody(c.env.incoming, restoreRequestSchema);
+    return c.json({ entry: await levels.restore(deleted, to, client) }, 201);
+  };
+
+  const order: Answer = async (c) => {
+    const { folder, ids, client } = await readBody(c.env.incoming, orderRequestSchema);
+    return c.json(await levels.order(folder, ids, client));
+  };
+
+  const events: Answer = (c) => c.body(streams.open(), 200, { 'Content-Type': 'text/event-stream' });
+
+  return new Map([
+    [`GET ${LEVELS}`, list],
+    [`GET ${LEVEL}`, read],
+    [`PUT ${LEVEL}`, write],
+    [`POST ${RENAME}`, rename],
+    [`POST ${DUPLICATE}`, duplicate],
+    [`POST ${DELETE}`, remove],
+    [`GET ${TRASH}`, trash],
+    [`POST ${RESTORE}`, restore],
+    [`POST ${ORDER}`, order],
+    [`GET ${EVENTS}`, events],
+  ]);
+}
+
+const tagged = (etag: string | null): Record<string, string> => (etag === null ? {} : { ETag: etag });

@@ -1,0 +1,30 @@
+import type { EditEvent, LevelEntry, ListResponse } from '../../schema/index.ts';
+
+/**
+ * What happened between two looks at a folder. A file that is gone and a new one with its content were renamed.
+ * @param by whose changes they are
+ */
+export function changesBetween(before: ListResponse, after: ListResponse, by: string | null): EditEvent[] {
+  const old = new Map(before.levels.map((entry) => [entry.id, entry]));
+  const now = new Map(after.levels.map((entry) => [entry.id, entry]));
+  const gone = before.levels.filter(({ id }) => !now.has(id));
+  const added = after.levels.filter(({ id }) => !old.has(id));
+  const events: EditEvent[] = [];
+  const isAccountedFor = new Set<LevelEntry>();
+  for (const entry of added) {
+    const from = gone.find((other) => other.etag !== null && other.etag === entry.etag && !isAccountedFor.has(other));
+    if (from === undefined) continue;
+    isAccountedFor.add(from).add(entry);
+    events.push({ type: 'renamed', from: from.id, entry, by });
+  }
+  for (const entry of gone) if (!isAccountedFor.has(entry)) events.push({ type: 'removed', id: entry.id, by });
+  for (const entry of after.levels) {
+    const other = old.get(entry.id);
+    const isNews = other === undefined ? !isAccountedFor.has(entry) : !isSame(other, entry);
+    if (isNews) events.push({ type: 'changed', entry, by });
+  }
+  if (!isSame([before.folders, before.troubles], [after.folders, after.troubles])) events.push({ type: 'list', list: after });
+  return events;
+}
+
+const isSame = (a: unknown, b: unknown): boolean => JSON.stringify(a) === JSON.stringify(b);

@@ -1,0 +1,63 @@
+import { createHash, timingSafeEqual } from 'node:crypto';
+import type { IncomingMessage } from 'node:http';
+import { EDIT_API } from '../../schema/index.ts';
+import { Refusal } from './refusal.ts';
+
+const OPEN_IT_ANEW = 'Open the address that gq edit has printed.';
+
+/**
+ * Lets only requests pass that the editor's own page, or a person who opens it, has sent to this very server. Any website a
+ * person visits can make their browser send requests to 127.0.0.1; what they can't forge are Host, Origin and Sec-Fetch-*.
+ * Looks at what came over the wire, before anything has been parsed, decoded or joined.
+ * @throws Refusal
+ */
+export function guard(incoming: IncomingMessage, port: number): void {
+  const { headers, method = '', url = '' } = incoming;
+  const host = onlyHost(incoming);
+  // a name that an attacker has made to lead to 127.0.0.1 (DNS rebinding) is still their name
+  if (host === null || !hostsOf(port).includes(host)) {
+    throw new Refusal('wrong-host', `expected Host: 127.0.0.1:${port}, found ${quoted(host)}`, OPEN_IT_ANEW);
+  }
+  if (headers.upgrade !== undefined || /\bupgrade\b/i.test(headers.connection ?? '')) {
+    throw new Refusal('upgrade-refused', 'this server speaks HTTP/1.1 alone, no WebSocket', 'Send the request without Upgrade.');
+  }
+  const reads = method === 'GET' || method === 'HEAD';
+  const site = headers['sec-fetch-site'];
+  if (site !== undefined && site !== 'same-origin' && !(reads && !isApi(url) && (site === 'none' || opensPage(incoming)))) {
+    throw new Refusal('foreign-page', `a page of another site (${quoted(String(site))}) has sent this request`, OPEN_IT_ANEW);
+  }
+  // browsers send Origin with everything that is not GET or HEAD
+  const { origin } = headers;
+  if (origin !== undefined ? origin !== `http://${host}` : !reads) {
+    throw new Refusal('foreign-page', `expected Origin: http://${host}, found ${quoted(origin ?? null)}`, OPEN_IT_ANEW);
+  }
+}
+
+/** @throws Refusal wrong-token */
+export function checkToken(incoming: IncomingMessage, token: string): void {
+  const given = incoming.headers[EDIT_API.TOKEN_HEADER];
+  if (typeof given === 'string' && timingSafeEqual(digest(given), digest(token))) return;
+  throw new Refusal('wrong-token', 'this page belongs to another run of gq edit', OPEN_IT_ANEW);
+}
+
+const digest = (text: string): Buffer => createHash('sha256').update(text).digest();
+
+const isApi = (url: string): boolean => url.startsWith('/api/');
+
+/** A link on any page may lead to the editor's page, which does nothing without the token; it may not be put into a frame. */
+const opensPage = ({ headers, url = '' }: IncomingMessage): boolean =>
+  /^\/(index\.html)?(\?|$)/.test(url) && headers['sec-fetch-mode'] === 'navigate' && headers['sec-fetch-dest'] === 'document';
+
+function hostsOf(port: number): string[] {
+  const names = ['127.0.0.1', 'localhost'];
+  // a browser leaves the port of http out
+  return names.flatMap((name) => (port === 80 ? [name, `${name}:80`] : [`${name}:${port}`]));
+}
+
+/** The Host, when there is exactly one. */
+function onlyHost({ rawHeaders }: IncomingMessage): string | null {
+  const hosts = rawHeaders.filter((_, i) => i % 2 === 1 && rawHeaders[i - 1].toLowerCase() === 'host');
+  return hosts.length === 1 ? hosts[0] : null;
+}
+
+const quoted = (text: string | null): string => (text === null ? 'none' : JSON.stringify(text.slice(0, 80)));

@@ -1,0 +1,3 @@
+export { openBrowser } from './open-browser.ts';
+export { PAGE } from './page-files.ts';
+export { DEFAULT_PORT, type EditServer, startServer } from './server.ts';

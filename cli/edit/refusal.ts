@@ -1,0 +1,49 @@
+import { EDIT_ERRORS, type EditErrorCode, type ErrorResponse, type Problem, type ReadResponse } from '../../schema/index.ts';
+import { systemReason } from '../failure.ts';
+
+interface Details {
+  readonly problems?: Problem[];
+  readonly current?: ReadResponse | null;
+}
+
+/** A request that is not carried out. Nothing has changed on the disk. */
+export class Refusal extends Error {
+  override readonly name = 'Refusal';
+  readonly code: EditErrorCode;
+  readonly hint: string;
+  readonly details: Details;
+
+  constructor(code: EditErrorCode, message: string, hint: string, details: Details = {}) {
+    super(message);
+    this.code = code;
+    this.hint = hint;
+    this.details = details;
+  }
+}
+
+export const statusOf = (refusal: Refusal): number => EDIT_ERRORS[refusal.code];
+
+export const bodyOf = ({ code, message, hint, details }: Refusal): ErrorResponse => ({
+  error: { code, message, hint, ...details },
+});
+
+const FULL = new Set(['ENOSPC', 'EDQUOT', 'EFBIG']);
+const FORBIDDEN = new Set(['EACCES', 'EPERM', 'EROFS']);
+
+/** What the operating system said to a change, as the answer to the page. A refusal stays what it is. */
+export function refusalOf(error: unknown, file: string): Refusal {
+  if (error instanceof Refusal) return error;
+  const code = (error as NodeJS.ErrnoException | null)?.code ?? '';
+  const message = `${file}: can't be written: ${systemReason(error)}`;
+  if (FULL.has(code)) return new Refusal('disk-full', message, 'Make room on the disk, then save again; the file is as it was.');
+  if (FORBIDDEN.has(code)) {
+    return new Refusal(
+      'not-writable',
+      message,
+      'Allow writing to the file and to its folder, then save again; the file is as it was.',
+    );
+  }
+  if (code === 'ENOENT')
+    return new Refusal('unknown-folder', message, 'Was the folder moved or removed? Put it back, then save again.');
+  return new Refusal('failed', message, 'The file is as it was. Try again; if it stays so, look at the folder and the disk.');
+}

@@ -1,0 +1,110 @@
+import { randomBytes } from 'node:crypto';
+import { realpathSync } from 'node:fs';
+import type { Server } from 'node:http';
+import type { AddressInfo } from 'node:net';
+import { dirname } from 'node:path';
+import { createAdaptorServer } from '@hono/node-server';
+import { Failure, systemReason } from '../failure.ts';
+import { statOrError } from '../files.ts';
+import { createApi } from './api.ts';
+import { createApp } from './app.ts';
+import { openLevelFolder } from './level-folder.ts';
+import { readPage } from './page-files.ts';
+import { watchFolder } from './watch.ts';
+
+/** A page keeps unsaved work under its address, port and all: the same port finds it again. */
+export const DEFAULT_PORT = 4747;
+
+/** Ports that are tried when nobody asked for one. */
+const TRIED = 20;
+
+export interface EditServer {
+  readonly port: number;
+  /** With the token of this run. */
+  readonly address: string;
+  /** Lets everybody go. */
+  close(): Promise<void>;
+}
+
+export interface EditServerOptions {
+  /** The folder as a person named it. */
+  readonly folder: string;
+  /** 0: any; null: `DEFAULT_PORT`, or the next that is free. */
+  readonly port: number | null;
+  /** The folder of the built page. */
+  readonly page: string;
+  readonly onCrash: (error: unknown) => void;
+}
+
+/**
+ * Starts the editor's server on 127.0.0.1.
+ * @throws Failure when the folder or the page is not what it should be, or the port is taken
+ */
+export async function startServer({ folder, port, page, onCrash }: EditServerOptions): Promise<EditServer> {
+  const root = realFolder(folder);
+  const files = readPage(page);
+  const levels = openLevelFolder(root, folder);
+  const token = randomBytes(32).toString('base64url');
+  const app = createApp({
+    api: createApi(levels),
+    page: files,
+    token,
+    port: () => (server.address() as AddressInfo).port,
+    onCrash,
+  });
+  const server = createAdaptorServer({
+    fetch: app.fetch,
+    overrideGlobalObjects: false,
+    serverOptions: { maxHeaderSize: 16 * 1024 },
+  }) as Server;
+  // nobody is to hold a connection open that asks for nothing
+  server.headersTimeout = 10_000;
+  server.requestTimeout = 60_000;
+  await listen(server, port);
+  const endWatching = await watchFolder(root, levels.known);
+  const { port: listening } = server.address() as AddressInfo;
+  const close = async (): Promise<void> => {
+    await endWatching();
+    server.closeAllConnections();
+    await new Promise((resolve) => server.close(resolve));
+  };
+  return { port: listening, address: `http://127.0.0.1:${listening}/#token=${token}`, close };
+}
+
+function realFolder(folder: string): string {
+  const stats = statOrError(folder);
+  if (stats instanceof Error) {
+    const hint = `expected a folder of level files; make one with: mkdir ${folder}`;
+    throw new Failure(`${folder}: can't be opened: ${systemReason(stats)}; ${hint}`);
+  }
+  if (!stats.isDirectory()) {
+    throw new Failure(`${folder}: is a file; expected a folder of level files: gq edit ${dirname(folder)}`);
+  }
+  return realpathSync(folder);
+}
+
+async function listen(server: Server, port: number | null): Promise<void> {
+  if (port !== null) return listenOn(server, port);
+  for (let tried = DEFAULT_PORT; tried < DEFAULT_PORT + TRIED; tried++) {
+    try {
+      return await listenOn(server, tried);
+    } catch (error) {
+      if (!(error instanceof Failure)) throw error;
+    }
+  }
+  return listenOn(server, 0);
+}
+
+function listenOn(server: Server, port: number): Promise<void> {
+  return new Promise((resolve, reject) => {
+    const onError = (error: NodeJS.ErrnoException): void => {
+      const why = error.code === 'EADDRINUSE' ? 'something else listens there, perhaps another gq edit' : systemReason(error);
+      reject(new Failure(`--port ${port}: can't listen on it: ${why}; give another one, or none to take one that is free`));
+    };
+    server.once('error', onError);
+    server.listen({ port, host: '127.0.0.1', exclusive: true }, () => {
+      server.off('error', onError);
+      resolve();
+    });
+  });
+}

@@ -1,0 +1,79 @@
+import { lstatSync, mkdirSync, readdirSync, statSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import type { TrashEntry } from '../../schema/index.ts';
+import { createFile, isTaken, moveFile, UNFINISHED } from '../disk.ts';
+import { findLevels, type LevelFileFound, pathOfNew, splitId } from './level-files.ts';
+import { Refusal } from './refusal.ts';
+
+/** Holds what was deleted, below a folder for each time: `.gq-trash/2026-01-31T12-00-00.000Z/world-2/01-start.level.json`. */
+const TRASH = '.gq-trash';
+
+const STAMP = /^(\d{4}-\d\d-\d\d)T(\d\d)-(\d\d)-(\d\d\.\d{3}Z)(?:_\d+)?$/;
+
+/** What `.gq-trash` holds, the last one deleted first. */
+export function findTrash(root: string): { entry: TrashEntry; file: LevelFileFound }[] {
+  const found: { entry: TrashEntry; file: LevelFileFound }[] = [];
+  if (!isRealFolder(join(root, TRASH))) return found;
+  for (const stamp of readdirSync(join(root, TRASH)).sort().reverse()) {
+    const time = STAMP.exec(stamp);
+    const folder = join(root, TRASH, stamp);
+    if (time === null || !isRealFolder(folder)) continue;
+    const deleted = `${time[1]}T${time[2]}:${time[3]}:${time[4]}`;
+    for (const file of findLevels(folder).files.values()) {
+      if (!file.isLink) found.push({ entry: { trash: `${stamp}/${file.id}`, id: file.id, deleted }, file });
+    }
+  }
+  return found;
+}
+
+/** Moves a level into the trash. @throws what the operating system says */
+export function moveToTrash(root: string, { id, path }: LevelFileFound, now: Date): TrashEntry {
+  const stamp = makeStampFolder(root, now);
+  const { folder, name } = splitId(id);
+  const to = pathOfNew(join(root, TRASH, stamp), folder, name);
+  mkdirSync(dirname(to), { recursive: true });
+  if (!moveFile(path, to)) throw new Error(`${to} has come into being just now`);
+  return { trash: `${stamp}/${id}`, id, deleted: now.toISOString() };
+}
+
+/**
+ * Moves away what a process that was killed had begun to write: nothing that was ever acknowledged, but perhaps somebody's work.
+ * @param before only what was last written before this time, ms since 1970: the rest may be another process's
+ */
+export function collectUnfinished(root: string, now: Date, before: number): void {
+  for (const folder of findLevels(root).folders) {
+    for (const name of readdirSync(join(root, folder))) {
+      if (!UNFINISHED.test(name)) continue;
+      const path = join(root, folder, name);
+      if ((statSync(path, { throwIfNoEntry: false })?.mtimeMs ?? before) >= before) continue;
+      moveFile(path, pathOfNew(join(root, TRASH, makeStampFolder(root, now)), '', `unfinished-${name.slice(9, -4)}`));
+    }
+  }
+}
+
+/** A new folder of its own for each deletion, so that none meets another. */
+function makeStampFolder(root: string, now: Date): string {
+  const trash = join(root, TRASH);
+  if (!isRealFolder(trash)) {
+    if (lstatSync(trash, { throwIfNoEntry: false }) !== undefined) {
+      throw new Refusal('not-writable', `${trash} is not a folder`, 'Deleted levels go there: move away what is in its place.');
+    }
+    mkdirSync(trash);
+  }
+  // what was deleted is not to be committed
+  if (!isTaken(join(trash, '.gitignore'))) createFile(join(trash, '.gitignore'), Buffer.from('*\n'));
+  const stamp = now.toISOString().replaceAll(':', '-');
+  for (let n = 1; ; n++) {
+    const name = n === 1 ? stamp : `${stamp}_${n}`;
+    try {
+      mkdirSync(join(trash, name));
+      return name;
+    } catch (error) {
+      if ((error as NodeJS.ErrnoException).code !== 'EEXIST') throw error;
+    }
+  }
+}
+
+function isRealFolder(path: string): boolean {
+  return lstatSync(path, { throwIfNoEntry: false })?.isDirectory() === true;
+}

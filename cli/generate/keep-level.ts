@@ -1,0 +1,45 @@
+import { mkdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { formatLevel } from '../../schema/index.ts';
+import type { Generated } from '../../solver/index.ts';
+import { createFile } from '../disk.ts';
+import { Failure, systemReason } from '../failure.ts';
+import { schemaReference } from '../schema-reference.ts';
+
+/** What became of a level that was made: `in the way` is another file of that name, which stays. */
+export type Kept = 'written' | 'unchanged' | 'in the way';
+
+/** The file of a level: by its name and its seed, so that the same seed is the same file. */
+export function generatedPath(directory: string, name: string, seed: number): string {
+  const slug = name
+    .toLowerCase()
+    .replace(/[^a-z0-9]+/g, '-')
+    .replace(/^-|-$/g, '');
+  return join(directory, `${slug}-${seed}.level.json`);
+}
+
+/**
+ * Writes a level into a file that is not there yet, whole or not at all.
+ * @throws Failure when it can't be written
+ */
+export function keepLevel(directory: string, path: string, { level }: Generated): Kept {
+  const $schema = schemaReference(directory) ?? undefined;
+  const text = formatLevel({ $schema, ...level });
+  try {
+    if (createFile(path, Buffer.from(text))) return 'written';
+    return readFileSync(path, 'utf8') === text ? 'unchanged' : 'in the way';
+  } catch (error) {
+    throw new Failure(`${path}: can't be written: ${systemReason(error)}`);
+  }
+}
+
+/** Makes the directory where it is missing. @throws Failure when it can't be */
+export function makeDirectory(directory: string): void {
+  try {
+    mkdirSync(directory, { recursive: true });
+  } catch (error) {
+    throw new Failure(
+      `--out ${directory}: the directory can't be made: ${systemReason(error)}; expected a directory that can be written`,
+    );
+  }
+}

@@ -1,0 +1,1 @@
+export { makeLevel as default } from './make-level.ts';

@@ -1,0 +1,138 @@
+import { type Accuracy, compile, joinHolds, type Scene, simulate, TICK, TICK_RATE } from '../../engine/index.ts';
+import type { RenderOptions } from '../../picture/index.ts';
+import type { Hold, Level } from '../../schema/index.ts';
+import { createRandom, createSearch, type Goal, proofPicture, type Search } from '../../solver/index.ts';
+import type { ChosenRun } from '../chosen-run.ts';
+import { outcomeInWords } from '../outcome.ts';
+import { effortInWords } from '../reporters/effort.ts';
+import { plural } from '../reporters/plural.ts';
+import { percent } from '../reporters/robustness.ts';
+import { endAtOnceDuring } from '../signals.ts';
+import { proveGoalImpossible } from '../solve/prove.ts';
+import type { Solved } from '../solve/solve-level.ts';
+
+/** What a picture shows, but for its size and colours. */
+export type View = Omit<RenderOptions, 'width' | 'theme'>;
+
+/** What is drawn, and how it is played. */
+export interface Subject {
+  readonly level: Level;
+  readonly accuracy: Accuracy;
+  /** s */
+  readonly maxTime: number;
+}
+
+/** The level and one run of it. */
+export function viewRun({ level, accuracy, maxTime }: Subject, { holds }: ChosenRun): View {
+  return { run: simulate(compile(level, accuracy), holds, { maxTime }), holds };
+}
+
+/** Every run of the level. */
+export function viewAllRuns({ level, accuracy, maxTime }: Subject): View {
+  const scene = compile(level, accuracy);
+  const ways = level.runs.map(({ name, holds }) => {
+    const run = simulate(scene, holds, { maxTime });
+    return { run, label: `${name}: ${outcomeInWords(run, level)}, ${plural(holds.length, 'press', 'presses')}` };
+  });
+  return { ways };
+}
+
+/** Really different runs that a search found. */
+export function viewSolved({ level }: Subject, { runs, effort }: Solved): View {
+  const ways = runs.map(({ run, holds, robustness }) => {
+    const presses = plural(holds.length, 'press', 'presses');
+    return {
+      run,
+      label: `${run.time.toFixed(2)} s, ${presses}, succeeds in ${percent(robustness.p40.p)} of attempts with 40 ms of noise`,
+    };
+  });
+  return {
+    title: `${level.name}: ${plural(runs.length, 'run')} found`,
+    note: `A search simulated ${effortInWords(effort)}.`,
+    ways,
+  };
+}
+
+/** Executions that are tried for a fan. */
+const FAN = 80;
+
+/**
+ * Where a run goes when each of its presses and releases is off by up to `ticks`: each edge alone to either side, and all
+ * of them by chance.
+ */
+export function viewFan(subject: Subject, chosen: ChosenRun, ticks: number, seed: number): View {
+  const { level, accuracy, maxTime } = subject;
+  const scene = compile(level, accuracy);
+  const random = createRandom(seed);
+  const edges = joinHolds(chosen.holds).flat();
+  const play = (shifts: readonly number[]) => simulate(scene, shifted(edges, shifts), { maxTime });
+  const alone = edges.flatMap((_, edge) => [-ticks, ticks].map((by) => edges.map((_, i) => (i === edge ? by : 0))));
+  const together = Array.from({ length: FAN }, () => edges.map(() => random.below(2 * ticks + 1) - ticks));
+  const fan = [...alone, ...together].map(play);
+  const won = fan.filter(({ outcome }) => outcome === 'completed').length;
+  const ms = (1000 * ticks * TICK).toFixed(0);
+  return {
+    ...viewRun(subject, chosen),
+    fan,
+    note:
+      `${won} of ${fan.length} executions complete it with presses and releases up to ${plural(ticks, 'tick')} (${ms} ms) too early or ` +
+      'too late: each alone to either side, the rest by chance.',
+  };
+}
+
+/** The run with its edges shifted: one that is released before it is pressed vanishes, ticks below 0 are 0. */
+function shifted(edges: readonly number[], shifts: readonly number[]): Hold[] {
+  const at = (i: number): number => Math.max(0, edges[i] + shifts[i]);
+  const holds: Hold[] = [];
+  for (let i = 0; i < edges.length; i += 2) if (at(i) < at(i + 1)) holds.push([at(i), at(i + 1)]);
+  return [...joinHolds(holds)];
+}
+
+/** How a search for pictures is made. */
+export interface Exploration {
+  readonly goal: Goal;
+  readonly seed: number;
+  /** ticks */
+  readonly effort: number;
+  readonly heat: boolean;
+  readonly nearest: boolean;
+}
+
+/** Where a search has been, the nearest it came, or both. */
+export function viewExploration(subject: Subject, { goal, seed, effort, heat, nearest }: Exploration): View {
+  const { level, accuracy, maxTime } = subject;
+  const scene = compile(level, accuracy);
+  const search = endAtOnceDuring(() => {
+    const begun = createSearch(scene, { goal, seed, maxTicks: Math.round(maxTime * TICK_RATE) });
+    begun.advance(effort);
+    return begun;
+  });
+  const found = search.solutions.length;
+  const runs = found === 0 ? 'it found no run' : `it found ${plural(found, 'run')}`;
+  const note = `A search simulated ${effortInWords(search.effort)}; ${runs}.`;
+  return {
+    title: level.name,
+    note,
+    ...(heat && { explored: search.explored }),
+    ...(nearest && nearestRun(scene, search, maxTime)),
+  };
+}
+
+function nearestRun(scene: Scene, { solutions, closest }: Search, maxTime: number): View {
+  const [solution] = solutions;
+  if (solution !== undefined) return { run: simulate(scene, solution.holds, { maxTime }), holds: solution.holds };
+  if (closest === null) return {};
+  // drawn up to a little after the moment
+  const run = simulate(scene, closest.holds, { maxTime: Math.min(maxTime, (closest.tick + 1) * TICK) });
+  return { run, holds: closest.holds, nearest: nearestTime(closest.tick) };
+}
+
+const nearestTime = (tick: number): number => tick * TICK;
+
+/** Why the goal can't be reached; null where there is no proof. */
+export function viewProof({ level, accuracy, maxTime }: Subject, goal: Goal): View | null {
+  const proof = proveGoalImpossible(level, accuracy, goal, Math.round(maxTime * TICK_RATE));
+  if (proof === null) return null;
+  const what = proof.about.kind === 'blackHole' ? 'impossible' : `mineral ${proof.about.index} is out of reach`;
+  return { title: `${level.name}: ${what}`, note: `Proved: ${proof.reason}.`, proof: proofPicture(level, proof) };
+}

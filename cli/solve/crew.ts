@@ -1,0 +1,99 @@
+import type { Hold } from '../../schema/index.ts';
+import { type Closest, type Effort, mergeSolutions, type Robustness, type Solution } from '../../solver/index.ts';
+import type { LaneState } from './messages.ts';
+import { LANES, type Limits, rounds, type SolveSettings } from './settings.ts';
+import { startThread } from './thread.ts';
+
+/** What the lanes have found together. */
+export interface Found {
+  readonly effort: Effort;
+  readonly closest: Closest | null;
+  /** Best first, really different ones. */
+  readonly solutions: readonly Solution[];
+}
+
+/** Runs simulated at most to certify a run, and where somebody waits for the end. */
+const MANY_RUNS = 50_000;
+const FEW_RUNS = 2000;
+
+/** Threads that search together. */
+export interface Crew {
+  /**
+   * Searches until nothing can get better, a limit is reached or `stop` is called.
+   * @param onRound called with what there is by then
+   */
+  search(limits: Limits, onRound: (found: Found) => void): Promise<Found>;
+  /** Brings the search to an end soon. */
+  stop(): void;
+  /** How much each of these runs forgives; less is tried for the certificates of a search that was stopped. */
+  measure(runs: readonly (readonly Hold[])[]): Promise<readonly Robustness[]>;
+  /** Ends the threads. */
+  dismiss(): Promise<void>;
+}
+
+/**
+ * Starts worker threads that share the lanes of a search.
+ * @param jobs the most threads; what they find does not depend on it
+ */
+export function hireCrew(settings: SolveSettings, jobs: number): Crew {
+  const threads = Math.min(jobs, LANES);
+  const stopped = new Int32Array(new SharedArrayBuffer(4));
+  const workers = Array.from({ length: threads }, (_, thread) => {
+    const own = Array.from({ length: LANES }, (_, lane) => lane).filter((lane) => lane % threads === thread);
+    return startThread({ settings, lanes: own, stop: stopped.buffer as SharedArrayBuffer });
+  });
+  const isStopped = (): boolean => Atomics.load(stopped, 0) !== 0;
+  const halt = (): void => {
+    Atomics.store(stopped, 0, 1);
+  };
+  let wasStopped = false;
+
+  async function search({ budget, effort }: Limits, onRound: (found: Found) => void): Promise<Found> {
+    const clock = budget === null ? undefined : setTimeout(halt, 1000 * budget);
+    let found: Found = { effort: { runs: 0, ticks: 0 }, closest: null, solutions: [] };
+    try {
+      for (const to of rounds(effort)) {
+        const answers = await Promise.all(workers.map((worker) => worker.ask({ kind: 'advance', to }, 'advance')));
+        const states = answers.flatMap((answer) => answer.lanes).sort((a, b) => a.lane - b.lane);
+        found = together(states, settings.count);
+        onRound(found);
+        // the lanes meet after each round, so that who is done first doesn't depend on who had more threads
+        if (isStopped() || states.some((state) => state.finished)) break;
+      }
+      return found;
+    } finally {
+      clearTimeout(clock);
+    }
+  }
+
+  return {
+    search,
+    stop() {
+      wasStopped = true;
+      halt();
+    },
+    async measure(runs) {
+      const maxRuns = wasStopped ? FEW_RUNS : MANY_RUNS;
+      const answers = runs.map((holds, i) => workers[i % threads].ask({ kind: 'measure', holds, maxRuns }, 'measure'));
+      return (await Promise.all(answers)).map((answer) => answer.robustness);
+    },
+    async dismiss() {
+      await Promise.all(workers.map((worker) => worker.end()));
+    },
+  };
+}
+
+function together(states: readonly LaneState[], count: number): Found {
+  const closest = states.flatMap((state) => state.closest ?? []);
+  return {
+    effort: {
+      runs: states.reduce((sum, { effort }) => sum + effort.runs, 0),
+      ticks: states.reduce((sum, { effort }) => sum + effort.ticks, 0),
+    },
+    closest: closest.reduce<Closest | null>((best, c) => (best === null || c.distance < best.distance ? c : best), null),
+    solutions: mergeSolutions(
+      states.map((state) => state.solutions),
+      { count },
+    ),
+  };
+}

@@ -1,0 +1,63 @@
+import { compile, type Run, simulate, TICK } from '../../engine/index.ts';
+import type { Hold } from '../../schema/index.ts';
+import type { Closest, Effort, Proof, Robustness } from '../../solver/index.ts';
+import type { Crew, Found } from './crew.ts';
+import { hireCrew } from './crew.ts';
+import { proveGoalImpossible } from './prove.ts';
+import type { Limits, SolveSettings } from './settings.ts';
+
+/** A run that was found, replayed, with what it forgives. */
+export interface SolvedRun {
+  readonly holds: readonly Hold[];
+  readonly run: Run;
+  readonly robustness: Robustness;
+}
+
+/** What came out of solving a level. */
+export interface Solved {
+  /** Best first; empty when none was found. */
+  readonly runs: readonly SolvedRun[];
+  readonly effort: Effort;
+  /** s of wall time */
+  readonly seconds: number;
+  /** null when a run was found, or nothing was tried */
+  readonly closest: Closest | null;
+  /** The proof that there is no run; nothing was searched then. */
+  readonly impossible: Proof | null;
+}
+
+export interface SolveOptions {
+  readonly limits: Limits;
+  /** The most threads; what comes out does not depend on it. */
+  readonly jobs: number;
+  readonly onRound: (found: Found) => void;
+  /** Called with the crew once it is at work, so that it can be stopped. */
+  readonly onStart: (crew: Crew) => void;
+}
+
+/** Tries to prove that there is no run, then searches for one, in threads of its own. */
+export async function solveLevel(settings: SolveSettings, { limits, jobs, onRound, onStart }: SolveOptions): Promise<Solved> {
+  const start = performance.now();
+  const since = (): number => (performance.now() - start) / 1000;
+  const { level, accuracy, goal, maxTicks } = settings;
+  const impossible = proveGoalImpossible(level, accuracy, goal, maxTicks);
+  if (impossible !== null) return { runs: [], effort: { runs: 0, ticks: 0 }, seconds: since(), closest: null, impossible };
+
+  const crew = hireCrew(settings, jobs);
+  onStart(crew);
+  try {
+    const { solutions, effort, closest } = await crew.search(limits, onRound);
+    const measured = await crew.measure(solutions.map(({ holds }) => holds));
+    const scene = compile(level, accuracy);
+    const runs = solutions.map(({ holds }, i): SolvedRun => {
+      // what is reported is what a replay from the start shows
+      const run = simulate(scene, holds, { maxTime: maxTicks * TICK });
+      if (run.outcome !== 'completed')
+        throw new Error(`a run that was found does not complete the level: ${JSON.stringify(holds)}`);
+      return { holds, run, robustness: measured[i] };
+    });
+    return { runs, effort, seconds: since(), closest: runs.length > 0 ? null : closest, impossible: null };
+  } finally {
+    await crew.dismiss();
+  }
+}

@@ -1,0 +1,59 @@
+import { parentPort, workerData } from 'node:worker_threads';
+import { compile } from '../../engine/index.ts';
+import { createSolver, measureRobustness, type Solver } from '../../solver/index.ts';
+import type { Answer, LaneState, Request, WorkerData } from './messages.ts';
+
+/** Executions behind each probability. */
+const SAMPLES = 1000;
+
+/** Ticks simulated before a worker looks whether it is to stop. */
+const SLICE = 50_000;
+
+interface Lane {
+  readonly lane: number;
+  readonly solver: Solver;
+  /** Ticks that it was asked to simulate: it stops a little beyond. */
+  asked: number;
+}
+
+const { settings, lanes, stop } = workerData as WorkerData;
+const stopped = new Int32Array(stop);
+const { level, accuracy, goal, objective, maxTicks, count, known, seed } = settings;
+const scene = compile(level, accuracy);
+const own = lanes.map((lane): Lane => {
+  return { lane, solver: createSolver(scene, { goal, objective, maxTicks, count, known, seed, lane }), asked: 0 };
+});
+
+function advance(lane: Lane, to: number): void {
+  while (lane.asked < to && !lane.solver.finished && Atomics.load(stopped, 0) === 0) {
+    const ticks = Math.min(SLICE, to - lane.asked);
+    lane.solver.advance(ticks);
+    lane.asked += ticks;
+  }
+}
+
+const stateOf = ({ lane, solver }: Lane): LaneState => {
+  const { effort, closest, solutions, finished } = solver;
+  return { lane, effort: { ...effort }, closest, solutions: [...solutions], finished };
+};
+
+function answer(request: Request): Answer {
+  switch (request.kind) {
+    case 'advance':
+      for (const lane of own) advance(lane, request.to);
+      return { kind: 'advance', lanes: own.map(stateOf) };
+    case 'measure':
+      return {
+        kind: 'measure',
+        robustness: measureRobustness(scene, request.holds, goal, { samples: SAMPLES, seed, maxRuns: request.maxRuns }),
+      };
+  }
+}
+
+parentPort?.on('message', (request: Request) => {
+  try {
+    parentPort?.postMessage(answer(request));
+  } catch (error) {
+    parentPort?.postMessage({ kind: 'failed', why: error instanceof Error ? (error.stack ?? error.message) : String(error) });
+  }
+});
