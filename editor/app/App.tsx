@@ -1,0 +1,179 @@
+import { Tabs, Tooltip } from 'radix-ui';
+import { useEffect } from 'react';
+import { useStore } from 'zustand';
+import { CanvasView } from '../canvas/index.ts';
+import { type Command, listenToKeys } from '../commands/index.ts';
+import { Dialogs } from '../dialogs/index.ts';
+import { SolverWatch, solverDeskOf } from '../panels/solver/index.ts';
+import { PlayView, playCommands } from '../play/index.ts';
+import { Timeline } from '../timeline/index.ts';
+import { Button } from '../ui/index.ts';
+import './app.css';
+import { appCommands } from './app-commands.ts';
+import { CheatSheet } from './CheatSheet.tsx';
+import { CommandPalette } from './CommandPalette.tsx';
+import { EditorContext, LevelContext, useEditor, useLevel, useSession } from './context.ts';
+import type { Editor } from './editor.ts';
+import { Layout, type SidePanel } from './Layout.tsx';
+import { NoticeList } from './NoticeList.tsx';
+import { LEFT, LEVELS, PROBLEMS, RIGHT } from './parts.tsx';
+import { SettingsDialog } from './SettingsDialog.tsx';
+import { StatusBar } from './StatusBar.tsx';
+import { Toolbar } from './Toolbar.tsx';
+import { TopBar } from './TopBar.tsx';
+import { useTheme } from './use-theme.ts';
+
+/** Panels of one side, one at a time. */
+function SideTabs({
+  side,
+  label,
+  panels,
+}: {
+  readonly side: 'left' | 'right';
+  readonly label: string;
+  readonly panels: readonly SidePanel[];
+}) {
+  const { session } = useEditor();
+  const shown = useSession((state) => state.panels[side]);
+  return (
+    <Tabs.Root
+      className="panel"
+      value={shown}
+      onValueChange={(id) => session.setState({ panels: { ...session.getState().panels, [side]: id } })}
+    >
+      <Tabs.List className="tabs" aria-label={label}>
+        {panels.map(({ id, title }) => (
+          <Tabs.Trigger key={id} value={id} className="tabs__tab">
+            {title}
+          </Tabs.Trigger>
+        ))}
+      </Tabs.List>
+      {panels.map(({ id, content }) => (
+        <Tabs.Content key={id} value={id} className="panel">
+          {content}
+        </Tabs.Content>
+      ))}
+    </Tabs.Root>
+  );
+}
+
+const ALL_PANELS = [LEVELS, ...LEFT, ...RIGHT, PROBLEMS];
+
+/** Brings panels to the front by their names. */
+function panelCommands({ session }: Editor): readonly Command[] {
+  return ALL_PANELS.map(({ id, title }) => ({
+    id: `panel.${id}`,
+    title: `Show ${title.toLowerCase()}`,
+    group: 'View',
+    mode: 'both',
+    run: () => {
+      const { panels } = session.getState();
+      const left = LEFT.some((panel) => panel.id === id) ? id : panels.left;
+      const right = RIGHT.some((panel) => panel.id === id) ? id : panels.right;
+      session.setState({ panels: { left, right, phone: id } });
+    },
+  }));
+}
+
+function LevelScreen() {
+  const editor = useEditor();
+  const level = useLevel();
+  const mode = useSession((state) => state.mode);
+  const { overlay } = solverDeskOf(editor, level);
+  return (
+    <>
+      <TopBar />
+      <Layout
+        left={[LEVELS.content, <SideTabs key="tabs" side="left" label="Objects and runs" panels={LEFT} />]}
+        right={[<SideTabs key="tabs" side="right" label="Inspector and tools" panels={RIGHT} />, PROBLEMS.content]}
+        canvas={
+          <>
+            <CanvasView key={level.opened.id()} search={overlay} />
+            <Toolbar />
+            {mode === 'play' && <PlayView />}
+          </>
+        }
+        timeline={<Timeline key={level.opened.id()} />}
+        panels={ALL_PANELS}
+      />
+      <StatusBar />
+      <SolverWatch />
+    </>
+  );
+}
+
+/** What is seen while no level is open. */
+function EmptyScreen() {
+  const { workspace, session } = useEditor();
+  const list = useStore(workspace.store, (state) => state.list);
+  const error = useStore(workspace.store, (state) => state.error);
+  return (
+    <>
+      <header className="topbar">
+        <h1 className="topbar__level">Gravity Quest editor</h1>
+      </header>
+      <div className="start">
+        <aside className="region" aria-label="Levels">
+          {LEVELS.content}
+        </aside>
+        <main className="empty">
+          {error !== null ? (
+            <p role="alert">
+              {error.message}. {error.hint}.
+            </p>
+          ) : list === null ? (
+            <p>Looking for levels…</p>
+          ) : (
+            <p>{list.levels.length === 0 ? 'No levels here yet.' : 'Choose a level, or begin a new one.'}</p>
+          )}
+          <Button hint="Start from a template" look="main" onClick={() => session.setState({ overlay: 'newLevel' })}>
+            New level
+          </Button>
+        </main>
+      </div>
+      <footer className="statusbar" />
+    </>
+  );
+}
+
+function Screen() {
+  const editor = useEditor();
+  const level = useStore(editor.open);
+  useTheme();
+  useEffect(() => {
+    const { commands, session } = editor;
+    const forget = commands.register([...appCommands(editor), ...playCommands(editor), ...panelCommands(editor)]);
+    const stop = listenToKeys(window, commands, () => session.getState().mode);
+    return () => {
+      forget();
+      stop();
+    };
+  }, [editor]);
+  return (
+    <div className="app">
+      {level === null ? (
+        <EmptyScreen />
+      ) : (
+        <LevelContext.Provider value={level}>
+          <LevelScreen />
+        </LevelContext.Provider>
+      )}
+      <CommandPalette />
+      <CheatSheet />
+      <SettingsDialog />
+      <Dialogs />
+      <NoticeList />
+    </div>
+  );
+}
+
+/** The whole page. */
+export function App({ editor }: { readonly editor: Editor }) {
+  return (
+    <EditorContext.Provider value={editor}>
+      <Tooltip.Provider delayDuration={500}>
+        <Screen />
+      </Tooltip.Provider>
+    </EditorContext.Provider>
+  );
+}

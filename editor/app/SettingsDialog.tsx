@@ -1,0 +1,136 @@
+import { useId, useState } from 'react';
+import { useStore } from 'zustand';
+import { type AccuracyName, DEFAULT_ACCURACY } from '../../engine/index.ts';
+import { keyLabel } from '../commands/index.ts';
+import type { Settings } from '../settings/index.ts';
+import { Button, Dialog, NumberField } from '../ui/index.ts';
+import { useEditor, useSession } from './context.ts';
+import { IS_MAC } from './platform.ts';
+
+const ACCURACY_HINTS: Readonly<Record<AccuracyName, string>> = {
+  arcade: 'arcade: the original game, frame by frame',
+  fast: 'fast: Verlet, 60 Hz',
+  standard: 'standard: Runge-Kutta, 60 Hz',
+  precise: 'precise: to a billionth of a px',
+};
+
+interface ChoiceProps<T extends string> {
+  readonly label: string;
+  readonly value: T;
+  readonly options: readonly (readonly [value: T, title: string])[];
+  readonly onChange: (value: T) => void;
+}
+
+function Choice<T extends string>({ label, value, options, onChange }: ChoiceProps<T>) {
+  const id = useId();
+  return (
+    <div className="setting">
+      <label htmlFor={id}>{label}</label>
+      <select id={id} className="field" value={value} onChange={(event) => onChange(event.target.value as T)}>
+        {options.map(([option, title]) => (
+          <option key={option} value={option}>
+            {title}
+          </option>
+        ))}
+      </select>
+    </div>
+  );
+}
+
+function Check({ label, checked, onChange }: { label: string; checked: boolean; onChange: (on: boolean) => void }) {
+  return (
+    <label className="setting setting--check">
+      <input type="checkbox" checked={checked} onChange={(event) => onChange(event.target.checked)} />
+      {label}
+    </label>
+  );
+}
+
+/** What a person prefers; it holds at once and is kept in this browser. */
+export function SettingsDialog() {
+  const { session, settings: store } = useEditor();
+  const open = useSession((state) => state.overlay === 'settings');
+  const settings = useStore(store);
+  const [listening, setListening] = useState(false);
+  const set = (change: Partial<Settings>) => store.setState(change);
+  return (
+    <Dialog
+      open={open}
+      title="Settings"
+      about="Kept in this browser. Nothing of it is written into levels."
+      onClose={() => session.setState({ overlay: null })}
+    >
+      <div className="settings">
+        <Choice
+          label="Colours"
+          value={settings.theme}
+          options={[
+            ['system', 'as the system has it'],
+            ['dark', 'dark'],
+            ['light', 'light'],
+          ]}
+          onChange={(theme) => set({ theme })}
+        />
+        <Choice
+          label="Motion"
+          value={settings.reduceMotion}
+          options={[
+            ['system', 'as the system has it'],
+            ['no', 'all of it'],
+            ['yes', 'as little as possible'],
+          ]}
+          onChange={(reduceMotion) => set({ reduceMotion })}
+        />
+        <Choice
+          label="Accuracy"
+          value={settings.accuracy}
+          options={Object.entries(ACCURACY_HINTS).map(
+            ([name, hint]) => [name as AccuracyName, name === DEFAULT_ACCURACY ? `${hint} (default)` : hint] as const,
+          )}
+          onChange={(accuracy) => set({ accuracy })}
+        />
+        <div className="setting">
+          <NumberField label="Grid" value={settings.grid} min={1} max={256} whole unit="px" onChange={(grid) => set({ grid })} />
+        </div>
+        <Check label="Snap to the grid" checked={settings.snapToGrid} onChange={(snapToGrid) => set({ snapToGrid })} />
+        <Check
+          label="Snap to other objects"
+          checked={settings.snapToObjects}
+          onChange={(snapToObjects) => set({ snapToObjects })}
+        />
+        <Check label="Sound" checked={settings.sound} onChange={(sound) => set({ sound })} />
+        <div className="setting">
+          <label htmlFor="volume">Volume</label>
+          <input
+            id="volume"
+            type="range"
+            min={0}
+            max={1}
+            step={0.05}
+            value={settings.volume}
+            onChange={(event) => set({ volume: Number(event.target.value) })}
+          />
+        </div>
+        <div className="setting">
+          <span>Gun key in a playtest</span>
+          <Button
+            hint="Press it, then the key that shall be the gun"
+            look="outlined"
+            pressed={listening}
+            onClick={() => setListening(true)}
+            onBlur={() => setListening(false)}
+            onKeyDown={(event) => {
+              if (!listening) return;
+              event.preventDefault();
+              event.stopPropagation();
+              if (event.key !== 'Escape') set({ gunKey: event.code });
+              setListening(false);
+            }}
+          >
+            {listening ? 'press a key' : keyLabel(settings.gunKey, IS_MAC)}
+          </Button>
+        </div>
+      </div>
+    </Dialog>
+  );
+}

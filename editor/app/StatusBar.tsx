@@ -1,0 +1,33 @@
+import { useStore } from 'zustand';
+import { objectsOf } from '../document/index.ts';
+import { OtherAccuracy } from '../panels/accuracy/index.ts';
+import { useProblemCount } from '../panels/problems/index.ts';
+import { outcomeInWords } from '../proof/index.ts';
+import { useDocument, useEditor, useProof, useSession } from './context.ts';
+
+const plural = (count: number, what: string) => `${count} ${what}${count === 1 ? '' : 's'}`;
+
+/** What the level has, how it is shown, and how the shown run ends. */
+export function StatusBar() {
+  const { settings } = useEditor();
+  const objects = useDocument(({ file }) => objectsOf(file).size);
+  const zoom = useSession((state) => state.zoom);
+  const grid = useStore(settings, (state) => (state.snapToGrid ? `grid ${state.grid}` : 'no grid'));
+  const accuracy = useProof((proof) => proof.accuracy);
+  const ms = useProof((proof) => proof.ms.toFixed(1));
+  const problems = useProblemCount();
+  const ends = useProof((proof) => outcomeInWords(proof.run, proof.level.range));
+  return (
+    <footer className="statusbar numbers">
+      <span>{plural(objects, 'object')}</span>
+      <span>{problems === 0 ? 'no problems' : plural(problems, 'problem')}</span>
+      <span>{grid}</span>
+      <span>{Math.round(zoom * 100)} %</span>
+      <span>
+        {accuracy}: {ms} ms
+      </span>
+      <OtherAccuracy />
+      <span>{ends}</span>
+    </footer>
+  );
+}

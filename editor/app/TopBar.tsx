@@ -1,0 +1,68 @@
+import { CircleQuestionMark, Play, Redo2, Search, Settings, Share2, Square, Undo2 } from 'lucide-react';
+import { useStore } from 'zustand';
+import { keyLabel } from '../commands/index.ts';
+import { Button } from '../ui/index.ts';
+import { useDocument, useEditor, useLevel, useSession } from './context.ts';
+import { IS_MAC } from './platform.ts';
+import { SaveStatus } from './SaveStatus.tsx';
+import { VerdictBadge } from './VerdictBadge.tsx';
+
+/** What is open, whether it is safe, what it is worth; play. */
+export function TopBar() {
+  const { commands, session } = useEditor();
+  const { document } = useLevel();
+  const name = useDocument(({ file }) => file.name);
+  const undo = useStore(document.store, (state) => state.undoLabel);
+  const redo = useStore(document.store, (state) => state.redoLabel);
+  const playing = useSession((state) => state.mode === 'play');
+  const key = (binding: string) => keyLabel(binding, IS_MAC);
+  return (
+    <header className="topbar">
+      <h1 className="topbar__level">{name}</h1>
+      <SaveStatus />
+      <Button
+        hint={undo === null ? 'Nothing to undo' : `Undo: ${undo}`}
+        shortcut={key('$mod+z')}
+        icon={<Undo2 size={16} />}
+        disabled={undo === null}
+        onClick={() => document.undo()}
+      />
+      <Button
+        hint={redo === null ? 'Nothing to redo' : `Redo: ${redo}`}
+        shortcut={key('$mod+Shift+z')}
+        icon={<Redo2 size={16} />}
+        disabled={redo === null}
+        onClick={() => document.redo()}
+      />
+      <Button
+        className="topbar__search"
+        hint="Search all commands"
+        shortcut={key('$mod+k')}
+        look="outlined"
+        icon={<Search size={14} />}
+        onClick={() => session.setState({ overlay: 'palette' })}
+      >
+        Search or run
+      </Button>
+      <span className="topbar__space" />
+      <VerdictBadge />
+      <Button
+        hint={playing ? 'Back to editing' : 'Play from the start'}
+        shortcut={playing ? 'Esc' : 'Space'}
+        look="main"
+        icon={playing ? <Square size={14} /> : <Play size={14} />}
+        onClick={() => commands.run(playing ? 'play.stop' : 'play.start')}
+      >
+        {playing ? 'Stop' : 'Play'}
+      </Button>
+      <Button hint="Import, export, link" icon={<Share2 size={16} />} onClick={() => session.setState({ overlay: 'share' })} />
+      <Button hint="Settings" icon={<Settings size={16} />} onClick={() => session.setState({ overlay: 'settings' })} />
+      <Button
+        hint="Keys and gestures"
+        shortcut="?"
+        icon={<CircleQuestionMark size={16} />}
+        onClick={() => session.setState({ overlay: 'cheatSheet' })}
+      />
+    </header>
+  );
+}

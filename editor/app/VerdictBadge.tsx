@@ -1,0 +1,71 @@
+import { CircleCheck, CircleHelp, CircleX } from 'lucide-react';
+import { useStore } from 'zustand';
+import { useVerdict } from '../panels/solver/index.ts';
+import { outcomeInWords } from '../proof/index.ts';
+import { Hint } from '../ui/index.ts';
+import { useLevel, useProof } from './context.ts';
+
+const LOOKS = {
+  completable: { Icon: CircleCheck, text: 'completable' },
+  broken: { Icon: CircleX, text: 'broken' },
+  unproven: { Icon: CircleHelp, text: 'unproven' },
+  impossible: { Icon: CircleX, text: 'impossible' },
+} as const;
+
+/** How many ticks every press and release of the shown run may slip at once, as far as it is known. */
+function Slack() {
+  const { analysis: store } = useLevel();
+  const analysis = useStore(store);
+  const holds = useProof((proof) => proof.run.holds.join());
+  if (analysis === null || analysis.holds !== holds) return null;
+  const { certifiedTicks: ticks, decided, p40 } = analysis;
+  const isThin = ticks === 0 && decided;
+  const chance = `${Math.round(100 * p40)} %`;
+  const words = ticks === null ? 'slack …' : isThin ? 'thin' : `slack ${ticks}${decided ? '' : '+'}`;
+  const certificate =
+    ticks === null
+      ? 'How far all presses and releases may slip at once is being certified.'
+      : isThin
+        ? 'Some slip of all presses and releases by one tick fails.'
+        : `All presses and releases may slip by ${ticks} ticks at once: certified.${decided ? '' : ' Whether by more was too much to try.'}`;
+  return (
+    <Hint text={`${certificate} With timing noise of 40 ms the run succeeds ${chance} of the time.`}>
+      <output className={isThin ? 'topbar__saved topbar__saved--thin' : 'topbar__saved'} aria-label="Slack">
+        {words} · {chance}
+      </output>
+    </Hint>
+  );
+}
+
+/** The verdict that `gq check` would give on what is on the screen, at once. */
+export function VerdictBadge() {
+  const { verdict, reason } = useVerdict(useLevel());
+  const provenBy = useProof((proof) => proof.provenBy);
+  const taken = useProof((proof) => proof.run.minerals.length);
+  const minerals = useProof((proof) => proof.level.minerals.length);
+  const shown = useProof((proof) => proof.run.name);
+  const ends = useProof((proof) => outcomeInWords(proof.run, proof.level.range));
+  const { Icon, text } = LOOKS[verdict];
+  const why =
+    reason !== null
+      ? `nobody can complete it: ${reason}`
+      : provenBy === null
+        ? 'no run of the level reaches the black hole'
+        : `the run "${provenBy}" reaches the black hole`;
+  return (
+    <>
+      <Hint text={`${why}. Shown: ${shown === null ? 'she drifts' : `"${shown}"`}, ${ends}`}>
+        <output className={`badge badge--${verdict}`} aria-label={`Verdict: ${text}`}>
+          <Icon size={15} aria-hidden />
+          {text}
+        </output>
+      </Hint>
+      <Slack />
+      {minerals > 0 && (
+        <output className="topbar__saved numbers" aria-label={`Minerals taken: ${taken} of ${minerals}`}>
+          minerals {taken}/{minerals}
+        </output>
+      )}
+    </>
+  );
+}

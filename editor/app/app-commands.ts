@@ -1,0 +1,85 @@
+import type { Command } from '../commands/index.ts';
+import { LAYERS, type Layer } from '../session/index.ts';
+import type { Editor } from './editor.ts';
+
+const LAYER_TITLES: Readonly<Record<Layer, string>> = {
+  ranges: 'range of the gun',
+  margins: 'margins of hazards',
+  nearMisses: 'near misses',
+  slackFan: 'fan of the slack',
+  ghosts: 'ghosts of attempts and candidates',
+  heatMap: 'where searches went',
+};
+
+/** What can be done whatever is shown. */
+export function appCommands({ session, settings, open }: Editor): readonly Command[] {
+  const isOpen = () => open.getState() !== null;
+  const show = (overlay: NonNullable<ReturnType<typeof session.getState>['overlay']>) => () => session.setState({ overlay });
+  return [
+    {
+      id: 'edit.undo',
+      title: 'Undo',
+      group: 'Edit',
+      keys: ['$mod+z'],
+      enabled: isOpen,
+      run: () => open.getState()?.document.undo(),
+    },
+    {
+      id: 'edit.redo',
+      title: 'Redo',
+      group: 'Edit',
+      keys: ['$mod+Shift+z', '$mod+y'],
+      enabled: isOpen,
+      run: () => open.getState()?.document.redo(),
+    },
+    {
+      id: 'file.save',
+      title: 'Save now',
+      group: 'File',
+      keys: ['$mod+s'],
+      mode: 'both',
+      inText: true,
+      enabled: isOpen,
+      run: () => void open.getState()?.opened.saver.flush(),
+    },
+    { id: 'file.new', title: 'New level', group: 'File', keys: ['Alt+n'], run: show('newLevel') },
+    { id: 'file.share', title: 'Import, export, link', group: 'File', run: show('share') },
+    { id: 'file.trash', title: 'Deleted levels', group: 'File', run: show('trash') },
+    {
+      id: 'help.palette',
+      title: 'Search all commands',
+      group: 'Help',
+      keys: ['$mod+k', '$mod+Shift+p'],
+      inText: true,
+      run: show('palette'),
+    },
+    { id: 'help.keys', title: 'Keys and gestures', group: 'Help', keys: ['Shift+?', '?'], run: show('cheatSheet') },
+    { id: 'help.tour', title: 'A tour of the editor', group: 'Help', run: show('tour') },
+    { id: 'help.settings', title: 'Settings', group: 'Help', keys: ['$mod+Comma'], run: show('settings') },
+    {
+      id: 'view.theme',
+      title: 'Light or dark',
+      group: 'View',
+      mode: 'both',
+      run: () => settings.setState({ theme: document.documentElement.dataset.theme === 'light' ? 'dark' : 'light' }),
+    },
+    {
+      id: 'view.grid-snapping',
+      title: 'Snap to the grid, or not',
+      group: 'View',
+      keys: ['Shift+g'],
+      run: () => settings.setState({ snapToGrid: !settings.getState().snapToGrid }),
+    },
+    ...LAYERS.map(
+      (layer): Command => ({
+        id: `view.layer-${layer}`,
+        title: `Show or hide the ${LAYER_TITLES[layer]}`,
+        group: 'View',
+        run: () => {
+          const { layers } = session.getState();
+          session.setState({ layers: { ...layers, [layer]: !layers[layer] } });
+        },
+      }),
+    ),
+  ];
+}

@@ -1,0 +1,38 @@
+import { Files, Gauge, ListTree, Puzzle, SlidersHorizontal, Sparkles, TriangleAlert, Waypoints } from 'lucide-react';
+import { AccuracyPanel } from '../panels/accuracy/index.ts';
+import { Effects } from '../panels/effects/index.ts';
+import { Inspector } from '../panels/inspector/index.ts';
+import { LevelsPanel } from '../panels/levels/index.ts';
+import { Outliner } from '../panels/outliner/index.ts';
+import { Problems } from '../panels/problems/index.ts';
+import { RunsPanel } from '../panels/runs/index.ts';
+import { Solver } from '../panels/solver/index.ts';
+import type { SidePanel } from './Layout.tsx';
+
+/** px of an icon in a tab of a phone */
+const ICON = 17;
+
+/** Always there at the top of the left side. */
+export const LEVELS: SidePanel = { id: 'levels', title: 'Levels', icon: <Files size={ICON} />, content: <LevelsPanel /> };
+
+/** Below it, one at a time. */
+export const LEFT: readonly SidePanel[] = [
+  { id: 'outline', title: 'Outline', icon: <ListTree size={ICON} />, content: <Outliner /> },
+  { id: 'runs', title: 'Runs', icon: <Waypoints size={ICON} />, content: <RunsPanel /> },
+];
+
+/** On the right side, one at a time. */
+export const RIGHT: readonly SidePanel[] = [
+  { id: 'inspector', title: 'Inspector', icon: <SlidersHorizontal size={ICON} />, content: <Inspector /> },
+  { id: 'solver', title: 'Solver', icon: <Sparkles size={ICON} />, content: <Solver /> },
+  { id: 'effects', title: 'Effects', icon: <Puzzle size={ICON} />, content: <Effects /> },
+  { id: 'accuracy', title: 'Accuracy', icon: <Gauge size={ICON} />, content: <AccuracyPanel /> },
+];
+
+/** Always there at the bottom of the right side. */
+export const PROBLEMS: SidePanel = {
+  id: 'problems',
+  title: 'Problems',
+  icon: <TriangleAlert size={ICON} />,
+  content: <Problems />,
+};

@@ -1,0 +1,116 @@
+import { useEffect, useRef } from 'react';
+import { type StoreApi, useStore } from 'zustand';
+import { useEditor, useLevel } from '../app/context.ts';
+import { canvasCommands } from './canvas-commands.ts';
+import { createCanvasState } from './canvas-state.ts';
+import './canvas.css';
+import { extentOf } from './extent.ts';
+import type { SearchPicture } from './layers/search-layer.ts';
+import { listenToDrops, listenToPointer, type PointerContext } from './pointer/index.ts';
+import type { Pose } from './pose.ts';
+import { poseAt } from './run-pose.ts';
+import { createStage, type Picture } from './stage.ts';
+import { fitBox, type View } from './view.ts';
+
+interface CanvasViewProps {
+  /** What searches have to show; followed. */
+  readonly search: Pick<StoreApi<SearchPicture>, 'getState'>;
+}
+
+/** The level as it looks, to be edited by hand. */
+export function CanvasView({ search }: CanvasViewProps) {
+  const editor = useEditor();
+  const level = useLevel();
+  const host = useRef<HTMLDivElement>(null);
+  const canvas = useRef(createCanvasState()).current;
+  const cursor = useStore(canvas, (state) => state.cursor);
+
+  useEffect(() => {
+    const element = host.current;
+    if (element === null) return;
+    const { settings, session, notices } = editor;
+    const { document, selection, hovered, proof, ghosts, playtest } = level;
+
+    const setView = (view: View) => {
+      canvas.setState({ view });
+      session.setState({ zoom: view.zoom });
+    };
+    const bringIntoView = (keys?: readonly string[]) => {
+      const box = extentOf(document.file(), keys);
+      if (box !== null) setView(fitBox(canvas.getState().view, box));
+    };
+
+    // the pose of a tick is made once, however many frames show it
+    let posed: { proof: object; tick: number; pose: Pose } | null = null;
+    const pose = (): Pose => {
+      const playing = playtest.getState();
+      if (playing !== null) return playing.pose();
+      const { tick, hoverTick } = session.getState();
+      const at = hoverTick ?? tick;
+      const now = proof.proof();
+      if (posed === null || posed.proof !== now || posed.tick !== at) posed = { proof: now, tick: at, pose: poseAt(now, at) };
+      return posed.pose;
+    };
+    const picture = (): Picture => {
+      const { snapToGrid, grid } = settings.getState();
+      const { dataset } = window.document.documentElement;
+      return {
+        file: document.file(),
+        proof: proof.proof(),
+        canvas: canvas.getState(),
+        selected: selection.keys(),
+        hovered: hovered.getState(),
+        layers: session.getState().layers,
+        grid: snapToGrid ? grid : null,
+        ghosts: ghosts.getState(),
+        search: search.getState(),
+        pose: pose(),
+        editing: session.getState().mode === 'edit',
+        theme: dataset.theme === 'light' ? 'light' : 'dark',
+        calm: dataset.motion === 'less',
+      };
+    };
+    const stage = createStage(element, picture);
+
+    let fitted = false;
+    const observer = new ResizeObserver(() => {
+      const { clientWidth: width, clientHeight: height } = element;
+      stage.resize(width, height);
+      setView({ ...canvas.getState().view, width, height });
+      if (!fitted && width > 1) bringIntoView();
+      fitted ||= width > 1;
+    });
+    observer.observe(element);
+
+    const context: PointerContext = {
+      document,
+      selection,
+      canvas,
+      hovered,
+      view: () => canvas.getState().view,
+      setView,
+      tool: () => session.getState().tool,
+      setTool: (tool) => session.setState({ tool }),
+      snapping: () => {
+        const { snapToGrid, grid, snapToObjects } = settings.getState();
+        return { grid: snapToGrid ? grid : null, toObjects: snapToObjects };
+      },
+      refused: (message) => notices.show('warning', message, { topic: 'refused' }),
+    };
+    const pointer = listenToPointer(element, context, () => session.getState().mode === 'edit');
+    const stopDrops = listenToDrops(element, context);
+    const forget = editor.commands.register(canvasCommands({ editor, level, canvas, setView, bringIntoView, pointer, stage }));
+    return () => {
+      forget();
+      stopDrops();
+      pointer.stop();
+      observer.disconnect();
+      stage.destroy();
+    };
+  }, [editor, level, canvas, search]);
+
+  return (
+    // biome-ignore lint/a11y/noNoninteractiveTabindex: keys move what is selected; the outline says the same in words
+    <div ref={host} className="canvas" style={{ cursor }} tabIndex={0} role="application" aria-label="Level canvas" />
+  );
+}

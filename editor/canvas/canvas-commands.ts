@@ -1,0 +1,246 @@
+import type { StoreApi } from 'zustand/vanilla';
+import type { Editor, OpenLevel } from '../app/editor.ts';
+import type { Command } from '../commands/index.ts';
+import {
+  alignObjects,
+  type ChangeResult,
+  copyObjects,
+  deleteObjects,
+  distributeObjects,
+  duplicateObjects,
+  type Edge,
+  middleOf,
+  moveObjects,
+  objectsOf,
+  pasteObjects,
+  type Recipe,
+  readClipping,
+} from '../document/index.ts';
+import type { Tool } from '../session/index.ts';
+import type { CanvasState } from './canvas-state.ts';
+import type { PointerListening } from './pointer/index.ts';
+import type { Stage } from './stage.ts';
+import { type View, zoomAt } from './view.ts';
+
+interface CanvasParts {
+  readonly editor: Editor;
+  readonly level: OpenLevel;
+  readonly canvas: StoreApi<CanvasState>;
+  readonly setView: (view: View) => void;
+  readonly bringIntoView: (keys?: readonly string[]) => void;
+  readonly pointer: PointerListening;
+  readonly stage: Stage;
+}
+
+const TOOL_KEYS: readonly (readonly [tool: Tool, key: string, title: string])[] = [
+  ['select', 'v', 'Select and move'],
+  ['hand', 'g', 'Move the view'],
+  ['asteroid', 'a', 'Add asteroids'],
+  ['nova', 'n', 'Add novae'],
+  ['hot', 'h', 'Add hot asteroids'],
+  ['repulsor', 'r', 'Add repulsors'],
+  ['alien', 'e', 'Add aliens'],
+  ['mineral', 'm', 'Add minerals'],
+];
+
+const ALIGNMENTS: readonly (readonly [edge: Edge, title: string])[] = [
+  ['left', 'Align left edges'],
+  ['centre', 'Align centres on an upright line'],
+  ['right', 'Align right edges'],
+  ['top', 'Align top edges'],
+  ['middle', 'Align centres on a level line'],
+  ['bottom', 'Align bottom edges'],
+];
+
+/** How far copies are laid beside what they are copies of, px. */
+const BESIDE = 32;
+
+/** What can be done on the canvas without the pointer. */
+export function canvasCommands({ editor, level, canvas, setView, bringIntoView, pointer }: CanvasParts): readonly Command[] {
+  const { session, settings, notices } = editor;
+  const { document, selection } = level;
+  const some = () => selection.keys().length > 0;
+  const several = () => selection.keys().length > 1;
+  const told = (result: ChangeResult): ChangeResult => {
+    if (!result.ok) notices.show('warning', `${result.refusal.message}. ${result.refusal.hint}`, { topic: 'refused' });
+    return result;
+  };
+  const change = (label: string, recipe: Recipe, gesture?: string) =>
+    told(document.change(label, recipe, gesture === undefined ? {} : { gesture }));
+  const added = (result: ChangeResult) => {
+    if (result.ok && result.added.length > 0) selection.select(result.added);
+  };
+
+  const nudge = (key: string, dx: number, dy: number): Command[] => {
+    const step = (size: () => number, keys: string, id: string, how: string): Command => ({
+      id: `object.nudge-${id}`,
+      title: `Nudge ${how}`,
+      group: 'Object',
+      keys: [keys],
+      enabled: some,
+      hidden: true,
+      run: () => change('Nudge', moveObjects(selection.keys(), dx * size(), dy * size()), `nudge ${selection.keys().join()}`),
+    });
+    const name = key.slice(5).toLowerCase();
+    return [
+      step(() => 1, key, name, `${name} by 1 px`),
+      step(() => settings.getState().grid, `Shift+${key}`, `${name}-far`, `${name} by the grid`),
+    ];
+  };
+  const zoomBy = (factor: number) => {
+    const { view } = canvas.getState();
+    setView(zoomAt(view, { x: view.width / 2, y: view.height / 2 }, factor));
+  };
+  const copy = async (): Promise<boolean> => {
+    const text = copyObjects(document.file(), selection.keys());
+    if (text === null) {
+      notices.show('info', 'A level has one astronaut and one black hole: they can not be copied.', { topic: 'clipboard' });
+      return false;
+    }
+    try {
+      await navigator.clipboard.writeText(text);
+      return true;
+    } catch {
+      notices.show('warning', 'The browser does not let this page write to the clipboard.', { topic: 'clipboard' });
+      return false;
+    }
+  };
+  const paste = async () => {
+    let text: string;
+    try {
+      text = await navigator.clipboard.readText();
+    } catch {
+      notices.show('warning', 'The browser does not let this page read the clipboard.', { topic: 'clipboard' });
+      return;
+    }
+    const reading = readClipping(text);
+    if (!reading.ok) {
+      notices.show('warning', `${reading.refusal.message}. ${reading.refusal.hint}`, { topic: 'clipboard' });
+      return;
+    }
+    const { view } = canvas.getState();
+    const middle = middleOf(reading.clipping);
+    // where it was when that is on the screen, else into the middle of what is seen
+    const seen =
+      Math.abs(middle.x - view.x) * view.zoom < view.width / 2 && Math.abs(middle.y - view.y) * view.zoom < view.height / 2;
+    const move = seen ? { x: BESIDE, y: BESIDE } : { x: Math.round(view.x - middle.x), y: Math.round(view.y - middle.y) };
+    added(change(`Paste ${reading.count}`, pasteObjects(reading.clipping, move.x, move.y)));
+  };
+  const remove = (label: string) => {
+    if (level.selection.store.getState().holds.length > 0) return;
+    const fixed = selection.keys().filter((key) => objectsOf(document.file()).get(key)?.list === null);
+    if (fixed.length === selection.keys().length) {
+      notices.show('info', 'Every level has one astronaut and one black hole: they can be moved, not deleted.', {
+        topic: 'refused',
+      });
+      return;
+    }
+    change(label, deleteObjects(selection.keys()));
+  };
+
+  return [
+    ...TOOL_KEYS.map(
+      ([tool, key, title]): Command => ({
+        id: `tool.${tool}`,
+        title,
+        group: 'Edit',
+        keys: [key],
+        run: () => session.setState({ tool }),
+      }),
+    ),
+    {
+      id: 'edit.escape',
+      title: 'Take back the gesture, lay the tool aside, select nothing',
+      group: 'Edit',
+      keys: ['Escape'],
+      hidden: true,
+      run: () => {
+        if (pointer.cancel()) return;
+        if (session.getState().tool !== 'select') session.setState({ tool: 'select' });
+        else selection.clear();
+      },
+    },
+    { id: 'edit.select-all', title: 'Select all', group: 'Edit', keys: ['$mod+a'], run: () => selection.selectAll() },
+    {
+      id: 'edit.delete',
+      title: 'Delete',
+      group: 'Edit',
+      keys: ['Delete', 'Backspace'],
+      enabled: some,
+      run: () => remove('Delete'),
+    },
+    {
+      id: 'edit.duplicate',
+      title: 'Duplicate',
+      group: 'Edit',
+      keys: ['$mod+d'],
+      enabled: some,
+      run: () => added(change('Duplicate', duplicateObjects(selection.keys(), BESIDE, BESIDE))),
+    },
+    { id: 'edit.copy', title: 'Copy', group: 'Edit', keys: ['$mod+c'], enabled: some, run: () => void copy() },
+    {
+      id: 'edit.cut',
+      title: 'Cut',
+      group: 'Edit',
+      keys: ['$mod+x'],
+      enabled: some,
+      run: () => void copy().then((copied) => copied && remove('Cut')),
+    },
+    { id: 'edit.paste', title: 'Paste', group: 'Edit', keys: ['$mod+v'], run: () => void paste() },
+    ...nudge('ArrowLeft', -1, 0),
+    ...nudge('ArrowRight', 1, 0),
+    ...nudge('ArrowUp', 0, -1),
+    ...nudge('ArrowDown', 0, 1),
+    ...ALIGNMENTS.map(
+      ([edge, title]): Command => ({
+        id: `object.align-${edge}`,
+        title,
+        group: 'Object',
+        enabled: several,
+        run: () => change(title, alignObjects(document.file(), selection.keys(), edge)),
+      }),
+    ),
+    ...(['x', 'y'] as const).map(
+      (axis): Command => ({
+        id: `object.distribute-${axis}`,
+        title: axis === 'x' ? 'Distribute evenly across' : 'Distribute evenly downwards',
+        group: 'Object',
+        enabled: () => selection.keys().length > 2,
+        run: () => change('Distribute', distributeObjects(document.file(), selection.keys(), axis)),
+      }),
+    ),
+    { id: 'view.zoom-in', title: 'Zoom in', group: 'View', keys: ['Equal', '$mod+Equal'], mode: 'both', run: () => zoomBy(1.25) },
+    {
+      id: 'view.zoom-out',
+      title: 'Zoom out',
+      group: 'View',
+      keys: ['Minus', '$mod+Minus'],
+      mode: 'both',
+      run: () => zoomBy(0.8),
+    },
+    {
+      id: 'view.actual-size',
+      title: 'Actual size',
+      group: 'View',
+      keys: ['$mod+0'],
+      mode: 'both',
+      run: () => zoomBy(1 / canvas.getState().view.zoom),
+    },
+    {
+      id: 'view.fit',
+      title: 'Show all of the level',
+      group: 'View',
+      keys: ['Shift+1', 'f'],
+      mode: 'both',
+      run: () => bringIntoView(),
+    },
+    {
+      id: 'view.fit-selection',
+      title: 'Show what is selected',
+      group: 'View',
+      keys: ['Shift+2'],
+      enabled: some,
+      run: () => bringIntoView(selection.keys()),
+    },
+  ];
+}

@@ -1,0 +1,63 @@
+import { HALF_HEIGHT, HALF_WIDTH } from '../../engine/index.ts';
+import type { LevelFile } from '../../schema/index.ts';
+import { type FoundObject, type ObjectKey, objectsOf, radiusOf } from '../document/index.ts';
+import { boxOf } from './extent.ts';
+import type { Box, Point } from './view.ts';
+
+export interface Hit {
+  readonly key: ObjectKey;
+  /** `rim`: where dragging changes the radius */
+  readonly part: 'body' | 'rim';
+}
+
+/** How far from a thing a pointer may be to take it, px of screen. */
+export const REACH = { mouse: 5, touch: 18 } as const;
+
+/** How far outside of the object a place is, px; negative inside. */
+function distanceOutside(found: FoundObject, { x, y }: Point): number {
+  const dx = x - found.object.x;
+  const dy = y - found.object.y;
+  const radius = radiusOf(found);
+  if (radius !== null) return Math.hypot(dx, dy) - radius;
+  return Math.max(Math.abs(dx) - HALF_WIDTH, Math.abs(dy) - HALF_HEIGHT);
+}
+
+/**
+ * What is at a place of the level. A rim can be taken on objects in `resizable` alone; of several bodies the smallest wins, so that what
+ * lies in a field can be reached.
+ * @param reach px of the level
+ */
+export function hitTest(file: LevelFile, place: Point, reach: number, resizable: ReadonlySet<ObjectKey>): Hit | null {
+  let rim: { key: ObjectKey; gap: number } | null = null;
+  let body: { key: ObjectKey; size: number; outside: boolean } | null = null;
+  for (const found of objectsOf(file).values()) {
+    const outside = distanceOutside(found, place);
+    if (outside > reach) continue;
+    const { key } = found;
+    const radius = radiusOf(found);
+    // a small object must keep a middle to be moved by
+    const onRim = radius !== null && outside > -Math.min(reach, radius / 2);
+    if (onRim && resizable.has(key) && (rim === null || Math.abs(outside) < rim.gap)) rim = { key, gap: Math.abs(outside) };
+    const size = radius ?? HALF_HEIGHT;
+    const better = body === null || (body.outside && outside <= 0) || (body.outside === outside > 0 && size <= body.size);
+    if (better) body = { key, size, outside: outside > 0 };
+  }
+  if (rim !== null) return { key: rim.key, part: 'rim' };
+  return body === null ? null : { key: body.key, part: 'body' };
+}
+
+/** What a marquee catches: every object that lies in it wholly or in part. */
+export function objectsIn(file: LevelFile, { left, top, right, bottom }: Box): ObjectKey[] {
+  const caught: ObjectKey[] = [];
+  for (const found of objectsOf(file).values()) {
+    const box = boxOf(found);
+    if (box.right < left || box.left > right || box.bottom < top || box.top > bottom) continue;
+    const radius = radiusOf(found);
+    const { x, y } = found.object;
+    // the corners of a circle's box are not the circle
+    const dx = x - Math.min(right, Math.max(left, x));
+    const dy = y - Math.min(bottom, Math.max(top, y));
+    if (radius === null || dx * dx + dy * dy <= radius * radius) caught.push(found.key);
+  }
+  return caught;
+}

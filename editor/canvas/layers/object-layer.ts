@@ -1,0 +1,151 @@
+import type { Scene } from 'phaser';
+import { DEFAULT_RADIUS, type LevelFile } from '../../../schema/index.ts';
+import { ASTRONAUT, type FoundObject, type ObjectKey, objectsOf, radiusOf } from '../../document/index.ts';
+import type { Pose } from '../pose.ts';
+import { ROCKS, TEXTURE_UNIT } from '../textures/index.ts';
+import { StillLayer, Thing } from './still-layer.ts';
+
+/** Turns of a black hole and of a nova, radians a second. */
+const SPIN = { 'black-hole': -0.5, nova: 0.12 } as const;
+
+/** A nova that is smaller than this, px of screen, does not turn: nobody would see it, and what stands still costs next to nothing. */
+const TURNS_FROM = 10;
+
+/** Fewer objects than this are drawn one by one. */
+const MANY = 100;
+
+/** Which is drawn above which. */
+const DEPTH = { repulsor: 1, blackHole: 2, glow: 3, asteroid: 4, nova: 5, mineral: 6, alien: 7, astronaut: 9 } as const;
+
+/** The unit circle of a texture covers more than what is touched, for those with a light around them. */
+const SIZE = { 'black-hole': 2, mineral: 1.8 } as const;
+
+/** An object on the canvas. */
+interface Shown {
+  readonly found: FoundObject;
+  readonly body: Thing;
+  readonly glow: Thing | null;
+  readonly pupil: Thing | null;
+}
+
+/** A shape that stays with an asteroid as long as it lives: made from its id. */
+function rockOf(key: ObjectKey): number {
+  let sum = 0;
+  for (let i = 0; i < key.length; i++) sum = (sum * 31 + key.charCodeAt(i)) % 9973;
+  return sum % ROCKS;
+}
+
+function textureOf({ kind, key, object }: FoundObject): string {
+  if (kind === 'asteroid') return `${'hot' in object && object.hot === true ? 'hot' : 'rock'}-${rockOf(key)}`;
+  return kind === 'blackHole' ? 'black-hole' : kind;
+}
+
+/** The things of a level as sprites; only those that changed are touched. */
+export class ObjectLayer {
+  private readonly shown = new Map<ObjectKey, Shown>();
+  private readonly layer: StillLayer;
+  private file: LevelFile | null = null;
+
+  constructor(private readonly scene: Scene) {
+    this.layer = new StillLayer(scene, MANY).setDepth(DEPTH.repulsor);
+  }
+
+  /** Forgets all sprites: the textures are new. */
+  clear(): void {
+    for (const one of this.shown.values()) this.destroy(one);
+    this.shown.clear();
+    this.file = null;
+  }
+
+  show(file: LevelFile): void {
+    if (file === this.file) return;
+    this.file = file;
+    const objects = objectsOf(file);
+    for (const [key, one] of this.shown) {
+      if (objects.has(key)) continue;
+      this.destroy(one);
+      this.shown.delete(key);
+    }
+    for (const found of objects.values()) {
+      if (found.key === ASTRONAUT) continue;
+      const old = this.shown.get(found.key);
+      if (old !== undefined && old.found.object === found.object && old.found.index === found.index) continue;
+      this.shown.set(found.key, this.place(found, old));
+    }
+  }
+
+  /** Aliens and rocks where they are in a run, taken minerals faint; null: everything as the level has it. */
+  pose(pose: Pose | null): void {
+    for (const one of this.shown.values()) {
+      const { kind, index, object } = one.found;
+      if (kind === 'asteroid') {
+        const moved = pose !== null && pose.asteroids !== null && pose.asteroids.length > 2 * index;
+        this.move(one, moved ? pose.asteroids[2 * index] : object.x, moved ? pose.asteroids[2 * index + 1] : object.y);
+      } else if (kind === 'alien') {
+        const moved = pose !== null && pose.aliens !== null && pose.aliens.length > 3 * index;
+        const x = moved ? pose.aliens[3 * index] : object.x;
+        const y = moved ? pose.aliens[3 * index + 1] : object.y;
+        const radius = radiusOf(one.found) ?? DEFAULT_RADIUS.alien;
+        this.move(one, x, y);
+        one.body.setAlpha(moved && pose.aliens[3 * index + 2] === 0 ? 0.2 : 1);
+        // it looks at her
+        const dx = (pose?.x ?? x) - x;
+        const dy = (pose?.y ?? y) - y;
+        const away = Math.hypot(dx, dy);
+        const reach = away > 0 ? (0.16 * radius) / away : 0;
+        one.pupil?.setPosition(x + dx * reach, y - 0.05 * radius + dy * reach).setAlpha(one.body.alpha);
+      } else if (kind === 'mineral') {
+        one.body.setAlpha(pose?.collected.has(index) === true ? 0.18 : 1);
+      }
+    }
+  }
+
+  /**
+   * @param time s, for what turns by itself
+   * @param zoom px of screen per px of the level
+   */
+  animate(time: number, zoom: number): void {
+    for (const { found, body } of this.shown.values()) {
+      if (found.kind === 'blackHole') body.setRotation(SPIN['black-hole'] * time);
+      else if (found.kind === 'nova' && TEXTURE_UNIT * body.scale * zoom >= TURNS_FROM) {
+        body.setRotation(SPIN.nova * time + found.index);
+      }
+    }
+  }
+
+  private place(found: FoundObject, old: Shown | undefined): Shown {
+    const texture = textureOf(found);
+    const body = old?.body ?? this.image(texture, DEPTH[found.kind]);
+    if (body.texture.key !== texture) body.setTexture(texture);
+    const hot = found.kind === 'nova' || texture.startsWith('hot');
+    const glow = hot ? (old?.glow ?? this.image('glow', DEPTH.glow)) : null;
+    if (!hot) old?.glow?.destroy();
+    const pupil = found.kind === 'alien' ? (old?.pupil ?? this.image('pupil', DEPTH.alien)) : null;
+    const radius = radiusOf(found) ?? 0;
+    const scale = radius / TEXTURE_UNIT;
+    body.setScale(scale * (texture in SIZE ? SIZE[texture as keyof typeof SIZE] : 1));
+    glow?.setScale(1.9 * scale);
+    pupil?.setScale(0.2 * scale);
+    const shown = { found, body, glow, pupil };
+    this.move(shown, found.object.x, found.object.y);
+    pupil?.setPosition(found.object.x, found.object.y - 0.05 * radius);
+    return shown;
+  }
+
+  private image(texture: string, depth: number): Thing {
+    const image = new Thing(this.scene, 0, 0, texture).setDepth(depth);
+    this.layer.add(image);
+    return image;
+  }
+
+  private move({ body, glow }: Shown, x: number, y: number): void {
+    body.setPosition(x, y);
+    glow?.setPosition(x, y);
+  }
+
+  private destroy({ body, glow, pupil }: Shown): void {
+    body.destroy();
+    glow?.destroy();
+    pupil?.destroy();
+  }
+}

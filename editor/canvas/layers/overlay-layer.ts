@@ -1,0 +1,168 @@
+import type { GameObjects, Scene } from 'phaser';
+import { HALF_WIDTH } from '../../../engine/index.ts';
+import { DEFAULT_RANGE, type LevelFile } from '../../../schema/index.ts';
+import { type ObjectKey, objectsOf, radiusOf } from '../../document/index.ts';
+import type { Layer } from '../../session/index.ts';
+import type { CanvasState } from '../canvas-state.ts';
+import { type Colours, colourNumber } from '../colours.ts';
+import { boxOf } from '../extent.ts';
+import { toLevel } from '../view.ts';
+
+/** Lines of the grid nearer to each other than this are left out, px of screen. */
+const GRID_LEAST = 7;
+/** Every so many lines of the grid one is stronger. */
+const GRID_STRONG = 8;
+/** px of screen that a selection's outline stands off. */
+const OUTLINE = 3;
+
+export interface OverlayInput {
+  readonly file: LevelFile;
+  readonly canvas: CanvasState;
+  readonly selected: readonly ObjectKey[];
+  /** The object that is pointed at, here or in a list. */
+  readonly hovered: ObjectKey | null;
+  readonly layers: Readonly<Record<Layer, boolean>>;
+  /** px between the lines of the grid; null: none */
+  readonly grid: number | null;
+  /** Whether it is being edited: selection, grid and guides are hidden in a playtest. */
+  readonly editing: boolean;
+}
+
+/** What helps while editing: grid, range of the gun, margins of hazards, selection, guides, marquee. Below and above the objects. */
+export class OverlayLayer {
+  private readonly below: GameObjects.Graphics;
+  private readonly above: GameObjects.Graphics;
+
+  constructor(
+    scene: Scene,
+    private readonly colours: Colours,
+  ) {
+    this.below = scene.add.graphics().setDepth(0);
+    this.above = scene.add.graphics().setDepth(20);
+  }
+
+  show(input: OverlayInput): void {
+    const { below, above } = this;
+    below.clear();
+    above.clear();
+    if (input.editing && input.grid !== null) this.grid(input.grid, input.canvas);
+    if (input.layers.ranges) this.ranges(input);
+    if (input.layers.margins) this.margins(input);
+    if (!input.editing) return;
+    this.selection(input);
+    this.gesture(input.canvas);
+  }
+
+  destroy(): void {
+    this.below.destroy();
+    this.above.destroy();
+  }
+
+  private grid(size: number, { view }: CanvasState): void {
+    let step = size;
+    while (step * view.zoom < GRID_LEAST) step *= GRID_STRONG;
+    const from = toLevel(view, { x: 0, y: 0 });
+    const to = toLevel(view, { x: view.width, y: view.height });
+    const line = (k: number, upright: boolean) => {
+      const strong = k % GRID_STRONG === 0;
+      this.below.lineStyle(1 / view.zoom, colourNumber(this.colours.grid), strong ? 0.16 : 0.06);
+      if (upright) this.below.lineBetween(k * step, from.y, k * step, to.y);
+      else this.below.lineBetween(from.x, k * step, to.x, k * step);
+    };
+    for (let k = Math.ceil(from.x / step); k * step <= to.x; k++) line(k, true);
+    for (let k = Math.ceil(from.y / step); k * step <= to.y; k++) line(k, false);
+  }
+
+  /** Where the gun reaches: beyond all of these discs she is lost. */
+  private ranges({ file, canvas, selected }: OverlayInput): void {
+    const range = file.range ?? DEFAULT_RANGE;
+    const colour = colourNumber(this.colours.range);
+    const asteroids = file.asteroids ?? [];
+    // hundreds of discs over each other say nothing: then those of the selected ones alone
+    const shown = asteroids.length > 60 ? asteroids.filter(({ id }) => id !== undefined && selected.includes(id)) : asteroids;
+    for (const { id, x, y } of shown) {
+      const isSelected = id !== undefined && selected.includes(id);
+      this.below.fillStyle(colour, isSelected ? 0.07 : 0.03).fillCircle(x, y, range);
+      this.below.lineStyle((isSelected ? 1.5 : 1) / canvas.view.zoom, colour, isSelected ? 0.6 : 0.22).strokeCircle(x, y, range);
+    }
+  }
+
+  /** How near her centre may come to what burns or bites, at the least turn of her box. */
+  private margins({ file, canvas }: OverlayInput): void {
+    const colour = colourNumber(this.colours.danger);
+    this.below.lineStyle(1 / canvas.view.zoom, colour, 0.3);
+    for (const found of objectsOf(file).values()) {
+      const hot = found.kind === 'asteroid' && 'hot' in found.object && found.object.hot === true;
+      if (!hot && found.kind !== 'nova' && found.kind !== 'alien') continue;
+      this.below.strokeCircle(found.object.x, found.object.y, (radiusOf(found) ?? 0) + HALF_WIDTH);
+    }
+  }
+
+  private selection({ file, canvas, selected, hovered }: OverlayInput): void {
+    const { zoom } = canvas.view;
+    const objects = objectsOf(file);
+    // one line for all: a stroke for each of hundreds would take milliseconds in every frame
+    const outline = (keys: readonly ObjectKey[], width: number, alpha: number) => {
+      const off = OUTLINE / zoom;
+      this.above.lineStyle(width / zoom, colourNumber(this.colours.select), alpha).beginPath();
+      for (const key of keys) {
+        const found = objects.get(key);
+        if (found === undefined) continue;
+        const radius = radiusOf(found);
+        if (radius !== null) {
+          const { x, y } = found.object;
+          this.above.moveTo(x + radius + off, y).arc(x, y, radius + off, 0, 2 * Math.PI);
+          continue;
+        }
+        const { left, top, right, bottom } = boxOf(found);
+        this.above
+          .moveTo(left - off, top - off)
+          .lineTo(right + off, top - off)
+          .lineTo(right + off, bottom + off);
+        this.above.lineTo(left - off, bottom + off).lineTo(left - off, top - off);
+      }
+      this.above.strokePath();
+    };
+    if (hovered !== null && !selected.includes(hovered)) outline([hovered], 1.5, 0.6);
+    if (selected.length > 0) outline(selected, 2, 1);
+    // handles to resize by, while few are selected
+    if (selected.length > 12) return;
+    const half = 3.5 / zoom;
+    for (const key of selected) {
+      const found = objects.get(key);
+      const radius = found === undefined ? null : radiusOf(found);
+      if (found === undefined || radius === null) continue;
+      for (const [dx, dy] of [
+        [1, 0],
+        [-1, 0],
+        [0, 1],
+        [0, -1],
+      ] as const) {
+        const x = found.object.x + dx * radius;
+        const y = found.object.y + dy * radius;
+        this.above.fillStyle(0xffffff, 1).fillRect(x - half, y - half, 2 * half, 2 * half);
+        this.above.lineStyle(1.5 / zoom, colourNumber(this.colours.select), 1).strokeRect(x - half, y - half, 2 * half, 2 * half);
+      }
+    }
+  }
+
+  private gesture({ view, marquee, guides, placing }: CanvasState): void {
+    const select = colourNumber(this.colours.select);
+    if (marquee !== null) {
+      const { left, top, right, bottom } = marquee;
+      this.above.fillStyle(select, 0.12).fillRect(left, top, right - left, bottom - top);
+      this.above.lineStyle(1 / view.zoom, select, 0.9).strokeRect(left, top, right - left, bottom - top);
+    }
+    this.above.lineStyle(1 / view.zoom, colourNumber(this.colours.guide), 0.95);
+    for (const { axis, at, from, to } of guides) {
+      if (axis === 'x') this.above.lineBetween(at, from, at, to);
+      else this.above.lineBetween(from, at, to, at);
+    }
+    if (placing !== null) {
+      const arm = 9 / view.zoom;
+      this.above.lineStyle(1.5 / view.zoom, select, 0.9);
+      this.above.lineBetween(placing.x - arm, placing.y, placing.x + arm, placing.y);
+      this.above.lineBetween(placing.x, placing.y - arm, placing.x, placing.y + arm);
+    }
+  }
+}

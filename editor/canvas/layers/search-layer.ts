@@ -1,0 +1,67 @@
+import type { GameObjects, Scene } from 'phaser';
+import type { Explored, ProofPicture } from '../../../solver/index.ts';
+import { type Colours, colourNumber } from '../colours.ts';
+
+/** What a search has to show besides ways. */
+export interface SearchPicture {
+  /** Where it has been. */
+  readonly heat: Explored | null;
+  /** Why something is out of reach. */
+  readonly proof: ProofPicture | null;
+}
+
+/** Where searches went, and what a proof of impossibility rests on; under everything else. */
+export class SearchLayer {
+  private readonly heat: GameObjects.Graphics;
+  private readonly proof: GameObjects.Graphics;
+
+  constructor(
+    scene: Scene,
+    private readonly colours: Colours,
+  ) {
+    this.heat = scene.add.graphics().setDepth(0.2);
+    this.proof = scene.add.graphics().setDepth(0.4);
+  }
+
+  /** @param zoom px of screen per px of the level */
+  show({ heat, proof }: SearchPicture, showHeat: boolean, zoom: number): void {
+    this.heat.clear();
+    this.proof.clear();
+    if (heat !== null && showHeat) this.drawHeat(heat);
+    if (proof !== null) this.drawProof(proof, zoom);
+  }
+
+  destroy(): void {
+    this.heat.destroy();
+    this.proof.destroy();
+  }
+
+  private drawHeat({ cells, cellSize }: Explored): void {
+    const most = cells.reduce((high, { visits }) => Math.max(high, visits), 1);
+    const colour = colourNumber(this.colours.near);
+    for (const { x, y, visits } of cells) {
+      // visits differ by factors of thousands: their size counts, not their number
+      const share = Math.log1p(visits) / Math.log1p(most);
+      this.heat.fillStyle(colour, 0.03 + 0.3 * share).fillRect(x - cellSize / 2, y - cellSize / 2, cellSize, cellSize);
+    }
+  }
+
+  private drawProof({ discs, lines }: ProofPicture, zoom: number): void {
+    const danger = colourNumber(this.colours.danger);
+    const range = colourNumber(this.colours.range);
+    for (const { x, y, radius, role } of discs) {
+      const colour = role === 'range' ? range : role === 'thing' ? colourNumber(this.colours.holeRim) : danger;
+      this.proof.fillStyle(colour, role === 'blocked' ? 0.2 : 0.06).fillCircle(x, y, radius);
+      this.proof.lineStyle(1.2 / zoom, colour, 0.7).strokeCircle(x, y, radius);
+    }
+    for (const { points, closed, role } of lines) {
+      const reach = role === 'reach';
+      this.proof
+        .lineStyle((reach ? 1 : 2.5) / zoom, reach ? colourNumber(this.colours.way) : danger, reach ? 0.4 : 0.95)
+        .beginPath();
+      for (const { x, y } of points) this.proof.lineTo(x, y);
+      if (closed) this.proof.closePath();
+      this.proof.strokePath();
+    }
+  }
+}

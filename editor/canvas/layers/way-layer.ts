@@ -1,0 +1,133 @@
+import type { GameObjects, Scene } from 'phaser';
+import { HALF_HEIGHT, HALF_WIDTH, STATE_SIZE } from '../../../engine/index.ts';
+import type { LiveProof } from '../../proof/index.ts';
+import type { Layer } from '../../session/index.ts';
+import { type Colours, colourNumber } from '../colours.ts';
+
+/** Another way to be shown beside that of the run: an attempt, a candidate. Places at every tick. */
+export interface Ghost {
+  readonly id: string;
+  readonly label: string;
+  /** x, y in px, two entries a tick */
+  readonly points: Float32Array;
+  readonly look: 'attempt' | 'candidate' | 'slack';
+}
+
+/** Ticks between the dots of a way. */
+const DOTS = 6;
+
+export interface WayInput {
+  readonly proof: LiveProof;
+  readonly ghosts: readonly Ghost[];
+  readonly layers: Readonly<Record<Layer, boolean>>;
+  readonly zoom: number;
+}
+
+/** Where the run goes: dots in even times, thick where the gun is held, near misses, how it ends; ghosts behind it. */
+export class WayLayer {
+  private readonly graphics: GameObjects.Graphics;
+
+  constructor(
+    scene: Scene,
+    private readonly colours: Colours,
+  ) {
+    this.graphics = scene.add.graphics().setDepth(7.5);
+  }
+
+  show(input: WayInput): void {
+    this.graphics.clear();
+    if (input.layers.ghosts || input.layers.slackFan) this.ghosts(input);
+    this.way(input);
+    if (input.layers.nearMisses) this.nearMisses(input);
+    this.end(input);
+  }
+
+  destroy(): void {
+    this.graphics.destroy();
+  }
+
+  private ghosts({ ghosts, layers, zoom }: WayInput): void {
+    for (const { points, look } of ghosts) {
+      if (look === 'slack' ? !layers.slackFan : !layers.ghosts) continue;
+      const colour = look === 'slack' ? this.colours.slack : look === 'candidate' ? this.colours.select : this.colours.ghost;
+      this.graphics.lineStyle((look === 'candidate' ? 1.6 : 1) / zoom, colourNumber(colour), look === 'slack' ? 0.22 : 0.6);
+      this.graphics.beginPath();
+      for (let i = 0; i + 1 < points.length; i += 6) this.graphics.lineTo(points[i], points[i + 1]);
+      this.graphics.strokePath();
+    }
+  }
+
+  private way({ proof, zoom }: WayInput): void {
+    const { states, held, count, last } = proof.run.way;
+    const { graphics } = this;
+    const coast = colourNumber(this.colours.way);
+    const pull = colourNumber(this.colours.wayHeld);
+    const place = (k: number) => [states[k * STATE_SIZE], states[k * STATE_SIZE + 1]] as const;
+    // stretches with the gun held and without, each as one line
+    for (let from = 0; from < count - 1; ) {
+      let to = from + 1;
+      while (to < count - 1 && held[to] === held[from]) to++;
+      const gun = held[from] === 1;
+      graphics.lineStyle((gun ? 3.2 : 1.3) / zoom, gun ? pull : coast, gun ? 0.95 : 0.7);
+      graphics.beginPath();
+      graphics.moveTo(...place(from));
+      for (let k = from + 1; k <= to; k++) graphics.lineTo(...place(k));
+      graphics.strokePath();
+      from = to;
+    }
+    if (count > 0) {
+      graphics.lineStyle(1.3 / zoom, coast, 0.7).lineBetween(...place(count - 1), last[0], last[1]);
+    }
+    graphics.fillStyle(coast, 0.9);
+    for (let k = 0; k < count; k += DOTS) graphics.fillCircle(...place(k), 1.7 / zoom);
+    // presses and releases
+    for (const [press, release] of proof.run.holds) {
+      for (const [tick, filled] of [
+        [press, true],
+        [release, false],
+      ] as const) {
+        if (tick >= count) continue;
+        const radius = 4.5 / zoom;
+        if (filled) graphics.fillStyle(pull, 1).fillCircle(...place(tick), radius);
+        else graphics.lineStyle(1.5 / zoom, pull, 1).strokeCircle(...place(tick), radius);
+      }
+    }
+  }
+
+  private nearMisses({ proof, zoom }: WayInput): void {
+    const { states } = proof.run.way;
+    const colour = colourNumber(this.colours.near);
+    for (const { tick } of proof.margins.nearMisses) {
+      const x = states[tick * STATE_SIZE];
+      const y = states[tick * STATE_SIZE + 1];
+      this.graphics
+        .lineStyle(1.5 / zoom, colour, 0.95)
+        .strokeTriangle(x, y - 9 / zoom, x - 8 / zoom, y + 6 / zoom, x + 8 / zoom, y + 6 / zoom);
+    }
+  }
+
+  /** Her box where a run ends, with a cross where it ends badly. */
+  private end({ proof, zoom }: WayInput): void {
+    const { outcome, way } = proof.run;
+    if (outcome === 'timeout') return;
+    const [x, y, , , cos, sin] = way.last;
+    const good = outcome === 'completed';
+    const colour = colourNumber(good ? this.colours.way : this.colours.danger);
+    this.graphics.lineStyle(2 / zoom, colour, 1).beginPath();
+    for (const [across, along] of [
+      [-1, -1],
+      [1, -1],
+      [1, 1],
+      [-1, 1],
+    ]) {
+      const dx = across * HALF_WIDTH;
+      const dy = along * HALF_HEIGHT;
+      this.graphics.lineTo(x + dx * cos - dy * sin, y + dx * sin + dy * cos);
+    }
+    this.graphics.closePath().strokePath();
+    if (good) return;
+    const arm = 8 / zoom;
+    this.graphics.lineStyle(3 / zoom, colour, 1);
+    this.graphics.lineBetween(x - arm, y - arm, x + arm, y + arm).lineBetween(x - arm, y + arm, x + arm, y - arm);
+  }
+}

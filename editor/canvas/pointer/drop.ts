@@ -1,0 +1,58 @@
+import { addObject, type PlacedKind } from '../../document/index.ts';
+import { TOOLS, type Tool } from '../../session/index.ts';
+import { toLevel } from '../view.ts';
+import { placeFor } from './place-object.ts';
+import type { PointerContext } from './state.ts';
+
+/** What a tool that is dragged onto the canvas is carried as. */
+export const DRAGGED_TOOL = 'application/x-gq-tool';
+
+const isPlaced = (tool: Tool | undefined): tool is PlacedKind => tool !== undefined && tool !== 'select' && tool !== 'hand';
+
+/** Lets tools be dragged from the toolbar to where the object shall be. @returns stops it */
+export function listenToDrops(element: HTMLElement, context: PointerContext): () => void {
+  const stopping = new AbortController();
+  const options = { signal: stopping.signal };
+  const placeOf = (event: DragEvent) => {
+    const box = element.getBoundingClientRect();
+    const screen = { x: event.clientX - box.left, y: event.clientY - box.top };
+    const mod = event.ctrlKey || event.metaKey;
+    return placeFor(context, {
+      screen,
+      place: toLevel(context.view(), screen),
+      shift: event.shiftKey,
+      alt: event.altKey,
+      mod,
+      touch: false,
+      button: 0,
+    });
+  };
+  element.addEventListener(
+    'dragover',
+    (event) => {
+      if (event.dataTransfer?.types.includes(DRAGGED_TOOL) !== true) return;
+      event.preventDefault();
+      event.dataTransfer.dropEffect = 'copy';
+      context.canvas.setState({ placing: placeOf(event) });
+    },
+    options,
+  );
+  element.addEventListener('dragleave', () => context.canvas.setState({ placing: null }), options);
+  element.addEventListener(
+    'drop',
+    (event) => {
+      const name = event.dataTransfer?.getData(DRAGGED_TOOL);
+      const tool = TOOLS.find((one) => one === name);
+      context.canvas.setState({ placing: null });
+      if (!isPlaced(tool)) return;
+      event.preventDefault();
+      const { x, y } = placeOf(event);
+      const result = context.document.change(`Add ${tool === 'hot' ? 'hot asteroid' : tool}`, addObject(tool, x, y));
+      if (result.ok) context.selection.select(result.added);
+      else context.refused(result.refusal.message);
+      element.focus({ preventScroll: true });
+    },
+    options,
+  );
+  return () => stopping.abort();
+}

@@ -1,0 +1,32 @@
+import type { ObjectKey } from '../../document/index.ts';
+import { objectsIn } from '../hit-test.ts';
+import type { PointerContext, PointerInput, PointerState } from './state.ts';
+
+/** Selecting what lies in a rectangle; with Shift in addition to what is selected. */
+export function drawingMarquee(context: PointerContext, from: PointerInput): PointerState {
+  const { document, selection, canvas } = context;
+  const before: readonly ObjectKey[] = selection.keys();
+  return {
+    name: 'marquee',
+    cursor: 'crosshair',
+    move({ place, shift }) {
+      const box = {
+        left: Math.min(from.place.x, place.x),
+        top: Math.min(from.place.y, place.y),
+        right: Math.max(from.place.x, place.x),
+        bottom: Math.max(from.place.y, place.y),
+      };
+      canvas.setState({ marquee: box });
+      selection.select([...(shift ? before : []), ...objectsIn(document.file(), box)]);
+      return undefined;
+    },
+    up() {
+      canvas.setState({ marquee: null });
+      return undefined;
+    },
+    cancel() {
+      canvas.setState({ marquee: null });
+      selection.select(before);
+    },
+  };
+}

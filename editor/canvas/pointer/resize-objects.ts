@@ -1,0 +1,30 @@
+import { type ObjectKey, objectsOf, radiusOf, scaleRadius, setRadius } from '../../document/index.ts';
+import type { PointerContext, PointerState } from './state.ts';
+
+/** Dragging a rim: the object under the pointer gets the radius that reaches it, and all that is selected grows by the same factor. */
+export function resizingObjects(context: PointerContext, lead: ObjectKey): PointerState {
+  const { document, selection } = context;
+  const file = document.file();
+  const found = objectsOf(file).get(lead);
+  const before = found === undefined ? null : radiusOf(found);
+  const keys = selection.keys().includes(lead) ? selection.keys() : [lead];
+  const gesture = document.begin(keys.length === 1 ? 'Resize' : `Resize ${keys.length} objects`);
+  return {
+    name: 'resizing',
+    cursor: 'nwse-resize',
+    move(input) {
+      if (found === undefined || before === null) return undefined;
+      const reached = Math.hypot(input.place.x - found.object.x, input.place.y - found.object.y);
+      const grid = input.mod || context.snapping().grid === null ? null : 1;
+      const radius = Math.max(1, grid === null ? reached : Math.round(reached));
+      const result = gesture.set(keys.length === 1 ? setRadius(keys, radius) : scaleRadius(file, keys, radius / before));
+      if (!result.ok) context.refused(result.refusal.message);
+      return undefined;
+    },
+    up() {
+      gesture.commit();
+      return undefined;
+    },
+    cancel: () => gesture.cancel(),
+  };
+}

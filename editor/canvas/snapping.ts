@@ -1,0 +1,125 @@
+import type { LevelFile } from '../../schema/index.ts';
+import { type ObjectKey, objectsOf } from '../document/index.ts';
+import { boxOf, extentOf } from './extent.ts';
+import type { Box, Point } from './view.ts';
+
+/** A line that shows what something snapped to: at `at` px on one axis, from `from` to `to` on the other. */
+export interface Guide {
+  /** `x`: an upright line at this x */
+  readonly axis: 'x' | 'y';
+  readonly at: number;
+  readonly from: number;
+  readonly to: number;
+}
+
+export interface Snapped {
+  /** px to move by instead of what the pointer said */
+  readonly dx: number;
+  readonly dy: number;
+  readonly guides: readonly Guide[];
+}
+
+export interface SnapOptions {
+  /** px between the lines of the grid; null: no grid */
+  readonly grid: number | null;
+  readonly toObjects: boolean;
+  /** px of the level within which something snaps to another object */
+  readonly reach: number;
+}
+
+/** What others can snap to on one axis: the value, and where on the other axis it is. */
+interface Line {
+  readonly at: number;
+  readonly from: number;
+  readonly to: number;
+}
+
+const linesOfBox = ({ left, top, right, bottom }: Box, axis: 'x' | 'y'): Line[] => {
+  const [low, high, from, to] = axis === 'x' ? [left, right, top, bottom] : [top, bottom, left, right];
+  return [low, (low + high) / 2, high].map((at) => ({ at, from, to }));
+};
+
+/** What may be snapped to, made once when a drag begins. */
+export interface SnapTargets {
+  readonly x: readonly Line[];
+  readonly y: readonly Line[];
+}
+
+/** Edges and middles of all objects that do not move along. */
+export function snapTargets(file: LevelFile, moving: Iterable<ObjectKey>): SnapTargets {
+  const still = new Set(moving);
+  const boxes = [...objectsOf(file).values()].filter(({ key }) => !still.has(key)).map(boxOf);
+  const sorted = (axis: 'x' | 'y') => boxes.flatMap((box) => linesOfBox(box, axis)).sort((a, b) => a.at - b.at);
+  return { x: sorted('x'), y: sorted('y') };
+}
+
+/** The line nearest to a value, by halving: a drag of many among thousands asks often. */
+function nearest(lines: readonly Line[], value: number): Line | null {
+  let low = 0;
+  let high = lines.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (lines[middle].at < value) low = middle + 1;
+    else high = middle;
+  }
+  const before = lines[low - 1];
+  const after = lines[low];
+  if (before === undefined) return after ?? null;
+  if (after === undefined) return before;
+  return value - before.at <= after.at - value ? before : after;
+}
+
+interface AxisSnap {
+  readonly by: number;
+  readonly guide: Guide | null;
+}
+
+function snapAxis(
+  axis: 'x' | 'y',
+  own: readonly Line[],
+  lead: number,
+  move: number,
+  targets: readonly Line[],
+  options: SnapOptions,
+): AxisSnap {
+  if (options.toObjects) {
+    let best: { by: number; gap: number; line: Line; self: Line } | null = null;
+    for (const self of own) {
+      const line = nearest(targets, self.at + move);
+      if (line === null) continue;
+      const gap = Math.abs(line.at - self.at - move);
+      if (gap <= options.reach && (best === null || gap < best.gap)) best = { by: line.at - self.at, gap, line, self };
+    }
+    if (best !== null) {
+      const { by, line, self } = best;
+      return { by, guide: { axis, at: line.at, from: Math.min(line.from, self.from), to: Math.max(line.to, self.to) } };
+    }
+  }
+  if (options.grid === null) return { by: move, guide: null };
+  return { by: Math.round((lead + move) / options.grid) * options.grid - lead, guide: null };
+}
+
+/**
+ * Where a drag of objects really goes: to edges and middles of other objects when near enough, else to the grid.
+ * @param lead the place of the object that the pointer has taken: the grid holds for its centre
+ */
+export function snapMove(
+  file: LevelFile,
+  keys: readonly ObjectKey[],
+  lead: Point,
+  move: Point,
+  targets: SnapTargets,
+  options: SnapOptions,
+): Snapped {
+  const box = extentOf(file, keys);
+  if (box === null) return { dx: move.x, dy: move.y, guides: [] };
+  const x = snapAxis('x', linesOfBox(box, 'x'), lead.x, move.x, targets.x, options);
+  const y = snapAxis('y', linesOfBox(box, 'y'), lead.y, move.y, targets.y, options);
+  // the guides reach to where the objects are now, not to where they were
+  const guides: Guide[] = [];
+  if (x.guide !== null)
+    guides.push({ ...x.guide, from: Math.min(x.guide.from, box.top + y.by), to: Math.max(x.guide.to, box.bottom + y.by) });
+  if (y.guide !== null)
+    guides.push({ ...y.guide, from: Math.min(y.guide.from, box.left + x.by), to: Math.max(y.guide.to, box.right + x.by) });
+  return { dx: x.by, dy: y.by, guides };
+}

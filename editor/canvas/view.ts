@@ -1,0 +1,66 @@
+/** A place, in px of the level or of the screen. */
+export interface Point {
+  readonly x: number;
+  readonly y: number;
+}
+
+/** An upright rectangle in px of the level. */
+export interface Box {
+  readonly left: number;
+  readonly top: number;
+  readonly right: number;
+  readonly bottom: number;
+}
+
+/** Which part of the level the canvas shows: the place in its middle, and how many px of screen a px of the level takes. */
+export interface View extends Point {
+  readonly zoom: number;
+  /** px of screen */
+  readonly width: number;
+  readonly height: number;
+}
+
+/** px of screen per px of the level */
+export const ZOOM_LIMITS = { least: 0.02, most: 16 } as const;
+
+/** The place in the level that a place on the canvas shows. */
+export function toLevel(view: View, screen: Point): Point {
+  return { x: view.x + (screen.x - view.width / 2) / view.zoom, y: view.y + (screen.y - view.height / 2) / view.zoom };
+}
+
+/** Where on the canvas a place of the level is. */
+export function toScreen(view: View, place: Point): Point {
+  return { x: (place.x - view.x) * view.zoom + view.width / 2, y: (place.y - view.y) * view.zoom + view.height / 2 };
+}
+
+/** Zooms by a factor while what is under a place of the screen stays under it. */
+export function zoomAt(view: View, screen: Point, factor: number): View {
+  const zoom = Math.min(ZOOM_LIMITS.most, Math.max(ZOOM_LIMITS.least, view.zoom * factor));
+  const under = toLevel(view, screen);
+  return {
+    ...view,
+    zoom,
+    x: under.x - (screen.x - view.width / 2) / zoom,
+    y: under.y - (screen.y - view.height / 2) / zoom,
+  };
+}
+
+/** Moves what is seen by so many px of screen. */
+export function panBy(view: View, dx: number, dy: number): View {
+  return { ...view, x: view.x - dx / view.zoom, y: view.y - dy / view.zoom };
+}
+
+/** px of screen around the level when all of it is shown; at the top there are the tools as well */
+const MARGIN = 60;
+const ABOVE = 84;
+
+/** Shows all of a box with a margin, clear of the tools, at most at the zoom `most`. */
+export function fitBox(view: View, box: Box, most = 2): View {
+  const width = Math.max(1, box.right - box.left);
+  const height = Math.max(1, box.bottom - box.top);
+  const room = (size: number, margins: number) => Math.max(1, size - margins);
+  const wanted = Math.min(most, room(view.width, 2 * MARGIN) / width, room(view.height, MARGIN + ABOVE) / height);
+  const zoom = Math.min(ZOOM_LIMITS.most, Math.max(ZOOM_LIMITS.least, wanted));
+  const y = (box.top + box.bottom) / 2 - (ABOVE - MARGIN) / 2 / zoom;
+  return { ...view, x: (box.left + box.right) / 2, y, zoom };
+}

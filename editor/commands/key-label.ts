@@ -1,0 +1,28 @@
+const NAMES: Readonly<Record<string, string>> = {
+  ArrowLeft: '←',
+  ArrowRight: '→',
+  ArrowUp: '↑',
+  ArrowDown: '↓',
+  Escape: 'Esc',
+  Delete: 'Del',
+  Comma: ',',
+  Period: '.',
+  Space: 'Space',
+  Equal: '+',
+  Minus: '-',
+  BracketLeft: '[',
+  BracketRight: ']',
+  Slash: '/',
+};
+
+/** A key binding as people write it: `$mod+Shift+z` is `Ctrl+Shift+Z`, on a Mac `⌘⇧Z`. */
+export function keyLabel(binding: string, mac: boolean): string {
+  const parts = binding.split('+').map((part) => {
+    if (part === '$mod') return mac ? '⌘' : 'Ctrl';
+    if (part === 'Shift') return mac ? '⇧' : 'Shift';
+    if (part === 'Alt') return mac ? '⌥' : 'Alt';
+    const plain = part.replace(/^Key(?=[A-Z]$)|^Digit(?=\d$)/, '');
+    return NAMES[plain] ?? (plain.length === 1 ? plain.toUpperCase() : plain);
+  });
+  return parts.join(mac ? '' : '+');
+}

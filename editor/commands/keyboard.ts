@@ -1,0 +1,51 @@
+import { matchKeyBindingPress, parseKeybinding } from 'tinykeys';
+import type { Commands } from './commands.ts';
+
+const TEXT_INPUTS = new Set(['text', 'search', 'number', 'email', 'url', 'password', 'tel']);
+
+/** Whether keys typed at this element are meant for it: a text field, a select, or what is edited in place. */
+export function takesText(target: EventTarget | null): boolean {
+  if (!(target instanceof HTMLElement)) return false;
+  if (target.isContentEditable || target instanceof HTMLTextAreaElement || target instanceof HTMLSelectElement) return true;
+  return target instanceof HTMLInputElement && TEXT_INPUTS.has(target.type);
+}
+
+/** Space and Enter press a button, and arrows walk in a menu or list, when those have the focus. */
+function belongsToWidget(event: KeyboardEvent): boolean {
+  if (!(event.target instanceof HTMLElement)) return false;
+  if (event.target.closest('[role=dialog], [role=menu], [role=listbox]') !== null) return true;
+  if (event.key === ' ' || event.key === 'Enter') {
+    return event.target.closest('button, a, summary, input, [role=button], [role=tab], [role=option], [role=switch]') !== null;
+  }
+  if (!event.key.startsWith('Arrow')) return false;
+  return event.target.closest('[role=tablist], [role=slider], [role=tree], [role=radiogroup], [role=separator], input') !== null;
+}
+
+/**
+ * Gives keys pressed anywhere on the page to the commands.
+ * @param mode what the person is doing now
+ * @returns stops listening
+ */
+export function listenToKeys(page: Window, commands: Commands, mode: () => 'edit' | 'play'): () => void {
+  const onKey = (event: KeyboardEvent) => {
+    if (event.defaultPrevented || event.isComposing) return;
+    const inText = takesText(event.target);
+    const inWidget = belongsToWidget(event);
+    for (const command of commands.all()) {
+      if (command.keys === undefined) continue;
+      if ((inText || inWidget) && command.inText !== true) continue;
+      const when = command.mode ?? 'edit';
+      if (when !== 'both' && when !== mode()) continue;
+      const matches = command.keys.some((key) => {
+        const presses = parseKeybinding(key);
+        return presses.length === 1 && matchKeyBindingPress(event, presses[0]);
+      });
+      if (!matches || command.enabled?.() === false) continue;
+      event.preventDefault();
+      command.run();
+      return;
+    }
+  };
+  page.addEventListener('keydown', onKey);
+  return () => page.removeEventListener('keydown', onKey);
+}

@@ -1,0 +1,234 @@
+import { useEffect, useMemo, useState } from 'react';
+import { useStore } from 'zustand';
+import { formatLevel, type LevelFile, type Problem } from '../../schema/index.ts';
+import { LevelContext, useDocument, useEditor, useLevel, useSession } from '../app/context.ts';
+import { type Choices, type Conflict, mergeLevels, readText, type Side } from '../files/index.ts';
+import { addLevels, folderOf, openListed, stemOf, TextDialog } from '../panels/levels/index.ts';
+import { Button, Dialog } from '../ui/index.ts';
+import { diffLines } from './line-diff.ts';
+import { valueInWords } from './value-in-words.ts';
+
+/** What to do when the disk and the page do not agree. */
+export function ConflictDialog() {
+  const editor = useEditor();
+  const level = useStore(editor.open);
+  const isOpen = useSession((state) => state.overlay === 'conflict');
+  if (level === null || !isOpen) return null;
+  return (
+    <LevelContext.Provider value={level}>
+      <Disagreement onClose={() => editor.session.setState({ overlay: null })} />
+    </LevelContext.Provider>
+  );
+}
+
+function Disagreement({ onClose }: { readonly onClose: () => void }) {
+  const { opened } = useLevel();
+  const state = useStore(opened.saver.store);
+  // settled by whoever, in whatever way: nothing to choose any more
+  const isOver = state.kind !== 'conflict' && state.kind !== 'displaced';
+  useEffect(() => {
+    if (isOver) onClose();
+  }, [isOver, onClose]);
+  if (state.kind === 'conflict') return <Merge conflicts={state.conflicts} onClose={onClose} />;
+  if (state.kind === 'displaced') return <Displaced reason={state.reason} problems={state.problems} onClose={onClose} />;
+  return null;
+}
+
+/** What is on the disk; null while it is read, or where it is no level. */
+function useTheirs(): LevelFile | null {
+  const { workspace } = useEditor();
+  const { opened } = useLevel();
+  const [theirs, setTheirs] = useState<LevelFile | null>(null);
+  useEffect(() => {
+    let isGone = false;
+    void workspace.storage.read(opened.id()).then((answer) => {
+      if (isGone || !answer.ok || answer.value.text === null) return;
+      const reading = readText(answer.value.text);
+      if (reading.ok) setTheirs(reading.file);
+    });
+    return () => {
+      isGone = true;
+    };
+  }, [workspace, opened]);
+  return theirs;
+}
+
+function Merge({ conflicts, onClose }: { readonly conflicts: readonly Conflict[]; readonly onClose: () => void }) {
+  const { opened } = useLevel();
+  const [choices, setChoices] = useState<Choices>(new Map());
+  const all = (side: Side) => setChoices(new Map(conflicts.map(({ key }) => [key, side])));
+  const sideOf = (key: string): Side => choices.get(key) ?? 'mine';
+  const merge = () => {
+    opened.saver.resolve(choices);
+    onClose();
+  };
+  return (
+    <Dialog
+      open
+      wide
+      title="Two versions of this level"
+      about="It was changed here and on the disk. What only one side changed is taken from it; choose for the rest."
+      onClose={onClose}
+    >
+      <div className="share__buttons">
+        <Button hint="Keep what is on the screen wherever both differ" look="outlined" onClick={() => all('mine')}>
+          All mine
+        </Button>
+        <Button hint="Take what is on the disk wherever both differ" look="outlined" onClick={() => all('theirs')}>
+          All theirs
+        </Button>
+        <span className="share__about">
+          {conflicts.length} {conflicts.length === 1 ? 'difference' : 'differences'} to settle
+        </span>
+      </div>
+      <div className="conflicts">
+        {conflicts.map(({ key, what, base, mine, theirs }) => (
+          <fieldset key={key} className="conflict">
+            <legend className="conflict__what">{what}</legend>
+            {(
+              [
+                ['mine', 'mine, on the screen', mine],
+                ['theirs', 'theirs, on the disk', theirs],
+              ] as const
+            ).map(([side, title, value]) => (
+              <label key={side} className="conflict__side">
+                <input
+                  type="radio"
+                  name={key}
+                  checked={sideOf(key) === side}
+                  onChange={() => setChoices(new Map(choices).set(key, side))}
+                />
+                <span className="conflict__title">{title}</span>
+                <span className="conflict__value">{valueInWords(value)}</span>
+              </label>
+            ))}
+            <span className="conflict__base">before: {valueInWords(base)}</span>
+          </fieldset>
+        ))}
+      </div>
+      <Preview choices={choices} />
+      <div className="form__buttons">
+        <Button hint="Decide later; nothing is written meanwhile" look="outlined" onClick={onClose}>
+          Later
+        </Button>
+        <Button hint="Write what is chosen; it can be undone" look="main" onClick={merge}>
+          Merge
+        </Button>
+      </div>
+    </Dialog>
+  );
+}
+
+/** Lines around a difference that are shown, too. */
+const AROUND = 2;
+
+function Preview({ choices }: { readonly choices: Choices }) {
+  const { opened } = useLevel();
+  const mine = useDocument(({ file }) => file);
+  const theirs = useTheirs();
+  const lines = useMemo(() => {
+    if (theirs === null) return null;
+    const { file: base, sent } = opened.saver.base();
+    const { file } = mergeLevels(base, mine, theirs, choices, sent);
+    return diffLines(formatLevel(mine), formatLevel(file));
+  }, [opened, mine, theirs, choices]);
+  if (lines === null) return null;
+  const near = lines.map((_, i) => lines.slice(Math.max(0, i - AROUND), i + AROUND + 1).some(({ kind }) => kind !== 'same'));
+  return (
+    <details className="merged" open>
+      <summary>What merging changes on the screen</summary>
+      {near.some(Boolean) ? (
+        <pre className="merged__text">
+          {lines.map(({ kind, text }, i) =>
+            near[i] ? (
+              // biome-ignore lint/suspicious/noArrayIndexKey: lines of a text are known by their places alone
+              <div key={i} className={`merged__line merged__line--${kind}`}>
+                {kind === 'old' ? '- ' : kind === 'new' ? '+ ' : '  '}
+                {text}
+              </div>
+            ) : (
+              // biome-ignore lint/suspicious/noArrayIndexKey: as above
+              near[i - 1] === true && <div key={i}> …</div>
+            ),
+          )}
+        </pre>
+      ) : (
+        <p className="share__about">Nothing: all of it is mine.</p>
+      )}
+    </details>
+  );
+}
+
+interface DisplacedProps {
+  readonly reason: 'deleted' | 'invalid';
+  readonly problems: readonly Problem[];
+  readonly onClose: () => void;
+}
+
+function Displaced({ reason, problems, onClose }: DisplacedProps) {
+  const editor = useEditor();
+  const { workspace } = editor;
+  const { opened, document } = useLevel();
+  const [asText, setAsText] = useState(false);
+  const id = opened.id();
+  const saveAsNew = async () => {
+    const stem = `${stemOf(id)}-mine`;
+    const added = await addLevels(editor, folderOf(id), [{ stem, file: document.file() }]);
+    if (added.length > 0) onClose();
+  };
+  const letGo = async () => {
+    onClose();
+    await editor.workspace.refresh();
+    const next = workspace.store.getState().list?.levels.find((entry) => entry.status === 'valid' && entry.id !== id);
+    if (next !== undefined) await openListed(editor, next.id);
+    else {
+      workspace.store.setState({ opened: null });
+      await opened.close();
+    }
+  };
+  if (asText) return <TextDialog id={id} fromDisk onClose={() => setAsText(false)} />;
+  const isDeleted = reason === 'deleted';
+  return (
+    <Dialog
+      open
+      title={isDeleted ? 'The file was deleted' : 'The file is no valid level any more'}
+      about={`${id}.level.json was ${isDeleted ? 'deleted or moved' : 'changed'} outside of this page. What is on the screen is still all here.`}
+      onClose={onClose}
+    >
+      {problems.length > 0 && (
+        <ul className="displaced__problems">
+          {problems.slice(0, 3).map(({ code, pointer, line, column, message }) => (
+            <li key={`${code} ${pointer} ${line}`}>
+              {line !== null && <span className="astext__place">{`${line}:${column} `}</span>}
+              {message}
+            </li>
+          ))}
+        </ul>
+      )}
+      <div className="displaced">
+        <Button
+          hint="Write what is on the screen into the file"
+          look="main"
+          onClick={() => {
+            opened.saver.keepMine();
+            onClose();
+          }}
+        >
+          Keep mine: write it again
+        </Button>
+        <Button hint="What is on the screen becomes another level" look="outlined" onClick={() => void saveAsNew()}>
+          Save mine as a new level
+        </Button>
+        {isDeleted ? (
+          <Button hint="Close this level; the file stays deleted" look="danger" onClick={() => void letGo()}>
+            Take theirs: let it go
+          </Button>
+        ) : (
+          <Button hint="See and mend what is on the disk" look="outlined" onClick={() => setAsText(true)}>
+            Take theirs: mend it as text
+          </Button>
+        )}
+      </div>
+    </Dialog>
+  );
+}

@@ -1,0 +1,49 @@
+import { FileDown } from 'lucide-react';
+import { useEffect, useState } from 'react';
+import { useEditor } from '../app/context.ts';
+import { folderOf } from '../panels/levels/index.ts';
+import { readFiles, takeIn } from './take-in.ts';
+
+const hasFiles = (event: DragEvent): boolean => event.dataTransfer?.types.includes('Files') === true;
+
+/** Takes in files that are dropped anywhere on the page. */
+export function DropZone() {
+  const editor = useEditor();
+  const [isOver, setIsOver] = useState(false);
+  useEffect(() => {
+    const stopping = new AbortController();
+    // a drag over a child leaves its parent first: none is left when both are even
+    let depth = 0;
+    const listen = (type: 'dragenter' | 'dragover' | 'dragleave' | 'drop', act: (event: DragEvent) => void) =>
+      window.addEventListener(type, (event) => hasFiles(event) && act(event), { signal: stopping.signal, capture: true });
+    listen('dragenter', (event) => {
+      event.preventDefault();
+      depth++;
+      setIsOver(true);
+    });
+    listen('dragover', (event) => {
+      event.preventDefault();
+      if (event.dataTransfer !== null) event.dataTransfer.dropEffect = 'copy';
+    });
+    listen('dragleave', () => {
+      depth = Math.max(0, depth - 1);
+      if (depth === 0) setIsOver(false);
+    });
+    listen('drop', (event) => {
+      event.preventDefault();
+      event.stopPropagation();
+      depth = 0;
+      setIsOver(false);
+      const folder = folderOf(editor.workspace.store.getState().opened?.id() ?? '');
+      void readFiles(editor, [...(event.dataTransfer?.files ?? [])]).then((texts) => takeIn(editor, folder, texts, true));
+    });
+    return () => stopping.abort();
+  }, [editor]);
+  if (!isOver) return null;
+  return (
+    <div className="dropzone" role="status">
+      <FileDown size={28} aria-hidden />
+      Let go to import as new levels
+    </div>
+  );
+}

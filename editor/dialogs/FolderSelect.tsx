@@ -1,0 +1,23 @@
+import { useId } from 'react';
+import { useStore } from 'zustand';
+import { useEditor } from '../app/context.ts';
+
+/** Which folder new levels go into; nothing where there is only one. */
+export function FolderSelect({ value, onChange }: { readonly value: string; readonly onChange: (folder: string) => void }) {
+  const { workspace } = useEditor();
+  const list = useStore(workspace.store, (state) => state.list);
+  const id = useId();
+  if (list === null || list.folders.length < 2) return null;
+  return (
+    <>
+      <label htmlFor={id}>Folder</label>
+      <select id={id} className="field" value={value} onChange={(event) => onChange(event.target.value)}>
+        {list.folders.map((folder) => (
+          <option key={folder} value={folder}>
+            {folder === '' ? list.folder.path : folder}
+          </option>
+        ))}
+      </select>
+    </>
+  );
+}

@@ -1,0 +1,64 @@
+import { Copy } from 'lucide-react';
+import { useEffect, useState } from 'react';
+import { useDocument, useEditor } from '../app/context.ts';
+import { copyText, type Linking, linkTo } from '../share/index.ts';
+import { Button } from '../ui/index.ts';
+
+/** A link that carries the open level. */
+export function LinkTab() {
+  const { notices, workspace } = useEditor();
+  const file = useDocument((state) => state.file);
+  const [withRuns, setWithRuns] = useState(true);
+  const [linking, setLinking] = useState<Linking | null>(null);
+  useEffect(() => {
+    let isGone = false;
+    const { runs: _, ...bare } = file;
+    void linkTo(withRuns ? file : bare, `${location.origin}${location.pathname}`).then((made) => {
+      if (!isGone) setLinking(made);
+    });
+    return () => {
+      isGone = true;
+    };
+  }, [file, withRuns]);
+  return (
+    <div className="share">
+      <p className="share__about">
+        Whoever opens this link gets a copy of the level as it is now. It is in the link itself, packed.
+        {workspace.storage.kind === 'server' &&
+          ' This editor runs on your machine alone, so the link works for you; on a page that others can reach it works for them.'}
+      </p>
+      <label className="share__check">
+        <input type="checkbox" checked={withRuns} onChange={(event) => setWithRuns(event.target.checked)} />
+        with its runs, which give the solution away
+      </label>
+      {linking?.ok === true && (
+        <>
+          <textarea
+            className="field share__link"
+            aria-label="Link with the level"
+            readOnly
+            rows={4}
+            value={linking.url}
+            onFocus={(event) => event.target.select()}
+          />
+          <div className="share__buttons">
+            <Button
+              hint="Copy the link"
+              look="main"
+              icon={<Copy size={15} />}
+              onClick={() => void copyText(notices, 'the link', linking.url)}
+            >
+              Copy the link
+            </Button>
+            <span className="share__about numbers">{linking.url.length} characters</span>
+          </div>
+        </>
+      )}
+      {linking?.ok === false && (
+        <p role="alert">
+          {linking.message}. {linking.hint}.
+        </p>
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,43 @@
+import type { Editor } from '../app/editor.ts';
+import type { Command } from '../commands/index.ts';
+import { deleteLevel, duplicateLevel, openListed } from '../panels/levels/index.ts';
+
+/** What can be done with the open level as a file. */
+export function fileCommands(editor: Editor): readonly Command[] {
+  const { workspace, session } = editor;
+  const entry = () => {
+    const { list, opened } = workspace.store.getState();
+    return list?.levels.find(({ id }) => id === opened?.id());
+  };
+  const isListed = () => entry() !== undefined;
+  const step = (by: number) => {
+    const { list, opened } = workspace.store.getState();
+    const valid = list?.levels.filter(({ status }) => status === 'valid') ?? [];
+    const index = valid.findIndex(({ id }) => id === opened?.id());
+    const next = valid[index + by];
+    if (next !== undefined) void openListed(editor, next.id);
+  };
+  const withEntry = (act: (found: NonNullable<ReturnType<typeof entry>>) => Promise<void>) => () => {
+    const found = entry();
+    if (found !== undefined) void act(found);
+  };
+  return [
+    { id: 'file.next', title: 'Next level', group: 'File', keys: ['Alt+PageDown'], enabled: isListed, run: () => step(1) },
+    { id: 'file.previous', title: 'Previous level', group: 'File', keys: ['Alt+PageUp'], enabled: isListed, run: () => step(-1) },
+    {
+      id: 'file.duplicate',
+      title: 'Duplicate this level',
+      group: 'File',
+      enabled: isListed,
+      run: withEntry((e) => duplicateLevel(editor, e)),
+    },
+    {
+      id: 'file.delete',
+      title: 'Delete this level',
+      group: 'File',
+      enabled: isListed,
+      run: withEntry((e) => deleteLevel(editor, e)),
+    },
+    { id: 'file.import', title: 'Import levels', group: 'File', run: () => session.setState({ overlay: 'open' }) },
+  ];
+}

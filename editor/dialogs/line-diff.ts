@@ -1,0 +1,52 @@
+/** A line of two texts side by side: in both, only in the old one, or only in the new one. */
+export interface DiffLine {
+  readonly kind: 'same' | 'old' | 'new';
+  readonly text: string;
+}
+
+/** Longer middles are shown as replaced as a whole: finding what they share takes the product of their lengths. */
+const MOST = 1500;
+
+function middleDiff(old: readonly string[], now: readonly string[]): DiffLine[] {
+  if (old.length > MOST || now.length > MOST) {
+    return [...old.map((text) => ({ kind: 'old' as const, text })), ...now.map((text) => ({ kind: 'new' as const, text }))];
+  }
+  // shared[i][j]: how many lines old from i on and now from j on have in common
+  const width = now.length + 1;
+  const shared = new Uint16Array((old.length + 1) * width);
+  for (let i = old.length - 1; i >= 0; i--) {
+    for (let j = now.length - 1; j >= 0; j--) {
+      const [below, beside] = [shared[(i + 1) * width + j], shared[i * width + j + 1]];
+      shared[i * width + j] = old[i] === now[j] ? shared[(i + 1) * width + j + 1] + 1 : Math.max(below, beside);
+    }
+  }
+  const lines: DiffLine[] = [];
+  let [i, j] = [0, 0];
+  while (i < old.length || j < now.length) {
+    if (i < old.length && j < now.length && old[i] === now[j]) {
+      lines.push({ kind: 'same', text: old[i] });
+      i++;
+      j++;
+    } else if (j === now.length || (i < old.length && shared[(i + 1) * width + j] >= shared[i * width + j + 1])) {
+      lines.push({ kind: 'old', text: old[i++] });
+    } else {
+      lines.push({ kind: 'new', text: now[j++] });
+    }
+  }
+  return lines;
+}
+
+/** What differs between two texts, line by line. */
+export function diffLines(before: string, after: string): DiffLine[] {
+  const [old, now] = [before.split('\n'), after.split('\n')];
+  let start = 0;
+  while (start < old.length && start < now.length && old[start] === now[start]) start++;
+  let end = 0;
+  while (end < old.length - start && end < now.length - start && old[old.length - 1 - end] === now[now.length - 1 - end]) end++;
+  const same = (text: string): DiffLine => ({ kind: 'same', text });
+  return [
+    ...old.slice(0, start).map(same),
+    ...middleDiff(old.slice(start, old.length - end), now.slice(start, now.length - end)),
+    ...old.slice(old.length - end).map(same),
+  ];
+}

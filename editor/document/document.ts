@@ -1,0 +1,270 @@
+import { freeze, produce } from 'immer';
+import { createStore, type StoreApi } from 'zustand/vanilla';
+import { type LevelFile, OBJECT_LISTS } from '../../schema/index.ts';
+import { objectsOf } from './objects.ts';
+import { applyPatches, diffFiles, isSame, type Patch } from './patch.ts';
+import { type Refusal, settle } from './settle.ts';
+
+/** Changes a draft of the file in place, as immer has it. What it leaves is settled, so numbers may be out of their limits. */
+export type Recipe = (draft: LevelFile) => void;
+
+export interface DocumentState {
+  /** A valid level in which every object has an id; frozen. */
+  readonly file: LevelFile;
+  /** Another number for every other content; never used twice. */
+  readonly revision: number;
+  /** What undo and redo would take back or bring again; null when there is nothing. */
+  readonly undoLabel: string | null;
+  readonly redoLabel: string | null;
+  /** How many steps are done, and how many there are: for a list of the history. */
+  readonly done: number;
+  readonly steps: number;
+}
+
+/** Something happened to the file. */
+export interface DocumentEvent {
+  readonly kind: 'change' | 'undo' | 'redo';
+  readonly label: string;
+  readonly before: LevelFile;
+  readonly file: LevelFile;
+  /** From `before` to `file`. */
+  readonly patches: readonly Patch[];
+}
+
+export type ChangeResult =
+  | {
+      readonly ok: true;
+      /** Keys of the objects that are there now and were not before: to be selected. */
+      readonly added: readonly string[];
+    }
+  | { readonly ok: false; readonly refusal: Refusal };
+
+/**
+ * A change in the making: a drag. Every `set` starts again from how the file was when the gesture began, so that the whole way is given each time
+ * and nothing adds up. It is one step of the history, made by `commit`.
+ */
+export interface Gesture {
+  /** Does nothing once the gesture is over; another change, undo or a change on the disk ends it. */
+  set(recipe: Recipe): ChangeResult;
+  commit(): void;
+  /** Back to how it was. */
+  cancel(): void;
+  readonly isLive: boolean;
+}
+
+/** The open level: what is saved, undone and proved. */
+export interface EditedLevel {
+  readonly store: StoreApi<DocumentState>;
+  file(): LevelFile;
+  /** As it was before a gesture that is going on, else as it is: what is to be kept and saved. */
+  settledFile(): LevelFile;
+  /**
+   * One step of the history, or, when the last step was made under the same `gesture` and is not sealed, a part of that step: keys held down, letters typed.
+   */
+  change(label: string, recipe: Recipe, options?: { readonly gesture?: string }): ChangeResult;
+  /** Puts another file in its place, as one step: what came from the disk, a merge, a text. */
+  replace(label: string, file: LevelFile): ChangeResult;
+  begin(label: string): Gesture;
+  /** Ends what `gesture` joins, and a gesture that is going on: the field lost the focus, the key was let go. */
+  seal(): void;
+  undo(): boolean;
+  redo(): boolean;
+  /** Undoes or redoes until so many steps are done. */
+  goTo(done: number): void;
+  /** Labels of all steps, the oldest first; the first `done` are done. */
+  labels(): string[];
+  /** Every change of what is seen, those within a gesture included. @returns stops it */
+  subscribe(listener: (event: DocumentEvent) => void): () => void;
+  /** What is to be kept: changes outside of gestures, gestures once they are committed, undo and redo. @returns stops it */
+  onStep(listener: (event: DocumentEvent) => void): () => void;
+}
+
+interface Step {
+  readonly label: string;
+  readonly patches: readonly Patch[];
+  readonly inverse: readonly Patch[];
+}
+
+/** The last step while it may still grow. */
+interface Growing {
+  readonly gesture: string;
+  readonly before: LevelFile;
+}
+
+/** Keys of the objects that are new in a file. */
+function addedKeys(before: LevelFile, after: LevelFile): string[] {
+  // most changes bring none
+  const hasSame = (list: (typeof OBJECT_LISTS)[number]) => {
+    const [old, now] = [before[list] ?? [], after[list] ?? []];
+    return old === now || (old.length === now.length && now.every(({ id }, i) => id === old[i].id));
+  };
+  if (OBJECT_LISTS.every(hasSame)) return [];
+  const old = objectsOf(before);
+  return [...objectsOf(after).keys()].filter((key) => !old.has(key));
+}
+
+/**
+ * Opens a level for editing.
+ * @param file a valid level; missing ids are added, which is no step of the history
+ * @throws RangeError when the file is not a valid level
+ */
+export function createEditedLevel(file: LevelFile): EditedLevel {
+  const first = settle(file, null);
+  if (!first.ok) throw new RangeError(`not a valid level: ${first.refusal.message}`);
+
+  // grows at its end alone; `done` of them are done
+  const steps: Step[] = [];
+  let done = 0;
+  let revision = 0;
+  let current = freeze(first.file, true);
+  let growing: Growing | null = null;
+  let open: { readonly start: LevelFile; readonly label: string } | null = null;
+  const live = new Set<(event: DocumentEvent) => void>();
+  const settledListeners = new Set<(event: DocumentEvent) => void>();
+
+  const state = (): DocumentState => ({
+    file: current,
+    revision,
+    undoLabel: done > 0 ? steps[done - 1].label : null,
+    redoLabel: done < steps.length ? steps[done].label : null,
+    done,
+    steps: steps.length,
+  });
+  const store = createStore<DocumentState>(state);
+
+  /** @param known the patches that lead there; null: they are found when somebody asks, which nobody does while hundreds of objects are dragged */
+  const show = (kind: DocumentEvent['kind'], label: string, file: LevelFile, known: readonly Patch[] | null): DocumentEvent => {
+    const before = current;
+    let patches = known;
+    const event: DocumentEvent = {
+      kind,
+      label,
+      before,
+      file,
+      get patches() {
+        patches ??= diffFiles(before, file);
+        return patches;
+      },
+    };
+    current = freeze(file, true);
+    revision++;
+    store.setState(state(), true);
+    for (const listener of [...live]) listener(event);
+    return event;
+  };
+  const keep = (event: DocumentEvent) => {
+    for (const listener of [...settledListeners]) listener(event);
+  };
+  const record = (label: string, before: LevelFile, after: LevelFile, patches: readonly Patch[]) => {
+    steps.length = done;
+    steps.push({ label, patches, inverse: diffFiles(after, before) });
+    done++;
+  };
+  const endGesture = () => {
+    if (open === null) return;
+    const { start, label } = open;
+    open = null;
+    const patches = diffFiles(start, current);
+    if (patches.length === 0) return;
+    record(label, start, current, patches);
+    store.setState(state(), true);
+    keep({ kind: 'change', label, before: start, file: current, patches });
+  };
+
+  const put = (label: string, next: LevelFile, gesture: string | null): ChangeResult => {
+    const settled = settle(next, current);
+    if (!settled.ok) return settled;
+    const before = current;
+    const patches = diffFiles(before, settled.file);
+    if (patches.length === 0) return { ok: true, added: [] };
+    const joins = gesture !== null && growing?.gesture === gesture && done === steps.length && done > 0;
+    if (joins) {
+      const base = (growing as Growing).before;
+      done--;
+      record(label, base, settled.file, diffFiles(base, settled.file));
+    } else {
+      record(label, before, settled.file, patches);
+      growing = gesture === null ? null : { gesture, before };
+    }
+    keep(show('change', label, settled.file, patches));
+    return { ok: true, added: addedKeys(before, settled.file) };
+  };
+
+  const step = (kind: 'undo' | 'redo'): boolean => {
+    endGesture();
+    growing = null;
+    const { label, patches, inverse } = steps[kind === 'undo' ? done - 1 : done] ?? {};
+    if (label === undefined || patches === undefined || inverse === undefined) return false;
+    done += kind === 'undo' ? -1 : 1;
+    const applied = kind === 'undo' ? inverse : patches;
+    keep(show(kind, label, applyPatches(current, applied), applied));
+    return true;
+  };
+
+  return {
+    store,
+    file: () => current,
+    settledFile: () => open?.start ?? current,
+    change(label, recipe, { gesture } = {}) {
+      endGesture();
+      return put(
+        label,
+        produce(current, (draft) => void recipe(draft)),
+        gesture ?? null,
+      );
+    },
+    replace(label, file) {
+      endGesture();
+      growing = null;
+      return put(label, file, null);
+    },
+    begin(label) {
+      endGesture();
+      growing = null;
+      const mine = { start: current, label };
+      open = mine;
+      return {
+        get isLive() {
+          return open === mine;
+        },
+        set(recipe) {
+          if (open !== mine) return { ok: true, added: [] };
+          const settled = settle(
+            produce(mine.start, (draft) => void recipe(draft)),
+            mine.start,
+          );
+          if (!settled.ok) return settled;
+          if (!isSame(current, settled.file)) show('change', label, settled.file, null);
+          return { ok: true, added: addedKeys(mine.start, settled.file) };
+        },
+        commit() {
+          if (open === mine) endGesture();
+        },
+        cancel() {
+          if (open !== mine) return;
+          open = null;
+          if (!isSame(current, mine.start)) show('change', label, mine.start, null);
+        },
+      };
+    },
+    seal() {
+      endGesture();
+      growing = null;
+    },
+    undo: () => step('undo'),
+    redo: () => step('redo'),
+    goTo(wanted) {
+      while (done > wanted && step('undo'));
+      while (done < wanted && step('redo'));
+    },
+    labels: () => steps.map(({ label }) => label),
+    subscribe(listener) {
+      live.add(listener);
+      return () => live.delete(listener);
+    },
+    onStep(listener) {
+      settledListeners.add(listener);
+      return () => settledListeners.delete(listener);
+    },
+  };
+}

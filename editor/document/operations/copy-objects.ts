@@ -1,0 +1,33 @@
+import { type LevelFile, OBJECT_LISTS } from '../../../schema/index.ts';
+import type { Recipe } from '../document.ts';
+import { type ObjectKey, type ObjectList, type PlacedObject, plainList } from '../objects.ts';
+
+/** Objects on their way between levels: lists as a level file has them, without ids. */
+export type Clipping = { [list in ObjectList]?: PlacedObject[] };
+
+/** The objects as JSON text for the clipboard, as a part of a level file; null when nothing of it can be copied (a level has one astronaut and one black hole). */
+export function copyObjects(file: LevelFile, keys: Iterable<ObjectKey>): string | null {
+  const wanted = new Set(keys);
+  const rows: string[] = [];
+  for (const list of OBJECT_LISTS) {
+    const objects = (file[list] ?? []).filter(({ id }) => id !== undefined && wanted.has(id));
+    if (objects.length === 0) continue;
+    const lines = objects.map(({ id: _, ...rest }) => `    ${JSON.stringify(rest)}`);
+    rows.push(`  "${list}": [\n${lines.join(',\n')}\n  ]`);
+  }
+  return rows.length === 0 ? null : `{\n${rows.join(',\n')}\n}\n`;
+}
+
+/** Copies of objects beside them, so many px away. */
+export function duplicateObjects(keys: Iterable<ObjectKey>, dx: number, dy: number): Recipe {
+  return (draft) => {
+    const wanted = new Set(keys);
+    for (const list of OBJECT_LISTS) {
+      const objects = plainList(draft, list);
+      const copies = objects
+        .filter(({ id }) => id !== undefined && wanted.has(id))
+        .map(({ id: _, ...rest }) => ({ ...rest, x: rest.x + dx, y: rest.y + dy }));
+      if (copies.length > 0) draft[list] = [...objects, ...copies] as never;
+    }
+  };
+}

@@ -1,0 +1,67 @@
+import type { Hold, LevelFile } from '../../../schema/index.ts';
+import type { Recipe } from '../document.ts';
+
+type RunFile = NonNullable<LevelFile['runs']>[number];
+
+const runsOf = (draft: LevelFile): RunFile[] => draft.runs ?? [];
+
+/** A name that no run of the level has: the wanted one, or with a number behind it. */
+export function freeRunName(file: LevelFile, wanted: string): string {
+  const taken = new Set(file.runs?.map(({ name }) => name));
+  let name = wanted.slice(0, 70);
+  for (let i = 2; taken.has(name); i++) name = `${wanted.slice(0, 70)} ${i}`;
+  return name;
+}
+
+/** Adds a run at the end, or first when it is to be the one that is shown: a recording becomes the proof. */
+export function addRun(name: string, holds: readonly Hold[], place: 'first' | 'last' = 'last'): Recipe {
+  return (draft) => {
+    const run = { name, holds: holds.map(([press, release]): [number, number] => [press, release]) };
+    draft.runs = place === 'first' ? [run, ...runsOf(draft)] : [...runsOf(draft), run];
+  };
+}
+
+export function renameRun(name: string, to: string): Recipe {
+  return (draft) => {
+    const run = runsOf(draft).find((run) => run.name === name);
+    if (run !== undefined) run.name = to;
+  };
+}
+
+export function deleteRun(name: string): Recipe {
+  return (draft) => {
+    const left = runsOf(draft).filter((run) => run.name !== name);
+    if (left.length === 0) delete draft.runs;
+    else draft.runs = left;
+  };
+}
+
+/** A copy right after it, called `as`. */
+export function duplicateRun(name: string, as: string): Recipe {
+  return (draft) => {
+    const runs = runsOf(draft);
+    const index = runs.findIndex((run) => run.name === name);
+    if (index < 0) return;
+    const holds = runs[index].holds.map(([press, release]): [number, number] => [press, release]);
+    runs.splice(index + 1, 0, { ...runs[index], name: as, holds });
+  };
+}
+
+/** Moves a run to another place: the first one is shown. */
+export function reorderRun(name: string, index: number): Recipe {
+  return (draft) => {
+    const runs = runsOf(draft);
+    const from = runs.findIndex((run) => run.name === name);
+    if (from < 0) return;
+    const [run] = runs.splice(from, 1);
+    runs.splice(Math.min(runs.length, Math.max(0, index)), 0, run);
+  };
+}
+
+/** Puts other holds in place of a run's: a recording, a solution that was found. */
+export function replaceHolds(name: string, holds: readonly Hold[]): Recipe {
+  return (draft) => {
+    const run = runsOf(draft).find((run) => run.name === name);
+    if (run !== undefined) run.holds = holds.map(([press, release]) => [press, release]);
+  };
+}

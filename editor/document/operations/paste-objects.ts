@@ -1,0 +1,58 @@
+import { LEVEL_VERSION, OBJECT_LISTS, readLevel } from '../../../schema/index.ts';
+import type { Recipe } from '../document.ts';
+import { type PlacedObject, plainList } from '../objects.ts';
+import type { Refusal } from '../settle.ts';
+import type { Clipping } from './copy-objects.ts';
+
+export type ClippingReading =
+  | { readonly ok: true; readonly clipping: Clipping; readonly count: number }
+  | { readonly ok: false; readonly refusal: Refusal };
+
+const NOTHING: Refusal = {
+  message: 'the clipboard holds no objects of a level',
+  hint: 'Copy objects in the editor, or the text of a level file.',
+};
+
+/** Reads what `copyObjects` wrote, or a whole level file: what is in its lists. */
+export function readClipping(text: string): ClippingReading {
+  let value: unknown;
+  try {
+    value = JSON.parse(text);
+  } catch {
+    return { ok: false, refusal: NOTHING };
+  }
+  if (typeof value !== 'object' || value === null || Array.isArray(value)) return { ok: false, refusal: NOTHING };
+  const lists = Object.fromEntries(
+    OBJECT_LISTS.filter((list) => Object.hasOwn(value, list)).map((list) => [list, (value as Record<string, unknown>)[list]]),
+  );
+  // the lists are checked as those of a level, so that problems are told in the same words
+  const level = { version: LEVEL_VERSION, name: 'clipboard', astronaut: { x: 0, y: 0 }, blackHole: { x: 0, y: 0 }, ...lists };
+  const reading = readLevel(JSON.stringify(level));
+  if (!reading.ok) return { ok: false, refusal: { message: reading.problems[0].message, hint: reading.problems[0].hint } };
+  const clipping: Clipping = {};
+  let count = 0;
+  for (const list of OBJECT_LISTS) {
+    const objects: readonly PlacedObject[] = reading.document.file[list] ?? [];
+    if (objects.length === 0) continue;
+    clipping[list] = objects.map(({ id: _, ...rest }) => rest);
+    count += objects.length;
+  }
+  return count === 0 ? { ok: false, refusal: NOTHING } : { ok: true, clipping, count };
+}
+
+/** The middle of the clipping's places, px. */
+export function middleOf(clipping: Clipping): { x: number; y: number } {
+  const all = OBJECT_LISTS.flatMap((list) => clipping[list] ?? []);
+  const middle = (values: readonly number[]) => (Math.min(...values) + Math.max(...values)) / 2;
+  return { x: middle(all.map(({ x }) => x)), y: middle(all.map(({ y }) => y)) };
+}
+
+/** Adds the objects of a clipping, moved by so many px; they get ids of their own. */
+export function pasteObjects(clipping: Clipping, dx = 0, dy = 0): Recipe {
+  return (draft) => {
+    for (const list of OBJECT_LISTS) {
+      const added = clipping[list]?.map((object) => ({ ...object, x: object.x + dx, y: object.y + dy }));
+      if (added !== undefined) draft[list] = [...plainList(draft, list), ...added] as never;
+    }
+  };
+}

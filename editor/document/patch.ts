@@ -1,0 +1,118 @@
+import { enablePatches, type Patch as ImmerPatch, applyPatches as immerApply } from 'immer';
+import type { LevelFile } from '../../schema/index.ts';
+
+enablePatches();
+
+/**
+ * One difference between two level files. `path` leads from the root; in a list `add` inserts before its index and `remove` closes the gap,
+ * so that patches are to be applied in order.
+ */
+export interface Patch {
+  readonly op: 'add' | 'remove' | 'replace';
+  readonly path: readonly (string | number)[];
+  readonly value?: unknown;
+}
+
+type Path = readonly (string | number)[];
+type Json = { readonly [key: string]: unknown };
+
+const isObject = (value: unknown): value is Json => typeof value === 'object' && value !== null && !Array.isArray(value);
+
+/** What an entry of a list is known by, wherever it stands: objects by their id, runs by their name, holds by nothing. */
+function nameOf(entry: unknown): string | null {
+  if (!isObject(entry)) return null;
+  if (typeof entry.id === 'string') return entry.id;
+  return typeof entry.name === 'string' ? entry.name : null;
+}
+
+/** The names of all entries, or null when one has none or two have the same. */
+function namesOf(list: readonly unknown[]): string[] | null {
+  const names: string[] = [];
+  for (const entry of list) {
+    const name = nameOf(entry);
+    if (name === null) return null;
+    names.push(name);
+  }
+  return new Set(names).size === names.length ? names : null;
+}
+
+function diffKeyed(before: readonly unknown[], after: readonly unknown[], path: Path, into: Patch[]): boolean {
+  const old = namesOf(before);
+  const now = namesOf(after);
+  if (old === null || now === null) return false;
+  const kept = new Set(now);
+  const known = new Set(old);
+  const survivors = old.filter((name) => kept.has(name));
+  const inOrder = now.filter((name) => known.has(name)).every((name, i) => name === survivors[i]);
+  if (!inOrder) return false;
+  for (let i = old.length - 1; i >= 0; i--) if (!kept.has(old[i])) into.push({ op: 'remove', path: [...path, i] });
+  for (let i = 0; i < now.length; i++) if (!known.has(now[i])) into.push({ op: 'add', path: [...path, i], value: after[i] });
+  const from = new Map(old.map((name, i) => [name, i]));
+  for (let i = 0; i < now.length; i++) {
+    const index = from.get(now[i]);
+    if (index !== undefined) diffValue(before[index], after[i], [...path, i], into);
+  }
+  return true;
+}
+
+function diffUnkeyed(before: readonly unknown[], after: readonly unknown[], path: Path, into: Patch[]): void {
+  if (before.length === after.length) {
+    for (let i = 0; i < after.length; i++) diffValue(before[i], after[i], [...path, i], into);
+    return;
+  }
+  const shorter = Math.min(before.length, after.length);
+  let head = 0;
+  while (head < shorter && isSame(before[head], after[head])) head++;
+  let tail = 0;
+  while (tail < shorter - head && isSame(before[before.length - 1 - tail], after[after.length - 1 - tail])) tail++;
+  for (let i = before.length - tail - 1; i >= head; i--) into.push({ op: 'remove', path: [...path, i] });
+  for (let i = head; i < after.length - tail; i++) into.push({ op: 'add', path: [...path, i], value: after[i] });
+}
+
+function diffLists(before: readonly unknown[], after: readonly unknown[], path: Path, into: Patch[]): void {
+  const isHolds = (list: readonly unknown[]) => list.every((entry) => nameOf(entry) === null);
+  if (isHolds(before) && isHolds(after)) diffUnkeyed(before, after, path, into);
+  else if (!diffKeyed(before, after, path, into)) into.push({ op: 'replace', path, value: after });
+}
+
+function diffObjects(before: Json, after: Json, path: Path, into: Patch[]): void {
+  for (const key of Object.keys(before)) if (!Object.hasOwn(after, key)) into.push({ op: 'remove', path: [...path, key] });
+  for (const [key, value] of Object.entries(after)) {
+    const inner = [...path, key];
+    if (!Object.hasOwn(before, key)) into.push({ op: 'add', path: inner, value });
+    // what others keep under x- keys is theirs: it changes as a whole
+    else if (!key.startsWith('x-')) diffValue(before[key], value, inner, into);
+    else if (!isSame(before[key], value)) into.push({ op: 'replace', path: inner, value });
+  }
+}
+
+function diffValue(before: unknown, after: unknown, path: Path, into: Patch[]): void {
+  if (before === after) return;
+  if (Array.isArray(before) && Array.isArray(after)) diffLists(before, after, path, into);
+  else if (isObject(before) && isObject(after)) diffObjects(before, after, path, into);
+  else into.push({ op: 'replace', path, value: after });
+}
+
+/** Whether two JSON values are the same, whatever the order of their keys. */
+export function isSame(a: unknown, b: unknown): boolean {
+  if (a === b) return true;
+  if (Array.isArray(a) && Array.isArray(b)) return a.length === b.length && a.every((entry, i) => isSame(entry, b[i]));
+  if (!isObject(a) || !isObject(b)) return false;
+  const keys = Object.keys(a);
+  if (keys.length !== Object.keys(b).length) return false;
+  return keys.every((key) => Object.hasOwn(b, key) && isSame(a[key], b[key]));
+}
+
+/**
+ * What turns one file into another. What both share is passed over, so a file that was changed in one place costs next to nothing.
+ * Objects are followed by id and runs by name: taking one of a thousand out is one patch.
+ */
+export function diffFiles(before: LevelFile, after: LevelFile): Patch[] {
+  const patches: Patch[] = [];
+  diffValue(before, after, [], patches);
+  return patches;
+}
+
+/** The file with the patches applied, in order. @throws when they don't fit the file */
+export const applyPatches = (file: LevelFile, patches: readonly Patch[]): LevelFile =>
+  immerApply(file, patches as readonly ImmerPatch[] as ImmerPatch[]);

@@ -1,0 +1,65 @@
+import { createStore, type StoreApi } from 'zustand/vanilla';
+import type { EditedLevel } from './document.ts';
+import { type ObjectKey, objectsOf } from './objects.ts';
+
+/** What is selected: neither saved nor undone. */
+export interface Selection {
+  /** In the order in which they were selected; all of them exist. */
+  readonly keys: readonly ObjectKey[];
+  /** Selected holds: indices into the run's holds as `holdsOf` gives them. */
+  readonly holds: readonly number[];
+  /** Name of the run the holds are of; null when no hold is selected. */
+  readonly run: string | null;
+}
+
+export interface SelectionStore {
+  readonly store: StoreApi<Selection>;
+  keys(): readonly ObjectKey[];
+  /** Selects these alone; what does not exist is passed over. Holds are no longer selected. */
+  select(keys: Iterable<ObjectKey>): void;
+  add(keys: Iterable<ObjectKey>): void;
+  /** Takes it away when it is selected, else adds it. */
+  toggle(key: ObjectKey): void;
+  selectAll(): void;
+  selectHolds(run: string, holds: Iterable<number>): void;
+  clear(): void;
+  /** Stops following the level. */
+  close(): void;
+}
+
+const NONE: Selection = { keys: [], holds: [], run: null };
+
+/** A selection in a level. When objects, runs or holds vanish it is mended. */
+export function createSelection(level: EditedLevel): SelectionStore {
+  const store = createStore<Selection>(() => NONE);
+  const set = (next: Selection) => store.setState(next, true);
+  const existing = (keys: Iterable<ObjectKey>): ObjectKey[] => {
+    const objects = objectsOf(level.file());
+    return [...new Set(keys)].filter((key) => objects.has(key));
+  };
+  const keys = () => store.getState().keys;
+
+  const mend = () => {
+    const { keys, holds, run } = store.getState();
+    const kept = keys.length === 0 ? keys : existing(keys);
+    const length = run === null ? 0 : (level.file().runs?.find(({ name }) => name === run)?.holds.length ?? 0);
+    const left = holds.filter((hold) => hold < length);
+    if (kept.length === keys.length && left.length === holds.length) return;
+    set({ keys: kept, holds: left, run: left.length === 0 ? null : run });
+  };
+
+  return {
+    store,
+    keys,
+    select: (wanted) => set({ ...NONE, keys: existing(wanted) }),
+    add: (more) => set({ ...NONE, keys: existing([...keys(), ...more]) }),
+    toggle: (key) => set({ ...NONE, keys: keys().includes(key) ? keys().filter((k) => k !== key) : existing([...keys(), key]) }),
+    selectAll: () => set({ ...NONE, keys: [...objectsOf(level.file()).keys()] }),
+    selectHolds(run, holds) {
+      set({ keys: [], holds: [...new Set(holds)].sort((a, b) => a - b), run });
+      mend();
+    },
+    clear: () => set(NONE),
+    close: level.subscribe(mend),
+  };
+}

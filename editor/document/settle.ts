@@ -1,0 +1,198 @@
+import { type LevelFile, LIMITS, levelSchema, OBJECT_LISTS, withIds } from '../../schema/index.ts';
+
+/** Why a change was not made, for the person who asked for it. */
+export interface Refusal {
+  readonly message: string;
+  readonly hint: string;
+}
+
+export type Settled = { readonly ok: true; readonly file: LevelFile } | { readonly ok: false; readonly refusal: Refusal };
+
+type Json = { [key: string]: unknown };
+type Shape = { readonly [key: string]: { safeParse(value: unknown): { success: boolean } } };
+
+const { shape } = levelSchema;
+const run = shape.runs.unwrap().element.shape;
+const ID = /^[a-z0-9]{2,16}$/;
+
+const coordinate = [-LIMITS.coordinate, LIMITS.coordinate] as const;
+const velocity = [-LIMITS.velocity, LIMITS.velocity] as const;
+const radius = [LIMITS.leastRadius, LIMITS.radius] as const;
+
+/** What the numbers of a level may be, by their key. */
+export const NUMBER_LIMITS: Readonly<Record<string, readonly [least: number, most: number]>> = {
+  x: coordinate,
+  y: coordinate,
+  vx: velocity,
+  vy: velocity,
+  radius,
+  range: radius,
+};
+
+const TEXT_LIMITS: Readonly<Record<string, number>> = { description: 2000 };
+const NAME_LIMITS = { level: 120, run: 80 };
+
+class Refused extends Error {
+  constructor(readonly refusal: Refusal) {
+    super(refusal.message);
+  }
+}
+
+const refuse = (message: string, hint: string): never => {
+  throw new Refused({ message, hint });
+};
+
+/** The text, cut to so many characters; no pair of surrogates is cut in two. */
+function cut(text: string, most: number): string {
+  if (text.length <= most) return text;
+  const last = text.charCodeAt(most - 1);
+  return text.slice(0, last >= 0xd800 && last < 0xdc00 ? most - 1 : most);
+}
+
+/** What a field is to be; undefined leaves it out. */
+function settleField(key: string, value: unknown, fields: Shape, what: string): unknown {
+  if (value === undefined || key.startsWith('x-')) return value;
+  if (!Object.hasOwn(fields, key)) refuse(`${what} has no ${key}`, 'Keys of your own begin with x-.');
+  if (typeof value === 'number' && Object.hasOwn(NUMBER_LIMITS, key)) {
+    if (Number.isNaN(value)) refuse(`${key} of ${what} would be no number`, 'Type a number.');
+    const [least, most] = NUMBER_LIMITS[key];
+    // + 0 turns -0, which a file writes as 0, into 0
+    return Math.min(most, Math.max(least, value)) + 0;
+  }
+  if (typeof value === 'string' && Object.hasOwn(TEXT_LIMITS, key)) return cut(value, TEXT_LIMITS[key]);
+  if (key === 'id') return typeof value === 'string' && ID.test(value) ? value : undefined;
+  if (!fields[key].safeParse(value).success)
+    refuse(`${key} of ${what} can't be ${JSON.stringify(value)}`, 'Give it another value.');
+  return value;
+}
+
+/** @returns the same object when nothing is to be mended */
+function settleFields<T extends object>(value: T, fields: Shape, what: string): T {
+  let mended: Json | null = null;
+  for (const [key, field] of Object.entries(value)) {
+    const settled = settleField(key, field, fields, what);
+    if (field !== undefined && Object.is(settled, field)) continue;
+    mended ??= { ...value } as Json;
+    if (settled === undefined) delete mended[key];
+    else mended[key] = settled;
+  }
+  for (const key of ['x', 'y', 'radius']) {
+    if (Object.hasOwn(fields, key) && !Object.hasOwn(mended ?? value, key) && !fields[key].safeParse(undefined).success) {
+      refuse(`${what} has no ${key}`, `Give it a ${key}.`);
+    }
+  }
+  return (mended as T | null) ?? value;
+}
+
+/** The same list when none of its entries is mended. */
+function settleEach<T>(list: readonly T[], old: readonly T[] | undefined, settle: (entry: T, index: number) => T): readonly T[] {
+  if (list === old) return list;
+  let mended: T[] | null = null;
+  for (let i = 0; i < list.length; i++) {
+    // what was there before has been settled before
+    if (old !== undefined && list[i] === old[i]) continue;
+    const settled = settle(list[i], i);
+    if (settled === list[i]) continue;
+    mended ??= [...list];
+    mended[i] = settled;
+  }
+  return mended ?? list;
+}
+
+type RunFile = NonNullable<LevelFile['runs']>[number];
+
+const tickOf = (tick: number): number => Math.min(LIMITS.tick, Math.max(0, Math.round(tick))) + 0;
+
+function settleHolds(holds: RunFile['holds']): RunFile['holds'] {
+  if (holds.length > LIMITS.holds) refuse(`a run can have ${LIMITS.holds} holds at most`, 'Take some out.');
+  let isFine = true;
+  for (const [press, release] of holds) {
+    if (Number.isNaN(press + release)) refuse('a hold would begin or end at no number', 'Type a whole number of ticks.');
+    if (!Object.is(tickOf(press), press) || tickOf(release) !== release || release <= press) isFine = false;
+  }
+  if (isFine) return holds;
+  const settled = holds.map(([press, release]): [number, number] => [tickOf(press), tickOf(release)]);
+  return settled.filter(([press, release]) => release > press);
+}
+
+function settleName(name: unknown, most: number, what: string): string {
+  if (typeof name !== 'string' || name === '') refuse(`${what} needs a name`, 'Type a name.');
+  return cut(name as string, most);
+}
+
+function settleRun(value: RunFile): RunFile {
+  const { name, holds, ...others } = value;
+  const settled = { name: settleName(name, NAME_LIMITS.run, 'a run'), holds: settleHolds(holds) };
+  const rest = settleFields(others, run, 'a run');
+  return settled.name === name && settled.holds === holds && rest === others ? value : { ...rest, ...settled };
+}
+
+/** A copy in which an id that stands twice stays with its first owner. */
+function withoutSharedIds(file: LevelFile): LevelFile {
+  const taken = new Set<string>();
+  const settled = { ...file };
+  const own = <T extends { id?: string | undefined }>(object: T): T => {
+    if (object.id === undefined) return object;
+    if (!taken.has(object.id)) {
+      taken.add(object.id);
+      return object;
+    }
+    const { id: _, ...rest } = object;
+    return rest as T;
+  };
+  for (const list of OBJECT_LISTS) if (file[list] !== undefined) settled[list] = file[list].map(own) as never;
+  return settled;
+}
+
+function settleIds(file: LevelFile, before: LevelFile | null): LevelFile {
+  const same = (list: (typeof OBJECT_LISTS)[number]) =>
+    before !== null &&
+    file[list]?.length === before[list]?.length &&
+    (file[list] ?? []).every((object, i) => object.id !== undefined && object.id === before[list]?.[i].id);
+  if (OBJECT_LISTS.every(same)) return file;
+  return withIds(withoutSharedIds(file));
+}
+
+function settleTop(file: LevelFile, before: LevelFile | null): LevelFile {
+  const lists: readonly string[] = [...OBJECT_LISTS, 'runs', 'astronaut', 'blackHole', 'name', 'version'];
+  const own = Object.fromEntries(Object.entries(file).filter(([key]) => !lists.includes(key)));
+  const settled: LevelFile = { ...file, ...settleFields(own, shape, 'a level') };
+  for (const key of Object.keys(settled))
+    if (settled[key as keyof LevelFile] === undefined) delete settled[key as keyof LevelFile];
+  settled.name = settleName(file.name, NAME_LIMITS.level, 'a level');
+  if (file.version !== 1) refuse('a level has version 1', 'Leave the version as it is.');
+  if (file.astronaut !== before?.astronaut)
+    settled.astronaut = settleFields(file.astronaut, shape.astronaut.shape, 'the astronaut');
+  if (file.blackHole !== before?.blackHole)
+    settled.blackHole = settleFields(file.blackHole, shape.blackHole.shape, 'the black hole');
+  for (const list of OBJECT_LISTS) {
+    const objects = file[list];
+    if (objects === undefined) continue;
+    if (objects.length > LIMITS.objects) refuse(`a level can have ${LIMITS.objects} ${list} at most`, 'Take some out.');
+    const fields = shape[list].unwrap().element.shape;
+    settled[list] = settleEach<object>(objects, before?.[list], (object) =>
+      settleFields(object, fields, `one of the ${list}`),
+    ) as never;
+  }
+  if (file.runs !== undefined && file.runs !== before?.runs) {
+    if (file.runs.length > LIMITS.runs) refuse(`a level can have ${LIMITS.runs} runs at most`, 'Take some out.');
+    settled.runs = settleEach(file.runs, before?.runs, settleRun) as RunFile[];
+    const names = settled.runs.map(({ name }) => name);
+    const twice = names.find((name, i) => names.indexOf(name) !== i);
+    if (twice !== undefined) refuse(`there is a run called ${JSON.stringify(twice)} already`, 'Choose another name.');
+  }
+  return settled;
+}
+
+/**
+ * Makes a valid level of what a recipe left: numbers are brought within their limits, texts cut, ticks rounded, empty holds dropped, missing ids added.
+ * What no valid level is near to is refused. Everything that is shared with `before`, which is settled, is passed over.
+ */
+export function settle(file: LevelFile, before: LevelFile | null): Settled {
+  try {
+    return { ok: true, file: settleIds(settleTop(file, before), before) };
+  } catch (error) {
+    if (error instanceof Refused) return { ok: false, refusal: error.refusal };
+    throw error;
+  }
+}

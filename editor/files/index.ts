@@ -1,0 +1,12 @@
+export { createBrowserStorage, type KeyValues } from './browser-storage.ts';
+export { readText } from './disk-text.ts';
+export type { Answer, LevelStorage, Link, StorageError } from './level-storage.ts';
+export { type Choices, type Conflict, mergeLevels, type Side } from './merge.ts';
+export type { OpenedLevel } from './open-level.ts';
+export { pageSurroundings } from './page-surroundings.ts';
+export type { SaveState } from './save-state.ts';
+export { createSaver, type Saver } from './saver.ts';
+export { createServerStorage } from './server-storage.ts';
+export { pageTimers, type Timers } from './timers.ts';
+export { createWorkspace, type Workspace } from './workspace.ts';
+export type { Channel } from './writer-lock.ts';

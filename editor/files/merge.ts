@@ -1,0 +1,197 @@
+import { type LevelFile, OBJECT_LISTS } from '../../schema/index.ts';
+import { isSame, KIND_OF_LIST } from '../document/index.ts';
+
+export type Side = 'mine' | 'theirs';
+
+/** Two people changed the same thing in different ways. */
+export interface Conflict {
+  /** What it is about, the same as long as it is: to choose by. `asteroids/a7k2/place`, `runs/solution/holds`, `name`. */
+  readonly key: string;
+  /** For people: `asteroid a7k2, place`. */
+  readonly what: string;
+  /** JSON values; undefined where it is missing or was deleted. */
+  readonly base: unknown;
+  readonly mine: unknown;
+  readonly theirs: unknown;
+}
+
+export type Choices = ReadonlyMap<string, Side>;
+
+export interface Merged {
+  readonly file: LevelFile;
+  /** All of them, chosen or not; what was not chosen is mine in `file`. */
+  readonly conflicts: readonly Conflict[];
+}
+
+type Json = { readonly [key: string]: unknown };
+
+/** Fields that mean something only together: a place is not to be mixed from two. */
+const TOGETHER: Readonly<Record<string, readonly string[]>> = { place: ['x', 'y'], velocity: ['vx', 'vy'] };
+const GROUP_OF: Readonly<Record<string, string>> = Object.fromEntries(
+  Object.entries(TOGETHER).flatMap(([group, keys]) => keys.map((key) => [key, group])),
+);
+
+/** An object with its fields in groups; a group is a list of pairs. */
+function toGroups(object: Json): Map<string, unknown> {
+  const groups = new Map<string, unknown>();
+  for (const [key, value] of Object.entries(object)) {
+    if (value === undefined) continue;
+    const group = GROUP_OF[key];
+    if (group === undefined) groups.set(key, value);
+    else groups.set(group, { ...(groups.get(group) as object | undefined), [key]: value });
+  }
+  return groups;
+}
+
+function fromGroups(groups: ReadonlyMap<string, unknown>): Json {
+  const object: Record<string, unknown> = {};
+  for (const [group, value] of groups) {
+    if (Object.hasOwn(TOGETHER, group)) Object.assign(object, value);
+    else object[group] = value;
+  }
+  return object;
+}
+
+class Merge {
+  readonly conflicts: Conflict[] = [];
+
+  constructor(private readonly choices: Choices) {}
+
+  /** One value that is taken as a whole. */
+  value(key: string, what: string, bases: readonly unknown[], mine: unknown, theirs: unknown): unknown {
+    if (isSame(mine, theirs) || bases.some((base) => isSame(base, theirs))) return mine;
+    if (bases.every((base) => isSame(base, mine))) return theirs;
+    this.conflicts.push({ key, what, base: bases[0], mine, theirs });
+    return this.choices.get(key) === 'theirs' ? theirs : mine;
+  }
+
+  fields(key: string, what: string, bases: readonly Json[], mine: Json, theirs: Json): Json {
+    const [m, t, ...b] = [mine, theirs, ...bases].map(toGroups);
+    const merged = new Map<string, unknown>();
+    for (const field of new Set([...m.keys(), ...t.keys()])) {
+      const old = b.map((groups) => groups.get(field));
+      const value = this.value(`${key}/${field}`, `${what}, ${field}`, old, m.get(field), t.get(field));
+      if (value !== undefined) merged.set(field, value);
+    }
+    return fromGroups(merged);
+  }
+
+  /** A list whose entries have names: objects by id, runs by name. */
+  list(
+    key: string,
+    kind: string,
+    nameKey: string,
+    bases: readonly (readonly Json[])[],
+    mine: readonly Json[],
+    theirs: readonly Json[],
+  ): Json[] {
+    const byName = (list: readonly Json[]) => new Map(list.map((entry) => [String(entry[nameKey]), entry]));
+    const [m, t, ...b] = [mine, theirs, ...bases].map(byName);
+    const merged = new Map<string, Json>();
+    for (const name of new Set([...m.keys(), ...t.keys()])) {
+      const [here, there] = [m.get(name), t.get(name)];
+      const old = b.map((entries) => entries.get(name));
+      const what = `${kind} ${name}`;
+      if (here !== undefined && there !== undefined) {
+        const fields = old.map((entry) => entry ?? {});
+        merged.set(name, this.fields(`${key}/${name}`, what, fields, here, there));
+        continue;
+      }
+      // added on one side, or taken out on the other
+      const kept = this.value(`${key}/${name}`, what, old, here, there) as Json | undefined;
+      if (kept !== undefined) merged.set(name, kept);
+    }
+    const before = b.map((entries) => [...entries.keys()]);
+    const names = this.order(key, kind, before, [...m.keys()], [...t.keys()], new Set(merged.keys()));
+    return names.map((name) => merged.get(name) as Json);
+  }
+
+  /** The order of what is kept: that of the side that changed it, and what is new where its side has it. */
+  private order(
+    key: string,
+    kind: string,
+    bases: readonly (readonly string[])[],
+    mine: readonly string[],
+    theirs: readonly string[],
+    kept: ReadonlySet<string>,
+  ): string[] {
+    const all = [mine, theirs, ...bases].map((names) => new Set(names));
+    const isCommon = (name: string) => all.every((names) => names.has(name));
+    const [m, t, ...b] = [mine, theirs, ...bases].map((list) => list.filter(isCommon));
+    const common = this.value(`${key}/order`, `${kind}s, their order`, b, m, t) as string[];
+    const [hereAfter, thereAfter] = [followers(mine, isCommon, kept), followers(theirs, isCommon, kept)];
+    const placed = new Set<string>();
+    const result: string[] = [];
+    const put = (name: string) => {
+      if (placed.has(name)) return;
+      placed.add(name);
+      result.push(name);
+    };
+    for (const anchor of ['', ...common]) {
+      if (anchor !== '') put(anchor);
+      const groups = [hereAfter.get(anchor) ?? [], thereAfter.get(anchor) ?? []];
+      // the same whichever side is called mine
+      groups.sort((p, q) => (p.join() < q.join() ? -1 : 1));
+      for (const name of groups.flat()) put(name);
+    }
+    return result;
+  }
+}
+
+/** Names that are not common to all, by the common name they follow; '' for those before the first. */
+function followers(
+  list: readonly string[],
+  isCommon: (name: string) => boolean,
+  kept: ReadonlySet<string>,
+): Map<string, string[]> {
+  const after = new Map<string, string[]>();
+  let anchor = '';
+  for (const name of list) {
+    if (isCommon(name)) anchor = name;
+    else if (kept.has(name)) after.set(anchor, [...(after.get(anchor) ?? []), name]);
+  }
+  return after;
+}
+
+const LISTS = [
+  ...OBJECT_LISTS.map((list) => ({ list, kind: KIND_OF_LIST[list] as string, nameKey: 'id' })),
+  { list: 'runs', kind: 'run', nameKey: 'name' } as const,
+];
+
+/**
+ * Brings two changed versions of a level together. What only one side changed is taken; objects are known by their ids, runs by their names, so it does
+ * not matter where in its list something stands. What both changed differently is a conflict, one for each property.
+ * @param base what both began with; ids on all objects, as in `mine` and `theirs`
+ * @param sent what mine was like on its way from there and theirs may have begun with instead: a value that is in one of them is no change of theirs,
+ * and mine is unchanged only where it is as in all of them
+ */
+export function mergeLevels(
+  base: LevelFile,
+  mine: LevelFile,
+  theirs: LevelFile,
+  choices: Choices = new Map(),
+  sent: readonly LevelFile[] = [],
+): Merged {
+  const merge = new Merge(choices);
+  const lists: readonly string[] = LISTS.map(({ list }) => list);
+  const merged: Record<string, unknown> = {};
+  const [m, t, ...b] = [mine, theirs, base, ...sent] as unknown as Json[];
+  for (const key of new Set([...Object.keys(m), ...Object.keys(t)])) {
+    if (lists.includes(key)) continue;
+    const old = b.map((file) => file[key]);
+    const value =
+      key === 'astronaut' || key === 'blackHole'
+        ? merge.fields(key, key === 'astronaut' ? 'astronaut' : 'black hole', old as Json[], m[key] as Json, t[key] as Json)
+        : merge.value(key, key, old, m[key], t[key]);
+    if (value !== undefined) merged[key] = value;
+  }
+  for (const { list, kind, nameKey } of LISTS) {
+    const [here, there, ...old] = [m, t, ...b].map((file) => file[list] as readonly Json[] | undefined);
+    const before = old.map((entries) => entries ?? []);
+    const entries = merge.list(list, kind, nameKey, before, here ?? [], there ?? []);
+    // an empty list and none are the same level, but not the same text
+    const sides = isSame(old[0], here) ? [there] : isSame(old[0], there) ? [here] : [here, there];
+    if (entries.length > 0 || sides.some((side) => side?.length === 0)) merged[list] = entries;
+  }
+  return { file: merged as LevelFile, conflicts: merge.conflicts };
+}

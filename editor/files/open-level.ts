@@ -1,0 +1,185 @@
+import { formatLevel, type Problem } from '../../schema/index.ts';
+import { createEditedLevel, type EditedLevel, isSame } from '../document/index.ts';
+import type { Journal, LevelJournal, Recovery } from '../journal/index.ts';
+import { readText } from './disk-text.ts';
+import type { LevelStorage, StorageError } from './level-storage.ts';
+import { mergeLevels } from './merge.ts';
+import { createSaver, type DiskBase, type Saver } from './saver.ts';
+import type { Timers } from './timers.ts';
+import { type Channel, claimLevel, type Role, type WriterLock } from './writer-lock.ts';
+
+/** What a page offers and a test replaces. */
+export interface Surroundings {
+  readonly storage: LevelStorage;
+  readonly journal: Journal;
+  readonly timers: Timers;
+  /** A name of the folder that is the same in every run: `folder.id` of its list. */
+  readonly folder: string;
+  readonly locks: Pick<LockManager, 'request'> | null;
+  /** A channel by name, between the pages of this browser; null where there is none. */
+  readonly channel: (name: string) => Channel | null;
+}
+
+/** A level that is open: edited, kept, saved. */
+export interface OpenedLevel {
+  /** Changes when the level is renamed. */
+  id(): string;
+  readonly level: EditedLevel;
+  readonly saver: Saver;
+  readonly lock: WriterLock;
+  /** What an earlier page had changed and not saved; it is in the level again, as a step that can be undone. */
+  readonly recovered: Recovery | null;
+  /** The level was renamed. */
+  moved(id: string, etag: string): void;
+  /** Writes what is unsaved and lets go of the level. What could not be written stays in the journal. */
+  close(): Promise<void>;
+}
+
+export type Opening =
+  | { readonly ok: true; readonly opened: OpenedLevel }
+  /** Not a level: it can be looked at and edited as text. */
+  | {
+      readonly ok: false;
+      readonly kind: 'invalid';
+      readonly text: string;
+      readonly etag: string | null;
+      readonly problems: readonly Problem[];
+    }
+  | { readonly ok: false; readonly kind: 'failed'; readonly error: StorageError };
+
+const placeOf = (folder: string, id: string): string => `${folder}/${id}`;
+
+/** Until a page that has just opened a level knows whether it may write it. */
+const ASKING = 'asking whether another tab has this level open';
+
+/**
+ * Opens a level of the storage, with what an earlier page had not saved. Resolves when it is known whether this page may write it.
+ * @param remembered the level as this page had it open before: its history goes on if nothing has changed it since
+ */
+export async function openLevel(id: string, surroundings: Surroundings, remembered: EditedLevel | null = null): Promise<Opening> {
+  const answer = await surroundings.storage.read(id);
+  if (!answer.ok) return { ok: false, kind: 'failed', error: answer.error };
+  const { text, etag, problems } = answer.value;
+  const reading = readText(text ?? '');
+  if (text === null || !reading.ok) {
+    return { ok: false, kind: 'invalid', text: text ?? '', etag, problems: reading.ok ? problems : reading.problems };
+  }
+  // an id may have become another level's meanwhile: a history goes on only where its level is still what is there
+  const fresh = createEditedLevel(reading.file);
+  const level = remembered !== null && isSame(remembered.file(), fresh.file()) ? remembered : fresh;
+  return { ok: true, opened: await begin(id, surroundings, level, { file: level.file(), etag }, answer.value.readOnly) };
+}
+
+async function begin(
+  id: string,
+  { storage, journal, timers, folder, locks, channel }: Surroundings,
+  level: EditedLevel,
+  base: DiskBase,
+  unwritable: string | null,
+): Promise<OpenedLevel> {
+  let at = id;
+  let kept: LevelJournal | null = null;
+  let recovered: Recovery | null = null;
+  /** This page lost the level to another one before it could write its changes. */
+  let isStranded = false;
+  const saver = createSaver(id, level, {
+    storage,
+    timers,
+    base,
+    unwritable,
+    onDisk: (file, etag) => kept?.onDisk(file, etag),
+    onSent: (file) => kept?.onSent(file),
+  });
+  saver.setReadOnly(ASKING, true);
+  const lockOf = (of: string): string => `gravity-quest-editor ${placeOf(folder, of)}`;
+  const name = lockOf(id);
+  const lock = claimLevel({
+    locks,
+    channel: channel(name),
+    timers,
+    name,
+    beforeHandOver: () => saver.flush(),
+    onShown({ text, base }) {
+      const [theirs, disk] = [readText(text), readText(base.text)];
+      if (!theirs.ok || !disk.ok || isStranded || lock.store.getState() !== 'reader') return;
+      level.replace('Changed in another tab', theirs.file);
+      saver.restart({ file: disk.file, etag: base.etag });
+    },
+    shown: () => shown(),
+  });
+  const shown = () => {
+    const { file, etag } = saver.base();
+    return { text: formatLevel(level.settledFile()), base: { text: formatLevel(file), etag } };
+  };
+
+  /** From now on this page writes: with what whoever wrote before has left in the journal. */
+  const takeUp = async () => {
+    const left = await journal.recover(placeOf(folder, at));
+    if (lock.store.getState() !== 'writer') return;
+    // what was cut off between the disk and its answer has reached the disk
+    if (left !== null && !isSame(left.file, saver.base().file)) {
+      // this page may have changes of its own, that it could not write when it lost the level
+      const { file } = mergeLevels(saver.base().file, level.settledFile(), left.file);
+      // the saver brings it together with what is there now
+      saver.restart(left.base);
+      level.replace('Recovered', file);
+      recovered ??= left;
+    }
+    isStranded = false;
+    kept = journal.follow(placeOf(folder, at), level, saver.base());
+    saver.setReadOnly(null);
+    saver.refresh();
+  };
+  const giveUp = () => {
+    isStranded = kept !== null && saver.isUnsaved();
+    kept?.close();
+    kept = null;
+    saver.setReadOnly('another tab has this level open', !isStranded);
+  };
+  const onRole = (role: Role) => (role === 'writer' ? takeUp() : Promise.resolve(giveUp()));
+  let settled: Promise<void> = Promise.resolve();
+  const decided = new Promise<void>((resolve) => {
+    const decide = () => {
+      const role = lock.store.getState();
+      if (role === 'waiting') return;
+      settled = onRole(role);
+      void settled.then(resolve);
+    };
+    lock.store.subscribe(decide);
+    decide();
+  });
+  const stop = level.onStep(() => lock.tell(shown()));
+  await decided;
+
+  return {
+    id: () => at,
+    level,
+    saver,
+    lock,
+    get recovered() {
+      return recovered;
+    },
+    moved(to, etag) {
+      const from = at;
+      at = to;
+      saver.moved(to, etag);
+      const name = lockOf(to);
+      lock.moveTo(name, channel(name));
+      if (kept === null) return;
+      kept.close();
+      const next = journal.follow(placeOf(folder, to), level, saver.base());
+      kept = next;
+      void next.settled().then(() => journal.forget(placeOf(folder, from)));
+    },
+    async close() {
+      level.seal();
+      await settled;
+      await saver.flush();
+      stop();
+      saver.close();
+      await kept?.settled();
+      kept?.close();
+      lock.close();
+    },
+  };
+}

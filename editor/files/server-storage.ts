@@ -1,0 +1,215 @@
+import type * as z from 'zod';
+import {
+  type DeleteRequest,
+  deleteResponseSchema,
+  EDIT_API,
+  EDIT_ERRORS,
+  type EditEvent,
+  editEventSchema,
+  errorResponseSchema,
+  listResponseSchema,
+  type OrderRequest,
+  orderResponseSchema,
+  type RenameRequest,
+  type RestoreRequest,
+  readResponseSchema,
+  trashResponseSchema,
+  type WriteRequest,
+  writeResponseSchema,
+} from '../../schema/index.ts';
+import { type Answer, type LevelStorage, type Link, storageError } from './level-storage.ts';
+import { pageTimers, type Timers } from './timers.ts';
+
+export interface ServerOptions {
+  /** Where the page came from, without a slash at its end. */
+  readonly origin: string;
+  /** What the address that `gq edit` prints has after `#token=`. */
+  readonly token: string;
+  /** Random name of this page. */
+  readonly client: string;
+  readonly fetch: typeof fetch;
+  readonly timers?: Timers;
+}
+
+type Fields = Record<string, string>;
+
+/** Silence after which the server is taken for gone, ms: two heartbeats and a half. */
+const SILENCE = EDIT_API.HEARTBEAT * 2500;
+/** Waits between attempts to reach it again, ms; the last one is repeated. */
+const RETRIES = [250, 500, 1000, 2000, 5000] as const;
+
+const UNREACHABLE = storageError(
+  'unreachable',
+  'the local server does not answer',
+  'is gq edit still running? Start it again in the same folder and open the address it prints; what you do meanwhile is kept',
+);
+
+/** The folder behind `gq edit`. */
+export function createServerStorage(options: ServerOptions): LevelStorage {
+  const { origin, token, client, fetch, timers = pageTimers } = options;
+
+  const ask = async <T>(
+    method: string,
+    path: string,
+    schema: z.ZodType<T>,
+    headers: Fields,
+    body?: object,
+  ): Promise<Answer<T>> => {
+    let response: Response;
+    let value: unknown;
+    try {
+      response = await fetch(`${origin}${path}`, {
+        method,
+        headers: {
+          [EDIT_API.TOKEN_HEADER]: token,
+          ...(body === undefined ? {} : { 'Content-Type': 'application/json' }),
+          ...headers,
+        },
+        body: body === undefined ? undefined : JSON.stringify(body),
+        cache: 'no-store',
+      });
+      value = await response.json();
+    } catch {
+      return { ok: false, error: UNREACHABLE };
+    }
+    if (response.ok) {
+      const parsed = schema.safeParse(value);
+      if (parsed.success) return { ok: true, value: parsed.data };
+    } else {
+      const parsed = errorResponseSchema.safeParse(value);
+      if (parsed.success) {
+        const { code, message, hint, problems = [], current = null } = parsed.data.error;
+        return { ok: false, error: { code, message, hint, problems, current } };
+      }
+    }
+    const hint = 'are the page and gq edit of the same version? Load the page anew';
+    return {
+      ok: false,
+      error: storageError('unexpected', `the server gave an answer that makes no sense (${response.status})`, hint),
+    };
+  };
+  const get = <T>(path: string, schema: z.ZodType<T>) => ask('GET', path, schema, {});
+  const post = <T>(path: string, schema: z.ZodType<T>, body: object, headers: Fields = {}) =>
+    ask('POST', path, schema, headers, body);
+  const level = (id: string) => `${EDIT_API.LEVEL}?id=${encodeURIComponent(id)}`;
+  const picked = async <T, U>(answer: Promise<Answer<T>>, pick: (value: T) => U): Promise<Answer<U>> => {
+    const given = await answer;
+    return given.ok ? { ok: true, value: pick(given.value) } : given;
+  };
+
+  return {
+    kind: 'server',
+    list: () => get(EDIT_API.LEVELS, listResponseSchema),
+    read: (id) => get(level(id), readResponseSchema),
+    write(id, text, base) {
+      const headers: Fields = base === null ? { 'If-None-Match': '*' } : { 'If-Match': base };
+      const body: WriteRequest = { text, client };
+      return picked(ask('PUT', level(id), writeResponseSchema, headers, body), ({ entry }) => entry);
+    },
+    rename(id, to, base) {
+      const body: RenameRequest = { id, to, client };
+      return picked(post(EDIT_API.RENAME, writeResponseSchema, body, { 'If-Match': base }), ({ entry }) => entry);
+    },
+    duplicate(id, to, base) {
+      const body: RenameRequest = { id, to, client };
+      return picked(post(EDIT_API.DUPLICATE, writeResponseSchema, body, { 'If-Match': base }), ({ entry }) => entry);
+    },
+    remove(id, base) {
+      const body: DeleteRequest = { id, client };
+      return post(EDIT_API.DELETE, deleteResponseSchema, body, { 'If-Match': base });
+    },
+    trash: () => picked(get(EDIT_API.TRASH, trashResponseSchema), ({ trash }) => trash),
+    restore(trash, to) {
+      const body: RestoreRequest = { trash, client, ...(to === undefined ? {} : { to }) };
+      return picked(post(EDIT_API.RESTORE, writeResponseSchema, body), ({ entry }) => entry);
+    },
+    order(folder, ids) {
+      const body: OrderRequest = { folder, ids: [...ids], client };
+      return post(EDIT_API.ORDER, orderResponseSchema, body);
+    },
+    watch(onEvent, onLink) {
+      const own = (event: EditEvent) => event.type !== 'list' && event.by === client;
+      return followEvents({ ...options, timers }, (event) => !own(event) && onEvent(event), onLink);
+    },
+  };
+}
+
+/** Keeps a stream of events open, again and again. */
+function followEvents(
+  { origin, token, fetch, timers = pageTimers }: ServerOptions,
+  onEvent: (event: EditEvent) => void,
+  onLink: (link: Link) => void,
+): () => void {
+  let isOver = false;
+  let attempts = 0;
+  let told: Link | null = null;
+  let abort = new AbortController();
+  let cancelWait = () => {};
+
+  const tell = (now: Link) => {
+    if (now !== told && !isOver) onLink(now);
+    told = now;
+  };
+  /** Rejects or resolves when the stream ends. */
+  const readAll = async (): Promise<void> => {
+    abort = new AbortController();
+    const { signal } = abort;
+    const response = await fetch(`${origin}${EDIT_API.EVENTS}`, {
+      headers: { [EDIT_API.TOKEN_HEADER]: token },
+      signal,
+      cache: 'no-store',
+    });
+    if (response.status === EDIT_ERRORS['wrong-token']) tell('otherRun');
+    if (!response.ok || response.body === null) throw new Error(`the server answered ${response.status}`);
+    tell('up');
+    const reader = response.body.pipeThrough(new TextDecoderStream()).getReader();
+    let rest = '';
+    let cancelSilence = timers.after(SILENCE, () => abort.abort());
+    try {
+      for (;;) {
+        const { value, done } = await reader.read();
+        if (done) return;
+        // something was said, so what follows is not a failed attempt
+        attempts = 0;
+        cancelSilence();
+        cancelSilence = timers.after(SILENCE, () => abort.abort());
+        const blocks = (rest + value).split('\n\n');
+        rest = blocks.pop() ?? '';
+        for (const block of blocks) for (const event of eventsOf(block)) onEvent(event);
+      }
+    } finally {
+      cancelSilence();
+    }
+  };
+  const goOn = () => {
+    void readAll()
+      .catch(() => undefined)
+      .then(() => {
+        if (isOver) return;
+        if (told !== 'otherRun') tell('gone');
+        cancelWait = timers.after(RETRIES[Math.min(attempts++, RETRIES.length - 1)], goOn);
+      });
+  };
+  goOn();
+  return () => {
+    isOver = true;
+    cancelWait();
+    abort.abort();
+  };
+}
+
+/** The events of one block of an event stream; what is not understood is passed over. */
+function eventsOf(block: string): EditEvent[] {
+  const data = block
+    .split('\n')
+    .filter((line) => line.startsWith('data:'))
+    .map((line) => line.slice(5).trimStart())
+    .join('\n');
+  if (data === '') return [];
+  try {
+    const parsed = editEventSchema.safeParse(JSON.parse(data));
+    return parsed.success ? [parsed.data] : [];
+  } catch {
+    return [];
+  }
+}

@@ -1,0 +1,174 @@
+import { Check, Gauge, Maximize2, Square, X } from 'lucide-react';
+import { useMemo, useState } from 'react';
+import { ACCURACIES, type AccuracyName, DEFAULT_ACCURACY } from '../../../engine/index.ts';
+import { useEditor, useProof, useSession } from '../../app/context.ts';
+import { outcomeInWords } from '../../proof/index.ts';
+import { Button, Dialog } from '../../ui/index.ts';
+import { pixels, playsAlike } from '../figures/index.ts';
+import { Section } from '../parts/index.ts';
+import './accuracy.css';
+import { usePageTheme } from '../../app/page-theme.ts';
+import { drawSettings } from './diagram.ts';
+import { NAMES, type NamedResult } from './named-results.ts';
+import { type MeasuredSettings, useMeasured } from './use-measured.ts';
+import { useNamedResults } from './use-named-results.ts';
+
+const ABOUT: Readonly<Record<AccuracyName, string>> = {
+  arcade: 'the original game, frame by frame, its quirks with it',
+  fast: 'Verlet at 60 Hz, contacts swept',
+  standard: 'Runge-Kutta at 60 Hz, contacts swept',
+  precise: `error held below ${ACCURACIES.precise.tolerance} px a second, contacts swept`,
+};
+
+interface ChoiceProps {
+  readonly name: AccuracyName;
+  readonly result: NamedResult | undefined;
+  /** µs per simulated second */
+  readonly cost: number | undefined;
+  readonly isCurrent: boolean;
+}
+
+function Choice({ name, result, cost, isCurrent }: ChoiceProps) {
+  const { session, settings } = useEditor();
+  const range = useProof(({ level }) => level.range);
+  return (
+    <label className={isCurrent ? 'accuracy accuracy--current' : 'accuracy'}>
+      <input
+        type="radio"
+        name="accuracy"
+        value={name}
+        checked={isCurrent}
+        onChange={() => {
+          settings.setState({ accuracy: name });
+          session.setState({ accuracy: name });
+        }}
+      />
+      <span className="accuracy__head">
+        <b>{name}</b>
+        {isCurrent && <span className="accuracy__tag">in use</span>}
+        {name === DEFAULT_ACCURACY && !isCurrent && <span className="accuracy__tag accuracy__tag--quiet">default</span>}
+        <span className="accuracy__cost numbers">
+          {cost === undefined ? '' : `${cost < 10 ? cost.toFixed(1) : cost.toFixed(0)} µs/s`}
+        </span>
+      </span>
+      <span className="part__note">{ABOUT[name]}</span>
+      {result !== undefined && (
+        <span className="accuracy__result numbers">
+          {result.sameVerdict ? (
+            <Check size={13} className="tone--good" aria-label="same verdict:" />
+          ) : (
+            <X size={13} className="tone--bad" aria-label="another verdict:" />
+          )}
+          <span>{outcomeInWords(result.end, range)}</span>
+          <span className="accuracy__off">
+            {name === 'precise'
+              ? 'the measure'
+              : result.difference === 0
+                ? 'no difference'
+                : `off by ${pixels(result.difference)}`}
+          </span>
+        </span>
+      )}
+    </label>
+  );
+}
+
+/** The diagram, small, and large in a dialog. */
+function DiagramView({ measured, current }: { readonly measured: MeasuredSettings; readonly current: AccuracyName }) {
+  const [isOpen, setOpen] = useState(false);
+  const theme = usePageTheme();
+  const { level, run, settings } = measured;
+  const picture = useMemo(
+    () => `data:image/svg+xml,${encodeURIComponent(drawSettings({ level, run, settings, current }, theme))}`,
+    [level, run, settings, current, theme],
+  );
+  const failed = settings.filter(({ sameVerdict }) => !sameVerdict).length;
+  const alt = `Work-precision diagram: ${settings.length} settings, ${failed} of them with another outcome; ${current} is ringed`;
+  return (
+    <>
+      <button type="button" className="diagram" onClick={() => setOpen(true)} title="Enlarge">
+        <img src={picture} alt={alt} />
+        <span className="diagram__sign">
+          <Maximize2 size={14} aria-label="Enlarge" />
+        </span>
+      </button>
+      <Dialog
+        open={isOpen}
+        wide
+        title="What accuracy costs"
+        about="Every point is a setting: to the left is more exact, further down is faster."
+        onClose={() => setOpen(false)}
+      >
+        <img className="diagram__large" src={picture} alt={alt} />
+      </Dialog>
+    </>
+  );
+}
+
+/** What the named settings make of this level and run, and what they cost; one of them is in use. */
+export function AccuracyPanel() {
+  const current = useSession(({ accuracy }) => accuracy);
+  const { results, costs, isFresh } = useNamedResults();
+  const { phase, message, measured, start, cancel } = useMeasured();
+  const file = useProof((proof) => proof.file);
+  const holds = useProof((proof) => proof.run.holds.join());
+  const isOld = measured !== null && (measured.holds !== holds || !playsAlike(measured.file, file));
+  return (
+    <div className="panel__body accuracies">
+      <Section title="This level and run at" aside={!isFresh && <span className="part__note">comparing…</span>}>
+        <div
+          className={isFresh ? 'accuracies__list' : 'accuracies__list accuracies__list--old'}
+          role="radiogroup"
+          aria-label="Accuracy"
+        >
+          {NAMES.map((name) => (
+            <Choice
+              key={name}
+              name={name}
+              result={results.find((result) => result.name === name)}
+              cost={costs?.get(name)}
+              isCurrent={name === current}
+            />
+          ))}
+        </div>
+        <p className="part__note">
+          Off by: the largest distance to precise at any tick. µs/s: time per simulated second, timed in this page. The one in use
+          is that of the proof, the playtest and the solver.
+        </p>
+      </Section>
+      <Section
+        title="Every setting"
+        aside={
+          phase === 'measuring' ? (
+            <Button hint="Stop measuring" icon={<Square size={13} />} onClick={cancel}>
+              Cancel
+            </Button>
+          ) : (
+            <Button hint="Times every setting on this run, in a worker" icon={<Gauge size={14} />} onClick={start}>
+              {measured === null ? 'Measure' : 'Again'}
+            </Button>
+          )
+        }
+      >
+        {phase === 'measuring' && <progress className="progress" aria-label="Measuring" />}
+        {phase === 'failed' && (
+          <p className="tone--bad" role="alert">
+            It could not be measured: {message}. Try again.
+          </p>
+        )}
+        {measured === null ? (
+          phase === 'idle' && (
+            <p className="part__note">
+              Times and errors of 59 settings on this run: the work-precision diagram, with the one in use ringed.
+            </p>
+          )
+        ) : (
+          <>
+            {isOld && <p className="part__note">Before the last change of the level or its run.</p>}
+            <DiagramView measured={measured} current={current} />
+          </>
+        )}
+      </Section>
+    </div>
+  );
+}

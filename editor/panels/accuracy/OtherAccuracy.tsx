@@ -1,0 +1,29 @@
+import { type AccuracyName, compile, createSimulation, DEFAULT_MAX_TIME, TICK_RATE } from '../../../engine/index.ts';
+import { largestDistance, pathOf } from '../../../engine/work-precision/index.ts';
+import type { LiveProof } from '../../proof/index.ts';
+import { useRestingProof } from '../parts/index.ts';
+
+/** ms without a change before it is asked: two runs are played to their ends */
+const REST = 300;
+
+const MAX_TICKS = DEFAULT_MAX_TIME * TICK_RATE;
+
+/** The way of the original's frames beside that of the accuracy in use, or the exact way beside the original's. */
+function otherOf({ level, scene, accuracy, run }: LiveProof) {
+  const name: AccuracyName = accuracy === 'arcade' ? 'precise' : 'arcade';
+  const path = pathOf(createSimulation(compile(level, name)), run.holds, MAX_TICKS);
+  const distance = largestDistance(path, pathOf(createSimulation(scene), run.holds, MAX_TICKS));
+  return { name, distance, isSame: (path.ending?.outcome ?? 'timeout') === run.outcome };
+}
+
+const px = (distance: number): string => (distance >= 0.05 ? distance.toFixed(1) : distance.toPrecision(1));
+
+/** Whether another accuracy would say the same of the shown run, in a few words. */
+export function OtherAccuracy() {
+  const { name, distance, isSame } = useRestingProof(otherOf, REST);
+  return (
+    <span className={isSame ? undefined : 'tone--warn'}>
+      {isSame ? `${name} would differ by ${px(distance)} px, same verdict` : `${name} would end in another way`}
+    </span>
+  );
+}

@@ -1,0 +1,2 @@
+export { AccuracyPanel } from './AccuracyPanel.tsx';
+export { OtherAccuracy } from './OtherAccuracy.tsx';

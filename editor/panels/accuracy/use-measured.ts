@@ -1,0 +1,56 @@
+import { useCallback, useEffect, useRef, useState } from 'react';
+import type { LevelFile } from '../../../schema/index.ts';
+import { useEditor, useLevel } from '../../app/context.ts';
+import type { Job, Setting } from '../../workers/index.ts';
+
+/** What every setting costs for one level and run. */
+export interface MeasuredSettings {
+  readonly settings: readonly Setting[];
+  readonly level: string;
+  readonly run: string | null;
+  readonly file: LevelFile;
+  readonly holds: string;
+}
+
+export interface Measuring {
+  readonly phase: 'idle' | 'measuring' | 'failed';
+  readonly message: string | null;
+  readonly measured: MeasuredSettings | null;
+  readonly start: () => void;
+  readonly cancel: () => void;
+}
+
+/** Measures the settings in a worker when asked to; the job ends with the component. */
+export function useMeasured(): Measuring {
+  const { workers } = useEditor();
+  const { proof } = useLevel();
+  const [state, setState] = useState<Pick<Measuring, 'phase' | 'message' | 'measured'>>({
+    phase: 'idle',
+    message: null,
+    measured: null,
+  });
+  const job = useRef<Job<'accuracy'> | null>(null);
+  const drop = useCallback(() => {
+    job.current?.cancel();
+    job.current = null;
+  }, []);
+  useEffect(() => drop, [drop]);
+  const start = useCallback(() => {
+    drop();
+    const { level, run, file } = proof.proof();
+    const about = { level: level.name, run: run.name, file, holds: run.holds.join() };
+    const mine = workers.start('accuracy', { level: { ...level, runs: [] }, holds: run.holds });
+    job.current = mine;
+    setState(({ measured }) => ({ phase: 'measuring', message: null, measured }));
+    void mine.end.then((end) => {
+      if (job.current !== mine) return;
+      if (end.kind === 'failed') setState(({ measured }) => ({ phase: 'failed', message: end.message, measured }));
+      if (end.kind === 'done') setState({ phase: 'idle', message: null, measured: { ...about, settings: end.result.settings } });
+    });
+  }, [drop, proof, workers]);
+  const cancel = useCallback(() => {
+    drop();
+    setState(({ measured }) => ({ phase: 'idle', message: null, measured }));
+  }, [drop]);
+  return { ...state, start, cancel };
+}

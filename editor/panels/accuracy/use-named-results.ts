@@ -1,0 +1,71 @@
+import { useEffect, useState } from 'react';
+import type { LevelFile } from '../../../schema/index.ts';
+import { useLevel } from '../../app/context.ts';
+import { nextTurn, playsAlike } from '../figures/index.ts';
+import { type Costs, compareNamed, costsOfNamed, type NamedResult } from './named-results.ts';
+
+/** ms without a change before a run is compared anew */
+const SETTLE = 200;
+/** ms after that before its costs are measured */
+const CALM = 300;
+
+export interface NamedResults {
+  readonly results: readonly NamedResult[];
+  /** null until they are measured */
+  readonly costs: Costs | null;
+  /** All results are those of the run as it is. */
+  readonly isFresh: boolean;
+}
+
+/** What the named settings make of the shown run and what they cost, bit by bit, so that the page is never held up. */
+export function useNamedResults(): NamedResults {
+  const { proof } = useLevel();
+  const [state, setState] = useState<NamedResults>({ results: [], costs: null, isFresh: false });
+  useEffect(() => {
+    let timer: ReturnType<typeof setTimeout> | undefined;
+    let last: { file: LevelFile; holds: string } | null = null;
+    let abort = new AbortController();
+    const measure = async () => {
+      const { level, run } = proof.proof();
+      const { signal } = abort;
+      const costs = await costsOfNamed(level, run.holds, { now: () => performance.now(), pause: nextTurn, signal });
+      if (costs !== null) setState((state) => ({ ...state, costs }));
+    };
+    const compare = () => {
+      const { level, run } = proof.proof();
+      const steps = compareNamed(level, run.holds);
+      const results: NamedResult[] = [];
+      const step = () => {
+        const next = steps.next();
+        if (next.done === true) {
+          setState({ results, costs: null, isFresh: true });
+          timer = setTimeout(() => void measure(), CALM);
+          return;
+        }
+        results.push(next.value);
+        timer = setTimeout(step, 0);
+      };
+      step();
+    };
+    const look = () => {
+      const { file, run } = proof.proof();
+      const holds = run.holds.join();
+      if (last !== null && last.holds === holds && playsAlike(last.file, file)) return;
+      const wait = last === null ? 0 : SETTLE;
+      last = { file, holds };
+      clearTimeout(timer);
+      abort.abort();
+      abort = new AbortController();
+      setState(({ results }) => ({ results, costs: null, isFresh: false }));
+      timer = setTimeout(compare, wait);
+    };
+    look();
+    const stop = proof.store.subscribe(look);
+    return () => {
+      stop();
+      abort.abort();
+      clearTimeout(timer);
+    };
+  }, [proof]);
+  return state;
+}

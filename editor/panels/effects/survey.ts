@@ -1,0 +1,55 @@
+import { EFFECTS, type Mode, type Work } from '../../../engine/index.ts';
+import type { LiveProof } from '../../proof/index.ts';
+import { costOf, type EffectCost } from './without.ts';
+
+export interface SimulatedEffect {
+  readonly name: string;
+  readonly because: string;
+  readonly summary: string;
+  readonly cost: EffectCost;
+}
+
+/** What a level calls for, what it does not, and what its shown run costs. */
+export interface Survey {
+  /** The same for the same level and run. */
+  readonly key: string;
+  readonly simulated: readonly SimulatedEffect[];
+  readonly notCalledFor: readonly { readonly name: string; readonly because: string; readonly summary: string }[];
+  readonly modes: readonly Mode[];
+  readonly work: Work;
+  /** s */
+  readonly time: number;
+  readonly runName: string | null;
+}
+
+const SUMMARIES = new Map(EFFECTS.map(({ name, summary }) => [name, summary]));
+const summaryOf = (name: string): string => SUMMARIES.get(name) ?? '';
+
+let count = 0;
+const sceneNumbers = new WeakMap<object, number>();
+
+/** A number for a scene: another for every other one. */
+function numberOf(scene: object): number {
+  const number = sceneNumbers.get(scene) ?? ++count;
+  sceneNumbers.set(scene, number);
+  return number;
+}
+
+/** Looks at a level and its shown run; each effect that could be left out is, once. */
+export function surveyOf({ level, scene, accuracy, run, full }: LiveProof): Survey {
+  const { simulated, notCalledFor } = scene.effects;
+  return {
+    key: `${numberOf(scene)} ${run.holds.join()}`,
+    simulated: simulated.map(({ name, because }) => ({
+      name,
+      because,
+      summary: summaryOf(name),
+      cost: costOf(level, accuracy, run.holds, full, name),
+    })),
+    notCalledFor: notCalledFor.map(({ name, because }) => ({ name, because, summary: summaryOf(name) })),
+    modes: full.modes,
+    work: full.work,
+    time: full.time,
+    runName: run.name,
+  };
+}

@@ -1,0 +1,29 @@
+/** `3 presses`, `1 press`. */
+export const plural = (count: number, one: string, many = `${one}s`): string =>
+  `${count.toLocaleString('en')} ${count === 1 ? one : many}`;
+
+/** `3.22 s` */
+export const seconds = (time: number): string => `${time.toFixed(2)} s`;
+
+/** A share of 0 to 1: `97.1 %`; what is not quite nothing or all is never called so. */
+export function percent(share: number): string {
+  if (share === 0 || share === 1) return `${100 * share} %`;
+  const rounded = (100 * share).toFixed(1);
+  if (rounded === '0.0') return '< 0.1 %';
+  return rounded === '100.0' ? '> 99.9 %' : `${rounded} %`;
+}
+
+/** A length over many powers of ten: `0.42 px`, `3.1e-7 px`, `0 px`. */
+export function pixels(length: number): string {
+  if (length === 0) return '0 px';
+  if (length >= 100) return `${Math.round(length).toLocaleString('en')} px`;
+  if (length >= 0.01) return `${Number(length.toPrecision(2))} px`;
+  return `${length.toExponential(0)} px`;
+}
+
+/** Many of something, short: `1.4 M`, `320 k`, `950`. */
+export function about(count: number): string {
+  if (count >= 1e6) return `${(count / 1e6).toFixed(1)} M`;
+  if (count >= 1e4) return `${Math.round(count / 1e3)} k`;
+  return String(Math.round(count));
+}

@@ -1,0 +1,121 @@
+import { RotateCcw } from 'lucide-react';
+import { useId, useState } from 'react';
+import { useLevel } from '../../app/context.ts';
+import type { Recipe } from '../../document/index.ts';
+import { Button, NumberField } from '../../ui/index.ts';
+import { Segments } from '../parts/index.ts';
+import type { FieldValue } from './field-values.ts';
+import type { Field } from './fields.ts';
+import { labelOf } from './names.ts';
+
+interface FieldRowProps {
+  readonly field: Field;
+  readonly shown: FieldValue;
+  /** Of whom, for the history: `of 3 objects`. */
+  readonly whose: string;
+  /** @param value undefined leaves it out, so that the default stands for it */
+  readonly recipe: (value: Field['fallback']) => Recipe;
+}
+
+/** What the two ends of a switch are called. */
+const ENDS: Readonly<Record<string, readonly [off: string, on: string]>> = { hot: ['cold', 'hot'] };
+
+/** One property: typed, dragged or switched, with what is wrong about it beside it, and a way back to its default. */
+export function FieldRow({ field, shown, whose, recipe }: FieldRowProps) {
+  const { document } = useLevel();
+  const [refusal, setRefusal] = useState<string | null>(null);
+  const { key, type, fallback } = field;
+  const label = labelOf(key);
+  const change = (value: Field['fallback'], gesture: string | null) => {
+    const result = document.change(`Set ${label} ${whose}`, recipe(value), gesture === null ? {} : { gesture });
+    setRefusal(result.ok ? null : `${result.refusal.message}. ${result.refusal.hint}`);
+    return result.ok;
+  };
+  const canReset = fallback !== undefined && !shown.isDefault;
+  return (
+    <div className={shown.isDefault ? 'row row--default' : 'row'} title={field.about}>
+      {type === 'number' && (
+        <NumberField
+          label={label}
+          value={shown.value as number | null}
+          min={field.least}
+          max={field.most}
+          unit={field.unit ?? undefined}
+          about={field.about}
+          onChange={change}
+          onGestureEnd={document.seal}
+        />
+      )}
+      {type === 'flag' && (
+        <Segments
+          label={label}
+          value={shown.value === null ? null : shown.value === true ? 'on' : 'off'}
+          options={[
+            { value: 'off', title: ENDS[key]?.[0] ?? 'off', about: field.about },
+            { value: 'on', title: ENDS[key]?.[1] ?? 'on', about: field.about },
+          ]}
+          onChange={(next) => {
+            const value = next === 'on';
+            change(value === fallback ? undefined : value, null);
+          }}
+        />
+      )}
+      {type === 'text' && <TextField field={field} label={label} value={String(shown.value ?? '')} onChange={change} />}
+      <span className="row__end">
+        {type === 'number' && <span className="row__unit">{field.unit}</span>}
+        {type !== 'flag' && canReset && (
+          <Button
+            hint={`Back to the default${fallback === '' ? '' : `, ${String(fallback)}`}`}
+            icon={<RotateCcw size={13} />}
+            className="row__reset"
+            aria-label={`Reset ${label}`}
+            onClick={() => change(undefined, null)}
+          />
+        )}
+      </span>
+      {refusal !== null && (
+        <span className="row__refusal" role="alert">
+          {refusal}
+        </span>
+      )}
+    </div>
+  );
+}
+
+interface TextFieldProps {
+  readonly field: Field;
+  readonly label: string;
+  readonly value: string;
+  /** @returns whether it was taken */
+  readonly onChange: (value: string | undefined, gesture: string) => boolean;
+}
+
+/** A text; what was refused stays to be mended until the field is left. */
+function TextField({ field, label, value, onChange }: TextFieldProps) {
+  const { document } = useLevel();
+  const id = useId();
+  const [draft, setDraft] = useState<string | null>(null);
+  const shared = {
+    id,
+    className: 'field',
+    value: draft ?? value,
+    maxLength: field.most,
+    onChange: (event: { target: { value: string } }) => {
+      const text = event.target.value;
+      const isTaken = onChange(text === field.fallback ? undefined : text, `type ${id}`);
+      setDraft(isTaken ? null : text);
+    },
+    onBlur: () => {
+      // what stands in the level is shown again
+      if (draft !== null) onChange(value, `type ${id}`);
+      setDraft(null);
+      document.seal();
+    },
+  };
+  return (
+    <div className="text-row">
+      <label htmlFor={id}>{label}</label>
+      {field.most > 200 ? <textarea rows={3} {...shared} /> : <input type="text" {...shared} />}
+    </div>
+  );
+}

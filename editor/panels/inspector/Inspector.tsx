@@ -1,0 +1,28 @@
+import { memo, useDeferredValue } from 'react';
+import type { LevelFile } from '../../../schema/index.ts';
+import { useDocument, useSelectedKeys } from '../../app/context.ts';
+import { type FoundObject, type ObjectKey, objectsOf } from '../../document/index.ts';
+import { LevelFields } from './LevelFields.tsx';
+import { ObjectFields } from './ObjectFields.tsx';
+import './inspector.css';
+
+/** What is selected, to be typed: one object, what several have in common, or the level itself. */
+export function Inspector() {
+  // a marquee selects others with every move of the pointer: the canvas comes first
+  const keys = useDeferredValue(useSelectedKeys());
+  const file = useDocument((state) => state.file);
+  return <Fields keys={keys} file={file} />;
+}
+
+const Fields = memo(function Fields({ keys, file }: { readonly keys: readonly ObjectKey[]; readonly file: LevelFile }) {
+  const objects = keys.flatMap((key): FoundObject[] => {
+    const found = objectsOf(file).get(key);
+    return found === undefined ? [] : [found];
+  });
+  return (
+    <div className="panel__body inspector">
+      {/* another selection, other fields: nothing typed for one object ends up in another */}
+      {objects.length === 0 ? <LevelFields file={file} /> : <ObjectFields key={keys.join()} objects={objects} />}
+    </div>
+  );
+});

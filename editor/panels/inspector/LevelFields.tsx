@@ -1,0 +1,73 @@
+import { CircleDot, UserRound } from 'lucide-react';
+import type { LevelFile } from '../../../schema/index.ts';
+import { useEditor, useLevel } from '../../app/context.ts';
+import { ASTRONAUT, BLACK_HOLE, type LevelProperty, type ObjectKey, setLevelProperty } from '../../document/index.ts';
+import { type LiveProof, outcomeInWords } from '../../proof/index.ts';
+import { Button } from '../../ui/index.ts';
+import type { Fact } from '../figures/index.ts';
+import { Facts, Section, useCalmProof } from '../parts/index.ts';
+import { FieldRow } from './FieldRow.tsx';
+import { valueOfLevel } from './field-values.ts';
+import { fieldsOf } from './fields.ts';
+import { wayFacts } from './run-facts.ts';
+
+interface RunSummary {
+  readonly name: string | null;
+  readonly end: string;
+  readonly isGood: boolean;
+  readonly facts: readonly Fact[];
+}
+
+const summaryOf = (proof: LiveProof): RunSummary => ({
+  name: proof.run.name,
+  end: outcomeInWords(proof.run, proof.level.range),
+  isGood: proof.run.outcome === 'completed',
+  facts: wayFacts(proof),
+});
+
+/** The level itself: its name, its rules, the two things every level has once, and how the shown run fares. */
+export function LevelFields({ file }: { readonly file: LevelFile }) {
+  const { commands } = useEditor();
+  const { selection } = useLevel();
+  const run = useCalmProof(summaryOf);
+  const place = ({ x, y }: { readonly x: number; readonly y: number }) => `${Math.round(x)}, ${Math.round(y)}`;
+  const links: readonly (readonly [key: ObjectKey, name: string, where: string, icon: React.ReactNode])[] = [
+    [ASTRONAUT, 'Astronaut', place(file.astronaut), <UserRound key="icon" size={14} />],
+    [BLACK_HOLE, 'Black hole', place(file.blackHole), <CircleDot key="icon" size={14} />],
+  ];
+  return (
+    <>
+      <Section title="Level">
+        {fieldsOf('level').fields.map((field) => (
+          <FieldRow
+            key={field.key}
+            field={field}
+            shown={valueOfLevel(file, field)}
+            whose="of the level"
+            recipe={(value) => setLevelProperty(field.key as LevelProperty, value as never)}
+          />
+        ))}
+        <div className="links">
+          {links.map(([key, name, where, icon]) => (
+            <Button
+              key={key}
+              hint={`Select it and go there`}
+              look="outlined"
+              icon={icon}
+              onClick={() => {
+                selection.select([key]);
+                commands.run('view.fit-selection');
+              }}
+            >
+              {name} <span className="numbers links__where">{where}</span>
+            </Button>
+          ))}
+        </div>
+      </Section>
+      <Section title={run.name === null ? 'Without a run' : `Run “${run.name}”`}>
+        <p className={run.isGood ? 'tone--good' : 'tone--bad'}>She {run.name === null ? `drifts and ${run.end}` : run.end}.</p>
+        <Facts facts={run.facts} />
+      </Section>
+    </>
+  );
+}

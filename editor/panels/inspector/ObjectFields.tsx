@@ -1,0 +1,136 @@
+import {
+  AlignCenterHorizontal,
+  AlignCenterVertical,
+  AlignEndHorizontal,
+  AlignEndVertical,
+  AlignHorizontalDistributeCenter,
+  AlignStartHorizontal,
+  AlignStartVertical,
+  AlignVerticalDistributeCenter,
+  CopyPlus,
+  Crosshair,
+  Trash2,
+} from 'lucide-react';
+import { useCallback } from 'react';
+import { useEditor } from '../../app/context.ts';
+import { type FoundObject, type ObjectProperties, objectsOf, radiusOf, setObjectProperty } from '../../document/index.ts';
+import type { LiveProof } from '../../proof/index.ts';
+import { Button } from '../../ui/index.ts';
+import { type Fact, plural } from '../figures/index.ts';
+import { Facts, Section, useCalmProof } from '../parts/index.ts';
+import { FieldRow } from './FieldRow.tsx';
+import { valueOfObjects } from './field-values.ts';
+import { fieldsOf, sharedFields } from './fields.ts';
+import { KIND_NAMES, nameOf } from './names.ts';
+import { runFactsOf } from './run-facts.ts';
+
+/** What several objects can be told at once, by the commands of the canvas. */
+const ARRANGE = [
+  ['object.align-left', 'Align left edges', AlignStartVertical],
+  ['object.align-centre', 'Align centres on an upright line', AlignCenterVertical],
+  ['object.align-right', 'Align right edges', AlignEndVertical],
+  ['object.align-top', 'Align top edges', AlignStartHorizontal],
+  ['object.align-middle', 'Align centres on a level line', AlignCenterHorizontal],
+  ['object.align-bottom', 'Align bottom edges', AlignEndHorizontal],
+  ['object.distribute-x', 'Distribute evenly across', AlignHorizontalDistributeCenter],
+  ['object.distribute-y', 'Distribute evenly downwards', AlignVerticalDistributeCenter],
+] as const;
+
+/** `3 asteroids, 1 mineral` */
+function countsOf(objects: readonly FoundObject[]): string {
+  const kinds = [...new Set(objects.map(({ kind }) => kind))];
+  const counts = kinds.map((kind) => {
+    const [one, many] = KIND_NAMES[kind];
+    return plural(objects.filter((found) => found.kind === kind).length, one.toLowerCase(), many);
+  });
+  return counts.join(', ');
+}
+
+function Arrange({ count }: { readonly count: number }) {
+  const { commands } = useEditor();
+  return (
+    <Section title="Arrange">
+      <div className="arrange" role="toolbar" aria-label="Arrange">
+        {ARRANGE.map(([id, title, Icon]) => (
+          <Button
+            key={id}
+            hint={title}
+            icon={<Icon size={16} />}
+            disabled={id.startsWith('object.distribute') && count < 3}
+            onClick={() => commands.run(id)}
+          />
+        ))}
+      </div>
+    </Section>
+  );
+}
+
+const NO_FACTS: readonly Fact[] = [];
+
+/** What the shown run does with one object, while the level is edited. */
+function RunFacts({ objectKey }: { readonly objectKey: string }) {
+  const pick = useCallback(
+    (proof: LiveProof) => {
+      const found = objectsOf(proof.file).get(objectKey);
+      return found === undefined ? NO_FACTS : runFactsOf(proof, found, radiusOf(found));
+    },
+    [objectKey],
+  );
+  return (
+    <Section title="What the run does with it">
+      <Facts facts={useCalmProof(pick)} />
+    </Section>
+  );
+}
+
+/** One object, or what several have in common. */
+export function ObjectFields({ objects }: { readonly objects: readonly FoundObject[] }) {
+  const { commands } = useEditor();
+  const keys = objects.map(({ key }) => key);
+  const kinds = objects.map(({ kind }) => kind);
+  const [first] = objects;
+  const one = objects.length === 1;
+  const isFixed = objects.every(({ list }) => list === null);
+  const whose = one ? `of ${nameOf(first).toLowerCase()}` : `of ${objects.length} objects`;
+  return (
+    <>
+      <Section
+        title={one ? nameOf(first) : plural(objects.length, 'object')}
+        aside={
+          <span className="inspector__does">
+            <Button
+              hint="Go there"
+              shortcut="Shift+2"
+              icon={<Crosshair size={14} />}
+              onClick={() => commands.run('view.fit-selection')}
+            />
+            {!isFixed && (
+              <>
+                <Button hint="Duplicate" icon={<CopyPlus size={14} />} onClick={() => commands.run('edit.duplicate')} />
+                <Button hint="Delete" icon={<Trash2 size={14} />} onClick={() => commands.run('edit.delete')} />
+              </>
+            )}
+          </span>
+        }
+      >
+        <p className="part__note">{one ? fieldsOf(first.kind).about : countsOf(objects)}</p>
+        {sharedFields(kinds).map((field) => (
+          <FieldRow
+            key={field.key}
+            field={field}
+            shown={valueOfObjects(objects, field)}
+            whose={whose}
+            recipe={(value) => setObjectProperty(keys, field.key as keyof ObjectProperties, value as never)}
+          />
+        ))}
+        {one && first.list !== null && (
+          <p className="part__note numbers">
+            id <code>{first.key}</code>
+          </p>
+        )}
+      </Section>
+      {!one && <Arrange count={objects.length} />}
+      {one && <RunFacts objectKey={first.key} />}
+    </>
+  );
+}

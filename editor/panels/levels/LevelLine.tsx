@@ -1,0 +1,79 @@
+import { FileX, Lock } from 'lucide-react';
+import { useEffect } from 'react';
+import { useStore } from 'zustand';
+import type { LevelEntry } from '../../../schema/index.ts';
+import { useEditor } from '../../app/context.ts';
+import type { OpenLevel } from '../../app/editor.ts';
+import { usePageTheme } from '../../app/page-theme.ts';
+import { useVerdict } from '../solver/index.ts';
+import { MoreButton } from '../tree/index.ts';
+import { stemOf } from './level-files.ts';
+import { type Thumbnail, thumbnailKey, thumbnailsOf } from './thumbnails.ts';
+import { type ListedVerdict, VerdictSign } from './VerdictSign.tsx';
+
+/** The picture of a listed level, made while the row is there; null until it is made. */
+function useThumbnail(entry: LevelEntry): Thumbnail | null {
+  const editor = useEditor();
+  const theme = usePageTheme();
+  const accuracy = useStore(editor.settings, (settings) => settings.accuracy);
+  const thumbnails = thumbnailsOf(editor);
+  const key = thumbnailKey(entry, theme, accuracy);
+  const thumbnail = useStore(thumbnails.store, (all) => (key === null ? undefined : all.get(key)));
+  useEffect(() => {
+    if (entry.status !== 'valid' || key === null) return;
+    thumbnails.want(entry, theme, accuracy);
+    return () => thumbnails.drop(key);
+  }, [thumbnails, entry, theme, accuracy, key]);
+  return thumbnail ?? null;
+}
+
+function LiveVerdict({ level }: { level: OpenLevel }) {
+  const { verdict } = useVerdict(level);
+  return <VerdictSign verdict={verdict} />;
+}
+
+function LiveName({ level }: { level: OpenLevel }) {
+  return useStore(level.document.store, ({ file }) => file.name);
+}
+
+/** A level of the list: how it looks, what it is called, whether it can be completed. @param open it, where it is the one that is open */
+export function LevelLine({ entry, title, open }: { entry: LevelEntry; title: string; open: OpenLevel | null }) {
+  const thumbnail = useThumbnail(entry);
+  const number = entry.name === null ? undefined : /^\d+(?=[ ._-])/.exec(stemOf(entry.id))?.[0];
+  const verdict: ListedVerdict = entry.status === 'valid' ? (thumbnail?.verdict ?? 'unknown') : entry.status;
+  return (
+    <>
+      <span className="levels__picture">
+        {entry.status !== 'valid' ? (
+          <FileX size={18} aria-hidden />
+        ) : (
+          thumbnail?.url != null && <img src={thumbnail.url} alt="" draggable={false} />
+        )}
+      </span>
+      <span className="levels__text">
+        <span className="levels__line">
+          {number !== undefined && <span className="levels__number numbers">{number}</span>}
+          <span className="levels__name">{open === null ? title : <LiveName level={open} />}</span>
+        </span>
+        <span className="levels__file">
+          {open === null ? <VerdictSign verdict={verdict} /> : <LiveVerdict level={open} />}
+          {entry.readOnly !== null && (
+            <span className="levels__lock" role="img" aria-label={`read only: ${entry.readOnly}`} title={entry.readOnly}>
+              <Lock size={11} />
+            </span>
+          )}
+          {entry.status === 'valid' ? (
+            <span className="levels__stem levels__stem--file" title={entry.file}>
+              {stemOf(entry.id)}
+            </span>
+          ) : (
+            <span className="levels__stem" title={entry.problems[0]?.message}>
+              {entry.problems[0]?.message ?? entry.file}
+            </span>
+          )}
+        </span>
+      </span>
+      <MoreButton />
+    </>
+  );
+}

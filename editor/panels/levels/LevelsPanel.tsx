@@ -1,0 +1,195 @@
+import { ChevronRight, FilePlus2, Folder, Search, Trash2 } from 'lucide-react';
+import { type KeyboardEvent, useEffect, useMemo, useRef, useState } from 'react';
+import { useStore } from 'zustand';
+import { useEditor } from '../../app/context.ts';
+import { Button } from '../../ui/index.ts';
+import { type MenuEntry, Tree } from '../tree/index.ts';
+import { LevelLine } from './LevelLine.tsx';
+import { deleteLevel, duplicateLevel, folderOf, followSaves, openListed, orderLevels } from './level-files.ts';
+import { type LevelRow, levelRows } from './level-rows.ts';
+import './levels.css';
+import { RenameDialog } from './RenameDialog.tsx';
+import { TextDialog } from './TextDialog.tsx';
+
+/** px */
+const rowHeight = ({ entry }: LevelRow) => (entry === null ? 28 : 54);
+const NO_LEVELS = [] as const;
+
+/** The levels of the folder: how they look, whether they can be completed; open, rename, order, delete them. */
+export function LevelsPanel() {
+  const editor = useEditor();
+  const { workspace, session, commands, notices } = editor;
+  const list = useStore(workspace.store, (state) => state.list);
+  const error = useStore(workspace.store, (state) => state.error);
+  const open = useStore(editor.open);
+  const opened = useStore(workspace.store, (state) => state.opened?.id() ?? null);
+  const [active, setActive] = useState<string | null>(opened);
+  const [search, setSearch] = useState('');
+  const [folded, setFolded] = useState<ReadonlySet<string>>(new Set());
+  const [renamed, setRenamed] = useState<string | null>(null);
+  const [asText, setAsText] = useState<string | null>(null);
+  const searchField = useRef<HTMLInputElement>(null);
+  const levels = list?.levels ?? NO_LEVELS;
+  const rows = useMemo(() => levelRows(levels, folded, search), [levels, folded, search]);
+  const selected = useMemo(() => new Set(opened === null ? [] : [opened]), [opened]);
+
+  useEffect(() => followSaves(editor), [editor]);
+  useEffect(() => {
+    if (opened !== null) setActive(opened);
+  }, [opened]);
+  useEffect(
+    () =>
+      commands.register([
+        { id: 'file.find', title: 'Find a level', group: 'File', keys: ['$mod+p'], run: () => searchField.current?.focus() },
+      ]),
+    [commands],
+  );
+
+  const pick = ({ entry }: LevelRow) => {
+    if (entry === null) return;
+    if (entry.status !== 'valid') setAsText(entry.id);
+    else if (entry.id !== opened) void openListed(editor, entry.id);
+  };
+  const move = ({ entry }: LevelRow, place: number) => {
+    if (entry === null) return;
+    const folder = folderOf(entry.id);
+    const ids = levels.filter(({ id }) => folderOf(id) === folder).map(({ id }) => id);
+    const from = ids.indexOf(entry.id);
+    ids.splice(from, 1);
+    ids.splice(place, 0, entry.id);
+    if (ids.indexOf(entry.id) !== from) void orderLevels(editor, folder, ids);
+  };
+  const copyPath = async (path: string) => {
+    try {
+      await navigator.clipboard.writeText(path);
+      notices.show('info', `Copied: ${path}`, { topic: 'clipboard' });
+    } catch {
+      notices.show('warning', `The browser does not let this page write to the clipboard. The path is ${path}`, {
+        topic: 'clipboard',
+      });
+    }
+  };
+  const onKey = (event: KeyboardEvent, { entry }: LevelRow): boolean => {
+    if (entry === null) return false;
+    const mod = event.ctrlKey || event.metaKey;
+    if (event.key === 'F2') setRenamed(entry.id);
+    else if (event.key === 'Delete' || event.key === 'Backspace') void deleteLevel(editor, entry);
+    else if (mod && event.key.toLowerCase() === 'd') void duplicateLevel(editor, entry);
+    else if (mod && event.key.toLowerCase() === 'c') void copyPath(entry.file);
+    else return false;
+    return true;
+  };
+  const menu = (row: LevelRow): readonly MenuEntry[] => {
+    const { entry, place } = row;
+    const newLevel = { title: 'New level…', keys: 'Alt N', run: () => session.setState({ overlay: 'newLevel' }) };
+    if (entry === null) return [newLevel];
+    const valid = entry.status === 'valid';
+    const fixed = row.list === null;
+    const last = rows.filter(({ list }) => list === row.list).length - 1;
+    return [
+      { title: 'Open', keys: 'Enter', disabled: !valid || entry.id === opened, run: () => pick(row) },
+      { title: 'Edit as text…', disabled: entry.status === 'unreadable', run: () => setAsText(entry.id) },
+      null,
+      newLevel,
+      { title: 'Rename…', keys: 'F2', disabled: entry.readOnly !== null, run: () => setRenamed(entry.id) },
+      { title: 'Duplicate', disabled: entry.etag === null, run: () => void duplicateLevel(editor, entry) },
+      { title: 'Delete', keys: 'Del', disabled: entry.etag === null, run: () => void deleteLevel(editor, entry) },
+      null,
+      { title: 'Move up', keys: 'Alt ↑', disabled: fixed || place === 0, run: () => move(row, place - 1) },
+      { title: 'Move down', keys: 'Alt ↓', disabled: fixed || place >= last, run: () => move(row, place + 1) },
+      { title: 'Copy the path of the file', run: () => void copyPath(entry.file) },
+    ];
+  };
+
+  return (
+    <section className="panel levels" aria-label="Levels">
+      <div className="panel__head">
+        <label className="levels__search">
+          <Search size={13} aria-hidden />
+          <input
+            ref={searchField}
+            type="search"
+            className="field"
+            placeholder={levels.length === 1 ? 'Find in 1 level' : `Find in ${levels.length} levels`}
+            aria-label="Find a level"
+            value={search}
+            onChange={(event) => setSearch(event.target.value)}
+            onKeyDown={(event) => {
+              if (event.key === 'Escape') setSearch('');
+              else if (event.key === 'Enter' && rows.length > 0) {
+                const first = rows.find(({ entry }) => entry !== null);
+                if (first !== undefined) pick(first);
+              } else return;
+              event.preventDefault();
+            }}
+          />
+        </label>
+        <Button
+          hint="New level"
+          shortcut="Alt N"
+          icon={<FilePlus2 size={15} />}
+          onClick={() => session.setState({ overlay: 'newLevel' })}
+        />
+        <Button hint="Deleted levels" icon={<Trash2 size={15} />} onClick={() => session.setState({ overlay: 'trash' })} />
+      </div>
+      {error !== null && (
+        <p className="levels__trouble" role="alert">
+          {error.message}. {error.hint}.
+        </p>
+      )}
+      {list?.troubles.map((trouble) => (
+        <p key={trouble} className="levels__trouble" role="alert">
+          {trouble}
+        </p>
+      ))}
+      {rows.length > 0 ? (
+        <Tree
+          label="Levels"
+          rows={rows}
+          rowHeight={rowHeight}
+          selected={selected}
+          active={active}
+          onActive={setActive}
+          onPick={pick}
+          onToggle={({ title }) =>
+            setFolded((now) => (now.has(title) ? new Set([...now].filter((other) => other !== title)) : new Set([...now, title])))
+          }
+          onMove={move}
+          onKey={onKey}
+          menu={menu}
+          render={({ entry, title, expanded }) =>
+            entry === null ? (
+              <>
+                <ChevronRight size={13} className={`levels__fold${expanded === true ? ' levels__fold--open' : ''}`} aria-hidden />
+                <Folder size={14} aria-hidden />
+                <span className="levels__name">{title}</span>
+              </>
+            ) : (
+              <LevelLine entry={entry} title={title} open={open?.opened.id() === entry.id ? open : null} />
+            )
+          }
+        />
+      ) : list === null ? (
+        <p className="levels__empty">Looking for levels…</p>
+      ) : levels.length > 0 ? (
+        <p className="levels__empty">No level is called "{search}".</p>
+      ) : (
+        <div className="levels__empty">
+          <p>No levels in {list.folder.path} yet.</p>
+          <Button hint="Start from a template" look="main" onClick={() => session.setState({ overlay: 'newLevel' })}>
+            New level
+          </Button>
+          <Button
+            hint="From a file, or of the original game"
+            look="outlined"
+            onClick={() => session.setState({ overlay: 'open' })}
+          >
+            Import levels
+          </Button>
+        </div>
+      )}
+      {renamed !== null && <RenameDialog id={renamed} onClose={() => setRenamed(null)} />}
+      {asText !== null && <TextDialog id={asText} onClose={() => setAsText(null)} />}
+    </section>
+  );
+}

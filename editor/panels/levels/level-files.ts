@@ -1,0 +1,174 @@
+import { formatLevel, type LevelEntry, type LevelFile, readLevel } from '../../../schema/index.ts';
+import type { Editor } from '../../app/editor.ts';
+import type { Answer, StorageError } from '../../files/index.ts';
+
+/** The folder of a level; '' for the outermost. */
+export const folderOf = (id: string): string => id.slice(0, Math.max(0, id.lastIndexOf('/')));
+
+/** The name of its file, without folder and ending. */
+export const stemOf = (id: string): string => id.slice(id.lastIndexOf('/') + 1);
+
+export const inFolder = (folder: string, stem: string): string => (folder === '' ? stem : `${folder}/${stem}`);
+
+/** An id that no level has: the wanted one, or with a number behind it. Files whose names differ in their letters' size alone are the same to some systems. */
+export function freeId(levels: readonly { readonly id: string }[], folder: string, stem: string): string {
+  const taken = new Set(levels.map(({ id }) => id.toLowerCase()));
+  let id = inFolder(folder, stem);
+  for (let i = 2; taken.has(id.toLowerCase()); i++) id = inFolder(folder, `${stem}-${i}`);
+  return id;
+}
+
+/** `07-` for the next level of a folder whose levels are numbered; '' where they are not. */
+export function nextNumber(levels: readonly { readonly id: string }[], folder: string): string {
+  const stems = levels.filter(({ id }) => folderOf(id) === folder).map(({ id }) => stemOf(id));
+  const numbers = stems.map((stem) => /^(\d{1,6})[ ._-]/.exec(stem)?.[1]);
+  if (stems.length === 0 || numbers.some((number) => number === undefined)) return '';
+  const width = Math.max(...numbers.map((number) => number?.length ?? 0));
+  const next = Math.max(...numbers.map(Number)) + 1;
+  return `${String(next).padStart(width, '0')}-`;
+}
+
+/** Says why something was not done. */
+export function tellError({ notices }: Editor, { message, hint }: StorageError): void {
+  notices.show('warning', `${message}. ${hint}.`, { topic: 'level-files' });
+}
+
+const levelsOf = ({ workspace }: Editor): readonly LevelEntry[] => workspace.store.getState().list?.levels ?? [];
+
+function told<T>(editor: Editor, answer: Answer<T>): T | null {
+  if (answer.ok) return answer.value;
+  tellError(editor, answer.error);
+  return null;
+}
+
+/** Opens a level; what it is not to be opened for is said. */
+export async function openListed(editor: Editor, id: string): Promise<void> {
+  const opening = await editor.workspace.open(id);
+  if (!opening.ok && opening.kind === 'failed') tellError(editor, opening.error);
+}
+
+/** Writes new levels and opens the first of them. @returns their ids; those that could not be written are told and left out */
+export async function addLevels(
+  editor: Editor,
+  folder: string,
+  wanted: readonly { readonly stem: string; readonly file: LevelFile }[],
+): Promise<readonly string[]> {
+  const added: string[] = [];
+  const schema = folder === '' ? editor.workspace.store.getState().list?.folder.$schema : null;
+  for (const { stem, file } of wanted) {
+    const id = freeId([...levelsOf(editor), ...added.map((id) => ({ id }))], folder, stem);
+    const { $schema: _, ...rest } = file;
+    const text = formatLevel((schema == null ? rest : { $schema: schema, ...rest }) as LevelFile);
+    const answer = await editor.workspace.storage.write(id, text, null);
+    if (answer.ok) added.push(answer.value.id);
+    else tellError(editor, answer.error);
+  }
+  await editor.workspace.refresh();
+  if (added.length > 0) await openListed(editor, added[0]);
+  return added;
+}
+
+/** Makes a copy of a level and opens it. */
+export async function duplicateLevel(editor: Editor, entry: LevelEntry): Promise<void> {
+  const to = freeId(levelsOf(editor), folderOf(entry.id), `${stemOf(entry.id)}-copy`);
+  const copy = told(editor, await editor.workspace.duplicate(entry, to));
+  if (copy !== null && copy.status === 'valid') await openListed(editor, copy.id);
+}
+
+/** Puts a level into the trash, from where the notice or the dialog of deleted levels brings it back. */
+export async function deleteLevel(editor: Editor, entry: LevelEntry): Promise<void> {
+  const { workspace, notices } = editor;
+  const levels = levelsOf(editor);
+  const { opened } = workspace.store.getState();
+  const isOpen = opened?.id() === entry.id;
+  const index = levels.findIndex(({ id }) => id === entry.id);
+  const next = [...levels.slice(index + 1), ...levels.slice(0, Math.max(0, index)).reverse()].find(
+    ({ status }) => status === 'valid',
+  );
+  const done = told(editor, await workspace.remove(entry));
+  if (done === null) return;
+  if (isOpen && next !== undefined) await openListed(editor, next.id);
+  else if (isOpen) await workspace.leave();
+  const { trash } = done.trashed;
+  notices.show('info', `"${entry.name ?? entry.id}" is deleted.`, {
+    topic: `deleted ${trash}`,
+    actions: [{ title: 'Undo', run: () => void restoreLevel(editor, trash, isOpen) }],
+  });
+}
+
+/** Brings a level back from the trash; under another name when its own is taken. */
+export async function restoreLevel(editor: Editor, trash: string, open: boolean): Promise<void> {
+  const { workspace } = editor;
+  let answer = await workspace.restore(trash);
+  if (!answer.ok && answer.error.code === 'name-taken') {
+    const listed = await workspace.storage.trash();
+    const id = listed.ok ? listed.value.find((entry) => entry.trash === trash)?.id : undefined;
+    if (id !== undefined)
+      answer = await workspace.restore(trash, freeId(levelsOf(editor), folderOf(id), `${stemOf(id)}-restored`));
+  }
+  const restored = told(editor, answer);
+  if (restored === null) return;
+  editor.notices.settle(`deleted ${trash}`);
+  if (open && restored.status === 'valid') await openListed(editor, restored.id);
+}
+
+/** Puts the levels of a folder into another order; their files are renumbered. */
+export async function orderLevels(editor: Editor, folder: string, ids: readonly string[]): Promise<void> {
+  told(editor, await editor.workspace.order(folder, ids));
+}
+
+/** Gives the level another name; that of its file stays. */
+export async function renameTitle(editor: Editor, { id }: LevelEntry, name: string): Promise<boolean> {
+  const open = editor.open.getState();
+  if (open?.opened.id() === id) {
+    const result = open.document.change('Rename level', (draft) => {
+      draft.name = name;
+    });
+    if (!result.ok) editor.notices.show('warning', `${result.refusal.message}. ${result.refusal.hint}`, { topic: 'refused' });
+    else await open.opened.saver.flush();
+    await editor.workspace.refresh();
+    return result.ok;
+  }
+  const { storage } = editor.workspace;
+  const answer = await storage.read(id);
+  if (!answer.ok) {
+    tellError(editor, answer.error);
+    return false;
+  }
+  const reading = readLevel(answer.value.text ?? '', { byteOrderMark: 'skip' });
+  if (!reading.ok) return false;
+  const text = formatLevel({ ...reading.document.file, name });
+  const written = await storage.write(id, text, answer.value.etag);
+  await editor.workspace.refresh();
+  return told(editor, written) !== null;
+}
+
+/** Keeps the list up to date with what the open level's saver writes. @returns stops it */
+export function followSaves({ workspace, open }: Editor): () => void {
+  let stop = () => {};
+  const follow = () => {
+    stop();
+    const opened = open.getState()?.opened;
+    if (opened === undefined) return;
+    const note = () => {
+      const { list } = workspace.store.getState();
+      const { etag, file } = opened.saver.base();
+      const entry = list?.levels.find(({ id }) => id === opened.id());
+      if (list === null || entry === undefined || etag === null) return;
+      if (opened.saver.store.getState().kind !== 'saved' || (entry.etag === etag && entry.name === file.name)) return;
+      const now: LevelEntry = { ...entry, etag, name: file.name, status: 'valid', problems: [] };
+      workspace.store.setState({ list: { ...list, levels: list.levels.map((other) => (other === entry ? now : other)) } });
+    };
+    note();
+    const stops = [opened.saver.store.subscribe(note), workspace.store.subscribe(note)];
+    stop = () => {
+      for (const end of stops) end();
+    };
+  };
+  follow();
+  const stopOpen = open.subscribe(follow);
+  return () => {
+    stop();
+    stopOpen();
+  };
+}

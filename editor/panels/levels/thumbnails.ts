@@ -1,0 +1,86 @@
+import { createStore, type StoreApi } from 'zustand/vanilla';
+import type { AccuracyName } from '../../../engine/index.ts';
+import type { LevelEntry } from '../../../schema/index.ts';
+import type { Editor } from '../../app/editor.ts';
+import type { Results } from '../../workers/index.ts';
+
+/** How a level looks and what it is worth, by what its file says. */
+export interface Thumbnail {
+  /** Address of an SVG; null where the level can't be drawn. */
+  readonly url: string | null;
+  readonly verdict: Results['thumbnail']['verdict'];
+}
+
+export interface Thumbnails {
+  /** By `keyOf`. */
+  readonly store: StoreApi<ReadonlyMap<string, Thumbnail>>;
+  /** Makes it when it is not there; what was wanted last comes first. */
+  want(entry: LevelEntry, theme: 'dark' | 'light', accuracy: AccuracyName): void;
+  /** It is no longer seen: not made unless it has begun. */
+  drop(key: string): void;
+}
+
+/** px: twice what is shown, for fine screens */
+const WIDTH = 144;
+/** Pictures kept; each takes some 30 kB. */
+const KEPT = 600;
+
+/** What a thumbnail hangs on; null when the file can't be read. */
+export const thumbnailKey = ({ etag }: LevelEntry, theme: string, accuracy: string): string | null =>
+  etag === null ? null : `${etag} ${theme} ${accuracy}`;
+
+const made = new WeakMap<Editor, Thumbnails>();
+
+/** The thumbnails of this page: one is made at a time, so that other work of the workers is not kept waiting. */
+export function thumbnailsOf(editor: Editor): Thumbnails {
+  const known = made.get(editor) ?? createThumbnails(editor);
+  made.set(editor, known);
+  return known;
+}
+
+function createThumbnails({ workspace, workers }: Editor): Thumbnails {
+  const store = createStore<ReadonlyMap<string, Thumbnail>>(() => new Map());
+  const waiting = new Map<string, { id: string; theme: 'dark' | 'light'; accuracy: AccuracyName }>();
+  let isBusy = false;
+
+  const keep = (key: string, thumbnail: Thumbnail) => {
+    const all = new Map(store.getState()).set(key, thumbnail);
+    for (const [old, { url }] of all) {
+      if (all.size <= KEPT) break;
+      all.delete(old);
+      if (url !== null) URL.revokeObjectURL(url);
+    }
+    store.setState(all, true);
+  };
+  const make = async (key: string, { id, theme, accuracy }: { id: string; theme: 'dark' | 'light'; accuracy: AccuracyName }) => {
+    const answer = await workspace.storage.read(id);
+    // a file that has changed meanwhile has another key, under which it is asked for again
+    if (!answer.ok || answer.value.text === null || !key.startsWith(`${answer.value.etag} `)) return;
+    const end = await workers.start('thumbnail', { text: answer.value.text, accuracy, width: WIDTH, theme }).end;
+    if (end.kind !== 'done') return;
+    const { svg, verdict } = end.result;
+    keep(key, { url: svg === '' ? null : URL.createObjectURL(new Blob([svg], { type: 'image/svg+xml' })), verdict });
+  };
+  const go = async () => {
+    if (isBusy) return;
+    isBusy = true;
+    for (;;) {
+      const last = [...waiting].at(-1);
+      if (last === undefined) break;
+      waiting.delete(last[0]);
+      await make(...last);
+    }
+    isBusy = false;
+  };
+
+  return {
+    store,
+    want(entry, theme, accuracy) {
+      const key = thumbnailKey(entry, theme, accuracy);
+      if (key === null || store.getState().has(key) || waiting.has(key)) return;
+      waiting.set(key, { id: entry.id, theme, accuracy });
+      void go();
+    },
+    drop: (key) => void waiting.delete(key),
+  };
+}

@@ -1,0 +1,2 @@
+export { Outliner } from './Outliner.tsx';
+export { objectRows } from './object-rows.ts';

@@ -1,0 +1,35 @@
+import { useEffect, useState } from 'react';
+import { useLevel } from '../../app/context.ts';
+import { keyAt, type ObjectKey } from '../../document/index.ts';
+
+/** ms without a change before problems are looked for: that plays every run */
+const PAUSE = 300;
+
+/** What is wrong with objects of the open level, by their keys; a moment after the last change. */
+export function useProblems(): ReadonlyMap<ObjectKey, readonly string[]> {
+  const { proof } = useLevel();
+  const [found, setFound] = useState<ReadonlyMap<ObjectKey, readonly string[]>>(new Map());
+  useEffect(() => {
+    let timer: ReturnType<typeof setTimeout> | undefined;
+    const look = () => {
+      const { file, problems } = proof.proof();
+      const byKey = new Map<ObjectKey, string[]>();
+      for (const { pointer, message } of problems) {
+        const key = keyAt(file, pointer);
+        if (key !== null) byKey.set(key, [...(byKey.get(key) ?? []), message]);
+      }
+      setFound(byKey);
+    };
+    const later = () => {
+      clearTimeout(timer);
+      timer = setTimeout(look, PAUSE);
+    };
+    later();
+    const stop = proof.store.subscribe(later);
+    return () => {
+      stop();
+      clearTimeout(timer);
+    };
+  }, [proof]);
+  return found;
+}

@@ -1,0 +1,30 @@
+import { useEditor } from '../../app/context.ts';
+import type { Fact } from '../figures/index.ts';
+
+/** Facts as a list of what and how much; those with a moment lead there. */
+export function Facts({ facts }: { readonly facts: readonly Fact[] }) {
+  const { session } = useEditor();
+  return (
+    <dl className="facts numbers">
+      {facts.map(({ label, value, tick, tone }) => (
+        <div key={label} className="facts__row">
+          <dt>{label}</dt>
+          <dd className={tone === undefined ? undefined : `tone--${tone}`}>
+            {tick === undefined ? (
+              value
+            ) : (
+              <button
+                type="button"
+                className="facts__moment"
+                title="Show this moment"
+                onClick={() => session.setState({ tick, rolling: false })}
+              >
+                {value}
+              </button>
+            )}
+          </dd>
+        </div>
+      ))}
+    </dl>
+  );
+}

@@ -1,0 +1,7 @@
+import './parts.css';
+
+export { useCalmProof } from './calm-proof.ts';
+export { Facts } from './Facts.tsx';
+export { useRestingProof } from './resting-proof.ts';
+export { Section } from './Section.tsx';
+export { Segments } from './Segments.tsx';

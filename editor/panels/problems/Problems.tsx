@@ -1,0 +1,103 @@
+import { CircleCheck, CircleX, TriangleAlert } from 'lucide-react';
+import type { LevelFile, Problem } from '../../../schema/index.ts';
+import { useEditor, useLevel } from '../../app/context.ts';
+import { keyAt, objectsOf } from '../../document/index.ts';
+import { Button } from '../../ui/index.ts';
+import { plural } from '../figures/index.ts';
+import { nameOf } from '../inspector/index.ts';
+import { explanationOf } from './explanations.ts';
+import { goToProblem } from './go-to.ts';
+import { quickFixOf, runAt } from './quick-fix.ts';
+import './problems.css';
+import { useProblems } from './use-problems.ts';
+
+const ICONS = { error: CircleX, warning: TriangleAlert } as const;
+
+/** What a pointer leads to, as the other panels call it. */
+function placeOf(file: LevelFile, pointer: string): string {
+  const key = keyAt(file, pointer);
+  const found = key === null ? undefined : objectsOf(file).get(key);
+  if (found !== undefined) return nameOf(found).toLowerCase();
+  const run = runAt(file, pointer);
+  return run === null ? 'it' : `run “${run}”`;
+}
+
+function ProblemCard({ problem }: { readonly problem: Problem }) {
+  const editor = useEditor();
+  const level = useLevel();
+  const { code, severity, message, hint, pointer } = problem;
+  const Icon = ICONS[severity];
+  const explanation = explanationOf(code);
+  const file = level.document.file();
+  const fix = quickFixOf(file, problem);
+  return (
+    <li className={`problem problem--${severity}`}>
+      <p className="problem__head">
+        <Icon size={15} aria-hidden />
+        <span className="problem__severity">{severity}</span>
+        <span className="problem__message">{message}</span>
+      </p>
+      <p className="part__note">{hint}</p>
+      <div className="part__row">
+        {pointer !== '' && (
+          <Button hint="Select what it is about and show it" look="outlined" onClick={() => goToProblem(editor, level, problem)}>
+            Go to {placeOf(file, pointer)}
+          </Button>
+        )}
+        {fix !== null && (
+          <Button
+            hint="Mends it at once; nothing plays differently"
+            look="outlined"
+            onClick={() => level.document.change(fix.title, fix.recipe)}
+          >
+            {fix.title}
+          </Button>
+        )}
+        {code === 'no-run' && (
+          <Button hint="Let the solver look for a run" look="outlined" onClick={() => editor.commands.run('solve.start')}>
+            Solve
+          </Button>
+        )}
+        {explanation !== null && (
+          <details className="problem__why">
+            <summary>
+              <code>{code}</code>
+            </summary>
+            <p>
+              <b>{explanation.title}.</b> {explanation.why}
+            </p>
+            <p>{explanation.fix}</p>
+          </details>
+        )}
+      </div>
+    </li>
+  );
+}
+
+/** What `gq check` would say about the level as it is on the screen, errors first. */
+export function Problems() {
+  const problems = useProblems();
+  const errors = problems.filter(({ severity }) => severity === 'error').length;
+  const warnings = problems.length - errors;
+  const counts = [...(errors > 0 ? [plural(errors, 'error')] : []), ...(warnings > 0 ? [plural(warnings, 'warning')] : [])];
+  return (
+    <div className="panel__body problems">
+      <p className="problems__count" role="status">
+        {problems.length === 0 ? (
+          <>
+            <CircleCheck size={15} className="tone--good" aria-hidden /> Nothing is wrong, and nothing looks wrong.
+          </>
+        ) : (
+          counts.join(', ')
+        )}
+      </p>
+      <ul className="problems__list" aria-label="Problems">
+        {problems.map((problem, i) => (
+          // the same problem may be told of the same place twice
+          // biome-ignore lint/suspicious/noArrayIndexKey: problems have no identity of their own
+          <ProblemCard key={`${problem.code} ${problem.pointer} ${i}`} problem={problem} />
+        ))}
+      </ul>
+    </div>
+  );
+}

@@ -1,0 +1,74 @@
+import { Check, Eye, EyeOff, Plus, Trash2 } from 'lucide-react';
+import { useEffect, useState } from 'react';
+import { useStore } from 'zustand';
+import { useEditor, useLevel, useProof } from '../../app/context.ts';
+import { type Attempt, attemptGhosts } from '../../play/index.ts';
+import { outcomeInWords } from '../../proof/index.ts';
+import { Button } from '../../ui/index.ts';
+import { OutcomeSign, outcomeWord } from './OutcomeSign.tsx';
+import { promoteAttempt } from './promote.ts';
+
+/** What was played: each attempt a ghost on the canvas, and a run of the level if wanted. */
+export function AttemptList() {
+  const editor = useEditor();
+  const level = useLevel();
+  const { attempts: kept, ghosts } = level;
+  const attempts = useStore(kept.store);
+  const range = useProof((proof) => proof.level.range);
+  const [hidden, setHidden] = useState<ReadonlySet<number>>(new Set());
+
+  useEffect(() => {
+    const show = () => {
+      const others = ghosts.getState().filter(({ look }) => look !== 'attempt');
+      const shown = kept.store.getState().filter(({ number }) => !hidden.has(number));
+      ghosts.setState([...others, ...attemptGhosts(shown)], true);
+    };
+    show();
+    return kept.store.subscribe(show);
+  }, [ghosts, kept, hidden]);
+
+  if (attempts.length === 0) return null;
+  const allHidden = attempts.every(({ number }) => hidden.has(number));
+  const toggle = ({ number }: Attempt) =>
+    setHidden((now) => (now.has(number) ? new Set([...now].filter((other) => other !== number)) : new Set([...now, number])));
+  return (
+    <section className="attempts" aria-label="Attempts">
+      <div className="panel__head">
+        <h3 className="panel__title">Attempts</h3>
+        <Button
+          hint={allHidden ? 'Show all attempts on the canvas' : 'Hide all attempts on the canvas'}
+          icon={allHidden ? <EyeOff size={14} /> : <Eye size={14} />}
+          onClick={() => setHidden(new Set(allHidden ? [] : attempts.map(({ number }) => number)))}
+        />
+        <Button hint="Forget all attempts" icon={<Trash2 size={14} />} onClick={() => kept.clear()} />
+      </div>
+      <ul className="attempts__list">
+        {attempts.toReversed().map((attempt) => {
+          const { number, end, minerals, holds } = attempt;
+          const completes = end.outcome === 'completed';
+          return (
+            <li key={number} className="attempts__one" title={`She ${outcomeInWords(end, range)}, with ${holds.length} holds.`}>
+              <OutcomeSign outcome={end.outcome} />
+              <span className="runs__text">
+                <span className="runs__name">attempt {number}</span>
+                <span className="runs__facts numbers">
+                  {outcomeWord(end.outcome)} · {end.time.toFixed(2)} s{minerals > 0 && ` · ◆ ${minerals}`}
+                </span>
+              </span>
+              <Button
+                hint={hidden.has(number) ? `Show attempt ${number} on the canvas` : `Hide attempt ${number} on the canvas`}
+                icon={hidden.has(number) ? <EyeOff size={14} /> : <Eye size={14} />}
+                onClick={() => toggle(attempt)}
+              />
+              <Button
+                hint={completes ? `Make attempt ${number} the proof` : `Keep attempt ${number} as a run`}
+                icon={completes ? <Check size={14} /> : <Plus size={14} />}
+                onClick={() => promoteAttempt(editor, level, attempt)}
+              />
+            </li>
+          );
+        })}
+      </ul>
+    </section>
+  );
+}

@@ -1,0 +1,32 @@
+import { Copy } from 'lucide-react';
+import { simulate } from '../../../engine/index.ts';
+import { useEditor, useProof } from '../../app/context.ts';
+import type { LiveProof } from '../../proof/index.ts';
+import { copyText } from '../../share/index.ts';
+import { Button } from '../../ui/index.ts';
+import { useCalmProof } from '../parts/index.ts';
+
+/** ms between two looks: a hash covers every tick of the run */
+const WAIT = 300;
+
+const hashOf = ({ scene, run }: LiveProof): string => simulate(scene, run.holds).hash;
+
+/** The hash of the shown run: that of `gq simulate` at the same accuracy is the same, in any browser, when the page plays by the same bits. */
+export function RunHash() {
+  const { notices } = useEditor();
+  const hash = useCalmProof(hashOf, WAIT);
+  const accuracy = useProof((proof) => proof.accuracy);
+  return (
+    <p className="runs__hash">
+      <span>hash</span>
+      <output className="numbers" aria-label="Hash of the run" title={`gq simulate prints the same at --accuracy ${accuracy}`}>
+        {hash}
+      </output>
+      <Button
+        hint="Copy the hash of the run"
+        icon={<Copy size={13} />}
+        onClick={() => void copyText(notices, 'the hash of the run', hash)}
+      />
+    </p>
+  );
+}

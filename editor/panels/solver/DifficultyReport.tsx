@@ -1,0 +1,125 @@
+import { Gauge, Plus, Square } from 'lucide-react';
+import { useStore } from 'zustand';
+import { TICK } from '../../../engine/index.ts';
+import type { Candidate, Difficulty, WithoutAsteroid } from '../../../solver/index.ts';
+import { Button } from '../../ui/index.ts';
+import { type Fact, percent, plural, seconds } from '../figures/index.ts';
+import { Facts, Section } from '../parts/index.ts';
+import { useSolverDesk } from './use-desk.ts';
+
+const USES: Readonly<Record<WithoutAsteroid['use'], string>> = {
+  avoidable: 'can be left unused',
+  replaceable: 'can be left out of the level',
+  needed: 'is needed: without it the level is proved impossible',
+  unknown: 'is most likely needed: no way without it was found',
+};
+
+function factsOf({ sigmaAtHalf, smallestWindow, presses, length, randomPlay, mineralsExtra }: Difficulty): Fact[] {
+  const facts: Fact[] = [
+    { label: 'length', value: `${seconds(length)}, ${plural(presses, 'press', 'presses')}` },
+    { label: 'every second try fails at', value: `${sigmaAtHalf.capped ? '> ' : ''}${sigmaAtHalf.ms.toFixed(0)} ms of noise` },
+  ];
+  if (smallestWindow !== null) facts.push({ label: 'tightest window', value: `${(1000 * smallestWindow * TICK).toFixed(0)} ms` });
+  facts.push({ label: 'random play wins', value: `${percent(randomPlay.share)} of ${randomPlay.samples.toLocaleString('en')}` });
+  if (mineralsExtra !== null) {
+    const { time, presses: more } = mineralsExtra;
+    const signed = (value: number, digits: number) => `${value < 0 ? '−' : '+'}${Math.abs(value).toFixed(digits)}`;
+    facts.push({ label: 'all minerals cost', value: `${signed(time, 2)} s, ${signed(more, 0)} presses` });
+  }
+  return facts;
+}
+
+/** A way of winning that may not be meant, with a button that keeps it. */
+function Shortcut({ text, run }: { readonly text: string; readonly run: Candidate | null }) {
+  const { search } = useSolverDesk();
+  return (
+    <li className="shortcut">
+      <span>{text}</span>
+      {run !== null && (
+        <Button
+          hint="Add it to the level as a run, to look at it"
+          icon={<Plus size={14} />}
+          onClick={() => search.use(run.holds)}
+        />
+      )}
+    </li>
+  );
+}
+
+function Result({ result }: { readonly result: Difficulty }) {
+  const { grade, shortcuts } = result;
+  const { withoutPressing, onePress, withoutAsteroid } = shortcuts;
+  return (
+    <>
+      <div className="grade">
+        <span className="grade__value numbers">{grade.value.toFixed(1)}</span>
+        <div className="grade__scale">
+          <b>{grade.word}</b> <span className="part__note">of 10, an estimate</span>
+          <meter className="grade__meter" min={0} max={10} value={grade.value} aria-label="Grade" />
+        </div>
+      </div>
+      <Facts facts={factsOf(result)} />
+      <h4 className="report__title">Shortcuts</h4>
+      <ul className="report__shortcuts">
+        {withoutPressing !== null && (
+          <Shortcut text={`Never pressing completes it in ${seconds(withoutPressing.time)}`} run={withoutPressing} />
+        )}
+        <Shortcut
+          text={
+            onePress.count === 0
+              ? `One press never completes it, of ${onePress.tried.toLocaleString('en')} tried`
+              : `One press completes it in ${percent(onePress.count / onePress.tried)} of ${onePress.tried.toLocaleString('en')} tried`
+          }
+          run={onePress.example}
+        />
+        {withoutAsteroid.map(({ asteroid, use, run }) => (
+          <Shortcut key={asteroid} text={`Asteroid ${asteroid + 1} ${USES[use]}`} run={use === 'avoidable' ? run : null} />
+        ))}
+      </ul>
+    </>
+  );
+}
+
+/** How hard the level is, when it is asked for. */
+export function DifficultyReport() {
+  const { difficulty } = useSolverDesk();
+  const { phase, result, run, isOld, message } = useStore(difficulty.store);
+  return (
+    <Section
+      title="How hard it is"
+      aside={
+        phase === 'measuring' ? (
+          <Button hint="Stop measuring" icon={<Square size={13} />} onClick={difficulty.cancel}>
+            Cancel
+          </Button>
+        ) : (
+          <Button hint="Measure grade and shortcuts; takes some seconds" icon={<Gauge size={14} />} onClick={difficulty.start}>
+            {result === null ? 'Measure' : 'Again'}
+          </Button>
+        )
+      }
+    >
+      {phase === 'measuring' && <progress className="progress" aria-label="Measuring" />}
+      {phase === 'failed' && (
+        <p className="tone--bad" role="alert">
+          It could not be measured: {message}. Try again.
+        </p>
+      )}
+      {phase === 'none' && (
+        <p className="part__note">No run completes the level and none was found: there is nothing to measure.</p>
+      )}
+      {result !== null && phase !== 'none' && (
+        <div className={isOld || phase === 'measuring' ? 'report report--old' : 'report'}>
+          <p className="part__note">
+            {isOld && 'Before the last change. '}
+            {run === null ? 'By a run that was found for it.' : `By the run “${run}”.`}
+          </p>
+          <Result result={result} />
+        </div>
+      )}
+      {result === null && phase === 'idle' && (
+        <p className="part__note">A grade of 1 to 10, and ways of winning that may not be meant.</p>
+      )}
+    </Section>
+  );
+}

@@ -1,0 +1,164 @@
+import { useStore } from 'zustand';
+import { TICK } from '../../../engine/index.ts';
+import type { EdgeSlack, Success } from '../../../solver/index.ts';
+import { useEditor, useLevel, useProof } from '../../app/context.ts';
+import { percent, plural } from '../figures/index.ts';
+import { Section } from '../parts/index.ts';
+import { useSolverDesk } from './use-desk.ts';
+
+/** Slack is looked for up to so many ticks: what reaches it is called more. */
+const LIMIT = 60;
+
+const msOf = (ticks: number): number => Math.round(1000 * ticks * TICK);
+const slackText = (ticks: number): string => (ticks >= LIMIT ? `${LIMIT}+` : String(ticks));
+
+/** How forgiving a chance is, as a word beside its number. */
+const wordFor = (p: number): readonly [word: string, tone: 'good' | 'warn' | 'bad'] =>
+  p >= 0.9 ? ['forgiving', 'good'] : p >= 0.5 ? ['thin', 'warn'] : ['a gamble', 'bad'];
+
+function Chance({ success }: { readonly success: Success }) {
+  const { sigma, p, low, high, samples } = success;
+  const [word, tone] = wordFor(p);
+  const text = `${percent(p)}, between ${percent(low)} and ${percent(high)}`;
+  return (
+    <div className="chance" title={`${text} with 95 % certainty; ${samples.toLocaleString('en')} executions tried`}>
+      <dt className="numbers">{sigma} ms</dt>
+      <dd>
+        <span className="chance__bar" aria-hidden>
+          <span className={`chance__fill chance__fill--${tone}`} style={{ width: `${100 * p}%` }} />
+          <span className="chance__doubt" style={{ left: `${100 * low}%`, width: `${100 * (high - low)}%` }} />
+        </span>
+        <span className="chance__text numbers">{percent(p)}</span>
+        <span className="unseen">
+          , {word}, between {percent(low)} and {percent(high)}
+        </span>
+      </dd>
+    </div>
+  );
+}
+
+/** How far each press and release may slip alone. */
+function SlackTable({ slack }: { readonly slack: readonly EdgeSlack[] }) {
+  const { session } = useEditor();
+  const { selection } = useLevel();
+  const name = useProof(({ run }) => run.name);
+  const holds = useProof(({ run }) => run.holds);
+  const tightest = Math.min(...slack.map(({ earlier, later }) => earlier + later));
+  return (
+    <table className="slack numbers">
+      <caption className="part__note">How many ticks (1/60 s) each edge alone may come earlier or later</caption>
+      <thead>
+        <tr>
+          <th scope="col">hold</th>
+          <th scope="col">press</th>
+          <th scope="col">release</th>
+        </tr>
+      </thead>
+      <tbody>
+        {holds.map(([press, release], i) => (
+          <tr key={press}>
+            <th scope="row">
+              <button
+                type="button"
+                className="facts__moment"
+                title="Select this hold"
+                onClick={() => {
+                  if (name === null) return;
+                  selection.selectHolds(name, [i]);
+                  session.setState({ tick: press, rolling: false });
+                }}
+              >
+                {press}–{release}
+              </button>
+            </th>
+            {[slack[2 * i], slack[2 * i + 1]].map((edge, k) => {
+              if (edge === undefined) return null;
+              const isTightest = edge.earlier + edge.later === tightest;
+              return (
+                <td
+                  // press first, then release
+                  // biome-ignore lint/suspicious/noArrayIndexKey: there are these two
+                  key={k}
+                  className={isTightest ? 'tone--warn' : undefined}
+                  title={`${msOf(edge.earlier)} ms earlier, ${msOf(edge.later)} ms later${isTightest ? ': the tightest' : ''}`}
+                >
+                  −{slackText(edge.earlier)} +{slackText(edge.later)}
+                  {isTightest && <span className="unseen"> the tightest</span>}
+                </td>
+              );
+            })}
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  );
+}
+
+/** What the shown run forgives. */
+export function RobustnessReport() {
+  const { robustness } = useSolverDesk();
+  const { phase, slack, p40, full, withMinerals, message } = useStore(robustness.store);
+  const name = useProof(({ run }) => run.name);
+  const taken = useProof(({ run }) => run.minerals.length);
+  const edges = useProof(({ run }) => 2 * run.holds.length);
+  const isBusy = phase === 'waiting' || phase === 'measuring';
+  return (
+    <Section
+      title="What the run forgives"
+      aside={
+        isBusy && name !== null && <span className="part__note">{full === null && p40 !== null ? 'proving…' : 'measuring…'}</span>
+      }
+    >
+      {phase === 'failed' && (
+        <p className="tone--bad" role="alert">
+          It could not be measured: {message}. Any change of the run tries again.
+        </p>
+      )}
+      {phase === 'fails' && (
+        <p className="part__note">
+          {name === null ? 'There is no run yet.' : 'The run does not complete the level, so there is nothing to forgive.'}
+        </p>
+      )}
+      {taken > 0 && (
+        <label className="report__heat">
+          <input type="checkbox" checked={withMinerals} onChange={(event) => robustness.setWithMinerals(event.target.checked)} />
+          It also has to take its {plural(taken, 'mineral')}
+        </label>
+      )}
+      {full !== null ? (
+        <>
+          <dl className="chances" aria-label="Chance of success by timing noise of every press and release">
+            {[full.p30, full.p40, full.p60, full.p80].map((success) => (
+              <Chance key={success.sigma} success={success} />
+            ))}
+          </dl>
+          <p>
+            {full.certifiedTicks > 0 ? (
+              <>
+                <b className="tone--good">Certified for {plural(full.certifiedTicks, 'tick')}</b>: all edges off by up to{' '}
+                {msOf(full.certifiedTicks)} ms, in every combination, succeed.
+                {!full.decided && ' More was too much to try.'}
+              </>
+            ) : edges > 0 ? (
+              <>
+                <b className="tone--warn">Not certified</b>:{' '}
+                {full.decided
+                  ? 'some combination of edges off by one tick (17 ms) fails.'
+                  : 'there are too many combinations of edges off by one tick (17 ms) to try.'}
+              </>
+            ) : (
+              'Nothing is pressed, so nothing can be mistimed.'
+            )}
+          </p>
+        </>
+      ) : (
+        p40 !== null && (
+          <dl className="chances">
+            <Chance success={p40} />
+          </dl>
+        )
+      )}
+      {slack !== null && slack.length === edges && edges > 0 && <SlackTable slack={slack} />}
+    </Section>
+  );
+}

@@ -1,0 +1,187 @@
+import { Check, CircleCheck, CircleHelp, CircleX, Plus, Replace, TriangleAlert, X } from 'lucide-react';
+import { useStore } from 'zustand';
+import { TICK } from '../../../engine/index.ts';
+import { useDocument, useEditor, useProof, useSession } from '../../app/context.ts';
+import { Button } from '../../ui/index.ts';
+import { about, percent, pixels, plural, seconds } from '../figures/index.ts';
+import type { Found, SearchState } from './search.ts';
+import { useSolverDesk } from './use-desk.ts';
+
+/** How it stands, in a sentence. */
+function Standing({ state }: { readonly state: SearchState }) {
+  const { phase, found, impossible, isHopeless, solving, message } = state;
+  if (impossible !== null) {
+    return (
+      <p className="standing tone--bad">
+        <CircleX size={15} aria-hidden /> Proved impossible: {impossible.reason}
+      </p>
+    );
+  }
+  if (isHopeless && found.length === 0) {
+    return (
+      <p className="standing tone--bad">
+        <CircleX size={15} aria-hidden /> Proved: no run takes the minerals asked for.
+      </p>
+    );
+  }
+  if (phase === 'failed') {
+    return (
+      <p className="standing tone--bad" role="alert">
+        <TriangleAlert size={15} aria-hidden /> The search broke down: {message}. Start it again; the level is untouched.
+      </p>
+    );
+  }
+  if (phase === 'stale') {
+    return (
+      <p className="standing">
+        <TriangleAlert size={15} aria-hidden /> The level changed, so the search stopped. What it had found was tried in the level
+        as it is now.
+      </p>
+    );
+  }
+  if (found.length > 0) {
+    const working = found.filter(({ works }) => works).length;
+    return (
+      <p className={working > 0 ? 'standing tone--good' : 'standing tone--warn'}>
+        <CircleCheck size={15} aria-hidden />
+        {working === found.length
+          ? `${plural(found.length, 'different way', 'different ways')} found${phase === 'running' ? ' so far' : ''}`
+          : `${working} of ${plural(found.length, 'way')} still work in the level as it is now`}
+      </p>
+    );
+  }
+  const closest = solving?.closest ?? null;
+  const near =
+    closest === null
+      ? ''
+      : closest.distance === 0
+        ? ' The black hole was reached, but without the minerals asked for.'
+        : ` The closest approach, shown on the canvas, was ${pixels(closest.distance)} at ${seconds(closest.tick * TICK)}.`;
+  if (phase === 'running') return <p className="standing">Nothing found yet.{near}</p>;
+  return (
+    <p className="standing tone--warn">
+      <CircleHelp size={15} aria-hidden /> No run found, which does not prove that there is none.{near}
+    </p>
+  );
+}
+
+function FoundCard({ found, place, minerals }: { readonly found: Found; readonly place: number; readonly minerals: number }) {
+  const { search } = useSolverDesk();
+  const shown = useProof(({ run }) => run.name);
+  const isShown = useProof(({ run }) => run.holds.join() === found.id);
+  const { candidate, p40, certified, works, id } = found;
+  return (
+    <li
+      className={works ? 'found' : 'found found--fails'}
+      onPointerEnter={() => search.hover(id)}
+      onPointerLeave={() => search.hover(null)}
+      onFocus={() => search.hover(id)}
+      onBlur={() => search.hover(null)}
+    >
+      <span className="found__place numbers">{place}</span>
+      <div className="found__what numbers">
+        <b>{works ? seconds(candidate.time) : 'fails in this level'}</b>
+        <span>{plural(candidate.holds.length, 'press', 'presses')}</span>
+        {minerals > 0 && (
+          <span>
+            {candidate.minerals.length}/{minerals} minerals
+          </span>
+        )}
+        {p40 !== null && (
+          <span title="Chance of success when every press and release is off by 40 ms">
+            P(40 ms) {percent(p40)}
+            {certified && (
+              <Check size={12} className="found__certified" aria-label=", all shifts by up to 2 ticks were tried and succeed" />
+            )}
+          </span>
+        )}
+      </div>
+      {isShown ? (
+        <span className="found__shown tone--good">
+          <Check size={13} aria-hidden /> shown
+        </span>
+      ) : (
+        <span className="found__does">
+          <Button
+            hint={`Add way ${place} to the level as a new run`}
+            icon={<Plus size={15} />}
+            look="outlined"
+            onClick={() => search.use(candidate.holds)}
+          >
+            Use
+          </Button>
+          {shown !== null && (
+            <Button
+              hint={`Put way ${place} in place of the run “${shown}”`}
+              icon={<Replace size={15} />}
+              onClick={() => search.use(candidate.holds, shown)}
+            />
+          )}
+        </span>
+      )}
+    </li>
+  );
+}
+
+/** How the search goes and what it has found. */
+export function SearchReport() {
+  const { session } = useEditor();
+  const { search } = useSolverDesk();
+  const state = useStore(search.store);
+  const heatMap = useSession(({ layers }) => layers.heatMap);
+  const minerals = useDocument(({ file }) => file.minerals?.length ?? 0);
+  const { phase, solving, ms, wish, found, mineralProofs } = state;
+  if (phase === 'idle' || wish === null) return null;
+  return (
+    <div className="report">
+      {phase === 'running' && (
+        <progress
+          className="progress"
+          aria-label="Time spent"
+          max={1000 * wish.budget}
+          value={Math.min(ms, 1000 * wish.budget)}
+        />
+      )}
+      <Standing state={state} />
+      {found.length > 0 && (
+        <ol className="report__found" aria-label="Ways found">
+          {found.map((one, i) => (
+            <FoundCard key={one.id} found={one} place={i + 1} minerals={minerals} />
+          ))}
+        </ol>
+      )}
+      {mineralProofs.map(({ index, proof }) => (
+        <p key={index} className="standing tone--warn">
+          <TriangleAlert size={15} aria-hidden /> Mineral {index + 1} can never be collected: {proof.reason}
+        </p>
+      ))}
+      {solving !== null && (
+        <p className="part__note numbers">
+          {about(solving.effort.runs)} stretches, {about(solving.effort.ticks)} ticks in {(ms / 1000).toFixed(1)} s, seed{' '}
+          {wish.seed}
+          {phase === 'cancelled' && ', stopped by hand'}
+        </p>
+      )}
+      <div className="part__row">
+        {solving !== null && (
+          <label className="report__heat">
+            <input
+              type="checkbox"
+              checked={heatMap}
+              onChange={(event) => {
+                const { checked } = event.target;
+                session.setState(({ layers }) => ({ layers: { ...layers, heatMap: checked } }));
+              }}
+            />
+            Show where the search has been
+          </label>
+        )}
+        {phase !== 'running' && (
+          <Button hint="Put away what the search found" icon={<X size={14} />} onClick={search.clear}>
+            Clear
+          </Button>
+        )}
+      </div>
+    </div>
+  );
+}

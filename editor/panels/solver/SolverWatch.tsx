@@ -1,0 +1,74 @@
+import { useEffect } from 'react';
+import { useEditor, useLevel } from '../../app/context.ts';
+import type { Command } from '../../commands/index.ts';
+import { useSolverDesk } from './use-desk.ts';
+
+/** Starts a search. */
+export const SOLVE_KEY = '$mod+Enter';
+
+/** Shows nothing: offers the commands of the solver, and keeps what the shown run forgives up to date, whichever panel is open. */
+export function SolverWatch() {
+  const { commands } = useEditor();
+  const { proof } = useLevel();
+  const { search, difficulty } = useSolverDesk();
+  useEffect(() => {
+    const best = () => search.store.getState().found.find(({ works }) => works);
+    const list: readonly Command[] = [
+      {
+        id: 'solve.start',
+        title: 'Solve: look for runs',
+        group: 'Solve',
+        keys: [SOLVE_KEY],
+        run: () => {
+          search.start();
+          commands.run('panel.solver');
+        },
+      },
+      {
+        id: 'solve.cancel',
+        title: 'Stop the search',
+        group: 'Solve',
+        enabled: () => search.store.getState().phase === 'running',
+        run: search.cancel,
+      },
+      {
+        id: 'solve.use',
+        title: 'Add the best run that was found',
+        group: 'Solve',
+        enabled: () => best() !== undefined,
+        run: () => {
+          const found = best();
+          if (found !== undefined) search.use(found.candidate.holds);
+        },
+      },
+      {
+        id: 'solve.replace',
+        title: 'Put the best run that was found in place of the shown one',
+        group: 'Solve',
+        enabled: () => best() !== undefined && proof.proof().run.name !== null,
+        run: () => {
+          const found = best();
+          if (found !== undefined) search.use(found.candidate.holds, proof.proof().run.name ?? undefined);
+        },
+      },
+      {
+        id: 'solve.clear',
+        title: 'Put away what the search found',
+        group: 'Solve',
+        enabled: () => search.store.getState().phase !== 'idle',
+        run: search.clear,
+      },
+      {
+        id: 'solve.difficulty',
+        title: 'Measure how hard the level is',
+        group: 'Solve',
+        run: () => {
+          difficulty.start();
+          commands.run('panel.solver');
+        },
+      },
+    ];
+    return commands.register(list);
+  }, [commands, search, difficulty, proof]);
+  return null;
+}

@@ -1,0 +1,6 @@
+export { solverDeskOf } from './desk.ts';
+
+export { Solver } from './Solver.tsx';
+export { SolverWatch } from './SolverWatch.tsx';
+export { useSolverDesk } from './use-desk.ts';
+export { useVerdict } from './use-verdict.ts';

@@ -1,0 +1,67 @@
+import { createStore, type StoreApi } from 'zustand/vanilla';
+import type { ProofStore, Proved } from '../../proof/index.ts';
+import type { Job, Workers } from '../../workers/index.ts';
+import { withoutRuns } from './search.ts';
+
+export interface ProofWatch {
+  /** What is proved of the level as it is; nothing while that is not known. */
+  readonly store: StoreApi<Proved>;
+  close(): void;
+}
+
+interface WatchParts {
+  readonly level: { readonly proof: ProofStore };
+  readonly workers: Pick<Workers, 'start'>;
+  /** Calls back after so many ms. @returns takes it back */
+  readonly after: (ms: number, call: () => void) => () => void;
+}
+
+/** ms without a change before proofs are looked for: later than what the run forgives, which is looked at more */
+const SETTLE = 500;
+
+const NOTHING: Proved = { impossible: null, minerals: [] };
+
+/** Follows the level: whenever it has settled, it is tried to prove that the black hole or a mineral is out of reach. What a run shows needs no proof. */
+export function watchProofs({ level: { proof }, workers, after }: WatchParts): ProofWatch {
+  const store = createStore<Proved>(() => NOTHING);
+  let job: Job<'proofs'> | null = null;
+  let forget: (() => void) | null = null;
+  let last: object | null = null;
+
+  const drop = () => {
+    job?.cancel();
+    job = null;
+    forget?.();
+    forget = null;
+  };
+  const prove = () => {
+    forget = null;
+    const { level, accuracy, verdict, run } = proof.proof();
+    if (verdict === 'completable' && run.minerals.length === level.minerals.length) return;
+    const mine = workers.start('proofs', { level: withoutRuns(level), accuracy }, (proved) => {
+      if (job === mine) store.setState(proved, true);
+    });
+    job = mine;
+    void mine.end.then((end) => {
+      if (job === mine && end.kind === 'done') store.setState(end.result, true);
+    });
+  };
+  const look = () => {
+    const { scene } = proof.proof();
+    // runs may come and go: what is proved holds for all of them
+    if (scene === last) return;
+    last = scene;
+    drop();
+    if (store.getState() !== NOTHING) store.setState(NOTHING, true);
+    forget = after(SETTLE, prove);
+  };
+  look();
+  const stop = proof.store.subscribe(look);
+  return {
+    store,
+    close() {
+      stop();
+      drop();
+    },
+  };
+}

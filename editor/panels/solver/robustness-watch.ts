@@ -1,0 +1,170 @@
+import { createStore, type StoreApi } from 'zustand/vanilla';
+import type { Scene } from '../../../engine/index.ts';
+import type { EdgeSlack, Goal, Robustness, Success } from '../../../solver/index.ts';
+import type { Ghost } from '../../canvas/layers/way-layer.ts';
+import type { EditedLevel } from '../../document/index.ts';
+import type { ProofStore } from '../../proof/index.ts';
+import { FAN_TICKS, type FanWay, type Job, type Workers } from '../../workers/index.ts';
+import { type GhostShelf, putGhosts } from './ghost-shelf.ts';
+import { withoutRuns } from './search.ts';
+import { everyTick } from './ways.ts';
+
+/** How much the shown run forgives, as far as it is known. */
+export interface RobustnessState {
+  /** `fails`: the run does not do what is asked, so there is nothing to forgive. */
+  readonly phase: 'waiting' | 'measuring' | 'measured' | 'fails' | 'failed';
+  readonly message: string | null;
+  readonly slack: readonly EdgeSlack[] | null;
+  /** First a rough one, then that of `full`. */
+  readonly p40: Success | null;
+  readonly full: Robustness | null;
+  /** Whether the minerals the run takes are part of what is asked. */
+  readonly withMinerals: boolean;
+}
+
+/** What timeline and canvas show of it. */
+interface Analysed {
+  /** The holds it is about, joined by commas. */
+  readonly holds: string;
+  readonly slack: readonly EdgeSlack[];
+  /** All shifts of all edges by up to so many ticks succeed; null while that is being certified. */
+  readonly certifiedTicks: number | null;
+  /** Whether some shift by one tick more is known to fail; false where there were too many to try. */
+  readonly decided: boolean;
+  /** Chance of success with timing noise of 40 ms, 0 to 1. */
+  readonly p40: number;
+}
+
+export interface RobustnessWatch {
+  readonly store: StoreApi<RobustnessState>;
+  setWithMinerals(on: boolean): void;
+  close(): void;
+}
+
+interface WatchParts {
+  readonly level: GhostShelf & {
+    readonly document: Pick<EditedLevel, 'onStep'>;
+    readonly proof: ProofStore;
+    readonly analysis: StoreApi<Analysed | null>;
+  };
+  readonly workers: Pick<Workers, 'start'>;
+  /** Calls back after so many ms. @returns takes it back */
+  readonly after: (ms: number, call: () => void) => () => void;
+}
+
+/** ms without a change before all is measured; the fan comes as soon as a gesture is over. */
+const SETTLE = 120;
+
+const UNKNOWN = { message: null, slack: null, p40: null, full: null } as const;
+
+const toGhost = ({ edge, shift, points }: FanWay): Ghost => ({
+  id: `slack-${edge}-${shift}`,
+  label: `${edge % 2 === 0 ? 'press' : 'release'} ${(edge >> 1) + 1} ${Math.abs(shift)} ticks ${shift < 0 ? 'earlier' : 'later'}`,
+  points: everyTick(points, FAN_TICKS),
+  look: 'slack',
+});
+
+/** Follows the shown run: whenever it or the level has settled, what it forgives is measured anew, for timeline, canvas and panel. */
+export function watchRobustness({ level, workers, after }: WatchParts): RobustnessWatch {
+  const { proof, analysis } = level;
+  const store = createStore<RobustnessState>(() => ({ phase: 'waiting', ...UNKNOWN, withMinerals: false }));
+  let jobs: readonly Job<'fan' | 'robustness'>[] = [];
+  let last: { scene: Scene; holds: string } | null = null;
+  let waiting: (() => void)[] = [];
+
+  const put = (analysed: Analysed | null) => {
+    if (analysed !== null || analysis.getState() !== null) analysis.setState(analysed, true);
+  };
+  const drop = () => {
+    for (const job of jobs) job.cancel();
+    jobs = [];
+    for (const forget of waiting) forget();
+    waiting = [];
+  };
+  const isCurrent = (job: Job<'fan' | 'robustness'>) => jobs.includes(job);
+  /** What is asked of the workers; null: there is nothing to forgive. */
+  const request = () => {
+    const { level: played, accuracy, run } = proof.proof();
+    if (run.name === null || run.outcome !== 'completed') return null;
+    const goal: Goal = { minerals: store.getState().withMinerals ? run.minerals.length : 'any' };
+    return { level: withoutRuns(played), accuracy, holds: run.holds, goal };
+  };
+
+  let fan: Job<'fan'> | null = null;
+  const spread = () => {
+    const asked = request();
+    if (asked === null || jobs.length > 0) return;
+    store.setState({ phase: 'measuring' });
+    const mine = workers.start('fan', asked, ({ slack }) => {
+      if (isCurrent(mine)) store.setState({ slack });
+    });
+    fan = mine;
+    jobs = [mine];
+    void mine.end.then((end) => {
+      if (isCurrent(mine) && end.kind === 'done') putGhosts(level, 'slack', end.result.ways.map(toGhost));
+    });
+  };
+  const measure = () => {
+    const asked = request();
+    if (asked === null) {
+      store.setState({ phase: 'fails', ...UNKNOWN });
+      return;
+    }
+    spread();
+    const first = fan;
+    const key = asked.holds.join();
+    // the fan is what one looks at: what takes seconds must not take the processor from it
+    void first?.end.then(() => {
+      if (!isCurrent(first)) return;
+      const robustness = workers.start('robustness', asked, ({ slack, p40 }) => {
+        if (!isCurrent(robustness)) return;
+        store.setState({ slack, p40 });
+        put({ holds: key, slack, certifiedTicks: null, decided: false, p40: p40.p });
+      });
+      jobs = [first, robustness];
+      void robustness.end.then((end) => {
+        if (!isCurrent(robustness)) return;
+        if (end.kind === 'failed') store.setState({ phase: 'failed', message: end.message });
+        if (end.kind !== 'done') return;
+        const { slack, p40, certifiedTicks, decided } = end.result;
+        store.setState({ phase: 'measured', slack, p40, full: end.result });
+        put({ holds: key, slack, certifiedTicks, decided, p40: p40.p });
+      });
+    });
+  };
+
+  const settle = () => {
+    drop();
+    put(null);
+    putGhosts(level, 'slack', []);
+    store.setState({ phase: 'waiting', ...UNKNOWN });
+    waiting = [after(SETTLE, measure)];
+  };
+  const look = () => {
+    const { scene, run } = proof.proof();
+    const holds = run.holds.join();
+    if (last !== null && last.scene === scene && last.holds === holds) return;
+    last = { scene, holds };
+    settle();
+  };
+  look();
+  const stops = [
+    proof.store.subscribe(look),
+    level.document.onStep(() => {
+      // not within the event itself: the frame that shows the change comes first
+      if (jobs.length === 0) waiting.push(after(0, spread));
+    }),
+  ];
+  return {
+    store,
+    setWithMinerals(withMinerals) {
+      if (store.getState().withMinerals === withMinerals) return;
+      store.setState({ withMinerals });
+      settle();
+    },
+    close() {
+      for (const stop of stops) stop();
+      drop();
+    },
+  };
+}

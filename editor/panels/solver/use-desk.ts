@@ -1,0 +1,5 @@
+import { useEditor, useLevel } from '../../app/context.ts';
+import { type SolverDesk, solverDeskOf } from './desk.ts';
+
+/** The desk of the level around this component. */
+export const useSolverDesk = (): SolverDesk => solverDeskOf(useEditor(), useLevel());

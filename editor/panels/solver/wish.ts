@@ -1,0 +1,25 @@
+import { createStore, type StoreApi } from 'zustand/vanilla';
+import type { Goal, Objective } from '../../../solver/index.ts';
+
+/** What runs are looked for, how long, and by which numbers. */
+export interface Wish {
+  readonly minerals: 'any' | 'all' | 'some';
+  /** How many, for `some`. */
+  readonly some: number;
+  readonly objective: Objective;
+  /** s */
+  readonly budget: number;
+  readonly seed: number;
+}
+
+export type WishStore = StoreApi<Wish>;
+
+export const createWish = (): WishStore =>
+  createStore<Wish>(() => ({ minerals: 'any', some: 1, objective: 'robust', budget: 10, seed: 0 }));
+
+/** What a run has to achieve. @param count minerals in the level */
+export function goalOf({ minerals, some }: Wish, count: number): Goal {
+  if (minerals === 'some') return { minerals: Math.min(some, count) };
+  // of none all is any: nobody has to know the difference
+  return { minerals: minerals === 'all' && count > 0 ? 'all' : 'any' };
+}

@@ -1,0 +1,41 @@
+import type { Editor } from '../app/editor.ts';
+import type { Command } from '../commands/index.ts';
+import { RATES } from '../session/index.ts';
+
+/** How a playtest is entered, and how fast it goes. */
+export function playCommands({ session, settings, notices }: Editor): readonly Command[] {
+  const changeRate = (by: number) => {
+    const index = RATES.indexOf(session.getState().rate) + by;
+    if (index >= 0 && index < RATES.length) session.setState({ rate: RATES[index] });
+  };
+  return [
+    {
+      id: 'play.start',
+      title: 'Play from the start',
+      group: 'Play',
+      keys: ['Space'],
+      run: () => session.setState({ mode: 'play', playFrom: 'start', rolling: false }),
+    },
+    {
+      id: 'play.from-here',
+      title: 'Play from the scrubbed tick',
+      group: 'Play',
+      keys: ['Shift+Space'],
+      run: () => session.setState({ mode: 'play', playFrom: 'scrubbed', rolling: false }),
+    },
+    { id: 'play.slower', title: 'Slower', group: 'Play', mode: 'both', keys: ['BracketLeft'], run: () => changeRate(-1) },
+    { id: 'play.faster', title: 'Faster', group: 'Play', mode: 'both', keys: ['BracketRight'], run: () => changeRate(1) },
+    {
+      id: 'play.sound',
+      title: 'Sound on or off',
+      group: 'Play',
+      mode: 'both',
+      keys: ['u'],
+      run: () => {
+        const sound = !settings.getState().sound;
+        settings.setState({ sound });
+        notices.show('info', sound ? 'Sound is on.' : 'Sound is off.', { topic: 'sound' });
+      },
+    },
+  ];
+}

@@ -1,0 +1,32 @@
+import type { BodyKind, Outcome, Touched } from '../../engine/index.ts';
+
+/** How a run ended. */
+export interface RunEnd {
+  readonly outcome: Outcome;
+  readonly with: Touched | null;
+  /** s from the start */
+  readonly time: number;
+  /** the tick of 1/60 s in which it ended */
+  readonly tick: number;
+}
+
+const KIND: Record<BodyKind, string> = { blackHole: 'the black hole', nova: 'nova', asteroid: 'hot asteroid', alien: 'alien' };
+
+/** `nova 3`, counted from 1 as people do; `the black hole`. */
+export const touchedInWords = ({ kind, index }: Touched): string =>
+  kind === 'blackHole' ? KIND[kind] : `${KIND[kind]} ${index + 1}`;
+
+/** How a run ended, for a person: `collides with nova 3 at 3.22 s`. @param range of the level, px */
+export function outcomeInWords({ outcome, with: touched, time }: RunEnd, range: number): string {
+  const when = `at ${time.toFixed(2)} s`;
+  switch (outcome) {
+    case 'completed':
+      return `reaches the black hole ${when}`;
+    case 'collided':
+      return `collides with ${touched === null ? 'something' : touchedInWords(touched)} ${when}`;
+    case 'lost':
+      return `is lost ${when}, farther than ${range} px from every asteroid`;
+    case 'timeout':
+      return `goes on without an end for ${time} s`;
+  }
+}

@@ -1,0 +1,70 @@
+import * as z from 'zod';
+import { createStore, type StoreApi } from 'zustand/vanilla';
+
+const settingsSchema = z.object({
+  theme: z.enum(['system', 'dark', 'light']),
+  /** px between the lines of the grid */
+  grid: z.number().min(1).max(256),
+  snapToGrid: z.boolean(),
+  snapToObjects: z.boolean(),
+  sound: z.boolean(),
+  /** 0 to 1 */
+  volume: z.number().min(0).max(1),
+  /** `KeyboardEvent.code` of the key that is the gun in a playtest */
+  gunKey: z.string(),
+  reduceMotion: z.enum(['system', 'yes', 'no']),
+  accuracy: z.enum(['arcade', 'fast', 'standard', 'precise']),
+  tourSeen: z.boolean(),
+});
+
+/** What a person prefers; kept in this browser, the same for all levels. */
+export type Settings = z.infer<typeof settingsSchema>;
+export type SettingsStore = StoreApi<Settings>;
+
+const DEFAULTS: Settings = {
+  theme: 'system',
+  grid: 8,
+  snapToGrid: true,
+  snapToObjects: true,
+  sound: true,
+  volume: 0.5,
+  gunKey: 'KeyX',
+  reduceMotion: 'system',
+  accuracy: 'precise',
+  tourSeen: false,
+};
+
+const KEY = 'gravity-quest-editor-settings';
+
+/** Reads what was kept, one setting at a time: one that can't be read falls back to its default and costs no other. */
+function restored(text: string | null): Settings {
+  let kept: unknown = null;
+  try {
+    kept = JSON.parse(text ?? 'null');
+  } catch {
+    // nothing usable was kept
+  }
+  if (typeof kept !== 'object' || kept === null) return DEFAULTS;
+  const settings: Record<string, unknown> = { ...DEFAULTS };
+  for (const [name, field] of Object.entries(settingsSchema.shape)) {
+    const value = field.safeParse((kept as Record<string, unknown>)[name]);
+    if (value.success) settings[name] = value.data;
+  }
+  return settings as Settings;
+}
+
+/**
+ * The settings, kept in `storage` from now on.
+ * @param storage the page's localStorage, or null where the browser refuses one
+ */
+export function createSettings(storage: Pick<Storage, 'getItem' | 'setItem'> | null): SettingsStore {
+  const store = createStore<Settings>(() => restored(storage?.getItem(KEY) ?? null));
+  store.subscribe((settings) => {
+    try {
+      storage?.setItem(KEY, JSON.stringify(settings));
+    } catch {
+      // a full or forbidden storage: the settings hold until the page is closed
+    }
+  });
+  return store;
+}

@@ -1,0 +1,54 @@
+import { importOriginal, LEVEL_ID_PART, type LevelFile, type Problem } from '../../schema/index.ts';
+import { readText } from '../files/index.ts';
+
+/** Levels read from a file that somebody chose or dropped. */
+export type Importing =
+  | {
+      readonly ok: true;
+      readonly kind: 'level' | 'original';
+      /** `slug`: what the file can be called */
+      readonly levels: readonly { readonly slug: string; readonly file: LevelFile }[];
+      /** What was passed over, for people. */
+      readonly notes: readonly string[];
+    }
+  | { readonly ok: false; readonly problems: readonly Problem[] };
+
+/** `07 Sling Shot!.level.json` becomes `07-sling-shot`. */
+export function slugOf(fileName: string): string {
+  const stem = fileName.replace(/(\.level)?\.json$/i, '');
+  const slug = stem
+    .normalize('NFKD')
+    .toLowerCase()
+    .replace(/[^a-z0-9]+/g, '-')
+    .replace(/^-+|-+$/g, '')
+    .slice(0, 60)
+    .replace(/-+$/, '');
+  if (slug === '') return 'level';
+  // some names are devices to some systems
+  return LEVEL_ID_PART.test(slug) ? slug : `level-${slug}`;
+}
+
+/** Whether a JSON text is of the original game: a list of levels, or a level with a player. */
+function isOriginal(text: string): boolean {
+  try {
+    const value: unknown = JSON.parse(text);
+    return Array.isArray(value) || (typeof value === 'object' && value !== null && Object.hasOwn(value, 'player'));
+  } catch {
+    return false;
+  }
+}
+
+/**
+ * Reads a level file, or levels of the original game, whichever the text is.
+ * @param recoil whether levels of the original get recoil, as the original has it
+ */
+export function importText(text: string, fileName: string, { recoil = true }: { readonly recoil?: boolean } = {}): Importing {
+  if (!isOriginal(text)) {
+    const reading = readText(text);
+    if (!reading.ok) return { ok: false, problems: reading.problems };
+    return { ok: true, kind: 'level', levels: [{ slug: slugOf(fileName), file: reading.file }], notes: [] };
+  }
+  const reading = importOriginal(text, { recoil });
+  if (!reading.ok) return { ok: false, problems: reading.problems };
+  return { ok: true, kind: 'original', levels: reading.levels, notes: reading.notes };
+}

@@ -1,0 +1,63 @@
+import { memo } from 'react';
+import type { RunEvent } from '../../engine/index.ts';
+import { type Scale, toX } from './scale.ts';
+
+interface EventMarksProps {
+  readonly events: readonly RunEvent[];
+  readonly scale: Scale;
+  readonly width: number;
+}
+
+/** Short words for the lane, longer ones for the tooltip; null: the lane itself shows it. */
+function wordsOf(event: RunEvent): readonly [short: string, long: string] | null {
+  switch (event.type) {
+    case 'press':
+    case 'release':
+      return null;
+    case 'target':
+      return [`A${event.index + 1}`, `the gun takes asteroid ${event.index + 1}`];
+    case 'mineral':
+      return [`◆${event.index + 1}`, `mineral ${event.index + 1} is taken`];
+    case 'enter':
+      return [`R${event.index + 1}`, `enters repulsor ${event.index + 1}`];
+    case 'leave':
+      return [`/R${event.index + 1}`, `leaves repulsor ${event.index + 1}`];
+    case 'wake':
+      return [`E${event.index + 1}!`, `alien ${event.index + 1} wakes`];
+    case 'sleep':
+      return [`E${event.index + 1}z`, `alien ${event.index + 1} falls asleep`];
+    case 'explosion':
+      return ['✺', `aliens ${event.aliens[0] + 1} and ${event.aliens[1] + 1} explode`];
+    case 'completed':
+      return ['●', 'reaches the black hole'];
+    case 'collided':
+      return ['✕', 'collides'];
+    case 'lost':
+      return ['✕', 'is lost'];
+  }
+}
+
+/** px that a mark needs, so that two don't lie on each other */
+const ROOM = 22;
+
+/** What happens in the run, as short marks with their words as tooltips. */
+export const EventMarks = memo(function EventMarks({ events, scale, width }: EventMarksProps) {
+  let free = Number.NEGATIVE_INFINITY;
+  const marks = events.flatMap((event) => {
+    const words = wordsOf(event);
+    const x = toX(scale, event.time * 60);
+    if (words === null || x < 0 || x > width || x < free) return [];
+    free = x + ROOM;
+    return [{ key: `${event.type} ${event.time}`, x, short: words[0], long: `${event.time.toFixed(2)} s: ${words[1]}` }];
+  });
+  return (
+    <ol className="marks" aria-label="Events of the run">
+      {marks.map(({ key, x, short, long }) => (
+        <li key={key} className="marks__mark" style={{ left: x }} title={long}>
+          <span aria-hidden>{short}</span>
+          <span className="unseen">{long}</span>
+        </li>
+      ))}
+    </ol>
+  );
+});

@@ -1,0 +1,75 @@
+import { ChevronFirst, ChevronLast, Pause, Play, StepBack, StepForward } from 'lucide-react';
+import { memo } from 'react';
+import { useStore } from 'zustand';
+import { useDocument, useEditor, useLevel, useProof, useSession } from '../app/context.ts';
+import { outcomeInWords } from '../proof/index.ts';
+import { RATES } from '../session/index.ts';
+import { Button } from '../ui/index.ts';
+
+const RATE_NAMES: Readonly<Record<number, string>> = { 0.25: '¼×', 0.5: '½×', 1: '1×', 2: '2×' };
+
+/** The shown moment in words: for itself, since it is new in every frame of a scrub. */
+function Moment({ end }: { readonly end: number }) {
+  const tick = useSession((state) => Math.round(state.tick));
+  return (
+    <span className="numbers">
+      tick {tick} of {end} · {(tick / 60).toFixed(2)} s
+    </span>
+  );
+}
+
+/** Which run is shown, and where in it: step, roll, scrub. */
+export const Transport = memo(function Transport({ end }: { readonly end: number }) {
+  const { session, commands } = useEditor();
+  const { proof } = useLevel();
+  const runs = useDocument(({ file }) => file.runs);
+  const shown = useProof((now) => now.run.name);
+  const ends = useProof((now) => outcomeInWords(now.run, now.level.range));
+  const good = useProof((now) => now.run.outcome === 'completed');
+  const rolling = useSession((state) => state.rolling);
+  const rate = useSession((state) => state.rate);
+  const open = useStore(proof.store, (now) => now.run.holds.length);
+  return (
+    <div className="transport">
+      <select
+        className="field"
+        aria-label="Run"
+        value={shown ?? ''}
+        onChange={(event) => session.setState({ run: event.target.value === '' ? null : event.target.value })}
+      >
+        {shown === null && <option value="">no run: she drifts</option>}
+        {(runs ?? []).map(({ name }) => (
+          <option key={name} value={name}>
+            {name}
+          </option>
+        ))}
+      </select>
+      <Button hint="To the start" shortcut="Home" icon={<ChevronFirst size={16} />} onClick={() => commands.run('run.first')} />
+      <Button hint="A tick back" shortcut="," icon={<StepBack size={16} />} onClick={() => commands.run('run.back')} />
+      <Button
+        hint={rolling ? 'Pause' : 'Show the run in time'}
+        shortcut="K"
+        icon={rolling ? <Pause size={16} /> : <Play size={16} />}
+        onClick={() => commands.run('run.roll')}
+      />
+      <Button hint="A tick on" shortcut="." icon={<StepForward size={16} />} onClick={() => commands.run('run.on')} />
+      <Button hint="To the end" shortcut="End" icon={<ChevronLast size={16} />} onClick={() => commands.run('run.last')} />
+      <div className="transport__rates" role="toolbar" aria-label="Speed">
+        {RATES.map((one) => (
+          <Button
+            key={one}
+            hint={`${RATE_NAMES[one]} speed`}
+            pressed={rate === one}
+            onClick={() => session.setState({ rate: one })}
+          >
+            {RATE_NAMES[one]}
+          </Button>
+        ))}
+      </div>
+      <Moment end={end} />
+      <span className={good ? 'transport__end transport__end--good' : 'transport__end'}>
+        {open} {open === 1 ? 'hold' : 'holds'}, {ends}
+      </span>
+    </div>
+  );
+});

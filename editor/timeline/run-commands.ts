@@ -1,0 +1,87 @@
+import type { Editor, OpenLevel } from '../app/editor.ts';
+import type { Command } from '../commands/index.ts';
+import { addHold, addRun, deleteHolds, freeRunName, splitHold } from '../document/index.ts';
+
+/** Holding the gun for so many ticks is what a new hold begins with. */
+const NEW_HOLD = 30;
+
+/** What can be done in the timeline without the pointer. @param end the last tick of the shown run */
+export function runCommands(
+  { session }: Editor,
+  { document, proof, selection }: OpenLevel,
+  end: () => number,
+): readonly Command[] {
+  const shown = () => proof.proof().run.name;
+  const goTo = (tick: number) => session.setState({ tick: Math.min(end(), Math.max(0, Math.round(tick))), rolling: false });
+  const step = (by: number) => goTo(session.getState().tick + by);
+  const newRun = () => {
+    const name = freeRunName(document.file(), 'solution');
+    document.change('New run', addRun(name, []));
+    session.setState({ run: name });
+    return name;
+  };
+  const remove = (ripple: boolean) => {
+    const { run, holds } = selection.store.getState();
+    if (run !== null) document.change('Delete holds', deleteHolds(run, holds, { ripple }));
+  };
+  const holdsSelected = () => selection.store.getState().holds.length > 0;
+  return [
+    {
+      id: 'run.roll',
+      title: 'Show the run in time',
+      group: 'Run',
+      keys: ['k'],
+      run: () => {
+        const { rolling, tick } = session.getState();
+        session.setState({ rolling: !rolling, tick: !rolling && tick >= end() ? 0 : tick, hoverTick: null });
+      },
+    },
+    { id: 'run.back', title: 'A tick back', group: 'Run', keys: ['Comma'], run: () => step(-1) },
+    { id: 'run.on', title: 'A tick on', group: 'Run', keys: ['Period'], run: () => step(1) },
+    { id: 'run.back-far', title: 'A second back', group: 'Run', keys: ['Shift+Comma'], run: () => step(-60) },
+    { id: 'run.on-far', title: 'A second on', group: 'Run', keys: ['Shift+Period'], run: () => step(60) },
+    { id: 'run.first', title: 'To the start of the run', group: 'Run', keys: ['Home'], run: () => goTo(0) },
+    { id: 'run.last', title: 'To the end of the run', group: 'Run', keys: ['End'], run: () => goTo(end()) },
+    { id: 'run.new', title: 'New run', group: 'Run', run: newRun },
+    {
+      id: 'run.add-hold',
+      title: 'Hold the gun from the scrubbed tick',
+      group: 'Run',
+      keys: ['i'],
+      run: () => {
+        const tick = Math.round(session.getState().tick);
+        const name = shown() ?? newRun();
+        document.change('Add hold', addHold(name, tick, tick + NEW_HOLD));
+      },
+    },
+    {
+      id: 'run.split-hold',
+      title: 'Let go at the scrubbed tick',
+      group: 'Run',
+      keys: ['s'],
+      enabled: () => shown() !== null,
+      run: () => {
+        const { name, holds } = proof.proof().run;
+        const tick = Math.round(session.getState().tick);
+        const index = holds.findIndex(([press, release]) => press < tick && tick < release);
+        if (name !== null && index >= 0) document.change('Split hold', splitHold(name, index, tick));
+      },
+    },
+    {
+      id: 'run.delete-holds',
+      title: 'Delete the selected holds',
+      group: 'Run',
+      keys: ['Delete', 'Backspace'],
+      enabled: holdsSelected,
+      run: () => remove(false),
+    },
+    {
+      id: 'run.delete-holds-ripple',
+      title: 'Delete the selected holds and close the gap',
+      group: 'Run',
+      keys: ['Shift+Delete', 'Alt+Delete'],
+      enabled: holdsSelected,
+      run: () => remove(true),
+    },
+  ];
+}

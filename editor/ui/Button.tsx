@@ -1,0 +1,26 @@
+import type { ButtonHTMLAttributes, ReactNode } from 'react';
+import { Hint } from './Hint.tsx';
+
+interface ButtonProps extends Omit<ButtonHTMLAttributes<HTMLButtonElement>, 'title'> {
+  /** What it does, for the tooltip and, without a text, for who can't see it. */
+  readonly hint: string;
+  /** Its key, as people write it. */
+  readonly shortcut?: string;
+  readonly icon?: ReactNode;
+  readonly look?: 'plain' | 'outlined' | 'main' | 'danger';
+  readonly pressed?: boolean;
+}
+
+/** A button with a tooltip; with an icon alone it is named by its hint. */
+export function Button({ hint, shortcut, icon, look = 'plain', pressed, children, className = '', ...rest }: ButtonProps) {
+  const bare = children === undefined || children === null;
+  const classes = `button button--${look}${bare ? ' button--bare' : ''} ${className}`.trim();
+  return (
+    <Hint text={hint} shortcut={shortcut}>
+      <button type="button" className={classes} aria-label={bare ? hint : undefined} aria-pressed={pressed} {...rest}>
+        {icon}
+        {children}
+      </button>
+    </Hint>
+  );
+}

@@ -1,0 +1,4 @@
+export { Button } from './Button.tsx';
+export { Dialog } from './Dialog.tsx';
+export { Hint } from './Hint.tsx';
+export { NumberField } from './NumberField.tsx';

@@ -1,0 +1,12 @@
+export { spawnPageWorker } from './page-worker.ts';
+export {
+  FAN_TICKS,
+  type Fan,
+  type FanWay,
+  type JobKind,
+  type Requests,
+  type Results,
+  type Setting,
+  type Solving,
+} from './protocol.ts';
+export { createWorkers, type Job, type JobEnd, type WorkerPort, type Workers } from './workers.ts';

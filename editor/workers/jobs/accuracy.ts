@@ -1,0 +1,20 @@
+import { DEFAULT_MAX_TIME } from '../../../engine/index.ts';
+import { measureWorkPrecision } from '../../../engine/work-precision/index.ts';
+import type { Start } from '../work.ts';
+
+/** How long the timing may take, ms. */
+const BUDGET = 1500;
+
+/** Measures what accuracy costs for one level and run. */
+export const accuracy: Start<'accuracy'> = function* ({ level, holds }, now) {
+  yield null;
+  const measured = measureWorkPrecision(level, holds, { maxTime: DEFAULT_MAX_TIME, now, budget: BUDGET });
+  const settings = measured.methods.map(({ accuracy: { name }, error, cost, outcome, sameVerdict }) => ({
+    name,
+    error,
+    cost: cost.minimum,
+    outcome,
+    sameVerdict,
+  }));
+  return { settings };
+};

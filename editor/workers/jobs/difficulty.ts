@@ -1,0 +1,16 @@
+import { compile } from '../../../engine/index.ts';
+import { createSolver, measureDifficulty } from '../../../solver/index.ts';
+import type { Start } from '../work.ts';
+import { search } from './solve.ts';
+
+/** Ticks for what is looked for on the side, a run with all minerals and one without each asteroid: what somebody waits for. */
+const EFFORT = 400_000;
+const ASTEROID_EFFORT = 100_000;
+
+/** Measures how hard a level is; looks for a run first where none is given. */
+export const difficulty: Start<'difficulty'> = function* ({ level, accuracy, holds, goal, budget }, now) {
+  const scene = compile(level, accuracy);
+  const run = holds ?? (yield* search(createSolver(scene, { goal }), budget, now)).solutions[0]?.holds ?? null;
+  if (run === null) return null;
+  return measureDifficulty(scene, run, { goal, effort: EFFORT, asteroidEffort: ASTEROID_EFFORT });
+};

@@ -1,0 +1,69 @@
+import {
+  compile,
+  createSimulation,
+  DEFAULT_MAX_TIME,
+  joinHolds,
+  type Simulation,
+  STATE_SIZE,
+  TICK_RATE,
+} from '../../../engine/index.ts';
+import type { Hold } from '../../../schema/index.ts';
+import { type EdgeSlack, slackByEdge } from '../../../solver/index.ts';
+import { FAN_TICKS, type FanWay } from '../protocol.ts';
+import type { Start } from '../work.ts';
+
+const MAX_TICKS = DEFAULT_MAX_TIME * TICK_RATE;
+
+/** The holds with one edge moved by so many ticks. */
+function shifted(holds: readonly Hold[], edge: number, shift: number): Hold[] {
+  const moved = holds.map(([press, release], i): Hold => {
+    if (i !== edge >> 1) return [press, release];
+    return edge % 2 === 0 ? [Math.max(0, press + shift), release] : [press, release + shift];
+  });
+  return joinHolds(moved);
+}
+
+/** Plays a script and keeps where she is from a tick on. */
+function wayFrom(simulation: Simulation, holds: readonly Hold[], from: number): Float32Array {
+  const state = new Float64Array(STATE_SIZE);
+  const points: number[] = [];
+  simulation.reset();
+  let next = 0;
+  while (simulation.ending === null && simulation.tick < MAX_TICKS) {
+    const { tick } = simulation;
+    while (next < holds.length && holds[next][1] <= tick) next++;
+    const isHeld = next < holds.length && holds[next][0] <= tick;
+    if (tick >= from && (tick - from) % FAN_TICKS === 0) {
+      simulation.readState(state);
+      points.push(state[0], state[1]);
+    }
+    simulation.advance(1, isHeld);
+  }
+  simulation.readState(state);
+  points.push(state[0], state[1]);
+  return Float32Array.from(points);
+}
+
+/** Where she goes when one edge slips by its slack, for every edge, earlier and later. */
+export const fan: Start<'fan'> = function* ({ level, accuracy, holds, goal }) {
+  const scene = compile(level, accuracy);
+  const joined = joinHolds(holds);
+  const slack: EdgeSlack[] = [];
+  for (const edge of slackByEdge(scene, joined, goal)) {
+    slack.push(edge);
+    yield null;
+  }
+  yield { slack };
+  const simulation = createSimulation(scene);
+  const edges = joined.flat();
+  const ways: FanWay[] = [];
+  for (const [edge, { earlier, later }] of slack.entries()) {
+    for (const shift of [-earlier, later]) {
+      if (shift === 0) continue;
+      const from = Math.max(0, Math.min(edges[edge], edges[edge] + shift));
+      ways.push({ edge, shift, points: wayFrom(simulation, shifted(joined, edge, shift), from) });
+      yield null;
+    }
+  }
+  return { slack, ways };
+};

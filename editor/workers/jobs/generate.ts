@@ -1,0 +1,17 @@
+import { createGenerator } from '../../../solver/index.ts';
+import { createPacer, type Start } from '../work.ts';
+
+/** Makes a level from a seed; goes on until there is one. */
+export const generate: Start<'generate'> = function* ({ options }, now) {
+  const generator = createGenerator(options);
+  const pace = createPacer(now);
+  let told = 0;
+  while (generator.result === null) {
+    pace((ticks) => generator.advance(ticks));
+    const { attempts } = generator.effort;
+    yield attempts === told ? null : { attempts };
+    told = attempts;
+  }
+  const { level, grade } = generator.result;
+  return { file: level, grade: grade.value };
+};

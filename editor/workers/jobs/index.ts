@@ -1,0 +1,22 @@
+import type { JobKind } from '../protocol.ts';
+import type { Start } from '../work.ts';
+import { accuracy } from './accuracy.ts';
+import { difficulty } from './difficulty.ts';
+import { fan } from './fan.ts';
+import { generate } from './generate.ts';
+import { proofs } from './proofs.ts';
+import { robustness } from './robustness.ts';
+import { solve } from './solve.ts';
+import { thumbnail } from './thumbnail.ts';
+
+/** Everything a worker can do. */
+export const JOBS: { readonly [K in JobKind]: Start<K> } = {
+  solve,
+  robustness,
+  fan,
+  difficulty,
+  proofs,
+  accuracy,
+  thumbnail,
+  generate,
+};

@@ -1,0 +1,35 @@
+import { compile } from '../../../engine/index.ts';
+import { createSolver, type SolveOptions, type Solver } from '../../../solver/index.ts';
+import type { Solving } from '../protocol.ts';
+import { createPacer, type Start } from '../work.ts';
+
+/** ms between two words from a search that has found nothing new. */
+const TELL = 250;
+
+const toSolving = ({ effort, closest, solutions, explored, finished }: Solver): Solving => ({
+  effort: { ...effort },
+  closest,
+  solutions: [...solutions],
+  explored,
+  finished,
+});
+
+/** Solves for so long, telling every better run at once. */
+export function* search(solver: Solver, budget: number | null, now: () => number): Generator<Solving | null, Solving, void> {
+  const start = now();
+  const pace = createPacer(now);
+  let told = start - TELL;
+  let best = solver.best;
+  while (!solver.finished && (budget === null || now() - start < budget)) {
+    pace((ticks) => solver.advance(ticks));
+    const isNews = solver.best !== best || now() - told >= TELL;
+    if (isNews) told = now();
+    best = solver.best;
+    yield isNews ? toSolving(solver) : null;
+  }
+  return toSolving(solver);
+}
+
+/** Looks for runs. */
+export const solve: Start<'solve'> = ({ level, accuracy, budget, ...options }, now) =>
+  search(createSolver(compile(level, accuracy), options satisfies SolveOptions), budget, now);

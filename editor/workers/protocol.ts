@@ -1,0 +1,132 @@
+import type { AccuracyName, Outcome } from '../../engine/index.ts';
+import type { Hold, Level, LevelFile } from '../../schema/index.ts';
+import type {
+  Closest,
+  Difficulty,
+  EdgeSlack,
+  Effort,
+  Explored,
+  GeneratorOptions,
+  Goal,
+  Objective,
+  Proof,
+  Robustness,
+  Solution,
+  Success,
+} from '../../solver/index.ts';
+
+/** A level as a job is to play it. */
+export interface Played {
+  readonly level: Level;
+  readonly accuracy: AccuracyName;
+}
+
+/** What can be asked of a worker, by kind. */
+export interface Requests {
+  /** Looks for runs for so long, ms; null: until it is cancelled or nothing can get better. */
+  solve: Played & {
+    readonly goal: Goal;
+    readonly objective: Objective;
+    readonly count: number;
+    /** Runs to start from; those that don't do what is asked are passed over. */
+    readonly known: readonly (readonly Hold[])[];
+    readonly seed: number;
+    readonly lane: number;
+    readonly budget: number | null;
+  };
+  /** How much a run forgives. */
+  robustness: Played & { readonly holds: readonly Hold[]; readonly goal: Goal };
+  /** Where she goes when one edge slips by as much as it may. */
+  fan: Played & { readonly holds: readonly Hold[]; readonly goal: Goal };
+  /** How hard the level is; by the best run that is found within the budget (ms) where none is given. */
+  difficulty: Played & { readonly holds: readonly Hold[] | null; readonly goal: Goal; readonly budget: number };
+  /** Whether the black hole or a mineral can be proved to be out of reach. */
+  proofs: Played;
+  /** What accuracy costs for this level and run. */
+  accuracy: { readonly level: Level; readonly holds: readonly Hold[] };
+  /** A small picture of a level file, and its verdict. */
+  thumbnail: { readonly text: string; readonly accuracy: AccuracyName; readonly width: number; readonly theme: 'dark' | 'light' };
+  /** A new level, completable. */
+  generate: { readonly options: GeneratorOptions };
+}
+
+export type JobKind = keyof Requests;
+
+export interface Solving {
+  readonly effort: Effort;
+  readonly closest: Closest | null;
+  /** Best first. */
+  readonly solutions: readonly Solution[];
+  readonly explored: Explored;
+  readonly finished: boolean;
+}
+
+/** Where she goes when an edge comes earlier or later by its slack. */
+export interface FanWay {
+  /** 2 i for the press of hold i, 2 i + 1 for its release */
+  readonly edge: number;
+  /** ticks, negative for earlier */
+  readonly shift: number;
+  /** x, y in px, every `FAN_TICKS` ticks from the first that differs */
+  readonly points: Float32Array;
+}
+
+export interface Fan {
+  readonly slack: readonly EdgeSlack[];
+  readonly ways: readonly FanWay[];
+}
+
+/** One setting in a work-precision diagram. */
+export interface Setting {
+  readonly name: string;
+  /** px */
+  readonly error: number;
+  /** microseconds per simulated second */
+  readonly cost: number;
+  readonly outcome: Outcome;
+  readonly sameVerdict: boolean;
+}
+
+/** What a job gives in the end. */
+export interface Results {
+  solve: Solving;
+  robustness: Robustness;
+  fan: Fan;
+  /** null: no run was found to measure */
+  difficulty: Difficulty | null;
+  /** Confirmed by the separate checker; null and empty: nothing was proved. */
+  proofs: { readonly impossible: Proof | null; readonly minerals: readonly { readonly index: number; readonly proof: Proof }[] };
+  accuracy: { readonly settings: readonly Setting[] };
+  thumbnail: {
+    readonly svg: string;
+    readonly verdict: 'completable' | 'broken' | 'unproven' | 'impossible' | 'invalid';
+    readonly minerals: number;
+  };
+  /** `difficulty` is the grade, 1 to 10. */
+  generate: { readonly file: LevelFile; readonly grade: number };
+}
+
+/** What a job tells on the way: what it has so far. */
+export interface Progresses {
+  solve: Solving;
+  robustness: { readonly slack: readonly EdgeSlack[]; readonly p40: Success };
+  fan: { readonly slack: readonly EdgeSlack[] };
+  difficulty: Solving;
+  proofs: Results['proofs'];
+  accuracy: never;
+  thumbnail: never;
+  generate: { readonly attempts: number };
+}
+
+export type ToWorker =
+  | { [K in JobKind]: { readonly type: 'start'; readonly job: number; readonly kind: K; readonly request: Requests[K] } }[JobKind]
+  | { readonly type: 'cancel'; readonly job: number };
+
+export type FromWorker =
+  | { readonly type: 'progress'; readonly job: number; readonly progress: unknown }
+  | { readonly type: 'done'; readonly job: number; readonly result: unknown }
+  | { readonly type: 'failed'; readonly job: number; readonly message: string }
+  | { readonly type: 'cancelled'; readonly job: number };
+
+/** Ticks between two points of a fan's way. */
+export const FAN_TICKS = 3;

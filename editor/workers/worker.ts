@@ -1,0 +1,17 @@
+import type { FromWorker, ToWorker } from './protocol.ts';
+import { createRunner } from './runner.ts';
+
+// a message to oneself is heard after those that came before it, and sooner than a timer
+const turn = new MessageChannel();
+const calls: (() => void)[] = [];
+turn.port1.onmessage = () => calls.shift()?.();
+
+const hear = createRunner({
+  post: (message: FromWorker) => postMessage(message),
+  later(call) {
+    calls.push(call);
+    turn.port2.postMessage(null);
+  },
+  now: () => performance.now(),
+});
+addEventListener('message', ({ data }: MessageEvent<ToWorker>) => hear(data));
