@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { type Diagram, type DiagramPoint, drawDiagram, drawTunnelling } from '../../cli/accuracy/index.ts';
+import { type Diagram, type DiagramPoint, drawDiagram, drawTunnelling } from '../../picture/accuracy/index.ts';
 
 /** Every tag closed in order, attributes quoted, text escaped: what any XML reader insists on. */
 function expectWellFormed(svg: string): void {

@@ -73,8 +73,8 @@ export function importProblems(path: string, text: string, dependencies: readonl
         problems.push(`${path}: ${target} is not the face of its folder (index.ts)`);
       }
     } else if (specifier.startsWith('node:')) {
-      if (room.pure) problems.push(`${path}: ${own} is pure and may not import ${specifier}`);
-    } else if (specifier === 'phaser' || specifier.startsWith('phaser/')) {
+      if (room.pure || room.bundled) problems.push(`${path}: ${own} is no place for Node and may not import ${specifier}`);
+    } else if (own !== 'editor' && (specifier === 'phaser' || specifier.startsWith('phaser/'))) {
       problems.push(`${path}: ${own} may not know Phaser`);
     } else {
       const name = packageName(specifier);
@@ -87,13 +87,14 @@ export function importProblems(path: string, text: string, dependencies: readonl
 
 /** Places in a pure file where something not bit-identical between engines, or impure, is used. */
 export function purityProblems(path: string, text: string): string[] {
+  const { drawing = false } = ROOMS[path.split('/')[0]];
   const problems: string[] = [];
   walk(parse(path, text), (node, parent, key) => {
     const where = `${path}:${text.slice(0, node.start).split('\n').length}`;
-    if (
+    const power =
       (node.type === 'BinaryExpression' && node.operator === '**') ||
-      (node.type === 'AssignmentExpression' && node.operator === '**=')
-    ) {
+      (node.type === 'AssignmentExpression' && node.operator === '**=');
+    if (power && !drawing) {
       problems.push(`${where}: ${node.operator} is not bit-identical between engines`);
     }
     if (node.type !== 'Identifier' || parent === null) return;
@@ -101,7 +102,7 @@ export function purityProblems(path: string, text: string): string[] {
       (key === 'property' && parent.type === 'MemberExpression' && parent.computed !== true) ||
       (key === 'key' && parent.computed !== true && parent.shorthand !== true);
     if (isProperty) return;
-    if (node.name === 'Math') {
+    if (node.name === 'Math' && !drawing) {
       const property = parent.type === 'MemberExpression' && parent.computed !== true ? (parent.property as Node) : null;
       if (property === null || !PORTABLE_MATH.has(property.name as string)) {
         problems.push(`${where}: Math.${property?.name ?? '?'} is not bit-identical between engines`);

@@ -3,15 +3,21 @@ export interface Room {
   readonly knows: readonly string[];
   /** null: whatever package.json lists as a dependency */
   readonly packages: readonly string[] | null;
+  /** Bundled when the package is built, so that development dependencies are dependencies here. */
+  readonly bundled?: boolean;
   /** Pure: no Node, no DOM, no clock, no randomness, and arithmetic that every JavaScript engine does alike. */
   readonly pure: boolean;
+  /** Pure, but for people's eyes: sine and cosine are allowed, no result depends on them. */
+  readonly drawing?: boolean;
 }
 
 export const ROOMS: Readonly<Record<string, Room>> = {
   schema: { knows: [], packages: ['zod'], pure: true },
   engine: { knows: ['schema'], packages: ['flatbush', 'kdbush'], pure: true },
   solver: { knows: ['schema', 'engine'], packages: ['flatbush', 'kdbush'], pure: true },
-  cli: { knows: ['schema', 'engine', 'solver'], packages: null, pure: false },
+  picture: { knows: ['schema', 'engine'], packages: [], pure: true, drawing: true },
+  cli: { knows: ['schema', 'engine', 'solver', 'picture'], packages: null, pure: false },
+  editor: { knows: ['schema', 'engine', 'solver', 'picture'], packages: null, pure: false, bundled: true },
 };
 
 /** ECMAScript fixes these to the last bit; the rest of Math differs between engines (or between calls). */

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { atMost, compare, figure, spread } from '../../bench/harness.ts';
+import { atLeast, atMost, compare, figure, spread } from '../../bench/harness.ts';
 
 describe('harness', () => {
   it('takes quartiles between ranks', () => {
@@ -34,6 +34,9 @@ describe('harness', () => {
     expect(atMost('a', 1.3, 1.3).met).toBe(true);
     expect(atMost('a', 1.31, 1.3).met).toBe(false);
     expect(atMost('a', Number.NaN, 1.3).met).toBe(false);
+    expect(atLeast('a', 0.7, 0.7).met).toBe(true);
+    expect(atLeast('a', 0.69, 0.7).met).toBe(false);
+    expect(atLeast('a', Number.NaN, 0.7).met).toBe(false);
   });
 
   it('prints four figures', () => {

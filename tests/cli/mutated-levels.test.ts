@@ -10,6 +10,8 @@ import { ACCURACIES } from '../../engine/index.ts';
 import { checkReportSchema } from '../../schema/index.ts';
 import { fallThrough, makeFiles } from './gq.ts';
 
+const SETTINGS = { maxTime: 60, inFull: true, proveMinerals: true, search: null, requireSlack: null } as const;
+
 const base = fallThrough({
   recoil: true,
   range: 250,
@@ -71,7 +73,7 @@ it.each([ACCURACIES.arcade, ACCURACIES.precise])(
     fc.assert(
       fc.property(fc.array(mutation, { minLength: 1, maxLength: 3 }), (mutations) => {
         writeFileSync(file, mutations.reduce(mutate, base));
-        const checked = checkLevel(file, { accuracy, maxTime: 60, inFull: true });
+        const checked = checkLevel(file, { ...SETTINGS, accuracy });
         expect(checked.verdict).not.toBe('crashed');
         seen.add(checked.verdict);
         // a number that is not finite is null in JSON, and refused by the schema
@@ -82,7 +84,7 @@ it.each([ACCURACIES.arcade, ACCURACIES.precise])(
       { numRuns: 600, seed: 20 },
     );
     // the mutations reach past the reader
-    expect([...seen].sort()).toEqual(['broken', 'completable', 'invalid']);
+    expect([...seen].sort()).toEqual(['broken', 'completable', 'impossible', 'invalid']);
   },
 );
 
@@ -90,7 +92,7 @@ it('any bytes at all end in a verdict', () => {
   fc.assert(
     fc.property(fc.uint8Array({ maxLength: 200 }), (bytes) => {
       writeFileSync(file, bytes);
-      expect(checkLevel(file, { accuracy: ACCURACIES.precise, maxTime: 60, inFull: true }).verdict).toBe('invalid');
+      expect(checkLevel(file, { ...SETTINGS, accuracy: ACCURACIES.precise }).verdict).toBe('invalid');
     }),
     { numRuns: 200 },
   );

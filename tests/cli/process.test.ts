@@ -24,7 +24,20 @@ const withoutTimes = (json: string): string => json.replace(/"ms":[\d.e-]+/g, '"
 
 it('says its version, and help for every command, on stdout', async () => {
   const { version } = JSON.parse(readFileSync(new URL('../../package.json', import.meta.url), 'utf8'));
-  const names = ['check', 'simulate', 'inspect', 'render', 'import', 'fmt', 'schema', 'explain'];
+  const names = [
+    'check',
+    'simulate',
+    'solve',
+    'difficulty',
+    'generate',
+    'inspect',
+    'render',
+    'import',
+    'fmt',
+    'schema',
+    'explain',
+    'edit',
+  ];
   const [short, long, root, ...helps] = await Promise.all([
     gq(['-V']),
     gq(['--version']),

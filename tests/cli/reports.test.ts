@@ -2,6 +2,7 @@ import { fileURLToPath } from 'node:url';
 import { describe, expect, it } from 'vitest';
 import { checkReportSchema, runReportSchema } from '../../schema/index.ts';
 import { gq } from './gq.ts';
+import { withoutTimes } from './levels.ts';
 
 const cwd = fileURLToPath(new URL('./fixtures', import.meta.url));
 
@@ -19,11 +20,15 @@ const CASES: readonly [name: string, args: string, code: number][] = [
   ['simulate-invalid', 'simulate levels/06-misspelt.level.json --format json', 1],
   ['inspect-pretty', 'inspect levels/05-out-of-reach.level.json --accuracy arcade', 0],
   ['inspect-json', 'inspect levels/02-past-a-nova.level.json --accuracy arcade --format json', 0],
+  ['solve-impossible', 'solve levels/05-out-of-reach.level.json --accuracy arcade', 1],
+  ['solve-impossible-json', 'solve levels/05-out-of-reach.level.json --accuracy arcade --format json', 1],
+  ['check-require-slack', 'check levels/02-past-a-nova.level.json --accuracy arcade --require-slack 20', 1],
+  ['difficulty-pretty', 'difficulty levels/02-past-a-nova.level.json --accuracy arcade', 0],
+  ['difficulty-table', 'difficulty levels/01-through.level.json levels/03-into-a-nova.level.json --accuracy arcade', 1],
+  ['explain-impossible', 'explain proved-impossible', 0],
   ['fmt-check', 'fmt --check levels', 1],
   ['explain', 'explain run-does-not-complete', 0],
 ];
-
-const withoutTimes = (text: string): string => text.replace(/"ms":[\d.e-]+/g, '"ms":0');
 
 describe.each(CASES)('%s', (name, args, code) => {
   it(`gq ${args}`, async () => {

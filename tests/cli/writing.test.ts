@@ -1,9 +1,11 @@
+import { spawnSync } from 'node:child_process';
 import { chmodSync, existsSync, readdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import process from 'node:process';
 import { fileURLToPath } from 'node:url';
 import { afterAll, describe, expect, it } from 'vitest';
 import { schemaReference } from '../../cli/schema-reference.ts';
-import { fallThrough, gq, makeFiles } from './gq.ts';
+import { fallThrough, gq, MAIN, makeFiles } from './gq.ts';
 
 const original = {
   player: { x: 0, y: 0 },
@@ -141,6 +143,19 @@ describe('render', () => {
     expect(bytes.subarray(1, 4).toString()).toBe('PNG');
     expect(bytes.readUInt32BE(16)).toBe(320);
   });
+});
+
+it.runIf(process.platform !== 'win32')('a disk that takes only a part of a file keeps the old one whole', () => {
+  const novae = Array.from({ length: 120 }, (_, i) => ({ x: 40 * i, y: 5000, radius: 16 }));
+  const compact = fallThrough({ novae });
+  writeFileSync(join(cwd, 'crowded.level.json'), compact);
+  // the kernel's own limit for the size of files, KiB: it takes what fits and refuses the rest, as a full disk does
+  const script = `trap '' XFSZ; ulimit -f 5; exec "$0" "$1" fmt crowded.level.json`;
+  const { status, stderr } = spawnSync('bash', ['-c', script, process.execPath, MAIN], { cwd, encoding: 'utf8' });
+  expect(stderr).toMatch(/crowded\.level\.json: can't be written: /);
+  expect(status).toBe(2);
+  expect(read('crowded.level.json')).toBe(compact);
+  expect(readdirSync(cwd).filter((name) => name.includes('tmp'))).toEqual([]);
 });
 
 it('schema prints the JSON Schema that is published', async () => {

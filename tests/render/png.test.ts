@@ -1,5 +1,6 @@
 import { expect, test } from 'vitest';
-import { renderPng, renderSvg } from '../../cli/render/index.ts';
+import { renderPng } from '../../cli/png.ts';
+import { renderSvg } from '../../picture/index.ts';
 import { FULL, level, play } from './scenes.ts';
 
 /** Width and height from a PNG's header. */

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { type RenderOptions, renderSvg } from '../../cli/render/index.ts';
+import { type RenderOptions, renderSvg } from '../../picture/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
 import { count, DROP, FULL, level, play } from './scenes.ts';
 

@@ -1,6 +1,7 @@
 import * as fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { renderPng, renderSvg } from '../../cli/render/index.ts';
+import { renderPng } from '../../cli/png.ts';
+import { renderSvg } from '../../picture/index.ts';
 import { DROP, level } from './scenes.ts';
 
 const HOSTILE = [

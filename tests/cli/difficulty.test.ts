@@ -1,0 +1,87 @@
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { afterAll, describe, expect, it } from 'vitest';
+import { difficultyReportSchema } from '../../schema/index.ts';
+import { fallThrough, gq, makeFiles } from './gq.ts';
+import { shipped, withoutRuns } from './levels.ts';
+
+const files = makeFiles({
+  'd/away.level.json': fallThrough({ blackHole: { x: 5000, y: 0 } }),
+  'd/invalid.level.json': '{ "version": 1 }',
+  'd/through.level.json': fallThrough(),
+  'd/unsolved.level.json': withoutRuns('02-first-swing'),
+  'named.level.json': fallThrough({
+    runs: [
+      { name: 'never', holds: [] },
+      { name: 'all', holds: [[0, 600]] },
+    ],
+  }),
+});
+const cwd = files.directory;
+afterAll(files.remove);
+
+const difficulty = async (args: string) => {
+  const { code, stdout, stderr } = await gq(['difficulty', ...args.split(' '), '--format', 'json'], { cwd });
+  return { code, stderr, stdout, levels: difficultyReportSchema.parse(JSON.parse(stdout)).levels };
+};
+
+describe('gq difficulty', () => {
+  it('measures each level it can, says why not of the others, and is the same for any number of threads', async () => {
+    const ended = await Promise.all(['1', '2'].map((jobs) => difficulty(`d --effort 3000000 --jobs ${jobs}`)));
+    expect(ended[1].stdout).toBe(ended[0].stdout);
+    const { code, levels } = ended[0];
+    expect(code).toBe(1);
+    const [away, invalid, through, unsolved] = levels;
+    expect(away).toMatchObject({ measured: null, why: expect.stringMatching(/^impossible, proved: /) });
+    expect(invalid).toMatchObject({ measured: null, why: 'not a valid level' });
+    expect(invalid.problems.map((problem) => problem.code)).toContain('missing-key');
+    expect(through.measured).toMatchObject({ run: { name: 'hold' }, presses: 1, robustness: { p30: 1 } });
+    expect(unsolved.measured?.run.name).toBeNull();
+  });
+
+  it('is a table of several levels, the easiest first', async () => {
+    const { code, stdout } = await gq(['difficulty', 'd', '--effort', '3000000'], { cwd });
+    expect(code).toBe(1);
+    const grades = [...stdout.matchAll(/^ +(\d+\.\d) {2}\w+ /gm)].map(([, grade]) => Number(grade));
+    expect(grades).toEqual(grades.toSorted((a, b) => a - b));
+    expect(grades).toHaveLength(2);
+    expect(stdout).toContain('d/away.level.json: not measured: impossible, proved');
+  });
+
+  it('says of one level what else it takes, and draws it', async () => {
+    const ended = await gq(['difficulty', shipped('02-first-swing'), '--svg', 'one.svg', '--effort', '300000'], { cwd });
+    expect(ended).toMatchObject({ code: 0, stderr: 'wrote one.svg\n' });
+    for (const line of [
+      /^First Swing: \w+, \d\.\d of 10\n/,
+      /\nwindow {6}/,
+      /\nno press {4}does not complete it\n/,
+      /\none press {3}/,
+      /\nasteroid 0 {2}/,
+    ])
+      expect(ended.stdout).toMatch(line);
+    const svg = readFileSync(join(cwd, 'one.svg'), 'utf8');
+    expect(svg).toMatch(/^<svg [^>]*><title>How hard First Swing is: /);
+  });
+
+  it('measures the run that is asked for, and only one that completes the level', async () => {
+    const named = await difficulty('named.level.json --run all');
+    expect([named.code, named.levels[0].measured?.run.name]).toEqual([0, 'all']);
+    const never = await difficulty('named.level.json --run never');
+    expect([never.code, never.levels[0].why]).toEqual([1, 'run "never" does not complete it']);
+    const missing = await difficulty('named.level.json --run nobody');
+    expect([missing.code, missing.levels[0].why]).toEqual([1, 'it has no run named "nobody"']);
+    // the first that completes it
+    expect((await difficulty('named.level.json')).levels[0].measured?.run.name).toBe('all');
+  });
+
+  it.each([
+    ['named.level.json --run all --search', '--run and --search exclude each other'],
+    ['named.level.json --svg picture.png', 'expected a name that ends in .svg'],
+    ['nowhere', 'matches no level file'],
+    ['named.level.json --effort 1.5', 'expected a number of ticks'],
+  ])('gq difficulty %s: exit code 2, and what was expected', async (args, message) => {
+    const { code, stdout, stderr } = await gq(['difficulty', ...args.split(' ')], { cwd });
+    expect({ code, stdout }).toEqual({ code: 2, stdout: '' });
+    expect(stderr).toContain(message);
+  });
+});

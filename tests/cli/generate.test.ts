@@ -1,0 +1,96 @@
+import { readdirSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { setTimeout } from 'node:timers/promises';
+import { afterAll, describe, expect, it } from 'vitest';
+import { generatedPath, keepLevel } from '../../cli/generate/keep-level.ts';
+import { formatLevel, generateReportSchema, type LevelFile } from '../../schema/index.ts';
+import type { Generated } from '../../solver/index.ts';
+import { fallThrough, gq, makeFiles } from './gq.ts';
+import { inDirectory } from './levels.ts';
+
+const { directory: cwd, remove } = makeFiles({ 'kept/none': '' });
+afterAll(remove);
+
+const generate = (args: string, options = {}) => gq(['generate', ...args.split(' ')], { cwd, ...options });
+
+describe('a level that was made', () => {
+  const level = JSON.parse(fallThrough({ name: 'Gentle Bend!' })) as LevelFile;
+  const made = { level } as Generated;
+  const directory = join(cwd, 'kept');
+
+  it('has a file named after it and its seed', () => {
+    expect(generatedPath('out', level.name, 7)).toBe(join('out', 'gentle-bend-7.level.json'));
+  });
+
+  it('is written once, and never over another file', () => {
+    const path = generatedPath(directory, level.name, 7);
+    expect(keepLevel(directory, path, made)).toBe('written');
+    expect(inDirectory(directory, 'gentle-bend-7.level.json')).toBe(formatLevel(level));
+    expect(keepLevel(directory, path, made)).toBe('unchanged');
+    writeFileSync(path, 'precious');
+    expect(keepLevel(directory, path, made)).toBe('in the way');
+    expect(inDirectory(directory, 'gentle-bend-7.level.json')).toBe('precious');
+    expect(readdirSync(directory).sort()).toEqual(['gentle-bend-7.level.json', 'none']);
+  });
+});
+
+describe('gq generate', () => {
+  const EASY = '--size small --difficulty 3 --ingredients none';
+
+  it('writes levels that gq check and gq fmt pass', async () => {
+    const ended = await generate(`--out made --seed 3 ${EASY} --effort 40000000 --format json`);
+    expect(ended).toMatchObject({ code: 0, stderr: '' });
+    const { levels } = generateReportSchema.parse(JSON.parse(ended.stdout));
+    expect(levels).toMatchObject([{ seed: 3, status: 'written' }]);
+    expect(readdirSync(join(cwd, 'made')).map((name) => `made/${name}`)).toEqual(levels.map(({ file }) => file));
+    const [check, fmt] = await Promise.all([
+      gq(['check', 'made', '--require-slack', '1'], { cwd }),
+      gq(['fmt', '--check', 'made'], { cwd }),
+    ]);
+    expect([check.code, fmt.code]).toEqual([0, 0]);
+    expect(check.stdout).not.toContain('warning');
+  });
+
+  it('comes to the same for any number of threads', async () => {
+    const ended = await Promise.all(
+      ['1', '2'].map((jobs) => generate(`--out same --count 3 ${EASY} --effort 700000 --format json --jobs ${jobs}`)),
+    );
+    expect(ended[1].stdout).toBe(ended[0].stdout);
+    expect(JSON.parse(ended[0].stdout).levels.map(({ seed }: { seed: number }) => seed)).toEqual([0, 1, 2]);
+  });
+
+  it('writes nothing and exits with 1 when nothing is good enough', async () => {
+    const { code, stdout } = await generate('--out empty --effort 1 --format json');
+    expect(code).toBe(1);
+    expect(JSON.parse(stdout).levels).toMatchObject([{ seed: 0, status: 'nothing', file: null }]);
+    expect(readdirSync(join(cwd, 'empty'))).toEqual([]);
+  });
+
+  it.runIf(process.platform === 'linux')('ends on a signal and reports what is done', async () => {
+    const ready = `let n = 0; process.on('newListener', (name) => name === 'SIGINT' && ++n === 2 && process._rawDebug('ready'));`;
+    const { code, stdout } = await generate('--out stopped --count 500 --difficulty hard --format json', {
+      env: { NODE_OPTIONS: `--import=data:text/javascript,${encodeURIComponent(ready)}` },
+      during: (child: import('node:child_process').ChildProcess) => {
+        child.stderr?.once('data', () => void setTimeout(500).then(() => child.kill('SIGINT')));
+      },
+    });
+    expect(code).toBe(130);
+    const report = generateReportSchema.parse(JSON.parse(stdout));
+    expect(report).toMatchObject({ interrupted: true, asked: 500 });
+    const files = report.levels.flatMap(({ file }) => file ?? []).map((file) => file.slice('stopped/'.length));
+    expect(readdirSync(join(cwd, 'stopped')).sort()).toEqual(files.sort());
+  });
+
+  it.each([
+    ['--count 1', "required option '--out <dir>' not specified"],
+    ['--out x --size huge', 'expected small, medium, large, or WIDTHxHEIGHT'],
+    ['--out x --size 100x100', 'with sides of 360 to 4000 px'],
+    ['--out x --difficulty 11', 'expected easy, medium, hard, or a grade from 1 to 10'],
+    ['--out x --ingredients hot,cold', 'found "cold"'],
+    ['--out kept/none/x', "the directory can't be made"],
+  ])('%s: exit code 2, and what was expected', async (args, message) => {
+    const { code, stdout, stderr } = await generate(args);
+    expect({ code, stdout }).toEqual({ code: 2, stdout: '' });
+    expect(stderr).toContain(message);
+  });
+});

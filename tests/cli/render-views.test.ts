@@ -1,0 +1,61 @@
+import { afterAll, describe, expect, it } from 'vitest';
+import { fallThrough, gq, makeFiles } from './gq.ts';
+import { narrowGap, shipped } from './levels.ts';
+
+const files = makeFiles({
+  'away.level.json': fallThrough({ blackHole: { x: 5000, y: 0 }, runs: undefined }),
+  'needle.level.json': narrowGap(),
+  'through.level.json': fallThrough(),
+});
+const cwd = files.directory;
+afterAll(files.remove);
+
+const render = (args: string) => gq(['render', ...args.split(' '), '-o', '-'], { cwd });
+const count = (svg: string, kind: string): number => svg.split(`data-kind="${kind}"`).length - 1;
+
+describe('gq render', () => {
+  it.each([
+    [`${shipped('16-firewalk')} --all-runs`, 'way', 2],
+    [`${shipped('16-firewalk')} --fan 3`, 'fan', 1],
+    [`${shipped('16-firewalk')} --fan 40`, 'fan-failed', 1],
+    ['needle.level.json --explored --effort 100000', 'explored', 1],
+    ['needle.level.json --closest --effort 100000', 'gap', 1],
+    ['needle.level.json --closest --explored --effort 100000', 'gap', 1],
+    ['through.level.json --explored --run hold --effort 50000', 'way', 1],
+    ['away.level.json --proof', 'proof', 1],
+    ['through.level.json --solve 1 --effort 100000', 'ways', 1],
+  ])('%s has %s', async (args, kind, expected) => {
+    const { code, stdout, stderr } = await render(args);
+    expect({ code, stderr, drawn: count(stdout, kind) }).toEqual({ code: 0, stderr: '', drawn: expected });
+    expect(stdout).not.toMatch(/NaN|undefined|Infinity/);
+  });
+
+  it('draws the same picture again', async () => {
+    const args = 'needle.level.json --closest --explored --effort 60000 --seed 3';
+    const [one, two] = await Promise.all([render(args), render(args)]);
+    expect(two.stdout).toBe(one.stdout);
+  });
+
+  it.each([
+    ['through.level.json --proof', 'there is no proof'],
+    ['needle.level.json --all-runs', 'the level has no run to draw'],
+    ['needle.level.json --solve 1 --effort 1000', 'no run was found'],
+  ])('%s: exit code 1, there is nothing to draw', async (args, message) => {
+    const { code, stdout, stderr } = await render(args);
+    expect({ code, stdout }).toEqual({ code: 1, stdout: '' });
+    expect(stderr).toContain(message);
+  });
+
+  it.each([
+    ['through.level.json --all-runs --proof', '--all-runs and --proof exclude each other'],
+    ['through.level.json --all-runs --run hold', '--run and --all-runs exclude each other'],
+    ['through.level.json --fan 2 --no-run', '--no-run and --fan exclude each other'],
+    ['through.level.json --fan 0', 'expected a number of ticks'],
+    ['through.level.json --explored --minerals 1', 'has only 0 minerals'],
+    ['needle.level.json --fan 2', 'the level has no run'],
+  ])('%s: exit code 2, and what was expected', async (args, message) => {
+    const { code, stdout, stderr } = await render(args);
+    expect({ code, stdout }).toEqual({ code: 2, stdout: '' });
+    expect(stderr).toContain(message);
+  });
+});

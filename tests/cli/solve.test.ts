@@ -1,0 +1,260 @@
+import { type ChildProcess, execFileSync } from 'node:child_process';
+import { existsSync, lstatSync, readFileSync, symlinkSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import process from 'node:process';
+import { setTimeout } from 'node:timers/promises';
+import { afterAll, describe, expect, it } from 'vitest';
+import { formatLevel, readLevel, solveReportSchema } from '../../schema/index.ts';
+import { type Proof, verifyProof } from '../../solver/index.ts';
+import { fallThrough, gq, MAIN, makeFiles } from './gq.ts';
+import { inDirectory, narrowGap, shipped, withoutRuns, withoutTimes } from './levels.ts';
+
+/** Runs a command in a terminal. */
+const SCRIPT = '/usr/bin/script';
+
+const NOTE = { 'x-note': 'kept', runs: [{ name: 'solution', holds: [[0, 5]] }] };
+const files = makeFiles({
+  'through.level.json': fallThrough(),
+  'needle.level.json': narrowGap(),
+  'first-swing.level.json': withoutRuns('02-first-swing'),
+  'away.level.json': fallThrough({ blackHole: { x: 5000, y: 0 } }),
+  'invalid.level.json': '{',
+  'taken.level.json': fallThrough(NOTE),
+});
+const cwd = files.directory;
+afterAll(files.remove);
+
+const solve = (args: string, options = {}) => gq(['solve', ...args.split(' ')], { cwd, ...options });
+const report = ({ stdout }: { stdout: string }) => solveReportSchema.parse(JSON.parse(stdout));
+
+describe('a run that is found', () => {
+  it.each([
+    [shipped('02-first-swing'), 'precise', 'any'],
+    [shipped('02-first-swing'), 'arcade', 'all'],
+    [shipped('07-nova-lane'), 'fast', '1'],
+    [shipped('11-blind-date'), 'precise', 'any'],
+  ])('in %s under %s with %s minerals is what gq simulate confirms, bit for bit', async (file, accuracy, minerals) => {
+    const ended = await gq([
+      'solve',
+      file,
+      '--accuracy',
+      accuracy,
+      '--minerals',
+      minerals,
+      '--objective',
+      'first',
+      '--effort',
+      '20000000',
+      '--format',
+      'json',
+    ]);
+    expect(ended).toMatchObject({ code: 0, stderr: '' });
+    const found = report(ended);
+    expect(found).toMatchObject({ found: true, accuracy, closest: null, impossible: null, interrupted: false });
+    const holds = found.holds?.map((hold) => hold.join('-')).join(',') || 'none';
+    const { stdout } = await gq(['simulate', file, '--accuracy', accuracy, '--holds', holds, '--format', 'json']);
+    const { outcome, time, tick, hash, minerals: collected } = JSON.parse(stdout);
+    expect(found).toMatchObject({ outcome, time, tick, hash, minerals: collected });
+    expect(outcome).toBe('completed');
+    const wanted = minerals === 'all' ? 3 : minerals === 'any' ? 0 : Number(minerals);
+    expect(new Set(collected.map((m: { index: number }) => m.index)).size).toBeGreaterThanOrEqual(wanted);
+    expect(found.robustness?.slack).toHaveLength(2 * (found.holds?.length ?? 0));
+  });
+
+  it("is the level's own where that gets there, and only any will do", async () => {
+    const file = shipped('15-three-swings');
+    const own = JSON.parse(readFileSync(file, 'utf8')).runs[0].holds;
+    const found = report(await gq(['solve', file, '--objective', 'first', '--effort', '40000', '--format', 'json']));
+    expect(found).toMatchObject({ found: true, holds: own });
+  });
+
+  it('is the same for any number of threads, with the same effort', async () => {
+    for (const args of ['--objective robust --effort 1000000 --count 2', '--objective first --effort 4000000 --seed 5']) {
+      const ended = await Promise.all(
+        ['1', '2', '3'].map((jobs) => solve(`first-swing.level.json ${args} --format json --jobs ${jobs}`)),
+      );
+      const [one, ...others] = ended.map(({ stdout }) => withoutTimes(stdout));
+      expect(others).toEqual([one, one]);
+      expect(JSON.parse(one).found).toBe(true);
+    }
+  });
+
+  it('comes with others when several are wanted, the best first and at the top', async () => {
+    const found = report(await solve('first-swing.level.json --objective time --effort 2000000 --count 3 --format json'));
+    const { solutions = [], interrupted: _, ...best } = found;
+    expect(solutions.length).toBeGreaterThan(1);
+    expect(solutions[0]).toEqual(best);
+    expect(new Set(solutions.map(({ holds }) => JSON.stringify(holds))).size).toBe(solutions.length);
+  });
+
+  it('is told to people with what it forgives', async () => {
+    const { code, stdout, stderr } = await solve('through.level.json --effort 100000');
+    expect({ code, stderr }).toEqual({ code: 0, stderr: '' });
+    for (const part of [
+      /^Straight through, precise\ncompleted at/,
+      /\nholds {6}/,
+      /\nsuccess {4}/,
+      /\ncertified {2}/,
+      /\nhash {7}[0-9a-f]{16}\n/,
+      /seed 0\n$/,
+    ])
+      expect(stdout).toMatch(part);
+  });
+});
+
+describe('no run', () => {
+  it('because it is proved that there is none: a certificate that the checker takes, exit code 1', async () => {
+    const ended = await solve('away.level.json --format json');
+    expect(ended.code).toBe(1);
+    const { found, holds, impossible, effort } = report(ended);
+    expect({ found, holds, ticks: effort.ticks }).toEqual({ found: false, holds: null, ticks: 0 });
+    const read = readLevel(fallThrough({ blackHole: { x: 5000, y: 0 } }));
+    const proof = { ...impossible, about: { kind: 'blackHole' }, covers: ['precise'], maxTime: null } as unknown as Proof;
+    expect(read.ok && verifyProof(read.level, proof)).toEqual({ ok: true });
+    const pretty = await solve('away.level.json');
+    expect(pretty.stdout).toContain('\nimpossible, proved: the black hole is');
+  });
+
+  it('because none was found: says how much was tried and the nearest, which is a real run; exit code 1', async () => {
+    const ended = await solve('needle.level.json --effort 200000 --format json');
+    expect(ended.code).toBe(1);
+    const { found, closest, impossible, effort, robustness } = report(ended);
+    expect({ found, impossible, robustness }).toEqual({ found: false, impossible: null, robustness: null });
+    expect(effort.ticks).toBeGreaterThanOrEqual(200_000);
+    expect(closest?.distance).toBeGreaterThan(0);
+    const pretty = await solve('needle.level.json --effort 200000');
+    expect(pretty).toMatchObject({ code: 1, stderr: '' });
+    expect(pretty.stdout).toMatch(
+      /no run found, which does not prove that there is none\n\neffort .*\nclosest +[\d.]+ px from the black hole/,
+    );
+  });
+
+  it('in a setting of one’s own is never called impossible', async () => {
+    const { impossible } = report(await solve('away.level.json --integrator rk4 --rate 90 --effort 1000 --format json'));
+    expect(impossible).toBeNull();
+  });
+});
+
+describe('--write', () => {
+  const write = (name: string, more = '') => solve(`${name} --objective first --effort 1000000 --write${more}`);
+
+  it('adds the run in the canonical layout and changes nothing else', async () => {
+    const before = JSON.parse(inDirectory(cwd, 'taken.level.json'));
+    const { code, stderr } = await write('taken.level.json');
+    expect({ code, stderr }).toEqual({ code: 0, stderr: 'wrote run "solution-2" into taken.level.json\n' });
+    const text = inDirectory(cwd, 'taken.level.json');
+    const after = JSON.parse(text);
+    expect(text).toBe(formatLevel(after));
+    expect({ ...after, runs: after.runs.slice(0, 1) }).toEqual(before);
+    expect(after.runs).toHaveLength(2);
+    const check = await gq(['check', 'taken.level.json'], { cwd });
+    expect(check.stdout).toMatch(/^completable/);
+  });
+
+  it('says so when the run is there already', async () => {
+    writeFileSync(join(cwd, 'twice.level.json'), fallThrough({ runs: undefined }));
+    const first = await write('twice.level.json', ' --run mine');
+    expect(first.stderr).toBe('wrote run "mine" into twice.level.json\n');
+    const text = inDirectory(cwd, 'twice.level.json');
+    const second = await write('twice.level.json');
+    expect(second).toMatchObject({ code: 0, stderr: 'twice.level.json has this run already: "mine"\n' });
+    expect(inDirectory(cwd, 'twice.level.json')).toBe(text);
+  });
+
+  it('writes through a link, which stays one', async () => {
+    writeFileSync(join(cwd, 'real.level.json'), fallThrough({ runs: undefined }));
+    symlinkSync('real.level.json', join(cwd, 'link.level.json'));
+    expect((await write('link.level.json')).code).toBe(0);
+    expect(lstatSync(join(cwd, 'link.level.json')).isSymbolicLink()).toBe(true);
+    expect(JSON.parse(inDirectory(cwd, 'real.level.json')).runs).toHaveLength(1);
+  });
+
+  it('writes nothing when nothing was found', async () => {
+    const text = inDirectory(cwd, 'needle.level.json');
+    const { code, stderr } = await solve('needle.level.json --effort 40000 --write');
+    expect({ code, stderr }).toEqual({ code: 1, stderr: 'nothing was written: no run was found\n' });
+    expect(inDirectory(cwd, 'needle.level.json')).toBe(text);
+  });
+});
+
+describe('bad input', () => {
+  it.each([
+    ['through.level.json --minerals 2', 'has only 0 minerals'],
+    ['through.level.json --minerals most', 'expected any, all or a whole number'],
+    ['through.level.json --run mine', 'give --write, too'],
+    ['taken.level.json --write --run solution', 'a run is named "solution" already'],
+    [`through.level.json --write --run ${'x'.repeat(81)}`, 'expected a name of 1 to 80 characters, found 81'],
+    ['through.level.json --budget 0', 'expected seconds above 0'],
+    ['through.level.json --effort 0', 'expected a number of ticks'],
+    ['through.level.json --count 0', 'expected a number of runs'],
+    ['through.level.json --seed -1', 'expected a seed'],
+    ['through.level.json --objective best', 'Allowed choices are robust, first, presses, time'],
+    ['missing.level.json', "can't be read"],
+  ])('gq solve %s: exit code 2, and what was expected', async (args, message) => {
+    const { code, stdout, stderr } = await solve(args);
+    expect({ code, stdout }).toEqual({ code: 2, stdout: '' });
+    expect(stderr).toContain(message);
+  });
+
+  it('an invalid level is exit code 1', async () => {
+    const { code, stdout, stderr } = await solve('invalid.level.json');
+    expect({ code, stdout }).toEqual({ code: 1, stdout: '' });
+    expect(stderr).toContain('truncated-json');
+  });
+});
+
+describe.runIf(process.platform === 'linux')('a signal', () => {
+  // says when the search listens for signals: the command line does so first, then the search
+  const ready = `let n = 0; process.on('newListener', (name) => name === 'SIGINT' && ++n === 2 && process._rawDebug('ready'));`;
+  const env = { NODE_OPTIONS: `--import=data:text/javascript,${encodeURIComponent(ready)}` };
+  const whenReady = (then: (child: ChildProcess) => void) => (child: ChildProcess) => {
+    child.stderr?.once('data', () => void setTimeout(1500).then(() => then(child)));
+  };
+
+  // no run of it forgives so much that the search ends by itself
+  const ENDLESS = withoutRuns('17-watchdog');
+
+  it('keeps the best: it is reported, and written where that was asked for; 130 and 143', async () => {
+    for (const [signal, code] of [
+      ['SIGINT', 130],
+      ['SIGTERM', 143],
+    ] as const) {
+      writeFileSync(join(cwd, 'stop.level.json'), ENDLESS);
+      const ended = await solve('stop.level.json --budget 600 --write --format json', {
+        env,
+        during: whenReady((child) => child.kill(signal)),
+      });
+      expect(ended.code).toBe(code);
+      const found = report(ended);
+      expect(found.interrupted).toBe(true);
+      const runs = JSON.parse(inDirectory(cwd, 'stop.level.json')).runs ?? [];
+      expect(runs).toEqual(found.found ? [{ name: 'solution', holds: found.holds }] : []);
+      expect(ended.stderr).toContain(found.found ? 'wrote run "solution"' : 'nothing was written');
+    }
+  });
+
+  it('does not write into a file that has changed meanwhile; what was found is reported', async () => {
+    writeFileSync(join(cwd, 'changed.level.json'), ENDLESS);
+    const other = fallThrough();
+    const ended = await solve('changed.level.json --budget 600 --write --format json', {
+      env,
+      during: whenReady((child) => {
+        writeFileSync(join(cwd, 'changed.level.json'), other);
+        child.kill('SIGINT');
+      }),
+    });
+    expect(inDirectory(cwd, 'changed.level.json')).toBe(other);
+    if (!report(ended).found) return;
+    expect(ended.code).toBe(2);
+    expect(ended.stderr).toContain('changed while the search went on, so nothing was written');
+  });
+
+  it.runIf(existsSync(SCRIPT))('progress is told on a terminal, and taken away again', () => {
+    const command = `'${process.execPath}' '${MAIN}' solve needle.level.json --budget 3`;
+    const terminal = execFileSync(SCRIPT, ['-qec', `${command} 2>&1 || true`, '/dev/null'], { cwd, encoding: 'utf8' });
+    const [, ...lines] = terminal.split('\r\u001b[2K');
+    expect(lines[0]).toMatch(/^solving, \d+ s, [\d.]+ million ticks: no run yet, closest [\d.]+ px; Ctrl-C ends$/);
+    expect(lines.at(-1)).not.toContain('solving');
+    expect(terminal).toContain('no run found');
+  });
+});

@@ -1,0 +1,42 @@
+import { expect, it } from 'vitest';
+import { HALF_WIDTH } from '../../engine/index.ts';
+import { command } from './commands.ts';
+import { straight } from './levels.ts';
+import { inChromium } from './stage.ts';
+import { until } from './until.ts';
+
+inChromium('layers over the level in Chromium', ({ on }) => {
+  it(
+    'are hidden and shown by their names, each alone, and nothing of it is in the file',
+    on(
+      { '01': straight() },
+      async ({ page, canvas, file, text, saved }) => {
+        await saved();
+        const before = text('01');
+        await canvas.fit(file('01'));
+        const look = (place: { x: number; y: number }) => {
+          const { x, y } = canvas.at(place);
+          return page.screenshot({ clip: { x: x - 6, y: y - 6, width: 12, height: 12 } });
+        };
+        /** Within the range of the gun, and away from all else. */
+        const inRange = { x: 448, y: 430 };
+        /** As near as her centre may come to the nova. */
+        const onMargin = { x: 448 + 32 + HALF_WIDTH, y: 520 };
+        for (const [layer, place, other] of [
+          ['range of the gun', inRange, null],
+          ['margins of hazards', onMargin, inRange],
+        ] as const) {
+          const shown = await look(place);
+          const rest = other === null ? null : await look(other);
+          await command(page, `Show or hide the ${layer}`);
+          await until(async () => expect(shown.equals(await look(place))).toBe(false));
+          if (other !== null) expect(rest?.equals(await look(other))).toBe(true);
+          await command(page, `Show or hide the ${layer}`);
+          await until(async () => expect(shown.equals(await look(place))).toBe(true));
+        }
+        expect(text('01')).toBe(before);
+      },
+      { context: { reducedMotion: 'reduce' } },
+    ),
+  );
+});

@@ -1,0 +1,322 @@
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import type { Locator, Page } from 'playwright-core';
+import { expect, it } from 'vitest';
+import { COLOURS } from '../../editor/canvas/colours.ts';
+import { gq } from '../cli/gq.ts';
+import { command, verdict } from './commands.ts';
+import { garden, straight } from './levels.ts';
+import { countColour } from './screen-colours.ts';
+import { inChromium } from './stage.ts';
+import { until } from './until.ts';
+
+const levels = (page: Page) => page.getByRole('tree', { name: 'Levels' });
+const level = (page: Page, name: string) => levels(page).getByRole('treeitem', { name, exact: true });
+/** Presses a key on a row of a list: the list has the focus, one of its rows is the active one. */
+async function press(list: Locator, row: Locator, key: string): Promise<void> {
+  await row.click();
+  await list.focus();
+  await list.page().keyboard.press(key);
+}
+const isOpen = (page: Page, name: string) => page.getByRole('heading', { level: 1, name, exact: true }).waitFor();
+const objects = (page: Page) => page.getByRole('tree', { name: 'Objects of the level' });
+const tab = (page: Page, name: string) => page.getByRole('tab', { name, exact: true }).click();
+const levelFiles = (folder: string) =>
+  readdirSync(folder)
+    .filter((name) => name.endsWith('.level.json'))
+    .sort();
+
+inChromium('panels in Chromium', ({ on }) => {
+  it(
+    'lists levels with pictures and verdicts; opens, copies between, renames, duplicates, orders, deletes and brings back',
+    on(
+      { '01': straight(), '02': garden() },
+      async ({ page, canvas, file, folder, saved }) => {
+        await isOpen(page, 'Straight');
+        await until(async () => expect(await levels(page).locator('img').count()).toBe(2));
+        await level(page, 'Straight')
+          .getByText('completable')
+          .or(level(page, 'Straight').getByRole('img', { name: 'completable' }))
+          .first()
+          .waitFor();
+
+        await canvas.fit(file('01'));
+        await canvas.click({ x: 448, y: 304 });
+        await page.keyboard.press('Control+c');
+        await level(page, 'Garden').click();
+        await isOpen(page, 'Garden');
+        await page.getByRole('application', { name: 'Level canvas' }).focus();
+        await page.keyboard.press('Control+v');
+        await until(() => expect(file('02').asteroids).toHaveLength(4));
+        await saved();
+
+        await press(levels(page), level(page, 'Garden'), 'F2');
+        const rename = page.getByRole('dialog', { name: 'Rename' });
+        await rename.getByLabel('Name of the level').fill('Park');
+        await rename.getByLabel('Name of the file').fill('03-park');
+        await page.keyboard.press('Enter');
+        await isOpen(page, 'Park');
+        await until(() => expect(levelFiles(folder)).toEqual(['01.level.json', '03-park.level.json']));
+        await until(() => expect(file('03-park').name).toBe('Park'));
+
+        await press(levels(page), level(page, 'Park'), 'Control+d');
+        await until(() => expect(levelFiles(folder)).toHaveLength(3));
+        await level(page, 'Straight').click();
+        await isOpen(page, 'Straight');
+        await press(levels(page), level(page, 'Straight'), 'Alt+ArrowDown');
+        await until(async () => {
+          const names = await levels(page)
+            .getByRole('treeitem')
+            .evaluateAll((rows) => rows.map((row) => row.getAttribute('aria-label')));
+          expect(names[0]).not.toBe('Straight');
+        });
+        await isOpen(page, 'Straight');
+
+        await press(levels(page), level(page, 'Straight'), 'Delete');
+        await until(() => expect(levelFiles(folder)).toHaveLength(2));
+        await page.getByRole('button', { name: 'Deleted levels' }).click();
+        await page.getByRole('dialog', { name: 'Deleted levels' }).getByRole('button', { name: 'Restore' }).first().click();
+        await isOpen(page, 'Straight');
+        expect(levelFiles(folder)).toHaveLength(3);
+      },
+      { complaints: /Failed to load resource/ },
+    ),
+  );
+
+  it(
+    'makes new levels from templates, the random one by its seed',
+    on({ '01': straight() }, async ({ page, folder }) => {
+      await isOpen(page, 'Straight');
+      await page.keyboard.press('Alt+n');
+      const dialog = page.getByRole('dialog', { name: 'New level' });
+      await dialog.getByText('Thrown by chance').click();
+      await dialog.getByRole('textbox', { name: 'Seed' }).fill('7');
+      await dialog.getByLabel('Name of the level').fill('Dice');
+      await dialog.getByLabel('Name of the file').fill('dice');
+      await dialog.getByRole('button', { name: 'Create' }).click();
+      await isOpen(page, 'Dice');
+      expect(levelFiles(folder)).toContain('dice.level.json');
+      const { code } = await gq(['fmt', '--check', join(folder, 'dice.level.json')]);
+      expect(code).toBe(0);
+      await page.keyboard.press('Alt+n');
+      await dialog.getByText('A first swing').click();
+      await dialog.getByRole('button', { name: 'Create' }).click();
+      await dialog.waitFor({ state: 'hidden' });
+      await until(() => expect(levelFiles(folder)).toHaveLength(3));
+    }),
+  );
+
+  it(
+    'the outline mirrors the canvas, the inspector types numbers, with limits and sums, and undo takes each back',
+    on({ '01': garden() }, async ({ page, file }) => {
+      await tab(page, 'Outline');
+      await objects(page)
+        .getByRole('treeitem', { name: /^Asteroid 2/ })
+        .click();
+      const x = page.getByRole('textbox', { name: 'x', exact: true });
+      await until(async () => expect(await x.inputValue()).toBe('560'));
+      await x.fill('600+16');
+      await page.keyboard.press('Enter');
+      await until(() => expect(file('01').asteroids?.[1]).toMatchObject({ x: 616, y: 160 }));
+      await objects(page)
+        .getByRole('treeitem', { name: /^Asteroid 2.* at 616, 160/ })
+        .waitFor();
+      const radius = page.getByRole('textbox', { name: 'radius' });
+      await radius.fill('wide');
+      await page.getByRole('alert').getByText('expected a number, found "wide"').waitFor();
+      await page.keyboard.press('Escape');
+      await radius.press('ArrowUp');
+      await until(() => expect(file('01').asteroids?.[1]).toMatchObject({ radius: 33 }));
+      await page.getByRole('radio', { name: 'hot' }).check({ force: true });
+      await until(() => expect(file('01').asteroids?.[1]).toMatchObject({ hot: true }));
+      await objects(page)
+        .getByRole('treeitem', { name: /^Hot asteroid 2/ })
+        .waitFor();
+      await objects(page)
+        .getByRole('treeitem', { name: /^Asteroid 1/ })
+        .click({ modifiers: ['Control'] });
+      await page.getByRole('heading', { name: '2 objects' }).waitFor();
+      await until(async () => expect(await x.getAttribute('placeholder')).toBe('mixed'));
+      await page.getByRole('toolbar', { name: 'Arrange' }).getByRole('button', { name: 'Align top edges' }).click();
+      await until(() => expect(file('01').asteroids?.map(({ y }) => y)).not.toEqual([200, 160, 240]));
+      for (let i = 0; i < 4; i++) await page.getByRole('button', { name: /^Undo/ }).click();
+      await until(() => expect(file('01')).toMatchObject(garden()));
+    }),
+  );
+
+  it(
+    'what is pointed at on the canvas is lit in the outline, and the other way round',
+    on(
+      { '01': garden() },
+      async ({ page, canvas, file }) => {
+        await canvas.fit(file('01'));
+        const row = objects(page).getByRole('treeitem', { name: /^Asteroid 2/ });
+        const { x, y } = canvas.at({ x: 560, y: 160 });
+        await page.mouse.move(x, y);
+        await until(async () => expect(await row.getAttribute('class')).toContain('hovered'));
+        await page.mouse.move(x, y + 100);
+        await until(async () => expect(await row.getAttribute('class')).not.toContain('hovered'));
+        const outline = () => countColour(page, { x, y }, 60, COLOURS.dark.select);
+        const bare = await outline();
+        await row.hover();
+        await until(async () => expect(await outline()).toBeGreaterThan(bare + 50));
+        await page.getByRole('heading', { level: 1 }).hover();
+        await until(async () => expect(await outline()).toBe(bare));
+      },
+      { context: { colorScheme: 'dark' } },
+    ),
+  );
+
+  it(
+    'runs are added, named, ordered and deleted; a problem has a way to it',
+    on({ '01': straight({ minerals: [{ id: 'gem', x: 320, y: 600 }] }) }, async ({ page, file }) => {
+      await tab(page, 'Runs');
+      const runs = page.getByRole('tree', { name: 'Runs of the level' });
+      const names = () => file('01').runs?.map(({ name }) => name);
+      await press(runs, runs.getByRole('treeitem').first(), 'Control+d');
+      await until(() => expect(names()).toHaveLength(2));
+      await press(runs, runs.getByRole('treeitem').nth(1), 'F2');
+      await page.getByRole('textbox', { name: 'Name of the run' }).fill('spare');
+      await page.keyboard.press('Enter');
+      await until(() => expect(names()).toEqual(['solution', 'spare']));
+      await press(runs, runs.getByRole('treeitem', { name: /^spare/ }), 'Alt+ArrowUp');
+      await until(() => expect(names()).toEqual(['spare', 'solution']));
+      await press(runs, runs.getByRole('treeitem', { name: /^spare/ }), 'Delete');
+      await until(() => expect(names()).toEqual(['solution']));
+      await page.getByRole('combobox', { name: 'Run' }).waitFor();
+
+      await page.getByRole('button', { name: /^Hold 1:/ }).click();
+      await page.keyboard.press('Delete');
+      await verdict(page, 'broken');
+      await page.getByRole('list', { name: 'Problems' }).getByRole('listitem').first().waitFor();
+    }),
+  );
+
+  it(
+    'the solver finds a run, shows what it forgives, and measures how hard the level is',
+    on({ '01': straight({ runs: undefined }) }, async ({ page, file, folder, saved }) => {
+      await verdict(page, 'unproven');
+      await tab(page, 'Solver');
+      await page.getByRole('tabpanel', { name: 'Solver' }).getByRole('button', { name: 'Solve', exact: true }).click();
+      await page.getByRole('list', { name: 'Ways found' }).getByRole('button', { name: 'Use' }).first().click();
+      await verdict(page, 'completable');
+      await saved();
+      expect((await gq(['check', join(folder, '01.level.json')])).code).toBe(0);
+      expect(file('01').runs).toHaveLength(1);
+      const cancel = page.getByRole('button', { name: 'Cancel', exact: true });
+      if (await cancel.isVisible()) await cancel.click();
+      await page.getByRole('table').waitFor();
+      await page
+        .getByText(/certified/i)
+        .first()
+        .waitFor();
+      await page.getByLabel('Show where the search has been').check();
+      await command(page, 'Measure how hard the level is');
+      await page.getByRole('meter', { name: 'Grade' }).waitFor();
+    }),
+  );
+
+  it(
+    'accuracy and effects: what each setting and each effect costs in this level',
+    on({ '01': straight() }, async ({ page }) => {
+      await tab(page, 'Accuracy');
+      const choices = page.getByRole('radiogroup', { name: 'Accuracy' });
+      await until(async () => expect(await choices.getByRole('radio').count()).toBe(4));
+      await choices.getByRole('radio', { name: /arcade/ }).click();
+      await page
+        .getByRole('contentinfo')
+        .getByText(/^arcade: /)
+        .waitFor();
+      await page
+        .getByRole('contentinfo')
+        .getByText(/^precise would differ by [\d.]+ px, same verdict$/)
+        .waitFor();
+      await choices.getByRole('radio', { name: /precise/ }).click();
+      await page.getByRole('button', { name: 'Measure' }).click();
+      await page.getByRole('button', { name: 'Again' }).waitFor();
+      await page.getByRole('button', { name: /Enlarge/ }).click();
+      await page.getByRole('dialog', { name: 'What accuracy costs' }).waitFor();
+      await page.getByRole('button', { name: 'Close' }).click();
+      await page.getByRole('dialog').waitFor({ state: 'hidden' });
+      // Esc closes the picture and nothing else
+      await tab(page, 'Outline');
+      const rock = objects(page).getByRole('treeitem', { name: /^Asteroid 1/ });
+      await rock.click();
+      await page.getByRole('button', { name: /Enlarge/ }).click();
+      await page.getByRole('dialog').getByRole('img').click();
+      await page.keyboard.press('Escape');
+      await page.getByRole('dialog').waitFor({ state: 'hidden' });
+      expect(await rock.getAttribute('aria-selected')).toBe('true');
+      await tab(page, 'Effects');
+      await page.getByRole('list', { name: 'Simulated effects' }).waitFor();
+      await page.getByRole('list', { name: 'Effects that are not called for' }).getByRole('listitem').first().waitFor();
+    }),
+  );
+
+  it(
+    'imports and exports: text, pictures, the original’s levels, a link that carries the level',
+    on({ '01': straight() }, async ({ page, text, folder, saved }) => {
+      await saved();
+      await page.getByRole('button', { name: 'Import, export, link' }).click();
+      const dialog = page.getByRole('dialog', { name: 'Import, export, link' });
+      await dialog.getByRole('button', { name: 'Copy as text' }).click();
+      await until(async () =>
+        expect(JSON.parse(await page.evaluate(() => navigator.clipboard.readText()))).toEqual(JSON.parse(text('01'))),
+      );
+      await dialog.getByRole('img', { name: 'The level as it will be exported' }).waitFor();
+      await dialog.getByRole('tab', { name: 'Link' }).click();
+      const link = await until(async () => {
+        const found = await dialog.getByRole('textbox', { name: 'Link with the level' }).inputValue();
+        expect(found).toMatch(/#.{50}/);
+        return found;
+      });
+      expect(link.length).toBeLessThan(2000);
+      await dialog.getByRole('tab', { name: 'Import' }).click();
+      const original = {
+        player: { x: 100, y: 100 },
+        target: { x: 300, y: 100, radius: 20 },
+        asteroids: [{ x: 200, y: 120, radius: '16', enemy: false }],
+      };
+      await dialog.getByRole('textbox', { name: 'or paste their text' }).fill(JSON.stringify([original]));
+      await dialog.getByRole('button', { name: 'Import the text' }).click();
+      await until(() => expect(levelFiles(folder)).toHaveLength(2));
+      expect(existsSync(join(folder, '01.level.json'))).toBe(true);
+    }),
+  );
+
+  it(
+    'downloads the level and its picture, as lines and as pixels',
+    on({ '01': straight() }, async ({ page, context, text, saved }) => {
+      // without the dialog of the system, which nobody is there to answer
+      await context.addInitScript(() => {
+        for (const name of ['showOpenFilePicker', 'showSaveFilePicker'])
+          delete (window as unknown as Record<string, unknown>)[name];
+      });
+      await page.reload();
+      await saved();
+      await page.getByRole('button', { name: 'Import, export, link' }).click();
+      const dialog = page.getByRole('dialog', { name: 'Import, export, link' });
+      const download = async (name: string): Promise<[name: string, content: Buffer]> => {
+        const [found] = await Promise.all([
+          page.waitForEvent('download'),
+          dialog.getByRole('button', { name, exact: true }).click(),
+        ]);
+        return [found.suggestedFilename(), readFileSync(await found.path())];
+      };
+      const [level, asText] = await download('01.level.json');
+      expect(level).toBe('01.level.json');
+      expect(JSON.parse(asText.toString())).toEqual(JSON.parse(text('01')));
+      await dialog.getByRole('textbox', { name: 'Width' }).fill('640');
+      await page.keyboard.press('Enter');
+      const [svg, lines] = await download('SVG');
+      expect(svg).toBe('01.svg');
+      expect(lines.toString()).toMatch(/^<svg[^>]* width="640"/);
+      const [png, pixels] = await download('PNG');
+      expect(png).toBe('01.png');
+      expect(pixels.subarray(0, 8).toString('latin1')).toBe('\x89PNG\r\n\x1a\n');
+      expect(pixels.readUInt32BE(16)).toBe(640);
+      // a picture of something: one colour alone would be a few hundred bytes
+      expect(pixels.length).toBeGreaterThan(5000);
+    }),
+  );
+});

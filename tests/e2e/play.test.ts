@@ -1,0 +1,236 @@
+import { join } from 'node:path';
+import type { Page } from 'playwright-core';
+import { expect, it } from 'vitest';
+import { gq } from '../cli/gq.ts';
+import { verdict } from './commands.ts';
+import { straight } from './levels.ts';
+import { type Heard, listenToSound } from './sound.ts';
+import { inChromium } from './stage.ts';
+import { until } from './until.ts';
+
+const playtest = (page: Page) => page.getByRole('application', { name: /^Playtest/ });
+const theEnd = (page: Page) => playtest(page).getByRole('status');
+/** She is under way to the black hole, and there within seconds. */
+const quick = () => straight({ astronaut: { x: 200, y: 304, vx: 60 }, blackHole: { x: 400, y: 304 }, runs: undefined });
+/** What the page says of how an attempt ended: its kind and its time. */
+const ending = /She (reaches the black hole|collides with .*|is lost) at ([\d.]+) s/;
+
+inChromium('playing in Chromium', ({ on }) => {
+  it(
+    'a level played with the mouse becomes its proof, and gq check and gq simulate agree',
+    on({ '01': straight({ runs: undefined }) }, async ({ page, canvas, file, folder, saved }) => {
+      await verdict(page, 'unproven');
+      await canvas.fit(file('01'));
+      await page.keyboard.press('Space');
+      await playtest(page).waitFor();
+      const { x, y } = canvas.at({ x: 448, y: 400 });
+      await page.mouse.move(x, y);
+      await page.mouse.down();
+      await theEnd(page).waitFor();
+      await page.mouse.up();
+      const said = ending.exec((await theEnd(page).textContent()) ?? '');
+      expect(said?.[1]).toBe('reaches the black hole');
+      await playtest(page).getByRole('button', { name: 'Make this the proof' }).click();
+      await playtest(page).waitFor({ state: 'hidden' });
+      await verdict(page, 'completable');
+      await until(() => expect(file('01').runs).toHaveLength(1));
+      await saved();
+
+      const path = join(folder, '01.level.json');
+      const check = await gq(['check', path, '--format', 'json']);
+      expect([check.code, JSON.parse(check.stdout).levels[0].verdict]).toEqual([0, 'completable']);
+      const holds = (file('01').runs?.[0].holds ?? []).map(([press, release]) => `${press}-${release}`).join();
+      const replay = await gq(['simulate', path, '--holds', holds, '--accuracy', 'precise', '--format', 'json']);
+      const { outcome, time, tick, hash } = JSON.parse(replay.stdout);
+      expect(outcome).toBe('completed');
+      expect(time.toFixed(2)).toBe(said?.[2]);
+      await page.getByRole('button', { name: 'To the end' }).click();
+      await page.getByText(new RegExp(`tick ${tick} of|tick ${tick - 1} of|tick ${tick + 1} of`)).waitFor();
+      const named = await gq(['simulate', path, '--format', 'json']);
+      expect(JSON.parse(named.stdout).hash).toBe(hash);
+      await page.getByRole('tab', { name: 'Runs' }).click();
+      const shown = page.getByRole('status', { name: 'Hash of the run' });
+      await until(async () => expect(await shown.textContent()).toBe(hash));
+      await page.getByRole('button', { name: 'Copy the hash of the run' }).click();
+      await until(async () => expect(await page.evaluate('navigator.clipboard.readText()')).toBe(hash));
+      // another run has another one
+      await page.getByRole('button', { name: 'New run without a press, to be drawn in the timeline' }).click();
+      await until(async () => expect(await shown.textContent()).not.toBe(hash));
+      const drift = await gq(['simulate', path, '--holds', 'none', '--format', 'json']);
+      expect(await shown.textContent()).toBe(JSON.parse(drift.stdout).hash);
+    }),
+  );
+
+  it(
+    'death stays out of the way: again, by another key, then back to editing with the same view',
+    on(
+      { '01': straight({ asteroids: [{ id: 'rock', x: 448, y: 304, radius: 16, hot: true }], minerals: [], runs: undefined }) },
+      async ({ page, canvas, file, saved, text }) => {
+        await saved();
+        const before = text('01');
+        await canvas.fit(file('01'));
+        const zoom = await page.getByText(/^\d+ %$/).textContent();
+        await page.getByRole('button', { name: 'Play', exact: true }).click();
+        await page.keyboard.down('x');
+        await theEnd(page).waitFor();
+        await page.keyboard.up('x');
+        expect(await theEnd(page).textContent()).toContain('She collides with hot asteroid 1');
+        await page.keyboard.press('r');
+        await theEnd(page).waitFor({ state: 'hidden' });
+        await page.keyboard.down('Space');
+        await theEnd(page).waitFor();
+        await page.keyboard.up('Space');
+        await page.keyboard.press('Escape');
+        await playtest(page).waitFor({ state: 'hidden' });
+        expect(await page.getByText(/^\d+ %$/).textContent()).toBe(zoom);
+        // the same place is under the pointer as before, and attempts alone change nothing
+        expect(text('01')).toBe(before);
+        await canvas.click({ x: 448, y: 304 });
+        await page.keyboard.press('ArrowUp');
+        await until(() => expect(file('01').asteroids?.[0]).toMatchObject({ x: 448, y: 303 }));
+      },
+    ),
+  );
+
+  it(
+    'the buttons at the end answer Space and Enter as well; elsewhere these are the gun and the proof',
+    on({ '01': quick() }, async ({ page, file, saved }) => {
+      await saved();
+      await page.getByRole('button', { name: 'Play', exact: true }).click();
+      await page.keyboard.down('Space');
+      await theEnd(page).waitFor();
+      await page.keyboard.up('Space');
+      const again = playtest(page).getByRole('button', { name: 'Again' });
+      await again.focus();
+      await page.keyboard.press('Space');
+      await theEnd(page).waitFor({ state: 'hidden' });
+      // the same key is the gun again
+      await page.keyboard.down('Space');
+      await theEnd(page).waitFor();
+      await page.keyboard.up('Space');
+      expect(await theEnd(page).textContent()).toContain('She reaches the black hole');
+      await again.focus();
+      await page.keyboard.press('Enter');
+      await theEnd(page).waitFor({ state: 'hidden' });
+      await playtest(page).waitFor();
+      await page.keyboard.press('Escape');
+      await playtest(page).waitFor({ state: 'hidden' });
+      expect(file('01').runs).toBeUndefined();
+    }),
+  );
+
+  it(
+    'the gun can be heard while it is held, the end as well; not with the sound off',
+    on({ '01': quick() }, async ({ page, context, saved }) => {
+      await context.addInitScript(listenToSound);
+      await page.reload();
+      await saved();
+      const heard = () => page.evaluate(() => (window as unknown as { heard: Heard }).heard);
+      await page.keyboard.press('Space');
+      await playtest(page).waitFor();
+      // nothing is to be heard yet, so there is no sound at all
+      expect(await heard()).toEqual({ contexts: 0, oscillators: 0, levels: [] });
+      await page.keyboard.down('Space');
+      await until(async () => expect((await heard()).levels.at(-1)).toBeGreaterThan(0));
+      expect(await heard()).toMatchObject({ contexts: 1, oscillators: 1 });
+      await page.keyboard.up('Space');
+      await until(async () => expect((await heard()).levels.at(-1)).toBe(0));
+      await page.keyboard.down('Space');
+      await theEnd(page).waitFor();
+      await page.keyboard.up('Space');
+      // a mineral has two tones, the black hole four
+      await until(async () => expect(await heard()).toMatchObject({ contexts: 1, oscillators: 7 }));
+      await page.keyboard.press('u');
+      await page.getByText('Sound is off.').waitFor();
+      await page.keyboard.press('r');
+      await theEnd(page).waitFor({ state: 'hidden' });
+      const before = await heard();
+      await page.keyboard.down('Space');
+      await theEnd(page).waitFor();
+      await page.keyboard.up('Space');
+      const after = await heard();
+      expect(after.oscillators).toBe(before.oscillators);
+      expect(after.levels.slice(before.levels.length).filter((level) => level > 0)).toEqual([]);
+    }),
+  );
+
+  it(
+    'attempts stay as ghosts on the canvas, to be hidden, kept as runs and forgotten',
+    on(
+      { '01': straight({ runs: undefined, asteroids: [{ id: 'rock', x: 448, y: 304, radius: 16, hot: true }], minerals: [] }) },
+      async ({ page, canvas, file, saved }) => {
+        await saved();
+        await canvas.fit(file('01'));
+        // between her start and the asteroid that ends it
+        const middle = canvas.at({ x: 330, y: 304 });
+        const look = () => page.screenshot({ clip: { x: middle.x - 20, y: middle.y - 20, width: 40, height: 40 } });
+        const empty = await look();
+        await page.keyboard.press('Space');
+        await page.keyboard.down('x');
+        await theEnd(page).waitFor();
+        await page.keyboard.up('x');
+        await page.keyboard.press('Escape');
+        await playtest(page).waitFor({ state: 'hidden' });
+        await until(async () => expect(empty.equals(await look())).toBe(false));
+        await page.getByRole('tab', { name: 'Runs' }).click();
+        const attempts = page.getByRole('region', { name: 'Attempts' });
+        await attempts.getByText(/collides · \d/).waitFor();
+        await attempts.getByRole('button', { name: 'Hide attempt 1 on the canvas' }).click();
+        await until(async () => expect(empty.equals(await look())).toBe(true));
+        await attempts.getByRole('button', { name: 'Show all attempts on the canvas' }).click();
+        await until(async () => expect(empty.equals(await look())).toBe(false));
+        expect(file('01').runs).toBeUndefined();
+        await attempts.getByRole('button', { name: 'Keep attempt 1 as a run' }).click();
+        await until(() => expect(file('01').runs?.map(({ name }) => name)).toEqual(['attempt 1']));
+        await page.keyboard.press('Control+z');
+        await until(() => expect(file('01').runs).toBeUndefined());
+        await attempts.getByRole('button', { name: 'Forget all attempts' }).click();
+        await attempts.waitFor({ state: 'hidden' });
+        await until(async () => expect(empty.equals(await look())).toBe(true));
+      },
+      { context: { reducedMotion: 'reduce' } },
+    ),
+  );
+
+  it(
+    'play goes on from the scrubbed tick with what the run did before',
+    on(
+      {
+        '01': straight({
+          runs: [
+            {
+              name: 'try',
+              holds: [
+                [0, 40],
+                [50, 60],
+              ],
+            },
+          ],
+        }),
+      },
+      async ({ page, file }) => {
+        await verdict(page, 'broken');
+        await page.getByRole('slider', { name: 'Time' }).focus();
+        await page.keyboard.press('Home');
+        for (let i = 0; i < 3; i++) await page.keyboard.press('Shift+ArrowRight');
+        await page.keyboard.press('Shift+Space');
+        await playtest(page).waitFor();
+        await page.keyboard.down('Space');
+        await theEnd(page).waitFor();
+        await page.keyboard.up('Space');
+        expect(await theEnd(page).textContent()).toContain('She reaches the black hole');
+        await page.keyboard.press('Enter');
+        await verdict(page, 'completable');
+        // it took the place of the run that did not get through
+        const runs = await until(() => {
+          const found = file('01').runs ?? [];
+          expect(found[0].holds[0][1]).not.toBe(40);
+          return found;
+        });
+        expect(runs.map(({ name }) => name)).toEqual(['try']);
+        expect(runs[0].holds[0]).toEqual([0, expect.any(Number)]);
+        expect(runs[0].holds[0][1]).toBeGreaterThanOrEqual(30);
+      },
+    ),
+  );
+});

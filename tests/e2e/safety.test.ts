@@ -1,0 +1,238 @@
+import { chmodSync, existsSync, rmSync } from 'node:fs';
+import { join } from 'node:path';
+import type { Page } from 'playwright-core';
+import { expect, it } from 'vitest';
+import { formatLevel, type LevelFile } from '../../schema/index.ts';
+import { verdict } from './commands.ts';
+import { garden, straight } from './levels.ts';
+import { inChromium } from './stage.ts';
+import { until } from './until.ts';
+
+/** The browser notes on its console every request that nobody answered, or that was refused. */
+const OUTAGE = /Failed to load resource|ERR_/;
+
+const A = { x: 400, y: 200 };
+const saving = (page: Page, text: RegExp) => page.getByRole('status', { name: 'Saving' }).filter({ hasText: text }).waitFor();
+const placeOf = (file: LevelFile, id: string) => file.asteroids?.find((one) => one.id === id);
+
+inChromium('work is not lost, in Chromium', ({ on }) => {
+  it(
+    'what another program writes appears at once; what both changed apart is brought together',
+    on(
+      { '01': garden() },
+      async ({ page, canvas, file, open, write, saved, killServer, startServer }) => {
+        await canvas.fit(file('01'));
+        write('01', garden({ name: 'From outside' }));
+        await page.getByRole('heading', { level: 1, name: 'From outside' }).waitFor();
+        await page.keyboard.press('Control+z');
+        await page.getByRole('heading', { level: 1, name: 'Garden' }).waitFor();
+        await saved();
+        await until(() => expect(file('01').name).toBe('Garden'));
+
+        // while nobody writes, both change: another asteroid each
+        await killServer();
+        await canvas.click(A);
+        await page.keyboard.press('ArrowDown');
+        await saving(page, /server is gone, kept in this browser/);
+        const theirs = file('01');
+        write('01', formatLevel({ ...theirs, blackHole: { ...theirs.blackHole, y: 320 } }));
+        await page.close();
+        await startServer();
+        const again = await open();
+        await saving(again.page, /^saved$/);
+        await until(() => expect(file('01').blackHole.y).toBe(320));
+        await until(() => expect(placeOf(file('01'), 'a1')).toMatchObject({ x: 400, y: 201 }));
+      },
+      { complaints: OUTAGE },
+    ),
+  );
+
+  it(
+    'a page that dies with unsaved changes has them again, and undo takes them back',
+    on(
+      { '01': garden() },
+      async ({ page, canvas, file, open, saved, killServer, startServer, server }) => {
+        await canvas.fit(file('01'));
+        await saved();
+        const { port } = server();
+        await killServer();
+        await canvas.click(A);
+        for (let i = 0; i < 3; i++) await page.keyboard.press('ArrowDown');
+        await saving(page, /server is gone, kept in this browser/);
+        expect(placeOf(file('01'), 'a1')).toMatchObject(A);
+        await page.close();
+        await startServer(port);
+        const again = await open();
+        await until(() => expect(placeOf(file('01'), 'a1')).toMatchObject({ x: 400, y: 203 }));
+        await saving(again.page, /^saved$/);
+        await again.page.getByRole('button', { name: /^Undo: Recovered/ }).click();
+        await until(() => expect(placeOf(file('01'), 'a1')).toMatchObject(A));
+      },
+      { complaints: OUTAGE },
+    ),
+  );
+
+  it(
+    'a page whose server was started again says so, and what it could not save comes along to the new one',
+    on(
+      { '01': garden() },
+      async ({ page, canvas, file, open, saved, killServer, startServer, server }) => {
+        await canvas.fit(file('01'));
+        await saved();
+        const { port } = server();
+        const notices = page.getByRole('list', { name: 'Messages' });
+        await killServer();
+        await notices.getByText(/gq edit does not answer/).waitFor();
+        await startServer(port);
+        await notices.getByText(/belongs to the run before.*Open the address that gq edit prints now/).waitFor();
+        expect(await notices.getByText(/does not answer/).count()).toBe(0);
+        await canvas.click(A);
+        await page.keyboard.press('ArrowDown');
+        await saving(page, /^not saved$/);
+        expect(placeOf(file('01'), 'a1')).toMatchObject(A);
+        await page.reload();
+        await page
+          .getByRole('main')
+          .getByText(/belongs to another run of gq edit. Open the address/)
+          .waitFor();
+        const again = await open();
+        await saving(again.page, /^saved$/);
+        await until(() => expect(placeOf(file('01'), 'a1')).toMatchObject({ x: 400, y: 201 }));
+      },
+      { complaints: OUTAGE },
+    ),
+  );
+
+  it(
+    'a file that is made writable again is saved without being asked',
+    on(
+      { '01': garden() },
+      async ({ page, canvas, file, folder }) => {
+        await saving(page, /^read only$/);
+        await canvas.fit(file('01'));
+        await canvas.click(A);
+        await page.keyboard.press('ArrowDown');
+        await saving(page, /^read only$/);
+        expect(placeOf(file('01'), 'a1')).toMatchObject(A);
+        chmodSync(join(folder, '01.level.json'), 0o666);
+        chmodSync(folder, 0o777);
+        await saving(page, /^saved$/);
+        expect(placeOf(file('01'), 'a1')).toMatchObject({ x: 400, y: 201 });
+      },
+      { readOnly: true, complaints: OUTAGE },
+    ),
+  );
+
+  it(
+    'of two tabs one writes, the other looks on and can take over',
+    on({ '01': garden() }, async ({ page, canvas, file, open, saved }) => {
+      await saved();
+      const other = await open();
+      await saving(other.page, /^read only$/);
+      await canvas.fit(file('01'));
+      await canvas.click(A);
+      await page.keyboard.press('Shift+ArrowDown');
+      await until(() => expect(placeOf(file('01'), 'a1')).toMatchObject({ x: 400, y: 208 }));
+      await other.page.bringToFront();
+      await other.page.getByRole('button', { name: 'Take over' }).click();
+      await saving(page, /^read only$/);
+      await saving(other.page, /^saved$/);
+      await other.canvas.fit(file('01'));
+      await other.canvas.click({ x: 400, y: 208 });
+      await other.page.keyboard.press('Shift+ArrowDown');
+      await until(() => expect(placeOf(file('01'), 'a1')).toMatchObject({ x: 400, y: 216 }));
+      // the one that looks on sees it
+      await other.page.close();
+      await saving(page, /^saved$/);
+      await page.bringToFront();
+      await canvas.click({ x: 400, y: 216 });
+      await page.keyboard.press('ArrowDown');
+      await until(() => expect(placeOf(file('01'), 'a1')).toMatchObject({ x: 400, y: 217 }));
+    }),
+  );
+
+  it(
+    'where both changed the same thing a person chooses',
+    on({ '01': garden() }, async ({ page, canvas, file, write, saved }) => {
+      await canvas.fit(file('01'));
+      await saved();
+      // the file changes under a drag that goes on: the drag wins, or the person is asked
+      const { x, y } = canvas.at(A);
+      await page.mouse.move(x, y);
+      await page.mouse.down();
+      await page.mouse.move(x + 3, y + 60, { steps: 4 });
+      const before = file('01');
+      const moved = (before.asteroids ?? []).map((one) => (one.id === 'a1' ? { ...one, x: 300, y: 120 } : one));
+      write('01', formatLevel({ ...before, asteroids: moved }));
+      await saving(page, /^conflict$/);
+      await page.mouse.up();
+      expect(placeOf(file('01'), 'a1')).toMatchObject({ x: 300, y: 120 });
+      const dialog = page.getByRole('dialog', { name: 'Two versions of this level' });
+      await page.getByRole('button', { name: 'Resolve' }).or(dialog).first().waitFor();
+      if (!(await dialog.isVisible())) await page.getByRole('button', { name: 'Resolve' }).click();
+      await dialog
+        .getByRole('button', { name: /theirs|disk/i })
+        .first()
+        .click();
+      await dialog.getByRole('button', { name: /^Merge|^Write/ }).click();
+      await saved();
+      expect(placeOf(file('01'), 'a1')).toMatchObject({ x: 300, y: 120 });
+      await page.keyboard.press('Control+z');
+      await until(() => expect(placeOf(file('01'), 'a1')?.y).toBeGreaterThan(200));
+    }),
+  );
+
+  it(
+    'a file with errors is listed, is mended as text, and is not written before it is valid',
+    on({ '01': garden(), '02': '{ "version": 1, "name": "Torn", ' }, async ({ page, text, file, saved }) => {
+      await saved();
+      const torn = text('02');
+      await page.getByRole('tree', { name: 'Levels' }).getByRole('treeitem', { name: /02/ }).click();
+      const dialog = page.getByRole('dialog', { name: '02.level.json' });
+      await dialog.getByRole('list', { name: 'Problems' }).getByRole('button').first().waitFor();
+      const area = dialog.getByRole('textbox', { name: 'Text of the level' });
+      expect(await area.inputValue()).toBe(torn);
+      expect(text('02')).toBe(torn);
+      await area.fill(JSON.stringify(straight({ name: 'Mended' })));
+      await dialog.getByText('A valid level.', { exact: true }).waitFor();
+      await dialog.getByRole('button', { name: 'Save' }).click();
+      await until(() => expect(file('02').name).toBe('Mended'));
+      await page.getByRole('heading', { level: 1, name: 'Mended' }).waitFor();
+      await verdict(page, 'completable');
+    }),
+  );
+
+  it(
+    'a file that vanishes is told, and can be written again',
+    on(
+      { '01': garden(), '02': straight() },
+      async ({ page, folder, file, saved }) => {
+        await saved();
+        rmSync(join(folder, '01.level.json'));
+        await saving(page, /^gone from the disk$/);
+        const dialog = page.getByRole('dialog', { name: 'The file was deleted' });
+        await page.getByRole('button', { name: 'Resolve' }).or(dialog).first().waitFor();
+        if (!(await dialog.isVisible())) await page.getByRole('button', { name: 'Resolve' }).click();
+        expect(existsSync(join(folder, '01.level.json'))).toBe(false);
+        await dialog
+          .getByRole('button', { name: /^(Write|Keep|Put|Restore)/ })
+          .first()
+          .click();
+        await saved();
+        expect(file('01').name).toBe('Garden');
+      },
+      { complaints: OUTAGE },
+    ),
+  );
+
+  it(
+    'a file that may not be written is looked at, and says so',
+    on(
+      { '01': garden() },
+      async ({ page }) => {
+        await saving(page, /^read only$/);
+      },
+      { readOnly: true },
+    ),
+  );
+});

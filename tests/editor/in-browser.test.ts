@@ -1,0 +1,153 @@
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { createServer, type Server } from 'node:http';
+import type { AddressInfo } from 'node:net';
+import { tmpdir } from 'node:os';
+import { dirname, extname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { type Browser, chromium, type Page } from 'playwright-core';
+import { build } from 'vite';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { declareMissing } from '../missing.ts';
+
+const root = join(dirname(fileURLToPath(import.meta.url)), '..', '..');
+const CHROMIUM = process.env.CHROMIUM ?? '/usr/bin/chromium';
+const TYPES: Record<string, string> = { '.html': 'text/html', '.js': 'text/javascript' };
+
+/** What the page under test offers to the tests: the editor's own parts, on the browser's own database, locks and workers. */
+const ENTRY = `
+import { createEditedLevel, moveObjects } from '${root}/editor/document/index.ts';
+import { createJournal, openIndexedDbStore } from '${root}/editor/journal/index.ts';
+import { claimLevel } from '${root}/editor/files/writer-lock.ts';
+import { pageTimers } from '${root}/editor/files/index.ts';
+import { createWorkers, spawnPageWorker } from '${root}/editor/workers/index.ts';
+import { resolveLevel } from '${root}/schema/index.ts';
+
+const FILE = { version: 1, name: 'base', astronaut: { x: 0, y: 0 }, blackHole: { x: 300, y: 0 }, asteroids: [{ id: 'aa', x: 150, y: 60, radius: 16 }] };
+const workers = createWorkers({ spawn: spawnPageWorker, after: pageTimers.after });
+Object.assign(window, {
+  async edit(times) {
+    const journal = createJournal(await openIndexedDbStore(indexedDB), Date.now);
+    const level = createEditedLevel(FILE);
+    const kept = journal.follow('07', level, { file: level.file(), etag: '"1"' });
+    for (let i = 0; i < times; i++) level.change('Move', moveObjects(['aa'], 1, 0));
+    await kept.settled();
+    return journal.state.getState().kind;
+  },
+  async recover() {
+    const recovery = await createJournal(await openIndexedDbStore(indexedDB), Date.now).recover('07');
+    return recovery === null ? null : { x: recovery.file.asteroids[0].x, labels: recovery.labels.length, lost: recovery.lost };
+  },
+  claim() {
+    const name = 'level';
+    window.lock = claimLevel({ locks: navigator.locks, channel: new BroadcastChannel(name), timers: pageTimers, name,
+      beforeHandOver: async () => { window.handedOver = true; }, onShown: ({ text }) => { window.shown = text; }, shown: () => ({ text: 'from the writer', base: { text: '', etag: null } }) });
+  },
+  role: () => window.lock.store.getState(),
+  async cancelSearch() {
+    const level = resolveLevel({ ...FILE, blackHole: { x: 5000, y: 0 } });
+    let told = 0;
+    const job = workers.start('generate', { options: { seed: 1, difficulty: 'hard', size: 'large' } }, () => told++);
+    await new Promise((resolve) => setTimeout(resolve, 300));
+    const start = performance.now();
+    job.cancel();
+    const { kind } = await job.end;
+    const next = await workers.start('proofs', { level, accuracy: 'precise' }).end;
+    return { kind, ms: performance.now() - start, next: next.kind, proved: next.result?.impossible?.code ?? next.message };
+  },
+});
+`;
+
+async function buildPage(folder: string): Promise<void> {
+  writeFileSync(
+    join(folder, 'index.html'),
+    '<!doctype html><title>parts</title><script type="module" src="./entry.js"></script>',
+  );
+  writeFileSync(join(folder, 'entry.js'), ENTRY);
+  await build({
+    root: folder,
+    base: './',
+    configFile: false,
+    logLevel: 'error',
+    worker: { format: 'es' },
+    resolve: { alias: [] },
+    build: { outDir: join(folder, 'out'), target: 'es2023', minify: false },
+  });
+}
+
+function serve(folder: string): Promise<Server> {
+  const server = createServer((request, response) => {
+    const path = join(folder, new URL(request.url ?? '/', 'http://localhost').pathname.replace(/\/$/, '/index.html'));
+    if (!existsSync(path)) return void response.writeHead(404).end();
+    response.writeHead(200, { 'Content-Type': TYPES[extname(path)] ?? 'text/plain' }).end(readFileSync(path));
+  });
+  return new Promise((resolve) => server.listen(0, '127.0.0.1', () => resolve(server)));
+}
+
+// biome-ignore lint/suspicious/noExplicitAny: what the entry leaves on its window
+const inPage = <T>(page: Page, call: (window: any) => T): Promise<Awaited<T>> => page.evaluate(`(${call})(window)`);
+
+if (!existsSync(CHROMIUM)) {
+  declareMissing('parts of the editor in Chromium', `no browser at ${CHROMIUM}: install Chromium or name it in CHROMIUM`);
+} else {
+  describe('in a real browser', () => {
+    let folder = '';
+    let server: Server;
+    let browser: Browser;
+    let address = '';
+
+    const open = async (): Promise<Page> => {
+      const page = await (browser.contexts()[0] ?? (await browser.newContext())).newPage();
+      await page.goto(address);
+      await page.waitForFunction('window.edit !== undefined');
+      return page;
+    };
+
+    beforeAll(async () => {
+      folder = mkdtempSync(join(tmpdir(), 'gq-parts-'));
+      await buildPage(folder);
+      server = await serve(join(folder, 'out'));
+      address = `http://127.0.0.1:${(server.address() as AddressInfo).port}/`;
+      browser = await chromium.launch({
+        executablePath: CHROMIUM,
+        headless: true,
+        args: ['--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run'],
+      });
+    });
+    afterAll(async () => {
+      await browser?.close();
+      server?.close();
+      rmSync(folder, { recursive: true, force: true });
+    });
+
+    it('the journal outlives the page', async () => {
+      const first = await open();
+      expect(await inPage(first, (window) => window.edit(250))).toBe('working');
+      await first.close();
+      const second = await open();
+      expect(await inPage(second, (window) => window.recover())).toMatchObject({ x: 400, lost: 0 });
+      await second.close();
+    });
+
+    it('one page is the writer; it hands over when asked, and when it is closed', async () => {
+      const [a, b] = [await open(), await open()];
+      await inPage(a, (window) => window.claim());
+      await a.waitForFunction(`role() === 'writer'`);
+      await inPage(b, (window) => window.claim());
+      await b.waitForFunction(`role() === 'reader' && window.shown === 'from the writer'`);
+      await inPage(b, (window) => window.lock.takeOver());
+      await b.waitForFunction(`role() === 'writer'`);
+      await a.waitForFunction(`role() === 'reader' && window.handedOver`);
+      await b.close();
+      await a.waitForFunction(`role() === 'writer'`);
+      await a.close();
+    });
+
+    it('a worker is ended in the middle of a job, and another does the next one', async () => {
+      const page = await open();
+      const { ms, ...rest } = await inPage(page, (window) => window.cancelSearch());
+      expect(rest).toEqual({ kind: 'cancelled', next: 'done', proved: 'out-of-range' });
+      expect(ms).toBeGreaterThan(0);
+      await page.close();
+    });
+  });
+}

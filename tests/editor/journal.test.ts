@@ -1,0 +1,255 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { createEditedLevel, moveObjects, setLevelProperty } from '../../editor/document/index.ts';
+import { createJournal, createMemoryStore, type JournalStore } from '../../editor/journal/index.ts';
+import { formatLevel, type LevelFile } from '../../schema/index.ts';
+
+const FILE: LevelFile = {
+  version: 1,
+  name: 'base',
+  astronaut: { x: 0, y: 0 },
+  blackHole: { x: 300, y: 0 },
+  asteroids: [{ id: 'aa', x: 10, y: 20, radius: 16 }],
+};
+const clock = () => 1000;
+
+/** A store that fails when told to, and that loses nothing of what it has said it kept. */
+function unreliable(): JournalStore & { fails: Error | null; writes: number } {
+  const store = createMemoryStore();
+  return {
+    ...store,
+    fails: null,
+    writes: 0,
+    async write(change) {
+      this.writes++;
+      if (this.fails !== null) throw this.fails;
+      await store.write(structuredClone(change));
+    },
+  };
+}
+
+const begin = (store: JournalStore | null = createMemoryStore()) => {
+  const journal = createJournal(store, clock);
+  const level = createEditedLevel(FILE);
+  const base = { file: level.file(), etag: '"1"' };
+  return { journal, level, base, kept: journal.follow('07', level, base) };
+};
+const move = (dx: number) => moveObjects(['aa'], dx, 0);
+
+describe('the journal', () => {
+  it('has everything that was done since the disk, in a page that begins anew', async () => {
+    const store = createMemoryStore();
+    const { level, kept } = begin(store);
+    level.change('Move', move(1));
+    level.change('Rename', setLevelProperty('name', 'new'));
+    const drag = level.begin('Drag');
+    drag.set(move(100));
+    await kept.settled();
+    const recovery = await createJournal(store, clock).recover('07');
+    expect(recovery).toMatchObject({ labels: ['Move', 'Rename'], lost: 0, time: 1000, base: { etag: '"1"', file: FILE } });
+    expect(recovery?.file).toMatchObject({ name: 'new', asteroids: [{ x: 11 }] });
+    drag.commit();
+    await kept.settled();
+    expect((await createJournal(store, clock).recover('07'))?.file.asteroids?.[0].x).toBe(111);
+  });
+
+  it('has nothing to recover once all is on the disk, and of a level never opened', async () => {
+    const store = createMemoryStore();
+    const { journal, level, kept } = begin(store);
+    await kept.settled();
+    expect(await journal.recover('07')).toBeNull();
+    expect(await journal.recover('08')).toBeNull();
+    level.change('Move', move(1));
+    const saved = level.file();
+    kept.onDisk(saved, '"2"');
+    await kept.settled();
+    expect(await journal.recover('07')).toBeNull();
+    expect(await journal.unsaved()).toEqual([]);
+  });
+
+  it('keeps what was done while a save was on its way', async () => {
+    const store = createMemoryStore();
+    const { journal, level, kept } = begin(store);
+    level.change('Move', move(1));
+    const saved = level.file();
+    level.change('Move again', move(10));
+    await kept.settled();
+    kept.onDisk(saved, '"2"');
+    await kept.settled();
+    expect(await journal.recover('07')).toMatchObject({
+      labels: ['Move again'],
+      base: { etag: '"2"', file: { asteroids: [{ x: 11 }] } },
+      file: { asteroids: [{ x: 21 }] },
+    });
+    expect(await journal.unsaved()).toEqual([{ place: '07', time: 1000 }]);
+  });
+
+  it('has the level and the new base after a merge', async () => {
+    const store = createMemoryStore();
+    const { journal, level, kept } = begin(store);
+    level.change('Move', move(1));
+    const theirs = { ...FILE, description: 'theirs' };
+    level.replace('Merged', { ...level.file(), description: 'theirs' });
+    kept.onDisk(theirs, '"9"');
+    level.change('Move', move(1));
+    await kept.settled();
+    expect(await journal.recover('07')).toMatchObject({
+      base: { etag: '"9"', file: theirs },
+      file: { description: 'theirs', asteroids: [{ x: 12 }] },
+    });
+  });
+
+  it('knows every state that may have been written, folded or not, and none of them once one is known to be', async () => {
+    const store = createMemoryStore();
+    const { journal, level, kept } = begin(store);
+    const places = async () => (await journal.recover('07'))?.base.sent.map(({ asteroids }) => asteroids?.[0].x);
+    level.change('Move', move(1));
+    level.change('Move', move(1));
+    kept.onSent(level.file());
+    await kept.settled();
+    expect(await places()).toEqual([11, 12]);
+    for (let i = 0; i < 250; i++) level.change('Move', move(1));
+    await kept.settled();
+    const folded = await places();
+    expect(folded).toContain(12);
+    expect(folded?.length).toBeLessThan(210);
+    kept.onDisk(level.file(), '"2"');
+    level.change('Move', move(1));
+    await kept.settled();
+    expect(await places()).toEqual([263]);
+  });
+
+  it('says when it has what is sent to the disk, or could not keep it', async () => {
+    const gates: (() => void)[] = [];
+    const slow = createMemoryStore();
+    const store: JournalStore = {
+      ...slow,
+      async write(change) {
+        await new Promise<void>((resolve) => gates.push(resolve));
+        if (change.add.some(({ label }) => label === 'Fails')) throw new Error('no');
+        await slow.write(change);
+      },
+    };
+    const { level, kept } = begin(store);
+    const open = async () => {
+      gates.shift()?.();
+      await new Promise((resolve) => setImmediate(resolve));
+    };
+    const said: string[] = [];
+    await open();
+    level.change('Move', move(1));
+    void kept.onSent(level.file()).then(() => said.push('first'));
+    level.change('Move', move(1));
+    await open();
+    expect(said).toEqual(['first']);
+    void kept.onSent(level.file()).then(() => said.push('second'));
+    level.change('Fails', move(1));
+    void kept.onSent(level.file()).then(() => said.push('failed'));
+    await open();
+    expect(said).toEqual(['first', 'second']);
+    await open();
+    expect(said).toEqual(['first', 'second', 'failed']);
+    await kept.onSent(level.file());
+  });
+
+  it('keeps what was recovered until it is on the disk, if the page dies again at once', async () => {
+    const store = createMemoryStore();
+    const { level, kept, base } = begin(store);
+    level.change('Move', move(1));
+    await kept.settled();
+    const journal = createJournal(store, clock);
+    const recovery = await journal.recover('07');
+    const again = createEditedLevel(base.file);
+    again.replace('Recovered', recovery?.file ?? base.file);
+    await journal.follow('07', again, base).settled();
+    expect((await createJournal(store, clock).recover('07'))?.file.asteroids?.[0].x).toBe(11);
+  });
+
+  it('recovers whatever was kept at whatever moment the page dies', async () => {
+    await fc.assert(
+      fc.asyncProperty(
+        fc.array(fc.oneof(fc.constantFrom('change', 'undo', 'redo', 'save', 'wait', 'fail', 'mend'), fc.constant('change')), {
+          maxLength: 30,
+        }),
+        async (acts) => {
+          const store = unreliable();
+          const { level, kept } = begin(store);
+          let disk = level.file();
+          let n = 0;
+          for (const act of acts) {
+            if (act === 'change') level.change(`step ${++n}`, move(n));
+            else if (act === 'undo') level.undo();
+            else if (act === 'redo') level.redo();
+            else if (act === 'wait') await kept.settled();
+            else if (act === 'fail') store.fails = new Error('disk');
+            else if (act === 'mend') store.fails = null;
+            else {
+              disk = level.file();
+              kept.onDisk(disk, `"${n}"`);
+            }
+          }
+          store.fails = null;
+          // one more change, and all that failed before is kept with it
+          level.change('last', move(1000));
+          await kept.settled();
+          const recovery = await createJournal(store, clock).recover('07');
+          expect(formatLevel(recovery?.file as LevelFile)).toBe(formatLevel(level.file()));
+          expect(formatLevel(recovery?.base.file as LevelFile)).toBe(formatLevel(disk));
+          expect(recovery?.lost).toBe(0);
+        },
+      ),
+      { numRuns: 300 },
+    );
+  });
+
+  it('stays small: many steps become one text', async () => {
+    const store = createMemoryStore();
+    const { level, kept } = begin(store);
+    for (let i = 0; i < 1000; i++) level.change('Move', move(1));
+    await kept.settled();
+    expect((await store.read('07'))?.entries.length).toBeLessThanOrEqual(200);
+    expect((await createJournal(store, clock).recover('07'))?.file.asteroids?.[0].x).toBe(1010);
+  });
+
+  it('makes room when there is none, by forgetting what is on the disk anyway; and says so when that does not help', async () => {
+    const store = unreliable();
+    const other = createJournal(store, clock).follow('01', createEditedLevel(FILE), { file: FILE, etag: '"1"' });
+    await other.settled();
+    const { journal, level, kept } = begin(store);
+    await kept.settled();
+    store.fails = Object.assign(new Error('full'), { name: 'QuotaExceededError' });
+    level.change('Move', move(1));
+    await kept.settled();
+    expect(await store.read('01')).toBeNull();
+    expect(journal.state.getState()).toMatchObject({ kind: 'failing', message: expect.stringContaining('no room') });
+    store.fails = null;
+    level.change('Move', move(1));
+    await kept.settled();
+    expect(journal.state.getState()).toEqual({ kind: 'working' });
+    expect((await journal.recover('07'))?.file.asteroids?.[0].x).toBe(12);
+  });
+
+  it('says that nothing is kept where the browser has no database, and goes on', async () => {
+    const { journal, level, kept } = begin(null);
+    level.change('Move', move(1));
+    await kept.settled();
+    expect(journal.state.getState()).toMatchObject({ kind: 'missing' });
+    expect((await journal.recover('07'))?.labels).toEqual(['Move']);
+  });
+
+  it('takes what it can of a damaged journal, and says how much was lost', async () => {
+    const store = createMemoryStore();
+    const { journal, level, kept } = begin(store);
+    level.change('one', move(1));
+    await kept.settled();
+    await store.write({
+      place: '07',
+      time: 1,
+      add: [
+        { number: 2, label: 'bad', patches: [{ op: 'replace', path: ['novae', 7, 'x'], value: 1 }] },
+        { number: 3, label: 'after', patches: [] },
+      ],
+    });
+    expect(await journal.recover('07')).toMatchObject({ labels: ['one'], lost: 2, file: { asteroids: [{ x: 11 }] } });
+  });
+});

@@ -1,0 +1,172 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { isSame, settle } from '../../editor/document/index.ts';
+import { mergeLevels } from '../../editor/files/merge.ts';
+import { formatLevel, type LevelFile, OBJECT_LISTS, readLevel, withIds } from '../../schema/index.ts';
+import { arbitraryFile } from './arbitrary-file.ts';
+
+const BASE: LevelFile = {
+  version: 1,
+  name: 'base',
+  astronaut: { x: 0, y: 0 },
+  blackHole: { x: 300, y: 0 },
+  asteroids: ['aa', 'bb', 'cc'].map((id, i) => ({ id, x: i, y: 0, radius: 16 })),
+  runs: [
+    { name: 'solution', holds: [[1, 5]] },
+    { name: 'other', holds: [] },
+  ],
+};
+type Asteroid = NonNullable<LevelFile['asteroids']>[number];
+const rocks = (...asteroids: Asteroid[]): LevelFile => ({ ...BASE, asteroids });
+const [aa, bb, cc] = BASE.asteroids as [Asteroid, Asteroid, Asteroid];
+const ids = (file: LevelFile) => file.asteroids?.map(({ id }) => id);
+
+/** Changes of a file, each by one side alone: to which a number says. */
+const arbitraryFork = arbitraryFile.chain((base) =>
+  fc
+    .record({ base: fc.constant(base), turns: fc.array(fc.nat(3), { minLength: 40, maxLength: 40 }), added: arbitraryFile })
+    .map(({ base, turns, added }) => {
+      let next = 0;
+      const turn = () => turns[next++ % turns.length];
+      const [mine, theirs] = [structuredClone(base), structuredClone(base)];
+      for (const list of OBJECT_LISTS) {
+        for (const { id } of base[list] ?? []) {
+          const who = turn();
+          if (who > 1) continue;
+          const side = [mine, theirs][who];
+          const objects = side[list] as { id?: string; x: number }[];
+          const index = objects.findIndex((object) => object.id === id);
+          if (turn() === 0) objects.splice(index, 1);
+          else objects[index].x += objects[index].x > 0 ? -1 : 1;
+        }
+        // new objects on both sides
+        for (const side of [mine, theirs]) {
+          const more = (added[list] ?? [])
+            .filter(() => turn() === 0)
+            .map(({ id: _, ...object }) => ({ ...object, y: side === mine ? 1234.25 : 1234.75 }));
+          if (more.length > 0) side[list] = [...(side[list] ?? []), ...more] as never;
+        }
+      }
+      if (turn() === 0) mine.name = 'mine';
+      if (turn() === 0) theirs.description = 'theirs';
+      if (turn() === 0) mine.astronaut.vy = 5;
+      if (turn() === 0) theirs.astronaut.x = 77.5;
+      const valid = (file: LevelFile) => {
+        const reading = readLevel(formatLevel(file));
+        if (!reading.ok) throw new Error(reading.problems[0].message);
+        return withIds(reading.document.file);
+      };
+      return { base, mine: valid(mine), theirs: valid(theirs) };
+    }),
+);
+
+describe('merging', () => {
+  it('takes the side that changed, whichever it is, and what both have', () => {
+    fc.assert(
+      fc.property(arbitraryFile, arbitraryFile, (base, a) => {
+        expect(mergeLevels(base, a, base)).toEqual({ file: a, conflicts: [] });
+        expect(mergeLevels(base, base, a)).toEqual({ file: a, conflicts: [] });
+        expect(mergeLevels(base, a, a)).toEqual({ file: a, conflicts: [] });
+      }),
+      { numRuns: 300 },
+    );
+  });
+
+  it('of changes that do not meet has no conflict and does not ask who is who', () => {
+    fc.assert(
+      fc.property(arbitraryFork, ({ base, mine, theirs }) => {
+        const one = mergeLevels(base, mine, theirs);
+        const other = mergeLevels(base, theirs, mine);
+        expect(one.conflicts).toEqual([]);
+        expect(isSame(one.file, other.file)).toBe(true);
+        // merging again changes nothing
+        expect(isSame(mergeLevels(mine, one.file, mine).file, one.file)).toBe(true);
+        expect(mergeLevels(theirs, one.file, theirs).conflicts).toEqual([]);
+        expect(settle(one.file, null)).toMatchObject({ ok: true });
+        // everything that anybody added is there
+        for (const list of OBJECT_LISTS) {
+          const kept = new Set(one.file[list]?.map(({ id }) => id));
+          const old = new Set(base[list]?.map(({ id }) => id));
+          for (const side of [mine, theirs])
+            for (const { id } of side[list] ?? []) if (!old.has(id)) expect(kept.has(id)).toBe(true);
+        }
+      }),
+      { numRuns: 300 },
+    );
+  });
+
+  it('of anything gives a level, and one side or the other when told so for every conflict', () => {
+    fc.assert(
+      fc.property(arbitraryFile, arbitraryFile, arbitraryFile, (base, mine, theirs) => {
+        const { file, conflicts } = mergeLevels(base, mine, theirs);
+        expect(settle(file, null)).toMatchObject({ ok: true });
+        const chosen = mergeLevels(base, mine, theirs, new Map(conflicts.map(({ key }) => [key, 'theirs'])));
+        expect(chosen.conflicts.map(({ key }) => key)).toEqual(conflicts.map(({ key }) => key));
+        // what they have of it is theirs, all through
+        expect(isSame(mergeLevels(base, theirs, mine).file, chosen.file)).toBe(true);
+      }),
+      { numRuns: 200 },
+    );
+  });
+
+  it('puts different properties of one object together, and different objects', () => {
+    const mine = rocks({ ...aa, x: 50 }, bb, cc);
+    const theirs = rocks({ ...aa, radius: 32 }, { ...bb, hot: true }, cc);
+    expect(mergeLevels(BASE, mine, theirs)).toEqual({
+      file: rocks({ ...aa, x: 50, radius: 32 }, { ...bb, hot: true }, cc),
+      conflicts: [],
+    });
+  });
+
+  it('asks where both changed the same, for each property, and a place is one', () => {
+    const mine = rocks({ ...aa, x: 50, radius: 20 }, bb, cc);
+    const theirs = rocks({ ...aa, y: 70, radius: 30 }, bb, cc);
+    const { conflicts, file } = mergeLevels(BASE, mine, theirs);
+    expect(conflicts).toEqual([
+      {
+        key: 'asteroids/aa/place',
+        what: 'asteroid aa, place',
+        base: { x: 0, y: 0 },
+        mine: { x: 50, y: 0 },
+        theirs: { x: 0, y: 70 },
+      },
+      { key: 'asteroids/aa/radius', what: 'asteroid aa, radius', base: 16, mine: 20, theirs: 30 },
+    ]);
+    expect(file).toEqual(mine);
+    const chosen = mergeLevels(BASE, mine, theirs, new Map([['asteroids/aa/radius', 'theirs']]));
+    expect(chosen.file.asteroids?.[0]).toMatchObject({ x: 50, y: 0, radius: 30 });
+  });
+
+  it('asks when one took out what the other changed', () => {
+    const { conflicts, file } = mergeLevels(BASE, rocks(bb, cc), rocks({ ...aa, x: 9 }, bb, cc));
+    expect(conflicts).toMatchObject([{ key: 'asteroids/aa', mine: undefined, theirs: { x: 9 } }]);
+    expect(ids(file)).toEqual(['bb', 'cc']);
+    expect(
+      ids(mergeLevels(BASE, rocks(bb, cc), rocks({ ...aa, x: 9 }, bb, cc), new Map([['asteroids/aa', 'theirs']])).file),
+    ).toEqual(['aa', 'bb', 'cc']);
+  });
+
+  it('keeps the order that one side made, and asks when both made one', () => {
+    expect(ids(mergeLevels(BASE, rocks(cc, aa, bb), rocks(aa, bb, cc, { ...aa, id: 'dd' })).file)).toEqual([
+      'cc',
+      'dd',
+      'aa',
+      'bb',
+    ]);
+    expect(mergeLevels(BASE, rocks(cc, aa, bb), rocks(bb, aa, cc)).conflicts).toMatchObject([{ key: 'asteroids/order' }]);
+  });
+
+  it('knows runs by name, and their holds are one thing', () => {
+    const runs = (...list: [string, [number, number][]][]): LevelFile => ({
+      ...BASE,
+      runs: list.map(([name, holds]) => ({ name, holds })),
+    });
+    const mine = runs(['solution', [[1, 9]]], ['other', []]);
+    expect(mergeLevels(BASE, mine, runs(['solution', [[1, 5]]], ['other', []], ['new', [[3, 4]]])).file).toEqual(
+      runs(['solution', [[1, 9]]], ['other', []], ['new', [[3, 4]]]),
+    );
+    expect(mergeLevels(BASE, mine, runs(['solution', [[2, 5]]], ['other', []])).conflicts).toMatchObject([
+      { key: 'runs/solution/holds', what: 'run solution, holds' },
+    ]);
+  });
+});

@@ -1,0 +1,355 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { addObject, setLevelProperty } from '../../editor/document/index.ts';
+import {
+  createBrowserStorage,
+  createWorkspace,
+  type KeyValues,
+  type LevelStorage,
+  type OpenedLevel,
+  readText,
+  type Workspace,
+} from '../../editor/files/index.ts';
+import { createJournal, createMemoryStore, type JournalStore } from '../../editor/journal/index.ts';
+import { formatLevel, type LevelFile } from '../../schema/index.ts';
+import { breathe, createChannels, createKeyValues, createLine, LockKeeper, TurnedClock } from './stage.ts';
+
+const FILE: LevelFile = { version: 1, name: 'base', astronaut: { x: 0, y: 0 }, blackHole: { x: 300, y: 0 } };
+
+/** One browser on one folder: several pages, other programs, a server that comes and goes. */
+class Browser {
+  readonly clock = new TurnedClock();
+  readonly locks = new LockKeeper();
+  readonly journal: JournalStore = createMemoryStore();
+  private readonly database: KeyValues = createKeyValues();
+  readonly disk: LevelStorage = createBrowserStorage(this.database, null, () => 0);
+  private readonly channel = createChannels();
+  private pages = 0;
+
+  async page() {
+    const name = `page ${++this.pages}`;
+    const line = createLine(this.disk);
+    let isAlive = true;
+    /** Of a page that is gone nothing comes any more: no answer, no call. */
+    const whileAlive =
+      <T extends unknown[], R>(act: (...args: T) => Promise<R>) =>
+      (...args: T): Promise<R> =>
+        isAlive ? act(...args) : new Promise(() => {});
+    const journal: JournalStore = {
+      write: whileAlive((change) => this.journal.write(change)),
+      read: whileAlive((place) => this.journal.read(place)),
+      places: whileAlive(() => this.journal.places()),
+      remove: whileAlive((place) => this.journal.remove(place)),
+    };
+    const channels: { close(): void }[] = [];
+    const workspace = createWorkspace({
+      storage: line,
+      journal: createJournal(journal, () => 0),
+      timers: { now: this.clock.now, after: (ms, call) => this.clock.after(ms, () => isAlive && call()) },
+      locks: this.locks.of(name),
+      channel: (of) => {
+        const channel = this.channel(of);
+        channels.push(channel);
+        return channel;
+      },
+    });
+    await workspace.start();
+    /** The page is gone, at once: nothing it would still do happens. */
+    const kill = () => {
+      isAlive = false;
+      line.isCut = true;
+      opened(workspace)?.saver.close();
+      for (const channel of channels) channel.close();
+      this.locks.kill(name);
+    };
+    return { name, line, workspace, kill };
+  }
+
+  async text(): Promise<string> {
+    const answer = await this.disk.read('07');
+    return answer.ok ? (answer.value.text ?? '') : '';
+  }
+
+  async file(): Promise<LevelFile> {
+    const reading = readText(await this.text());
+    if (!reading.ok) throw new Error('not a level');
+    return reading.file;
+  }
+
+  /** A checkout, another tool. */
+  async byOthers(change: (file: LevelFile) => LevelFile): Promise<void> {
+    for (;;) {
+      const answer = await this.disk.read('07');
+      const reading = answer.ok ? readText(answer.value.text ?? '') : null;
+      if (!answer.ok || !reading?.ok) throw new Error('not a level');
+      if ((await this.disk.write('07', formatLevel(change(reading.file)), answer.value.etag)).ok) return;
+    }
+  }
+}
+
+const opened = (workspace: Workspace): OpenedLevel | null => workspace.store.getState().opened;
+const role = (workspace: Workspace) => opened(workspace)?.lock.store.getState();
+const saveState = (workspace: Workspace) => opened(workspace)?.saver.store.getState().kind;
+
+async function browser(): Promise<Browser> {
+  const made = new Browser();
+  await made.disk.write('07', formatLevel(FILE), null);
+  return made;
+}
+
+describe('a page', () => {
+  it('opens a level, saves it, and has its history when it comes back to it', async () => {
+    const at = await browser();
+    await at.disk.write('08', formatLevel({ ...FILE, name: 'eight' }), null);
+    const { workspace } = await at.page();
+    await workspace.open('07');
+    opened(workspace)?.level.change('Rename', setLevelProperty('name', 'new'));
+    await workspace.open('08');
+    expect((await at.file()).name).toBe('new');
+    await workspace.open('07');
+    expect(opened(workspace)?.level.labels()).toEqual(['Rename']);
+    opened(workspace)?.level.undo();
+    await at.clock.pass(500);
+    expect((await at.file()).name).toBe('base');
+  });
+
+  it('that died has what it had not saved when it begins anew, and not once more after that', async () => {
+    const at = await browser();
+    const first = await at.page();
+    await first.workspace.open('07');
+    first.line.isCut = true;
+    opened(first.workspace)?.level.change('Rename', setLevelProperty('name', 'unsaved'));
+    await at.clock.pass(1000);
+    expect(saveState(first.workspace)).toBe('offline');
+    first.kill();
+    await at.byOthers((file) => ({ ...file, description: 'by another tool' }));
+    const second = await at.page();
+    await second.workspace.open('07');
+    expect(opened(second.workspace)?.recovered).toMatchObject({ labels: ['Rename'], lost: 0 });
+    await at.clock.pass(1000);
+    expect(await at.file()).toMatchObject({ name: 'unsaved', description: 'by another tool' });
+    expect(opened(second.workspace)?.level.labels()).toContain('Recovered');
+    second.kill();
+    const third = await at.page();
+    await third.workspace.open('07');
+    expect(opened(third.workspace)?.recovered).toBeNull();
+  });
+
+  it('that died before its write was answered goes on from what it had written', async () => {
+    const at = await browser();
+    const first = await at.page();
+    await first.workspace.open('07');
+    first.line.losesAnswers = true;
+    opened(first.workspace)?.level.change('Rename', setLevelProperty('name', 'written'));
+    await at.clock.pass(300);
+    expect((await at.file()).name).toBe('written');
+    first.line.isCut = true;
+    opened(first.workspace)?.level.change('Rename', setLevelProperty('name', 'after it'));
+    await at.clock.pass(1000);
+    first.kill();
+    const second = await at.page();
+    await second.workspace.open('07');
+    await at.clock.pass(1000);
+    expect([saveState(second.workspace), (await at.file()).name]).toEqual(['saved', 'after it']);
+    expect(opened(second.workspace)?.recovered).toMatchObject({ labels: ['Rename', 'Rename'] });
+  });
+
+  it('that died before its last write was answered has nothing to recover', async () => {
+    const at = await browser();
+    const first = await at.page();
+    await first.workspace.open('07');
+    first.line.losesAnswers = true;
+    opened(first.workspace)?.level.change('Rename', setLevelProperty('name', 'written'));
+    await at.clock.pass(300);
+    first.kill();
+    const second = await at.page();
+    await second.workspace.open('07');
+    expect([saveState(second.workspace), opened(second.workspace)?.level.file().name]).toEqual(['saved', 'written']);
+    expect(opened(second.workspace)?.recovered).toBeNull();
+  });
+
+  it('shows a file that is no level as text, and leaves it alone', async () => {
+    const at = await browser();
+    const { workspace, line } = await at.page();
+    line.read = async (id) => {
+      const answer = await at.disk.read(id);
+      return answer.ok ? { ...answer, value: { ...answer.value, text: '{ "version": 1,' } } : answer;
+    };
+    const opening = await workspace.open('07');
+    expect(opening).toMatchObject({
+      ok: false,
+      kind: 'invalid',
+      text: '{ "version": 1,',
+      problems: [{ code: 'truncated-json' }],
+    });
+    expect(workspace.store.getState()).toMatchObject({ opened: null, refused: { id: '07' } });
+    await at.clock.pass(5000);
+    expect(line.writes).toBe(0);
+  });
+
+  it('renames the level it has open and goes on saving it', async () => {
+    const at = await browser();
+    const { workspace } = await at.page();
+    await workspace.open('07');
+    opened(workspace)?.level.change('Rename', setLevelProperty('name', 'new'));
+    const entry = workspace.store.getState().list?.levels[0];
+    expect(entry === undefined ? 'no entry' : await workspace.rename(entry, '09')).toMatchObject({ ok: true });
+    opened(workspace)?.level.change('Rename', setLevelProperty('description', 'after'));
+    await at.clock.pass(1000);
+    const answer = await at.disk.read('09');
+    expect(answer.ok && answer.value.text).toContain('after');
+    expect(await at.text()).toBe('');
+    expect(saveState(workspace)).toBe('saved');
+  });
+});
+
+describe('two pages on one level', () => {
+  it('have one that writes and one that follows; the other becomes the writer when the first is gone', async () => {
+    const at = await browser();
+    const [a, b] = [await at.page(), await at.page()];
+    await a.workspace.open('07');
+    await b.workspace.open('07');
+    expect([role(a.workspace), role(b.workspace)]).toEqual(['writer', 'reader']);
+    expect(opened(b.workspace)?.saver.store.getState()).toMatchObject({ kind: 'readOnly', unsaved: false });
+    opened(a.workspace)?.level.change('Rename', setLevelProperty('name', 'by a'));
+    await breathe();
+    expect(opened(b.workspace)?.level.file().name).toBe('by a');
+    await at.clock.pass(1000);
+    expect(b.line.writes).toBe(0);
+    await a.workspace.close();
+    await breathe();
+    expect(role(b.workspace)).toBe('writer');
+    opened(b.workspace)?.level.change('Rename', setLevelProperty('name', 'by b'));
+    await at.clock.pass(1000);
+    expect((await at.file()).name).toBe('by b');
+  });
+
+  it('hand over on demand, with everything written first', async () => {
+    const at = await browser();
+    const [a, b] = [await at.page(), await at.page()];
+    await a.workspace.open('07');
+    await b.workspace.open('07');
+    opened(a.workspace)?.level.change('Rename', setLevelProperty('name', 'by a'));
+    opened(b.workspace)?.lock.takeOver();
+    await breathe();
+    await breathe();
+    expect([role(a.workspace), role(b.workspace)]).toEqual(['reader', 'writer']);
+    expect((await at.file()).name).toBe('by a');
+    opened(b.workspace)?.level.change('Rename', setLevelProperty('name', 'by b'));
+    await at.clock.pass(3000);
+    expect([(await at.file()).name, opened(a.workspace)?.level.file().name]).toEqual(['by b', 'by b']);
+    expect(a.line.writes).toBe(1);
+  });
+
+  it('have one writer still when the level gets another name, and so has who opens it by that', async () => {
+    const at = await browser();
+    const [a, b, c] = [await at.page(), await at.page(), await at.page()];
+    await a.workspace.open('07');
+    await b.workspace.open('07');
+    const entry = a.workspace.store.getState().list?.levels[0];
+    const renamed = entry === undefined ? null : await a.workspace.rename(entry, '09');
+    if (renamed?.ok !== true) throw new Error('not renamed');
+    b.line.tell({ type: 'renamed', from: '07', entry: renamed.value, by: null });
+    await breathe();
+    await c.workspace.open('09');
+    await at.clock.pass(5000);
+    expect([a, b, c].map(({ workspace }) => role(workspace))).toEqual(['writer', 'reader', 'reader']);
+    opened(a.workspace)?.level.change('Rename', setLevelProperty('name', 'by a'));
+    await at.clock.pass(1000);
+    for (const { workspace } of [b, c]) expect(opened(workspace)?.level.file().name).toBe('by a');
+    a.kill();
+    await at.clock.pass(5000);
+    const roles = [b, c].map(({ workspace }) => role(workspace));
+    expect([...roles].sort()).toEqual(['reader', 'writer']);
+    const writer = roles[0] === 'writer' ? b : c;
+    opened(writer.workspace)?.level.change('Rename', setLevelProperty('name', 'by another'));
+    await at.clock.pass(1000);
+    const answer = await at.disk.read('09');
+    expect(answer.ok && answer.value.text).toContain('by another');
+  });
+
+  it('let the level be taken from a page that does not answer, and from one that died with unsaved changes', async () => {
+    const at = await browser();
+    const [a, b] = [await at.page(), await at.page()];
+    await a.workspace.open('07');
+    await b.workspace.open('07');
+    a.line.isCut = true;
+    a.line.write = () => new Promise(() => {});
+    opened(a.workspace)?.level.change('Add', addObject('nova', 1, 1));
+    await at.clock.pass(300);
+    opened(b.workspace)?.lock.takeOver();
+    await at.clock.pass(1000);
+    expect(role(b.workspace)).toBe('reader');
+    await at.clock.pass(1000);
+    expect(role(b.workspace)).toBe('writer');
+    await at.clock.pass(1000);
+    expect((await at.file()).novae).toHaveLength(1);
+  });
+});
+
+describe('whatever happens', () => {
+  const act = fc.oneof(
+    { weight: 6, arbitrary: fc.record({ what: fc.constant('edit' as const), page: fc.nat(1) }) },
+    {
+      weight: 3,
+      arbitrary: fc.record({
+        what: fc.constantFrom('cut' as const, 'lose answers' as const, 'mend' as const, 'take over' as const),
+        page: fc.nat(1),
+      }),
+    },
+    { weight: 2, arbitrary: fc.record({ what: fc.constant('kill' as const), page: fc.nat(1) }) },
+    { weight: 2, arbitrary: fc.record({ what: fc.constant('others' as const), page: fc.constant(0) }) },
+    { weight: 4, arbitrary: fc.record({ what: fc.constant('wait' as const), page: fc.constantFrom(1, 100, 300, 3000) }) },
+  );
+
+  it('nothing that was added is lost: pages die, lines are cut, others write, levels are taken over', async () => {
+    await fc.assert(
+      fc.asyncProperty(fc.array(act, { minLength: 5, maxLength: 25 }), async (acts) => {
+        const at = await browser();
+        const pages = [await at.page(), await at.page()];
+        for (const { workspace } of pages) await workspace.open('07');
+        const added: number[] = [];
+        for (const { what, page } of acts) {
+          const one = pages[page];
+          if (what === 'wait') await at.clock.pass(page);
+          else if (what === 'others') {
+            added.push(added.length + 1);
+            await at.byOthers((file) => ({ ...file, minerals: [...(file.minerals ?? []), { x: added.length, y: 0 }] }));
+          } else if (what === 'edit' && role(one.workspace) === 'writer' && saveState(one.workspace) !== 'readOnly') {
+            added.push(added.length + 1);
+            opened(one.workspace)?.level.change('Add', addObject('mineral', added.length, 0));
+            // the journal has it as soon as the browser has had a moment
+            await breathe();
+          } else if (what === 'cut') one.line.isCut = true;
+          else if (what === 'lose answers') one.line.losesAnswers = true;
+          else if (what === 'mend') {
+            one.line.isCut = false;
+            one.line.losesAnswers = false;
+            one.line.link('up');
+          } else if (what === 'take over') opened(one.workspace)?.lock.takeOver();
+          else if (what === 'kill') {
+            one.kill();
+            pages[page] = await at.page();
+            await breathe();
+            await pages[page].workspace.open('07');
+          }
+        }
+        for (const { line } of pages) {
+          line.isCut = false;
+          line.losesAnswers = false;
+          line.link('up');
+        }
+        await at.clock.pass(30_000);
+        // what a page could not hand over in time it still has: it is written once that page may write again
+        for (const { workspace } of pages) {
+          opened(workspace)?.lock.takeOver();
+          await at.clock.pass(30_000);
+        }
+        const places = (await at.file()).minerals?.map(({ x }) => x) ?? [];
+        expect(places.sort((a, b) => a - b)).toEqual(added);
+        for (const { workspace } of pages) expect(['saved', 'readOnly']).toContain(saveState(workspace));
+      }),
+      { numRuns: 300 },
+    );
+  });
+});

@@ -1,0 +1,150 @@
+import { describe, expect, it } from 'vitest';
+import { drawSettings } from '../../editor/panels/accuracy/diagram.ts';
+import { compareNamed, NAMES, type NamedResult } from '../../editor/panels/accuracy/named-results.ts';
+import { savingOf } from '../../editor/panels/effects/time-effects.ts';
+import { costOf, withoutEffect } from '../../editor/panels/effects/without.ts';
+import { timeInTurns } from '../../editor/panels/figures/index.ts';
+import { compile, EFFECTS, simulate } from '../../engine/index.ts';
+import { METHODS } from '../../engine/work-precision/index.ts';
+import { type Level, type LevelFile, resolveLevel } from '../../schema/index.ts';
+
+const FILE: LevelFile = {
+  version: 1,
+  name: 'all of it',
+  astronaut: { x: 0, y: 0 },
+  blackHole: { x: 600, y: 0 },
+  recoil: true,
+  asteroids: [
+    { x: 200, y: 30, radius: 16 },
+    { x: 420, y: -60, radius: 16, hot: true },
+  ],
+  novae: [{ x: 100, y: 400, radius: 16 }],
+  repulsors: [{ x: 210, y: -80, radius: 48 }],
+  aliens: [
+    { x: -100, y: 300 },
+    { x: -160, y: 340 },
+  ],
+  minerals: [{ x: 60, y: 9 }],
+};
+const LEVEL: Level = resolveLevel(FILE);
+const HOLDS = [[10, 200]] as const;
+
+describe('what an effect costs', () => {
+  it('is looked at in a level that no longer calls for it, and is otherwise the same', () => {
+    const called = (level: Level) =>
+      compile(level)
+        .effects.simulated.map(({ name }) => name)
+        .sort();
+    const left = EFFECTS.map(({ name }) => name).filter((name) => withoutEffect(LEVEL, name) !== null);
+    expect(left.sort()).toEqual(['alien-chase', 'hot-asteroids', 'minerals', 'novae', 'recoil', 'repulsor']);
+    for (const name of left) {
+      const without = withoutEffect(LEVEL, name) as Level;
+      const gone = name === 'alien-chase' ? [name, 'alien-explosion'] : [name];
+      expect(called(without)).toEqual(called(LEVEL).filter((other) => !gone.includes(other)));
+      expect(withoutEffect(without, name)).toEqual(without);
+    }
+  });
+
+  it('is the work that is saved where she flies the same way, and nothing where she flies another', () => {
+    const full = simulate(compile(LEVEL), HOLDS);
+    const nova = costOf(LEVEL, 'precise', HOLDS, full, 'novae');
+    expect(nova.kind).toBe('same');
+    const without = simulate(compile(withoutEffect(LEVEL, 'novae') as Level), HOLDS);
+    if (nova.kind === 'same') expect(nova.saved.guards).toBe(full.work.guards - without.work.guards);
+    expect(costOf(LEVEL, 'precise', HOLDS, full, 'recoil').kind).toBe('other');
+    expect(costOf(LEVEL, 'precise', HOLDS, full, 'gun').kind).toBe('always');
+  });
+
+  it('is told with how far it may be trusted', () => {
+    const slow = (round: number) => (round % 5 === 0 ? 40 : 0);
+    const base = Array.from({ length: 24 }, (_, i) => 12 + slow(i));
+    const clear = savingOf(
+      base,
+      Array.from({ length: 24 }, (_, i) => 9 + slow(i + 2)),
+    );
+    expect(clear).toEqual({ all: 12, saved: 3, low: 3, high: 3 });
+    // one half of the rounds says it saves, the other that it costs
+    const noise = savingOf(
+      base,
+      Array.from({ length: 24 }, (_, i) => (i % 2 === 0 ? 11 : 13)),
+    );
+    expect(noise.low).toBeLessThan(0);
+    expect(noise.high).toBeGreaterThan(0);
+  });
+});
+
+describe('timing in turns', () => {
+  const player = (clock: { time: number }, cost: number) => ({
+    play() {
+      clock.time += cost;
+      return 2;
+    },
+  });
+
+  it('gives each player its time per simulated second, whatever the others take, also by a coarse clock', async () => {
+    const clock = { time: 0 };
+    const options = { now: () => Math.floor(10 * clock.time) / 10, pause: async () => {}, signal: new AbortController().signal };
+    const samples = await timeInTurns([player(clock, 0.03), player(clock, 0.5), player(clock, 7)], options);
+    expect(samples).toHaveLength(3);
+    // ms a play / 2 s a play, in microseconds
+    for (const [i, expected] of [15, 250, 3500].entries()) {
+      for (const sample of samples?.[i] ?? []) expect(Math.abs(sample / expected - 1)).toBeLessThan(0.06);
+    }
+  });
+
+  it('pauses after every sample, none of which is much longer than it must be', async () => {
+    const clock = { time: 0 };
+    let last = 0;
+    let longest = 0;
+    let pauses = 0;
+    const pause = async () => {
+      longest = Math.max(longest, clock.time - last);
+      last = clock.time;
+      pauses++;
+    };
+    await timeInTurns([player(clock, 0.3)], { now: () => clock.time, pause, signal: new AbortController().signal });
+    expect(longest).toBeLessThan(2.5);
+    expect(pauses).toBe(27);
+  });
+
+  it('stops when it is aborted', async () => {
+    const clock = { time: 0 };
+    const abort = new AbortController();
+    const pause = async () => abort.abort();
+    expect(await timeInTurns([player(clock, 1)], { now: () => clock.time, pause, signal: abort.signal })).toBeNull();
+    expect(clock.time).toBe(2);
+  });
+});
+
+describe('the named settings', () => {
+  it('are compared with precise, which differs from itself by nothing', () => {
+    const results = new Map<string, NamedResult>([...compareNamed(LEVEL, HOLDS)].map((result) => [result.name, result]));
+    expect([...results.keys()].sort()).toEqual([...NAMES].sort());
+    expect(results.get('precise')).toMatchObject({ difference: 0, sameVerdict: true });
+    for (const [name, { end, difference, sameVerdict }] of results) {
+      const run = simulate(compile(LEVEL, name as NamedResult['name']), HOLDS);
+      expect([name, end.outcome, end.time]).toEqual([name, run.outcome, run.time]);
+      expect(sameVerdict).toBe(end.outcome === results.get('precise')?.end.outcome);
+      if (name !== 'precise') expect(difference).toBeGreaterThan(0);
+    }
+  });
+
+  it('have their place in the diagram, the one in use ringed, in the theme of the page', () => {
+    const settings = METHODS.map(({ name }, i) => ({
+      name,
+      error: 10 ** -(i % 9),
+      cost: 1 + i,
+      outcome: 'completed' as const,
+      sameVerdict: i !== 3,
+    }));
+    const draw = (current: 'fast' | 'precise', ground: 'dark' | 'light') =>
+      drawSettings({ level: 'Level <1>', run: 'solution', settings, current }, ground);
+    const svg = draw('fast', 'dark');
+    expect(svg.match(/<circle[^>]*r="9"/g)).toHaveLength(1);
+    expect(svg).not.toBe(draw('precise', 'dark'));
+    expect(svg).not.toBe(draw('fast', 'light'));
+    // no style of its own: it must not reach into the page
+    expect(svg).not.toContain('<style');
+    expect(svg).not.toContain('<1>');
+  });
+});

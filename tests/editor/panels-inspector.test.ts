@@ -1,0 +1,179 @@
+import { readdirSync, readFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { createEditedLevel, objectsOf, radiusOf } from '../../editor/document/index.ts';
+import { valueOfObjects } from '../../editor/panels/inspector/field-values.ts';
+import { fieldsOf, type Subject, sharedFields } from '../../editor/panels/inspector/fields.ts';
+import { nearestPass, pullsOf, runFactsOf } from '../../editor/panels/inspector/run-facts.ts';
+import { createProver, type LiveProof } from '../../editor/proof/index.ts';
+import { compile, simulate, TICK } from '../../engine/index.ts';
+import { type LevelFile, LIMITS, levelSchema, OBJECT_LISTS, readLevel, resolveLevel } from '../../schema/index.ts';
+import { arbitraryFile } from './arbitrary-file.ts';
+
+const levels = join(dirname(fileURLToPath(import.meta.url)), '..', '..', 'levels');
+const SHIPPED: readonly LevelFile[] = readdirSync(levels)
+  .filter((name) => name.endsWith('.level.json'))
+  .map((name) => {
+    const reading = readLevel(readFileSync(join(levels, name), 'utf8'));
+    if (!reading.ok) throw new Error(`${name} can not be read`);
+    return reading.document.file;
+  });
+
+const provenFile = (file: LevelFile): LiveProof =>
+  createProver(() => 0).prove({ file: createEditedLevel(file).file(), run: null, accuracy: 'precise' });
+
+const SUBJECTS: readonly Subject[] = ['level', 'astronaut', 'blackHole', 'asteroid', 'nova', 'repulsor', 'alien', 'mineral'];
+const ROUND = { x: 0, y: 0, radius: 20 };
+const LISTS = { asteroid: 'asteroids', nova: 'novae', repulsor: 'repulsors', alien: 'aliens', mineral: 'minerals' } as const;
+
+/** A level in which one property of one subject has a value. */
+function levelWith(subject: Subject, key: string, value: unknown): unknown {
+  const base = { version: 1, name: 'level', astronaut: { x: 0, y: 0 }, blackHole: { x: 0, y: 0 } };
+  if (subject === 'level') return { ...base, [key]: value };
+  if (subject === 'astronaut' || subject === 'blackHole') return { ...base, [subject]: { x: 0, y: 0, [key]: value } };
+  return { ...base, [LISTS[subject]]: [{ ...ROUND, [key]: value }] };
+}
+
+describe('fields of the inspector', () => {
+  it('have the limits of the schema: the ends are valid, what lies beyond is not', () => {
+    for (const subject of SUBJECTS) {
+      for (const { key, type, least, most } of fieldsOf(subject).fields) {
+        const accepts = (value: unknown) => levelSchema.safeParse(levelWith(subject, key, value)).success;
+        if (type === 'number') {
+          expect([subject, key, accepts(least), accepts(most)]).toEqual([subject, key, true, true]);
+          expect([subject, key, accepts(least - Math.abs(least) / 2 - 1), accepts(most * 2)]).toEqual([
+            subject,
+            key,
+            false,
+            false,
+          ]);
+        } else if (type === 'text') {
+          expect([key, accepts('a'.repeat(most)), accepts('a'.repeat(most + 1))]).toEqual([key, true, false]);
+        } else expect([key, accepts(true), accepts('yes')]).toEqual([key, true, false]);
+      }
+    }
+  });
+
+  it('are all that a person can set, and nothing else', () => {
+    const keys = Object.fromEntries(SUBJECTS.map((subject) => [subject, fieldsOf(subject).fields.map(({ key }) => key)]));
+    expect(keys).toEqual({
+      level: ['name', 'description', 'range', 'recoil'],
+      astronaut: ['x', 'y', 'vx', 'vy'],
+      blackHole: ['x', 'y', 'radius'],
+      asteroid: ['x', 'y', 'radius', 'hot'],
+      nova: ['x', 'y', 'radius'],
+      repulsor: ['x', 'y', 'radius'],
+      alien: ['x', 'y', 'radius'],
+      mineral: ['x', 'y', 'radius'],
+    });
+    for (const subject of SUBJECTS) for (const { about } of fieldsOf(subject).fields) expect(about).not.toBe('');
+  });
+
+  it('know the default that stands for what is left out, and none for what can not be', () => {
+    for (const subject of SUBJECTS) {
+      for (const { key, fallback } of fieldsOf(subject).fields) {
+        const canBeLeftOut = levelSchema.safeParse(levelWith(subject, key, undefined)).success;
+        expect([subject, key, fallback !== undefined]).toEqual([subject, key, canBeLeftOut]);
+        if (!canBeLeftOut) continue;
+        // written or left out, it is the same level
+        const written = resolveLevel(levelWith(subject, key, fallback) as LevelFile);
+        expect(resolveLevel(levelWith(subject, key, undefined) as LevelFile)).toEqual(written);
+      }
+    }
+  });
+
+  it('that several kinds share are those each of them has', () => {
+    expect(sharedFields(['asteroid', 'mineral']).map(({ key }) => key)).toEqual(['x', 'y', 'radius']);
+    expect(sharedFields(['astronaut', 'mineral']).map(({ key }) => key)).toEqual(['x', 'y']);
+    // an asteroid has no default: there is nothing to go back to
+    expect(sharedFields(['asteroid', 'mineral']).find(({ key }) => key === 'radius')?.fallback).toBeUndefined();
+    expect(sharedFields(['mineral', 'mineral']).find(({ key }) => key === 'radius')?.fallback).toBe(7);
+  });
+
+  it('show what all selected objects have, and null where they differ', () => {
+    fc.assert(
+      fc.property(arbitraryFile, (file) => {
+        const level = createEditedLevel(file).file();
+        const objects = [...objectsOf(level).values()].filter(({ kind }) => kind !== 'astronaut');
+        const resolved = resolveLevel(level);
+        const radii = new Set([
+          resolved.blackHole.radius,
+          ...OBJECT_LISTS.flatMap((list) => resolved[list].map(({ radius }) => radius)),
+        ]);
+        const [radius] = sharedFields(['mineral']).filter(({ key }) => key === 'radius');
+        expect(valueOfObjects(objects, radius).value).toBe(radii.size === 1 ? [...radii][0] : null);
+      }),
+    );
+  });
+});
+
+describe('what the run does with an object', () => {
+  it('never comes nearer to a hazard than the clearance of the run, and as near to one of them but for the way of a tick', () => {
+    let checked = 0;
+    for (const file of SHIPPED) {
+      const proof = provenFile(file);
+      const { clearance } = simulate(compile(proof.level), proof.run.holds);
+      if (clearance === null) continue;
+      const hazards = [...objectsOf(proof.file).values()].filter(
+        ({ kind, object }) =>
+          kind === 'nova' || kind === 'alien' || (kind === 'asteroid' && 'hot' in object && object.hot === true),
+      );
+      const gaps = hazards.map((found) => nearestPass(proof, found, radiusOf(found) ?? 0)?.gap ?? Number.POSITIVE_INFINITY);
+      const fastest = Math.max(...proof.margins.speed);
+      expect(Math.min(...gaps)).toBeGreaterThanOrEqual(clearance.distance - 1e-6);
+      expect(Math.min(...gaps)).toBeLessThanOrEqual(clearance.distance + fastest * TICK);
+      checked++;
+    }
+    expect(checked).toBeGreaterThan(5);
+  });
+
+  it('the pulls of all asteroids together are the time the gun is held', () => {
+    for (const file of SHIPPED) {
+      const { full, level, run } = provenFile(file);
+      const pulled = level.asteroids.flatMap((_, i) => pullsOf(full.events, i, run.time));
+      const held = run.holds.reduce(
+        (sum, [press, release]) => sum + Math.max(0, Math.min(release * TICK, run.time) - press * TICK),
+        0,
+      );
+      expect(pulled.reduce((sum, { from, to }) => sum + to - from, 0)).toBeCloseTo(held, 6);
+    }
+  });
+
+  it('tells of every mineral whether it is taken', () => {
+    for (const file of SHIPPED) {
+      const proof = provenFile(file);
+      for (const found of objectsOf(proof.file).values()) {
+        if (found.kind !== 'mineral') continue;
+        const [taken] = runFactsOf(proof, found, radiusOf(found));
+        const isTaken = proof.full.minerals.some(({ index }) => index === found.index);
+        expect(taken.tone).toBe(isTaken ? 'good' : 'warn');
+      }
+    }
+  });
+
+  it('ends at the black hole where it completes the level, at a tick of the run', () => {
+    for (const file of SHIPPED) {
+      const proof = provenFile(file);
+      const hole = [...objectsOf(proof.file).values()].find(({ kind }) => kind === 'blackHole');
+      if (hole === undefined) throw new Error('every level has a black hole');
+      expect(runFactsOf(proof, hole, radiusOf(hole))).toEqual([expect.objectContaining({ tone: 'good', tick: proof.run.tick })]);
+    }
+  });
+
+  it('is told for every object of any level', () => {
+    fc.assert(
+      fc.property(arbitraryFile, (file) => {
+        const proof = provenFile(file);
+        for (const found of objectsOf(proof.file).values()) {
+          for (const { value, tick } of runFactsOf(proof, found, radiusOf(found))) {
+            expect(value).not.toMatch(/NaN|undefined|Infinity/);
+            if (tick !== undefined) expect(tick).toBeLessThanOrEqual(LIMITS.tick);
+          }
+        }
+      }),
+      { numRuns: 30 },
+    );
+  });
+});

@@ -1,0 +1,458 @@
+import { readFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import { createStore } from 'zustand/vanilla';
+import type { Ghost } from '../../editor/canvas/layers/way-layer.ts';
+import { createEditedLevel, setLevelProperty } from '../../editor/document/index.ts';
+import { createDifficultyDesk } from '../../editor/panels/solver/difficulty.ts';
+import { createOverlay } from '../../editor/panels/solver/overlay.ts';
+import { watchProofs } from '../../editor/panels/solver/proof-watch.ts';
+import { watchRobustness } from '../../editor/panels/solver/robustness-watch.ts';
+import { createSearchDesk } from '../../editor/panels/solver/search.ts';
+import { everyTick, wayOf } from '../../editor/panels/solver/ways.ts';
+import { createWish, goalOf } from '../../editor/panels/solver/wish.ts';
+import { createProofStore } from '../../editor/proof/index.ts';
+import { createSession } from '../../editor/session/index.ts';
+import type { JobEnd, JobKind, Requests, Solving, Workers } from '../../editor/workers/index.ts';
+import { compile, STATE_SIZE, simulate, TICK } from '../../engine/index.ts';
+import { type Hold, readLevel } from '../../schema/index.ts';
+import { measureRobustness, proveImpossible, proveMineralsUnreachable, type Solution, verifyRun } from '../../solver/index.ts';
+import { breathe, TurnedClock } from './stage.ts';
+
+const levels = join(dirname(fileURLToPath(import.meta.url)), '..', '..', 'levels');
+const ANY = { minerals: 'any' } as const;
+
+function readShipped(name: string) {
+  const reading = readLevel(readFileSync(join(levels, `${name}.level.json`), 'utf8'));
+  if (!reading.ok) throw new Error(`${name} can not be read`);
+  return reading.document.file;
+}
+
+/** Workers that do nothing of themselves: a test says what they tell. */
+class StagedWorkers implements Pick<Workers, 'start'> {
+  readonly jobs: {
+    readonly kind: JobKind;
+    readonly request: unknown;
+    readonly tell: (progress: unknown) => void;
+    readonly end: (end: JobEnd<JobKind>) => void;
+    isCancelled: boolean;
+  }[] = [];
+
+  start: Workers['start'] = (kind, request, onProgress = () => {}) => {
+    let resolve: (end: JobEnd<typeof kind>) => void = () => {};
+    const end = new Promise<JobEnd<typeof kind>>((done) => {
+      resolve = done;
+    });
+    const job = {
+      kind: kind as JobKind,
+      request: request as unknown,
+      tell: onProgress as (progress: unknown) => void,
+      end: resolve as (end: JobEnd<JobKind>) => void,
+      isCancelled: false,
+    };
+    this.jobs.push(job);
+    return {
+      end,
+      cancel() {
+        job.isCancelled = true;
+        resolve({ kind: 'cancelled' });
+      },
+    };
+  };
+
+  last<K extends JobKind>(kind: K) {
+    const job = this.jobs.filter((other) => other.kind === kind).at(-1);
+    if (job === undefined) throw new Error(`no job of the kind ${kind} was started`);
+    return { ...job, request: job.request as Requests[K], isCancelled: () => job.isCancelled };
+  }
+}
+
+const OTHER: Ghost = { id: 'attempt-1', label: 'attempt 1', points: new Float32Array(4), look: 'attempt' };
+
+function stage(name = '04-slingshot', withRuns = true) {
+  const { runs, ...file } = readShipped(name);
+  const document = createEditedLevel(withRuns ? { ...file, runs } : file);
+  const proof = createProofStore(document, 'precise');
+  const session = createSession('precise');
+  session.subscribe(({ run }) => proof.showRun(run));
+  const level = {
+    document,
+    proof,
+    ghosts: createStore<readonly Ghost[]>(() => [OTHER]),
+    analysis: createStore<Parameters<typeof watchRobustness>[0]['level']['analysis'] extends { getState(): infer T } ? T : never>(
+      () => null,
+    ),
+  };
+  const workers = new StagedWorkers();
+  const wish = createWish();
+  const overlay = createOverlay();
+  const clock = new TurnedClock();
+  const search = createSearchDesk({ level, session, workers, wish, overlay, now: clock.now });
+  const holds = (runs ?? [])[0].holds;
+  const scene = compile(proof.proof().level);
+  const solutionOf = (held: readonly Hold[]): Solution => {
+    const candidate = verifyRun(scene, held, ANY);
+    if (candidate === null) throw new Error('expected a run that completes the level');
+    return { ...candidate, score: 1, p40: null, certified: false };
+  };
+  const solving = (...found: readonly (readonly Hold[])[]): Solving => ({
+    effort: { runs: 10, ticks: 1000 },
+    closest: { distance: 12, tick: 100, holds: [[5, 50]] },
+    solutions: found.map(solutionOf),
+    explored: { cellSize: 32, cells: [{ x: 0, y: 0, visits: 3 }] },
+    finished: false,
+  });
+  const looks = () => level.ghosts.getState().map(({ id }) => id);
+  return { level, document, proof, session, workers, wish, overlay, clock, search, holds, scene, solving, looks };
+}
+
+beforeEach(() => {
+  vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] });
+});
+afterEach(() => {
+  vi.useRealTimers();
+});
+
+const NOTHING_PROVED = { impossible: null, minerals: [] };
+
+describe('a search', () => {
+  it('asks for what was wished', () => {
+    const { search, workers, wish, document } = stage();
+    const known = (document.file().runs ?? []).map(({ holds }) => holds);
+    expect(known.length).toBeGreaterThan(0);
+    wish.setState({ minerals: 'some', some: 2, objective: 'time', budget: 3, seed: 7 });
+    search.start();
+    expect(workers.last('solve').request).toMatchObject({
+      goal: { minerals: 2 },
+      objective: 'time',
+      budget: 3000,
+      seed: 7,
+      known,
+    });
+    wish.setState({ objective: 'first' });
+    search.start();
+    expect(workers.last('solve').request).toMatchObject({ objective: 'first', known: [] });
+    expect(goalOf({ ...wish.getState(), minerals: 'all' }, 0)).toEqual(ANY);
+    expect(goalOf({ ...wish.getState(), minerals: 'all' }, 2)).toEqual({ minerals: 'all' });
+    expect(goalOf({ ...wish.getState(), some: 9 }, 2)).toEqual({ minerals: 2 });
+  });
+
+  it('shows the closest approach until it has found something, then what it found; ghosts of others stay', () => {
+    const { search, workers, holds, solving, looks, overlay } = stage();
+    search.start();
+    workers.last('solve').tell(solving());
+    expect(looks()).toEqual(['attempt-1', 'closest']);
+    expect(overlay.getState().heat?.cells).toHaveLength(1);
+    workers.last('solve').tell(solving(holds));
+    expect(looks()).toEqual(['attempt-1', `found-${holds.join()}`]);
+    search.clear();
+    expect(looks()).toEqual(['attempt-1']);
+    expect(overlay.getState()).toEqual({ heat: null, proof: null });
+    expect(search.store.getState().phase).toBe('idle');
+  });
+
+  it('shows one alone while it is pointed at', () => {
+    const { search, workers, holds, solving, looks, scene } = stage();
+    const [[press, release], ...rest] = holds;
+    const other: Hold[] = [[press, release - 1], ...rest];
+    expect(verifyRun(scene, other, ANY)).not.toBeNull();
+    search.start();
+    workers.last('solve').tell(solving(holds, other));
+    expect(looks()).toHaveLength(3);
+    search.hover(other.join());
+    expect(looks()).toEqual(['attempt-1', `found-${other.join()}`]);
+    search.hover(null);
+    expect(looks()).toHaveLength(3);
+  });
+
+  it('leaves the list as it is while one of it is pointed at, and shows what came meanwhile after that', () => {
+    const { search, workers, holds, solving } = stage();
+    const [[press, release], ...rest] = holds;
+    const other: Hold[] = [[press, release - 1], ...rest];
+    const listed = () => search.store.getState().found.map(({ id }) => id);
+    search.start();
+    workers.last('solve').tell(solving(holds));
+    search.hover(holds.join());
+    workers.last('solve').tell(solving(other, holds));
+    expect(listed()).toEqual([holds.join()]);
+    search.hover(null);
+    expect(listed()).toEqual([other.join(), holds.join()]);
+    search.hover(other.join());
+    workers.last('solve').tell(solving(holds));
+    search.start();
+    search.hover(null);
+    expect(listed()).toEqual([]);
+  });
+
+  it('that is cancelled keeps what it found and hears no more', () => {
+    const { search, workers, holds, solving, looks } = stage();
+    search.start();
+    workers.last('solve').tell(solving(holds));
+    search.cancel();
+    expect(workers.jobs.every(({ isCancelled }) => isCancelled)).toBe(true);
+    workers.last('solve').tell(solving());
+    expect(search.store.getState()).toMatchObject({ phase: 'cancelled', found: [{ works: true }] });
+    expect(looks()).toHaveLength(2);
+  });
+
+  it('that is started anew forgets the last one, which is no longer heard', async () => {
+    const { search, workers, holds, solving } = stage();
+    search.start();
+    const first = workers.last('solve');
+    search.start();
+    expect(first.isCancelled()).toBe(true);
+    first.tell(solving(holds));
+    first.end({ kind: 'done', result: solving(holds) });
+    await breathe();
+    expect(search.store.getState()).toMatchObject({ phase: 'running', found: [] });
+  });
+
+  it('says that it broke down', async () => {
+    const { search, workers } = stage();
+    search.start();
+    workers.last('solve').end({ kind: 'failed', message: 'out of memory' });
+    await breathe();
+    expect(search.store.getState()).toMatchObject({ phase: 'failed', message: 'out of memory' });
+  });
+
+  it('ends when it is proved that there is nothing to find', async () => {
+    const { search, workers, document, overlay, proof } = stage();
+    document.change('far away', (draft) => {
+      draft.blackHole.x = 90_000;
+    });
+    search.start();
+    const impossible = proveImpossible(proof.proof().level);
+    expect(impossible).not.toBeNull();
+    workers.last('proofs').tell({ impossible, minerals: [] });
+    await breathe();
+    expect(workers.last('solve').isCancelled()).toBe(true);
+    expect(search.store.getState()).toMatchObject({ phase: 'done', impossible });
+    expect(overlay.getState().proof?.discs.length).toBeGreaterThan(0);
+  });
+
+  it('ends when a mineral is proved to be out of reach, but only where it is asked for', async () => {
+    for (const minerals of ['any', 'all'] as const) {
+      const { search, workers, wish, document, proof } = stage();
+      wish.setState({ minerals });
+      document.change('far away', (draft) => {
+        if (draft.minerals !== undefined) draft.minerals[0].x = 90_000;
+      });
+      search.start();
+      const [unreachable] = proveMineralsUnreachable(proof.proof().level);
+      workers.last('proofs').tell({ impossible: null, minerals: [{ index: 0, proof: unreachable }] });
+      await breathe();
+      expect(search.store.getState()).toMatchObject({
+        phase: minerals === 'all' ? 'done' : 'running',
+        isHopeless: minerals === 'all',
+      });
+    }
+  });
+
+  it('stops when the level changes, and tries what it found in the level as it is', () => {
+    const { search, workers, document, holds, solving, overlay } = stage();
+    search.start();
+    workers.last('proofs').tell(NOTHING_PROVED);
+    workers.last('solve').tell(solving(holds));
+    // a name changes nothing that is played
+    document.change('rename', setLevelProperty('name', 'Another'));
+    vi.advanceTimersByTime(1000);
+    expect(search.store.getState()).toMatchObject({ phase: 'running', found: [{ works: true }] });
+    document.change('away', (draft) => {
+      draft.blackHole.x += 400;
+    });
+    vi.advanceTimersByTime(1000);
+    expect(workers.last('solve').isCancelled()).toBe(true);
+    expect(search.store.getState()).toMatchObject({ phase: 'stale', found: [{ works: false }] });
+    expect(overlay.getState().heat).toBeNull();
+    document.undo();
+    vi.advanceTimersByTime(1000);
+    expect(search.store.getState().found).toMatchObject([{ works: true }]);
+  });
+
+  it('puts a run into the level, as the proof where there was none, in one step that can be undone', () => {
+    const { search, document, session, proof, holds } = stage('04-slingshot', false);
+    search.use(holds);
+    expect(document.file().runs).toEqual([{ name: 'solution', holds }]);
+    expect(session.getState().run).toBe('solution');
+    expect(proof.proof().verdict).toBe('completable');
+    search.use([[1, 2]]);
+    expect(document.file().runs?.map(({ name }) => name)).toEqual(['solution', 'solution 2']);
+    search.use([[3, 4]], 'solution 2');
+    expect(document.file().runs?.[1].holds).toEqual([[3, 4]]);
+    expect(document.undo() && document.undo() && document.undo()).toBe(true);
+    expect(document.file().runs).toBeUndefined();
+  });
+});
+
+describe('ways of ghosts', () => {
+  it('are where she is at every tick', () => {
+    const { scene, holds } = stage();
+    const run = simulate(scene, holds);
+    const points = wayOf(scene, holds);
+    const state = new Float64Array(STATE_SIZE);
+    for (let tick = 0; tick <= run.tick; tick += 7) {
+      run.trajectory.at(tick * TICK, state);
+      expect(Math.hypot(points[2 * tick] - state[0], points[2 * tick + 1] - state[1])).toBeLessThan(1e-3);
+    }
+    expect(points.at(-2)).toBeCloseTo(run.final.x, 2);
+    expect(wayOf(scene, holds, 10)).toEqual(points.slice(0, 22));
+  });
+
+  it('are filled in on straight lines where they are known seldom', () => {
+    expect([...everyTick(Float32Array.of(0, 0, 3, 6, 3, 0), 3)]).toEqual([0, 0, 1, 2, 2, 4, 3, 6, 3, 4, 3, 2, 3, 0]);
+    expect([...everyTick(Float32Array.of(5, 6), 3)]).toEqual([5, 6]);
+  });
+});
+
+describe('the watch over what the shown run forgives', () => {
+  const watched = () => {
+    const on = stage();
+    const watch = watchRobustness({ level: on.level, workers: on.workers, after: (ms, call) => on.clock.after(ms, call) });
+    return { ...on, watch };
+  };
+  const NO_FAN = { kind: 'done', result: { slack: [], ways: [] } } as const;
+  /** The level rests, and the fan is there. */
+  const settle = async (
+    { clock, workers }: Pick<ReturnType<typeof stage>, 'clock' | 'workers'>,
+    fan: JobEnd<JobKind> = NO_FAN,
+  ) => {
+    await clock.pass(1000);
+    for (const job of workers.jobs) if (job.kind === 'fan' && !job.isCancelled) job.end(fan);
+    await breathe();
+  };
+
+  it('measures once things have settled, and tells timeline and canvas', async () => {
+    const { workers, clock, watch, level, holds, scene, looks } = watched();
+    expect(workers.jobs).toHaveLength(0);
+    const result = measureRobustness(scene, holds, ANY, { samples: 50 });
+    await settle(
+      { clock, workers },
+      { kind: 'done', result: { slack: result.slack, ways: [{ edge: 1, shift: -2, points: Float32Array.of(0, 0, 3, 3) }] } },
+    );
+    workers.last('robustness').tell({ slack: result.slack, p40: result.p40 });
+    expect(level.analysis.getState()).toMatchObject({ holds: holds.join(), slack: result.slack, certifiedTicks: null });
+    workers.last('robustness').end({ kind: 'done', result });
+    await breathe();
+    expect(watch.store.getState()).toMatchObject({ phase: 'measured', full: result });
+    expect(level.analysis.getState()).toMatchObject({ certifiedTicks: result.certifiedTicks, decided: true, p40: result.p40.p });
+    expect(looks()).toEqual(['attempt-1', 'slack-1--2']);
+  });
+
+  it('forgets at once what was so when the run or the level changes, and hears the old answers no more', async () => {
+    for (const isRun of [true, false]) {
+      const { workers, clock, watch, level, holds, scene, document, looks } = watched();
+      await settle({ clock, workers });
+      const result = measureRobustness(scene, holds, ANY, { samples: 50 });
+      const old = workers.last('robustness');
+      old.tell({ slack: result.slack, p40: result.p40 });
+      document.change('edit', (draft) => {
+        if (isRun) draft.runs?.[0].holds.push([3000, 3001]);
+        else draft.blackHole.x += 1;
+      });
+      expect(level.analysis.getState()).toBeNull();
+      expect(old.isCancelled()).toBe(true);
+      old.tell({ slack: result.slack, p40: result.p40 });
+      old.end({ kind: 'done', result });
+      await breathe();
+      expect(level.analysis.getState()).toBeNull();
+      expect(watch.store.getState()).toMatchObject({ phase: 'waiting', full: null });
+      expect(looks()).toEqual(['attempt-1']);
+      await settle({ clock, workers });
+      expect(workers.jobs).toHaveLength(4);
+      watch.close();
+      expect(workers.last('robustness').isCancelled()).toBe(true);
+    }
+  });
+
+  it('asks for the fan when a gesture ends, for all else once it has rested, and for nothing while something is dragged', async () => {
+    const { workers, clock, document } = watched();
+    await settle({ clock, workers });
+    const asked = () => workers.jobs.slice(2).map(({ kind, isCancelled }) => `${kind}${isCancelled ? ', cancelled' : ''}`);
+    const drag = document.begin('drag');
+    for (let i = 1; i <= 5; i++) {
+      drag.set((draft) => {
+        draft.blackHole.x += i;
+      });
+      await clock.pass(16);
+    }
+    expect(workers.jobs.slice(0, 2).every(({ isCancelled }) => isCancelled)).toBe(true);
+    expect(asked()).toEqual([]);
+    drag.commit();
+    await clock.pass(0);
+    expect(asked()).toEqual(['fan']);
+    await settle({ clock, workers });
+    expect(asked()).toEqual(['fan', 'robustness']);
+  });
+
+  it('does not ask about a run that fails', async () => {
+    const { workers, clock, watch, document } = watched();
+    document.change('fails', (draft) => {
+      draft.runs = [{ name: 'solution', holds: [] }];
+    });
+    await settle({ clock, workers });
+    expect(workers.jobs).toHaveLength(0);
+    expect(watch.store.getState().phase).toBe('fails');
+  });
+
+  it('asks for the minerals the run takes when it is told so', async () => {
+    const { workers, clock, watch, proof } = watched();
+    await settle({ clock, workers });
+    expect(workers.last('robustness').request.goal).toEqual(ANY);
+    watch.setWithMinerals(true);
+    await settle({ clock, workers });
+    const taken = proof.proof().run.minerals.length;
+    expect(taken).toBeGreaterThan(0);
+    expect(workers.last('robustness').request.goal).toEqual({ minerals: taken });
+  });
+});
+
+describe('the watch over proofs', () => {
+  it('asks about a level that no run completes, and forgets the answer when the level changes', async () => {
+    const { level, workers, clock, document, proof } = stage();
+    const watch = watchProofs({ level, workers, after: (ms, call) => clock.after(ms, call) });
+    await clock.pass(2000);
+    // a run takes all there is: nothing is left to prove
+    expect(proof.proof().run.minerals).toHaveLength(proof.proof().level.minerals.length);
+    expect(workers.jobs).toHaveLength(0);
+    document.change('far away', (draft) => {
+      draft.blackHole.x = 90_000;
+    });
+    await clock.pass(2000);
+    const impossible = proveImpossible(proof.proof().level);
+    workers.last('proofs').end({ kind: 'done', result: { impossible, minerals: [] } });
+    await breathe();
+    expect(watch.store.getState().impossible).toBe(impossible);
+    document.change('other run', (draft) => {
+      draft.runs = [];
+    });
+    expect(watch.store.getState().impossible).toBe(impossible);
+    document.undo();
+    document.undo();
+    expect(watch.store.getState().impossible).toBeNull();
+    await clock.pass(2000);
+    expect(workers.jobs).toHaveLength(1);
+    watch.close();
+  });
+});
+
+describe('difficulty', () => {
+  it('is measured by the shown run where it completes the level, else by one that is looked for; it grows old with the level', async () => {
+    const { level, workers, wish, holds, document } = stage();
+    const desk = createDifficultyDesk({ level, workers, wish });
+    desk.start();
+    expect(workers.last('difficulty').request.holds).toEqual(holds);
+    workers.last('difficulty').end({ kind: 'done', result: null });
+    await breathe();
+    expect(desk.store.getState()).toMatchObject({ phase: 'none', isOld: false });
+    document.change('fails', (draft) => {
+      draft.runs = [{ name: 'solution', holds: [] }];
+    });
+    expect(desk.store.getState().isOld).toBe(true);
+    desk.start();
+    expect(workers.last('difficulty').request.holds).toBeNull();
+    desk.cancel();
+    expect(workers.last('difficulty').isCancelled()).toBe(true);
+    expect(desk.store.getState().phase).toBe('idle');
+  });
+});

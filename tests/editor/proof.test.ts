@@ -1,0 +1,341 @@
+import { readdirSync, readFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { checkLevel } from '../../cli/check/check-level.ts';
+import { createEditedLevel, moveHold, moveObjects, setLevelProperty, stretchHold } from '../../editor/document/index.ts';
+import { createProofStore, createProver, type LiveProof, withProofs } from '../../editor/proof/index.ts';
+import { firstDifference, March, MarchRoom } from '../../editor/proof/march.ts';
+import type { Tracks } from '../../editor/proof/tracks.ts';
+import { proofs } from '../../editor/workers/jobs/proofs.ts';
+import {
+  ACCURACIES,
+  type AccuracyName,
+  boxCircleGap,
+  compile,
+  createSimulation,
+  joinHolds,
+  STATE_SIZE,
+  simulate,
+} from '../../engine/index.ts';
+import { type LevelFile, readLevel } from '../../schema/index.ts';
+import { arbitraryHolds, arbitraryPlayableLevel } from '../engine/arbitrary-level.ts';
+
+const root = join(dirname(fileURLToPath(import.meta.url)), '..', '..');
+const ACCURACY_NAMES = Object.keys(ACCURACIES) as AccuracyName[];
+const accuracy = fc.constantFrom(...ACCURACY_NAMES);
+const TICKS = 900;
+
+/** Bit for bit, and quick to compare. */
+const bytes = (list: ArrayLike<number>): string => Buffer.from(Float64Array.from(list).buffer).toString('base64');
+
+/** How all bodies are at every entry. */
+const placesOf = (tracks: Tracks, count: number): number[] => Array.from({ length: count }, (_, k) => [...tracks.all(k)]).flat();
+
+/** Everything a march says of a way, copied: the arrays are its own. */
+const copied = ({ way, ending, minerals }: ReturnType<March['run']>) => ({
+  ending,
+  minerals,
+  last: [...way.last],
+  states: way.states.slice(0, STATE_SIZE * way.count),
+  held: way.held.slice(0, way.count),
+  aliens: placesOf(way.aliens, way.count),
+  asteroids: placesOf(way.asteroids, way.count),
+});
+
+describe('a march', () => {
+  it('that goes on from where two scripts part has the bits of one from the start', () => {
+    let resumed = 0;
+    // kept from scene to scene, as the page does
+    const room = new MarchRoom();
+    fc.assert(
+      fc.property(
+        arbitraryPlayableLevel,
+        accuracy,
+        fc.array(arbitraryHolds(TICKS), { minLength: 2, maxLength: 5 }),
+        fc.nat(TICKS),
+        (level, name, scripts, part) => {
+          const scene = compile(level, name);
+          const march = new March(scene, TICKS, room);
+          const first = scripts[0];
+          for (const script of scripts) {
+            // what comes before `part` is the same in all
+            const early = first.filter(([, release]) => release < part);
+            const holds = joinHolds([...early, ...script.map(([a, b]) => [Math.max(a, part), Math.max(b, part)] as const)]);
+            const again = march.run(holds);
+            if (again.resumedFrom > 0) resumed++;
+            const told = copied(again);
+            const whole = copied(new March(scene, TICKS).run(holds));
+            expect(told.ending).toEqual(whole.ending);
+            expect(told.minerals).toEqual(whole.minerals);
+            for (const part of ['last', 'states', 'held', 'aliens', 'asteroids'] as const)
+              expect(bytes(told[part])).toBe(bytes(whole[part]));
+          }
+        },
+      ),
+      { numRuns: 150 },
+    );
+    // or the test would not be about going on
+    expect(resumed).toBeGreaterThan(50);
+  });
+
+  it('goes the way that simulate records, and ends as it does', () => {
+    fc.assert(
+      fc.property(arbitraryPlayableLevel, accuracy, arbitraryHolds(TICKS), (level, name, script) => {
+        const scene = compile(level, name);
+        const holds = joinHolds(script);
+        const run = simulate(scene, holds, { maxTime: TICKS / 60 });
+        const { way, ending, minerals } = new March(scene, TICKS).run(holds);
+        expect(ending?.outcome ?? 'timeout').toBe(run.outcome);
+        if (ending !== null) expect([ending.time, ending.tick, ending.with]).toEqual([run.time, run.tick, run.with]);
+        if (name !== 'arcade')
+          expect(minerals.map(({ index }) => index).sort()).toEqual(run.minerals.map(({ index }) => index).sort());
+        for (const { index, tick } of minerals)
+          expect(run.minerals.some((m) => m.index === index && Math.floor(m.time * 60 + 1e-6) === tick)).toBe(true);
+        const state = new Float64Array(STATE_SIZE);
+        let worst = 0;
+        for (let k = 0; k < way.count; k++) {
+          run.trajectory.at(k / 60, state);
+          for (let i = 0; i < 4; i++) worst = Math.max(worst, Math.abs(way.states[STATE_SIZE * k + i] - state[i]));
+        }
+        expect(worst).toBeLessThan(1e-6);
+        expect([...way.last]).toEqual(Object.values(run.final));
+      }),
+      { numRuns: 150 },
+    );
+  });
+
+  it('has aliens and asteroids where they are at every tick, though it writes those alone that stir', () => {
+    let stirred = 0;
+    fc.assert(
+      fc.property(arbitraryPlayableLevel, accuracy, arbitraryHolds(TICKS), (level, name, script) => {
+        const scene = compile(level, name);
+        const holds = joinHolds(script);
+        const { way } = new March(scene, TICKS).run(holds);
+        const simulation = createSimulation(scene);
+        const aliens = new Float64Array(3 * way.aliens.count);
+        const asteroids = new Float64Array(2 * way.asteroids.count);
+        expect([way.aliens.count, way.asteroids.count]).toEqual([level.aliens.length, level.recoil ? level.asteroids.length : 0]);
+        for (let k = 0; k < way.count; k++) {
+          // frames have their first state after the first of them
+          const ticks = name === 'arcade' ? k + 1 : k;
+          if (ticks > 0)
+            simulation.advance(
+              1,
+              holds.some(([press, release]) => press < ticks && ticks <= release),
+            );
+          if (aliens.length > 0) simulation.readAliens(aliens);
+          if (asteroids.length > 0) simulation.readAsteroids(asteroids);
+          if (bytes(way.aliens.all(k)) !== bytes(aliens)) expect([k, ...way.aliens.all(k)]).toEqual([k, ...aliens]);
+          if (bytes(way.asteroids.all(k)) !== bytes(asteroids)) expect([k, ...way.asteroids.all(k)]).toEqual([k, ...asteroids]);
+        }
+        for (let i = 0; i < way.aliens.count; i++) if (way.aliens.stirs(i)) stirred++;
+      }),
+      { numRuns: 100 },
+    );
+    expect(stirred).toBeGreaterThan(10);
+  });
+
+  it('knows where two scripts part', () => {
+    expect(firstDifference([[1, 5]], [[1, 5]])).toBe(Number.POSITIVE_INFINITY);
+    expect(firstDifference([[1, 5]], [[1, 6]])).toBe(5);
+    expect(firstDifference([[1, 5]], [[2, 5]])).toBe(1);
+    expect(
+      firstDifference(
+        [[1, 5]],
+        [
+          [1, 5],
+          [9, 12],
+        ],
+      ),
+    ).toBe(9);
+    expect(firstDifference([], [[3, 4]])).toBe(3);
+  });
+});
+
+const files = (folder: string) => readdirSync(join(root, folder)).map((name) => join(root, folder, name));
+const LEVELS = [...files('levels'), ...files('tests/cli/fixtures/levels')];
+const read = (path: string): LevelFile | null => {
+  const reading = readLevel(readFileSync(path));
+  return reading.ok ? reading.document.file : null;
+};
+
+describe('the live proof', () => {
+  // proofs take longer than a frame: a worker makes them, and what they say is added later
+  const CHECK = { maxTime: 60, inFull: false, search: null, requireSlack: null, proveMinerals: true };
+  const PROVED = new Set(['proved-impossible', 'mineral-never-collectable', 'mineral-out-of-reach']);
+
+  it.each(ACCURACY_NAMES)('says what gq check says, but for proofs, under %s', (name) => {
+    let compared = 0;
+    for (const path of LEVELS) {
+      const file = read(path);
+      if (file === null) continue;
+      const checked = checkLevel(path, { ...CHECK, accuracy: ACCURACIES[name] });
+      const { verdict, problems, full } = createProver().prove({ file, run: null, accuracy: name });
+      compared++;
+      if (checked.verdict === 'impossible') {
+        expect(verdict).not.toBe('completable');
+        continue;
+      }
+      expect(verdict).toBe(checked.verdict);
+      const told = (list: readonly { code: string; severity: string; pointer: string }[]) =>
+        list.filter(({ code }) => !PROVED.has(code)).map(({ code, severity, pointer }) => [code, severity, pointer]);
+      expect(told(problems)).toEqual(told(checked.problems));
+      if (checked.run !== null && verdict === 'completable') expect(full.time).toBe(checked.run.time);
+    }
+    expect(compared).toBeGreaterThan(20);
+  });
+
+  it('says all of it once what a worker proved is put in', () => {
+    let proved = 0;
+    for (const path of LEVELS) {
+      const file = read(path);
+      if (file === null) continue;
+      const checked = checkLevel(path, { ...CHECK, accuracy: ACCURACIES.precise });
+      const { level, problems } = createProver().prove({ file, run: null, accuracy: 'precise' });
+      const work = proofs({ level, accuracy: 'precise' }, () => 0);
+      let step = work.next();
+      while (step.done !== true) step = work.next();
+      const told = (list: readonly { code: string; severity: string; pointer: string }[]) =>
+        list.map(({ code, severity, pointer }) => `${code} ${severity} ${pointer}`).sort();
+      expect(told(withProofs(problems, step.value))).toEqual(told(checked.problems));
+      proved += step.value.minerals.length + (step.value.impossible === null ? 0 : 1);
+    }
+    expect(proved).toBeGreaterThan(0);
+  });
+
+  const grandTour = read(join(root, 'levels/18-grand-tour.level.json')) as LevelFile;
+
+  it('keeps the scene while only runs change, and the beginning of the run while only its end does', () => {
+    const level = createEditedLevel(grandTour);
+    const proof = createProofStore(level, 'precise');
+    const { scene, run } = proof.proof();
+    expect(run.outcome).toBe('completed');
+    const last = run.holds.length - 1;
+    level.change('Move', moveHold(run.name ?? '', last, -1));
+    expect(proof.proof().scene).toBe(scene);
+    expect(proof.proof().run.resumedFrom).toBeGreaterThan(run.holds[last][0] - 62);
+    level.change('Rename', setLevelProperty('name', 'other'));
+    expect(proof.proof().scene).toBe(scene);
+    expect(proof.proof().level.name).toBe('other');
+    level.change('Move', moveObjects([level.file().asteroids?.[0].id ?? ''], 1, 0));
+    expect(proof.proof().scene).not.toBe(scene);
+    expect(proof.proof().run.resumedFrom).toBe(0);
+  });
+
+  it('follows every change, drags and undo included', () => {
+    const level = createEditedLevel(grandTour);
+    const proof = createProofStore(level, 'precise');
+    const fresh = (): LiveProof => createProver().prove({ file: level.file(), run: null, accuracy: 'precise' });
+    const told = ({ verdict, provenBy, run }: LiveProof) => ({
+      verdict,
+      provenBy,
+      time: run.time,
+      outcome: run.outcome,
+      last: [...run.way.last],
+    });
+    const drag = level.begin('Drag');
+    for (let i = 0; i < 6; i++) {
+      drag.set(moveObjects(['@blackHole'], -100 * i, 100 * i));
+      expect(told(proof.proof())).toEqual(told(fresh()));
+    }
+    drag.commit();
+    expect(proof.proof().verdict).toBe('broken');
+    level.undo();
+    expect(proof.proof().verdict).toBe('completable');
+    level.change('Stretch', stretchHold(proof.proof().run.name ?? '', 0, 'release', 1));
+    expect(told(proof.proof())).toEqual(told(fresh()));
+  });
+
+  it('lets her drift where there is no run', () => {
+    const { runs: _, ...file } = grandTour;
+    const proof = createProver().prove({ file, run: 'solution', accuracy: 'precise' });
+    expect(proof).toMatchObject({ verdict: 'unproven', provenBy: null, run: { name: null, holds: [] } });
+    expect(proof.run.way.count).toBeGreaterThan(1);
+    expect(proof.problems[0]).toMatchObject({ code: 'no-run', severity: 'error' });
+  });
+
+  it('finds the run that proves the level, whichever is shown', () => {
+    const holds = grandTour.runs?.[0].holds ?? [];
+    const file: LevelFile = {
+      ...grandTour,
+      runs: [
+        { name: 'fails', holds: [] },
+        { name: 'proves', holds },
+        { name: 'too', holds },
+      ],
+    };
+    const prover = createProver();
+    const by = (run: string | null) => prover.prove({ file, run, accuracy: 'precise' }).provenBy;
+    expect([by(null), by('too'), by('fails'), by('proves'), by('nowhere')]).toEqual([
+      'proves',
+      'too',
+      'proves',
+      'proves',
+      'proves',
+    ]);
+  });
+});
+
+describe('margins', () => {
+  it('are the gap to the nearest of all hazards at every tick, though most are passed over', () => {
+    fc.assert(
+      fc.property(arbitraryPlayableLevel, accuracy, arbitraryHolds(TICKS), (level, name, holds) => {
+        const prover = createProver();
+        const file = {
+          ...level,
+          version: 1,
+          runs: [{ name: 'r', holds }],
+          asteroids: level.asteroids.map(({ id: _, ...o }) => o),
+        };
+        const proof = prover.prove({
+          file: JSON.parse(JSON.stringify(file).replaceAll('"id":null,', '')),
+          run: null,
+          accuracy: name,
+        });
+        const { way } = proof.run;
+        const { gap } = proof.margins;
+        for (let k = 0; k < way.count; k += 7) {
+          const s = way.states.subarray(STATE_SIZE * k, STATE_SIZE * (k + 1));
+          const to = (x: number, y: number, r: number) => boxCircleGap(x - s[0], y - s[1], s[4], s[5], r);
+          const all = level.novae.map(({ x, y, radius }) => to(x, y, radius));
+          for (const [i, { hot, radius, x, y }] of level.asteroids.entries()) {
+            const [ax, ay] = way.asteroids.all(k).subarray(2 * i);
+            if (hot) all.push(level.recoil ? to(ax, ay, radius) : to(x, y, radius));
+          }
+          for (const [i, { radius }] of level.aliens.entries()) {
+            const [ax, ay, alive] = way.aliens.all(k).subarray(3 * i);
+            if (alive !== 0) all.push(to(ax, ay, radius));
+          }
+          expect(gap[k]).toBe(Math.fround(Math.min(Number.POSITIVE_INFINITY, ...all)));
+        }
+      }),
+      { numRuns: 100 },
+    );
+  });
+
+  it('name what was nearly touched, once a pass', () => {
+    const file: LevelFile = {
+      version: 1,
+      name: 'lane',
+      astronaut: { x: 0, y: 0, vx: 100 },
+      blackHole: { x: 900, y: 0 },
+      range: 2000,
+      asteroids: [{ x: 0, y: 300, radius: 16 }],
+      novae: [
+        { x: 500, y: 45, radius: 16 },
+        { x: 300, y: -40, radius: 16 },
+        { x: 400, y: 200, radius: 16 },
+      ],
+      runs: [{ name: 'r', holds: [] }],
+    };
+    const { margins } = createProver().prove({ file, run: null, accuracy: 'precise' });
+    expect(margins.nearMisses.map(({ kind, index, gap }) => [kind, index, Math.round(gap)])).toEqual([
+      ['nova', 1, 8],
+      ['nova', 0, 13],
+    ]);
+    expect(Math.abs(margins.nearMisses[0].tick - 180)).toBeLessThan(8);
+    expect(margins.speed[100]).toBeCloseTo(100);
+  });
+});

@@ -1,0 +1,300 @@
+import { readFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { describe, expect, it } from 'vitest';
+import {
+  createWorkers,
+  type Fan,
+  type JobKind,
+  type Requests,
+  type Results,
+  type WorkerPort,
+} from '../../editor/workers/index.ts';
+import type { FromWorker, ToWorker } from '../../editor/workers/protocol.ts';
+import { createRunner } from '../../editor/workers/runner.ts';
+import { createPacer } from '../../editor/workers/work.ts';
+import { compile, joinHolds, simulate } from '../../engine/index.ts';
+import { type Level, readLevel } from '../../schema/index.ts';
+import { findSlack, verifyRun } from '../../solver/index.ts';
+import { breathe, TurnedClock } from './stage.ts';
+
+const root = join(dirname(fileURLToPath(import.meta.url)), '..', '..');
+const textOf = (name: string) => readFileSync(join(root, 'levels', `${name}.level.json`), 'utf8');
+const levelOf = (name: string): Level => {
+  const reading = readLevel(textOf(name));
+  if (!reading.ok) throw new Error(name);
+  return reading.level;
+};
+const ANY = { minerals: 'any' } as const;
+const level = levelOf('02-first-swing');
+const holds = level.runs[0].holds;
+
+/** A worker in this thread, whose slices are made one at a time. */
+function bench() {
+  const heard: FromWorker[] = [];
+  const due: (() => void)[] = [];
+  let time = 0;
+  // a clock of its own: a look at it takes a millisecond
+  const hear = createRunner({
+    post: (message) => heard.push(structuredClone(message)),
+    later: (call) => due.push(call),
+    now: () => time++,
+  });
+  const slice = () => due.shift()?.();
+  const all = () => {
+    while (due.length > 0) slice();
+  };
+  return { heard, hear, slice, all, isIdle: () => due.length === 0 };
+}
+
+function doJob<K extends JobKind>(kind: K, request: Requests[K]): { result: Results[K]; told: unknown[] } {
+  const { heard, hear, all } = bench();
+  hear({ type: 'start', job: 1, kind, request } as ToWorker);
+  all();
+  const last = heard[heard.length - 1];
+  if (last?.type !== 'done') throw new Error(JSON.stringify(last));
+  return {
+    result: last.result as Results[K],
+    told: heard.flatMap((message) => (message.type === 'progress' ? [message.progress] : [])),
+  };
+}
+
+describe('jobs', () => {
+  it('find a run, tell it before the end, and it holds', () => {
+    const { runs: _, ...bare } = level;
+    const request = {
+      level: { ...bare, runs: [] },
+      accuracy: 'precise',
+      goal: ANY,
+      objective: 'first',
+      count: 1,
+      known: [],
+      seed: 1,
+      lane: 0,
+      budget: 2000,
+    } as const;
+    const { result, told } = doJob('solve', request);
+    expect(told.length).toBeGreaterThan(0);
+    expect(verifyRun(compile(level), result.solutions[0].holds, ANY)).not.toBeNull();
+    expect(result.explored.cells.length).toBeGreaterThan(0);
+  });
+
+  it('tell slack first, then how much a run forgives', () => {
+    const { result, told } = doJob('robustness', { level, accuracy: 'precise', holds, goal: ANY });
+    expect(told).toMatchObject([{ slack: result.slack, p40: { samples: 100 } }]);
+    expect(result.slack).toEqual(findSlack(compile(level), holds, ANY));
+  });
+
+  it('give the ways of a fan: every one still reaches the black hole', () => {
+    const { result, told } = doJob('fan', { level, accuracy: 'precise', holds, goal: ANY });
+    expect(told).toEqual([{ slack: findSlack(compile(level), holds, ANY) }]);
+    const ways = (result as Fan).ways;
+    expect(ways.length).toBeGreaterThan(1);
+    for (const { edge, shift, points } of ways) {
+      const moved = joinHolds(
+        holds.map(([a, b], i) => (i !== edge >> 1 ? [a, b] : edge % 2 === 0 ? [a + shift, b] : [a, b + shift])),
+      );
+      const run = simulate(compile(level), moved);
+      expect(run.outcome).toBe('completed');
+      expect([points[points.length - 2], points[points.length - 1]]).toEqual([
+        Math.fround(run.final.x),
+        Math.fround(run.final.y),
+      ]);
+    }
+  });
+
+  it('measure difficulty by the given run, and by one they look for', () => {
+    expect(doJob('difficulty', { level, accuracy: 'precise', holds, goal: ANY, budget: 100 }).result?.presses).toBe(holds.length);
+    const impossible: Level = { ...level, asteroids: [], runs: [] };
+    expect(doJob('difficulty', { level: impossible, accuracy: 'precise', holds: null, goal: ANY, budget: 50 }).result).toBeNull();
+  });
+
+  it('prove what is out of reach, of the mineral it is about', () => {
+    const { x, y } = level.asteroids[0];
+    const far = { id: 'far', x: x + 5000, y, radius: 7 };
+    const { result } = doJob('proofs', {
+      level: { ...level, minerals: [...level.minerals.slice(0, 1), far] },
+      accuracy: 'precise',
+    });
+    expect(result).toMatchObject({ impossible: null, minerals: [{ index: 1, proof: { about: { kind: 'mineral', index: 1 } } }] });
+    const gone = doJob('proofs', { level: { ...level, blackHole: { x: 9999, y, radius: 18 } }, accuracy: 'precise' });
+    expect(gone.result.impossible).not.toBeNull();
+  });
+
+  it('draw a level small, with its verdict', () => {
+    const request = { accuracy: 'precise', width: 200, theme: 'dark' } as const;
+    const good = doJob('thumbnail', { ...request, text: textOf('02-first-swing') }).result;
+    expect(good).toMatchObject({ verdict: 'completable', svg: expect.stringContaining('<svg') });
+    const broken = JSON.stringify({ ...JSON.parse(textOf('02-first-swing')), runs: [{ name: 'solution', holds: [[1, 2]] }] });
+    expect(doJob('thumbnail', { ...request, text: broken }).result.verdict).toBe('broken');
+    const far = JSON.stringify({ ...JSON.parse(broken), blackHole: { x: 99_999, y: 0 } });
+    expect(doJob('thumbnail', { ...request, text: far }).result.verdict).toBe('impossible');
+    expect(doJob('thumbnail', { ...request, text: '{' }).result).toEqual({ verdict: 'invalid', svg: '', minerals: 0 });
+  });
+
+  it('measure what accuracy costs', () => {
+    const { result } = doJob('accuracy', { level, holds });
+    expect(result.settings.find(({ name }) => name === 'precise')).toMatchObject({ outcome: 'completed', sameVerdict: true });
+  });
+});
+
+describe('a worker', () => {
+  const endless = {
+    level: { ...level, runs: [] },
+    accuracy: 'precise',
+    goal: ANY,
+    objective: 'robust',
+    count: 1,
+    known: [],
+    seed: 1,
+    lane: 0,
+    budget: null,
+  } as const;
+  const start = (job: number): ToWorker => ({ type: 'start', job, kind: 'solve', request: endless });
+
+  it('hears a cancel between two slices, and goes on with what waits', () => {
+    const { heard, hear, slice } = bench();
+    for (const job of [1, 2, 3]) hear(start(job));
+    for (let i = 0; i < 2; i++) slice();
+    expect(heard.every(({ job }) => job === 1)).toBe(true);
+    hear({ type: 'cancel', job: 2 });
+    hear({ type: 'cancel', job: 1 });
+    const before = heard.length;
+    expect(heard.slice(-2)).toEqual([
+      { type: 'cancelled', job: 2 },
+      { type: 'cancelled', job: 1 },
+    ]);
+    for (let i = 0; i < 2; i++) slice();
+    expect(heard.slice(before).every(({ job }) => job === 3)).toBe(true);
+    expect(heard.length).toBeGreaterThan(before);
+  });
+
+  it('says when a job fails, and does the next one', () => {
+    const { heard, hear, all } = bench();
+    hear({ type: 'start', job: 1, kind: 'thumbnail', request: {} as never });
+    hear({ type: 'start', job: 2, kind: 'thumbnail', request: { text: '{', accuracy: 'precise', width: 1, theme: 'dark' } });
+    all();
+    expect(heard).toMatchObject([
+      { type: 'failed', job: 1, message: expect.any(String) },
+      { type: 'done', job: 2 },
+    ]);
+  });
+
+  it('is idle once all is done', () => {
+    const { hear, all, isIdle } = bench();
+    hear({ type: 'start', job: 1, kind: 'thumbnail', request: { text: '{', accuracy: 'precise', width: 1, theme: 'dark' } });
+    all();
+    expect(isIdle()).toBe(true);
+    hear({ type: 'cancel', job: 1 });
+    expect(isIdle()).toBe(true);
+  });
+
+  it.each([1e-5, 1e-3, 0.5])('makes steps of some milliseconds, whatever a tick costs (%s ms)', (cost) => {
+    let time = 0;
+    const pace = createPacer(() => time);
+    const steps = Array.from({ length: 30 }, () => {
+      const before = time;
+      pace((ticks) => {
+        time += ticks * cost;
+      });
+      return time - before;
+    });
+    // a tick that costs more than a level can cost is not cut
+    const least = 500 * cost;
+    for (const step of steps.slice(10)) expect(step).toBeLessThanOrEqual(Math.max(16, least));
+    expect(steps[29]).toBeGreaterThan(8);
+  });
+});
+
+describe('workers', () => {
+  interface Fake extends WorkerPort {
+    readonly sent: ToWorker[];
+    answer: (message: FromWorker) => void;
+    die: (reason: string) => void;
+    isOver: boolean;
+  }
+  function crew() {
+    const ports: Fake[] = [];
+    const clock = new TurnedClock();
+    const workers = createWorkers({
+      after: (ms, call) => clock.after(ms, call),
+      spawn() {
+        const port: Fake = {
+          sent: [],
+          answer: () => {},
+          die: () => {},
+          isOver: false,
+          postMessage: (message) => void port.sent.push(message),
+          onMessage: (listener) => {
+            port.answer = listener;
+          },
+          onDeath: (listener) => {
+            port.die = listener;
+          },
+          terminate: () => {
+            port.isOver = true;
+          },
+        };
+        ports.push(port);
+        return port;
+      },
+    });
+    return { ports, clock, workers };
+  }
+  const thumb = { text: '{', accuracy: 'precise', width: 1, theme: 'dark' } as const;
+
+  it('give what a job tells and how it ends', async () => {
+    const { ports, workers } = crew();
+    const told: unknown[] = [];
+    const job = workers.start('fan', { level, accuracy: 'precise', holds, goal: ANY }, (progress) => told.push(progress));
+    ports[0].answer({ type: 'progress', job: 1, progress: 'half' });
+    ports[0].answer({ type: 'done', job: 1, result: 'all' });
+    expect(await job.end).toEqual({ kind: 'done', result: 'all' });
+    expect(told).toEqual(['half']);
+  });
+
+  it('cancel at once; one that does not answer is ended, and the others begin anew elsewhere', async () => {
+    const { ports, clock, workers } = crew();
+    const told: unknown[] = [];
+    const [stuck, next] = [
+      workers.start('proofs', { level, accuracy: 'precise' }, (p) => told.push(p)),
+      workers.start('thumbnail', thumb),
+    ];
+    stuck.cancel();
+    expect(await stuck.end).toEqual({ kind: 'cancelled' });
+    ports[0].answer({ type: 'progress', job: 1, progress: 'late' });
+    expect(told).toEqual([]);
+    // it did tell something, so it was not stuck
+    await clock.pass(100);
+    expect(ports).toHaveLength(1);
+    const again = workers.start('proofs', { level, accuracy: 'precise' });
+    again.cancel();
+    await clock.pass(49);
+    expect(ports[0].isOver).toBe(true);
+    expect(ports[1].sent).toMatchObject([{ type: 'start', job: 2, kind: 'thumbnail' }]);
+    ports[0].answer({ type: 'done', job: 2, result: 'from the dead' });
+    ports[1].answer({ type: 'done', job: 2, result: 'new' });
+    expect(await next.end).toEqual({ kind: 'done', result: 'new' });
+  });
+
+  it('that die say so, and are replaced when something is asked again', async () => {
+    const { ports, workers } = crew();
+    const job = workers.start('thumbnail', thumb);
+    ports[0].die('out of memory');
+    expect(await job.end).toEqual({ kind: 'failed', message: 'out of memory' });
+    workers.start('thumbnail', thumb);
+    expect(ports).toHaveLength(2);
+  });
+
+  it('keep short jobs apart from searches, and what follows every change apart from both; end all when closed', async () => {
+    const { ports, workers } = crew();
+    const job = workers.start('generate', { options: { seed: 1 } });
+    workers.start('thumbnail', thumb);
+    workers.start('fan', { level, accuracy: 'precise', holds, goal: ANY });
+    expect(ports.map(({ sent }) => sent.length)).toEqual([1, 1, 1]);
+    workers.close();
+    expect(await job.end).toEqual({ kind: 'cancelled' });
+    await breathe();
+    expect(ports.every(({ isOver }) => isOver)).toBe(true);
+  });
+});

@@ -1,0 +1,113 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { compile, createSimulation, HALF_DIAGONAL, HALF_HEIGHT, HALF_WIDTH } from '../../engine/index.ts';
+import type { Level } from '../../schema/index.ts';
+import { arbitraryLevel, arbitraryPlayableLevel } from './arbitrary-level.ts';
+import { plainFrames } from './arcade-plain-loop.ts';
+
+// `arcade` leaves out what is too far to matter, frame by frame and cell by cell. Nothing may tell: not a bit of the state, on
+// any level, however it is advanced. A neighbourhood one circle short would pass every test of the shipped levels.
+
+const between = (min: number, max: number) => fc.integer({ min: 16 * min, max: 16 * max }).map((k) => k / 16);
+
+/** Many things around her, most of them near her way: she passes cells with anything in them, grazes, and is chased. */
+const crowdedLevel: fc.Arbitrary<Level> = fc
+  .record({ playable: arbitraryPlayableLevel, recoil: fc.boolean(), small: fc.boolean(), range: between(150, 400) })
+  .chain(({ playable, recoil, small, range }) => {
+    const circle = (radius: number, apart: number) =>
+      fc
+        .tuple(between(-250, 250), between(-250, 250))
+        .filter(([x, y]) => Math.max(Math.abs(x), Math.abs(y)) > apart)
+        .map(([x, y]) => ({ id: null, x, y, radius }));
+    const list = <T>(item: fc.Arbitrary<T>, maxLength: number) => fc.array(item, { maxLength });
+    return fc
+      .record({
+        asteroids: fc.array(
+          circle(small ? 0.25 : 16, 60).map((c) => ({ ...c, hot: (c.x + c.y) % 3 === 0 })),
+          { minLength: 1, maxLength: 12 },
+        ),
+        novae: list(circle(16, 60), 6),
+        repulsors: list(circle(48, 0), 3),
+        aliens: list(circle(25, 80), 5),
+        minerals: list(circle(7, 0), 6),
+      })
+      .map((things) => ({ ...playable, ...things, recoil, range }));
+  });
+
+const plan = fc.array(fc.record({ ticks: fc.integer({ min: 1, max: 150 }), held: fc.boolean() }), {
+  minLength: 1,
+  maxLength: 10,
+});
+
+function compareWithPlain(level: Level, steps: readonly { ticks: number; held: boolean }[]): void {
+  const expected = plainFrames(
+    level,
+    steps.flatMap(({ ticks, held }) => Array.from({ length: ticks }, () => held)),
+  );
+  const simulation = createSimulation(compile(level, 'arcade'));
+  for (const { ticks, held } of steps) simulation.advance(ticks, held);
+  const state = new Float64Array(6);
+  const aliens = new Float64Array(3 * level.aliens.length);
+  const asteroids = new Float64Array(2 * level.asteroids.length);
+  simulation.readState(state);
+  simulation.readAliens(aliens);
+  simulation.readAsteroids(asteroids);
+  expect({
+    frames: simulation.tick,
+    outcome: simulation.ending?.outcome ?? null,
+    minerals: simulation.mineralCount,
+    collected: level.minerals.map((_, i) => simulation.isCollected(i)),
+    state: [...state],
+    aliens: [...aliens],
+    asteroids: [...asteroids],
+  }).toEqual(expected);
+}
+
+describe('arcade has the bits of a loop that looks at everything in every frame', () => {
+  it.each([
+    ['any', arbitraryLevel],
+    ['playable', arbitraryPlayableLevel],
+    ['crowded', crowdedLevel],
+  ] as const)('on %s levels', (_, level) => {
+    fc.assert(fc.property(level, plan, compareWithPlain), { numRuns: 400, seed: 6 });
+  });
+
+  it('where an alien that starts from rest has less than 2 px to go', () => {
+    // a corner of her box points at it: only there does the box reach as far as what is looked at beforehand
+    const corner = HALF_DIAGONAL + 25;
+    const gap = fc.integer({ min: 1, max: 200 }).map((k) => k / 100);
+    const quarter = fc.tuple(fc.constantFrom(-1, 1), fc.constantFrom(-1, 1));
+    fc.assert(
+      fc.property(arbitraryPlayableLevel, gap, quarter, fc.integer({ min: 1, max: 60 }), (level, d, [sx, sy], ticks) => {
+        const x = (sx * HALF_WIDTH * (corner + d)) / HALF_DIAGONAL;
+        const y = (sy * HALF_HEIGHT * (corner + d)) / HALF_DIAGONAL;
+        const blackHole = { x: 200, y: 0, radius: 20 };
+        const asteroids = [{ id: null, x: 100, y: -100, radius: 16, hot: false }];
+        const still = { ...level, astronaut: { x: 0, y: 0, vx: 0, vy: 0 }, blackHole, asteroids, range: 400 };
+        const alone = { ...still, novae: [], repulsors: [], minerals: [], aliens: [{ id: null, x, y, radius: 25 }] };
+        compareWithPlain(alone, [
+          { ticks, held: false },
+          { ticks: 90, held: false },
+        ]);
+      }),
+      { numRuns: 300, seed: 8 },
+    );
+  });
+
+  it('where there are so many things that an index finds the near ones', () => {
+    const field = (count: number, radius: number, shift: number) =>
+      Array.from({ length: count }, (_, i) => ({
+        id: null,
+        x: 90 * ((i % 20) - 10) + shift + (i % 7),
+        y: 90 * (Math.floor(i / 20) - 5) + shift + (i % 5),
+        radius,
+      }));
+    fc.assert(
+      fc.property(arbitraryPlayableLevel, fc.boolean(), plan, (level, recoil, steps) => {
+        const asteroids = field(200, 16, 45).map((a, i) => ({ ...a, hot: i % 9 === 0 }));
+        compareWithPlain({ ...level, recoil, asteroids, novae: field(150, 7, 20), minerals: field(140, 7, 3) }, steps);
+      }),
+      { numRuns: 60, seed: 7 },
+    );
+  });
+});

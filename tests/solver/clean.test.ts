@@ -1,0 +1,65 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { compile, simulate } from '../../engine/index.ts';
+import { cleanRun, createSearch, type Goal } from '../../solver/index.ts';
+import { accuracyNames } from '../engine/accuracies.ts';
+import { arbitraryOrdinaryLevel, arbitrarySolvableLevel, fallThrough } from './search/solvable-levels.ts';
+
+describe.each(accuracyNames)('cleaning at %s', (accuracy) => {
+  it('gives a run that simulate confirms, with no more presses, no later, with the goal met', () => {
+    let cleaned = 0;
+    fc.assert(
+      fc.property(
+        fc.oneof(arbitrarySolvableLevel, arbitraryOrdinaryLevel),
+        fc.constantFrom('any', 'all'),
+        fc.nat(),
+        (level, minerals, seed) => {
+          const goal: Goal = { minerals: minerals === 'all' ? 'all' : 'any' };
+          const scene = compile(level, accuracy);
+          const search = createSearch(scene, { goal, seed });
+          search.advance(6000);
+          const [found] = search.solutions;
+          if (found === undefined) return;
+          cleaned++;
+          const clean = cleanRun(scene, found.holds, goal, { maxRuns: 120 });
+          expect(clean).not.toBeNull();
+          if (clean === null) return;
+          expect(clean.run.holds.length).toBeLessThanOrEqual(found.holds.length);
+          expect(clean.run.tick).toBeLessThanOrEqual(found.tick);
+          expect(clean.effort.runs).toBeLessThanOrEqual(120);
+          const run = simulate(scene, clean.run.holds);
+          expect(run.outcome).toBe('completed');
+          expect({ tick: run.tick, time: run.time }).toEqual({ tick: clean.run.tick, time: clean.run.time });
+          if (goal.minerals === 'all') expect(clean.run.minerals.length).toBe(level.minerals.length);
+        },
+      ),
+      { numRuns: 20 },
+    );
+    expect(cleaned).toBeGreaterThan(2);
+  });
+
+  it('drops presses that are not needed, and idle waiting', () => {
+    const scene = compile(fallThrough(), accuracy);
+    const search = createSearch(scene, { seed: 1 });
+    while (search.solutions.length === 0) search.advance(1000);
+    const { holds } = search.solutions[0];
+    expect(holds.length).toBe(1);
+    // she waits two seconds at first, and lets go for a moment on the way
+    const [[press, release]] = holds;
+    const clumsy = [
+      [press + 120, release + 100],
+      [release + 101, release + 120],
+    ] as const;
+    const clean = cleanRun(scene, clumsy, { minerals: 'any' });
+    expect(clean?.run.holds.length).toBe(1);
+    expect(clean?.run.holds[0][0]).toBe(0);
+    const before = simulate(scene, clumsy);
+    expect(before.outcome).toBe('completed');
+    expect(clean?.run.tick).toBeLessThanOrEqual(before.tick - 90);
+  });
+});
+
+it('says so when the run does not meet the goal', () => {
+  const scene = compile(fallThrough(), 'precise');
+  expect(cleanRun(scene, [], { minerals: 'any' })).toBeNull();
+});

@@ -1,0 +1,124 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { compile, findWarnings, simulate } from '../../engine/index.ts';
+import { type Circle, formatLevel, readLevel } from '../../schema/index.ts';
+import { wishOf } from '../../solver/generate/wish.ts';
+import { certify, createGenerator, findShortcuts, type Generated, type GeneratorOptions, verifyRun } from '../../solver/index.ts';
+
+const ANY = { minerals: 'any' } as const;
+
+// ticks: a generator that needs more has lost its way
+const MOST = 400_000_000;
+
+function generate(options: GeneratorOptions, step = 5_000_000): Generated {
+  const generator = createGenerator(options);
+  while (generator.result === null && generator.effort.ticks < MOST) generator.advance(step);
+  if (generator.result === null) throw new Error(`nothing generated: ${JSON.stringify(options)}`);
+  return generator.result;
+}
+
+// seeds that come to an end soon
+const WISHES: readonly GeneratorOptions[] = [
+  { seed: 3, size: 'small', difficulty: 'easy' },
+  { seed: 1, size: 'medium', difficulty: 'easy' },
+  { seed: 2, size: 'medium', difficulty: 'medium' },
+];
+
+const LEVELS = WISHES.map((options) => ({ options, generated: generate(options) }));
+
+describe.each(LEVELS)('a level generated from $options', ({ options, generated }) => {
+  const wish = wishOf(options);
+  // everything is asked of the text as it would be written
+  const text = formatLevel(generated.level);
+  const reading = readLevel(text);
+  if (!reading.ok) throw new Error(reading.problems.map(({ message }) => message).join('\n'));
+  const { level } = reading;
+  const [solution, all] = level.runs;
+
+  it.each(['precise', 'arcade'] as const)('is completed by its runs at %s, and not without pressing', (accuracy) => {
+    const scene = compile(level, accuracy);
+    expect(level.runs.map(({ name }) => name)).toEqual(['solution', 'all-minerals']);
+    expect(simulate(scene, solution.holds).outcome).toBe('completed');
+    const collected = simulate(scene, all.holds);
+    expect(collected.outcome).toBe('completed');
+    expect(new Set(collected.minerals.map(({ index }) => index)).size).toBe(3);
+    expect(verifyRun(scene, [])).toBeNull();
+  });
+
+  it.each(['precise', 'arcade'] as const)('forgives what it claims at %s', (accuracy) => {
+    const claimed = accuracy === 'precise' ? generated.robustness : generated.arcade;
+    expect(claimed.certifiedTicks).toBeGreaterThanOrEqual(wish.certifiedTicks);
+    expect(claimed.p40.p).toBeGreaterThanOrEqual(wish.p40);
+    const certified = certify(compile(level, accuracy), solution.holds, ANY, { limit: wish.certifiedTicks });
+    expect(certified.ticks).toBe(wish.certifiedTicks);
+  });
+
+  it('is as hard as wanted, and not won by most single presses', () => {
+    expect(generated.grade.value).toBeGreaterThanOrEqual(wish.grade[0]);
+    expect(generated.grade.value).toBeLessThanOrEqual(wish.grade[1]);
+    const { onePress } = findShortcuts(compile(level, 'arcade'), ANY, { run: solution.holds, effort: 0 });
+    // presses were counted in strides of three: the share of all of them may be a little larger
+    expect(onePress.count / onePress.tried).toBeLessThanOrEqual(wish.onePress + 0.01);
+  });
+
+  it('has nothing to warn of, and lies within its size', () => {
+    const scene = compile(level);
+    const runs = level.runs.map(({ holds }) => simulate(scene, holds));
+    expect(findWarnings(level, runs)).toEqual([]);
+    const bodies: Pick<Circle, 'x' | 'y' | 'radius'>[] = [level.blackHole, ...level.asteroids, ...level.novae, ...level.aliens];
+    for (const { x, y, radius } of bodies) {
+      expect(Math.min(x, y) - radius).toBeGreaterThanOrEqual(20);
+      expect(x + radius).toBeLessThanOrEqual(wish.width - 20);
+      expect(y + radius).toBeLessThanOrEqual(wish.height - 20);
+    }
+    for (const [i, a] of bodies.entries()) {
+      for (const b of bodies.slice(i + 1)) {
+        expect(Math.hypot(a.x - b.x, a.y - b.y)).toBeGreaterThanOrEqual(a.radius + b.radius + 12);
+      }
+    }
+  });
+
+  it('is ready to be written: ids on every object, and a name', () => {
+    const objects = [...level.asteroids, ...level.novae, ...level.repulsors, ...level.aliens, ...level.minerals];
+    expect(objects.every(({ id }) => id !== null)).toBe(true);
+    expect(level.name).toMatch(/^[A-Z][a-z]+ [A-Z][a-z]+$/);
+    expect(formatLevel(reading.document.file)).toBe(text);
+  });
+});
+
+describe('a generator', () => {
+  it('gives the same level however it is advanced, and others for others', () => {
+    const texts = LEVELS.map(({ generated }) => formatLevel(generated.level));
+    expect(formatLevel(generate(WISHES[1], 50_000).level)).toBe(texts[1]);
+    expect(new Set(texts).size).toBe(texts.length);
+  });
+
+  it('refuses what can not be', () => {
+    expect(() => createGenerator({ seed: 1, size: { width: 200, height: 600 } })).toThrow(
+      'width: expected 360 to 4000 px, found 200',
+    );
+    expect(() => createGenerator({ seed: 1, difficulty: 11 })).toThrow('difficulty: expected a grade from 1 to 10');
+    expect(() => createGenerator({ seed: 1, difficulty: Number.NaN })).toThrow('found NaN');
+  });
+
+  it('asks for less forgiveness the harder a level is to be', () => {
+    fc.assert(
+      fc.property(fc.integer({ min: 10, max: 100 }), fc.integer({ min: 10, max: 100 }), (a, b) => {
+        const [easy, hard] = [Math.min(a, b), Math.max(a, b)].map((grade) => wishOf({ seed: 0, difficulty: grade / 10 }));
+        expect(hard.p40).toBeLessThanOrEqual(easy.p40);
+        expect(hard.onePress).toBeLessThanOrEqual(easy.onePress);
+        expect(hard.certifiedTicks).toBeLessThanOrEqual(easy.certifiedTicks);
+        expect(hard.grade[0]).toBeGreaterThanOrEqual(easy.grade[0]);
+        expect(hard.certifiedTicks).toBeGreaterThan(0);
+      }),
+    );
+  });
+
+  it('uses only what is allowed', () => {
+    const { level } = generate({ seed: 2, size: 'medium', difficulty: 'easy', ingredients: [] });
+    expect(level.aliens).toBeUndefined();
+    expect(level.repulsors).toBeUndefined();
+    expect(level.recoil).toBeUndefined();
+    expect(level.asteroids?.some(({ hot }) => hot)).toBe(false);
+  });
+});

@@ -1,0 +1,182 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { compile, joinHolds, simulate } from '../../../engine/index.ts';
+import type { Hold } from '../../../schema/index.ts';
+import { certify, findSlack, measureRobustness, successProbability } from '../../../solver/index.ts';
+import { createTrials, drawShift, judgeAll, shiftHolds, tickNoise, uniformOf } from '../../../solver/robustness/index.ts';
+import { fallThrough } from '../search/solvable-levels.ts';
+import { ANY, arbitraryRun, type Found, succeeds } from './scenes.ts';
+
+/** Every combination of one of `choices` for each of `n` edges. */
+function* combinations(n: number, choices: readonly number[]): Generator<number[]> {
+  if (n === 0) {
+    yield [];
+    return;
+  }
+  for (const rest of combinations(n - 1, choices)) for (const choice of choices) yield [...rest, choice];
+}
+
+const upTo = (k: number): number[] => Array.from({ length: 2 * k + 1 }, (_, i) => i - k);
+
+/** Exact probability by trying every pair of shifts of a single hold. */
+function exactly(found: Found, sigma: number): number {
+  const { probability, reach } = tickNoise(sigma);
+  let p = 0;
+  for (const shifts of combinations(2, upTo(reach))) {
+    const weight = probability[shifts[0] + reach] * probability[shifts[1] + reach];
+    if (weight > 1e-7 && succeeds(found, shiftHolds(found.holds, shifts))) p += weight;
+  }
+  return p;
+}
+
+/** Whether two runs play alike, whatever they would do after the end. */
+function plays({ scene }: Found, a: readonly Hold[], b: readonly Hold[]): boolean {
+  return simulate(scene, a).hash === simulate(scene, b).hash;
+}
+
+describe.each(['arcade', 'precise'] as const)('at %s', (accuracy) => {
+  const runs = accuracy === 'arcade' ? 30 : 8;
+
+  it('slack is what trying every shift gives', () => {
+    fc.assert(
+      fc.property(arbitraryRun(accuracy), (found) => {
+        const limit = 20;
+        const slack = findSlack(found.scene, found.holds, found.goal, limit);
+        const holds = joinHolds(found.holds);
+        const byHand = (edge: number, direction: number) => {
+          const shifts = new Array<number>(2 * holds.length).fill(0);
+          for (let by = 0; by <= limit; by++) {
+            shifts[edge] = by * direction;
+            if (!succeeds(found, shiftHolds(holds, shifts))) return Math.max(0, by - 1);
+          }
+          return limit;
+        };
+        expect(slack).toEqual(
+          holds.flatMap((_, i) => [2 * i, 2 * i + 1]).map((e) => ({ earlier: byHand(e, -1), later: byHand(e, 1) })),
+        );
+      }),
+      { numRuns: runs },
+    );
+  });
+
+  it('a certificate is what trying every combination gives, also where edges change places', () => {
+    let [proved, close] = [0, 0];
+    fc.assert(
+      fc.property(arbitraryRun(accuracy), (found) => {
+        const limit = accuracy === 'arcade' ? 2 : 1;
+        const holds = joinHolds(found.holds);
+        const { ticks, exhausted, counterexample } = certify(found.scene, holds, found.goal, { limit, maxRuns: 1e6 });
+        const all = (k: number) => [...combinations(2 * holds.length, upTo(k))].map((shifts) => shiftHolds(holds, shifts));
+        const isSure = (k: number) => all(k).every((moved) => succeeds(found, moved));
+        let largest = 0;
+        while (largest < limit && isSure(largest + 1)) largest++;
+        if (holds.length === 2 && holds[1][0] - holds[0][1] < 2 * limit) close++;
+        proved += largest;
+        expect(exhausted).toBe(false);
+        expect(ticks).toBe(largest);
+        if (largest === limit) expect(counterexample).toBeNull();
+        else {
+          expect(succeeds(found, counterexample ?? [])).toBe(false);
+          // and it is one of the combinations, as far as it was played
+          if (succeeds(found, holds))
+            expect(all(largest + 1).some((moved) => plays(found, moved, counterexample ?? []))).toBe(true);
+        }
+      }),
+      { numRuns: runs },
+    );
+    expect(proved).toBeGreaterThan(0);
+    expect(close).toBeGreaterThan(0);
+  });
+
+  it('success under noise is what playing each execution on its own gives', () => {
+    fc.assert(
+      fc.property(arbitraryRun(accuracy, 3), fc.constantFrom(20, 40, 80), fc.nat(100), (found, sigma, seed) => {
+        const samples = 60;
+        const holds = joinHolds(found.holds);
+        const noise = tickNoise(sigma);
+        let successes = 0;
+        for (let sample = 0; sample < samples; sample++) {
+          const shifts = holds.flatMap((_, i) => [0, 1].map((end) => drawShift(noise, uniformOf(seed, sample, 2 * i + end))));
+          if (succeeds(found, shiftHolds(holds, shifts))) successes++;
+        }
+        const success = successProbability(found.scene, found.holds, found.goal, sigma, { samples, seed });
+        expect(success).toMatchObject({ sigma, samples, p: successes / samples });
+        expect(success.low).toBeLessThanOrEqual(success.p);
+        expect(success.high).toBeGreaterThanOrEqual(success.p);
+      }),
+      { numRuns: runs },
+    );
+  });
+});
+
+it('a sampled probability is near the exact one', () => {
+  let between = 0;
+  fc.assert(
+    fc.property(arbitraryRun('arcade', 1), (found) => {
+      const p = exactly(found, 40);
+      if (p > 0.05 && p < 0.95) between++;
+      const success = successProbability(found.scene, found.holds, found.goal, 40, { samples: 2000, seed: 5 });
+      // four and a half standard deviations
+      expect(Math.abs(success.p - p)).toBeLessThan(4.5 * Math.sqrt((p * (1 - p)) / 2000) + 1e-3);
+    }),
+    // some of these succeed now and then
+    { numRuns: 12, seed: 3 },
+  );
+  expect(between).toBeGreaterThan(0);
+});
+
+it('runs judged together are judged as each on its own, and share what they have in common', () => {
+  fc.assert(
+    fc.property(arbitraryRun('arcade', 2), fc.nat(50), (found, seed) => {
+      const holds = joinHolds(found.holds);
+      const noise = tickNoise(40);
+      const runs = Array.from({ length: 40 }, (_, sample) =>
+        shiftHolds(
+          holds,
+          Array.from({ length: 2 * holds.length }, (_, edge) => drawShift(noise, uniformOf(seed, sample, edge))),
+        ),
+      );
+      // the same one twice, one that is the beginning of another, and none at all
+      runs.push(runs[3], runs[5].slice(0, 1), []);
+      const together = createTrials(found.scene, found.goal);
+      expect([...judgeAll(together, runs)]).toEqual(runs.map((run) => (succeeds(found, run) ? 1 : 0)));
+      const apart = createTrials(found.scene, found.goal);
+      for (const run of runs) judgeAll(apart, [run]);
+      expect(together.ticks).toBeLessThan(apart.ticks);
+    }),
+    { numRuns: 15 },
+  );
+});
+
+describe('a run that fails', () => {
+  const scene = compile(fallThrough(), 'arcade');
+  const nothing: Hold[] = [];
+
+  it('has no slack, no certificate and no success', () => {
+    expect(findSlack(scene, [[0, 1]], { minerals: 'all' })).toEqual([
+      { earlier: 0, later: 0 },
+      { earlier: 0, later: 0 },
+    ]);
+    expect(certify(scene, nothing, ANY)).toEqual({ ticks: 0, exhausted: false, runs: 1, counterexample: [] });
+    expect(successProbability(scene, nothing, ANY, 40, { samples: 10 }).p).toBe(0);
+  });
+});
+
+it('says when a certificate is too dear', () => {
+  const scene = compile(fallThrough(), 'arcade');
+  const { ticks, exhausted, runs } = certify(scene, [[0, 600]], ANY, { maxRuns: 10 });
+  expect(exhausted).toBe(true);
+  expect(ticks).toBeGreaterThanOrEqual(0);
+  expect(runs).toBeLessThanOrEqual(10);
+  const measured = (maxRuns?: number) => measureRobustness(scene, [[0, 600]], ANY, { samples: 10, maxRuns });
+  expect(measured(10)).toMatchObject({ certifiedTicks: ticks, decided: false });
+  expect(measured().decided).toBe(true);
+});
+
+it('more noise is never much better, in a run that is in the middle of its window', () => {
+  const scene = compile(fallThrough(), 'arcade');
+  const { p30, p40, p60, p80, slack } = measureRobustness(scene, [[10, 600]], ANY, { samples: 300 });
+  expect(slack).toHaveLength(2);
+  const shares = [p30, p40, p60, p80].map(({ p }) => p);
+  for (let i = 1; i < shares.length; i++) expect(shares[i]).toBeLessThanOrEqual(shares[i - 1] + 0.05);
+});
