@@ -1,15 +1,7 @@
 import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import {
-  brief,
-  type DiagramPoint,
-  drawDiagram,
-  drawTunnelling,
-  linesOf,
-  noteOf,
-  type TunnellingCurve,
-} from '../cli/accuracy/index.ts';
+import { brief } from '../cli/accuracy/index.ts';
 import { ACCURACIES, type Accuracy, DEFAULT_MAX_TIME, TICK_RATE } from '../engine/index.ts';
 import {
   type Cost,
@@ -27,6 +19,14 @@ import {
   type Reference,
   referenceOf,
 } from '../engine/work-precision/index.ts';
+import {
+  type DiagramPoint,
+  drawDiagram,
+  drawTunnelling,
+  linesOf,
+  noteOf,
+  type TunnellingCurve,
+} from '../picture/accuracy/index.ts';
 import { type Hold, type Level, readLevel } from '../schema/index.ts';
 import { atMost, machine, optionValue, publish } from './harness.ts';
 import { buttonPerStep, loadPeers, type Peer, type PeerWorld } from './peers/index.ts';

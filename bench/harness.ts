@@ -38,6 +38,8 @@ export interface Comparison {
 /** A claim and whether it held. */
 export interface Claim {
   readonly what: string;
+  /** At most where left out. */
+  readonly bound?: 'at most' | 'at least';
   readonly limit: number;
   readonly measured: number;
   readonly met: boolean;
@@ -135,9 +137,18 @@ function timesToLast(contestant: Contestant, ms: number): number {
 
 export const atMost = (what: string, measured: number, limit: number): Claim => ({
   what,
+  bound: 'at most',
   limit,
   measured,
   met: measured <= limit,
+});
+
+export const atLeast = (what: string, measured: number, limit: number): Claim => ({
+  what,
+  bound: 'at least',
+  limit,
+  measured,
+  met: measured >= limit,
 });
 
 /** The machine and the runtime the numbers come from. */
@@ -189,7 +200,7 @@ export function publish(report: Report): void {
   if (report.claims.length > 0) console.log('');
   for (const claim of report.claims) {
     console.log(
-      `${claim.met ? 'met    ' : 'NOT MET'}  ${claim.what}: ${figure(claim.measured)} (at most ${figure(claim.limit)})`,
+      `${claim.met ? 'met    ' : 'NOT MET'}  ${claim.what}: ${figure(claim.measured)} (${claim.bound ?? 'at most'} ${figure(claim.limit)})`,
     );
   }
   for (const note of report.notes) console.log(`\n${note}`);

@@ -1,0 +1,84 @@
+import process from 'node:process';
+import { createRandom } from '../solver/index.ts';
+import { HAZARDS, playRound, type Round, VICTIMS } from './editor-soak/round.ts';
+import { type Victim, World } from './editor-soak/world.ts';
+import { optionValue } from './harness.ts';
+
+// Everything is nudged to the right, a px a key, while page, browser and server are killed and other things go wrong. How far it was, as far as the editor
+// has shown it as saved or had it in its journal, it must be when all is up again: never further back, and never further than it was moved.
+
+function report(rounds: readonly Round[]): void {
+  const line = (name: string, of: readonly Round[]) => {
+    const sum = (value: (round: Round) => number) => of.reduce((total, round) => total + value(round), 0);
+    const unacknowledged = sum(({ most, least }) => most - least);
+    const kept = sum(({ found, least }) => found - least);
+    console.log(
+      `${name.padEnd(20)} ${String(of.length).padStart(4)} rounds, ${sum(({ pressed }) => pressed)} keys; of ${unacknowledged} that ` +
+        `nothing had acknowledged ${kept} were there`,
+    );
+  };
+  for (const victims of VICTIMS) {
+    const of = rounds.filter((round) => round.victims === victims);
+    line(victims, of);
+  }
+  for (const hazard of HAZARDS) {
+    const of = rounds.filter((round) => round.hazard === hazard);
+    line(hazard, of);
+  }
+}
+
+async function main(): Promise<void> {
+  const wanted = Number(optionValue('--kills') ?? 300);
+  const seed = Number(optionValue('--seed') ?? 1);
+  const until = Date.now() + 1000 * Number(optionValue('--seconds') ?? 3600);
+  const random = createRandom(seed);
+  const rounds: Round[] = [];
+  const failures: string[] = [];
+  const kills: Record<Victim, number> = { page: 0, browser: 0, server: 0 };
+  const total = (of: Record<Victim, number>) => of.page + of.browser + of.server;
+  let world: World | null = null;
+  const leave = async () => {
+    if (world === null) return;
+    for (const victim of Object.keys(kills) as Victim[]) kills[victim] += world.kills[victim];
+    await world.end();
+    world = null;
+  };
+  let isAsked = false;
+  for (const signal of ['SIGINT', 'SIGTERM'] as const) {
+    process.once(signal, () => {
+      isAsked = true;
+    });
+  }
+  while (total(kills) + (world === null ? 0 : total(world.kills)) < wanted && Date.now() < until && !isAsked) {
+    const number = rounds.length + 1;
+    const state = random.fork();
+    try {
+      if (world === null) {
+        world = new World();
+        await world.mend('close');
+        await world.settle();
+      }
+      const round: Round = await playRound(world, state);
+      rounds.push(round);
+      for (const failure of round.failures) failures.push(`round ${number}, ${round.victims}, ${round.hazard}: ${failure}`);
+      if (process.stderr.isTTY || round.failures.length > 0) {
+        console.error(`${number}: ${round.victims}, ${round.hazard}: ${round.failures.join('; ') || 'ok'}`);
+      }
+    } catch (error) {
+      const failure = `round ${number}: ${error instanceof Error ? error.message : error}`;
+      console.error(failure);
+      failures.push(failure);
+      await leave();
+    }
+  }
+  await leave();
+  report(rounds);
+  for (const failure of failures) console.log(`FAILED  ${failure}`);
+  console.log(
+    `seed ${seed}: ${kills.page} pages, ${kills.browser} browsers and ${kills.server} servers killed in ${rounds.length} rounds; ` +
+      `${failures.length} failures`,
+  );
+  if (failures.length > 0 || rounds.length === 0) process.exitCode = 1;
+}
+
+await main();

@@ -1,0 +1,132 @@
+import { readdirSync, readFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import { gzipSync } from 'node:zlib';
+import * as deeds from './editor/deeds.ts';
+import { playableLevel } from './editor/playable-level.ts';
+import { openStage } from './editor/stage.ts';
+import { type Cost, p95 } from './editor/trace.ts';
+import { atMost, type Claim, optionValue, publish } from './harness.ts';
+
+/** Steps of a drag, a scrub, a marquee. */
+const STEPS = Number(optionValue('--steps') ?? 60);
+/** How often what is done once is done. */
+const TIMES = Number(optionValue('--times') ?? 20);
+const SIZES = (optionValue('--objects') ?? '30,1000').split(',').map(Number);
+
+/** All that the page loads before it can be used, gzipped, kB. */
+function firstLoad(): number {
+  const folder = fileURLToPath(new URL('../editor/', import.meta.url));
+  const html = readFileSync(`${folder}index.html`, 'utf8');
+  const asked = [...html.matchAll(/(?:src|href)="\.\/([^"]+)"/g)].map(([, path]) => path);
+  const assets = readdirSync(`${folder}assets`).map((file) => `assets/${file}`);
+  if (asked.length < 2 || !assets.some((path) => asked.includes(path)))
+    throw new Error('the page names no assets: was it built?');
+  return ['index.html', ...asked].reduce((sum, path) => sum + gzipSync(readFileSync(folder + path)).length, 0) / 1000;
+}
+
+interface Row {
+  readonly what: string;
+  /** ms, 95 of 100 */
+  readonly limit: number;
+  readonly script: number | null;
+  readonly frame: number;
+  readonly count: number;
+}
+
+const ofCosts = (what: string, limit: number, costs: readonly Cost[]): Row => ({
+  what,
+  limit,
+  script: p95(costs.map(({ script }) => script)),
+  frame: p95(costs.map(({ frame }) => frame)),
+  count: costs.length,
+});
+const ofTimes = (what: string, limit: number, times: readonly number[]): Row => ({
+  what,
+  limit,
+  script: null,
+  frame: p95(times),
+  count: times.length,
+});
+
+/** Puts what it measures into `rows`, so that what is known stays known when something breaks. */
+async function measure(objects: number, rows: Row[]): Promise<void> {
+  const level = playableLevel(objects);
+  const names = ['To', 'Fro'] as const;
+  const stage = await openStage({ '01': { ...level, name: names[0] }, '02': { ...level, name: names[1] } });
+  const places = [
+    level.astronaut,
+    level.blackHole,
+    ...(level.asteroids ?? []),
+    ...(level.novae ?? []),
+    ...(level.minerals ?? []),
+  ];
+  const all = [...places, ...(level.repulsors ?? []), ...(level.aliens ?? [])];
+  const reach = (place: { x: number; y: number }) => ('radius' in place ? Number(place.radius) : 16);
+  const extent = {
+    left: Math.min(...all.map((place) => place.x - ('radius' in place ? Number(place.radius) : 10))),
+    top: Math.min(...all.map((place) => place.y - reach(place))),
+    right: Math.max(...all.map((place) => place.x + ('radius' in place ? Number(place.radius) : 10))),
+    bottom: Math.max(...all.map((place) => place.y + reach(place))),
+  };
+  const grip = (level.asteroids ?? []).filter(({ y }) => y < 0).at(0) ?? level.astronaut;
+  // it takes minutes: what is known is said
+  const say = (what: string) => {
+    const last = rows.at(-1);
+    const known =
+      last === undefined ? '' : `${last.what}: script ${last.script?.toFixed(1) ?? '-'}, frame ${last.frame.toFixed(1)} ms; `;
+    process.stderr.write(`${objects} objects: ${known}now ${what}\n`);
+  };
+  try {
+    say('drag');
+    rows.push(ofCosts('drag with ghost and verdict', 16, await deeds.drag(stage, extent, STEPS)));
+    say('scrub');
+    rows.push(ofCosts('scrub', 16, await deeds.scrub(stage, STEPS)));
+    say('undo');
+    rows.push(ofCosts('undo with re-check', 50, await deeds.undo(stage, extent, 2 * TIMES)));
+    say('toDisk');
+    rows.push(ofTimes('on disk after the last edit', 500, await deeds.toDisk(stage, '01', extent, TIMES)));
+    say('marquee');
+    rows.push(ofCosts('marquee over half of them, a frame', 16, await deeds.marquee(stage, extent, STEPS)));
+    say('dragMany');
+    rows.push(ofCosts('drag half of them, a frame', 16, await deeds.dragMany(stage, extent, [grip.x, grip.y], STEPS)));
+    say('enterPlay');
+    rows.push(ofCosts('entering play', 100, await deeds.enterPlay(stage, TIMES)));
+    say('switchLevel');
+    rows.push(ofCosts('switching level', 200, await deeds.switchLevel(stage, names, 2 * Math.ceil(TIMES / 2))));
+    say('fan');
+    rows.push(ofTimes('fan after a drag', 300, await deeds.fan(stage, extent, TIMES)));
+    say('search');
+    const { first, cancel } = await deeds.search(stage, TIMES);
+    rows.push(ofTimes('first word from a search', 1000, first), ofCosts('cancelling it', 50, cancel));
+  } finally {
+    await stage.close();
+  }
+}
+
+const load = firstLoad();
+const rows: (string | number | null)[][] = [];
+const claims: Claim[] = [atMost('first load, gzipped, kB', load, 1500)];
+for (const objects of SIZES) {
+  const measured: Row[] = [];
+  await measure(objects, measured).catch((error) => {
+    process.exitCode = 1;
+    console.error(
+      `${objects} objects: it broke off after ${measured.length} rows: ${error instanceof Error ? error.message : error}`,
+    );
+  });
+  for (const { what, limit, script, frame, count } of measured) {
+    rows.push([what, objects, count, script, frame, limit]);
+    claims.push(atMost(`${what}, ${objects} objects, ms`, script ?? frame, limit));
+  }
+}
+publish({
+  title: 'The editor in Chromium: what 95 of 100 take at most, ms',
+  columns: ['', 'objects', 'times', 'script', 'until the frame', 'limit'],
+  rows,
+  claims,
+  notes: [
+    'Script: processor time of the main thread from the input to the work for the next frame, read from a trace of the browser; claims are about it where it is there.',
+    'Until the frame: by the clock, until the frame was handed to the painter. Chromium runs without a graphics card here: the processor copies and paints the whole canvas.',
+    `First load: ${load.toFixed(0)} kB gzipped, Phaser included.`,
+  ],
+});

@@ -1,0 +1,331 @@
+/// <reference lib="dom" />
+import { existsSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import type { Locator, Page } from 'playwright-core';
+import { DRAGGED } from './playable-level.ts';
+import type { Stage } from './stage.ts';
+import { type Cost, costs } from './trace.ts';
+
+/** How the canvas shows a level: what the page says of its zoom, and where its middle is. */
+interface Aim {
+  readonly left: number;
+  readonly top: number;
+  readonly width: number;
+  readonly height: number;
+}
+
+export interface Extent {
+  readonly left: number;
+  readonly top: number;
+  readonly right: number;
+  readonly bottom: number;
+}
+
+const canvas = (page: Page) => page.getByRole('application', { name: 'Level canvas' });
+
+async function boxOf(page: Page, name: 'canvas' | 'time'): Promise<Aim> {
+  const box = await (name === 'canvas' ? canvas(page) : page.getByRole('slider', { name: 'Time' })).boundingBox();
+  if (box === null) throw new Error(`the ${name} is not seen`);
+  return { left: box.x, top: box.y, width: box.width, height: box.height };
+}
+
+/** px around the level when all of it is shown, as the canvas has it; above it there are the tools as well */
+const MARGIN = 60;
+const ABOVE = 84;
+
+/** Shows all of the level. @returns from places of the level to places of the page */
+async function aim(page: Page, extent: Extent): Promise<(x: number, y: number) => [x: number, y: number]> {
+  await canvas(page).focus();
+  await page.keyboard.press('f');
+  const { left, top, width, height } = await boxOf(page, 'canvas');
+  const zoom = Math.min(
+    2,
+    (width - 2 * MARGIN) / (extent.right - extent.left),
+    (height - MARGIN - ABOVE) / (extent.bottom - extent.top),
+  );
+  const shown = `${Math.round(zoom * 100)} %`;
+  // or it would measure how nothing is dragged
+  if (!(await isSoon(page.getByText(shown, { exact: true }))))
+    throw new Error(`the level is not shown at ${shown}: did the canvas change?`);
+  const [midX, midY] = [(extent.left + extent.right) / 2, (extent.top + extent.bottom) / 2];
+  return (x, y) => [left + width / 2 + (x - midX) * zoom, top + height / 2 + (y - midY) * zoom + (ABOVE - MARGIN) / 2];
+}
+
+const isSoon = (what: Locator): Promise<boolean> =>
+  what.waitFor({ timeout: 10_000 }).then(
+    () => true,
+    () => false,
+  );
+
+/** @throws when the last step of the history is another one: then nothing was measured */
+async function expectStep(page: Page, label: RegExp): Promise<void> {
+  const undo = page.getByRole('button', { name: label });
+  if (!(await isSoon(undo))) throw new Error(`nothing to undo that is called ${label}: was the object hit?`);
+}
+
+/** Moves in small steps, each one waited for. */
+async function along(page: Page, steps: number, at: (share: number) => readonly [x: number, y: number]): Promise<void> {
+  for (let i = 1; i <= steps; i++) await page.mouse.move(...at(i / steps));
+}
+
+/** Sets a mark when something is to be seen on the page. */
+const markWhen = (page: Page, name: string, selector: string, text: string): Promise<void> =>
+  page.evaluate(
+    ([mark, css, wanted]) => {
+      const look = () => {
+        const found = [...document.querySelectorAll(css)].some((element) => element.textContent?.includes(wanted));
+        if (!found) return false;
+        performance.mark(mark);
+        return true;
+      };
+      if (look()) return;
+      const observer = new MutationObserver(() => look() && observer.disconnect());
+      observer.observe(document.body, { subtree: true, childList: true, characterData: true, attributes: true });
+    },
+    [name, selector, text] as const,
+  );
+
+export async function drag({ page, traced }: Stage, extent: Extent, steps: number): Promise<Cost[]> {
+  const at = await aim(page, extent);
+  const [x, y] = at(DRAGGED.x, DRAGGED.y);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await along(page, 8, (share) => [x + 20 * share, y]);
+  const trace = await traced(() => along(page, steps, (share) => [x + 20 + 40 * share, y + 12 * Math.sin(12 * share)]));
+  await page.mouse.up();
+  await expectStep(page, /^Undo: Move/);
+  await page.keyboard.press('Control+z');
+  return costs(trace, 'pointermove');
+}
+
+export async function scrub({ page, traced }: Stage, steps: number): Promise<Cost[]> {
+  const { left, top, width, height } = await boxOf(page, 'time');
+  const at = (share: number) => [left + 5 + (width - 10) * share, top + height / 2] as const;
+  await page.mouse.move(...at(0));
+  await page.mouse.down();
+  await along(page, 6, (share) => at(0.1 * share));
+  const trace = await traced(() => along(page, steps, (share) => at(0.1 + 0.8 * share)));
+  await page.mouse.up();
+  return costs(trace, 'pointermove');
+}
+
+/** Undo and redo of moves of the object that the run hangs on. */
+export async function undo({ page, traced }: Stage, extent: Extent, steps: number): Promise<Cost[]> {
+  const at = await aim(page, extent);
+  await page.mouse.click(...at(DRAGGED.x, DRAGGED.y));
+  for (let i = 0; i < 8; i++) await page.keyboard.press(i % 2 === 0 ? 'ArrowDown' : 'Shift+ArrowDown');
+  await expectStep(page, /^Undo: /);
+  const trace = await traced(async () => {
+    for (let i = 0; i < steps; i++) {
+      await page.keyboard.down('Control');
+      await page.keyboard.press(i % 2 === 0 ? 'z' : 'y');
+      await page.keyboard.up('Control');
+    }
+  });
+  // back to where it was
+  await page.keyboard.press('Control+z');
+  // of each pair the key with Ctrl is the one that does something
+  return costs(trace, 'keydown').filter((_, i) => i % 2 === 1);
+}
+
+export async function enterPlay({ page, traced }: Stage, times: number): Promise<Cost[]> {
+  const all: Cost[] = [];
+  for (let i = 0; i < times; i++) {
+    await canvas(page).focus();
+    const trace = await traced(async () => {
+      await markWhen(page, 'playing', '.play__readout', 's');
+      await page.keyboard.press('Space');
+      await page.getByRole('application', { name: /^Playtest/ }).waitFor();
+      await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+    });
+    all.push(...costs(trace, 'keydown', 'playing').slice(0, 1));
+    await page.keyboard.press('Escape');
+    await page.getByRole('application', { name: /^Playtest/ }).waitFor({ state: 'hidden' });
+  }
+  return all;
+}
+
+/** To and fro between two levels of one size. @param names of the levels; the first one is open */
+export async function switchLevel({ page, traced }: Stage, names: readonly [string, string], times: number): Promise<Cost[]> {
+  const all: Cost[] = [];
+  for (let i = 1; i <= times; i++) {
+    const name = names[i % 2];
+    const trace = await traced(async () => {
+      await page.evaluate(() => performance.clearMarks());
+      await markWhen(page, 'switched', '.topbar__level', name);
+      await page.getByRole('tree', { name: 'Levels' }).getByText(name, { exact: true }).click();
+      await page.locator('.topbar__level', { hasText: name }).waitFor();
+      await canvas(page).waitFor();
+      await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+    });
+    all.push(...costs(trace, 'click', 'switched').slice(0, 1));
+  }
+  return all;
+}
+
+/** A marquee that is drawn over half of the level, in steps. */
+export async function marquee({ page, traced }: Stage, extent: Extent, steps: number): Promise<Cost[]> {
+  const at = await aim(page, extent);
+  const from = at(extent.left - 20, extent.top - 20);
+  const to = at(extent.right + 20, (extent.top + extent.bottom) / 2);
+  const trace = await traced(async () => {
+    await page.mouse.move(...from);
+    await page.mouse.down();
+    await along(page, steps, (share) => [from[0] + share * (to[0] - from[0]), from[1] + share * (to[1] - from[1])]);
+  });
+  await page.mouse.up();
+  // the first one only comes to where it begins
+  return costs(trace, 'pointermove').slice(1);
+}
+
+/** Drags everything that the marquee has selected. */
+export async function dragMany(
+  { page, traced }: Stage,
+  extent: Extent,
+  grip: readonly [x: number, y: number],
+  steps: number,
+): Promise<Cost[]> {
+  const at = await aim(page, extent);
+  const [x, y] = at(...grip);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await along(page, 5, (share) => [x + 10 * share, y]);
+  const trace = await traced(() => along(page, steps, (share) => [x + 10 + 50 * share, y - 20 * share]));
+  await page.mouse.up();
+  await expectStep(page, /^Undo: Move \d+ objects/);
+  await page.keyboard.press('Control+z');
+  return costs(trace, 'pointermove');
+}
+
+interface Watch {
+  began?: number;
+  took?: Promise<number>;
+}
+
+/** ms by the clock from a key or click to something that is to be seen then, and was not before or has gone meanwhile. */
+async function until(page: Page, selector: string, text: string, act: () => Promise<void>): Promise<number> {
+  await page.evaluate(
+    ([css, wanted]) => {
+      const watch = globalThis as Watch;
+      const isThere = () => [...document.querySelectorAll(css)].some((element) => element.textContent?.includes(wanted));
+      const start = (event: Event) => {
+        watch.began = event.timeStamp;
+      };
+      for (const type of ['keydown', 'click']) addEventListener(type, start, { capture: true, once: true });
+      watch.took = new Promise((resolve) => {
+        let wasGone = !isThere();
+        const observer = new MutationObserver(() => {
+          if (watch.began === undefined) return;
+          if (!isThere()) wasGone = true;
+          else if (wasGone) {
+            observer.disconnect();
+            resolve(performance.now() - watch.began);
+          }
+        });
+        observer.observe(document.body, { subtree: true, childList: true, characterData: true, attributes: true });
+      });
+    },
+    [selector, text] as const,
+  );
+  await act();
+  return page.evaluate(async () => {
+    const watch = globalThis as Watch;
+    const took = await watch.took;
+    delete watch.began;
+    return took as number;
+  });
+}
+
+/** Lines of the fan on the canvas, as `editor/canvas` has them on dark and on light: nothing else is as faint in this colour. */
+const FAN_LINES = ['rgba(124, 242, 176, 0.22)', 'rgba(11, 122, 69, 0.22)'];
+
+interface FanWatch {
+  /** When the last line of a fan was drawn, ms. */
+  drawn?: number;
+  /** When the object was let go, and no fan was to be seen; null: an older one was. */
+  dropped?: number | null;
+}
+
+/** Notes whenever the canvas draws a line of a fan, and when the pointer lets go. */
+const watchFans = (page: Page): Promise<void> =>
+  page.evaluate((lines) => {
+    const watch = globalThis as FanWatch;
+    const { stroke } = CanvasRenderingContext2D.prototype;
+    CanvasRenderingContext2D.prototype.stroke = function (this: CanvasRenderingContext2D, ...path: unknown[]) {
+      if (lines.some((line) => line === this.strokeStyle)) watch.drawn = performance.now();
+      stroke.apply(this, path as [Path2D]);
+    };
+    const drop = ({ timeStamp }: Event) => {
+      // two frames without one
+      watch.dropped = timeStamp - (watch.drawn ?? 0) > 40 ? timeStamp : null;
+    };
+    addEventListener('pointerup', drop, { capture: true });
+  }, FAN_LINES);
+
+/** From the end of a drag to the fan of the new run on the canvas, by the clock. */
+export async function fan({ page }: Stage, extent: Extent, times: number): Promise<number[]> {
+  const at = await aim(page, extent);
+  await watchFans(page);
+  const sinceDrop = () =>
+    page.waitForFunction(() => {
+      const { drawn = 0, dropped } = globalThis as FanWatch;
+      if (dropped === undefined) return false;
+      return dropped === null ? { ms: null } : drawn > dropped && { ms: drawn - dropped };
+    });
+  const all: number[] = [];
+  for (let tries = 0; all.length < times; tries++) {
+    if (tries > 3 * times) throw new Error('before the object was let go the fan was there: is the machine too busy?');
+    await page.mouse.move(...at(DRAGGED.x, DRAGGED.y));
+    await page.mouse.down();
+    // still in her line: the run completes the level wherever it is let go
+    await along(page, 6, (share) => at(DRAGGED.x + 48 * share, DRAGGED.y));
+    await page.mouse.up();
+    const told = await (await sinceDrop()).jsonValue();
+    if (told !== false && told.ms !== null) all.push(told.ms);
+    await page.evaluate(() => {
+      delete (globalThis as FanWatch).dropped;
+    });
+    await page.keyboard.press('Control+z');
+  }
+  return all;
+}
+
+/** First word of a search, by the clock, and what it takes to stop it. */
+export async function search({ page, traced }: Stage, times: number): Promise<{ first: number[]; cancel: Cost[] }> {
+  await page.getByRole('tab', { name: 'Solver' }).click();
+  const click = (name: string) => () => page.getByRole('button', { name, exact: true }).click();
+  const first: number[] = [];
+  const cancel: Cost[] = [];
+  for (let i = 0; i < times; i++) {
+    first.push(await until(page, '.report .part__note', 'stretches', click('Solve')));
+    const trace = await traced(async () => {
+      await page.evaluate(() => performance.clearMarks());
+      await markWhen(page, 'stopped', '.report .part__note', 'stopped by hand');
+      await click('Cancel')();
+      await page.getByText('stopped by hand').waitFor();
+      await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+    });
+    cancel.push(...costs(trace, 'click', 'stopped').slice(0, 1));
+    await click('Clear')();
+  }
+  return { first, cancel };
+}
+
+/** From the last of some edits to the file. */
+export async function toDisk({ page, folder }: Stage, id: string, extent: Extent, times: number): Promise<number[]> {
+  const at = await aim(page, extent);
+  await page.mouse.click(...at(DRAGGED.x, DRAGGED.y));
+  const file = join(folder, `${id}.level.json`);
+  const all: number[] = [];
+  for (let i = 0; i < times; i++) {
+    const before = existsSync(file) ? readFileSync(file, 'utf8') : '';
+    await page.keyboard.press(i % 2 === 0 ? 'ArrowDown' : 'ArrowUp');
+    const began = performance.now();
+    while (readFileSync(file, 'utf8') === before) {
+      if (performance.now() - began > 30_000) throw new Error('an edit did not reach the disk within half a minute');
+      await new Promise((resolve) => setTimeout(resolve, 2));
+    }
+    all.push(performance.now() - began);
+  }
+  return all;
+}

@@ -1,0 +1,1 @@
+export { type NativeArcade, type NativeScene, startNative } from './native-arcade.ts';

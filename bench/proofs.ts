@@ -1,0 +1,89 @@
+import { type Level, resolveLevel } from '../schema/index.ts';
+import { type Proof, proveImpossible, verifyProof } from '../solver/index.ts';
+import { atMost, optionValue, publish, spread } from './harness.ts';
+import { askedLevels } from './levels.ts';
+import { RANDOM_SET_SIZE, randomLevel } from './random-set/index.ts';
+
+/** Times are the processor's, so that other work on the machine counts little. */
+const milliseconds = (work: () => void): number => {
+  const before = process.cpuUsage();
+  work();
+  const { user, system } = process.cpuUsage(before);
+  return (user + system) / 1000;
+};
+
+type Edit = readonly [name: string, edit: (level: Level) => Level];
+
+/** Circles so near to each other that her box doesn't fit between, about the black hole. */
+function wall({ blackHole: { x, y, radius } }: Level): Level['novae'] {
+  const r = radius + 50;
+  const count = Math.ceil((2 * Math.PI * r) / 28);
+  return Array.from({ length: count }, (_, i) => {
+    const turn = (2 * Math.PI * i) / count;
+    return { id: null, x: x + r * Math.cos(turn), y: y + r * Math.sin(turn), radius: 16 };
+  });
+}
+
+/** What a designer may do to a level so that its black hole is out of reach. */
+const EDITS: readonly Edit[] = [
+  ['the black hole moved far away', (level) => ({ ...level, blackHole: { ...level.blackHole, x: level.blackHole.x + 20_000 } })],
+  ['the asteroids taken away', (level) => ({ ...level, asteroids: [] })],
+  ['novae all around the black hole', (level) => ({ ...level, novae: [...level.novae, ...wall(level)] })],
+];
+
+interface Row {
+  readonly kind: string;
+  readonly proof: Proof | null;
+  readonly prove: number;
+  readonly verify: number;
+}
+
+function prove(kind: string, level: Level): Row {
+  let proof: Proof | null = null;
+  const time = milliseconds(() => {
+    proof = proveImpossible(level);
+  });
+  const found = proof as Proof | null;
+  const verify = milliseconds(() => {
+    if (found === null) return;
+    const verdict = verifyProof(level, found);
+    if (!verdict.ok) throw new Error(`expected a proof that its checker accepts, found ${found.code}: ${verdict.why}`);
+  });
+  return { kind, proof: found, prove: time, verify };
+}
+
+const levels = askedLevels().map(({ level }) => level);
+for (const level of levels) prove('warm-up', level);
+const edited = EDITS.flatMap(([name, edit]) => levels.map((level) => prove(name, edit(level))));
+const random = Array.from({ length: Number(optionValue('--random') ?? RANDOM_SET_SIZE) }, (_, seed) => {
+  const row = prove('', resolveLevel(randomLevel(seed)));
+  return { ...row, kind: `random set: ${row.proof?.code ?? 'no proof'}` };
+});
+
+const kinds = [...new Set([...edited, ...random].map(({ kind }) => kind))];
+const rows = kinds.map((kind) => {
+  const all = [...edited, ...random].filter((row) => row.kind === kind);
+  const proofs = all.flatMap(({ proof }) => proof ?? []);
+  const sizes = proofs.map(({ certificate }) => JSON.stringify(certificate).length);
+  return [
+    kind,
+    all.length,
+    proofs.length,
+    proofs.filter(({ covers }) => covers.includes('arcade')).length,
+    spread(all.map(({ prove: ms }) => ms)).median,
+    Math.max(...all.map(({ prove: ms }) => ms)),
+    Math.max(...all.map(({ verify }) => verify)),
+    sizes.length > 0 ? Math.max(...sizes) : null,
+  ];
+});
+
+publish({
+  title: `Proofs of impossibility: ${levels.length} levels edited, ${random.length} random levels`,
+  columns: ['levels', 'count', 'proved', 'for arcade too', 'ms, median', 'ms, worst', 'to check, ms', 'certificate, bytes'],
+  rows,
+  claims: [
+    atMost('edited levels that are not proved impossible', edited.filter(({ proof }) => proof === null).length, 0),
+    atMost('ms to prove an edited level impossible, worst', Math.max(...edited.map(({ prove: ms }) => ms)), 50),
+  ],
+  notes: ['Every proof was checked by the separate checker. Times are of the processor.'],
+});

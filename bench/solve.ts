@@ -1,0 +1,98 @@
+import type { AccuracyName } from '../engine/index.ts';
+import type { Goal } from '../solver/index.ts';
+import { atMost, figure, optionValue, publish, spread } from './harness.ts';
+import { askedLevels } from './levels.ts';
+import { type TimedSearch, timeSearch } from './timed-search.ts';
+
+// how long it takes to a first run of each level, over seeds; `--originals FILE` for the original's levels instead of the pack
+
+const SEEDS = Number(optionValue('--seeds') ?? 20);
+const MINERAL_SEEDS = Number(optionValue('--mineral-seeds') ?? 3);
+const REPEATS = 3;
+/** ms after which a search counts as failed. */
+const MOST = 5000;
+const WARM_UP_SEEDS = 6;
+
+const ANY: Goal = { minerals: 'any' };
+const ALL: Goal = { minerals: 'all' };
+
+const file = optionValue('--originals');
+const levels = askedLevels();
+
+/** One search for each seed, of every level in turn: what disturbs the machine for a moment falls on many. */
+function timeAll(accuracy: AccuracyName, goal: Goal, seeds: number, from: number, repeats: number): TimedSearch[][] {
+  const times: TimedSearch[][] = levels.map(() => []);
+  for (let seed = from; seed < from + seeds; seed++) {
+    for (const [i, { level }] of levels.entries()) times[i].push(timeSearch(level, accuracy, goal, seed, MOST, repeats));
+  }
+  return times;
+}
+
+// the code is warm before anything counts
+for (const accuracy of ['arcade', 'precise'] as const) timeAll(accuracy, ANY, WARM_UP_SEEDS, 1000, 1);
+
+const arcade = timeAll('arcade', ANY, SEEDS, 1, REPEATS);
+const precise = timeAll('precise', ANY, SEEDS, 1, REPEATS);
+const minerals = timeAll('arcade', ALL, MINERAL_SEEDS, 1, 1);
+
+const msOf = (times: readonly TimedSearch[]) => times.map(({ ms, found }) => (found ? ms : Number.POSITIVE_INFINITY));
+const median = (values: readonly number[]) => spread(values).median;
+const worst = (values: readonly number[]) => Math.max(...values);
+/** No seed found a run with all minerals: perhaps there is none. */
+const isOpen = (times: readonly TimedSearch[]) => times.every(({ found }) => !found);
+const rate = (times: readonly TimedSearch[]) =>
+  times.reduce((sum, { ticks }) => sum + ticks, 0) / times.reduce((sum, { ms }) => sum + ms, 0) / 1000;
+
+const columns = [
+  'level',
+  'arcade median ms',
+  'worst',
+  'ticks',
+  'presses',
+  'precise median ms',
+  'worst',
+  'ticks',
+  'all minerals median ms',
+  'worst',
+];
+const rows = levels.map(({ name, level }, i) => [
+  name,
+  median(msOf(arcade[i])),
+  worst(msOf(arcade[i])),
+  median(arcade[i].map(({ ticks }) => ticks)),
+  median(arcade[i].map(({ presses }) => presses)),
+  median(msOf(precise[i])),
+  worst(msOf(precise[i])),
+  median(precise[i].map(({ ticks }) => ticks)),
+  level.minerals.length === 0 || isOpen(minerals[i]) ? null : median(msOf(minerals[i])),
+  level.minerals.length === 0 || isOpen(minerals[i]) ? null : worst(msOf(minerals[i])),
+]);
+
+const open = levels.filter((_, i) => isOpen(minerals[i])).map(({ name }) => name);
+const withMinerals = minerals.filter((times, i) => levels[i].level.minerals.length > 0 && !isOpen(times));
+
+if (process.argv.includes('--markdown')) {
+  const line = (cells: readonly (string | number | null)[]) =>
+    `| ${cells.map((cell) => (typeof cell === 'number' ? figure(cell) : (cell ?? '-'))).join(' | ')} |`;
+  console.log([line(columns), line(columns.map(() => '---')), ...rows.map(line)].join('\n'));
+  console.log('');
+}
+
+publish({
+  title: `Time to a first run: ${file === null ? 'the shipped levels' : "the original's levels"}, ${SEEDS} seeds each`,
+  columns,
+  rows,
+  claims: [
+    atMost('arcade: median over levels and seeds, ms', median(msOf(arcade.flat())), 1),
+    atMost('arcade: worst, ms', worst(msOf(arcade.flat())), 100),
+    atMost('precise: median, ms', median(msOf(precise.flat())), 2),
+    atMost('precise: worst, ms', worst(msOf(precise.flat())), 200),
+    atMost('all minerals: worst, ms', worst(msOf(withMinerals.flat())), 2000),
+    atMost('levels without a run with all minerals', open.length, 0),
+  ],
+  notes: [
+    `Processor time of a warm process, scene compiled before, search made within; the least of ${REPEATS} equal searches. One core.`,
+    `Million ticks a second of the whole search: arcade ${figure(rate(arcade.flat()))}, precise ${figure(rate(precise.flat()))}, all minerals ${figure(rate(minerals.flat()))}.`,
+    ...(open.length > 0 ? [`No run with all minerals within ${MOST} ms: ${open.join(', ')}.`] : []),
+  ],
+});
