@@ -43,7 +43,8 @@ export function begin(m: Motion): void {
   const d = Math.sqrt(x * x + y * y);
   const v = Math.sqrt(vx * vx + vy * vy);
   const free = s[LIMIT_X] === 0 && s[LIMIT_Y] === 0;
-  const onLine = Math.abs(x * vy - y * vx) <= RADIAL * v;
+  // v is 0 too where its square underflows
+  const onLine = v === 0 || Math.abs(x * vy - y * vx) <= RADIAL * v;
   // how far from the centre she could get under the pull with the energy she has
   const swing = held && field < 0 ? d + (v * v) / (2 * GUN_PULL) : Number.POSITIVE_INFINITY;
   if (swing < (onLine && !m.recoil ? RADIAL : SMALLEST_ORBIT)) {

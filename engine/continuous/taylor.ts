@@ -72,6 +72,9 @@ export function linearSeries(x: Float64Array, y: Float64Array, ax: number, ay: n
   }
 }
 
+/** px^2: a body this near to her touches her, so the run has ended; terms that divide by the distance would overflow. */
+const TOUCHING = 1e-12;
+
 /**
  * Power series of a body q that accelerates towards a moving place: q'' = kappa (a - q) / |a - q|.
  * On entry qx[0..1], qy[0..1] hold place and velocity.
@@ -79,6 +82,7 @@ export function linearSeries(x: Float64Array, y: Float64Array, ax: number, ay: n
  * @param degree of `ax`, `ay`
  */
 export function chaserSeries(qx: Float64Array, qy: Float64Array, ax: Float64Array, ay: Float64Array, kappa: number): void {
+  let near = false;
   for (let n = 0; n <= N - 2; n++) {
     dx[n] = ax[n] - qx[n];
     dy[n] = ay[n] - qy[n];
@@ -86,11 +90,12 @@ export function chaserSeries(qx: Float64Array, qy: Float64Array, ax: Float64Arra
     for (let k = 0; k <= n; k++) sn += dx[k] * dx[n - k] + dy[k] * dy[n - k];
     s[n] = sn;
     if (n === 0) {
-      w[0] = sn > 0 ? 1 / Math.sqrt(sn) : 0;
+      near = sn < TOUCHING;
+      w[0] = near ? 0 : 1 / Math.sqrt(sn);
     } else {
       let wn = 0;
       for (let k = 1; k <= n; k++) wn += (0.5 * k - n) * s[k] * w[n - k];
-      w[n] = s[0] > 0 ? wn / (n * s[0]) : 0;
+      w[n] = near ? 0 : wn / (n * s[0]);
     }
     let wx = 0;
     let wy = 0;

@@ -9,7 +9,7 @@ import { fieldsOf, type Subject, sharedFields } from '../../editor/panels/inspec
 import { nearestPass, pullsOf, runFactsOf } from '../../editor/panels/inspector/run-facts.ts';
 import { createProver, type LiveProof } from '../../editor/proof/index.ts';
 import { compile, simulate, TICK } from '../../engine/index.ts';
-import { type LevelFile, LIMITS, levelSchema, OBJECT_LISTS, readLevel, resolveLevel } from '../../schema/index.ts';
+import { type LevelFile, LIMITS, levelSchema, OBJECT_LISTS, readLevel, resolveLevel, withIds } from '../../schema/index.ts';
 import { arbitraryFile } from './arbitrary-file.ts';
 
 const levels = join(dirname(fileURLToPath(import.meta.url)), '..', '..', 'levels');
@@ -160,6 +160,20 @@ describe('what the run does with an object', () => {
       if (hole === undefined) throw new Error('every level has a black hole');
       expect(runFactsOf(proof, hole, radiusOf(hole))).toEqual([expect.objectContaining({ tone: 'good', tick: proof.run.tick })]);
     }
+  });
+
+  it('is told of an alien that lies on her but for less than any number can tell', () => {
+    const file = withIds({
+      version: 1,
+      name: 'Level',
+      astronaut: { x: 0, y: 0 },
+      blackHole: { x: 500, y: 0 },
+      aliens: [{ x: 1e-162, y: 0 }],
+    });
+    const proof = provenFile(file);
+    const facts = [...objectsOf(proof.file).values()].flatMap((found) => runFactsOf(proof, found, radiusOf(found)));
+    expect(facts.map(({ value }) => value)).toContain('ends here at 0.00 s');
+    for (const { value } of facts) expect(value).not.toMatch(/NaN/);
   });
 
   it('is told for every object of any level', () => {

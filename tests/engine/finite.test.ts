@@ -80,4 +80,37 @@ describe.each(accuracyNames)('any level at %s', (accuracy) => {
       { numRuns: accuracy === 'arcade' ? 500 : 200, seed: 2 },
     );
   });
+
+  it('stays finite where objects lie on each other, however nearly', () => {
+    const tiny = fc.oneof(
+      fc.constant(0),
+      fc.integer({ min: -323, max: 0 }).chain((e) => fc.constantFrom(Number(`1e${e}`), Number(`-1e${e}`))),
+    );
+    const place = fc.record({ x: tiny, y: tiny });
+    const list = fc.array(
+      place.map((at) => ({ ...at, radius: 8, id: null })),
+      { maxLength: 2 },
+    );
+    fc.assert(
+      fc.property(place, tiny, tiny, place, list, list, list, list, list, arbitraryHolds(60), (at, vx, vy, hole, ...rest) => {
+        const [asteroids, novae, repulsors, aliens, minerals, holds] = rest;
+        const level: Level = {
+          name: 'level',
+          description: '',
+          range: 300,
+          recoil: false,
+          astronaut: { ...at, vx, vy },
+          blackHole: { ...hole, x: hole.x + 200, radius: 32 },
+          asteroids: asteroids.map((asteroid) => ({ ...asteroid, x: asteroid.x + 60, hot: false })),
+          novae: novae.map((nova) => ({ ...nova, x: nova.x + 120 })),
+          repulsors,
+          aliens,
+          minerals,
+          runs: [],
+        };
+        expect(notFinite(level, simulate(compile(level, accuracy), holds, { maxTime: LAST_TICK / 60 }))).toEqual([]);
+      }),
+      { numRuns: 1000, seed: 3 },
+    );
+  });
 });
