@@ -67,7 +67,7 @@ describe('box and circle', () => {
         if (difference === 0n) touching++;
         if (!undecidable) expect(overlaps).toBe(difference < 0n);
       }),
-      { numRuns: 5000, seed: 1 },
+      { numRuns: 5000 },
     );
     expect(touching).toBeGreaterThan(0);
   });
@@ -104,7 +104,7 @@ describe('box and circle', () => {
         if (Math.abs(gap) > 1e-11) expect(boxOverlapsCircle(dx, dy, Math.cos(angle), Math.sin(angle), r)).toBe(gap < 0);
         expect(gap).toBeGreaterThanOrEqual(-r);
       }),
-      { numRuns: 3000, seed: 2 },
+      { numRuns: 3000 },
     );
   });
 
@@ -125,7 +125,7 @@ describe('box and circle', () => {
         expect(nearest).toBeGreaterThanOrEqual(gap - 1e-9);
         expect(nearest).toBeLessThanOrEqual(gap + spacing + 1e-9);
       }),
-      { numRuns: 200, seed: 3 },
+      { numRuns: 200 },
     );
   });
 
@@ -147,7 +147,7 @@ describe('box and circle', () => {
           expect(boxOverlapsCircle(x, y, c, s, r)).toBe(overlaps);
         }
       }),
-      { numRuns: 1000, seed: 4 },
+      { numRuns: 1000 },
     );
   });
 
@@ -159,7 +159,7 @@ describe('box and circle', () => {
         const sin = (turn.s * c + turn.c * s) / (turn.n * n);
         expect(boxCircleGap((dx * c - dy * s) / n, (dy * c + dx * s) / n, cos, sin, r)).toBeCloseTo(before, 10);
       }),
-      { numRuns: 1000, seed: 5 },
+      { numRuns: 1000 },
     );
   });
 });
@@ -179,7 +179,7 @@ describe('circle and circle', () => {
       fc.property(fc.oneof(near, pythagorean), ([dx, dy, reach]) => {
         expect(circlesOverlap(dx, dy, reach)).toBe(exact(dx) ** 2n + exact(dy) ** 2n < exact(reach) ** 2n);
       }),
-      { numRuns: 5000, seed: 6 },
+      { numRuns: 5000 },
     );
     expect(circlesOverlap(30, 40, 50)).toBe(false);
     expect(circlesOverlap(30, 40, 50 + 2 ** -40)).toBe(true);
