@@ -1,6 +1,6 @@
 import { defaultFilter, Command as Palette } from 'cmdk';
 import { useEffect, useState, useSyncExternalStore } from 'react';
-import { type Command, keyLabel } from '../commands/index.ts';
+import { type Command, keyLabel, needsOf } from '../commands/index.ts';
 import { useEditor, useSession } from './context.ts';
 import { findPlaces, type Place } from './palette-places.ts';
 import { IS_MAC } from './platform.ts';
@@ -12,6 +12,8 @@ interface Entry {
   readonly group: string;
   /** Keys of a command, or what tells a place from others. */
   readonly aside: string | null;
+  /** What must be done first; null when it can be done. */
+  readonly needs: string | null;
   readonly go: () => void;
 }
 
@@ -23,17 +25,18 @@ function rank({ title, group, aside }: Entry, query: string): number {
   return defaultFilter(title, query, [group, aside ?? '']) * (1 - 1e-4 * Math.min(100, title.length));
 }
 
-const commandEntry = ({ id, title, group, keys }: Command, run: (id: string) => void): Entry => ({
-  key: id,
-  title,
-  group,
-  aside: keys?.[0] === undefined ? null : keyLabel(keys[0], IS_MAC),
-  go: () => run(id),
-});
+function commandEntry(command: Command, run: (id: string) => void): Entry {
+  const { id, title, group, keys } = command;
+  const aside = keys?.[0] === undefined ? null : keyLabel(keys[0], IS_MAC);
+  return { key: id, title, group, aside, needs: needsOf(command), go: () => run(id) };
+}
 
-const placeEntry = ({ key, title, group, detail, go }: Place): Entry => ({ key, title, group, aside: detail, go });
+const placeEntry = ({ key, title, group, detail, go }: Place): Entry => ({ key, title, group, aside: detail, needs: null, go });
 
-/** Every command by its group, as long as nothing is typed; then commands, levels, runs and objects, the best match first. */
+/**
+ * Every command that can be done by its group, as long as nothing is typed; then commands, levels, runs and objects, the best
+ * match first, and after them the commands that need something first, with what that is.
+ */
 export function CommandPalette() {
   const editor = useEditor();
   const { commands, session } = editor;
@@ -44,26 +47,28 @@ export function CommandPalette() {
     if (open) setQuery('');
   }, [open]);
 
-  const usable = open ? all.filter((command) => command.hidden !== true && command.enabled?.() !== false) : [];
-  const entries = usable.map((command) => commandEntry(command, commands.run));
+  const offered = open ? all.filter(({ hidden }) => hidden !== true) : [];
+  const entries = offered.map((command) => commandEntry(command, commands.run));
+  const usable = entries.filter(({ needs }) => needs === null);
   const typed = query.trim();
   const found = [...entries, ...(open ? findPlaces(editor, typed).map(placeEntry) : [])]
     .map((entry) => ({ entry, score: rank(entry, typed) }))
     .filter(({ score }) => score > LEAST_SCORE)
-    .sort((a, b) => b.score - a.score)
+    .sort((a, b) => Number(a.entry.needs !== null) - Number(b.entry.needs !== null) || b.score - a.score)
     .map(({ entry }) => entry);
   const show = (entry: Entry, withGroup: boolean) => (
     <Palette.Item
       key={entry.key}
       value={entry.key}
       className="palette__item"
+      disabled={entry.needs !== null}
       onSelect={() => {
         session.setState({ overlay: null });
         entry.go();
       }}
     >
       <span>{entry.title}</span>
-      {withGroup && <span className="palette__group">{entry.group}</span>}
+      {withGroup && <span className="palette__group">{entry.needs ?? entry.group}</span>}
       {entry.aside !== null && <kbd>{entry.aside}</kbd>}
     </Palette.Item>
   );
@@ -87,9 +92,9 @@ export function CommandPalette() {
       <Palette.List className="palette__list">
         <Palette.Empty className="palette__empty">Nothing has this name.</Palette.Empty>
         {typed === ''
-          ? [...new Set(entries.map(({ group }) => group))].map((group) => (
+          ? [...new Set(usable.map(({ group }) => group))].map((group) => (
               <Palette.Group key={group} heading={group}>
-                {entries.filter((entry) => entry.group === group).map((entry) => show(entry, false))}
+                {usable.filter((entry) => entry.group === group).map((entry) => show(entry, false))}
               </Palette.Group>
             ))
           : found.map((entry) => show(entry, true))}

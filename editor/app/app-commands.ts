@@ -13,7 +13,7 @@ const LAYER_TITLES: Readonly<Record<Layer, string>> = {
 
 /** What can be done whatever is shown. */
 export function appCommands({ session, settings, open }: Editor): readonly Command[] {
-  const isOpen = () => open.getState() !== null;
+  const needsLevel = () => (open.getState() === null ? 'open a level first' : null);
   const show = (overlay: NonNullable<ReturnType<typeof session.getState>['overlay']>) => () => session.setState({ overlay });
   return [
     {
@@ -21,7 +21,7 @@ export function appCommands({ session, settings, open }: Editor): readonly Comma
       title: 'Undo',
       group: 'Edit',
       keys: ['$mod+z'],
-      enabled: isOpen,
+      needs: needsLevel,
       run: () => open.getState()?.document.undo(),
     },
     {
@@ -29,7 +29,7 @@ export function appCommands({ session, settings, open }: Editor): readonly Comma
       title: 'Redo',
       group: 'Edit',
       keys: ['$mod+Shift+z', '$mod+y'],
-      enabled: isOpen,
+      needs: needsLevel,
       run: () => open.getState()?.document.redo(),
     },
     {
@@ -39,7 +39,7 @@ export function appCommands({ session, settings, open }: Editor): readonly Comma
       keys: ['$mod+s'],
       mode: 'both',
       inText: true,
-      enabled: isOpen,
+      needs: needsLevel,
       run: () => void open.getState()?.opened.saver.flush(),
     },
     { id: 'file.new', title: 'New level', group: 'File', keys: ['Alt+n'], run: show('newLevel') },

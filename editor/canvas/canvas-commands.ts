@@ -59,8 +59,8 @@ const BESIDE = 32;
 export function canvasCommands({ editor, level, canvas, setView, bringIntoView, pointer }: CanvasParts): readonly Command[] {
   const { session, settings, notices } = editor;
   const { document, selection } = level;
-  const some = () => selection.keys().length > 0;
-  const several = () => selection.keys().length > 1;
+  const needsSelected = (least: 1 | 2 | 3) => () =>
+    selection.keys().length >= least ? null : `select ${['an object', 'two objects', 'three objects'][least - 1]} first`;
   const told = (result: ChangeResult): ChangeResult => {
     if (!result.ok) notices.show('warning', `${result.refusal.message}. ${result.refusal.hint}`, { topic: 'refused' });
     return result;
@@ -77,7 +77,7 @@ export function canvasCommands({ editor, level, canvas, setView, bringIntoView, 
       title: `Nudge ${how}`,
       group: 'Object',
       keys: [keys],
-      enabled: some,
+      needs: needsSelected(1),
       hidden: true,
       run: () => change('Nudge', moveObjects(selection.keys(), dx * size(), dy * size()), `nudge ${selection.keys().join()}`),
     });
@@ -166,7 +166,7 @@ export function canvasCommands({ editor, level, canvas, setView, bringIntoView, 
       title: 'Delete',
       group: 'Edit',
       keys: ['Delete', 'Backspace'],
-      enabled: some,
+      needs: needsSelected(1),
       run: () => remove('Delete'),
     },
     {
@@ -174,16 +174,16 @@ export function canvasCommands({ editor, level, canvas, setView, bringIntoView, 
       title: 'Duplicate',
       group: 'Edit',
       keys: ['$mod+d'],
-      enabled: some,
+      needs: needsSelected(1),
       run: () => added(change('Duplicate', duplicateObjects(selection.keys(), BESIDE, BESIDE))),
     },
-    { id: 'edit.copy', title: 'Copy', group: 'Edit', keys: ['$mod+c'], enabled: some, run: () => void copy() },
+    { id: 'edit.copy', title: 'Copy', group: 'Edit', keys: ['$mod+c'], needs: needsSelected(1), run: () => void copy() },
     {
       id: 'edit.cut',
       title: 'Cut',
       group: 'Edit',
       keys: ['$mod+x'],
-      enabled: some,
+      needs: needsSelected(1),
       run: () => void copy().then((copied) => copied && remove('Cut')),
     },
     { id: 'edit.paste', title: 'Paste', group: 'Edit', keys: ['$mod+v'], run: () => void paste() },
@@ -196,7 +196,7 @@ export function canvasCommands({ editor, level, canvas, setView, bringIntoView, 
         id: `object.align-${edge}`,
         title,
         group: 'Object',
-        enabled: several,
+        needs: needsSelected(2),
         run: () => change(title, alignObjects(document.file(), selection.keys(), edge)),
       }),
     ),
@@ -205,7 +205,7 @@ export function canvasCommands({ editor, level, canvas, setView, bringIntoView, 
         id: `object.distribute-${axis}`,
         title: axis === 'x' ? 'Distribute evenly across' : 'Distribute evenly downwards',
         group: 'Object',
-        enabled: () => selection.keys().length > 2,
+        needs: needsSelected(3),
         run: () => change('Distribute', distributeObjects(document.file(), selection.keys(), axis)),
       }),
     ),
@@ -239,7 +239,7 @@ export function canvasCommands({ editor, level, canvas, setView, bringIntoView, 
       title: 'Show what is selected',
       group: 'View',
       keys: ['Shift+2'],
-      enabled: some,
+      needs: needsSelected(1),
       run: () => bringIntoView(selection.keys()),
     },
   ];

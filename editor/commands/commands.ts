@@ -12,17 +12,20 @@ export interface Command {
   readonly inText?: boolean;
   /** Not in the palette: a variant that only a key makes sense for. */
   readonly hidden?: boolean;
-  /** Whether it can be done now; always when left out. */
-  readonly enabled?: () => boolean;
+  /** What must be done before it can be done, as `select an object`; null when it can be done now, as always when left out. */
+  readonly needs?: () => string | null;
   readonly run: () => void;
 }
+
+/** What must be done before a command can be done; null when it can be done now. */
+export const needsOf = ({ needs }: Command): string | null => needs?.() ?? null;
 
 /** All commands, from whoever offers them while it is there. */
 export interface Commands {
   /** @returns takes them away again */
   register(commands: readonly Command[]): () => void;
   all(): readonly Command[];
-  /** Does it if it is there and enabled. @returns whether it was done */
+  /** Does it if it is there and needs nothing. @returns whether it was done */
   run(id: string): boolean;
   subscribe(listener: () => void): () => void;
 }
@@ -48,7 +51,7 @@ export function createCommands(): Commands {
     all: () => list,
     run(id) {
       const command = byId.get(id);
-      if (command === undefined || command.enabled?.() === false) return false;
+      if (command === undefined || needsOf(command) !== null) return false;
       command.run();
       return true;
     },

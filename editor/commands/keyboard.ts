@@ -1,5 +1,5 @@
 import { matchKeyBindingPress, parseKeybinding } from 'tinykeys';
-import type { Commands } from './commands.ts';
+import { type Commands, needsOf } from './commands.ts';
 
 const TEXT_INPUTS = new Set(['text', 'search', 'number', 'email', 'url', 'password', 'tel']);
 
@@ -40,7 +40,7 @@ export function listenToKeys(page: Window, commands: Commands, mode: () => 'edit
         const presses = parseKeybinding(key);
         return presses.length === 1 && matchKeyBindingPress(event, presses[0]);
       });
-      if (!matches || command.enabled?.() === false) continue;
+      if (!matches || needsOf(command) !== null) continue;
       event.preventDefault();
       command.run();
       return;

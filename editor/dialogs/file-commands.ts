@@ -9,7 +9,7 @@ export function fileCommands(editor: Editor): readonly Command[] {
     const { list, opened } = workspace.store.getState();
     return list?.levels.find(({ id }) => id === opened?.id());
   };
-  const isListed = () => entry() !== undefined;
+  const needsListed = () => (entry() === undefined ? 'open a level first' : null);
   const step = (by: number) => {
     const { list, opened } = workspace.store.getState();
     const valid = list?.levels.filter(({ status }) => status === 'valid') ?? [];
@@ -22,20 +22,27 @@ export function fileCommands(editor: Editor): readonly Command[] {
     if (found !== undefined) void act(found);
   };
   return [
-    { id: 'file.next', title: 'Next level', group: 'File', keys: ['Alt+PageDown'], enabled: isListed, run: () => step(1) },
-    { id: 'file.previous', title: 'Previous level', group: 'File', keys: ['Alt+PageUp'], enabled: isListed, run: () => step(-1) },
+    { id: 'file.next', title: 'Next level', group: 'File', keys: ['Alt+PageDown'], needs: needsListed, run: () => step(1) },
+    {
+      id: 'file.previous',
+      title: 'Previous level',
+      group: 'File',
+      keys: ['Alt+PageUp'],
+      needs: needsListed,
+      run: () => step(-1),
+    },
     {
       id: 'file.duplicate',
       title: 'Duplicate this level',
       group: 'File',
-      enabled: isListed,
+      needs: needsListed,
       run: withEntry((e) => duplicateLevel(editor, e)),
     },
     {
       id: 'file.delete',
       title: 'Delete this level',
       group: 'File',
-      enabled: isListed,
+      needs: needsListed,
       run: withEntry((e) => deleteLevel(editor, e)),
     },
     { id: 'file.import', title: 'Import levels', group: 'File', run: () => session.setState({ overlay: 'open' }) },

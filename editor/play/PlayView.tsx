@@ -131,7 +131,7 @@ export function PlayView() {
           group: 'Play',
           mode: 'play',
           keys: ['Enter'],
-          enabled: () => play.current?.end !== null,
+          needs: () => (play.current?.end === null ? 'the attempt has not ended' : null),
           run: promote,
         },
       ]),

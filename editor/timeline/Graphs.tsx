@@ -22,6 +22,7 @@ function lookOf(element: Element) {
     gap: colour('--warn'),
     miss: colour('--bad'),
     words: colour('--quiet'),
+    ground: colour('--panel'),
     font: `11px ${style.fontFamily}`,
   };
 }
@@ -70,8 +71,16 @@ export const Graphs = memo(function Graphs({ margins, scale, width, height }: Gr
     }
     brush.fillStyle = look.words;
     brush.font = look.font;
-    brush.fillText(`speed, to ${Math.round(fastest)} px/s`, 4, half - 4);
-    brush.fillText(hazards ? `clearance, to ${FAR} px` : 'nothing deadly in this level', 4, height - 4);
+    brush.strokeStyle = look.ground;
+    brush.lineWidth = 4;
+    brush.lineJoin = 'round';
+    const label = (text: string, y: number) => {
+      // a rim in the colour of the ground keeps it apart from the lines
+      brush.strokeText(text, 4, y);
+      brush.fillText(text, 4, y);
+    };
+    label(`speed, to ${Math.round(fastest)} px/s`, half - 4);
+    label(hazards ? `clearance, to ${FAR} px` : 'nothing deadly in this level', height - 4);
   }, [margins, scale, width, height, look]);
 
   const least = margins.nearMisses.reduce((low, { gap }) => Math.min(low, gap), Number.POSITIVE_INFINITY);

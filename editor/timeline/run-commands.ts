@@ -24,7 +24,7 @@ export function runCommands(
     const { run, holds } = selection.store.getState();
     if (run !== null) document.change('Delete holds', deleteHolds(run, holds, { ripple }));
   };
-  const holdsSelected = () => selection.store.getState().holds.length > 0;
+  const needsHolds = () => (selection.store.getState().holds.length > 0 ? null : 'select a hold in the gun lane first');
   return [
     {
       id: 'run.roll',
@@ -59,7 +59,7 @@ export function runCommands(
       title: 'Let go at the scrubbed tick',
       group: 'Run',
       keys: ['s'],
-      enabled: () => shown() !== null,
+      needs: () => (shown() === null ? 'show a run first' : null),
       run: () => {
         const { name, holds } = proof.proof().run;
         const tick = Math.round(session.getState().tick);
@@ -72,7 +72,7 @@ export function runCommands(
       title: 'Delete the selected holds',
       group: 'Run',
       keys: ['Delete', 'Backspace'],
-      enabled: holdsSelected,
+      needs: needsHolds,
       run: () => remove(false),
     },
     {
@@ -80,7 +80,7 @@ export function runCommands(
       title: 'Delete the selected holds and close the gap',
       group: 'Run',
       keys: ['Shift+Delete', 'Alt+Delete'],
-      enabled: holdsSelected,
+      needs: needsHolds,
       run: () => remove(true),
     },
   ];

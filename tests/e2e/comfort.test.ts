@@ -26,6 +26,24 @@ inChromium('comfort in Chromium', ({ on }) => {
       await page.keyboard.press('Escape');
       await palette.waitFor({ state: 'hidden' });
 
+      // what can't be done yet says what it needs, and Enter leaves it alone
+      await page.keyboard.press('Escape');
+      await page.keyboard.press('Control+k');
+      await palette.getByRole('combobox').fill('align');
+      const align = palette.getByRole('option', { name: /^Align left/ });
+      await align.getByText('select two objects first').waitFor();
+      expect(await align.getAttribute('aria-disabled')).toBe('true');
+      await page.keyboard.press('Enter');
+      expect(await palette.isVisible()).toBe(true);
+      await page.keyboard.press('Escape');
+      await command(page, 'Select all');
+      await page.keyboard.press('Control+k');
+      await palette.getByRole('combobox').fill('align');
+      await align.waitFor();
+      expect(await align.getAttribute('aria-disabled')).toBe('false');
+      await page.keyboard.press('Escape');
+      await palette.waitFor({ state: 'hidden' });
+
       await page.keyboard.press('?');
       const sheet = page.getByRole('dialog', { name: 'Keys and gestures' });
       for (const text of ['Undo', 'Duplicate', 'Play from the start', 'Ctrl+D', 'drag its rim', 'moves a copy']) {

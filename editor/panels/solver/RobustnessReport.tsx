@@ -73,7 +73,7 @@ function SlackTable({ slack }: { readonly slack: readonly EdgeSlack[] }) {
             </th>
             {[slack[2 * i], slack[2 * i + 1]].map((edge, k) => {
               if (edge === undefined) return null;
-              const isTightest = edge.earlier + edge.later === tightest;
+              const isTightest = edge.earlier + edge.later === tightest && tightest < 2 * LIMIT;
               return (
                 <td
                   // press first, then release

@@ -13,6 +13,7 @@ export function SolverWatch() {
   const { search, difficulty } = useSolverDesk();
   useEffect(() => {
     const best = () => search.store.getState().found.find(({ works }) => works);
+    const needsFound = () => (best() === undefined ? 'solve first: no run was found yet' : null);
     const list: readonly Command[] = [
       {
         id: 'solve.start',
@@ -28,14 +29,14 @@ export function SolverWatch() {
         id: 'solve.cancel',
         title: 'Stop the search',
         group: 'Solve',
-        enabled: () => search.store.getState().phase === 'running',
+        needs: () => (search.store.getState().phase === 'running' ? null : 'no search is running'),
         run: search.cancel,
       },
       {
         id: 'solve.use',
         title: 'Add the best run that was found',
         group: 'Solve',
-        enabled: () => best() !== undefined,
+        needs: needsFound,
         run: () => {
           const found = best();
           if (found !== undefined) search.use(found.candidate.holds);
@@ -45,7 +46,7 @@ export function SolverWatch() {
         id: 'solve.replace',
         title: 'Put the best run that was found in place of the shown one',
         group: 'Solve',
-        enabled: () => best() !== undefined && proof.proof().run.name !== null,
+        needs: () => needsFound() ?? (proof.proof().run.name === null ? 'show a run first' : null),
         run: () => {
           const found = best();
           if (found !== undefined) search.use(found.candidate.holds, proof.proof().run.name ?? undefined);
@@ -55,7 +56,7 @@ export function SolverWatch() {
         id: 'solve.clear',
         title: 'Put away what the search found',
         group: 'Solve',
-        enabled: () => search.store.getState().phase !== 'idle',
+        needs: () => (search.store.getState().phase === 'idle' ? 'solve first' : null),
         run: search.clear,
       },
       {
