@@ -21,6 +21,7 @@ export function TopBar() {
       <h1 className="topbar__level">{name}</h1>
       <SaveStatus />
       <Button
+        className="topbar__undo"
         hint={undo === null ? 'Nothing to undo' : `Undo: ${undo}`}
         shortcut={key('$mod+z')}
         icon={<Undo2 size={16} />}
@@ -36,17 +37,19 @@ export function TopBar() {
       />
       <Button
         className="topbar__search"
+        aria-label="Search or run"
         hint="Search all commands"
         shortcut={key('$mod+k')}
         look="outlined"
         icon={<Search size={14} />}
         onClick={() => session.setState({ overlay: 'palette' })}
       >
-        Search or run
+        <span className="topbar__words">Search or run</span>
       </Button>
       <span className="topbar__space" />
       <VerdictBadge />
       <Button
+        className="topbar__play"
         hint={playing ? 'Back to editing' : 'Play from the start'}
         shortcut={playing ? 'Esc' : 'Space'}
         look="main"
@@ -58,6 +61,7 @@ export function TopBar() {
       <Button hint="Import, export, link" icon={<Share2 size={16} />} onClick={() => session.setState({ overlay: 'share' })} />
       <Button hint="Settings" icon={<Settings size={16} />} onClick={() => session.setState({ overlay: 'settings' })} />
       <Button
+        className="topbar__help"
         hint="Keys and gestures"
         shortcut="?"
         icon={<CircleQuestionMark size={16} />}

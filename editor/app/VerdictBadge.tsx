@@ -30,7 +30,7 @@ function Slack() {
         : `All presses and releases may slip by ${ticks} ticks at once: certified.${decided ? '' : ' Whether by more was too much to try.'}`;
   return (
     <Hint text={`${certificate} With timing noise of 40 ms the run succeeds ${chance} of the time.`}>
-      <output className={isThin ? 'topbar__saved topbar__saved--thin' : 'topbar__saved'} aria-label="Slack">
+      <output className={isThin ? 'topbar__forgives topbar__forgives--thin' : 'topbar__forgives'} aria-label="Slack">
         {words} · {chance}
       </output>
     </Hint>
@@ -62,7 +62,7 @@ export function VerdictBadge() {
       </Hint>
       <Slack />
       {minerals > 0 && (
-        <output className="topbar__saved numbers" aria-label={`Minerals taken: ${taken} of ${minerals}`}>
+        <output className="topbar__forgives numbers" aria-label={`Minerals taken: ${taken} of ${minerals}`}>
           minerals {taken}/{minerals}
         </output>
       )}

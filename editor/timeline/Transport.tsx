@@ -29,6 +29,7 @@ export const Transport = memo(function Transport({ end }: { readonly end: number
   const rolling = useSession((state) => state.rolling);
   const rate = useSession((state) => state.rate);
   const open = useStore(proof.store, (now) => now.run.holds.length);
+  const summary = `${open} ${open === 1 ? 'hold' : 'holds'}, ${ends}`;
   return (
     <div className="transport">
       <select
@@ -67,8 +68,8 @@ export const Transport = memo(function Transport({ end }: { readonly end: number
         ))}
       </div>
       <Moment end={end} />
-      <span className={good ? 'transport__end transport__end--good' : 'transport__end'}>
-        {open} {open === 1 ? 'hold' : 'holds'}, {ends}
+      <span className={good ? 'transport__end transport__end--good' : 'transport__end'} title={summary}>
+        {summary}
       </span>
     </div>
   );

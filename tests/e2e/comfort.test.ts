@@ -116,6 +116,19 @@ inChromium('comfort in Chromium', ({ on }) => {
       { '01': garden() },
       async ({ page, canvas, file }) => {
         await canvas.fit(file('01'));
+        // all of the bar is there in two rows, the palette too
+        const rows = new Set<number>();
+        for (const item of await page.locator('.topbar > *:visible').all()) {
+          const box = await item.boundingBox();
+          if (box !== null && box.width > 0) rows.add(Math.round((box.y + box.height / 2) / 30));
+        }
+        expect(rows.size).toBe(2);
+        await page.getByRole('button', { name: 'Search or run' }).tap();
+        await page
+          .getByRole('dialog', { name: 'Commands' })
+          .getByRole('option', { name: /^Keys and gestures/ })
+          .tap();
+        await page.getByRole('dialog', { name: 'Keys and gestures' }).getByRole('button', { name: 'Close' }).tap();
         const touch = await page.context().newCDPSession(page);
         const send = (type: 'touchStart' | 'touchMove' | 'touchEnd', points: { x: number; y: number }[]) =>
           touch.send('Input.dispatchTouchEvent', { type, touchPoints: points.map((point, id) => ({ ...point, id })) });
