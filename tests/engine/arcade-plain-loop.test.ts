@@ -110,4 +110,43 @@ describe('arcade has the bits of a loop that looks at everything in every frame'
       { numRuns: 60 },
     );
   });
+
+  it('where recoil drives an asteroid to the speed limit, from far away', () => {
+    // so light that it gets there, so far that all along nothing but the gun acts
+    const radius = between(5, 40).map((k) => k / 1e4);
+    const nowhere = { x: 9000, y: 9000, radius: 18 };
+    fc.assert(
+      fc.property(arbitraryPlayableLevel, between(400, 1500), between(-400, 400), radius, plan, (level, x, y, r, steps) => {
+        const asteroids = [{ id: null, x, y, radius: r, hot: false }];
+        const alone = { ...level, asteroids, novae: [], repulsors: [], aliens: [], minerals: [], blackHole: nowhere };
+        compareWithPlain({ ...alone, recoil: true, range: 4000 }, [{ ticks: 100, held: true }, ...steps]);
+      }),
+      { numRuns: 100 },
+    );
+  });
+
+  it('where a hot asteroid comes to her slowly, from farther than a neighbourhood looks', () => {
+    // at the end of the range the pull is all but 0, and recoil as strong as ever: it comes to her, and she waits at the side of her
+    // cell that is nearest to it
+    const scene = fc.record({
+      x: between(0, 4),
+      y: between(10, 22),
+      away: between(40, 90),
+      left: between(0, 1),
+      radius: between(1, 3).map((r) => r / 4),
+      vx: between(-1, 1),
+    });
+    const steps = fc.tuple(fc.integer({ min: 30, max: 240 }), fc.integer({ min: 300, max: 2000 }));
+    fc.assert(
+      fc.property(arbitraryPlayableLevel, scene, steps, (level, { x, y, away, left, radius, vx }, [held, waited]) => {
+        const asteroids = [{ id: null, x: x - away, y, radius, hot: true }];
+        const alone = { ...level, asteroids, novae: [], repulsors: [], aliens: [], minerals: [] };
+        compareWithPlain({ ...alone, astronaut: { x, y, vx, vy: 0 }, recoil: true, range: away + left }, [
+          { ticks: held, held: true },
+          { ticks: waited, held: false },
+        ]);
+      }),
+      { numRuns: 500 },
+    );
+  });
 });
