@@ -38,7 +38,7 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     .description('How hard levels are: success under timing noise, slack, random play, shortcuts, and a grade.')
     .argument('<path...>', 'level files, directories, or quoted patterns with * ** ?')
     .option('--run <name>', 'the run to measure; else the first that completes the level, or one that a search finds')
-    .option('--search', 'measure the run that forgives most of those that a search finds')
+    .option('--search', "measure the run that forgives most of the level's own and those that a search finds")
     .addOption(mineralsOption())
     .option(
       '--effort <ticks>',

@@ -61,7 +61,11 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     .option('--no-run', 'draw the level alone')
     .option('--holds <holds>', 'draw this run instead: 12-96,130-188 (ticks); none: she drifts', parseHolds)
     .option('--all-runs', 'draw every run of the level, each in a colour')
-    .option('--solve <n>', 'draw so many really different runs that a search finds', wholeNumberOption('a number of runs', 1, 20))
+    .option(
+      '--solve <n>',
+      "draw so many really different runs that a search finds, which starts from the level's own",
+      wholeNumberOption('a number of runs', 1, 20),
+    )
     .option('--explored', 'draw where a search for runs has been')
     .option('--closest', 'draw the nearest that a search came to the black hole')
     .option(
@@ -163,7 +167,7 @@ function solveFor(
 ): Promise<Solved> {
   const maxTicks = Math.round(maxTime * TICK_RATE);
   const asked = { accuracy, goal, objective: 'robust', seed, maxTicks, count } as const;
-  const settings = { level: { ...level, runs: [] }, ...asked, known: [] };
+  const settings = { level: { ...level, runs: [] }, ...asked, known: level.runs.map(({ holds }) => holds) };
   const limits = { budget: null, effort };
   return solveLevel(settings, { limits, jobs: availableParallelism(), onStart: () => {}, onRound: () => {} });
 }

@@ -74,7 +74,8 @@ function chooseRun(scene: Scene, { goal, run, search, effort, seed, accuracy }: 
   if (scripted !== undefined) return scripted;
   const proof = proveGoalImpossible(level, accuracy, goal, maxTicks);
   if (proof !== null) return { why: `impossible, proved: ${proof.reason}` };
-  const solver = createSolver(scene, { goal, seed, maxTicks, objective: 'robust' });
+  const known = level.runs.map(({ holds }) => holds);
+  const solver = createSolver(scene, { goal, seed, maxTicks, objective: 'robust', known });
   solver.advance(effort);
   if (solver.best !== null) return { name: null, holds: solver.best.holds };
   const near = solver.closest === null ? '' : `, the nearest ${closestInWords(solver.closest)}`;

@@ -115,8 +115,10 @@ interface Budget {
   readonly maxTicks: number;
 }
 
+/** The level's own runs are where the search starts. */
 function mostRobust(scene: Scene, goal: Goal, { effort, seed, maxTicks }: Budget): readonly Hold[] | null {
-  const solver = createSolver(scene, { goal, seed, maxTicks, objective: 'robust' });
+  const known = scene.level.runs.map(({ holds }) => holds);
+  const solver = createSolver(scene, { goal, seed, maxTicks, objective: 'robust', known });
   solver.advance(effort);
   return solver.best?.holds ?? null;
 }

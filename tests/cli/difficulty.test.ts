@@ -6,6 +6,7 @@ import { fallThrough, gq, makeFiles } from './gq.ts';
 import { shipped, withoutRuns } from './levels.ts';
 
 const files = makeFiles({
+  'alone.level.json': withoutRuns('12-detour'),
   'd/away.level.json': fallThrough({ blackHole: { x: 5000, y: 0 } }),
   'd/invalid.level.json': '{ "version": 1 }',
   'd/through.level.json': fallThrough(),
@@ -72,6 +73,14 @@ describe('gq difficulty', () => {
     expect([missing.code, missing.levels[0].why]).toEqual([1, 'it has no run named "nobody"']);
     // the first that completes it
     expect((await difficulty('named.level.json')).levels[0].measured?.run.name).toBe('all');
+  });
+
+  it("--search goes on from the level's own runs", async () => {
+    // too little for a search from nothing
+    const alone = await difficulty('alone.level.json --search --effort 100');
+    expect([alone.code, alone.levels[0].why]).toEqual([1, expect.stringMatching(/^no run was found: /)]);
+    const { code, levels } = await difficulty(`${shipped('12-detour')} --search --effort 100`);
+    expect([code, levels[0].measured?.run.name]).toEqual([0, null]);
   });
 
   it.each([

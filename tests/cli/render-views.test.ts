@@ -24,6 +24,8 @@ describe('gq render', () => {
     ['through.level.json --explored --run hold --effort 50000', 'way', 1],
     ['away.level.json --proof', 'proof', 1],
     ['through.level.json --solve 1 --effort 100000', 'ways', 1],
+    // far too little for a search from nothing
+    [`${shipped('12-detour')} --solve 1 --effort 100`, 'ways', 1],
   ])('%s has %s', async (args, kind, expected) => {
     const { code, stdout, stderr } = await render(args);
     expect({ code, stderr, drawn: count(stdout, kind) }).toEqual({ code: 0, stderr: '', drawn: expected });

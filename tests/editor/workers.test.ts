@@ -105,6 +105,10 @@ describe('jobs', () => {
 
   it('measure difficulty by the given run, and by one they look for', () => {
     expect(doJob('difficulty', { level, accuracy: 'precise', holds, goal: ANY, budget: 100 }).result?.presses).toBe(holds.length);
+    // from the level's own runs on, where there is no time for a search from nothing
+    const little = { accuracy: 'precise', holds: null, goal: ANY, budget: 2 } as const;
+    expect(doJob('difficulty', { level, ...little }).result).not.toBeNull();
+    expect(doJob('difficulty', { level: { ...level, runs: [] }, ...little }).result).toBeNull();
     const impossible: Level = { ...level, asteroids: [], runs: [] };
     expect(doJob('difficulty', { level: impossible, accuracy: 'precise', holds: null, goal: ANY, budget: 50 }).result).toBeNull();
   });

@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { compile } from '../../engine/index.ts';
+import { compile, simulate } from '../../engine/index.ts';
 import { type Level, readLevel } from '../../schema/index.ts';
 import { type GradeInput, gradeOf } from '../../solver/difficulty/grade.ts';
 import { playAtRandom } from '../../solver/difficulty/random-play.ts';
@@ -131,6 +131,16 @@ describe('the difficulty of a run', () => {
 
   it('is null for a run that fails', () => {
     expect(measureDifficulty(compile(shipped('03-let-go')), [], QUICK)).toBeNull();
+  });
+
+  it("looks for better runs than the level's own, and has them where it finds none", () => {
+    // too little for a search from nothing
+    const little = { ...QUICK, effort: 100 };
+    const level = shipped('12-detour');
+    expect(measureDifficulty(compile({ ...level, runs: [] }), null, little)).toBeNull();
+    const { run, mineralsExtra } = measureDifficulty(compile(level), null, little)!;
+    expect(level.runs.map(({ holds }) => simulate(compile(level), holds).time)).toContain(run.time);
+    expect(mineralsExtra!.run.minerals).toHaveLength(level.minerals.length);
   });
 
   it('looks for a run when none is given, and weighs the minerals', () => {

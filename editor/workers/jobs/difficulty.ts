@@ -10,7 +10,8 @@ const ASTEROID_EFFORT = 100_000;
 /** Measures how hard a level is; looks for a run first where none is given. */
 export const difficulty: Start<'difficulty'> = function* ({ level, accuracy, holds, goal, budget }, now) {
   const scene = compile(level, accuracy);
-  const run = holds ?? (yield* search(createSolver(scene, { goal }), budget, now)).solutions[0]?.holds ?? null;
+  const known = level.runs.map(({ holds: own }) => own);
+  const run = holds ?? (yield* search(createSolver(scene, { goal, known }), budget, now)).solutions[0]?.holds ?? null;
   if (run === null) return null;
   return measureDifficulty(scene, run, { goal, effort: EFFORT, asteroidEffort: ASTEROID_EFFORT });
 };
