@@ -1,6 +1,7 @@
 import { type Dirent, readdirSync, realpathSync, type Stats, statSync } from 'node:fs';
 import { resolve, sep } from 'node:path';
 import { Failure, systemReason } from './failure.ts';
+import { namedPath } from './shown-path.ts';
 
 const LEVEL_FILE = /\.level\.json$/;
 
@@ -22,7 +23,7 @@ export async function findLevelFiles(paths: readonly string[]): Promise<FoundFil
   const unmatched: string[] = [];
   for (const path of paths) {
     const found = await expand(path, unreadable);
-    if (typeof found === 'string') unmatched.push(`${path}: ${found}`);
+    if (typeof found === 'string') unmatched.push(`${namedPath(path)}: ${found}`);
     else for (const file of found) files.push(file);
   }
   if (unmatched.length > 0) {

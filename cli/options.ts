@@ -1,5 +1,5 @@
 import { InvalidArgumentError, Option } from 'commander';
-import { DEFAULT_MAX_TIME } from '../engine/index.ts';
+import { DEFAULT_MAX_TIME, TICK_RATE } from '../engine/index.ts';
 
 /** The longest run that is ever simulated, s: an hour, as far as a level file's holds reach. */
 const LONGEST_RUN = 3600;
@@ -27,7 +27,12 @@ export const formatOption = (...formats: string[]): Option =>
 
 export const maxTimeOption = (): Option =>
   new Option('--max-time <seconds>', 'simulated time after which a run is a timeout')
-    .argParser(numberOption('seconds', 0, LONGEST_RUN))
+    .argParser((text: string) => {
+      const seconds = numberOption('seconds', 0, LONGEST_RUN)(text);
+      // a run has whole ticks
+      if (Math.round(seconds * TICK_RATE) > 0) return seconds;
+      throw new InvalidArgumentError(`expected seconds for a tick, 1/${TICK_RATE} s, at least, at most ${LONGEST_RUN}`);
+    })
     .default(DEFAULT_MAX_TIME);
 
 export const seedOption = (): Option =>

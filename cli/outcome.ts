@@ -18,7 +18,7 @@ export function outcomeInWords(run: Pick<Run, 'outcome' | 'with' | 'time' | 'tic
     case 'lost':
       return `lost ${when}: farther than ${level.range} px from every asteroid`;
     case 'timeout':
-      return `nothing ended it within ${run.time} s`;
+      return `nothing ended it within ${Number(run.time.toFixed(3))} s`;
   }
 }
 

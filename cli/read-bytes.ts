@@ -1,6 +1,7 @@
 import { closeSync, openSync, readSync } from 'node:fs';
 import { MAX_FILE_SIZE } from '../schema/index.ts';
 import { Failure, systemReason } from './failure.ts';
+import { namedPath } from './shown-path.ts';
 import { siblingHint } from './sibling-hint.ts';
 
 /**
@@ -15,7 +16,7 @@ export function readBytes(path: string): Uint8Array {
   } catch (error) {
     const code = (error as NodeJS.ErrnoException).code;
     const hint = code === 'ENOENT' ? siblingHint(path) : code === 'EISDIR' ? '; expected a file' : '';
-    throw new Failure(`${path}: can't be read: ${systemReason(error)}${hint}`);
+    throw new Failure(`${namedPath(path)}: can't be read: ${systemReason(error)}${hint}`);
   } finally {
     if (descriptor !== null) closeSync(descriptor);
   }

@@ -12,6 +12,7 @@ import { readBytes } from '../read-bytes.ts';
 import { type ImportedFile, importJson, importPretty } from '../reporters/import.ts';
 import { showFileProblems } from '../reporters/problem.ts';
 import { schemaReference } from '../schema-reference.ts';
+import { namedPath } from '../shown-path.ts';
 import { writeWhole } from '../write-file.ts';
 
 interface ImportOptions {
@@ -109,7 +110,7 @@ function makeDirectory(directory: string): boolean {
     return mkdirSync(directory, { recursive: true }) !== undefined;
   } catch (error) {
     throw new Failure(
-      `--out ${directory}: the directory can't be made: ${systemReason(error)}; expected a directory that can be written`,
+      `--out ${namedPath(directory)}: the directory can't be made: ${systemReason(error)}; expected a directory that can be written`,
     );
   }
 }

@@ -23,7 +23,7 @@ import {
   viewRun,
   viewSolved,
 } from '../render/views.ts';
-import { shellPath } from '../shown-path.ts';
+import { namedPath, shellPath } from '../shown-path.ts';
 import { type Solved, solveLevel } from '../solve/solve-level.ts';
 import { expectMinerals, mineralsOption } from '../solve/solve-options.ts';
 import { visibleLine } from '../visible.ts';
@@ -109,7 +109,9 @@ async function render(file: string, options: Options): Promise<CommandResult> {
   const subject = { accuracy: chooseAccuracy(options), maxTime: options.maxTime };
   const kind = output === '-' ? '.svg' : extname(output).toLowerCase();
   if (kind !== '.svg' && kind !== '.png') {
-    throw new Failure(`--output ${output}: expected a name that ends in .svg or .png, or - for SVG on the standard output`);
+    throw new Failure(
+      `--output ${namedPath(output)}: expected a name that ends in .svg or .png, or - for SVG on the standard output`,
+    );
   }
   expectOneView(options);
   const opened = openLevel(file);

@@ -6,6 +6,7 @@ import { dirname } from 'node:path';
 import { createAdaptorServer } from '@hono/node-server';
 import { Failure, systemReason } from '../failure.ts';
 import { statOrError } from '../files.ts';
+import { namedPath, shellPath } from '../shown-path.ts';
 import { createApi } from './api.ts';
 import { createApp } from './app.ts';
 import { openLevelFolder } from './level-folder.ts';
@@ -74,11 +75,11 @@ export async function startServer({ folder, port, page, onCrash }: EditServerOpt
 function realFolder(folder: string): string {
   const stats = statOrError(folder);
   if (stats instanceof Error) {
-    const hint = `expected a folder of level files; make one with: mkdir ${folder}`;
-    throw new Failure(`${folder}: can't be opened: ${systemReason(stats)}; ${hint}`);
+    const hint = `expected a folder of level files; make one with: mkdir ${shellPath(folder)}`;
+    throw new Failure(`${namedPath(folder)}: can't be opened: ${systemReason(stats)}; ${hint}`);
   }
   if (!stats.isDirectory()) {
-    throw new Failure(`${folder}: is a file; expected a folder of level files: gq edit ${dirname(folder)}`);
+    throw new Failure(`${folder}: is a file; expected a folder of level files: gq edit ${shellPath(dirname(folder))}`);
   }
   return realpathSync(folder);
 }

@@ -5,6 +5,7 @@ import type { Generated } from '../../solver/index.ts';
 import { createFile } from '../disk.ts';
 import { Failure, systemReason } from '../failure.ts';
 import { schemaReference } from '../schema-reference.ts';
+import { namedPath } from '../shown-path.ts';
 
 /** What became of a level that was made: `in the way` is another file of that name, which stays. */
 export type Kept = 'written' | 'unchanged' | 'in the way';
@@ -39,7 +40,7 @@ export function makeDirectory(directory: string): void {
     mkdirSync(directory, { recursive: true });
   } catch (error) {
     throw new Failure(
-      `--out ${directory}: the directory can't be made: ${systemReason(error)}; expected a directory that can be written`,
+      `--out ${namedPath(directory)}: the directory can't be made: ${systemReason(error)}; expected a directory that can be written`,
     );
   }
 }

@@ -48,19 +48,24 @@ export function hireCrew(settings: SolveSettings, jobs: number): Crew {
   };
   let wasStopped = false;
 
+  /** Every lane at so many ticks in all, or where it was stopped. */
+  async function advance(to: number): Promise<LaneState[]> {
+    const answers = await Promise.all(workers.map((worker) => worker.ask({ kind: 'advance', to }, 'advance')));
+    return answers.flatMap((answer) => answer.lanes).sort((a, b) => a.lane - b.lane);
+  }
+
   async function search({ budget, effort }: Limits, onRound: (found: Found) => void): Promise<Found> {
+    // a thread takes a while to start, and runs that are known are looked at however short the budget
+    let states = await advance(1);
     const clock = budget === null ? undefined : setTimeout(halt, 1000 * budget);
-    let found: Found = { effort: { runs: 0, ticks: 0 }, closest: null, solutions: [] };
     try {
       for (const to of rounds(effort)) {
-        const answers = await Promise.all(workers.map((worker) => worker.ask({ kind: 'advance', to }, 'advance')));
-        const states = answers.flatMap((answer) => answer.lanes).sort((a, b) => a.lane - b.lane);
-        found = together(states, settings.count);
-        onRound(found);
+        states = await advance(to);
+        onRound(together(states, settings.count));
         // the lanes meet after each round, so that who is done first doesn't depend on who had more threads
         if (isStopped() || states.some((state) => state.finished)) break;
       }
-      return found;
+      return together(states, settings.count);
     } finally {
       clearTimeout(clock);
     }

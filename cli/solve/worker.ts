@@ -25,7 +25,8 @@ const own = lanes.map((lane): Lane => {
 });
 
 function advance(lane: Lane, to: number): void {
-  while (lane.asked < to && !lane.solver.finished && Atomics.load(stopped, 0) === 0) {
+  // what is known is looked at even by a search that is stopped as it begins
+  while (lane.asked < to && !lane.solver.finished && (lane.asked === 0 || Atomics.load(stopped, 0) === 0)) {
     const ticks = Math.min(SLICE, to - lane.asked);
     lane.solver.advance(ticks);
     lane.asked += ticks;

@@ -140,6 +140,7 @@ describe('a path that matches nothing', () => {
       expect(stderr).toContain('match');
     }
     expect(ended[0].stderr).toContain('levels: no such file or directory');
+    expect(ended[2].stderr).toContain('  "": no such file or directory\n');
   });
 
   it('is told for a single level, as is a directory in its place', async () => {
@@ -171,8 +172,12 @@ describe('options that make no sense', () => {
     [['check', '--jobs', '0'], /'0' is invalid.*a whole number from 1 to 256/],
     [['check', '--max-time', 'soon'], /'soon' is invalid.*expected seconds above 0, at most 3600/],
     [['check', '--max-time', '1e999'], /'1e999' is invalid/],
+    [['check', '--max-time', '0.001'], /'0\.001' is invalid.*expected seconds for a tick, 1\/60 s, at least/],
     [['simulate'], /missing required argument 'level'/],
     [['simulate', 'a', 'b'], /too many arguments/],
+    [['simulate', ''], /^error: "": can't be read/],
+    [['import', 'originals.json', '--out', ''], /^error: --out "": the directory can't be made/],
+    [['edit', ''], /^error: "": can't be opened: .*mkdir ""/],
     [['simulate', 'fine/good.level.json', '--sample', '-1'], /'-1' is invalid/],
     [['simulate', 'fine/good.level.json', '--sample', '10000', '--max-time', '3600'], /may give more than 1000000 samples/],
     [['simulate', 'fine/good.level.json', '--recoil', 'maybe'], /'maybe' is invalid.*on, off/],

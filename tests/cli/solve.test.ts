@@ -177,6 +177,12 @@ describe('--write', () => {
   });
 });
 
+it("looks at the level's own runs however short the budget", async () => {
+  const ended = await solve('through.level.json --budget 0.001 --format json');
+  expect(ended.code).toBe(0);
+  expect(report(ended)).toMatchObject({ found: true, outcome: 'completed' });
+});
+
 describe('bad input', () => {
   it.each([
     ['through.level.json --minerals 2', 'has only 0 minerals'],
@@ -231,6 +237,15 @@ describe.runIf(process.platform === 'linux')('a signal', () => {
       expect(runs).toEqual(found.found ? [{ name: 'solution', holds: found.holds }] : []);
       expect(ended.stderr).toContain(found.found ? 'wrote run "solution"' : 'nothing was written');
     }
+  });
+
+  it("as the search begins leaves the level's own runs, which are looked at first", async () => {
+    const ended = await solve(`${shipped('17-watchdog')} --budget 600 --format json`, {
+      env,
+      during: (child: ChildProcess) => child.stderr?.once('data', () => child.kill('SIGINT')),
+    });
+    expect(ended.code).toBe(130);
+    expect(report(ended)).toMatchObject({ found: true, interrupted: true });
   });
 
   it('does not write into a file that has changed meanwhile; what was found is reported', async () => {
