@@ -1,43 +1,69 @@
 import { boxCircleGap, HALF_DIAGONAL } from '../../engine/index.ts';
 import type { StandingCircle } from './blockers.ts';
-import type { Cone, Direction } from './proof.ts';
-import { distance, surelyLess } from './rounding.ts';
+import { between, convexHull, type Vertex } from './convex.ts';
+import type { DeadEnd, Direction } from './proof.ts';
+import { distance, margin, surelyLess } from './rounding.ts';
 import { LEAST_HALF, type Setting, type Thing } from './setting.ts';
 
-/** Side of the squares that are looked at one by one, px. */
-const CELL = 2;
+/** From one line across to the next, px. */
+const STEP = 1;
 
-/** So far beside the cone she may be, px: rounding is far below it. */
+/** The pieces of such a line that hazards are asked for, px. */
+const PIECE = 1;
+
+/** So far beside the line she may be as she leaves it, px, and her slope off by so much: rounding is far below it. */
 const BESIDE = 0.01;
+const ASKEW = 1e-6;
 
 /** Hazards count only as deep as this, px: an integrator may take the push of a place just inside. */
 const DEEP = 0.05;
 
-/** Tangent of the angle by which a cone is made wider than what was found to push her. */
-const MORE = 0.06;
+/** What every bound on slopes and on places where another asteroid is nearer is rounded outwards by. */
+const SLACK = 1e-6;
 
 /** Two distances that differ by less are a tie, px. */
 const TIE = 1e-7;
 
-/** More squares than this, or cones, and the end is open for all that is known. */
-const MOST_CELLS = 1000;
-const MOST_CONES = 20;
+/** Steeper ways, and what pushes her from nearer than this, px, are not followed. */
+const STEEPEST = 6;
+const NEAREST = 0.5;
 
-/** Parts that the directions of a cone are cut into, as a power of two. */
-const PARTS = 4;
+/** More fronts than this, or comparisons with asteroids, and the end is open for all that is known. */
+const MOST_FRONTS = 1500;
+const MOST_COMPARISONS = 400_000;
+
+/** Directions of her box nearer to each other than this, as a chord, aren't told apart. */
+const FINEST_TURN = 0.002;
 
 interface Place {
   readonly x: number;
   readonly y: number;
 }
 
-const cross = (a: Place, b: Place): number => a.x * b.y - a.y * b.x;
-const dot = (a: Place, b: Place): number => a.x * b.x + a.y * b.y;
-const asPlace = ([x, y]: Direction): Place => ({ x, y });
+/** Least and most. */
+type Span = readonly [least: number, most: number];
+
+/** What may push her: its centre, towards it or away from it, and where along a line across. */
+interface Push {
+  readonly centre: Place;
+  readonly towards: boolean;
+  readonly from: number;
+  readonly to: number;
+}
 
 /**
- * From where another asteroid pulls her off the line, her velocity is made of pushes that all lie in a cone, and so she stays in this cone. It is a dead end
- * when, on every way within it, hazards stop her before an asteroid or a field could push her out of it. Her box lies along a direction of the cone, too.
+ * Everything she may do as she comes to a line across the axis: a convex set of places across (`x` of a vertex, px) and slopes of her way (`y`: px across for
+ * each along), and the slopes along which the short side of her box may lie.
+ */
+interface Front {
+  readonly ways: readonly Vertex[];
+  readonly box: Span;
+}
+
+/**
+ * Beyond the border to another asteroid's cell every push, and so her way, goes forward along some axis. Her slope to this axis then only ever turns
+ * towards the slopes of the pushes there, however fast she is and whenever she presses. So all that she may do is followed from line to line across the
+ * axis, until hazards or the end of the range have stopped all of it: a dead end.
  * @param apex where she leaves the line, px from the start
  * @param ahead the direction in which she does, a unit vector
  * @param before the asteroid that pulled her before
@@ -49,184 +75,307 @@ export function findDeadEnd(
   apex: Place,
   ahead: Place,
   before: number,
-): Cone | null {
+): DeadEnd | null {
   // recoil moves the border between two asteroids: she may be overtaken by it
   if (setting.level.recoil || setting.jump > 0) return null;
-  let cone: Cone = { from: [ahead.x, ahead.y], to: [ahead.x, ahead.y] };
-  for (let round = 0; round < MOST_CONES; round++) {
-    const wider = new Flood(setting, goal, circles, apex, before, cone).run();
-    if (wider === null) return null;
-    if (wider === cone && round > 0) return takesOver(setting, apex, before, cone) ? cone : null;
-    cone = withMore(wider);
+  const takers = takersAt(setting, apex, before);
+  if (takers.length === 0) return null;
+  const { asteroids, astronaut } = setting.level;
+  const { x, y } = asteroids[takers[0]];
+  const way = { x: x - astronaut.x - apex.x, y: y - astronaut.y - apex.y };
+  const far = Math.sqrt(way.x * way.x + way.y * way.y);
+  if (far < NEAREST) return null;
+  const pulled = { x: way.x / far, y: way.y / far };
+  for (const part of [0.5, 0, 1]) {
+    const axis = unit({ x: ahead.x + part * (pulled.x - ahead.x), y: ahead.y + part * (pulled.y - ahead.y) });
+    if (axis !== null && new March(setting, goal, circles, apex, ahead, before, takers, axis).isShut())
+      return { axis, step: STEP };
   }
   return null;
 }
 
-/** The cone and a little more on either side: whoever looks at other squares finds its pushes in it, too. */
-function withMore({ from, to }: Cone): Cone {
-  const turned = ([x, y]: Direction, by: number): Direction => {
-    const length = Math.sqrt(1 + by * by);
-    return [(x - by * y) / length, (y + by * x) / length];
-  };
-  return { from: turned(from, -MORE), to: turned(to, MORE) };
+function unit({ x, y }: Place): Direction | null {
+  const length = Math.sqrt(x * x + y * y);
+  return length < 0.1 ? null : [x / length, y / length];
 }
 
-/** Whether some asteroid is no farther than the one before at the apex, and from there on nearer in every direction of the cone. */
-function takesOver({ level: { asteroids, astronaut } }: Setting, apex: Place, before: number, cone: Cone): boolean {
+/** Where she may come in a dead end: the corners of four-sided pieces, px from the start. */
+export function placesIn(
+  setting: Setting,
+  goal: Thing,
+  circles: readonly StandingCircle[],
+  apex: Place,
+  ahead: Place,
+  before: number,
+  { axis }: DeadEnd,
+): Place[][] {
+  const march = new March(setting, goal, circles, apex, ahead, before, takersAt(setting, apex, before), axis);
+  march.isShut();
+  const [ux, uy] = axis;
+  return march.pieces.map(({ line, before: [from, to], after: [low, high] }) =>
+    [
+      [line, from],
+      [line + STEP, low],
+      [line + STEP, high],
+      [line, to],
+    ].map(([a, b]) => ({ x: apex.x + a * ux - b * uy, y: apex.y + a * uy + b * ux })),
+  );
+}
+
+/** The asteroids that are no farther than the one before at the apex. */
+function takersAt({ level: { asteroids, astronaut } }: Setting, apex: Place, before: number): number[] {
   const here = { x: apex.x + astronaut.x, y: apex.y + astronaut.y };
-  const old = asteroids[before];
-  return asteroids.some((a, i) => {
-    const step = { x: a.x - old.x, y: a.y - old.y };
-    const isNear = i !== before && distance(a, here) < distance(old, here) + TIE;
-    return isNear && dot(step, asPlace(cone.from)) > 0 && dot(step, asPlace(cone.to)) > 0;
-  });
+  const old = distance(asteroids[before], here);
+  return [...asteroids.keys()].filter((i) => i !== before && distance(asteroids[i], here) < old + TIE);
 }
 
-/** The cone with one direction more; the same where it has it, null where it would be half of all directions. */
-function widened(cone: Cone, direction: Place): Cone | null {
-  const from = asPlace(cone.from);
-  const to = asPlace(cone.to);
-  const middle = { x: from.x + to.x, y: from.y + to.y };
-  if (cross(from, direction) >= 0 && cross(direction, to) >= 0 && dot(middle, direction) > 0) return cone;
-  const more: Direction = [direction.x, direction.y];
-  const wider: Cone = cross(middle, direction) > 0 ? { from: cone.from, to: more } : { from: more, to: cone.to };
-  const turn = cross(asPlace(wider.from), asPlace(wider.to));
-  return turn > 1e-6 || (turn >= 0 && dot(asPlace(wider.from), asPlace(wider.to)) > 0) ? wider : null;
-}
-
-/** Everything she may come through within a cone; what could push her there widens the cone. */
-class Flood {
-  private readonly setting: Setting;
-  private readonly goal: Thing;
+/** All that she may do beyond the apex; places in px from there, along the axis and across. */
+class March {
+  private readonly range: number;
+  private readonly goal: Place & { readonly touch: number };
   private readonly circles: readonly StandingCircle[];
-  private readonly apex: Place;
-  private readonly before: number;
   private readonly asteroids: readonly Place[];
+  private readonly before: number;
+  private readonly takers: readonly number[];
   private readonly fields: readonly (Place & { readonly radius: number })[];
-  private readonly turns: readonly { readonly middle: Place; readonly chord: number }[];
-  private readonly cone: Cone;
+  private readonly ahead: Place;
+  private comparisons = 0;
+  /** all slopes of her way so far */
+  private slopes: Span;
+  /** where she may come: between a place along the axis and a step on, from where to where across */
+  readonly pieces: { readonly line: number; readonly before: Span; readonly after: Span }[] = [];
 
-  constructor(setting: Setting, goal: Thing, circles: readonly StandingCircle[], apex: Place, before: number, cone: Cone) {
-    const { asteroids, repulsors, astronaut } = setting.level;
-    this.setting = setting;
-    this.goal = goal;
-    this.circles = circles;
-    this.apex = apex;
+  constructor(
+    { level }: Setting,
+    goal: Thing,
+    circles: readonly StandingCircle[],
+    apex: Place,
+    ahead: Place,
+    before: number,
+    takers: readonly number[],
+    [ux, uy]: Direction,
+  ) {
+    const turned = <T extends Place>(p: T): T => ({ ...p, x: p.x * ux + p.y * uy, y: p.y * ux - p.x * uy });
+    const fromApex = <T extends Place>(p: T): T => turned({ ...p, x: p.x - apex.x, y: p.y - apex.y });
+    const fromStart = <T extends Place>(p: T): T => fromApex({ ...p, x: p.x - level.astronaut.x, y: p.y - level.astronaut.y });
+    this.range = level.range;
+    this.goal = fromApex(goal);
+    this.circles = circles.map(fromApex);
+    this.asteroids = level.asteroids.map(fromStart);
+    this.fields = level.repulsors.map(fromStart);
     this.before = before;
-    this.cone = cone;
-    const place = ({ x, y }: Place) => ({ x: x - astronaut.x, y: y - astronaut.y });
-    this.asteroids = asteroids.map(place);
-    this.fields = repulsors.map((field) => ({ ...place(field), radius: field.radius }));
-    this.turns = turnsOf(asPlace(cone.from), asPlace(cone.to), PARTS);
+    this.takers = takers;
+    this.ahead = turned(ahead);
+    this.slopes = [this.ahead.y / this.ahead.x, this.ahead.y / this.ahead.x];
   }
 
-  /** The cone itself when nothing widens it and nothing is open; a wider one; or null. */
-  run(): Cone | null {
-    const seen = new Set<string>();
-    const waiting: [number, number][] = [];
-    const visit = (i: number, j: number) => {
-      const key = `${i} ${j}`;
-      if (seen.has(key)) return;
-      seen.add(key);
-      waiting.push([i, j]);
-    };
-    for (const i of [-1, 0]) for (const j of [-1, 0]) visit(i, j);
-    let cone: Cone | null = this.cone;
-    for (let next = waiting.pop(); next !== undefined; next = waiting.pop()) {
-      if (seen.size > MOST_CELLS) return null;
-      const [i, j] = next;
-      const piece = this.piece(i, j);
-      if (piece.length === 0 || this.isOver(piece)) continue;
-      if (piece.some((p) => !surelyLess(this.goal.touch + 2 * CELL, distance(p, this.goal)))) return null;
-      for (const direction of this.pushes(piece)) {
-        cone = direction === null || cone === null ? null : widened(cone, direction);
-        if (cone === null) return null;
+  /** Whether all of it comes to an end, none of it near the thing or back into the cell before. */
+  isShut(): boolean {
+    if (this.ahead.x * STEEPEST < Math.abs(this.ahead.y)) return false;
+    const [slope] = this.slopes;
+    const ways = [-BESIDE, BESIDE].flatMap((x) => [-ASKEW, ASKEW].map((more) => ({ x, y: slope + more })));
+    let fronts: Front[] = [{ ways: convexHull(ways), box: [slope - ASKEW, slope + ASKEW] }];
+    let made = 0;
+    for (let step = 0; fronts.length > 0; step++) {
+      const next: Front[] = [];
+      for (const front of fronts) {
+        const after = this.advance(front, step * STEP);
+        made++;
+        if (after === null || made > MOST_FRONTS || this.comparisons > MOST_COMPARISONS) return false;
+        next.push(...this.notOver(after, (step + 1) * STEP));
       }
-      visit(i + 1, j);
-      visit(i - 1, j);
-      visit(i, j + 1);
-      visit(i, j - 1);
+      fronts = next;
     }
-    return cone;
+    return this.takers.some((i) => this.leavesBehind(i));
   }
 
-  /** What of a square lies in the cone: the corners of a convex polygon, px from the start. */
-  private piece(i: number, j: number): Place[] {
-    const from = asPlace(this.cone.from);
-    const to = asPlace(this.cone.to);
-    const middle = { x: from.x + to.x, y: from.y + to.y };
-    const corner = (a: number, b: number) => ({ x: (i + a) * CELL, y: (j + b) * CELL });
-    const sides = [(p: Place) => cross(from, p), (p: Place) => cross(p, to), (p: Place) => dot(middle, p)];
-    const square = [corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)];
-    const inside = sides.reduce((polygon, side) => cutOff(polygon, (p) => side(p) + BESIDE), square);
-    return inside.map((p) => ({ x: p.x + this.apex.x, y: p.y + this.apex.y }));
+  /** Whether, with all slopes there were, she comes ever nearer to an asteroid than to the one before. */
+  private leavesBehind(taker: number): boolean {
+    const { x, y } = this.asteroids[taker];
+    const old = this.asteroids[this.before];
+    return this.slopes.every((slope) => x - old.x + slope * (y - old.y) > SLACK);
   }
 
-  /** Whether every place of a piece ends the run, however her box lies: in one hazard, or out of range. */
-  private isOver(piece: readonly Place[]): boolean {
-    const reach = this.setting.level.range + 2 * CELL;
-    if (this.asteroids.every((a) => piece.every((p) => surelyLess(reach, distance(a, p))))) return true;
-    return this.circles.some((circle) => {
-      const far = piece.reduce((most, p) => Math.max(most, distance(p, circle)), 0);
-      if (far < circle.radius + LEAST_HALF - DEEP) return true;
-      if (far > circle.radius + HALF_DIAGONAL) return false;
-      return this.turns.every(({ middle, chord }) =>
-        piece.every(
-          (p) => boxCircleGap(circle.x - p.x, circle.y - p.y, middle.x, middle.y, circle.radius) < -DEEP - HALF_DIAGONAL * chord,
-        ),
-      );
+  /** What a front becomes a step on; null where it can't be followed, or comes near the thing. */
+  private advance({ ways, box }: Front, line: number): Front | null {
+    const places = spanOf(ways.map(({ x }) => x));
+    const slopes = spanOf(ways.map(({ y }) => y));
+    let aside = STEP * Math.max(Math.abs(slopes[0]), Math.abs(slopes[1])) + SLACK;
+    for (let steepest = aside / STEP; ; aside = 1.01 * STEP * steepest) {
+      if (steepest > STEEPEST) return null;
+      const pushes = this.pushes(line, [places[0] - aside, places[1] + aside]);
+      if (pushes === null) return null;
+      const after = pushed(ways, places, line, aside, pushes);
+      steepest = Math.max(Math.abs(after.slopes[0]), Math.abs(after.slopes[1]));
+      if (STEP * steepest > aside) continue;
+      this.slopes = join(this.slopes, after.slopes);
+      this.pieces.push({ line, before: places, after: spanOf(after.ways.map(({ x }) => x)) });
+      const dx = Math.max(0, line - this.goal.x, this.goal.x - line - STEP);
+      const dy = Math.max(0, places[0] - aside - this.goal.y, this.goal.y - places[1] - aside);
+      if (!surelyLess(this.goal.touch + DEEP, Math.sqrt(dx * dx + dy * dy))) return null;
+      return { ways: after.ways, box: after.pulls === null ? box : join(box, after.pulls) };
+    }
+  }
+
+  /** What may push her between two lines across, where `places` bounds her; null when some of it may push her back. */
+  private pushes(line: number, places: Span): Push[] | null {
+    const end = line + STEP;
+    const pushes: Push[] = [];
+    for (const field of this.fields) {
+      const dx = Math.max(0, line - field.x, field.x - end);
+      const dy = Math.max(0, places[0] - field.y, field.y - places[1]);
+      if (surelyLess(field.radius + SLACK, Math.sqrt(dx * dx + dy * dy))) continue;
+      if (line - field.x < NEAREST) return null;
+      pushes.push({ centre: field, towards: false, from: places[0], to: places[1] });
+    }
+    this.comparisons += this.asteroids.length;
+    let reach = Number.POSITIVE_INFINITY;
+    for (const [i, { x, y }] of this.asteroids.entries()) {
+      if (i === this.before) continue;
+      const dx = Math.max(end - x, x - line);
+      const dy = Math.max(places[1] - y, y - places[0]);
+      reach = Math.min(reach, Math.sqrt(dx * dx + dy * dy));
+    }
+    const near = this.asteroids.filter(({ x, y }, i) => {
+      const dx = Math.max(0, line - x, x - end);
+      const dy = Math.max(0, places[0] - y, y - places[1]);
+      return i !== this.before && Math.sqrt(dx * dx + dy * dy) <= reach + SLACK;
+    });
+    for (const centre of near) {
+      const [from, to] = nearestWithin(centre, near, line, places);
+      if (from > to) continue;
+      if (centre.x - end < NEAREST) return null;
+      pushes.push({ centre, towards: true, from, to });
+    }
+    return pushes;
+  }
+
+  /** A front without what is over at this line. */
+  private notOver({ ways, box }: Front, line: number): Front[] {
+    const [least, most] = spanOf(ways.map(({ x }) => x));
+    const [first, last] = box.map(directionOf);
+    const near = this.circles.filter(({ x, y, radius }) => {
+      const reach = radius + HALF_DIAGONAL;
+      return Math.abs(x - line) < reach && y + reach > least && y - reach < most;
+    });
+    const left: [from: number, to: number][] = [];
+    for (let piece = Math.floor(least / PIECE); piece * PIECE <= most; piece++) {
+      const from = Math.max(least, piece * PIECE);
+      const to = Math.min(most, (piece + 1) * PIECE);
+      const ends = [
+        { x: line, y: from },
+        { x: line, y: to },
+      ];
+      if (near.some((circle) => isStopped(circle, ends, first, last)) || this.isLost(line, from, to)) continue;
+      const before = left[left.length - 1];
+      if (before?.[1] === from) before[1] = to;
+      else left.push([from, to]);
+    }
+    return left.map(([from, to]) => ({ ways: from === least && to === most ? ways : between(ways, from, to), box }));
+  }
+
+  private isLost(line: number, from: number, to: number): boolean {
+    return this.asteroids.every(({ x, y }) => {
+      const dy = Math.max(0, from - y, y - to);
+      return surelyLess(this.range + DEEP, Math.sqrt((line - x) * (line - x) + dy * dy));
     });
   }
+}
 
-  /** The directions in which the gun or a field may push her in a piece; null where that is any. */
-  private *pushes(piece: readonly Place[]): Generator<Place | null> {
-    for (const [i, asteroid] of this.asteroids.entries()) {
-      // in the cone the one before is never the nearest
-      if (i === this.before || !this.mayBeNearest(i, piece)) continue;
-      yield* directions(piece, asteroid, 1);
+/** Where between two places across, up to `STEP` farther along, an asteroid may be the nearest. */
+function nearestWithin(rock: Place, others: readonly Place[], line: number, places: Span): Span {
+  let [from, to] = places;
+  for (const other of others) {
+    if (other === rock) continue;
+    const x = other.x - rock.x;
+    const y = other.y - rock.y;
+    // nearer than the other where 2 p (other - rock) is at most |other|2 - |rock|2
+    const apart = x * (other.x + rock.x) + y * (other.y + rock.y);
+    const most = apart - 2 * x * (x > 0 ? line : line + STEP) + margin(apart, x * line);
+    if (y > 0) to = Math.min(to, most / (2 * y) + SLACK);
+    else if (y < 0) from = Math.max(from, most / (2 * y) - SLACK);
+    else if (most < 0) return [1, 0];
+  }
+  return [from, to];
+}
+
+/**
+ * What becomes of places and slopes a step on. She who starts at a place across with a slope, and whose pushes on the way have slopes within a span, has
+ * slopes up to that span, or within it once she has come into it. Her place moves by a step times the mean of them.
+ * @param aside how far across she may come within the step, px
+ */
+function pushed(ways: readonly Vertex[], places: Span, line: number, aside: number, pushes: readonly Push[]) {
+  const points: Vertex[] = ways.map(({ x, y }) => ({ x: x + STEP * y, y }));
+  let pulls: Span | null = null;
+  const cuts = [...places, ...pushes.flatMap(({ from, to }) => [from - aside, to + aside])]
+    .filter((cut) => cut >= places[0] && cut <= places[1])
+    .sort((a, b) => a - b);
+  for (const [n, from] of cuts.slice(0, -1).entries()) {
+    const to = cuts[n + 1];
+    const acting = pushes.filter((push) => push.from - aside <= from && push.to + aside >= to);
+    if (acting.length === 0) continue;
+    const piece = between(ways, from, to);
+    for (const { x, y } of piece) {
+      for (const slope of slopesAt(x, line, aside, acting)) points.push({ x: x + STEP * y, y: slope });
     }
-    for (const field of this.fields) {
-      if (piece.every((p) => surelyLess(field.radius + 2 * CELL, distance(p, field)))) continue;
-      yield* directions(piece, field, -1);
+    for (const x of spanOf(piece.map((p) => p.x))) {
+      const span = slopesAt(x, line, aside, acting);
+      for (const mean of span) for (const slope of span) points.push({ x: x + STEP * mean, y: slope });
+      const rocks = acting.filter(({ towards }) => towards);
+      if (rocks.length === 0) continue;
+      const pull = slopesAt(x, line, aside, rocks);
+      pulls = pulls === null ? pull : join(pulls, pull);
     }
   }
+  const after = convexHull(points);
+  return { ways: after, slopes: spanOf(after.map(({ y }) => y)), pulls };
+}
 
-  /** Squared distances to two asteroids differ by something linear: what holds at the corners holds in the piece. */
-  private mayBeNearest(i: number, piece: readonly Place[]): boolean {
-    return !this.asteroids.some(
-      (other, k) =>
-        k !== i && k !== this.before && piece.every((p) => surelyLess(distance(p, other), distance(p, this.asteroids[i]))),
-    );
+/** Slopes of the pushes on a step that begins at a place across. */
+function slopesAt(place: number, line: number, aside: number, pushes: readonly Push[]): Span {
+  let least = Number.POSITIVE_INFINITY;
+  let most = Number.NEGATIVE_INFINITY;
+  for (const { centre, towards } of pushes) {
+    for (const x of [line, line + STEP]) {
+      const slope = (centre.y - place) / (centre.x - x);
+      const more = aside / Math.abs(centre.x - (towards ? line + STEP : line)) + SLACK;
+      least = Math.min(least, slope - more);
+      most = Math.max(most, slope + more);
+    }
   }
+  return [least, most];
 }
 
-/** The directions from the corners of a piece towards a place, or away from it; null where the place is too near to tell. */
-function* directions(piece: readonly Place[], to: Place, sign: number): Generator<Place | null> {
-  for (const p of piece) {
-    const d = distance(p, to);
-    if (d < 2 * CELL) yield null;
-    else yield { x: (sign * (to.x - p.x)) / d, y: (sign * (to.y - p.y)) / d };
-  }
-}
-
-/** A polygon without what lies where `side` is negative. */
-function cutOff(polygon: readonly Place[], side: (p: Place) => number): Place[] {
-  return polygon.flatMap((a, i) => {
-    const b = polygon[(i + 1) % polygon.length];
-    const sa = side(a);
-    const sb = side(b);
-    const kept = sa >= 0 ? [a] : [];
-    if (sa >= 0 === sb >= 0) return kept;
-    const t = sa / (sa - sb);
-    return [...kept, { x: a.x + t * (b.x - a.x), y: a.y + t * (b.y - a.y) }];
-  });
-}
-
-/** The directions between two, in parts: the middle of each, and how far its ends are from that. */
-function turnsOf(from: Place, to: Place, halvings: number): { middle: Place; chord: number }[] {
+/** Whether a circle overlaps her box at all places between two, lying in any direction from one unit vector to another. */
+function isStopped(circle: StandingCircle, ends: readonly Place[], from: Place, to: Place): boolean {
+  const far = Math.max(...ends.map((p) => distance(p, circle)));
+  if (far < circle.radius + LEAST_HALF - DEEP) return true;
+  if (far > circle.radius + HALF_DIAGONAL) return false;
   const sum = { x: from.x + to.x, y: from.y + to.y };
-  const length = Math.sqrt(dot(sum, sum));
+  const length = Math.sqrt(sum.x * sum.x + sum.y * sum.y);
   const middle = { x: sum.x / length, y: sum.y / length };
-  if (halvings === 0) return [{ middle, chord: Math.max(distance(middle, from), distance(middle, to)) }];
-  return [...turnsOf(from, middle, halvings - 1), ...turnsOf(middle, to, halvings - 1)];
+  const chord = Math.max(distance(middle, from), distance(middle, to));
+  const gaps = ends.map((p) => boxCircleGap(circle.x - p.x, circle.y - p.y, middle.x, middle.y, circle.radius));
+  const worst = Math.max(...gaps);
+  if (worst < -DEEP - HALF_DIAGONAL * chord) return true;
+  if (worst > -DEEP || chord < FINEST_TURN) return false;
+  return isStopped(circle, ends, from, middle) && isStopped(circle, ends, middle, to);
+}
+
+/** The unit vector of a slope. */
+function directionOf(slope: number): Place {
+  const length = Math.sqrt(1 + slope * slope);
+  return { x: 1 / length, y: slope / length };
+}
+
+const join = (a: Span, b: Span): Span => [Math.min(a[0], b[0]), Math.max(a[1], b[1])];
+
+function spanOf(values: readonly number[]): Span {
+  let least = Number.POSITIVE_INFINITY;
+  let most = Number.NEGATIVE_INFINITY;
+  for (const value of values) {
+    least = Math.min(least, value);
+    most = Math.max(most, value);
+  }
+  return [least, most];
 }

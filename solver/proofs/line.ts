@@ -39,7 +39,26 @@ interface Stretch {
  * reach when no box on that stretch touches it.
  */
 export function proveLineTrap(setting: Setting, about: About, goal: Thing): Proof | null {
-  const { level, jump, maxTime } = setting;
+  const bound = boundBy(setting, about);
+  return bound !== null && holds(setting, bound.line, bound.trap, goal) ? proofOf(setting, about, bound.line, bound.trap) : null;
+}
+
+/** The same, where another asteroid pulls her off the line, and on from there is a dead end. Dearer. */
+export function proveDeadEnds(setting: Setting, about: About, goal: Thing): Proof | null {
+  const bound = boundBy(setting, about);
+  const trap = bound === null ? null : withDeadEnds(setting, bound, goal);
+  return bound === null || trap === null ? null : proofOf(setting, about, bound.line, trap);
+}
+
+/** The line she is bound to at rest, what ends runs on it, and where. */
+interface Bound {
+  readonly line: Line;
+  readonly circles: readonly StandingCircle[];
+  readonly trap: Trap;
+}
+
+function boundBy(setting: Setting, about: About): Bound | null {
+  const { level, jump } = setting;
   if (level.astronaut.vx !== 0 || level.astronaut.vy !== 0) return null;
   const line = lineOf(setting);
   if (line === null) return null;
@@ -47,16 +66,18 @@ export function proveLineTrap(setting: Setting, about: About, goal: Thing): Proo
   const drift = setting.drift.map((d, i) => (i === line.target ? d : 0));
   const circles = standingCircles({ ...setting, drift }, about);
   const trap = oneWay(setting, line, circles) ?? (jump > 0 ? null : bothWays(setting, line, circles));
-  if (trap === null) return null;
-  const stretch = holds(setting, line, trap, goal) ? trap : withDeadEnds(setting, line, circles, trap, goal);
-  if (stretch === null) return null;
+  return trap === null ? null : { line, circles, trap };
+}
+
+function proofOf(setting: Setting, about: About, line: Line, trap: Trap): Proof {
+  const { level, jump, maxTime } = setting;
   return {
     code: 'line-trap',
     about,
-    reason: reasonOf(setting, about, line, stretch),
+    reason: reasonOf(setting, about, line, trap),
     covers: jump > 0 ? ALL_ACCURACIES : CONTINUOUS,
     maxTime: level.recoil ? maxTime : null,
-    certificate: { kind: 'line-trap', target: line.target, ...stretch },
+    certificate: { kind: 'line-trap', target: line.target, ...trap },
   };
 }
 
@@ -147,20 +168,14 @@ function bothWays({ level, drift }: Setting, line: Line, circles: readonly Stand
 }
 
 /** The trap with an end where another asteroid becomes nearer, if it does, and if the way on from there is a dead end. */
-function withDeadEnds(
-  setting: Setting,
-  line: Line,
-  circles: readonly StandingCircle[],
-  { back, front }: Trap,
-  goal: Thing,
-): Trap | null {
+function withDeadEnds(setting: Setting, { line, circles, trap: { back, front } }: Bound, goal: Thing): Trap | null {
   if (setting.level.recoil || setting.jump > 0 || back.by.kind === 'start') return null;
   const shut = (end: LineEnd, sign: number): LineEnd | null => {
     const at = firstTie(setting, line, sign);
     if (at === null || sign * at >= sign * end.at) return end;
     const apex = { x: at * line.ux, y: at * line.uy };
-    const cone = findDeadEnd(setting, goal, circles, apex, { x: sign * line.ux, y: sign * line.uy }, line.target);
-    return cone === null ? null : { at, by: { kind: 'dead-end', ...cone } };
+    const deadEnd = findDeadEnd(setting, goal, circles, apex, { x: sign * line.ux, y: sign * line.uy }, line.target);
+    return deadEnd === null ? null : { at, by: { kind: 'dead-end', ...deadEnd } };
   };
   const shutFront = shut(front, 1);
   const shutBack = shutFront === null ? null : shut(back, -1);

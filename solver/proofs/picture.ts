@@ -1,8 +1,10 @@
 import { HALF_DIAGONAL, HALF_WIDTH } from '../../engine/index.ts';
 import type { Level } from '../../schema/index.ts';
+import { standingCircles } from './blockers.ts';
+import { placesIn } from './dead-end.ts';
 import { MOST_BOXES } from './doomed.ts';
 import { followFan } from './fan.ts';
-import type { Direction, Proof } from './proof.ts';
+import type { Proof } from './proof.ts';
 import { distance } from './rounding.ts';
 import { settingOf, thingOf } from './setting.ts';
 
@@ -10,9 +12,6 @@ interface Place {
   readonly x: number;
   readonly y: number;
 }
-
-/** How far the sides of a cone are drawn, px. */
-const SIDE = 60;
 
 /** What a drawn disc or line means. */
 export type ProofRole = 'blocked' | 'range' | 'thing' | 'barrier' | 'stretch' | 'reach';
@@ -68,16 +67,21 @@ export function proofPicture(level: Level, { about, certificate, maxTime }: Proo
       const d = Math.sqrt(dx * dx + dy * dy);
       const at = (s: number) => ({ x: x + (s * dx) / d, y: y + (s * dy) / d });
       const atRange = back.by.kind === 'range' || front.by.kind === 'range';
-      // the sides of the cone that she can't leave
-      const sides = [back, front].flatMap(({ at: s, by }) => {
+      const setting = settingOf(level, maxTime, false);
+      const beyond = [back, front].flatMap(({ at: s, by }) => {
         if (by.kind !== 'dead-end') return [];
-        const apex = at(s);
-        const side = ([ux, uy]: Direction) => ({ x: apex.x + SIDE * ux, y: apex.y + SIDE * uy });
-        return [{ points: [side(by.from), apex, side(by.to)], closed: false, role: 'stretch' as const }];
+        const apex = { x: (s * dx) / d, y: (s * dy) / d };
+        const ahead = { x: (Math.sign(s) * dx) / d, y: (Math.sign(s) * dy) / d };
+        const places = placesIn(setting, thingOf(level, thing), standingCircles(setting, about), apex, ahead, target, by);
+        return places.map((piece) => ({
+          points: piece.map((p) => ({ x: x + p.x, y: y + p.y })),
+          closed: true,
+          role: 'reach' as const,
+        }));
       });
       return {
         discs: [...(atRange ? ranges([target]) : []), ...blocked([back.by, front.by], 0), touch],
-        lines: [{ points: [at(back.at), at(front.at)], closed: false, role: 'stretch' }, ...sides],
+        lines: [{ points: [at(back.at), at(front.at)], closed: false, role: 'stretch' }, ...beyond],
       };
     }
     case 'doomed': {

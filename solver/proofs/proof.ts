@@ -22,19 +22,21 @@ export interface BarrierEdge {
 /** A unit vector. */
 export type Direction = readonly [x: number, y: number];
 
-/** All directions from one to another, less than half a turn on, from x to y. */
-export interface Cone {
-  readonly from: Direction;
-  readonly to: Direction;
+/** How all that she may do beyond the border to another asteroid's cell is followed. */
+export interface DeadEnd {
+  /** the direction in which she goes forward whatever she does */
+  readonly axis: Direction;
+  /** from one line across the axis to the next, px */
+  readonly step: number;
 }
 
 /**
  * Where along a line her box must overlap something that ends the run, px from the start; or where she can't go back beyond; or where another
- * asteroid becomes the nearer one, and she stays in a cone in which every way ends at a hazard.
+ * asteroid becomes the nearer one, and whatever she does from there ends at hazards.
  */
 export interface LineEnd {
   readonly at: number;
-  readonly by: Blocker | { readonly kind: 'start' } | ({ readonly kind: 'dead-end' } & Cone);
+  readonly by: Blocker | { readonly kind: 'start' } | ({ readonly kind: 'dead-end' } & DeadEnd);
 }
 
 /** How finely all that she may do is followed. */

@@ -5,7 +5,7 @@ import { proveCovered } from './covered.ts';
 import { proveDoomed } from './doomed.ts';
 import { proveEnclosed } from './enclosure.ts';
 import { proveOutOfRange } from './islands.ts';
-import { proveLineTrap } from './line.ts';
+import { proveDeadEnds, proveLineTrap } from './line.ts';
 import type { About, Proof } from './proof.ts';
 import { type Setting, settingOf, type Thing, thingOf } from './setting.ts';
 
@@ -22,7 +22,7 @@ type Kind = (setting: Setting, about: About, goal: Thing) => Proof | null;
 const CHEAP: readonly Kind[] = [proveNothingInRange, proveStartsInHazard, proveOutOfRange, proveLineTrap];
 
 /** Cost milliseconds each. */
-const DEAR: readonly Kind[] = [proveCovered, proveEnclosed];
+const DEAR: readonly Kind[] = [proveCovered, proveEnclosed, proveDeadEnds];
 
 /** For so many minerals the dear ones are tried. */
 const MOST_MINERALS = 64;

@@ -1,154 +1,330 @@
 import { HALF_DIAGONAL, HALF_HEIGHT, HALF_WIDTH } from '../../engine/index.ts';
-import type { Cone } from '../proofs/index.ts';
+import type { DeadEnd } from '../proofs/index.ts';
 import type { Claim } from './claim.ts';
 import { standingHazard } from './hazards.ts';
 import { apart, less, type Point } from './rounded.ts';
 
-/** Side of the squares, px; and half a diagonal of one and more: no place of a square is farther from a corner than this. */
-const SIDE = 1;
-const WITHIN = 1.5;
+/** Hazards are asked for every so many px across. */
+const STRIP = 1;
 
-/** A certificate may not ask for more squares than this. */
-const MOST = 200_000;
+/** She may be so far beside the line as she leaves it, px, and be off its direction by so much. */
+const BESIDE = 0.005;
+const ASKEW = 1e-7;
 
-/** She may be so far beside the cone, px, and a hazard counts from this depth on. */
-const SLACK = 0.02;
+/** A hazard counts from this depth on, px. */
+const DEPTH = 0.02;
+
+/** What every bound is rounded outwards by, px. */
+const ROUNDING = 1e-7;
 
 /** Two asteroids whose distances differ by less are equally near, px. */
 const EQUAL = 1e-6;
 
-/** The directions of the cone are looked at in so many parts. */
-const PARTS = 24;
+/** What pushes her from nearer than this has any direction, px. */
+const CLOSE = 0.4;
+
+/** Steeper ways aren't followed, nor more stages than this. */
+const STEEP = 8;
+const MOST = 20_000;
+
+/** Directions of her box nearer to each other than this, as a chord, aren't told apart. */
+const FINEST_TURN = 0.0005;
 
 type Circle = Point & { readonly radius: number };
 
-const cross = (a: Point, b: Point): number => a.x * b.y - a.y * b.x;
-const dot = (a: Point, b: Point): number => a.x * b.x + a.y * b.y;
+/** All numbers from the first to the second. */
+type Interval = readonly [number, number];
+
+/** A place across the axis, px, and the slope of her way to it. */
+interface Way {
+  readonly place: number;
+  readonly slope: number;
+}
+
+/** All that she may do as she comes to a line across: the convex hull of some ways, and the slopes her box may lie along. */
+interface Stage {
+  readonly ways: readonly Way[];
+  readonly box: Interval;
+}
+
+/** A centre that pulls her, or pushes her away, at the places across from `low` to `high`. */
+interface Source {
+  readonly at: Point;
+  readonly pulls: boolean;
+  readonly low: number;
+  readonly high: number;
+}
 
 /**
- * At `apex` she leaves the line that she fell along, in the direction `ahead`. As long as every push she can get lies in the cone, her velocity does, and
- * she stays in the cone from the apex. The squares she may come through are followed from the apex until hazards or the end of the range stop her:
- * in none of them may a push lie outside the cone, or the thing be near. Her box points where the gun last pulled, so into the cone or the other way.
+ * At `apex` she leaves the line that she fell along, in the direction `ahead`, where another asteroid is as near as the one `before`. Everything that can push
+ * her from there pushes her forward along the axis, so her way does, and its slope lies between slopes it had and slopes of pushes. From line to line across
+ * the axis all such ways are followed, until hazards or the end of the range have stopped them; none comes near the thing, and on none she comes back.
  */
-export function checkDeadEnd(claim: Claim, { from, to }: Cone, apex: Point, ahead: Point, before: number): string | null {
+export function checkDeadEnd(claim: Claim, { axis, step }: DeadEnd, apex: Point, ahead: Point, before: number): string | null {
   if (claim.level.recoil) return 'with recoil the border between two asteroids moves';
   if (claim.frames) return 'with frames she may jump over the border between two asteroids';
-  const isUnit = (d: unknown): d is readonly [number, number] =>
-    Array.isArray(d) && d.length === 2 && Math.abs(d[0] * d[0] + d[1] * d[1] - 1) < 1e-9;
-  if (!isUnit(from) || !isUnit(to)) return 'its cone is none';
-  const a = { x: from[0], y: from[1] };
-  const b = { x: to[0], y: to[1] };
-  const middle = { x: a.x + b.x, y: a.y + b.y };
-  if (!(cross(a, b) > 1e-9 && dot(middle, middle) > 1e-3)) return 'its cone is not between nothing and half of all directions';
-  const inCone = (d: Point) => cross(a, d) >= 0 && cross(d, b) >= 0 && dot(middle, d) > 0;
-  if (!inCone(ahead)) return 'she may leave its cone as she comes';
+  if (!Array.isArray(axis) || axis.length !== 2 || !(Math.abs(axis[0] * axis[0] + axis[1] * axis[1] - 1) < 1e-9))
+    return 'its axis is no direction';
+  if (!(typeof step === 'number' && step >= 0.25 && step <= 4)) return 'its step is none';
+  const scene = sceneAlong(claim, axis, apex, before);
+  const along = ahead.x * axis[0] + ahead.y * axis[1];
+  const start = (ahead.y * axis[0] - ahead.x * axis[1]) / along;
+  if (!(along > 0 && Math.abs(start) <= STEEP)) return 'she does not come along its axis';
 
-  const asteroids = claim.level.asteroids.map(claim.place);
-  const old = asteroids[before];
-  // nearer than the one before at the apex, and ever more so in both directions: then all over the cone
-  const takesOver = asteroids.some((other, i) => {
-    if (i === before || !(apart(other, apex) <= apart(old, apex) + EQUAL)) return false;
-    const step = { x: other.x - old.x, y: other.y - old.y };
-    return dot(step, a) >= 0 && dot(step, b) >= 0 && dot(step, ahead) > 0;
-  });
-  if (!takesOver) return 'the asteroid before may be the nearest in its cone';
-  const pulling = asteroids.filter((_, i) => i !== before);
-  const fields = claim.level.repulsors.map(claim.place);
-  const hazards = hazardsOf(claim);
-  const turns = Array.from({ length: PARTS + 1 }, (_, n) => unit(mix(a, b, n / PARTS)));
+  let slopes: Interval = [start - ASKEW, start + ASKEW];
+  const first = [-BESIDE, BESIDE].flatMap((place) => slopes.map((slope) => ({ place, slope })));
+  let stages: Stage[] = [{ ways: first, box: slopes }];
+  let looked = 0;
+  for (let n = 0; stages.length > 0; n++) {
+    const next: Stage[] = [];
+    for (const stage of stages) {
+      if (++looked > MOST) return 'it takes too many stages to follow her';
+      const after = follow(scene, stage, n * step, step);
+      if (typeof after === 'string') return after;
+      slopes = hull(slopes, extent(after.ways.map(({ slope }) => slope)));
+      next.push(...survivors(scene, after, (n + 1) * step));
+    }
+    stages = next;
+  }
+  const { takers, old } = scene;
+  const goesOn = (taker: Point) => slopes.every((slope) => less(old.x + slope * old.y, taker.x + slope * taker.y));
+  return takers.some(goesOn) ? null : 'the asteroid before may be the nearest again';
+}
 
-  const seen = new Set<number>();
-  const waiting: Point[] = [];
-  const visit = (x: number, y: number) => {
-    const key = (x + 32768) * 65536 + (y + 32768);
-    if (Math.abs(x) > 32000 || Math.abs(y) > 32000 || seen.has(key)) return;
-    seen.add(key);
-    waiting.push({ x, y });
+interface Scene {
+  readonly thing: Point;
+  readonly touch: number;
+  readonly range: number;
+  readonly rocks: readonly Point[];
+  /** the one before, and what is as near at the apex */
+  readonly old: Point;
+  readonly takers: readonly Point[];
+  readonly pulling: readonly Point[];
+  readonly fields: readonly Circle[];
+  readonly hazards: readonly Circle[];
+}
+
+/** The level seen from the apex: x along the axis, y across. */
+function sceneAlong(claim: Claim, [ux, uy]: readonly [number, number], apex: Point, before: number): Scene {
+  const { level, place } = claim;
+  const seen = ({ x, y }: Point): Point => {
+    const dx = x - apex.x;
+    const dy = y - apex.y;
+    return { x: dx * ux + dy * uy, y: dy * ux - dx * uy };
   };
-  for (const x of [-1, 0]) for (const y of [-1, 0]) visit(x, y);
-  for (let square = waiting.pop(); square !== undefined; square = waiting.pop()) {
-    if (seen.size > MOST) return 'it takes too many squares to follow her';
-    const corners = within(square, a, b).map((p) => ({ x: p.x + apex.x, y: p.y + apex.y }));
-    if (corners.length === 0) continue;
-    if (asteroids.every((rock) => corners.every((p) => less(claim.level.range + WITHIN, apart(p, rock))))) continue;
-    if (hazards.some((hazard) => stops(hazard, corners, turns))) continue;
-    if (corners.some((p) => !less(claim.touch + WITHIN, apart(p, claim.thing)))) return 'she may touch it off the line';
-    for (const [i, rock] of pulling.entries()) {
-      const isFarther = pulling.some((other, k) => k !== i && corners.every((p) => less(apart(p, other), apart(p, rock))));
-      if (isFarther) continue;
-      for (const p of corners) {
-        if (!less(WITHIN, apart(p, rock)) || !inCone({ x: rock.x - p.x, y: rock.y - p.y }))
-          return 'the gun may pull her out of its cone';
-      }
-    }
-    for (const field of fields) {
-      if (corners.every((p) => less(field.radius + WITHIN, apart(p, field)))) continue;
-      for (const p of corners) {
-        if (!less(WITHIN, apart(p, field)) || !inCone({ x: p.x - field.x, y: p.y - field.y }))
-          return 'a field may push her out of its cone';
-      }
-    }
-    for (const [dx, dy] of [
-      [1, 0],
-      [-1, 0],
-      [0, 1],
-      [0, -1],
-    ])
-      visit(square.x + dx, square.y + dy);
-  }
-  return null;
-}
-
-/** What stands still and ends the run; without recoil, hot asteroids do. */
-function hazardsOf(claim: Claim): Circle[] {
-  const { novae, asteroids } = claim.level;
-  return [
-    ...novae.map((_, index) => standingHazard(claim, { kind: 'nova', index })),
-    ...asteroids.map((_, index) => standingHazard(claim, { kind: 'asteroid', index })),
-    standingHazard(claim, { kind: 'blackHole', index: 0 }),
-  ].filter((hazard) => hazard !== null);
-}
-
-/** What of a square lies in the cone, by its corners from the apex: the square without what is beyond either side. */
-function within(square: Point, a: Point, b: Point): Point[] {
-  const sides = [(p: Point) => cross(a, p), (p: Point) => cross(p, b), (p: Point) => dot(a, p) + dot(b, p)];
-  let corners = [
-    { x: square.x * SIDE, y: square.y * SIDE },
-    { x: (square.x + 1) * SIDE, y: square.y * SIDE },
-    { x: (square.x + 1) * SIDE, y: (square.y + 1) * SIDE },
-    { x: square.x * SIDE, y: (square.y + 1) * SIDE },
+  const rocks = level.asteroids.map((rock) => seen(place(rock)));
+  const old = rocks[before];
+  const isOther = (_: unknown, i: number) => i !== before;
+  const origin = { x: 0, y: 0 };
+  const refs = [
+    ...level.novae.map((_, index) => ({ kind: 'nova' as const, index })),
+    ...level.asteroids.map((_, index) => ({ kind: 'asteroid' as const, index })),
+    { kind: 'blackHole' as const, index: 0 },
   ];
-  for (const side of sides) {
-    const left: Point[] = [];
-    for (const [i, p] of corners.entries()) {
-      const q = corners[(i + 1) % corners.length];
-      const here = side(p) + SLACK;
-      const there = side(q) + SLACK;
-      if (here >= 0) left.push(p);
-      if (here * there < 0) left.push(mix(p, q, here / (here - there)));
-    }
-    corners = left;
-  }
-  return corners;
+  return {
+    thing: seen(claim.thing),
+    touch: claim.touch,
+    range: level.range,
+    rocks,
+    old,
+    takers: rocks.filter((rock, i) => isOther(rock, i) && apart(rock, origin) <= apart(old, origin) + EQUAL),
+    pulling: rocks.filter(isOther),
+    fields: level.repulsors.map((field) => ({ ...seen(place(field)), radius: field.radius })),
+    hazards: refs.flatMap((ref) => {
+      const hazard = standingHazard(claim, ref);
+      return hazard === null ? [] : [{ ...seen(hazard), radius: hazard.radius }];
+    }),
+  };
 }
 
-/** Whether a hazard stops her at every place between the corners: however her box is turned, or turned in any direction of the cone. */
-function stops(hazard: Circle, corners: readonly Point[], turns: readonly Point[]): boolean {
-  if (corners.every((p) => less(apart(p, hazard), hazard.radius + HALF_WIDTH - SLACK))) return true;
-  if (corners.some((p) => apart(p, hazard) > hazard.radius + HALF_DIAGONAL)) return false;
-  return turns.slice(1).every((turn, n) => {
-    const swing = HALF_DIAGONAL * apart(turn, turns[n]);
-    return corners.every((p) => less(gap(p, turn, hazard) + swing, -SLACK));
-  });
+/** The stage one step on; or why it can't be told. */
+function follow(scene: Scene, { ways, box }: Stage, x: number, step: number): Stage | string {
+  const [low, high] = extent(ways.map(({ place }) => place));
+  const steepest = (list: readonly Way[]) => list.reduce((most, { slope }) => Math.max(most, Math.abs(slope)), 0);
+  let swing = step * steepest(ways) + ROUNDING;
+  for (;;) {
+    const sources = sourcesWithin(scene, x, step, low - swing, high + swing);
+    if (sources === null) return 'something may push her back along its axis';
+    const after = widened(ways, x, step, swing, sources);
+    const most = steepest(after.ways);
+    if (most > STEEP) return 'she may turn away from its axis';
+    if (step * most > swing) {
+      swing = step * most * 1.002;
+      continue;
+    }
+    const dx = Math.max(0, x - scene.thing.x, scene.thing.x - x - step);
+    const dy = Math.max(0, low - swing - scene.thing.y, scene.thing.y - high - swing);
+    if (!less(scene.touch, Math.sqrt(dx * dx + dy * dy))) return 'she may touch it off the line';
+    return { ways: after.ways, box: after.turned.reduce(hull, box) };
+  }
+}
+
+/** All that may push her between x and x + step, at places across from `low` to `high`; null where something may push her back. */
+function sourcesWithin(scene: Scene, x: number, step: number, low: number, high: number): Source[] | null {
+  const corners = [x, x + step].flatMap((cx) => [low, high].map((cy) => ({ x: cx, y: cy })));
+  const sources: Source[] = [];
+  for (const field of scene.fields) {
+    const nearest = { x: Math.max(x, Math.min(x + step, field.x)), y: Math.max(low, Math.min(high, field.y)) };
+    if (less(field.radius, apart(field, nearest))) continue;
+    if (x - field.x < CLOSE) return null;
+    sources.push({ at: field, pulls: false, low, high });
+  }
+  // what is farther away than another from all four corners is so between them
+  const inside = scene.pulling.filter(
+    (rock) => !scene.pulling.some((other) => other !== rock && corners.every((c) => less(apart(c, other), apart(c, rock)))),
+  );
+  for (const rock of inside) {
+    let from = low;
+    let to = high;
+    for (const other of inside) {
+      // p is no farther from the rock than from the other where (p - middle) (other - rock) <= 0
+      const way = { x: other.x - rock.x, y: other.y - rock.y };
+      const middle = { x: (other.x + rock.x) / 2, y: (other.y + rock.y) / 2 };
+      const slack = 1e-11 * (Math.abs(way.x) + Math.abs(way.y)) * (Math.abs(middle.x) + Math.abs(middle.y) + x);
+      const left = way.x * (middle.x - (way.x > 0 ? x : x + step)) + slack;
+      if (way.y > 0) to = Math.min(to, middle.y + left / way.y + ROUNDING);
+      if (way.y < 0) from = Math.max(from, middle.y + left / way.y - ROUNDING);
+      if (way.y === 0 && left < 0) to = Number.NEGATIVE_INFINITY;
+    }
+    if (from > to) continue;
+    if (rock.x - x - step < CLOSE) return null;
+    sources.push({ at: rock, pulls: true, low: from, high: to });
+  }
+  return sources;
+}
+
+/**
+ * From a place with a slope, while the pushes have slopes from s to t, she comes to slopes between her own and s to t, and beyond s or t only from there. Her place
+ * moves by the step times the mean. The hull of the extremes holds all: they are linear in place and slope.
+ */
+function widened(ways: readonly Way[], x: number, step: number, swing: number, sources: readonly Source[]) {
+  const [low, high] = extent(ways.map(({ place }) => place));
+  const next: Way[] = ways.map(({ place, slope }) => ({ place: place + step * slope, slope }));
+  const turned: Interval[] = [];
+  const borders = new Set([low, high]);
+  for (const source of sources) {
+    for (const border of [source.low - swing, source.high + swing]) if (border > low && border < high) borders.add(border);
+  }
+  const ordered = [...borders].sort((a, b) => a - b);
+  if (ordered.length === 1) ordered.push(ordered[0]);
+  for (let i = 1; i < ordered.length; i++) {
+    const [a, b] = [ordered[i - 1], ordered[i]];
+    const acting = sources.filter((source) => source.low - swing <= a && source.high + swing >= b);
+    const slopesAt = (place: number, of: readonly Source[]): Interval =>
+      of
+        .flatMap(({ at, pulls }) => {
+          const off = swing / (pulls ? at.x - x - step : x - at.x) + ROUNDING;
+          const here = (at.y - place) / (at.x - x);
+          const there = (at.y - place) / (at.x - x - step);
+          return [[Math.min(here, there) - off, Math.max(here, there) + off] as const];
+        })
+        .reduce(hull);
+    if (acting.length === 0) continue;
+    const part = within(ways, a, b);
+    for (const { place, slope } of part) {
+      for (const s of slopesAt(place, acting)) next.push({ place: place + step * slope, slope: s });
+    }
+    for (const place of extent(part.map((way) => way.place))) {
+      const ends = slopesAt(place, acting);
+      for (const mean of ends) for (const slope of ends) next.push({ place: place + step * mean, slope });
+      const pulling = acting.filter(({ pulls }) => pulls);
+      if (pulling.length > 0) turned.push(slopesAt(place, pulling));
+    }
+  }
+  return { ways: corners(next), turned };
+}
+
+/** What of a stage no hazard stops as she comes to x, nor the end of the range. */
+function survivors(scene: Scene, { ways, box }: Stage, x: number): Stage[] {
+  const [low, high] = extent(ways.map(({ place }) => place));
+  const near = scene.hazards.filter((hazard) => Math.abs(hazard.x - x) <= hazard.radius + HALF_DIAGONAL);
+  const [from, to] = box.map((slope) => unit({ x: 1, y: slope }));
+  const isStopped = (a: Point, b: Point): boolean => {
+    if (near.some((hazard) => stops(hazard, a, b, from, to))) return true;
+    return scene.rocks.every((rock) => {
+      const nearest = { x, y: Math.max(a.y, Math.min(b.y, rock.y)) };
+      return less(scene.range + DEPTH, apart(rock, nearest));
+    });
+  };
+  const stages: Stage[] = [];
+  let open: number | null = null;
+  const close = (to: number) => {
+    if (open !== null) stages.push({ ways: within(ways, open, to), box });
+    open = null;
+  };
+  for (let y = low; ; ) {
+    const end = Math.min(high, (Math.floor(y / STRIP + 1e-9) + 1) * STRIP);
+    if (isStopped({ x, y }, { x, y: end })) close(y);
+    else open ??= y;
+    if (end >= high) break;
+    y = end;
+  }
+  close(high);
+  return stages;
+}
+
+/** Whether a hazard overlaps her box wherever she is between two places, lying in any direction from one unit vector to another. */
+function stops(hazard: Circle, a: Point, b: Point, from: Point, to: Point): boolean {
+  const far = Math.max(apart(a, hazard), apart(b, hazard));
+  if (less(far, hazard.radius + HALF_WIDTH - DEPTH)) return true;
+  if (far > hazard.radius + HALF_DIAGONAL) return false;
+  const middle = unit({ x: from.x + to.x, y: from.y + to.y });
+  const off = Math.max(apart(middle, from), apart(middle, to));
+  const worst = Math.max(gap(a, middle, hazard), gap(b, middle, hazard));
+  if (less(worst + HALF_DIAGONAL * off, -DEPTH)) return true;
+  if (worst > -DEPTH || off < FINEST_TURN) return false;
+  return stops(hazard, a, b, from, middle) && stops(hazard, a, b, middle, to);
 }
 
 /** Gap between her box and a circle, px; negative where they overlap. */
 function gap(centre: Point, side: Point, circle: Circle): number {
-  const way = { x: circle.x - centre.x, y: circle.y - centre.y };
-  const along = Math.max(0, Math.abs(dot(way, side)) - HALF_WIDTH);
-  const across = Math.max(0, Math.abs(cross(side, way)) - HALF_HEIGHT);
+  const dx = circle.x - centre.x;
+  const dy = circle.y - centre.y;
+  const along = Math.max(0, Math.abs(dx * side.x + dy * side.y) - HALF_WIDTH);
+  const across = Math.max(0, Math.abs(dy * side.x - dx * side.y) - HALF_HEIGHT);
   return Math.sqrt(along * along + across * across) - circle.radius;
 }
 
-const mix = (p: Point, q: Point, t: number): Point => ({ x: p.x + t * (q.x - p.x), y: p.y + t * (q.y - p.y) });
-const unit = ({ x, y }: Point): Point => ({ x: x / Math.sqrt(x * x + y * y), y: y / Math.sqrt(x * x + y * y) });
+const unit = ({ x, y }: Point): Point => {
+  const length = Math.sqrt(x * x + y * y);
+  return { x: x / length, y: y / length };
+};
+
+/** The ways of a hull between two places. */
+function within(ways: readonly Way[], low: number, high: number): Way[] {
+  const [least, most] = extent(ways.map(({ place }) => place));
+  if (low <= least && high >= most) return [...ways];
+  const inside = ways.filter(({ place }) => place >= low && place <= high);
+  // at a place cut through, the least and the greatest slope of all lines between two of the ways
+  for (const cut of [low, high]) {
+    if (cut < least || cut > most) continue;
+    const slopes: number[] = [];
+    for (const p of ways) {
+      if (p.place === cut) slopes.push(p.slope);
+      for (const q of ways) {
+        if (p.place < cut && q.place > cut) slopes.push(p.slope + ((cut - p.place) / (q.place - p.place)) * (q.slope - p.slope));
+      }
+    }
+    for (const slope of extent(slopes)) inside.push({ place: cut, slope });
+  }
+  return inside;
+}
+
+/** Those of the ways that the others don't hold between them: what lies farthest above and below the line between two of them, and so on. */
+function corners(ways: readonly Way[]): Way[] {
+  const least = ways.reduce((a, b) => (b.place < a.place || (b.place === a.place && b.slope < a.slope) ? b : a));
+  const most = ways.reduce((a, b) => (b.place > a.place || (b.place === a.place && b.slope > a.slope) ? b : a));
+  const beyond = (a: Way, b: Way, list: readonly Way[]): Way[] => {
+    const height = (p: Way) => (b.place - a.place) * (p.slope - a.slope) - (b.slope - a.slope) * (p.place - a.place);
+    const above = list.filter((p) => height(p) > 0);
+    if (above.length === 0) return [];
+    const top = above.reduce((p, q) => (height(q) > height(p) ? q : p));
+    return [...beyond(a, top, above), top, ...beyond(top, b, above)];
+  };
+  return [least, ...beyond(least, most, ways), most, ...beyond(most, least, ways)];
+}
+
+const hull = (a: Interval, b: Interval): Interval => [Math.min(a[0], b[0]), Math.max(a[1], b[1])];
+
+const extent = (values: readonly number[]): Interval =>
+  values.reduce<Interval>((span, value) => hull(span, [value, value]), [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY]);

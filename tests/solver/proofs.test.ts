@@ -142,6 +142,13 @@ const CASES: [what: string, code: Proof['code'], covers: string[], wrong: Partia
     { asteroids: [at(60, 0), at(160, 60)], novae: [at(-60, 0), at(200, 0, 32)] },
   ],
   [
+    'off the line she turns towards what pulls her, and no farther',
+    'line-trap',
+    CONTINUOUS,
+    { asteroids: [at(60, 0), at(150, 50)], novae: [at(-60, 0), at(174, 0, 32)] },
+    { asteroids: [at(60, 0), at(150, 50)], novae: [at(-60, 0), at(182, 0, 32)] },
+  ],
+  [
     'recoil adds up to little as she swings to and fro',
     'line-trap',
     CONTINUOUS,
