@@ -68,6 +68,11 @@ export function createFile(path: string, content: Uint8Array): boolean {
   return made;
 }
 
+/** Makes a file in a folder and takes it away again: what the operating system says of it is thrown before work whose result will go there. */
+export function tryFolder(folder: string): void {
+  withUnfinished(join(folder, 'tried'), new Uint8Array(), () => {});
+}
+
 /**
  * Moves a file to a free name. A process killed in the middle leaves it under both.
  * @returns false when something of the new name is there; both stay

@@ -2,7 +2,7 @@ import { mkdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { formatLevel } from '../../schema/index.ts';
 import type { Generated } from '../../solver/index.ts';
-import { createFile } from '../disk.ts';
+import { createFile, tryFolder } from '../disk.ts';
 import { Failure, systemReason } from '../failure.ts';
 import { schemaReference } from '../schema-reference.ts';
 import { namedPath } from '../shown-path.ts';
@@ -34,13 +34,20 @@ export function keepLevel(directory: string, path: string, { level }: Generated)
   }
 }
 
-/** Makes the directory where it is missing. @throws Failure when it can't be */
+/** Makes the directory where it is missing, and looks whether levels can be written into it. @throws Failure when they can't be */
 export function makeDirectory(directory: string): void {
+  const fail = (what: string, error: unknown): never => {
+    const reason = systemReason(error);
+    throw new Failure(`--out ${namedPath(directory)}: ${what}: ${reason}; expected a directory that can be written`);
+  };
   try {
     mkdirSync(directory, { recursive: true });
   } catch (error) {
-    throw new Failure(
-      `--out ${namedPath(directory)}: the directory can't be made: ${systemReason(error)}; expected a directory that can be written`,
-    );
+    fail("the directory can't be made", error);
+  }
+  try {
+    tryFolder(directory);
+  } catch (error) {
+    fail('no file can be made in it', error);
   }
 }

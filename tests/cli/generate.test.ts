@@ -81,6 +81,14 @@ describe('gq generate', () => {
     expect(readdirSync(join(cwd, 'stopped')).sort()).toEqual(files.sort());
   });
 
+  it.runIf(process.platform === 'linux')('says before the work that the folder takes no files', async () => {
+    const { code, stdout, stderr } = await generate('--out /proc/self --count 500 --difficulty hard');
+    expect({ code, stdout }).toEqual({ code: 2, stdout: '' });
+    expect(stderr).toMatch(
+      /^error: --out \/proc\/self: no file can be made in it: .+; expected a directory that can be written\n$/,
+    );
+  });
+
   it.each([
     ['--count 1', "required option '--out <dir>' not specified"],
     ['--out x --size huge', 'expected small, medium, large, or WIDTHxHEIGHT'],
