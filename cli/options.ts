@@ -35,8 +35,10 @@ export const maxTimeOption = (): Option =>
     })
     .default(DEFAULT_MAX_TIME);
 
+export const LARGEST_SEED = 2 ** 32 - 1;
+
 export const seedOption = (): Option =>
-  new Option('--seed <n>', 'chance of the search').argParser(wholeNumberOption('a seed', 0, 2 ** 32 - 1)).default(0);
+  new Option('--seed <n>', 'chance of the search').argParser(wholeNumberOption('a seed', 0, LARGEST_SEED)).default(0);
 
 export const jobsOption = (most: number): Option =>
   new Option('-j, --jobs <n>', 'worker threads at most')

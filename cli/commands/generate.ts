@@ -5,9 +5,10 @@ import type { GenerateReport } from '../../schema/index.ts';
 import type { GeneratorOptions, Ingredient, WantedDifficulty, WantedSize } from '../../solver/index.ts';
 import { colorsFor } from '../colors.ts';
 import type { CommandResult } from '../command.ts';
+import { Failure } from '../failure.ts';
 import { generatedPath, keepLevel, makeDirectory } from '../generate/keep-level.ts';
 import type { GenerateTask, MadeLevel } from '../generate/make-level.ts';
-import { formatOption, jobsOption, seedOption, wholeNumberOption } from '../options.ts';
+import { formatOption, jobsOption, LARGEST_SEED, seedOption, wholeNumberOption } from '../options.ts';
 import { runInPool } from '../pool.ts';
 import { createProgress } from '../progress.ts';
 import { generateJson, generatePretty } from '../reporters/generate.ts';
@@ -72,6 +73,9 @@ Examples:
 
 async function generate(options: Options): Promise<CommandResult> {
   const { out, count, seed, size, difficulty, ingredients, effort, jobs } = options;
+  // each can be made again by its own seed
+  if (seed + count - 1 > LARGEST_SEED)
+    throw new Failure(`--seed ${seed} --count ${count}: expected seeds up to ${LARGEST_SEED}, found up to ${seed + count - 1}`);
   makeDirectory(out);
   const tasks = Array.from({ length: count }, (_, i): GenerateTask => {
     const wish: GeneratorOptions = { seed: seed + i, size, difficulty, ...(ingredients && { ingredients }) };

@@ -15,7 +15,7 @@ export interface Desk {
   readonly count: number;
   /** Runs to start from, as they were given. */
   readonly known: readonly (readonly Hold[])[];
-  /** A seed of its own for the n-th piece of work that needs one. */
+  /** A seed of its own for the n-th piece of work that needs one, n from 0 to 999,999. */
   seedOf(n: number): number;
   readonly trials: Trials;
   readonly restarts: Restarts;
@@ -38,9 +38,22 @@ export interface Order {
 const SEEDS_OF_A_LANE = 1_000_000;
 const SEEDS_OF_A_SOLVER = 1000 * SEEDS_OF_A_LANE;
 
+/** 2^21: a whole number up to 2^53 is so many of these, less than 2^32, and a rest. */
+const LOW = 2_097_152;
+
+/** `seed * SEEDS_OF_A_SOLVER + lane * SEEDS_OF_A_LANE + n` modulo 2^53, exactly: rounded it would be the same for many n. */
+function seedsOf(seed: number, lane: number): (n: number) => number {
+  const high = Math.floor(seed / LOW);
+  const low = (seed - high * LOW) * SEEDS_OF_A_SOLVER + lane * SEEDS_OF_A_LANE;
+  return (n) => {
+    const carry = Math.floor((low + n) / LOW);
+    return ((Math.imul(high, SEEDS_OF_A_SOLVER) + carry) >>> 0) * LOW + (low + n - carry * LOW);
+  };
+}
+
 export function createDesk(scene: Scene, order: Order): Desk {
   const { goal, maxTicks, seed, lane } = order;
-  const seedOf = (n: number) => seed * SEEDS_OF_A_SOLVER + lane * SEEDS_OF_A_LANE + n;
+  const seedOf = seedsOf(seed, lane);
   return {
     scene,
     ...order,

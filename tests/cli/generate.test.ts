@@ -91,6 +91,7 @@ describe('gq generate', () => {
 
   it.each([
     ['--count 1', "required option '--out <dir>' not specified"],
+    ['--out x --seed 4294967295 --count 3', 'expected seeds up to 4294967295, found up to 4294967297'],
     ['--out x --size huge', 'expected small, medium, large, or WIDTHxHEIGHT'],
     ['--out x --size 100x100', 'with sides of 360 to 4000 px'],
     ['--out x --difficulty 11', 'expected easy, medium, hard, or a grade from 1 to 10'],
