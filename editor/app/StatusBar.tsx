@@ -1,11 +1,19 @@
 import { useStore } from 'zustand';
 import { objectsOf } from '../document/index.ts';
 import { OtherAccuracy } from '../panels/accuracy/index.ts';
+import { useCalmProof } from '../panels/parts/index.ts';
 import { useProblemCount } from '../panels/problems/index.ts';
-import { outcomeInWords } from '../proof/index.ts';
+import { type LiveProof, outcomeInWords } from '../proof/index.ts';
 import { useDocument, useEditor, useProof, useSession } from './context.ts';
 
 const plural = (count: number, what: string) => `${count} ${what}${count === 1 ? '' : 's'}`;
+
+const msOf = ({ ms }: LiveProof): string => ms.toFixed(1);
+
+/** What the last proof took; figures that change with every frame could not be read. */
+function ProofTime() {
+  return useCalmProof(msOf);
+}
 
 /** What the level has, how it is shown, and how the shown run ends. */
 export function StatusBar() {
@@ -14,7 +22,6 @@ export function StatusBar() {
   const zoom = useSession((state) => state.zoom);
   const grid = useStore(settings, (state) => (state.snapToGrid ? `grid ${state.grid}` : 'no grid'));
   const accuracy = useProof((proof) => proof.accuracy);
-  const ms = useProof((proof) => proof.ms.toFixed(1));
   const problems = useProblemCount();
   const ends = useProof((proof) => outcomeInWords(proof.run, proof.level.range));
   return (
@@ -24,7 +31,7 @@ export function StatusBar() {
       <span>{grid}</span>
       <span>{Math.round(zoom * 100)} %</span>
       <span>
-        {accuracy}: {ms} ms
+        {accuracy}: <ProofTime /> ms
       </span>
       <OtherAccuracy />
       <span>{ends}</span>

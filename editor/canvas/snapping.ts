@@ -39,18 +39,20 @@ const linesOfBox = ({ left, top, right, bottom }: Box, axis: 'x' | 'y'): Line[] 
   return [low, (low + high) / 2, high].map((at) => ({ at, from, to }));
 };
 
-/** What may be snapped to, made once when a drag begins. */
+/** What a drag may snap, and to what; made once when it begins. */
 export interface SnapTargets {
+  /** around what moves, where it was when the drag began; null: nothing moves */
+  readonly own: Box | null;
   readonly x: readonly Line[];
   readonly y: readonly Line[];
 }
 
 /** Edges and middles of all objects that do not move along. */
-export function snapTargets(file: LevelFile, moving: Iterable<ObjectKey>): SnapTargets {
-  const still = new Set(moving);
-  const boxes = [...objectsOf(file).values()].filter(({ key }) => !still.has(key)).map(boxOf);
+export function snapTargets(file: LevelFile, moving: readonly ObjectKey[]): SnapTargets {
+  const along = new Set(moving);
+  const boxes = [...objectsOf(file).values()].filter(({ key }) => !along.has(key)).map(boxOf);
   const sorted = (axis: 'x' | 'y') => boxes.flatMap((box) => linesOfBox(box, axis)).sort((a, b) => a.at - b.at);
-  return { x: sorted('x'), y: sorted('y') };
+  return { own: extentOf(file, moving), x: sorted('x'), y: sorted('y') };
 }
 
 /** The line nearest to a value, by halving: a drag of many among thousands asks often. */
@@ -103,15 +105,8 @@ function snapAxis(
  * Where a drag of objects really goes: to edges and middles of other objects when near enough, else to the grid.
  * @param lead the place of the object that the pointer has taken: the grid holds for its centre
  */
-export function snapMove(
-  file: LevelFile,
-  keys: readonly ObjectKey[],
-  lead: Point,
-  move: Point,
-  targets: SnapTargets,
-  options: SnapOptions,
-): Snapped {
-  const box = extentOf(file, keys);
+export function snapMove(lead: Point, move: Point, targets: SnapTargets, options: SnapOptions): Snapped {
+  const box = targets.own;
   if (box === null) return { dx: move.x, dy: move.y, guides: [] };
   const x = snapAxis('x', linesOfBox(box, 'x'), lead.x, move.x, targets.x, options);
   const y = snapAxis('y', linesOfBox(box, 'y'), lead.y, move.y, targets.y, options);

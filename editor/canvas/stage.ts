@@ -77,7 +77,7 @@ class LevelScene extends Scene {
     if (!same('file', 'canvas', 'selected', 'hovered', 'layers', 'grid', 'editing')) overlay.show(picture);
     if (zoomed || !same('proof', 'ghosts', 'layers')) way.show({ ...picture, zoom: view.zoom });
     if (zoomed || !same('search', 'layers')) search.show(picture.search, picture.layers.heatMap, view.zoom);
-    if (!same('file', 'pose')) this.objects.pose(picture.pose);
+    if (zoomed || !same('file', 'pose')) this.objects.pose(picture.pose, view.zoom);
     const seconds = time / 1000;
     if (!picture.calm) this.objects.animate(seconds, view.zoom);
     astronaut.show(picture.pose, picture.file.astronaut, seconds, picture.calm);
@@ -133,7 +133,8 @@ export function createStage(parent: HTMLElement, picture: () => Picture | null):
     parent,
     width: Math.max(1, parent.clientWidth),
     height: Math.max(1, parent.clientHeight),
-    scale: { mode: Scale.NONE },
+    // who made the stage says when its size changes: looking for itself, Phaser would make the browser lay out the page in the middle of a frame
+    scale: { mode: Scale.NONE, resizeInterval: Number.POSITIVE_INFINITY },
     banner: false,
     audio: { noAudio: true },
     input: { keyboard: false, mouse: false, touch: false, gamepad: false },

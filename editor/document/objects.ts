@@ -87,7 +87,7 @@ export function plainList(draft: LevelFile, list: ObjectList): readonly PlacedOb
 
 /**
  * Puts changed copies in the place of the objects with these keys. Keys of objects that are no longer there are passed over.
- * @param change gives the changed copy; what it is given is frozen
+ * @param change gives the changed copy, in which only numbers, texts and flags are new; what it is given is frozen
  */
 export function changeObjects(
   draft: LevelFile,
@@ -101,8 +101,11 @@ export function changeObjects(
   for (const list of OBJECT_LISTS) {
     const objects = plainList(draft, list);
     if (!objects.some(({ id }) => id !== undefined && wanted.has(id))) continue;
-    draft[list] = objects.map((object) =>
-      object.id !== undefined && wanted.has(object.id) ? change(object, object.id) : object,
+    // immer walks through what is not frozen, in search of drafts: a list of a thousand would take milliseconds
+    draft[list] = Object.freeze(
+      objects.map((object) =>
+        object.id !== undefined && wanted.has(object.id) ? Object.freeze(change(object, object.id)) : object,
+      ),
     ) as never;
   }
 }

@@ -41,7 +41,8 @@ export function createSelection(level: EditedLevel): SelectionStore {
 
   const mend = () => {
     const { keys, holds, run } = store.getState();
-    const kept = keys.length === 0 ? keys : existing(keys);
+    const objects = objectsOf(level.file());
+    const kept = keys.filter((key) => objects.has(key));
     const length = run === null ? 0 : (level.file().runs?.find(({ name }) => name === run)?.holds.length ?? 0);
     const left = holds.filter((hold) => hold < length);
     if (kept.length === keys.length && left.length === holds.length) return;

@@ -66,10 +66,16 @@ function settleField(key: string, value: unknown, fields: Shape, what: string): 
   return value;
 }
 
-/** @returns the same object when nothing is to be mended */
-function settleFields<T extends object>(value: T, fields: Shape, what: string): T {
+/**
+ * @param old one that has been settled: a field that is the same in both is passed over
+ * @returns the same object when nothing is to be mended
+ */
+function settleFields<T extends object>(value: T, fields: Shape, what: string, old?: object): T {
   let mended: Json | null = null;
-  for (const [key, field] of Object.entries(value)) {
+  const before = old as Json | undefined;
+  for (const key of Object.keys(value)) {
+    const field = (value as Json)[key];
+    if (before !== undefined && field !== undefined && Object.is(before[key], field)) continue;
     const settled = settleField(key, field, fields, what);
     if (field !== undefined && Object.is(settled, field)) continue;
     mended ??= { ...value } as Json;
@@ -85,13 +91,17 @@ function settleFields<T extends object>(value: T, fields: Shape, what: string): 
 }
 
 /** The same list when none of its entries is mended. */
-function settleEach<T>(list: readonly T[], old: readonly T[] | undefined, settle: (entry: T, index: number) => T): readonly T[] {
+function settleEach<T>(
+  list: readonly T[],
+  old: readonly T[] | undefined,
+  settle: (entry: T, old: T | undefined) => T,
+): readonly T[] {
   if (list === old) return list;
   let mended: T[] | null = null;
   for (let i = 0; i < list.length; i++) {
     // what was there before has been settled before
     if (old !== undefined && list[i] === old[i]) continue;
-    const settled = settle(list[i], i);
+    const settled = settle(list[i], old?.[i]);
     if (settled === list[i]) continue;
     mended ??= [...list];
     mended[i] = settled;
@@ -147,8 +157,9 @@ function withoutSharedIds(file: LevelFile): LevelFile {
 function settleIds(file: LevelFile, before: LevelFile | null): LevelFile {
   const same = (list: (typeof OBJECT_LISTS)[number]) =>
     before !== null &&
-    file[list]?.length === before[list]?.length &&
-    (file[list] ?? []).every((object, i) => object.id !== undefined && object.id === before[list]?.[i].id);
+    (file[list] === before[list] ||
+      (file[list]?.length === before[list]?.length &&
+        (file[list] ?? []).every((object, i) => object.id !== undefined && object.id === before[list]?.[i].id)));
   if (OBJECT_LISTS.every(same)) return file;
   return withIds(withoutSharedIds(file));
 }
@@ -170,13 +181,13 @@ function settleTop(file: LevelFile, before: LevelFile | null): LevelFile {
     if (objects === undefined) continue;
     if (objects.length > LIMITS.objects) refuse(`a level can have ${LIMITS.objects} ${list} at most`, 'Take some out.');
     const fields = shape[list].unwrap().element.shape;
-    settled[list] = settleEach<object>(objects, before?.[list], (object) =>
-      settleFields(object, fields, `one of the ${list}`),
+    settled[list] = settleEach<object>(objects, before?.[list], (object, old) =>
+      settleFields(object, fields, `one of the ${list}`, old),
     ) as never;
   }
   if (file.runs !== undefined && file.runs !== before?.runs) {
     if (file.runs.length > LIMITS.runs) refuse(`a level can have ${LIMITS.runs} runs at most`, 'Take some out.');
-    settled.runs = settleEach(file.runs, before?.runs, settleRun) as RunFile[];
+    settled.runs = settleEach(file.runs, before?.runs, (value) => settleRun(value)) as RunFile[];
     const names = settled.runs.map(({ name }) => name);
     const twice = names.find((name, i) => names.indexOf(name) !== i);
     if (twice !== undefined) refuse(`there is a run called ${JSON.stringify(twice)} already`, 'Choose another name.');

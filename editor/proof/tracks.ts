@@ -13,6 +13,8 @@ export class Tracks {
   /** The entry from which on a body's track is written; infinite while it has not stirred. */
   private readonly since: number[] = [];
   private readonly written: Float64Array[] = [];
+  /** Whether any body's track is written. */
+  private haveStirred = false;
 
   /** @param size doubles that say how one body is */
   constructor(readonly size: number) {}
@@ -22,6 +24,7 @@ export class Tracks {
     this.count = count;
     if (this.start.length < count * this.size) this.start = new Float64Array(count * this.size);
     for (let i = 0; i < count; i++) this.since[i] = Number.POSITIVE_INFINITY;
+    this.haveStirred = false;
   }
 
   /** Writes an entry; those that come after it are forgotten, those before it must be written. @param states of all bodies, one after the other */
@@ -30,12 +33,18 @@ export class Tracks {
     if (entry === 0) {
       start.set(states);
       for (let i = 0; i < count; i++) since[i] = Number.POSITIVE_INFINITY;
+      this.haveStirred = false;
       return;
     }
+    // most of the time nothing has, and this is asked in every tick
+    if (!this.haveStirred && !stirs(states, start, 0, size * count)) return;
+    this.haveStirred = false;
     for (let i = 0; i < count; i++) {
       const from = since[i];
-      if (from < entry || stirs(states, start, size * i, size)) this.keep(i, entry, states);
-      else since[i] = Number.POSITIVE_INFINITY;
+      if (from < entry || stirs(states, start, size * i, size)) {
+        this.haveStirred = true;
+        this.keep(i, entry, states);
+      } else since[i] = Number.POSITIVE_INFINITY;
     }
   }
 

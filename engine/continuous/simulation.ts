@@ -14,7 +14,7 @@ import { ALERTNESS, RECORDS, SLOTS } from './state.ts';
 
 const { START, FROM, NEXT, TICK_NOW, HELD, BASE_X, BASE_Y, OUTCOME, END_TIME, MINERALS } = SLOTS;
 const { CHASER } = RECORDS;
-const { GONE } = ALERTNESS;
+const { AWAKE, GONE } = ALERTNESS;
 
 /**
  * The game in continuous time: a hybrid automaton. Between events every body moves on a polynomial piece; guards
@@ -121,11 +121,19 @@ export class ContinuousSimulation implements Simulation {
   aliensAt(t: number, out: Float64Array): void {
     const { motion } = this;
     const { s, e, originX, originY, chasers } = motion;
-    for (let i = 0; i < this.scene.aliens.count; i++) {
-      alienPlaceAt(motion, i, t, 0);
-      out[3 * i] = originX + e[0];
-      out[3 * i + 1] = originY + e[1];
-      out[3 * i + 2] = s[chasers + CHASER * i + 4] === GONE ? 0 : 1;
+    const { count } = this.scene.aliens;
+    for (let i = 0; i < count; i++) {
+      const o = chasers + CHASER * i;
+      // of many nearly all stand still
+      if (s[o + 4] === AWAKE) {
+        alienPlaceAt(motion, i, t, 0);
+        out[3 * i] = originX + e[0];
+        out[3 * i + 1] = originY + e[1];
+      } else {
+        out[3 * i] = originX + s[o];
+        out[3 * i + 1] = originY + s[o + 1];
+      }
+      out[3 * i + 2] = s[o + 4] === GONE ? 0 : 1;
     }
   }
 

@@ -1,10 +1,12 @@
+import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { createEditedLevel } from '../../editor/document/index.ts';
 import { explanationOf } from '../../editor/panels/problems/explanations.ts';
+import { keepSame, keysOf } from '../../editor/panels/problems/kept.ts';
 import { quickFixOf, runAt } from '../../editor/panels/problems/quick-fix.ts';
 import { createProver } from '../../editor/proof/index.ts';
 import { WARNING_CODES } from '../../engine/index.ts';
-import { CODES, type Hold, type LevelFile } from '../../schema/index.ts';
+import { CODES, type Hold, type LevelFile, type Problem } from '../../schema/index.ts';
 
 const fileWith = (holds: readonly Hold[]): LevelFile => ({
   version: 1,
@@ -73,4 +75,50 @@ it('every code that can be told has an explanation', () => {
     expect(explanationOf(code)?.title, code).toBeTruthy();
   }
   expect(explanationOf('no-such-code')).toBeNull();
+});
+
+describe('problems that are shown', () => {
+  const problem: fc.Arbitrary<Problem> = fc.record({
+    code: fc.constantFrom('a', 'b'),
+    severity: fc.constantFrom('error', 'warning'),
+    message: fc.constantFrom('m', 'n'),
+    hint: fc.constantFrom('h', 'i'),
+    pointer: fc.constantFrom('/x', '/y'),
+    line: fc.constantFrom(null, 1),
+    column: fc.constant(null),
+  });
+  const problems = fc.array(problem, { maxLength: 6 });
+
+  it('say what was found, and stay the same objects where nothing is new', () => {
+    fc.assert(
+      fc.property(problems, problems, (before, now) => {
+        const kept = keepSame(before, now);
+        expect(kept).toEqual(now);
+        // what was told twice may stand for each other
+        for (const one of kept) expect(before.includes(one) || now.includes(one)).toBe(true);
+        const known = before.filter(
+          (old, i) =>
+            before.findIndex(
+              (other) => other.pointer === old.pointer && other.code === old.code && other.message === old.message,
+            ) === i,
+        );
+        const copies = known.map((old) => ({ ...old }));
+        expect(keepSame(known, copies)).toBe(known);
+      }),
+      { seed: 1 },
+    );
+  });
+
+  it('have names of their own, which new ones before them leave alone', () => {
+    fc.assert(
+      fc.property(problems, problem, (list, other) => {
+        const keys = keysOf(list);
+        expect(new Set(keys).size).toBe(list.length);
+        if (list.every(({ code, pointer }) => code !== other.code || pointer !== other.pointer)) {
+          expect(keysOf([other, ...list]).slice(1)).toEqual(keys);
+        }
+      }),
+      { seed: 2 },
+    );
+  });
 });

@@ -308,7 +308,8 @@ describe('ways of ghosts', () => {
 describe('the watch over what the shown run forgives', () => {
   const watched = () => {
     const on = stage();
-    const watch = watchRobustness({ level: on.level, workers: on.workers, after: (ms, call) => on.clock.after(ms, call) });
+    const after = (ms: number, call: () => void) => on.clock.after(ms, call);
+    const watch = watchRobustness({ level: on.level, workers: on.workers, after, afterRest: after });
     return { ...on, watch };
   };
   const NO_FAN = { kind: 'done', result: { slack: [], ways: [] } } as const;
@@ -410,7 +411,7 @@ describe('the watch over what the shown run forgives', () => {
 describe('the watch over proofs', () => {
   it('asks about a level that no run completes, and forgets the answer when the level changes', async () => {
     const { level, workers, clock, document, proof } = stage();
-    const watch = watchProofs({ level, workers, after: (ms, call) => clock.after(ms, call) });
+    const watch = watchProofs({ level, workers, afterRest: (ms, call) => clock.after(ms, call) });
     await clock.pass(2000);
     // a run takes all there is: nothing is left to prove
     expect(proof.proof().run.minerals).toHaveLength(proof.proof().level.minerals.length);

@@ -3,7 +3,8 @@ import { DEFAULT_RADIUS, type LevelFile } from '../../../schema/index.ts';
 import { ASTRONAUT, type FoundObject, type ObjectKey, objectsOf, radiusOf } from '../../document/index.ts';
 import type { Pose } from '../pose.ts';
 import { ROCKS, TEXTURE_UNIT } from '../textures/index.ts';
-import { StillLayer, Thing } from './still-layer.ts';
+import { Thing } from './thing.ts';
+import { ThingLayer } from './thing-layer.ts';
 
 /** Turns of a black hole and of a nova, radians a second. */
 const SPIN = { 'black-hole': -0.5, nova: 0.12 } as const;
@@ -11,8 +12,8 @@ const SPIN = { 'black-hole': -0.5, nova: 0.12 } as const;
 /** A nova that is smaller than this, px of screen, does not turn: nobody would see it, and what stands still costs next to nothing. */
 const TURNS_FROM = 10;
 
-/** Fewer objects than this are drawn one by one. */
-const MANY = 100;
+/** px of screen that a pupil moves by at least. */
+const GAZE = 0.25;
 
 /** Which is drawn above which. */
 const DEPTH = { repulsor: 1, blackHole: 2, glow: 3, asteroid: 4, nova: 5, mineral: 6, alien: 7, astronaut: 9 } as const;
@@ -26,6 +27,8 @@ interface Shown {
   readonly body: Thing;
   readonly glow: Thing | null;
   readonly pupil: Thing | null;
+  /** Where the pupil is from the middle, px. */
+  readonly gaze: { x: number; y: number };
 }
 
 /** A shape that stays with an asteroid as long as it lives: made from its id. */
@@ -35,19 +38,26 @@ function rockOf(key: ObjectKey): number {
   return sum % ROCKS;
 }
 
-function textureOf({ kind, key, object }: FoundObject): string {
-  if (kind === 'asteroid') return `${'hot' in object && object.hot === true ? 'hot' : 'rock'}-${rockOf(key)}`;
+function textureOf(found: FoundObject): string {
+  const { kind, key } = found;
+  if (kind === 'asteroid') return `${isHot(found) ? 'hot' : 'rock'}-${rockOf(key)}`;
   return kind === 'blackHole' ? 'black-hole' : kind;
 }
+
+const isHot = ({ object }: FoundObject): boolean => 'hot' in object && object.hot === true;
+
+/** Whether an object is what it was but for its place. */
+const looksSame = (found: FoundObject, old: FoundObject): boolean =>
+  found.kind === old.kind && isHot(found) === isHot(old) && found.object.radius === old.object.radius;
 
 /** The things of a level as sprites; only those that changed are touched. */
 export class ObjectLayer {
   private readonly shown = new Map<ObjectKey, Shown>();
-  private readonly layer: StillLayer;
+  private readonly layer: ThingLayer;
   private file: LevelFile | null = null;
 
   constructor(private readonly scene: Scene) {
-    this.layer = new StillLayer(scene, MANY).setDepth(DEPTH.repulsor);
+    this.layer = new ThingLayer(scene).setDepth(DEPTH.repulsor);
   }
 
   /** Forgets all sprites: the textures are new. */
@@ -74,8 +84,11 @@ export class ObjectLayer {
     }
   }
 
-  /** Aliens and rocks where they are in a run, taken minerals faint; null: everything as the level has it. */
-  pose(pose: Pose | null): void {
+  /**
+   * Aliens and rocks where they are in a run, taken minerals faint; null: everything as the level has it.
+   * @param zoom px of screen per px of the level
+   */
+  pose(pose: Pose | null, zoom: number): void {
     for (const one of this.shown.values()) {
       const { kind, index, object } = one.found;
       if (kind === 'asteroid') {
@@ -93,7 +106,13 @@ export class ObjectLayer {
         const dy = (pose?.y ?? y) - y;
         const away = Math.hypot(dx, dy);
         const reach = away > 0 ? (0.16 * radius) / away : 0;
-        one.pupil?.setPosition(x + dx * reach, y - 0.05 * radius + dy * reach).setAlpha(one.body.alpha);
+        const { gaze } = one;
+        // less than that nobody would see, and what is dragged as it is costs next to nothing
+        if (zoom * Math.hypot(dx * reach - gaze.x, dy * reach - gaze.y) > GAZE) {
+          gaze.x = dx * reach;
+          gaze.y = dy * reach;
+        }
+        one.pupil?.setPosition(x + gaze.x, y - 0.05 * radius + gaze.y).setAlpha(one.body.alpha);
       } else if (kind === 'mineral') {
         one.body.setAlpha(pose?.collected.has(index) === true ? 0.18 : 1);
       }
@@ -114,6 +133,11 @@ export class ObjectLayer {
   }
 
   private place(found: FoundObject, old: Shown | undefined): Shown {
+    if (old !== undefined && looksSame(found, old.found)) {
+      const shown = { ...old, found };
+      this.move(shown, found.object.x, found.object.y);
+      return shown;
+    }
     const texture = textureOf(found);
     const body = old?.body ?? this.image(texture, DEPTH[found.kind]);
     if (body.texture.key !== texture) body.setTexture(texture);
@@ -126,9 +150,8 @@ export class ObjectLayer {
     body.setScale(scale * (texture in SIZE ? SIZE[texture as keyof typeof SIZE] : 1));
     glow?.setScale(1.9 * scale);
     pupil?.setScale(0.2 * scale);
-    const shown = { found, body, glow, pupil };
+    const shown = { found, body, glow, pupil, gaze: old?.gaze ?? { x: 0, y: 0 } };
     this.move(shown, found.object.x, found.object.y);
-    pupil?.setPosition(found.object.x, found.object.y - 0.05 * radius);
     return shown;
   }
 
@@ -138,9 +161,10 @@ export class ObjectLayer {
     return image;
   }
 
-  private move({ body, glow }: Shown, x: number, y: number): void {
+  private move({ body, glow, pupil, found, gaze }: Shown, x: number, y: number): void {
     body.setPosition(x, y);
     glow?.setPosition(x, y);
+    pupil?.setPosition(x + gaze.x, y - 0.05 * (radiusOf(found) ?? 0) + gaze.y);
   }
 
   private destroy({ body, glow, pupil }: Shown): void {

@@ -63,14 +63,17 @@ export class OverlayLayer {
     while (step * view.zoom < GRID_LEAST) step *= GRID_STRONG;
     const from = toLevel(view, { x: 0, y: 0 });
     const to = toLevel(view, { x: view.width, y: view.height });
-    const line = (k: number, upright: boolean) => {
-      const strong = k % GRID_STRONG === 0;
-      this.below.lineStyle(1 / view.zoom, colourNumber(this.colours.grid), strong ? 0.16 : 0.06);
-      if (upright) this.below.lineBetween(k * step, from.y, k * step, to.y);
-      else this.below.lineBetween(from.x, k * step, to.x, k * step);
-    };
-    for (let k = Math.ceil(from.x / step); k * step <= to.x; k++) line(k, true);
-    for (let k = Math.ceil(from.y / step); k * step <= to.y; k++) line(k, false);
+    // a stroke for each of hundreds of lines would take milliseconds in every frame
+    for (const strong of [false, true]) {
+      this.below.lineStyle(1 / view.zoom, colourNumber(this.colours.grid), strong ? 0.16 : 0.06).beginPath();
+      for (let k = Math.ceil(from.x / step); k * step <= to.x; k++) {
+        if ((k % GRID_STRONG === 0) === strong) this.below.moveTo(k * step, from.y).lineTo(k * step, to.y);
+      }
+      for (let k = Math.ceil(from.y / step); k * step <= to.y; k++) {
+        if ((k % GRID_STRONG === 0) === strong) this.below.moveTo(from.x, k * step).lineTo(to.x, k * step);
+      }
+      this.below.strokePath();
+    }
   }
 
   /** Where the gun reaches: beyond all of these discs she is lost. */
@@ -79,9 +82,10 @@ export class OverlayLayer {
     const colour = colourNumber(this.colours.range);
     const asteroids = file.asteroids ?? [];
     // hundreds of discs over each other say nothing: then those of the selected ones alone
-    const shown = asteroids.length > 60 ? asteroids.filter(({ id }) => id !== undefined && selected.includes(id)) : asteroids;
+    const chosen: ReadonlySet<ObjectKey | undefined> = new Set(selected);
+    const shown = asteroids.length > 60 ? asteroids.filter(({ id }) => chosen.has(id)) : asteroids;
     for (const { id, x, y } of shown) {
-      const isSelected = id !== undefined && selected.includes(id);
+      const isSelected = chosen.has(id);
       this.below.fillStyle(colour, isSelected ? 0.07 : 0.03).fillCircle(x, y, range);
       this.below.lineStyle((isSelected ? 1.5 : 1) / canvas.view.zoom, colour, isSelected ? 0.6 : 0.22).strokeCircle(x, y, range);
     }
@@ -90,12 +94,15 @@ export class OverlayLayer {
   /** How near her centre may come to what burns or bites, at the least turn of her box. */
   private margins({ file, canvas }: OverlayInput): void {
     const colour = colourNumber(this.colours.danger);
-    this.below.lineStyle(1 / canvas.view.zoom, colour, 0.3);
+    this.below.lineStyle(1 / canvas.view.zoom, colour, 0.3).beginPath();
     for (const found of objectsOf(file).values()) {
       const hot = found.kind === 'asteroid' && 'hot' in found.object && found.object.hot === true;
       if (!hot && found.kind !== 'nova' && found.kind !== 'alien') continue;
-      this.below.strokeCircle(found.object.x, found.object.y, (radiusOf(found) ?? 0) + HALF_WIDTH);
+      const { x, y } = found.object;
+      const radius = (radiusOf(found) ?? 0) + HALF_WIDTH;
+      this.below.moveTo(x + radius, y).arc(x, y, radius, 0, 2 * Math.PI);
     }
+    this.below.strokePath();
   }
 
   private selection({ file, canvas, selected, hovered }: OverlayInput): void {

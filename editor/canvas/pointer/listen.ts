@@ -25,9 +25,12 @@ export function listenToPointer(element: HTMLElement, context: PointerContext, e
   const stopping = new AbortController();
   const options = { signal: stopping.signal };
 
+  // asking where the canvas is makes the browser lay out the page: while the pointer does something it stays where it is
+  let corner: { readonly left: number; readonly top: number } | null = null;
   const screenOf = (event: { clientX: number; clientY: number }): Point => {
-    const box = element.getBoundingClientRect();
-    return { x: event.clientX - box.left, y: event.clientY - box.top };
+    const { left, top } = corner ?? element.getBoundingClientRect();
+    if (state !== null) corner = { left, top };
+    return { x: event.clientX - left, y: event.clientY - top };
   };
   const inputOf = (event: PointerEvent): PointerInput => {
     const screen = screenOf(event);
@@ -50,7 +53,10 @@ export function listenToPointer(element: HTMLElement, context: PointerContext, e
   };
   const enter = (next: PointerState | null) => {
     state = next;
-    if (next === null) return;
+    if (next === null) {
+      corner = null;
+      return;
+    }
     context.hovered.setState(null, true);
     context.canvas.setState({ cursor: next.cursor, placing: null });
   };
@@ -144,6 +150,7 @@ export function listenToPointer(element: HTMLElement, context: PointerContext, e
   element.addEventListener('pointerleave', onLeave, options);
   element.addEventListener('wheel', onWheel, { ...options, passive: false });
   element.addEventListener('contextmenu', (event) => event.preventDefault(), options);
+  window.addEventListener('resize', () => (corner = null), options);
   window.addEventListener('keydown', onKey, options);
   window.addEventListener('keyup', onKey, options);
   return {

@@ -24,7 +24,7 @@ export function movingObjects(context: PointerContext, from: PointerInput, lead:
       const straight = input.shift ? (Math.abs(move.x) > Math.abs(move.y) ? { x: move.x, y: 0 } : { x: 0, y: move.y }) : move;
       const reach = (input.touch ? REACH.touch : REACH.mouse) / context.view().zoom;
       const snapping = input.mod ? { grid: null, toObjects: false } : context.snapping();
-      const snapped = snapMove(file, keys, start, straight, targets, { ...snapping, reach });
+      const snapped = snapMove(start, straight, targets, { ...snapping, reach });
       const dx = input.shift && straight.x === 0 ? 0 : snapped.dx;
       const dy = input.shift && straight.y === 0 ? 0 : snapped.dy;
       const result = gesture.set((draft) => {

@@ -1,5 +1,5 @@
 import { RotateCcw } from 'lucide-react';
-import { useId, useState } from 'react';
+import { memo, useId, useState } from 'react';
 import { useLevel } from '../../app/context.ts';
 import type { Recipe } from '../../document/index.ts';
 import { Button, NumberField } from '../../ui/index.ts';
@@ -10,34 +10,40 @@ import { labelOf } from './names.ts';
 
 interface FieldRowProps {
   readonly field: Field;
-  readonly shown: FieldValue;
+  /** null: the selected objects differ */
+  readonly value: FieldValue['value'];
+  /** Nothing is written: the default stands for it. */
+  readonly isDefault: boolean;
   /** Of whom, for the history: `of 3 objects`. */
   readonly whose: string;
-  /** @param value undefined leaves it out, so that the default stands for it */
-  readonly recipe: (value: Field['fallback']) => Recipe;
+  /**
+   * Kept between renders.
+   * @param value undefined leaves it out, so that the default stands for it
+   */
+  readonly recipe: (key: string, value: Field['fallback']) => Recipe;
 }
 
 /** What the two ends of a switch are called. */
 const ENDS: Readonly<Record<string, readonly [off: string, on: string]>> = { hot: ['cold', 'hot'] };
 
 /** One property: typed, dragged or switched, with what is wrong about it beside it, and a way back to its default. */
-export function FieldRow({ field, shown, whose, recipe }: FieldRowProps) {
+export const FieldRow = memo(function FieldRow({ field, value: shown, isDefault, whose, recipe }: FieldRowProps) {
   const { document } = useLevel();
   const [refusal, setRefusal] = useState<string | null>(null);
   const { key, type, fallback } = field;
   const label = labelOf(key);
   const change = (value: Field['fallback'], gesture: string | null) => {
-    const result = document.change(`Set ${label} ${whose}`, recipe(value), gesture === null ? {} : { gesture });
+    const result = document.change(`Set ${label} ${whose}`, recipe(key, value), gesture === null ? {} : { gesture });
     setRefusal(result.ok ? null : `${result.refusal.message}. ${result.refusal.hint}`);
     return result.ok;
   };
-  const canReset = fallback !== undefined && !shown.isDefault;
+  const canReset = fallback !== undefined && !isDefault;
   return (
-    <div className={shown.isDefault ? 'row row--default' : 'row'} title={field.about}>
+    <div className={isDefault ? 'row row--default' : 'row'} title={field.about}>
       {type === 'number' && (
         <NumberField
           label={label}
-          value={shown.value as number | null}
+          value={shown as number | null}
           min={field.least}
           max={field.most}
           unit={field.unit ?? undefined}
@@ -49,7 +55,7 @@ export function FieldRow({ field, shown, whose, recipe }: FieldRowProps) {
       {type === 'flag' && (
         <Segments
           label={label}
-          value={shown.value === null ? null : shown.value === true ? 'on' : 'off'}
+          value={shown === null ? null : shown === true ? 'on' : 'off'}
           options={[
             { value: 'off', title: ENDS[key]?.[0] ?? 'off', about: field.about },
             { value: 'on', title: ENDS[key]?.[1] ?? 'on', about: field.about },
@@ -60,7 +66,7 @@ export function FieldRow({ field, shown, whose, recipe }: FieldRowProps) {
           }}
         />
       )}
-      {type === 'text' && <TextField field={field} label={label} value={String(shown.value ?? '')} onChange={change} />}
+      {type === 'text' && <TextField field={field} label={label} value={String(shown ?? '')} onChange={change} />}
       <span className="row__end">
         {type === 'number' && <span className="row__unit">{field.unit}</span>}
         {type !== 'flag' && canReset && (
@@ -80,7 +86,7 @@ export function FieldRow({ field, shown, whose, recipe }: FieldRowProps) {
       )}
     </div>
   );
-}
+});
 
 interface TextFieldProps {
   readonly field: Field;

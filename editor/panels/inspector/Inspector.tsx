@@ -22,7 +22,7 @@ const Fields = memo(function Fields({ keys, file }: { readonly keys: readonly Ob
   return (
     <div className="panel__body inspector">
       {/* another selection, other fields: nothing typed for one object ends up in another */}
-      {objects.length === 0 ? <LevelFields file={file} /> : <ObjectFields key={keys.join()} objects={objects} />}
+      {objects.length === 0 ? <LevelFields file={file} /> : <ObjectFields key={keys.join()} keys={keys} objects={objects} />}
     </div>
   );
 });

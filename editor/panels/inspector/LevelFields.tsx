@@ -8,7 +8,7 @@ import type { Fact } from '../figures/index.ts';
 import { Facts, Section, useCalmProof } from '../parts/index.ts';
 import { FieldRow } from './FieldRow.tsx';
 import { valueOfLevel } from './field-values.ts';
-import { fieldsOf } from './fields.ts';
+import { type Field, fieldsOf } from './fields.ts';
 import { wayFacts } from './run-facts.ts';
 
 interface RunSummary {
@@ -25,6 +25,8 @@ const summaryOf = (proof: LiveProof): RunSummary => ({
   facts: wayFacts(proof),
 });
 
+const setProperty = (key: string, value: Field['fallback']) => setLevelProperty(key as LevelProperty, value as never);
+
 /** The level itself: its name, its rules, the two things every level has once, and how the shown run fares. */
 export function LevelFields({ file }: { readonly file: LevelFile }) {
   const { commands } = useEditor();
@@ -39,13 +41,7 @@ export function LevelFields({ file }: { readonly file: LevelFile }) {
     <>
       <Section title="Level">
         {fieldsOf('level').fields.map((field) => (
-          <FieldRow
-            key={field.key}
-            field={field}
-            shown={valueOfLevel(file, field)}
-            whose="of the level"
-            recipe={(value) => setLevelProperty(field.key as LevelProperty, value as never)}
-          />
+          <FieldRow key={field.key} field={field} {...valueOfLevel(file, field)} whose="of the level" recipe={setProperty} />
         ))}
         <div className="links">
           {links.map(([key, name, where, icon]) => (

@@ -11,16 +11,24 @@ import {
   Crosshair,
   Trash2,
 } from 'lucide-react';
-import { useCallback } from 'react';
+import { memo, useCallback } from 'react';
 import { useEditor } from '../../app/context.ts';
-import { type FoundObject, type ObjectProperties, objectsOf, radiusOf, setObjectProperty } from '../../document/index.ts';
+import {
+  type FoundObject,
+  type ObjectKey,
+  type ObjectKind,
+  type ObjectProperties,
+  objectsOf,
+  radiusOf,
+  setObjectProperty,
+} from '../../document/index.ts';
 import type { LiveProof } from '../../proof/index.ts';
 import { Button } from '../../ui/index.ts';
 import { type Fact, plural } from '../figures/index.ts';
 import { Facts, Section, useCalmProof } from '../parts/index.ts';
 import { FieldRow } from './FieldRow.tsx';
 import { valueOfObjects } from './field-values.ts';
-import { fieldsOf, sharedFields } from './fields.ts';
+import { type Field, fieldsOf, sharedFields } from './fields.ts';
 import { KIND_NAMES, nameOf } from './names.ts';
 import { runFactsOf } from './run-facts.ts';
 
@@ -38,15 +46,33 @@ const ARRANGE = [
 
 /** `3 asteroids, 1 mineral` */
 function countsOf(objects: readonly FoundObject[]): string {
-  const kinds = [...new Set(objects.map(({ kind }) => kind))];
-  const counts = kinds.map((kind) => {
-    const [one, many] = KIND_NAMES[kind];
-    return plural(objects.filter((found) => found.kind === kind).length, one.toLowerCase(), many);
-  });
-  return counts.join(', ');
+  const counts = new Map<ObjectKind, number>();
+  for (const { kind } of objects) counts.set(kind, (counts.get(kind) ?? 0) + 1);
+  return [...counts].map(([kind, count]) => plural(count, KIND_NAMES[kind][0].toLowerCase(), KIND_NAMES[kind][1])).join(', ');
 }
 
-function Arrange({ count }: { readonly count: number }) {
+/** What can be done with what is selected. @param isFixed only what every level has once */
+const Deeds = memo(function Deeds({ isFixed }: { readonly isFixed: boolean }) {
+  const { commands } = useEditor();
+  return (
+    <span className="inspector__does">
+      <Button
+        hint="Go there"
+        shortcut="Shift+2"
+        icon={<Crosshair size={14} />}
+        onClick={() => commands.run('view.fit-selection')}
+      />
+      {!isFixed && (
+        <>
+          <Button hint="Duplicate" icon={<CopyPlus size={14} />} onClick={() => commands.run('edit.duplicate')} />
+          <Button hint="Delete" icon={<Trash2 size={14} />} onClick={() => commands.run('edit.delete')} />
+        </>
+      )}
+    </span>
+  );
+});
+
+const Arrange = memo(function Arrange({ count }: { readonly count: number }) {
   const { commands } = useEditor();
   return (
     <Section title="Arrange">
@@ -63,7 +89,7 @@ function Arrange({ count }: { readonly count: number }) {
       </div>
     </Section>
   );
-}
+});
 
 const NO_FACTS: readonly Fact[] = [];
 
@@ -83,45 +109,28 @@ function RunFacts({ objectKey }: { readonly objectKey: string }) {
   );
 }
 
-/** One object, or what several have in common. */
-export function ObjectFields({ objects }: { readonly objects: readonly FoundObject[] }) {
-  const { commands } = useEditor();
-  const keys = objects.map(({ key }) => key);
-  const kinds = objects.map(({ kind }) => kind);
+interface ObjectFieldsProps {
+  /** Kept between renders as long as the same ones are selected. */
+  readonly keys: readonly ObjectKey[];
+  readonly objects: readonly FoundObject[];
+}
+
+/** One object, or what several have in common. While hundreds of them are dragged hardly anything of it is drawn anew. */
+export function ObjectFields({ keys, objects }: ObjectFieldsProps) {
+  const recipe = useCallback(
+    (key: string, value: Field['fallback']) => setObjectProperty(keys, key as keyof ObjectProperties, value as never),
+    [keys],
+  );
   const [first] = objects;
   const one = objects.length === 1;
   const isFixed = objects.every(({ list }) => list === null);
   const whose = one ? `of ${nameOf(first).toLowerCase()}` : `of ${objects.length} objects`;
   return (
     <>
-      <Section
-        title={one ? nameOf(first) : plural(objects.length, 'object')}
-        aside={
-          <span className="inspector__does">
-            <Button
-              hint="Go there"
-              shortcut="Shift+2"
-              icon={<Crosshair size={14} />}
-              onClick={() => commands.run('view.fit-selection')}
-            />
-            {!isFixed && (
-              <>
-                <Button hint="Duplicate" icon={<CopyPlus size={14} />} onClick={() => commands.run('edit.duplicate')} />
-                <Button hint="Delete" icon={<Trash2 size={14} />} onClick={() => commands.run('edit.delete')} />
-              </>
-            )}
-          </span>
-        }
-      >
+      <Section title={one ? nameOf(first) : plural(objects.length, 'object')} aside={<Deeds isFixed={isFixed} />}>
         <p className="part__note">{one ? fieldsOf(first.kind).about : countsOf(objects)}</p>
-        {sharedFields(kinds).map((field) => (
-          <FieldRow
-            key={field.key}
-            field={field}
-            shown={valueOfObjects(objects, field)}
-            whose={whose}
-            recipe={(value) => setObjectProperty(keys, field.key as keyof ObjectProperties, value as never)}
-          />
+        {sharedFields(objects.map(({ kind }) => kind)).map((field) => (
+          <FieldRow key={field.key} field={field} {...valueOfObjects(objects, field)} whose={whose} recipe={recipe} />
         ))}
         {one && first.list !== null && (
           <p className="part__note numbers">

@@ -1,5 +1,5 @@
 import type { LevelFile } from '../../../schema/index.ts';
-import type { FoundObject } from '../../document/index.ts';
+import type { FoundObject, ObjectKind } from '../../document/index.ts';
 import { type Field, fieldsOf } from './fields.ts';
 
 /** What a field shows. */
@@ -12,23 +12,19 @@ export interface FieldValue {
 
 type Json = Readonly<Record<string, unknown>>;
 
-function commonValue(all: readonly { readonly json: Json; readonly fallback: Field['fallback'] }[], key: string): FieldValue {
-  const values = all.map(({ json, fallback }) => (json[key] ?? fallback) as number | string | boolean);
+/** What a field of objects shows: what they have in common, defaults filled in. */
+export function valueOfObjects(objects: readonly FoundObject[], { key }: Field): FieldValue {
+  const defaultOf = (kind: ObjectKind) => fieldsOf(kind).fields.find((field) => field.key === key)?.fallback;
+  const shownOf = ({ kind, object }: FoundObject) => (object as unknown as Json)[key] ?? defaultOf(kind);
+  const first = shownOf(objects[0]);
   return {
-    value: values.every((value) => value === values[0]) ? (values[0] ?? null) : null,
-    isDefault: all.every(({ json }) => json[key] === undefined),
+    value: objects.every((found) => shownOf(found) === first) ? ((first as FieldValue['value'] | undefined) ?? null) : null,
+    isDefault: objects.every(({ object }) => (object as unknown as Json)[key] === undefined),
   };
 }
 
-/** What a field of objects shows: what they have in common, defaults filled in. */
-export function valueOfObjects(objects: readonly FoundObject[], { key }: Field): FieldValue {
-  const all = objects.map(({ kind, object }) => ({
-    json: object as unknown as Json,
-    fallback: fieldsOf(kind).fields.find((field) => field.key === key)?.fallback,
-  }));
-  return commonValue(all, key);
-}
-
 /** What a field of the level itself shows. */
-export const valueOfLevel = (file: LevelFile, { key, fallback }: Field): FieldValue =>
-  commonValue([{ json: file, fallback }], key);
+export function valueOfLevel(file: LevelFile, { key, fallback }: Field): FieldValue {
+  const written = (file as Json)[key];
+  return { value: ((written ?? fallback) as FieldValue['value'] | undefined) ?? null, isDefault: written === undefined };
+}

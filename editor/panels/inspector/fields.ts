@@ -91,9 +91,20 @@ export function fieldsOf(subject: Subject): { readonly about: string; readonly f
   return answer;
 }
 
-/** The fields that all of these kinds have, with the tightest limits; a default only where it is the same for all. */
+const shared = new Map<string, readonly Field[]>();
+
+/** The fields that all of these kinds have, with the tightest limits; a default only where it is the same for all. The same kinds give the same list. */
 export function sharedFields(kinds: Iterable<ObjectKind>): readonly Field[] {
-  const [first, ...others] = [...new Set(kinds)].map((kind) => fieldsOf(kind).fields);
+  const all = [...new Set(kinds)];
+  const made = shared.get(all.join());
+  if (made !== undefined) return made;
+  const fields = fieldsOfAll(all);
+  shared.set(all.join(), fields);
+  return fields;
+}
+
+function fieldsOfAll(kinds: readonly ObjectKind[]): readonly Field[] {
+  const [first, ...others] = kinds.map((kind) => fieldsOf(kind).fields);
   return (first ?? []).flatMap((field) => {
     const twins = others.map((fields) => fields.find(({ key, type }) => key === field.key && type === field.type));
     if (twins.some((twin) => twin === undefined)) return [];

@@ -2,8 +2,9 @@ import { Bug, ChevronRight, Circle, CircleDashed, Flame, Gem, Orbit, PersonStand
 import { type ComponentType, memo, useDeferredValue, useEffect, useMemo, useRef, useState } from 'react';
 import { useStore } from 'zustand';
 import type { LevelFile } from '../../../schema/index.ts';
-import { useDocument, useEditor, useLevel, useSelectedKeys } from '../../app/context.ts';
-import { type ObjectKey, type ObjectKind, reorderObject } from '../../document/index.ts';
+import { useEditor, useLevel, useSelectedKeys } from '../../app/context.ts';
+import { useWhenIdle } from '../../app/use-when-idle.ts';
+import { type DocumentState, type ObjectKey, type ObjectKind, reorderObject } from '../../document/index.ts';
 import { leavesBetween, type MenuEntry, type Modifiers, MoreButton, Tree } from '../tree/index.ts';
 import { type ObjectRow, objectRows } from './object-rows.ts';
 import './outliner.css';
@@ -22,10 +23,12 @@ const ICONS: Readonly<Record<ObjectKind, ComponentType<{ size: number; className
 /** px */
 const rowHeight = () => 26;
 
+const fileOf = ({ file }: DocumentState): LevelFile => file;
+
 /** Every object of the level by kind; what is selected here is selected on the canvas. */
 export function Outliner() {
   // the canvas comes first while something is dragged
-  const file = useDeferredValue(useDocument((state) => state.file));
+  const file = useWhenIdle(useLevel().document.store, fileOf);
   const keys = useDeferredValue(useSelectedKeys());
   return <Outline file={file} keys={keys} />;
 }

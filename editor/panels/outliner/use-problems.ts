@@ -1,6 +1,7 @@
 import { useEffect, useState } from 'react';
 import { useLevel } from '../../app/context.ts';
 import { keyAt, type ObjectKey } from '../../document/index.ts';
+import { afterRest } from '../parts/index.ts';
 
 /** ms without a change before problems are looked for: that plays every run */
 const PAUSE = 300;
@@ -10,7 +11,6 @@ export function useProblems(): ReadonlyMap<ObjectKey, readonly string[]> {
   const { proof } = useLevel();
   const [found, setFound] = useState<ReadonlyMap<ObjectKey, readonly string[]>>(new Map());
   useEffect(() => {
-    let timer: ReturnType<typeof setTimeout> | undefined;
     const look = () => {
       const { file, problems } = proof.proof();
       const byKey = new Map<ObjectKey, string[]>();
@@ -20,15 +20,14 @@ export function useProblems(): ReadonlyMap<ObjectKey, readonly string[]> {
       }
       setFound(byKey);
     };
-    const later = () => {
-      clearTimeout(timer);
-      timer = setTimeout(look, PAUSE);
-    };
-    later();
-    const stop = proof.store.subscribe(later);
+    let forget = afterRest(PAUSE, look);
+    const stop = proof.store.subscribe(() => {
+      forget();
+      forget = afterRest(PAUSE, look);
+    });
     return () => {
       stop();
-      clearTimeout(timer);
+      forget();
     };
   }, [proof]);
   return found;

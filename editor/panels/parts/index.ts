@@ -1,5 +1,6 @@
 import './parts.css';
 
+export { afterRest } from './after-rest.ts';
 export { useCalmProof } from './calm-proof.ts';
 export { Facts } from './Facts.tsx';
 export { useRestingProof } from './resting-proof.ts';

@@ -1,6 +1,7 @@
 import { useEffect, useState } from 'react';
 import { useLevel } from '../../app/context.ts';
 import type { LiveProof } from '../../proof/index.ts';
+import { afterRest } from './after-rest.ts';
 
 /**
  * What `pick` makes of the live proof once nothing has changed for so many ms: for what would cost a drag its frames.
@@ -10,17 +11,15 @@ export function useRestingProof<T>(pick: (proof: LiveProof) => T, rest: number):
   const { proof } = useLevel();
   const [seen, setSeen] = useState(() => ({ proof, value: pick(proof.proof()) }));
   useEffect(() => {
-    let timer: ReturnType<typeof setTimeout> | undefined;
     const look = () => setSeen({ proof, value: pick(proof.proof()) });
-    const later = () => {
-      clearTimeout(timer);
-      timer = setTimeout(look, rest);
-    };
-    later();
-    const stop = proof.store.subscribe(later);
+    let forget = afterRest(rest, look);
+    const stop = proof.store.subscribe(() => {
+      forget();
+      forget = afterRest(rest, look);
+    });
     return () => {
       stop();
-      clearTimeout(timer);
+      forget();
     };
   }, [proof, pick, rest]);
   return seen.proof === proof ? seen.value : pick(proof.proof());

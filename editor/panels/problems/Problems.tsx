@@ -1,4 +1,5 @@
 import { CircleCheck, CircleX, TriangleAlert } from 'lucide-react';
+import { memo } from 'react';
 import type { LevelFile, Problem } from '../../../schema/index.ts';
 import { useEditor, useLevel } from '../../app/context.ts';
 import { keyAt, objectsOf } from '../../document/index.ts';
@@ -7,6 +8,7 @@ import { plural } from '../figures/index.ts';
 import { nameOf } from '../inspector/index.ts';
 import { explanationOf } from './explanations.ts';
 import { goToProblem } from './go-to.ts';
+import { keysOf } from './kept.ts';
 import { quickFixOf, runAt } from './quick-fix.ts';
 import './problems.css';
 import { useProblems } from './use-problems.ts';
@@ -22,14 +24,25 @@ function placeOf(file: LevelFile, pointer: string): string {
   return run === null ? 'it' : `run “${run}”`;
 }
 
-function ProblemCard({ problem }: { readonly problem: Problem }) {
+interface ProblemCardProps {
+  readonly problem: Problem;
+  /** What its pointer leads to. */
+  readonly place: string;
+  /** What would mend it; null: somebody has to decide. */
+  readonly fixTitle: string | null;
+}
+
+/** Kept as it is while nothing about it is new: a list of dozens would take milliseconds. */
+const ProblemCard = memo(function ProblemCard({ problem, place, fixTitle }: ProblemCardProps) {
   const editor = useEditor();
   const level = useLevel();
   const { code, severity, message, hint, pointer } = problem;
   const Icon = ICONS[severity];
   const explanation = explanationOf(code);
-  const file = level.document.file();
-  const fix = quickFixOf(file, problem);
+  const mend = () => {
+    const fix = quickFixOf(level.document.file(), problem);
+    if (fix !== null) level.document.change(fix.title, fix.recipe);
+  };
   return (
     <li className={`problem problem--${severity}`}>
       <p className="problem__head">
@@ -41,16 +54,12 @@ function ProblemCard({ problem }: { readonly problem: Problem }) {
       <div className="part__row">
         {pointer !== '' && (
           <Button hint="Select what it is about and show it" look="outlined" onClick={() => goToProblem(editor, level, problem)}>
-            Go to {placeOf(file, pointer)}
+            Go to {place}
           </Button>
         )}
-        {fix !== null && (
-          <Button
-            hint="Mends it at once; nothing plays differently"
-            look="outlined"
-            onClick={() => level.document.change(fix.title, fix.recipe)}
-          >
-            {fix.title}
+        {fixTitle !== null && (
+          <Button hint="Mends it at once; nothing plays differently" look="outlined" onClick={mend}>
+            {fixTitle}
           </Button>
         )}
         {code === 'no-run' && (
@@ -72,11 +81,13 @@ function ProblemCard({ problem }: { readonly problem: Problem }) {
       </div>
     </li>
   );
-}
+});
 
 /** What `gq check` would say about the level as it is on the screen, errors first. */
 export function Problems() {
   const problems = useProblems();
+  const file = useLevel().document.file();
+  const keys = keysOf(problems);
   const errors = problems.filter(({ severity }) => severity === 'error').length;
   const warnings = problems.length - errors;
   const counts = [...(errors > 0 ? [plural(errors, 'error')] : []), ...(warnings > 0 ? [plural(warnings, 'warning')] : [])];
@@ -93,9 +104,12 @@ export function Problems() {
       </p>
       <ul className="problems__list" aria-label="Problems">
         {problems.map((problem, i) => (
-          // the same problem may be told of the same place twice
-          // biome-ignore lint/suspicious/noArrayIndexKey: problems have no identity of their own
-          <ProblemCard key={`${problem.code} ${problem.pointer} ${i}`} problem={problem} />
+          <ProblemCard
+            key={keys[i]}
+            problem={problem}
+            place={placeOf(file, problem.pointer)}
+            fixTitle={quickFixOf(file, problem)?.title ?? null}
+          />
         ))}
       </ul>
     </div>

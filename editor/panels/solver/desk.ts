@@ -1,4 +1,6 @@
 import type { Editor, OpenLevel } from '../../app/editor.ts';
+import { pageTimers } from '../../files/index.ts';
+import { afterRest } from '../parts/index.ts';
 import { createDifficultyDesk, type DifficultyDesk } from './difficulty.ts';
 import { createOverlay, type OverlayStore } from './overlay.ts';
 import { type ProofWatch, watchProofs } from './proof-watch.ts';
@@ -18,11 +20,6 @@ export interface SolverDesk {
 
 const desks = new WeakMap<OpenLevel, SolverDesk>();
 
-const afterTimeout = (ms: number, call: () => void) => {
-  const timer = setTimeout(call, ms);
-  return () => clearTimeout(timer);
-};
-
 /** The desk of an open level, set up when it is first asked for; it is cleared when another level is opened. */
 export function solverDeskOf({ workers, session, open }: Editor, level: OpenLevel): SolverDesk {
   const known = desks.get(level);
@@ -30,8 +27,8 @@ export function solverDeskOf({ workers, session, open }: Editor, level: OpenLeve
   const wish = createWish();
   const overlay = createOverlay();
   const search = createSearchDesk({ level, session, workers, wish, overlay, now: () => performance.now() });
-  const robustness = watchRobustness({ level, workers, after: afterTimeout });
-  const proofs = watchProofs({ level, workers, after: afterTimeout });
+  const robustness = watchRobustness({ level, workers, after: pageTimers.after, afterRest });
+  const proofs = watchProofs({ level, workers, afterRest });
   const difficulty = createDifficultyDesk({ level, workers, wish });
   const desk: SolverDesk = { wish, search, robustness, difficulty, proofs, overlay };
   desks.set(level, desk);

@@ -12,8 +12,8 @@ export interface ProofWatch {
 interface WatchParts {
   readonly level: { readonly proof: ProofStore };
   readonly workers: Pick<Workers, 'start'>;
-  /** Calls back after so many ms. @returns takes it back */
-  readonly after: (ms: number, call: () => void) => () => void;
+  /** Calls back once the page has rested for so many ms. @returns takes it back */
+  readonly afterRest: (ms: number, call: () => void) => () => void;
 }
 
 /** ms without a change before proofs are looked for: later than what the run forgives, which is looked at more */
@@ -22,7 +22,7 @@ const SETTLE = 500;
 const NOTHING: Proved = { impossible: null, minerals: [] };
 
 /** Follows the level: whenever it has settled, it is tried to prove that the black hole or a mineral is out of reach. What a run shows needs no proof. */
-export function watchProofs({ level: { proof }, workers, after }: WatchParts): ProofWatch {
+export function watchProofs({ level: { proof }, workers, afterRest }: WatchParts): ProofWatch {
   const store = createStore<Proved>(() => NOTHING);
   let job: Job<'proofs'> | null = null;
   let forget: (() => void) | null = null;
@@ -53,7 +53,7 @@ export function watchProofs({ level: { proof }, workers, after }: WatchParts): P
     last = scene;
     drop();
     if (store.getState() !== NOTHING) store.setState(NOTHING, true);
-    forget = after(SETTLE, prove);
+    forget = afterRest(SETTLE, prove);
   };
   look();
   const stop = proof.store.subscribe(look);

@@ -50,6 +50,8 @@ interface WatchParts {
   readonly workers: Pick<Workers, 'start'>;
   /** Calls back after so many ms. @returns takes it back */
   readonly after: (ms: number, call: () => void) => () => void;
+  /** Calls back once the page has rested for so many ms. @returns takes it back */
+  readonly afterRest: (ms: number, call: () => void) => () => void;
 }
 
 /** ms without a change before all is measured; the fan comes as soon as a gesture is over. */
@@ -65,7 +67,7 @@ const toGhost = ({ edge, shift, points }: FanWay): Ghost => ({
 });
 
 /** Follows the shown run: whenever it or the level has settled, what it forgives is measured anew, for timeline, canvas and panel. */
-export function watchRobustness({ level, workers, after }: WatchParts): RobustnessWatch {
+export function watchRobustness({ level, workers, after, afterRest }: WatchParts): RobustnessWatch {
   const { proof, analysis } = level;
   const store = createStore<RobustnessState>(() => ({ phase: 'waiting', ...UNKNOWN, withMinerals: false }));
   let jobs: readonly Job<'fan' | 'robustness'>[] = [];
@@ -138,7 +140,7 @@ export function watchRobustness({ level, workers, after }: WatchParts): Robustne
     put(null);
     putGhosts(level, 'slack', []);
     store.setState({ phase: 'waiting', ...UNKNOWN });
-    waiting = [after(SETTLE, measure)];
+    waiting = [afterRest(SETTLE, measure)];
   };
   const look = () => {
     const { scene, run } = proof.proof();

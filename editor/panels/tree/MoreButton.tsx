@@ -1,8 +1,9 @@
 import { EllipsisVertical } from 'lucide-react';
+import { memo } from 'react';
 import { showMenu } from './show-menu.ts';
 
 /** Shows the menu of the row it is in. Who uses the keyboard has the menu key for it, so it is no stop of its own. */
-export function MoreButton() {
+export const MoreButton = memo(function MoreButton() {
   return (
     <button
       type="button"
@@ -20,4 +21,4 @@ export function MoreButton() {
       <EllipsisVertical size={14} />
     </button>
   );
-}
+});

@@ -1,0 +1,62 @@
+import type { Thing } from './thing.ts';
+
+/** From px of the level to px of a canvas, as the matrix of a camera has it. */
+export interface Lens {
+  readonly a: number;
+  readonly b: number;
+  readonly c: number;
+  readonly d: number;
+  readonly e: number;
+  readonly f: number;
+  /** 0 to 1, of all that is seen through it */
+  readonly alpha: number;
+}
+
+/** Half of the diagonal of a square, over half of its side. */
+const DIAGONAL = Math.SQRT2;
+
+/** The square on the canvas that a thing can't leave, however it is turned. */
+export interface Spot {
+  /** its middle */
+  x: number;
+  y: number;
+  /** half of its side */
+  reach: number;
+}
+
+export function spotOf(thing: Thing, { a, b, c, d, e, f }: Lens, into: Spot): Spot {
+  const { x, y, scaleX, scaleY, displayOriginX, displayOriginY } = thing;
+  const zoom = Math.max(Math.sqrt(a * a + b * b), Math.sqrt(c * c + d * d));
+  into.x = a * x + c * y + e;
+  into.y = b * x + d * y + f;
+  into.reach = DIAGONAL * zoom * Math.max(displayOriginX * Math.abs(scaleX), displayOriginY * Math.abs(scaleY));
+  return into;
+}
+
+/**
+ * Draws things as Phaser's canvas renderer does. It saves and sets all of the canvas's state for each of them, which for a thousand takes longer than to draw them;
+ * and it draws what is out of sight.
+ */
+export function drawThings(context: CanvasRenderingContext2D, things: readonly Thing[], lens: Lens): void {
+  const { a, b, c, d } = lens;
+  const { width, height } = context.canvas;
+  const spot: Spot = { x: 0, y: 0, reach: 0 };
+  for (const thing of things) {
+    const { rotation, scaleX, scaleY, displayOriginX, displayOriginY, frame } = thing;
+    const alpha = lens.alpha * thing.alpha;
+    const { x, y, reach } = spotOf(thing, lens, spot);
+    if (alpha === 0 || x + reach < 0 || x - reach > width || y + reach < 0 || y - reach > height) continue;
+    const cos = Math.cos(rotation);
+    const sin = Math.sin(rotation);
+    context.setTransform(
+      (a * cos + c * sin) * scaleX,
+      (b * cos + d * sin) * scaleX,
+      (c * cos - a * sin) * scaleY,
+      (d * cos - b * sin) * scaleY,
+      x,
+      y,
+    );
+    context.globalAlpha = alpha;
+    context.drawImage(frame.source.image as HTMLCanvasElement, -displayOriginX, -displayOriginY);
+  }
+}
