@@ -12,6 +12,8 @@ import { toLevel } from '../view.ts';
 const GRID_LEAST = 7;
 /** Every so many lines of the grid one is stronger. */
 const GRID_STRONG = 8;
+/** More discs of the gun's range than this are not shown at once. */
+const MOST_RANGES = 60;
 /** px of screen that a selection's outline stands off. */
 const OUTLINE = 3;
 
@@ -81,9 +83,10 @@ export class OverlayLayer {
     const range = file.range ?? DEFAULT_RANGE;
     const colour = colourNumber(this.colours.range);
     const asteroids = file.asteroids ?? [];
-    // hundreds of discs over each other say nothing: then those of the selected ones alone
+    // hundreds of discs over each other say nothing: then those of the selected ones alone, while these are not as many
     const chosen: ReadonlySet<ObjectKey | undefined> = new Set(selected);
-    const shown = asteroids.length > 60 ? asteroids.filter(({ id }) => chosen.has(id)) : asteroids;
+    const shown = asteroids.length > MOST_RANGES ? asteroids.filter(({ id }) => chosen.has(id)) : asteroids;
+    if (shown.length > MOST_RANGES) return;
     for (const { id, x, y } of shown) {
       const isSelected = chosen.has(id);
       this.below.fillStyle(colour, isSelected ? 0.07 : 0.03).fillCircle(x, y, range);
