@@ -1,4 +1,17 @@
 export { OUTDONE_WARNINGS } from './outdone.ts';
 export { type ProofPicture, type ProofRole, proofPicture } from './picture.ts';
-export type { About, BarrierEdge, Blocker, Certificate, DeadEnd, FanGrid, LineEnd, Proof, ProofCode, ThingRef } from './proof.ts';
+export type {
+  About,
+  BarrierEdge,
+  Blocker,
+  Certificate,
+  DeadEnd,
+  Drift,
+  FanGrid,
+  LineEnd,
+  LineTrap,
+  Proof,
+  ProofCode,
+  ThingRef,
+} from './proof.ts';
 export { type ProveOptions, proveImpossible, proveMineralsUnreachable } from './prove.ts';

@@ -1,7 +1,7 @@
 import { GUN_PULL, HALF_HEIGHT, HALF_WIDTH } from '../../engine/index.ts';
 import { type StandingCircle, standingCircles } from './blockers.ts';
 import { findDeadEnd } from './dead-end.ts';
-import type { About, Blocker, LineEnd, Proof } from './proof.ts';
+import type { About, Blocker, Drift, LineEnd, Proof } from './proof.ts';
 import { distance, surelyLess } from './rounding.ts';
 import { px, subject, thing } from './say.ts';
 import { ALL_ACCURACIES, CONTINUOUS, type Setting, type Thing } from './setting.ts';
@@ -77,7 +77,12 @@ function proofOf(setting: Setting, about: About, line: Line, trap: Trap): Proof 
     reason: reasonOf(setting, about, line, trap),
     covers: jump > 0 ? ALL_ACCURACIES : CONTINUOUS,
     maxTime: level.recoil ? maxTime : null,
-    certificate: { kind: 'line-trap', target: line.target, ...trap },
+    certificate: {
+      kind: 'line-trap',
+      target: line.target,
+      ...trap,
+      drift: isSwing(setting, trap) ? driftOnSwing(setting, line, trap) : null,
+    },
   };
 }
 
@@ -141,12 +146,12 @@ function oneWay(setting: Setting, line: Line, circles: readonly StandingCircle[]
   return first.at < last ? { back: { at: 0, by: { kind: 'start' } }, front: first } : null;
 }
 
-/** How far recoil can carry the target while she swings between the ends, px. */
-function driftOnSwing({ level, drift, maxTime }: Setting, { target, centre }: Line, { back, front }: Trap): number {
-  if (!level.recoil) return 0;
-  const reach = Math.max(Math.abs(front.at - centre), Math.abs(back.at - centre)) + TUBE;
-  const way = Math.max(front.at, -back.at) + TUBE;
-  return Math.min(drift[target], swingDrift(level.asteroids[target].radius, level.range, reach, way, maxTime));
+const isSwing = ({ level }: Setting, { back }: Trap): boolean => level.recoil && back.by.kind !== 'start';
+
+/** How far recoil can carry the target while she swings between the ends. */
+function driftOnSwing({ level, drift, maxTime }: Setting, { target, centre }: Line, { back, front }: Trap): Drift {
+  const stretch = { centre, back: back.at - TUBE, front: front.at + TUBE };
+  return swingDrift(level.asteroids[target].radius, level.range, stretch, maxTime, drift[target]);
 }
 
 /** Past the centre she may come back, and swing out farther than she started: both ends must stop her. */
@@ -215,8 +220,9 @@ function holds(setting: Setting, line: Line, { back, front }: Trap, goal: Thing)
   const place = ({ x, y }: { x: number; y: number }) => ({ x: x - astronaut.x, y: y - astronaut.y });
 
   // squared distances differ by something linear along the line: what holds at both ends holds between
-  const drift = back.by.kind === 'start' ? driftOnFall(setting, line, to) : driftOnSwing(setting, line, { back, front });
-  const moved = [line.centre - drift, line.centre + drift];
+  const fall = isSwing(setting, { back, front }) ? 0 : driftOnFall(setting, line, to);
+  const drift = isSwing(setting, { back, front }) ? driftOnSwing(setting, line, { back, front }) : { back: fall, ahead: fall };
+  const moved = [line.centre - drift.back, line.centre + drift.ahead];
   const staysNearest = asteroids.every((asteroid, i) => {
     if (i === line.target) return true;
     return [from, to].every((s) =>

@@ -39,6 +39,12 @@ export interface LineEnd {
   readonly by: Blocker | { readonly kind: 'start' } | ({ readonly kind: 'dead-end' } & DeadEnd);
 }
 
+/** How far recoil can carry an asteroid along a line, px: towards the start or beyond it, and away from it. */
+export interface Drift {
+  readonly back: number;
+  readonly ahead: number;
+}
+
 /** How finely all that she may do is followed. */
 export interface FanGrid {
   /** direction of its first axis, a unit vector; the second is a quarter turn from it, from x to y */
@@ -69,7 +75,8 @@ export type ProofCode =
  * - `starts-in-hazard`: the hazard her box overlaps at time 0
  * - `out-of-range`: every asteroid she can ever be in range of; all others lie beyond gaps she can't cross
  * - `enclosed`: a closed line between the start and the thing, each edge of which one hazard blocks, or the range
- * - `line-trap`: the asteroid whose line she is bound to, and the ends of the stretch that she can't leave
+ * - `line-trap`: the asteroid whose line she is bound to, the ends of the stretch that she can't leave, and with recoil how far the asteroid drifts
+ *   while she swings between them
  * - `covered`: the level alone shows it
  * - `doomed`: how finely to follow all that she may do until everything is over
  */
@@ -78,9 +85,19 @@ export type Certificate =
   | { readonly kind: 'starts-in-hazard'; readonly hazard: ThingRef }
   | { readonly kind: 'out-of-range'; readonly asteroids: readonly number[] }
   | { readonly kind: 'enclosed'; readonly barrier: readonly BarrierEdge[] }
-  | { readonly kind: 'line-trap'; readonly target: number; readonly back: LineEnd; readonly front: LineEnd }
+  | LineTrap
   | { readonly kind: 'doomed'; readonly grid: FanGrid }
   | { readonly kind: 'covered' };
+
+/** Certificate of a line trap. */
+export interface LineTrap {
+  readonly kind: 'line-trap';
+  readonly target: number;
+  readonly back: LineEnd;
+  readonly front: LineEnd;
+  /** null where there is no recoil, and where she only falls */
+  readonly drift: Drift | null;
+}
 
 /** A proof that the black hole, or a mineral, can never be touched in a level, whatever the player does. */
 export interface Proof {

@@ -1,34 +1,55 @@
 import { GUN_PULL } from '../../engine/index.ts';
+import type { Drift } from './proof.ts';
 
-/** What is added to the least drift that is never reached, a part and px: whoever tries other drifts finds one below it, too. */
-const SPARE = 1.06;
-const SPARE_PX = 0.1;
+/** What is added to the least drift that is never reached, a part and px: the checker's bound must come out below it. */
+const SPARE = 1.0001;
+const SPARE_PX = 0.01;
 
 /** Rounds of a contraction: far more than it needs. */
-const MOST_ROUNDS = 100;
+const MOST_ROUNDS = 400;
+
+/** Where she may be on the line while she swings, px from the start, and where the asteroid is at first. */
+export interface SwingStretch {
+  readonly centre: number;
+  readonly back: number;
+  readonly front: number;
+}
 
 /**
- * How far recoil can carry an asteroid while she swings through it on a line and never comes farther than a stretch allows, px.
+ * How far recoil can carry an asteroid either way while she swings through it on a line and never leaves a stretch, px.
  *
  * While the gun is held she is accelerated by a = GUN_PULL (1 - d / range), the asteroid the other way by 1 / diameter. Were a the same
  * everywhere, its speed would be a fixed share of hers and its way the same share of hers, which the stretch bounds: nothing would add up.
- * With a between A and GUN_PULL, the share 2 / (A + GUN_PULL) per diameter leaves (GUN_PULL - A) / (GUN_PULL + A) of its acceleration
- * unaccounted for, and only that adds up, for as long as a run lasts. The farther it drifts the smaller A may be; a drift from which follows a
- * smaller one is never reached.
- * @param reach how far she can be from where the asteroid starts, px
- * @param way how far she can be from where she starts, px
- * @returns infinity where there is no such bound
+ * It gains speed ahead when she is ahead of it, where a is at least some A, and loses it when she is behind, where a is at most GUN_PULL. So the
+ * share 2 / (A + GUN_PULL) per diameter leaves at most (GUN_PULL - A) / (GUN_PULL + A) of its acceleration unaccounted for, and only that adds
+ * up, for as long as a run lasts. The other way likewise. The farther it drifts the smaller A may be; a drift from which follows a smaller one
+ * is never reached.
+ * @param most how far it is carried when it is pulled one way all the time, px
  */
-export function swingDrift(radius: number, range: number, reach: number, way: number, seconds: number): number {
-  const diameter = 2 * radius;
-  let drift = 0;
-  for (let round = 0; round < MOST_ROUNDS; round++) {
-    const weakest = GUN_PULL * (1 - (reach + drift) / range);
-    if (weakest <= 0) return Number.POSITIVE_INFINITY;
+export function swingDrift(
+  radius: number,
+  range: number,
+  { centre, back, front }: SwingStretch,
+  seconds: number,
+  most: number,
+): Drift {
+  const follows = (far: number, way: number): number => {
+    const weakest = GUN_PULL * (1 - Math.min(far, range) / range);
     const unpaid = (GUN_PULL - weakest) / (GUN_PULL + weakest);
-    const follows = (1.01 * ((unpaid * seconds * seconds) / 2 + (2 * way) / (GUN_PULL + weakest))) / diameter;
-    if (follows < drift) return drift * SPARE + SPARE_PX;
-    drift = 1.001 * follows + 0.001;
+    return Math.min(most, (1.01 * ((unpaid * seconds * seconds) / 2 + (2 * way) / (GUN_PULL + weakest))) / (2 * radius));
+  };
+  let drift: Drift = { back: 0, ahead: 0 };
+  for (let round = 0; round < MOST_ROUNDS; round++) {
+    const ahead = follows(front - centre + drift.back, -back);
+    const behind = follows(centre + drift.ahead - back, front);
+    const isNever = (next: number, bound: number) => next < bound || bound >= most;
+    if (isNever(ahead, drift.ahead) && isNever(behind, drift.back)) {
+      return { back: Math.min(most, drift.back * SPARE + SPARE_PX), ahead: Math.min(most, drift.ahead * SPARE + SPARE_PX) };
+    }
+    drift = {
+      back: Math.max(drift.back, Math.min(most, 1.0005 * behind + 0.002)),
+      ahead: Math.max(drift.ahead, Math.min(most, 1.0005 * ahead + 0.002)),
+    };
   }
-  return Number.POSITIVE_INFINITY;
+  return { back: most, ahead: most };
 }

@@ -1,5 +1,5 @@
 import { GUN_PULL, HALF_HEIGHT, HALF_WIDTH } from '../../engine/index.ts';
-import type { LineEnd } from '../proofs/index.ts';
+import type { Drift, LineEnd, LineTrap } from '../proofs/index.ts';
 import type { Claim } from './claim.ts';
 import { checkDeadEnd } from './dead-end.ts';
 import { standingHazard } from './hazards.ts';
@@ -18,7 +18,9 @@ interface Line {
   readonly target: number;
   readonly centre: number;
   readonly radius: number;
-  readonly drift: number;
+  /** where recoil may carry its centre, px from the start */
+  readonly nearest: number;
+  readonly farthest: number;
   along(p: Point): number;
   aside(p: Point): number;
 }
@@ -28,10 +30,7 @@ interface Line {
  * no other asteroid is nearer and no field acts. Neither happens between the two ends of the stretch; she can't pass these;
  * and no box on the stretch touches the thing.
  */
-export function checkLineTrap(
-  claim: Claim,
-  { target, back, front }: { readonly target: number; readonly back: LineEnd; readonly front: LineEnd },
-): string | null {
+export function checkLineTrap(claim: Claim, { target, back, front, drift }: LineTrap): string | null {
   const { astronaut, asteroids, repulsors } = claim.level;
   if (astronaut.vx !== 0 || astronaut.vy !== 0) return 'she does not rest at the start';
   if (!isIndex(target, asteroids)) return 'it names an asteroid that the level does not have';
@@ -40,12 +39,15 @@ export function checkLineTrap(
   const centre = apart(claim.place(asteroids[target]), START);
   if (!less(TUBE, centre)) return 'the asteroid is where she starts: there is no line';
   const u = { x: claim.place(asteroids[target]).x / centre, y: claim.place(asteroids[target]).y / centre };
+  const fall = driftOnFall(claim, target, centre, front.at);
+  const moved = back.by?.kind === 'start' ? { back: fall, ahead: fall } : driftOnSwing(claim, target, centre, back, front, drift);
+  if (moved === null) return 'the asteroid may drift farther than it says';
   const line: Line = {
     target,
     centre,
     radius: asteroids[target].radius,
-    drift:
-      back.by?.kind === 'start' ? driftOnFall(claim, target, centre, front.at) : driftOnSwing(claim, target, centre, back, front),
+    nearest: centre - moved.back,
+    farthest: centre + moved.ahead,
     along: (p) => p.x * u.x + p.y * u.y,
     aside: (p) => Math.abs(p.y * u.x - p.x * u.y),
   };
@@ -60,7 +62,7 @@ export function checkLineTrap(
     if (i === target) continue;
     const other = claim.place(asteroid);
     for (const at of [from, to]) {
-      const toTarget = Math.max(Math.abs(at - centre + line.drift), Math.abs(at - centre - line.drift));
+      const toTarget = Math.max(Math.abs(at - line.nearest), Math.abs(at - line.farthest));
       const toOther = apart({ x: at, y: 0 }, { x: line.along(other), y: line.aside(other) });
       const isDeadEnd = (at === to ? front : back).by?.kind === 'dead-end';
       const isNearer = isDeadEnd ? toTarget < toOther + TIE : less(toTarget + 2 * TUBE, toOther);
@@ -89,26 +91,35 @@ function driftOnFall(claim: Claim, target: number, centre: number, end: number):
 }
 
 /**
- * Swinging between the ends, she is accelerated by between `weakest` and GUN_PULL whenever the target is, by 1 / diameter, the other way. With
- * m the mean of both, the target's velocity is -1 / (m diameter) of hers, and what at most (GUN_PULL - weakest) / (2 m) of its own acceleration
- * adds up to; over time, that share of her way, which the ends bound, and of the bound for constant acceleration. If from a drift of
- * at most d follows one below d, then d is never reached: some d are tried, from far too much on.
+ * The drift that is claimed, where from it follows a smaller one, so that it is never reached; null where that can't be told. Ahead of the asteroid
+ * she is accelerated by at least `weakest` when it is accelerated after her, by 1 / diameter; behind it by at most GUN_PULL, when it is the other way. With m the
+ * mean of both, its velocity is -1 / (m diameter) of hers, and what at most (GUN_PULL - weakest) / (2 m) of its own acceleration adds up to: over
+ * time, that share of her way back, and of the bound for constant acceleration. For the drift towards the start ahead and behind change places.
  */
-function driftOnSwing(claim: Claim, target: number, centre: number, back: LineEnd, front: LineEnd): number {
+function driftOnSwing(
+  claim: Claim,
+  target: number,
+  centre: number,
+  back: LineEnd,
+  front: LineEnd,
+  drift: Drift | null | undefined,
+): Drift | null {
   const { recoil, range, asteroids } = claim.level;
+  if (!recoil) return { back: 0, ahead: 0 };
+  if (!(Number.isFinite(drift?.back) && Number.isFinite(drift?.ahead))) return null;
   const most = claim.drift(target);
-  if (!recoil) return most;
-  const way = Math.max(front.at, -back.at) + TUBE;
-  let least = most;
-  for (let part = 1; part >= 1 / 1024; part *= 0.96) {
-    const d = part * most;
-    const weakest = GUN_PULL * (1 - (Math.max(front.at - centre, centre - back.at) + TUBE + d) / range);
-    if (weakest <= 0) continue;
+  const bound = { back: Math.max(0, drift?.back ?? 0), ahead: Math.max(0, drift?.ahead ?? 0) };
+  const isNever = (claimed: number, far: number, way: number): boolean => {
+    if (claimed >= most) return true;
+    const weakest = Math.max(0, GUN_PULL * (1 - (far + TUBE / 2) / range));
     const mean = (GUN_PULL + weakest) / 2;
-    const follows = ((GUN_PULL - weakest) / (2 * mean)) * most + (1.01 * way) / (mean * 2 * asteroids[target].radius);
-    if (less(follows, d)) least = Math.min(least, d);
-  }
-  return least;
+    const share = (GUN_PULL - weakest) / (2 * mean);
+    return less(share * most + (1.01 * (way + TUBE / 2)) / (mean * 2 * asteroids[target].radius), claimed);
+  };
+  const holds =
+    isNever(bound.ahead, front.at - centre + bound.back, -back.at) &&
+    isNever(bound.back, centre + bound.ahead - back.at, front.at);
+  return holds ? bound : null;
 }
 
 /** She dies before she comes to the asteroid's centre, so that it only ever pulls her forward: she can't go back beyond the start. */
@@ -120,7 +131,7 @@ function checkOneWay(claim: Claim, line: Line, back: LineEnd, front: LineEnd): s
     if (!less(line.centre - front.at + TUBE, line.radius + HALF_WIDTH)) return 'she may stop before she touches the asteroid';
     return less(claim.jump + TUBE, line.radius) ? null : 'she may jump over the asteroid';
   }
-  if (!less(front.at + claim.jump + TUBE, line.centre - line.drift)) return 'she may come to the centre of the asteroid';
+  if (!less(front.at + claim.jump + TUBE, line.nearest)) return 'she may come to the centre of the asteroid';
   return checkHazard(claim, line, front);
 }
 
@@ -139,7 +150,8 @@ function checkEnd(claim: Claim, line: Line, end: LineEnd): string | null {
     return checkDeadEnd(claim, end.by, { x: u.x * end.at, y: u.y * end.at }, ahead, line.target);
   }
   if (end.by?.kind !== 'range') return checkHazard(claim, line, end);
-  const beyond = less(claim.level.range + line.drift + TUBE, Math.abs(end.at - line.centre));
+  const far = end.at > line.centre ? end.at - line.farthest : line.nearest - end.at;
+  const beyond = less(claim.level.range + TUBE, far);
   return beyond ? null : 'an end of its stretch is still in range';
 }
 

@@ -156,6 +156,13 @@ const CASES: [what: string, code: Proof['code'], covers: string[], wrong: Partia
     { recoil: true, asteroids: [at(60, 0), at(0, 95)], novae: [at(150, 0), at(-60, 0)] },
   ],
   [
+    'recoil carries it less to the side on which she comes less far',
+    'line-trap',
+    CONTINUOUS,
+    { recoil: true, asteroids: [at(60, 0), at(0, 100)], novae: [at(120, 0), at(-60, 0)] },
+    { recoil: true, asteroids: [at(60, 0), at(0, 90)], novae: [at(120, 0), at(-60, 0)] },
+  ],
+  [
     'a field pushes her off the line',
     'line-trap',
     CONTINUOUS,

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { GUN_PULL } from '../../engine/index.ts';
-import { swingDrift } from '../../solver/proofs/swing-drift.ts';
+import { type SwingStretch, swingDrift } from '../../solver/proofs/swing-drift.ts';
 
 const RANGE = 250;
 const SECONDS = 60;
@@ -12,15 +12,18 @@ type Player = (side: number, far: number, inwards: boolean, random: number) => b
 
 interface Swing {
   /** how far the asteroid came from where it started, px */
-  readonly drift: number;
-  readonly reach: number;
-  readonly way: number;
+  readonly drift: { readonly back: number; readonly ahead: number };
+  readonly stretch: SwingStretch;
 }
+
+/** How far an asteroid drifts that is pulled one way all the time, px; a hundredth more, as for frames. */
+const always = (radius: number): number => (1.01 * SECONDS * SECONDS) / 4 / radius;
 
 /** A minute on the line: she starts at rest at 0, the asteroid at `centre`. Ends where she is out of range. */
 function swing(centre: number, radius: number, player: Player, random: () => number): Swing {
   let [s, v, c, w] = [0, 0, centre, 0];
-  let [drift, reach, way] = [0, centre, 0];
+  let drift = { back: 0, ahead: 0 };
+  let stretch = { centre, back: 0, front: 0 };
   for (let t = 0; t < SECONDS; t += STEP) {
     const r = s - c;
     const side = Math.sign(r);
@@ -31,11 +34,10 @@ function swing(centre: number, radius: number, player: Player, random: () => num
     s += v * STEP;
     c += w * STEP;
     if (Math.abs(s - c) > RANGE) break;
-    drift = Math.max(drift, Math.abs(c - centre));
-    reach = Math.max(reach, Math.abs(s - centre));
-    way = Math.max(way, Math.abs(s));
+    drift = { back: Math.max(drift.back, centre - c), ahead: Math.max(drift.ahead, c - centre) };
+    stretch = { centre, back: Math.min(stretch.back, s), front: Math.max(stretch.front, s) };
   }
-  return { drift, reach, way };
+  return { drift, stretch };
 }
 
 /** Pulls where it is far on the one side and near on the other, so that recoil adds up, and swings no farther out than it fell from. */
@@ -46,8 +48,7 @@ const greedy =
 
 describe('how far recoil carries an asteroid that she swings through', () => {
   it('is never more than the bound', () => {
-    const bound = ({ reach, way }: Swing, radius: number) => swingDrift(radius, RANGE, reach, way, SECONDS);
-    let most = 0;
+    let most = { back: 0, ahead: 0 };
     fc.assert(
       fc.property(
         fc.integer({ min: 5, max: 120 }),
@@ -61,24 +62,33 @@ describe('how far recoil carries an asteroid that she swings through', () => {
           const mixed: Player = (side, far, inwards, luck) =>
             luck < chances[(side > 0 ? 2 : 0) + (inwards ? 0 : 1)] && (side > 0 || far > from);
           for (const player of [mixed, greedy(from), greedy(Math.min(from, centre / 2))]) {
-            const result = swing(centre, radius, player, player === mixed ? random : () => 0);
-            expect(result.drift).toBeLessThan(bound(result, radius));
-            most = Math.max(most, result.drift / bound(result, radius));
+            const { drift, stretch } = swing(centre, radius, player, player === mixed ? random : () => 0);
+            const bound = swingDrift(radius, RANGE, stretch, SECONDS, always(radius));
+            expect(drift.back).toBeLessThan(bound.back);
+            expect(drift.ahead).toBeLessThan(bound.ahead);
+            most = { back: Math.max(most.back, drift.back / bound.back), ahead: Math.max(most.ahead, drift.ahead / bound.ahead) };
           }
         },
       ),
       { numRuns: 60 },
     );
     // a bound that nothing comes near would hold for any formula
-    expect(most).toBeGreaterThan(0.05);
+    expect(most.back).toBeGreaterThan(0.05);
+    expect(most.ahead).toBeGreaterThan(0.05);
   });
 
   it('is a small part of what an asteroid drifts that is pulled one way all the time', () => {
-    const always = (SECONDS * SECONDS) / 2 / 32;
-    expect(swingDrift(16, RANGE, 60, 60, SECONDS)).toBeLessThan(0.2 * always);
+    const { back, ahead } = swingDrift(16, RANGE, { centre: 30, back: -30, front: 90 }, SECONDS, always(16));
+    expect(Math.max(back, ahead)).toBeLessThan(0.2 * always(16));
   });
 
-  it('has no bound where she may come to the end of the range', () => {
-    expect(swingDrift(16, RANGE, RANGE, 100, SECONDS)).toBe(Number.POSITIVE_INFINITY);
+  it('is smaller ahead where she comes less far ahead', () => {
+    const { back, ahead } = swingDrift(16, RANGE, { centre: 60, back: -30, front: 90 }, SECONDS, always(16));
+    expect(ahead).toBeLessThan(0.5 * back);
+  });
+
+  it('is as for a constant pull where she may come to the end of the range', () => {
+    const { ahead } = swingDrift(16, RANGE, { centre: 60, back: -30, front: 60 + RANGE }, SECONDS, always(16));
+    expect(ahead).toBe(always(16));
   });
 });
