@@ -46,16 +46,19 @@ export {
 } from './proofs/index.ts';
 export { createRandom, type Random } from './random.ts';
 export {
+  BRIEF_CERTIFY_RUNS,
   type Certification,
   type CertifyOptions,
   certify,
   type EdgeSlack,
   findSlack,
+  findSlackInSteps,
   measureRobustness,
+  measureRobustnessInSteps,
   type Robustness,
   type SampleOptions,
   type Success,
-  slackByEdge,
+  successInSteps,
   successProbability,
 } from './robustness/index.ts';
 export { type Closest, createSearch, type Effort, type Explored, type Search, type SearchOptions } from './search/index.ts';

@@ -1,7 +1,14 @@
 import type { Scene } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import type { Goal } from '../goal.ts';
-import { type EdgeSlack, measureRobustness, type Robustness, type Success, successProbability } from '../robustness/index.ts';
+import {
+  BRIEF_CERTIFY_RUNS,
+  type EdgeSlack,
+  measureRobustness,
+  type Robustness,
+  type Success,
+  successProbability,
+} from '../robustness/index.ts';
 import { createSolver } from '../solve/index.ts';
 import { type Candidate, DEFAULT_MAX_TICKS, verifyRun } from '../verified-run.ts';
 import { type Grade, gradeOf } from './grade.ts';
@@ -58,9 +65,6 @@ export interface DifficultyOptions {
 /** Ticks simulated to find a run where nothing else is said. */
 export const SOLVE_EFFORT = 5_000_000;
 
-/** Runs tried for the certificate: a tick more is seldom worth ten times as many. */
-const CERTIFY_RUNS = 20_000;
-
 const ANY: Goal = { minerals: 'any' };
 
 /**
@@ -78,7 +82,7 @@ export function measureDifficulty(
   const run = found === null ? null : verifyRun(scene, found, goal, maxTicks);
   if (run === null) return null;
 
-  const robustness = measureRobustness(scene, run.holds, goal, { samples, seed, maxRuns: CERTIFY_RUNS });
+  const robustness = measureRobustness(scene, run.holds, goal, { samples, seed, maxRuns: BRIEF_CERTIFY_RUNS });
   const { p30, p40, p60, p80 } = robustness;
   const sigmaAtHalf = findSigmaAtHalf(scene, run.holds, goal, { samples, seed, known: [p30, p40, p60, p80] });
   const randomPlay = playAtRandom(scene, goal, { samples: games, seed, maxTicks });

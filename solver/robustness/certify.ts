@@ -1,12 +1,19 @@
 import { joinHolds, type Scene } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import type { Goal } from '../goal.ts';
-import { type BoxResult, type Cluster, clustersOf, ShiftBox, shiftsUpTo } from './shift-box.ts';
+import { finish, type Steps } from '../steps.ts';
+import { type BoxResult, type Cluster, clustersInSteps, ShiftBox, shiftsUpTo } from './shift-box.ts';
 import { SLACK_LIMIT } from './slack.ts';
 import { createTrials, playFrom, type Trials } from './trials.ts';
 
 /** Runs tried when nothing else is said: enough for two ticks and three holds, or four of which the last lasts to the end. */
 const DEFAULT_CERTIFY_RUNS = 200_000;
+
+/** Runs tried where somebody waits for the certificate, or many levels are measured: a tick more is seldom worth ten times as many. */
+export const BRIEF_CERTIFY_RUNS = 20_000;
+
+/** Few enough for a step of some ms in a large level. */
+const RUNS_A_STEP = 8;
 
 /** By how much k grows from one box to the next: the boxes before the last cost little then. */
 const GROWTH = 1.5;
@@ -41,12 +48,16 @@ export function certify(scene: Scene, holds: readonly Hold[], goal: Goal, option
 }
 
 /** {@link certify} on trials at hand. @param holds sorted and disjoint */
-export function certifyWith(
+export const certifyWith = (trials: Trials, holds: readonly Hold[], maxRuns?: number, limit?: number): Certification =>
+  finish(certifyInSteps(trials, holds, maxRuns, limit));
+
+/** {@link certifyWith}, some runs a step. */
+export function* certifyInSteps(
   trials: Trials,
   holds: readonly Hold[],
   maxRuns = DEFAULT_CERTIFY_RUNS,
   limit = SLACK_LIMIT,
-): Certification {
+): Steps<Certification> {
   const before = trials.runs;
   const stop = (ticks: number, failed: Hold[] | null, exhausted: boolean): Certification => ({
     ticks,
@@ -61,17 +72,22 @@ export function certifyWith(
   const leftOver = () => before + maxRuns - trials.runs;
 
   /** @param whole do not begin what can't be finished */
-  const judge = (k: number, whole: boolean): BoxResult => {
+  function* judge(k: number, whole: boolean): Steps<BoxResult> {
     // all edges at their extremes fail most often and are few: they are tried before everything else
     for (const shifts of [[-k, k], shiftsUpTo(k)]) {
       const left = leftOver();
-      const clusters = clustersOf(holds, k, shifts, left);
+      const clusters = yield* clustersInSteps(holds, k, shifts, left);
       if (clusters === null || (whole && combinationsOf(clusters) > left)) return 'unfinished';
-      const result = new ShiftBox(trials, clusters).run(left);
-      if (result !== 'proved') return result;
+      const box = new ShiftBox(trials, clusters);
+      for (;;) {
+        const result = box.run(Math.min(RUNS_A_STEP, leftOver()));
+        if (result !== 'proved' && (result !== 'unfinished' || leftOver() <= 0)) return result;
+        yield null;
+        if (result === 'proved') break;
+      }
     }
     return 'proved';
-  };
+  }
 
   let proved = 0;
   // the smallest k that is known to fail, and the smallest that takes too many runs; beyond the limit as long as there is none
@@ -82,7 +98,7 @@ export function certifyWith(
   while (proved + 1 < Math.min(refuted, tooMany)) {
     const bound = Math.min(refuted, tooMany);
     const k = bound > limit ? Math.min(limit, Math.max(proved + 1, Math.ceil(GROWTH * proved))) : (proved + bound) >> 1;
-    const result = judge(k, true);
+    const result = yield* judge(k, true);
     if (result === 'proved') proved = k;
     else if (result === 'unfinished') tooMany = k;
     else {
@@ -92,7 +108,7 @@ export function certifyWith(
   }
   if (proved + 1 < refuted) {
     // what is left may still find one that fails
-    const result = judge(proved + 1, false);
+    const result = yield* judge(proved + 1, false);
     if (result === 'proved') proved++;
     else if (result !== 'unfinished') {
       refuted = proved + 1;

@@ -1,9 +1,10 @@
 import { joinHolds, type Scene } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import type { Goal } from '../goal.ts';
-import { certifyWith } from './certify.ts';
+import { finish, type Steps } from '../steps.ts';
+import { certifyInSteps } from './certify.ts';
 import { type EdgeSlack, SLACK_LIMIT, slackOf } from './slack.ts';
-import { countSuccesses, DEFAULT_SAMPLES, type SampleOptions, type Success, toSuccess } from './success-probability.ts';
+import { countInSteps, DEFAULT_SAMPLES, type SampleOptions, type Success, toSuccess } from './success-probability.ts';
 import { tickNoise } from './tick-noise.ts';
 import { createTrials } from './trials.ts';
 
@@ -28,23 +29,33 @@ export interface RobustnessOptions extends SampleOptions {
 }
 
 /** Slack, certificate and success under noise of a run, from the start of the scene. */
-export function measureRobustness(
+export const measureRobustness = (
+  scene: Scene,
+  holds: readonly Hold[],
+  goal: Goal,
+  options: RobustnessOptions = {},
+): Robustness => finish(measureRobustnessInSteps(scene, holds, goal, options));
+
+/** {@link measureRobustness}, some runs a step. */
+export function* measureRobustnessInSteps(
   scene: Scene,
   holds: readonly Hold[],
   goal: Goal,
   { samples = DEFAULT_SAMPLES, seed = 0, maxRuns }: RobustnessOptions = {},
-): Robustness {
+): Steps<Robustness> {
   const trials = createTrials(scene, goal);
   const joined = joinHolds(holds);
-  const under = (sigma: number) => toSuccess(sigma, countSuccesses(trials, joined, tickNoise(sigma), seed, 0, samples), samples);
-  const { ticks, exhausted } = certifyWith(trials, joined, maxRuns);
+  function* under(sigma: number): Steps<Success> {
+    return toSuccess(sigma, yield* countInSteps(trials, joined, tickNoise(sigma), seed, 0, samples), samples);
+  }
+  const { ticks, exhausted } = yield* certifyInSteps(trials, joined, maxRuns);
   return {
-    p30: under(30),
-    p40: under(40),
-    p60: under(60),
-    p80: under(80),
+    p30: yield* under(30),
+    p40: yield* under(40),
+    p60: yield* under(60),
+    p80: yield* under(80),
     certifiedTicks: ticks,
     decided: !exhausted,
-    slack: slackOf(trials, joined, SLACK_LIMIT),
+    slack: yield* slackOf(trials, joined, SLACK_LIMIT),
   };
 }

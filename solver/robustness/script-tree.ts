@@ -1,5 +1,9 @@
 import type { Hold } from '../../schema/index.ts';
+import { finish, type Steps } from '../steps.ts';
 import { advanceTo, isSuccess, type Trials } from './trials.ts';
+
+/** Few enough for a step of some ms in a large level. */
+const RUNS_A_STEP = 8;
 
 /**
  * Judges many runs at once: sorted by their edges, each goes on from the last state it shares with the one before.
@@ -7,7 +11,10 @@ import { advanceTo, isSuccess, type Trials } from './trials.ts';
  * @param runs each sorted and disjoint
  * @returns whether each one meets the goal, in the order given
  */
-export function judgeAll(trials: Trials, runs: readonly (readonly Hold[])[]): Uint8Array {
+export const judgeAll = (trials: Trials, runs: readonly (readonly Hold[])[]): Uint8Array => finish(judgeInSteps(trials, runs));
+
+/** {@link judgeAll}, some runs a step. */
+export function* judgeInSteps(trials: Trials, runs: readonly (readonly Hold[])[]): Steps<Uint8Array> {
   const { simulation, maxTicks } = trials;
   const edges = runs.map((holds) => holds.flat());
   // a run without a next edge waits for the end of time: it sorts behind those that have one
@@ -28,7 +35,9 @@ export function judgeAll(trials: Trials, runs: readonly (readonly Hold[])[]): Ui
   let before = -1;
   // the run before had ended by its edge of this depth: what comes later doesn't matter
   let settled = 0;
+  let judged = 0;
   for (const run of order) {
+    if (++judged % RUNS_A_STEP === 0) yield null;
     let depth = 0;
     if (before < 0) simulation.reset();
     else {

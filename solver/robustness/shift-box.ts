@@ -1,6 +1,10 @@
 import { joinHolds } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
+import { finish, type Steps } from '../steps.ts';
 import { advanceTo, isSuccess, type Trials } from './trials.ts';
+
+/** Few enough for a step of some ms. */
+const COMBINATIONS_A_STEP = 500;
 
 /** Stands for a press before, or a release after, all of a cluster. */
 const FAR = 1e9;
@@ -98,13 +102,22 @@ export function shiftsUpTo(k: number): number[] {
  * @param holds sorted and disjoint, at least one
  * @returns null when some edges are so close that more than `maxWays` combinations of theirs would have to be read
  */
-export function clustersOf(holds: readonly Hold[], k: number, shifts: readonly number[], maxWays: number): Cluster[] | null {
+export const clustersOf = (holds: readonly Hold[], k: number, shifts: readonly number[], maxWays: number): Cluster[] | null =>
+  finish(clustersInSteps(holds, k, shifts, maxWays));
+
+/** {@link clustersOf}, some combinations a step. */
+export function* clustersInSteps(
+  holds: readonly Hold[],
+  k: number,
+  shifts: readonly number[],
+  maxWays: number,
+): Steps<Cluster[] | null> {
   const edges = holds.flat();
   const clusters: Cluster[] = [];
   for (let first = 0; first < edges.length; ) {
     let last = first;
     while (last + 1 < edges.length && edges[last + 1] - edges[last] <= 2 * k) last++;
-    const ways = waysOf(edges, first, last, shifts, maxWays);
+    const ways = yield* waysOf(edges, first, last, shifts, maxWays);
     if (ways === null) return null;
     clusters.push({ heldBefore: first % 2 === 1, ways });
     first = last + 1;
@@ -113,13 +126,13 @@ export function clustersOf(holds: readonly Hold[], k: number, shifts: readonly n
 }
 
 /** Every way in which the game may read the edges from `first` to `last`; null when more than `maxWays` would be tried. */
-function waysOf(
+function* waysOf(
   edges: readonly number[],
   first: number,
   last: number,
   shifts: readonly number[],
   maxWays: number,
-): number[][] | null {
+): Steps<number[][] | null> {
   const count = last - first + 1;
   let combinations = 1;
   for (let i = 0; i < count; i++) {
@@ -128,6 +141,7 @@ function waysOf(
   }
   const ways = new Map<string, number[]>();
   for (let c = 0; c < combinations; c++) {
+    if (c % COMBINATIONS_A_STEP === COMBINATIONS_A_STEP - 1) yield null;
     const moved: number[] = first % 2 === 1 ? [-FAR] : [];
     for (let i = 0, rest = c; i < count; i++) {
       moved.push(Math.max(0, edges[first + i] + shifts[rest % shifts.length]));

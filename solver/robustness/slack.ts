@@ -1,6 +1,7 @@
 import { joinHolds, type Scene } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import type { Goal } from '../goal.ts';
+import { finish, type Steps } from '../steps.ts';
 import { shiftHolds } from './shift-holds.ts';
 import { advanceTo, createTrials, playFrom, type Trials } from './trials.ts';
 
@@ -18,48 +19,45 @@ export const SLACK_LIMIT = 60;
  * @param holds [press, release) in ticks; joined where they overlap, and the slack is of the joined ones
  * @returns two for each hold: press, release; all 0 for a run that doesn't meet the goal
  */
-export function findSlack(scene: Scene, holds: readonly Hold[], goal: Goal, limit = SLACK_LIMIT): EdgeSlack[] {
-  return slackOf(createTrials(scene, goal), joinHolds(holds), limit);
-}
+export const findSlack = (scene: Scene, holds: readonly Hold[], goal: Goal, limit = SLACK_LIMIT): EdgeSlack[] =>
+  finish(findSlackInSteps(scene, holds, goal, limit));
 
-/** {@link findSlack}, the slack of one edge after the other: for who must do something else in between. */
-export const slackByEdge = (scene: Scene, holds: readonly Hold[], goal: Goal, limit = SLACK_LIMIT): Generator<EdgeSlack> =>
-  edgesOf(createTrials(scene, goal), joinHolds(holds), limit);
+/** {@link findSlack}, a run a step. */
+export const findSlackInSteps = (scene: Scene, holds: readonly Hold[], goal: Goal, limit = SLACK_LIMIT): Steps<EdgeSlack[]> =>
+  slackOf(createTrials(scene, goal), joinHolds(holds), limit);
 
-/** {@link findSlack} on trials at hand. @param holds sorted and disjoint */
-export const slackOf = (trials: Trials, holds: readonly Hold[], limit: number): EdgeSlack[] => [...edgesOf(trials, holds, limit)];
-
-function* edgesOf(trials: Trials, holds: readonly Hold[], limit: number): Generator<EdgeSlack> {
+/** {@link findSlack} on trials at hand, a run a step. @param holds sorted and disjoint */
+export function* slackOf(trials: Trials, holds: readonly Hold[], limit: number): Steps<EdgeSlack[]> {
   const edges = holds.flat();
   const { simulation } = trials;
   simulation.reset();
   const start = simulation.snapshot();
-  if (!playFrom(trials, start, holds)) {
-    for (const _ of edges) yield { earlier: 0, later: 0 };
-    return;
-  }
+  if (!playFrom(trials, start, holds)) return edges.map(() => ({ earlier: 0, later: 0 }));
 
   const shifts = new Array<number>(edges.length).fill(0);
   // runs that differ only from here on share what comes before
   let shared = start;
-  const largest = (edge: number, direction: number): number => {
+  function* largest(edge: number, direction: number): Steps<number> {
     for (let by = 1; by <= limit; by++) {
       shifts[edge] = by * direction;
       const succeeds = playFrom(trials, shared, shiftHolds(holds, shifts));
       shifts[edge] = 0;
+      yield null;
       if (!succeeds) return by - 1;
     }
     return limit;
-  };
+  }
+  const slack: EdgeSlack[] = [];
   for (const [edge, tick] of edges.entries()) {
     shared = stateAt(trials, shared, holds, Math.max(0, tick - limit));
-    const earlier = largest(edge, -1);
+    const earlier = yield* largest(edge, -1);
     const before = shared;
     shared = stateAt(trials, shared, holds, tick);
-    const later = largest(edge, 1);
+    const later = yield* largest(edge, 1);
     shared = before;
-    yield { earlier, later };
+    slack.push({ earlier, later });
   }
+  return slack;
 }
 
 /** The state of a run at a tick, from a state of it that comes before. */

@@ -1,7 +1,8 @@
 import { joinHolds, type Scene } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import type { Goal } from '../goal.ts';
-import { judgeAll } from './script-tree.ts';
+import { finish, type Steps } from '../steps.ts';
+import { judgeInSteps } from './script-tree.ts';
 import { shiftHolds } from './shift-holds.ts';
 import { drawShift, type TickNoise, tickNoise, uniformOf } from './tick-noise.ts';
 import { createTrials, type Trials } from './trials.ts';
@@ -34,15 +35,24 @@ export const DEFAULT_SAMPLES = 1000;
  * The same seed lays the same noise on every run. Shifted edges are read as in `shiftHolds`.
  * @param sigma standard deviation, ms
  */
-export function successProbability(
+export const successProbability = (
+  scene: Scene,
+  holds: readonly Hold[],
+  goal: Goal,
+  sigma: number,
+  options: SampleOptions = {},
+): Success => finish(successInSteps(scene, holds, goal, sigma, options));
+
+/** {@link successProbability}, some runs a step. */
+export function* successInSteps(
   scene: Scene,
   holds: readonly Hold[],
   goal: Goal,
   sigma: number,
   { samples = DEFAULT_SAMPLES, seed = 0 }: SampleOptions = {},
-): Success {
-  const trials = createTrials(scene, goal);
-  return toSuccess(sigma, countSuccesses(trials, joinHolds(holds), tickNoise(sigma), seed, 0, samples), samples);
+): Steps<Success> {
+  const count = yield* countInSteps(createTrials(scene, goal), joinHolds(holds), tickNoise(sigma), seed, 0, samples);
+  return toSuccess(sigma, count, samples);
 }
 
 /** A share of successes with its interval. */
@@ -51,14 +61,24 @@ export function toSuccess(sigma: number, successes: number, samples: number): Su
 }
 
 /** How many of the executions `from` up to, not including, `to` meet the goal. */
-export function countSuccesses(
+export const countSuccesses = (
   trials: Trials,
   holds: readonly Hold[],
   noise: TickNoise,
   seed: number,
   from: number,
   to: number,
-): number {
+): number => finish(countInSteps(trials, holds, noise, seed, from, to));
+
+/** {@link countSuccesses}, some runs a step. */
+export function* countInSteps(
+  trials: Trials,
+  holds: readonly Hold[],
+  noise: TickNoise,
+  seed: number,
+  from: number,
+  to: number,
+): Steps<number> {
   const edges = 2 * holds.length;
   const shifts = new Int32Array(edges);
   const runs: Hold[][] = [];
@@ -67,6 +87,6 @@ export function countSuccesses(
     runs.push(shiftHolds(holds, shifts));
   }
   let count = 0;
-  for (const success of judgeAll(trials, runs)) count += success;
+  for (const success of yield* judgeInSteps(trials, runs)) count += success;
   return count;
 }

@@ -8,7 +8,7 @@ import {
   TICK_RATE,
 } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/index.ts';
-import { type EdgeSlack, slackByEdge } from '../../../solver/index.ts';
+import { findSlackInSteps } from '../../../solver/index.ts';
 import { FAN_TICKS, type FanWay } from '../protocol.ts';
 import type { Start } from '../work.ts';
 
@@ -48,11 +48,7 @@ function wayFrom(simulation: Simulation, holds: readonly Hold[], from: number): 
 export const fan: Start<'fan'> = function* ({ level, accuracy, holds, goal }) {
   const scene = compile(level, accuracy);
   const joined = joinHolds(holds);
-  const slack: EdgeSlack[] = [];
-  for (const edge of slackByEdge(scene, joined, goal)) {
-    slack.push(edge);
-    yield null;
-  }
+  const slack = yield* findSlackInSteps(scene, joined, goal);
   yield { slack };
   const simulation = createSimulation(scene);
   const edges = joined.flat();
