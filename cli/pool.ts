@@ -19,6 +19,8 @@ export async function runInPool<Task, Result>(
   { onDone, stop }: PoolOptions<Result>,
 ): Promise<Result[]> {
   const { Tinypool } = await import('tinypool');
+  // who asked for the end meanwhile is not told of later
+  if (stop?.aborted) return [];
   const threads = Math.max(1, Math.min(jobs, tasks.length));
   const pool = new Tinypool({ filename: filename.href, minThreads: threads, maxThreads: threads, isolateWorkers: false });
   let done = 0;
