@@ -116,7 +116,7 @@ function findsNothing(of: Level): boolean {
 
 describe.each(Object.keys(LEVELS))('a certificate of the kind %s', (code) => {
   const proof = proofOf(code);
-  // the prover leaves more room beside a cone than the checker asks for: where it finds no proof a search must find no run
+  // the prover tries few axes, and leaves more room than the checker asks for: where it finds no proof a search must find no run
   const isTight = code === 'line-trap with a dead end';
 
   it('passes as it is', () => expect(verifyProof(LEVELS[code], proof)).toEqual({ ok: true }));
