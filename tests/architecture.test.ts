@@ -71,6 +71,8 @@ describe('the walls see a breach', () => {
     ['cli/commands/a.ts', `import { x } from '../../editor/index.ts';`, /cli may not know editor/],
     ['editor/a.tsx', `import fs from 'node:fs';`, /editor is no place for Node/],
     ['editor/a.ts', `import { x } from '../cli/main.ts';`, /editor may not know cli/],
+    ['editor/canvas/a.ts', `import { x } from '../app/index.ts';`, /editor\/app stands on it/],
+    ['editor/panels/runs/a.tsx', `import type { X } from '../../app/platform.ts';`, /editor\/app stands on it/],
     ['picture/a.ts', `import { x } from '../solver/index.ts';`, /picture may not know solver/],
     ['cli/a.ts', `import matter from 'matter-js';`, /not among the dependencies/],
     ['cli/a.ts', `import { y } from '@scope/name/deep';`, /@scope\/name is not among the dependencies/],
@@ -84,6 +86,8 @@ describe('the walls see a breach', () => {
     ['engine/arcade/a.ts', `import type { Level } from '../../schema/index.ts';`],
     ['cli/a.ts', `import { findWarnings } from '../engine/warnings/index.ts'; import fs from 'node:fs';`],
     ['editor/a.ts', `import Phaser from 'phaser'; import { x } from '../solver/index.ts';`],
+    ['editor/main.tsx', `import { App } from './app/index.ts';`],
+    ['editor/app/a.ts', `import { x } from './b.ts'; import { y } from '../context/index.ts';`],
     ['engine/a.ts', `// import fs from 'node:fs'\nconst text = "import fs from 'node:fs'"; export { text };`],
   ])('lets pass %s: %s', (path, text) => {
     expect(importProblems(path, text, path.startsWith('editor') ? bundled : runtime)).toEqual([]);

@@ -1,8 +1,7 @@
 import { useSyncExternalStore } from 'react';
 import { keyLabel } from '../commands/index.ts';
+import { IS_MAC, useEditor, useSession } from '../context/index.ts';
 import { Dialog } from '../ui/index.ts';
-import { useEditor, useSession } from './context.ts';
-import { IS_MAC } from './platform.ts';
 
 /** What the pointer does, which no command can say. */
 const POINTER: readonly (readonly [gesture: string, what: string])[] = [

@@ -1,9 +1,8 @@
 import { defaultFilter, Command as Palette } from 'cmdk';
 import { useEffect, useState, useSyncExternalStore } from 'react';
 import { type Command, keyLabel, needsOf } from '../commands/index.ts';
-import { useEditor, useSession } from './context.ts';
+import { IS_MAC, useEditor, useSession } from '../context/index.ts';
 import { findPlaces, type Place } from './palette-places.ts';
-import { IS_MAC } from './platform.ts';
 
 /** A line of the palette. */
 interface Entry {

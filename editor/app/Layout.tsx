@@ -1,8 +1,8 @@
 import { Activity } from 'lucide-react';
 import { type ReactNode, useSyncExternalStore } from 'react';
 import { Group, Panel, Separator } from 'react-resizable-panels';
+import { useEditor, useSession } from '../context/index.ts';
 import { Button } from '../ui/index.ts';
-import { useEditor, useSession } from './context.ts';
 
 /** A panel of its own on a phone, a region at the side of a wide screen. */
 export interface SidePanel {

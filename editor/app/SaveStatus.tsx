@@ -1,9 +1,9 @@
 import { CircleAlert, CircleCheck, CloudOff, Eye, GitMerge, LoaderCircle } from 'lucide-react';
 import type { ComponentType } from 'react';
 import { useStore } from 'zustand';
+import { useEditor, useLevel } from '../context/index.ts';
 import type { SaveState } from '../files/index.ts';
 import { Button, Hint } from '../ui/index.ts';
-import { useEditor, useLevel } from './context.ts';
 
 const LOOKS: Readonly<Record<SaveState['kind'], { Icon: ComponentType<{ size: number }>; text: string }>> = {
   saved: { Icon: CircleCheck, text: 'saved' },

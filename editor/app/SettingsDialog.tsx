@@ -2,10 +2,9 @@ import { useId, useState } from 'react';
 import { useStore } from 'zustand';
 import { type AccuracyName, DEFAULT_ACCURACY } from '../../engine/index.ts';
 import { keyLabel } from '../commands/index.ts';
+import { IS_MAC, useEditor, useSession } from '../context/index.ts';
 import type { Settings } from '../settings/index.ts';
 import { Button, Dialog, NumberField } from '../ui/index.ts';
-import { useEditor, useSession } from './context.ts';
-import { IS_MAC } from './platform.ts';
 
 const ACCURACY_HINTS: Readonly<Record<AccuracyName, string>> = {
   arcade: 'arcade: the original game, frame by frame',

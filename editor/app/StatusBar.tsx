@@ -1,10 +1,10 @@
 import { useStore } from 'zustand';
+import { useDocument, useEditor, useProof, useSession } from '../context/index.ts';
 import { objectsOf } from '../document/index.ts';
 import { OtherAccuracy } from '../panels/accuracy/index.ts';
 import { useCalmProof } from '../panels/parts/index.ts';
 import { useProblemCount } from '../panels/problems/index.ts';
 import { type LiveProof, outcomeInWords } from '../proof/index.ts';
-import { useDocument, useEditor, useProof, useSession } from './context.ts';
 
 const plural = (count: number, what: string) => `${count} ${what}${count === 1 ? '' : 's'}`;
 

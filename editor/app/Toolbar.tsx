@@ -1,9 +1,9 @@
 import { Bug, Circle, CircleDashed, Flame, Gem, Hand, MousePointer2, Sun } from 'lucide-react';
 import type { ComponentType } from 'react';
 import { DRAGGED_TOOL } from '../canvas/index.ts';
+import { useEditor, useSession } from '../context/index.ts';
 import { TOOLS, type Tool } from '../session/index.ts';
 import { Button } from '../ui/index.ts';
-import { useEditor, useSession } from './context.ts';
 
 const LOOKS: Readonly<Record<Tool, { Icon: ComponentType<{ size: number }>; name: string; key: string }>> = {
   select: { Icon: MousePointer2, name: 'Select', key: 'V' },

@@ -1,9 +1,8 @@
 import { CircleQuestionMark, Play, Redo2, Search, Settings, Share2, Square, Undo2 } from 'lucide-react';
 import { useStore } from 'zustand';
 import { keyLabel } from '../commands/index.ts';
+import { IS_MAC, useDocument, useEditor, useLevel, useSession } from '../context/index.ts';
 import { Button } from '../ui/index.ts';
-import { useDocument, useEditor, useLevel, useSession } from './context.ts';
-import { IS_MAC } from './platform.ts';
 import { SaveStatus } from './SaveStatus.tsx';
 import { VerdictBadge } from './VerdictBadge.tsx';
 

@@ -1,9 +1,9 @@
 import { CircleCheck, CircleHelp, CircleX } from 'lucide-react';
 import { useStore } from 'zustand';
+import { useLevel, useProof } from '../context/index.ts';
 import { useVerdict } from '../panels/solver/index.ts';
 import { outcomeInWords } from '../proof/index.ts';
 import { Hint } from '../ui/index.ts';
-import { useLevel, useProof } from './context.ts';
 
 const LOOKS = {
   completable: { Icon: CircleCheck, text: 'completable' },

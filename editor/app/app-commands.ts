@@ -1,6 +1,6 @@
 import type { Command } from '../commands/index.ts';
+import type { Editor } from '../context/index.ts';
 import { LAYERS, type Layer } from '../session/index.ts';
-import type { Editor } from './editor.ts';
 
 const LAYER_TITLES: Readonly<Record<Layer, string>> = {
   ranges: 'range of the gun',

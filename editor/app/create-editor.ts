@@ -1,5 +1,6 @@
 import { createStore } from 'zustand/vanilla';
 import { createCommands } from '../commands/index.ts';
+import type { Analysis, Editor, OpenLevel } from '../context/index.ts';
 import { createSelection, type ObjectKey } from '../document/index.ts';
 import { createWorkspace, type Link, type OpenedLevel, pageSurroundings, pageTimers } from '../files/index.ts';
 import { createNotices } from '../notices/index.ts';
@@ -8,7 +9,6 @@ import { createProofStore } from '../proof/index.ts';
 import { createSession } from '../session/index.ts';
 import { createSettings } from '../settings/index.ts';
 import { createWorkers, spawnPageWorker } from '../workers/index.ts';
-import type { Analysis, Editor, OpenLevel } from './editor.ts';
 
 /** The page's storage, or null where the browser refuses one. */
 function pageStorage(): Storage | null {

@@ -1,4 +1,4 @@
-import type { Editor } from './editor.ts';
+import type { Editor } from '../context/index.ts';
 
 const KEY = 'gravity-quest-last-level';
 

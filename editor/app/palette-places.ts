@@ -1,6 +1,6 @@
+import type { Editor } from '../context/index.ts';
 import { openListed } from '../panels/levels/index.ts';
 import { objectRows } from '../panels/outliner/index.ts';
-import type { Editor } from './editor.ts';
 
 /** Somewhere to go by its name: a level, a run or an object. */
 export interface Place {

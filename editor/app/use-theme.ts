@@ -1,6 +1,6 @@
 import { useEffect } from 'react';
 import { useStore } from 'zustand';
-import { useEditor } from './context.ts';
+import { useEditor } from '../context/index.ts';
 
 /** Keeps an attribute of the page at what the person, or else the system, wants. */
 function follow(query: string, wanted: (matches: boolean) => string, name: string): () => void {

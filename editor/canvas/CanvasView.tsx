@@ -1,6 +1,6 @@
 import { useEffect, useRef } from 'react';
 import { type StoreApi, useStore } from 'zustand';
-import { useEditor, useLevel } from '../app/context.ts';
+import { useEditor, useLevel } from '../context/index.ts';
 import { canvasCommands } from './canvas-commands.ts';
 import { createCanvasState } from './canvas-state.ts';
 import './canvas.css';

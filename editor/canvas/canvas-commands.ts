@@ -1,6 +1,6 @@
 import type { StoreApi } from 'zustand/vanilla';
-import type { Editor, OpenLevel } from '../app/editor.ts';
 import type { Command } from '../commands/index.ts';
+import type { Editor, OpenLevel } from '../context/index.ts';
 import {
   alignObjects,
   type ChangeResult,

@@ -1,7 +1,7 @@
 import { useEffect, useMemo, useState } from 'react';
 import { useStore } from 'zustand';
 import { formatLevel, type LevelFile, type Problem } from '../../schema/index.ts';
-import { LevelContext, useDocument, useEditor, useLevel, useSession } from '../app/context.ts';
+import { LevelContext, useDocument, useEditor, useLevel, useSession } from '../context/index.ts';
 import { type Choices, type Conflict, mergeLevels, readText, type Side } from '../files/index.ts';
 import { addLevels, folderOf, openListed, stemOf, TextDialog } from '../panels/levels/index.ts';
 import { Button, Dialog } from '../ui/index.ts';

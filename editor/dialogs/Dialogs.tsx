@@ -1,5 +1,5 @@
 import { useEffect } from 'react';
-import { useEditor } from '../app/context.ts';
+import { useEditor } from '../context/index.ts';
 import { ConflictDialog } from './ConflictDialog.tsx';
 import { DropZone } from './DropZone.tsx';
 import './dialogs.css';

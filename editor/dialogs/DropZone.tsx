@@ -1,6 +1,6 @@
 import { FileDown } from 'lucide-react';
 import { useEffect, useState } from 'react';
-import { useEditor } from '../app/context.ts';
+import { useEditor } from '../context/index.ts';
 import { folderOf } from '../panels/levels/index.ts';
 import { readFiles, takeIn } from './take-in.ts';
 

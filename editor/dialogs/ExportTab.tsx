@@ -1,8 +1,7 @@
 import { Braces, Copy, FileImage, Image } from 'lucide-react';
 import { useMemo, useState } from 'react';
 import { formatLevel } from '../../schema/index.ts';
-import { useEditor, useLevel } from '../app/context.ts';
-import { usePageTheme } from '../app/page-theme.ts';
+import { useEditor, useLevel, usePageTheme } from '../context/index.ts';
 import { copyText, type ExportedFile, keepFile, levelFile, pictureSvg, toPng } from '../share/index.ts';
 import { Button, NumberField } from '../ui/index.ts';
 

@@ -1,6 +1,6 @@
 import { FolderOpen } from 'lucide-react';
 import { useId, useState } from 'react';
-import { useEditor } from '../app/context.ts';
+import { useEditor } from '../context/index.ts';
 import { folderOf } from '../panels/levels/index.ts';
 import { chooseFiles } from '../share/index.ts';
 import { Button } from '../ui/index.ts';

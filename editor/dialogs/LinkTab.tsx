@@ -1,6 +1,6 @@
 import { Copy } from 'lucide-react';
 import { useEffect, useState } from 'react';
-import { useDocument, useEditor } from '../app/context.ts';
+import { useDocument, useEditor } from '../context/index.ts';
 import { copyText, type Linking, linkTo } from '../share/index.ts';
 import { Button } from '../ui/index.ts';
 

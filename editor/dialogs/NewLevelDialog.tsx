@@ -1,8 +1,7 @@
 import { Dices } from 'lucide-react';
 import { useEffect, useId, useMemo, useRef, useState } from 'react';
 import { useStore } from 'zustand';
-import { useEditor, useSession } from '../app/context.ts';
-import { usePageTheme } from '../app/page-theme.ts';
+import { useEditor, usePageTheme, useSession } from '../context/index.ts';
 import { addLevels, fileNameProblem, folderOf, nextNumber } from '../panels/levels/index.ts';
 import { slugOf } from '../share/index.ts';
 import { TEMPLATES, type Template } from '../templates/index.ts';

@@ -1,6 +1,6 @@
 import { Tabs } from 'radix-ui';
 import { useStore } from 'zustand';
-import { LevelContext, useEditor, useSession } from '../app/context.ts';
+import { LevelContext, useEditor, useSession } from '../context/index.ts';
 import { Dialog } from '../ui/index.ts';
 import { ExportTab } from './ExportTab.tsx';
 import { ImportTab } from './ImportTab.tsx';

@@ -1,6 +1,6 @@
 import { useEffect, useLayoutEffect, useRef, useState } from 'react';
 import { useStore } from 'zustand';
-import { useEditor, useSession } from '../app/context.ts';
+import { useEditor, useSession } from '../context/index.ts';
 import { Button } from '../ui/index.ts';
 import { TOUR } from './tour-steps.ts';
 

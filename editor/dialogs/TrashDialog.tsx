@@ -1,7 +1,7 @@
 import { RotateCcw } from 'lucide-react';
 import { useEffect, useState } from 'react';
 import type { TrashEntry } from '../../schema/index.ts';
-import { useEditor, useSession } from '../app/context.ts';
+import { useEditor, useSession } from '../context/index.ts';
 import type { StorageError } from '../files/index.ts';
 import { restoreLevel } from '../panels/levels/index.ts';
 import { Button, Dialog } from '../ui/index.ts';

@@ -1,5 +1,5 @@
-import type { Editor } from '../app/editor.ts';
 import type { Command } from '../commands/index.ts';
+import type { Editor } from '../context/index.ts';
 import { deleteLevel, duplicateLevel, openListed } from '../panels/levels/index.ts';
 
 /** What can be done with the open level as a file. */

@@ -1,4 +1,4 @@
-import type { Editor } from '../app/editor.ts';
+import type { Editor } from '../context/index.ts';
 import { addLevels } from '../panels/levels/index.ts';
 import { levelOf, slugOf } from '../share/index.ts';
 

@@ -1,6 +1,6 @@
 import { Check, RotateCcw, X } from 'lucide-react';
 import { useCallback, useEffect, useRef, useState } from 'react';
-import { useEditor, useLevel, useSession } from '../app/context.ts';
+import { useEditor, useLevel, useSession } from '../context/index.ts';
 import { addRun, freeRunName, replaceHolds } from '../document/index.ts';
 import { outcomeInWords } from '../proof/index.ts';
 import { Button } from '../ui/index.ts';

@@ -1,5 +1,5 @@
-import type { Editor } from '../app/editor.ts';
 import type { Command } from '../commands/index.ts';
+import type { Editor } from '../context/index.ts';
 import { RATES } from '../session/index.ts';
 
 /** How a playtest is entered, and how fast it goes. */

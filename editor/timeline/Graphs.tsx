@@ -1,5 +1,5 @@
 import { memo, useEffect, useLayoutEffect, useRef, useState } from 'react';
-import { usePageTheme } from '../app/page-theme.ts';
+import { usePageTheme } from '../context/index.ts';
 import type { LiveProof } from '../proof/index.ts';
 import { type Scale, toX } from './scale.ts';
 

@@ -1,6 +1,6 @@
 import { type KeyboardEvent, memo, type PointerEvent, useRef } from 'react';
 import { useStore } from 'zustand';
-import { useEditor, useLevel } from '../app/context.ts';
+import { useEditor, useLevel } from '../context/index.ts';
 import { addHold, type Gesture, moveHold, splitHold, stretchHold } from '../document/index.ts';
 import { type Scale, toTick, toX } from './scale.ts';
 

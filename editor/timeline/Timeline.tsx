@@ -1,7 +1,6 @@
 import { useCallback, useEffect, useLayoutEffect, useMemo, useRef, useState } from 'react';
 import { useStore } from 'zustand';
-import { useEditor, useLevel, useProof, useSession } from '../app/context.ts';
-import { useWhenIdle } from '../app/use-when-idle.ts';
+import { useEditor, useLevel, useProof, useSession, useWhenIdle } from '../context/index.ts';
 import type { LiveProof } from '../proof/index.ts';
 import { EventMarks } from './EventMarks.tsx';
 import { Graphs } from './Graphs.tsx';

@@ -1,7 +1,7 @@
 import { ChevronFirst, ChevronLast, Pause, Play, StepBack, StepForward } from 'lucide-react';
 import { memo } from 'react';
 import { useStore } from 'zustand';
-import { useDocument, useEditor, useLevel, useProof, useSession } from '../app/context.ts';
+import { useDocument, useEditor, useLevel, useProof, useSession } from '../context/index.ts';
 import { outcomeInWords } from '../proof/index.ts';
 import { RATES } from '../session/index.ts';
 import { Button } from '../ui/index.ts';

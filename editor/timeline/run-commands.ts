@@ -1,5 +1,5 @@
-import type { Editor, OpenLevel } from '../app/editor.ts';
 import type { Command } from '../commands/index.ts';
+import type { Editor, OpenLevel } from '../context/index.ts';
 import { addHold, addRun, deleteHolds, freeRunName, splitHold } from '../document/index.ts';
 
 /** Holding the gun for so many ticks is what a new hold begins with. */

@@ -1,6 +1,6 @@
 import { dirname, posix } from 'node:path';
 import { parseSync } from 'vite';
-import { IMPURE_GLOBALS, PORTABLE_MATH, ROOMS } from './rooms.ts';
+import { IMPURE_GLOBALS, PORTABLE_MATH, ROOMS, TOPS } from './rooms.ts';
 
 interface Node {
   readonly type: string;
@@ -67,6 +67,8 @@ export function importProblems(path: string, text: string, dependencies: readonl
     } else if (specifier.startsWith('.')) {
       const target = posix.join(dirname(path), specifier);
       const other = target.split('/')[0];
+      const top = Object.keys(TOPS).find((folder) => target.startsWith(`${folder}/`) && !path.startsWith(`${folder}/`));
+      if (top !== undefined && !TOPS[top].includes(path)) problems.push(`${path}: ${top} stands on it and may not be known here`);
       if (other === own) continue;
       if (!room.knows.includes(other) && target !== 'package.json') problems.push(`${path}: ${own} may not know ${target}`);
       else if (room.knows.includes(other) && posix.basename(target) !== 'index.ts') {

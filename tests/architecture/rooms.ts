@@ -20,6 +20,9 @@ export const ROOMS: Readonly<Record<string, Room>> = {
   editor: { knows: ['schema', 'engine', 'solver', 'picture'], packages: null, pure: false, bundled: true },
 };
 
+/** Folders that stand on all others of their room, and who alone may know them: whoever else did would stand on itself. */
+export const TOPS: Readonly<Record<string, readonly string[]>> = { 'editor/app': ['editor/main.tsx'] };
+
 /** ECMAScript fixes these to the last bit; the rest of Math differs between engines (or between calls). */
 export const PORTABLE_MATH: ReadonlySet<string> = new Set([
   ...['abs', 'sqrt', 'min', 'max', 'floor', 'ceil', 'round', 'trunc', 'sign', 'imul', 'fround', 'clz32', 'PI'],

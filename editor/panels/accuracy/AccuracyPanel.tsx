@@ -1,13 +1,12 @@
 import { Check, Gauge, Maximize2, Square, X } from 'lucide-react';
 import { useMemo, useState } from 'react';
 import { ACCURACIES, type AccuracyName, DEFAULT_ACCURACY } from '../../../engine/index.ts';
-import { useEditor, useProof, useSession } from '../../app/context.ts';
+import { useEditor, usePageTheme, useProof, useSession } from '../../context/index.ts';
 import { outcomeInWords } from '../../proof/index.ts';
 import { Button, Dialog } from '../../ui/index.ts';
 import { pixels, playsAlike } from '../figures/index.ts';
 import { Section } from '../parts/index.ts';
 import './accuracy.css';
-import { usePageTheme } from '../../app/page-theme.ts';
 import { drawSettings } from './diagram.ts';
 import { NAMES, type NamedResult } from './named-results.ts';
 import { type MeasuredSettings, useMeasured } from './use-measured.ts';

@@ -1,6 +1,6 @@
 import { useCallback, useEffect, useRef, useState } from 'react';
 import type { LevelFile } from '../../../schema/index.ts';
-import { useEditor, useLevel } from '../../app/context.ts';
+import { useEditor, useLevel } from '../../context/index.ts';
 import type { Job, Setting } from '../../workers/index.ts';
 
 /** What every setting costs for one level and run. */

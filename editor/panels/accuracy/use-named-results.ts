@@ -1,6 +1,6 @@
 import { useEffect, useState } from 'react';
 import type { LevelFile } from '../../../schema/index.ts';
-import { useLevel } from '../../app/context.ts';
+import { useLevel } from '../../context/index.ts';
 import { nextTurn, playsAlike } from '../figures/index.ts';
 import { type Costs, compareNamed, costsOfNamed, type NamedResult } from './named-results.ts';
 

@@ -1,6 +1,6 @@
 import { Timer } from 'lucide-react';
 import { useEffect, useRef, useState } from 'react';
-import { useLevel } from '../../app/context.ts';
+import { useLevel } from '../../context/index.ts';
 import { outcomeInWords } from '../../proof/index.ts';
 import { Button } from '../../ui/index.ts';
 import { type Fact, nextTurn, percent } from '../figures/index.ts';

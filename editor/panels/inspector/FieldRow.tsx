@@ -1,6 +1,6 @@
 import { RotateCcw } from 'lucide-react';
 import { memo, useId, useState } from 'react';
-import { useLevel } from '../../app/context.ts';
+import { useLevel } from '../../context/index.ts';
 import type { Recipe } from '../../document/index.ts';
 import { Button, NumberField } from '../../ui/index.ts';
 import { Segments } from '../parts/index.ts';

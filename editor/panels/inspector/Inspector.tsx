@@ -1,6 +1,6 @@
 import { memo, useDeferredValue } from 'react';
 import type { LevelFile } from '../../../schema/index.ts';
-import { useDocument, useSelectedKeys } from '../../app/context.ts';
+import { useDocument, useSelectedKeys } from '../../context/index.ts';
 import { type FoundObject, type ObjectKey, objectsOf } from '../../document/index.ts';
 import { LevelFields } from './LevelFields.tsx';
 import { ObjectFields } from './ObjectFields.tsx';

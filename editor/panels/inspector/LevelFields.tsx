@@ -1,6 +1,6 @@
 import { CircleDot, UserRound } from 'lucide-react';
 import type { LevelFile } from '../../../schema/index.ts';
-import { useEditor, useLevel } from '../../app/context.ts';
+import { useEditor, useLevel } from '../../context/index.ts';
 import { ASTRONAUT, BLACK_HOLE, type LevelProperty, type ObjectKey, setLevelProperty } from '../../document/index.ts';
 import { type LiveProof, outcomeInWords } from '../../proof/index.ts';
 import { Button } from '../../ui/index.ts';

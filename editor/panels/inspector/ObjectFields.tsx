@@ -12,7 +12,7 @@ import {
   Trash2,
 } from 'lucide-react';
 import { memo, useCallback } from 'react';
-import { useEditor } from '../../app/context.ts';
+import { useEditor } from '../../context/index.ts';
 import {
   type FoundObject,
   type ObjectKey,

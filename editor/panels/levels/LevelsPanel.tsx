@@ -1,7 +1,7 @@
 import { ChevronRight, FilePlus2, Folder, Search, Trash2 } from 'lucide-react';
 import { type KeyboardEvent, useEffect, useMemo, useRef, useState } from 'react';
 import { useStore } from 'zustand';
-import { useEditor } from '../../app/context.ts';
+import { useEditor } from '../../context/index.ts';
 import { Button } from '../../ui/index.ts';
 import { type MenuEntry, Tree } from '../tree/index.ts';
 import { LevelLine } from './LevelLine.tsx';

@@ -1,7 +1,7 @@
 import { useId, useState } from 'react';
 import { useStore } from 'zustand';
 import { LEVEL_ID_PART } from '../../../schema/index.ts';
-import { useEditor } from '../../app/context.ts';
+import { useEditor } from '../../context/index.ts';
 import { Button, Dialog } from '../../ui/index.ts';
 import { folderOf, inFolder, renameTitle, stemOf } from './level-files.ts';
 

@@ -1,7 +1,7 @@
 import { CircleCheck, TriangleAlert } from 'lucide-react';
 import { useEffect, useMemo, useRef, useState } from 'react';
 import { formatLevel, type Problem } from '../../../schema/index.ts';
-import { useEditor } from '../../app/context.ts';
+import { useEditor } from '../../context/index.ts';
 import { readText, type StorageError } from '../../files/index.ts';
 import { Button, Dialog } from '../../ui/index.ts';
 import { openListed } from './level-files.ts';

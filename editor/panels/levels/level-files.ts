@@ -1,5 +1,5 @@
 import { formatLevel, type LevelEntry, type LevelFile, readLevel } from '../../../schema/index.ts';
-import type { Editor } from '../../app/editor.ts';
+import type { Editor } from '../../context/index.ts';
 import type { Answer, StorageError } from '../../files/index.ts';
 
 /** The folder of a level; '' for the outermost. */

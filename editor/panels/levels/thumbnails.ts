@@ -1,7 +1,7 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { AccuracyName } from '../../../engine/index.ts';
 import type { LevelEntry } from '../../../schema/index.ts';
-import type { Editor } from '../../app/editor.ts';
+import type { Editor } from '../../context/index.ts';
 import type { Results } from '../../workers/index.ts';
 
 /** How a level looks and what it is worth, by what its file says. */

@@ -2,8 +2,7 @@ import { Bug, ChevronRight, Circle, CircleDashed, Flame, Gem, Orbit, PersonStand
 import { type ComponentType, memo, useDeferredValue, useEffect, useMemo, useRef, useState } from 'react';
 import { useStore } from 'zustand';
 import type { LevelFile } from '../../../schema/index.ts';
-import { useEditor, useLevel, useSelectedKeys } from '../../app/context.ts';
-import { useWhenIdle } from '../../app/use-when-idle.ts';
+import { useEditor, useLevel, useSelectedKeys, useWhenIdle } from '../../context/index.ts';
 import { type DocumentState, type ObjectKey, type ObjectKind, reorderObject } from '../../document/index.ts';
 import { leavesBetween, type MenuEntry, type Modifiers, MoreButton, Tree } from '../tree/index.ts';
 import { type ObjectRow, objectRows } from './object-rows.ts';

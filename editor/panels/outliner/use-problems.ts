@@ -1,5 +1,5 @@
 import { useEffect, useState } from 'react';
-import { useLevel } from '../../app/context.ts';
+import { useLevel } from '../../context/index.ts';
 import { keyAt, type ObjectKey } from '../../document/index.ts';
 import { afterRest } from '../parts/index.ts';
 

@@ -1,4 +1,4 @@
-import { useEditor } from '../../app/context.ts';
+import { useEditor } from '../../context/index.ts';
 import type { Fact } from '../figures/index.ts';
 
 /** Facts as a list of what and how much; those with a moment lead there. */

@@ -1,5 +1,5 @@
 import { useEffect, useRef, useState } from 'react';
-import { useLevel } from '../../app/context.ts';
+import { useLevel } from '../../context/index.ts';
 import type { LiveProof } from '../../proof/index.ts';
 
 /**

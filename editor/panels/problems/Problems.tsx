@@ -1,7 +1,7 @@
 import { CircleCheck, CircleX, TriangleAlert } from 'lucide-react';
 import { memo } from 'react';
 import type { LevelFile, Problem } from '../../../schema/index.ts';
-import { useEditor, useLevel } from '../../app/context.ts';
+import { useEditor, useLevel } from '../../context/index.ts';
 import { keyAt, objectsOf } from '../../document/index.ts';
 import { Button } from '../../ui/index.ts';
 import { plural } from '../figures/index.ts';

@@ -1,5 +1,5 @@
 import type { Problem } from '../../../schema/index.ts';
-import type { Editor, OpenLevel } from '../../app/editor.ts';
+import type { Editor, OpenLevel } from '../../context/index.ts';
 import { keyAt } from '../../document/index.ts';
 import { runAt } from './quick-fix.ts';
 

@@ -1,7 +1,7 @@
 import { Check, Eye, EyeOff, Plus, Trash2 } from 'lucide-react';
 import { useEffect, useState } from 'react';
 import { useStore } from 'zustand';
-import { useEditor, useLevel, useProof } from '../../app/context.ts';
+import { useEditor, useLevel, useProof } from '../../context/index.ts';
 import { type Attempt, attemptGhosts } from '../../play/index.ts';
 import { outcomeInWords } from '../../proof/index.ts';
 import { Button } from '../../ui/index.ts';

@@ -1,6 +1,6 @@
 import { Copy } from 'lucide-react';
 import { simulate } from '../../../engine/index.ts';
-import { useEditor, useProof } from '../../app/context.ts';
+import { useEditor, useProof } from '../../context/index.ts';
 import type { LiveProof } from '../../proof/index.ts';
 import { copyText } from '../../share/index.ts';
 import { Button } from '../../ui/index.ts';

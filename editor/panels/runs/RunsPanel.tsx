@@ -1,7 +1,7 @@
 import { Gamepad2, Plus } from 'lucide-react';
 import { type KeyboardEvent, useMemo, useState } from 'react';
 import type { LevelFile } from '../../../schema/index.ts';
-import { useDocument, useEditor, useLevel, useProof } from '../../app/context.ts';
+import { useDocument, useEditor, useLevel, useProof } from '../../context/index.ts';
 import {
   addRun,
   type ChangeResult,

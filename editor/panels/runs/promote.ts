@@ -1,4 +1,4 @@
-import type { Editor, OpenLevel } from '../../app/editor.ts';
+import type { Editor, OpenLevel } from '../../context/index.ts';
 import { addRun, freeRunName, replaceHolds } from '../../document/index.ts';
 import type { Attempt } from '../../play/index.ts';
 

@@ -1,7 +1,7 @@
 import { useEffect, useMemo, useState } from 'react';
 import { joinHolds, type Scene, simulate } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/index.ts';
-import { useLevel, useProof } from '../../app/context.ts';
+import { useLevel, useProof } from '../../context/index.ts';
 import type { LiveProof, RunEnd } from '../../proof/index.ts';
 
 /** How a run of the level ends. */

@@ -1,7 +1,7 @@
 import { useStore } from 'zustand';
 import { TICK } from '../../../engine/index.ts';
 import type { EdgeSlack, Success } from '../../../solver/index.ts';
-import { useEditor, useLevel, useProof } from '../../app/context.ts';
+import { useEditor, useLevel, useProof } from '../../context/index.ts';
 import { percent, plural } from '../figures/index.ts';
 import { Section } from '../parts/index.ts';
 import { useSolverDesk } from './use-desk.ts';

@@ -1,7 +1,7 @@
 import { Check, CircleCheck, CircleHelp, CircleX, Plus, Replace, TriangleAlert, X } from 'lucide-react';
 import { useStore } from 'zustand';
 import { TICK } from '../../../engine/index.ts';
-import { useDocument, useEditor, useProof, useSession } from '../../app/context.ts';
+import { useDocument, useEditor, useProof, useSession } from '../../context/index.ts';
 import { Button } from '../../ui/index.ts';
 import { about, percent, pixels, plural, seconds } from '../figures/index.ts';
 import type { Found, SearchState } from './search.ts';

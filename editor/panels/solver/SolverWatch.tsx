@@ -1,6 +1,6 @@
 import { useEffect } from 'react';
-import { useEditor, useLevel } from '../../app/context.ts';
 import type { Command } from '../../commands/index.ts';
+import { useEditor, useLevel } from '../../context/index.ts';
 import { useSolverDesk } from './use-desk.ts';
 
 /** Starts a search. */

@@ -1,9 +1,8 @@
 import { Play, Square } from 'lucide-react';
 import { useStore } from 'zustand';
 import { LIMITS } from '../../../schema/index.ts';
-import { useDocument } from '../../app/context.ts';
-import { IS_MAC } from '../../app/platform.ts';
 import { keyLabel } from '../../commands/index.ts';
+import { IS_MAC, useDocument } from '../../context/index.ts';
 import { Button, NumberField } from '../../ui/index.ts';
 import { Segments } from '../parts/index.ts';
 import { SOLVE_KEY } from './SolverWatch.tsx';

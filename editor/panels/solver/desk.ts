@@ -1,4 +1,4 @@
-import type { Editor, OpenLevel } from '../../app/editor.ts';
+import type { Editor, OpenLevel } from '../../context/index.ts';
 import { pageTimers } from '../../files/index.ts';
 import { afterRest } from '../parts/index.ts';
 import { createDifficultyDesk, type DifficultyDesk } from './difficulty.ts';

@@ -1,4 +1,4 @@
-import { useEditor, useLevel } from '../../app/context.ts';
+import { useEditor, useLevel } from '../../context/index.ts';
 import { type SolverDesk, solverDeskOf } from './desk.ts';
 
 /** The desk of the level around this component. */

@@ -1,6 +1,5 @@
 import { useStore } from 'zustand';
-import { useEditor } from '../../app/context.ts';
-import type { OpenLevel } from '../../app/editor.ts';
+import { type OpenLevel, useEditor } from '../../context/index.ts';
 import type { LiveProof } from '../../proof/index.ts';
 import { solverDeskOf } from './desk.ts';
 

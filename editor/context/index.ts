@@ -1,0 +1,14 @@
+export {
+  EditorContext,
+  LevelContext,
+  useDocument,
+  useEditor,
+  useLevel,
+  useProof,
+  useSelectedKeys,
+  useSession,
+} from './context.ts';
+export type { Analysis, Editor, OpenLevel } from './editor.ts';
+export { usePageTheme } from './page-theme.ts';
+export { IS_MAC } from './platform.ts';
+export { useWhenIdle } from './use-when-idle.ts';
