@@ -23,7 +23,7 @@ export function proveDoomed(setting: Setting, about: About, goal: Thing): Proof 
   // at rest she can wait as long as she likes
   if (vx === 0 && vy === 0 && !pushed) return null;
   for (const fineness of GRIDS) {
-    const grid: FanGrid = { ...fineness, axis: axisOf(setting), steps: Math.floor(LONGEST / (fineness.frames * TICK)) };
+    const grid: FanGrid = { ...fineness, axis: startAxis(setting), steps: Math.floor(LONGEST / (fineness.frames * TICK)) };
     const { closed, steps, endedBy } = followFan(setting, about, goal, grid, MOST_BOXES);
     if (!closed) continue;
     return {
@@ -39,7 +39,7 @@ export function proveDoomed(setting: Setting, about: About, goal: Thing): Proof 
 }
 
 /** The grid's first axis: towards the asteroid nearest to the start, so that the first pull is along it. */
-function axisOf({ level: { asteroids, astronaut } }: Setting): readonly [number, number] {
+export function startAxis({ level: { asteroids, astronaut } }: Setting): readonly [number, number] {
   let best = Number.POSITIVE_INFINITY;
   let axis: readonly [number, number] = [1, 0];
   for (const a of asteroids) {
@@ -51,12 +51,16 @@ function axisOf({ level: { asteroids, astronaut } }: Setting): readonly [number,
   return axis;
 }
 
-function reasonOf(about: About, seconds: number, endedBy: readonly Blocker[]): string {
+/** What runs end at, as a list in words. */
+export function whatEnds(endedBy: readonly Blocker[]): string {
   const names = endedBy.map((by) => (by.kind === 'range' ? 'the end of the range' : thing(by)));
   const last = names.pop();
-  const what = names.length > 0 ? `${names.join(', ')} or ${last}` : `${last}`;
+  return names.length > 0 ? `${names.join(', ')} or ${last}` : `${last}`;
+}
+
+function reasonOf(about: About, seconds: number, endedBy: readonly Blocker[]): string {
   return (
     `${subject(about)} is never reached: with the speed she has at the start every run ends within ${Math.ceil(seconds * 10) / 10} s ` +
-    `at ${what}, whatever is pressed: start slower, elsewhere or in another direction, or clear her way`
+    `at ${whatEnds(endedBy)}, whatever is pressed: start slower, elsewhere or in another direction, or clear her way`
   );
 }

@@ -10,6 +10,7 @@ export type {
   FanGrid,
   LineEnd,
   LineTrap,
+  PipeGrid,
   Proof,
   ProofCode,
   ThingRef,

@@ -4,6 +4,8 @@ import { standingCircles } from './blockers.ts';
 import { placesIn } from './dead-end.ts';
 import { MOST_BOXES } from './doomed.ts';
 import { followFan } from './fan.ts';
+import { MOST_PIPES } from './flowpipe.ts';
+import { followPipes } from './pipe.ts';
 import type { Proof } from './proof.ts';
 import { distance } from './rounding.ts';
 import { settingOf, thingOf } from './setting.ts';
@@ -84,15 +86,14 @@ export function proofPicture(level: Level, { about, certificate, maxTime }: Proo
         lines: [{ points: [at(back.at), at(front.at)], closed: false, role: 'stretch' }, ...beyond],
       };
     }
-    case 'doomed': {
+    case 'doomed':
+    case 'flowpipe': {
       const { axis, cell } = certificate.grid;
-      const { squares, endedBy } = followFan(
-        settingOf(level, maxTime, true),
-        about,
-        thingOf(level, thing),
-        certificate.grid,
-        MOST_BOXES,
-      );
+      const goal = thingOf(level, thing);
+      const { squares, endedBy } =
+        certificate.kind === 'doomed'
+          ? followFan(settingOf(level, maxTime, true), about, goal, certificate.grid, MOST_BOXES)
+          : followPipes(settingOf(level, maxTime, false), about, goal, certificate.grid, MOST_PIPES);
       const corner = (x: number, y: number) => ({
         x: level.astronaut.x + x * axis[0] - y * axis[1],
         y: level.astronaut.y + x * axis[1] + y * axis[0],

@@ -59,6 +59,20 @@ export interface FanGrid {
   readonly steps: number;
 }
 
+/** How finely all that she may do is followed as sets bounded by where she would drift to. */
+export interface PipeGrid {
+  /** direction of its first axis, a unit vector; the second is a quarter turn from it, from x to y */
+  readonly axis: Direction;
+  /** side of the squares that the places she would drift to are cut into, px */
+  readonly cell: number;
+  /** length of a step, ticks of 1/60 s */
+  readonly frames: number;
+  /** after so many steps everything is over */
+  readonly steps: number;
+  /** sets are kept apart by which of so many parts of half a turn her box points into */
+  readonly turns: number;
+}
+
 /** The kinds of proof. */
 export type ProofCode =
   | 'nothing-in-range'
@@ -67,7 +81,8 @@ export type ProofCode =
   | 'enclosed'
   | 'line-trap'
   | 'doomed'
-  | 'covered';
+  | 'covered'
+  | 'flowpipe';
 
 /**
  * What the checker in solver/verify needs to see that a proof holds: plain JSON, lengths in px.
@@ -78,7 +93,7 @@ export type ProofCode =
  * - `line-trap`: the asteroid whose line she is bound to, the ends of the stretch that she can't leave, and with recoil how far the asteroid drifts
  *   while she swings between them
  * - `covered`: the level alone shows it
- * - `doomed`: how finely to follow all that she may do until everything is over
+ * - `doomed`, `flowpipe`: how finely to follow all that she may do until everything is over
  */
 export type Certificate =
   | { readonly kind: 'nothing-in-range' }
@@ -87,6 +102,7 @@ export type Certificate =
   | { readonly kind: 'enclosed'; readonly barrier: readonly BarrierEdge[] }
   | LineTrap
   | { readonly kind: 'doomed'; readonly grid: FanGrid }
+  | { readonly kind: 'flowpipe'; readonly grid: PipeGrid }
   | { readonly kind: 'covered' };
 
 /** Certificate of a line trap. */

@@ -4,6 +4,7 @@ import { proveNothingInRange, proveStartsInHazard } from './at-start.ts';
 import { proveCovered } from './covered.ts';
 import { proveDoomed } from './doomed.ts';
 import { proveEnclosed } from './enclosure.ts';
+import { proveFlowpipe } from './flowpipe.ts';
 import { proveOutOfRange } from './islands.ts';
 import { proveDeadEnds, proveLineTrap } from './line.ts';
 import type { About, Proof } from './proof.ts';
@@ -32,23 +33,27 @@ export function proveImpossible(level: Level, options: ProveOptions = {}): Proof
   const settings = settingsOf(level, options);
   const goal = thingOf(level, level.blackHole);
   const about = { kind: 'blackHole' } as const;
-  // the last holds for frames and for continuous time alike
-  return prove(settings, [...CHEAP, ...DEAR], about, goal, options) ?? proveDoomed(settings[0], about, goal);
+  return prove(settings, [...CHEAP, ...DEAR], about, goal, options) ?? proveSoonOver(settings, about, goal);
 }
 
 /** A proof for each mineral that is proved to be out of reach in every run; of very many minerals only by what is cheap to prove. */
 export function proveMineralsUnreachable(level: Level, options: ProveOptions = {}): Proof[] {
   const settings = settingsOf(level, options);
   // where not all runs are over soon, that is so whatever mineral is looked at
-  let isDoomed: boolean | null = null;
+  let isSoonOver: boolean | null = null;
   return level.minerals.flatMap((mineral, index) => {
     const about = { kind: 'mineral', index } as const;
     const goal = thingOf(level, mineral);
     const proof = prove(settings, level.minerals.length <= MOST_MINERALS ? [...CHEAP, ...DEAR] : CHEAP, about, goal, options);
     if (proof !== null) return proof;
-    isDoomed ??= proveDoomed(settings[0], { kind: 'blackHole' }, thingOf(level, level.blackHole)) !== null;
-    return isDoomed ? (proveDoomed(settings[0], about, goal) ?? []) : [];
+    isSoonOver ??= proveSoonOver(settings, { kind: 'blackHole' }, thingOf(level, level.blackHole)) !== null;
+    return isSoonOver ? (proveSoonOver(settings, about, goal) ?? []) : [];
   });
+}
+
+/** What costs up to seconds, and only where she starts moving: first what holds for frames and for continuous time alike. */
+function proveSoonOver(settings: readonly Setting[], about: About, goal: Thing): Proof | null {
+  return proveDoomed(settings[0], about, goal) ?? proveFlowpipe(settings[settings.length - 1], about, goal);
 }
 
 /** Frames first: what holds for them holds for continuous time. */

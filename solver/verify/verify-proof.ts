@@ -6,6 +6,7 @@ import { type Claim, claimOf } from './claim.ts';
 import { checkCovered } from './covered.ts';
 import { checkDoomed } from './doomed.ts';
 import { checkEnclosed } from './enclosed.ts';
+import { checkFlowpipe } from './flowpipe.ts';
 import { checkLineTrap } from './line-trap.ts';
 import { checkOutOfRange } from './out-of-range.ts';
 import { isIndex } from './rounded.ts';
@@ -61,6 +62,8 @@ function check(claim: Claim, certificate: Certificate): string | null {
       return checkLineTrap(claim, certificate);
     case 'doomed':
       return checkDoomed(claim, certificate.grid);
+    case 'flowpipe':
+      return checkFlowpipe(claim, certificate.grid);
     case 'covered':
       return checkCovered(claim);
     default:

@@ -183,6 +183,20 @@ const CASES: [what: string, code: Proof['code'], covers: string[], wrong: Partia
     { astronaut: { x: 0, y: 0, vx: -60 }, novae: [at(-60, 0, 32), at(-60, 60, 32), at(-60, -60, 32)] },
     { astronaut: { x: 0, y: 0, vx: -20 }, novae: [at(-60, 0, 32), at(-60, 60, 32), at(-60, -60, 32)] },
   ],
+  [
+    'an alien in her way',
+    'flowpipe',
+    CONTINUOUS,
+    { astronaut: { x: 0, y: 0, vx: 60 }, aliens: [{ x: 110, y: 10 }] },
+    { astronaut: { x: 0, y: 0, vx: 60 }, aliens: [{ x: 110, y: 70 }] },
+  ],
+  [
+    'a nova that only a corner of her turned box touches',
+    'flowpipe',
+    CONTINUOUS,
+    { astronaut: { x: 0, y: 0, vx: 60 }, novae: [at(60, 28), at(100, -31)] },
+    { astronaut: { x: 0, y: 0, vx: 60 }, novae: [at(60, 33), at(100, -33)] },
+  ],
 ];
 
 describe.each(CASES)('%s', (_, code, covers, wrong, right) => {

@@ -1,0 +1,491 @@
+import {
+  ALIEN_PULL,
+  ALIEN_SIGHT,
+  GUN_PULL,
+  HALF_DIAGONAL,
+  HALF_HEIGHT,
+  HALF_WIDTH,
+  REPULSOR_PUSH,
+  TICK,
+} from '../../engine/index.ts';
+import { type ChaserDisc, chase, isLocated, joinedChasers } from './chaser.ts';
+import type { About, Blocker, PipeGrid } from './proof.ts';
+import type { Setting, Thing } from './setting.ts';
+
+/** Directions in which sets of places are bounded: eighths of a turn. That of index m + 4 is opposite to m. */
+const DIAGONAL = Math.sqrt(0.5);
+const DIRECTIONS: readonly (readonly [number, number])[] = [
+  [1, 0],
+  [DIAGONAL, DIAGONAL],
+  [0, 1],
+  [-DIAGONAL, DIAGONAL],
+  [-1, 0],
+  [-DIAGONAL, -DIAGONAL],
+  [0, -1],
+  [DIAGONAL, -DIAGONAL],
+];
+const SIDES = DIRECTIONS.length;
+const opposite = (m: number): number => (m + SIDES / 2) % SIDES;
+
+/** What every bound is rounded outwards by, px. */
+const SLACK = 1e-6;
+
+/** A set is cut where it is wider than so many cells. */
+const WIDE = 1.6;
+
+/** Bisections of the line up to which a hazard takes a part of a set, and what is worth taking, px. */
+const BISECTIONS = 7;
+const WORTH = 0.02;
+
+/** A circle in the grid's own axes, px from the start. */
+interface Circle {
+  readonly x: number;
+  readonly y: number;
+  readonly r: number;
+}
+
+type Point = Pick<Circle, 'x' | 'y'>;
+
+/** How her box may be turned: by a direction of its short side, and how far from it another may be as a chord; 2: any. */
+interface Turn {
+  readonly x: number;
+  readonly y: number;
+  readonly chord: number;
+}
+
+const ANY_TURN: Turn = { x: 1, y: 0, chord: 2 };
+
+/**
+ * A set of states. For each moment and direction how far she would be at most in that direction if she drifted from now on: where she is
+ * now, her velocity and what ties them together are all in it, and while she drifts nothing of it changes.
+ */
+interface Pipe {
+  /** px; index: moment * 8 + direction */
+  readonly far: Float64Array;
+  readonly turn: Turn;
+  readonly aliens: readonly ChaserDisc[];
+}
+
+/** Least and most of x and y, px. */
+type Rectangle = readonly [number, number, number, number];
+
+/** All that she may do from the start, as far as it was followed. */
+export interface PipeResult {
+  /** every run is over, and none came near the thing */
+  readonly closed: boolean;
+  /** there were more sets than `most`, or one came near the thing: a longer horizon won't do either */
+  readonly hopeless: boolean;
+  readonly steps: number;
+  /** what ended runs */
+  readonly endedBy: readonly Blocker[];
+  /** the squares she may come through: their lower left corners in the grid's own axes, px */
+  readonly squares: readonly Point[];
+}
+
+/**
+ * Follows all that she may do as a flowpipe: sets of states bounded by where she would drift to at each of several moments. A push moves
+ * all of these along its direction, those far ahead most. After each step what surely overlaps a hazard is cut off, with her box as it may be
+ * turned: after a press it points at the target from where it was pressed last. Sets are cut along a grid over two of the moments, and joined in its cells.
+ */
+export function followPipes(setting: Setting, about: About, goal: Thing, grid: PipeGrid, most: number): PipeResult {
+  const fan = new PipeFan(setting, about, goal, grid);
+  let layer: Iterable<Pipe> = [fan.start()];
+  let pipes = 0;
+  for (let step = 1; step <= grid.steps; step++) {
+    const next = new Map<number, Pipe>();
+    for (const pipe of layer) {
+      if (!fan.advance(pipe, step, next)) return fan.result(false, true, step);
+      if (pipes + next.size > most) return fan.result(false, true, step);
+    }
+    pipes += next.size;
+    if (next.size === 0) return fan.result(true, false, step);
+    layer = next.values();
+  }
+  return fan.result(false, false, grid.steps);
+}
+
+class PipeFan {
+  private readonly setting: Setting;
+  private readonly grid: PipeGrid;
+  /** s */
+  private readonly step: number;
+  /** the moments whose places the grid cuts */
+  private readonly early: number;
+  private readonly late: number;
+  private readonly goal: Circle;
+  private readonly rocks: readonly Circle[];
+  private readonly fields: readonly Circle[];
+  private readonly still: readonly (Circle & { readonly of: Blocker; readonly asteroid: number })[];
+  private readonly endedBy = new Set<string>();
+  private readonly enders: Blocker[] = [];
+  private readonly squares = new Map<number, Point>();
+  private readonly pulls = new Float64Array(SIDES);
+  private readonly pushes = new Float64Array(SIDES);
+
+  constructor(setting: Setting, about: About, goal: Thing, grid: PipeGrid) {
+    const { level } = setting;
+    const { astronaut } = level;
+    this.setting = setting;
+    this.grid = grid;
+    this.step = grid.frames * TICK;
+    this.late = grid.steps;
+    this.early = Math.floor(grid.steps / 3);
+    const circle = (c: Point & { radius: number }): Circle => ({
+      ...this.turned({ x: c.x - astronaut.x, y: c.y - astronaut.y }),
+      r: c.radius,
+    });
+    this.goal = { ...this.turned(goal), r: goal.touch };
+    this.rocks = level.asteroids.map(circle);
+    this.fields = level.repulsors.map(circle);
+    this.still = [
+      ...level.novae.map((c, index) => ({ ...circle(c), of: { kind: 'nova' as const, index }, asteroid: -1 })),
+      ...level.asteroids.flatMap((c, index) =>
+        c.hot ? [{ ...circle(c), of: { kind: 'asteroid' as const, index }, asteroid: index }] : [],
+      ),
+      ...(about.kind === 'mineral'
+        ? [{ ...circle(level.blackHole), of: { kind: 'blackHole' as const, index: 0 }, asteroid: -1 }]
+        : []),
+    ];
+  }
+
+  private turned({ x, y }: Point): Point {
+    const [ux, uy] = this.grid.axis;
+    return { x: x * ux + y * uy, y: y * ux - x * uy };
+  }
+
+  result(closed: boolean, hopeless: boolean, steps: number): PipeResult {
+    return { closed, hopeless, steps, endedBy: this.enders, squares: [...this.squares.values()] };
+  }
+
+  start(): Pipe {
+    const { astronaut, aliens } = this.setting.level;
+    const v = this.turned({ x: astronaut.vx, y: astronaut.vy });
+    const far = new Float64Array((this.grid.steps + 1) * SIDES);
+    for (let moment = 0; moment <= this.grid.steps; moment++) {
+      for (const [m, [x, y]] of DIRECTIONS.entries()) far[moment * SIDES + m] = (v.x * x + v.y * y) * moment * this.step + SLACK;
+    }
+    return {
+      far,
+      turn: { ...this.turned({ x: 1, y: 0 }), chord: SLACK },
+      aliens: aliens.map((a) => ({
+        ...this.turned({ x: a.x - astronaut.x, y: a.y - astronaut.y }),
+        r: SLACK,
+        vx: 0,
+        vy: 0,
+        vr: 0,
+        touch: a.radius,
+      })),
+    };
+  }
+
+  /** How far recoil can have carried an asteroid after `seconds`, px. */
+  private drift(i: number, seconds: number): number {
+    const { level } = this.setting;
+    return level.recoil ? (0.2525 * seconds * (seconds + TICK)) / level.asteroids[i].radius : 0;
+  }
+
+  /** What a set becomes until the moment `to`, pressed and not, is added to `next`; false when it comes near the thing. */
+  advance({ far, turn, aliens }: Pipe, to: number, next: Map<number, Pipe>): boolean {
+    const { step } = this;
+    const way = this.placesUntil(far, to);
+    if (nearestTo(this.goal, way) <= this.goal.r + SLACK) return false;
+    const isPushed = this.pushesWithin(way);
+    const aimed = this.pullsWithin(way, to * step);
+    const pushed = far.slice();
+    for (let moment = 0; moment <= this.grid.steps; moment++) {
+      if (moment < to && moment !== this.early) continue;
+      // the time left to the moment, added up over the step: what a push of 1 px/s2 moves the drift to it by
+      const lever = step * (moment - to) * step + 0.5 * step * step;
+      for (let m = 0; m < SIDES; m++) {
+        const along = lever > 0 ? m : opposite(m);
+        const force =
+          isPushed === 'always' ? this.pushes[along] : Math.max(0, this.pulls[along], isPushed ? this.pushes[along] : 0);
+        pushed[moment * SIDES + m] += Math.abs(lever) * force + SLACK;
+      }
+    }
+    const chasing = chase(aliens, way, step, ALIEN_PULL, ALIEN_SIGHT);
+    this.put(next, { far: pushed, turn: aimed, aliens: chasing }, to);
+    this.put(next, { far: isPushed ? pushed : far, turn, aliens: chasing }, to);
+    return true;
+  }
+
+  /** All places up to a moment: the drift, and what any push can bend it by. */
+  private placesUntil(far: Float64Array, to: number): Rectangle {
+    const now = (to - 1) * SIDES;
+    const then = to * SIDES;
+    const bend = 0.5 * GUN_PULL * this.step * this.step + 0.01;
+    const most = (m: number) => Math.max(far[now + m], far[then + m]) + bend;
+    return [-most(4), most(0), -most(6), most(2)];
+  }
+
+  /** Writes the farthest that the gun can accelerate her in each direction; returns how it may turn her box. */
+  private pullsWithin(way: Rectangle, seconds: number): Turn {
+    const { rocks, pulls } = this;
+    const { range, recoil } = this.setting.level;
+    const middle = { x: (way[0] + way[1]) / 2, y: (way[2] + way[3]) / 2 };
+    const around = length(way[1] - way[0], way[3] - way[2]) / 2;
+    let nearest = 0;
+    let reach = Number.POSITIVE_INFINITY;
+    for (const [i, rock] of rocks.entries()) {
+      reach = Math.min(reach, farthestFrom(rock, way) + this.drift(i, seconds));
+      if (length(rock.x - middle.x, rock.y - middle.y) < length(rocks[nearest].x - middle.x, rocks[nearest].y - middle.y))
+        nearest = i;
+    }
+    pulls.fill(0);
+    let turn: Turn | null = null;
+    for (const [i, rock] of rocks.entries()) {
+      const moved = this.drift(i, seconds);
+      const near = nearestTo(rock, way) - moved;
+      if (near > reach + SLACK || (!recoil && i !== nearest && isFartherAll(rock, rocks[nearest], way))) continue;
+      const dx = rock.x - middle.x;
+      const dy = rock.y - middle.y;
+      const d = length(dx, dy);
+      const blur = around + moved + SLACK;
+      if (d - blur < 4) {
+        pulls.fill(GUN_PULL);
+        turn = ANY_TURN;
+        continue;
+      }
+      // the pull is `strength` times the way to the asteroid; it changes by no more than `steepest` a px
+      const strength = (at: number) => Math.max(0, GUN_PULL * (1 / at - 1 / range));
+      const steepest = GUN_PULL * Math.max(1 / (d - blur), 1 / range);
+      const weak = strength(farthestFrom(rock, way) + moved);
+      const strong = strength(near);
+      for (const [m, [x, y]] of DIRECTIONS.entries()) {
+        const about = strength(d) * (x * dx + y * dy) + steepest * blur;
+        const ahead =
+          Math.max(x * (rock.x - way[0]), x * (rock.x - way[1])) + Math.max(y * (rock.y - way[2]), y * (rock.y - way[3])) + moved;
+        pulls[m] = Math.max(pulls[m], Math.min(about, ahead * (ahead > 0 ? strong : weak)) + SLACK);
+      }
+      const aimed = turnTo(dx, dy, d, blur);
+      turn = turn === null ? aimed : joinedTurn(turn, aimed);
+    }
+    return turn ?? ANY_TURN;
+  }
+
+  /** Writes the farthest that fields can push her in each direction; whether she may be, or is for certain, in one. */
+  private pushesWithin(way: Rectangle): 'always' | boolean {
+    const { pushes } = this;
+    pushes.fill(Number.NEGATIVE_INFINITY);
+    let result: 'always' | boolean = false;
+    const middle = { x: (way[0] + way[1]) / 2, y: (way[2] + way[3]) / 2 };
+    const around = length(way[1] - way[0], way[3] - way[2]) / 2 + SLACK;
+    for (const field of this.fields) {
+      if (nearestTo(field, way) > field.r + SLACK) continue;
+      if (farthestFrom(field, way) < field.r - SLACK) result = 'always';
+      else if (result === false) result = true;
+      const dx = middle.x - field.x;
+      const dy = middle.y - field.y;
+      const d = length(dx, dy);
+      for (const [m, [x, y]] of DIRECTIONS.entries()) {
+        const about =
+          d - around < 2 ? REPULSOR_PUSH : (REPULSOR_PUSH * (x * dx + y * dy)) / d + (REPULSOR_PUSH / (d - around)) * around;
+        pushes[m] = Math.max(pushes[m], Math.min(REPULSOR_PUSH, about) + SLACK);
+      }
+    }
+    return result;
+  }
+
+  /** Cuts a set along the grid and adds what is not over to the layer, joined with what is there. */
+  private put(layer: Map<number, Pipe>, pipe: Pipe, moment: number): void {
+    const { far, turn } = pipe;
+    const { cell } = this.grid;
+    const early = this.early * SIDES;
+    const late = this.late * SIDES;
+    const cuts = [early, early + 2, late, late + 2].map((at) => cutsOf(-far[at + 4], far[at], cell));
+    const [cx, cy, dx, dy] = cuts;
+    const turned = classOf(turn, this.grid.turns);
+    for (let i = cx.first; i <= cx.last; i++) {
+      for (let j = cy.first; j <= cy.last; j++) {
+        for (let k = dx.first; k <= dx.last; k++) {
+          for (let l = dy.first; l <= dy.last; l++) {
+            const part = this.partOf(far, moment, [
+              [cx, i],
+              [cy, j],
+              [dx, k],
+              [dy, l],
+            ]);
+            if (part === null || this.isOver(part, pipe, moment)) continue;
+            this.visit(part, moment);
+            const key = ((((i + 2048) * 4096 + (j + 2048)) * 4096 + (k + 2048)) * 4096 + (l + 2048)) * 8 + turned;
+            const there = layer.get(key);
+            layer.set(key, there === undefined ? { ...pipe, far: part } : joined(there, { ...pipe, far: part }));
+          }
+        }
+      }
+    }
+  }
+
+  /** What of a set lies in a cell; null when nothing does. */
+  private partOf(far: Float64Array, moment: number, cell: readonly (readonly [Cuts, number])[]): Float64Array | null {
+    const part = far.slice();
+    if (cell.every(([{ first, last }]) => first === last)) return part;
+    const sides = [this.early, this.late].map((at, n) => {
+      const most = (m: number, [{ first, last }, index]: readonly [Cuts, number], sign: number): number => {
+        const own = far[at * SIDES + m];
+        if (first === last) return own;
+        return Math.min(own, sign > 0 ? (index + 1) * this.grid.cell : -index * this.grid.cell);
+      };
+      const right = most(0, cell[2 * n], 1);
+      const up = most(2, cell[2 * n + 1], 1);
+      const left = most(4, cell[2 * n], -1);
+      const down = most(6, cell[2 * n + 1], -1);
+      return [right, right + up, up, up + left, left, left + down, down, down + right].map((far, m) =>
+        m % 2 === 0 ? far : far * DIAGONAL,
+      );
+    });
+    for (let at = 0; at <= this.grid.steps; at++) {
+      if (at < moment && at !== this.early) continue;
+      // where she drifts to lies on one line with where she drifts to at the two moments of the grid
+      const share = (this.late - at) / (this.late - this.early);
+      for (let m = 0; m < SIDES; m++) {
+        const first = share >= 0 ? share * sides[0][m] : -share * sides[0][opposite(m)];
+        const second = share <= 1 ? (1 - share) * sides[1][m] : (share - 1) * sides[1][opposite(m)];
+        part[at * SIDES + m] = Math.min(part[at * SIDES + m], first + second + SLACK);
+      }
+      for (let m = 0; m < SIDES / 2; m++) if (part[at * SIDES + m] + part[at * SIDES + opposite(m)] < -SLACK) return null;
+    }
+    return part;
+  }
+
+  /** Takes off a set what surely overlaps a hazard at a moment; true when nothing is left, or all of it is out of range. */
+  private isOver(far: Float64Array, { turn, aliens }: Pipe, moment: number): boolean {
+    const seconds = moment * this.step;
+    const over = (of: Blocker): true => {
+      const name = of.kind === 'range' ? of.kind : `${of.kind} ${of.index}`;
+      if (!this.endedBy.has(name)) this.enders.push(of);
+      this.endedBy.add(name);
+      return true;
+    };
+    for (const hazard of this.still) {
+      const r = hazard.r - (hazard.asteroid < 0 ? 0 : this.drift(hazard.asteroid, seconds));
+      if (r > 0 && takeOff(far, moment, hazard, r - SLACK, turn)) return over(hazard.of);
+    }
+    for (const [index, alien] of aliens.entries()) {
+      if (isLocated(alien) && takeOff(far, moment, alien, alien.touch - alien.r - SLACK, turn))
+        return over({ kind: 'alien', index });
+    }
+    const now = moment * SIDES;
+    const here: Rectangle = [-far[now + 4], far[now], -far[now + 6], far[now + 2]];
+    const { range } = this.setting.level;
+    const lost = this.rocks.every((rock, i) => nearestTo(rock, here) > range + this.drift(i, seconds) + SLACK);
+    return lost && over({ kind: 'range' });
+  }
+
+  private visit(far: Float64Array, moment: number): void {
+    const { cell } = this.grid;
+    const now = moment * SIDES;
+    for (let i = Math.floor(-far[now + 4] / cell); i * cell <= far[now]; i++) {
+      for (let j = Math.floor(-far[now + 6] / cell); j * cell <= far[now + 2]; j++) {
+        this.squares.set(i * 32768 + j, { x: i * cell, y: j * cell });
+      }
+    }
+  }
+}
+
+/** Cells from the first to the last; one cell means that nothing is cut. */
+interface Cuts {
+  readonly first: number;
+  readonly last: number;
+}
+
+function cutsOf(from: number, to: number, cell: number): Cuts {
+  const middle = Math.floor((from + to) / 2 / cell);
+  return to - from <= WIDE * cell
+    ? { first: middle, last: middle }
+    : { first: Math.floor(from / cell), last: Math.floor(to / cell) };
+}
+
+/** Takes off what lies in a hazard, from one side, by her box as it is turned and by the circle in it; true when all of it does. */
+function takeOff(far: Float64Array, moment: number, hazard: Point, r: number, turn: Turn): boolean {
+  const now = moment * SIDES;
+  const reach = r + HALF_DIAGONAL;
+  if (hazard.x > far[now] + reach || hazard.x < -far[now + 4] - reach) return false;
+  if (hazard.y > far[now + 2] + reach || hazard.y < -far[now + 6] - reach) return false;
+  // both zones are convex: what has its corners in one has all of it in it
+  const rr = r - HALF_DIAGONAL * turn.chord;
+  const zones = [
+    (x: number, y: number) => length(hazard.x - x, hazard.y - y) < r + HALF_WIDTH,
+    (x: number, y: number) => {
+      const dx = hazard.x - x;
+      const dy = hazard.y - y;
+      const along = Math.max(0, Math.abs(dx * turn.x + dy * turn.y) - HALF_WIDTH);
+      const across = Math.max(0, Math.abs(dy * turn.x - dx * turn.y) - HALF_HEIGHT);
+      return length(along, across) < rr;
+    },
+  ];
+  for (const zone of rr > 0 ? zones : zones.slice(0, 1)) {
+    for (const first of [0, 1]) if (takeOffAlong(far, now, first, zone)) return true;
+  }
+  return false;
+}
+
+/** The same by the rectangle that holds the set, with its sides along a direction and across. */
+function takeOffAlong(far: Float64Array, now: number, first: number, zone: (x: number, y: number) => boolean): boolean {
+  const [ax, ay] = DIRECTIONS[first];
+  const at = (s: number, q: number) => zone(s * ax - q * ay, s * ay + q * ax);
+  const [right, up, left, down] = [now + first, now + first + 2, now + first + 4, now + first + 6];
+  const corner = [at(far[right], far[up]), at(-far[left], far[up]), at(-far[left], -far[down]), at(far[right], -far[down])];
+  if (corner.every(Boolean)) return true;
+  const take = (side: number, across: number, isIn: (distance: number) => boolean) => {
+    let inside = far[side];
+    let outside = -far[across];
+    for (let n = 0; n < BISECTIONS; n++) {
+      const middle = (inside + outside) / 2;
+      if (isIn(middle)) inside = middle;
+      else outside = middle;
+    }
+    if (far[side] - inside > WORTH) far[side] = inside + SLACK;
+  };
+  if (corner[3] && corner[0]) take(right, left, (s) => at(s, far[up]) && at(s, -far[down]));
+  else if (corner[1] && corner[2]) take(left, right, (s) => at(-s, far[up]) && at(-s, -far[down]));
+  else if (corner[0] && corner[1]) take(up, down, (q) => at(far[right], q) && at(-far[left], q));
+  else if (corner[2] && corner[3]) take(down, up, (q) => at(far[right], -q) && at(-far[left], -q));
+  return false;
+}
+
+/** A set that holds two others. */
+function joined(a: Pipe, b: Pipe): Pipe {
+  const { far } = a;
+  for (let i = 0; i < far.length; i++) if (b.far[i] > far[i]) far[i] = b.far[i];
+  return { far, turn: joinedTurn(a.turn, b.turn), aliens: joinedChasers(a.aliens, b.aliens) };
+}
+
+/** Turned to a place at a distance that is known but for `blur`: an arc asin(c) has a chord of 1.04 c at most, for c up to a half. */
+function turnTo(dx: number, dy: number, d: number, blur: number): Turn {
+  return blur > d / 2 ? ANY_TURN : { x: dx / d, y: dy / d, chord: (1.1 * blur) / d };
+}
+
+/** The box looks the same after half a turn. */
+function joinedTurn(a: Turn, b: Turn): Turn {
+  const sign = a.x * b.x + a.y * b.y < 0 ? -1 : 1;
+  const x = a.x + sign * b.x;
+  const y = a.y + sign * b.y;
+  const l = length(x, y);
+  const off = (t: Turn, s: number) => length(x / l - s * t.x, y / l - s * t.y) + t.chord + SLACK * SLACK;
+  return { x: x / l, y: y / l, chord: Math.min(2, Math.max(off(a, 1), off(b, sign))) };
+}
+
+/** In which of so many parts of half a turn a direction lies. */
+function classOf({ x, y }: Turn, parts: number): number {
+  const up = y < 0 || (y === 0 && x < 0) ? -1 : 1;
+  const share = x * up >= 0 ? (y * up) / (x * up + y * up) : 1 - (x * up) / (y * up - x * up);
+  return Math.min(parts - 1, Math.floor((share / 2) * parts));
+}
+
+/** Whether all of a rectangle is nearer to another asteroid than to this one. */
+function isFartherAll(rock: Circle, other: Circle, [xa, xb, ya, yb]: Rectangle): boolean {
+  const dx = other.x - rock.x;
+  const dy = other.y - rock.y;
+  const x = dx > 0 ? xa : xb;
+  const y = dy > 0 ? ya : yb;
+  return (x - (rock.x + other.x) / 2) * dx + (y - (rock.y + other.y) / 2) * dy > SLACK * length(dx, dy);
+}
+
+const length = (x: number, y: number): number => Math.sqrt(x * x + y * y);
+
+const nearestTo = ({ x, y }: Point, [xa, xb, ya, yb]: Rectangle): number =>
+  length(Math.max(0, xa - x, x - xb), Math.max(0, ya - y, y - yb));
+
+const farthestFrom = ({ x, y }: Point, [xa, xb, ya, yb]: Rectangle): number =>
+  length(Math.max(x - xa, xb - x), Math.max(y - ya, yb - y));

@@ -1,0 +1,94 @@
+import { ALIEN_PULL, ALIEN_SIGHT } from '../../engine/index.ts';
+import { apart, type Point } from './rounded.ts';
+
+/** All places, or velocities, within a distance of a centre. */
+interface Disc {
+  readonly centre: Point;
+  readonly within: number;
+}
+
+/** An alien: where it may be and how fast; not there for certain once it may have exploded. */
+export interface Chaser {
+  readonly at: Disc;
+  readonly speed: Disc;
+  /** of its circle, px */
+  readonly radius: number;
+  readonly isThere: boolean;
+}
+
+interface Area {
+  readonly left: number;
+  readonly right: number;
+  readonly low: number;
+  readonly high: number;
+}
+
+const ROUNDING = 1e-7;
+const ORIGIN: Point = { x: 0, y: 0 };
+
+/** What becomes of aliens in some seconds in which she is anywhere in an area. */
+export function afterChase(chasers: readonly Chaser[], area: Area, seconds: number): readonly Chaser[] {
+  const farthest = (c: Chaser) =>
+    c.at.within + (apart(c.speed.centre, ORIGIN) + c.speed.within) * seconds + (ALIEN_PULL * seconds * seconds) / 2 + ROUNDING;
+  // two that touch explode
+  const mayMeet = (a: Chaser, b: Chaser) => apart(a.at.centre, b.at.centre) <= farthest(a) + farthest(b) + a.radius + b.radius;
+  return chasers.map((chaser) => {
+    if (!chaser.isThere) return chaser;
+    if (chasers.some((other) => other !== chaser && other.isThere && mayMeet(chaser, other)))
+      return { ...chaser, isThere: false };
+    return moved(chaser, area, seconds, farthest(chaser));
+  });
+}
+
+/** One that she is farther from than it sees stands still, and has stopped dead when it did not; otherwise it is drawn to her. */
+function moved(chaser: Chaser, { left, right, low, high }: Area, seconds: number, own: number): Chaser {
+  const her: Disc = {
+    centre: { x: (left + right) / 2, y: (low + high) / 2 },
+    within: apart({ x: left, y: low }, { x: right, y: high }) / 2,
+  };
+  const { at, speed } = chaser;
+  const d = apart(her.centre, at.centre);
+  const stands = speed.within === 0 && speed.centre.x === 0 && speed.centre.y === 0;
+  if (stands && d - her.within - at.within > ALIEN_SIGHT + ROUNDING) return chaser;
+  const blur = her.within + own;
+  const anyPull: Disc = { centre: ORIGIN, within: ALIEN_PULL };
+  const share = ALIEN_PULL / d;
+  const towards: Disc = {
+    centre: { x: share * (her.centre.x - at.centre.x), y: share * (her.centre.y - at.centre.y) },
+    // the chord of an angle whose sine is at most a half is at most 1.04 times that sine
+    within: 1.1 * share * blur,
+  };
+  const maySleep = d + blur >= ALIEN_SIGHT - ROUNDING;
+  const pulled = 2 * blur > d ? anyPull : maySleep ? orNothing(towards) : towards;
+  const a = pulled.within > ALIEN_PULL ? anyPull : pulled;
+  const v = maySleep ? orNothing(speed) : speed;
+  const after = (p: Disc, by: Disc, times: number): Disc => ({
+    centre: { x: p.centre.x + by.centre.x * times, y: p.centre.y + by.centre.y * times },
+    within: p.within + by.within * times + ROUNDING / 2,
+  });
+  return { ...chaser, at: after(after(at, v, seconds), a, (seconds * seconds) / 2), speed: after(v, a, seconds) };
+}
+
+/** A disc that holds another and the origin. */
+const orNothing = ({ centre, within }: Disc): Disc => ({
+  centre: { x: centre.x / 2, y: centre.y / 2 },
+  within: within + apart(centre, ORIGIN) / 2,
+});
+
+/** An alien that may be either of two. */
+export function eitherChaser(a: Chaser, b: Chaser): Chaser {
+  if (a === b || !a.isThere) return a;
+  return b.isThere ? { ...a, at: eitherDisc(a.at, b.at), speed: eitherDisc(a.speed, b.speed) } : b;
+}
+
+function eitherDisc(a: Disc, b: Disc): Disc {
+  const d = apart(a.centre, b.centre);
+  if (d + b.within <= a.within) return a;
+  if (d + a.within <= b.within) return b;
+  const within = (a.within + b.within + d) / 2;
+  const part = (within - a.within) / d;
+  return {
+    centre: { x: a.centre.x + part * (b.centre.x - a.centre.x), y: a.centre.y + part * (b.centre.y - a.centre.y) },
+    within: within + 1e-12,
+  };
+}
