@@ -25,8 +25,10 @@ interface Decision {
 interface Task {
   readonly seeds: readonly number[];
   readonly accuracy: AccuracyName;
-  /** ticks to search a level that no proof settles */
+  /** ticks of one search of a level that no proof settles */
   readonly budget: number;
+  /** how many searches, each with a seed of its own, where the first comes far about */
+  readonly searches: number;
   /** ms to search a level that is proved impossible; 0: not at all */
   readonly refuteMs: number;
 }
@@ -34,22 +36,32 @@ interface Task {
 // ticks between two looks at the clock
 const SLICE = 50_000;
 
+/** A search that came to no more squares than this was soon over whatever it pressed: another is none the wiser. */
+const FEW_SQUARES = 40;
+
 const levelOf = (seed: number): Level => resolveLevel(randomLevel(seed));
 
-function decide(seed: number, { accuracy, budget, refuteMs }: Task): Decision {
+function decide(seed: number, { accuracy, budget, searches, refuteMs }: Task): Decision {
   const level = levelOf(seed);
   const began = performance.now();
   const proof = proveImpossible(level, { accuracy });
   const proofMs = performance.now() - began;
   const verification = proof === null ? null : verifyProof(level, proof);
-  const search = createSearch(compile(level, accuracy), { seed: 0 });
   const from = performance.now();
-  const isOn = (): boolean =>
-    proof === null ? search.effort.ticks < budget : refuteMs > 0 && performance.now() - from < refuteMs;
-  // a search may stop giving anything to simulate: what can't be advanced is not waited for
-  for (let before = -1; search.solutions.length === 0 && search.effort.ticks > before && isOn(); ) {
-    before = search.effort.ticks;
-    search.advance(Math.min(SLICE, proof === null ? budget - before : SLICE));
+  const scene = compile(level, accuracy);
+  let search = createSearch(scene, { seed: 0 });
+  let ticks = 0;
+  for (let one = 0; one < (proof === null ? searches : 1); one++) {
+    if (one > 0) search = createSearch(scene, { seed: one });
+    const isOn = (): boolean =>
+      proof === null ? search.effort.ticks < budget : refuteMs > 0 && performance.now() - from < refuteMs;
+    // a search may stop giving anything to simulate: what can't be advanced is not waited for
+    for (let before = -1; search.solutions.length === 0 && search.effort.ticks > before && isOn(); ) {
+      before = search.effort.ticks;
+      search.advance(Math.min(SLICE, proof === null ? budget - before : SLICE));
+    }
+    ticks += search.effort.ticks;
+    if (search.solutions.length > 0 || search.explored.cells.length <= FEW_SQUARES) break;
   }
   const found = search.solutions.length > 0;
   const wrong =
@@ -58,7 +70,7 @@ function decide(seed: number, { accuracy, budget, refuteMs }: Task): Decision {
     seed,
     verdict: found ? 'completable' : proof !== null && wrong === null ? 'impossible' : 'undecided',
     proof: wrong ?? proof?.code ?? null,
-    ticks: search.effort.ticks,
+    ticks,
     closest: search.closest?.distance ?? null,
     squares: search.explored.cells.length,
     searchMs: performance.now() - from,
@@ -153,7 +165,7 @@ function tell(decisions: readonly Decision[], task: Task): void {
   searched.sort((a, b) => a - b);
   const refuted = decisions.filter(({ verdict, ticks }) => verdict === 'impossible' && ticks > 0);
   publish({
-    title: `Random set: decided at ${task.accuracy}, ${task.budget} ticks a level`,
+    title: `Random set: decided at ${task.accuracy}, up to ${task.searches} searches of ${task.budget} ticks a level`,
     columns: ['levels', 'number', 'completable', 'impossible', 'undecided', 'decided'],
     rows,
     claims,
@@ -169,9 +181,6 @@ function tell(decisions: readonly Decision[], task: Task): void {
     ],
   });
 }
-
-/** A search that came to no more squares than this was soon over whatever it pressed. */
-const FEW_SQUARES = 40;
 
 /** What undecided levels have in common: how she starts, whether asteroids move, and how far about she comes. */
 function inCommon(undecided: readonly Decision[]): string {
@@ -213,7 +222,9 @@ async function main(): Promise<void> {
   const levels = Number(optionValue('--levels') ?? RANDOM_SET_SIZE);
   const named = optionValue('--seeds')?.split(',').map(Number);
   const seeds = named ?? Array.from({ length: Math.min(levels, RANDOM_SET_SIZE - from) }, (_, i) => from + i);
-  const task: Task = { seeds, accuracy, budget: Number(optionValue('--budget') ?? 20_000_000), refuteMs: 0 };
+  const budget = Number(optionValue('--budget') ?? 20_000_000);
+  const searches = Number(optionValue('--searches') ?? 4);
+  const task: Task = { seeds, accuracy, budget, searches, refuteMs: 0 };
   const jobs = Number(optionValue('--jobs') ?? 1);
 
   const hash = hashRandomSet();
