@@ -1,10 +1,9 @@
 import { FolderOpen } from 'lucide-react';
 import { useId, useState } from 'react';
 import { useEditor } from '../context/index.ts';
-import { folderOf } from '../panels/levels/index.ts';
+import { FolderSelect, folderOf } from '../panels/levels/index.ts';
 import { chooseFiles } from '../share/index.ts';
 import { Button } from '../ui/index.ts';
-import { FolderSelect } from './FolderSelect.tsx';
 import { type GivenText, takeIn } from './take-in.ts';
 
 /** Levels from files or text, of this toolkit or of the original game. */

@@ -2,11 +2,10 @@ import { Dices } from 'lucide-react';
 import { useEffect, useId, useMemo, useRef, useState } from 'react';
 import { useStore } from 'zustand';
 import { useEditor, usePageTheme, useSession } from '../context/index.ts';
-import { addLevels, fileNameProblem, folderOf, nextNumber } from '../panels/levels/index.ts';
+import { addLevels, FileNameFields, fileNameProblem, folderOf, nextNumber } from '../panels/levels/index.ts';
 import { slugOf } from '../share/index.ts';
 import { TEMPLATES, type Template } from '../templates/index.ts';
 import { Button, Dialog, NumberField } from '../ui/index.ts';
-import { FolderSelect } from './FolderSelect.tsx';
 import { levelPicture } from './level-picture.ts';
 
 /** Pictures that are wider than this are shown whole: cut at the sides they would lose what is in them. */
@@ -102,25 +101,7 @@ function NewLevel({ onClose }: { readonly onClose: () => void }) {
         onFocus={(event) => event.target.select()}
         onChange={(event) => setName(event.target.value)}
       />
-      <label htmlFor={`${field}-file`}>Name of the file</label>
-      <span className="form__file">
-        <input
-          id={`${field}-file`}
-          className="field"
-          value={stem}
-          spellCheck={false}
-          aria-invalid={problem !== null}
-          aria-describedby={problem === null ? undefined : `${field}-problem`}
-          onChange={(event) => setTyped(event.target.value)}
-        />
-        .level.json
-      </span>
-      <FolderSelect value={folder} onChange={setFolder} />
-      {problem !== null && (
-        <p id={`${field}-problem`} className="form__problem" role="alert">
-          {problem}
-        </p>
-      )}
+      <FileNameFields {...{ stem, folder, problem }} onStem={setTyped} onFolder={setFolder} />
       <div className="form__buttons">
         <Button hint="No new level" look="outlined" onClick={onClose}>
           Cancel

@@ -1,16 +1,9 @@
 import { useId, useState } from 'react';
 import { useStore } from 'zustand';
-import { LEVEL_ID_PART } from '../../../schema/index.ts';
 import { useEditor } from '../../context/index.ts';
 import { Button, Dialog } from '../../ui/index.ts';
+import { FileNameFields, fileNameProblem } from './FileNameFields.tsx';
 import { folderOf, inFolder, renameTitle, stemOf } from './level-files.ts';
-
-/** What is wrong with a name for a file; null: nothing. @param taken ids of other levels */
-export function fileNameProblem(folder: string, stem: string, taken: readonly string[]): string | null {
-  if (!LEVEL_ID_PART.test(stem)) return 'letters, digits, - _ and spaces inside, at most 80; it begins with a letter or a digit';
-  const id = inFolder(folder, stem).toLowerCase();
-  return taken.some((other) => other.toLowerCase() === id) ? 'another level has this file name' : null;
-}
 
 /** Another name for a level, for its file, or both. */
 export function RenameDialog({ id, onClose }: { readonly id: string; readonly onClose: () => void }) {
@@ -71,36 +64,7 @@ export function RenameDialog({ id, onClose }: { readonly id: string; readonly on
             />
           </>
         )}
-        <label htmlFor={`${field}-file`}>Name of the file</label>
-        <span className="form__file">
-          <input
-            id={`${field}-file`}
-            className="field"
-            value={stem}
-            spellCheck={false}
-            aria-invalid={problem !== null}
-            aria-describedby={problem === null ? undefined : `${field}-problem`}
-            onChange={(event) => setStem(event.target.value)}
-          />
-          .level.json
-        </span>
-        {list.folders.length > 1 && (
-          <>
-            <label htmlFor={`${field}-folder`}>Folder</label>
-            <select id={`${field}-folder`} className="field" value={folder} onChange={(event) => setFolder(event.target.value)}>
-              {list.folders.map((path) => (
-                <option key={path} value={path}>
-                  {path === '' ? list.folder.path : path}
-                </option>
-              ))}
-            </select>
-          </>
-        )}
-        {(problem ?? refusal) !== null && (
-          <p id={`${field}-problem`} className="form__problem" role="alert">
-            {problem ?? refusal}
-          </p>
-        )}
+        <FileNameFields {...{ stem, folder, problem, refusal }} onStem={setStem} onFolder={setFolder} />
         <div className="form__buttons">
           <Button hint="Leave it as it is" look="outlined" onClick={onClose}>
             Cancel

@@ -1,3 +1,5 @@
+export { FileNameFields, fileNameProblem } from './FileNameFields.tsx';
+export { FolderSelect } from './FolderSelect.tsx';
 export { LevelsPanel } from './LevelsPanel.tsx';
 export {
   addLevels,
@@ -9,5 +11,4 @@ export {
   restoreLevel,
   stemOf,
 } from './level-files.ts';
-export { fileNameProblem } from './RenameDialog.tsx';
 export { TextDialog } from './TextDialog.tsx';
