@@ -1,5 +1,5 @@
 import type { Motion } from './motion.ts';
-import { pairAt } from './polynomial.ts';
+import { pairAt, shift } from './polynomial.ts';
 import { ALERTNESS, RECORDS, SLOTS } from './state.ts';
 
 const { TARGET, BASE, BASE_X, BASE_Y, DEGREE } = SLOTS;
@@ -9,16 +9,24 @@ const { AWAKE } = ALERTNESS;
 // how the circle of a contact moves
 const STILL = 0;
 
-const DRIFTS = 1;
+export const DRIFTS = 1;
 
 export const SERIES = 2;
 
-const IS_BASE = 3;
+export const IS_BASE = 3;
 
-/** The circle that guards look at: one that stands still, px from the origin of the motion. */
-export function placeCircle(m: Motion, x: number, y: number): void {
-  m.circleX = x - m.s[BASE_X];
-  m.circleY = y - m.s[BASE_Y];
+/**
+ * The circle that guards look at: one that stands still.
+ * @param x, y its centre, px
+ * @param offX, offY where the origin of the motion is in the coordinates of `x`, `y`, px
+ */
+export function placeCircle(m: Motion, x: number, y: number, offX: number, offY: number): void {
+  m.circleFromX = x;
+  m.circleFromY = y;
+  m.circleOffX = offX;
+  m.circleOffY = offY;
+  m.circleX = x - offX - m.s[BASE_X];
+  m.circleY = y - offY - m.s[BASE_Y];
   m.circleMotion = STILL;
 }
 
@@ -26,7 +34,7 @@ export function placeCircle(m: Motion, x: number, y: number): void {
 export function placeRock(m: Motion, i: number): void {
   const { s } = m;
   if (!m.recoil) {
-    placeCircle(m, m.targetX[i], m.targetY[i]);
+    placeCircle(m, m.targetX[i], m.targetY[i], 0, 0);
     return;
   }
   const dragged = m.chaserX.length - 1;
@@ -40,7 +48,7 @@ export function placeRock(m: Motion, i: number): void {
     return;
   }
   const o = m.rocks + ROCK * i;
-  placeCircle(m, s[o], s[o + 1]);
+  placeCircle(m, s[o], s[o + 1], 0, 0);
   m.circleMotion = DRIFTS;
   m.circleVX = s[o + 2];
   m.circleVY = s[o + 3];
@@ -49,7 +57,7 @@ export function placeRock(m: Motion, i: number): void {
 /** The circle that guards look at is this alien, on its chase if it is awake. */
 export function placeAlien(m: Motion, i: number): void {
   const o = m.chasers + CHASER * i;
-  placeCircle(m, m.s[o], m.s[o + 1]);
+  placeCircle(m, m.s[o], m.s[o + 1], 0, 0);
   if (m.s[o + 4] !== AWAKE) return;
   m.circleMotion = SERIES;
   m.circleSeries = i;
@@ -92,4 +100,42 @@ export function relativeAt(m: Motion, t: number): void {
   e[5] -= e[9];
   e[6] -= e[10];
   e[7] -= e[11];
+}
+
+/**
+ * The circle's centre minus hers as polynomials, coefficients about `t`.
+ * @param x, y receive them; of {@link LONGEST_SERIES} numbers
+ * @returns their degree
+ */
+export function relativeSeries(m: Motion, t: number, x: Float64Array, y: Float64Array): number {
+  const { s } = m;
+  const degree = s[DEGREE];
+  const motion = m.circleMotion;
+  const series = motion === SERIES ? m.integrator.degree : 0;
+  const moves = m.recoil && motion !== IS_BASE;
+  x.fill(0);
+  y.fill(0);
+  if (motion === SERIES) {
+    for (let k = 0; k <= series; k++) {
+      x[k] = m.chaserX[m.circleSeries][k];
+      y[k] = m.chaserY[m.circleSeries][k];
+    }
+    x[0] -= s[BASE_X];
+    y[0] -= s[BASE_Y];
+  } else if (motion !== IS_BASE) {
+    x[0] = m.circleX;
+    y[0] = m.circleY;
+    if (motion === DRIFTS) {
+      x[1] = m.circleVX;
+      y[1] = m.circleVY;
+    }
+  }
+  for (let k = 0; k <= degree; k++) {
+    x[k] -= m.ux[k] + (moves ? m.px[k] : 0);
+    y[k] -= m.uy[k] + (moves ? m.py[k] : 0);
+  }
+  const highest = Math.max(degree, series);
+  shift(x, highest, t);
+  shift(y, highest, t);
+  return highest;
 }

@@ -70,7 +70,7 @@ function consider(m: Motion, kind: number, i: number, from: number): void {
   const { s, scene } = m;
   switch (kind) {
     case NOVA:
-      placeCircle(m, scene.novae.x[i] - m.originX, scene.novae.y[i] - m.originY);
+      placeCircle(m, scene.novae.x[i], scene.novae.y[i], m.originX, m.originY);
       offer(m, contactTime(m, scene.novae.r[i], 0, from), NOVA, scene.novae.index[i], 0);
       return;
     case HOT:
@@ -79,13 +79,13 @@ function consider(m: Motion, kind: number, i: number, from: number): void {
       return;
     case HOLE: {
       const { x, y, radius } = scene.level.blackHole;
-      placeCircle(m, x - m.originX, y - m.originY);
+      placeCircle(m, x, y, m.originX, m.originY);
       offer(m, contactTime(m, radius, 0, from), HOLE, 0, 0);
       return;
     }
     case MINERAL:
       if (s[m.minerals + i] !== 0) return;
-      placeCircle(m, scene.minerals.x[i] - m.originX, scene.minerals.y[i] - m.originY);
+      placeCircle(m, scene.minerals.x[i], scene.minerals.y[i], m.originX, m.originY);
       offer(m, contactTime(m, scene.minerals.r[i], 0, from), MINERAL, i, 0);
       return;
     case ENTER: {
@@ -93,7 +93,7 @@ function consider(m: Motion, kind: number, i: number, from: number): void {
       const event = inside ? LEAVE : ENTER;
       const start = s[RIM] === i ? Math.max(from, s[RIM_HOLD] - s[START]) : from;
       if (start > s[LENGTH_H]) return;
-      placeCircle(m, scene.repulsors.x[i] - m.originX, scene.repulsors.y[i] - m.originY);
+      placeCircle(m, scene.repulsors.x[i], scene.repulsors.y[i], m.originX, m.originY);
       const atZero = start === from && justFired(m, event, i);
       offer(m, rimTime(m, scene.repulsors.r[i], !inside, 0, start, atZero), event, i, 0);
       return;

@@ -14,9 +14,47 @@ export function safeStep(g: number, dg: number, k: number): number {
 }
 
 /**
- * The smallest stride past a guard that touches zero without crossing it, s. What it may overlook is below 1e-18 px deep.
+ * How far a guard may fall below 0 unseen, px: a march follows the guard plus this, so that it goes on from where the guard
+ * is 0. Below what the way itself errs by.
+ */
+export const FLOOR = 1e-12;
+
+/**
+ * The smallest stride past a guard that touches zero without crossing it, s. Between two looks a stride `d` apart at which
+ * the guard is not negative it is above -k d^2 / 8: with this stride and any k up to 1e8 that is above -1.3e-13.
  * @param length natural length of the piece, s
  */
 export function smallestStride(length: number): number {
   return Math.min(1e-10, length * 1e-6);
+}
+
+/**
+ * Looks after which a march that has neither crossed nor passed its guard takes the guard's polynomial to hand: a step by its
+ * coefficients costs tens of looks, but where a guard stays near 0 for long it is as long as the piece.
+ */
+export const PATIENCE = 32;
+
+/**
+ * How far a polynomial, less `bend` t^2 / 2, stays at or above 0, given as its coefficients about the present place:
+ * a safe step, which takes the exact second derivative and all beyond it into account. On [0, h]
+ * p(t) >= c0 + c1 t - F(h) t^2 with F(h) = sum over k >= 2 of max(0, -ck) h^(k - 2), since h^(k - 2) t^2 >= t^k there; so
+ * the root of that parabola is safe as far as h. The longest of h = longest, longest / 2, ... that it reaches is taken.
+ * @param c coefficients from the second on are used
+ * @param c0 value, > 0
+ * @param c1 slope
+ * @param bend bound on what else bends it down, >= 0
+ * @param longest how far the coefficients and `bend` hold; Infinity only for a parabola
+ */
+export function safeStretch(c: Float64Array, degree: number, c0: number, c1: number, bend: number, longest: number): number {
+  let best = 0;
+  for (let h = longest; h > best; h /= 2) {
+    let fall = 0;
+    for (let k = degree; k > 2; k--) fall = (fall + Math.max(0, -c[k])) * h;
+    if (degree >= 2) fall += Math.max(0, -c[2]);
+    const step = safeStep(c0, c1, 2 * fall + bend);
+    if (step >= h) return h;
+    if (degree <= 2) return step;
+    best = Math.max(best, step);
+  }
+  return best;
 }

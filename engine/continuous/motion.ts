@@ -66,7 +66,11 @@ export class Motion {
   readonly wx: Float64Array;
   readonly wy: Float64Array;
 
-  // the circle a guard is about, relative to the base
+  // the circle a guard is about: where it was read, what was taken from that, and where it is relative to the base
+  circleFromX = 0;
+  circleFromY = 0;
+  circleOffX = 0;
+  circleOffY = 0;
   circleX = 0;
   circleY = 0;
   circleVX = 0;

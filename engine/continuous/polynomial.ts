@@ -28,3 +28,29 @@ export function pairAt(x: Float64Array, y: Float64Array, degree: number, t: numb
   out[at + 2] = dx;
   out[at + 3] = dy;
 }
+
+/**
+ * Turns the coefficients about 0 into those about `t`: c[k] becomes the k-th derivative there over k!.
+ */
+export function shift(c: Float64Array, degree: number, t: number): void {
+  if (t === 0) return;
+  for (let i = 0; i < degree; i++) {
+    for (let k = degree - 1; k >= i; k--) c[k] += t * c[k + 1];
+  }
+}
+
+/** Adds `factor` a b to `out`, whose degree is the sum of theirs. */
+export function addProduct(
+  a: Float64Array,
+  degreeA: number,
+  b: Float64Array,
+  degreeB: number,
+  factor: number,
+  out: Float64Array,
+): void {
+  for (let i = 0; i <= degreeA; i++) {
+    const f = factor * a[i];
+    if (f === 0) continue;
+    for (let k = 0; k <= degreeB; k++) out[i + k] += f * b[k];
+  }
+}

@@ -1,6 +1,9 @@
 /** Degree of a Taylor piece; a power of two, so that its root is a chain of square roots. */
 export const TAYLOR_DEGREE = 16;
 
+/** Numbers that hold any series. */
+export const LONGEST_SERIES = TAYLOR_DEGREE + 1;
+
 const N = TAYLOR_DEGREE;
 // scratch: power series of s = x2 + y2, of w = s^(-1/2), and of what is multiplied with w
 const s = new Float64Array(N + 1);
