@@ -13,7 +13,7 @@ const { START, TURN, COS, SIN, LIMIT_X, LIMIT_Y, LENGTH_H, ACCELERATION } = SLOT
 const { TURN_NOT, TURN_TO_BASE, TURN_TO_TARGET } = TURNS;
 
 /** What rounding may do to a gap, as a share of the distance and radius it comes from: a few units of their last digit. */
-const ROUNDING = 2 ** -50;
+const ROUNDING = 8.9e-16;
 
 /** A gap below this many times its rounding is computed in twice the digits. */
 const UNCERTAIN = 8;

@@ -18,7 +18,8 @@ function sum(a: number, b: number): number {
   return s;
 }
 
-const SPLIT = 2 ** 27 + 1;
+// 2^27 + 1
+const SPLIT = 134_217_729;
 
 function product(a: number, b: number): number {
   const p = a * b;

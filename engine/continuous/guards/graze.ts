@@ -20,7 +20,7 @@ const product = new Float64Array(2 * LONGEST_SERIES);
 const LARGEST_BESIDE = 1e4;
 
 /** What rounding does to the polynomial of a side, as a share of the radius and half side. */
-const SIDE_ROUNDING = 2 ** -48;
+const SIDE_ROUNDING = 3.6e-15;
 
 /**
  * A safe step of the march of contact where the gap stays near 0 for long: the coefficients of the motion know how the gap
