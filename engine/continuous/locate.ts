@@ -62,7 +62,7 @@ export function locate(m: Motion): void {
   if (s[AWAKE_COUNT] > 0 || (s[START] === 0 && m.scene.aliens.count > 1)) considerAwake(m, x, y, travel, from);
   considerCover(m, from);
   if (s[KIND] === LINEAR) offer(m, centreTime(m, from), CENTRE, 0, 0);
-  if (speed + s[ACCELERATION] * h >= SPEED_LIMIT || s[LIMIT_X] !== 0 || s[LIMIT_Y] !== 0) considerLimits(m, from);
+  if (speed + (s[ACCELERATION] + m.kappa) * h >= SPEED_LIMIT || s[LIMIT_X] !== 0 || s[LIMIT_Y] !== 0) considerLimits(m, from);
 }
 
 /** Tests one entry of the neighbour list. */

@@ -1,13 +1,24 @@
 import { bisect } from '../bracket.ts';
-import { relativeAt } from '../circle.ts';
-import { safeStep, smallestStride } from '../march.ts';
+import { relativeAt, relativeSeries } from '../circle.ts';
+import { FLOOR, PATIENCE, safeStep, safeStretch, smallestStride } from '../march.ts';
 import type { Motion } from '../motion.ts';
+import { addProduct, valueAt } from '../polynomial.ts';
 import { SLOTS } from '../state.ts';
+import { LONGEST_SERIES } from '../taylor.ts';
 
 const { LENGTH_H, ACCELERATION } = SLOTS;
 
+/** What rounding does to a distance, as a share of it. */
+const ROUNDING = 8.9e-16;
+
+const dx = new Float64Array(LONGEST_SERIES);
+const dy = new Float64Array(LONGEST_SERIES);
+const guard = new Float64Array(2 * LONGEST_SERIES);
+
 /**
- * First time at which her centre crosses the rim of the placed circle.
+ * First time at which her centre crosses the rim of the placed circle: a march of safe steps. The guard is a polynomial, and
+ * after PATIENCE looks its coefficients say how far it stays above 0, so that circling close to a rim costs little and nothing
+ * is strided over. A crossing by less than FLOOR, or by what rounding makes of the radius, may be overlooked.
  * @param r its radius, px
  * @param inward entering it; otherwise leaving
  * @param pull bound on the circle's own acceleration, px/s2
@@ -20,7 +31,8 @@ export function rimTime(m: Motion, r: number, inward: boolean, pull: number, fro
   const horizon = Math.min(m.horizon, s[LENGTH_H]);
   const a = s[ACCELERATION] + m.kappa + pull;
   const sign = inward ? 1 : -1;
-  let small = smallestStride(s[LENGTH_H]);
+  const small = smallestStride(s[LENGTH_H]);
+  const floor = 2 * r * Math.max(FLOOR, ROUNDING * r);
   let t = from;
   let before = t;
   work.guards++;
@@ -48,19 +60,34 @@ export function rimTime(m: Motion, r: number, inward: boolean, pull: number, fro
       const fast = v + a * cap;
       k = 2 * (d + fast * cap) * a + (inward ? 0 : 2 * fast * fast);
     }
-    const step = Math.min(cap, safeStep(g, slope, k));
+    let step = Math.min(cap, safeStep(g + floor, slope, k));
+    if (n >= PATIENCE && t + step < horizon) {
+      work.guards++;
+      const degree = rimSeries(m, t, g, sign);
+      step = Math.max(step, safeStretch(guard, degree, g + floor, slope, 0, left));
+    }
     if (!(t + step < horizon)) return -1;
-    if (n > 400) small *= 2;
     before = t;
     t = Math.min(horizon, t + Math.max(step, small));
   }
 }
 
+/** Into `guard` the coefficients of sign (d^2 - r^2) about `t`, where it is `value`; returns their degree. */
+function rimSeries(m: Motion, t: number, value: number, sign: number): number {
+  const degree = relativeSeries(m, t, dx, dy);
+  guard.fill(0);
+  addProduct(dx, degree, dx, degree, sign, guard);
+  addProduct(dy, degree, dy, degree, sign, guard);
+  guard[0] = value;
+  return 2 * degree;
+}
+
+/** The root by the polynomial about `before`: close to where she stands on the rim it has more digits than distances have. */
 function rimBetween(m: Motion, before: number, behind: number, r: number, sign: number): number {
   const { e } = m;
   m.work.roots++;
-  return bisect(before, behind, (t) => {
-    relativeAt(m, t);
-    return sign * (Math.sqrt(e[4] * e[4] + e[5] * e[5]) - r) < 0;
-  });
+  relativeAt(m, before);
+  const d = Math.sqrt(e[4] * e[4] + e[5] * e[5]);
+  const degree = rimSeries(m, before, Math.max(0, sign * (d - r) * (d + r)), sign);
+  return before + bisect(0, behind - before, (t) => valueAt(guard, degree, t) < 0);
 }

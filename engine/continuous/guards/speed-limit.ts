@@ -2,66 +2,88 @@ import { SPEED_LIMIT } from '../../constants.ts';
 import { bisect } from '../bracket.ts';
 import { justFired, offer } from '../first-event.ts';
 import { COAST } from '../flow.ts';
+import { safeStretch, smallestStride } from '../march.ts';
 import type { Motion } from '../motion.ts';
-import { placeAt } from '../places.ts';
+import { shift, valueAt } from '../polynomial.ts';
 import { EVENTS, SLOTS } from '../state.ts';
+import { LONGEST_SERIES } from '../taylor.ts';
 
-const { LIMIT_X, LIMIT_Y, LENGTH_H } = SLOTS;
+const { LIMIT_X, LIMIT_Y, DEGREE, LENGTH_H } = SLOTS;
 const { LIMIT, UNLIMIT } = EVENTS;
 
-/** The speed limit: each axis is held at it while the force would drive it on. */
+/** What may be overlooked: px/s beyond the limit, px beyond the centre. Below what rounding makes of the limit ten times. */
+const OVERLOOKED = 1e-12;
+
+const guard = new Float64Array(LONGEST_SERIES);
+const about = new Float64Array(LONGEST_SERIES);
+
+/**
+ * The speed limit: each axis is held at it while the force would drive it on. Both guards are polynomials: the velocity along
+ * the axis, and, as a force towards or from the centre changes its sign along an axis where she passes the centre, her
+ * place along it.
+ */
 export function considerLimits(m: Motion, from: number): void {
   const { s } = m;
   for (let axis = 0; axis < 2; axis++) {
     const held = s[axis === 0 ? LIMIT_X : LIMIT_Y];
     if (held !== 0) {
-      const time = limitRoot(m, from, (t) => held * forceAt(m, axis, t));
-      offer(m, time, UNLIMIT, axis, 0);
+      if (m.flow.kind === COAST) continue;
+      offer(m, firstBelow(m, placeGuard(m, axis, m.flow.alpha > 0 ? held : -held), from, false), UNLIMIT, axis, 0);
       continue;
     }
+    const released = justFired(m, LIMIT, axis);
     for (let sign = -1; sign <= 1; sign += 2) {
-      if (justFired(m, LIMIT, axis) && from === 0 && sign * forceAt(m, axis, 0) <= 0) continue;
-      const time = limitRoot(m, from, (t) => SPEED_LIMIT - sign * velocityAt(m, axis, t));
-      offer(m, time, LIMIT, axis, sign);
+      offer(m, firstBelow(m, velocityGuard(m, axis, sign), from, released), LIMIT, axis, sign);
     }
   }
 }
 
-function velocityAt(m: Motion, axis: number, t: number): number {
-  placeAt(m, t);
-  return m.e[2 + axis] + (m.recoil ? m.e[6 + axis] : 0);
+/** Into `guard`: sign u, px; returns its degree. */
+function placeGuard(m: Motion, axis: number, sign: number): number {
+  const u = axis === 0 ? m.ux : m.uy;
+  const degree = m.s[DEGREE];
+  for (let k = 0; k <= degree; k++) guard[k] = sign * u[k];
+  return degree;
 }
 
-/** The acceleration along an axis that the limit does not hold back, px/s2. */
-function forceAt(m: Motion, axis: number, t: number): number {
-  const { flow, e } = m;
-  if (flow.kind === COAST) return 0;
-  placeAt(m, t);
-  const { freeX, freeY } = flow;
-  flow.freeX = true;
-  flow.freeY = true;
-  flow.accelerate(e[0], e[1], e, 8);
-  flow.freeX = freeX;
-  flow.freeY = freeY;
-  return e[8 + axis];
+/** Into `guard`: how far she is below the limit, px/s; returns its degree. */
+function velocityGuard(m: Motion, axis: number, sign: number): number {
+  const u = axis === 0 ? m.ux : m.uy;
+  const p = axis === 0 ? m.px : m.py;
+  const degree = m.s[DEGREE] - 1;
+  for (let k = 0; k <= degree; k++) guard[k] = -sign * (k + 1) * (u[k + 1] + (m.recoil ? p[k + 1] : 0));
+  guard[0] += SPEED_LIMIT;
+  return degree;
 }
 
-/** First time `guard` falls below 0: it is smooth and the piece short, so a scan in 16 parts brackets the root. */
-function limitRoot(m: Motion, from: number, guard: (t: number) => number): number {
+/**
+ * First time in [from, horizon] at which the polynomial in `guard` is below 0, or -1: steps as long as its coefficients
+ * about each place prove, so that no graze is overlooked but one shallower than OVERLOOKED.
+ * @param atZero it stands at 0 at `from`, having just been let go
+ */
+function firstBelow(m: Motion, degree: number, from: number, atZero: boolean): number {
   const { s } = m;
-  const h = Math.min(m.horizon, s[LENGTH_H]);
-  if (!Number.isFinite(h)) return guard(from) < 0 ? from : -1;
+  const horizon = Math.min(m.horizon, s[LENGTH_H]);
+  const small = smallestStride(s[LENGTH_H]);
+  let before = from;
   m.work.guards++;
-  if (guard(from) < 0) return from;
-  let a = from;
-  for (let n = 1; n <= 16; n++) {
-    const b = from + ((h - from) * n) / 16;
-    if (guard(b) >= 0) {
-      a = b;
-      continue;
-    }
-    m.work.roots++;
-    return bisect(a, b, (t) => guard(t) < 0);
+  for (let t = from; ; ) {
+    for (let k = 0; k <= degree; k++) about[k] = guard[k];
+    shift(about, degree, t);
+    const g = about[0];
+    if (g < 0 && !(atZero && t === from)) return t === from ? t : rootBetween(m, degree, before, t);
+    const slope = degree > 0 ? about[1] : 0;
+    const step = safeStretch(about, degree, Math.max(0, g) + OVERLOOKED, slope, 0, horizon - t);
+    if (!(t + step < horizon)) return -1;
+    before = t;
+    t = Math.min(horizon, t + Math.max(step, small));
   }
-  return -1;
+}
+
+/** The root, by the coefficients about `before`: where the guard all but stands at 0 there they have the more digits. */
+function rootBetween(m: Motion, degree: number, before: number, behind: number): number {
+  m.work.roots++;
+  for (let k = 0; k <= degree; k++) about[k] = guard[k];
+  shift(about, degree, before);
+  return before + bisect(0, behind - before, (t) => valueAt(about, degree, t) < 0);
 }

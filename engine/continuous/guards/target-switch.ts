@@ -1,10 +1,11 @@
 import { bisect } from '../bracket.ts';
-import { placeRock, relativeAt } from '../circle.ts';
+import { placeRock, relativeAt, relativeSeries } from '../circle.ts';
 import { justFired } from '../first-event.ts';
-import { safeStep, smallestStride } from '../march.ts';
+import { PATIENCE, safeStep, safeStretch, smallestStride } from '../march.ts';
 import type { Motion } from '../motion.ts';
-import { pairAt } from '../polynomial.ts';
+import { addProduct, pairAt, shift, valueAt } from '../polynomial.ts';
 import { EVENTS, SLOTS } from '../state.ts';
+import { LONGEST_SERIES } from '../taylor.ts';
 
 const { TARGET, BASE_X, BASE_Y, DEGREE, LENGTH_H, ACCELERATION } = SLOTS;
 const { SWITCH } = EVENTS;
@@ -12,8 +13,15 @@ const { SWITCH } = EVENTS;
 /** A dip across the bisector of two asteroids shallower than this is within the error of the way: no change of target, px. */
 const TIE = 1e-11;
 
+const ix = new Float64Array(LONGEST_SERIES);
+const iy = new Float64Array(LONGEST_SERIES);
+const tx = new Float64Array(LONGEST_SERIES);
+const ty = new Float64Array(LONGEST_SERIES);
+const guard = new Float64Array(2 * LONGEST_SERIES);
+
 /**
- * First time at which asteroid `i` is nearer than the target.
+ * First time at which asteroid `i` is nearer than the target: a march of safe steps, after PATIENCE looks by the coefficients of
+ * the guard, which is a polynomial. What it overlooks is a tie.
  * @param from s from the start of the piece
  * @returns s from there, too; -1: not before the piece ends
  */
@@ -21,7 +29,7 @@ export function switchTime(m: Motion, i: number, from: number): number {
   const { s, e, work } = m;
   const horizon = Math.min(m.horizon, s[LENGTH_H]);
   const atZero = justFired(m, SWITCH, i);
-  let small = smallestStride(s[LENGTH_H]);
+  const small = smallestStride(s[LENGTH_H]);
   let t = from;
   let before = t;
   work.guards++;
@@ -35,17 +43,56 @@ export function switchTime(m: Motion, i: number, from: number): number {
     if (g < 0) g = 0;
     if (t >= horizon) return -1;
     // e[9]: slope, e[10]: how fast it may fall
-    const step = safeStep(g, e[9], e[10]);
+    const slope = e[9];
+    const above = g + e[11];
+    let step = safeStep(above, slope, e[10]);
+    if (n >= PATIENCE && t + step < horizon) {
+      work.guards++;
+      step = Math.max(step, safeStretch(guard, switchSeries(m, i, t), above, slope, 0, horizon - t));
+    }
     if (!(t + step < horizon)) return -1;
-    if (n > 400) small *= 2;
     before = t;
     t = Math.min(horizon, t + Math.max(step, small));
   }
 }
 
+/** The root by the polynomial about `before`: close to a tie there it has more digits than distances have. */
 function switchBetween(m: Motion, i: number, before: number, behind: number): number {
   m.work.roots++;
-  return bisect(before, behind, (t) => switchGuard(m, i, t) < 0);
+  const value = Math.max(0, switchGuard(m, i, before));
+  const degree = switchSeries(m, i, before);
+  guard[0] = value;
+  return before + bisect(0, behind - before, (t) => valueAt(guard, degree, t) < 0);
+}
+
+/** Into `guard` the coefficients of {@link switchGuard} about `t`; returns their degree. */
+function switchSeries(m: Motion, i: number, t: number): number {
+  const { s } = m;
+  if (!m.recoil) {
+    // both stand still, and the squares of her place fall out: 2 (target - i).u
+    const mx = m.targetX[i] - m.targetX[s[TARGET]];
+    const my = m.targetY[i] - m.targetY[s[TARGET]];
+    for (let k = 0; k <= s[DEGREE]; k++) guard[k] = -2 * (mx * m.ux[k] + my * m.uy[k]);
+    shift(guard, s[DEGREE], t);
+    return s[DEGREE];
+  }
+  placeRock(m, s[TARGET]);
+  const degree = relativeSeries(m, t, tx, ty);
+  placeRock(m, i);
+  const own = relativeSeries(m, t, ix, iy);
+  const highest = Math.max(degree, own);
+  for (let k = 0; k <= highest; k++) {
+    const x = ix[k];
+    const y = iy[k];
+    ix[k] = x - tx[k];
+    iy[k] = y - ty[k];
+    tx[k] += x;
+    ty[k] += y;
+  }
+  guard.fill(0);
+  addProduct(ix, highest, tx, highest, 1, guard);
+  addProduct(iy, highest, ty, highest, 1, guard);
+  return 2 * highest;
 }
 
 /**
