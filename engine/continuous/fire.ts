@@ -113,7 +113,7 @@ export function fire(m: Motion, until: number): void {
       s[FIELD] = actingField(m);
       s[LAST_EVENT] = kind === ENTER ? LEAVE : ENTER;
       s[LAST_A] = a;
-      recorder?.event({ time, type: kind === ENTER ? 'enter' : 'leave', index: a });
+      recorder?.event({ time, type: kind === ENTER ? 'enter' : 'leave', index: scene.repulsors.index[a] });
       break;
     case WAKE:
     case SLEEP: {

@@ -163,7 +163,7 @@ export function comeOff(m: Motion): void {
   s[RIM] = -1;
   s[LAST_EVENT] = ENTER;
   s[LAST_A] = field;
-  m.recorder?.event({ time: s[START], type: 'leave', index: field });
+  m.recorder?.event({ time: s[START], type: 'leave', index: scene.repulsors.index[field] });
 }
 
 /** Puts her exactly on the rim, moving along it. */
