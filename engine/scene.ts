@@ -28,6 +28,7 @@ export interface Scene {
   /** The first so many of `targets` are cold. */
   readonly coldCount: number;
   readonly novae: IndexedCircles;
+  /** The first of equal ones alone: where they overlap the first wins, so the others never act. */
   readonly repulsors: IndexedCircles;
   readonly aliens: Circles;
   readonly minerals: IndexedCircles;
@@ -50,6 +51,18 @@ function circles(list: readonly Circle[], order: readonly number[]): Circles {
   };
 }
 
+/** The places in a list of all circles but those that an earlier one is equal to. */
+function unlike(list: readonly Circle[]): number[] {
+  const seen = new Set<string>();
+  const kept: number[] = [];
+  for (const [i, { x, y, radius }] of list.entries()) {
+    const circle = `${x} ${y} ${radius}`;
+    if (!seen.has(circle)) kept.push(i);
+    seen.add(circle);
+  }
+  return kept;
+}
+
 /**
  * Makes a valid level ready to simulate: chooses the effects it calls for and lays its objects out in typed arrays.
  * @param level a level from `schema`; the engine trusts its numbers to be finite and its radii positive
@@ -67,7 +80,7 @@ export function compile(level: Level, accuracy: AccuracyName | Accuracy = DEFAUL
     targets: indexed(circles(level.asteroids, [...cold, ...hot])),
     coldCount: cold.length,
     novae: indexed(all(level.novae)),
-    repulsors: indexed(all(level.repulsors)),
+    repulsors: indexed(circles(level.repulsors, unlike(level.repulsors))),
     aliens: all(level.aliens),
     minerals: indexed(all(level.minerals)),
   };

@@ -1,8 +1,9 @@
 import { ALIEN_PULL, SPEED_LIMIT } from '../constants.ts';
-import { CENTRAL, COAST, LINEAR } from './flow.ts';
+import { CENTRAL, COAST, LINEAR, SLIDE } from './flow.ts';
 import { untilGrid } from './glide.ts';
 import type { Motion } from './motion.ts';
 import { SMALLEST_ORBIT } from './piece.ts';
+import { expandSlide } from './slide.ts';
 import { ALERTNESS, RECORDS, SLOTS } from './state.ts';
 
 const {
@@ -62,7 +63,10 @@ export function expand(m: Motion): void {
     // at the limit through the very centre: out of it straight on
     h = Math.min(h, SMALLEST_ORBIT / SPEED_LIMIT);
   }
-  if (kind !== COAST) {
+  if (kind === SLIDE) {
+    s[DEGREE] = integrator.degree;
+    h = expandSlide(m, h);
+  } else if (kind !== COAST) {
     s[DEGREE] = integrator.degree;
     const kappa = m.recoil && s[FIELD] < 0 ? m.kappa : 0;
     const drags = m.recoil && kind === CENTRAL;

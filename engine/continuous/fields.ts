@@ -1,10 +1,7 @@
 import type { Motion } from './motion.ts';
 import { SLOTS } from './state.ts';
 
-const { FIELD, RIM, RIM_TIME, RIM_COUNT, RIM_HOLD } = SLOTS;
-
-/** Two crossings of a rim nearer than this may be sliding along it, s. */
-const SLIDING = 1 / 480;
+const { FIELD } = SLOTS;
 
 /** Marks the repulsors that contain her at the start. */
 export function enterFields(m: Motion): void {
@@ -22,17 +19,4 @@ export function enterFields(m: Motion): void {
 export function actingField(m: Motion): number {
   for (let i = 0; i < m.scene.repulsors.count; i++) if (m.s[m.inside + i] === 1) return i;
   return -1;
-}
-
-/**
- * Where the gun pulls into a field that pushes out she slides along its rim: in and out without end. Rims crossed again
- * and again in no time are left unwatched for a moment, which keeps her on the rim to about 1e-4 px.
- */
-export function watchForSliding(m: Motion, field: number, time: number): void {
-  const { s } = m;
-  const again = s[RIM] === field && time - s[RIM_TIME] < SLIDING;
-  s[RIM_COUNT] = again ? s[RIM_COUNT] + 1 : 0;
-  s[RIM] = field;
-  s[RIM_TIME] = time;
-  s[RIM_HOLD] = s[RIM_COUNT] >= 16 ? time + SLIDING : 0;
 }

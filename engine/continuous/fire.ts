@@ -1,11 +1,12 @@
 import { recordTarget } from './button.ts';
 import { endingOf } from './ending.ts';
-import { actingField, watchForSliding } from './fields.ts';
+import { actingField } from './fields.ts';
 import { locate } from './locate.ts';
 import type { Motion } from './motion.ts';
 import { distanceSquared, nearest } from './nearest.ts';
 import { begin, holdLimits, proceed } from './piece.ts';
 import { skipPeriods, skipQuietSteps } from './skip.ts';
+import { beginsToSlide, comeOff } from './slide.ts';
 import { ALERTNESS, EVENTS, RECORDS, SLOTS } from './state.ts';
 import { stop } from './stop.ts';
 
@@ -46,6 +47,7 @@ const {
   PAIR,
   LIMIT,
   UNLIMIT,
+  COME_OFF,
   PIECE_END,
 } = EVENTS;
 const { CHASER } = RECORDS;
@@ -104,12 +106,14 @@ export function fire(m: Motion, until: number): void {
       break;
     case ENTER:
     case LEAVE:
+      // sliding on the rim she counts as inside
+      s[m.inside + a] = 1;
+      if (beginsToSlide(m, a) && kind === LEAVE) break;
       s[m.inside + a] = kind === ENTER ? 1 : 0;
       s[FIELD] = actingField(m);
       s[LAST_EVENT] = kind === ENTER ? LEAVE : ENTER;
       s[LAST_A] = a;
-      watchForSliding(m, a, time);
-      recorder?.event({ time, type: kind === ENTER ? 'enter' : 'leave', index: a });
+      recorder?.event({ time, type: kind === ENTER ? 'enter' : 'leave', index: scene.repulsors.index[a] });
       break;
     case WAKE:
     case SLEEP: {
@@ -137,6 +141,9 @@ export function fire(m: Motion, until: number): void {
       s[LAST_EVENT] = LIMIT;
       s[LAST_A] = a;
       s[a === 0 ? LIMIT_X : LIMIT_Y] = 0;
+      break;
+    case COME_OFF:
+      comeOff(m);
       break;
     default:
   }

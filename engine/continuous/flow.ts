@@ -6,6 +6,8 @@ export const COAST = 0;
 export const CENTRAL = 1;
 /** The same on a line through the centre, where the direction is constant: u'' = a + beta (u - u0). */
 export const LINEAR = 2;
+/** Along the rim of a field, see {@link RimFlow}. */
+export const SLIDE = 3;
 
 /** The smooth motion between two events, in a frame whose origin is the centre of the force. */
 export class Flow {

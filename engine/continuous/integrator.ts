@@ -144,7 +144,7 @@ const rungeKutta = fixedStep(3, 4, rungeKuttaStep, dragRungeKutta, rungeKuttaEnd
  * How much less than the tolerance a single Taylor piece may err: errors of velocity grow with time, and there are many
  * pieces. At 25,000 the energy of an orbit drifts by less than 1e-12 in an hour at the default tolerance.
  */
-const PIECE_SHARE = 25_000;
+export const PIECE_SHARE = 25_000;
 
 /** The integrator an accuracy names. */
 export function integratorOf(accuracy: Accuracy): Integrator {

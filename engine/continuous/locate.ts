@@ -1,9 +1,10 @@
 import { ALIEN_PULL, ALIEN_SIGHT, HALF_DIAGONAL, SPEED_LIMIT } from '../constants.ts';
 import { placeAlien, placeCircle, placeRock, SERIES } from './circle.ts';
 import { justFired, offer } from './first-event.ts';
-import { LINEAR } from './flow.ts';
+import { LINEAR, SLIDE } from './flow.ts';
 import { considerPair } from './guards/alien-pair.ts';
 import { centreTime } from './guards/centre.ts';
+import { comeOffTime } from './guards/come-off.ts';
 import { contactTime } from './guards/contact.ts';
 import { rimTime } from './guards/rim.ts';
 import { considerLimits } from './guards/speed-limit.ts';
@@ -11,6 +12,7 @@ import { switchTime } from './guards/target-switch.ts';
 import type { Motion } from './motion.ts';
 import { alienTravel, refresh, rockTravel } from './neighbourhood.ts';
 import { placeAt } from './places.ts';
+import { tolerance } from './slide.ts';
 import { ALERTNESS, EVENTS, RECORDS, SLOTS } from './state.ts';
 
 const {
@@ -29,9 +31,9 @@ const {
   ACCELERATION,
   AWAKE_COUNT,
   RIM,
-  RIM_HOLD,
 } = SLOTS;
-const { MINERAL, NOVA, HOT, ALIEN_TOUCH, HOLE, LEAVE_COVER, CENTRE, SWITCH, ENTER, LEAVE, WAKE, SLEEP, PIECE_END } = EVENTS;
+const { MINERAL, NOVA, HOT, ALIEN_TOUCH, HOLE, LEAVE_COVER, CENTRE, SWITCH, ENTER, LEAVE, WAKE, SLEEP, COME_OFF, PIECE_END } =
+  EVENTS;
 const { CHASER } = RECORDS;
 const { ASLEEP, GONE } = ALERTNESS;
 
@@ -53,6 +55,8 @@ export function locate(m: Motion): void {
   const rocks = m.recoil ? rockTravel(m, h) : 0;
   const reach = travel + rocks;
 
+  // what comes later than this is none of hers
+  if (s[KIND] === SLIDE) offer(m, comeOffTime(m, from), COME_OFF, 0, 0);
   if (m.recoil || !near.covers(x, y, reach, s[TARGET])) refresh(m, x, y, reach);
   const gone = Math.sqrt((x - near.x) * (x - near.x) + (y - near.y) * (y - near.y)) + reach;
   for (let i = 0; i < near.count; i++) {
@@ -91,11 +95,10 @@ function consider(m: Motion, kind: number, i: number, from: number): void {
     case ENTER: {
       const inside = s[m.inside + i] === 1;
       const event = inside ? LEAVE : ENTER;
-      const start = s[RIM] === i ? Math.max(from, s[RIM_HOLD] - s[START]) : from;
-      if (start > s[LENGTH_H]) return;
+      if (s[RIM] === i) return;
       placeCircle(m, scene.repulsors.x[i], scene.repulsors.y[i], m.originX, m.originY);
-      const atZero = start === from && justFired(m, event, i);
-      offer(m, rimTime(m, scene.repulsors.r[i], !inside, 0, start, atZero), event, i, 0);
+      const r = scene.repulsors.r[i] + (inside ? tolerance(m, i) : -tolerance(m, i));
+      offer(m, rimTime(m, r, !inside, 0, from, justFired(m, event, i)), event, i, 0);
       return;
     }
     case WAKE:

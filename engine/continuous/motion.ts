@@ -4,6 +4,7 @@ import { COAST, Flow } from './flow.ts';
 import { type Integrator, integratorOf } from './integrator.ts';
 import { NeighbourList } from './neighbour-list.ts';
 import type { PieceRecorder } from './recording.ts';
+import { RimFlow } from './rim-flow.ts';
 import { HEAD, RECORDS, SLOTS } from './state.ts';
 
 const { START, NEXT, HELD, TARGET, FIELD, KIND, MOVES } = SLOTS;
@@ -13,7 +14,7 @@ const { CHASER, ROCK } = RECORDS;
 const SAME_INSTANT = 2e-14;
 
 /** What can move her between two events. */
-export const MODES = ['coast', 'pull', 'pull on a line', 'push', 'push on a line'] as const;
+export const MODES = ['coast', 'pull', 'pull on a line', 'push', 'push on a line', 'slide on a rim'] as const;
 
 /**
  * A run in continuous time as it stands: the state, the piece it is on, and what every step of the method works with. One
@@ -27,6 +28,8 @@ export class Motion {
   readonly recorder: PieceRecorder | null;
   readonly integrator: Integrator;
   readonly flow = new Flow();
+  /** What acts where she slides along a rim. */
+  readonly rim = new RimFlow();
   readonly near: NeighbourList;
   /** Work done since the last reset. */
   readonly work = { pieces: 0, forceEvaluations: 0, guards: 0, roots: 0 };

@@ -1,12 +1,13 @@
 import { GUN_PULL, REPULSOR_PUSH, SPEED_LIMIT } from '../constants.ts';
 import { expand } from './expand.ts';
-import { CENTRAL, COAST, LINEAR } from './flow.ts';
+import { CENTRAL, COAST, LINEAR, SLIDE } from './flow.ts';
 import { rebase } from './frame.ts';
 import { locate } from './locate.ts';
 import type { Motion } from './motion.ts';
+import { followRim, setRim } from './slide.ts';
 import { RECORDS, SLOTS, TURNS } from './state.ts';
 
-const { HELD, TARGET, FIELD, KIND, TURN, COS, SIN, SIDE, LINE_X, LINE_Y, LIMIT_X, LIMIT_Y } = SLOTS;
+const { HELD, TARGET, FIELD, KIND, TURN, COS, SIN, SIDE, LINE_X, LINE_Y, LIMIT_X, LIMIT_Y, RIM } = SLOTS;
 const { TURN_NOT, TURN_TO_BASE, TURN_TO_TARGET } = TURNS;
 const { ROCK } = RECORDS;
 
@@ -22,6 +23,7 @@ export const SMALLEST_ORBIT = 1e-7;
 /** Chooses frame and flow at the start of a piece, expands it, and locates the first event. */
 export function begin(m: Motion): void {
   const { s, scene, ux, uy } = m;
+  if (s[RIM] >= 0) followRim(m);
   const held = s[HELD] === 1;
   const target = s[TARGET];
   const field = s[FIELD];
@@ -34,6 +36,12 @@ export function begin(m: Motion): void {
     rebase(m, target, m.targetX[target], m.targetY[target], 0, 0);
   }
 
+  if (s[RIM] >= 0) {
+    s[KIND] = SLIDE;
+    s[TURN] = held ? TURN_TO_TARGET : TURN_NOT;
+    proceed(m);
+    return;
+  }
   s[KIND] = COAST;
   s[TURN] = TURN_NOT;
   const x = ux[0];
@@ -87,6 +95,10 @@ export function setFlow(m: Motion): void {
   flow.kind = s[KIND];
   flow.freeX = s[LIMIT_X] === 0;
   flow.freeY = s[LIMIT_Y] === 0;
+  if (flow.kind === SLIDE) {
+    setRim(m);
+    return;
+  }
   const inField = s[FIELD] >= 0;
   const kappa = inField ? 0 : m.kappa;
   flow.alpha = inField ? REPULSOR_PUSH : -(GUN_PULL + kappa);

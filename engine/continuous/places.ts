@@ -1,7 +1,8 @@
 import { SPEED_LIMIT } from '../constants.ts';
-import { COAST } from './flow.ts';
+import { COAST, SLIDE } from './flow.ts';
 import type { Motion } from './motion.ts';
 import { pairAt } from './polynomial.ts';
+import { settleSlide } from './slide.ts';
 import { ALERTNESS, RECORDS, SLOTS, TURNS } from './state.ts';
 
 const { TARGET, BASE, BASE_X, BASE_Y, KIND, TURN, COS, SIN, DEGREE } = SLOTS;
@@ -13,6 +14,7 @@ const { AWAKE } = ALERTNESS;
 export function settleAt(m: Motion, t: number): void {
   const { s, e } = m;
   if (s[KIND] === COAST) pairAt(m.ux, m.uy, 1, t, e, 0);
+  else if (s[KIND] === SLIDE) settleSlide(m, t, e);
   else m.integrator.settle(m.flow, m.ux, m.uy, t, e);
   if (m.recoil) pairAt(m.px, m.py, s[DEGREE], t, e, 4);
   else e[4] = e[5] = e[6] = e[7] = 0;

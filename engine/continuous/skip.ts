@@ -1,5 +1,5 @@
 import { ALIEN_SIGHT, GUN_PULL, HALF_DIAGONAL, SPEED_LIMIT, TICK_RATE } from '../constants.ts';
-import { COAST, LINEAR } from './flow.ts';
+import { COAST, LINEAR, SLIDE } from './flow.ts';
 import { switchGuard } from './guards/target-switch.ts';
 import { safeStep } from './march.ts';
 import type { Motion } from './motion.ts';
@@ -42,7 +42,7 @@ export function skipPeriods(m: Motion): void {
 export function skipQuietSteps(m: Motion, until: number): void {
   const { s, ux, uy, flow, integrator, work } = m;
   const { rate } = m.scene.accuracy;
-  if (integrator.glide === null || rate === null || m.recoil || s[KIND] === COAST) return;
+  if (integrator.glide === null || rate === null || m.recoil || s[KIND] === COAST || s[KIND] === SLIDE) return;
   const v = Math.sqrt(ux[1] * ux[1] + uy[1] * uy[1]);
   if (v > SPEED_LIMIT / 2) return;
   const end = Math.min(until, s[START] + quietTime(m));

@@ -56,15 +56,13 @@ export const SLOTS = {
   /** LINEAR: when she last crossed the centre, and the time before; 0 when something else happened since. */
   CROSSED: 34,
   CROSSED_BEFORE: 35,
-  /** The rim crossed last, when, and how often in no time; until when it is not watched. */
+  /** The field along whose rim she slides, which counts as around her, or -1; and the one that acts just outside, or -1: the gun. */
   RIM: 36,
-  RIM_TIME: 37,
-  RIM_COUNT: 38,
-  RIM_HOLD: 39,
+  OUTER: 37,
 } as const;
 
 /** Slots before the first chaser. */
-export const HEAD = 40;
+export const HEAD = 38;
 
 /** What turns the box. */
 export const TURNS = { TURN_NOT: 0, TURN_TO_BASE: 1, TURN_TO_TARGET: 2 } as const;
@@ -86,7 +84,8 @@ export const EVENTS = {
   PAIR: 13,
   LIMIT: 14,
   UNLIMIT: 15,
-  PIECE_END: 16,
+  COME_OFF: 16,
+  PIECE_END: 17,
 } as const;
 
 /** Slots per chaser (place, velocity, what it is up to) and per rock (place, velocity). */

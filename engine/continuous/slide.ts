@@ -1,0 +1,258 @@
+import { GUN_PULL, REPULSOR_PUSH } from '../constants.ts';
+import { actingField } from './fields.ts';
+import { PIECE_SHARE } from './integrator.ts';
+import type { Motion } from './motion.ts';
+import { pairAt } from './polynomial.ts';
+import { EVENTS, RECORDS, SLOTS } from './state.ts';
+import { TAYLOR_DEGREE, taylorStep } from './taylor.ts';
+
+const { HELD, TARGET, FIELD, BASE_X, BASE_Y, LIMIT_X, LIMIT_Y, DEGREE, ACCELERATION, RIM, OUTER, START, LAST_EVENT, LAST_A } =
+  SLOTS;
+const { ENTER } = EVENTS;
+const { ROCK } = RECORDS;
+
+/**
+ * Where the force outside a field drives her in and the push drives her out she bounces on its rim without end, and her bounces
+ * keep their height. At rest across the rim she slides along it. A bounce that takes less than this, out and in, counts as
+ * sliding, s: it is lower than 1e-6 px, and slower across the rim than 6e-3 px/s.
+ */
+const SHORTEST_BOUNCE = 1 / 2000;
+
+/** So near to the centre of the force outside it has no direction to be relied on, px. */
+const NO_DIRECTION = 1e-7;
+
+/** Largest part of the time to the centre of the force outside that a piece may reach: the series has a singularity there. */
+const CONVERGENCE = 0.6;
+
+/** Longest piece, s. */
+const LONGEST = 4;
+
+const seriesX = new Float64Array(TAYLOR_DEGREE + 1);
+const seriesY = new Float64Array(TAYLOR_DEGREE + 1);
+const end = new Float64Array(4);
+
+/** What rounding makes of a place on a rim, px, with room. */
+function rounding(m: Motion, field: number): number {
+  const { s, scene } = m;
+  const { x, y, r } = scene.repulsors;
+  const far = Math.abs(x[field] - m.originX) + Math.abs(y[field] - m.originY) + Math.abs(s[BASE_X]) + Math.abs(s[BASE_Y]);
+  return 1e-13 + 1e-14 * (far + r[field]);
+}
+
+/** While she slides on one rim another is crossed when she is so far beyond it, px: rims that all but coincide are one. */
+export function tolerance(m: Motion, field: number): number {
+  return m.s[RIM] >= 0 ? 1e-11 + rounding(m, field) : 0;
+}
+
+/** Sets what acts on the rim she slides along, about its centre, from the state at the start of the piece. */
+export function setRim(m: Motion): void {
+  aim(m, m.s[RIM], m.s[OUTER]);
+}
+
+function aim(m: Motion, field: number, outer: number): void {
+  const { s, rim, scene } = m;
+  const { repulsors } = scene;
+  const cx = repulsors.x[field] - m.originX;
+  const cy = repulsors.y[field] - m.originY;
+  rim.radius = repulsors.r[field];
+  rim.freeX = s[LIMIT_X] === 0;
+  rim.freeY = s[LIMIT_Y] === 0;
+  rim.qvx = rim.qvy = rim.kappa = 0;
+  if (outer >= 0) {
+    rim.alpha = REPULSOR_PUSH;
+    rim.beta = 0;
+    rim.qx = repulsors.x[outer] - m.originX - cx;
+    rim.qy = repulsors.y[outer] - m.originY - cy;
+    return;
+  }
+  rim.alpha = -GUN_PULL;
+  rim.beta = GUN_PULL / scene.level.range;
+  const target = s[TARGET];
+  if (m.recoil) {
+    const o = m.rocks + ROCK * target;
+    rim.qx = s[o] - cx;
+    rim.qy = s[o + 1] - cy;
+    rim.qvx = s[o + 2];
+    rim.qvy = s[o + 3];
+    rim.kappa = m.kappa;
+  } else {
+    rim.qx = m.targetX[target] - cx;
+    rim.qy = m.targetY[target] - cy;
+  }
+}
+
+/** The first field around her beside this one; -1 where there is none. */
+function fieldBeside(m: Motion, field: number): number {
+  for (let i = 0; i < m.scene.repulsors.count; i++) if (i !== field && m.s[m.inside + i] === 1) return i;
+  return -1;
+}
+
+/**
+ * Whether something holds her on the rim of a field around her: it is the one that acts within, and from outside she is driven
+ * in more strongly than she flies out. Leaves the forces in `m.rim`.
+ */
+function holdsOnRim(m: Motion, field: number): boolean {
+  const { s, rim, ux, uy, px, py, scene } = m;
+  if (actingField(m) !== field) return false;
+  const outer = fieldBeside(m, field);
+  if (outer < 0 && (s[HELD] === 0 || s[TARGET] < 0)) return false;
+  s[OUTER] = outer;
+  aim(m, field, outer);
+  const x = s[BASE_X] + ux[0] - (scene.repulsors.x[field] - m.originX);
+  const y = s[BASE_Y] + uy[0] - (scene.repulsors.y[field] - m.originY);
+  const wx = x - rim.qx;
+  const wy = y - rim.qy;
+  if (wx * wx + wy * wy < NO_DIRECTION * NO_DIRECTION) return false;
+  rim.weigh(x, y, ux[1] + px[1], uy[1] + py[1], wx, wy);
+  return rim.pressesIn > 0;
+}
+
+/**
+ * Whether she slides from now on, crossing the rim of a field that counts as around her. A bounce has a mean velocity along the
+ * rim, which is the one she goes on with.
+ */
+export function beginsToSlide(m: Motion, field: number): boolean {
+  const { s, rim, ux, uy, px, py, scene } = m;
+  const { repulsors } = scene;
+  const x = s[BASE_X] + ux[0] - (repulsors.x[field] - m.originX);
+  const y = s[BASE_Y] + uy[0] - (repulsors.y[field] - m.originY);
+  const r = Math.sqrt(x * x + y * y);
+  const across = (x * (ux[1] + px[1]) + y * (uy[1] + py[1])) / r;
+  // pushed out at 20 px/s2 at least, she takes no less than this within
+  if (Math.abs(across) > (SHORTEST_BOUNCE * 100) / 2) return false;
+  if (!holdsOnRim(m, field)) return false;
+  const { pressesIn, pressesOut } = rim;
+  if (2 * Math.abs(across) * (1 / pressesIn + 1 / pressesOut) > SHORTEST_BOUNCE) return false;
+  if (rim.freeX && rim.freeY) {
+    const nx = x / r;
+    const ny = y / r;
+    const outside = rim.forceX * nx + rim.forceY * ny;
+    // she is ahead of the mean as she comes in, behind as she goes out, by half of what the force outside makes of its share
+    const gain = across / (pressesIn + pressesOut);
+    ux[1] += gain * (rim.forceX - outside * nx) - across * nx;
+    uy[1] += gain * (rim.forceY - outside * ny) - across * ny;
+  }
+  s[RIM] = field;
+  return true;
+}
+
+/** At the start of a piece: she stays on the rim, or comes off it where nothing holds her any more. */
+export function followRim(m: Motion): void {
+  const { s } = m;
+  const field = s[RIM];
+  if (holdsOnRim(m, field)) return;
+  if (s[FIELD] === field) comeOff(m);
+  else s[RIM] = -1;
+}
+
+/** She leaves the field outwards. */
+export function comeOff(m: Motion): void {
+  const { s, ux, uy, scene } = m;
+  const field = s[RIM];
+  const cx = scene.repulsors.x[field] - m.originX;
+  const cy = scene.repulsors.y[field] - m.originY;
+  const x = s[BASE_X] + ux[0] - cx;
+  const y = s[BASE_Y] + uy[0] - cy;
+  const r = Math.sqrt(x * x + y * y);
+  // clear of the rim by what rounding could take for another crossing
+  const wanted = (scene.repulsors.r[field] + rounding(m, field)) / r;
+  ux[0] += x * wanted - x;
+  uy[0] += y * wanted - y;
+  s[m.inside + field] = 0;
+  s[FIELD] = actingField(m);
+  s[RIM] = -1;
+  s[LAST_EVENT] = ENTER;
+  s[LAST_A] = field;
+  m.recorder?.event({ time: s[START], type: 'leave', index: scene.repulsors.index[field] });
+}
+
+/** Puts her exactly on the rim, moving along it. */
+function ontoRim(m: Motion): void {
+  const { rim, ux, uy } = m;
+  const r = Math.sqrt(ux[0] * ux[0] + uy[0] * uy[0]);
+  const nx = ux[0] / r;
+  const ny = uy[0] / r;
+  ux[0] = rim.radius * nx;
+  uy[0] = rim.radius * ny;
+  const across = ux[1] * nx + uy[1] * ny;
+  if (rim.freeX && rim.freeY) {
+    ux[1] -= across * nx;
+    uy[1] -= across * ny;
+  } else if (rim.freeX) {
+    ux[1] = (-ny * uy[1]) / nx;
+  } else if (rim.freeY) {
+    uy[1] = (-nx * ux[1]) / ny;
+  }
+}
+
+/**
+ * Expands her way along the rim: the series itself where pieces have its degree, else the polynomial that meets it at the end.
+ * A slide is rare, so every accuracy takes it from the series; with fixed steps only what is between two of them is rougher.
+ * @returns the length for which the piece holds, s
+ */
+export function expandSlide(m: Motion, longest: number): number {
+  const { s, rim, ux, uy, px, py, integrator, scene } = m;
+  const degree = s[DEGREE];
+  ontoRim(m);
+  const precise = degree === TAYLOR_DEGREE;
+  const x = precise ? ux : seriesX;
+  const y = precise ? uy : seriesY;
+  for (let k = 0; k < 2; k++) {
+    x[k] = ux[k];
+    y[k] = uy[k];
+  }
+  rim.series(x, y);
+  const share = (scene.accuracy.tolerance ?? 1e-9) / PIECE_SHARE;
+  const wx = ux[0] - rim.qx;
+  const wy = uy[0] - rim.qy;
+  const d = Math.sqrt(wx * wx + wy * wy);
+  const v2 = (ux[1] - rim.qvx) * (ux[1] - rim.qvx) + (uy[1] - rim.qvy) * (uy[1] - rim.qvy);
+  const strength = strongest(m, d) + rim.kappa;
+  const toCentre = (2 * d) / (Math.sqrt(v2) + Math.sqrt(v2 + 2 * strength * d));
+  const h = taylorStep(x, y, share, Math.min(longest, LONGEST, CONVERGENCE * toCentre));
+  for (let k = 2; k <= degree; k++) px[k] = py[k] = 0;
+  if (!precise) {
+    meet(ux, x, degree, h);
+    meet(uy, y, degree, h);
+  }
+  s[ACCELERATION] = 1.5 * strongest(m, d + (Math.sqrt(v2) + strength * h) * h);
+  m.work.forceEvaluations += integrator.evaluations;
+  return h;
+}
+
+/** Bound on the force outside and on the push, at most `d` px from the centre of the former, px/s2. */
+function strongest(m: Motion, d: number): number {
+  return Math.max(REPULSOR_PUSH, Math.abs(m.rim.alpha), m.rim.beta * d);
+}
+
+/** The polynomial of degree 2 or 3 that begins as the series does and meets its place at h, and its velocity where it can. */
+function meet(c: Float64Array, series: Float64Array, degree: number, h: number): void {
+  let bend = 0;
+  let gain = 0;
+  for (let k = TAYLOR_DEGREE; k >= 2; k--) {
+    bend = (bend + series[k]) * h;
+    gain = (gain + k * series[k]) * h;
+  }
+  if (degree === 2) {
+    c[2] = bend / h;
+    return;
+  }
+  c[2] = (3 * bend - gain) / h;
+  c[3] = (gain - 2 * bend) / (h * h);
+}
+
+/** Place and velocity after `t` of a piece along the rim, into out[0..3]. */
+export function settleSlide(m: Motion, t: number, out: Float64Array): void {
+  const { ux, uy } = m;
+  if (m.integrator.degree === TAYLOR_DEGREE) {
+    pairAt(ux, uy, TAYLOR_DEGREE, t, out, 0);
+    return;
+  }
+  for (let k = 0; k < 2; k++) {
+    seriesX[k] = ux[k];
+    seriesY[k] = uy[k];
+  }
+  m.rim.series(seriesX, seriesY);
+  pairAt(seriesX, seriesY, TAYLOR_DEGREE, t, end, 0);
+  out.set(end);
+}
