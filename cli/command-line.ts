@@ -4,7 +4,7 @@ import { Command, CommanderError } from 'commander';
 import type { CommandResult } from './command.ts';
 import { COMMANDS } from './commands/index.ts';
 import { Failure } from './failure.ts';
-import { endOnSignals } from './signals.ts';
+import { beginSignals, leaveSignals } from './signals.ts';
 import { visible } from './visible.ts';
 
 /**
@@ -13,14 +13,17 @@ import { visible } from './visible.ts';
  * @returns the exit code
  */
 export async function runCommandLine(args: readonly string[]): Promise<number> {
-  endOnSignals();
+  beginSignals();
   watchStreams();
   try {
     const result = await perform(args);
+    // from here on a signal ends the process even while a reader lets it wait
+    await leaveSignals();
     if (result.messages) process.stderr.write(result.messages);
     if (result.output !== undefined && result.output.length > 0) process.stdout.write(result.output);
     return result.exitCode;
   } catch (error) {
+    await leaveSignals();
     return reportError(error);
   }
 }

@@ -6,11 +6,8 @@ export interface CommandResult {
   readonly output?: string | Uint8Array;
   /** For stderr: what a person should know beside the report. */
   readonly messages?: string;
-  /**
-   * 0 done, and every level is completable; 1 at least one level is not, or is invalid; 2 it could not be done;
-   * 130 and 143 ended by a signal, with what there was by then.
-   */
-  readonly exitCode: 0 | 1 | 2 | 130 | 143;
+  /** 0 done, and every level is completable; 1 at least one level is not, or is invalid; 2 it could not be done. */
+  readonly exitCode: 0 | 1 | 2;
 }
 
 /** The face of a file in commands/. */

@@ -136,7 +136,8 @@ function renamePatiently(from: string, to: string): void {
 
 function keepOwnerAndMode(descriptor: number, path: string): void {
   const old = lstatSync(path, { throwIfNoEntry: false });
-  if (old === undefined) return;
+  // a link's own mode says nothing
+  if (old === undefined || !old.isFile()) return;
   fchmodSync(descriptor, old.mode & 0o7777);
   if (process.getuid === undefined || (process.getuid() === old.uid && process.getgid?.() === old.gid)) return;
   try {

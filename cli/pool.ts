@@ -1,48 +1,32 @@
-interface PoolOptions<Result> {
-  /** Called after each task, in the order in which they end. */
-  readonly onDone: (done: number, result: Result) => void;
-  /** Ends the work: tasks that are not done by then are dropped. */
-  readonly stop?: AbortSignal;
-}
+import { catchSignals } from './signals.ts';
 
 /**
  * Does tasks in worker threads.
  * @param filename URL of a module whose default export does one task
  * @param jobs the most threads
- * @returns one result a task, in the same order; shorter when it was stopped
- * @throws what a task threw
+ * @param onDone called after each task, in the order in which they end
+ * @returns one result a task, in the same order
+ * @throws what a task, or `onDone`, threw
  */
 export async function runInPool<Task, Result>(
   filename: URL,
   tasks: readonly Task[],
   jobs: number,
-  { onDone, stop }: PoolOptions<Result>,
+  onDone: (done: number, result: Result) => void | Promise<void>,
 ): Promise<Result[]> {
   const { Tinypool } = await import('tinypool');
-  // who asked for the end meanwhile is not told of later
-  if (stop?.aborted) return [];
+  catchSignals();
   const threads = Math.max(1, Math.min(jobs, tasks.length));
   const pool = new Tinypool({ filename: filename.href, minThreads: threads, maxThreads: threads, isolateWorkers: false });
   let done = 0;
-  const run = async (task: Task): Promise<Result | null> => {
-    try {
-      const result: Result = await pool.run(task);
-      if (stop?.aborted) return null;
-      onDone(++done, result);
-      return result;
-    } catch (error) {
-      // ending the threads fails what they were at
-      if (stop?.aborted) return null;
-      throw error;
-    }
+  const run = async (task: Task): Promise<Result> => {
+    const result: Result = await pool.run(task);
+    await onDone(++done, result);
+    return result;
   };
-  const end = () => void pool.destroy();
-  stop?.addEventListener('abort', end);
   try {
-    const results = await Promise.all(tasks.map(run));
-    return results.filter((result): result is Awaited<Result> & Result => result !== null);
+    return await Promise.all(tasks.map(run));
   } finally {
-    stop?.removeEventListener('abort', end);
     await pool.destroy();
   }
 }

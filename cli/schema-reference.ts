@@ -1,7 +1,11 @@
-import { existsSync, readFileSync } from 'node:fs';
+import { existsSync } from 'node:fs';
 import { dirname, join, relative, resolve, sep } from 'node:path';
+import { readRegularFile } from './regular-file.ts';
 
 const TOOLKIT = 'gravity-quest-toolkit';
+
+/** bytes */
+const LARGEST_MANIFEST = 1024 * 1024;
 
 /**
  * What a level file in `directory` says in `$schema`: the path, with slashes, to the JSON Schema of the toolkit that the
@@ -22,7 +26,9 @@ export function schemaReference(directory: string): string | null {
 
 function isToolkit(directory: string): boolean {
   try {
-    return JSON.parse(readFileSync(join(directory, 'package.json'), 'utf8')).name === TOOLKIT;
+    return (
+      JSON.parse(Buffer.from(readRegularFile(join(directory, 'package.json'), LARGEST_MANIFEST)).toString()).name === TOOLKIT
+    );
   } catch {
     // no such file, or one that is no JSON: another project's business
     return false;

@@ -11,6 +11,7 @@ export type { Trajectory } from './trajectory.ts';
 export {
   findWarnings,
   MAX_WARNINGS_PER_CODE,
+  MORE_WARNINGS,
   WARNING_CODES,
   type Warning,
   type WarningExplanation,

@@ -128,7 +128,6 @@ const solution = z.strictObject({
 /** What `solve` prints as JSON: the best run; with --count the others, too. */
 export const solveReportSchema = z.strictObject({
   ...solution.shape,
-  interrupted: z.boolean().describe('Ended by a signal: this is what was found by then.'),
   solutions: z.array(solution).optional().describe('With --count above 1: all of them, best first.'),
 });
 
@@ -208,7 +207,6 @@ export type DifficultyReport = z.infer<typeof difficultyReportSchema>;
 /** What `generate` prints as JSON. */
 export const generateReportSchema = z.strictObject({
   asked: z.int().min(1).describe('Levels asked for.'),
-  interrupted: z.boolean(),
   levels: z.array(
     z.strictObject({
       seed: z.int(),

@@ -1,7 +1,6 @@
-import type { Stats } from 'node:fs';
-import { setImmediate } from 'node:timers/promises';
 import { statOrError } from '../files.ts';
-import { endAtOnceDuring } from '../signals.ts';
+import { isStream } from '../read-bytes.ts';
+import { catchSignals, hearSignals } from '../signals.ts';
 import type { CheckedLevel, CheckSettings } from './checked-level.ts';
 import { crashedLevel } from './refused-level.ts';
 import type { Batch } from './worker.ts';
@@ -29,8 +28,9 @@ export async function checkFiles(
 ): Promise<CheckedLevel[]> {
   const stats = files.map((file) => statOrError(file));
   // a pipe may keep its reader waiting for ever, and a worker that waits can't be ended
-  const waiting = files.filter((_, i) => isWaiting(stats[i]));
-  const regular = files.filter((file) => !waiting.includes(file));
+  const waiting = files.filter((file, i) => !(stats[i] instanceof Error) && isStream(file, stats[i]));
+  const others = new Set(waiting);
+  const regular = files.filter((file) => !others.has(file));
   const early = waiting.length === 0 ? [] : await checkWaiting(waiting, settings);
 
   const bytes = stats.reduce((sum, s) => sum + (s instanceof Error ? 0 : s.size), 0);
@@ -46,11 +46,9 @@ export async function checkFiles(
 /** A level may take seconds. */
 const isLong = ({ search, requireSlack }: CheckSettings): boolean => search !== null || requireSlack !== null;
 
-const isWaiting = (stats: Stats | Error): boolean => !(stats instanceof Error) && !stats.isFile();
-
 async function checkWaiting(files: readonly string[], settings: CheckSettings): Promise<CheckedLevel[]> {
   const { checkLevel } = await import('./check-level.ts');
-  return files.map((file) => endAtOnceDuring(() => checkLevel(file, settings)));
+  return files.map((file) => checkLevel(file, settings));
 }
 
 async function checkHere(
@@ -65,7 +63,7 @@ async function checkHere(
   for (const file of files) {
     reports.push(checkLevel(file, settings));
     if (performance.now() - listened < SLICE) continue;
-    await setImmediate();
+    await hearSignals();
     onProgress(reports.length);
     listened = performance.now();
   }
@@ -79,6 +77,7 @@ async function checkInWorkers(
   onProgress: (done: number) => void,
 ): Promise<CheckedLevel[]> {
   const { Tinypool } = await import('tinypool');
+  catchSignals();
   // several batches a worker, so that none waits long for another that got the slow levels
   const size = isLong(settings) ? 1 : Math.max(1, Math.min(32, Math.ceil(files.length / (4 * jobs))));
   const threads = Math.min(jobs, Math.ceil(files.length / size));

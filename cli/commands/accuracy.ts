@@ -13,7 +13,7 @@ import { Failure } from '../failure.ts';
 import { parseHolds } from '../holds-option.ts';
 import { openLevel } from '../level-source.ts';
 import { formatOption, maxTimeOption } from '../options.ts';
-import { endAtOnceDuring } from '../signals.ts';
+import { visibleLine } from '../visible.ts';
 import { writeWhole } from '../write-file.ts';
 
 /** How long the timing takes, ms. */
@@ -72,14 +72,12 @@ async function measure(file: string, options: Options): Promise<CommandResult> {
   if (!('level' in opened)) return opened;
   const { level } = opened;
   const { name, holds } = chooseRun(file, level, options);
-  const measured = endAtOnceDuring(() =>
-    measureWorkPrecision(level, holds, {
-      maxTime: options.maxTime,
-      now: () => performance.now(),
-      budget: BUDGET,
-      methods: isNew ? [...METHODS, custom] : METHODS,
-    }),
-  );
+  const measured = measureWorkPrecision(level, holds, {
+    maxTime: options.maxTime,
+    now: () => performance.now(),
+    budget: BUDGET,
+    methods: isNew ? [...METHODS, custom] : METHODS,
+  });
   const report: AccuracyReport = {
     file,
     level: level.name,
@@ -89,10 +87,10 @@ async function measure(file: string, options: Options): Promise<CommandResult> {
     cheapest: cheapestGoodEnough(measured.methods),
     asked,
   };
-  if (svg !== undefined) writeWhole(svg, draw(report, options.theme));
+  if (svg !== undefined) await writeWhole(svg, draw(report, options.theme));
   return {
     output: format === 'json' ? accuracyJson(report) : accuracyPretty(report, colorsFor(process.stdout)),
-    messages: svg === undefined ? undefined : `wrote ${svg}\n`,
+    messages: svg === undefined ? undefined : `wrote ${visibleLine(svg)}\n`,
     exitCode: 0,
   };
 }

@@ -15,6 +15,7 @@ import { createProgress } from '../progress.ts';
 import { difficultyJson } from '../reporters/difficulty-json.ts';
 import { difficultyPretty } from '../reporters/difficulty-pretty.ts';
 import { mineralsOption } from '../solve/solve-options.ts';
+import { visibleLine } from '../visible.ts';
 import { writeWhole } from '../write-file.ts';
 
 /** Ticks simulated to find a run, where nothing else is said. */
@@ -100,17 +101,17 @@ async function measure(paths: readonly string[], options: Options): Promise<Comm
     new URL('../difficulty/worker.js', import.meta.url),
     files.map((file) => ({ file, settings })),
     jobs,
-    { onDone: progress.update },
+    progress.update,
   );
   progress.clear();
   const code = Math.max(0, ...levels.map((level) => level.code), ...unreadable.map(() => 2)) as 0 | 1 | 2;
-  const messages = unreadable.map(({ path, reason }) => `error: ${path}: can't be looked into: ${reason}\n`);
+  const messages = unreadable.map(({ path, reason }) => `error: ${visibleLine(path)}: can't be looked into: ${reason}\n`);
   if (svg !== undefined) {
     const picture = pictureOf(levels, accuracy.name);
-    if (picture === null) messages.push(`${svg} was not written: nothing was measured\n`);
+    if (picture === null) messages.push(`${visibleLine(svg)} was not written: nothing was measured\n`);
     else {
-      writeWhole(svg, drawDifficulty(picture, theme));
-      messages.push(`wrote ${svg}\n`);
+      await writeWhole(svg, drawDifficulty(picture, theme));
+      messages.push(`wrote ${visibleLine(svg)}\n`);
     }
   }
   const output = format === 'json' ? difficultyJson(levels) : difficultyPretty(levels, colorsFor(process.stdout));

@@ -3,6 +3,7 @@ import type { Command } from 'commander';
 import type { CommandResult } from '../command.ts';
 import { DEFAULT_PORT, type EditServer, openBrowser, PAGE, startServer } from '../edit/index.ts';
 import { wholeNumberOption } from '../options.ts';
+import { catchSignals } from '../signals.ts';
 import { visible } from '../visible.ts';
 
 interface EditOptions {
@@ -43,6 +44,8 @@ async function edit(folder: string, options: EditOptions): Promise<void> {
     const stack = error instanceof Error ? error.stack : String(error);
     say(`gq edit goes on, but this is a bug in gq, please report it:\n${stack}\n`);
   };
+  // its loop is free but for short moments, and a file that is being written is finished
+  catchSignals();
   const server = await startServer({ folder, port: options.port ?? null, page: PAGE, onCrash });
   // unlike other commands' reports this is needed before the end
   process.stdout.write(announcement(folder, server, options));

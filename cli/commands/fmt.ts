@@ -9,6 +9,8 @@ import { findLevelFiles } from '../files.ts';
 import { formatOption } from '../options.ts';
 import { readBytes } from '../read-bytes.ts';
 import { type FormattedFile, fmtJson, fmtPretty } from '../reporters/fmt.ts';
+import { hearSignals } from '../signals.ts';
+import { visible, visibleLine } from '../visible.ts';
 import { writeWhole } from '../write-file.ts';
 
 interface FmtOptions {
@@ -40,18 +42,25 @@ Examples:
 async function fmt(paths: readonly string[], options: FmtOptions): Promise<CommandResult> {
   const { files, unreadable } = await findLevelFiles(paths);
   const done: FormattedFile[] = [];
-  const failures = unreadable.map(({ path, reason }) => `error: ${path}: can't be looked into: ${reason}\n`);
+  const failures = unreadable.map(({ path, reason }) => `error: ${visibleLine(path)}: can't be looked into: ${reason}\n`);
   for (const file of files) {
+    await hearSignals();
     try {
       done.push(await formatFile(file, options.check === true));
     } catch (error) {
       if (!(error instanceof Failure)) throw error;
-      failures.push(`error: ${error.message}\n`);
+      failures.push(`error: ${visible(error.message)}\n`);
+      done.push({ file, status: 'failed', problems: [] });
     }
   }
   const output = options.format === 'json' ? fmtJson(done) : fmtPretty(done, colorsFor(process.stdout));
   const clean = done.every(({ status }) => status === 'unchanged' || status === 'formatted');
-  return { output, messages: failures.join(''), exitCode: failures.length > 0 ? 2 : clean ? 0 : 1 };
+  // where a folder could not be looked into, and nothing else was found, there is nothing to count
+  return {
+    output: done.length === 0 && options.format === 'pretty' ? '' : output,
+    messages: failures.join(''),
+    exitCode: failures.length > 0 ? 2 : clean ? 0 : 1,
+  };
 }
 
 async function formatFile(file: string, onlyCheck: boolean): Promise<FormattedFile> {
@@ -60,6 +69,6 @@ async function formatFile(file: string, onlyCheck: boolean): Promise<FormattedFi
   if (!read.ok) return { file, status: 'invalid', problems: showProblems(read.problems, read.text) };
   const text = formatLevel(withIds(read.document.file));
   if (Buffer.from(text).equals(bytes)) return { file, status: 'unchanged', problems: [] };
-  if (!onlyCheck) writeWhole(file, text);
+  if (!onlyCheck) await writeWhole(file, text);
   return { file, status: onlyCheck ? 'would change' : 'formatted', problems: [] };
 }

@@ -12,7 +12,8 @@ import { formatOption, jobsOption, LARGEST_SEED, seedOption, wholeNumberOption }
 import { runInPool } from '../pool.ts';
 import { createProgress } from '../progress.ts';
 import { generateJson, generatePretty } from '../reporters/generate.ts';
-import { type SignalCode, stopOnSignalDuring } from '../signals.ts';
+import { uncut } from '../signals.ts';
+import { visibleLine } from '../visible.ts';
 
 /** Ticks simulated for a level at most, where nothing else is said: minutes. */
 const DEFAULT_EFFORT = 500_000_000;
@@ -58,7 +59,7 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
 A level is kept only when its run "solution" forgives as much as the difficulty asks for, at accuracies precise and arcade, when a
 run "all-minerals" collects everything, and when neither no press nor hardly any single press completes it. The level of a seed is
 the same on every machine and for any --jobs: the files of seeds S, S + 1, ... are named after level and seed. No file that is
-there is overwritten. Ctrl-C ends the work and keeps what is done.
+there is overwritten. Ctrl-C ends the work; files that were written by then stay.
 
 Exit code: 0 when every level was made; 1 when nothing good enough came of a seed; 2 when one could not be written, or another
 file has its name; 130 and 143 after SIGINT and SIGTERM.
@@ -76,45 +77,34 @@ async function generate(options: Options): Promise<CommandResult> {
   // each can be made again by its own seed
   if (seed + count - 1 > LARGEST_SEED)
     throw new Failure(`--seed ${seed} --count ${count}: expected seeds up to ${LARGEST_SEED}, found up to ${seed + count - 1}`);
-  makeDirectory(out);
+  await uncut(() => makeDirectory(out));
   const tasks = Array.from({ length: count }, (_, i): GenerateTask => {
     const wish: GeneratorOptions = { seed: seed + i, size, difficulty, ...(ingredients && { ingredients }) };
     return { options: wish, effort };
   });
-  const levels = new Map<number, GenerateReport['levels'][number]>();
+  const done: GenerateReport['levels'][number][] = [];
   const progress = createProgress('generated', count);
-  let signal: SignalCode | null = null;
-  const stopped = new AbortController();
-  const work = () =>
-    runInPool<GenerateTask, MadeLevel>(new URL('../generate/worker.js', import.meta.url), tasks, jobs, {
-      stop: stopped.signal,
-      onDone(done, made) {
-        progress.update(done);
-        // kept at once: what is done stays, whatever happens to the rest
-        levels.set(made.seed, keep(out, made));
-      },
-    });
   try {
-    await stopOnSignalDuring((code) => {
-      signal = code;
-      stopped.abort();
-    }, work);
+    await runInPool<GenerateTask, MadeLevel>(new URL('../generate/worker.js', import.meta.url), tasks, jobs, async (n, made) => {
+      progress.update(n);
+      // kept at once: what is done stays, whatever happens to the rest
+      await uncut(() => void done.push(keep(out, made)));
+    });
   } finally {
     progress.clear();
   }
-  const done = [...levels.values()].sort((a, b) => a.seed - b.seed);
+  done.sort((a, b) => a.seed - b.seed);
   const report: GenerateReport = {
     asked: count,
-    interrupted: signal !== null,
     levels: done,
     rejected: done.reduce((sum, { attempts, status }) => sum + attempts - (status === 'nothing' ? 0 : 1), 0),
   };
   const output = options.format === 'json' ? generateJson(report) : generatePretty(report, colorsFor(process.stdout));
   const taken = done.filter(({ status }) => status === 'in the way');
   const messages = taken
-    .map(({ file }) => `error: ${file}: another file is there and stays; give another --out or --seed\n`)
+    .map(({ file }) => `error: ${visibleLine(file ?? '')}: another file is there and stays; give another --out or --seed\n`)
     .join('');
-  const exitCode = signal ?? (taken.length > 0 ? 2 : done.some(({ status }) => status === 'nothing') ? 1 : 0);
+  const exitCode = taken.length > 0 ? 2 : done.some(({ status }) => status === 'nothing') ? 1 : 0;
   return { output, messages, exitCode };
 }
 

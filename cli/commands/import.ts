@@ -1,19 +1,21 @@
-import { mkdirSync, readFileSync, rmdirSync, rmSync } from 'node:fs';
-import { join } from 'node:path';
+import { mkdirSync, rmdirSync, rmSync } from 'node:fs';
+import { dirname, join, resolve } from 'node:path';
 import process from 'node:process';
 import { type Command, Option } from 'commander';
-import { formatLevel, importOriginal } from '../../schema/index.ts';
+import { formatLevel, importOriginal, MAX_FILE_SIZE } from '../../schema/index.ts';
 import { showProblems } from '../code-frames.ts';
 import { colorsFor } from '../colors.ts';
 import type { CommandResult } from '../command.ts';
 import { Failure, systemReason } from '../failure.ts';
 import { formatOption } from '../options.ts';
 import { readBytes } from '../read-bytes.ts';
+import { readRegularFile } from '../regular-file.ts';
 import { type ImportedFile, importJson, importPretty } from '../reporters/import.ts';
 import { showFileProblems } from '../reporters/problem.ts';
 import { schemaReference } from '../schema-reference.ts';
 import { namedPath } from '../shown-path.ts';
-import { writeWhole } from '../write-file.ts';
+import { allOrNone } from '../signals.ts';
+import { replaceRegular } from '../write-file.ts';
 
 interface ImportOptions {
   readonly out: string;
@@ -23,7 +25,9 @@ interface ImportOptions {
 }
 
 interface Target extends ImportedFile {
-  readonly text: string;
+  readonly content: Uint8Array;
+  /** What is there; null for nothing. */
+  readonly before: Uint8Array | null;
 }
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
@@ -58,14 +62,10 @@ async function importFile(file: string, options: ImportOptions): Promise<Command
   const $schema = schemaReference(options.out) ?? undefined;
   const targets = imported.levels.map(({ slug, file: level }): Target => {
     const path = join(options.out, `${slug}.level.json`);
-    const text = formatLevel({ $schema, ...level });
+    const content = Buffer.from(formatLevel({ $schema, ...level }));
     const before = contentOf(path);
-    return {
-      file: path,
-      level: level.name,
-      text,
-      status: before === null ? 'written' : before === text ? 'unchanged' : 'overwritten',
-    };
+    const status = before === null ? 'written' : content.equals(before) ? 'unchanged' : 'overwritten';
+    return { file: path, level: level.name, content, before, status };
   });
   const differing = targets.filter((target) => target.status === 'overwritten');
   if (differing.length > 0 && options.force !== true) {
@@ -79,38 +79,56 @@ async function importFile(file: string, options: ImportOptions): Promise<Command
   return { output: options.format === 'json' ? importJson(result) : importPretty(result), exitCode: 0 };
 }
 
-function contentOf(path: string): string | null {
+function contentOf(path: string): Uint8Array | null {
   try {
-    return readFileSync(path, 'utf8');
+    const bytes = readRegularFile(path, MAX_FILE_SIZE);
+    if (bytes.length > MAX_FILE_SIZE) throw new Error('it is larger than a level may be: move it away');
+    return bytes;
   } catch (error) {
     if (['ENOENT', 'ENOTDIR'].includes((error as NodeJS.ErrnoException).code ?? '')) return null;
     throw new Failure(`${path}: a file is to be written here, but what is there can't be read: ${systemReason(error)}`);
   }
 }
 
-/** Writes every file, or leaves the directory as it was but for files that `--force` overwrote. */
+/** Writes every file, or leaves everything as it was, also when a signal comes meanwhile. */
 async function writeAll(directory: string, targets: readonly Target[]): Promise<void> {
-  const made = makeDirectory(directory);
-  const created: string[] = [];
-  try {
-    for (const { file, text, status } of targets) {
-      if (status === 'unchanged') continue;
-      writeWhole(file, text);
-      if (status === 'written') created.push(file);
-    }
-  } catch (error) {
-    for (const file of created) rmSync(file, { force: true });
-    if (made) rmdirSync(directory);
-    throw error;
-  }
+  const done: Target[] = [];
+  let made: string | undefined;
+  await allOrNone(
+    [
+      () => {
+        made = makeDirectory(directory);
+      },
+      ...targets
+        .filter(({ status }) => status !== 'unchanged')
+        .map((target) => () => {
+          replaceRegular(target.file, target.content);
+          done.push(target);
+        }),
+    ],
+    () => {
+      for (const { file, before } of done.reverse()) {
+        if (before === null) rmSync(file, { force: true });
+        else replaceRegular(file, before);
+      }
+      if (made !== undefined) removeDirectories(directory, made);
+    },
+  );
 }
 
-function makeDirectory(directory: string): boolean {
+/** @returns the outermost directory that was made, if any */
+function makeDirectory(directory: string): string | undefined {
   try {
-    return mkdirSync(directory, { recursive: true }) !== undefined;
+    return mkdirSync(directory, { recursive: true });
   } catch (error) {
     throw new Failure(
       `--out ${namedPath(directory)}: the directory can't be made: ${systemReason(error)}; expected a directory that can be written`,
     );
   }
+}
+
+/** Removes empty directories from the innermost outwards. */
+function removeDirectories(innermost: string, outermost: string): void {
+  const last = resolve(outermost);
+  for (let at = resolve(innermost); at.length >= last.length; at = dirname(at)) rmdirSync(at);
 }

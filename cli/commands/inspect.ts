@@ -9,7 +9,6 @@ import { openLevel, warningsOf } from '../level-source.ts';
 import { formatOption, maxTimeOption } from '../options.ts';
 import { inspectJson } from '../reporters/inspect-json.ts';
 import { inspectPretty } from '../reporters/inspect-pretty.ts';
-import { endAtOnceDuring } from '../signals.ts';
 
 interface InspectOptions extends AccuracyOptions {
   readonly maxTime: number;
@@ -36,24 +35,22 @@ Examples:
 
 function inspect(file: string, options: InspectOptions): CommandResult {
   const accuracy = chooseAccuracy(options);
-  return endAtOnceDuring(() => {
-    const opened = openLevel(file);
-    if (!('level' in opened)) return opened;
-    const { level } = opened;
-    const scene = compile(level, accuracy);
-    const runs = level.runs.map((script) => simulate(scene, script.holds, { maxTime: options.maxTime }));
-    const inspection: Inspection = {
-      file,
-      level: level.name,
-      effects: scene.effects,
-      counts: countObjects(level),
-      modes: runs[0]?.modes ?? [],
-      work: runs[0]?.work ?? NO_WORK,
-      problems: warningsOf(opened, runs),
-    };
-    const output = options.format === 'json' ? inspectJson(inspection) : inspectPretty(inspection, colorsFor(process.stdout));
-    return { output, exitCode: 0 };
-  });
+  const opened = openLevel(file);
+  if (!('level' in opened)) return opened;
+  const { level } = opened;
+  const scene = compile(level, accuracy);
+  const runs = level.runs.map((script) => simulate(scene, script.holds, { maxTime: options.maxTime }));
+  const inspection: Inspection = {
+    file,
+    level: level.name,
+    effects: scene.effects,
+    counts: countObjects(level),
+    modes: runs[0]?.modes ?? [],
+    work: runs[0]?.work ?? NO_WORK,
+    problems: warningsOf(opened, runs),
+  };
+  const output = options.format === 'json' ? inspectJson(inspection) : inspectPretty(inspection, colorsFor(process.stdout));
+  return { output, exitCode: 0 };
 }
 
 const NO_WORK: Work = { pieces: 0, forceEvaluations: 0, guards: 0, roots: 0 };

@@ -120,8 +120,8 @@ async function render(file: string, options: Options): Promise<CommandResult> {
   if ('exitCode' in view) return view;
   const svg = renderSvg(opened.level, { ...view, width, theme });
   if (output === '-') return { output: svg, exitCode: 0 };
-  writeWhole(output, kind === '.svg' ? svg : await renderPng(svg, width));
-  return { messages: `wrote ${output}\n`, exitCode: 0 };
+  await writeWhole(output, kind === '.svg' ? svg : await renderPng(svg, width));
+  return { messages: `wrote ${visibleLine(output)}\n`, exitCode: 0 };
 }
 
 /** What the options ask to be shown, or what the command is to leave behind when there is no such thing. */
@@ -171,7 +171,7 @@ function solveFor(
   const asked = { accuracy, goal, objective: 'robust', seed, maxTicks, count } as const;
   const settings = { level: { ...level, runs: [] }, ...asked, known: level.runs.map(({ holds }) => holds) };
   const limits = { budget: null, effort };
-  return solveLevel(settings, { limits, jobs: availableParallelism(), onStart: () => {}, onRound: () => {} });
+  return solveLevel(settings, { limits, jobs: availableParallelism(), onRound: () => {} });
 }
 
 /** @throws Failure when the options ask for views that don't go into one picture */

@@ -12,7 +12,6 @@ import { openLevel } from '../level-source.ts';
 import { formatOption, maxTimeOption, numberOption } from '../options.ts';
 import { simulatePretty } from '../reporters/simulate-pretty.ts';
 import { reportRun } from '../run-report.ts';
-import { endAtOnceDuring } from '../signals.ts';
 
 const MAX_SAMPLES = 1_000_000;
 
@@ -61,17 +60,15 @@ function play(file: string, options: SimulateOptions): CommandResult {
       `--sample ${sample} over --max-time ${maxTime} may give more than ${MAX_SAMPLES} samples: lower one of the two`,
     );
   }
-  return endAtOnceDuring(() => {
-    const opened = openLevel(file);
-    if (!('level' in opened)) return opened;
-    const level: Level = options.recoil === undefined ? opened.level : { ...opened.level, recoil: options.recoil === 'on' };
-    const { name, holds } = chooseRun(file, level, options);
-    const run = simulate(compile(level, accuracy), holds, { maxTime });
-    const report = reportRun(level, accuracy.name, holds, run, sample ?? null);
-    const output =
-      options.format === 'json'
-        ? `${JSON.stringify(report)}\n`
-        : simulatePretty(level, name, run, report, colorsFor(process.stdout));
-    return { output, exitCode: 0 };
-  });
+  const opened = openLevel(file);
+  if (!('level' in opened)) return opened;
+  const level: Level = options.recoil === undefined ? opened.level : { ...opened.level, recoil: options.recoil === 'on' };
+  const { name, holds } = chooseRun(file, level, options);
+  const run = simulate(compile(level, accuracy), holds, { maxTime });
+  const report = reportRun(level, accuracy.name, holds, run, sample ?? null);
+  const output =
+    options.format === 'json'
+      ? `${JSON.stringify(report)}\n`
+      : simulatePretty(level, name, run, report, colorsFor(process.stdout));
+  return { output, exitCode: 0 };
 }

@@ -13,9 +13,8 @@ import { formatOption, jobsOption, maxTimeOption, wholeNumberOption } from '../o
 import { createStatusLine } from '../progress.ts';
 import { solveJson } from '../reporters/solve-json.ts';
 import { solvePretty } from '../reporters/solve-pretty.ts';
-import { type SignalCode, stopOnSignalDuring } from '../signals.ts';
+import { uncut } from '../signals.ts';
 import { addRuns, expectWritable } from '../solve/add-runs.ts';
-import type { Crew } from '../solve/crew.ts';
 import { progressText } from '../solve/progress-text.ts';
 import type { SolveSettings } from '../solve/settings.ts';
 import { type Solved, solveLevel } from '../solve/solve-level.ts';
@@ -56,8 +55,8 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
       'after',
       `
 The search starts from those of the level's own runs that get there. Every run is replayed from the start before it is reported:
-gq simulate --holds gives the same hash. A search ends early when nothing can get better. Ctrl-C ends it, too, and keeps the best:
-it is reported, and written with --write.
+gq simulate --holds gives the same hash. A search ends early when nothing can get better, and by --budget with the best so far.
+Ctrl-C ends it without a report, and nothing is written.
 
 Exit code: 0 when a run was found; 1 when none was, when it is proved that there is none, or when the level is invalid;
 2 when the level could not be read or written; 130 and 143 after SIGINT and SIGTERM.
@@ -89,17 +88,16 @@ async function solve(file: string, options: Options): Promise<CommandResult> {
     count: options.count,
     known: level.runs.map(({ holds }) => holds),
   };
-  const { solved, signal } = await search(settings, options);
+  const solved = await search(settings, options);
   const report =
-    options.format === 'json'
-      ? solveJson(settings, solved, signal !== null)
-      : solvePretty(settings, solved, signal !== null, colorsFor(process.stdout));
+    options.format === 'json' ? solveJson(settings, solved) : solvePretty(settings, solved, colorsFor(process.stdout));
   const found = solved.runs.length > 0;
-  const exitCode = signal ?? (found ? 0 : 1);
+  const exitCode = found ? 0 : 1;
   if (!options.write) return { output: report, exitCode };
   if (!found) return { output: report, messages: 'nothing was written: no run was found\n', exitCode };
   try {
-    return { output: report, messages: write(file, opened, solved, options.run ?? null), exitCode };
+    const messages = await uncut(() => write(file, opened, solved, options.run ?? null));
+    return { output: report, messages, exitCode };
   } catch (error) {
     if (!(error instanceof Failure)) throw error;
     // what was found is not lost
@@ -107,28 +105,15 @@ async function solve(file: string, options: Options): Promise<CommandResult> {
   }
 }
 
-async function search(settings: SolveSettings, options: Options): Promise<{ solved: Solved; signal: SignalCode | null }> {
+async function search(settings: SolveSettings, options: Options): Promise<Solved> {
   const line = createStatusLine();
   const start = performance.now();
-  let signal: SignalCode | null = null;
-  let crew: Crew | null = null;
-  const stop = (code: SignalCode): void => {
-    signal = code;
-    crew?.stop();
-  };
   try {
-    const solved = await stopOnSignalDuring(stop, () =>
-      solveLevel(settings, {
-        limits: limitsOf(options),
-        jobs: options.jobs,
-        onStart(started) {
-          crew = started;
-          if (signal !== null) crew.stop();
-        },
-        onRound: (found) => line.show(progressText(found, (performance.now() - start) / 1000)),
-      }),
-    );
-    return { solved, signal };
+    return await solveLevel(settings, {
+      limits: limitsOf(options),
+      jobs: options.jobs,
+      onRound: (found) => line.show(progressText(found, (performance.now() - start) / 1000)),
+    });
   } finally {
     line.clear();
   }

@@ -1,9 +1,10 @@
-import { mkdirSync, readFileSync } from 'node:fs';
+import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
-import { formatLevel } from '../../schema/index.ts';
+import { formatLevel, MAX_FILE_SIZE } from '../../schema/index.ts';
 import type { Generated } from '../../solver/index.ts';
 import { createFile, tryFolder } from '../disk.ts';
 import { Failure, systemReason } from '../failure.ts';
+import { NotAFile, readRegularFile } from '../regular-file.ts';
 import { schemaReference } from '../schema-reference.ts';
 import { namedPath } from '../shown-path.ts';
 
@@ -28,8 +29,9 @@ export function keepLevel(directory: string, path: string, { level }: Generated)
   const text = formatLevel({ $schema, ...level });
   try {
     if (createFile(path, Buffer.from(text))) return 'written';
-    return readFileSync(path, 'utf8') === text ? 'unchanged' : 'in the way';
+    return Buffer.from(text).equals(readRegularFile(path, MAX_FILE_SIZE)) ? 'unchanged' : 'in the way';
   } catch (error) {
+    if (error instanceof NotAFile) return 'in the way';
     throw new Failure(`${path}: can't be written: ${systemReason(error)}`);
   }
 }

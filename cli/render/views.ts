@@ -7,7 +7,6 @@ import { outcomeInWords } from '../outcome.ts';
 import { effortInWords } from '../reporters/effort.ts';
 import { plural } from '../reporters/plural.ts';
 import { percent } from '../reporters/robustness.ts';
-import { endAtOnceDuring } from '../signals.ts';
 import { proveGoalImpossible } from '../solve/prove.ts';
 import type { Solved } from '../solve/solve-level.ts';
 
@@ -102,11 +101,8 @@ export interface Exploration {
 export function viewExploration(subject: Subject, { goal, seed, effort, heat, nearest }: Exploration): View {
   const { level, accuracy, maxTime } = subject;
   const scene = compile(level, accuracy);
-  const search = endAtOnceDuring(() => {
-    const begun = createSearch(scene, { goal, seed, maxTicks: Math.round(maxTime * TICK_RATE) });
-    begun.advance(effort);
-    return begun;
-  });
+  const search = createSearch(scene, { goal, seed, maxTicks: Math.round(maxTime * TICK_RATE) });
+  search.advance(effort);
   const found = search.solutions.length;
   const runs = found === 0 ? 'it found no run' : `it found ${plural(found, 'run')}`;
   const note = `A search simulated ${effortInWords(search.effort)}; ${runs}.`;

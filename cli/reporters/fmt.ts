@@ -7,7 +7,8 @@ import { problemJson } from './problem-json.ts';
 
 export interface FormattedFile {
   readonly file: string;
-  readonly status: 'unchanged' | 'formatted' | 'would change' | 'invalid';
+  /** failed: it could not be read or written, and is as it was. */
+  readonly status: 'unchanged' | 'formatted' | 'would change' | 'invalid' | 'failed';
   readonly problems: readonly ShownProblem[];
 }
 
@@ -21,11 +22,12 @@ export function fmtJson(files: readonly FormattedFile[]): string {
 export function fmtPretty(files: readonly FormattedFile[], colors: Colors): string {
   let text = '';
   for (const { file, status, problems } of files) {
-    if (status === 'unchanged') continue;
+    // why one failed is told on the side
+    if (status === 'unchanged' || status === 'failed') continue;
     const paint = status === 'invalid' ? colors.red : colors.yellow;
     text += `${paint(status)} ${visibleLine(file)}\n${showFileProblems(file, problems, colors)}`;
   }
-  const counts = (['unchanged', 'formatted', 'would change', 'invalid'] as const)
+  const counts = (['unchanged', 'formatted', 'would change', 'invalid', 'failed'] as const)
     .map((status) => [status, files.filter((file) => file.status === status).length] as const)
     .filter(([, count]) => count > 0)
     .map(([status, count]) => `${count} ${status}`);

@@ -9,7 +9,7 @@ import { alignColumns } from './table.ts';
 export const generateJson = (report: GenerateReport): string => `${JSON.stringify(report)}\n`;
 
 /** What `generate` did, for a person. */
-export function generatePretty({ levels, rejected, interrupted, asked }: GenerateReport, colors: Colors): string {
+export function generatePretty({ levels, rejected }: GenerateReport, colors: Colors): string {
   const rows = levels.map(({ file, seed, status, grade, p40, certifiedTicks, length, presses, attempts }) => [
     status,
     file === null ? `seed ${seed}` : visibleLine(file),
@@ -26,8 +26,7 @@ export function generatePretty({ levels, rejected, interrupted, asked }: Generat
     return `${paint(status)(status)}${line.slice(status.length)}\n`;
   });
   const written = levels.filter(({ status }) => status === 'written').length;
-  const of = interrupted ? `, of ${asked}: interrupted` : '';
   const thrown =
     rejected === 0 ? '' : `; ${plural(rejected, 'layout')} thrown away: not completable, not robust, too easy or too hard`;
-  return `${lines.join('')}${plural(written, 'level')} written${of}${thrown}\n`;
+  return `${lines.join('')}${plural(written, 'level')} written${thrown}\n`;
 }

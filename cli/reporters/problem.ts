@@ -1,3 +1,4 @@
+import { MORE_WARNINGS } from '../../engine/index.ts';
 import type { Colors } from '../colors.ts';
 import { MAX_SHOWN, type ShownProblem } from '../shown-problem.ts';
 import { visible, visibleLine } from '../visible.ts';
@@ -17,12 +18,20 @@ export function showProblem(file: string, problem: ShownProblem, colors: Colors)
   return `${head}\n${frame}${hint}`;
 }
 
+const isCount = ({ code, message }: ShownProblem): boolean => code === 'more-problems' || message === MORE_WARNINGS;
+
 /** The problems of one file; of very many only the first. */
 export function showFileProblems(file: string, problems: readonly ShownProblem[], colors: Colors): string {
-  const shown = problems.slice(0, MAX_SHOWN).map((problem) => showProblem(file, problem, colors));
-  const more = problems.length - shown.length;
-  if (more > 0) shown.push(`${visibleLine(file)}: ${plural(more, 'more problem', 'more problems')} like these\n`);
-  return shown.join('');
+  // what only says how many were left out earlier is no problem of its own
+  const counts = problems.filter(isCount);
+  const all = counts.length === 0 ? problems : problems.filter((problem) => !isCount(problem));
+  const shown = all.slice(0, MAX_SHOWN).map((problem) => showProblem(file, problem, colors));
+  const more = all.length - shown.length;
+  if (more > 0) {
+    const least = counts.length > 0 ? 'at least ' : '';
+    shown.push(`${visibleLine(file)}: ${least}${plural(more, 'more problem', 'more problems')} like these\n`);
+  }
+  return [...shown, ...counts.map((count) => showProblem(file, count, colors))].join('');
 }
 
 const indent = (text: string): string => text.replace(/^(?=.)/gm, '    ');

@@ -5,7 +5,7 @@ import type { Solved, SolvedRun } from '../solve/solve-level.ts';
 import { robustnessJson } from './robustness.ts';
 
 /** What `solve` found, for a program. */
-export function solveJson({ level, accuracy, seed, count }: SolveSettings, solved: Solved, interrupted: boolean): string {
+export function solveJson({ level, accuracy, seed, count }: SolveSettings, solved: Solved): string {
   const { runs, closest, impossible } = solved;
   const effort = { ...solved.effort, seconds: solved.seconds, seed };
   const toReport = (found: SolvedRun | undefined): SolutionReport => ({
@@ -26,7 +26,7 @@ export function solveJson({ level, accuracy, seed, count }: SolveSettings, solve
         : { code: impossible.code, reason: impossible.reason, certificate: jsonOf(impossible.certificate) },
     hash: found?.run.hash ?? null,
   });
-  const report: SolveReport = { ...toReport(runs[0]), interrupted };
+  const report: SolveReport = { ...toReport(runs[0]) };
   if (count > 1) report.solutions = runs.map(toReport);
   return `${JSON.stringify(report)}\n`;
 }

@@ -8,7 +8,7 @@ import { holdsInWords } from './holds.ts';
 import { robustnessLines } from './robustness.ts';
 
 /** What `solve` found, for a person. */
-export function solvePretty(settings: SolveSettings, solved: Solved, interrupted: boolean, colors: Colors): string {
+export function solvePretty(settings: SolveSettings, solved: Solved, colors: Colors): string {
   const { level, accuracy } = settings;
   const { runs, effort, impossible, closest } = solved;
   const head = `${colors.bold(visibleLine(level.name))}, ${accuracy.name}`;
@@ -18,11 +18,7 @@ export function solvePretty(settings: SolveSettings, solved: Solved, interrupted
       `${rows([['proof', `${impossible.code}; a separate checker confirms its certificate (--format json shows it)`]])}`
     );
   }
-  const early = interrupted ? ', interrupted' : '';
-  const spent: [string, string] = [
-    'effort',
-    `${effortInWords(effort)}, ${solved.seconds.toFixed(1)} s, seed ${settings.seed}${early}`,
-  ];
+  const spent: [string, string] = ['effort', `${effortInWords(effort)}, ${solved.seconds.toFixed(1)} s, seed ${settings.seed}`];
   if (runs.length === 0) {
     const lines: [string, string][] = [spent];
     if (closest !== null) lines.push(['closest', closestInWords(closest)]);

@@ -1,8 +1,9 @@
-import { accessSync, constants, realpathSync } from 'node:fs';
+import { realpathSync } from 'node:fs';
 import { formatLevel, type Hold, type LevelFile } from '../../schema/index.ts';
 import { replaceFile } from '../disk.ts';
 import { Failure, systemReason } from '../failure.ts';
 import { readBytes } from '../read-bytes.ts';
+import { whyNotWritable } from '../writable.ts';
 
 /** A run that was put into a level file, or is there already under this name. */
 export interface AddedRun {
@@ -59,11 +60,8 @@ export function addRuns(
 
 /** Looks before a long search whether its result could be written. @throws Failure when it could not */
 export function expectWritable(path: string): void {
-  try {
-    accessSync(path, constants.W_OK);
-  } catch (error) {
-    throw new Failure(`${path}: --write can't write it: ${systemReason(error)}`);
-  }
+  const why = whyNotWritable(path);
+  if (why !== null) throw new Failure(`${path}: --write can't write it: ${why}`);
 }
 
 /** The name itself, or with the first number behind it that is free. */

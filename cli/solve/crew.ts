@@ -12,20 +12,14 @@ export interface Found {
   readonly solutions: readonly Solution[];
 }
 
-/** Runs simulated at most to certify a run, and where somebody waits for the end. */
-const MANY_RUNS = 50_000;
-const FEW_RUNS = 2000;
-
 /** Threads that search together. */
 export interface Crew {
   /**
-   * Searches until nothing can get better, a limit is reached or `stop` is called.
+   * Searches until nothing can get better, or a limit is reached.
    * @param onRound called with what there is by then
    */
   search(limits: Limits, onRound: (found: Found) => void): Promise<Found>;
-  /** Brings the search to an end soon. */
-  stop(): void;
-  /** How much each of these runs forgives; less is tried for the certificates of a search that was stopped. */
+  /** How much each of these runs forgives. */
   measure(runs: readonly (readonly Hold[])[]): Promise<readonly Robustness[]>;
   /** Ends the threads. */
   dismiss(): Promise<void>;
@@ -46,7 +40,6 @@ export function hireCrew(settings: SolveSettings, jobs: number): Crew {
   const halt = (): void => {
     Atomics.store(stopped, 0, 1);
   };
-  let wasStopped = false;
 
   /** Every lane at so many ticks in all, or where it was stopped. */
   async function advance(to: number): Promise<LaneState[]> {
@@ -73,13 +66,8 @@ export function hireCrew(settings: SolveSettings, jobs: number): Crew {
 
   return {
     search,
-    stop() {
-      wasStopped = true;
-      halt();
-    },
     async measure(runs) {
-      const maxRuns = wasStopped ? FEW_RUNS : MANY_RUNS;
-      const answers = runs.map((holds, i) => workers[i % threads].ask({ kind: 'measure', holds, maxRuns }, 'measure'));
+      const answers = runs.map((holds, i) => workers[i % threads].ask({ kind: 'measure', holds }, 'measure'));
       return (await Promise.all(answers)).map((answer) => answer.robustness);
     },
     async dismiss() {

@@ -14,7 +14,7 @@ export interface WorkerData {
 /** What a worker is asked for, each answered once. */
 export type Request =
   | { readonly kind: 'advance'; readonly to: number }
-  | { readonly kind: 'measure'; readonly holds: readonly Hold[]; readonly maxRuns: number };
+  | { readonly kind: 'measure'; readonly holds: readonly Hold[] };
 
 export interface LaneState {
   readonly lane: number;

@@ -9,5 +9,5 @@ export function progressText({ solutions, effort, closest }: Found, seconds: num
   }
   const presses = `${best.holds.length} ${best.holds.length === 1 ? 'press' : 'presses'}`;
   const p40 = best.p40 === null ? '' : `, P(40 ms) ${(100 * best.p40.p).toFixed(0)} %`;
-  return `${so}${best.time.toFixed(2)} s, ${presses}${p40}; Ctrl-C keeps it`;
+  return `${so}${best.time.toFixed(2)} s, ${presses}${p40}; Ctrl-C drops it`;
 }

@@ -1,7 +1,8 @@
 import { compile, type Run, simulate, TICK } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import type { Closest, Effort, Proof, Robustness } from '../../solver/index.ts';
-import type { Crew, Found } from './crew.ts';
+import { catchSignals, leaveSignals } from '../signals.ts';
+import type { Found } from './crew.ts';
 import { hireCrew } from './crew.ts';
 import { proveGoalImpossible } from './prove.ts';
 import type { Limits, SolveSettings } from './settings.ts';
@@ -31,33 +32,37 @@ export interface SolveOptions {
   /** The most threads; what comes out does not depend on it. */
   readonly jobs: number;
   readonly onRound: (found: Found) => void;
-  /** Called with the crew once it is at work, so that it can be stopped. */
-  readonly onStart: (crew: Crew) => void;
 }
 
 /** Tries to prove that there is no run, then searches for one, in threads of its own. */
-export async function solveLevel(settings: SolveSettings, { limits, jobs, onRound, onStart }: SolveOptions): Promise<Solved> {
+export async function solveLevel(settings: SolveSettings, { limits, jobs, onRound }: SolveOptions): Promise<Solved> {
   const start = performance.now();
   const since = (): number => (performance.now() - start) / 1000;
   const { level, accuracy, goal, maxTicks } = settings;
   const impossible = proveGoalImpossible(level, accuracy, goal, maxTicks);
   if (impossible !== null) return { runs: [], effort: { runs: 0, ticks: 0 }, seconds: since(), closest: null, impossible };
 
-  const crew = hireCrew(settings, jobs);
-  onStart(crew);
-  try {
-    const { solutions, effort, closest } = await crew.search(limits, onRound);
-    const measured = await crew.measure(solutions.map(({ holds }) => holds));
-    const scene = compile(level, accuracy);
-    const runs = solutions.map(({ holds }, i): SolvedRun => {
-      // what is reported is what a replay from the start shows
-      const run = simulate(scene, holds, { maxTime: maxTicks * TICK });
-      if (run.outcome !== 'completed')
-        throw new Error(`a run that was found does not complete the level: ${JSON.stringify(holds)}`);
-      return { holds, run, robustness: measured[i] };
-    });
-    return { runs, effort, seconds: since(), closest: runs.length > 0 ? null : closest, impossible: null };
-  } finally {
-    await crew.dismiss();
+  const { solutions, effort, closest, measured } = await searchInThreads();
+  const scene = compile(level, accuracy);
+  const runs = solutions.map(({ holds }, i): SolvedRun => {
+    // what is reported is what a replay from the start shows
+    const run = simulate(scene, holds, { maxTime: maxTicks * TICK });
+    if (run.outcome !== 'completed')
+      throw new Error(`a run that was found does not complete the level: ${JSON.stringify(holds)}`);
+    return { holds, run, robustness: measured[i] };
+  });
+  return { runs, effort, seconds: since(), closest: runs.length > 0 ? null : closest, impossible: null };
+
+  async function searchInThreads(): Promise<Found & { readonly measured: readonly Robustness[] }> {
+    catchSignals();
+    const crew = hireCrew(settings, jobs);
+    try {
+      const found = await crew.search(limits, onRound);
+      return { ...found, measured: await crew.measure(found.solutions.map(({ holds }) => holds)) };
+    } finally {
+      await crew.dismiss();
+      // a replay may take long
+      await leaveSignals();
+    }
   }
 }

@@ -6,6 +6,9 @@ import type { Answer, LaneState, Request, WorkerData } from './messages.ts';
 /** Executions behind each probability. */
 const SAMPLES = 1000;
 
+/** Runs simulated at most to certify a run. */
+const MOST_RUNS = 50_000;
+
 /** Ticks simulated before a worker looks whether it is to stop. */
 const SLICE = 50_000;
 
@@ -46,7 +49,7 @@ function answer(request: Request): Answer {
     case 'measure':
       return {
         kind: 'measure',
-        robustness: measureRobustness(scene, request.holds, goal, { samples: SAMPLES, seed, maxRuns: request.maxRuns }),
+        robustness: measureRobustness(scene, request.holds, goal, { samples: SAMPLES, seed, maxRuns: MOST_RUNS }),
       };
   }
 }

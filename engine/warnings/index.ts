@@ -45,6 +45,9 @@ export const WARNING_CODES: readonly WarningExplanation[] = RULES.map((rule) => 
 /** A code is told so often in one level; one more warning says that there are others. */
 export const MAX_WARNINGS_PER_CODE = 20;
 
+/** The message of that one. */
+export const MORE_WARNINGS = `there are more of these: only the first ${MAX_WARNINGS_PER_CODE} are told`;
+
 /**
  * What a valid level's designer most likely didn't mean: found by looking, nothing is simulated.
  * @param runs runs of this level that were simulated; without them `unused-asteroid` is not looked for
@@ -61,7 +64,7 @@ export function findWarnings(level: Level, runs: readonly Run[] = []): Warning[]
         warnings.push({
           code,
           severity,
-          message: `there are more of these: only the first ${MAX_WARNINGS_PER_CODE} are told`,
+          message: MORE_WARNINGS,
           hint: 'mend these first, then check again',
           pointer: '',
         });

@@ -1,5 +1,16 @@
-import { spawnSync } from 'node:child_process';
-import { chmodSync, existsSync, readdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
+import { execFileSync, spawnSync } from 'node:child_process';
+import {
+  chmodSync,
+  existsSync,
+  lstatSync,
+  mkdirSync,
+  readdirSync,
+  readFileSync,
+  statSync,
+  symlinkSync,
+  writeFileSync,
+} from 'node:fs';
+import { createServer } from 'node:net';
 import { join } from 'node:path';
 import process from 'node:process';
 import { fileURLToPath } from 'node:url';
@@ -123,6 +134,123 @@ describe('fmt', () => {
     expect(again).toMatchObject({ code: 0, stdout: '2 files: 2 unchanged\n' });
     expect(statSync(join(cwd, 'untidy/a.level.json')).mtimeMs).toBe(mtimeMs);
   });
+});
+
+describe.runIf(process.platform !== 'win32')('what stands in the way', () => {
+  const place = makeFiles({
+    'a.level.json': fallThrough(),
+    'b.level.json': fallThrough(),
+    'originals.json': JSON.stringify([original, original]),
+    'all/x.level.json': fallThrough(),
+  });
+  const here = place.directory;
+  afterAll(place.remove);
+  const at = (name: string): string => join(here, name);
+  const run = (args: string) => gq(args.split(' '), { cwd: here });
+
+  it('a link to where nothing is yet is followed, and the new file has the mode of every new one', async () => {
+    symlinkSync('later.svg', at('first.svg'));
+    symlinkSync('first.svg', at('link.svg'));
+    expect(await run('render a.level.json -o link.svg')).toMatchObject({ code: 0 });
+    expect(lstatSync(at('link.svg')).isSymbolicLink()).toBe(true);
+    expect(lstatSync(at('later.svg')).isFile()).toBe(true);
+    expect(statSync(at('later.svg')).mode & 0o777).toBe(0o666 & ~process.umask());
+    symlinkSync('nowhere/x.svg', at('lost.svg'));
+    symlinkSync('ring.svg', at('ring.svg'));
+    for (const [name, why] of [
+      ['lost.svg', 'no such file or directory'],
+      ['ring.svg', 'its symbolic links go round in circles'],
+    ]) {
+      const { code, stderr } = await run(`render a.level.json -o ${name}`);
+      expect({ code, stderr }).toEqual({ code: 2, stderr: `error: ${name}: can't be written: ${why}\n` });
+      expect(lstatSync(at(name)).isSymbolicLink()).toBe(true);
+    }
+  });
+
+  it('a file that is read-only stays as it is, for an administrator, too', async () => {
+    const text = readFileSync(at('b.level.json'), 'utf8');
+    for (const name of ['b.level.json', 'drawn.svg', 'level-01.level.json']) {
+      if (name !== 'b.level.json') writeFileSync(at(name), text);
+      chmodSync(at(name), 0o444);
+    }
+    const [fmt, solve, render, imported] = await Promise.all([
+      run('fmt b.level.json'),
+      run('solve b.level.json --write --effort 1000'),
+      run('render a.level.json -o drawn.svg'),
+      run('import originals.json --out . --force'),
+    ]);
+    expect(fmt).toMatchObject({ code: 2, stdout: '1 file: 1 failed\n' });
+    expect(fmt.stderr).toMatch(/^error: b\.level\.json: can't be written: .+\n$/);
+    for (const { code, stderr } of [solve, render, imported]) {
+      expect(code).toBe(2);
+      expect(stderr).toMatch(/writ.*(?:read-only \(mode 444\)|permission denied)/);
+    }
+    for (const name of ['b.level.json', 'drawn.svg', 'level-01.level.json']) expect(readFileSync(at(name), 'utf8')).toBe(text);
+    expect(existsSync(at('level-02.level.json'))).toBe(false);
+    expect(readdirSync(here).filter((name) => name.includes('tmp'))).toEqual([]);
+  });
+
+  it('a named pipe, a socket, a device without end, a folder: none is waited for', async () => {
+    execFileSync('mkfifo', [at('pipe'), at('all/pipe.level.json'), at('package.json')]);
+    mkdirSync(at('folder.level.json'));
+    symlinkSync('/dev/zero', at('zero'));
+    symlinkSync('pipe', at('to-pipe'));
+    const socket = createServer().listen(at('socket'));
+    for (const [name, why] of [
+      ['pipe', /it is a named pipe, not a regular file; expected a file, or \/dev\/stdin/],
+      ['to-pipe', /it is a named pipe/],
+      ['socket', /socket/],
+      ['zero', /larger than|file-too-large/],
+      ['folder.level.json', /is a directory|it is a folder|holds no/],
+    ] as const) {
+      for (const command of ['check', 'simulate', 'solve', 'fmt', 'difficulty', 'import --out out']) {
+        const { code, stdout, stderr, signal } = await run(`${command} ${name}`);
+        expect(signal, `${command} ${name}`).toBeNull();
+        expect(code, `${command} ${name}`).toBe(name === 'zero' ? 1 : 2);
+        expect(stdout + stderr).toMatch(why);
+      }
+    }
+    socket.close();
+    expect(await run('check all')).toMatchObject({ code: 0 });
+    // import looks for the project around it, and for what is there
+    execFileSync('mkfifo', [at('pipes.level.json')]);
+    mkdirSync(at('taken'));
+    execFileSync('mkfifo', [at('taken/level-01.level.json')]);
+    expect(await run('import originals.json --out taken --force')).toMatchObject({ code: 2 });
+    expect(await run('import originals.json --out new/deep')).toMatchObject({ code: 0 });
+  });
+
+  it('a pipe that the shell has made is read to its end', () => {
+    const script = '"$0" "$1" check <(cat a.level.json) <(cat a.level.json) && cat a.level.json | "$0" "$1" simulate /dev/stdin';
+    const { status, stdout } = spawnSync('bash', ['-c', script, process.execPath, MAIN], { cwd: here, encoding: 'utf8' });
+    expect(stdout).toContain('2 levels: 2 completable');
+    expect(stdout).toContain('completed at');
+    expect(status).toBe(0);
+  });
+
+  it('fmt counts what failed, and says nothing of files where there are none', async () => {
+    mkdirSync(at('lost'));
+    symlinkSync('nowhere', at('lost/gone.level.json'));
+    const { code, stdout, stderr } = await run('fmt lost all/x.level.json');
+    expect({ code, stdout }).toEqual({ code: 2, stdout: 'formatted all/x.level.json\n2 files: 1 formatted, 1 failed\n' });
+    expect(stderr).toMatch(/^error: lost\/gone\.level\.json: can't be read: no such file or directory/);
+    expect(await run('fmt lost')).toMatchObject({ code: 2, stdout: '1 file: 1 failed\n' });
+    const json = JSON.parse((await run('fmt lost --format json')).stdout);
+    expect(json).toEqual({ files: [{ file: 'lost/gone.level.json', status: 'failed', problems: [] }] });
+  });
+});
+
+it('says how many problems are not shown', async () => {
+  const novae = Array.from({ length: 3000 }, (_, i) => ({ x: 40 * i, y: 5000, radius: 'wide' }));
+  const crowd = Array.from({ length: 60 }, (_, i) => ({ x: i, y: 5000, radius: 16 }));
+  writeFileSync(join(cwd, 'wrong.level.json'), fallThrough({ novae }));
+  writeFileSync(join(cwd, 'crowd.level.json'), fallThrough({ novae: crowd }));
+  const wrong = await gq(['check', 'wrong.level.json'], { cwd });
+  expect(wrong.stdout).toContain('more-problems: and at least 980 more\n');
+  expect(wrong.stdout).not.toContain('1 more problem');
+  const crowded = await gq(['check', 'crowd.level.json'], { cwd });
+  expect(crowded.stdout).toContain('overlapping: there are more of these: only the first 20 are told\n');
+  expect(crowded.stdout).not.toContain('1 more problem');
 });
 
 describe('render', () => {
