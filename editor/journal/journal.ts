@@ -48,9 +48,9 @@ export interface Journal {
   adopt(store: JournalStore): void;
   /** Calls back when that has happened. @returns stops it */
   onAdopted(listener: () => void): () => void;
-  /** What was left of a level; null when all of it reached the disk. */
+  /** What was left of a level; null when all of it reached the disk. Rejects when the database fails. */
   recover(place: string): Promise<Recovery | null>;
-  /** All levels with changes that never reached the disk. */
+  /** All levels with changes that never reached the disk. Rejects when the database fails. */
   unsaved(): Promise<readonly { readonly place: string; readonly time: number }[]>;
   /**
    * Keeps every step of a level under a place, a name of the level in its folder.
@@ -160,7 +160,10 @@ export function createJournal(
       return () => listeners.delete(listener);
     },
     async recover(place) {
-      const found = await kept.read(place);
+      const found = await kept.read(place).catch((error) => {
+        state.setState(stateOf(error), true);
+        throw error;
+      });
       if (found === null || (found.entries.length === 0 && found.tip === null)) return null;
       const base = fileOf(found.base.text);
       if (base === null) return null;
