@@ -44,7 +44,8 @@ export async function openDatabase({ databases, name, stores, after }: DatabaseO
   const open = async (): Promise<IDBDatabase> => {
     const request = databases.open(name, 1);
     request.onupgradeneeded = () => {
-      for (const [store, keyPath] of Object.entries(stores)) request.result.createObjectStore(store, keyPath === null ? {} : { keyPath });
+      for (const [store, keyPath] of Object.entries(stores))
+        request.result.createObjectStore(store, keyPath === null ? {} : { keyPath });
     };
     const opened = await done(request);
     // somebody clears the data of the site, which must not wait for this page

@@ -1,6 +1,6 @@
+import { createStore, type StoreApi } from 'zustand/vanilla';
 import { formatLevel, type Problem } from '../../schema/index.ts';
 import { createEditedLevel, type EditedLevel, isSame } from '../document/index.ts';
-import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { Journal, Keeping, LevelJournal, Recovery } from '../journal/index.ts';
 import { readText } from './disk-text.ts';
 import type { LevelStorage, StorageError } from './level-storage.ts';

@@ -44,7 +44,8 @@ const UNREACHABLE = storageError(
   'is gq edit still running? Start it again in the same folder and open the address it prints',
 );
 
-const ANEW = 'Open the address that gq edit printed last, or start gq edit again in the folder and open the address that it prints then';
+const ANEW =
+  'Open the address that gq edit printed last, or start gq edit again in the folder and open the address that it prints then';
 
 const NO_TOKEN = storageError(
   'wrong-token',

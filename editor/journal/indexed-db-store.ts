@@ -41,7 +41,8 @@ export async function openIndexedDbStore(
         if (isWhole || (!isChecked && base === undefined && tip === undefined)) return putEntries();
         return (async () => {
           const old = (await done(heads.get(place))) as Head | undefined;
-          if (old === undefined) throw new DOMException('what the changes go on from is gone: the data of this page were cleared', 'NotFoundError');
+          if (old === undefined)
+            throw new DOMException('what the changes go on from is gone: the data of this page were cleared', 'NotFoundError');
           heads.put({ ...old, time, base: base ?? old.base, tip: tip === undefined ? old.tip : tip } satisfies Head);
           putEntries();
         })();

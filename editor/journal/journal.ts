@@ -211,6 +211,9 @@ export function createJournal(
       let resting: (() => void)[] = [];
       const keeping = createStore<Keeping>(() => (lasts ? 'keeping' : 'page'));
 
+      const works = () => {
+        if (lasts && state.getState().kind !== 'working') state.setState({ kind: 'working' }, true);
+      };
       const show = () => {
         if (!lasts) return;
         const now: Keeping = broken !== null ? 'failing' : safe >= number ? 'kept' : 'keeping';
@@ -259,7 +262,7 @@ export function createJournal(
         flying--;
         if (broken === null) {
           over(upTo);
-          if (lasts) state.setState({ kind: 'working' }, true);
+          works();
           pump();
         } else if (flying === 0) await mend();
         rested();
@@ -278,7 +281,7 @@ export function createJournal(
           await to.write({ place, time: now(), ...whole, add: [] });
           broken = null;
           safe = upTo;
-          if (lasts) state.setState({ kind: 'working' }, true);
+          works();
         } catch (error) {
           broken = { error };
           state.setState(stateOf(error), true);

@@ -225,7 +225,8 @@ describe('the journal', () => {
     const cleared: JournalStore = {
       ...store,
       async write(change) {
-        if (change.base === undefined && (await store.read(change.place)) === null) throw new DOMException('gone', 'NotFoundError');
+        if (change.base === undefined && (await store.read(change.place)) === null)
+          throw new DOMException('gone', 'NotFoundError');
         await store.write(change);
       },
     };

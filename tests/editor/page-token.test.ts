@@ -45,13 +45,18 @@ describe('the token of gq edit', () => {
 
   it('leaves what else the fragment carries', () => {
     fc.assert(
-      fc.property(fc.stringMatching(/^[\w-]{1,40}$/), fc.array(fc.stringMatching(/^[a-s]{1,5}=[\w-]{0,20}$/)), fc.nat(), (token, others, at) => {
-        const parts = [...others];
-        parts.splice(at % (others.length + 1), 0, `token=${token}`);
-        const { page, address } = tab(`${ROOT}#${parts.join('&')}`);
-        expect(takeToken(page)).toBe(token);
-        expect(address()).toBe(others.length === 0 ? ROOT : `${ROOT}#${others.join('&')}`);
-      }),
+      fc.property(
+        fc.stringMatching(/^[\w-]{1,40}$/),
+        fc.array(fc.stringMatching(/^[a-s]{1,5}=[\w-]{0,20}$/)),
+        fc.nat(),
+        (token, others, at) => {
+          const parts = [...others];
+          parts.splice(at % (others.length + 1), 0, `token=${token}`);
+          const { page, address } = tab(`${ROOT}#${parts.join('&')}`);
+          expect(takeToken(page)).toBe(token);
+          expect(address()).toBe(others.length === 0 ? ROOT : `${ROOT}#${others.join('&')}`);
+        },
+      ),
     );
   });
 
