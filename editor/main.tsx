@@ -3,7 +3,7 @@ import './ui/ui.css';
 import { StrictMode } from 'react';
 import { createRoot } from 'react-dom/client';
 import * as z from 'zod';
-import { App, createEditor, openFirstLevel } from './app/index.ts';
+import { App, createEditor, openFirstLevel, tellKept } from './app/index.ts';
 
 // a strict content security policy allows no code made from text
 z.config({ jitless: true });
@@ -15,5 +15,6 @@ createRoot(document.getElementById('root') as HTMLElement).render(
   </StrictMode>,
 );
 await openFirstLevel(editor);
+void tellKept(editor);
 // what was done last is written before the page may go
 document.addEventListener('visibilitychange', () => void editor.open.getState()?.opened.saver.flush());

@@ -125,6 +125,15 @@ function EmptyScreen() {
           ) : (
             <p>{list.levels.length === 0 ? 'No levels here yet.' : 'Choose a level, or begin a new one.'}</p>
           )}
+          {error !== null && (
+            <Button
+              hint="What this browser has kept of levels that were not saved"
+              look="outlined"
+              onClick={() => session.setState({ overlay: 'kept' })}
+            >
+              Unsaved changes
+            </Button>
+          )}
           <Button hint="Start from a template" look="main" onClick={() => session.setState({ overlay: 'newLevel' })}>
             New level
           </Button>

@@ -1,56 +1,94 @@
-import { CircleAlert, CircleCheck, CloudOff, Eye, GitMerge, LoaderCircle } from 'lucide-react';
+import { CircleAlert, CircleCheck, CloudOff, Download, Eye, GitMerge, LoaderCircle } from 'lucide-react';
 import type { ComponentType } from 'react';
 import { useStore } from 'zustand';
 import { useEditor, useLevel } from '../context/index.ts';
 import type { SaveState } from '../files/index.ts';
+import type { Keeping } from '../journal/index.ts';
+import { keepFile, levelFile } from '../share/index.ts';
 import { Button, Hint } from '../ui/index.ts';
 
 const LOOKS: Readonly<Record<SaveState['kind'], { Icon: ComponentType<{ size: number }>; text: string }>> = {
   saved: { Icon: CircleCheck, text: 'saved' },
   saving: { Icon: LoaderCircle, text: 'saving' },
   unsaved: { Icon: LoaderCircle, text: 'unsaved' },
-  offline: { Icon: CloudOff, text: 'server is gone, kept in this browser' },
+  offline: { Icon: CloudOff, text: 'server is gone' },
   failing: { Icon: CircleAlert, text: 'not saved' },
   conflict: { Icon: GitMerge, text: 'conflict' },
   displaced: { Icon: CircleAlert, text: 'gone from the disk' },
   readOnly: { Icon: Eye, text: 'read only' },
 };
 
-/** The reason in full. */
-function reasonOf(state: SaveState): string {
+/** Where changes are that are not saved. `null`: nobody keeps them. */
+const KEPT: Readonly<Record<Keeping, { readonly short: string; readonly long: string }>> = {
+  kept: {
+    short: 'kept in this browser',
+    long: `It is kept in this browser, for ${location.host}, and is there again when this page dies.`,
+  },
+  keeping: { short: 'keeping…', long: 'It is on its way into this browser: if this page died now, it could be lost.' },
+  failing: { short: 'not kept', long: 'This browser can not keep it: it is lost when this page is closed before it is saved.' },
+  page: {
+    short: 'in this tab alone',
+    long: 'This browser keeps nothing of this page: it is lost when this page is closed before it is saved.',
+  },
+};
+
+/** The reason in full. @param lasts whether what is saved is still there when the page is gone */
+function reasonOf(state: SaveState, keeping: Keeping | null, lasts: boolean): string {
+  const kept = keeping === null ? '' : ` ${KEPT[keeping].long}`;
   switch (state.kind) {
     case 'saved':
-      return 'Everything is on the disk.';
+      return lasts
+        ? 'Everything is saved.'
+        : 'This browser has no database for this page: the level is lost when this page is closed.';
     case 'saving':
     case 'unsaved':
-      return 'Will be on the disk in a moment; until then it is kept in this browser.';
+      return `Will be saved in a moment.${kept}`;
     case 'offline':
     case 'failing':
-      return `${state.message}. ${state.hint}`;
+      return `${state.message}. ${state.hint}.${kept}`;
     case 'conflict':
-      return 'The file was changed on the disk at the same place as here.';
+      return `The file was changed on the disk at the same place as here.${kept}`;
     case 'displaced':
-      return state.reason === 'deleted' ? 'The file was deleted on the disk.' : 'The file on the disk is no valid level now.';
+      return `${state.reason === 'deleted' ? 'The file was deleted on the disk.' : 'The file on the disk is no valid level now.'}${kept}`;
     case 'readOnly':
-      return state.unsaved ? `${state.why}; this tab has changes that were not written.` : `${state.why}.`;
+      return state.unsaved ? `${state.why}; this tab has changes that were not written.${kept}` : `${state.why}.`;
   }
 }
 
+/** In a few words. */
+function textOf(state: SaveState, keeping: Keeping | null, lasts: boolean): string {
+  const { text } = LOOKS[state.kind];
+  if (state.kind === 'saved' && !lasts) return 'in this tab alone';
+  return state.kind === 'offline' && keeping !== null ? `${text}, ${KEPT[keeping].short}` : text;
+}
+
+/** Changes that do not come to the disk by themselves: a copy is worth having. */
+const IN_DANGER: readonly SaveState['kind'][] = ['offline', 'failing', 'displaced'];
+
 /** Whether the work is safe, and what to do when it is not. */
 export function SaveStatus() {
-  const { session } = useEditor();
-  const { opened } = useLevel();
+  const { session, workspace } = useEditor();
+  const { opened, document } = useLevel();
   const state = useStore(opened.saver.store);
   const role = useStore(opened.lock.store);
-  const { Icon, text } = LOOKS[state.kind];
+  const keeping = useStore(opened.keeping);
+  const { lasts } = workspace.storage;
+  const { Icon } = LOOKS[state.kind];
   return (
     <>
-      <Hint text={reasonOf(state)}>
+      <Hint text={reasonOf(state, keeping, lasts)}>
         <output className={`topbar__saved topbar__saved--${state.kind}`} aria-label="Saving">
           <Icon size={14} />
-          {text}
+          {textOf(state, keeping, lasts)}
         </output>
       </Hint>
+      {IN_DANGER.includes(state.kind) && (
+        <Button
+          hint="Download the level as it is now"
+          icon={<Download size={14} />}
+          onClick={() => void keepFile(levelFile(opened.id(), document.settledFile()))}
+        />
+      )}
       {(state.kind === 'conflict' || state.kind === 'displaced') && (
         <Button hint="Look at both and choose" look="outlined" onClick={() => session.setState({ overlay: 'conflict' })}>
           Resolve

@@ -44,6 +44,7 @@ export function appCommands({ session, settings, open }: Editor): readonly Comma
     },
     { id: 'file.new', title: 'New level', group: 'File', keys: ['Alt+n'], run: show('newLevel') },
     { id: 'file.share', title: 'Import, export, link', group: 'File', run: show('share') },
+    { id: 'file.kept', title: 'Unsaved changes kept in this browser', group: 'File', run: show('kept') },
     { id: 'file.trash', title: 'Deleted levels', group: 'File', run: show('trash') },
     {
       id: 'help.palette',

@@ -1,8 +1,17 @@
 import { createStore } from 'zustand/vanilla';
+import type { LevelFile } from '../../schema/index.ts';
 import { createCommands } from '../commands/index.ts';
 import type { Analysis, Editor, OpenLevel } from '../context/index.ts';
 import { createSelection, type ObjectKey } from '../document/index.ts';
-import { createWorkspace, type Link, type OpenedLevel, pageSurroundings, pageTimers } from '../files/index.ts';
+import {
+  createOpeningMarks,
+  createWorkspace,
+  type LevelStorage,
+  type Link,
+  type OpenedLevel,
+  pageSurroundings,
+  pageTimers,
+} from '../files/index.ts';
 import { createNotices } from '../notices/index.ts';
 import { attemptGhosts, createAttempts } from '../play/index.ts';
 import { createProofStore } from '../proof/index.ts';
@@ -60,32 +69,107 @@ function openParts(editor: Editor, opened: OpenedLevel): { level: OpenLevel; clo
   return { level, close };
 }
 
-/** What to do where the folder can't be reached. */
-const LINKS: Readonly<Record<Exclude<Link, 'up'>, string>> = {
-  gone: 'gq edit does not answer. Start it again in the same folder and open the address that it prints. What you do meanwhile is kept in this browser.',
-  otherRun:
-    'gq edit was started again, and this page belongs to the run before: it can save nothing any more. Open the address that gq edit prints now; ' +
-    'what is not saved is kept in this browser and comes along.',
-};
+/** What to do where the folder can't be reached, and where unsaved work is meanwhile: a browser keeps it for a host and its port. */
+function linkInWords(link: Exclude<Link, 'up'>, isKept: boolean): string {
+  const { host, port } = window.location;
+  const gone = 'gq edit does not answer. Start it again in the same folder and open the address that it prints.';
+  const other = 'gq edit was started again, and this page belongs to the run before: it can save nothing any more.';
+  if (link === 'gone') {
+    const kept = `What you do meanwhile is kept in this browser for ${host}: with another port (gq edit --port ${port} asks for this one) it is not found.`;
+    return `${gone} ${isKept ? kept : 'What you do meanwhile is lost when this page is closed: download the level.'}`;
+  }
+  const comes = `Open the address that gq edit prints now; what is not saved is kept in this browser for ${host} and comes along if it is there.`;
+  return `${other} ${isKept ? comes : 'What is not saved is lost when this page is closed: download the level, and open the address that gq edit prints now.'}`;
+}
+
+/** ms after it was drawn for which a level must not have kept the page busy: what looks at it once it rests comes within them */
+const ALIVE = 700;
+
+/** Calls back once the page has shown what there is to show and went on living. @returns takes it back */
+function onceDrawn(call: () => void): () => void {
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  let frame = requestAnimationFrame(() => {
+    frame = requestAnimationFrame(() => {
+      timer = setTimeout(call, ALIVE);
+    });
+  });
+  return () => {
+    cancelAnimationFrame(frame);
+    clearTimeout(timer);
+  };
+}
+
+/** The database answers after all: its levels are offered, together with those that were made without it. */
+function offerLateLevels(editor: Editor, found: LevelStorage): void {
+  const { workspace, notices } = editor;
+  const takeOver = async () => {
+    await workspace.store.getState().opened?.saver.flush();
+    const list = await workspace.storage.list();
+    const there = await found.list();
+    if (!list.ok || !there.ok) return;
+    const ids = new Set(there.value.levels.map(({ id }) => id));
+    for (const { id } of list.value.levels) {
+      const read = await workspace.storage.read(id);
+      if (!read.ok || read.value.text === null) continue;
+      let name = id;
+      for (let i = 2; ids.has(name); i++) name = `${id}-${i}`;
+      const written = await found.write(name, read.value.text, null);
+      if (!written.ok) {
+        notices.show('error', `${written.error.message}. ${written.error.hint}.`, { topic: 'late' });
+        return;
+      }
+      ids.add(name);
+    }
+    window.location.reload();
+  };
+  const text =
+    'The browser’s database answers now. It may have levels that are not listed here; those of this page are added to them.';
+  notices.show('warning', text, {
+    topic: 'late',
+    actions: [{ title: 'Add them and load the page again', run: () => void takeOver() }],
+  });
+}
+
+/** Says which levels have unsaved changes in this browser, but for the one that is open, which has them again. */
+export async function tellKept({ journal, workspace, notices, session }: Editor): Promise<void> {
+  const { list, opened } = workspace.store.getState();
+  const here = `${list?.folder.id ?? ''}/`;
+  const places = await journal.unsaved().catch(() => []);
+  const ids = places.filter(({ place }) => place.startsWith(here)).map(({ place }) => place.slice(here.length));
+  const others = ids.filter((id) => id !== opened?.id());
+  if (others.length === 0) return;
+  const which = others.length === 1 ? others[0] : `${others.length} levels`;
+  notices.show('warning', `Changes of ${which} were never saved. They are kept in this browser for ${window.location.host}.`, {
+    topic: 'kept',
+    actions: [{ title: 'Look at them', run: () => session.setState({ overlay: 'kept' }) }],
+  });
+}
 
 /** Builds the editor of this page: settings, session, journal, and the levels of `gq edit` or, without it, of this browser. */
 export async function createEditor(): Promise<Editor> {
   const settings = createSettings(pageStorage());
-  const surroundings = await pageSurroundings(window);
+  const { lateLevels, ...surroundings } = await pageSurroundings(window);
   const workspace = createWorkspace(surroundings);
   const notices = createNotices();
   const { journal } = surroundings;
+  let toldLink = '';
+  const tellLink = (link: Link) => {
+    const text = link === 'up' ? '' : linkInWords(link, journal.state.getState().kind === 'working');
+    if (text === toldLink) return;
+    toldLink = text;
+    if (text === '') notices.settle('server');
+    else notices.show('warning', text, { topic: 'server' });
+  };
   const tellJournal = () => {
     const state = journal.state.getState();
+    tellLink(workspace.store.getState().link);
     if (state.kind === 'working') notices.settle('journal');
     else notices.show('warning', `${state.message}. ${state.hint}`, { topic: 'journal' });
   };
   journal.state.subscribe(tellJournal);
   tellJournal();
   workspace.store.subscribe(({ link }, before) => {
-    if (link === before.link) return;
-    if (link === 'up') notices.settle('server');
-    else notices.show('warning', LINKS[link], { topic: 'server' });
+    if (link !== before.link) tellLink(link);
   });
   const editor: Editor = {
     settings,
@@ -93,6 +177,11 @@ export async function createEditor(): Promise<Editor> {
     commands: createCommands(),
     notices,
     workspace,
+    journal,
+    marks: createOpeningMarks(pageStorage()),
+    incoming: createStore<LevelFile | null>(() => null),
+    heldBack: createStore<string | null>(() => null),
+    unchecked: new Set(),
     workers: createWorkers({ spawn: spawnPageWorker, after: pageTimers.after }),
     open: createStore<OpenLevel | null>(() => null),
   };
@@ -105,9 +194,19 @@ export async function createEditor(): Promise<Editor> {
       editor.open.setState(null, true);
       return;
     }
+    const place = `${workspace.store.getState().list?.folder.id ?? ''}/${opened.id()}`;
+    editor.marks.set(place);
     const parts = openParts(editor, opened);
-    last = { opened, close: parts.close };
+    const cancel = onceDrawn(() => editor.marks.clear(place));
+    const close = () => {
+      cancel();
+      editor.marks.clear(place);
+      parts.close();
+    };
+    last = { opened, close };
     editor.open.setState(parts.level, true);
   });
+  window.addEventListener('pagehide', editor.marks.leave);
+  void lateLevels?.then((found) => offerLateLevels(editor, found));
   return editor;
 }

@@ -1,19 +1,18 @@
 import type { Editor } from '../context/index.ts';
+import { openFirst } from '../panels/levels/index.ts';
 
 const KEY = 'gravity-quest-last-level';
 
 /** Opens the level that was open last in this tab, else the first valid one; remembers what is opened from now on. */
-export async function openFirstLevel({ workspace }: Editor): Promise<void> {
+export async function openFirstLevel(editor: Editor): Promise<void> {
+  const { workspace } = editor;
   await workspace.start();
-  const { list } = workspace.store.getState();
   let last: string | null = null;
   try {
     last = window.sessionStorage.getItem(KEY);
   } catch {
     // a browser that keeps nothing: the first one then
   }
-  const levels = list?.levels ?? [];
-  const first = levels.find(({ id }) => id === last) ?? levels.find(({ status }) => status === 'valid');
   workspace.store.subscribe(({ opened }) => {
     if (opened === null) return;
     try {
@@ -22,5 +21,5 @@ export async function openFirstLevel({ workspace }: Editor): Promise<void> {
       // as above
     }
   });
-  if (first !== undefined) await workspace.open(first.id);
+  await openFirst(editor, last);
 }

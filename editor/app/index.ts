@@ -1,3 +1,3 @@
 export { App } from './App.tsx';
-export { createEditor } from './create-editor.ts';
+export { createEditor, tellKept } from './create-editor.ts';
 export { openFirstLevel } from './first-level.ts';

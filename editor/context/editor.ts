@@ -1,8 +1,10 @@
 import type { StoreApi } from 'zustand/vanilla';
+import type { LevelFile } from '../../schema/index.ts';
 import type { Ghost, Pose } from '../canvas/index.ts';
 import type { Commands } from '../commands/index.ts';
 import type { EditedLevel, ObjectKey, SelectionStore } from '../document/index.ts';
-import type { OpenedLevel, Workspace } from '../files/index.ts';
+import type { OpenedLevel, OpeningMarks, Workspace } from '../files/index.ts';
+import type { Journal } from '../journal/index.ts';
 import type { Notices } from '../notices/index.ts';
 import type { Attempts } from '../play/index.ts';
 import type { ProofStore } from '../proof/index.ts';
@@ -49,6 +51,16 @@ export interface Editor {
   readonly commands: Commands;
   readonly notices: Notices;
   readonly workspace: Workspace;
+  /** What is kept of levels in this browser until they are saved. */
+  readonly journal: Journal;
+  /** What the page before did not survive opening. */
+  readonly marks: OpeningMarks;
+  /** A level that came with the page's address and is not taken in yet. */
+  readonly incoming: StoreApi<LevelFile | null>;
+  /** Id of a level that is not opened before the person has been asked. */
+  readonly heldBack: StoreApi<string | null>;
+  /** Ids of levels that are to be opened without being played. */
+  readonly unchecked: Set<string>;
   readonly workers: Workers;
   /** null while nothing is open */
   readonly open: StoreApi<OpenLevel | null>;

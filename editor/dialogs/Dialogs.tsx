@@ -5,6 +5,9 @@ import { DropZone } from './DropZone.tsx';
 import './dialogs.css';
 import { fileCommands } from './file-commands.ts';
 import { followDisagreement } from './follow-disagreement.ts';
+import { HeldBackDialog } from './HeldBackDialog.tsx';
+import { KeptDialog } from './KeptDialog.tsx';
+import { LinkDialog } from './LinkDialog.tsx';
 import { NewLevelDialog } from './NewLevelDialog.tsx';
 import { ShareDialog } from './ShareDialog.tsx';
 import { Tour } from './Tour.tsx';
@@ -26,8 +29,11 @@ export function Dialogs() {
       <ShareDialog />
       <TrashDialog />
       <ConflictDialog />
+      <KeptDialog />
       <Tour />
       <DropZone />
+      <HeldBackDialog />
+      <LinkDialog />
     </>
   );
 }

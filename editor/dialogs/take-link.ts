@@ -1,19 +1,19 @@
 import type { Editor } from '../context/index.ts';
-import { addLevels } from '../panels/levels/index.ts';
-import { levelOf, slugOf } from '../share/index.ts';
+import { levelOf } from '../share/index.ts';
 
-/** Adds the level that the page's address carries, if it carries one, and takes it out of the address: loading the page again adds no second one. */
-async function takeLink(editor: Editor): Promise<void> {
-  const linked = await levelOf(window.location.hash);
+/** Takes the level that the page's address carries out of it, and asks the person: loading the page again asks no second time. */
+async function takeLink({ notices, incoming }: Editor): Promise<void> {
+  const { hash } = window.location;
+  const linked = await levelOf(hash);
   if (linked === null) return;
-  window.history.replaceState(null, '', `${window.location.pathname}${window.location.search}`);
-  if (!linked.ok) {
-    editor.notices.show('error', linked.message, { topic: 'link' });
-    return;
+  if (window.location.hash === hash) {
+    // as a whole address: a path with two slashes at its front alone would name another host
+    const bare = new URL(window.location.href);
+    bare.hash = '';
+    window.history.replaceState(window.history.state, '', bare.href.replace(/#$/, ''));
   }
-  const added = await addLevels(editor, '', [{ stem: slugOf(linked.file.name), file: linked.file }]);
-  if (added.length > 0)
-    editor.notices.show('info', `"${linked.file.name}" came with the link and is a level of yours now.`, { topic: 'link' });
+  if (linked.ok) incoming.setState(linked.file, true);
+  else notices.show('error', linked.message, { topic: 'link' });
 }
 
 /** Takes in links, once it is known which levels there are: the one the page was opened with, and those that are typed into its address. @returns stops it */

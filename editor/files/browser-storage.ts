@@ -105,8 +105,14 @@ function withLevel(shelf: Shelf, id: string, text: string, at: string | null = n
  * Levels in this browser's own database: for a page that comes from a plain web server.
  * @param channel tells other pages of this browser what has changed; null where there is none
  * @param now ms since 1970
+ * @param lasts whether what the database has is still there when the page is gone
  */
-export function createBrowserStorage(database: KeyValues, channel: Channel | null, now: () => number): LevelStorage {
+export function createBrowserStorage(
+  database: KeyValues,
+  channel: Channel | null,
+  now: () => number,
+  lasts = true,
+): LevelStorage {
   const failure = (error: unknown): StorageError => {
     if (error instanceof Refused) return error.error;
     const isFull = error instanceof Error && error.name === 'QuotaExceededError';
@@ -162,6 +168,7 @@ export function createBrowserStorage(database: KeyValues, channel: Channel | nul
 
   return {
     kind: 'browser',
+    lasts,
     list: () => look(listOf),
     read: (id) =>
       look((shelf) => {

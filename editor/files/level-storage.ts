@@ -28,6 +28,8 @@ export type Link = 'up' | 'gone' | 'otherRun';
 /** Where levels are: a folder behind `gq edit`, or this browser. No promise of it ever rejects. */
 export interface LevelStorage {
   readonly kind: 'server' | 'browser';
+  /** Whether what is written is still there when the page is gone. */
+  readonly lasts: boolean;
   list(): Promise<Answer<ListResponse>>;
   read(id: string): Promise<Answer<ReadResponse>>;
   /** @param base etag of what the text came from; null for a new level */

@@ -1,6 +1,7 @@
+import { createStore, type StoreApi } from 'zustand/vanilla';
 import { formatLevel, type Problem } from '../../schema/index.ts';
 import { createEditedLevel, type EditedLevel, isSame } from '../document/index.ts';
-import type { Journal, LevelJournal, Recovery } from '../journal/index.ts';
+import type { Journal, Keeping, LevelJournal, Recovery } from '../journal/index.ts';
 import { readText } from './disk-text.ts';
 import type { LevelStorage, StorageError } from './level-storage.ts';
 import { mergeLevels } from './merge.ts';
@@ -27,6 +28,8 @@ export interface OpenedLevel {
   readonly level: EditedLevel;
   readonly saver: Saver;
   readonly lock: WriterLock;
+  /** Whether what is not saved would outlive this page; null: this page does not keep the level, since another one does. */
+  readonly keeping: StoreApi<Keeping | null>;
   /** What an earlier page had changed and not saved; it is in the level again, as a step that can be undone. */
   readonly recovered: Recovery | null;
   /** The level was renamed. */
@@ -48,6 +51,9 @@ export type Opening =
   | { readonly ok: false; readonly kind: 'failed'; readonly error: StorageError };
 
 const placeOf = (folder: string, id: string): string => `${folder}/${id}`;
+
+/** After so long the journal is asked again for what an earlier page has left, ms. */
+const RETRY = 3000;
 
 /** Until a page that has just opened a level knows whether it may write it. */
 const ASKING = 'asking whether another tab has this level open';
@@ -79,6 +85,18 @@ async function begin(
 ): Promise<OpenedLevel> {
   let at = id;
   let kept: LevelJournal | null = null;
+  const keeping = createStore<Keeping | null>(() => null);
+  let stopShowing = () => {};
+  let cancelRetry = () => {};
+  const keep = (journal: LevelJournal | null) => {
+    stopShowing();
+    cancelRetry();
+    kept?.close();
+    kept = journal;
+    const show = () => keeping.setState(kept?.keeping.getState() ?? null, true);
+    stopShowing = kept?.keeping.subscribe(show) ?? (() => {});
+    show();
+  };
   let recovered: Recovery | null = null;
   /** This page lost the level to another one before it could write its changes. */
   let isStranded = false;
@@ -114,7 +132,20 @@ async function begin(
 
   /** From now on this page writes: with what whoever wrote before has left in the journal. */
   const takeUp = async () => {
-    const left = await journal.recover(placeOf(folder, at));
+    let left: Recovery | null;
+    try {
+      left = await journal.recover(placeOf(folder, at));
+    } catch {
+      // to follow now would write over what an earlier page has left
+      if (lock.store.getState() !== 'writer') return;
+      keeping.setState('failing', true);
+      cancelRetry = timers.after(RETRY, () => {
+        if (kept === null) settled = onRole(lock.store.getState());
+      });
+      saver.setReadOnly(null);
+      saver.refresh();
+      return;
+    }
     if (lock.store.getState() !== 'writer') return;
     // what was cut off between the disk and its answer has reached the disk
     if (left !== null && !isSame(left.file, saver.base().file)) {
@@ -126,14 +157,13 @@ async function begin(
       recovered ??= left;
     }
     isStranded = false;
-    kept = journal.follow(placeOf(folder, at), level, saver.base());
+    keep(journal.follow(placeOf(folder, at), level, saver.base()));
     saver.setReadOnly(null);
     saver.refresh();
   };
   const giveUp = () => {
     isStranded = kept !== null && saver.isUnsaved();
-    kept?.close();
-    kept = null;
+    keep(null);
     saver.setReadOnly('another tab has this level open', !isStranded);
   };
   const onRole = (role: Role) => (role === 'writer' ? takeUp() : Promise.resolve(giveUp()));
@@ -148,7 +178,13 @@ async function begin(
     lock.store.subscribe(decide);
     decide();
   });
-  const stop = level.onStep(() => lock.tell(shown()));
+  const stops = [
+    level.onStep(() => lock.tell(shown())),
+    // the database may have what an earlier page did not save
+    journal.onAdopted(() => {
+      if (kept !== null) settled = settled.then(takeUp);
+    }),
+  ];
   await decided;
 
   return {
@@ -156,6 +192,7 @@ async function begin(
     level,
     saver,
     lock,
+    keeping,
     get recovered() {
       return recovered;
     },
@@ -166,19 +203,18 @@ async function begin(
       const name = lockOf(to);
       lock.moveTo(name, channel(name));
       if (kept === null) return;
-      kept.close();
       const next = journal.follow(placeOf(folder, to), level, saver.base());
-      kept = next;
+      keep(next);
       void next.settled().then(() => journal.forget(placeOf(folder, from)));
     },
     async close() {
       level.seal();
       await settled;
       await saver.flush();
-      stop();
+      for (const stop of stops) stop();
       saver.close();
       await kept?.settled();
-      kept?.close();
+      keep(null);
       lock.close();
     },
   };

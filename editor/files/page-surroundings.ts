@@ -1,31 +1,65 @@
-import { createStore, get, update } from 'idb-keyval';
+import { get, update } from 'idb-keyval';
+import { EDIT_API, EDIT_ERRORS } from '../../schema/index.ts';
+import { openDatabase } from '../database/index.ts';
 import { createJournal, openIndexedDbStore } from '../journal/index.ts';
 import { createBrowserStorage, type KeyValues } from './browser-storage.ts';
+import type { LevelStorage } from './level-storage.ts';
 import type { Surroundings } from './open-level.ts';
+import { mayBeServed, takeToken } from './page-token.ts';
 import { createServerStorage } from './server-storage.ts';
-import { pageTimers } from './timers.ts';
+import { pageTimers, type Timers } from './timers.ts';
 import type { Channel } from './writer-lock.ts';
 
-const TOKEN = 'gravity-quest-editor-token';
+/** So long the page waits for what may never answer before it is shown without, ms. */
+const PATIENCE = 3000;
+/** Between attempts to open a database that was refused, ms. */
+const RETRY = 30_000;
 
-/** The token in the address that `gq edit` prints; kept for this tab, so that the page can be loaded anew. null: the page comes from a plain web server. */
-function tokenOf(page: Window): string | null {
-  const found = new URLSearchParams(page.location.hash.slice(1)).get('token');
-  try {
-    if (found !== null) page.sessionStorage.setItem(TOKEN, found);
-    return found ?? page.sessionStorage.getItem(TOKEN);
-  } catch {
-    // a browser that keeps nothing: the address has it
-    return found;
-  }
+const LEVELS = 'gravity-quest-editor-levels';
+
+/** What a page offers, whether or not its database answers. */
+export interface PageSurroundings extends Omit<Surroundings, 'folder'> {
+  /** Levels of this browser that could be read only after the page had begun without them; null where it began with them. */
+  readonly lateLevels: Promise<LevelStorage> | null;
 }
 
-/** Levels kept in the browser's database, or for as long as the page lives where it has none. */
-function browserValues(hasDatabase: boolean): KeyValues {
-  if (hasDatabase) {
-    const store = createStore('gravity-quest-editor-levels', 'levels');
-    return { get: (key) => get(key, store), update: (key, change) => update(key, change, store) };
-  }
+/** @returns what it gives in time, or null; and what it gives in the end: it is tried again for as long as it is refused */
+export async function inTimeOrLate<T>(
+  open: () => Promise<T>,
+  timers: Pick<Timers, 'after'>,
+): Promise<{ readonly inTime: T | null; readonly late: Promise<T> }> {
+  let answered = (_: T | null) => {};
+  const first = new Promise<T | null>((resolve) => {
+    answered = resolve;
+  });
+  const cancel = timers.after(PATIENCE, () => answered(null));
+  const late = (async () => {
+    for (;;) {
+      try {
+        const value = await open();
+        answered(value);
+        return value;
+      } catch {
+        answered(null);
+        await new Promise<void>((resolve) => timers.after(RETRY, resolve));
+      }
+    }
+  })();
+  const inTime = await first;
+  cancel();
+  return { inTime, late };
+}
+
+/** The levels in the browser's database. */
+async function openValues(databases: IDBFactory, timers: Timers): Promise<KeyValues> {
+  const database = await openDatabase({ databases, name: LEVELS, stores: { levels: null }, after: timers.after });
+  const use = <T>(mode: IDBTransactionMode, work: (store: IDBObjectStore) => T | PromiseLike<T>): Promise<T> =>
+    database.within(mode, async (stores) => work(stores('levels')));
+  return { get: (key) => get(key, use), update: (key, change) => update(key, change, use) };
+}
+
+/** For as long as the page lives. */
+function passingValues(): KeyValues {
   const values = new Map<string, unknown>();
   return {
     get: async (key) => values.get(key),
@@ -37,19 +71,47 @@ function browserValues(hasDatabase: boolean): KeyValues {
 
 const channelTo = (name: string): Channel | null => (typeof BroadcastChannel === 'undefined' ? null : new BroadcastChannel(name));
 
-/** What a page of the browser offers: levels behind `gq edit` when it was opened by its address, else in the browser. */
-export async function pageSurroundings(page: Window): Promise<Omit<Surroundings, 'folder'>> {
-  const token = tokenOf(page);
-  const kept = await openIndexedDbStore(indexedDB).catch(() => null);
-  const storage =
-    token !== null
-      ? createServerStorage({ origin: page.location.origin, token, client: crypto.randomUUID(), fetch: page.fetch.bind(page) })
-      : createBrowserStorage(browserValues(kept !== null), channelTo('gravity-quest-editor-levels'), Date.now);
-  return {
-    storage,
-    journal: createJournal(kept, Date.now),
-    timers: pageTimers,
-    locks: page.navigator.locks ?? null,
-    channel: channelTo,
-  };
+/** Whether `gq edit` has served a page that was opened without its token: a bookmark, an address typed by hand. */
+async function isServed(page: Window): Promise<boolean> {
+  if (!mayBeServed(page)) return false;
+  try {
+    const { status } = await page.fetch(EDIT_API.LEVELS, { cache: 'no-store', signal: AbortSignal.timeout(PATIENCE) });
+    return status === EDIT_ERRORS['wrong-token'];
+  } catch {
+    return false;
+  }
+}
+
+/** Levels of this browser, of the page alone while the database does not answer. */
+async function browserLevels(timers: Timers): Promise<{ storage: LevelStorage; lateLevels: Promise<LevelStorage> | null }> {
+  const over = (values: KeyValues, lasts: boolean) =>
+    createBrowserStorage(values, lasts ? channelTo(LEVELS) : null, Date.now, lasts);
+  const { inTime, late } = await inTimeOrLate(() => openValues(indexedDB, timers), timers);
+  if (inTime !== null) return { storage: over(inTime, true), lateLevels: null };
+  return { storage: over(passingValues(), false), lateLevels: late.then((values) => over(values, true)) };
+}
+
+/** What a page of the browser offers: levels behind `gq edit` when it comes from there, else in the browser. */
+export async function pageSurroundings(page: Window): Promise<PageSurroundings> {
+  const timers = pageTimers;
+  const given = takeToken(page);
+  const opening = inTimeOrLate(() => openIndexedDbStore(indexedDB, timers.after), timers);
+  // without a token it says what is missing
+  const token = given ?? ((await isServed(page)) ? '' : null);
+  const levels =
+    token === null
+      ? await browserLevels(timers)
+      : {
+          storage: createServerStorage({
+            origin: page.location.origin,
+            token,
+            client: crypto.randomUUID(),
+            fetch: page.fetch.bind(page),
+          }),
+          lateLevels: null,
+        };
+  const { inTime, late } = await opening;
+  const journal = createJournal(inTime, Date.now, timers.after);
+  if (inTime === null) void late.then((store) => journal.adopt(store));
+  return { ...levels, journal, timers, locks: page.navigator.locks ?? null, channel: channelTo };
 }

@@ -23,7 +23,7 @@ import { pageTimers, type Timers } from './timers.ts';
 export interface ServerOptions {
   /** Where the page came from, without a slash at its end. */
   readonly origin: string;
-  /** What the address that `gq edit` prints has after `#token=`. */
+  /** What the address that `gq edit` prints has after `#token=`; '' where the page was opened without: then it says so. */
   readonly token: string;
   /** Random name of this page. */
   readonly client: string;
@@ -41,7 +41,16 @@ const RETRIES = [250, 500, 1000, 2000, 5000] as const;
 const UNREACHABLE = storageError(
   'unreachable',
   'the local server does not answer',
-  'is gq edit still running? Start it again in the same folder and open the address it prints; what you do meanwhile is kept',
+  'is gq edit still running? Start it again in the same folder and open the address it prints',
+);
+
+const ANEW =
+  'Open the address that gq edit printed last, or start gq edit again in the folder and open the address that it prints then';
+
+const NO_TOKEN = storageError(
+  'wrong-token',
+  'this address lacks the key to the levels, which only the whole address that gq edit prints has: no bookmark and no new tab has it',
+  ANEW,
 );
 
 /** The folder behind `gq edit`. */
@@ -79,6 +88,7 @@ export function createServerStorage(options: ServerOptions): LevelStorage {
       const parsed = errorResponseSchema.safeParse(value);
       if (parsed.success) {
         const { code, message, hint, problems = [], current = null } = parsed.data.error;
+        if (code === 'wrong-token') return { ok: false, error: token === '' ? NO_TOKEN : storageError(code, message, ANEW) };
         return { ok: false, error: { code, message, hint, problems, current } };
       }
     }
@@ -99,6 +109,7 @@ export function createServerStorage(options: ServerOptions): LevelStorage {
 
   return {
     kind: 'server',
+    lasts: true,
     list: () => get(EDIT_API.LEVELS, listResponseSchema),
     read: (id) => get(level(id), readResponseSchema),
     write(id, text, base) {
@@ -128,6 +139,8 @@ export function createServerStorage(options: ServerOptions): LevelStorage {
       return post(EDIT_API.ORDER, orderResponseSchema, body);
     },
     watch(onEvent, onLink) {
+      // nothing will be told to who has no token
+      if (token === '') return () => {};
       const own = (event: EditEvent) => event.type !== 'list' && event.by === client;
       return followEvents({ ...options, timers }, (event) => !own(event) && onEvent(event), onLink);
     },

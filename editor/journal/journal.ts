@@ -26,8 +26,12 @@ export interface Recovery {
   readonly lost: number;
 }
 
+/** Whether what was done with a level would be there again if the page died now. `page`: it lives as long as the page, and no longer. */
+export type Keeping = 'kept' | 'keeping' | 'failing' | 'page';
+
 /** Keeps one level from now on. */
 export interface LevelJournal {
+  readonly keeping: StoreApi<Keeping>;
   /** This is on the disk under this etag: a file that the level had, or somebody else's. What led there need not be kept any longer. */
   onDisk(file: LevelFile, etag: string | null): void;
   /** This is about to be sent to the disk. Resolves when everything so far is kept, or could not be: then nothing on the disk is news to the journal. */
@@ -40,9 +44,13 @@ export interface LevelJournal {
 
 export interface Journal {
   readonly state: StoreApi<JournalState>;
-  /** What was left of a level; null when all of it reached the disk. */
+  /** The browser has a database after all: whoever follows a level recovers what it has, and follows anew. */
+  adopt(store: JournalStore): void;
+  /** Calls back when that has happened. @returns stops it */
+  onAdopted(listener: () => void): () => void;
+  /** What was left of a level; null when all of it reached the disk. Rejects when the database fails. */
   recover(place: string): Promise<Recovery | null>;
-  /** All levels with changes that never reached the disk. */
+  /** All levels with changes that never reached the disk. Rejects when the database fails. */
   unsaved(): Promise<readonly { readonly place: string; readonly time: number }[]>;
   /**
    * Keeps every step of a level under a place, a name of the level in its folder.
@@ -60,6 +68,10 @@ export interface Journal {
 
 /** More entries than this are folded into one text. */
 const MOST_ENTRIES = 200;
+/** So many writes are on their way at most; what is done meanwhile is in the next one. */
+const MOST_WRITES = 8;
+/** After a write that failed all is written anew, ms. */
+const RETRY = 3000;
 
 function fileOf(text: string): LevelFile | null {
   const reading = readLevel(text);
@@ -106,40 +118,52 @@ function replay(start: LevelFile, first: number, entries: readonly JournalEntry[
   return { files, labels };
 }
 
+/** What is said where the page has no database. */
+const MISSING = {
+  message: 'this browser keeps no data of the page (a private window?), so changes that are not saved are lost with it',
+  hint: 'download the level from time to time, or open the editor in an ordinary window',
+};
+
 /**
  * A journal of every step, so that a page that dies loses nothing.
  * @param store where it is kept; null where the browser has no database: then it says so, and keeps for as long as the page lives
  * @param now ms since 1970
+ * @param after calls back after so many ms, and gives what takes the request back; null: a write that failed is tried with the next change alone
+ * @param missing what is said where there is no store
  */
-export function createJournal(store: JournalStore | null, now: () => number): Journal {
-  const kept = store ?? createMemoryStore();
-  const state = createStore<JournalState>(() =>
-    store !== null
-      ? { kind: 'working' }
-      : {
-          kind: 'missing',
-          message: 'this browser keeps no data of the page (a private window?), so changes that are not saved are lost with it',
-          hint: 'download the level from time to time, or open the editor in an ordinary window',
-        },
-  );
+export function createJournal(
+  store: JournalStore | null,
+  now: () => number,
+  after: ((ms: number, call: () => void) => () => void) | null = null,
+  missing: { readonly message: string; readonly hint: string } = MISSING,
+): Journal {
+  let isLasting = store !== null;
+  let kept = store ?? createMemoryStore();
+  const state = createStore<JournalState>(() => (isLasting ? { kind: 'working' } : { ...missing, kind: 'missing' }));
+  const listeners = new Set<() => void>();
 
   const freeRoom = async (except: string) => {
     for (const { place, entries } of await kept.places()) if (entries === 0 && place !== except) await kept.remove(place);
   };
-  const write = async (change: JournalWrite) => {
-    try {
-      await kept.write(change);
-    } catch (error) {
-      if (!isQuota(error)) throw error;
-      await freeRoom(change.place);
-      await kept.write(change);
-    }
-  };
 
   return {
     state,
+    adopt(found) {
+      if (isLasting) return;
+      isLasting = true;
+      kept = found;
+      state.setState({ kind: 'working' }, true);
+      for (const listener of [...listeners]) listener();
+    },
+    onAdopted(listener) {
+      listeners.add(listener);
+      return () => listeners.delete(listener);
+    },
     async recover(place) {
-      const found = await kept.read(place);
+      const found = await kept.read(place).catch((error) => {
+        state.setState(stateOf(error), true);
+        throw error;
+      });
       if (found === null || (found.entries.length === 0 && found.tip === null)) return null;
       const base = fileOf(found.base.text);
       if (base === null) return null;
@@ -163,6 +187,8 @@ export function createJournal(store: JournalStore | null, now: () => number): Jo
     },
     forget: (place) => kept.remove(place),
     follow(place, level, first) {
+      // what is followed stays where it began: who adopts another store follows anew
+      const [to, lasts] = [kept, isLasting];
       let base = first;
       let current = level.settledFile();
       let number = 0;
@@ -170,14 +196,29 @@ export function createJournal(store: JournalStore | null, now: () => number): Jo
       /** Steps that are not on the disk, and which file each led to. */
       let since: { readonly number: number; readonly file: LevelFile }[] = [];
       let change: Partial<JournalWrite> = {};
-      let busy = false;
-      /** Something was added since the last write began: worth another try. */
+      /** Writes on their way: they come to their ends in their order. */
+      let flying = 0;
+      /** Why the last write failed: nothing is written but all of it, once nothing is on its way. */
+      let broken: { readonly error: unknown } | null = null;
+      /** Something was done since all of it was tried last: worth another try. */
       let more = false;
-      let last = Promise.resolve();
-      /** Steps up to this number are kept, or could not be. */
+      let isClosed = false;
+      let cancelRetry = () => {};
+      /** Steps up to this number are kept; up to this one they are, or could not be. */
+      let safe = 0;
       let tried = 0;
       let waiting: { readonly upTo: number; readonly resolve: () => void }[] = [];
+      let resting: (() => void)[] = [];
+      const keeping = createStore<Keeping>(() => (lasts ? 'keeping' : 'page'));
 
+      const works = () => {
+        if (lasts && state.getState().kind !== 'working') state.setState({ kind: 'working' }, true);
+      };
+      const show = () => {
+        if (!lasts) return;
+        const now: Keeping = broken !== null ? 'failing' : safe >= number ? 'kept' : 'keeping';
+        if (keeping.getState() !== now) keeping.setState(now, true);
+      };
       const baseText = (): JournalBase => {
         const { file, etag, sent = [] } = base;
         return { text: formatLevel(file), etag, sent: sent.map((file) => formatLevel(file)) };
@@ -195,40 +236,77 @@ export function createJournal(store: JournalStore | null, now: () => number): Jo
         entries = [];
         since = since.slice(-1);
       };
-      const writeAll = async () => {
+      const over = (upTo: number) => {
+        tried = Math.max(tried, upTo);
+        for (const { upTo, resolve } of waiting) if (upTo <= tried) resolve();
+        waiting = waiting.filter(({ upTo }) => upTo > tried);
+      };
+      const rested = () => {
+        show();
+        if (flying > 0) return;
+        for (const resolve of resting) resolve();
+        resting = [];
+      };
+      /** Sends what is to be written, and does not wait for what was sent before. */
+      const send = async () => {
+        const [add, rest, upTo] = [entries, change, number];
+        entries = [];
+        change = {};
+        flying++;
         try {
-          // a change made while one is written is in the next one
-          while (entries.length > 0 || Object.keys(change).length > 0) {
-            const [batch, rest] = [entries, change];
-            more = false;
-            const upTo = number;
-            entries = [];
-            change = {};
-            try {
-              await write({ place, time: now(), ...rest, add: batch });
-              if (store !== null) state.setState({ kind: 'working' }, true);
-            } catch (error) {
-              // next time with what failed now, but for what is no longer needed
-              const upTo = change.dropUpTo ?? 0;
-              entries = [...batch.filter((entry) => entry.number > upTo), ...entries];
-              change = { ...rest, ...change, dropUpTo: Math.max(rest.dropUpTo ?? 0, upTo) };
-              state.setState(stateOf(error), true);
-              if (!more) return;
-            } finally {
-              tried = upTo;
-              for (const { upTo, resolve } of waiting) if (upTo <= tried) resolve();
-              waiting = waiting.filter(({ upTo }) => upTo > tried);
-            }
-          }
-        } finally {
-          busy = false;
+          await to.write({ place, time: now(), ...rest, add });
+          if (broken === null) safe = upTo;
+        } catch (error) {
+          broken ??= { error };
         }
+        flying--;
+        if (broken === null) {
+          over(upTo);
+          works();
+          pump();
+        } else if (flying === 0) await mend();
+        rested();
+      };
+      /** All of it at once, in place of whatever of it is there. */
+      const mend = async () => {
+        const { error } = broken as { readonly error: unknown };
+        const upTo = number;
+        flying++;
+        more = false;
+        try {
+          if (isQuota(error)) await freeRoom(place);
+          start();
+          const whole = change;
+          change = {};
+          await to.write({ place, time: now(), ...whole, add: [] });
+          broken = null;
+          safe = upTo;
+          works();
+        } catch (error) {
+          broken = { error };
+          state.setState(stateOf(error), true);
+        }
+        flying--;
+        over(upTo);
+        if (broken === null || more) pump();
+        else if (!isClosed && after !== null) {
+          cancelRetry();
+          cancelRetry = after(RETRY, pump);
+        }
+        rested();
+      };
+      const pump = () => {
+        if (broken !== null) {
+          if (flying === 0) void mend();
+          return;
+        }
+        while (flying < MOST_WRITES && (entries.length > 0 || Object.keys(change).length > 0)) void send();
       };
       const flush = () => {
         more = true;
-        if (busy) return;
-        busy = true;
-        last = writeAll();
+        cancelRetry();
+        pump();
+        show();
       };
 
       const stop = level.onStep(({ label, patches, file }) => {
@@ -241,6 +319,7 @@ export function createJournal(store: JournalStore | null, now: () => number): Jo
       start();
       flush();
       return {
+        keeping,
         onSent(file) {
           const others = (base.sent ?? []).filter((other) => other !== file);
           base = { ...base, sent: [...others, file] };
@@ -261,9 +340,13 @@ export function createJournal(store: JournalStore | null, now: () => number): Jo
           flush();
         },
         async settled() {
-          while (busy) await last;
+          while (flying > 0) await new Promise<void>((resolve) => resting.push(resolve));
         },
-        close: stop,
+        close() {
+          isClosed = true;
+          stop();
+          cancelRetry();
+        },
       };
     },
   };

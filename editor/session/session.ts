@@ -14,7 +14,17 @@ export const RATES = [0.25, 0.5, 1, 2] as const;
 export type Rate = (typeof RATES)[number];
 
 /** What lies over the page: a dialog, the palette. */
-export type Overlay = 'palette' | 'cheatSheet' | 'settings' | 'newLevel' | 'open' | 'share' | 'trash' | 'tour' | 'conflict';
+export type Overlay =
+  | 'palette'
+  | 'cheatSheet'
+  | 'settings'
+  | 'newLevel'
+  | 'open'
+  | 'share'
+  | 'trash'
+  | 'tour'
+  | 'conflict'
+  | 'kept';
 
 /** What the person at the screen is doing. It is neither saved nor undone; the level is in the document. */
 export interface Session {

@@ -3,6 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { createEditedLevel, moveObjects, setLevelProperty } from '../../editor/document/index.ts';
 import { createJournal, createMemoryStore, type JournalStore } from '../../editor/journal/index.ts';
 import { formatLevel, type LevelFile } from '../../schema/index.ts';
+import { TurnedClock } from './stage.ts';
 
 const FILE: LevelFile = {
   version: 1,
@@ -147,9 +148,117 @@ describe('the journal', () => {
     void kept.onSent(level.file()).then(() => said.push('failed'));
     await open();
     expect(said).toEqual(['first', 'second']);
+    // what failed is tried once more, all of it at once
+    await open();
+    expect(said).toEqual(['first', 'second']);
     await open();
     expect(said).toEqual(['first', 'second', 'failed']);
     await kept.onSent(level.file());
+  });
+
+  it('sends every step at once, whatever is on its way, and calls it kept only when all before it is', async () => {
+    const gates: (() => void)[] = [];
+    const slow = createMemoryStore();
+    const sent: number[] = [];
+    const store: JournalStore = {
+      ...slow,
+      async write(change) {
+        sent.push(change.add.length);
+        await new Promise<void>((resolve) => gates.push(resolve));
+        await slow.write(change);
+      },
+    };
+    const { level, kept } = begin(store);
+    const open = async () => {
+      gates.shift()?.();
+      await new Promise((resolve) => setImmediate(resolve));
+    };
+    await open();
+    expect(kept.keeping.getState()).toBe('kept');
+    for (let i = 0; i < 3; i++) {
+      level.change('Move', move(1));
+      expect(kept.keeping.getState()).toBe('keeping');
+    }
+    expect(sent).toEqual([0, 1, 1, 1]);
+    await open();
+    await open();
+    expect(kept.keeping.getState()).toBe('keeping');
+    await open();
+    expect(kept.keeping.getState()).toBe('kept');
+    // not without end: a database that hangs is not given more and more
+    for (let i = 0; i < 100; i++) level.change('Move', move(1));
+    expect(sent.length).toBeLessThan(20);
+    for (let i = 0; i < 20; i++) await open();
+    expect(kept.keeping.getState()).toBe('kept');
+    expect((await slow.read('07'))?.entries).toHaveLength(103);
+  });
+
+  it('tries again by itself after a failure, and does not call kept what is not', async () => {
+    const store = unreliable();
+    const clock = new TurnedClock();
+    const journal = createJournal(store, () => 1000, clock.after.bind(clock));
+    const level = createEditedLevel(FILE);
+    const kept = journal.follow('07', level, { file: level.file(), etag: '"1"' });
+    await kept.settled();
+    store.fails = new Error('disk');
+    level.change('Move', move(1));
+    await kept.settled();
+    expect([kept.keeping.getState(), journal.state.getState().kind]).toEqual(['failing', 'failing']);
+    await clock.pass(60_000);
+    expect(kept.keeping.getState()).toBe('failing');
+    store.fails = null;
+    await clock.pass(60_000);
+    expect([kept.keeping.getState(), journal.state.getState().kind]).toEqual(['kept', 'working']);
+    expect((await journal.recover('07'))?.file.asteroids?.[0].x).toBe(11);
+    store.fails = new Error('disk');
+    level.change('Move', move(1));
+    await kept.settled();
+    kept.close();
+    const { writes } = store;
+    await clock.pass(60_000);
+    expect(store.writes).toBe(writes);
+  });
+
+  it('has everything after all when its data are cleared under it', async () => {
+    const store = createMemoryStore();
+    // as a database does that was made anew
+    const cleared: JournalStore = {
+      ...store,
+      async write(change) {
+        if (change.base === undefined && (await store.read(change.place)) === null)
+          throw new DOMException('gone', 'NotFoundError');
+        await store.write(change);
+      },
+    };
+    const { level, kept } = begin(cleared);
+    level.change('Move', move(1));
+    await kept.settled();
+    await store.remove('07');
+    level.change('Move', move(1));
+    level.change('Move', move(1));
+    await kept.settled();
+    expect(kept.keeping.getState()).toBe('kept');
+    expect(await createJournal(store, () => 1).recover('07')).toMatchObject({ file: { asteroids: [{ x: 13 }] }, lost: 0 });
+  });
+
+  it('goes over to a database that answers late, and says what it has until then', async () => {
+    const { journal, level, kept } = begin(null);
+    level.change('Move', move(1));
+    await kept.settled();
+    expect(kept.keeping.getState()).toBe('page');
+    const store = createMemoryStore();
+    let times = 0;
+    journal.onAdopted(() => times++);
+    journal.adopt(store);
+    journal.adopt(createMemoryStore());
+    expect([times, journal.state.getState().kind]).toEqual([1, 'working']);
+    // what it follows is followed anew by whoever had it followed
+    expect(await journal.recover('07')).toBeNull();
+    kept.close();
+    const again = journal.follow('07', level, { file: FILE, etag: '"1"' });
+    await again.settled();
+    expect(again.keeping.getState()).toBe('kept');
+    expect((await createJournal(store, () => 1).recover('07'))?.file.asteroids?.[0].x).toBe(11);
   });
 
   it('keeps what was recovered until it is on the disk, if the page dies again at once', async () => {

@@ -25,6 +25,7 @@ class Browser {
   readonly disk: LevelStorage = createBrowserStorage(this.database, null, () => 0);
   private readonly channel = createChannels();
   private pages = 0;
+  journalFails = false;
 
   async page() {
     const name = `page ${++this.pages}`;
@@ -37,7 +38,10 @@ class Browser {
         isAlive ? act(...args) : new Promise(() => {});
     const journal: JournalStore = {
       write: whileAlive((change) => this.journal.write(change)),
-      read: whileAlive((place) => this.journal.read(place)),
+      read: whileAlive(async (place) => {
+        if (this.journalFails) throw new Error('it does not answer');
+        return this.journal.read(place);
+      }),
       places: whileAlive(() => this.journal.places()),
       remove: whileAlive((place) => this.journal.remove(place)),
     };
@@ -96,6 +100,11 @@ async function browser(): Promise<Browser> {
   await made.disk.write('07', formatLevel(FILE), null);
   return made;
 }
+
+const opening = async (workspace: Workspace): Promise<OpenedLevel> => {
+  await workspace.open('07');
+  return opened(workspace) as OpenedLevel;
+};
 
 describe('a page', () => {
   it('opens a level, saves it, and has its history when it comes back to it', async () => {
@@ -166,6 +175,30 @@ describe('a page', () => {
     await second.workspace.open('07');
     expect([saveState(second.workspace), opened(second.workspace)?.level.file().name]).toEqual(['saved', 'written']);
     expect(opened(second.workspace)?.recovered).toBeNull();
+  });
+
+  it('opens a level whose journal does not answer, says so, and has what was left in it once it does', async () => {
+    const at = await browser();
+    const first = await at.page();
+    const before = await opening(first.workspace);
+    first.line.isCut = true;
+    before.level.change('Describe', setLevelProperty('description', 'left'));
+    await at.clock.pass(1000);
+    expect(before.keeping.getState()).toBe('kept');
+    first.kill();
+
+    at.journalFails = true;
+    const second = await at.page();
+    const after = await opening(second.workspace);
+    expect(after.keeping.getState()).toBe('failing');
+    expect(after.level.file().description).toBeUndefined();
+    after.level.change('Rename', setLevelProperty('name', 'meanwhile'));
+    await at.clock.pass(10_000);
+    expect(after.keeping.getState()).toBe('failing');
+    at.journalFails = false;
+    await at.clock.pass(10_000);
+    expect(after.keeping.getState()).toBe('kept');
+    expect(await at.file()).toMatchObject({ name: 'meanwhile', description: 'left' });
   });
 
   it('shows a file that is no level as text, and leaves it alone', async () => {

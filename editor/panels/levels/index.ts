@@ -7,6 +7,8 @@ export {
   duplicateLevel,
   folderOf,
   nextNumber,
+  openFirst,
+  openHeldBack,
   openListed,
   restoreLevel,
   stemOf,

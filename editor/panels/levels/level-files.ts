@@ -41,10 +41,35 @@ function told<T>(editor: Editor, answer: Answer<T>): T | null {
   return null;
 }
 
-/** Opens a level; what it is not to be opened for is said. */
+/** Whether the last page did not survive opening a level. */
+function isHeldBack({ workspace, marks }: Editor, id: string): boolean {
+  return marks.has(`${workspace.store.getState().list?.folder.id ?? ''}/${id}`);
+}
+
+/** Opens a level; what it is not to be opened for is said, and what the last page did not survive is asked about. */
 export async function openListed(editor: Editor, id: string): Promise<void> {
+  if (isHeldBack(editor, id)) {
+    editor.heldBack.setState(id, true);
+    return;
+  }
   const opening = await editor.workspace.open(id);
   if (!opening.ok && opening.kind === 'failed') tellError(editor, opening.error);
+}
+
+/** Opens a level of those that are held back. @param checked whether it is played and looked at as any other */
+export async function openHeldBack(editor: Editor, id: string, checked: boolean): Promise<void> {
+  const { workspace, marks, unchecked } = editor;
+  marks.clear(`${workspace.store.getState().list?.folder.id ?? ''}/${id}`);
+  if (checked) unchecked.delete(id);
+  else unchecked.add(id);
+  await openListed(editor, id);
+}
+
+/** Opens the level that was open last, or else the first valid one. */
+export async function openFirst(editor: Editor, last: string | null): Promise<void> {
+  const levels = levelsOf(editor);
+  const first = levels.find(({ id }) => id === last) ?? levels.find(({ status }) => status === 'valid');
+  if (first !== undefined) await openListed(editor, first.id);
 }
 
 /** Writes new levels and opens the first of them. @returns their ids; those that could not be written are told and left out */

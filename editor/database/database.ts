@@ -1,0 +1,102 @@
+/** What a database that does not answer is waited for, ms. */
+const PATIENCE = 5000;
+
+/**
+ * @param stores by their names
+ * @param isChecked the database may be another one than before, as after its data were cleared: what relies on what was there is to look first
+ */
+export type Work<T> = (stores: (name: string) => IDBObjectStore, isChecked: boolean) => T | Promise<T>;
+
+/** A database of the browser. Every promise rejects when it fails or does not answer in time; nothing is half done then. */
+export interface Database {
+  /**
+   * Runs in one transaction, in the order of the calls, and resolves once the browser has written it to the disk. What returns no promise is wholly on its
+   * way when this returns: the page may die then.
+   */
+  within<T>(mode: IDBTransactionMode, work: Work<T>): Promise<T>;
+}
+
+export interface DatabaseOptions {
+  readonly databases: IDBFactory;
+  readonly name: string;
+  /** Names of its stores and how their values are known; null: by a key that is given. */
+  readonly stores: Readonly<Record<string, string | string[] | null>>;
+  /** Calls back after so many ms. @returns takes the request back */
+  readonly after: (ms: number, call: () => void) => () => void;
+}
+
+export const done = <T>(request: IDBRequest<T>): Promise<T> =>
+  new Promise((resolve, reject) => {
+    request.onsuccess = () => resolve(request.result);
+    request.onerror = () => reject(request.error);
+  });
+
+const finished = (transaction: IDBTransaction): Promise<void> =>
+  new Promise((resolve, reject) => {
+    const fail = () => reject(transaction.error ?? new DOMException('the transaction was aborted', 'AbortError'));
+    transaction.addEventListener('complete', () => resolve());
+    transaction.addEventListener('abort', fail);
+  });
+
+/** Opens a database, and makes its stores where it is new. Resolves when the database answers, however long that takes. */
+export async function openDatabase({ databases, name, stores, after }: DatabaseOptions): Promise<Database> {
+  const names = Object.keys(stores);
+  const open = async (): Promise<IDBDatabase> => {
+    const request = databases.open(name, 1);
+    request.onupgradeneeded = () => {
+      for (const [store, keyPath] of Object.entries(stores))
+        request.result.createObjectStore(store, keyPath === null ? {} : { keyPath });
+    };
+    const opened = await done(request);
+    // somebody clears the data of the site, which must not wait for this page
+    opened.onversionchange = () => opened.close();
+    return opened;
+  };
+  let database = await open();
+
+  const inTime = <T>(answer: Promise<T>): Promise<T> =>
+    new Promise((resolve, reject) => {
+      const late = () => reject(new DOMException('it does not answer', 'TimeoutError'));
+      const forget = after(PATIENCE, late);
+      void answer.then(resolve, reject).finally(forget);
+    });
+  const run = async <T>(mode: IDBTransactionMode, work: Work<T>, isChecked: boolean): Promise<T> => {
+    const transaction = database.transaction(names, mode, { durability: 'strict' });
+    const end = finished(transaction);
+    // the reason is told by the work or by the end, whichever comes first
+    end.catch(() => undefined);
+    let result: T;
+    try {
+      const given = work((store) => transaction.objectStore(store), isChecked);
+      if (given instanceof Promise) result = await given;
+      else {
+        result = given;
+        // without it the browser waits for the page to say that nothing follows, and of a page that dies meanwhile it keeps nothing
+        transaction.commit();
+      }
+    } catch (error) {
+      try {
+        transaction.abort();
+      } catch {
+        // it is over already
+      }
+      throw error;
+    }
+    await end;
+    return result;
+  };
+  let reopening: Promise<IDBDatabase> | null = null;
+  const again = async <T>(error: unknown, mode: IDBTransactionMode, work: Work<T>): Promise<T> => {
+    if (!(error instanceof DOMException) || error.name !== 'InvalidStateError') throw error;
+    reopening ??= open();
+    try {
+      database = await reopening;
+    } finally {
+      reopening = null;
+    }
+    return run(mode, work, true);
+  };
+  return {
+    within: (mode, work) => inTime(run(mode, work, false).catch((error) => again(error, mode, work))),
+  };
+}

@@ -1,0 +1,1 @@
+export { type Database, done, openDatabase } from './database.ts';

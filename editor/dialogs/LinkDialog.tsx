@@ -1,0 +1,100 @@
+import { useEffect, useMemo, useState } from 'react';
+import { useStore } from 'zustand';
+import { formatLevel, type LevelFile } from '../../schema/index.ts';
+import { useEditor, usePageTheme } from '../context/index.ts';
+import { addLevels } from '../panels/levels/index.ts';
+import { slugOf } from '../share/index.ts';
+import { Button, Dialog } from '../ui/index.ts';
+import { surveyLink } from './survey-link.ts';
+
+/** px of its picture */
+const WIDTH = 420;
+
+/** Asks before a level that came with the page's address is added: any page can send a browser here with one. */
+export function LinkDialog() {
+  const { incoming } = useEditor();
+  const file = useStore(incoming);
+  const close = () => incoming.setState(null, true);
+  return (
+    <Dialog
+      open={file !== null}
+      title="Add the level from the link?"
+      about="Whoever made the link chose what is in it. Nothing is kept of it unless you add it."
+      onClose={close}
+    >
+      {file !== null && <Asked file={file} onClose={close} />}
+    </Dialog>
+  );
+}
+
+/** How the level looks and what it is worth; made by a worker, so that whatever it is holds nothing up. */
+function usePicture(text: string): { readonly url: string | null; readonly words: string } {
+  const { workers, settings } = useEditor();
+  const theme = usePageTheme();
+  const accuracy = useStore(settings, (state) => state.accuracy);
+  const [shown, setShown] = useState<{ url: string | null; words: string }>({ url: null, words: 'being looked at …' });
+  useEffect(() => {
+    let url: string | null = null;
+    const job = workers.start('thumbnail', { text, accuracy, width: WIDTH, theme });
+    void job.end.then((end) => {
+      if (end.kind === 'cancelled') return;
+      if (end.kind !== 'done') {
+        setShown({ url: null, words: 'not known: it takes too much work to play' });
+        return;
+      }
+      url = URL.createObjectURL(new Blob([end.result.svg], { type: 'image/svg+xml' }));
+      setShown({ url, words: end.result.verdict });
+    });
+    return () => {
+      job.cancel();
+      if (url !== null) URL.revokeObjectURL(url);
+    };
+  }, [workers, text, accuracy, theme]);
+  return shown;
+}
+
+function Asked({ file, onClose }: { readonly file: LevelFile; readonly onClose: () => void }) {
+  const editor = useEditor();
+  const text = useMemo(() => formatLevel(file), [file]);
+  const { counts, size, warnings } = useMemo(() => surveyLink(file, text), [file, text]);
+  const { url, words } = usePicture(text);
+  const [busy, setBusy] = useState(false);
+  const add = async () => {
+    setBusy(true);
+    const added = await addLevels(editor, '', [{ stem: slugOf(file.name), file }]);
+    setBusy(false);
+    if (added.length === 0) return;
+    onClose();
+    editor.notices.show('info', `"${file.name}" came with the link and is a level of yours now.`, { topic: 'link' });
+  };
+  return (
+    <div className="form link">
+      <p className="link__name">{file.name}</p>
+      {file.description !== undefined && <p className="link__text">{file.description}</p>}
+      {url !== null && <img className="link__picture" src={url} alt="" />}
+      <dl className="link__facts">
+        <dt>In it</dt>
+        <dd>{counts}</dd>
+        <dt>Size</dt>
+        <dd>{size}</dd>
+        <dt>Verdict</dt>
+        <dd>{words}</dd>
+      </dl>
+      {warnings.length > 0 && (
+        <ul className="link__warnings" aria-label="Warnings">
+          {warnings.map((warning) => (
+            <li key={warning}>{warning}</li>
+          ))}
+        </ul>
+      )}
+      <div className="form__buttons">
+        <Button hint="Leave everything as it is" look="outlined" onClick={onClose}>
+          Do not add
+        </Button>
+        <Button hint="Keep it as a new level and open it" look="main" disabled={busy} onClick={() => void add()}>
+          Add the level
+        </Button>
+      </div>
+    </div>
+  );
+}

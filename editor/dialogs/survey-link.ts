@@ -1,0 +1,56 @@
+import { type LevelFile, OBJECT_LISTS } from '../../schema/index.ts';
+
+/** What a level from a link is, in words, before anything is made of it. */
+export interface LinkSurvey {
+  /** `3 asteroids, 1 run with 4 holds` */
+  readonly counts: string;
+  /** of its file */
+  readonly size: string;
+  readonly warnings: readonly string[];
+}
+
+/** From so many on the page may become slow. */
+const MANY = { objects: 2000, aliens: 200, runs: 50, holds: 2000 } as const;
+/** Beyond such places nobody sees what is there, px. */
+const FAR = 1e6;
+
+const NAMES: Readonly<Record<(typeof OBJECT_LISTS)[number], readonly [one: string, many: string]>> = {
+  asteroids: ['asteroid', 'asteroids'],
+  novae: ['nova', 'novae'],
+  repulsors: ['repulsor', 'repulsors'],
+  aliens: ['alien', 'aliens'],
+  minerals: ['mineral', 'minerals'],
+};
+
+const count = (number: number, [one, many]: readonly [string, string]): string =>
+  `${number.toLocaleString('en')} ${number === 1 ? one : many}`;
+
+/** @param text the level's file */
+export function surveyLink(file: LevelFile, text: string): LinkSurvey {
+  const lists = OBJECT_LISTS.map((list) => ({ list, objects: file[list] ?? [] }));
+  const runs = file.runs ?? [];
+  const holds = runs.reduce((sum, run) => sum + run.holds.length, 0);
+  const all = lists.reduce((sum, { objects }) => sum + objects.length, 0);
+  const aliens = file.aliens?.length ?? 0;
+  const places = [
+    file.astronaut,
+    file.blackHole,
+    ...lists.flatMap(({ objects }): readonly { x: number; y: number }[] => objects),
+  ];
+  const isFar = places.some(({ x, y }) => Math.max(Math.abs(x), Math.abs(y)) > FAR);
+  const counts = [
+    ...lists.filter(({ objects }) => objects.length > 0).map(({ list, objects }) => count(objects.length, NAMES[list])),
+    runs.length === 0 ? 'no run' : `${count(runs.length, ['run', 'runs'])} with ${count(holds, ['hold', 'holds'])}`,
+  ];
+  const warnings = [
+    ...(all > MANY.objects || aliens > MANY.aliens
+      ? ['It has very many objects: the page may become slow while it is open.']
+      : []),
+    ...(runs.length > MANY.runs || holds > MANY.holds
+      ? ['It has very many runs or holds: the page may become slow while it is open.']
+      : []),
+    ...(isFar ? [`Some of it is more than ${FAR.toLocaleString('en')} px away from the middle.`] : []),
+  ];
+  const kB = new TextEncoder().encode(text).length / 1000;
+  return { counts: counts.join(', '), size: `${kB < 10 ? kB.toFixed(1) : Math.round(kB).toLocaleString('en')} kB`, warnings };
+}

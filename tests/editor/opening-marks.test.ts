@@ -1,0 +1,68 @@
+import { describe, expect, it } from 'vitest';
+import { createOpeningMarks } from '../../editor/files/opening-marks.ts';
+
+function keeper() {
+  const kept = new Map<string, string>();
+  return {
+    kept,
+    storage: {
+      getItem: (name: string) => kept.get(name) ?? null,
+      setItem: (name: string, value: string) => void kept.set(name, value),
+    },
+  };
+}
+
+describe('marks of levels that are being opened', () => {
+  it('are what the next page knows of one that hung', () => {
+    const { storage } = keeper();
+    const hung = createOpeningMarks(storage);
+    hung.set('folder/07');
+    hung.set('folder/08');
+    hung.clear('folder/08');
+    // its own opening is no reason to hold anything back
+    expect(hung.has('folder/07')).toBe(false);
+    const next = createOpeningMarks(storage);
+    expect(next.has('folder/07')).toBe(true);
+    expect(next.has('folder/08')).toBe(false);
+    next.set('folder/07');
+    next.clear('folder/07');
+    expect(createOpeningMarks(storage).has('folder/07')).toBe(false);
+  });
+
+  it('are gone when a page is left while it opens one, but not those of others', () => {
+    const { storage } = keeper();
+    createOpeningMarks(storage).set('folder/01');
+    const left = createOpeningMarks(storage);
+    left.set('folder/02');
+    left.leave();
+    const next = createOpeningMarks(storage);
+    expect([next.has('folder/01'), next.has('folder/02')]).toEqual([true, false]);
+  });
+
+  it('do no harm where nothing is kept, or where something else is', () => {
+    const { storage, kept } = keeper();
+    for (const junk of ['', '{', '{"a":1}', 'null', '[1, null, "x"]']) {
+      kept.set('gravity-quest-editor-opening', junk);
+      const marks = createOpeningMarks(storage);
+      expect(marks.has('a')).toBe(false);
+      marks.set('a');
+      expect(createOpeningMarks(storage).has('a')).toBe(true);
+    }
+    const full = createOpeningMarks({
+      getItem: () => null,
+      setItem() {
+        throw new DOMException('full', 'QuotaExceededError');
+      },
+    });
+    full.set('a');
+    full.clear('a');
+    expect(createOpeningMarks(null).has('a')).toBe(false);
+  });
+
+  it('stay few', () => {
+    const { storage, kept } = keeper();
+    for (let i = 0; i < 1000; i++) createOpeningMarks(storage).set(`level ${i}`);
+    expect(kept.get('gravity-quest-editor-opening')?.length).toBeLessThan(2000);
+    expect(createOpeningMarks(storage).has('level 999')).toBe(true);
+  });
+});

@@ -1,0 +1,86 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { mayBeServed, type TokenPage, takeToken } from '../../editor/files/page-token.ts';
+
+/** A tab on an address; what is put into its history is its address from then on. */
+function tab(address: string, { keeps = true, kept = new Map<string, string>() } = {}) {
+  let url = new URL(address);
+  const page: TokenPage = {
+    get location() {
+      return url;
+    },
+    history: {
+      state: { of: 'others' },
+      replaceState(state, _, to) {
+        expect(state).toEqual({ of: 'others' });
+        url = new URL(String(to), url);
+      },
+    },
+    sessionStorage: {
+      getItem(name) {
+        if (!keeps) throw new DOMException('denied', 'SecurityError');
+        return kept.get(name) ?? null;
+      },
+      setItem(name, value) {
+        if (!keeps) throw new DOMException('denied', 'SecurityError');
+        kept.set(name, value);
+      },
+    },
+  };
+  return { page, kept, address: () => url.href };
+}
+
+const ROOT = 'http://127.0.0.1:4747/';
+
+describe('the token of gq edit', () => {
+  it('is taken out of the address, and is there when the page is loaded anew', () => {
+    const first = tab(`${ROOT}?a=b#token=abc-_123`);
+    expect(takeToken(first.page)).toBe('abc-_123');
+    expect(first.address()).toBe(`${ROOT}?a=b`);
+    expect(takeToken(tab(ROOT, { kept: first.kept }).page)).toBe('abc-_123');
+    // the address that is printed by the next run
+    expect(takeToken(tab(`${ROOT}#token=next`, { kept: first.kept }).page)).toBe('next');
+    expect(takeToken(tab(ROOT, { kept: first.kept }).page)).toBe('next');
+  });
+
+  it('leaves what else the fragment carries', () => {
+    fc.assert(
+      fc.property(
+        fc.stringMatching(/^[\w-]{1,40}$/),
+        fc.array(fc.stringMatching(/^[a-s]{1,5}=[\w-]{0,20}$/)),
+        fc.nat(),
+        (token, others, at) => {
+          const parts = [...others];
+          parts.splice(at % (others.length + 1), 0, `token=${token}`);
+          const { page, address } = tab(`${ROOT}#${parts.join('&')}`);
+          expect(takeToken(page)).toBe(token);
+          expect(address()).toBe(others.length === 0 ? ROOT : `${ROOT}#${others.join('&')}`);
+        },
+      ),
+    );
+  });
+
+  it('stays in the address where the tab keeps nothing: it could not be loaded anew', () => {
+    const { page, address } = tab(`${ROOT}#token=abc`, { keeps: false });
+    expect(takeToken(page)).toBe('abc');
+    expect(address()).toBe(`${ROOT}#token=abc`);
+    expect(takeToken(tab(ROOT, { keeps: false }).page)).toBeNull();
+  });
+
+  it.each(['https://example.org/#token=abc', 'http://127.0.0.1:8000/game/#token=abc', 'http://example.org/#token=abc'])(
+    'is none where gq edit serves nothing: %s',
+    (address) => {
+      const { page, kept, address: now } = tab(address);
+      expect(mayBeServed(page)).toBe(false);
+      expect(takeToken(page)).toBeNull();
+      expect(kept.size).toBe(0);
+      expect(now()).toBe(address);
+    },
+  );
+
+  it('is none in a tab without one', () => {
+    expect(takeToken(tab(ROOT).page)).toBeNull();
+    expect(takeToken(tab(`${ROOT}#token=`).page)).toBeNull();
+    expect(takeToken(tab(`${ROOT}#level=abc`).page)).toBeNull();
+  });
+});
