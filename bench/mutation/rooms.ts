@@ -1,0 +1,48 @@
+import { existsSync, readdirSync, statSync } from 'node:fs';
+import { join } from 'node:path';
+
+/** What is mutated together, and the tests that are to notice it: files and folders, from the root of the repository. */
+export interface Room {
+  readonly sources: readonly string[];
+  /** cheap ones first: most mutants never come to the others */
+  readonly tests: readonly string[];
+}
+
+const server = (...names: string[]): string[] => names.map((name) => `tests/server/${name}.test.ts`);
+const editor = (...names: string[]): string[] => names.map((name) => `tests/editor/${name}.test.ts`);
+const engine = (...names: string[]): string[] => names.map((name) => `tests/engine/${name}.test.ts`);
+
+export const ROOMS: Readonly<Record<string, Room>> = {
+  'solver/verify': {
+    sources: ['solver/verify'],
+    tests: ['tests/solver/near-miss', 'tests/solver/verify.test.ts', 'tests/solver/proofs.test.ts'],
+  },
+  'engine/contact': { sources: ['engine/contact'], tests: ['tests/engine/near-miss/contact.test.ts', ...engine('contact')] },
+  'engine/continuous': {
+    sources: ['engine/continuous'],
+    tests: ['tests/engine', 'tests/hard-cases'],
+  },
+  'solver/robustness': { sources: ['solver/robustness'], tests: ['tests/solver/robustness'] },
+  schema: { sources: ['schema'], tests: ['tests/schema'] },
+  'cli/edit': { sources: ['cli/edit'], tests: server('reorder', 'api', 'attacks', 'changes', 'events', 'concurrent-writers') },
+  'cli/disk': { sources: ['cli/disk.ts'], tests: server('disk', 'full-disk', 'api', 'changes') },
+  'editor/files': {
+    sources: ['editor/files'],
+    tests: editor('merge', 'saver', 'journal', 'server-storage', 'browser-storage'),
+  },
+  'editor/document': { sources: ['editor/document'], tests: editor('document') },
+};
+
+/** The files among some files and folders whose names end in `ending`; what isn't there has none. */
+export function filesIn(root: string, places: readonly string[], ending: string): string[] {
+  const found = places.flatMap((place) => {
+    const path = join(root, place);
+    if (!existsSync(path)) return [];
+    if (!statSync(path).isDirectory()) return [place];
+    return readdirSync(path, { recursive: true, encoding: 'utf8' })
+      .map((name) => `${place}/${name.replaceAll('\\', '/')}`)
+      .filter((name) => name.endsWith(ending))
+      .sort();
+  });
+  return [...new Set(found)];
+}

@@ -1,0 +1,95 @@
+import { expect, it } from 'vitest';
+import type { AccuracyName } from '../../../engine/index.ts';
+import { type Level, type LevelFile, resolveLevel } from '../../../schema/index.ts';
+import { type About, type Certificate, type Proof, verifyProof } from '../../../solver/index.ts';
+
+// The game's numbers as its rules give them, and not as the sources name them: the two are to agree.
+export const BOX = { halfWidth: 10, halfHeight: 16, halfDiagonal: Math.sqrt(10 * 10 + 16 * 16) };
+export const RANGE = 250;
+/** px/s2 at no distance */
+export const PULL = 39;
+export const TICK = 1 / 60;
+/** The direction from the middle of the upright box to its corner at the lower right. */
+export const CORNER = { x: 10 / BOX.halfDiagonal, y: 16 / BOX.halfDiagonal };
+
+/** A level whose start is at 1000, -2000: what is relative to the start is told from what isn't. */
+export const ORIGIN = { x: 1000, y: -2000 };
+
+export const at = (x: number, y: number, radius = 16) => ({ x: ORIGIN.x + x, y: ORIGIN.y + y, radius });
+export const hot = (x: number, y: number, radius = 16) => ({ ...at(x, y, radius), hot: true });
+export const spot = (x: number, y: number) => ({ x: ORIGIN.x + x, y: ORIGIN.y + y });
+
+/** A level at rest, with nothing in it but a black hole that nobody comes to; places by {@link at}. */
+export const levelWith = (more: Partial<LevelFile>): Level =>
+  resolveLevel({ version: 1, name: 'near miss', astronaut: spot(0, 0), blackHole: spot(5000, 5000), asteroids: [], ...more });
+
+export interface Asked {
+  readonly covers?: readonly AccuracyName[];
+  readonly about?: About;
+  readonly maxTime?: number | null;
+}
+
+export const CONTINUOUS: readonly AccuracyName[] = ['fast', 'standard', 'precise'];
+export const FRAMES: readonly AccuracyName[] = ['arcade'];
+
+export const proofWith = (certificate: Certificate, { covers = CONTINUOUS, about, maxTime = null }: Asked = {}): Proof => ({
+  code: certificate.kind,
+  about: about ?? { kind: 'blackHole' },
+  reason: '',
+  covers,
+  maxTime,
+  certificate,
+});
+
+/** What the checker says: null, or why not. */
+export function whyNot(level: Level, certificate: Certificate, asked?: Asked): string | null {
+  const verdict = verifyProof(level, proofWith(certificate, asked));
+  return verdict.ok ? null : verdict.why;
+}
+
+export const accepts = (level: Level, certificate: Certificate, asked?: Asked): boolean =>
+  whyNot(level, certificate, asked) === null;
+
+export interface NearMiss {
+  /** Why not, for a number that is turned; null where the proof is accepted. */
+  readonly why: (n: number) => string | null;
+  /** The number at which the claim turns false, by the game's rules; or a number where it is false for certain, found by playing. */
+  readonly truth: number;
+  /** The side of it on which the claim is true. */
+  readonly safe: 'above' | 'below';
+  /** How far on the safe side acceptance begins: at least, at most. */
+  readonly slack: readonly [least: number, most: number];
+  /** What is said on the other side. */
+  readonly says: string;
+  /** How far from the truth it is tried; 5 unless told. */
+  readonly reach?: number;
+}
+
+/** Asks for the twins: just false is refused, for that reason, just true is accepted; and for the slack between them. */
+export function nearMisses(cases: Readonly<Record<string, NearMiss>>): void {
+  for (const [name, one] of Object.entries(cases)) {
+    it(`${name}: false at ${Number(one.truth.toPrecision(6))}, slack up to ${one.slack[1]}`, () => expectNearMiss(one));
+  }
+}
+
+function expectNearMiss({ why, truth, safe, slack, says, reach = 5 }: NearMiss): void {
+  const sign = safe === 'above' ? 1 : -1;
+  for (const off of [0, 1e-9, 1e-6, 1e-3, 0.1 * reach, reach]) {
+    expect(why(truth - sign * off), `${off} on the false side`).toContain(says);
+  }
+  expect(why(truth + sign * reach), `${reach} on the true side`).toBeNull();
+  const measured = edge(truth, truth + sign * reach, (n) => why(n) === null);
+  expect(sign * (measured - truth)).toBeGreaterThanOrEqual(slack[0]);
+  expect(sign * (measured - truth)).toBeLessThanOrEqual(slack[1]);
+}
+
+/** Where between two numbers an answer turns from no to yes: by halving until doubles are too coarse, or 60 times. */
+export function edge(no: number, yes: number, isYes: (n: number) => boolean): number {
+  let [from, to] = [no, yes];
+  for (let i = 0; i < 60; i++) {
+    const middle = (from + to) / 2;
+    if (isYes(middle)) to = middle;
+    else from = middle;
+  }
+  return to;
+}
