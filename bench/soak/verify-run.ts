@@ -2,7 +2,7 @@ import { boxCircleGap, createSimulation, joinHolds, type Run, type Scene, STATE_
 import type { Circle, Hold } from '../../schema/index.ts';
 
 /** How far to either side of a rim she may be while she slides along it, px. */
-const SLIDES = 1e-3;
+const SLIDES = 1e-6;
 
 /** Most complaints kept of one run. */
 const ENOUGH = 5;
@@ -160,6 +160,7 @@ export function verifyRun(scene: Scene, holds: readonly Hold[], run: Run, slack:
         return;
       }
       if (m.field < 0 && (level.recoil || m.target < 0)) return;
+      if (m.field >= 0 && slides(level.repulsors[m.field], a) && slides(level.repulsors[m.field], b)) return;
       const centre = m.field >= 0 ? level.repulsors[m.field] : level.asteroids[m.target];
       const potential = (d: number) => (m.field >= 0 ? -20 * d : 39 * (d - (d * d) / (2 * level.range)));
       const [ea, la, size] = invariants(a);
@@ -201,6 +202,13 @@ function verifyEnd(scene: Scene, run: Run, slack: number, complain: (what: strin
   // an end in mid-flight is the first touch; at the start, or as a new target turns the box, she may be deep inside
   const turned = run.time === 0 || run.events.some((e) => e.type === 'target' && run.time - e.time < 1e-9);
   if (gap < -slack && !turned) complain(`ended on ${kind} ${index} at ${run.time} s, ${-gap} px deep in it`);
+}
+
+/** Whether she is on the rim of a field and moves along it: then neither energy nor angular momentum is kept. */
+function slides(field: Circle, [x, y, vx, vy]: Float64Array): boolean {
+  const d = distance(field, x, y);
+  const across = ((x - field.x) * vx + (y - field.y) * vy) / d;
+  return Math.abs(d - field.radius) < SLIDES && Math.abs(across) < SLIDES;
 }
 
 const scale = (scene: Scene): number => Math.abs(scene.level.astronaut.x) + Math.abs(scene.level.astronaut.y) + 1000;

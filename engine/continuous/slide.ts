@@ -41,7 +41,7 @@ function rounding(m: Motion, field: number): number {
 
 /** While she slides on one rim another is crossed when she is so far beyond it, px: rims that all but coincide are one. */
 export function tolerance(m: Motion, field: number): number {
-  return m.s[RIM] >= 0 ? 1e-11 + rounding(m, field) : 0;
+  return m.s[RIM] >= 0 ? 1e-9 + rounding(m, field) : 0;
 }
 
 /** Sets what acts on the rim she slides along, about its centre, from the state at the start of the piece. */

@@ -3,11 +3,12 @@ import type { Hold, Level } from '../../schema/index.ts';
 import { type PlainLevel, plainLevel } from '../engine/plain-level.ts';
 import { fallen } from './fall.ts';
 import { orbitByQuadrature } from './orbit-by-quadrature.ts';
+import { slideByAngle } from './slide-by-angle.ts';
 
 /** What is known of a run without the engine. What is left out is not known, or follows from the rest. */
 export interface Truth {
   /** Where it comes from. */
-  readonly by: 'closed form' | 'exact construction' | 'invariants' | 'quadrature';
+  readonly by: 'closed form' | 'exact construction' | 'integration' | 'invariants' | 'quadrature';
   readonly outcome: Outcome;
   readonly with?: Touched;
   /** When the run ends, s. */
@@ -380,6 +381,40 @@ const fields = (): HardCase[] => {
       holds: [[100, 200]],
       truth: { by: 'exact construction', outcome: 'timeout', places: upTo(10, 5).map((time) => ({ time, x: 0, y: 0 })) },
     },
+    ...slides(),
+  ];
+};
+
+const slides = (): HardCase[] => {
+  const field = { x: 0, y: 0, radius: 48 };
+  const along = (
+    name: string,
+    why: string,
+    repulsors: readonly (typeof field)[],
+    astronaut: Partial<Level['astronaut']>,
+    recoil = false,
+  ): HardCase => {
+    const level = plainLevel({ range: 250, astronaut, recoil, asteroids: [{ x: 70, y: 11, radius: 16 }], repulsors });
+    const { time, off } = slideByAngle(level, 10);
+    const places = upTo(time, 10).map((at) => slideByAngle(level, at));
+    const events = [{ what: 'target 0', time: 0 }, { what: 'enter 0' }, ...(off ? [{ what: 'leave 0', time }] : [])];
+    const maxTime = Math.ceil(60 * time) / 60;
+    return { name, why, level, holds: HELD, maxTime, truth: { by: 'integration', outcome: 'timeout', events, places } };
+  };
+  return [
+    along('slides along a rim', 'the push drives her out, the gun in: she can only slide', [field], { x: -48 }),
+    along('slides and comes off', 'fast along the rim, she leaves it before she is out of its sight', [field], {
+      x: -48,
+      vy: 12,
+    }),
+    along('slides on two equal fields', 'in and out of two at once; equal fields are one', [field, { ...field }], { x: -48 }),
+    along(
+      'slides where two rims touch',
+      'a smaller field lies in a larger one and touches its rim where she starts',
+      [field, { x: -8, y: 0, radius: 40 }],
+      { x: -48 },
+    ),
+    along('slides and draws the asteroid', 'what holds her on the rim moves', [field], { x: -48, vy: -5 }, true),
   ];
 };
 

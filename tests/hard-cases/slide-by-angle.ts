@@ -1,0 +1,74 @@
+import { GUN_PULL, REPULSOR_PUSH } from '../../engine/index.ts';
+import type { Level } from '../../schema/index.ts';
+
+/** Where she is on the rim (px), how fast along it (px/s) and where the rock is that draws her, `time` s after she began to slide. */
+export interface Slid {
+  readonly time: number;
+  /** Whether nothing holds her on the rim from then on. */
+  readonly off: boolean;
+  readonly x: number;
+  readonly y: number;
+  readonly vx: number;
+  readonly vy: number;
+  readonly rock: readonly [x: number, y: number];
+}
+
+/** Angle on the rim and its rate; place and velocity of the first asteroid. */
+type State = readonly [angle: number, turn: number, x: number, y: number, vx: number, vy: number];
+
+/**
+ * Sliding from the start along the rim of the first field, by the angle alone: angle'' = s f / radius, with f the force outside
+ * along the rim and s the share of the time that it acts. Classical Runge-Kutta in tiny steps; the moment she comes off, when
+ * the force outside no longer outweighs the centrifugal one, by shorter and shorter ones.
+ * @param between what drives her in from outside: the gun, or the second field
+ */
+export function slideByAngle(level: Level, until: number, between: 'gun' | 'fields' = 'gun', step = 2e-3): Slid {
+  const { x: cx, y: cy, radius } = level.repulsors[0];
+  const { astronaut, asteroids, range } = level;
+  const kappa = level.recoil ? 1 / (2 * asteroids[0].radius) : 0;
+  const forces = ([angle, turn, qx, qy]: State) => {
+    const [c, s] = [Math.cos(angle), Math.sin(angle)];
+    const [x, y] = [cx + radius * c, cy + radius * s];
+    const d = Math.hypot(qx - x, qy - y);
+    let [fx, fy] = [qx - x, qy - y].map((w) => GUN_PULL * (1 / d - 1 / range) * w);
+    if (between === 'fields') {
+      const other = level.repulsors[1];
+      const apart = Math.hypot(x - other.x, y - other.y);
+      [fx, fy] = [x - other.x, y - other.y].map((w) => (REPULSOR_PUSH / apart) * w);
+    }
+    const drawn = [x - qx, y - qy].map((w) => (kappa / d) * w);
+    return { out: fx * c + fy * s, along: fy * c - fx * s, flies: radius * turn * turn, drawn };
+  };
+  const presses = (q: State) => -forces(q).out - forces(q).flies;
+  const rate = (q: State): State => {
+    const { out, along, flies, drawn } = forces(q);
+    return [q[1], (((REPULSOR_PUSH + flies) / (REPULSOR_PUSH - out)) * along) / radius, q[4], q[5], drawn[0], drawn[1]];
+  };
+  const plus = (q: State, h: number, d: State) => q.map((value, i) => value + h * d[i]) as unknown as State;
+  const advanced = (q: State, h: number): State => {
+    const a = rate(q);
+    const b = rate(plus(q, h / 2, a));
+    const c = rate(plus(q, h / 2, b));
+    const d = rate(plus(q, h, c));
+    return plus(q, h / 6, a.map((value, i) => value + 2 * b[i] + 2 * c[i] + d[i]) as unknown as State);
+  };
+  const start = Math.atan2(astronaut.y - cy, astronaut.x - cx);
+  const turn = (astronaut.vy * Math.cos(start) - astronaut.vx * Math.sin(start)) / radius;
+  let q: State = [start, turn, asteroids[0].x, asteroids[0].y, 0, 0];
+  let time = 0;
+  let off = false;
+  for (let h = step; time < until && h > 1e-14; ) {
+    const next = advanced(q, Math.min(h, until - time));
+    const lost = presses(next) < 0;
+    if (!lost) {
+      q = next;
+      time += Math.min(h, until - time);
+    }
+    off ||= lost;
+    // once she is known to come off, the steps only get shorter
+    if (off) h /= 2;
+  }
+  const [c, s] = [Math.cos(q[0]), Math.sin(q[0])];
+  const v = radius * q[1];
+  return { time, off, x: cx + radius * c, y: cy + radius * s, vx: -v * s, vy: v * c, rock: [q[2], q[3]] };
+}
