@@ -8,12 +8,25 @@ import {
   type Run,
   STATE_SIZE,
   simulate,
+  TICK,
 } from '../../engine/index.ts';
 import type { Asteroid, Circle, Hold, Level } from '../../schema/index.ts';
 import { seeded } from '../scenes/seeded.ts';
 
 /** Things with a guard of their own, made to be touched or missed by next to nothing. */
-const KINDS = ['nova', 'nova', 'nova', 'black hole', 'mineral', 'repulsor', 'alien wakes', 'target'] as const;
+const KINDS = [
+  'nova',
+  'nova',
+  'nova',
+  'black hole',
+  'mineral',
+  'repulsor',
+  'alien wakes',
+  'target',
+  'alien',
+  'two aliens',
+  'hot rock',
+] as const;
 export type GrazedKind = (typeof KINDS)[number];
 
 /**
@@ -71,6 +84,11 @@ export function graze(seed: number, accuracy: Accuracy): Graze | null {
   const motion = pick(MOTIONS);
   const path = fly(motion, kind, accuracy, between);
   if (path === null) return null;
+  if (kind === 'alien' || kind === 'two aliens' || kind === 'hot rock') {
+    const wanted = pick([-1, 1]) * 10 ** between(-9, 0);
+    const moving = amongMoving(path, kind, accuracy, wanted, between);
+    return moving === null ? null : { ...moving, holds: path.holds, accuracy, kind, motion, depth: wanted, rounding: 2e-11 };
+  }
   const { run, until } = path;
   const state = new Float64Array(STATE_SIZE);
   // how far from her centre, along the world's axes, a point of the box is
@@ -124,6 +142,73 @@ export function graze(seed: number, accuracy: Accuracy): Graze | null {
   };
 }
 
+/** How far a point is from her box, px; 0 within it. */
+function fromBox([px, py, , , cos, sin]: Float64Array, x: number, y: number): number {
+  const [dx, dy] = [x - px, y - py];
+  const gx = Math.max(0, Math.abs(dx * cos + dy * sin) - HALF_WIDTH);
+  const gy = Math.max(0, Math.abs(dy * cos - dx * sin) - HALF_HEIGHT);
+  return Math.hypot(gx, gy);
+}
+
+/**
+ * A graze of what moves itself. Its way doesn't depend on whether it is deadly or large, so the truth is a run in which it is
+ * neither: it is flown, the least distance found, and the radius made to reach so far and `depth` farther.
+ */
+function amongMoving(
+  { level, holds, until }: Path,
+  kind: 'alien' | 'two aliens' | 'hot rock',
+  accuracy: Accuracy,
+  depth: number,
+  between: (a: number, b: number) => number,
+): Pick<Graze, 'level' | 'radius' | 'until' | 'nearest' | 'gap'> | null {
+  const { x, y } = level.astronaut;
+  const place = (far: number) => ({ id: null, x: x + between(-far, far), y: y + between(-far, far) });
+  const places = kind === 'hot rock' ? [place(250)] : [place(120), place(120)];
+  const make = (r: number, truth: boolean): Level => {
+    if (kind === 'hot rock') {
+      // a rock drags and is dragged as its radius says, so it has the same in both
+      return { ...level, recoil: true, asteroids: [...level.asteroids, { ...places[0], radius: r, hot: !truth }] };
+    }
+    const radius = truth ? 1e-3 : r;
+    return { ...level, aliens: (kind === 'alien' ? places.slice(0, 1) : places).map((o) => ({ ...o, radius })) };
+  };
+  const state = new Float64Array(STATE_SIZE);
+  const aliens = new Float64Array(6);
+  const rocks = new Float64Array(2 * level.asteroids.length + 2);
+  let radius = 16;
+  for (let round = 0; ; round++) {
+    const run = simulate(compile(make(radius, true), accuracy), holds, { maxTime: until });
+    const end = Math.min(until, run.time) - 1e-6;
+    if (end < 0.05) return null;
+    const distance = (time: number): number => {
+      if (kind === 'two aliens') {
+        run.trajectory.aliensAt(time, aliens);
+        return Math.hypot(aliens[3] - aliens[0], aliens[4] - aliens[1]) / 2;
+      }
+      run.trajectory.at(time, state);
+      if (kind === 'alien') {
+        run.trajectory.aliensAt(time, aliens);
+        return fromBox(state, aliens[0], aliens[1]);
+      }
+      run.trajectory.asteroidsAt(time, rocks);
+      return fromBox(state, rocks[rocks.length - 2], rocks[rocks.length - 1]);
+    };
+    let nearest = 0;
+    for (let i = 1; i <= 600; i++) if (distance((end * i) / 600) < distance(nearest)) nearest = (end * i) / 600;
+    for (let h = end / 1200; h > 1e-9; h /= 2) {
+      for (const t of [nearest - h, nearest + h]) if (t >= 0 && t <= end && distance(t) < distance(nearest)) nearest = t;
+    }
+    const found = distance(nearest) + depth;
+    if (!(found > 0.01)) return null;
+    if (kind === 'hot rock' && Math.abs(found - radius) > 1e-10 && round < 12) {
+      radius = found;
+      continue;
+    }
+    const reach = kind === 'hot rock' ? radius : found;
+    return { level: make(reach, false), radius: reach, until: end, nearest, gap: (time) => distance(time) - reach };
+  }
+}
+
 /** The level with the thing in it, and the gap to it from a state. */
 function withThing(
   { level }: Path,
@@ -155,12 +240,7 @@ function withThing(
   if (kind === 'alien wakes') {
     return { level: { ...level, aliens: [{ ...circle, radius: 1 + 9 * share }] }, gap: byCentre };
   }
-  const byBox = ([px, py, , , cos, sin]: Float64Array) => {
-    const [dx, dy] = [circle.x - px, circle.y - py];
-    const gx = Math.max(0, Math.abs(dx * cos + dy * sin) - HALF_WIDTH);
-    const gy = Math.max(0, Math.abs(dy * cos - dx * sin) - HALF_HEIGHT);
-    return Math.hypot(gx, gy) - radius;
-  };
+  const byBox = (state: Float64Array) => fromBox(state, circle.x, circle.y) - radius;
   if (kind === 'nova') return { level: { ...level, novae: [circle] }, gap: byBox };
   if (kind === 'mineral') return { level: { ...level, minerals: [circle] }, gap: byBox };
   return { level: { ...level, blackHole: circle }, gap: byBox };
@@ -255,13 +335,16 @@ function crossing(g: Graze, margin: number, before: number, behind: number): num
 
 /** When the engine has her touch the thing first, s. */
 function engineTime(g: Graze): number | null {
-  const run = simulate(compile(g.level, g.accuracy), g.holds, { maxTime: g.until });
-  if (g.kind === 'nova') return run.outcome === 'collided' ? run.time : null;
+  const run = simulate(compile(g.level, g.accuracy), g.holds, { maxTime: g.until + TICK });
+  if (g.kind === 'nova' || g.kind === 'alien' || g.kind === 'hot rock') return run.outcome === 'collided' ? run.time : null;
   if (g.kind === 'black hole') return run.outcome === 'completed' ? run.time : null;
   const field = g.level.repulsors.length - 1;
   const other = g.level.asteroids.length - 1;
+  // an alien that is large enough to touch the other may touch her before
+  if (g.kind === 'two aliens' && run.outcome === 'collided') return 0;
   const event = run.events.find(
     (e) =>
+      (g.kind === 'two aliens' && e.type === 'explosion') ||
       (g.kind === 'mineral' && e.type === 'mineral') ||
       (g.kind === 'repulsor' && e.type === 'enter' && e.index === field) ||
       (g.kind === 'alien wakes' && e.type === 'wake') ||
@@ -285,7 +368,8 @@ export function checkGraze(g: Graze): GrazeFinding {
   // the box as it stands before a press turns it
   if (found === 0) return { what: 'vague' };
   const sure = firstDip(g, g.rounding);
-  if (found === null) return sure === null ? { what: 'missed' } : bug(`missed, though touched from ${sure} s on`);
+  if (found === null || found > g.until)
+    return sure === null ? { what: 'missed' } : bug(`missed, though touched from ${sure} s on`);
   if (sure !== null && found > sure + 1e-9) return bug(`found at ${found} s, though touched from ${sure} s on`);
   const gap = g.gap(found);
   if (gap > g.rounding) return bug(`found at ${found} s, where the gap is ${gap} px`);
