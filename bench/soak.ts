@@ -1,6 +1,7 @@
 import { isMainThread, parentPort, Worker, workerData } from 'node:worker_threads';
 import { optionValue } from './harness.ts';
 import { checkScene, type Finding } from './soak/check-scene.ts';
+import { checkGraze, GRAZED_AT, graze } from './soak/contacts.ts';
 import { randomScene } from './soak/random-scene.ts';
 
 /** A scene that takes longer than this does not go on, ms. */
@@ -65,6 +66,26 @@ async function watch(from: number, to: number, until: number, report: (found: Fo
   return to;
 }
 
+/** What she touches or misses by 1e-9 to 1 px must be found or not, seed after seed. */
+function attackContacts(from: number, seeds: number, until: number): void {
+  const counts = { hit: 0, missed: 0, vague: 0, bug: 0 };
+  let seed = from;
+  for (; seed < from + seeds && Date.now() < until; seed++) {
+    for (const accuracy of GRAZED_AT) {
+      const made = graze(seed, accuracy);
+      if (made === null) continue;
+      const finding = checkGraze(made);
+      counts[finding.what]++;
+      if (finding.what === 'bug') console.log(`bug  graze ${seed}: ${finding.why}`);
+    }
+  }
+  console.log(
+    `\n${seed - from} seeds (${from} to ${seed - 1}): ${counts.hit} touches found, ${counts.missed} near misses left alone, ` +
+      `${counts.vague} that overlap at the start, ${counts.bug} bugs`,
+  );
+  if (counts.bug > 0 || counts.hit === 0) process.exitCode = 1;
+}
+
 async function main(): Promise<void> {
   const only = optionValue('--only');
   if (only !== null) {
@@ -77,6 +98,12 @@ async function main(): Promise<void> {
   const scenes = Number(optionValue('--scenes') ?? 100_000);
   const seconds = Number(optionValue('--seconds') ?? 3600);
   const began = Date.now();
+  const attack = optionValue('--attack');
+  if (attack === 'contacts') {
+    attackContacts(from, scenes, began + 1000 * seconds);
+    return;
+  }
+  if (attack !== null) throw new Error(`--attack: expected contacts, or none for random scenes, found ${attack}`);
   const counts = { bug: 0, hangs: 0 };
   const done = await watch(from, from + scenes, began + 1000 * seconds, (found) => {
     counts[found.kind]++;

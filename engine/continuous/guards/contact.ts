@@ -18,6 +18,9 @@ const ROUNDING = 8.9e-16;
 /** A gap below this many times its rounding is computed in twice the digits. */
 const UNCERTAIN = 8;
 
+/** An overlap that begins within this begins at once, s. */
+const AT_ONCE = 1e-18;
+
 /** The cubic of a Runge-Kutta step may bend by this much more than the strongest pull, see {@link dragRungeKutta}. */
 const CUBIC_BENDS = 5 / 3;
 
@@ -220,7 +223,9 @@ function gapAt(m: Motion, t: number, r: number): number {
   return gap < uncertain && gap > -uncertain ? fineGap(m, t, r, cos, sin) : gap;
 }
 
+/** When she begins to overlap it; `before` itself where she touches there and moves on into it. */
 function contactBetween(m: Motion, before: number, behind: number, r: number): number {
   m.work.roots++;
-  return bisect(before, behind, (t) => gapAt(m, t, r) < 0);
+  const t = bisect(before, behind, (time) => gapAt(m, time, r) < 0);
+  return t - before < AT_ONCE ? before : t;
 }

@@ -1,7 +1,7 @@
 import { SPEED_LIMIT } from '../../constants.ts';
 import { bisect } from '../bracket.ts';
 import { justFired, offer } from '../first-event.ts';
-import { COAST } from '../flow.ts';
+import { CENTRAL } from '../flow.ts';
 import { safeStretch, smallestStride } from '../march.ts';
 import type { Motion } from '../motion.ts';
 import { shift, valueAt } from '../polynomial.ts';
@@ -27,7 +27,8 @@ export function considerLimits(m: Motion, from: number): void {
   for (let axis = 0; axis < 2; axis++) {
     const held = s[axis === 0 ? LIMIT_X : LIMIT_Y];
     if (held !== 0) {
-      if (m.flow.kind === COAST) continue;
+      // on a line both axes are free; without a force nothing drives her back
+      if (m.flow.kind !== CENTRAL) continue;
       offer(m, firstBelow(m, placeGuard(m, axis, m.flow.alpha > 0 ? held : -held), from, false), UNLIMIT, axis, 0);
       continue;
     }

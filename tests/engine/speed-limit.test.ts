@@ -1,0 +1,125 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { compile, STATE_SIZE, simulate } from '../../engine/index.ts';
+import { plainLevel } from './plain-level.ts';
+
+const LIMIT = 1000;
+const RANGE = 1e5;
+
+type State = readonly [x: number, y: number, vx: number, vy: number];
+
+/** The pull of one asteroid at 0, 0, by the rules; along x the limit may hold it back. */
+function rates([x, y, vx, vy]: State, held: boolean): State {
+  const d = Math.hypot(x, y);
+  const a = -39 * (1 / d - 1 / RANGE);
+  return [vx, vy, held ? 0 : a * x, a * y];
+}
+
+/** A step of the classical Runge-Kutta method. */
+function step(s: State, h: number, held: boolean): State {
+  const shifted = (k: State, f: number): State => [s[0] + f * k[0], s[1] + f * k[1], s[2] + f * k[2], s[3] + f * k[3]];
+  const a = rates(s, held);
+  const b = rates(shifted(a, h / 2), held);
+  const c = rates(shifted(b, h / 2), held);
+  const d = rates(shifted(c, h), held);
+  const mean = (i: 0 | 1 | 2 | 3) => s[i] + (h / 6) * (a[i] + 2 * b[i] + 2 * c[i] + d[i]);
+  return [mean(0), mean(1), mean(2), mean(3)];
+}
+
+const STEPS = 5000;
+
+/**
+ * Flies from the left past the asteroid, pulled towards it, for `seconds`.
+ * @param limited whether the limit is kept to; it holds her until the pull turns round above the asteroid
+ * @returns the last state, the greatest vx, and when the limit is reached (s, -1: never)
+ */
+function fly(start: State, seconds: number, limited: boolean): { end: State; fastest: number; reached: number } {
+  let s = start;
+  let fastest = s[2];
+  let reached = -1;
+  const h = seconds / STEPS;
+  for (let n = 0; n < STEPS; n++) {
+    const next = step(s, h, false);
+    fastest = Math.max(fastest, next[2]);
+    // the greatest velocity lies above the asteroid, between two steps
+    if (s[0] < 0 && next[0] >= 0) {
+      let t = -s[0] / s[2];
+      for (let i = 0; i < 5; i++) t -= step(s, t, false)[0] / step(s, t, false)[2];
+      fastest = Math.max(fastest, step(s, t, false)[2]);
+    }
+    const top = s[0] < 0 && next[0] >= 0 ? fastest : next[2];
+    if (limited && reached < 0 && top > LIMIT) {
+      let [a, b] = [0, next[2] > LIMIT ? h : -s[0] / s[2]];
+      for (let i = 0; i < 60; i++) {
+        const middle = (a + b) / 2;
+        if (step(s, middle, false)[2] > LIMIT) b = middle;
+        else a = middle;
+      }
+      reached = n * h + b;
+      const held = step(s, b, false);
+      // held: she moves on at the limit along x until x is 0, and from there free again
+      const hold = -held[0] / LIMIT;
+      let state: State = [held[0], held[1], LIMIT, held[3]];
+      for (let i = 0; i < 300; i++) state = step(state, hold / 300, true);
+      const rest = seconds - reached - hold;
+      state = [0, state[1], LIMIT, state[3]];
+      for (let i = 0; i < STEPS; i++) state = step(state, rest / STEPS, false);
+      return { end: state, fastest, reached };
+    }
+    s = next;
+  }
+  return { end: s, fastest, reached };
+}
+
+describe('the speed limit along an axis', () => {
+  it('is seen however little she would exceed it, when she would, and holds her until the force turns round', () => {
+    const counts = { held: 0, free: 0 };
+    fc.assert(
+      fc.property(
+        fc.record({
+          x: fc.double({ min: -400, max: -100, noNaN: true }),
+          y: fc.double({ min: 60, max: 300, noNaN: true }),
+          vy: fc.double({ min: -200, max: 200, noNaN: true }),
+          exponent: fc.double({ min: -9, max: -2, noNaN: true }),
+          over: fc.boolean(),
+          // the same flight along y, or the other way
+          swap: fc.boolean(),
+          mirror: fc.constantFrom(-1, 1),
+        }),
+        ({ x, y, vy, exponent, over, swap, mirror }) => {
+          const seconds = 0.6;
+          const excess = (over ? 1 : -1) * 10 ** exponent;
+          // the start whose greatest velocity is the limit and the excess
+          let vx = 990;
+          for (let i = 0; i < 8; i++) vx += LIMIT + excess - fly([x, y, vx, vy], seconds, false).fastest;
+          const truth = fly([x, y, vx, vy], seconds, true);
+          expect(truth.reached >= 0).toBe(over);
+          counts[over ? 'held' : 'free']++;
+
+          const turn = (a: number, b: number) => (swap ? { x: b, y: mirror * a } : { x: mirror * a, y: b });
+          const [place, velocity] = [turn(x, y), turn(vx, vy)];
+          const level = plainLevel({
+            astronaut: { ...place, vx: velocity.x, vy: velocity.y },
+            range: RANGE,
+            asteroids: [{ x: 0, y: 0, radius: 16 }],
+          });
+          const run = simulate(compile(level), [[0, 60]], { maxTime: seconds });
+          const state = new Float64Array(STATE_SIZE);
+          run.trajectory.at(seconds, state);
+          const along = swap ? mirror * state[1] : mirror * state[0];
+          const across = swap ? state[0] : state[1];
+          const speed = swap ? mirror * state[3] : mirror * state[2];
+          expect(Math.abs(speed - truth.end[2])).toBeLessThan(3e-10);
+          expect(Math.abs(along - truth.end[0])).toBeLessThan(1e-9);
+          expect(Math.abs(across - truth.end[1])).toBeLessThan(1e-9);
+          for (let i = 0; i <= 600; i++) {
+            run.trajectory.at(i / 1000, state);
+            expect(Math.max(Math.abs(state[2]), Math.abs(state[3]))).toBeLessThanOrEqual(LIMIT);
+          }
+        },
+      ),
+      { numRuns: 60 },
+    );
+    expect(Math.min(counts.held, counts.free)).toBeGreaterThan(15);
+  });
+});

@@ -1,0 +1,140 @@
+import { describe, expect, it } from 'vitest';
+import { compile, type RunEvent, simulate } from '../../engine/index.ts';
+import type { Hold } from '../../schema/index.ts';
+import { type PlainLevel, plainLevel } from './plain-level.ts';
+
+const ACCURACIES = ['precise', 'standard', 'fast'] as const;
+const KINDS = ['nova', 'hot asteroid', 'black hole', 'mineral', 'alien'] as const;
+
+interface Place {
+  readonly x: number;
+  readonly y: number;
+  readonly radius: number;
+}
+
+function withThing(kind: (typeof KINDS)[number], circle: Place, parts: PlainLevel): PlainLevel {
+  switch (kind) {
+    case 'nova':
+      return { ...parts, novae: [circle] };
+    case 'hot asteroid':
+      return { ...parts, asteroids: [...(parts.asteroids ?? [{ x: 1e5, y: 1e5, radius: 16 }]), { ...circle, hot: true }] };
+    case 'black hole':
+      return { ...parts, blackHole: circle };
+    case 'mineral':
+      return { ...parts, minerals: [circle] };
+    default:
+      return { ...parts, aliens: [circle] };
+  }
+}
+
+/** When she first touches anything, s; null where she doesn't. */
+function touchTime(parts: PlainLevel, holds: readonly Hold[], accuracy: (typeof ACCURACIES)[number]): number | null {
+  const run = simulate(compile(plainLevel(parts), accuracy), holds, { maxTime: 0.25 });
+  const touches = run.events.filter(({ type }) => type === 'mineral' || type === 'collided' || type === 'completed');
+  return touches[0]?.time ?? null;
+}
+
+const ULP_BELOW_26 = 26 - 2 ** -48;
+
+describe.each(ACCURACIES)('a start at which box and circle exactly touch, %s', (accuracy) => {
+  describe.each(KINDS)('%s', (kind) => {
+    const touch = (x: number, parts: PlainLevel, holds: readonly Hold[] = []) =>
+      touchTime(withThing(kind, { x, y: 0, radius: 16 }, parts), holds, accuracy);
+
+    it('is a contact at once when she moves into it, and none when she rests, slides along or moves away', () => {
+      expect(touch(26, { astronaut: { vx: 40 } })).toBe(0);
+      expect(touch(26, { astronaut: { vx: 1e-3 } })).toBe(0);
+      expect(touch(26, { astronaut: { vx: -40 } })).toBeNull();
+      if (kind === 'alien') return;
+      expect(touch(26, {})).toBeNull();
+      expect(touch(26, { astronaut: { vy: 40 } })).toBeNull();
+    });
+
+    it('by one unit of the last digit farther apart or nearer is what it is', () => {
+      expect(touch(ULP_BELOW_26, {})).toBe(0);
+      expect(touch(ULP_BELOW_26, { astronaut: { vx: -40 } })).toBe(0);
+      const later = touch(26 + 2 ** -48, { astronaut: { vx: 2 ** -20 } });
+      // 2^-48 px at 2^-20 px/s; an alien comes to meet her
+      if (kind === 'alien') expect(later).toBeLessThan(2 ** -24);
+      else expect(later).toBeCloseTo(2 ** -28, 14);
+    });
+
+    if (kind === 'hot asteroid') return;
+    it('is a contact at once when the gun pulls her into it from rest, and none when it pulls her away', () => {
+      const holds: Hold[] = [[0, 60]];
+      const asteroids = (x: number) => [{ x, y: 0, radius: 16 }];
+      expect(touch(26, { asteroids: asteroids(100) }, holds)).toBe(0);
+      if (kind === 'alien') return;
+      expect(touch(26, { asteroids: asteroids(-100) }, holds)).toBeNull();
+    });
+  });
+});
+
+// turned by 3-4-5 and with a corner 3-4-5 from the centre of the circle nothing is rounded but sine and cosine
+const turned: Place[] = [];
+for (let i = -30; i <= 30; i++) {
+  for (let j = -30; j <= 30; j++) {
+    const [along, across] = [3 * i + 4 * j, 3 * j - 4 * i];
+    const [gx, gy] = [Math.abs(along) - 10, Math.abs(across) - 16];
+    const radius = gx > 0 && gy > 0 ? Math.hypot(gx, gy) : Math.max(gx, gy);
+    if (radius > 0 && radius < 60 && Number.isInteger(radius)) turned.push({ x: 5 * i, y: 5 * j, radius });
+  }
+}
+
+describe.each(ACCURACIES)('a press that turns the box exactly to touching, %s', (accuracy) => {
+  const apart = turned.filter(({ x, y, radius }) => {
+    const [gx, gy] = [Math.max(0, Math.abs(x) - 10), Math.max(0, Math.abs(y) - 16)];
+    return gx * gx + gy * gy > (radius + 1) * (radius + 1);
+  });
+
+  it('is a contact at once where the pull goes on into it, and none where it goes away', () => {
+    expect(apart.length).toBeGreaterThan(20);
+    const holds: Hold[] = [[0, 60]];
+    const found = { into: 0, away: 0 };
+    for (const circle of apart) {
+      // the asteroid is 250 px away along 3-4-5, she rests
+      const [along, across] = [(3 * circle.x + 4 * circle.y) / 5, (3 * circle.y - 4 * circle.x) / 5];
+      // a circle beside the box is passed along its side
+      if (Math.abs(along) <= 10 && Math.abs(across) > 16) continue;
+      const time = touchTime({ asteroids: [{ x: 150, y: 200, radius: 16 }], range: 1000, novae: [circle] }, holds, accuracy);
+      expect.soft(time, JSON.stringify(circle)).toBe(along > 0 ? 0 : null);
+      found[along > 0 ? 'into' : 'away']++;
+    }
+    expect(found.into).toBeGreaterThan(5);
+    expect(found.away).toBeGreaterThan(5);
+  });
+});
+
+describe.each(ACCURACIES)('a start that stands exactly on a border, %s', (accuracy) => {
+  const firstOf = (type: RunEvent['type'], parts: PlainLevel, holds: readonly Hold[] = []) => {
+    const run = simulate(compile(plainLevel(parts), accuracy), holds, { maxTime: 0.1 });
+    return run.events.find((event) => event.type === type && !(event.type === 'target' && event.index === 0))?.time ?? null;
+  };
+  const holds: Hold[] = [[0, 6]];
+  const asteroids = [{ x: 60, y: 80, radius: 16 }];
+
+  it('crosses it at once when she moves or is pulled over it', () => {
+    const repulsors = [{ x: 30, y: 40, radius: 50 }];
+    expect(firstOf('enter', { repulsors, astronaut: { vx: 30, vy: 40 } })).toBeLessThan(1e-12);
+    expect(firstOf('enter', { repulsors, asteroids }, holds)).toBeLessThan(1e-9);
+    const aliens = [{ x: 90, y: 120, radius: 5 }];
+    expect(firstOf('wake', { aliens, astronaut: { vx: 30, vy: 40 } })).toBeLessThan(1e-12);
+    expect(firstOf('wake', { aliens, asteroids }, holds)).toBeLessThan(1e-9);
+    expect(firstOf('lost', { asteroids, range: 100, astronaut: { vx: -30, vy: -40 } })).toBeLessThan(1e-12);
+    const two = [...asteroids, { x: -60, y: 80, radius: 16 }];
+    expect(firstOf('target', { asteroids: two, astronaut: { vx: -40 } }, holds)).toBeLessThan(1e-12);
+  });
+
+  it('stays where she is while she rests or moves the other way', () => {
+    const repulsors = [{ x: 30, y: 40, radius: 50 }];
+    const aliens = [{ x: 90, y: 120, radius: 5 }];
+    for (const astronaut of [{}, { vx: -30, vy: -40 }]) {
+      expect(firstOf('enter', { repulsors, astronaut })).toBeNull();
+      expect(firstOf('wake', { aliens, astronaut })).toBeNull();
+    }
+    for (const astronaut of [{}, { vx: 30, vy: 40 }]) expect(firstOf('lost', { asteroids, range: 100, astronaut })).toBeNull();
+    const two = [...asteroids, { x: -60, y: 80, radius: 16 }];
+    expect(firstOf('target', { asteroids: two, astronaut: { vx: 40 } }, holds)).toBeNull();
+    expect(firstOf('target', { asteroids: two }, holds)).toBeNull();
+  });
+});
