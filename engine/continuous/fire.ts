@@ -4,6 +4,7 @@ import { actingField } from './fields.ts';
 import { locate } from './locate.ts';
 import type { Motion } from './motion.ts';
 import { distanceSquared, nearest } from './nearest.ts';
+import { skipOrbits } from './orbits.ts';
 import { begin, holdLimits, proceed } from './piece.ts';
 import { skipPeriods, skipQuietSteps } from './skip.ts';
 import { beginsToSlide, comeOff } from './slide.ts';
@@ -71,6 +72,7 @@ export function fire(m: Motion, until: number): void {
   s[LAST_EVENT] = 0;
   if (kind !== CENTRE && kind !== PIECE_END) s[CROSSED] = 0;
   if (kind === PIECE_END) {
+    skipOrbits(m);
     if (m.integrator.glide !== null && recorder === null) skipQuietSteps(m, until);
     if (s[LIMIT_X] === 0 && s[LIMIT_Y] === 0) proceed(m);
     else begin(m);

@@ -1,10 +1,11 @@
-import { ALIEN_SIGHT, GUN_PULL, HALF_DIAGONAL, SPEED_LIMIT, TICK_RATE } from '../constants.ts';
+import { ALIEN_SIGHT, GUN_PULL, HALF_DIAGONAL, SPEED_LIMIT } from '../constants.ts';
 import { COAST, LINEAR, SLIDE } from './flow.ts';
 import { switchGuard } from './guards/target-switch.ts';
 import { safeStep } from './march.ts';
 import type { Motion } from './motion.ts';
 import { distanceSquared } from './nearest.ts';
 import { refresh } from './neighbourhood.ts';
+import { driftsBy, isTiny, untilTick } from './orbits.ts';
 import { directionAt } from './places.ts';
 import { EVENTS, RECORDS, SLOTS } from './state.ts';
 
@@ -22,10 +23,9 @@ const STRONGEST = 1.05 * GUN_PULL;
 export function skipPeriods(m: Motion): void {
   const { s } = m;
   const period = s[CROSSED] > 0 ? s[START] - s[CROSSED_BEFORE] : 0;
-  if (s[CROSSED_BEFORE] > 0 && period > 0 && !m.recoil && s[AWAKE_COUNT] === 0) {
-    const tick = (Math.floor(s[START] * TICK_RATE + 1e-9) + 1) / TICK_RATE;
-    const skipped = Math.floor((tick - s[START]) / period) - 1;
-    if (skipped > 0) {
+  if (s[CROSSED_BEFORE] > 0 && period > 0 && s[AWAKE_COUNT] === 0) {
+    const skipped = Math.floor(untilTick(s[START]) / period) - 1;
+    if (skipped > 0 && (!m.recoil || driftsBy(m, skipped * period))) {
       s[START] += skipped * period;
       m.modeSeconds[m.mode] += skipped * period;
       s[CROSSED] += skipped * period;
@@ -43,6 +43,8 @@ export function skipQuietSteps(m: Motion, until: number): void {
   const { s, ux, uy, flow, integrator, work } = m;
   const { rate } = m.scene.accuracy;
   if (integrator.glide === null || rate === null || m.recoil || s[KIND] === COAST || s[KIND] === SLIDE) return;
+  // orbits may be skipped at the end of any piece: none is to be glided over
+  if (isTiny(m, 4)) return;
   const v = Math.sqrt(ux[1] * ux[1] + uy[1] * uy[1]);
   if (v > SPEED_LIMIT / 2) return;
   const end = Math.min(until, s[START] + quietTime(m));

@@ -1,0 +1,215 @@
+import { ALIEN_SIGHT, GUN_PULL, TICK, TICK_RATE } from '../constants.ts';
+import { bisect } from './bracket.ts';
+import { CENTRAL, COAST } from './flow.ts';
+import type { Motion } from './motion.ts';
+import { refresh, rockTravel } from './neighbourhood.ts';
+import { pairAt } from './polynomial.ts';
+import { EVENTS, RECORDS, SLOTS, TURNS } from './state.ts';
+import { centralSeries, TAYLOR_DEGREE, taylorStep } from './taylor.ts';
+
+const { START, TARGET, FIELD, BASE, BASE_X, BASE_Y, KIND, TURN, DEGREE, AWAKE_COUNT, LIMIT_X, LIMIT_Y } = SLOTS;
+const { MINERAL } = EVENTS;
+const { TURN_NOT } = TURNS;
+const { ROCK } = RECORDS;
+
+/** Orbits of a width w are skipped where sqrt(w / pull) is below this, s: one takes 2.8 to 3.7 times that from pericentre to pericentre. */
+const SHORTEST = TICK / 8;
+
+/** Most pieces of one look for the period: a flat orbit takes some dozens. */
+const MOST_PIECES = 400;
+
+const x = new Float64Array(TAYLOR_DEGREE + 1);
+const y = new Float64Array(TAYLOR_DEGREE + 1);
+const e = new Float64Array(4);
+// from one pericentre to the next: time, and the turn as cosine and sine
+const turn = new Float64Array(3);
+
+/** How far from the centre of her target an orbit gets at most, px: the pull is all but constant so near to it. */
+function width(m: Motion, strength: number): number {
+  const { ux, uy } = m;
+  return Math.sqrt(ux[0] * ux[0] + uy[0] * uy[0]) + (ux[1] * ux[1] + uy[1] * uy[1]) / (2 * strength);
+}
+
+/** Whether she circles her target so closely that orbits are skipped, or, with `room`, that they may be before long. */
+export function isTiny(m: Motion, room = 1): boolean {
+  const { s, ux, uy } = m;
+  // seldom more than the first of these is asked
+  if (ux[0] * ux[0] + uy[0] * uy[0] > 1e-4 || s[KIND] !== CENTRAL || s[FIELD] >= 0) return false;
+  const strength = GUN_PULL + m.kappa;
+  return width(m, strength) < room * strength * SHORTEST * SHORTEST;
+}
+
+/** Whether nothing but the pull of her target can matter for her before she is `far` px away, and the rocks have moved `rocks` px. */
+export function isClear(m: Motion, far: number, rocks: number): boolean {
+  const { s, near, ux, uy } = m;
+  if (s[AWAKE_COUNT] > 0 || far + rocks > ALIEN_SIGHT) return false;
+  const px = s[BASE_X] + ux[0];
+  const py = s[BASE_Y] + uy[0];
+  const reach = far + rocks;
+  if (m.recoil || !near.covers(px, py, reach, s[TARGET])) refresh(m, px, py, reach);
+  const gone = Math.sqrt((px - near.x) * (px - near.x) + (py - near.y) * (py - near.y)) + reach;
+  for (let i = 0; i < near.count; i++) {
+    if (near.kind[i] === MINERAL && s[m.minerals + near.index[i]] !== 0) continue;
+    if (near.slack[i] <= gone) return false;
+  }
+  return true;
+}
+
+/** How long it is to the next tick, s; at a tick 0, since the button may yet change at it. */
+export function untilTick(time: number): number {
+  const n = Math.floor(time * TICK_RATE + 1e-9);
+  return (time > n / TICK_RATE ? n + 1 : n) / TICK_RATE - time;
+}
+
+/**
+ * She circles the very centre of her target many times a tick. From one pericentre to the next every orbit is the one before,
+ * turned by the same angle; so whole ones are skipped, up to the next tick, and the turn is taken to their number's power. With
+ * recoil the target moves as she does, and both of them evenly as a whole. Goes by the series at every accuracy.
+ */
+export function skipOrbits(m: Motion): void {
+  const { s, ux, uy, px, py } = m;
+  if (!isTiny(m) || s[LIMIT_X] !== 0 || s[LIMIT_Y] !== 0) return;
+  const left = untilTick(s[START]);
+  const { kappa } = m;
+  const strength = GUN_PULL + kappa;
+  const a = width(m, strength);
+  if (left < 4 * Math.sqrt(a / strength) || 4 * a > m.scene.level.range) return;
+  const drawn = kappa / strength;
+  const vx = px[1] + drawn * ux[1];
+  const vy = py[1] + drawn * uy[1];
+  const travel = Math.sqrt(vx * vx + vy * vy) * left;
+  if (!isClear(m, travel + 2 * a, m.recoil ? rockTravel(m, left) : 0)) return;
+  const period = orbitPeriod(m, a, strength);
+  const count = period > 0 ? Math.floor(left / period) : 0;
+  if (count < 1) return;
+  const skipped = count * period;
+  recordMean(m, vx, vy, skipped);
+
+  let cos = 1;
+  let sin = 0;
+  for (let n = count, c = turn[1], q = turn[2]; n > 0; n = Math.floor(n / 2)) {
+    if (n % 2 === 1) {
+      const was = cos;
+      cos = was * c - sin * q;
+      sin = was * q + sin * c;
+    }
+    const was = c;
+    c = was * was - q * q;
+    q = 2 * was * q;
+  }
+  const [x0, y0, vx0, vy0] = [ux[0], uy[0], ux[1], uy[1]];
+  ux[0] = x0 * cos - y0 * sin;
+  uy[0] = x0 * sin + y0 * cos;
+  ux[1] = vx0 * cos - vy0 * sin;
+  uy[1] = vx0 * sin + vy0 * cos;
+  if (m.recoil) drift(m, vx * skipped - drawn * (ux[0] - x0), vy * skipped - drawn * (uy[0] - y0), vx, vy, skipped);
+  m.modeSeconds[m.mode] += skipped;
+  s[START] += skipped;
+}
+
+/** She swings on a line through the centre of her target, which recoils: moves both on by `time` s, in which whole swings end. */
+export function driftsBy(m: Motion, time: number): boolean {
+  const { ux, uy, px, py } = m;
+  const drawn = m.kappa / (GUN_PULL + m.kappa);
+  const vx = px[1] + drawn * ux[1];
+  const vy = py[1] + drawn * uy[1];
+  const a = width(m, GUN_PULL);
+  if (4 * a > m.scene.level.range || !isClear(m, Math.sqrt(vx * vx + vy * vy) * time + 2 * a, rockTravel(m, time))) return false;
+  recordMean(m, vx, vy, time);
+  drift(m, vx * time, vy * time, vx, vy, time);
+  return true;
+}
+
+/** Moves her target by (dx, dy) with her, and the other rocks as they go; the mean velocity of both is (vx, vy). */
+function drift(m: Motion, dx: number, dy: number, vx: number, vy: number, time: number): void {
+  const { s, ux, uy, px, py } = m;
+  const drawn = m.kappa / (GUN_PULL + m.kappa);
+  s[BASE_X] += dx;
+  s[BASE_Y] += dy;
+  px[1] = vx - drawn * ux[1];
+  py[1] = vy - drawn * uy[1];
+  for (let i = 0; i < m.scene.targets.count; i++) {
+    const o = m.rocks + ROCK * i;
+    if (i === s[BASE]) {
+      s[o] = s[BASE_X];
+      s[o + 1] = s[BASE_Y];
+      s[o + 2] = px[1];
+      s[o + 3] = py[1];
+    } else {
+      s[o] += s[o + 2] * time;
+      s[o + 1] += s[o + 3] * time;
+    }
+  }
+  m.near.skin = -1;
+}
+
+/** For whoever looks between two ticks: she in the middle of her orbit, moving with it. */
+function recordMean(m: Motion, vx: number, vy: number, length: number): void {
+  const { s, ux, uy, px, py, recorder } = m;
+  if (recorder === null) return;
+  const kept = s.slice();
+  for (let k = 0; k < ux.length; k++) ux[k] = uy[k] = px[k] = py[k] = 0;
+  s[KIND] = COAST;
+  s[TURN] = TURN_NOT;
+  s[DEGREE] = 1;
+  px[1] = vx;
+  py[1] = vy;
+  recorder.piece(s[START], s.slice(), length);
+  s.set(kept);
+}
+
+/** The time from one pericentre to the next, s, with the turn into `turn`; 0 where none is found. */
+function orbitPeriod(m: Motion, a: number, strength: number): number {
+  const beta = GUN_PULL / m.scene.level.range;
+  x[0] = m.ux[0];
+  y[0] = m.uy[0];
+  x[1] = m.ux[1];
+  y[1] = m.uy[1];
+  const shortest = Math.sqrt(a / strength);
+  let fromX = 0;
+  let fromY = 0;
+  let found = 0;
+  let time = 0;
+  let approaches = false;
+  for (let n = 0; n < MOST_PIECES; n++) {
+    centralSeries(x, y, -strength, beta, true, true, null, null, 0);
+    const d = Math.sqrt(x[0] * x[0] + y[0] * y[0]);
+    const v2 = x[1] * x[1] + y[1] * y[1];
+    const toCentre = (2 * d) / (Math.sqrt(v2) + Math.sqrt(v2 + 2 * strength * d));
+    const h = taylorStep(x, y, 1e-17 * a, 0.6 * toCentre);
+    if (!(h > 0)) return 0;
+    const outward = (t: number) => {
+      pairAt(x, y, TAYLOR_DEGREE, t, e, 0);
+      return e[0] * e[2] + e[1] * e[3] > 0;
+    };
+    m.work.forceEvaluations++;
+    if (outward(h)) {
+      // near a circle rounding makes turning points of its own
+      if (approaches && (found === 0 || time + h > shortest)) {
+        const t = bisect(0, h, outward);
+        pairAt(x, y, TAYLOR_DEGREE, t, e, 0);
+        if (found === 1) {
+          const both = Math.sqrt((fromX * fromX + fromY * fromY) * (e[0] * e[0] + e[1] * e[1]));
+          turn[0] = time + t;
+          turn[1] = (fromX * e[0] + fromY * e[1]) / both;
+          turn[2] = (fromX * e[1] - fromY * e[0]) / both;
+          return turn[0];
+        }
+        found = 1;
+        fromX = e[0];
+        fromY = e[1];
+        time = -t;
+      }
+      approaches = false;
+      pairAt(x, y, TAYLOR_DEGREE, h, e, 0);
+    } else {
+      approaches = true;
+    }
+    time += h;
+    x[0] = e[0];
+    y[0] = e[1];
+    x[1] = e[2];
+    y[1] = e[3];
+  }
+  return 0;
+}
