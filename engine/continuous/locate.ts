@@ -3,7 +3,7 @@ import { placeAlien, placeCircle, placeRock, SERIES } from './circle.ts';
 import { justFired, offer } from './first-event.ts';
 import { LINEAR, SLIDE } from './flow.ts';
 import { considerPair } from './guards/alien-pair.ts';
-import { centreTime } from './guards/centre.ts';
+import { centreTime, meetingTime } from './guards/centre.ts';
 import { comeOffTime } from './guards/come-off.ts';
 import { contactTime } from './guards/contact.ts';
 import { rimTime } from './guards/rim.ts';
@@ -13,7 +13,7 @@ import type { Motion } from './motion.ts';
 import { alienTravel, refresh, rockTravel } from './neighbourhood.ts';
 import { placeAt } from './places.ts';
 import { tolerance } from './slide.ts';
-import { ALERTNESS, EVENTS, RECORDS, SLOTS } from './state.ts';
+import { ALERTNESS, EVENTS, MEETINGS, RECORDS, SLOTS } from './state.ts';
 
 const {
   START,
@@ -31,11 +31,13 @@ const {
   ACCELERATION,
   AWAKE_COUNT,
   RIM,
+  MEETS,
 } = SLOTS;
 const { MINERAL, NOVA, HOT, ALIEN_TOUCH, HOLE, LEAVE_COVER, CENTRE, SWITCH, ENTER, LEAVE, WAKE, SLEEP, COME_OFF, PIECE_END } =
   EVENTS;
 const { CHASER } = RECORDS;
 const { ASLEEP, GONE } = ALERTNESS;
+const { AHEAD, BEHIND } = MEETINGS;
 
 /** Locates the first event in (FROM, LENGTH_H] of the piece; the natural end where nothing happens before. */
 export function locate(m: Motion): void {
@@ -66,6 +68,7 @@ export function locate(m: Motion): void {
   if (s[AWAKE_COUNT] > 0 || (s[START] === 0 && m.scene.aliens.count > 1)) considerAwake(m, x, y, travel, from);
   considerCover(m, from);
   if (s[KIND] === LINEAR) offer(m, centreTime(m, from), CENTRE, 0, 0);
+  if (s[MEETS] === AHEAD || s[MEETS] === BEHIND) offer(m, meetingTime(m, from), CENTRE, 1, 0);
   if (speed + (s[ACCELERATION] + m.kappa) * h >= SPEED_LIMIT || s[LIMIT_X] !== 0 || s[LIMIT_Y] !== 0) considerLimits(m, from);
 }
 

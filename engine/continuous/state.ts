@@ -30,7 +30,7 @@ export const SLOTS = {
   TURN: 15,
   COS: 16,
   SIN: 17,
-  /** LINEAR: +1 or -1, on which side of the centre she is along (LINE_X, LINE_Y). */
+  /** On a line: its direction, a unit vector whose larger component is positive, and +1 or -1: her side of the centre along it. */
   SIDE: 18,
   LINE_X: 19,
   LINE_Y: 20,
@@ -59,10 +59,26 @@ export const SLOTS = {
   /** The field along whose rim she slides, which counts as around her, or -1; and the one that acts just outside, or -1: the gun. */
   RIM: 36,
   OUTER: 37,
+  /** Of LINES: whether she is on a line through the centre of the frame; then how it lies, see line.ts. */
+  LINE: 38,
+  LINE_STEEP: 39,
+  LINE_SLOPE: 40,
+  /** A point of it, px; and how many lines there have been. */
+  LINE_AT_X: 41,
+  LINE_AT_Y: 42,
+  LINE_COUNT: 43,
+  /** Of MEETINGS: held in a field, where the target is on the line that she is on. */
+  MEETS: 44,
 } as const;
 
 /** Slots before the first chaser. */
-export const HEAD = 38;
+export const HEAD = 45;
+
+/** Not on a line; on one that goes where the base goes; on one that stands still or that the base moves along. */
+export const LINES = { NONE: 0, LOOSE: 1, FAST: 2 } as const;
+
+/** The target is not on her line, or not looked at; it is ahead of her along it, or behind; it stays in her centre. */
+export const MEETINGS = { NOT: 0, AHEAD: 1, BEHIND: -1, TOGETHER: 2 } as const;
 
 /** What turns the box. */
 export const TURNS = { TURN_NOT: 0, TURN_TO_BASE: 1, TURN_TO_TARGET: 2 } as const;
