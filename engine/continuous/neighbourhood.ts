@@ -6,7 +6,7 @@ import { ALERTNESS, EVENTS, RECORDS, SLOTS } from './state.ts';
 const { TARGET } = SLOTS;
 const { MINERAL, NOVA, HOT, ALIEN_TOUCH, HOLE, SWITCH, ENTER, WAKE } = EVENTS;
 const { CHASER, ROCK } = RECORDS;
-const { ASLEEP, AWAKE } = ALERTNESS;
+const { AWAKE } = ALERTNESS;
 
 /** Makes the neighbour list anew around (x, y) for a path of length `reach`. */
 export function refresh(m: Motion, x: number, y: number, reach: number): void {
@@ -34,12 +34,11 @@ export function refresh(m: Motion, x: number, y: number, reach: number): void {
   });
   const hole = level.blackHole;
   near.add(HOLE, 0, distance(hole.x - m.originX, hole.y - m.originY) - hole.radius - margin);
-  for (let i = 0; i < aliens.count; i++) {
-    const o = m.chasers + CHASER * i;
-    if (s[o + 4] !== ASLEEP) continue;
-    const d = distance(s[o], s[o + 1]);
-    near.add(WAKE, i, d - ALIEN_SIGHT - 1e-6);
-    near.add(ALIEN_TOUCH, i, d - aliens.r[i] - margin);
+  if (aliens.count > 0) {
+    m.crowd.eachSleeperNear(x, y, skin, (i, d) => {
+      near.add(WAKE, i, d - ALIEN_SIGHT - 1e-6);
+      near.add(ALIEN_TOUCH, i, d - aliens.r[i] - margin);
+    });
   }
   const target = s[TARGET];
   const own = target < 0 ? 0 : rockDistance(m, target, x, y);

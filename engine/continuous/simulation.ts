@@ -4,6 +4,7 @@ import type { Ending, Mode, Simulation, Work } from '../simulation.ts';
 import { expectSnapshot } from '../snapshot.ts';
 import { button } from './button.ts';
 import { endingOf } from './ending.ts';
+import { restoreChasers } from './expand.ts';
 import { fire } from './fire.ts';
 import { layOut } from './layout.ts';
 import { MODES, Motion } from './motion.ts';
@@ -12,7 +13,7 @@ import { alienPlaceAt, directionAt, rockAt, settleAt } from './places.ts';
 import type { PieceRecorder } from './recording.ts';
 import { ALERTNESS, RECORDS, SLOTS } from './state.ts';
 
-const { START, FROM, NEXT, TICK_NOW, HELD, BASE_X, BASE_Y, OUTCOME, END_TIME, MINERALS } = SLOTS;
+const { START, FROM, NEXT, TICK_NOW, HELD, BASE_X, BASE_Y, OUTCOME, END_TIME, MINERALS, AWAKE_COUNT } = SLOTS;
 const { CHASER } = RECORDS;
 const { AWAKE, GONE } = ALERTNESS;
 
@@ -26,6 +27,8 @@ export class ContinuousSimulation implements Simulation {
   readonly work: Work;
   private readonly motion: Motion;
   private readonly start: Float64Array;
+  private readonly startHead: Float64Array;
+  private readonly startRest: Float64Array;
 
   constructor(scene: Scene, recorder: PieceRecorder | null = null) {
     const motion = new Motion(scene, recorder);
@@ -36,6 +39,9 @@ export class ContinuousSimulation implements Simulation {
     this.start = motion.s.slice();
     begin(motion);
     this.start.set(motion.s);
+    motion.crowd.changed = false;
+    this.startHead = this.start.subarray(0, motion.chasers);
+    this.startRest = this.start.subarray(motion.chasers + CHASER * scene.aliens.count);
   }
 
   get tick(): number {
@@ -60,7 +66,18 @@ export class ContinuousSimulation implements Simulation {
 
   reset(): void {
     const { modeSeconds, work } = this.motion;
-    this.become(this.start);
+    const { motion, start } = this;
+    const { s, crowd } = motion;
+    if (s[AWAKE_COUNT] === 0 && !crowd.changed) {
+      // all sleep where the level has them
+      s.set(this.startHead);
+      s.set(this.startRest, s.length - this.startRest.length);
+      if (motion.recoils) motion.near.skin = -1;
+      setFlow(motion);
+    } else {
+      s.set(start);
+      this.resume();
+    }
     modeSeconds.fill(0);
     work.pieces = work.forceEvaluations = work.guards = work.roots = 0;
   }
@@ -73,16 +90,24 @@ export class ContinuousSimulation implements Simulation {
   }
 
   restore(snapshot: Float64Array): void {
-    expectSnapshot(snapshot, this.motion.s.length);
-    this.become(snapshot);
+    const { motion } = this;
+    expectSnapshot(snapshot, motion.s.length);
+    motion.s.set(snapshot);
+    this.resume();
+    motion.crowd.changed = true;
   }
 
-  private become(state: Float64Array): void {
+  /** The state has become another: what follows from it does, too. */
+  private resume(): void {
     const { motion } = this;
-    motion.s.set(state);
+    if (this.scene.aliens.count > 0) {
+      motion.crowd.read();
+      motion.crowd.changed = false;
+    }
     // what moves may be elsewhere than where the list of neighbours has it
     if (this.scene.aliens.count > 0 || motion.recoils) motion.near.skin = -1;
     setFlow(motion);
+    restoreChasers(motion);
   }
 
   /** Time since the piece began at which the simulation stands, s. */
