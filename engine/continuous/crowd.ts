@@ -27,6 +27,8 @@ const AHEAD = 256;
 export class Crowd {
   /** Indices of those that are awake, ascending; the state has how many. */
   readonly awake: Int32Array;
+  /** Those that woke, fell asleep or exploded since this list was emptied; kept for a recorder. */
+  readonly altered: number[] = [];
   /** Whether one of them may be another than at the start. */
   changed = false;
   /** No sleeper wakes or is touched while she is nearer than this to there, px; negative: not known. */
@@ -112,6 +114,7 @@ export class Crowd {
     const { s, chasers } = this.m;
     s[chasers + CHASER * i + 4] = alertness;
     this.changed = true;
+    if (this.m.recorder !== null) this.altered.push(i);
   }
 
   private dismiss(i: number): void {
@@ -154,6 +157,7 @@ export class Crowd {
       if (s[chasers + CHASER * i + 4] === ASLEEP && !this.isAstray(i)) found.push(i);
     }
     for (const i of this.astray) found.push(i);
+    this.m.budget.look(found.length >> 2);
     return found.sort((a, b) => a - b);
   }
 
@@ -198,6 +202,7 @@ export class Crowd {
       }
       return;
     }
+    this.m.budget.look(4 * count);
     const partners = this.partnersAmongAwake(h);
     // those of which the sleeper comes first in the list
     const before: [number, number][] = [];
@@ -222,6 +227,7 @@ export class Crowd {
       const i = awake[k];
       for (; next < before.length && before[next][0] < i; next++) pair(before[next][0], before[next][1]);
       const all = partners(k);
+      this.m.budget.look(2 + (all.length >> 2));
       for (const j of after[k]) all.push(j);
       all.sort((a, b) => a - b);
       for (const j of all) pair(i, j);

@@ -27,6 +27,9 @@ const {
 const { CHASER, ROCK } = RECORDS;
 const { AWAKE } = ALERTNESS;
 
+/** Looks that take as long as the series of a chaser. */
+const LOOKS_A_CHASER = 8;
+
 /** Longest piece of a coast among so many things that an index finds the near ones, px. */
 const CROWDED_REACH = 128;
 
@@ -45,6 +48,7 @@ export function expand(m: Motion): void {
     awake++;
   }
   work.pieces++;
+  m.budget.piece(1);
 
   // fixed steps end on a grid of their own rate, which the ticks are a part of
   let h = Number.POSITIVE_INFINITY;
@@ -75,6 +79,7 @@ export function expand(m: Motion): void {
   if (awake > 0) {
     h = expandChasers(m, h);
     work.forceEvaluations += awake * integrator.evaluations;
+    m.budget.look(LOOKS_A_CHASER * awake);
   }
   s[LENGTH_H] = h;
 }

@@ -54,6 +54,7 @@ export function locate(m: Motion): void {
 
   if (m.recoil || !near.covers(x, y, reach, s[TARGET])) refresh(m, x, y, reach);
   const gone = Math.sqrt((x - near.x) * (x - near.x) + (y - near.y) * (y - near.y)) + reach;
+  m.budget.look((near.count + m.stirred.length) >> 4);
   for (let i = 0; i < near.count; i++) {
     if (near.slack[i] > gone) continue;
     consider(m, near.kind[i], near.index[i], from);

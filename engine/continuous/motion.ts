@@ -1,5 +1,6 @@
 import { TICK_RATE } from '../constants.ts';
 import type { Scene } from '../scene.ts';
+import type { WorkBudget } from '../work-budget.ts';
 import { Crowd } from './crowd.ts';
 import { COAST, Flow } from './flow.ts';
 import { type Integrator, integratorOf } from './integrator.ts';
@@ -48,6 +49,8 @@ export class Motion {
   readonly chaserX: Float64Array[] = [];
   readonly chaserY: Float64Array[] = [];
   readonly crowd: Crowd;
+  /** Rocks that the gun has held, ascending: all others stay where the level has them. Follows from the state. */
+  readonly stirred: number[] = [];
   /** Where in the state chasers, rocks and the minerals' flags begin. */
   readonly chasers: number;
   readonly rocks: number;
@@ -80,7 +83,12 @@ export class Motion {
   circleMotion = 0;
   circleSeries = 0;
 
-  constructor(scene: Scene, recorder: PieceRecorder | null) {
+  /** @param budget what looking for events may cost */
+  constructor(
+    scene: Scene,
+    recorder: PieceRecorder | null,
+    readonly budget: WorkBudget,
+  ) {
     this.scene = scene;
     this.recorder = recorder;
     this.integrator = integratorOf(scene.accuracy);

@@ -10,7 +10,7 @@ const { ASLEEP, AWAKE } = ALERTNESS;
 /** Ends the piece after `t`: everything is put where it is then, and the next piece begins at `time`. */
 export function stop(m: Motion, t: number, time: number): void {
   const { s, e, ux, uy, px, py } = m;
-  m.recorder?.piece(s[START], s.slice(), t);
+  m.recorder?.piece(m, t);
   m.modeSeconds[m.mode] += t;
   directionAt(m, t);
   s[COS] = e[8];
@@ -31,7 +31,7 @@ export function stop(m: Motion, t: number, time: number): void {
   uy[1] = e[3];
   if (m.recoil) {
     const dragged = s[HELD] === 1 && s[FIELD] >= 0 ? s[TARGET] : -1;
-    for (let i = 0; i < m.scene.targets.count; i++) {
+    for (const i of m.stirred) {
       const o = m.rocks + ROCK * i;
       if (i === s[BASE] || i === dragged) continue;
       s[o] += s[o + 2] * t;
