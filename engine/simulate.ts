@@ -54,6 +54,11 @@ export interface SimulateOptions {
    * clearance, hash and trajectory throw a WorkLimitReached.
    */
   readonly budget?: WorkBudget;
+  /**
+   * false: nothing but events is kept. Clearance, hash and trajectory are there all the same: the run is played again for each, so take
+   * them once. For many runs of which few are looked at.
+   */
+  readonly record?: boolean;
 }
 
 /**
@@ -74,7 +79,7 @@ export function createSimulation(scene: Scene, budget: WorkBudget = unlimited())
 export function simulate(scene: Scene, holds: readonly Hold[], options: SimulateOptions = {}): Run {
   const maxTicks = Math.round((options.maxTime ?? DEFAULT_MAX_TIME) * TICK_RATE);
   const budget = options.budget ?? unlimited();
-  const { recorder, simulation } = recorded(scene, budget);
+  const { recorder, simulation } = recorded(scene, budget, options.record ?? true);
   let stopped: Run['stopped'] = null;
   try {
     playScript(simulation, joinHolds(holds), maxTicks);
@@ -93,6 +98,8 @@ export function simulate(scene: Scene, holds: readonly Hold[], options: Simulate
   // looked at by some, and dearer than the run itself: made when asked for
   let clearance: Clearance | null | undefined;
   let hash: string | undefined;
+  const again = (): Run => budget.lend(() => simulate(scene, holds, { ...options, record: true }));
+  const isKept = options.record ?? true;
   return {
     outcome,
     with: ending?.with ?? null,
@@ -101,35 +108,38 @@ export function simulate(scene: Scene, holds: readonly Hold[], options: Simulate
     minerals: events.flatMap((e) => (e.type === 'mineral' ? [{ index: e.index, time: e.time }] : [])),
     events,
     get clearance() {
-      if (clearance === undefined) clearance = recorder.clearance();
+      if (clearance === undefined) clearance = isKept ? recorder.clearance() : again().clearance;
       return clearance;
     },
     final: { x: state[0], y: state[1], vx: state[2], vy: state[3], cos: state[4], sin: state[5] },
-    trajectory: recorder,
+    get trajectory() {
+      return isKept ? recorder : again().trajectory;
+    },
     work: simulation.work,
     modes: simulation.modes,
     get hash() {
-      if (hash === undefined) hash = hashRun(recorder, events, state, outcome);
+      if (hash === undefined) hash = isKept ? hashRun(recorder, events, state, outcome, budget) : again().hash;
       return hash;
     },
     stopped,
   };
 }
 
-function recorded(scene: Scene, budget: WorkBudget) {
+function recorded(scene: Scene, budget: WorkBudget, keeps: boolean) {
   if (scene.accuracy.integrator === 'arcade') {
-    const recorder = new FrameRecorder(scene, budget);
+    const recorder = new FrameRecorder(scene, budget, keeps);
     return { recorder, simulation: new ArcadeSimulation(scene, recorder, budget) };
   }
-  const recorder = new PieceRecorder(scene, budget);
+  const recorder = new PieceRecorder(scene, budget, keeps);
   return { recorder, simulation: new ContinuousSimulation(scene, recorder, budget) };
 }
 
-function hashRun(trajectory: Trajectory, events: readonly RunEvent[], final: Float64Array, outcome: Outcome): string {
+function hashRun(trajectory: Trajectory, events: readonly RunEvent[], final: Float64Array, outcome: Outcome, budget: WorkBudget): string {
   const hash = new Hash();
   const state = new Float64Array(STATE_SIZE);
   const ticks = Math.floor(trajectory.duration * TICK_RATE + 1e-6);
   for (let tick = 0; tick <= ticks; tick++) {
+    budget.look(4);
     trajectory.at(tick * TICK, state);
     for (let i = 0; i < STATE_SIZE; i++) hash.add(state[i]);
   }

@@ -75,6 +75,16 @@ export class WorkBudget {
     if (this.bytes > this.maxRecorded) throw new WorkLimitReached(this.maxRecorded, 'memory');
   }
 
+  /** Does something whose recording is soon forgotten: its bytes count while it lasts. */
+  lend<T>(work: () => T): T {
+    const { bytes } = this;
+    try {
+      return work();
+    } finally {
+      this.bytes = bytes;
+    }
+  }
+
   /** @throws WorkLimitReached */
   end(): never {
     throw new WorkLimitReached(this.maxWork, 'work');

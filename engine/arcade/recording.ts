@@ -22,10 +22,14 @@ export class FrameRecorder implements Trajectory {
   private readonly asteroids: Float64Array;
   private readonly asteroidsMove: boolean;
 
-  /** @param budget what the recording, and looking for the clearance, may cost */
+  /**
+   * @param budget what the recording, and looking for the clearance, may cost
+   * @param keeps false: events only
+   */
   constructor(
     private readonly scene: Scene,
     private readonly budget: WorkBudget,
+    private readonly keeps = true,
   ) {
     this.aliens = new Float64Array(3 * scene.aliens.count);
     this.asteroids = new Float64Array(2 * scene.targets.count);
@@ -86,6 +90,7 @@ export class FrameRecorder implements Trajectory {
 
   /** Keeps the state of a simulation at the end of a frame. */
   row(simulation: Simulation): void {
+    if (!this.keeps) return;
     const { state, aliens, asteroids, budget } = this;
     if (STATE_SIZE * this.count === this.rows.length) {
       const grown = new Float64Array(2 * this.rows.length);

@@ -44,10 +44,14 @@ export class PieceRecorder implements Trajectory {
   /** What looking at her and all that is deadly costs. */
   private readonly looksAtOnce: number;
 
-  /** @param budget what the recording, and looking for the clearance, may cost */
+  /**
+   * @param budget what the recording, and looking for the clearance, may cost
+   * @param keeps false: events only
+   */
   constructor(
     private readonly scene: Scene,
     private readonly budget: WorkBudget = unlimited(),
+    private readonly keeps = true,
   ) {
     this.othersMove = scene.level.recoil || scene.aliens.count > 0;
     this.near = new ClearanceTracker(scene);
@@ -59,6 +63,7 @@ export class PieceRecorder implements Trajectory {
 
   /** Keeps the piece that the motion is on; it is left after `t` seconds. */
   piece(motion: Motion, t: number): void {
+    if (!this.keeps) return;
     const { s, crowd, budget, chasers, rocks, minerals, stirred } = motion;
     const state = packPiece(motion);
     budget.record(8 * state.length + BYTES_A_PIECE);
