@@ -1,5 +1,5 @@
 import { InvalidArgumentError, Option } from 'commander';
-import { DEFAULT_MAX_TIME, TICK_RATE } from '../engine/index.ts';
+import { DEFAULT_MAX_TIME, DEFAULT_MAX_WORK, TICK_RATE } from '../engine/index.ts';
 
 /** The longest run that is ever simulated, s: an hour, as far as a level file's holds reach. */
 const LONGEST_RUN = 3600;
@@ -34,6 +34,14 @@ export const maxTimeOption = (): Option =>
       throw new InvalidArgumentError(`expected seconds for a tick, 1/${TICK_RATE} s, at least, at most ${LONGEST_RUN}`);
     })
     .default(DEFAULT_MAX_TIME);
+
+/** More work than this is not allowed by an option either: counts stay whole numbers. */
+const MOST_WORK = 1e12;
+
+export const maxWorkOption = (): Option =>
+  new Option('--max-work <pieces>', 'work a level may cost, in pieces of motion')
+    .argParser(wholeNumberOption('pieces of motion', 1, MOST_WORK))
+    .default(DEFAULT_MAX_WORK);
 
 export const LARGEST_SEED = 2 ** 32 - 1;
 

@@ -8,6 +8,7 @@ import {
   type Run,
   TICK,
   TICK_RATE,
+  type WorkBudget,
 } from '../../engine/index.ts';
 import type { Level, Problem } from '../../schema/index.ts';
 import { outcomeInWords } from '../outcome.ts';
@@ -20,6 +21,8 @@ type Ended = Pick<Run, 'outcome' | 'with' | 'time' | 'tick'>;
  * news: such a run proves nothing anyway. Beside the accuracy asked for the coarsest and the finest are played, and the
  * others only where those don't agree: a thousand levels have to be checked while somebody waits.
  * @param runs the level's, simulated at the accuracy asked for; the others are only played, nothing recorded
+ * @param budget what playing them may cost
+ * @throws WorkLimitReached
  */
 export function hangsOnAccuracy(
   file: string,
@@ -27,12 +30,13 @@ export function hangsOnAccuracy(
   runs: readonly Run[],
   asked: Accuracy,
   maxTime: number,
+  budget: WorkBudget,
 ): Omit<Problem, 'line' | 'column'>[] {
   if (runs.length === 0) return [];
   const maxTicks = Math.round(maxTime * TICK_RATE);
   const outcomes = new Map<string, readonly Ended[]>([[asked.name, runs]]);
   const play = (accuracy: Accuracy): void => {
-    if (!outcomes.has(accuracy.name)) outcomes.set(accuracy.name, playAll(level, accuracy, maxTicks));
+    if (!outcomes.has(accuracy.name)) outcomes.set(accuracy.name, playAll(level, accuracy, maxTicks, budget));
   };
   const agree = (index: number): boolean => {
     const [first, ...rest] = [...outcomes.values()].map((ended) => ended[index].outcome === 'completed');
@@ -62,8 +66,8 @@ export function hangsOnAccuracy(
   });
 }
 
-function playAll(level: Level, accuracy: Accuracy, maxTicks: number): Ended[] {
-  const simulation = createSimulation(compile(level, accuracy));
+function playAll(level: Level, accuracy: Accuracy, maxTicks: number, budget: WorkBudget): Ended[] {
+  const simulation = createSimulation(compile(level, accuracy), budget);
   return level.runs.map(({ holds }) => {
     simulation.reset();
     playScript(simulation, joinHolds(holds), maxTicks);

@@ -40,6 +40,8 @@ export interface CheckSettings {
   readonly search: SearchSettings | null;
   /** Ticks by which all presses and releases of each run that completes a level may be off; null: nothing is required. */
   readonly requireSlack: number | null;
+  /** Work that a level may cost, pieces of motion; the engine's default when left out. */
+  readonly maxWork?: number;
 }
 
 /** How a level without a run that completes it is searched. */

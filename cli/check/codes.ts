@@ -102,6 +102,19 @@ export const CHECK_CODES: readonly CodeExplanation[] = [
       'one accuracy, check it with that one.',
   },
   {
+    code: 'work-limit',
+    severity: 'error',
+    title: 'the level costs more work than allowed',
+    why:
+      'Levels may come from strangers, and a valid one can be made to take hours: thousands of aliens awake, orbits of a thousandth of a ' +
+      'pixel, runs of a thousand presses. So work is counted, in pieces of motion and what takes as long as one, and memory of recordings ' +
+      'in bytes; the count is the same on every machine. Past --max-work a level whose runs were not played to the end is unproven. ' +
+      'Where a run has completed it the verdict stays, and this is a warning of what was left out.',
+    fix:
+      'The message says what ran out, and where. Take out what the level does not need, or the runs that prove nothing; or allow more ' +
+      'with `gq check --max-work N` where you know the level. The default lets the check of any file end within seconds.',
+  },
+  {
     code: 'unreadable-file',
     severity: 'error',
     title: 'a file or directory can not be read',

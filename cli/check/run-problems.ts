@@ -1,4 +1,4 @@
-import type { Run } from '../../engine/index.ts';
+import type { Run, WorkBudget } from '../../engine/index.ts';
 import type { Level, Problem } from '../../schema/index.ts';
 import type { Candidate, Proof, ProofCode } from '../../solver/index.ts';
 import { outcomeInWords } from '../outcome.ts';
@@ -38,6 +38,29 @@ export function failedRun({ file, level, accuracy, index, run, noneCompletes }: 
     message: `run ${name} does not complete the level under ${accuracy}: ${outcomeInWords(run, level)}`,
     hint: `${todo}; see gq simulate ${shellPath(file)} --run ${name}`,
     pointer: `/runs/${index}`,
+  };
+}
+
+/** What was left out for want of work, as a sentence ends. */
+export interface CutShort {
+  /** as a sentence begins */
+  readonly what: string;
+  readonly pointer: string;
+}
+
+/** Of a level that costs more than allowed. */
+export function workLimit(
+  { what, pointer }: CutShort,
+  { maxWork, spent }: Pick<WorkBudget, 'maxWork' | 'spent'>,
+  isError: boolean,
+): Omit<Problem, 'line' | 'column'> {
+  const ran = spent >= maxWork ? `more than the ${maxWork} pieces of motion allowed` : 'more memory for its recording than allowed';
+  return {
+    code: 'work-limit',
+    severity: isError ? 'error' : 'warning',
+    message: `${what}: that takes ${ran}`,
+    hint: 'take out what the level does not need, or allow more work with --max-work; see gq explain work-limit',
+    pointer,
   };
 }
 

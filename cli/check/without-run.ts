@@ -1,4 +1,4 @@
-import { type Run, type Scene, simulate, TICK_RATE } from '../../engine/index.ts';
+import { type Run, type Scene, simulate, TICK_RATE, type WorkBudget } from '../../engine/index.ts';
 import type { Hold, Level, Problem, Verdict } from '../../schema/index.ts';
 import { OUTDONE_WARNINGS } from '../../solver/index.ts';
 import { type LostMineral, proveGoalImpossible, proveMineralsLost } from '../solve/prove.ts';
@@ -23,12 +23,13 @@ interface Judgement {
 const ticksOf = ({ maxTime }: CheckSettings): number => Math.round(maxTime * TICK_RATE);
 
 /** What can be said of a level that no scripted run completes: proofs are always tried, a search is made when asked for. */
-export function judgeWithoutRun(file: string, scene: Scene, settings: CheckSettings): Judgement {
+/** @param played whether all runs were played to their end; @param budget what proofs may cost */
+export function judgeWithoutRun(file: string, scene: Scene, settings: CheckSettings, played: boolean, budget: WorkBudget): Judgement {
   const { level } = scene;
   const { accuracy, search, maxTime } = settings;
   const hasRuns = level.runs.length > 0;
-  const otherwise = hasRuns ? 'broken' : 'unproven';
-  const proof = proveGoalImpossible(level, accuracy, { minerals: 'any' }, ticksOf(settings));
+  const otherwise = hasRuns && played ? 'broken' : 'unproven';
+  const proof = proveGoalImpossible(level, accuracy, { minerals: 'any' }, ticksOf(settings), budget);
   if (proof !== null) {
     const outdone = OUTDONE_WARNINGS[proof.code] ?? null;
     return { verdict: 'impossible', found: null, problems: [provedImpossible(file, proof)], outdone };
@@ -47,9 +48,15 @@ export function judgeWithoutRun(file: string, scene: Scene, settings: CheckSetti
 const MOST_MINERALS = 20;
 
 /** Minerals of which it is proved that nobody collects them; only those that no run collects are asked about. */
-export function mineralsLost(level: Level, scripted: readonly Run[], found: Run | null, settings: CheckSettings): LostMineral[] {
+export function mineralsLost(
+  level: Level,
+  scripted: readonly Run[],
+  found: Run | null,
+  settings: CheckSettings,
+  budget: WorkBudget,
+): LostMineral[] {
   if (!settings.proveMinerals) return [];
   const collected = new Set([...scripted, ...(found === null ? [] : [found])].flatMap((run) => run.minerals.map((m) => m.index)));
   const asked = [...level.minerals.keys()].filter((index) => !collected.has(index)).slice(0, MOST_MINERALS);
-  return proveMineralsLost(level, settings.accuracy, asked, ticksOf(settings));
+  return proveMineralsLost(level, settings.accuracy, asked, ticksOf(settings), budget);
 }

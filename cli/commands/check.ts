@@ -10,7 +10,7 @@ import { colorsFor } from '../colors.ts';
 import type { CommandResult } from '../command.ts';
 import { Failure } from '../failure.ts';
 import { findLevelFiles } from '../files.ts';
-import { formatOption, jobsOption, maxTimeOption, wholeNumberOption } from '../options.ts';
+import { formatOption, jobsOption, maxTimeOption, maxWorkOption, wholeNumberOption } from '../options.ts';
 import { createProgress } from '../progress.ts';
 import { checkGithub } from '../reporters/check-github.ts';
 import { checkJson } from '../reporters/check-json.ts';
@@ -24,6 +24,7 @@ interface CheckOptions extends AccuracyOptions, SearchOptions {
   readonly solve?: true;
   readonly requireSlack?: number;
   readonly maxTime: number;
+  readonly maxWork: number;
   readonly format: 'pretty' | 'json' | 'github';
   readonly jobs: number;
 }
@@ -39,6 +40,7 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
       wholeNumberOption('a number of ticks', 0, 60),
     )
     .addOption(maxTimeOption())
+    .addOption(maxWorkOption())
     .addOption(formatOption('pretty', 'json', 'github'))
     .addOption(jobsOption(availableParallelism()))
     .addHelpText(
@@ -46,7 +48,8 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
       `
 A directory stands for every *.level.json below it (hidden directories and node_modules left out); a file is read whatever
 its name. Verdicts: completable, broken (it has runs, none completes it), unproven (no run), impossible (proved: nobody can
-complete it), invalid, crashed. --budget, --effort and --seed are for --solve. That nobody can collect a mineral is proved with
+complete it), invalid, crashed. A level that costs more than --max-work is unproven: work is counted, and the same on every
+machine; the default lets the check of any file end within seconds. --budget, --effort and --seed are for --solve. That nobody can collect a mineral is proved with
 --solve, or when at most ${FEW_FILES} files are checked.
 
 Exit code: 2 when a path matches nothing (then nothing is checked), or when a file could not be read or gq failed on it
@@ -70,6 +73,7 @@ async function check(paths: readonly string[], options: CheckOptions): Promise<C
   const settings: CheckSettings = {
     accuracy: chooseAccuracy(options),
     maxTime: options.maxTime,
+    maxWork: options.maxWork,
     inFull: options.format === 'json',
     search,
     proveMinerals: options.solve === true || files.length <= FEW_FILES,

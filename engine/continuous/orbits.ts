@@ -128,7 +128,7 @@ function drift(m: Motion, dx: number, dy: number, vx: number, vy: number, time: 
   s[BASE_Y] += dy;
   px[1] = vx - drawn * ux[1];
   py[1] = vy - drawn * uy[1];
-  for (let i = 0; i < m.scene.targets.count; i++) {
+  for (const i of m.stirred) {
     const o = m.rocks + ROCK * i;
     if (i === s[BASE]) {
       s[o] = s[BASE_X];
@@ -154,7 +154,7 @@ function recordMean(m: Motion, vx: number, vy: number, length: number): void {
   s[DEGREE] = 1;
   px[1] = vx;
   py[1] = vy;
-  recorder.piece(s[START], s.slice(), length);
+  recorder.piece(m, length);
   s.set(kept);
 }
 

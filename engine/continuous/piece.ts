@@ -6,6 +6,7 @@ import { bendLine, findLine, sideOf, straighten } from './line.ts';
 import { locate } from './locate.ts';
 import { meetTarget } from './meet.ts';
 import type { Motion } from './motion.ts';
+import { stir } from './rocks.ts';
 import { followRim, setRim } from './slide.ts';
 import { LINES, MEETINGS, RECORDS, SLOTS, TURNS } from './state.ts';
 
@@ -50,8 +51,10 @@ export function begin(m: Motion): void {
   const target = s[TARGET];
   const field = s[FIELD];
   if (field >= 0) {
+    if (held && m.recoil) stir(m, target);
     rebase(m, -1, scene.repulsors.x[field] - m.originX, scene.repulsors.y[field] - m.originY, 0, 0);
   } else if (held && m.recoil) {
+    stir(m, target);
     const o = m.rocks + ROCK * target;
     rebase(m, target, s[o], s[o + 1], s[o + 2], s[o + 3]);
   } else if (held) {

@@ -43,14 +43,15 @@ export const unusedAsteroid: Rule = {
 /** Adds to `keepers` those of `idle` without which she would have been lost somewhere on the way. */
 function keepersOf({ asteroids, range }: Level, run: Run, idle: readonly number[], keepers: Set<number>): void {
   const state = new Float64Array(STATE_SIZE);
+  const { trajectory } = run;
   const others = [...asteroids.keys()].filter((i) => !idle.includes(i));
   const near = (i: number, reach: number): boolean => {
     const dx = asteroids[i].x - state[0];
     const dy = asteroids[i].y - state[1];
     return dx * dx + dy * dy <= reach * reach;
   };
-  for (let time = 0; time < run.trajectory.duration; time += LOOK_EVERY) {
-    run.trajectory.at(time, state);
+  for (let time = 0; time < trajectory.duration; time += LOOK_EVERY) {
+    trajectory.at(time, state);
     if (others.some((i) => near(i, range - MARGIN))) continue;
     // any of these would do; which of them is the designer's choice, so none is told
     for (const i of idle) if (near(i, range + MARGIN)) keepers.add(i);

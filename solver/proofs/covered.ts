@@ -1,4 +1,4 @@
-import { boxCircleGap } from '../../engine/index.ts';
+import { boxCircleGap, type WorkBudget } from '../../engine/index.ts';
 import { type StandingCircle, standingCircles } from './blockers.ts';
 import type { About, Blocker, Proof } from './proof.ts';
 import { distance, surelyLess } from './rounding.ts';
@@ -30,7 +30,7 @@ export function proveCovered(setting: Setting, about: About, goal: Thing): Proof
   if (jump > 0 || !surelyLess(goal.touch, distance(goal, { x: 0, y: 0 }))) return null;
   const near = standingCircles(setting, about).filter((c) => distance(c, goal) < goal.touch + c.radius + LEVER);
   if (near.length === 0) return null;
-  const cover = new Cover(goal, near, about.kind === 'mineral');
+  const cover = new Cover(goal, near, about.kind === 'mineral', setting.budget);
   if (!cover.isWhole()) return null;
   const names = [...cover.used].map((by) => (by.kind === 'range' ? '' : thing(by)));
   return {
@@ -52,7 +52,12 @@ class Cover {
   private poses = 0;
   readonly used = new Set<Blocker>();
 
-  constructor(goal: Thing, hazards: readonly StandingCircle[], anyTurn: boolean) {
+  constructor(
+    goal: Thing,
+    hazards: readonly StandingCircle[],
+    anyTurn: boolean,
+    private readonly budget: WorkBudget,
+  ) {
     this.goal = goal;
     this.hazards = hazards;
     this.anyTurn = anyTurn;
@@ -74,6 +79,7 @@ class Cover {
     const reach = half * 1.41422 + LEVER * chord * 1.000001;
     const touch = boxCircleGap(this.goal.x - x, this.goal.y - y, middle.cos, middle.sin, this.goal.radius);
     if (surelyLess(reach, touch)) return true;
+    this.budget.look(1 + this.hazards.length / 4);
     let best = Number.POSITIVE_INFINITY;
     for (const hazard of this.hazards) {
       const depth = this.gap(hazard, x, y, middle);

@@ -1,3 +1,4 @@
+import type { WorkBudget } from '../../engine/index.ts';
 import { type BlockingDisc, blockingDiscs, rangeDiscs } from './blockers.ts';
 import { type OutlinePiece, outlinesOf } from './outline.ts';
 import type { About, BarrierEdge, Blocker, Proof } from './proof.ts';
@@ -49,7 +50,7 @@ export function proveEnclosed(setting: Setting, about: About, goal: Thing): Proo
     near,
   );
   if (plane.size > WIDEST) return null;
-  const tree = new Quadtree(plane.size, judgeOf(plane), [...Array(plane.discs.length + ranges.length).keys()]);
+  const tree = new Quadtree(plane.size, judgeOf(plane, setting.budget), [...Array(plane.discs.length + ranges.length).keys()]);
   const inside = closeIn(tree, plane);
   if (inside === null) return null;
   const barrier = barrierOf(tree, inside, plane);
@@ -81,11 +82,12 @@ function planeAround(
 }
 
 /** What a square is: blocked by one disc, or out of range as a whole; free when nothing reaches into it and all of it is in range. */
-function judgeOf({ left, bottom, discs, ranges }: Plane): Judge {
+function judgeOf({ left, bottom, discs, ranges }: Plane, budget: WorkBudget): Judge {
   return (cellX, cellY, size, nearby) => {
     const half = (size * UNIT) / 2;
     const x = left + cellX * UNIT + half;
     const y = bottom + cellY * UNIT + half;
+    budget.look(1 + nearby.length / 8);
     const kept: number[] = [];
     let inRange = false;
     let someRange = false;

@@ -187,6 +187,8 @@ class PipeFan {
   /** What a set becomes until the moment `to`, pressed and not, is added to `next`; false when it comes near the thing. */
   advance({ far, turn, aliens }: Pipe, to: number, next: Map<number, Pipe>): boolean {
     const { step } = this;
+    const things = this.still.length + 2 * this.rocks.length + this.fields.length + aliens.length;
+    this.setting.budget.look(4 * this.grid.steps + things / 2);
     const way = this.placesUntil(far, to);
     if (nearestTo(this.goal, way) <= this.goal.r + SLACK) return false;
     const isPushed = this.pushesWithin(way);

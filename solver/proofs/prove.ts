@@ -1,4 +1,4 @@
-import type { AccuracyName } from '../../engine/index.ts';
+import { type AccuracyName, unlimited, type WorkBudget, WorkLimitReached } from '../../engine/index.ts';
 import type { Level } from '../../schema/index.ts';
 import { proveNothingInRange, proveStartsInHazard } from './at-start.ts';
 import { proveCovered } from './covered.ts';
@@ -15,6 +15,8 @@ export interface ProveOptions {
   readonly accuracy?: AccuracyName;
   /** longest run, s; 60 when left out. Only recoil makes a difference: it moves asteroids as long as a run lasts */
   readonly maxTime?: number;
+  /** what looking for proofs may cost: used up, no more is found. No limit when left out */
+  readonly budget?: WorkBudget;
 }
 
 type Kind = (setting: Setting, about: About, goal: Thing) => Proof | null;
@@ -53,13 +55,15 @@ export function proveMineralsUnreachable(level: Level, options: ProveOptions = {
 
 /** What costs up to seconds, and only where she starts moving: first what holds for frames and for continuous time alike. */
 function proveSoonOver(settings: readonly Setting[], about: About, goal: Thing): Proof | null {
-  return proveDoomed(settings[0], about, goal) ?? proveFlowpipe(settings[settings.length - 1], about, goal);
+  return (
+    withinBudget(proveDoomed, settings[0], about, goal) ?? withinBudget(proveFlowpipe, settings[settings.length - 1], about, goal)
+  );
 }
 
 /** Frames first: what holds for them holds for continuous time. */
-function settingsOf(level: Level, { accuracy, maxTime }: ProveOptions): Setting[] {
-  const frames = accuracy === undefined || accuracy === 'arcade' ? [settingOf(level, maxTime ?? null, true)] : [];
-  const continuous = accuracy !== 'arcade' ? [settingOf(level, maxTime ?? null, false)] : [];
+function settingsOf(level: Level, { accuracy, maxTime, budget = unlimited() }: ProveOptions): Setting[] {
+  const frames = accuracy === undefined || accuracy === 'arcade' ? [settingOf(level, maxTime ?? null, true, budget)] : [];
+  const continuous = accuracy !== 'arcade' ? [settingOf(level, maxTime ?? null, false, budget)] : [];
   return [...frames, ...continuous];
 }
 
@@ -72,9 +76,22 @@ function prove(
 ): Proof | null {
   for (const setting of settings) {
     for (const kind of kinds) {
-      const proof = kind(setting, about, goal);
+      const proof = withinBudget(kind, setting, about, goal);
       if (proof !== null && (accuracy === undefined || proof.covers.includes(accuracy))) return proof;
     }
   }
   return null;
+}
+
+/** What a kind of proof comes to; null too where it would take more work than is left. */
+function withinBudget(kind: Kind, setting: Setting, about: About, goal: Thing): Proof | null {
+  const { level, budget } = setting;
+  try {
+    // each kind looks at all things some times
+    budget.look((level.asteroids.length + level.novae.length + level.repulsors.length + level.aliens.length) >> 1);
+    return kind(setting, about, goal);
+  } catch (error) {
+    if (error instanceof WorkLimitReached) return null;
+    throw error;
+  }
 }

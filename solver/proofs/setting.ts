@@ -6,6 +6,8 @@ import {
   HALF_WIDTH,
   SPEED_LIMIT,
   TICK,
+  unlimited,
+  type WorkBudget,
 } from '../../engine/index.ts';
 import type { Level } from '../../schema/index.ts';
 import { reachableAsteroids } from './reachable.ts';
@@ -37,10 +39,17 @@ export interface Setting {
   readonly drift: readonly number[];
   /** the asteroids she can ever be in range of */
   readonly reached: readonly number[];
+  /** what looking for proofs may cost */
+  readonly budget: WorkBudget;
 }
 
 /** The numbers of a level for one of the two ways of playing. */
-export function settingOf(level: Level, maxTime: number | null, frames: boolean): Setting {
+export function settingOf(
+  level: Level,
+  maxTime: number | null,
+  frames: boolean,
+  budget: WorkBudget = unlimited(),
+): Setting {
   const time = maxTime ?? DEFAULT_MAX_TIME;
   // a hundredth more than a t2 / 2 with a = 1 / (2 radius): frames step a little farther than the flow
   const drift = level.asteroids.map(({ radius }) => (level.recoil ? (1.01 * time * time) / (4 * radius) : 0));
@@ -52,6 +61,7 @@ export function settingOf(level: Level, maxTime: number | null, frames: boolean)
     maxTime: time,
     drift,
     jump,
+    budget,
     get reached() {
       reached ??= reachableAsteroids(level, drift, jump);
       return reached;

@@ -48,6 +48,7 @@ function passTime(m: Motion, from: number, way: Way, k: number): number {
   let before = from;
   work.guards++;
   for (let n = 0; ; n++) {
+    m.budget.look(1);
     const g = way(m, t);
     const slope = e[11];
     if (n === 0 && g <= 0 && slope >= 0) {
