@@ -128,7 +128,7 @@ export function createServerStorage(options: ServerOptions): LevelStorage {
       return post(EDIT_API.ORDER, orderResponseSchema, body);
     },
     watch(onEvent, onLink) {
-      const own = (event: EditEvent) => event.type !== 'list' && event.by === client;
+      const own = (event: EditEvent) => 'by' in event && event.by === client;
       return followEvents({ ...options, timers }, (event) => !own(event) && onEvent(event), onLink);
     },
   };
