@@ -96,15 +96,13 @@ export function createKnownLevels(root: string, shown: string, reader: EntryRead
     let since = performance.now();
     for (const [i, file] of rest.entries()) {
       if (isOver) return;
-      // one that was made or changed meanwhile is known already
-      if (levels[placeOf(file.id)]?.id !== file.id) {
-        const entry = reader.entry(file);
-        put(entry);
-        together.push(entry);
-      }
-      unread = rest.length - 1 - i;
-      if (together.length >= TOLD_TOGETHER || unread === 0) {
-        tell({ type: 'read', levels: together, unread });
+      together.push(reader.entry(file));
+      if (together.length >= TOLD_TOGETHER || i === rest.length - 1) {
+        // one that was made or changed meanwhile is known already
+        const news = together.filter(({ id }) => levels[placeOf(id)]?.id !== id);
+        for (const entry of news) put(entry);
+        unread = rest.length - 1 - i;
+        tell({ type: 'read', levels: news, unread });
         together = [];
       }
       if (performance.now() - since < SLICE) continue;

@@ -78,7 +78,8 @@ export function openLevelFolder(root: string, shown: string): LevelFolder {
   const placeFor = (id: string, now: string | null = null): string => {
     const { folder, name } = splitId(id);
     if (!LEVEL_ID_PART.test(name)) throw badName(name);
-    if (!hasFolder(root, folder)) throw unknownFolder(folder, shown);
+    // an id is written in one way: /a is not a
+    if (joinId(folder, name) !== id || !hasFolder(root, folder)) throw unknownFolder(folder, shown);
     // A and a are one file on some systems, and which of the two a checkout leaves there is chance
     const twin = findLike(root, id).find((other) => other !== id && other !== now);
     if (twin !== undefined) throw nameTaken(nameOf(twin));

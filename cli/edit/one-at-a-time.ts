@@ -73,7 +73,10 @@ function take(path: string, mine: string): boolean {
 }
 
 function removeStale(path: string): void {
-  if (!isFileOrNothing(path)) return removeForeign(path);
+  if (!isFileOrNothing(path)) {
+    removeForeign(path);
+    return;
+  }
   const seen = contentOf(path);
   if (seen === null || !isStale(path, seen)) return;
   const aside = `${path}.${randomBytes(8).toString('hex')}`;

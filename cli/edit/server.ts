@@ -22,7 +22,7 @@ const TRIED = 20;
 
 export interface EditServer {
   readonly port: number;
-  /** The port of the last time, when it was another one. */
+  /** The port of the last time; null where that is not known. */
   readonly portBefore: number | null;
   /** With the token of this run. */
   readonly address: string;
@@ -79,7 +79,7 @@ export async function startServer({ folder, port, page, onCrash }: EditServerOpt
   if (before === null || port !== null) keepPort(id, listening);
   return {
     port: listening,
-    portBefore: before === listening ? null : before,
+    portBefore: before,
     address: `http://127.0.0.1:${listening}/#token=${token}`,
     close,
   };
