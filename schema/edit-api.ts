@@ -93,6 +93,7 @@ export const listResponseSchema = z.strictObject({
   folders: z.array(z.string()).describe("'' and every folder below it that levels can be put into, with slashes."),
   levels: z.array(levelEntrySchema).describe('In the order of play: by path, numbers by their value.'),
   troubles: z.array(z.string()).describe('What is wrong with the folder as a whole, for people; mostly nothing.'),
+  unread: z.int().min(0).describe('Levels that are still to come, as events `read`; 0: these are all.'),
 });
 export type ListResponse = z.infer<typeof listResponseSchema>;
 
@@ -135,7 +136,7 @@ export const restoreRequestSchema = z.strictObject({ trash: z.string().min(1).ma
 export type RestoreRequest = z.infer<typeof restoreRequestSchema>;
 
 /** Every level of one folder ('' for the outermost) in the wanted order. Files are renamed: `07-slingshot` becomes `03-slingshot`. */
-export const orderRequestSchema = z.strictObject({ folder: z.string().max(4096), ids: z.array(id).max(10_000), client });
+export const orderRequestSchema = z.strictObject({ folder: z.string().max(4096), ids: z.array(id).max(100_000), client });
 export type OrderRequest = z.infer<typeof orderRequestSchema>;
 
 export const orderResponseSchema = z.strictObject({
@@ -149,6 +150,9 @@ const by = client.nullable().describe('Who did it: null for another program.');
 /** What the server tells of its own accord. `list` comes first, and again when everything may be different. */
 export const editEventSchema = z.discriminatedUnion('type', [
   z.strictObject({ type: z.literal('list'), list: listResponseSchema }),
+  z
+    .strictObject({ type: z.literal('read'), levels: z.array(levelEntrySchema), unread: z.int().min(0) })
+    .describe('More of a list that came without them, since they are many, or are only now read.'),
   z.strictObject({ type: z.literal('changed'), entry: levelEntrySchema, by }).describe('New, or with another content.'),
   z.strictObject({ type: z.literal('removed'), id, by }),
   z.strictObject({ type: z.literal('renamed'), from: id, entry: levelEntrySchema, by }),

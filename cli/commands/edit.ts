@@ -17,7 +17,7 @@ export function declare(command: Command, _finish: (result: CommandResult) => vo
     .argument('[dir]', 'folder of level files', 'levels')
     .option(
       '--port <n>',
-      `port on 127.0.0.1; 0 for any (default: ${DEFAULT_PORT}, or the next that is free)`,
+      `port on 127.0.0.1; 0 for any (default: the folder's last one, else ${DEFAULT_PORT}, or the next that is free)`,
       wholeNumberOption('a port', 0, 65535),
     )
     .option('--open', 'open the browser')
@@ -55,8 +55,17 @@ async function edit(folder: string, options: EditOptions): Promise<void> {
   await new Promise<never>(() => {});
 }
 
-function announcement(folder: string, { address, port }: EditServer, options: EditOptions): string {
-  const isOther = options.port === undefined && port !== DEFAULT_PORT;
-  const note = isOther ? `Port ${DEFAULT_PORT} is taken, perhaps by another gq edit: this one has ${port}.\n` : '';
+function announcement(folder: string, { address, port, portBefore }: EditServer, options: EditOptions): string {
+  const notes: string[] = [];
+  const usual = portBefore ?? DEFAULT_PORT;
+  const isOther = options.port === undefined && port !== usual;
+  if (isOther) notes.push(`Port ${usual} is taken, perhaps by another gq edit: this one has ${port}.`);
+  if (portBefore !== null && portBefore !== port) {
+    const old = `http://127.0.0.1:${portBefore}/`;
+    notes.push(
+      `What a page of the last time could not save is kept by the browser under ${old}: gq edit --port ${portBefore} finds it.`,
+    );
+  }
+  const note = notes.length === 0 ? '' : `${notes.join(' ')}\n`;
   return `${note}Editing ${visible(folder)} at\n  ${address}\nCtrl-C ends it.\n`;
 }

@@ -23,7 +23,7 @@ export function createApi(levels: LevelFolder): ReadonlyMap<string, Answer> {
   const streams = createEventStreams(levels.known);
   const { LEVELS, LEVEL, RENAME, DUPLICATE, DELETE, TRASH, RESTORE, ORDER, EVENTS } = EDIT_API;
 
-  const list: Answer = (c) => c.json(levels.known.refresh());
+  const list: Answer = async (c) => c.json(await levels.known.refresh());
 
   const read: Answer = (c, query) => {
     const level = levels.read(idOf(query));

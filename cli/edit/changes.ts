@@ -8,11 +8,19 @@ export function changesBetween(before: ListResponse, after: ListResponse, by: st
   const old = new Map(before.levels.map((entry) => [entry.id, entry]));
   const now = new Map(after.levels.map((entry) => [entry.id, entry]));
   const gone = before.levels.filter(({ id }) => !now.has(id));
-  const added = after.levels.filter(({ id }) => !old.has(id));
+  const byContent = new Map<string, LevelEntry[]>();
+  // the first one is taken first
+  for (const entry of gone.toReversed()) {
+    if (entry.etag === null) continue;
+    const same = byContent.get(entry.etag);
+    if (same === undefined) byContent.set(entry.etag, [entry]);
+    else same.push(entry);
+  }
   const events: EditEvent[] = [];
   const isAccountedFor = new Set<LevelEntry>();
-  for (const entry of added) {
-    const from = gone.find((other) => other.etag !== null && other.etag === entry.etag && !isAccountedFor.has(other));
+  for (const entry of after.levels) {
+    if (entry.etag === null || old.has(entry.id)) continue;
+    const from = byContent.get(entry.etag)?.pop();
     if (from === undefined) continue;
     isAccountedFor.add(from).add(entry);
     events.push({ type: 'renamed', from: from.id, entry, by });
@@ -27,4 +35,5 @@ export function changesBetween(before: ListResponse, after: ListResponse, by: st
   return events;
 }
 
-const isSame = (a: unknown, b: unknown): boolean => JSON.stringify(a) === JSON.stringify(b);
+/** An entry that was not read anew is the same object. */
+const isSame = (a: unknown, b: unknown): boolean => a === b || JSON.stringify(a) === JSON.stringify(b);

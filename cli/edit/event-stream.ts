@@ -1,12 +1,33 @@
-import { EDIT_API } from '../../schema/index.ts';
+import { EDIT_API, type EditEvent, type LevelEntry } from '../../schema/index.ts';
 import type { KnownLevels } from './known-levels.ts';
 import { Refusal } from './refusal.ts';
 
 /** Pages that listen at a time. */
 const MAX_STREAMS = 32;
 
-/** Bytes that wait for a page that sleeps; then it is let go, and hears the whole list when it comes back. */
-const MAX_WAITING = 16 * 1024 * 1024;
+/** Bytes that are sent ahead of what a page has read. */
+const AHEAD = 1024 * 1024;
+
+/** Events that wait for a page that sleeps; then it is let go, and hears the whole list when it comes back. */
+const MAX_WAITING = 10_000;
+
+/** Levels in one event. */
+const TOGETHER = 1000;
+
+/** An event in parts that are not too large to send: a list is followed by what `read` tells. */
+export function* inParts(event: EditEvent): Generator<EditEvent> {
+  if (event.type !== 'list' || event.list.levels.length <= TOGETHER) {
+    yield event;
+    return;
+  }
+  const { levels, unread } = event.list;
+  const part = (from: number): LevelEntry[] => levels.slice(from, from + TOGETHER);
+  const after = (from: number): number => unread + Math.max(0, levels.length - from - TOGETHER);
+  yield { type: 'list', list: { ...event.list, levels: part(0), unread: after(0) } };
+  for (let from = TOGETHER; from < levels.length; from += TOGETHER) {
+    yield { type: 'read', levels: part(from), unread: after(from) };
+  }
+}
 
 /** Streams of what goes on in a folder, one a page. */
 export function createEventStreams(known: KnownLevels): { open(): ReadableStream<Uint8Array> } {
@@ -14,30 +35,48 @@ export function createEventStreams(known: KnownLevels): { open(): ReadableStream
   const open = (): ReadableStream<Uint8Array> => {
     if (count >= MAX_STREAMS) throw new Refusal('busy', `${MAX_STREAMS} pages listen already`, 'Close some of the tabs.');
     count++;
-    let stop = (): void => {};
+    const encoder = new TextEncoder();
+    let waiting: EditEvent[] = [...inParts({ type: 'list', list: known.list() })];
+    let isOver = false;
+    let leave = (): void => {};
+    const stop = (): void => {
+      if (isOver) return;
+      isOver = true;
+      waiting = [];
+      leave();
+      count--;
+    };
+    const sendSome = (controller: ReadableStreamDefaultController<Uint8Array>): void => {
+      while (!isOver && waiting.length > 0 && (controller.desiredSize ?? 0) > 0) {
+        controller.enqueue(encoder.encode(`data: ${JSON.stringify(waiting.shift())}\n\n`));
+      }
+    };
     return new ReadableStream<Uint8Array>(
       {
         start(controller) {
-          const encoder = new TextEncoder();
-          const send = (text: string): void => {
-            controller.enqueue(encoder.encode(text));
-            if ((controller.desiredSize ?? 0) > 0) return;
+          const beat = setInterval(() => {
+            // a page that has not read what it was sent knows that the server lives
+            if (!isOver && (controller.desiredSize ?? 0) > 0) controller.enqueue(encoder.encode(': still here\n\n'));
+          }, EDIT_API.HEARTBEAT * 1000);
+          const hush = known.listen((event) => {
+            // what a new list says is all there is to say
+            if (event.type === 'list') waiting = [];
+            waiting.push(...inParts(event));
+            sendSome(controller);
+            if (isOver || waiting.length <= MAX_WAITING) return;
             stop();
             controller.close();
-          };
-          const beat = setInterval(() => send(': still here\n\n'), EDIT_API.HEARTBEAT * 1000);
-          let hush = (): void => {};
-          stop = () => {
-            stop = () => {};
+          });
+          leave = () => {
             clearInterval(beat);
             hush();
-            count--;
           };
-          hush = known.listen((event) => send(`data: ${JSON.stringify(event)}\n\n`));
+          sendSome(controller);
         },
-        cancel: () => stop(),
+        pull: sendSome,
+        cancel: stop,
       },
-      new ByteLengthQueuingStrategy({ highWaterMark: MAX_WAITING }),
+      new ByteLengthQueuingStrategy({ highWaterMark: AHEAD }),
     );
   };
   return { open };

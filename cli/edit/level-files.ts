@@ -1,8 +1,8 @@
-import { type Dirent, readdirSync } from 'node:fs';
+import { type Dirent, lstatSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { systemReason } from '../failure.ts';
 
-const SUFFIX = '.level.json';
+export const SUFFIX = '.level.json';
 
 /** A level file below a folder. */
 export interface LevelFileFound {
@@ -46,11 +46,64 @@ export function findLevels(root: string): LevelFilesFound {
       const isFile = entry.isFile() || entry.isSymbolicLink();
       if (isFile && entry.name.endsWith(SUFFIX) && entry.name.length > SUFFIX.length) {
         files.push({ id: below.slice(0, -SUFFIX.length), path: join(root, below), isLink: entry.isSymbolicLink() });
-      } else if (entry.isDirectory() && !entry.name.startsWith('.') && entry.name !== 'node_modules') pending.push(below);
+      } else if (entry.isDirectory() && isShown(entry.name)) pending.push(below);
     }
   }
-  files.sort((a, b) => inOrderOfPlay(a.id, b.id));
-  return { files: new Map(files.map((file) => [file.id, file])), folders: folders.sort(inOrderOfPlay), troubles };
+  return { files: new Map(inOrder(files).map((file) => [file.id, file])), folders: folders.sort(inOrderOfPlay), troubles };
+}
+
+const isShown = (folder: string): boolean => !folder.startsWith('.') && folder !== 'node_modules';
+
+/** The names in a folder as they are written there, whatever else a system takes for the same; none where it can't be looked into. */
+export function namesIn(root: string, folder: string): string[] {
+  try {
+    return readdirSync(join(root, folder));
+  } catch {
+    return [];
+  }
+}
+
+const isFolder = (root: string, folder: string): boolean =>
+  lstatSync(join(root, folder), { throwIfNoEntry: false })?.isDirectory() === true;
+
+/** Folders whose path passes part by part. */
+function foldersLike(root: string, folder: string, passes: (name: string, wanted: string) => boolean): string[] {
+  let found = [''];
+  for (const part of folder === '' ? [] : folder.split('/')) {
+    found = found.flatMap((above) =>
+      namesIn(root, above)
+        .filter((name) => isShown(name) && passes(name, part))
+        .map((name) => joinId(above, name))
+        .filter((below) => isFolder(root, below)),
+    );
+  }
+  return found;
+}
+
+/** Whether there is such a folder that levels can be put into. */
+export const hasFolder = (root: string, folder: string): boolean =>
+  foldersLike(root, folder, (name, wanted) => name === wanted).length > 0;
+
+/** The level file of one id, as `findLevels` would find it, without a look at all others. */
+export function findLevel(root: string, id: string): LevelFileFound | undefined {
+  const { folder, name } = splitId(id);
+  // an id is written in one way: /a is not a
+  if (name === '' || joinId(folder, name) !== id || !hasFolder(root, folder) || !namesIn(root, folder).includes(name + SUFFIX)) return undefined;
+  const path = pathOfNew(root, folder, name);
+  const stats = lstatSync(path, { throwIfNoEntry: false });
+  if (stats === undefined || !(stats.isFile() || stats.isSymbolicLink())) return undefined;
+  return { id, path, isLink: stats.isSymbolicLink() };
+}
+
+/** The ids of level files that are this one but for the case of letters. */
+export function findLike(root: string, id: string): string[] {
+  const { folder, name } = splitId(id);
+  const isLike = (a: string, b: string): boolean => a.toLowerCase() === b.toLowerCase();
+  return foldersLike(root, folder, isLike).flatMap((at) =>
+    namesIn(root, at)
+      .filter((other) => isLike(other, name + SUFFIX) && other.endsWith(SUFFIX))
+      .map((other) => joinId(at, other.slice(0, -SUFFIX.length))),
+  );
 }
 
 /** Where the file of an id that `LEVEL_ID_PART` lets pass is put, in a folder that `findLevels` has found. */
@@ -68,8 +121,16 @@ export const joinId = (folder: string, name: string): string => (folder === '' ?
 const collator = new Intl.Collator('en', { numeric: true });
 
 /** By folders and names, numbers by their value: `2-b` before `10-a`. */
-export function inOrderOfPlay(a: string, b: string): number {
-  const [left, right] = [a.split('/'), b.split('/')];
+export const inOrderOfPlay = (a: string, b: string): number => comparePaths(a.split('/'), b.split('/'));
+
+/** Splitting every id at every comparison takes most of the time of many: each is split once. */
+function inOrder(files: readonly LevelFileFound[]): LevelFileFound[] {
+  const keyed = files.map((file) => ({ file, parts: file.id.split('/') }));
+  keyed.sort((a, b) => comparePaths(a.parts, b.parts));
+  return keyed.map(({ file }) => file);
+}
+
+function comparePaths(left: readonly string[], right: readonly string[]): number {
   for (let i = 0; i < Math.min(left.length, right.length); i++) {
     const order = collator.compare(left[i], right[i]) || (left[i] < right[i] ? -1 : left[i] > right[i] ? 1 : 0);
     if (order !== 0) return order;

@@ -11,12 +11,13 @@ import {
 } from '../../schema/index.ts';
 import { createFile, isTaken, moveFile, replaceFile } from '../disk.ts';
 import { createKnownLevels, type KnownLevels } from './known-levels.ts';
-import { findLevels, joinId, type LevelFileFound, pathOfNew, splitId } from './level-files.ts';
+import { collectLeftovers } from './leftovers.ts';
+import { findLevel, findLevels, findLike, hasFolder, joinId, type LevelFileFound, pathOfNew, splitId } from './level-files.ts';
 import { oneAtATime } from './one-at-a-time.ts';
 import { createEntryReader, entryOf, etagOf } from './read-entry.ts';
 import { Refusal, refusalOf } from './refusal.ts';
 import { inSafeOrder, type Move, namesInOrder } from './reorder.ts';
-import { collectUnfinished, findTrash, moveToTrash } from './trash.ts';
+import { findTrash, moveToTrash } from './trash.ts';
 
 /** What a change rests on: the etag of the content that was seen, or that there was no such file. */
 export type Base = { readonly etag: string } | 'no-file';
@@ -39,6 +40,8 @@ export interface LevelFolder {
   restore(trash: string, to: string | undefined, client: string): Promise<LevelEntry>;
   /** Renames the files of one folder so that they sort as wanted; `ids` must be all there are. */
   order(folder: string, ids: readonly string[], client: string): Promise<OrderResponse>;
+  /** Nothing is read or cleaned up from now on. */
+  end(): void;
 }
 
 /** ms: an unfinished file that old is no longer being written */
@@ -53,7 +56,7 @@ export function openLevelFolder(root: string, shown: string): LevelFolder {
   const reader = createEntryReader(nameOf);
   const known = createKnownLevels(root, shown, reader);
 
-  const find = (id: string): LevelFileFound | undefined => findLevels(root).files.get(id);
+  const find = (id: string): LevelFileFound | undefined => findLevel(root, id);
   const findOrRefuse = (id: string): LevelFileFound => {
     const found = find(id);
     if (found === undefined) throw unknownLevel(id, `in ${shown}`);
@@ -75,10 +78,10 @@ export function openLevelFolder(root: string, shown: string): LevelFolder {
   const placeFor = (id: string, now: string | null = null): string => {
     const { folder, name } = splitId(id);
     if (!LEVEL_ID_PART.test(name)) throw badName(name);
-    const { folders, files } = findLevels(root);
-    if (!folders.includes(folder)) throw unknownFolder(folder, shown);
+    // an id is written in one way: /a is not a
+    if (joinId(folder, name) !== id || !hasFolder(root, folder)) throw unknownFolder(folder, shown);
     // A and a are one file on some systems, and which of the two a checkout leaves there is chance
-    const twin = [...files.keys()].find((other) => other !== id && other !== now && other.toLowerCase() === id.toLowerCase());
+    const twin = findLike(root, id).find((other) => other !== id && other !== now);
     if (twin !== undefined) throw nameTaken(nameOf(twin));
     const path = pathOfNew(root, folder, name);
     refuseWayOut(path);
@@ -162,14 +165,20 @@ export function openLevelFolder(root: string, shown: string): LevelFolder {
     const renamed = ids.map((from, i) => ({ from, to: joinId(folder, names[i]) })).filter(({ from, to }) => from !== to);
     const touched = renamed.flatMap(({ from, to }) => [from, to]);
     await change(touched, client, () => {
-      const there = [...findLevels(root).files.keys()].filter((id) => splitId(id).folder === folder);
-      if (there.length !== ids.length || new Set(ids).size !== ids.length || !there.every((id) => ids.includes(id))) {
+      const { files } = findLevels(root);
+      const there = [...files.keys()].filter((id) => splitId(id).folder === folder);
+      const wanted = new Set(ids);
+      if (there.length !== ids.length || wanted.size !== ids.length || !there.every((id) => wanted.has(id))) {
         throw new Refusal('list-changed', `these are not the levels of ${join(shown, folder)}`, 'Load the list, then order it.');
       }
-      for (const { from } of renamed) refuseReadOnly(reader.read(findOrRefuse(from)));
+      for (const { from } of renamed) {
+        const found = files.get(from) as LevelFileFound;
+        refuseWayOut(found.path);
+        refuseReadOnly(reader.read(found));
+      }
       moveAll(renamed);
     });
-    return { renamed, levels: known.refresh().levels };
+    return { renamed, levels: (await known.refresh()).levels };
   };
 
   /** Every move or none. */
@@ -190,15 +199,24 @@ export function openLevelFolder(root: string, shown: string): LevelFolder {
     }
   };
 
-  try {
-    const now = new Date();
-    collectUnfinished(root, now, now.getTime() - ABANDONED_AFTER);
-  } catch {
-    // a folder that can't be written: nothing of ours is in it
-  }
+  const collect = (): void => {
+    try {
+      collectLeftovers(root, known.list().folders, new Date(), ABANDONED_AFTER);
+    } catch {
+      // a folder that can't be written: nothing of ours is in it
+    }
+  };
+  collect();
+  // what was left just now, too; nothing waits for that
+  const again = setTimeout(collect, 2 * ABANDONED_AFTER).unref();
+  const end = (): void => {
+    clearTimeout(again);
+    known.end();
+  };
 
   return {
     known,
+    end,
     read: (id) => reader.read(findOrRefuse(id)),
     write,
     rename,

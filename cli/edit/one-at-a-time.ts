@@ -1,12 +1,19 @@
 import { randomBytes } from 'node:crypto';
-import { closeSync, linkSync, openSync, readFileSync, renameSync, rmSync, statSync, writeSync } from 'node:fs';
+import { closeSync, constants, linkSync, lstatSync, openSync, renameSync, rmdirSync, rmSync, writeSync } from 'node:fs';
 import { hostname } from 'node:os';
 import { join } from 'node:path';
 import process from 'node:process';
 import { setTimeout } from 'node:timers/promises';
+import { readRegularFile } from '../regular-file.ts';
 import { Refusal } from './refusal.ts';
 
 const LOCK = '.gq-edit.lock';
+
+/** A lock that was moved aside to be removed; a process that was killed leaves one behind. */
+export const ASIDE = /^\.gq-edit\.lock\.[0-9a-f]{16}$/;
+
+/** bytes: what a lock says is shorter */
+const LONGEST = 1024;
 
 /** ms; a change takes a few, so what is older was left by a process that is no more, or that sleeps */
 const STALE_AFTER = 10_000;
@@ -66,6 +73,10 @@ function take(path: string, mine: string): boolean {
 }
 
 function removeStale(path: string): void {
+  if (!isFileOrNothing(path)) {
+    removeForeign(path);
+    return;
+  }
   const seen = contentOf(path);
   if (seen === null || !isStale(path, seen)) return;
   const aside = `${path}.${randomBytes(8).toString('hex')}`;
@@ -82,8 +93,22 @@ function removeStale(path: string): void {
 function isStale(path: string, content: string): boolean {
   const [pid, host] = content.split(' ');
   if (host === hostname() && isDead(Number(pid))) return true;
-  const stats = statSync(path, { throwIfNoEntry: false });
-  return stats !== undefined && Date.now() - stats.mtimeMs > STALE_AFTER;
+  const stats = lstatSync(path, { throwIfNoEntry: false });
+  // one from a time to come was made by a clock that was wrong
+  return stats !== undefined && Math.abs(Date.now() - stats.mtimeMs) > STALE_AFTER;
+}
+
+const isFileOrNothing = (path: string): boolean => lstatSync(path, { throwIfNoEntry: false })?.isFile() ?? true;
+
+/** No `gq edit` makes a link, a pipe or a folder its lock. @throws Refusal when it can't be removed without a loss */
+function removeForeign(path: string): void {
+  try {
+    if (lstatSync(path).isDirectory()) rmdirSync(path);
+    else rmSync(path);
+  } catch (error) {
+    if ((error as NodeJS.ErrnoException).code === 'ENOENT' || isFileOrNothing(path)) return;
+    throw new Refusal('not-writable', `${path} is in the way: it is no file of gq edit`, 'Move it away, then save again.');
+  }
 }
 
 function isDead(pid: number): boolean {
@@ -97,7 +122,7 @@ function isDead(pid: number): boolean {
 
 function contentOf(path: string): string | null {
   try {
-    return readFileSync(path, 'utf8');
+    return Buffer.from(readRegularFile(path, LONGEST, constants.O_NOFOLLOW ?? 0)).toString();
   } catch {
     return null;
   }

@@ -9,11 +9,12 @@ import { statOrError } from '../files.ts';
 import { namedPath, shellPath } from '../shown-path.ts';
 import { createApi } from './api.ts';
 import { createApp } from './app.ts';
+import { keepPort, lastPort } from './last-port.ts';
 import { openLevelFolder } from './level-folder.ts';
 import { readPage } from './page-files.ts';
 import { watchFolder } from './watch.ts';
 
-/** A page keeps unsaved work under its address, port and all: the same port finds it again. */
+/** A page keeps unsaved work under its address, port and all: the same port finds it again, so a folder keeps the one it had. */
 export const DEFAULT_PORT = 4747;
 
 /** Ports that are tried when nobody asked for one. */
@@ -21,6 +22,8 @@ const TRIED = 20;
 
 export interface EditServer {
   readonly port: number;
+  /** The port of the last time; null where that is not known. */
+  readonly portBefore: number | null;
   /** With the token of this run. */
   readonly address: string;
   /** Lets everybody go. */
@@ -30,7 +33,7 @@ export interface EditServer {
 export interface EditServerOptions {
   /** The folder as a person named it. */
   readonly folder: string;
-  /** 0: any; null: `DEFAULT_PORT`, or the next that is free. */
+  /** 0: any; null: that of the last time, else `DEFAULT_PORT`, or the next that is free. */
   readonly port: number | null;
   /** The folder of the built page. */
   readonly page: string;
@@ -61,15 +64,25 @@ export async function startServer({ folder, port, page, onCrash }: EditServerOpt
   // nobody is to hold a connection open that asks for nothing
   server.headersTimeout = 10_000;
   server.requestTimeout = 60_000;
-  await listen(server, port);
-  const endWatching = await watchFolder(root, levels.known);
+  const { id } = levels.known.list().folder;
+  const before = lastPort(id);
+  await listen(server, port, before);
+  const endWatching = watchFolder(root, levels.known);
   const { port: listening } = server.address() as AddressInfo;
   const close = async (): Promise<void> => {
-    await endWatching();
+    endWatching();
+    levels.end();
     server.closeAllConnections();
     await new Promise((resolve) => server.close(resolve));
   };
-  return { port: listening, address: `http://127.0.0.1:${listening}/#token=${token}`, close };
+  // one that is taken now is kept: what a page could not save is there
+  if (before === null || port !== null) keepPort(id, listening);
+  return {
+    port: listening,
+    portBefore: before,
+    address: `http://127.0.0.1:${listening}/#token=${token}`,
+    close,
+  };
 }
 
 function realFolder(folder: string): string {
@@ -84,9 +97,10 @@ function realFolder(folder: string): string {
   return realpathSync(folder);
 }
 
-async function listen(server: Server, port: number | null): Promise<void> {
+async function listen(server: Server, port: number | null, before: number | null): Promise<void> {
   if (port !== null) return listenOn(server, port);
-  for (let tried = DEFAULT_PORT; tried < DEFAULT_PORT + TRIED; tried++) {
+  const usual = Array.from({ length: TRIED }, (_, i) => DEFAULT_PORT + i);
+  for (const tried of before === null ? usual : [before, ...usual]) {
     try {
       return await listenOn(server, tried);
     } catch (error) {

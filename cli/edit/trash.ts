@@ -1,12 +1,12 @@
-import { lstatSync, mkdirSync, readdirSync, statSync } from 'node:fs';
+import { lstatSync, mkdirSync, readdirSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import type { TrashEntry } from '../../schema/index.ts';
-import { createFile, isTaken, moveFile, UNFINISHED } from '../disk.ts';
+import { createFile, isTaken, moveFile } from '../disk.ts';
 import { findLevels, type LevelFileFound, pathOfNew, splitId } from './level-files.ts';
 import { Refusal } from './refusal.ts';
 
 /** Holds what was deleted, below a folder for each time: `.gq-trash/2026-01-31T12-00-00.000Z/world-2/01-start.level.json`. */
-const TRASH = '.gq-trash';
+export const TRASH = '.gq-trash';
 
 const STAMP = /^(\d{4}-\d\d-\d\d)T(\d\d)-(\d\d)-(\d\d\.\d{3}Z)(?:_\d+)?$/;
 
@@ -36,23 +36,8 @@ export function moveToTrash(root: string, { id, path }: LevelFileFound, now: Dat
   return { trash: `${stamp}/${id}`, id, deleted: now.toISOString() };
 }
 
-/**
- * Moves away what a process that was killed had begun to write: nothing that was ever acknowledged, but perhaps somebody's work.
- * @param before only what was last written before this time, ms since 1970: the rest may be another process's
- */
-export function collectUnfinished(root: string, now: Date, before: number): void {
-  for (const folder of findLevels(root).folders) {
-    for (const name of readdirSync(join(root, folder))) {
-      if (!UNFINISHED.test(name)) continue;
-      const path = join(root, folder, name);
-      if ((statSync(path, { throwIfNoEntry: false })?.mtimeMs ?? before) >= before) continue;
-      moveFile(path, pathOfNew(join(root, TRASH, makeStampFolder(root, now)), '', `unfinished-${name.slice(9, -4)}`));
-    }
-  }
-}
-
 /** A new folder of its own for each deletion, so that none meets another. */
-function makeStampFolder(root: string, now: Date): string {
+export function makeStampFolder(root: string, now: Date): string {
   const trash = join(root, TRASH);
   if (!isRealFolder(trash)) {
     if (lstatSync(trash, { throwIfNoEntry: false }) !== undefined) {

@@ -59,6 +59,7 @@ const listOf = ({ levels }: Shelf): ListResponse => ({
   folders: [''],
   levels: [...levels].map(([id, level]) => entryOf(id, level)),
   troubles: [],
+  unread: 0,
 });
 
 function mustExist(shelf: Shelf, id: string): StoredLevel {

@@ -141,7 +141,7 @@ export function createServerStorage(options: ServerOptions): LevelStorage {
     watch(onEvent, onLink) {
       // nothing will be told to who has no token
       if (token === '') return () => {};
-      const own = (event: EditEvent) => event.type !== 'list' && event.by === client;
+      const own = (event: EditEvent) => 'by' in event && event.by === client;
       return followEvents({ ...options, timers }, (event) => !own(event) && onEvent(event), onLink);
     },
   };

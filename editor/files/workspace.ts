@@ -70,6 +70,25 @@ export function createWorkspace(surroundings: Omit<Surroundings, 'folder'>): Wor
     const now = renamed.find(({ from }) => from === opened?.id())?.entry;
     if (now?.etag != null) opened?.moved(now.id, now.etag);
   };
+  /** Ids that were told since a list began: a long one comes in parts, and until the last one what was known stays on the screen. */
+  let heard = new Set<string>();
+  const hear = (levels: readonly LevelEntry[], next: ListResponse) => {
+    const { list, opened } = store.getState();
+    const told = new Map(levels.map((entry) => [entry.id, entry]));
+    for (const id of told.keys()) heard.add(id);
+    const isWhole = next.unread === 0;
+    if (isWhole && told.size === heard.size) store.setState({ list: { ...next, levels: [...levels] }, error: null });
+    else {
+      const before = list?.levels ?? [];
+      const kept = before.filter(({ id }) => !isWhole || heard.has(id)).map((entry) => told.get(entry.id) ?? entry);
+      const known = new Set(before.map(({ id }) => id));
+      store.setState({ list: { ...next, levels: [...kept, ...levels.filter(({ id }) => !known.has(id))] }, error: null });
+    }
+    // one that was not told of is looked for once all are
+    if (opened === null) return;
+    if (told.has(opened.id())) opened.saver.refresh(told.get(opened.id())?.etag);
+    else if (isWhole && !heard.has(opened.id())) opened.saver.refresh();
+  };
   const refreshList = async () => {
     const answer = await storage.list();
     store.setState(answer.ok ? { list: answer.value, error: null } : { error: answer.error });
@@ -78,9 +97,14 @@ export function createWorkspace(surroundings: Omit<Surroundings, 'folder'>): Wor
     const { opened } = store.getState();
     switch (event.type) {
       case 'list':
-        store.setState({ list: event.list, error: null });
-        opened?.saver.refresh(event.list.levels.find(({ id }) => id === opened.id())?.etag);
+        heard = new Set();
+        hear(event.list.levels, event.list);
         break;
+      case 'read': {
+        const { list } = store.getState();
+        if (list !== null) hear(event.levels, { ...list, unread: event.unread });
+        break;
+      }
       case 'changed': {
         const isNew = store.getState().list?.levels.every(({ id }) => id !== event.entry.id);
         setLevels((levels) => withEntry(levels, event.entry, event.entry.id));

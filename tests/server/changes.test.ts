@@ -22,6 +22,7 @@ const folder = fc
       folders: [''],
       levels: Object.entries(contents).map(([id, content]) => entry(id, content)),
       troubles,
+      unread: 0,
     }),
   );
 
@@ -29,6 +30,7 @@ const folder = fc
 function hear(known: Map<string, LevelEntry>, event: EditEvent): Map<string, LevelEntry> {
   const next = new Map(known);
   if (event.type === 'list') return new Map(event.list.levels.map((level) => [level.id, level]));
+  if (event.type === 'read') throw new Error('nothing of a folder is read later here');
   if (event.type === 'removed') {
     expect(next.delete(event.id)).toBe(true);
     return next;

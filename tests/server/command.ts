@@ -1,4 +1,6 @@
 import { type ChildProcess, spawn } from 'node:child_process';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import process from 'node:process';
 import { MAIN } from '../cli/gq.ts';
 
@@ -29,7 +31,8 @@ export function gqEdit(args: readonly string[], { cwd, env, maxFileSize, user }:
       : ['bash', ['-c', `ulimit -f ${maxFileSize} && exec "$@"`, '--', process.execPath, MAIN, 'edit', ...args]];
   const child = spawn(command, all, {
     cwd,
-    env: { ...process.env, ...env },
+    // servers remember their ports: not in the home of who runs the tests
+    env: { XDG_STATE_HOME: join(tmpdir(), 'gq-test-state'), ...process.env, ...env },
     stdio: ['ignore', 'pipe', 'pipe'],
     ...(user === undefined ? {} : { uid: user, gid: user }),
   });

@@ -2,8 +2,12 @@ import { mkdirSync, mkdtempSync, readdirSync, readFileSync, readlinkSync, rmSync
 import { request } from 'node:http';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
+import process from 'node:process';
 import { type EditServer, startServer } from '../../cli/edit/index.ts';
 import { EDIT_API } from '../../schema/index.ts';
+
+// servers remember their ports: not in the home of who runs the tests
+process.env.XDG_STATE_HOME ??= join(tmpdir(), 'gq-test-state');
 
 /** The text of a valid level. */
 export const levelText = (name: string, x = 0): string =>

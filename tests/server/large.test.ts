@@ -1,0 +1,166 @@
+import { rmSync } from 'node:fs';
+import { join } from 'node:path';
+import fc from 'fast-check';
+import { expect, it } from 'vitest';
+import { createEventStreams, inParts } from '../../cli/edit/event-stream.ts';
+import type { KnownLevels } from '../../cli/edit/known-levels.ts';
+import { openLevelFolder } from '../../cli/edit/level-folder.ts';
+import { EDIT_API, type EditEvent, type LevelEntry, type ListResponse } from '../../schema/index.ts';
+import { levelPath, levelText, makeFolder, put, serve } from './running.ts';
+
+const entry = (id: string): LevelEntry => ({
+  id,
+  file: `${id}.level.json`,
+  etag: null,
+  status: 'unreadable',
+  name: null,
+  problems: [],
+  readOnly: null,
+});
+
+const listOf = (levels: LevelEntry[], unread = 0): ListResponse => ({
+  folder: { id: 'f', path: 'levels', $schema: null },
+  folders: [''],
+  levels,
+  troubles: [],
+  unread,
+});
+
+/** Reads events of a stream until one passes. */
+async function readUntil(stream: ReadableStream<Uint8Array>, passes: (event: EditEvent) => boolean): Promise<EditEvent[]> {
+  const heard: EditEvent[] = [];
+  const reader = stream.pipeThrough(new TextDecoderStream() as ReadableWritablePair<string, Uint8Array>).getReader();
+  let rest = '';
+  for (;;) {
+    const { value, done } = await reader.read();
+    if (done) return heard;
+    const parts = (rest + value).split('\n\n');
+    rest = parts.pop() ?? '';
+    for (const part of parts) if (part.startsWith('data: ')) heard.push(JSON.parse(part.slice('data: '.length)));
+    if (heard.length > 0 && passes(heard[heard.length - 1])) {
+      await reader.cancel();
+      return heard;
+    }
+  }
+}
+
+it('a list of any length is told in parts, each level once and in its order, and the last part says that it is the last', () => {
+  fc.assert(
+    fc.property(fc.nat(5000), fc.nat(3), (count, unread) => {
+      const levels = Array.from({ length: count }, (_, i) => entry(`${i}`));
+      const parts = [...inParts({ type: 'list', list: listOf(levels, unread) })];
+      const told = parts.map((part) => (part.type === 'list' ? part.list : part)) as { levels: LevelEntry[]; unread: number }[];
+      expect(parts.map(({ type }) => type)).toEqual(['list', ...parts.slice(1).map(() => 'read')]);
+      expect(told.flatMap((part) => part.levels)).toEqual(levels);
+      for (const [i, part] of told.entries()) {
+        const after = told.slice(i + 1).reduce((sum, { levels: more }) => sum + more.length, 0);
+        expect(part.unread).toBe(unread + after);
+      }
+    }),
+    { numRuns: 30 },
+  );
+});
+
+it('a page that reads nothing is let go in the end; others hear everything', async () => {
+  const listeners = new Set<(event: EditEvent) => void>();
+  const known = {
+    list: () => listOf([entry('a')]),
+    listen(listener: (event: EditEvent) => void) {
+      listeners.add(listener);
+      return () => listeners.delete(listener);
+    },
+  } as unknown as KnownLevels;
+  const streams = createEventStreams(known);
+  const asleep = streams.open();
+  const awake = readUntil(streams.open(), (event) => event.type === 'changed' && event.entry.id === 'last');
+  const long = { ...entry('x'), file: 'x'.repeat(2000) };
+  for (let i = 0; i < 12_000; i++) {
+    for (const listener of [...listeners]) listener({ type: 'changed', entry: long, by: null });
+    if (i % 100 === 0) await new Promise(setImmediate);
+  }
+  expect(listeners.size).toBe(1);
+  for (const listener of [...listeners]) listener({ type: 'changed', entry: entry('last'), by: null });
+  expect(await awake).toHaveLength(12_002);
+  // it ends, and with an error for nobody
+  const rest = await readUntil(asleep, () => false);
+  expect(rest[0]).toEqual({ type: 'list', list: listOf([entry('a')]) });
+  expect(rest.length).toBeLessThan(12_002);
+});
+
+it('a list of more than 16 MiB is told to all, and what is saved then is answered and told', async () => {
+  // each with 20 problems that are told at length
+  const broken = JSON.stringify({
+    ...JSON.parse(levelText('x')),
+    novae: Array(25).fill({ x: 'x'.repeat(300), y: 0, radius: 1 }),
+  });
+  const files = Object.fromEntries(Array.from({ length: 3800 }, (_, i) => [`${i}.level.json`, broken]));
+  const made = makeFolder({ ...files, 'a.level.json': levelText('a') });
+  const server = await serve(made.folder);
+  const headers = { [EDIT_API.TOKEN_HEADER]: server.page.token, 'Sec-Fetch-Site': 'same-origin' };
+  const events = async (): Promise<ReadableStream<Uint8Array>> =>
+    (await fetch(`http://127.0.0.1:${server.port}${EDIT_API.EVENTS}`, { headers })).body as ReadableStream<Uint8Array>;
+  const isWhole = (event: EditEvent): boolean =>
+    (event.type === 'list' && event.list.unread === 0) || (event.type === 'read' && event.unread === 0);
+
+  const heard = await readUntil(await events(), isWhole);
+  const ids = heard.flatMap((event) => (event.type === 'list' ? event.list.levels : event.type === 'read' ? event.levels : []));
+  expect(new Set(ids.map(({ id }) => id)).size).toBe(3801);
+  const list = await server.page.get(EDIT_API.LEVELS);
+  expect(list.text.length).toBeGreaterThan(16 * 1024 * 1024);
+  expect(list.json()).toMatchObject({ unread: 0 });
+
+  const listening = readUntil(await events(), (event) => event.type === 'changed' && event.entry.id === 'b');
+  const { etag } = (await server.page.get(levelPath('a'))).json() as { etag: string };
+  const answer = await server.page.send('PUT', levelPath('a'), { text: levelText('new'), client: 'c' }, { 'If-Match': etag });
+  expect(answer.status).toBe(200);
+  put(made.folder, 'b.level.json', levelText('b'));
+  const later = (await listening).filter(({ type }) => type === 'changed');
+  expect(later).toMatchObject([
+    { entry: { id: 'a', name: 'new' }, by: 'c' },
+    { entry: { id: 'b' }, by: null },
+  ]);
+  expect(server.crashes).toEqual([]);
+  await server.close();
+  made.remove();
+});
+
+it('what is changed while a large folder is read for the first time is told as it is then, and each level once', async () => {
+  const made = makeFolder(Object.fromEntries(Array.from({ length: 3000 }, (_, i) => [`${i}.level.json`, levelText(`${i}`)])));
+  const levels = openLevelFolder(made.folder, 'levels');
+  const page = new Map<string, string | null>();
+  const hear = (all: readonly LevelEntry[]): void => {
+    for (const { id, name } of all) {
+      expect(page.has(id), id).toBe(false);
+      page.set(id, name);
+    }
+  };
+  const { levels: begun, unread } = levels.known.list();
+  expect([begun.length, unread]).toEqual([500, 2500]);
+  hear(begun);
+  const whole = new Promise<void>((resolve) => {
+    levels.known.listen((event) => {
+      if (event.type === 'read') {
+        hear(event.levels);
+        if (event.unread === 0) resolve();
+      }
+      if (event.type === 'changed') page.set(event.entry.id, event.entry.name);
+      if (event.type === 'removed') page.delete(event.id);
+    });
+  });
+  const change = async (id: string): Promise<unknown> =>
+    levels.write(id, levelText('changed'), { etag: levels.read(id).etag ?? '' }, 'c');
+  await Promise.all([change('7'), change('2990'), levels.write('new', levelText('new'), 'no-file', 'c')]);
+  rmSync(join(made.folder, '2991.level.json'));
+  levels.known.announce(['2991'], null);
+  await whole;
+  const now = await levels.known.refresh();
+  expect(now.unread).toBe(0);
+  expect(now.levels.map(({ id }) => id)).toEqual([
+    ...Array.from({ length: 3000 }, (_, i) => `${i}`).filter((id) => id !== '2991'),
+    'new',
+  ]);
+  expect([...page.keys()].sort()).toEqual(now.levels.map(({ id }) => id).sort());
+  for (const id of ['7', '2990']) expect(page.get(id)).toBe('changed');
+  levels.end();
+  made.remove();
+});

@@ -1,0 +1,115 @@
+import { execFileSync } from 'node:child_process';
+import {
+  chmodSync,
+  existsSync,
+  mkdirSync,
+  mkdtempSync,
+  readdirSync,
+  readFileSync,
+  symlinkSync,
+  utimesSync,
+  writeFileSync,
+} from 'node:fs';
+import { createServer } from 'node:net';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import process from 'node:process';
+import { afterEach, beforeEach, describe, expect, it } from 'vitest';
+import { collectLeftovers } from '../../cli/edit/leftovers.ts';
+import { openLevelFolder } from '../../cli/edit/level-folder.ts';
+import { gqEdit } from './command.ts';
+import { everythingIn, levelText, makeFolder, put } from './running.ts';
+
+let made: ReturnType<typeof makeFolder>;
+beforeEach(() => {
+  made = makeFolder({ 'a.level.json': levelText('a') });
+});
+afterEach(() => made.remove());
+
+const write = (): Promise<{ entry: { name: string | null } }> => {
+  const levels = openLevelFolder(made.folder, 'levels');
+  return levels.write('a', levelText('new'), { etag: levels.read('a').etag ?? '' }, 'c').finally(levels.end);
+};
+const lock = (): string => join(made.folder, '.gq-edit.lock');
+
+describe.runIf(process.platform === 'linux')('in the place of the lock', () => {
+  it.each([
+    ['a device without end', () => symlinkSync('/dev/zero', lock())],
+    ['a link to nowhere', () => symlinkSync('nowhere', lock())],
+    ['a link to a level', () => symlinkSync('a.level.json', lock())],
+    ['a pipe', () => void execFileSync('mkfifo', [lock()])],
+    ['an empty folder', () => mkdirSync(lock())],
+    [
+      'an empty file from a time to come',
+      () => {
+        writeFileSync(lock(), '');
+        utimesSync(lock(), 4e9, 4e9);
+      },
+    ],
+  ])('%s is waited for by nobody', async (_, stand) => {
+    stand();
+    expect((await write()).entry.name).toBe('new');
+    expect(readdirSync(made.folder)).toEqual(['a.level.json']);
+  });
+
+  it('a folder that holds something stays, and is named', async () => {
+    mkdirSync(lock());
+    writeFileSync(join(lock(), 'work'), '');
+    await expect(write()).rejects.toMatchObject({
+      code: 'not-writable',
+      message: expect.stringContaining('.gq-edit.lock is in the way'),
+    });
+    expect(everythingIn(made.folder)).toMatchObject({ 'a.level.json': levelText('a'), '.gq-edit.lock/work': '' });
+  });
+});
+
+it.runIf(process.platform !== 'win32')('a level that is read-only is not overwritten, by an administrator neither', async () => {
+  chmodSync(join(made.folder, 'a.level.json'), 0o444);
+  await expect(write()).rejects.toMatchObject({ code: 'not-writable' });
+  expect(readFileSync(join(made.folder, 'a.level.json'), 'utf8')).toBe(levelText('a'));
+});
+
+it('what killed processes have left is cleaned up once nobody can be at it any more', () => {
+  const [work, empty, inTrash] = ['0123456789abcdef', '00112233445566aa', '00112233445566bb'].map((hex) => `.gq-edit-${hex}.tmp`);
+  put(made.folder, work, levelText('work'));
+  put(made.folder, empty, '');
+  put(made.folder, `.gq-trash/${inTrash}`, '*');
+  put(made.folder, '.gq-edit.lock.0123456789abcdef', '1 host x');
+  put(made.folder, '.gq-edit.lock.txt', 'mine');
+  const before = everythingIn(made.folder);
+  const now = Date.now();
+  collectLeftovers(made.folder, [''], new Date(now), 60_000);
+  expect(everythingIn(made.folder)).toEqual(before);
+  collectLeftovers(made.folder, [''], new Date(now + 120_000), 60_000);
+  const after = everythingIn(made.folder);
+  for (const name of [work, empty, `.gq-trash/${inTrash}`, '.gq-edit.lock.0123456789abcdef'])
+    expect(after).not.toHaveProperty([name]);
+  expect(after['.gq-edit.lock.txt']).toBe('mine');
+  const kept = Object.keys(after).filter((name) => name.endsWith('unfinished-0123456789abcdef.level.json'));
+  expect(kept.map((name) => after[name])).toEqual([levelText('work')]);
+});
+
+it('a folder keeps its port, and is told where its edits are when that is taken', async () => {
+  const env = { XDG_STATE_HOME: mkdtempSync(join(tmpdir(), 'gq-state-')) };
+  const start = (...args: string[]) => gqEdit(['.', ...args], { cwd: made.folder, env });
+  const first = await start('--port', '0');
+  await first.end('SIGTERM');
+  const second = await start();
+  expect(second.port).toBe(first.port);
+  expect(second.said().stdout).toMatch(/^Editing/);
+  await second.end('SIGTERM');
+
+  const taken = createServer().listen(first.port, '127.0.0.1');
+  const third = await start();
+  expect(third.port).not.toBe(first.port);
+  const said = `Port ${first.port} is taken, perhaps by another gq edit: this one has ${third.port}. What a page of the last time`;
+  expect(third.said().stdout).toContain(said);
+  expect(third.said().stdout).toContain(`http://127.0.0.1:${first.port}/: gq edit --port ${first.port} finds it`);
+  await third.end('SIGTERM');
+  await new Promise((resolve) => taken.close(resolve));
+  // it was not forgotten
+  const fourth = await start();
+  expect(fourth.port).toBe(first.port);
+  await fourth.end('SIGTERM');
+  expect(existsSync(env.XDG_STATE_HOME)).toBe(true);
+});
