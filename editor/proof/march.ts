@@ -23,6 +23,8 @@ export interface Way {
 /** How a run of a march ended. */
 export interface Marched {
   readonly way: Way;
+  /** Whether it was given up before the end. */
+  readonly isCut: boolean;
   /** null: nothing ended it within the time */
   readonly ending: Ending | null;
   /** Indices of the minerals collected, in the order in which they were; two of one tick in the level's order. */
@@ -106,14 +108,22 @@ export class March {
     room.prepare(scene.aliens.count, scene.level.recoil ? scene.targets.count : 0);
   }
 
-  /** @param holds sorted and disjoint, as `joinHolds` gives them */
-  run(holds: readonly Hold[]): Marched {
+  /**
+   * @param holds sorted and disjoint, as `joinHolds` gives them
+   * @param isLate asked before each tick: whether to give up. Asked again for the same script, it goes on about where it gave up.
+   */
+  run(holds: readonly Hold[], isLate: () => boolean = () => false): Marched {
     const resumedFrom = this.goBack(holds);
     this.played = holds;
     const { simulation, maxTicks } = this;
     let next = 0;
+    let isCut = false;
     while (simulation.ending === null && simulation.tick < maxTicks) {
       const { tick } = simulation;
+      if (isLate()) {
+        isCut = true;
+        break;
+      }
       if (tick % SNAPSHOT_TICKS === 0) this.keep(tick / SNAPSHOT_TICKS);
       while (next < holds.length && holds[next][1] <= tick) next++;
       const isHeld = next < holds.length && holds[next][0] <= tick;
@@ -129,7 +139,7 @@ export class March {
     }
     this.ticks = simulation.tick;
     simulation.readState(this.last);
-    return { way: this.way(), ending: simulation.ending, minerals: [...this.minerals], resumedFrom };
+    return { way: this.way(), isCut, ending: simulation.ending, minerals: [...this.minerals], resumedFrom };
   }
 
   private way(): Way {

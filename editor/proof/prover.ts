@@ -15,8 +15,9 @@ import {
 import { type Hold, type Level, type LevelFile, OBJECT_LISTS, type Problem, resolveLevel } from '../../schema/index.ts';
 import { firstDifference, March, type Marched, MarchRoom, type Way } from './march.ts';
 import { type Margins, marginsOf } from './margins.ts';
-import type { RunEnd } from './outcome.ts';
-import { problemsOf } from './problems.ts';
+import { outcomeInWords, type RunEnd } from './outcome.ts';
+import { bareOf, isPlayable, type Limit, limitInWords } from './patience.ts';
+import { limitProblem, problemsOf } from './problems.ts';
 
 /** What is asked of a level while it is edited. */
 export interface Question {
@@ -24,6 +25,8 @@ export interface Question {
   /** Name of the run that is shown; the first one when there is none of that name or it is null. */
   readonly run: string | null;
   readonly accuracy: AccuracyName;
+  /** How long the answer may take, ms, about: what takes longer is left out and said. No limit when left out; 0: nothing is played. */
+  readonly patience?: number;
 }
 
 /** The run that is shown, simulated. */
@@ -49,22 +52,34 @@ export interface LiveProof {
   readonly run: ShownRun;
   /** As `gq check` has it. */
   readonly verdict: 'completable' | 'broken' | 'unproven';
+  /** What was left out; null: nothing, all here is as `gq check` has it. Otherwise the verdict is what is known without. */
+  readonly limit: Limit | null;
   /** Name of a run that completes the level: the shown one if it does, else the first; null where none does. */
   readonly provenBy: string | null;
   /** What this answer cost, ms of wall time. */
   readonly ms: number;
   /** What is wrong and what looks wrong; `line` and `column` are null. Made when asked for: it simulates all runs in full. */
   readonly problems: readonly Problem[];
-  /** The shown run with its events, exact times and hash. Made when asked for. */
-  readonly full: Run;
+  /** The shown run with its events, exact times and hash. Made when asked for; null where it was not played to its end. */
+  readonly full: Run | null;
   /** Clearance and speed along the shown run. Made when asked for. */
   readonly margins: Margins;
 }
+
+/** Whether the shown run was played to its end. */
+export const isWhole = ({ limit }: Pick<LiveProof, 'limit'>): boolean => limit === null || limit === 'others';
+
+/** How the shown run ends, for a person, or why that is not known. */
+export const endInWords = ({ limit, run, level }: Pick<LiveProof, 'limit' | 'run' | 'level'>): string =>
+  limit === null || limit === 'others' ? outcomeInWords(run, level.range) : limitInWords(limit);
 
 export interface Prover {
   /** The same question gives the same object. */
   prove(question: Question): LiveProof;
 }
+
+/** Ticks between two looks at the clock. */
+const STRIDE = 60;
 
 const MAX_TICKS = Math.round(DEFAULT_MAX_TIME * TICK_RATE);
 
@@ -94,13 +109,16 @@ class SceneRecord {
     this.march = new March(this.scene, MAX_TICKS, room);
   }
 
-  /** How a script ends; nothing else is recorded. @param holds sorted and disjoint */
-  end(holds: readonly Hold[]): RunEnd {
+  /** How a script ends; nothing else is recorded. @param holds sorted and disjoint @returns null: it was given up */
+  end(holds: readonly Hold[], isLate: () => boolean): RunEnd | null {
     const key = holds.join();
     const known = this.ends.get(key);
     if (known !== undefined) return known;
     const simulation = createSimulation(this.scene);
-    playScript(simulation, holds, MAX_TICKS);
+    while (simulation.ending === null && simulation.tick < MAX_TICKS) {
+      if (isLate()) return null;
+      playScript(simulation, holds, Math.min(MAX_TICKS, simulation.tick + STRIDE));
+    }
     const end = toEnd(simulation.ending);
     this.ends.set(key, end);
     return end;
@@ -123,14 +141,26 @@ function takenInFrames(run: Run): Marched['minerals'] {
   return [...first].map(([index, tick]) => ({ index, tick }));
 }
 
-/** Which run proves the level, or null. The one that did last time is asked first. */
-function findProof(record: SceneRecord, level: Level, shown: ShownRun, last: string | null): string | null {
-  if (shown.name !== null && shown.outcome === 'completed') return shown.name;
+/** Which run proves the level, or null; and whether some were given up. The one that did last time is asked first. */
+function findProof(
+  record: SceneRecord,
+  level: Level,
+  shown: ShownRun,
+  last: string | null,
+  isLate: () => boolean,
+): { readonly name: string | null; readonly isWhole: boolean } {
+  if (shown.name !== null && shown.outcome === 'completed') return { name: shown.name, isWhole: true };
   const others = level.runs.filter(({ name }) => name !== shown.name);
-  const completes = (run: { readonly holds: readonly Hold[] }) => record.end(joinHolds(run.holds)).outcome === 'completed';
+  let isWhole = true;
+  const completes = (run: { readonly holds: readonly Hold[] }): boolean => {
+    const end = isWhole ? record.end(joinHolds(run.holds), isLate) : null;
+    isWhole &&= end !== null;
+    return end?.outcome === 'completed';
+  };
   const again = others.find(({ name }) => name === last);
-  if (again !== undefined && others[0] === again && completes(again)) return again.name;
-  return others.find(completes)?.name ?? null;
+  if (again !== undefined && others[0] === again && completes(again)) return { name: again.name, isWhole: true };
+  const found = others.find(completes)?.name ?? null;
+  return { name: found, isWhole: found !== null || isWhole };
 }
 
 /**
@@ -141,38 +171,65 @@ function findProof(record: SceneRecord, level: Level, shown: ShownRun, last: str
 export function createProver(now: () => number = () => performance.now()): Prover {
   const room = new MarchRoom();
   let record: SceneRecord | null = null;
-  let answer: LiveProof | null = null;
+  let answer: (LiveProof & { readonly patience: number }) | null = null;
 
+  /** What is shown of a level that is not played: she stands at the start. */
+  let still: SceneRecord | null = null;
   const recordOf = (file: LevelFile, level: Level, accuracy: AccuracyName): SceneRecord => {
     if (record === null || record.accuracy !== accuracy || !playsAlike(record.file, file)) {
+      still = null;
       record = new SceneRecord(file, level, accuracy, room);
     }
     return record;
   };
+  const stillOf = (file: LevelFile, level: Level, accuracy: AccuracyName): SceneRecord => {
+    if (still === null || still.accuracy !== accuracy || !playsAlike(still.file, file)) {
+      // they share the arrays of their ways
+      record = null;
+      still = new SceneRecord(file, bareOf(level), accuracy, room);
+    }
+    return still;
+  };
 
-  const showRun = (known: SceneRecord, level: Level, wanted: string | null): ShownRun => {
+  const showRun = (
+    known: SceneRecord,
+    level: Level,
+    wanted: string | null,
+    isLate: () => boolean,
+  ): ShownRun & { isCut: boolean } => {
     const run = level.runs.find(({ name }) => name === wanted) ?? level.runs[0];
     const joined = joinHolds(run?.holds ?? []);
     // the same list as before, so that who shows it sees that it is
     const before = answer?.run.holds ?? joined;
     const holds = firstDifference(before, joined) === Number.POSITIVE_INFINITY ? before : joined;
-    const { way, ending, minerals, resumedFrom } = known.march.run(holds);
-    const taken = known.accuracy === 'arcade' && minerals.length > 0 ? takenInFrames(known.full(holds)) : minerals;
-    return { name: run?.name ?? null, holds, way, minerals: taken, resumedFrom, ...toEnd(ending) };
+    const { way, ending, minerals, resumedFrom, isCut } = known.march.run(holds, isLate);
+    const inFrames = known.accuracy === 'arcade' && minerals.length > 0 && !isCut;
+    const taken = inFrames ? takenInFrames(known.full(holds)) : minerals;
+    const tick = Math.max(0, way.count - 1);
+    const end: RunEnd = isCut ? { outcome: 'timeout', with: null, time: tick * TICK, tick } : toEnd(ending);
+    return { name: run?.name ?? null, holds, way, minerals: taken, resumedFrom, isCut, ...end };
   };
 
   return {
-    prove({ file, run: wanted, accuracy }) {
-      if (answer !== null && answer.file === file && answer.accuracy === accuracy) {
+    prove({ file, run: wanted, accuracy, patience = Number.POSITIVE_INFINITY }) {
+      const isSame = answer !== null && answer.file === file && answer.accuracy === accuracy;
+      if (answer !== null && isSame && (answer.limit === null || answer.patience >= patience)) {
         const asked = file.runs?.some(({ name }) => name === wanted) ? wanted : (file.runs?.[0]?.name ?? null);
         if (answer.run.name === asked) return answer;
       }
       const start = now();
       const level = resolveLevel(file);
-      const known = recordOf(file, level, accuracy);
-      const run = showRun(known, level, wanted);
-      const provenBy = findProof(known, level, run, answer?.provenBy ?? null);
-      const verdict = provenBy !== null ? 'completable' : level.runs.length === 0 ? 'unproven' : 'broken';
+      const nothing: Limit | null =
+        patience === 0 ? 'unchecked' : patience < Number.POSITIVE_INFINITY && !isPlayable(level) ? 'everything' : null;
+      const isLate =
+        nothing !== null ? () => true : patience === Number.POSITIVE_INFINITY ? () => false : () => now() - start > patience;
+      const known = nothing === null ? recordOf(file, level, accuracy) : stillOf(file, level, accuracy);
+      const { isCut, ...run } = showRun(known, level, wanted, isLate);
+      const { name: provenBy, isWhole: areAllKnown } = isCut
+        ? { name: null, isWhole: level.runs.length === 0 }
+        : findProof(known, level, run, answer?.provenBy ?? null, isLate);
+      const limit: Limit | null = nothing ?? (isCut ? 'run' : areAllKnown ? null : 'others');
+      const verdict = provenBy !== null ? 'completable' : level.runs.length === 0 || limit !== null ? 'unproven' : 'broken';
       let problems: readonly Problem[] | null = null;
       let margins: Margins | null = null;
       answer = {
@@ -182,14 +239,18 @@ export function createProver(now: () => number = () => performance.now()): Prove
         accuracy,
         run,
         verdict,
+        limit,
+        patience,
         provenBy,
         ms: now() - start,
         get problems() {
-          problems ??= problemsOf(level, accuracy, (holds) => known.full(joinHolds(holds)));
+          // a worker finds those of levels that take long
+          problems ??=
+            limit === null ? problemsOf(level, accuracy, (holds) => known.full(joinHolds(holds))) : [limitProblem(limit)];
           return problems;
         },
         get full() {
-          return known.full(run.holds);
+          return isCut ? null : known.full(run.holds);
         },
         get margins() {
           margins ??= marginsOf(known.scene, run.way);
