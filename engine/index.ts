@@ -15,3 +15,4 @@ export {
   type Warning,
   type WarningExplanation,
 } from './warnings/index.ts';
+export { DEFAULT_MAX_WORK, unlimited, WorkBudget, WorkLimitReached } from './work-budget.ts';

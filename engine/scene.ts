@@ -1,6 +1,7 @@
 import type { Circle, Level } from '../schema/index.ts';
 import { ACCURACIES, type Accuracy, type AccuracyName, DEFAULT_ACCURACY } from './accuracy.ts';
 import { chooseEffects, type EffectChoice } from './effects/index.ts';
+import { explosionsAtStart } from './explosions-at-start.ts';
 import { indexCircles, type SpatialIndex } from './spatial-index.ts';
 
 /** Circles as parallel arrays, px. `index` is the place in the level's own list of that kind. */
@@ -12,9 +13,15 @@ export interface Circles {
   readonly index: Int32Array;
 }
 
-/** A list of circles that stand still, with an index where there are many. */
+/** A list of circles as the level has them, with an index where there are many. */
 export interface IndexedCircles extends Circles {
   readonly spatial: SpatialIndex | null;
+}
+
+/** The aliens as the level has them. */
+export interface Aliens extends IndexedCircles {
+  /** Pairs that overlap there, two indices each, in the order in which they explode. */
+  readonly explosions: Int32Array;
 }
 
 /** A level made ready to simulate at one accuracy. Never written to after `compile`; share it freely. */
@@ -29,7 +36,7 @@ export interface Scene {
   readonly coldCount: number;
   readonly novae: IndexedCircles;
   readonly repulsors: IndexedCircles;
-  readonly aliens: Circles;
+  readonly aliens: Aliens;
   readonly minerals: IndexedCircles;
 }
 
@@ -60,15 +67,20 @@ export function compile(level: Level, accuracy: AccuracyName | Accuracy = DEFAUL
   const cold: number[] = [];
   const hot: number[] = [];
   for (const [i, a] of level.asteroids.entries()) (a.hot ? hot : cold).push(i);
+  const aliens = indexed(all(level.aliens));
+  const chosen = typeof accuracy === 'string' ? ACCURACIES[accuracy] : accuracy;
+  // continuous time has places relative to where she starts
+  const origin = chosen.integrator === 'arcade' ? { x: 0, y: 0 } : level.astronaut;
+  const explosions = explosionsAtStart(aliens, origin.x, origin.y);
   return {
     level,
-    accuracy: typeof accuracy === 'string' ? ACCURACIES[accuracy] : accuracy,
+    accuracy: chosen,
     effects: chooseEffects(level),
     targets: indexed(circles(level.asteroids, [...cold, ...hot])),
     coldCount: cold.length,
     novae: indexed(all(level.novae)),
     repulsors: indexed(all(level.repulsors)),
-    aliens: all(level.aliens),
+    aliens: { ...aliens, explosions },
     minerals: indexed(all(level.minerals)),
   };
 }

@@ -8,6 +8,7 @@ import type { Scene } from './scene.ts';
 import { joinHolds, playScript } from './script.ts';
 import { type Mode, type Outcome, type RunEvent, type Simulation, STATE_SIZE, type Touched, type Work } from './simulation.ts';
 import type { Trajectory } from './trajectory.ts';
+import { unlimited, type WorkBudget, WorkLimitReached } from './work-budget.ts';
 
 /** x, y in px, vx, vy in px/s; cos, sin: direction of the box's x axis, a unit vector. */
 export interface State {
@@ -38,16 +39,32 @@ export interface Run {
   readonly modes: readonly Mode[];
   /** Over the state at every tick, every event and the final state, bit for bit; the same in every JavaScript engine. */
   readonly hash: string;
+  /**
+   * The limit that ended the run before its time, or null. `work-limit`: the budget it was given is used up; how it would go on is
+   * not known, and `outcome` says no more than that it had not ended by `time`.
+   */
+  readonly stopped: 'work-limit' | null;
 }
 
 export interface SimulateOptions {
   /** s of simulated time after which the run is a `timeout`; {@link DEFAULT_MAX_TIME} when left out */
   readonly maxTime?: number;
+  /**
+   * What the run may cost, its recording and what is later asked of that; no limit when left out. Asked for more than is left, its
+   * clearance, hash and trajectory throw a WorkLimitReached.
+   */
+  readonly budget?: WorkBudget;
 }
 
-/** A simulation at the start of the scene, to be advanced by hand: a playtest, a search. */
-export function createSimulation(scene: Scene): Simulation {
-  return scene.accuracy.integrator === 'arcade' ? new ArcadeSimulation(scene) : new ContinuousSimulation(scene);
+/**
+ * A simulation at the start of the scene, to be advanced by hand: a playtest, a search.
+ * @param budget what it may cost; advanced when that is used up, it throws a WorkLimitReached. No limit when left out
+ * @throws WorkLimitReached where the budget is too small for the start
+ */
+export function createSimulation(scene: Scene, budget: WorkBudget = unlimited()): Simulation {
+  return scene.accuracy.integrator === 'arcade'
+    ? new ArcadeSimulation(scene, null, budget)
+    : new ContinuousSimulation(scene, null, budget);
 }
 
 /**
@@ -56,9 +73,17 @@ export function createSimulation(scene: Scene): Simulation {
  */
 export function simulate(scene: Scene, holds: readonly Hold[], options: SimulateOptions = {}): Run {
   const maxTicks = Math.round((options.maxTime ?? DEFAULT_MAX_TIME) * TICK_RATE);
-  const { recorder, simulation } = recorded(scene);
-  playScript(simulation, joinHolds(holds), maxTicks);
-  if (simulation instanceof ContinuousSimulation) simulation.recordLast();
+  const budget = options.budget ?? unlimited();
+  const { recorder, simulation } = recorded(scene, budget);
+  let stopped: Run['stopped'] = null;
+  try {
+    playScript(simulation, joinHolds(holds), maxTicks);
+    if (simulation instanceof ContinuousSimulation) simulation.recordLast();
+  } catch (error) {
+    if (!(error instanceof WorkLimitReached)) throw error;
+    stopped = 'work-limit';
+  }
+  const limitTick = stopped === null ? maxTicks : simulation.tick;
 
   const ending = simulation.ending;
   const outcome = ending?.outcome ?? 'timeout';
@@ -71,8 +96,8 @@ export function simulate(scene: Scene, holds: readonly Hold[], options: Simulate
   return {
     outcome,
     with: ending?.with ?? null,
-    time: ending?.time ?? maxTicks * TICK,
-    tick: ending?.tick ?? maxTicks,
+    time: ending?.time ?? limitTick * TICK,
+    tick: ending?.tick ?? limitTick,
     minerals: events.flatMap((e) => (e.type === 'mineral' ? [{ index: e.index, time: e.time }] : [])),
     events,
     get clearance() {
@@ -87,16 +112,17 @@ export function simulate(scene: Scene, holds: readonly Hold[], options: Simulate
       if (hash === undefined) hash = hashRun(recorder, events, state, outcome);
       return hash;
     },
+    stopped,
   };
 }
 
-function recorded(scene: Scene) {
+function recorded(scene: Scene, budget: WorkBudget) {
   if (scene.accuracy.integrator === 'arcade') {
-    const recorder = new FrameRecorder(scene);
-    return { recorder, simulation: new ArcadeSimulation(scene, recorder) };
+    const recorder = new FrameRecorder(scene, budget);
+    return { recorder, simulation: new ArcadeSimulation(scene, recorder, budget) };
   }
-  const recorder = new PieceRecorder(scene);
-  return { recorder, simulation: new ContinuousSimulation(scene, recorder) };
+  const recorder = new PieceRecorder(scene, budget);
+  return { recorder, simulation: new ContinuousSimulation(scene, recorder, budget) };
 }
 
 function hashRun(trajectory: Trajectory, events: readonly RunEvent[], final: Float64Array, outcome: Outcome): string {

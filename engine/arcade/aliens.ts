@@ -11,6 +11,7 @@ import {
 } from '../constants.ts';
 import { boxOverlapsCircle, circlesOverlap } from '../contact/index.ts';
 import type { Scene } from '../scene.ts';
+import type { WorkBudget } from '../work-budget.ts';
 import { COS, FRAME, ROUSED, SIN, VX, VY, X, Y } from './layout.ts';
 import { limitSpeed } from './limit-speed.ts';
 import { liesWithin, type Neighbourhood } from './neighbourhoods.ts';
@@ -50,7 +51,9 @@ export class Aliens {
   }
 
   readonly end: number;
-  private readonly count: number;
+  readonly count: number;
+  /** How many the last look ahead looked at. */
+  looked = 0;
   private readonly r: Float64Array;
   // while she is nearer than this to there, px, all of them rest; derived from the state, and forgotten when it changes otherwise
   private calmX = 0;
@@ -66,16 +69,21 @@ export class Aliens {
   moving = 0;
   /** which. */
   private readonly mobile: Int32Array;
+  /** Those that may have come to touch another since it was looked at last whether any two do. */
+  private readonly restless: number[] = [];
+  private readonly isRestless: Uint8Array;
 
   constructor(
     private readonly s: Float64Array,
     private readonly scene: Scene,
     private readonly offset: number,
+    private readonly budget: WorkBudget,
   ) {
     this.count = scene.aliens.count;
     this.r = scene.aliens.r;
     this.end = offset + ALIEN * this.count;
     this.mobile = new Int32Array(this.count);
+    this.isRestless = new Uint8Array(this.count);
   }
 
   layOut(s: Float64Array): void {
@@ -89,15 +97,35 @@ export class Aliens {
         s[o + 6] = AWAKE;
         s[ROUSED] = 1;
       }
-      for (let j = 0; j < i; j++) {
-        if (circlesOverlap(aliens.x[j] - aliens.x[i], aliens.y[j] - aliens.y[i], aliens.r[j] + aliens.r[i])) s[ROUSED] = 1;
-      }
     }
+    if (aliens.explosions.length > 0) s[ROUSED] = 1;
   }
 
   /** The state has become another than the frames made it. */
   forget(): void {
+    const { s, count, scene } = this;
     this.calm = -1;
+    this.settle();
+    if (s[ROUSED] === 0) return;
+    for (let i = 0; i < count; i++) {
+      const o = this.offset + ALIEN * i;
+      const rests = s[o + 6] === ASLEEP && s[o + 2] === 0 && s[o + 3] === 0;
+      if (!rests || s[o] !== scene.aliens.x[i] || s[o + 1] !== scene.aliens.y[i]) this.disturb(i);
+    }
+  }
+
+  /** This one may touch another from now on. */
+  private disturb(i: number): void {
+    if (this.isRestless[i] === 1) return;
+    this.isRestless[i] = 1;
+    this.restless.push(i);
+    this.apartUntil = -1;
+  }
+
+  /** No two touch now. */
+  private settle(): void {
+    for (const i of this.restless) this.isRestless[i] = 0;
+    this.restless.length = 0;
     this.apartUntil = -1;
   }
 
@@ -111,6 +139,7 @@ export class Aliens {
   lookAhead(cell: Neighbourhood): void {
     const { s, r, count } = this;
     this.moving = 0;
+    this.looked = 0;
     this.ahead = Number.POSITIVE_INFINITY;
     this.room = Number.POSITIVE_INFINITY;
     if (s[ROUSED] === 0 && cell.unseen) return;
@@ -128,6 +157,7 @@ export class Aliens {
     }
     const vx = s[VX];
     const vy = s[VY];
+    this.looked = count;
     let moving = 0;
     let fastest = Math.abs(vx) + Math.abs(vy);
     let room = Number.POSITIVE_INFINITY;
@@ -150,6 +180,7 @@ export class Aliens {
         }
       }
       this.mobile[moving++] = i;
+      this.disturb(i);
       fastest = Math.max(fastest, Math.abs(itsVX) + Math.abs(itsVY));
       // how fast they come nearer at most: it may stop at any time
       const hers = vx * dx + vy * dy;
@@ -174,14 +205,15 @@ export class Aliens {
   /** The first frame in which two of them may touch. */
   private apart(frame: number): number {
     if (frame < this.apartUntil) return this.apartUntil;
-    const { s, r, count } = this;
+    const { s, r, count, restless } = this;
     let time = APART_FRAMES * DT;
-    for (let i = 0; i < count; i++) {
+    this.budget.look((restless.length * count) >> 3);
+    for (const i of restless) {
       const a = this.offset + ALIEN * i;
       if (s[a + 6] >= FUSE) continue;
-      for (let j = i + 1; j < count; j++) {
+      for (let j = 0; j < count; j++) {
         const b = this.offset + ALIEN * j;
-        if (s[b + 6] >= FUSE) continue;
+        if (s[b + 6] >= FUSE || j === i) continue;
         const dx = s[b] - s[a];
         const dy = s[b + 1] - s[a + 1];
         const d = Math.sqrt(dx * dx + dy * dy);
@@ -197,19 +229,39 @@ export class Aliens {
 
   /** Two that touch explode. */
   explode(frame: number, recorder: FrameRecorder | null): void {
+    if (frame === 0) {
+      const { explosions } = this.scene.aliens;
+      for (let k = 0; k < explosions.length; k += 2) this.ignite(frame, explosions[k], explosions[k + 1], recorder);
+      this.settle();
+      return;
+    }
     if (frame < this.apart(frame)) return;
-    const { s, r, count } = this;
-    for (let i = 0; i < count; i++) {
+    const { s, r, count, restless } = this;
+    const touching: [number, number][] = [];
+    this.budget.look((restless.length * count) >> 3);
+    for (const i of restless) {
       const a = this.offset + ALIEN * i;
-      for (let j = i + 1; j < count; j++) {
+      if (s[a + 6] >= FUSE) continue;
+      for (let j = 0; j < count; j++) {
         const b = this.offset + ALIEN * j;
-        if (s[a + 6] >= FUSE || s[b + 6] >= FUSE) continue;
-        if (!circlesOverlap(s[a] - s[b], s[a + 1] - s[b + 1], r[i] + r[j])) continue;
-        s[a + 6] = FUSE + frame + EXPLOSION_FRAMES;
-        s[b + 6] = FUSE + frame + EXPLOSION_FRAMES;
-        if (recorder !== null) recorder.explosion(frame, i, j);
+        // two that are restless are told once
+        if (s[b + 6] >= FUSE || j === i || (j < i && this.isRestless[j] === 1)) continue;
+        if (circlesOverlap(s[a] - s[b], s[a + 1] - s[b + 1], r[i] + r[j])) touching.push(i < j ? [i, j] : [j, i]);
       }
     }
+    // in the order of the list: who has exploded explodes no more
+    touching.sort((one, other) => one[0] - other[0] || one[1] - other[1]);
+    for (const [i, j] of touching) {
+      if (s[this.offset + ALIEN * i + 6] < FUSE && s[this.offset + ALIEN * j + 6] < FUSE) this.ignite(frame, i, j, recorder);
+    }
+    this.settle();
+  }
+
+  private ignite(frame: number, i: number, j: number, recorder: FrameRecorder | null): void {
+    const { s } = this;
+    s[this.offset + ALIEN * i + 6] = FUSE + frame + EXPLOSION_FRAMES;
+    s[this.offset + ALIEN * j + 6] = FUSE + frame + EXPLOSION_FRAMES;
+    if (recorder !== null) recorder.explosion(frame, i, j);
   }
 
   /**
@@ -300,6 +352,7 @@ export class Aliens {
       if (awake || vx !== 0 || vy !== 0) {
         s[ROUSED] = 1;
         this.calm = -1;
+        this.disturb(i);
       }
       if (exploded || awake === (state === AWAKE)) continue;
       s[o + 6] = awake ? AWAKE : ASLEEP;

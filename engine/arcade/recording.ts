@@ -1,29 +1,36 @@
+import { ChangeLog } from '../change-log.ts';
 import { type Clearance, ClearanceTracker } from '../clearance.ts';
 import { TICK, TICK_RATE } from '../constants.ts';
 import type { Scene } from '../scene.ts';
 import { type BodyKind, type Outcome, type RunEvent, type Simulation, STATE_SIZE } from '../simulation.ts';
 import type { Trajectory } from '../trajectory.ts';
+import type { WorkBudget } from '../work-budget.ts';
 
 /** Keeps every frame and event of an `arcade` run. Row f is the state after frame f and stands for time f / 60 s. */
 export class FrameRecorder implements Trajectory {
   readonly events: RunEvent[] = [];
-  private readonly width: number;
   private rows: Float64Array;
   private count = 0;
   private wasHeld = false;
   private lastNearest = -1;
   private lastField = -1;
   private readonly state = new Float64Array(STATE_SIZE);
+  // what becomes of the others, apart: of many few move
+  private alienLog: ChangeLog | null = null;
+  private asteroidLog: ChangeLog | null = null;
   private readonly aliens: Float64Array;
   private readonly asteroids: Float64Array;
   private readonly asteroidsMove: boolean;
 
-  constructor(private readonly scene: Scene) {
+  /** @param budget what the recording, and looking for the clearance, may cost */
+  constructor(
+    private readonly scene: Scene,
+    private readonly budget: WorkBudget,
+  ) {
     this.aliens = new Float64Array(3 * scene.aliens.count);
     this.asteroids = new Float64Array(2 * scene.targets.count);
     this.asteroidsMove = scene.level.recoil;
-    this.width = STATE_SIZE + this.aliens.length + (this.asteroidsMove ? this.asteroids.length : 0);
-    this.rows = new Float64Array(this.width * 1024);
+    this.rows = new Float64Array(STATE_SIZE * 1024);
   }
 
   get duration(): number {
@@ -31,16 +38,18 @@ export class FrameRecorder implements Trajectory {
   }
 
   at(time: number, out: Float64Array): void {
-    this.read(this.rowAt(time), 0, STATE_SIZE, out);
+    this.read(this.rowAt(time), out);
   }
 
   aliensAt(time: number, out: Float64Array): void {
-    this.read(this.rowAt(time), STATE_SIZE, this.aliens.length, out);
+    this.alienLog?.seek(this.rowAt(time), this.aliens);
+    out.set(this.aliens);
   }
 
   asteroidsAt(time: number, out: Float64Array): void {
     if (this.asteroidsMove) {
-      this.read(this.rowAt(time), STATE_SIZE + this.aliens.length, this.asteroids.length, out);
+      this.asteroidLog?.seek(this.rowAt(time), this.asteroids);
+      out.set(this.asteroids);
       return;
     }
     for (const [i, { x, y }] of this.scene.level.asteroids.entries()) {
@@ -53,11 +62,14 @@ export class FrameRecorder implements Trajectory {
   clearance(): Clearance | null {
     const { scene, state, aliens, asteroids } = this;
     const near = new ClearanceTracker(scene);
+    const { novae, targets, coldCount } = scene;
+    const things = novae.count + scene.aliens.count + targets.count - coldCount;
     this.asteroidsAt(0, asteroids);
     for (let row = 0; row < this.count; row++) {
-      this.read(row, 0, STATE_SIZE, state);
-      this.read(row, STATE_SIZE, aliens.length, aliens);
-      if (this.asteroidsMove) this.read(row, STATE_SIZE + aliens.length, asteroids.length, asteroids);
+      this.budget.look(1 + things / 8);
+      this.read(row, state);
+      this.alienLog?.seek(row, aliens);
+      this.asteroidLog?.seek(row, asteroids);
       near.see(row * TICK, state[0], state[1], state[4], state[5], aliens, asteroids);
     }
     return near.best;
@@ -68,32 +80,34 @@ export class FrameRecorder implements Trajectory {
     return Math.min(this.count - 1, Math.max(0, Math.floor(time * TICK_RATE + 1e-6)));
   }
 
-  private read(row: number, from: number, length: number, out: Float64Array): void {
-    const o = this.width * row + from;
-    for (let i = 0; i < length; i++) out[i] = this.rows[o + i];
-  }
-
-  private write(from: number, values: Float64Array): void {
-    const o = this.width * this.count + from;
-    for (let i = 0; i < values.length; i++) this.rows[o + i] = values[i];
+  private read(row: number, out: Float64Array): void {
+    for (let i = 0; i < STATE_SIZE; i++) out[i] = this.rows[STATE_SIZE * row + i];
   }
 
   /** Keeps the state of a simulation at the end of a frame. */
   row(simulation: Simulation): void {
-    if (this.width * this.count === this.rows.length) {
+    const { state, aliens, asteroids, budget } = this;
+    if (STATE_SIZE * this.count === this.rows.length) {
       const grown = new Float64Array(2 * this.rows.length);
       grown.set(this.rows);
       this.rows = grown;
     }
-    simulation.readState(this.state);
-    this.write(0, this.state);
-    if (this.aliens.length > 0) {
-      simulation.readAliens(this.aliens);
-      this.write(STATE_SIZE, this.aliens);
+    simulation.readState(state);
+    this.rows.set(state, STATE_SIZE * this.count);
+    budget.record(8 * STATE_SIZE);
+    if (aliens.length > 0) {
+      simulation.readAliens(aliens);
+      this.alienLog ??= new ChangeLog(3, aliens, budget);
+      this.alienLog.next();
+      for (let i = 0; 3 * i < aliens.length; i++) this.alienLog.set(i, aliens, 3 * i);
+      budget.look(aliens.length >> 4);
     }
     if (this.asteroidsMove) {
-      simulation.readAsteroids(this.asteroids);
-      this.write(STATE_SIZE + this.aliens.length, this.asteroids);
+      simulation.readAsteroids(asteroids);
+      this.asteroidLog ??= new ChangeLog(2, asteroids, budget);
+      this.asteroidLog.next();
+      for (let i = 0; 2 * i < asteroids.length; i++) this.asteroidLog.set(i, asteroids, 2 * i);
+      budget.look(asteroids.length >> 4);
     }
     this.count++;
   }

@@ -1,6 +1,7 @@
 import { TICK } from '../constants.ts';
 import type { Scene } from '../scene.ts';
 import type { Ending, Mode, Simulation, Work } from '../simulation.ts';
+import { unlimited, type WorkBudget } from '../work-budget.ts';
 import { Encounters } from './encounters.ts';
 import { Flight } from './flight.ts';
 import {
@@ -10,6 +11,7 @@ import {
   HELD_FRAMES,
   LOST,
   MINERALS,
+  MOVED,
   OUTCOME,
   SIN,
   TOUCH_KIND,
@@ -45,9 +47,10 @@ export class ArcadeSimulation implements Simulation {
   constructor(
     scene: Scene,
     private readonly recorder: FrameRecorder | null = null,
+    budget: WorkBudget = unlimited(),
   ) {
     this.scene = scene;
-    this.world = new World(scene);
+    this.world = new World(scene, budget);
     this.s = this.world.s;
     this.surroundings = new Surroundings(this.world);
     this.flight = new Flight(this.world, this.surroundings);
@@ -136,11 +139,12 @@ export class ArcadeSimulation implements Simulation {
   advance(ticks: number, held: boolean): number {
     const { s, surroundings, flight, hasAliens, recorder } = this;
     if (s[OUTCOME] !== 0) return 0;
-    const { aliens } = this.world;
+    const { aliens, budget } = this.world;
     const from = s[FRAME];
     const until = from + ticks;
     while (s[FRAME] < until && s[OUTCOME] === 0) {
       const cell = surroundings.here();
+      const start = s[FRAME];
       if (hasAliens) aliens.lookAhead(cell);
       if (recorder === null && aliens.ahead >= FEW_FRAMES && surroundings.isAway(cell, aliens.room)) {
         const frame = s[FRAME];
@@ -148,8 +152,12 @@ export class ArcadeSimulation implements Simulation {
         flight.fly(chased ? Math.min(until, frame + aliens.ahead) : until, held, chased);
         if (chased) aliens.follow(flight.path, frame, s[FRAME] - frame);
       } else {
-        this.encounters.meet(cell, until, held, hasAliens && !aliens.restWhileIn(cell));
+        const alert = hasAliens && !aliens.restWhileIn(cell);
+        this.encounters.meet(cell, until, held, alert);
+        const things = cell.deadly.length + cell.minerals.length + cell.repulsors.length + (alert ? aliens.count : 0);
+        budget.look((s[FRAME] - start) * (3 + things / 8));
       }
+      budget.look((s[FRAME] - start) * (1 + (cell.rivals.length + s[MOVED]) / 8) + aliens.looked / 8);
     }
     const advanced = s[FRAME] - from;
     if (held) s[HELD_FRAMES] += advanced;

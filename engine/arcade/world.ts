@@ -1,5 +1,6 @@
 import type { Scene } from '../scene.ts';
 import { expectSnapshot } from '../snapshot.ts';
+import type { WorkBudget } from '../work-budget.ts';
 import { Aliens } from './aliens.ts';
 import { COS, HEAD, VX, VY, X, Y } from './layout.ts';
 import { ROCK, Rocks } from './rocks.ts';
@@ -38,7 +39,10 @@ export class World {
   readonly placesStep: number;
   private readonly start: Float64Array;
 
-  constructor(readonly scene: Scene) {
+  constructor(
+    readonly scene: Scene,
+    readonly budget: WorkBudget,
+  ) {
     const { level, targets, novae, repulsors, aliens, minerals } = scene;
     const { blackHole } = level;
     this.recoil = level.recoil;
@@ -46,7 +50,7 @@ export class World {
     this.s = new Float64Array(length);
     this.start = new Float64Array(length);
     this.rocks = new Rocks(this.s, scene);
-    this.aliens = new Aliens(this.s, scene, this.rocks.end);
+    this.aliens = new Aliens(this.s, scene, this.rocks.end, budget);
     this.collected = this.aliens.end;
     this.range = level.range;
     this.targetR = targets.r;

@@ -57,7 +57,8 @@ export function placeAlien(m: Motion, i: number): void {
 
 /** e[0..3]: u and its velocity; e[4..7]: the circle's centre minus hers, and its velocity, after `t` s; px, px/s. */
 export function relativeAt(m: Motion, t: number): void {
-  const { s, e } = m;
+  const { s, e, budget } = m;
+  if (++budget.looks > budget.most) budget.end();
   const degree = s[DEGREE];
   pairAt(m.ux, m.uy, degree, t, e, 0);
   if (m.circleMotion === IS_BASE) {

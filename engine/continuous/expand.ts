@@ -21,9 +21,14 @@ const {
   DEGREE,
   LENGTH_H,
   ACCELERATION,
+  AWAKE_COUNT,
+  OUTCOME,
 } = SLOTS;
 const { CHASER, ROCK } = RECORDS;
 const { AWAKE } = ALERTNESS;
+
+/** Looks that take as long as the series of a chaser. */
+const LOOKS_A_CHASER = 8;
 
 /** Longest piece of a coast among so many things that an index finds the near ones, px. */
 const CROWDED_REACH = 128;
@@ -33,8 +38,7 @@ export function expand(m: Motion): void {
   const aliens = m.scene.aliens.count;
   const held = s[HELD] === 1;
   const kind = s[KIND];
-  let awake = 0;
-  for (let i = 0; i < aliens; i++) if (s[m.chasers + CHASER * i + 4] === AWAKE) awake++;
+  let awake = s[AWAKE_COUNT];
   const dragged = m.recoil && held && s[FIELD] >= 0;
   if (dragged) {
     const o = m.chasers + CHASER * aliens;
@@ -44,6 +48,7 @@ export function expand(m: Motion): void {
     awake++;
   }
   work.pieces++;
+  m.budget.piece(1);
 
   // fixed steps end on a grid of their own rate, which the ticks are a part of
   let h = Number.POSITIVE_INFINITY;
@@ -71,7 +76,11 @@ export function expand(m: Motion): void {
     s[ACCELERATION] = integrator.acceleration(flow, ux, uy, h);
     work.forceEvaluations += integrator.evaluations;
   }
-  if (awake > 0) h = expandChasers(m, h);
+  if (awake > 0) {
+    h = expandChasers(m, h);
+    work.forceEvaluations += awake * integrator.evaluations;
+    m.budget.look(LOOKS_A_CHASER * awake);
+  }
   s[LENGTH_H] = h;
 }
 
@@ -84,10 +93,14 @@ function recoilOnLine(m: Motion, kappa: number): void {
   for (let k = 3; k <= s[DEGREE]; k++) px[k] = py[k] = 0;
 }
 
-/** Expands aliens that are awake, and the rock she drags from within a field. */
-function expandChasers(m: Motion, longest: number): number {
-  const { s, scene, ux, uy, px, py, wx, wy, integrator, work } = m;
-  const aliens = scene.aliens.count;
+/**
+ * Expands aliens that are awake, and the rock she drags from within a field.
+ * @param longest natural length of the piece, s
+ * @returns the length for which all of them hold
+ */
+export function expandChasers(m: Motion, longest: number): number {
+  const { s, ux, uy, px, py, wx, wy } = m;
+  const aliens = m.scene.aliens.count;
   for (let k = 0; k < wx.length; k++) {
     const known = k <= s[DEGREE];
     wx[k] = known ? ux[k] + (m.recoil ? px[k] : 0) : 0;
@@ -96,18 +109,37 @@ function expandChasers(m: Motion, longest: number): number {
   wx[0] += s[BASE_X];
   wy[0] += s[BASE_Y];
   let h = longest;
-  for (let i = 0; i < m.chaserX.length; i++) {
-    const o = m.chasers + CHASER * i;
-    if (s[o + 4] !== AWAKE) continue;
-    const qx = m.chaserX[i];
-    const qy = m.chaserY[i];
-    qx[0] = s[o];
-    qy[0] = s[o + 1];
-    qx[1] = s[o + 2];
-    qy[1] = s[o + 3];
-    const pull = i < aliens ? ALIEN_PULL : m.kappa;
-    h = Math.min(h, integrator.chase(qx, qy, wx, wy, pull, h));
-    work.forceEvaluations += integrator.evaluations;
-  }
+  const awake = s[AWAKE_COUNT];
+  for (let k = 0; k < awake; k++) h = expandChaser(m, m.crowd.awake[k], ALIEN_PULL, h);
+  if (m.recoils && s[m.chasers + CHASER * aliens + 4] === AWAKE) h = expandChaser(m, aliens, m.kappa, h);
   return h;
+}
+
+function expandChaser(m: Motion, i: number, pull: number, longest: number): number {
+  const { s, chaserX, chaserY, wx, wy } = m;
+  const o = m.chasers + CHASER * i;
+  if (chaserX[i].length === 0) {
+    chaserX[i] = new Float64Array(wx.length);
+    chaserY[i] = new Float64Array(wx.length);
+  }
+  const qx = chaserX[i];
+  const qy = chaserY[i];
+  qx[0] = s[o];
+  qy[0] = s[o + 1];
+  qx[1] = s[o + 2];
+  qy[1] = s[o + 3];
+  return Math.min(longest, m.integrator.chase(qx, qy, wx, wy, pull, longest));
+}
+
+/** After a restore: the series of those that chase, as they were when the piece began; where they are when the run is over. */
+export function restoreChasers(m: Motion): void {
+  const { s, chaserX, chaserY } = m;
+  if (s[AWAKE_COUNT] === 0 && !m.recoils) return;
+  expandChasers(m, s[LENGTH_H]);
+  if (s[OUTCOME] === 0) return;
+  for (let k = 0; k < s[AWAKE_COUNT]; k++) {
+    const i = m.crowd.awake[k];
+    chaserX[i].fill(0, 1);
+    chaserY[i].fill(0, 1);
+  }
 }

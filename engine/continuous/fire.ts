@@ -6,7 +6,7 @@ import type { Motion } from './motion.ts';
 import { distanceSquared, nearest } from './nearest.ts';
 import { begin, holdLimits, proceed } from './piece.ts';
 import { skipPeriods, skipQuietSteps } from './skip.ts';
-import { ALERTNESS, EVENTS, RECORDS, SLOTS } from './state.ts';
+import { EVENTS, RECORDS, SLOTS } from './state.ts';
 import { stop } from './stop.ts';
 
 const {
@@ -27,7 +27,6 @@ const {
   MINERALS,
   LAST_EVENT,
   LAST_A,
-  AWAKE_COUNT,
   CROSSED,
 } = SLOTS;
 const {
@@ -49,7 +48,6 @@ const {
   PIECE_END,
 } = EVENTS;
 const { CHASER } = RECORDS;
-const { ASLEEP, AWAKE, GONE } = ALERTNESS;
 
 /** What happens at the event that was located. */
 export function fire(m: Motion, until: number): void {
@@ -116,8 +114,8 @@ export function fire(m: Motion, until: number): void {
       const o = m.chasers + CHASER * a;
       s[o + 2] = 0;
       s[o + 3] = 0;
-      s[o + 4] = kind === WAKE ? AWAKE : ASLEEP;
-      s[AWAKE_COUNT] += kind === WAKE ? 1 : -1;
+      if (kind === WAKE) m.crowd.wake(a);
+      else m.crowd.sleep(a);
       m.near.skin = -1;
       s[LAST_EVENT] = kind === WAKE ? SLEEP : WAKE;
       s[LAST_A] = a;
@@ -125,8 +123,9 @@ export function fire(m: Motion, until: number): void {
       break;
     }
     case PAIR:
-      explode(m, a);
-      explode(m, s[EVENT_B]);
+      m.crowd.explode(a);
+      m.crowd.explode(s[EVENT_B]);
+      m.near.skin = -1;
       recorder?.event({ time, type: 'explosion', aliens: [a, s[EVENT_B]] });
       break;
     case LIMIT:
@@ -141,14 +140,6 @@ export function fire(m: Motion, until: number): void {
     default:
   }
   begin(m);
-}
-
-function explode(m: Motion, alien: number): void {
-  const { s } = m;
-  const o = m.chasers + CHASER * alien;
-  if (s[o + 4] === AWAKE) s[AWAKE_COUNT]--;
-  s[o + 4] = GONE;
-  m.near.skin = -1;
 }
 
 function end(m: Motion, kind: number, index: number, time: number): void {

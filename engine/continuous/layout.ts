@@ -3,11 +3,10 @@ import { enterFields } from './fields.ts';
 import type { Motion } from './motion.ts';
 import { nearest } from './nearest.ts';
 import { holdLimits } from './piece.ts';
-import { ALERTNESS, RECORDS, SLOTS } from './state.ts';
+import { RECORDS, SLOTS } from './state.ts';
 
-const { TARGET, FIELD, COVER, BASE, COS, LIMIT_X, LIMIT_Y, AWAKE_COUNT, RIM } = SLOTS;
+const { TARGET, FIELD, COVER, BASE, COS, LIMIT_X, LIMIT_Y, RIM } = SLOTS;
 const { CHASER, ROCK } = RECORDS;
-const { AWAKE } = ALERTNESS;
 
 /** Puts everything where the level has it. */
 export function layOut(m: Motion): void {
@@ -32,8 +31,7 @@ export function layOut(m: Motion): void {
     s[o] = aliens.x[i] - m.originX;
     s[o + 1] = aliens.y[i] - m.originY;
     if (s[o] * s[o] + s[o + 1] * s[o + 1] >= ALIEN_SIGHT * ALIEN_SIGHT) continue;
-    s[o + 4] = AWAKE;
-    s[AWAKE_COUNT]++;
+    m.crowd.wake(i);
   }
   s[COVER] = nearest(m);
   enterFields(m);

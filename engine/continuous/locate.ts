@@ -11,7 +11,7 @@ import { switchTime } from './guards/target-switch.ts';
 import type { Motion } from './motion.ts';
 import { alienTravel, refresh, rockTravel } from './neighbourhood.ts';
 import { placeAt } from './places.ts';
-import { ALERTNESS, EVENTS, RECORDS, SLOTS } from './state.ts';
+import { EVENTS, RECORDS, SLOTS } from './state.ts';
 
 const {
   START,
@@ -31,9 +31,8 @@ const {
   RIM,
   RIM_HOLD,
 } = SLOTS;
-const { MINERAL, NOVA, HOT, ALIEN_TOUCH, HOLE, LEAVE_COVER, CENTRE, SWITCH, ENTER, LEAVE, WAKE, SLEEP, PIECE_END } = EVENTS;
+const { MINERAL, NOVA, HOT, ALIEN_TOUCH, HOLE, LEAVE_COVER, CENTRE, SWITCH, ENTER, LEAVE, WAKE, SLEEP, PAIR, PIECE_END } = EVENTS;
 const { CHASER } = RECORDS;
-const { ASLEEP, GONE } = ALERTNESS;
 
 /** Locates the first event in (FROM, LENGTH_H] of the piece; the natural end where nothing happens before. */
 export function locate(m: Motion): void {
@@ -55,11 +54,13 @@ export function locate(m: Motion): void {
 
   if (m.recoil || !near.covers(x, y, reach, s[TARGET])) refresh(m, x, y, reach);
   const gone = Math.sqrt((x - near.x) * (x - near.x) + (y - near.y) * (y - near.y)) + reach;
+  m.budget.look((near.count + m.stirred.length) >> 4);
   for (let i = 0; i < near.count; i++) {
     if (near.slack[i] > gone) continue;
     consider(m, near.kind[i], near.index[i], from);
   }
-  if (s[AWAKE_COUNT] > 0 || (s[START] === 0 && m.scene.aliens.count > 1)) considerAwake(m, x, y, travel, from);
+  const { explosions } = m.scene.aliens;
+  if (s[AWAKE_COUNT] > 0 || (s[START] === 0 && explosions.length > 0)) considerAwake(m, x, y, travel, from);
   considerCover(m, from);
   if (s[KIND] === LINEAR) offer(m, centreTime(m, from), CENTRE, 0, 0);
   if (speed + s[ACCELERATION] * h >= SPEED_LIMIT || s[LIMIT_X] !== 0 || s[LIMIT_Y] !== 0) considerLimits(m, from);
@@ -109,21 +110,38 @@ function consider(m: Motion, kind: number, i: number, from: number): void {
   }
 }
 
-/** Aliens that are awake, and pairs with one of them; those asleep are in the neighbour list. */
+/** Aliens that are awake, and pairs with one of them, those asleep are in the neighbour list; at the start those that overlap, too. */
 function considerAwake(m: Motion, x: number, y: number, travel: number, from: number): void {
   const { s, scene } = m;
   const { aliens } = scene;
   const h = s[LENGTH_H];
-  for (let i = 0; i < aliens.count; i++) {
-    const o = m.chasers + CHASER * i;
-    if (s[o + 4] === GONE) continue;
-    for (let j = i + 1; j < aliens.count; j++) considerPair(m, i, j, from);
-    if (s[o + 4] === ASLEEP) continue;
-    const d = Math.sqrt((s[o] - x) * (s[o] - x) + (s[o + 1] - y) * (s[o + 1] - y));
-    const moves = travel + alienTravel(m, i, h);
-    if (d + moves > ALIEN_SIGHT - 1e-6) considerRim(m, i, SLEEP, from);
-    if (d - moves < aliens.r[i] + HALF_DIAGONAL + 1e-6) considerAlienTouch(m, i, from);
+  // the first two that overlap where the level has them, asleep; one that is awake is told with its pairs
+  let first = m.crowd.overlapAtStart();
+  const overlapBefore = (i: number): void => {
+    if (first < 0 || aliens.explosions[first] > i) return;
+    considerPair(m, aliens.explosions[first], aliens.explosions[first + 1], from);
+    first = -1;
+  };
+  if (s[AWAKE_COUNT] > 0) {
+    m.crowd.eachAwake(
+      h,
+      (i, j) => {
+        overlapBefore(i);
+        // two that touch at once are found: other pairs come later
+        if (s[EVENT] <= PAIR && s[NEXT] - m.sameInstant <= from) return;
+        considerPair(m, i, j, from);
+      },
+      (i) => {
+        overlapBefore(i);
+        const o = m.chasers + CHASER * i;
+        const d = Math.sqrt((s[o] - x) * (s[o] - x) + (s[o + 1] - y) * (s[o + 1] - y));
+        const moves = travel + alienTravel(m, i, h);
+        if (d + moves > ALIEN_SIGHT - 1e-6) considerRim(m, i, SLEEP, from);
+        if (d - moves < aliens.r[i] + HALF_DIAGONAL + 1e-6) considerAlienTouch(m, i, from);
+      },
+    );
   }
+  overlapBefore(aliens.count);
 }
 
 function considerRim(m: Motion, i: number, event: number, from: number): void {

@@ -1,5 +1,7 @@
 import { TICK_RATE } from '../constants.ts';
 import type { Scene } from '../scene.ts';
+import type { WorkBudget } from '../work-budget.ts';
+import { Crowd } from './crowd.ts';
 import { COAST, Flow } from './flow.ts';
 import { type Integrator, integratorOf } from './integrator.ts';
 import { NeighbourList } from './neighbour-list.ts';
@@ -11,6 +13,9 @@ const { CHASER, ROCK } = RECORDS;
 
 /** Two events nearer than this are the same instant, s per s of time and at least one second's worth. */
 const SAME_INSTANT = 2e-14;
+
+/** Of a chaser that has not chased yet. */
+const NO_SERIES = new Float64Array(0);
 
 /** What can move her between two events. */
 export const MODES = ['coast', 'pull', 'pull on a line', 'push', 'push on a line'] as const;
@@ -40,8 +45,12 @@ export class Motion {
   /** The displacement of the base. */
   readonly px: Float64Array;
   readonly py: Float64Array;
+  /** Places of those that chase, while they do: coefficients. They follow from the state and are no part of it. */
   readonly chaserX: Float64Array[] = [];
   readonly chaserY: Float64Array[] = [];
+  readonly crowd: Crowd;
+  /** Rocks that the gun has held, ascending: all others stay where the level has them. Follows from the state. */
+  readonly stirred: number[] = [];
   /** Where in the state chasers, rocks and the minerals' flags begin. */
   readonly chasers: number;
   readonly rocks: number;
@@ -74,7 +83,12 @@ export class Motion {
   circleMotion = 0;
   circleSeries = 0;
 
-  constructor(scene: Scene, recorder: PieceRecorder | null) {
+  /** @param budget what looking for events may cost */
+  constructor(
+    scene: Scene,
+    recorder: PieceRecorder | null,
+    readonly budget: WorkBudget,
+  ) {
     this.scene = scene;
     this.recorder = recorder;
     this.integrator = integratorOf(scene.accuracy);
@@ -94,7 +108,7 @@ export class Motion {
     this.minerals = this.rocks + (this.recoils ? ROCK * targets.count : 0);
     this.inside = this.minerals + minerals.count;
     let end = this.inside + repulsors.count;
-    this.s = new Float64Array(end + length * (4 + 2 * chasers));
+    this.s = new Float64Array(end + 4 * length);
     const series = () => {
       end += length;
       return this.s.subarray(end - length, end);
@@ -104,9 +118,10 @@ export class Motion {
     this.px = series();
     this.py = series();
     for (let i = 0; i < chasers; i++) {
-      this.chaserX.push(series());
-      this.chaserY.push(series());
+      this.chaserX.push(NO_SERIES);
+      this.chaserY.push(NO_SERIES);
     }
+    this.crowd = new Crowd(this);
     this.wx = new Float64Array(length);
     this.wy = new Float64Array(length);
     this.near = new NeighbourList(2 * (targets.count + aliens.count) + novae.count + minerals.count + repulsors.count + 1);

@@ -1,4 +1,5 @@
 import type { Motion } from './motion.ts';
+import { targetsAround } from './rocks.ts';
 import { RECORDS, SLOTS } from './state.ts';
 
 const { BASE_X, BASE_Y } = SLOTS;
@@ -16,16 +17,19 @@ export function distanceSquared(m: Motion, i: number): number {
 
 /** The nearest target; the first on a tie; -1 where there is none. */
 export function nearest(m: Motion): number {
-  const { s, scene, ux, uy } = m;
+  const { s, scene, ux, uy, budget } = m;
   const { spatial, count } = scene.targets;
   let best = Number.POSITIVE_INFINITY;
   let nearest = -1;
-  if (spatial !== null && !m.recoil) {
+  if (spatial !== null) {
     // the index knows one of the nearest; which of them comes first is decided in our own digits
-    const x = m.originX + s[BASE_X] + ux[0];
-    const y = m.originY + s[BASE_Y] + uy[0];
-    const reach = Math.sqrt(distanceSquared(m, spatial.nearestCentre(x, y))) * (1 + 1e-9) + 1e-6;
-    for (const i of spatial.around(x, y, reach)) {
+    const x = s[BASE_X] + ux[0];
+    const y = s[BASE_Y] + uy[0];
+    const known = spatial.nearestCentre(m.originX + s[BASE_X] + ux[0], m.originY + s[BASE_Y] + uy[0]);
+    const reach = Math.sqrt(distanceSquared(m, known)) * (1 + 1e-9) + 1e-6;
+    const found = targetsAround(m, x, y, reach);
+    budget.look(found.length >> 2);
+    for (const i of found) {
       const d = distanceSquared(m, i);
       if (d > best || (d === best && i > nearest)) continue;
       best = d;

@@ -1,12 +1,13 @@
 import { ALIEN_PULL, ALIEN_SIGHT, HALF_DIAGONAL } from '../constants.ts';
 import type { IndexedCircles } from '../scene.ts';
 import type { Motion } from './motion.ts';
+import { targetsAround } from './rocks.ts';
 import { ALERTNESS, EVENTS, RECORDS, SLOTS } from './state.ts';
 
 const { TARGET } = SLOTS;
 const { MINERAL, NOVA, HOT, ALIEN_TOUCH, HOLE, SWITCH, ENTER, WAKE } = EVENTS;
 const { CHASER, ROCK } = RECORDS;
-const { ASLEEP, AWAKE } = ALERTNESS;
+const { AWAKE } = ALERTNESS;
 
 /** Makes the neighbour list anew around (x, y) for a path of length `reach`. */
 export function refresh(m: Motion, x: number, y: number, reach: number): void {
@@ -23,8 +24,11 @@ export function refresh(m: Motion, x: number, y: number, reach: number): void {
     near.add(kind, i, distance(circles.x[i] - m.originX, circles.y[i] - m.originY) - circles.r[i] - margin);
   const each = (circles: IndexedCircles, within: number, visit: (i: number) => void) => {
     const { spatial } = circles;
-    if (spatial !== null) for (const i of spatial.around(levelX, levelY, within)) visit(i);
-    else for (let i = 0; i < circles.count; i++) visit(i);
+    if (spatial !== null) {
+      const found = spatial.around(levelX, levelY, within);
+      m.budget.look(found.length >> 2);
+      for (const i of found) visit(i);
+    } else for (let i = 0; i < circles.count; i++) visit(i);
   };
   each(novae, skin + margin, (i) => touching(NOVA, novae, i));
   each(minerals, skin + margin, (i) => touching(MINERAL, minerals, i));
@@ -34,12 +38,11 @@ export function refresh(m: Motion, x: number, y: number, reach: number): void {
   });
   const hole = level.blackHole;
   near.add(HOLE, 0, distance(hole.x - m.originX, hole.y - m.originY) - hole.radius - margin);
-  for (let i = 0; i < aliens.count; i++) {
-    const o = m.chasers + CHASER * i;
-    if (s[o + 4] !== ASLEEP) continue;
-    const d = distance(s[o], s[o + 1]);
-    near.add(WAKE, i, d - ALIEN_SIGHT - 1e-6);
-    near.add(ALIEN_TOUCH, i, d - aliens.r[i] - margin);
+  if (aliens.count > 0) {
+    m.crowd.eachSleeperNear(x, y, skin, (i, d) => {
+      near.add(WAKE, i, d - ALIEN_SIGHT - 1e-6);
+      near.add(ALIEN_TOUCH, i, d - aliens.r[i] - margin);
+    });
   }
   const target = s[TARGET];
   const own = target < 0 ? 0 : rockDistance(m, target, x, y);
@@ -49,8 +52,10 @@ export function refresh(m: Motion, x: number, y: number, reach: number): void {
     if (i >= scene.coldCount) near.add(HOT, i, d - targets.r[i] - margin);
     if (target >= 0 && i !== target) near.add(SWITCH, i, (d - own) / 2 - 1e-6);
   };
-  if (recoil) for (let i = 0; i < targets.count; i++) rock(i);
-  else each(targets, Math.max(skin + margin, 2 * skin + own + 1e-3), rock);
+  const within = Math.max(skin + margin, 2 * skin + own + 1e-3);
+  if (recoil && targets.spatial !== null) for (const i of targetsAround(m, x, y, within)) rock(i);
+  else each(targets, within, rock);
+  m.budget.look(near.count >> 2);
 }
 
 /** Distance of a target from (x, y) at the start of the piece, px. */
@@ -63,9 +68,9 @@ function rockDistance(m: Motion, i: number, x: number, y: number): number {
 
 /** Farthest a drifting or recoiling rock moves in `h`, px. */
 export function rockTravel(m: Motion, h: number): number {
-  const { s, scene } = m;
+  const { s } = m;
   let fastest = 0;
-  for (let i = 0; i < scene.targets.count; i++) {
+  for (const i of m.stirred) {
     const o = m.rocks + ROCK * i;
     fastest = Math.max(fastest, s[o + 2] * s[o + 2] + s[o + 3] * s[o + 3]);
   }

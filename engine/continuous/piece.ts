@@ -4,6 +4,7 @@ import { CENTRAL, COAST, LINEAR } from './flow.ts';
 import { rebase } from './frame.ts';
 import { locate } from './locate.ts';
 import type { Motion } from './motion.ts';
+import { stir } from './rocks.ts';
 import { RECORDS, SLOTS, TURNS } from './state.ts';
 
 const { HELD, TARGET, FIELD, KIND, TURN, COS, SIN, SIDE, LINE_X, LINE_Y, LIMIT_X, LIMIT_Y } = SLOTS;
@@ -26,8 +27,10 @@ export function begin(m: Motion): void {
   const target = s[TARGET];
   const field = s[FIELD];
   if (field >= 0) {
+    if (held && m.recoil) stir(m, target);
     rebase(m, -1, scene.repulsors.x[field] - m.originX, scene.repulsors.y[field] - m.originY, 0, 0);
   } else if (held && m.recoil) {
+    stir(m, target);
     const o = m.rocks + ROCK * target;
     rebase(m, target, s[o], s[o + 1], s[o + 2], s[o + 3]);
   } else if (held) {

@@ -1,9 +1,20 @@
+import { ChangeLog } from '../change-log.ts';
 import { type Clearance, ClearanceTracker } from '../clearance.ts';
 import { GUN_PULL, HALF_DIAGONAL, HALF_WIDTH, TICK_RATE } from '../constants.ts';
 import type { Scene } from '../scene.ts';
 import { type RunEvent, STATE_SIZE } from '../simulation.ts';
 import type { Trajectory } from '../trajectory.ts';
+import { unlimited, type WorkBudget } from '../work-budget.ts';
+import type { Motion } from './motion.ts';
+import { packPiece } from './packed-piece.ts';
 import { ContinuousSimulation } from './simulation.ts';
+import { RECORDS, SLOTS } from './state.ts';
+
+const { START, AWAKE_COUNT } = SLOTS;
+const { CHASER, ROCK } = RECORDS;
+
+/** What keeping a piece takes beside its numbers, bytes. */
+const BYTES_A_PIECE = 128;
 
 /** Places at which each piece is looked at for the smallest clearance, before the best one is refined. */
 const LOOKS = 8;
@@ -15,7 +26,10 @@ const FINEST = 1e-7;
 /** Keeps every piece and event of a run in continuous time. */
 export class PieceRecorder implements Trajectory {
   readonly events: RunEvent[] = [];
+  /** Of each piece what {@link packPiece} keeps; what becomes of chasers and rocks is apart. */
   private states: Float64Array[] = [];
+  private chasers: ChangeLog | null = null;
+  private rocks: ChangeLog | null = null;
   private starts: number[] = [];
   private lengths: number[] = [];
   private end = 0;
@@ -27,20 +41,46 @@ export class PieceRecorder implements Trajectory {
   private readonly aliens: Float64Array;
   private readonly asteroids: Float64Array;
   private readonly othersMove: boolean;
+  /** What looking at her and all that is deadly costs. */
+  private readonly looksAtOnce: number;
 
-  constructor(private readonly scene: Scene) {
+  /** @param budget what the recording, and looking for the clearance, may cost */
+  constructor(
+    private readonly scene: Scene,
+    private readonly budget: WorkBudget = unlimited(),
+  ) {
     this.othersMove = scene.level.recoil || scene.aliens.count > 0;
     this.near = new ClearanceTracker(scene);
+    const { novae, aliens, targets, coldCount } = scene;
+    this.looksAtOnce = 4 + (novae.count + 2 * aliens.count + targets.count - (this.othersMove ? 0 : coldCount)) / 8;
     this.aliens = new Float64Array(3 * scene.aliens.count);
     this.asteroids = new Float64Array(2 * scene.targets.count);
   }
 
-  /** Keeps the piece that began at `start` s, with the state at its beginning; it is left after `t` seconds. */
-  piece(start: number, state: Float64Array, t: number): void {
+  /** Keeps the piece that the motion is on; it is left after `t` seconds. */
+  piece(motion: Motion, t: number): void {
+    const { s, crowd, budget, chasers, rocks, minerals, stirred } = motion;
+    const state = packPiece(motion);
+    budget.record(8 * state.length + BYTES_A_PIECE);
+    const start = s[START];
     this.end = start + t;
     this.states.push(state);
     this.starts.push(start);
     this.lengths.push(t);
+    if (rocks > chasers) {
+      this.chasers ??= new ChangeLog(CHASER, s.subarray(chasers, rocks), budget);
+      this.chasers.next();
+      for (let k = 0; k < s[AWAKE_COUNT]; k++) this.chasers.set(crowd.awake[k], s, chasers + CHASER * crowd.awake[k]);
+      for (const i of crowd.altered) this.chasers.set(i, s, chasers + CHASER * i);
+      crowd.altered.length = 0;
+      const { count } = this.scene.aliens;
+      if (motion.recoils) this.chasers.set(count, s, chasers + CHASER * count);
+    }
+    if (minerals > rocks) {
+      this.rocks ??= new ChangeLog(ROCK, s.subarray(rocks, minerals), budget);
+      this.rocks.next();
+      for (const i of stirred) this.rocks.set(i, s, rocks + ROCK * i);
+    }
   }
 
   event(event: RunEvent): void {
@@ -88,8 +128,12 @@ export class PieceRecorder implements Trajectory {
   /** The reader, on a piece. */
   private open(piece: number): ContinuousSimulation {
     this.reader ??= new ContinuousSimulation(this.scene);
-    if (this.readerAt !== piece) this.reader.restore(this.states[piece]);
+    if (this.readerAt === piece) return this.reader;
     this.readerAt = piece;
+    this.reader.resumePiece(this.states[piece], (chasers, rocks) => {
+      this.chasers?.seek(piece, chasers);
+      this.rocks?.seek(piece, rocks);
+    });
     return this.reader;
   }
 
@@ -155,6 +199,7 @@ export class PieceRecorder implements Trajectory {
   }
 
   private look(piece: number, t: number): number {
+    this.budget.look(this.looksAtOnce);
     const { state, aliens, asteroids } = this;
     const reader = this.open(piece);
     reader.stateAt(t, state);

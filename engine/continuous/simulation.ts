@@ -2,17 +2,21 @@ import { TICK_RATE } from '../constants.ts';
 import type { Scene } from '../scene.ts';
 import type { Ending, Mode, Simulation, Work } from '../simulation.ts';
 import { expectSnapshot } from '../snapshot.ts';
+import { unlimited, type WorkBudget } from '../work-budget.ts';
 import { button } from './button.ts';
 import { endingOf } from './ending.ts';
+import { restoreChasers } from './expand.ts';
 import { fire } from './fire.ts';
 import { layOut } from './layout.ts';
 import { MODES, Motion } from './motion.ts';
+import { unpackPiece } from './packed-piece.ts';
 import { begin, setFlow } from './piece.ts';
 import { alienPlaceAt, directionAt, rockAt, settleAt } from './places.ts';
 import type { PieceRecorder } from './recording.ts';
+import { readRocks } from './rocks.ts';
 import { ALERTNESS, RECORDS, SLOTS } from './state.ts';
 
-const { START, FROM, NEXT, TICK_NOW, HELD, BASE_X, BASE_Y, OUTCOME, END_TIME, MINERALS } = SLOTS;
+const { START, FROM, NEXT, TICK_NOW, HELD, BASE_X, BASE_Y, OUTCOME, END_TIME, MINERALS, AWAKE_COUNT } = SLOTS;
 const { CHASER } = RECORDS;
 const { AWAKE, GONE } = ALERTNESS;
 
@@ -26,9 +30,12 @@ export class ContinuousSimulation implements Simulation {
   readonly work: Work;
   private readonly motion: Motion;
   private readonly start: Float64Array;
+  private readonly startHead: Float64Array;
+  private readonly startRest: Float64Array;
 
-  constructor(scene: Scene, recorder: PieceRecorder | null = null) {
-    const motion = new Motion(scene, recorder);
+  /** @param budget what it may cost; used up, whatever asked for more gets a WorkLimitReached */
+  constructor(scene: Scene, recorder: PieceRecorder | null = null, budget: WorkBudget = unlimited()) {
+    const motion = new Motion(scene, recorder, budget);
     this.scene = scene;
     this.work = motion.work;
     this.motion = motion;
@@ -36,6 +43,9 @@ export class ContinuousSimulation implements Simulation {
     this.start = motion.s.slice();
     begin(motion);
     this.start.set(motion.s);
+    motion.crowd.changed = false;
+    this.startHead = this.start.subarray(0, motion.chasers);
+    this.startRest = this.start.subarray(motion.chasers + CHASER * scene.aliens.count);
   }
 
   get tick(): number {
@@ -60,7 +70,20 @@ export class ContinuousSimulation implements Simulation {
 
   reset(): void {
     const { modeSeconds, work } = this.motion;
-    this.become(this.start);
+    const { motion, start } = this;
+    const { s, crowd } = motion;
+    if (s[AWAKE_COUNT] === 0 && !crowd.changed) {
+      // all sleep where the level has them
+      s.set(this.startHead);
+      s.set(this.startRest, s.length - this.startRest.length);
+      if (motion.recoils) motion.near.skin = -1;
+      motion.stirred.length = 0;
+      setFlow(motion);
+    } else {
+      s.set(start);
+      motion.stirred.length = 0;
+      this.resume();
+    }
     modeSeconds.fill(0);
     work.pieces = work.forceEvaluations = work.guards = work.roots = 0;
   }
@@ -73,16 +96,36 @@ export class ContinuousSimulation implements Simulation {
   }
 
   restore(snapshot: Float64Array): void {
-    expectSnapshot(snapshot, this.motion.s.length);
-    this.become(snapshot);
+    const { motion } = this;
+    expectSnapshot(snapshot, motion.s.length);
+    motion.s.set(snapshot);
+    if (motion.recoils) readRocks(motion);
+    this.resume();
+    motion.crowd.changed = true;
   }
 
-  private become(state: Float64Array): void {
+  /**
+   * Stands on a recorded piece, to be read and not to go on.
+   * @param others puts into chasers and rocks what they are then
+   */
+  resumePiece(packed: Float64Array, others: (chasers: Float64Array, rocks: Float64Array) => void): void {
     const { motion } = this;
-    motion.s.set(state);
+    unpackPiece(motion, packed);
+    others(motion.s.subarray(motion.chasers, motion.rocks), motion.s.subarray(motion.rocks, motion.minerals));
+    this.resume();
+  }
+
+  /** The state has become another: what follows from it does, too. */
+  private resume(): void {
+    const { motion } = this;
+    if (this.scene.aliens.count > 0) {
+      motion.crowd.read();
+      motion.crowd.changed = false;
+    }
     // what moves may be elsewhere than where the list of neighbours has it
     if (this.scene.aliens.count > 0 || motion.recoils) motion.near.skin = -1;
     setFlow(motion);
+    restoreChasers(motion);
   }
 
   /** Time since the piece began at which the simulation stands, s. */
@@ -181,7 +224,7 @@ export class ContinuousSimulation implements Simulation {
 
   /** Gives the piece that is still going on to the recorder: the run is over. */
   recordLast(): void {
-    const { recorder, s } = this.motion;
-    recorder?.piece(s[START], s.slice(), this.sincePieceBegan);
+    const { recorder } = this.motion;
+    recorder?.piece(this.motion, this.sincePieceBegan);
   }
 }

@@ -3,33 +3,26 @@ import { directionAt, settleAt } from './places.ts';
 import { pairAt } from './polynomial.ts';
 import { ALERTNESS, RECORDS, SLOTS } from './state.ts';
 
-const { START, FROM, HELD, TARGET, FIELD, BASE, BASE_X, BASE_Y, COS, SIN, LAST_EVENT } = SLOTS;
+const { START, FROM, HELD, TARGET, FIELD, BASE, BASE_X, BASE_Y, COS, SIN, LAST_EVENT, AWAKE_COUNT } = SLOTS;
 const { CHASER, ROCK } = RECORDS;
 const { ASLEEP, AWAKE } = ALERTNESS;
 
 /** Ends the piece after `t`: everything is put where it is then, and the next piece begins at `time`. */
 export function stop(m: Motion, t: number, time: number): void {
   const { s, e, ux, uy, px, py } = m;
-  m.recorder?.piece(s[START], s.slice(), t);
+  m.recorder?.piece(m, t);
   m.modeSeconds[m.mode] += t;
   directionAt(m, t);
   s[COS] = e[8];
   s[SIN] = e[9];
-  const aliens = m.scene.aliens.count;
-  const { degree } = m.integrator;
-  for (let i = 0; i < m.chaserX.length; i++) {
-    const o = m.chasers + CHASER * i;
-    if (s[o + 4] !== AWAKE) continue;
-    const qx = m.chaserX[i];
-    const qy = m.chaserY[i];
-    pairAt(qx, qy, degree, t, s, o);
-    // the series begins here too, for whoever looks before the next piece is made, if one is
-    qx[0] = s[o];
-    qy[0] = s[o + 1];
-    if (i < aliens) continue;
+  const awake = s[AWAKE_COUNT];
+  for (let k = 0; k < awake; k++) settleChaser(m, m.crowd.awake[k], t);
+  const drag = m.chasers + CHASER * m.scene.aliens.count;
+  if (m.recoils && s[drag + 4] === AWAKE) {
+    settleChaser(m, m.scene.aliens.count, t);
     const rock = m.rocks + ROCK * s[TARGET];
-    for (let k = 0; k < ROCK; k++) s[rock + k] = s[o + k];
-    s[o + 4] = ASLEEP;
+    for (let k = 0; k < ROCK; k++) s[rock + k] = s[drag + k];
+    s[drag + 4] = ASLEEP;
   }
   settleAt(m, t);
   ux[0] = e[0];
@@ -38,7 +31,7 @@ export function stop(m: Motion, t: number, time: number): void {
   uy[1] = e[3];
   if (m.recoil) {
     const dragged = s[HELD] === 1 && s[FIELD] >= 0 ? s[TARGET] : -1;
-    for (let i = 0; i < m.scene.targets.count; i++) {
+    for (const i of m.stirred) {
       const o = m.rocks + ROCK * i;
       if (i === s[BASE] || i === dragged) continue;
       s[o] += s[o + 2] * t;
@@ -61,4 +54,15 @@ export function stop(m: Motion, t: number, time: number): void {
   s[START] = time;
   s[FROM] = 0;
   if (t > 0) s[LAST_EVENT] = 0;
+}
+
+function settleChaser(m: Motion, i: number, t: number): void {
+  const { s } = m;
+  const qx = m.chaserX[i];
+  const qy = m.chaserY[i];
+  const o = m.chasers + CHASER * i;
+  pairAt(qx, qy, m.integrator.degree, t, s, o);
+  // the series begins here too, for whoever looks before the next piece is made, if one is
+  qx[0] = s[o];
+  qy[0] = s[o + 1];
 }

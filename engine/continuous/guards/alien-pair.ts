@@ -27,6 +27,7 @@ export function considerPair(m: Motion, i: number, j: number, from: number): voi
   let t = from;
   let small = smallestStride(h);
   for (let n = 0; ; n++) {
+    m.budget.look(1);
     alienPlaceAt(m, i, t, 0);
     alienPlaceAt(m, j, t, 4);
     const dx = e[0] - e[4];

@@ -19,6 +19,7 @@ export function centreTime(m: Motion, from: number): number {
   let before = from;
   work.guards++;
   for (let n = 0; ; n++) {
+    m.budget.look(1);
     pairAt(m.ux, m.uy, s[DEGREE], t, e, 0);
     const g = side * (e[0] * s[LINE_X] + e[1] * s[LINE_Y]);
     const slope = side * (e[2] * s[LINE_X] + e[3] * s[LINE_Y]);

@@ -53,7 +53,8 @@ function switchBetween(m: Motion, i: number, before: number, behind: number): nu
  * e[9]: its slope; e[10]: a bound on how fast the slope can fall; e[11]: what TIE px across the bisector make of it.
  */
 export function switchGuard(m: Motion, i: number, t: number): number {
-  const { s, e } = m;
+  const { s, e, budget } = m;
+  if (++budget.looks > budget.most) budget.end();
   const target = s[TARGET];
   const a = s[ACCELERATION];
   if (!m.recoil) {
