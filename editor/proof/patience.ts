@@ -4,7 +4,7 @@ import type { Level } from '../../schema/index.ts';
 export type Limit =
   /** The person wants nothing played. */
   | 'unchecked'
-  /** Nothing: a single tick of such a level may take seconds. */
+  /** Nothing: its very start takes too much work. */
   | 'everything'
   /** The shown run, from the end of its way on. */
   | 'run'
@@ -16,11 +16,8 @@ export const WHILE_DRAGGED = 60;
 /** And once it has come to rest. */
 export const AT_REST = 400;
 
-/** More aliens than this are not played by the page: all pairs of those awake are looked at in a tick, which can't be cut. */
-const MOST_ALIENS = 300;
-
-/** Whether a level may be played by the page itself. */
-export const isPlayable = ({ aliens }: Pick<Level, 'aliens'>): boolean => aliens.length <= MOST_ALIENS;
+/** Pieces of motion that the page plays for one answer: within a single tick, too, where nobody looks at the clock. */
+export const MOST_WORK = 50_000;
 
 /** The level without what makes it slow: for whoever shows a level that is not played. */
 export const bareOf = (level: Level): Level => ({

@@ -11,12 +11,14 @@ import {
   simulate,
   TICK,
   TICK_RATE,
+  WorkBudget,
+  WorkLimitReached,
 } from '../../engine/index.ts';
 import { type Hold, type Level, type LevelFile, OBJECT_LISTS, type Problem, resolveLevel } from '../../schema/index.ts';
 import { firstDifference, March, type Marched, MarchRoom, type Way } from './march.ts';
 import { type Margins, marginsOf } from './margins.ts';
 import { outcomeInWords, type RunEnd } from './outcome.ts';
-import { bareOf, isPlayable, type Limit, limitInWords } from './patience.ts';
+import { bareOf, type Limit, limitInWords, MOST_WORK } from './patience.ts';
 import { limitProblem, problemsOf } from './problems.ts';
 
 /** What is asked of a level while it is edited. */
@@ -96,6 +98,8 @@ function playsAlike(a: LevelFile, b: LevelFile): boolean {
 class SceneRecord {
   readonly scene: Scene;
   readonly march: March;
+  /** What is played for one answer. */
+  readonly budget: WorkBudget;
   private readonly ends = new Map<string, RunEnd>();
   private readonly fulls = new Map<string, Run>();
 
@@ -104,9 +108,12 @@ class SceneRecord {
     level: Level,
     readonly accuracy: AccuracyName,
     room: MarchRoom,
+    /** pieces of motion for one answer */
+    readonly work: number,
   ) {
     this.scene = compile(level, accuracy);
-    this.march = new March(this.scene, MAX_TICKS, room);
+    this.budget = new WorkBudget(work, Number.POSITIVE_INFINITY);
+    this.march = new March(this.scene, MAX_TICKS, room, this.budget);
   }
 
   /** How a script ends; nothing else is recorded. @param holds sorted and disjoint @returns null: it was given up */
@@ -114,14 +121,19 @@ class SceneRecord {
     const key = holds.join();
     const known = this.ends.get(key);
     if (known !== undefined) return known;
-    const simulation = createSimulation(this.scene);
-    while (simulation.ending === null && simulation.tick < MAX_TICKS) {
-      if (isLate()) return null;
-      playScript(simulation, holds, Math.min(MAX_TICKS, simulation.tick + STRIDE));
+    try {
+      const simulation = createSimulation(this.scene, this.budget);
+      while (simulation.ending === null && simulation.tick < MAX_TICKS) {
+        if (isLate()) return null;
+        playScript(simulation, holds, Math.min(MAX_TICKS, simulation.tick + STRIDE));
+      }
+      const end = toEnd(simulation.ending);
+      this.ends.set(key, end);
+      return end;
+    } catch (error) {
+      if (error instanceof WorkLimitReached) return null;
+      throw error;
     }
-    const end = toEnd(simulation.ending);
-    this.ends.set(key, end);
-    return end;
   }
 
   full(holds: readonly Hold[]): Run {
@@ -167,18 +179,27 @@ function findProof(
  * Answers what the editor shows, again and again while a level changes. While only runs change the scene is kept, and while only the end of the shown run
  * changes its beginning is.
  * @param now a clock in ms, to tell what an answer cost
+ * @param most pieces of motion that are played for one answer to who is not infinitely patient
  */
-export function createProver(now: () => number = () => performance.now()): Prover {
+export function createProver(now: () => number = () => performance.now(), most = MOST_WORK): Prover {
   const room = new MarchRoom();
   let record: SceneRecord | null = null;
   let answer: (LiveProof & { readonly patience: number }) | null = null;
 
   /** What is shown of a level that is not played: she stands at the start. */
   let still: SceneRecord | null = null;
-  const recordOf = (file: LevelFile, level: Level, accuracy: AccuracyName): SceneRecord => {
-    if (record === null || record.accuracy !== accuracy || !playsAlike(record.file, file)) {
-      still = null;
-      record = new SceneRecord(file, level, accuracy, room);
+  /** null: the level takes too much work to be begun */
+  const recordOf = (file: LevelFile, level: Level, accuracy: AccuracyName, work: number): SceneRecord | null => {
+    if (record !== null && record.accuracy === accuracy && record.work >= work && playsAlike(record.file, file)) {
+      record.budget.looks = 0;
+      return record;
+    }
+    still = null;
+    record = null;
+    try {
+      record = new SceneRecord(file, level, accuracy, room, work);
+    } catch (error) {
+      if (!(error instanceof WorkLimitReached)) throw error;
     }
     return record;
   };
@@ -186,7 +207,7 @@ export function createProver(now: () => number = () => performance.now()): Prove
     if (still === null || still.accuracy !== accuracy || !playsAlike(still.file, file)) {
       // they share the arrays of their ways
       record = null;
-      still = new SceneRecord(file, bareOf(level), accuracy, room);
+      still = new SceneRecord(file, bareOf(level), accuracy, room, Number.POSITIVE_INFINITY);
     }
     return still;
   };
@@ -219,11 +240,11 @@ export function createProver(now: () => number = () => performance.now()): Prove
       }
       const start = now();
       const level = resolveLevel(file);
-      const nothing: Limit | null =
-        patience === 0 ? 'unchecked' : patience < Number.POSITIVE_INFINITY && !isPlayable(level) ? 'everything' : null;
-      const isLate =
-        nothing !== null ? () => true : patience === Number.POSITIVE_INFINITY ? () => false : () => now() - start > patience;
-      const known = nothing === null ? recordOf(file, level, accuracy) : stillOf(file, level, accuracy);
+      const isPatient = patience === Number.POSITIVE_INFINITY;
+      const begun = patience === 0 ? null : recordOf(file, level, accuracy, isPatient ? patience : most);
+      const nothing: Limit | null = begun !== null ? null : patience === 0 ? 'unchecked' : 'everything';
+      const isLate = nothing !== null ? () => true : isPatient ? () => false : () => now() - start > patience;
+      const known = begun ?? stillOf(file, level, accuracy);
       const { isCut, ...run } = showRun(known, level, wanted, isLate);
       const { name: provenBy, isWhole: areAllKnown } = isCut
         ? { name: null, isWhole: level.runs.length === 0 }

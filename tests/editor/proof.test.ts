@@ -395,21 +395,40 @@ describe('a proof that takes too long', () => {
     });
   });
 
-  it('is not begun for what a single tick of may take seconds, nor where nothing is to be played', () => {
-    const aliens = Array.from({ length: 2000 }, (_, i) => ({
-      id: `al${i}`,
-      x: 40 * (i % 50),
-      y: 2000 + 40 * Math.floor(i / 50),
-      radius: 6,
-    }));
-    const crowd = createEditedLevel({ ...file, aliens }).file();
-    const prover = createProver();
-    const heavy = prover.prove({ file: crowd, run: null, accuracy: 'precise', patience: 60 });
-    expect(heavy).toMatchObject({ limit: 'everything', verdict: 'unproven', full: null });
-    expect(heavy.run.way.count).toBe(1);
-    expect(heavy.level.aliens).toHaveLength(2000);
+  it('is cut within a tick that takes too much work, and is not begun where nothing is to be played', () => {
+    const question = { file, run: null, accuracy: 'precise', patience: 1e6 } as const;
+    let cuts = 0;
+    for (const work of [3, 10, 20, 40]) {
+      const prover = createProver(() => 0, work);
+      const cut = prover.prove(question);
+      if (cut.limit === null) continue;
+      cuts++;
+      expect(cut).toMatchObject({ limit: 'run', verdict: 'unproven', full: null });
+      expect(cut.run.way.count).toBeGreaterThan(0);
+      const seen = STATE_SIZE * (cut.run.way.count - 1);
+      expect(wayOf(cut).states.slice(0, seen)).toEqual(wayOf(whole()).states.slice(0, seen));
+      expect([...cut.run.way.last].every(Number.isFinite)).toBe(true);
+      // whoever waits without end gets all of it
+      expect(wayOf(prover.prove({ ...question, patience: Number.POSITIVE_INFINITY }))).toEqual(wayOf(whole()));
+    }
+    expect(cuts).toBeGreaterThan(1);
+    const crowd = createEditedLevel({
+      ...file,
+      aliens: Array.from({ length: 2000 }, (_, i) => ({
+        id: `al${i}`,
+        x: 40 * (i % 50),
+        y: 2000 + 40 * Math.floor(i / 50),
+        radius: 6,
+      })),
+    }).file();
+    const prover = createProver(() => 0, 1);
+    expect(prover.prove({ ...question, file: crowd })).toMatchObject({
+      verdict: 'unproven',
+      full: null,
+      level: { aliens: { length: 2000 } },
+    });
     // and back: both keep their ways in the same arrays
-    expect(wayOf(prover.prove({ file, run: null, accuracy: 'precise', patience: 1e6 }))).toEqual(wayOf(whole()));
+    expect(wayOf(prover.prove({ ...question, patience: Number.POSITIVE_INFINITY }))).toEqual(wayOf(whole()));
     const other = createProver();
     const off = other.prove({ file, run: null, accuracy: 'precise', patience: 0 });
     expect(off).toMatchObject({ limit: 'unchecked', verdict: 'unproven', problems: [{ code: 'work-limit' }] });
