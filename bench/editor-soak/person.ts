@@ -13,7 +13,12 @@ export async function openPage(browser: KillableBrowser, address: string): Promi
   page.setDefaultTimeout(TOO_LONG);
   await page.addInitScript(`localStorage.setItem('gravity-quest-editor-settings', '{"tourSeen":true}')`);
   await page.goto(address);
-  await page.getByRole('application', { name: 'Level canvas' }).waitFor();
+  const canvas = page.getByRole('application', { name: 'Level canvas' });
+  // the page before was killed while it opened the level
+  const anyway = page.getByRole('button', { name: 'Open it all the same' });
+  await canvas.or(anyway).first().waitFor();
+  if (await anyway.isVisible()) await anyway.click();
+  await canvas.waitFor();
   return page;
 }
 

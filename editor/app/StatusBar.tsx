@@ -4,7 +4,7 @@ import { objectsOf } from '../document/index.ts';
 import { OtherAccuracy } from '../panels/accuracy/index.ts';
 import { useCalmProof } from '../panels/parts/index.ts';
 import { useProblemCount } from '../panels/problems/index.ts';
-import { type LiveProof, outcomeInWords } from '../proof/index.ts';
+import { endInWords, type LiveProof } from '../proof/index.ts';
 
 const plural = (count: number, what: string) => `${count} ${what}${count === 1 ? '' : 's'}`;
 
@@ -23,7 +23,7 @@ export function StatusBar() {
   const grid = useStore(settings, (state) => (state.snapToGrid ? `grid ${state.grid}` : 'no grid'));
   const accuracy = useProof((proof) => proof.accuracy);
   const problems = useProblemCount();
-  const ends = useProof((proof) => outcomeInWords(proof.run, proof.level.range));
+  const ends = useProof(endInWords);
   return (
     <footer className="statusbar numbers">
       <span>{plural(objects, 'object')}</span>

@@ -2,7 +2,7 @@ import { CircleCheck, CircleHelp, CircleX } from 'lucide-react';
 import { useStore } from 'zustand';
 import { useLevel, useProof } from '../context/index.ts';
 import { useVerdict } from '../panels/solver/index.ts';
-import { outcomeInWords } from '../proof/index.ts';
+import { endInWords } from '../proof/index.ts';
 import { Hint } from '../ui/index.ts';
 
 const LOOKS = {
@@ -39,19 +39,21 @@ function Slack() {
 
 /** The verdict that `gq check` would give on what is on the screen, at once. */
 export function VerdictBadge() {
-  const { verdict, reason } = useVerdict(useLevel());
+  const { verdict, reason, limit } = useVerdict(useLevel());
   const provenBy = useProof((proof) => proof.provenBy);
   const taken = useProof((proof) => proof.run.minerals.length);
   const minerals = useProof((proof) => proof.level.minerals.length);
   const shown = useProof((proof) => proof.run.name);
-  const ends = useProof((proof) => outcomeInWords(proof.run, proof.level.range));
+  const ends = useProof(endInWords);
   const { Icon, text } = LOOKS[verdict];
   const why =
-    reason !== null
-      ? `nobody can complete it: ${reason}`
-      : provenBy === null
-        ? 'no run of the level reaches the black hole'
-        : `the run "${provenBy}" reaches the black hole`;
+    limit !== null
+      ? limit
+      : reason !== null
+        ? `nobody can complete it: ${reason}`
+        : provenBy === null
+          ? 'no run of the level reaches the black hole'
+          : `the run "${provenBy}" reaches the black hole`;
   return (
     <>
       <Hint text={`${why}. Shown: ${shown === null ? 'she drifts' : `"${shown}"`}, ${ends}`}>

@@ -13,6 +13,8 @@ import {
   pageTimers,
 } from '../files/index.ts';
 import { createNotices } from '../notices/index.ts';
+import { openHeldBack } from '../panels/levels/index.ts';
+import { afterRest } from '../panels/parts/index.ts';
 import { attemptGhosts, createAttempts } from '../play/index.ts';
 import { createProofStore } from '../proof/index.ts';
 import { createSession } from '../session/index.ts';
@@ -33,7 +35,10 @@ function openParts(editor: Editor, opened: OpenedLevel): { level: OpenLevel; clo
   const { session, settings } = editor;
   const document = opened.level;
   const selection = createSelection(document);
-  const proof = createProofStore(document, settings.getState().accuracy);
+  const proof = createProofStore(document, settings.getState().accuracy, {
+    checked: !editor.unchecked.has(opened.id()),
+    afterRest,
+  });
   const attempts = createAttempts();
   const ghosts = createStore<ReturnType<typeof attemptGhosts>>(() => []);
   const stops = [
@@ -203,6 +208,13 @@ export async function createEditor(): Promise<Editor> {
       editor.marks.clear(place);
       parts.close();
     };
+    if (editor.unchecked.has(opened.id())) {
+      const on = () => void openHeldBack(editor, opened.id(), true);
+      notices.show('warning', 'Checks are off: this level is not played, and nothing is known of it.', {
+        topic: 'unchecked',
+        actions: [{ title: 'Turn them on', run: on }],
+      });
+    } else notices.settle('unchecked');
     last = { opened, close };
     editor.open.setState(parts.level, true);
   });

@@ -1,6 +1,7 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { AccuracyName } from '../../engine/index.ts';
 import type { EditedLevel } from '../document/index.ts';
+import { AT_REST, WHILE_DRAGGED } from './patience.ts';
 import { createProver, type LiveProof } from './prover.ts';
 
 /** The proof of the open level, up to date after every change. */
@@ -14,13 +15,43 @@ export interface ProofStore {
   close(): void;
 }
 
-/** Follows a level: its proof is made anew within every change, so that one frame shows both. */
-export function createProofStore(level: EditedLevel, accuracy: AccuracyName, run: string | null = null): ProofStore {
+export interface ProofOptions {
+  /** Name of the run that is shown at first. */
+  readonly run?: string | null;
+  /** Whether the level is played at all. */
+  readonly checked?: boolean;
+  /** Calls back once the page has rested for so many ms: then an answer may take longer. @returns takes it back */
+  readonly afterRest?: (ms: number, call: () => void) => () => void;
+}
+
+/** ms without a change before what took too long is tried with more patience */
+const REST = 120;
+
+/** Follows a level: its proof is made anew within every change, so that one frame shows both. What would keep the page from its next frame is left out. */
+export function createProofStore(
+  level: EditedLevel,
+  accuracy: AccuracyName,
+  { run = null, checked = true, afterRest }: ProofOptions = {},
+): ProofStore {
   const prover = createProver();
   let asked = { run, accuracy };
-  const prove = () => prover.prove({ file: level.file(), ...asked });
-  const store = createStore<LiveProof>(prove);
-  const update = () => store.setState(prove(), true);
+  let forget = () => {};
+  // who never asks again has to wait for all of it
+  const most = (patience: number) => (afterRest === undefined ? Number.POSITIVE_INFINITY : patience);
+  const prove = (patience: number) => prover.prove({ file: level.file(), ...asked, patience: checked ? most(patience) : 0 });
+  const store = createStore<LiveProof>(() => prove(WHILE_DRAGGED));
+  const rest = () => {
+    forget();
+    const { limit } = store.getState();
+    if (afterRest === undefined || (limit !== 'run' && limit !== 'others')) return;
+    forget = afterRest(REST, () => store.setState(prove(AT_REST), true));
+  };
+  const update = () => {
+    store.setState(prove(WHILE_DRAGGED), true);
+    rest();
+  };
+  rest();
+  const stop = level.subscribe(update);
   return {
     store,
     proof: () => store.getState(),
@@ -32,6 +63,9 @@ export function createProofStore(level: EditedLevel, accuracy: AccuracyName, run
       asked = { ...asked, accuracy: name };
       update();
     },
-    close: level.subscribe(update),
+    close() {
+      stop();
+      forget();
+    },
   };
 }

@@ -1,4 +1,13 @@
-import { createSimulation, type Ending, type Scene, type Simulation, STATE_SIZE } from '../../engine/index.ts';
+import {
+  createSimulation,
+  type Ending,
+  type Scene,
+  type Simulation,
+  STATE_SIZE,
+  unlimited,
+  type WorkBudget,
+  WorkLimitReached,
+} from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import { Tracks } from './tracks.ts';
 
@@ -23,6 +32,8 @@ export interface Way {
 /** How a run of a march ended. */
 export interface Marched {
   readonly way: Way;
+  /** Whether it was given up before the end. */
+  readonly isCut: boolean;
   /** null: nothing ended it within the time */
   readonly ending: Ending | null;
   /** Indices of the minerals collected, in the order in which they were; two of one tick in the level's order. */
@@ -94,32 +105,51 @@ export class March {
   private count = 0;
   private ticks = 0;
 
-  /** @param room no other march may use it from now on */
+  /**
+   * @param room no other march may use it from now on
+   * @param budget what may be played; a run that uses it up is cut
+   * @throws WorkLimitReached where it is too small for the start
+   */
   constructor(
     readonly scene: Scene,
     readonly maxTicks: number,
     private readonly room = new MarchRoom(),
+    budget: WorkBudget = unlimited(),
   ) {
-    this.simulation = createSimulation(scene);
+    this.simulation = createSimulation(scene, budget);
     this.ahead = scene.accuracy.integrator === 'arcade' ? 1 : 0;
     this.collected = new Uint8Array(scene.minerals.count);
     room.prepare(scene.aliens.count, scene.level.recoil ? scene.targets.count : 0);
   }
 
-  /** @param holds sorted and disjoint, as `joinHolds` gives them */
-  run(holds: readonly Hold[]): Marched {
+  /**
+   * @param holds sorted and disjoint, as `joinHolds` gives them
+   * @param isLate asked before each tick: whether to give up. Asked again for the same script, it goes on about where it gave up.
+   */
+  run(holds: readonly Hold[], isLate: () => boolean = () => false): Marched {
     const resumedFrom = this.goBack(holds);
     this.played = holds;
     const { simulation, maxTicks } = this;
     let next = 0;
+    let isCut = false;
     while (simulation.ending === null && simulation.tick < maxTicks) {
       const { tick } = simulation;
+      if (isLate()) {
+        isCut = true;
+        break;
+      }
       if (tick % SNAPSHOT_TICKS === 0) this.keep(tick / SNAPSHOT_TICKS);
       while (next < holds.length && holds[next][1] <= tick) next++;
       const isHeld = next < holds.length && holds[next][0] <= tick;
       if (this.ahead === 0) this.write();
       this.hold(tick, isHeld);
-      simulation.advance(1, isHeld);
+      if (!this.advance(isHeld)) {
+        // what it left in the middle of a tick is not looked at
+        this.ticks = tick;
+        this.count = Math.max(1, this.count);
+        this.last.set(this.room.states.subarray(STATE_SIZE * (this.count - 1), STATE_SIZE * this.count));
+        return { way: this.way(), isCut: true, ending: null, minerals: [...this.minerals], resumedFrom };
+      }
       this.collect(tick);
       if (this.ahead === 1) this.write();
     }
@@ -129,7 +159,18 @@ export class March {
     }
     this.ticks = simulation.tick;
     simulation.readState(this.last);
-    return { way: this.way(), ending: simulation.ending, minerals: [...this.minerals], resumedFrom };
+    return { way: this.way(), isCut, ending: simulation.ending, minerals: [...this.minerals], resumedFrom };
+  }
+
+  /** @returns false: the budget is used up */
+  private advance(isHeld: boolean): boolean {
+    try {
+      this.simulation.advance(1, isHeld);
+      return true;
+    } catch (error) {
+      if (error instanceof WorkLimitReached) return false;
+      throw error;
+    }
   }
 
   private way(): Way {

@@ -13,6 +13,7 @@ import {
 } from '../../engine/index.ts';
 import type { Hold, Level, Problem } from '../../schema/index.ts';
 import { outcomeInWords, type RunEnd } from './outcome.ts';
+import { type Limit, limitInWords } from './patience.ts';
 
 type Placeless = Omit<Problem, 'line' | 'column'>;
 
@@ -25,6 +26,17 @@ const NO_RUN: Placeless = {
   hint: 'play it and make the attempt the proof, or let the solver look for a run',
   pointer: '',
 };
+
+/** What is said in place of problems that are not known. */
+export const limitProblem = (limit: Limit): Problem => ({
+  code: 'work-limit',
+  severity: 'warning',
+  message: limitInWords(limit),
+  hint: limit === 'unchecked' ? 'turn the checks on to have it played' : 'take out objects, aliens above all, or runs',
+  pointer: '',
+  line: null,
+  column: null,
+});
 
 function failedRun(level: Level, index: number, run: RunEnd, noneCompletes: boolean): Placeless {
   return {

@@ -5,6 +5,8 @@ import { OUTDONE_WARNINGS, type Proof } from '../../solver/index.ts';
 export interface Proved {
   readonly impossible: Proof | null;
   readonly minerals: readonly { readonly index: number; readonly proof: Proof }[];
+  /** Why what is left was not looked for to the end; null: it was, or is going on. */
+  readonly gaveUp?: string | null;
 }
 
 const hintOf = ({ code }: Proof): string =>
@@ -14,7 +16,7 @@ const hintOf = ({ code }: Proof): string =>
  * Proofs as problems, with the codes of `gq check`.
  * @param known the problems without proofs; what is proved is no longer guessed
  */
-export function withProofs(known: readonly Problem[], { impossible, minerals }: Proved): Problem[] {
+export function withProofs(known: readonly Problem[], { impossible, minerals, gaveUp = null }: Proved): Problem[] {
   const proved: Problem[] = [];
   const add = (code: string, severity: Problem['severity'], message: string, proof: Proof, pointer: string) =>
     proved.push({ code, severity, message, hint: hintOf(proof), pointer, line: null, column: null });
@@ -35,5 +37,16 @@ export function withProofs(known: readonly Problem[], { impossible, minerals }: 
   const outdone = impossible === null ? [] : ['no-run', OUTDONE_WARNINGS[impossible.code]];
   const isGuess = ({ code, pointer }: Problem) =>
     outdone.includes(code) || (code === 'mineral-out-of-reach' && places.has(pointer));
+  if (gaveUp !== null && impossible === null) {
+    proved.push({
+      code: 'work-limit',
+      severity: 'warning',
+      message: `${gaveUp}: whether something here is out of reach was not proved`,
+      hint: 'gq check may look for longer; fewer objects make it quicker',
+      pointer: '',
+      line: null,
+      column: null,
+    });
+  }
   return [...proved, ...known.filter((problem) => !isGuess(problem))];
 }

@@ -23,7 +23,9 @@ export interface PictureOptions {
 
 /** A picture of the level with the run that is shown. */
 export function pictureSvg({ level, run, full }: LiveProof, { theme, width, withRun }: PictureOptions): string {
-  return withRun ? renderSvg(level, { run: full, holds: run.holds, width, theme }) : renderSvg(level, { width, theme });
+  return withRun && full !== null
+    ? renderSvg(level, { run: full, holds: run.holds, width, theme })
+    : renderSvg(level, { width, theme });
 }
 
 /**

@@ -18,7 +18,7 @@ const WHEEL_ZOOM = 1.0015;
 const endOf = ({ run }: LiveProof): number => Math.max(1, run.way.count - 1);
 
 /** What takes longest to find out, and may be a frame or two behind the pointer. */
-const detailsOf = (proof: LiveProof) => ({ end: endOf(proof), events: proof.full.events, margins: proof.margins });
+const detailsOf = (proof: LiveProof) => ({ end: endOf(proof), events: proof.full?.events ?? [], margins: proof.margins });
 
 /** Where the shown moment is, and the one under the pointer. */
 function Cursors({ scale, end }: { readonly scale: Scale; readonly end: number }) {

@@ -2,7 +2,7 @@ import { ChevronFirst, ChevronLast, Pause, Play, StepBack, StepForward } from 'l
 import { memo } from 'react';
 import { useStore } from 'zustand';
 import { useDocument, useEditor, useLevel, useProof, useSession } from '../context/index.ts';
-import { outcomeInWords } from '../proof/index.ts';
+import { endInWords } from '../proof/index.ts';
 import { RATES } from '../session/index.ts';
 import { Button } from '../ui/index.ts';
 
@@ -24,7 +24,7 @@ export const Transport = memo(function Transport({ end }: { readonly end: number
   const { proof } = useLevel();
   const runs = useDocument(({ file }) => file.runs);
   const shown = useProof((now) => now.run.name);
-  const ends = useProof((now) => outcomeInWords(now.run, now.level.range));
+  const ends = useProof((now) => endInWords(now));
   const good = useProof((now) => now.run.outcome === 'completed');
   const rolling = useSession((state) => state.rolling);
   const rate = useSession((state) => state.rate);

@@ -1,5 +1,5 @@
 import type { AccuracyName, Outcome } from '../../engine/index.ts';
-import type { Hold, Level, LevelFile } from '../../schema/index.ts';
+import type { Hold, Level, LevelFile, Problem } from '../../schema/index.ts';
 import type {
   Closest,
   Difficulty,
@@ -42,6 +42,8 @@ export interface Requests {
   difficulty: Played & { readonly holds: readonly Hold[] | null; readonly goal: Goal; readonly budget: number };
   /** Whether the black hole or a mineral can be proved to be out of reach. */
   proofs: Played;
+  /** The verdict and the problems of a level, with all of its runs played. */
+  check: { readonly file: LevelFile; readonly accuracy: AccuracyName };
   /** What accuracy costs for this level and run. */
   accuracy: { readonly level: Level; readonly holds: readonly Hold[] };
   /** A small picture of a level file, and its verdict. */
@@ -96,6 +98,11 @@ export interface Results {
   difficulty: Difficulty | null;
   /** Confirmed by the separate checker; null and empty: nothing was proved. */
   proofs: { readonly impossible: Proof | null; readonly minerals: readonly { readonly index: number; readonly proof: Proof }[] };
+  check: {
+    readonly verdict: 'completable' | 'broken' | 'unproven';
+    readonly provenBy: string | null;
+    readonly problems: readonly Problem[];
+  };
   accuracy: { readonly settings: readonly Setting[] };
   thumbnail: {
     readonly svg: string;
@@ -113,6 +120,7 @@ export interface Progresses {
   fan: { readonly slack: readonly EdgeSlack[] };
   difficulty: Solving;
   proofs: Results['proofs'];
+  check: never;
   accuracy: never;
   thumbnail: never;
   generate: { readonly attempts: number };

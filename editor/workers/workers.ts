@@ -13,6 +13,8 @@ export interface WorkerPort {
 export type JobEnd<K extends JobKind> =
   | { readonly kind: 'done'; readonly result: Results[K] }
   | { readonly kind: 'cancelled' }
+  /** It took more work than anybody is to wait for. */
+  | { readonly kind: 'gaveUp'; readonly message: string }
   | { readonly kind: 'failed'; readonly message: string };
 
 export interface Job<K extends JobKind> {
@@ -39,7 +41,21 @@ export interface WorkersOptions {
 const LONG: ReadonlySet<JobKind> = new Set(['solve', 'difficulty', 'generate', 'accuracy']);
 
 /** What follows every change must not wait for what takes longer, nor for a worker that is begun anew because that could not be cancelled. */
-const QUICK: ReadonlySet<JobKind> = new Set(['fan']);
+const QUICK: ReadonlySet<JobKind> = new Set(['fan', 'check']);
+
+/** What nobody has set a time for is given up after so long, ms: a level can be made so that it takes hours. */
+const MOST: Readonly<Record<JobKind, number | null>> = {
+  check: 20_000,
+  proofs: 20_000,
+  thumbnail: 10_000,
+  fan: 20_000,
+  robustness: 120_000,
+  accuracy: 60_000,
+  // these have a time of their own or go on until they are stopped
+  solve: null,
+  difficulty: null,
+  generate: null,
+};
 
 /** A worker that has not answered a cancel by then is in the middle of a long step: it is ended, ms. */
 const PATIENCE = 30;
@@ -57,12 +73,15 @@ class Lane {
   private port: WorkerPort | null = null;
   private jobs: Running[] = [];
   private waiting = new Map<number, () => void>();
+  /** The job that is being done, and what takes back that it is given up. */
+  private timed: { readonly id: number; readonly stop: () => void } | null = null;
 
   constructor(private readonly options: WorkersOptions) {}
 
   give(job: Running): void {
     this.jobs.push(job);
     this.send(job);
+    this.time();
   }
 
   cancel(id: number): void {
@@ -70,6 +89,7 @@ class Lane {
     if (job === undefined) return;
     this.jobs = this.jobs.filter((other) => other !== job);
     job.settle({ kind: 'cancelled' });
+    this.time();
     this.port?.postMessage({ type: 'cancel', job: id });
     this.waiting.set(
       id,
@@ -80,7 +100,25 @@ class Lane {
   close(): void {
     for (const job of this.jobs) job.settle({ kind: 'cancelled' });
     this.jobs = [];
+    this.time();
     this.end();
+  }
+
+  /** The first of the jobs is being done: it has so long from now on. */
+  private time(): void {
+    const first = this.jobs[0];
+    if (first?.id === this.timed?.id) return;
+    this.timed?.stop();
+    this.timed = null;
+    const most = first === undefined ? null : MOST[first.kind];
+    if (first === undefined || most === null) return;
+    const stop = this.options.after(most, () => {
+      this.jobs = this.jobs.filter((other) => other !== first);
+      first.settle({ kind: 'gaveUp', message: `work limit: it was given up after ${most / 1000} s` });
+      this.renew();
+      this.time();
+    });
+    this.timed = { id: first.id, stop };
   }
 
   private send({ id, kind, request }: Running): void {
@@ -97,6 +135,7 @@ class Lane {
       if (port !== this.port) return;
       const failed = this.jobs;
       this.jobs = [];
+      this.time();
       this.end();
       for (const job of failed) job.settle({ kind: 'failed', message });
     });
@@ -113,6 +152,7 @@ class Lane {
       return;
     }
     this.jobs = this.jobs.filter((other) => other !== job);
+    this.time();
     if (message.type === 'done') job.settle({ kind: 'done', result: message.result as never });
     else if (message.type === 'failed') job.settle({ kind: 'failed', message: message.message });
     else job.settle({ kind: 'cancelled' });

@@ -1,4 +1,4 @@
-import { chmodSync, existsSync, rmSync } from 'node:fs';
+import { chmodSync, existsSync, readFileSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
@@ -67,6 +67,98 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
         await saving(again.page, /^saved$/);
         await again.page.getByRole('button', { name: /^Undo: Recovered/ }).click();
         await until(() => expect(placeOf(file('01'), 'a1')).toMatchObject(A));
+      },
+      { complaints: OUTAGE },
+    ),
+  );
+
+  it(
+    'the token is in no address: not after the page has read it, not after a reload; without it the page says what to open',
+    on(
+      { '01': garden() },
+      async ({ page, saved, context, server }) => {
+        await saved();
+        const bare = new URL('/', server().address).href;
+        expect(page.url()).toBe(bare);
+        await page.reload();
+        await saved();
+        expect(page.url()).toBe(bare);
+        // a bookmark, a new tab
+        const other = await context.newPage();
+        await other.goto(bare);
+        await other
+          .getByRole('main')
+          .getByText(/lacks the key.*Open the address that gq edit printed last, or start gq edit again/)
+          .waitFor();
+        expect(await other.getByRole('treeitem').count()).toBe(0);
+        await other.goto(server().address);
+        await other.reload();
+        await saving(other, /^read only$/);
+      },
+      { complaints: OUTAGE },
+    ),
+  );
+
+  it(
+    'what is not saved is said to be kept only once it is, where that is, and can be downloaded from there',
+    on(
+      { '01': garden(), '02': straight() },
+      async ({ page, canvas, file, open, saved, killServer, startServer, server }) => {
+        await canvas.fit(file('01'));
+        await saved();
+        const { port } = server();
+        await killServer();
+        await canvas.click(A);
+        await page.keyboard.press('ArrowDown');
+        await saving(page, /server is gone, kept in this browser/);
+        await page
+          .getByRole('list', { name: 'Messages' })
+          .getByText(new RegExp(`kept in this browser for 127.0.0.1:${port}.*--port ${port}`))
+          .waitFor();
+        await page.close();
+        await startServer(port);
+        const again = await open();
+        await saving(again.page, /^saved$/);
+        expect(placeOf(file('01'), 'a1')).toMatchObject({ x: 400, y: 201 });
+      },
+      { complaints: OUTAGE },
+    ),
+  );
+
+  it(
+    'changes of a level that is not opened again are listed, with where they are, and can be had as a file',
+    on(
+      { '01': garden(), '02': straight() },
+      async ({ page, canvas, file, open, saved, killServer, startServer, server, context }) => {
+        await context.addInitScript(() => {
+          delete (window as unknown as Record<string, unknown>).showSaveFilePicker;
+        });
+        await page.reload();
+        await canvas.fit(file('01'));
+        await saved();
+        const { port } = server();
+        await killServer();
+        await canvas.click(A);
+        await page.keyboard.press('ArrowDown');
+        await saving(page, /server is gone, kept in this browser/);
+        await page.close();
+        await startServer(port);
+        await context.addInitScript("sessionStorage.setItem('gravity-quest-last-level', '02')");
+        const again = await open();
+        await saving(again.page, /^saved$/);
+        await again.page
+          .getByText(`Changes of 01 were never saved. They are kept in this browser for 127.0.0.1:${port}.`)
+          .waitFor();
+        await again.page.getByRole('button', { name: 'Look at them' }).click();
+        const dialog = again.page.getByRole('dialog', { name: 'Unsaved changes' });
+        const [download] = await Promise.all([
+          again.page.waitForEvent('download'),
+          dialog.getByRole('button', { name: 'Download' }).click(),
+        ]);
+        expect(placeOf(JSON.parse(readFileSync(await download.path(), 'utf8')), 'a1')).toMatchObject({ x: 400, y: 201 });
+        expect(placeOf(file('01'), 'a1')).toMatchObject(A);
+        await dialog.getByRole('button', { name: 'Open' }).click();
+        await until(() => expect(placeOf(file('01'), 'a1')).toMatchObject({ x: 400, y: 201 }));
       },
       { complaints: OUTAGE },
     ),

@@ -3,11 +3,13 @@ import { createServer, type Server } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { extname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { deflateRawSync } from 'node:zlib';
 import { type Browser, type BrowserContext, chromium, type Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { readLevel } from '../../schema/index.ts';
 import { declareMissing } from '../missing.ts';
 import { verdict } from './commands.ts';
+import { straight } from './levels.ts';
 import { CHROMIUM, CHROMIUM_ARGS } from './stage.ts';
 import { PATIENCE, until } from './until.ts';
 
@@ -20,6 +22,9 @@ const TYPES: Readonly<Record<string, string>> = {
   '.css': 'text/css',
   '.svg': 'image/svg+xml',
 };
+
+/** A level as a link carries it. */
+const packed = (level: unknown): string => deflateRawSync(JSON.stringify(level)).toString('base64url');
 
 /** A host of files. @returns with the address of the page */
 function host(): Promise<{ server: Server; address: string; asked: string[] }> {
@@ -116,6 +121,14 @@ else {
       // another person, who has nothing yet
       const other = await person(complaints);
       const theirs = await other.open(link);
+      const asked = theirs.getByRole('dialog', { name: 'Add the level from the link?' });
+      await asked.getByText('Mine', { exact: true }).waitFor();
+      // nothing is kept of it before the person says so
+      expect(new URL(theirs.url()).hash).toBe('');
+      await theirs.reload();
+      await theirs.getByText('No levels here yet.').waitFor();
+      await theirs.goto(link);
+      await asked.getByRole('button', { name: 'Add the level' }).click();
       await isOpen(theirs, 'Mine');
       await saved(theirs);
       await until(async () => expect(await theirs.getByRole('textbox', { name: 'range' }).inputValue()).toBe('260'));
@@ -127,6 +140,118 @@ else {
       await Promise.all([one.context.close(), other.context.close()]);
       // nothing was asked of the host but its files
       expect(hosted.asked.filter((url) => !/^\/game\/($|assets\/[\w.-]+$|icon\.svg$)/.test(url))).toEqual([]);
+      expect(complaints).toEqual([]);
+    });
+
+    it('shows what a link brings and adds nothing unasked; a link to thousands of aliens leaves the page usable, then and later', async () => {
+      const complaints: string[] = [];
+      const one = await person(complaints);
+      const aliens = Array.from({ length: 8000 }, (_, i) => ({ x: 9 * (i % 100), y: 400 + 9 * Math.floor(i / 100), radius: 4 }));
+      const page = await one.open(`${hosted.address}#level=${packed({ ...straight({ name: 'Swarm' }), aliens })}`);
+      const asked = page.getByRole('dialog', { name: 'Add the level from the link?' });
+      await asked.getByText('8,000 aliens', { exact: false }).waitFor();
+      await asked.getByRole('list', { name: 'Warnings' }).getByText('very many objects').waitFor();
+      await asked.getByRole('button', { name: 'Do not add' }).click();
+      expect(await page.getByRole('treeitem').count()).toBe(0);
+      // another link in the same tab, as a page that opened it can send
+      await page.evaluate(
+        (hash) => {
+          location.hash = hash;
+        },
+        `#level=${packed({ ...straight({ name: 'Swarm' }), aliens })}`,
+      );
+      await asked.getByRole('button', { name: 'Add the level' }).click();
+      await isOpen(page, 'Swarm');
+      const look = async () => {
+        await page
+          .getByText(/work limit/)
+          .first()
+          .waitFor();
+        // it is edited as any other
+        await page.getByRole('textbox', { name: 'range' }).fill('333');
+        await page.keyboard.press('Enter');
+        await saved(page);
+      };
+      await look();
+      await page.reload();
+      await isOpen(page, 'Swarm');
+      await look();
+      await one.context.close();
+      expect(complaints).toEqual([]);
+    });
+
+    it('does not open by itself what the last page did not survive, and can open it without playing it', async () => {
+      const complaints: string[] = [];
+      const one = await person(complaints);
+      const page = await one.open(`${hosted.address}#level=${packed(straight({ name: 'Fatal' }))}`);
+      await page.getByRole('button', { name: 'Add the level' }).click();
+      await isOpen(page, 'Fatal');
+      await verdict(page, 'completable');
+      await until(async () => expect(await page.evaluate("localStorage['gravity-quest-editor-opening']")).toBe('[]'));
+      // as a page leaves it that hangs for good while it opens the level
+      await page.evaluate(`localStorage['gravity-quest-editor-opening'] = '["this-browser/fatal"]'`);
+      await page.reload();
+      const asked = page.getByRole('dialog', { name: 'This level was not opened' });
+      await asked.getByRole('button', { name: 'Open without checks' }).click();
+      await isOpen(page, 'Fatal');
+      await page.getByText(/Checks are off/).waitFor();
+      await verdict(page, 'unproven');
+      await page.getByRole('button', { name: 'Turn them on' }).click();
+      await verdict(page, 'completable');
+      await until(async () => expect(await page.evaluate("localStorage['gravity-quest-editor-opening']")).toBe('[]'));
+      await page.evaluate(`localStorage['gravity-quest-editor-opening'] = '["this-browser/fatal"]'`);
+      await page.reload();
+      await asked.getByRole('button', { name: 'Delete it' }).click();
+      await page.getByText('No levels here yet.').waitFor();
+      await one.context.close();
+      expect(complaints).toEqual([]);
+    });
+
+    it('works where the database never answers, says that nothing is kept, and takes it up when it answers after all', async () => {
+      const complaints: string[] = [];
+      const one = await person(complaints);
+      const first = await one.open(`${hosted.address}#level=${packed(straight({ name: 'Before' }))}`);
+      await first.getByRole('button', { name: 'Add the level' }).click();
+      await saved(first);
+      await first.close();
+      await one.context.addInitScript(() => {
+        const { open } = IDBFactory.prototype;
+        const held: (() => void)[] = [];
+        Object.assign(window, {
+          answer() {
+            for (const go of held.splice(0)) go();
+          },
+        });
+        IDBFactory.prototype.open = function (this: IDBFactory, name: string, version?: number) {
+          if (sessionStorage.getItem('answers') !== null) return open.call(this, name, version);
+          // a request that nobody answers until it is let go
+          const request = {} as Record<string, unknown>;
+          held.push(() => {
+            const real = open.call(this, name, version);
+            for (const event of ['onsuccess', 'onerror', 'onupgradeneeded'] as const) {
+              real[event] = (...given: unknown[]) => {
+                Object.defineProperty(request, 'result', { get: () => real.result, configurable: true });
+                (request[event] as ((...given: unknown[]) => void) | undefined)?.(...given);
+              };
+            }
+          });
+          return request as unknown as IDBOpenDBRequest;
+        };
+      });
+      const page = await one.open(hosted.address);
+      await page.getByText('No levels here yet.').waitFor();
+      await page.getByText(/changes that are not saved are lost/).waitFor();
+      await page.getByRole('main').getByRole('button', { name: 'New level' }).click();
+      await page.getByRole('dialog', { name: 'New level' }).getByRole('button', { name: 'Create' }).click();
+      await page
+        .getByRole('status', { name: 'Saving' })
+        .filter({ hasText: /^in this tab alone$/ })
+        .waitFor();
+      await page.evaluate("sessionStorage.setItem('answers', 'yes'); answer()");
+      await page.getByRole('button', { name: 'Add them and load the page again' }).click();
+      await until(async () => expect(await page.getByRole('tree', { name: 'Levels' }).getByRole('treeitem').count()).toBe(2));
+      await saved(page);
+      await one.context.close();
       expect(complaints).toEqual([]);
     });
   });

@@ -182,7 +182,7 @@ describe('the live proof', () => {
       const told = (list: readonly { code: string; severity: string; pointer: string }[]) =>
         list.filter(({ code }) => !PROVED.has(code)).map(({ code, severity, pointer }) => [code, severity, pointer]);
       expect(told(problems)).toEqual(told(checked.problems));
-      if (checked.run !== null && verdict === 'completable') expect(full.time).toBe(checked.run.time);
+      if (checked.run !== null && verdict === 'completable') expect(full?.time).toBe(checked.run.time);
     }
     expect(compared).toBeGreaterThan(20);
   });
@@ -337,5 +337,102 @@ describe('margins', () => {
     ]);
     expect(Math.abs(margins.nearMisses[0].tick - 180)).toBeLessThan(8);
     expect(margins.speed[100]).toBeCloseTo(100);
+  });
+});
+
+describe('a proof that takes too long', () => {
+  /** A clock that goes on by a step with every look. */
+  const ticking = (step: number) => {
+    let time = 0;
+    return () => (time += step);
+  };
+  const file = createEditedLevel(JSON.parse(readFileSync(join(root, 'levels', '02-first-swing.level.json'), 'utf8'))).file();
+  const whole = () => createProver().prove({ file, run: null, accuracy: 'precise' });
+  const wayOf = ({ run: { way, outcome, tick } }: LiveProof) => ({
+    outcome,
+    tick,
+    states: [...way.states.subarray(0, STATE_SIZE * way.count)],
+    held: [...way.held.subarray(0, way.count)],
+  });
+
+  it('is cut where the patience ends, says so, and is not called broken', () => {
+    const cut = createProver(ticking(1)).prove({ file, run: null, accuracy: 'precise', patience: 50 });
+    expect(cut).toMatchObject({ limit: 'run', verdict: 'unproven', provenBy: null, full: null });
+    expect(cut.run.way.count).toBeLessThan(60);
+    expect(cut.run.way.count).toBeGreaterThan(30);
+    expect(cut.problems).toMatchObject([{ code: 'work-limit', message: expect.stringContaining('work limit') }]);
+    expect(wayOf(whole()).states.slice(0, STATE_SIZE * (cut.run.way.count - 1))).toEqual(
+      wayOf(cut).states.slice(0, STATE_SIZE * (cut.run.way.count - 1)),
+    );
+  });
+
+  it('goes on when it is asked with more patience, with the bits of one that was never cut', () => {
+    const full = wayOf(whole());
+    for (const patience of [5, 61, 130, 200]) {
+      const prover = createProver(ticking(1));
+      const question = { file, run: null, accuracy: 'precise' } as const;
+      expect(prover.prove({ ...question, patience }).limit).toBe('run');
+      const done = prover.prove({ ...question, patience: 1e6 });
+      expect(done.limit).toBeNull();
+      expect(wayOf(done)).toEqual(full);
+      // less patience does not take back what is known
+      expect(prover.prove({ ...question, patience: 1 })).toBe(done);
+    }
+  });
+
+  it('says when other runs were not asked', () => {
+    const [first] = file.runs ?? [];
+    const failing = { name: 'drift', holds: [] };
+    const many = Array.from({ length: 300 }, (_, i) => ({ name: `r${i}`, holds: [[i, i + 1]] as [number, number][] }));
+    const runs = [failing, ...many, { ...first, name: 'works' }];
+    const hard = createEditedLevel({ ...file, runs }).file();
+    const proof = createProver(ticking(1)).prove({ file: hard, run: 'drift', accuracy: 'precise', patience: 2000 });
+    expect(proof).toMatchObject({ limit: 'others', verdict: 'unproven', provenBy: null });
+    expect(proof.full).not.toBeNull();
+    expect(createProver().prove({ file: hard, run: 'drift', accuracy: 'precise' })).toMatchObject({
+      limit: null,
+      provenBy: 'works',
+    });
+  });
+
+  it('is cut within a tick that takes too much work, and is not begun where nothing is to be played', () => {
+    const question = { file, run: null, accuracy: 'precise', patience: 1e6 } as const;
+    let cuts = 0;
+    for (const work of [3, 10, 20, 40]) {
+      const prover = createProver(() => 0, work);
+      const cut = prover.prove(question);
+      if (cut.limit === null) continue;
+      cuts++;
+      expect(cut).toMatchObject({ limit: 'run', verdict: 'unproven', full: null });
+      expect(cut.run.way.count).toBeGreaterThan(0);
+      const seen = STATE_SIZE * (cut.run.way.count - 1);
+      expect(wayOf(cut).states.slice(0, seen)).toEqual(wayOf(whole()).states.slice(0, seen));
+      expect([...cut.run.way.last].every(Number.isFinite)).toBe(true);
+      // whoever waits without end gets all of it
+      expect(wayOf(prover.prove({ ...question, patience: Number.POSITIVE_INFINITY }))).toEqual(wayOf(whole()));
+    }
+    expect(cuts).toBeGreaterThan(1);
+    const crowd = createEditedLevel({
+      ...file,
+      aliens: Array.from({ length: 2000 }, (_, i) => ({
+        id: `al${i}`,
+        x: 40 * (i % 50),
+        y: 2000 + 40 * Math.floor(i / 50),
+        radius: 6,
+      })),
+    }).file();
+    const prover = createProver(() => 0, 1);
+    expect(prover.prove({ ...question, file: crowd })).toMatchObject({
+      verdict: 'unproven',
+      full: null,
+      level: { aliens: { length: 2000 } },
+    });
+    // and back: both keep their ways in the same arrays
+    expect(wayOf(prover.prove({ ...question, patience: Number.POSITIVE_INFINITY }))).toEqual(wayOf(whole()));
+    const other = createProver();
+    const off = other.prove({ file, run: null, accuracy: 'precise', patience: 0 });
+    expect(off).toMatchObject({ limit: 'unchecked', verdict: 'unproven', problems: [{ code: 'work-limit' }] });
+    expect([...off.run.way.states.subarray(0, 2)]).toEqual([file.astronaut.x, file.astronaut.y]);
+    expect(wayOf(other.prove({ file, run: null, accuracy: 'precise', patience: 1e6 }))).toEqual(wayOf(whole()));
   });
 });

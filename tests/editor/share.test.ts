@@ -3,6 +3,9 @@ import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { surveyLink } from '../../editor/dialogs/survey-link.ts';
+import { applyPatches, createEditedLevel, diffFiles } from '../../editor/document/index.ts';
+import { mergeLevels } from '../../editor/files/index.ts';
 import { createProver } from '../../editor/proof/index.ts';
 import { importText, LONGEST_LINK, levelFile, levelOf, linkTo, pictureSvg, slugOf } from '../../editor/share/index.ts';
 import { TEMPLATES } from '../../editor/templates/index.ts';
@@ -137,5 +140,103 @@ describe('templates', () => {
         expect(x >= 100 && x <= 1180 && y >= 100 && y <= 620).toBe(true);
       }
     }
+  });
+});
+
+describe('a link of somebody who means harm', () => {
+  const packed = async (text: string): Promise<string> => {
+    const stream = new Blob([text]).stream().pipeThrough(new CompressionStream('deflate-raw'));
+    return `#level=${Buffer.from(await new Response(stream).arrayBuffer()).toString('base64url')}`;
+  };
+  const LEVEL = '"version": 1, "name": "x", "astronaut": {"x": 0, "y": 0}, "blackHole": {"x": 300, "y": 0}';
+
+  it.each([
+    ['__proto__', `{${LEVEL}, "__proto__": {"polluted": 1}}`],
+    ['constructor', `{${LEVEL}, "constructor": {"prototype": {"polluted": 1}}}`],
+    ['prototypes within', `{${LEVEL}, "asteroids": [{"x": 1, "y": 1, "radius": 9, "__proto__": {"polluted": 1}}]}`],
+  ])('has no key that is none of a level: %s', async (_, text) => {
+    expect(await levelOf(await packed(text))).toMatchObject({ ok: false, message: expect.stringContaining('no valid level') });
+    expect(({} as { polluted?: unknown }).polluted).toBeUndefined();
+  });
+
+  it('changes no prototype by what stands under keys of its own, through editing, undo, patches and merging', async () => {
+    const own = '"x-own": {"__proto__": {"polluted": 1}, "constructor": {"prototype": {"polluted": 2}}}';
+    const linked = await levelOf(await packed(`{${LEVEL}, ${own}, "x-__proto__": {"polluted": 3}}`));
+    if (linked?.ok !== true) throw new Error('it is a valid level');
+    const level = createEditedLevel(linked.file);
+    level.change('Own', (draft) => {
+      (draft as unknown as Record<string, { a: number }>)['x-own'] = JSON.parse('{"__proto__": {"polluted": 4}, "a": 1}');
+    });
+    level.undo();
+    level.redo();
+    const merged = mergeLevels(linked.file, level.file(), { ...linked.file, name: 'other' });
+    expect(applyPatches(linked.file, diffFiles(linked.file, merged.file))).toEqual(merged.file);
+    const { polluted } = {} as { polluted?: unknown };
+    expect([polluted, ([] as { polluted?: unknown }).polluted]).toEqual([undefined, undefined]);
+    expect(Object.keys(Object.prototype)).toEqual([]);
+  });
+
+  it.each([
+    ['brackets', `{${LEVEL}, "x-deep": ${'['.repeat(100_000)}${']'.repeat(100_000)}}`],
+    ['objects', `{${LEVEL}, "x-deep": ${'{"a":'.repeat(100_000)}1${'}'.repeat(100_000)}}`],
+    ['no end', `{${LEVEL}, "x-deep": ${'['.repeat(400_000)}`],
+  ])('that nests without end is refused: %s', async (_, text) => {
+    expect(await levelOf(await packed(text))).toMatchObject({ ok: false });
+  });
+
+  it('is said to be damaged, whatever its letters are', async () => {
+    await fc.assert(
+      fc.asyncProperty(fc.string({ unit: 'binary', maxLength: 60 }), async (text) => {
+        const linked = await levelOf(`#level=${text.replaceAll('&', '')}`);
+        expect(linked).toMatchObject({ ok: false });
+      }),
+    );
+  });
+
+  it('to the ends of space is asked about and opened like any other: numbers at their limits', async () => {
+    const far = { x: 1e9, y: -1e9 };
+    const text = JSON.stringify({
+      version: 1,
+      name: 'Far',
+      astronaut: { x: -1e9, y: 1e9, vx: 1000, vy: -1000 },
+      blackHole: { ...far, radius: 1e9 },
+      range: 1e9,
+      asteroids: [{ x: 0, y: 0, radius: 0.001 }],
+      repulsors: [{ ...far, radius: 1e9 }],
+      aliens: [{ ...far, radius: 0.001 }],
+      runs: [{ name: 'r', holds: [[0, 1]] }],
+    });
+    const linked = await levelOf(await packed(text));
+    // what the limits are is the schema's matter: here it is either refused or whole
+    if (linked?.ok !== true) {
+      expect(linked).toMatchObject({ ok: false, message: expect.stringContaining('no valid level') });
+      return;
+    }
+    expect(surveyLink(linked.file, text).warnings).toEqual([expect.stringContaining('away from the middle')]);
+    const { run, margins } = createProver().prove({
+      file: createEditedLevel(linked.file).file(),
+      run: null,
+      accuracy: 'precise',
+    });
+    expect(run.way.count).toBeGreaterThan(0);
+    expect(margins.speed.every(Number.isFinite)).toBe(true);
+  });
+});
+
+describe('what a link brings', () => {
+  it('is told in numbers, with a warning where there is much of it', () => {
+    const file = fileOf(firewalk);
+    const survey = surveyLink(file, formatLevel(file));
+    expect(survey.counts).toMatch(/asteroids?, .*runs? with \d+ holds?$/);
+    expect(survey.size).toMatch(/^[\d.]+ kB$/);
+    expect(survey.warnings).toEqual([]);
+    const aliens = Array.from({ length: 8000 }, (_, i) => ({ x: i, y: 0, radius: 4 }));
+    const many = surveyLink({ ...file, aliens, runs: undefined }, 'x'.repeat(123_456));
+    expect(many).toMatchObject({ counts: expect.stringMatching(/8,000 aliens.*no run$/), size: '123 kB' });
+    expect(many.warnings).toEqual([expect.stringContaining('very many objects')]);
+    const holds = Array.from({ length: 1500 }, (_, i): [number, number] => [4 * i, 4 * i + 1]);
+    const runs = Array.from({ length: 400 }, (_, i) => ({ name: `r${i}`, holds }));
+    expect(surveyLink({ ...file, runs }, '').warnings).toEqual([expect.stringContaining('very many runs')]);
+    expect(surveyLink({ ...file, astronaut: { x: 2e6, y: 0 } }, '').warnings).toEqual([expect.stringContaining('px away')]);
   });
 });

@@ -281,6 +281,27 @@ describe('workers', () => {
     expect(await next.end).toEqual({ kind: 'done', result: 'new' });
   });
 
+  it('give up what takes longer than anybody waits, counted from when it is begun, and go on with the next', async () => {
+    const { ports, clock, workers } = crew();
+    const first = workers.start('proofs', { level, accuracy: 'precise' });
+    const second = workers.start('proofs', { level, accuracy: 'precise' });
+    const search = workers.start('generate', { options: { seed: 1 } });
+    await clock.pass(19_000);
+    expect(ports[0].isOver).toBe(false);
+    await clock.pass(2000);
+    expect(await first.end).toEqual({ kind: 'gaveUp', message: expect.stringContaining('work limit') });
+    expect(ports[0].isOver).toBe(true);
+    const next = ports[2];
+    expect(next.sent).toMatchObject([{ type: 'start', job: 2, kind: 'proofs' }]);
+    // its own time has only begun
+    await clock.pass(15_000);
+    next.answer({ type: 'done', job: 2, result: 'proved' });
+    expect(await second.end).toEqual({ kind: 'done', result: 'proved' });
+    await clock.pass(600_000);
+    expect([next.isOver, ports[1].isOver]).toEqual([false, false]);
+    search.cancel();
+  });
+
   it('that die say so, and are replaced when something is asked again', async () => {
     const { ports, workers } = crew();
     const job = workers.start('thumbnail', thumb);

@@ -6,10 +6,14 @@ import { useRestingProof } from '../parts/index.ts';
 /** ms without a change before it is asked: two runs are played to their ends */
 const REST = 300;
 
+/** ms: a run that takes longer is not played twice more */
+const SLOW = 100;
+
 const MAX_TICKS = DEFAULT_MAX_TIME * TICK_RATE;
 
 /** The way of the original's frames beside that of the accuracy in use, or the exact way beside the original's. */
-function otherOf({ level, scene, accuracy, run }: LiveProof) {
+function otherOf({ level, scene, accuracy, run, limit, ms }: LiveProof) {
+  if (limit !== null || ms > SLOW) return null;
   const name: AccuracyName = accuracy === 'arcade' ? 'precise' : 'arcade';
   const path = pathOf(createSimulation(compile(level, name)), run.holds, MAX_TICKS);
   const distance = largestDistance(path, pathOf(createSimulation(scene), run.holds, MAX_TICKS));
@@ -20,7 +24,9 @@ const px = (distance: number): string => (distance >= 0.05 ? distance.toFixed(1)
 
 /** Whether another accuracy would say the same of the shown run, in a few words. */
 export function OtherAccuracy() {
-  const { name, distance, isSame } = useRestingProof(otherOf, REST);
+  const other = useRestingProof(otherOf, REST);
+  if (other === null) return null;
+  const { name, distance, isSame } = other;
   return (
     <span className={isSame ? undefined : 'tone--warn'}>
       {isSame ? `${name} would differ by ${px(distance)} px, same verdict` : `${name} would end in another way`}

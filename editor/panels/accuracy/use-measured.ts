@@ -44,7 +44,8 @@ export function useMeasured(): Measuring {
     setState(({ measured }) => ({ phase: 'measuring', message: null, measured }));
     void mine.end.then((end) => {
       if (job.current !== mine) return;
-      if (end.kind === 'failed') setState(({ measured }) => ({ phase: 'failed', message: end.message, measured }));
+      if (end.kind === 'failed' || end.kind === 'gaveUp')
+        setState(({ measured }) => ({ phase: 'failed', message: end.message, measured }));
       if (end.kind === 'done') setState({ phase: 'idle', message: null, measured: { ...about, settings: end.result.settings } });
     });
   }, [drop, proof, workers]);

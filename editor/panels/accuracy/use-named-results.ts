@@ -32,7 +32,8 @@ export function useNamedResults(): NamedResults {
       if (costs !== null) setState((state) => ({ ...state, costs }));
     };
     const compare = () => {
-      const { level, run } = proof.proof();
+      const { level, run, limit } = proof.proof();
+      if (limit !== null) return;
       const steps = compareNamed(level, run.holds);
       const results: NamedResult[] = [];
       const step = () => {

@@ -1,7 +1,7 @@
 import { Timer } from 'lucide-react';
 import { useEffect, useRef, useState } from 'react';
-import { useLevel } from '../../context/index.ts';
-import { outcomeInWords } from '../../proof/index.ts';
+import { useLevel, useProof } from '../../context/index.ts';
+import { limitInWords, outcomeInWords } from '../../proof/index.ts';
 import { Button } from '../../ui/index.ts';
 import { type Fact, nextTurn, percent } from '../figures/index.ts';
 import { Facts, Section, useCalmProof } from '../parts/index.ts';
@@ -85,8 +85,14 @@ function workFacts({ work, time }: Survey): Fact[] {
 
 /** What the level calls for and what it doesn't, and what each effect costs the shown run. */
 export function Effects() {
-  const { proof } = useLevel();
   const survey = useCalmProof(surveyOf, WAIT);
+  const limit = useProof((proof) => proof.limit);
+  if (survey !== null) return <Surveyed survey={survey} />;
+  return <p className="panel__body part__note">{limit === null ? 'Looking …' : limitInWords(limit)}</p>;
+}
+
+function Surveyed({ survey }: { readonly survey: Survey }) {
+  const { proof } = useLevel();
   const [measured, setMeasured] = useState<{ readonly key: string; readonly times: Times } | null>(null);
   const [isMeasuring, setMeasuring] = useState(false);
   const abort = useRef<AbortController | null>(null);
@@ -100,6 +106,7 @@ export function Effects() {
     abort.current = mine;
     const { level, accuracy, run } = proof.proof();
     const asked = surveyOf(proof.proof());
+    if (asked === null) return;
     const without = new Map(
       asked.simulated.flatMap(({ name, cost }) => (cost.kind === 'same' ? [[name, cost.level] as const] : [])),
     );

@@ -35,8 +35,9 @@ function numberOf(scene: object): number {
   return number;
 }
 
-/** Looks at a level and its shown run; each effect that could be left out is, once. */
-export function surveyOf({ level, scene, accuracy, run, full }: LiveProof): Survey {
+/** Looks at a level and its shown run; each effect that could be left out is, once. @returns null: the level takes too much work to be played so often */
+export function surveyOf({ level, scene, accuracy, run, full, limit }: LiveProof): Survey | null {
+  if (limit !== null || full === null) return null;
   const { simulated, notCalledFor } = scene.effects;
   return {
     key: `${numberOf(scene)} ${run.holds.join()}`,

@@ -2,7 +2,7 @@ import { CircleDot, UserRound } from 'lucide-react';
 import type { LevelFile } from '../../../schema/index.ts';
 import { useEditor, useLevel } from '../../context/index.ts';
 import { ASTRONAUT, BLACK_HOLE, type LevelProperty, type ObjectKey, setLevelProperty } from '../../document/index.ts';
-import { type LiveProof, outcomeInWords } from '../../proof/index.ts';
+import { endInWords, type LiveProof } from '../../proof/index.ts';
 import { Button } from '../../ui/index.ts';
 import type { Fact } from '../figures/index.ts';
 import { Facts, Section, useCalmProof } from '../parts/index.ts';
@@ -20,7 +20,7 @@ interface RunSummary {
 
 const summaryOf = (proof: LiveProof): RunSummary => ({
   name: proof.run.name,
-  end: outcomeInWords(proof.run, proof.level.range),
+  end: endInWords(proof),
   isGood: proof.run.outcome === 'completed',
   facts: wayFacts(proof),
 });

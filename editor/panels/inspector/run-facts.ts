@@ -1,6 +1,6 @@
 import { boxCircleGap, type RunEvent, STATE_SIZE, TICK, TICK_RATE } from '../../../engine/index.ts';
 import type { FoundObject } from '../../document/index.ts';
-import type { LiveProof } from '../../proof/index.ts';
+import { endInWords, type LiveProof } from '../../proof/index.ts';
 import { type Fact, pixels, plural, seconds } from '../figures/index.ts';
 
 const tickOf = (time: number): number => Math.floor(time * TICK_RATE + 1e-9);
@@ -115,6 +115,7 @@ function endFact({ run }: LiveProof, { kind, index }: FoundObject): Fact[] {
 export function runFactsOf(proof: LiveProof, found: FoundObject, radius: number | null): readonly Fact[] {
   const { kind, index } = found;
   const { run, full, level } = proof;
+  if (full === null) return [{ label: 'the run', value: endInWords(proof), tone: 'warn' }];
   const { events } = full;
   if (kind === 'astronaut' || radius === null) return wayFacts(proof);
   const end = endFact(proof, found);

@@ -57,6 +57,7 @@ function createThumbnails({ workspace, workers }: Editor): Thumbnails {
     // a file that has changed meanwhile has another key, under which it is asked for again
     if (!answer.ok || answer.value.text === null || !key.startsWith(`${answer.value.etag} `)) return;
     const end = await workers.start('thumbnail', { text: answer.value.text, accuracy, width: WIDTH, theme }).end;
+    if (end.kind === 'gaveUp') keep(key, { url: null, verdict: 'unproven' });
     if (end.kind !== 'done') return;
     const { svg, verdict } = end.result;
     keep(key, { url: svg === '' ? null : URL.createObjectURL(new Blob([svg], { type: 'image/svg+xml' })), verdict });

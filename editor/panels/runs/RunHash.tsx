@@ -1,5 +1,4 @@
 import { Copy } from 'lucide-react';
-import { simulate } from '../../../engine/index.ts';
 import { useEditor, useProof } from '../../context/index.ts';
 import type { LiveProof } from '../../proof/index.ts';
 import { copyText } from '../../share/index.ts';
@@ -9,7 +8,7 @@ import { useCalmProof } from '../parts/index.ts';
 /** ms between two looks: a hash covers every tick of the run */
 const WAIT = 300;
 
-const hashOf = ({ scene, run }: LiveProof): string => simulate(scene, run.holds).hash;
+const hashOf = ({ full }: LiveProof): string => full?.hash ?? '(work limit)';
 
 /** The hash of the shown run: that of `gq simulate` at the same accuracy is the same, in any browser, when the page plays by the same bits. */
 export function RunHash() {

@@ -2,7 +2,7 @@ import { useEffect, useMemo, useState } from 'react';
 import { joinHolds, type Scene, simulate } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/index.ts';
 import { useLevel, useProof } from '../../context/index.ts';
-import type { LiveProof, RunEnd } from '../../proof/index.ts';
+import { isWhole, type LiveProof, type RunEnd } from '../../proof/index.ts';
 
 /** How a run of the level ends. */
 export interface RunSummary extends RunEnd {
@@ -41,7 +41,10 @@ function playAll(
   return () => clearTimeout(timer);
 }
 
-const shownOf = ({ run }: LiveProof): RunSummary => ({ ...run, minerals: run.minerals.length });
+const shownOf = (proof: LiveProof): RunSummary | null =>
+  isWhole(proof) ? { ...proof.run, minerals: proof.run.minerals.length } : null;
+
+const NONE: readonly never[] = [];
 
 /** How every run of the open level ends, by its holds: the shown one at once, the others a moment later; null: not known yet. */
 export function useRunEnds(
@@ -50,17 +53,19 @@ export function useRunEnds(
   const { proof } = useLevel();
   const scene = useProof((state) => state.scene);
   const shown = useProof((state) => state.run);
+  const isPlayed = useProof(isWhole);
   const [known, setKnown] = useState<{ readonly scene: Scene; readonly ends: ReadonlyMap<string, RunSummary> } | null>(null);
   const ends = useMemo(() => ({ scene, map: new Map<string, RunSummary>() }), [scene]);
   useEffect(
     () =>
       playAll(
         ends.scene,
-        runs.map(({ holds }) => holds),
+        // what the page has given up once would hold it up here
+        isPlayed ? runs.map(({ holds }) => holds) : NONE,
         ends.map,
         () => setKnown({ scene: ends.scene, ends: new Map(ends.map) }),
       ),
-    [ends, runs],
+    [ends, runs, isPlayed],
   );
   return (name) => {
     if (name === shown.name) return shownOf(proof.proof());

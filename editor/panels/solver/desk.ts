@@ -1,6 +1,7 @@
 import type { Editor, OpenLevel } from '../../context/index.ts';
 import { pageTimers } from '../../files/index.ts';
 import { afterRest } from '../parts/index.ts';
+import { type CheckWatch, watchChecks } from './check-watch.ts';
 import { createDifficultyDesk, type DifficultyDesk } from './difficulty.ts';
 import { createOverlay, type OverlayStore } from './overlay.ts';
 import { type ProofWatch, watchProofs } from './proof-watch.ts';
@@ -15,6 +16,7 @@ export interface SolverDesk {
   readonly robustness: RobustnessWatch;
   readonly difficulty: DifficultyDesk;
   readonly proofs: ProofWatch;
+  readonly checks: CheckWatch;
   readonly overlay: OverlayStore;
 }
 
@@ -29,8 +31,9 @@ export function solverDeskOf({ workers, session, open }: Editor, level: OpenLeve
   const search = createSearchDesk({ level, session, workers, wish, overlay, now: () => performance.now() });
   const robustness = watchRobustness({ level, workers, after: pageTimers.after, afterRest });
   const proofs = watchProofs({ level, workers, afterRest });
+  const checks = watchChecks({ level, workers, afterRest });
   const difficulty = createDifficultyDesk({ level, workers, wish });
-  const desk: SolverDesk = { wish, search, robustness, difficulty, proofs, overlay };
+  const desk: SolverDesk = { wish, search, robustness, difficulty, proofs, checks, overlay };
   desks.set(level, desk);
   const stop = open.subscribe((current) => {
     if (current === level) return;
@@ -40,6 +43,7 @@ export function solverDeskOf({ workers, session, open }: Editor, level: OpenLeve
     robustness.close();
     difficulty.close();
     proofs.close();
+    checks.close();
   });
   return desk;
 }

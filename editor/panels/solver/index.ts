@@ -1,3 +1,4 @@
+export { type Checked, checkedOf } from './check-watch.ts';
 export { solverDeskOf } from './desk.ts';
 
 export { Solver } from './Solver.tsx';

@@ -19,7 +19,7 @@ interface WatchParts {
 /** ms without a change before proofs are looked for: later than what the run forgives, which is looked at more */
 const SETTLE = 500;
 
-const NOTHING: Proved = { impossible: null, minerals: [] };
+const NOTHING: Proved = { impossible: null, minerals: [], gaveUp: null };
 
 /** Follows the level: whenever it has settled, it is tried to prove that the black hole or a mineral is out of reach. What a run shows needs no proof. */
 export function watchProofs({ level: { proof }, workers, afterRest }: WatchParts): ProofWatch {
@@ -36,14 +36,17 @@ export function watchProofs({ level: { proof }, workers, afterRest }: WatchParts
   };
   const prove = () => {
     forget = null;
-    const { level, accuracy, verdict, run } = proof.proof();
+    const { level, accuracy, verdict, run, limit } = proof.proof();
+    if (limit === 'unchecked') return;
     if (verdict === 'completable' && run.minerals.length === level.minerals.length) return;
     const mine = workers.start('proofs', { level: withoutRuns(level), accuracy }, (proved) => {
-      if (job === mine) store.setState(proved, true);
+      if (job === mine) store.setState({ ...proved, gaveUp: null }, true);
     });
     job = mine;
     void mine.end.then((end) => {
-      if (job === mine && end.kind === 'done') store.setState(end.result, true);
+      if (job !== mine) return;
+      if (end.kind === 'done') store.setState({ ...end.result, gaveUp: null }, true);
+      else if (end.kind === 'gaveUp') store.setState({ gaveUp: end.message });
     });
   };
   const look = () => {

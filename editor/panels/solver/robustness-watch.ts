@@ -3,7 +3,7 @@ import type { Scene } from '../../../engine/index.ts';
 import type { EdgeSlack, Goal, Robustness, Success } from '../../../solver/index.ts';
 import type { Ghost } from '../../canvas/layers/way-layer.ts';
 import type { EditedLevel } from '../../document/index.ts';
-import type { ProofStore } from '../../proof/index.ts';
+import { endInWords, isWhole, type ProofStore } from '../../proof/index.ts';
 import { FAN_TICKS, type FanWay, type Job, type Workers } from '../../workers/index.ts';
 import { type GhostShelf, putGhosts } from './ghost-shelf.ts';
 import { withoutRuns } from './search.ts';
@@ -107,6 +107,11 @@ export function watchRobustness({ level, workers, after, afterRest }: WatchParts
     });
   };
   const measure = () => {
+    const known = proof.proof();
+    if (!isWhole(known)) {
+      store.setState({ phase: 'failed', ...UNKNOWN, message: endInWords(known) });
+      return;
+    }
     const asked = request();
     if (asked === null) {
       store.setState({ phase: 'fails', ...UNKNOWN });
@@ -116,8 +121,12 @@ export function watchRobustness({ level, workers, after, afterRest }: WatchParts
     const first = fan;
     const key = asked.holds.join();
     // the fan is what one looks at: what takes seconds must not take the processor from it
-    void first?.end.then(() => {
+    void first?.end.then((end) => {
       if (!isCurrent(first)) return;
+      if (end.kind === 'gaveUp') {
+        store.setState({ phase: 'failed', message: end.message });
+        return;
+      }
       const robustness = workers.start('robustness', asked, ({ slack, p40 }) => {
         if (!isCurrent(robustness)) return;
         store.setState({ slack, p40 });
@@ -126,7 +135,7 @@ export function watchRobustness({ level, workers, after, afterRest }: WatchParts
       jobs = [first, robustness];
       void robustness.end.then((end) => {
         if (!isCurrent(robustness)) return;
-        if (end.kind === 'failed') store.setState({ phase: 'failed', message: end.message });
+        if (end.kind === 'failed' || end.kind === 'gaveUp') store.setState({ phase: 'failed', message: end.message });
         if (end.kind !== 'done') return;
         const { slack, p40, certifiedTicks, decided } = end.result;
         store.setState({ phase: 'measured', slack, p40, full: end.result });

@@ -234,7 +234,7 @@ export function createSearchDesk({ level, session, workers, wish, overlay, now }
       void solve.end.then((end) => {
         if (!jobs.includes(solve)) return;
         if (end.kind === 'done') tell(end.result);
-        if (end.kind === 'failed') store.setState({ phase: 'failed', message: end.message });
+        if (end.kind === 'failed' || end.kind === 'gaveUp') store.setState({ phase: 'failed', message: end.message });
         else if (store.getState().phase === 'running') store.setState({ phase: end.kind, ms: now() - began });
       });
       void prove.end.then((end) => {

@@ -1,12 +1,30 @@
 import { useStore } from 'zustand';
 import { type OpenLevel, useEditor } from '../../context/index.ts';
-import type { LiveProof } from '../../proof/index.ts';
+import { type LiveProof, limitInWords } from '../../proof/index.ts';
+import { checkedOf } from './check-watch.ts';
 import { solverDeskOf } from './desk.ts';
 
-/** The verdict of `gq check` on an open level, as far as it is known by now, and what proves it impossible. */
-export function useVerdict(level: OpenLevel): { verdict: LiveProof['verdict'] | 'impossible'; reason: string | null } {
-  const verdict = useStore(level.proof.store, (proof) => proof.verdict);
-  const proof = useStore(solverDeskOf(useEditor(), level).proofs.store, ({ impossible }) => impossible);
-  if (verdict === 'completable' || proof === null) return { verdict, reason: null };
-  return { verdict: 'impossible', reason: proof.reason };
+interface Verdict {
+  readonly verdict: LiveProof['verdict'] | 'impossible';
+  /** What proves it impossible. */
+  readonly reason: string | null;
+  /** Why it is not known for certain; null where it is. */
+  readonly limit: string | null;
+}
+
+/** The verdict of `gq check` on an open level, as far as it is known by now. */
+export function useVerdict(level: OpenLevel): Verdict {
+  const desk = solverDeskOf(useEditor(), level);
+  const own = useStore(level.proof.store, (proof) => proof.verdict);
+  const limit = useStore(level.proof.store, (proof) => proof.limit);
+  const file = useStore(level.proof.store, (proof) => proof.file);
+  const accuracy = useStore(level.proof.store, (proof) => proof.accuracy);
+  const checked = checkedOf({ file, accuracy, limit }, useStore(desk.checks.store));
+  const proof = useStore(desk.proofs.store, ({ impossible }) => impossible);
+  const verdict = own === 'completable' ? own : (checked?.result?.verdict ?? own);
+  if (verdict === 'completable') return { verdict, reason: null, limit: null };
+  if (proof !== null) return { verdict: 'impossible', reason: proof.reason, limit: null };
+  if (limit === null || checked?.result != null) return { verdict, reason: null, limit: null };
+  const words = checked === null ? limitInWords(limit) : checked.message;
+  return { verdict, reason: null, limit: words };
 }

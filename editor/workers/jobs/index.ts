@@ -1,6 +1,7 @@
 import type { JobKind } from '../protocol.ts';
 import type { Start } from '../work.ts';
 import { accuracy } from './accuracy.ts';
+import { check } from './check.ts';
 import { difficulty } from './difficulty.ts';
 import { fan } from './fan.ts';
 import { generate } from './generate.ts';
@@ -17,6 +18,7 @@ export const JOBS: { readonly [K in JobKind]: Start<K> } = {
   difficulty,
   proofs,
   accuracy,
+  check,
   thumbnail,
   generate,
 };

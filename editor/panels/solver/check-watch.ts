@@ -1,0 +1,70 @@
+import { createStore, type StoreApi } from 'zustand/vanilla';
+import type { AccuracyName } from '../../../engine/index.ts';
+import type { LevelFile } from '../../../schema/index.ts';
+import type { LiveProof, ProofStore } from '../../proof/index.ts';
+import type { Job, Results, Workers } from '../../workers/index.ts';
+
+/** What a worker has found out about a level that the page does not play itself. */
+export interface Checked {
+  readonly file: LevelFile;
+  readonly accuracy: AccuracyName;
+  /** null: it gave up, too */
+  readonly result: Results['check'] | null;
+  readonly message: string;
+}
+
+export interface CheckWatch {
+  readonly store: StoreApi<Checked | null>;
+  close(): void;
+}
+
+interface WatchParts {
+  readonly level: { readonly proof: ProofStore };
+  readonly workers: Pick<Workers, 'start'>;
+  /** Calls back once the page has rested for so many ms. @returns takes it back */
+  readonly afterRest: (ms: number, call: () => void) => () => void;
+}
+
+/** ms without a change: the page tries it with more patience first */
+const SETTLE = 700;
+
+/** Follows the level: where the page has left something out, a worker plays all of it once the level has settled. */
+export function watchChecks({ level: { proof }, workers, afterRest }: WatchParts): CheckWatch {
+  const store = createStore<Checked | null>(() => null);
+  let job: Job<'check'> | null = null;
+  let forget = () => {};
+  const drop = () => {
+    job?.cancel();
+    job = null;
+    forget();
+  };
+  const ask = () => {
+    const { file, accuracy, limit } = proof.proof();
+    const known = store.getState();
+    if (limit === null || limit === 'unchecked' || (known?.file === file && known.accuracy === accuracy)) return;
+    const mine = workers.start('check', { file, accuracy });
+    job = mine;
+    void mine.end.then((end) => {
+      if (job !== mine || end.kind === 'cancelled') return;
+      const [result, message] = end.kind === 'done' ? [end.result, ''] : [null, end.message];
+      store.setState({ file, accuracy, result, message }, true);
+    });
+  };
+  const look = ({ limit }: LiveProof) => {
+    drop();
+    if (limit !== null && limit !== 'unchecked') forget = afterRest(SETTLE, ask);
+  };
+  look(proof.proof());
+  const stop = proof.store.subscribe(look);
+  return {
+    store,
+    close() {
+      stop();
+      drop();
+    },
+  };
+}
+
+/** What is known of a level for which the page has left something out: null where it has not, or the worker is not done. */
+export const checkedOf = (proof: Pick<LiveProof, 'file' | 'accuracy' | 'limit'>, checked: Checked | null): Checked | null =>
+  proof.limit !== null && checked !== null && checked.file === proof.file && checked.accuracy === proof.accuracy ? checked : null;
