@@ -21,6 +21,9 @@ type Circle = Point & { readonly radius: number };
 /** Rounding of a step is far below this, px and px/s. */
 const ROUNDING = 1e-7;
 
+/** `arcade` reckons in places as they are in the file: beyond this, px, frames add up to more than {@link ROUNDING}. */
+const FAR_OUT = 1e6;
+
 /** A certificate may ask for no more boxes than this. */
 const MOST_BOXES = 1_000_000;
 
@@ -38,6 +41,8 @@ const times = (a: Interval, b: Interval): Interval => {
  */
 export function checkDoomed(claim: Claim, grid: FanGrid): string | null {
   if (!isGrid(grid)) return 'its grid is none';
+  const { x, y } = claim.level.astronaut;
+  if (claim.frames && Math.max(Math.abs(x), Math.abs(y)) > FAR_OUT) return 'with frames places so far out are too coarse';
   const scene = turnedScene(claim, grid.axis);
   const seconds = grid.frames * TICK;
   let boxes: Box[] = [scene.start];
