@@ -1,9 +1,10 @@
 import { ALIEN_PULL, SPEED_LIMIT } from '../constants.ts';
 import { CENTRAL, COAST, LINEAR } from './flow.ts';
 import { untilGrid } from './glide.ts';
+import { straighten } from './line.ts';
 import type { Motion } from './motion.ts';
 import { SMALLEST_ORBIT } from './piece.ts';
-import { ALERTNESS, RECORDS, SLOTS } from './state.ts';
+import { ALERTNESS, MEETINGS, RECORDS, SLOTS } from './state.ts';
 
 const {
   START,
@@ -21,12 +22,17 @@ const {
   DEGREE,
   LENGTH_H,
   ACCELERATION,
+  MEETS,
 } = SLOTS;
 const { CHASER, ROCK } = RECORDS;
 const { AWAKE } = ALERTNESS;
+const { NOT, TOGETHER } = MEETINGS;
 
 /** Longest piece of a coast among so many things that an index finds the near ones, px. */
 const CROWDED_REACH = 128;
+
+/** Longest piece of a rock that is dragged along a line, so that bounds over it stay tight, s. */
+const LONGEST_DRAG = 4;
 
 export function expand(m: Motion): void {
   const { s, flow, integrator, ux, uy, px, py, work } = m;
@@ -68,6 +74,7 @@ export function expand(m: Motion): void {
     const drags = m.recoil && kind === CENTRAL;
     h = integrator.expand(flow, ux, uy, h, drags ? px : null, drags ? py : null, kappa);
     if (m.recoil && kind === LINEAR) recoilOnLine(m, kappa);
+    if (kind === LINEAR) straighten(m, s[DEGREE]);
     s[ACCELERATION] = integrator.acceleration(flow, ux, uy, h);
     work.forceEvaluations += integrator.evaluations;
   }
@@ -105,9 +112,29 @@ function expandChasers(m: Motion, longest: number): number {
     qy[0] = s[o + 1];
     qx[1] = s[o + 2];
     qy[1] = s[o + 3];
+    if (i === aliens && s[MEETS] !== NOT) {
+      h = Math.min(h, LONGEST_DRAG);
+      dragOnLine(m, qx, qy);
+      continue;
+    }
     const pull = i < aliens ? ALIEN_PULL : m.kappa;
     h = Math.min(h, integrator.chase(qx, qy, wx, wy, pull, h));
     work.forceEvaluations += integrator.evaluations;
   }
   return h;
+}
+
+/** On her line the rock is accelerated evenly until it meets her; one that stays in her centre goes where she goes. */
+function dragOnLine(m: Motion, qx: Float64Array, qy: Float64Array): void {
+  const { s, wx, wy } = m;
+  if (s[MEETS] === TOGETHER) {
+    qx.set(wx);
+    qy.set(wy);
+    return;
+  }
+  const a = (-s[MEETS] * m.kappa) / 2;
+  qx[2] = a * s[LINE_X];
+  qy[2] = a * s[LINE_Y];
+  qx.fill(0, 3);
+  qy.fill(0, 3);
 }

@@ -2,6 +2,7 @@ import { recordTarget } from './button.ts';
 import { endingOf } from './ending.ts';
 import { actingField, watchForSliding } from './fields.ts';
 import { locate } from './locate.ts';
+import { meet } from './meet.ts';
 import type { Motion } from './motion.ts';
 import { distanceSquared, nearest } from './nearest.ts';
 import { begin, holdLimits, proceed } from './piece.ts';
@@ -67,7 +68,7 @@ export function fire(m: Motion, until: number): void {
   }
   stop(m, s[NEXT], time);
   s[LAST_EVENT] = 0;
-  if (kind !== CENTRE && kind !== PIECE_END) s[CROSSED] = 0;
+  if (kind !== PIECE_END && !(kind === CENTRE && a === 0)) s[CROSSED] = 0;
   if (kind === PIECE_END) {
     if (m.integrator.glide !== null && recorder === null) skipQuietSteps(m, until);
     if (s[LIMIT_X] === 0 && s[LIMIT_Y] === 0) proceed(m);
@@ -91,6 +92,10 @@ export function fire(m: Motion, until: number): void {
       break;
     }
     case CENTRE:
+      if (a === 1) {
+        meet(m);
+        break;
+      }
       m.ux[0] = 0;
       m.uy[0] = 0;
       skipPeriods(m);

@@ -19,6 +19,9 @@ export class Flow {
   extra = 0;
   outX = 0;
   outY = 0;
+  /** LINEAR: how the line lies, see line.ts */
+  steep = false;
+  slope = 0;
   /** LINEAR: acceleration and place at the start of the step */
   ax = 0;
   ay = 0;

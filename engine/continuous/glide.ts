@@ -1,5 +1,6 @@
 import { eulerStep, rungeKuttaEnd, verletEnd } from './fixed-step.ts';
 import { CENTRAL, type Flow, LINEAR } from './flow.ts';
+import { ontoLine } from './line.ts';
 import { pairAt } from './polynomial.ts';
 
 /** Many whole steps in a row, see {@link Integrator.glide}; `count[0]` grows by the steps made. */
@@ -55,6 +56,7 @@ export function glideBy(whole: Whole): Glide {
       if (!(time + h <= end)) return time;
       if (flow.kind === LINEAR) flow.moveTo(x[0], y[0]);
       whole(flow, x, y, h, end4);
+      if (flow.kind === LINEAR) ontoLine(flow.steep, flow.slope, end4, 0);
       x[0] = end4[0];
       y[0] = end4[1];
       x[1] = end4[2];

@@ -3,7 +3,7 @@ import { placeAlien, placeCircle, placeRock, SERIES } from './circle.ts';
 import { justFired, offer } from './first-event.ts';
 import { LINEAR } from './flow.ts';
 import { considerPair } from './guards/alien-pair.ts';
-import { centreTime } from './guards/centre.ts';
+import { centreTime, meetingTime } from './guards/centre.ts';
 import { contactTime } from './guards/contact.ts';
 import { rimTime } from './guards/rim.ts';
 import { considerLimits } from './guards/speed-limit.ts';
@@ -11,7 +11,7 @@ import { switchTime } from './guards/target-switch.ts';
 import type { Motion } from './motion.ts';
 import { alienTravel, refresh, rockTravel } from './neighbourhood.ts';
 import { placeAt } from './places.ts';
-import { ALERTNESS, EVENTS, RECORDS, SLOTS } from './state.ts';
+import { ALERTNESS, EVENTS, MEETINGS, RECORDS, SLOTS } from './state.ts';
 
 const {
   START,
@@ -30,10 +30,12 @@ const {
   AWAKE_COUNT,
   RIM,
   RIM_HOLD,
+  MEETS,
 } = SLOTS;
 const { MINERAL, NOVA, HOT, ALIEN_TOUCH, HOLE, LEAVE_COVER, CENTRE, SWITCH, ENTER, LEAVE, WAKE, SLEEP, PIECE_END } = EVENTS;
 const { CHASER } = RECORDS;
 const { ASLEEP, GONE } = ALERTNESS;
+const { AHEAD, BEHIND } = MEETINGS;
 
 /** Locates the first event in (FROM, LENGTH_H] of the piece; the natural end where nothing happens before. */
 export function locate(m: Motion): void {
@@ -62,6 +64,7 @@ export function locate(m: Motion): void {
   if (s[AWAKE_COUNT] > 0 || (s[START] === 0 && m.scene.aliens.count > 1)) considerAwake(m, x, y, travel, from);
   considerCover(m, from);
   if (s[KIND] === LINEAR) offer(m, centreTime(m, from), CENTRE, 0, 0);
+  if (s[MEETS] === AHEAD || s[MEETS] === BEHIND) offer(m, meetingTime(m, from), CENTRE, 1, 0);
   if (speed + s[ACCELERATION] * h >= SPEED_LIMIT || s[LIMIT_X] !== 0 || s[LIMIT_Y] !== 0) considerLimits(m, from);
 }
 

@@ -48,6 +48,8 @@ export class Motion {
   readonly minerals: number;
   /** From here on a flag for each repulsor that contains her. */
   readonly inside: number;
+  /** From here on, for each target that moves, the line that it moves along. */
+  readonly lines: number;
   /** Whether the level has recoil; nothing moves before the first press. */
   readonly recoils: boolean;
   readonly originX: number;
@@ -93,7 +95,8 @@ export class Motion {
     this.rocks = this.chasers + CHASER * chasers;
     this.minerals = this.rocks + (this.recoils ? ROCK * targets.count : 0);
     this.inside = this.minerals + minerals.count;
-    let end = this.inside + repulsors.count;
+    this.lines = this.inside + repulsors.count;
+    let end = this.lines + (this.recoils ? targets.count : 0);
     this.s = new Float64Array(end + length * (4 + 2 * chasers));
     const series = () => {
       end += length;

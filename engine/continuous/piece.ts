@@ -2,22 +2,27 @@ import { GUN_PULL, REPULSOR_PUSH, SPEED_LIMIT } from '../constants.ts';
 import { expand } from './expand.ts';
 import { CENTRAL, COAST, LINEAR } from './flow.ts';
 import { rebase } from './frame.ts';
+import { bendLine, findLine, sideOf, straighten } from './line.ts';
 import { locate } from './locate.ts';
+import { meetTarget } from './meet.ts';
 import type { Motion } from './motion.ts';
-import { RECORDS, SLOTS, TURNS } from './state.ts';
+import { LINES, MEETINGS, RECORDS, SLOTS, TURNS } from './state.ts';
 
-const { HELD, TARGET, FIELD, KIND, TURN, COS, SIN, SIDE, LINE_X, LINE_Y, LIMIT_X, LIMIT_Y } = SLOTS;
+const { HELD, TARGET, FIELD, KIND, TURN, COS, SIN, SIDE, LINE_X, LINE_Y, LIMIT_X, LIMIT_Y, LINE, LINE_STEEP, LINE_SLOPE, MEETS } =
+  SLOTS;
+const { NONE } = LINES;
+const { NOT } = MEETINGS;
 const { TURN_NOT, TURN_TO_BASE, TURN_TO_TARGET } = TURNS;
 const { ROCK } = RECORDS;
-
-/** An impact parameter that rounding can't tell from 0, px: the motion is on a line through the centre. */
-const RADIAL = 1e-12;
 
 /**
  * A swing or orbit about the centre smaller than this counts as rest in it, px: it would take more events a second than
  * anybody could wait for, and its velocity is below 3e-3 px/s.
  */
 export const SMALLEST_ORBIT = 1e-7;
+
+/** The same on a line about a centre that stands still, px: there whole periods are skipped. */
+const SMALLEST_SWING = 1e-12;
 
 /** Chooses frame and flow at the start of a piece, expands it, and locates the first event. */
 export function begin(m: Motion): void {
@@ -34,8 +39,14 @@ export function begin(m: Motion): void {
     rebase(m, target, m.targetX[target], m.targetY[target], 0, 0);
   }
 
+  if ((field >= 0 || held) && s[LINE] === NONE) findLine(m);
+  if (s[LINE] !== NONE) bendLine(m);
+  const onLine = s[LINE] !== NONE;
+  if (onLine) straighten(m, 1);
+
   s[KIND] = COAST;
   s[TURN] = TURN_NOT;
+  s[MEETS] = NOT;
   const x = ux[0];
   const y = uy[0];
   const vx = ux[1];
@@ -43,34 +54,25 @@ export function begin(m: Motion): void {
   const d = Math.sqrt(x * x + y * y);
   const v = Math.sqrt(vx * vx + vy * vy);
   const free = s[LIMIT_X] === 0 && s[LIMIT_Y] === 0;
-  // v is 0 too where its square underflows
-  const onLine = v === 0 || Math.abs(x * vy - y * vx) <= RADIAL * v;
   // how far from the centre she could get under the pull with the energy she has
   const swing = held && field < 0 ? d + (v * v) / (2 * GUN_PULL) : Number.POSITIVE_INFINITY;
-  if (swing < (onLine && !m.recoil ? RADIAL : SMALLEST_ORBIT)) {
+  if (swing < (onLine && !m.recoil ? SMALLEST_SWING : SMALLEST_ORBIT)) {
     for (let k = 0; k < 2; k++) ux[k] = uy[k] = 0;
   } else if ((field >= 0 || held) && (d > 0 || v > 0) && (free || d > SMALLEST_ORBIT)) {
     if (free && onLine) {
       s[KIND] = LINEAR;
-      // close to the centre the velocity knows the line better than the place does
-      const byPlace = d > 1e-6 || v === 0;
-      s[LINE_X] = byPlace ? x / d : vx / v;
-      s[LINE_Y] = byPlace ? y / d : vy / v;
-      s[SIDE] = x * s[LINE_X] + y * s[LINE_Y] < 0 ? -1 : 1;
+      s[SIDE] = sideOf(m);
     } else {
       s[KIND] = CENTRAL;
     }
-    if (held && field >= 0) {
-      s[TURN] = TURN_TO_TARGET;
-    } else if (held && s[KIND] === LINEAR) {
+    if (held && field < 0 && s[KIND] === LINEAR) {
       s[COS] = -s[SIDE] * s[LINE_X];
       s[SIN] = -s[SIDE] * s[LINE_Y];
-    } else if (held) {
+    } else if (held && field < 0) {
       s[TURN] = TURN_TO_BASE;
     }
-  } else if (held && field >= 0) {
-    s[TURN] = TURN_TO_TARGET;
   }
+  if (held && field >= 0 && !meetTarget(m)) s[TURN] = TURN_TO_TARGET;
   proceed(m);
 }
 
@@ -94,6 +96,8 @@ export function setFlow(m: Motion): void {
   if (flow.kind !== LINEAR) return;
   flow.range = inField ? 0 : scene.level.range;
   flow.extra = inField ? REPULSOR_PUSH : -kappa;
+  flow.steep = s[LINE_STEEP] === 1;
+  flow.slope = s[LINE_SLOPE];
   flow.outX = s[SIDE] * s[LINE_X];
   flow.outY = s[SIDE] * s[LINE_Y];
   flow.moveTo(ux[0], uy[0]);

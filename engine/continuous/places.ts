@@ -1,13 +1,15 @@
 import { SPEED_LIMIT } from '../constants.ts';
 import { COAST } from './flow.ts';
+import { ontoLine } from './line.ts';
 import type { Motion } from './motion.ts';
 import { pairAt } from './polynomial.ts';
-import { ALERTNESS, RECORDS, SLOTS, TURNS } from './state.ts';
+import { ALERTNESS, LINES, RECORDS, SLOTS, TURNS } from './state.ts';
 
-const { TARGET, BASE, BASE_X, BASE_Y, KIND, TURN, COS, SIN, DEGREE } = SLOTS;
+const { TARGET, BASE, BASE_X, BASE_Y, KIND, TURN, COS, SIN, DEGREE, LINE, LINE_STEEP, LINE_SLOPE } = SLOTS;
 const { TURN_NOT, TURN_TO_TARGET } = TURNS;
 const { CHASER, ROCK } = RECORDS;
 const { AWAKE } = ALERTNESS;
+const { NONE, FAST } = LINES;
 
 /** e[0..3]: u and its velocity after `t`; e[4..7]: the base's displacement and velocity. */
 export function settleAt(m: Motion, t: number): void {
@@ -21,6 +23,10 @@ export function settleAt(m: Motion, t: number): void {
   const vy = e[3] + e[7];
   if (vx > SPEED_LIMIT || vx < -SPEED_LIMIT) e[2] = (vx > 0 ? SPEED_LIMIT : -SPEED_LIMIT) - e[6];
   if (vy > SPEED_LIMIT || vy < -SPEED_LIMIT) e[3] = (vy > 0 ? SPEED_LIMIT : -SPEED_LIMIT) - e[7];
+  if (s[LINE] === NONE) return;
+  const steep = s[LINE_STEEP] === 1;
+  ontoLine(steep, s[LINE_SLOPE], e, 0);
+  if (s[LINE] === FAST && m.recoil) ontoLine(steep, s[LINE_SLOPE], e, 4);
 }
 
 /** e[8], e[9]: direction of the box's x axis after `t`. */

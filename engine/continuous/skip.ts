@@ -6,11 +6,12 @@ import type { Motion } from './motion.ts';
 import { distanceSquared } from './nearest.ts';
 import { refresh } from './neighbourhood.ts';
 import { directionAt } from './places.ts';
-import { EVENTS, RECORDS, SLOTS } from './state.ts';
+import { EVENTS, MEETINGS, RECORDS, SLOTS } from './state.ts';
 
-const { START, TARGET, COVER, BASE_X, BASE_Y, KIND, COS, SIN, DEGREE, AWAKE_COUNT, CROSSED, CROSSED_BEFORE } = SLOTS;
+const { START, TARGET, COVER, BASE_X, BASE_Y, KIND, COS, SIN, DEGREE, AWAKE_COUNT, CROSSED, CROSSED_BEFORE, MEETS } = SLOTS;
 const { MINERAL, NOVA, HOT, ALIEN_TOUCH, HOLE, ENTER, WAKE } = EVENTS;
 const { CHASER } = RECORDS;
+const { NOT } = MEETINGS;
 
 /** Bound on any acceleration of hers, px/s2, with room for what a fixed step makes of it. */
 const STRONGEST = 1.05 * GUN_PULL;
@@ -130,5 +131,6 @@ function quietTime(m: Motion): number {
   const left = level.range - Math.sqrt(distanceSquared(m, s[COVER])) - 1e-6;
   time = left > 0 ? Math.min(time, safeStep(left, -v, STRONGEST)) : 0;
   if (s[KIND] === LINEAR) time = Math.min(time, safeStep(Math.sqrt(ux[0] * ux[0] + uy[0] * uy[0]), -v, STRONGEST));
+  if (s[MEETS] !== NOT) time = Math.min(time, safeStep(Math.sqrt(distanceSquared(m, s[TARGET])), -v, STRONGEST));
   return time;
 }

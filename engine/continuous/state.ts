@@ -30,7 +30,7 @@ export const SLOTS = {
   TURN: 15,
   COS: 16,
   SIN: 17,
-  /** LINEAR: +1 or -1, on which side of the centre she is along (LINE_X, LINE_Y). */
+  /** On a line: its direction, a unit vector whose larger component is positive, and +1 or -1: her side of the centre along it. */
   SIDE: 18,
   LINE_X: 19,
   LINE_Y: 20,
@@ -61,10 +61,26 @@ export const SLOTS = {
   RIM_TIME: 37,
   RIM_COUNT: 38,
   RIM_HOLD: 39,
+  /** Of LINES: whether she is on a line through the centre of the frame; then how it lies, see line.ts. */
+  LINE: 40,
+  LINE_STEEP: 41,
+  LINE_SLOPE: 42,
+  /** A point of it, px; and how many lines there have been. */
+  LINE_AT_X: 43,
+  LINE_AT_Y: 44,
+  LINE_COUNT: 45,
+  /** Of MEETINGS: held in a field, where the target is on the line that she is on. */
+  MEETS: 46,
 } as const;
 
 /** Slots before the first chaser. */
-export const HEAD = 40;
+export const HEAD = 47;
+
+/** Not on a line; on one that goes where the base goes; on one that stands still or that the base moves along. */
+export const LINES = { NONE: 0, LOOSE: 1, FAST: 2 } as const;
+
+/** The target is not on her line, or not looked at; it is ahead of her along it, or behind; it stays in her centre. */
+export const MEETINGS = { NOT: 0, AHEAD: 1, BEHIND: -1, TOGETHER: 2 } as const;
 
 /** What turns the box. */
 export const TURNS = { TURN_NOT: 0, TURN_TO_BASE: 1, TURN_TO_TARGET: 2 } as const;

@@ -1,3 +1,4 @@
+import { movesAlong, straightenBody } from './line.ts';
 import type { Motion } from './motion.ts';
 import { directionAt, settleAt } from './places.ts';
 import { pairAt } from './polynomial.ts';
@@ -29,6 +30,7 @@ export function stop(m: Motion, t: number, time: number): void {
     if (i < aliens) continue;
     const rock = m.rocks + ROCK * s[TARGET];
     for (let k = 0; k < ROCK; k++) s[rock + k] = s[o + k];
+    if (movesAlong(m, s[TARGET])) straightenBody(m, rock);
     s[o + 4] = ASLEEP;
   }
   settleAt(m, t);
@@ -43,6 +45,7 @@ export function stop(m: Motion, t: number, time: number): void {
       if (i === s[BASE] || i === dragged) continue;
       s[o] += s[o + 2] * t;
       s[o + 1] += s[o + 3] * t;
+      if (movesAlong(m, i)) straightenBody(m, o);
     }
     s[BASE_X] += e[4];
     s[BASE_Y] += e[5];
@@ -56,6 +59,11 @@ export function stop(m: Motion, t: number, time: number): void {
       s[o + 1] = s[BASE_Y];
       s[o + 2] = e[6];
       s[o + 3] = e[7];
+      if (movesAlong(m, s[BASE])) {
+        straightenBody(m, o);
+        s[BASE_X] = s[o];
+        s[BASE_Y] = s[o + 1];
+      }
     }
   }
   s[START] = time;

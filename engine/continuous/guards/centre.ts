@@ -1,10 +1,14 @@
 import { bisect } from '../bracket.ts';
 import { safeStep } from '../march.ts';
 import type { Motion } from '../motion.ts';
+import { lookAt, placeAt } from '../places.ts';
 import { pairAt } from '../polynomial.ts';
 import { SLOTS } from '../state.ts';
 
-const { SIDE, LINE_X, LINE_Y, DEGREE, LENGTH_H, ACCELERATION } = SLOTS;
+const { SIDE, LINE_STEEP, DEGREE, LENGTH_H, ACCELERATION, MEETS } = SLOTS;
+
+/** How far she is from the centre, or the target from her, along the main axis of her line; its slope goes to e[11]. */
+type Way = (m: Motion, t: number) => number;
 
 /**
  * When she comes through the centre on a straight line.
@@ -12,34 +16,51 @@ const { SIDE, LINE_X, LINE_Y, DEGREE, LENGTH_H, ACCELERATION } = SLOTS;
  * @returns s from there, too; -1: not before the piece ends
  */
 export function centreTime(m: Motion, from: number): number {
+  return passTime(m, from, wayToCentre, m.s[ACCELERATION]);
+}
+
+/** When the target that she holds inside a field comes through her centre; as {@link centreTime}. */
+export function meetingTime(m: Motion, from: number): number {
+  return passTime(m, from, wayToTarget, m.s[ACCELERATION] + m.kappa);
+}
+
+function wayToCentre(m: Motion, t: number): number {
+  const { s, e } = m;
+  pairAt(m.ux, m.uy, s[DEGREE], t, e, 0);
+  e[11] = s[SIDE] * e[2 + s[LINE_STEEP]];
+  return s[SIDE] * e[s[LINE_STEEP]];
+}
+
+function wayToTarget(m: Motion, t: number): number {
+  const { s, e } = m;
+  placeAt(m, t);
+  lookAt(m, t);
+  const way = s[MEETS] * e[8 + s[LINE_STEEP]];
+  e[11] = s[MEETS] * e[10 + s[LINE_STEEP]];
+  return way;
+}
+
+/** First time a way falls below 0; `k` bounds its second derivative, px/s2. */
+function passTime(m: Motion, from: number, way: Way, k: number): number {
   const { s, e, work } = m;
-  const side = s[SIDE];
   const horizon = Math.min(m.horizon, s[LENGTH_H]);
   let t = from;
   let before = from;
   work.guards++;
   for (let n = 0; ; n++) {
-    pairAt(m.ux, m.uy, s[DEGREE], t, e, 0);
-    const g = side * (e[0] * s[LINE_X] + e[1] * s[LINE_Y]);
-    const slope = side * (e[2] * s[LINE_X] + e[3] * s[LINE_Y]);
+    const g = way(m, t);
+    const slope = e[11];
     if (n === 0 && g <= 0 && slope >= 0) {
       // on the centre, on the way out
     } else if (g < 0) {
-      return n === 0 ? t : centreBetween(m, before, t);
+      if (n === 0) return t;
+      work.roots++;
+      return bisect(before, t, (time) => way(m, time) < 0);
     }
     if (t >= horizon) return -1;
-    const step = safeStep(Math.max(g, 0), slope, s[ACCELERATION]);
+    const step = safeStep(Math.max(g, 0), slope, k);
     if (!(t + step < horizon)) return -1;
     before = t;
     t = Math.min(horizon, t + Math.max(step, s[LENGTH_H] * 1e-9));
   }
-}
-
-function centreBetween(m: Motion, before: number, behind: number): number {
-  const { s, e } = m;
-  m.work.roots++;
-  return bisect(before, behind, (t) => {
-    pairAt(m.ux, m.uy, s[DEGREE], t, e, 0);
-    return s[SIDE] * (e[0] * s[LINE_X] + e[1] * s[LINE_Y]) < 0;
-  });
 }
