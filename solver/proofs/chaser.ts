@@ -2,13 +2,14 @@
 export interface ChaserDisc {
   readonly x: number;
   readonly y: number;
-  /** infinity: it may have exploded */
   readonly r: number;
   readonly vx: number;
   readonly vy: number;
   readonly vr: number;
   /** its own radius, px */
   readonly touch: number;
+  /** it may have exploded, or may be there still, and explode others */
+  readonly doubtful: boolean;
 }
 
 /** A disc of accelerations, or of velocities. */
@@ -19,9 +20,6 @@ interface Span {
 }
 
 const SLACK = 1e-6;
-
-/** Whether it is known to be there at all. */
-export const isLocated = ({ r }: ChaserDisc): boolean => r !== Number.POSITIVE_INFINITY;
 
 /**
  * Where aliens may be `seconds` later while she is anywhere in a rectangle (least and most of x and y). Nearer than `sight` one is accelerated by `pull`
@@ -39,18 +37,17 @@ export function chase(
   const around = length(xb - xa, yb - ya) / 2;
   const reach = (a: ChaserDisc) => a.r + (length(a.vx, a.vy) + a.vr) * seconds + 0.5 * pull * seconds * seconds + SLACK;
   return aliens.map((alien, i) => {
-    if (!isLocated(alien)) return alien;
     const dx = middle.x - alien.x;
     const dy = middle.y - alien.y;
     const d = length(dx, dy);
     const blur = around + reach(alien);
     const rests = length(alien.vx, alien.vy) + alien.vr === 0;
-    const explodes = aliens.some((other, k) => {
+    const mayExplode = (other: ChaserDisc, k: number): boolean => {
       const gap = length(other.x - alien.x, other.y - alien.y) - reach(alien) - reach(other);
-      return k !== i && isLocated(other) && gap <= alien.touch + other.touch;
-    });
-    if (explodes) return { ...alien, r: Number.POSITIVE_INFINITY };
-    if (rests && d - around - alien.r > sight + SLACK) return alien;
+      return k !== i && gap <= alien.touch + other.touch;
+    };
+    const doubtful = alien.doubtful || aliens.some(mayExplode);
+    if (rests && d - around - alien.r > sight + SLACK) return { ...alien, doubtful };
     let a: Span = blur > d / 2 ? { x: 0, y: 0, r: pull } : { x: (pull * dx) / d, y: (pull * dy) / d, r: (1.1 * pull * blur) / d };
     let v: Span = { x: alien.vx, y: alien.vy, r: alien.vr };
     // it may stop dead at any time: it is no faster than what it was by then or from then on
@@ -68,6 +65,7 @@ export function chase(
       vy: v.y + a.y * seconds,
       vr: v.r + a.r * seconds + SLACK,
       touch: alien.touch,
+      doubtful,
     };
   });
 }
@@ -76,11 +74,17 @@ export function chase(
 export function joinedChasers(a: readonly ChaserDisc[], b: readonly ChaserDisc[]): readonly ChaserDisc[] {
   return a.map((one, i) => {
     const other = b[i];
-    if (one === other || !isLocated(one)) return one;
-    if (!isLocated(other)) return other;
+    if (one === other) return one;
     const place = joinedSpan(one, other);
     const velocity = joinedSpan({ x: one.vx, y: one.vy, r: one.vr }, { x: other.vx, y: other.vy, r: other.vr });
-    return { ...place, vx: velocity.x, vy: velocity.y, vr: velocity.r, touch: one.touch };
+    return {
+      ...place,
+      vx: velocity.x,
+      vy: velocity.y,
+      vr: velocity.r,
+      touch: one.touch,
+      doubtful: one.doubtful || other.doubtful,
+    };
   });
 }
 

@@ -1,4 +1,4 @@
-import { boxCircleGap, HALF_DIAGONAL } from '../../engine/index.ts';
+import { boxCircleGap, GUN_PULL, HALF_DIAGONAL, SPEED_LIMIT } from '../../engine/index.ts';
 import type { StandingCircle } from './blockers.ts';
 import { between, convexHull, type Vertex } from './convex.ts';
 import type { DeadEnd, Direction } from './proof.ts';
@@ -186,7 +186,16 @@ class March {
       }
       fronts = next;
     }
-    return this.takers.some((i) => this.leavesBehind(i));
+    return !this.isTooLong() && this.takers.some((i) => this.leavesBehind(i));
+  }
+
+  /** Whether from one end of all this to the other, and over the whole line before, she may become so fast that the speed limit bends her way. */
+  private isTooLong(): boolean {
+    let far = 0;
+    for (const { line, before, after } of this.pieces) {
+      far = Math.max(far, line + 9 * STEP + Math.max(...[...before, ...after].map(Math.abs)));
+    }
+    return 2 * GUN_PULL * (2 * this.range + 2 * far) > 0.98 * 0.98 * SPEED_LIMIT * SPEED_LIMIT;
   }
 
   /** Whether, with all slopes there were, she comes ever nearer to an asteroid than to the one before. */

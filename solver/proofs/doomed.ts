@@ -3,7 +3,7 @@ import { followFan } from './fan.ts';
 import type { About, Blocker, FanGrid, Proof } from './proof.ts';
 import { distance } from './rounding.ts';
 import { subject, thing } from './say.ts';
-import { ALL_ACCURACIES, type Setting, type Thing } from './setting.ts';
+import { ALL_ACCURACIES, CONTINUOUS, type Setting, type Thing } from './setting.ts';
 
 /** How finely, ticks a step and px and px/s a square: the coarse one is enough mostly. */
 const GRIDS = [
@@ -15,6 +15,9 @@ const GRIDS = [
 const LONGEST = 8;
 export const MOST_BOXES = 10_000;
 
+/** Farther out, px, places of frames are rounded too coarsely. */
+const FAR_OUT = 1e6;
+
 /** Whatever she presses she runs into a hazard or out of range within seconds, and comes nowhere near the thing. */
 export function proveDoomed(setting: Setting, about: About, goal: Thing): Proof | null {
   const { level, maxTime } = setting;
@@ -22,6 +25,7 @@ export function proveDoomed(setting: Setting, about: About, goal: Thing): Proof 
   const pushed = level.repulsors.some((field) => distance(field, level.astronaut) <= field.radius);
   // at rest she can wait as long as she likes
   if (vx === 0 && vy === 0 && !pushed) return null;
+  const isFarOut = Math.max(Math.abs(level.astronaut.x), Math.abs(level.astronaut.y)) > FAR_OUT;
   for (const fineness of GRIDS) {
     const grid: FanGrid = { ...fineness, axis: startAxis(setting), steps: Math.floor(LONGEST / (fineness.frames * TICK)) };
     const { closed, steps, endedBy } = followFan(setting, about, goal, grid, MOST_BOXES);
@@ -30,7 +34,7 @@ export function proveDoomed(setting: Setting, about: About, goal: Thing): Proof 
       code: 'doomed',
       about,
       reason: reasonOf(about, steps * grid.frames * TICK, endedBy),
-      covers: ALL_ACCURACIES,
+      covers: isFarOut ? CONTINUOUS : ALL_ACCURACIES,
       maxTime: level.recoil ? maxTime : null,
       certificate: { kind: 'doomed', grid: { ...grid, steps } },
     };

@@ -15,4 +15,4 @@ export type {
   ProofCode,
   ThingRef,
 } from './proof.ts';
-export { type ProveOptions, proveImpossible, proveMineralsUnreachable } from './prove.ts';
+export { PROVERS, type ProveOptions, proveBy, proveImpossible, proveMineralsUnreachable } from './prove.ts';

@@ -1,10 +1,10 @@
-import { GUN_PULL, HALF_HEIGHT, HALF_WIDTH } from '../../engine/index.ts';
+import { GUN_PULL, HALF_HEIGHT, HALF_WIDTH, SPEED_LIMIT, TICK } from '../../engine/index.ts';
 import { type StandingCircle, standingCircles } from './blockers.ts';
 import { findDeadEnd } from './dead-end.ts';
 import type { About, Blocker, Drift, LineEnd, Proof } from './proof.ts';
 import { distance, surelyLess } from './rounding.ts';
 import { px, subject, thing } from './say.ts';
-import { ALL_ACCURACIES, CONTINUOUS, type Setting, type Thing } from './setting.ts';
+import { ALL_ACCURACIES, CONTINUOUS, EXACT, type Setting, type Thing } from './setting.ts';
 import { swingDrift } from './swing-drift.ts';
 
 /**
@@ -66,7 +66,51 @@ function boundBy(setting: Setting, about: About): Bound | null {
   const drift = setting.drift.map((d, i) => (i === line.target ? d : 0));
   const circles = standingCircles({ ...setting, drift }, about);
   const trap = oneWay(setting, line, circles) ?? (jump > 0 ? null : bothWays(setting, line, circles));
-  return trap === null ? null : { line, circles, trap };
+  return trap === null || mayBend(setting, line, trap) || mayBeRoundedOff(setting, line, trap) ? null : { line, circles, trap };
+}
+
+/** Along an axis neither the speed limit nor rounding takes her off the line. */
+const isAlongAxis = ({ level: { asteroids, astronaut } }: Setting, { target }: Line): boolean =>
+  asteroids[target].x === astronaut.x || asteroids[target].y === astronaut.y;
+
+/**
+ * Whether the speed limit may hold one axis and bend her way. At every turn she is at rest, and gains speed up to the centre of the asteroid only. Recoil's
+ * drift is reckoned from her speed, so there the limit mustn't be reached at all.
+ */
+function mayBend(setting: Setting, line: Line, { back, front }: Trap): boolean {
+  const { level, drift, jump } = setting;
+  if (!level.recoil && isAlongAxis(setting, line)) return false;
+  const moved = drift[line.target];
+  const out = Math.max(line.centre + moved - back.at, front.at - line.centre + moved) + 2 * TUBE;
+  const far = back.by.kind === 'start' ? front.at + jump + 2 * TUBE : level.recoil ? out : swing(Math.min(out, level.range));
+  return !surelyLess(Math.sqrt(2 * GUN_PULL * far), 0.98 * SPEED_LIMIT);
+
+  // energy that the pull gives from a turn to the centre
+  function swing(turn: number): number {
+    return turn - (turn * turn) / (2 * level.range);
+  }
+}
+
+/** What one operation on doubles may add, as a share of its result. */
+const ROUNDING = 2e-16;
+
+/**
+ * Whether in `arcade` rounding may take her off the line, or turn her box. It only matters what it adds to her angular momentum about the asteroid, which frames
+ * make greater by less than thrice on the way; momentum turns the way she lies from the asteroid, the faster the nearer she is.
+ */
+function mayBeRoundedOff(setting: Setting, line: Line, { front }: Trap): boolean {
+  const { level, jump, maxTime } = setting;
+  if (jump === 0 || isAlongAxis(setting, line)) return false;
+  const last = line.centre - front.at - 2 * TUBE - jump;
+  if (level.recoil || last < 1) return true;
+  const frames = maxTime / TICK + 3;
+  const speed = 1.02 * Math.sqrt(2 * GUN_PULL * (front.at + jump)) + 1;
+  const place = 3 * ROUNDING * (Math.abs(level.astronaut.x) + Math.abs(level.astronaut.y) + line.centre + jump);
+  const velocity = 3 * ROUNDING * (speed + 3);
+  const momentum = 3 * frames * (place * speed + velocity * line.centre);
+  const turned = (frames * (TICK * momentum + 3 * place * (last + jump))) / (last * (last + jump));
+  const aside = turned * line.centre;
+  return aside > TUBE / 6 || 20 * (turned + (aside + TICK * momentum) / last) > TUBE / 6;
 }
 
 function proofOf(setting: Setting, about: About, line: Line, trap: Trap): Proof {
@@ -75,8 +119,9 @@ function proofOf(setting: Setting, about: About, line: Line, trap: Trap): Proof 
     code: 'line-trap',
     about,
     reason: reasonOf(setting, about, line, trap),
-    covers: jump > 0 ? ALL_ACCURACIES : CONTINUOUS,
-    maxTime: level.recoil ? maxTime : null,
+    covers: jump > 0 ? ALL_ACCURACIES : [trap.back, trap.front].some(({ by }) => by.kind === 'dead-end') ? EXACT : CONTINUOUS,
+    // rounding adds up for as long as a run lasts
+    maxTime: level.recoil || (jump > 0 && !isAlongAxis(setting, line)) ? maxTime : null,
     certificate: {
       kind: 'line-trap',
       target: line.target,

@@ -8,7 +8,7 @@ import {
   REPULSOR_PUSH,
   TICK,
 } from '../../engine/index.ts';
-import { type ChaserDisc, chase, isLocated, joinedChasers } from './chaser.ts';
+import { type ChaserDisc, chase, joinedChasers } from './chaser.ts';
 import type { About, Blocker, PipeGrid } from './proof.ts';
 import type { Setting, Thing } from './setting.ts';
 
@@ -174,6 +174,7 @@ class PipeFan {
         vy: 0,
         vr: 0,
         touch: a.radius,
+        doubtful: false,
       })),
     };
   }
@@ -364,7 +365,7 @@ class PipeFan {
       if (r > 0 && takeOff(far, moment, hazard, r - SLACK, turn)) return over(hazard.of);
     }
     for (const [index, alien] of aliens.entries()) {
-      if (isLocated(alien) && takeOff(far, moment, alien, alien.touch - alien.r - SLACK, turn))
+      if (!alien.doubtful && takeOff(far, moment, alien, alien.touch - alien.r - SLACK, turn))
         return over({ kind: 'alien', index });
     }
     const now = moment * SIDES;

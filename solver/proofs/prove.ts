@@ -35,7 +35,26 @@ export function proveImpossible(level: Level, options: ProveOptions = {}): Proof
   const settings = settingsOf(level, options);
   const goal = thingOf(level, level.blackHole);
   const about = { kind: 'blackHole' } as const;
-  return prove(settings, [...CHEAP, ...DEAR], about, goal, options) ?? proveSoonOver(settings, about, goal);
+  return prove(settings, [...CHEAP, ...DEAR], about, goal, options) ?? proveSoonOver(settings, about, goal, options);
+}
+
+/** Ways to prove, each by itself; `dead-end` makes proofs of the kind `line-trap`. */
+export const PROVERS = {
+  'nothing-in-range': proveNothingInRange,
+  'starts-in-hazard': proveStartsInHazard,
+  'out-of-range': proveOutOfRange,
+  'line-trap': proveLineTrap,
+  covered: proveCovered,
+  enclosed: proveEnclosed,
+  'dead-end': proveDeadEnds,
+  doomed: proveDoomed,
+  flowpipe: proveFlowpipe,
+} as const satisfies Record<string, Kind>;
+
+/** A proof by one of the ways alone, for who wants to know what that one would say; null where it finds none. */
+export function proveBy(prover: keyof typeof PROVERS, level: Level, about: About, options: ProveOptions = {}): Proof | null {
+  const goal = thingOf(level, about.kind === 'blackHole' ? level.blackHole : level.minerals[about.index]);
+  return prove(settingsOf(level, options), [PROVERS[prover]], about, goal, options);
 }
 
 /** A proof for each mineral that is proved to be out of reach in every run; of very many minerals only by what is cheap to prove. */
@@ -48,15 +67,16 @@ export function proveMineralsUnreachable(level: Level, options: ProveOptions = {
     const goal = thingOf(level, mineral);
     const proof = prove(settings, level.minerals.length <= MOST_MINERALS ? [...CHEAP, ...DEAR] : CHEAP, about, goal, options);
     if (proof !== null) return proof;
-    isSoonOver ??= proveSoonOver(settings, { kind: 'blackHole' }, thingOf(level, level.blackHole)) !== null;
-    return isSoonOver ? (proveSoonOver(settings, about, goal) ?? []) : [];
+    isSoonOver ??= proveSoonOver(settings, { kind: 'blackHole' }, thingOf(level, level.blackHole), options) !== null;
+    return isSoonOver ? (proveSoonOver(settings, about, goal, options) ?? []) : [];
   });
 }
 
 /** What costs up to seconds, and only where she starts moving: first what holds for frames and for continuous time alike. */
-function proveSoonOver(settings: readonly Setting[], about: About, goal: Thing): Proof | null {
+function proveSoonOver(settings: readonly Setting[], about: About, goal: Thing, options: ProveOptions): Proof | null {
   return (
-    withinBudget(proveDoomed, settings[0], about, goal) ?? withinBudget(proveFlowpipe, settings[settings.length - 1], about, goal)
+    prove(settings.slice(0, 1), [proveDoomed], about, goal, options) ??
+    prove(settings.slice(-1), [proveFlowpipe], about, goal, options)
   );
 }
 

@@ -22,6 +22,9 @@ export interface Disc {
 /** The accuracies with swept contacts: whoever plays them, her way is continuous and no contact on it is missed. */
 export const CONTINUOUS: readonly AccuracyName[] = ['fast', 'standard', 'precise'];
 
+/** Those whose error is held below every margin of a proof, so that what is true of the game is true of them. */
+export const EXACT: readonly AccuracyName[] = ['precise'];
+
 /** Every accuracy. */
 export const ALL_ACCURACIES: readonly AccuracyName[] = ['arcade', ...CONTINUOUS];
 
@@ -51,8 +54,9 @@ export function settingOf(
   budget: WorkBudget = unlimited(),
 ): Setting {
   const time = maxTime ?? DEFAULT_MAX_TIME;
-  // a hundredth more than a t2 / 2 with a = 1 / (2 radius): frames step a little farther than the flow
-  const drift = level.asteroids.map(({ radius }) => (level.recoil ? (1.01 * time * time) / (4 * radius) : 0));
+  // a hundredth more than a t2 / 2 with a = 1 / (2 radius); frames step a little farther than the flow
+  const most = 1.01 * (frames ? (time + TICK) * (time + 2 * TICK) : time * time);
+  const drift = level.asteroids.map(({ radius }) => (level.recoil ? most / (4 * radius) : 0));
   const jump = frames ? frameJump(level, drift) : 0;
   // dear in large levels, and of use to many proofs or to none
   let reached: readonly number[] | null = null;

@@ -7,7 +7,10 @@ interface Disc {
   readonly within: number;
 }
 
-/** An alien: where it may be and how fast; not there for certain once it may have exploded. */
+/**
+ * An alien: where it may be and how fast, if it is there at all. It is not there for certain once it may have exploded, but as long as it may be there it may
+ * explode another.
+ */
 export interface Chaser {
   readonly at: Disc;
   readonly speed: Disc;
@@ -33,10 +36,8 @@ export function afterChase(chasers: readonly Chaser[], area: Area, seconds: numb
   // two that touch explode
   const mayMeet = (a: Chaser, b: Chaser) => apart(a.at.centre, b.at.centre) <= farthest(a) + farthest(b) + a.radius + b.radius;
   return chasers.map((chaser) => {
-    if (!chaser.isThere) return chaser;
-    if (chasers.some((other) => other !== chaser && other.isThere && mayMeet(chaser, other)))
-      return { ...chaser, isThere: false };
-    return moved(chaser, area, seconds, farthest(chaser));
+    const isThere = chaser.isThere && !chasers.some((other) => other !== chaser && mayMeet(chaser, other));
+    return { ...moved(chaser, area, seconds, farthest(chaser)), isThere };
   });
 }
 
@@ -77,8 +78,8 @@ const orNothing = ({ centre, within }: Disc): Disc => ({
 
 /** An alien that may be either of two. */
 export function eitherChaser(a: Chaser, b: Chaser): Chaser {
-  if (a === b || !a.isThere) return a;
-  return b.isThere ? { ...a, at: eitherDisc(a.at, b.at), speed: eitherDisc(a.speed, b.speed) } : b;
+  if (a === b) return a;
+  return { ...a, at: eitherDisc(a.at, b.at), speed: eitherDisc(a.speed, b.speed), isThere: a.isThere && b.isThere };
 }
 
 function eitherDisc(a: Disc, b: Disc): Disc {

@@ -18,6 +18,10 @@ export interface Claim {
    * continuous and every contact on it is found.
    */
   readonly frames: boolean;
+  /** Steps of a fixed length, in which a push may be that of a place some px before or after (`fast`, `standard`). */
+  readonly steps: boolean;
+  /** Longest run, s; null: however long. */
+  readonly seconds: number | null;
   /** The farthest jump from one look to the next, px; 0 in continuous time. */
   readonly jump: number;
   /** How far recoil can carry an asteroid while a run lasts, px. */
@@ -26,8 +30,12 @@ export interface Claim {
   place<T extends { readonly x: number; readonly y: number }>(thing: T): T;
 }
 
-/** The claim of a proof about a level, for the one way of playing or the other. */
-export function claimOf(level: Level, about: About, maxTime: number | null, frames: boolean): Claim {
+/** How an accuracy plays, as far as proofs tell it apart: by frames, in continuous time by fixed steps, or with an error that is kept below any margin of theirs. */
+export type Play = 'frames' | 'steps' | 'exact';
+
+/** The claim of a proof about a level, for one way of playing. */
+export function claimOf(level: Level, about: About, maxTime: number | null, play: Play): Claim {
+  const frames = play === 'frames';
   const { astronaut, range, recoil } = level;
   const place = <T extends { readonly x: number; readonly y: number }>(thing: T): T => ({
     ...thing,
@@ -36,9 +44,21 @@ export function claimOf(level: Level, about: About, maxTime: number | null, fram
   });
   const thing = place(about.kind === 'blackHole' ? level.blackHole : level.minerals[about.index]);
   const time = maxTime ?? DEFAULT_MAX_TIME;
-  // acceleration 1 / diameter, all the time: a t2 / 2, and a hundredth for frames, which step a little farther
-  const drift = (i: number): number => (recoil ? (1.01 * time * time) / (4 * level.asteroids[i].radius) : 0);
-  return { level, about, thing, touch: thing.radius + HALF_DIAGONAL, frames, jump: frames ? frameJump() : 0, drift, place };
+  // acceleration 1 / diameter, all the time: a t2 / 2; frames go as far as in a frame more, and the last may end after it
+  const longest = frames ? (time + TICK) * (time + 2 * TICK) : time * time;
+  const drift = (i: number): number => (recoil ? (1.01 * longest) / (4 * level.asteroids[i].radius) : 0);
+  return {
+    level,
+    about,
+    thing,
+    touch: thing.radius + HALF_DIAGONAL,
+    frames,
+    steps: play === 'steps',
+    seconds: maxTime,
+    jump: frames ? frameJump() : 0,
+    drift,
+    place,
+  };
 
   /**
    * Nothing accelerates her by more than GUN_PULL. If she has the speed v at a place, then some time ago she was at least

@@ -1,6 +1,7 @@
-import { HALF_DIAGONAL, HALF_HEIGHT, HALF_WIDTH } from '../../engine/index.ts';
+import { HALF_DIAGONAL, HALF_HEIGHT, HALF_WIDTH, SPEED_LIMIT } from '../../engine/index.ts';
 import type { DeadEnd } from '../proofs/index.ts';
 import type { Claim } from './claim.ts';
+import { speedAfter } from './fall.ts';
 import { standingHazard } from './hazards.ts';
 import { apart, less, type Point } from './rounded.ts';
 
@@ -55,12 +56,22 @@ interface Source {
   readonly high: number;
 }
 
+/** Where she leaves a line: px from the start, the direction, the asteroid that pulled her before, and how long the line is, px. */
+export interface Leaving {
+  readonly apex: Point;
+  readonly ahead: Point;
+  readonly before: number;
+  readonly length: number;
+}
+
 /**
  * At `apex` she leaves the line that she fell along, in the direction `ahead`, where another asteroid is as near as the one `before`. Everything that can push
  * her from there pushes her forward along the axis, so her way does, and its slope lies between slopes it had and slopes of pushes. From line to line across
  * the axis all such ways are followed, until hazards or the end of the range have stopped them; none comes near the thing, and on none she comes back.
  */
-export function checkDeadEnd(claim: Claim, { axis, step }: DeadEnd, apex: Point, ahead: Point, before: number): string | null {
+export function checkDeadEnd(claim: Claim, { axis, step }: DeadEnd, { apex, ahead, before, length }: Leaving): string | null {
+  // a step may push her as at a place some px away, where pushes have other slopes
+  if (claim.steps) return 'with fixed steps her way may turn past the pushes there';
   if (claim.level.recoil) return 'with recoil the border between two asteroids moves';
   if (claim.frames) return 'with frames she may jump over the border between two asteroids';
   if (!Array.isArray(axis) || axis.length !== 2 || !(Math.abs(axis[0] * axis[0] + axis[1] * axis[1] - 1) < 1e-9))
@@ -75,9 +86,13 @@ export function checkDeadEnd(claim: Claim, { axis, step }: DeadEnd, apex: Point,
   const first = [-BESIDE, BESIDE].flatMap((place) => slopes.map((slope) => ({ place, slope })));
   let stages: Stage[] = [{ ways: first, box: slopes }];
   let looked = 0;
+  let farthest = 0;
   for (let n = 0; stages.length > 0; n++) {
     const next: Stage[] = [];
     for (const stage of stages) {
+      // from rest no way between places of the line and of the dead end makes her faster than a fall as long as that
+      for (const { place } of stage.ways) farthest = Math.max(farthest, Math.abs(place) + (n + 1 + STEEP) * step);
+      if (!less(speedAfter(length + 2 * farthest), 0.99 * SPEED_LIMIT)) return 'she may come to the speed limit';
       if (++looked > MOST) return 'it takes too many stages to follow her';
       const after = follow(scene, stage, n * step, step);
       if (typeof after === 'string') return after;

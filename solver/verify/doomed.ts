@@ -8,18 +8,21 @@ import type { Point } from './rounded.ts';
 type Interval = readonly [number, number];
 
 /** A set of states: places and velocities along both axes of the grid, px and px/s. */
-interface Box {
+export interface Box {
   readonly x: Interval;
   readonly y: Interval;
   readonly vx: Interval;
   readonly vy: Interval;
 }
 
-type Rectangle = Pick<Box, 'x' | 'y'>;
+export type Rectangle = Pick<Box, 'x' | 'y'>;
 type Circle = Point & { readonly radius: number };
 
 /** Rounding of a step is far below this, px and px/s. */
 const ROUNDING = 1e-7;
+
+/** `arcade` reckons in places as they are in the file: beyond this, px, frames add up to more than {@link ROUNDING}. */
+const FAR_OUT = 1e6;
 
 /** A certificate may ask for no more boxes than this. */
 const MOST_BOXES = 1_000_000;
@@ -38,6 +41,8 @@ const times = (a: Interval, b: Interval): Interval => {
  */
 export function checkDoomed(claim: Claim, grid: FanGrid): string | null {
   if (!isGrid(grid)) return 'its grid is none';
+  const { x, y } = claim.level.astronaut;
+  if (claim.frames && Math.max(Math.abs(x), Math.abs(y)) > FAR_OUT) return 'with frames places so far out are too coarse';
   const scene = turnedScene(claim, grid.axis);
   const seconds = grid.frames * TICK;
   let boxes: Box[] = [scene.start];
@@ -86,7 +91,7 @@ function isGrid(grid: FanGrid | undefined): grid is FanGrid {
   );
 }
 
-interface TurnedScene {
+export interface TurnedScene {
   readonly start: Box;
   readonly thing: Point;
   readonly hazards: readonly Circle[];
@@ -98,7 +103,7 @@ interface TurnedScene {
 }
 
 /** The level with the grid's first axis as x. */
-function turnedScene(claim: Claim, [ux, uy]: readonly [number, number]): TurnedScene {
+export function turnedScene(claim: Claim, [ux, uy]: readonly [number, number]): TurnedScene {
   const { level, place } = claim;
   const turn = ({ x, y }: Point): Point => ({ x: x * ux + y * uy, y: y * ux - x * uy });
   const v = turn({ x: level.astronaut.vx, y: level.astronaut.vy });
@@ -124,14 +129,14 @@ function turnedScene(claim: Claim, [ux, uy]: readonly [number, number]): TurnedS
 }
 
 /** Every place of the next `seconds`: the straight way, and what any push can bend it by. */
-function placesWithin({ x, y, vx, vy }: Box, seconds: number): Rectangle {
+export function placesWithin({ x, y, vx, vy }: Box, seconds: number): Rectangle {
   const bend = 0.5 * GUN_PULL * seconds * (seconds + TICK);
   const along = (p: Interval, v: Interval) => add(add(p, times(v, [0, seconds])), [-bend, bend]);
   return { x: along(x, vx), y: along(y, vy) };
 }
 
 /** v t + a t2 / 2, with an acceleration that may change within its bounds; frames push half a frame earlier or later. */
-function advance({ x, y, vx, vy }: Box, ax: Interval, ay: Interval, seconds: number): Box {
+export function advance({ x, y, vx, vy }: Box, ax: Interval, ay: Interval, seconds: number): Box {
   const weight: Interval = [0.5 * seconds * (seconds - TICK), 0.5 * seconds * (seconds + TICK)];
   const place = (p: Interval, v: Interval, a: Interval) => add(add(p, times(v, [seconds, seconds])), times(a, weight));
   const velocity = (v: Interval, a: Interval) => add(v, times(a, [seconds, seconds]));
@@ -139,7 +144,7 @@ function advance({ x, y, vx, vy }: Box, ax: Interval, ay: Interval, seconds: num
 }
 
 /** Every acceleration at a place of the rectangle, with the gun on or off. */
-function accelerations({ asteroids, fields, drift }: TurnedScene, way: Rectangle, seconds: number): [Interval, Interval] {
+export function accelerations({ asteroids, fields, drift }: TurnedScene, way: Rectangle, seconds: number): [Interval, Interval] {
   const pushes = fields.flatMap((field) => {
     const [near, far] = distances(field, way);
     if (near > field.radius + ROUNDING) return [];

@@ -1,7 +1,8 @@
-import { GUN_PULL, HALF_HEIGHT, HALF_WIDTH } from '../../engine/index.ts';
+import { GUN_PULL, HALF_HEIGHT, HALF_WIDTH, SPEED_LIMIT } from '../../engine/index.ts';
 import type { Drift, LineEnd, LineTrap } from '../proofs/index.ts';
 import type { Claim } from './claim.ts';
 import { checkDeadEnd } from './dead-end.ts';
+import { offLine, speedAfter } from './fall.ts';
 import { standingHazard } from './hazards.ts';
 import { apart, isIndex, less, type Point } from './rounded.ts';
 
@@ -9,6 +10,9 @@ const START = { x: 0, y: 0 };
 
 /** She may be this far from the exact line, px, and turned by as much at the corners of her box: rounding is far below it. */
 const TUBE = 0.01;
+
+/** Of the speed limit, px/s; the rest is for what a step may gain. */
+const FASTEST = 0.99 * SPEED_LIMIT;
 
 /** Distances that differ by less are equal, px. */
 const TIE = 1e-6;
@@ -53,6 +57,7 @@ export function checkLineTrap(claim: Claim, { target, back, front, drift }: Line
   };
   const why = back.by?.kind === 'start' ? checkOneWay(claim, line, back, front) : checkBothWays(claim, line, back, front);
   if (why !== null) return why;
+  if (mayBend(claim, line, back, front)) return 'she may come to the speed limit, and off the line';
 
   // from where a dead end begins another asteroid is as near: she is on the line up to there
   const from = back.by?.kind === 'dead-end' ? back.at : back.at - TUBE;
@@ -122,6 +127,21 @@ function driftOnSwing(
   return holds ? bound : null;
 }
 
+/**
+ * Whether one axis of her velocity may come to the speed limit and the other not. Lemma `speed on a line`: every turn is at rest on the stretch, and from there the pull takes
+ * her to the asteroid's centre at most; beyond that it slows her down. Without recoil it falls off with the distance. A line along an axis isn't bent; but where recoil
+ * acts her speed tells how far the asteroid drifts, and the limit mustn't take any of it.
+ */
+function mayBend(claim: Claim, line: Line, back: LineEnd, front: LineEnd): boolean {
+  const { recoil, range, astronaut, asteroids } = claim.level;
+  const { x, y } = asteroids[line.target];
+  if (!recoil && (x === astronaut.x || y === astronaut.y)) return false;
+  if (back.by?.kind === 'start') return !less(speedAfter(front.at + claim.jump + TUBE), FASTEST);
+  const far = Math.max(line.farthest - back.at, front.at - line.nearest) + TUBE;
+  const inRange = Math.min(far, range);
+  return !less(speedAfter(recoil ? far : inRange * (1 - inRange / (2 * range))), FASTEST);
+}
+
 /** She dies before she comes to the asteroid's centre, so that it only ever pulls her forward: she can't go back beyond the start. */
 function checkOneWay(claim: Claim, line: Line, back: LineEnd, front: LineEnd): string | null {
   if (back.at !== 0) return 'its stretch does not begin at the start';
@@ -129,25 +149,49 @@ function checkOneWay(claim: Claim, line: Line, back: LineEnd, front: LineEnd): s
     // recoil brings it towards her: she meets it here at the latest, and doesn't jump over half of it
     if (!claim.level.asteroids[line.target].hot) return 'the asteroid at its end is cold';
     if (!less(line.centre - front.at + TUBE, line.radius + HALF_WIDTH)) return 'she may stop before she touches the asteroid';
-    return less(claim.jump + TUBE, line.radius) ? null : 'she may jump over the asteroid';
+    if (!less(claim.jump + TUBE, line.radius)) return 'she may jump over the asteroid';
+    return checkRounding(claim, line, front.at);
   }
   if (!less(front.at + claim.jump + TUBE, line.nearest)) return 'she may come to the centre of the asteroid';
-  return checkHazard(claim, line, front);
+  return checkHazard(claim, line, front) ?? checkRounding(claim, line, front.at);
+}
+
+/**
+ * With frames rounding is part of the game. Lemma `arcade-axis`: along an axis all differences, pulls and velocities across are 0, and stay so. On other
+ * lines what it can do must be told, see {@link offLine}; recoil makes that too long a story.
+ */
+function checkRounding(claim: Claim, line: Line, end: number): string | null {
+  if (!claim.frames) return null;
+  const { astronaut, asteroids, recoil } = claim.level;
+  const { x, y } = asteroids[line.target];
+  if (x === astronaut.x || y === astronaut.y) return null;
+  if (recoil) return 'with frames rounding and recoil may take her off the line';
+  if (claim.seconds === null) return 'with frames it needs to say for how long rounding may add up';
+  const { beside, slope } = offLine({
+    centre: line.centre,
+    nearest: line.centre - end - TUBE,
+    jump: claim.jump,
+    coordinate: Math.abs(astronaut.x) + Math.abs(astronaut.y) + line.centre,
+    speed: 1.01 * speedAfter(end + claim.jump) + 1,
+    seconds: claim.seconds,
+  });
+  return beside < TUBE / 4 && 20 * slope < TUBE / 4 ? null : 'with frames rounding may take her off the line';
 }
 
 /** Past the centre she may turn back, and gain speed by pulling on the way in only: nothing but what ends the run stops her. */
 function checkBothWays(claim: Claim, line: Line, back: LineEnd, front: LineEnd): string | null {
   // a frame in the very centre pulls her to the right, off the line
   if (claim.frames) return 'with frames she may leave the line at the centre of the asteroid';
-  return checkEnd(claim, line, back) ?? checkEnd(claim, line, front);
+  const length = front.at - back.at;
+  return checkEnd(claim, line, back, length) ?? checkEnd(claim, line, front, length);
 }
 
-function checkEnd(claim: Claim, line: Line, end: LineEnd): string | null {
+function checkEnd(claim: Claim, line: Line, end: LineEnd, length: number): string | null {
   if (end.by?.kind === 'dead-end') {
     const { x, y } = claim.place(claim.level.asteroids[line.target]);
     const u = { x: x / line.centre, y: y / line.centre };
     const ahead = end.at > 0 ? u : { x: -u.x, y: -u.y };
-    return checkDeadEnd(claim, end.by, { x: u.x * end.at, y: u.y * end.at }, ahead, line.target);
+    return checkDeadEnd(claim, end.by, { apex: { x: u.x * end.at, y: u.y * end.at }, ahead, before: line.target, length });
   }
   if (end.by?.kind !== 'range') return checkHazard(claim, line, end);
   const far = end.at > line.centre ? end.at - line.farthest : line.nearest - end.at;

@@ -1,8 +1,8 @@
-import { isAccuracyName } from '../../engine/index.ts';
+import { type AccuracyName, isAccuracyName } from '../../engine/index.ts';
 import type { Level } from '../../schema/index.ts';
 import type { Certificate, Proof } from '../proofs/index.ts';
 import { checkNothingInRange, checkStartsInHazard } from './at-start.ts';
-import { type Claim, claimOf } from './claim.ts';
+import { type Claim, claimOf, type Play } from './claim.ts';
 import { checkCovered } from './covered.ts';
 import { checkDoomed } from './doomed.ts';
 import { checkEnclosed } from './enclosed.ts';
@@ -13,6 +13,8 @@ import { isIndex } from './rounded.ts';
 
 /** What the checker says of a proof: that it holds, or the first thing that doesn't. */
 export type Verification = { readonly ok: true } | { readonly ok: false; readonly why: string };
+
+const PLAYS: Readonly<Record<AccuracyName, Play>> = { arcade: 'frames', fast: 'steps', standard: 'steps', precise: 'exact' };
 
 const wrong = (why: string): Verification => ({ ok: false, why });
 
@@ -36,9 +38,8 @@ export function verifyProof(level: Level, proof: Proof): Verification {
   if (maxTime === null && level.recoil && needsTime(certificate))
     return wrong('with recoil it needs to say how long a run may last');
   if (certificate?.kind !== code) return wrong('its certificate is of another kind');
-  const ways = new Set(covers.map((name) => name === 'arcade'));
-  for (const frames of ways) {
-    const why = check(claimOf(level, about, maxTime, frames), certificate);
+  for (const play of new Set(covers.map((name) => PLAYS[name]))) {
+    const why = check(claimOf(level, about, maxTime, play), certificate);
     if (why !== null) return wrong(why);
   }
   return { ok: true };

@@ -1,0 +1,47 @@
+import { writeFileSync } from 'node:fs';
+import { optionValue } from './harness.ts';
+import { ALL_ACCURACIES, ALL_PROVERS, attackLevel, emptyTally, LARGE, type Prover } from './soak/attack/index.ts';
+
+/**
+ * Attacks every kind of proof at every accuracy with claims that are known to be false. Options: --claims N (of each; 10000), --seconds S (of each; no end),
+ * --prover NAME, --accuracy NAME, --from SEED, --out FILE (what was accepted, as JSON).
+ */
+function main(): void {
+  const claims = Number(optionValue('--claims') ?? 10_000);
+  const seconds = Number(optionValue('--seconds') ?? Number.POSITIVE_INFINITY);
+  const from = Number(optionValue('--from') ?? 0);
+  const out = optionValue('--out');
+  const provers = ALL_PROVERS.filter((name) => name === (optionValue('--prover') ?? name));
+  const accuracies = ALL_ACCURACIES.filter((name) => name === (optionValue('--accuracy') ?? name));
+  const accepted: unknown[] = [];
+  console.log('proof             accuracy  levels  claims  foreign  mutated  searched  accepted');
+  for (const prover of provers) {
+    for (const accuracy of accuracies) {
+      if (!covers(prover, accuracy)) continue;
+      const tally = emptyTally();
+      const until = Date.now() + 1000 * seconds;
+      let seed = from;
+      for (; tally.claims < claims && Date.now() < until; seed++) attackLevel(prover, accuracy, seed, LARGE, tally);
+      const numbers = [tally.levels, tally.claims, tally.foreign, tally.mutated, tally.searched, tally.accepted.length];
+      console.log(
+        `${prover.padEnd(17)} ${accuracy.padEnd(8)} ${numbers.map((n) => String(n).padStart(7)).join(' ')}  (${seed - from} seeds)`,
+      );
+      for (const { by, seed: at, verified, about } of tally.accepted.slice(0, 5)) {
+        console.log(
+          `  ACCEPTED: seed ${at}, by ${by}, about ${JSON.stringify(about)}${verified ? '' : ', but the checker refuses it'}`,
+        );
+      }
+      accepted.push(...tally.accepted);
+    }
+  }
+  if (out !== null) writeFileSync(out, JSON.stringify(accepted, null, 1));
+  if (accepted.length > 0) process.exitCode = 1;
+}
+
+/** Whether the kind makes proofs for the accuracy at all. */
+function covers(prover: Prover, accuracy: string): boolean {
+  if (prover === 'dead-end') return accuracy === 'precise';
+  return accuracy !== 'arcade' || (prover !== 'flowpipe' && prover !== 'covered');
+}
+
+main();

@@ -1,0 +1,159 @@
+import { ACCURACIES, type AccuracyName, compile } from '../../../engine/index.ts';
+import type { Level } from '../../../schema/index.ts';
+import { type About, createSearch, PROVERS, type Proof, proveBy, verifyProof } from '../../../solver/index.ts';
+import { seeded } from '../../scenes/seeded.ts';
+import { type FalseClaim, hugged, isFalse, somePoses, thingAt, thingBeside, trueTouches, withoutThing } from './claims.ts';
+import { mutated } from './mutated.ts';
+import { type Play, playLevel, STYLES } from './plays.ts';
+import { levelFor, type Prover } from './styles.ts';
+
+export type { Prover };
+export const ALL_PROVERS = Object.keys(PROVERS) as Prover[];
+export const ALL_ACCURACIES = Object.keys(ACCURACIES) as AccuracyName[];
+
+/** What was tried against one kind of proof at one accuracy, and what came of it. */
+export interface Tally {
+  /** levels for which the prover has a proof once the thing is far away, or hazards are larger: the attack isn't vacuous */
+  levels: number;
+  /** claims known to be false, in such levels, that the prover was asked to prove */
+  claims: number;
+  /** certificates of a like claim that holds, given to the checker for a false one */
+  foreign: number;
+  /** the same with some number or name changed */
+  mutated: number;
+  /** claims proved, attacked by a search */
+  searched: number;
+  accepted: Refutation[];
+}
+
+/** A false claim that was accepted: all that is needed to see it. */
+export interface Refutation {
+  readonly by: 'prover' | 'foreign' | 'mutated' | 'search';
+  readonly prover: Prover;
+  readonly accuracy: AccuracyName;
+  readonly seed: number;
+  readonly level: Level;
+  readonly about: About;
+  readonly holds: Play['holds'];
+  readonly proof: Proof;
+  /** what the checker says of it */
+  readonly verified: boolean;
+}
+
+export const emptyTally = (): Tally => ({ levels: 0, claims: 0, foreign: 0, mutated: 0, searched: 0, accepted: [] });
+
+/** How much is tried in one level. */
+export interface Effort {
+  readonly plays: number;
+  readonly posesPerPlay: number;
+  readonly ticks: number;
+  readonly mutations: number;
+  /** ticks of search against what is proved; 0: none */
+  readonly searchTicks: number;
+}
+
+export const SMALL: Effort = { plays: 2, posesPerPlay: 6, ticks: 400, mutations: 1, searchTicks: 0 };
+export const LARGE: Effort = { plays: 4, posesPerPlay: 15, ticks: 900, mutations: 2, searchTicks: 2000 };
+
+const MAX_TIME = 60;
+
+/** Attacks one level of the seed; counts are added to the tally. */
+export function attackLevel(prover: Prover, accuracy: AccuracyName, seed: number, effort: Effort, tally: Tally): void {
+  const random = seeded(seed * 977 + prover.length * 31 + accuracy.length);
+  const level = levelFor(prover, random);
+  const options = { accuracy, maxTime: MAX_TIME };
+  const prove = (of: Level, about: About) => proveBy(prover, of, about, options);
+  // the black hole is far away in what styles make
+  const away: About = { kind: 'blackHole' };
+  const twin = prove(level, away) ?? (prover === 'nothing-in-range' ? prove({ ...level, range: level.range / 2 }, away) : null);
+  const ask = (claim: FalseClaim, like: Proof | null) => {
+    tally.claims++;
+    const found = (by: Refutation['by'], proof: Proof, verified: boolean) =>
+      tally.accepted.push({
+        by,
+        prover,
+        accuracy,
+        seed,
+        level: claim.level,
+        about: claim.about,
+        holds: claim.play.holds,
+        proof,
+        verified,
+      });
+    const proof = prove(claim.level, claim.about);
+    if (proof !== null) found('prover', proof, verifyProof(claim.level, proof).ok);
+    if (like === null) return;
+    const other: Proof = { ...like, about: claim.about, covers: [accuracy] };
+    tally.foreign++;
+    if (verifyProof(claim.level, other).ok) found('foreign', other, true);
+    for (let n = 0; n < effort.mutations; n++) {
+      const changed = mutated(other, random);
+      tally.mutated++;
+      if (verifyProof(claim.level, changed).ok) found('mutated', changed, true);
+    }
+  };
+
+  let counts = twin !== null;
+  if (counts) tally.levels++;
+  for (let n = 0; n < effort.plays; n++) {
+    const style = STYLES[Math.floor(random() * STYLES.length)];
+    const play = playLevel(level, accuracy, style, random, effort.ticks);
+    const things = somePoses(play, random, effort.posesPerPlay).map((pose) => thingAt(pose, random));
+    if (prover === 'line-trap') {
+      for (let k = 0; k < 4; k++) things.push(thingBeside(level.asteroids[0], level.astronaut, random));
+    }
+    const claims = trueTouches(level, accuracy, play, things);
+    if (twin !== null) for (const claim of claims) ask(claim, twin);
+    // hazards that all but shut her out
+    const closely = prover === 'covered';
+    for (const claim of closely ? claims : claims.slice(0, 3)) {
+      const { near, shut } = hugged(claim, closely, random);
+      if (!isFalse(near, accuracy)) continue;
+      const like = prove(shut, claim.about) ?? prove(withoutThing(near), claim.about);
+      if (like === null) continue;
+      if (!counts) tally.levels++;
+      counts = true;
+      ask(near, like);
+    }
+  }
+  if (effort.searchTicks > 0) attackWhatHolds(prover, accuracy, seed, level, random, effort, tally);
+}
+
+/** A black hole just beyond where she came, and a search against what is proved about it. */
+function attackWhatHolds(
+  prover: Prover,
+  accuracy: AccuracyName,
+  seed: number,
+  level: Level,
+  random: () => number,
+  { ticks, searchTicks }: Effort,
+  tally: Tally,
+): void {
+  const play = playLevel(level, accuracy, STYLES[Math.floor(random() * STYLES.length)], random, ticks);
+  const [pose] = somePoses(play, random, 1);
+  if (pose === undefined) return;
+  const { radius } = thingAt(pose, random);
+  const turn = 6.2832 * random();
+  const far = radius + 10 + 30 * random();
+  const blackHole = { id: null, x: pose.x + far * Math.cos(turn), y: pose.y + far * Math.sin(turn), radius };
+  const of = { ...level, blackHole };
+  const about: About = { kind: 'blackHole' };
+  const proof = proveBy(prover, of, about, { accuracy, maxTime: MAX_TIME });
+  if (proof === null) return;
+  tally.searched++;
+  const search = createSearch(compile(of, accuracy), { seed });
+  search.advance(searchTicks);
+  const [solution] = search.solutions;
+  if (solution === undefined) return;
+  tally.accepted.push({
+    by: 'search',
+    prover,
+    accuracy,
+    seed,
+    level: of,
+    about,
+    holds: solution.holds,
+    proof,
+    verified: verifyProof(of, proof).ok,
+  });
+}

@@ -1,0 +1,45 @@
+import { GUN_PULL, TICK, TICK_RATE } from '../../engine/index.ts';
+
+/** What one operation on doubles may add, as a share of its result; a little more than 2^-53. */
+const ROUNDING = 1.2e-16;
+
+/** A fall from rest towards a centre, along a line that is parallel to neither axis; px, s, px/s. */
+export interface Fall {
+  /** from the start to the centre */
+  readonly centre: number;
+  /** how near she comes to it at a look at which the run goes on */
+  readonly nearest: number;
+  /** the farthest from one look to the next */
+  readonly jump: number;
+  /** the largest number of a place */
+  readonly coordinate: number;
+  /** the fastest she can be */
+  readonly speed: number;
+  /** longest run */
+  readonly seconds: number;
+}
+
+/**
+ * Lemma `arcade-fall`: how far from her line rounding can take her while she falls frame by frame, px, and by how much it can turn her there, as a slope.
+ *
+ * With r from the centre to her and w her velocity, a frame is r += w dt, w += a dt, and a points along -r: the momentum r x w grows by no more than the
+ * factor 1 + dt2 |a| / |r|. All |a| dt together are at most her speed, and |r| is at least `nearest`: all factors together at most exp(speed dt / nearest), which is
+ * below 3 where `nearest` is a jump or more. Rounding adds to the momentum, in each frame, what it takes from a place times the speed, and what it
+ * takes from a velocity times the distance. The slope e / p, e beside the line and p before the centre, changes in a frame by dt times the momentum / (p p').
+ */
+export function offLine({ centre, nearest, jump, coordinate, speed, seconds }: Fall): { beside: number; slope: number } {
+  const last = nearest - jump;
+  if (!(last >= 1)) return { beside: Number.POSITIVE_INFINITY, slope: Number.POSITIVE_INFINITY };
+  const frames = Math.ceil(seconds * TICK_RATE) + 2;
+  // a place: the product, the sum, both axes; a velocity likewise; and the pull: differences, root, quotient, products
+  const place = 3 * ROUNDING * (coordinate + jump);
+  const velocity = 3 * ROUNDING * (speed + 1) + 12 * ROUNDING * GUN_PULL * TICK;
+  const momentum = 3 * frames * (place * speed + velocity * centre);
+  const slope = frames * ((TICK * momentum) / (nearest * last) + (3 * place) / last);
+  const beside = centre * slope;
+  // at the last look she may be as near as `last`
+  return { beside, slope: slope + (beside + TICK * momentum) / last };
+}
+
+/** Lemma `speed`: nothing accelerates her by more than GUN_PULL, so on the way `far` in one direction she gains no more speed than this, px/s; from rest. */
+export const speedAfter = (far: number): number => Math.sqrt(2 * GUN_PULL * far);

@@ -1,0 +1,408 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import {
+  type AccuracyName,
+  boxCircleGap,
+  compile,
+  createSimulation,
+  GUN_PULL,
+  HALF_DIAGONAL,
+  simulate,
+  TICK,
+} from '../../engine/index.ts';
+import type { Hold, Level } from '../../schema/index.ts';
+import { afterChase, type Chaser } from '../../solver/verify/chasers.ts';
+import { claimOf, type Play } from '../../solver/verify/claim.ts';
+import { accelerations, advance, type Box, placesWithin, turnedScene } from '../../solver/verify/doomed.ts';
+import { offLine } from '../../solver/verify/fall.ts';
+import { accuracyNames } from '../levels/shipped-pack.ts';
+import { crowdedLevel } from './proofs-crowded.ts';
+
+// What proofs take for granted, each by its name in docs/proofs.md, held against the engine at every accuracy that a proof that rests on it covers.
+
+const CONTINUOUS: readonly AccuracyName[] = ['fast', 'standard', 'precise'];
+const PLAYS: Readonly<Record<AccuracyName, Play>> = { arcade: 'frames', fast: 'steps', standard: 'steps', precise: 'exact' };
+const HOLE = { kind: 'blackHole' } as const;
+
+const whole = (min: number, max: number) => fc.integer({ min, max });
+// evenly spread, as doubles of fast-check are not
+const real = (min: number, max: number) => fc.integer({ min: 0, max: 2 ** 30 }).map((n) => min + ((max - min) * n) / 2 ** 30);
+
+const EMPTY: Level = {
+  name: 'lemma',
+  description: '',
+  astronaut: { x: 0, y: 0, vx: 0, vy: 0 },
+  blackHole: { id: null, x: 0, y: 1e7, radius: 18 },
+  range: 250,
+  recoil: false,
+  asteroids: [],
+  novae: [],
+  repulsors: [],
+  aliens: [],
+  minerals: [],
+  runs: [],
+};
+const rock = (x: number, y: number, radius: number) => ({ id: null, x, y, radius, hot: false });
+
+/** One tick after another: held or not, for so many ticks each; `pump`: held as long as she comes nearer to the first asteroid. */
+const script = fc.array(fc.tuple(whole(1, 60), fc.constantFrom('held', 'free', 'pump', 'pump')), { minLength: 5, maxLength: 40 });
+type Script = readonly (readonly [number, string])[];
+
+/** Her state at each tick while the run goes on: x, y, vx, vy, cos, sin; and whether the gun was held in the tick that follows. */
+function statesOf(level: Level, accuracy: AccuracyName, plan: Script) {
+  const simulation = createSimulation(compile(level, accuracy));
+  const state = new Float64Array(6);
+  const rocks = new Float64Array(2 * level.asteroids.length);
+  const all: { s: number[]; rocks: number[] }[] = [];
+  const holds: Hold[] = [];
+  const look = () => {
+    simulation.readState(state);
+    simulation.readAsteroids(rocks);
+    all.push({ s: [...state], rocks: [...rocks] });
+  };
+  look();
+  for (const [ticks, how] of plan) {
+    for (let n = 0; n < ticks && simulation.ending === null; n++) {
+      const [x, y, vx, vy] = state;
+      const nearer = (rocks[0] - x) * vx + (rocks[1] - y) * vy >= 0;
+      const held = how === 'held' || (how === 'pump' && nearer);
+      if (held) holds.push([simulation.tick, simulation.tick + 1]);
+      simulation.advance(1, held);
+      if (simulation.ending === null) look();
+    }
+  }
+  return { all, holds, seconds: all.length * TICK };
+}
+
+describe('reach: how near a box must be to touch, and may be without', () => {
+  it('10 px for certain, 18.868 px at most, whatever its angle', () => {
+    let farthest = 0;
+    fc.assert(
+      fc.property(real(0, 40), real(0, 6.3), real(0, 6.3), real(0.001, 100), (gap, to, turn, radius) => {
+        const d = radius + gap;
+        const g = boxCircleGap(d * Math.cos(to), d * Math.sin(to), Math.cos(turn), Math.sin(turn), radius);
+        if (gap < 10 - 1e-9) expect(g).toBeLessThan(0);
+        if (gap >= HALF_DIAGONAL) expect(g).toBeGreaterThanOrEqual(0);
+        if (g < 0) farthest = Math.max(farthest, gap);
+      }),
+      { numRuns: 3000 },
+    );
+    expect(farthest).toBeGreaterThan(17);
+  });
+});
+
+describe('line: from rest before one asteroid she stays on the line through it, and her box lies along it', () => {
+  it.each(CONTINUOUS)('%s', (accuracy) => {
+    let passes = 0;
+    fc.assert(
+      fc.property(real(20, 240), real(0, 6.3), fc.constantFrom(0, 0, 0.5, 16), script, (d, turn, recoil, plan) => {
+        const [ux, uy] = [Math.cos(turn), Math.sin(turn)];
+        const level = { ...EMPTY, recoil: recoil > 0, asteroids: [rock(d * ux, d * uy, recoil || 16)] };
+        const { holds, seconds, all } = statesOf(level, accuracy, plan);
+        for (let i = 1; i < all.length; i++) {
+          const side = ({ s, rocks }: (typeof all)[number]) => (rocks[0] - s[0]) * ux + (rocks[1] - s[1]) * uy > 0;
+          if (side(all[i - 1]) !== side(all[i])) passes++;
+        }
+        const run = simulate(compile(level, accuracy), holds, { maxTime: seconds });
+        const state = new Float64Array(6);
+        const first = (holds[0]?.[0] ?? Number.POSITIVE_INFINITY) * TICK;
+        for (let k = 0; k <= 600; k++) {
+          const time = (Math.min(run.time, seconds) * k) / 600;
+          run.trajectory.at(time, state);
+          const [x, y, , , cos, sin] = state;
+          if (Math.abs(y * ux - x * uy) > 1e-9) expect.fail(`${Math.abs(y * ux - x * uy)} px off the line at ${time} s`);
+          const askew = time >= first ? Math.abs(sin * ux - cos * uy) : Math.abs(sin);
+          if (askew > 1e-9) expect.fail(`askew by ${askew} at ${time} s`);
+        }
+      }),
+      { numRuns: 60 },
+    );
+    expect(passes).toBeGreaterThan(40);
+  });
+});
+
+describe('speed on a line: no faster than from rest at the far end to the centre', () => {
+  it.each(CONTINUOUS)('%s', (accuracy) => {
+    let closest = 0;
+    fc.assert(
+      fc.property(real(20, 245), real(0, 6.3), script, (d, turn, plan) => {
+        const level = { ...EMPTY, asteroids: [rock(d * Math.cos(turn), d * Math.sin(turn), 16)] };
+        const most = Math.sqrt(2 * GUN_PULL * (250 - 125));
+        for (const { s } of statesOf(level, accuracy, plan).all) {
+          const v = Math.hypot(s[2], s[3]);
+          if (v > 1.001 * most) expect.fail(`${v} px/s of ${most}`);
+          closest = Math.max(closest, v / most);
+        }
+      }),
+      { numRuns: 80 },
+    );
+    expect(closest).toBeGreaterThan(0.7);
+  });
+});
+
+describe('speed: its square is no more than at the start and twice 39 px/s2 for the way from where she was', () => {
+  it.each(accuracyNames)('%s', (accuracy) => {
+    fc.assert(
+      fc.property(crowdedLevel, script, (level, plan) => {
+        const { all } = statesOf(level, accuracy, plan);
+        const start = level.astronaut.vx ** 2 + level.astronaut.vy ** 2;
+        const low = [0, 0];
+        const high = [0, 0];
+        for (const { s } of all) {
+          for (const axis of [0, 1]) {
+            low[axis] = Math.min(low[axis], s[axis]);
+            high[axis] = Math.max(high[axis], s[axis]);
+          }
+          const way = Math.hypot(high[0] - low[0], high[1] - low[1]);
+          expect(s[2] ** 2 + s[3] ** 2).toBeLessThanOrEqual(
+            1.001 * (start + 2 * GUN_PULL * (way + 0.1 * Math.sqrt(start + 1))) + 1,
+          );
+        }
+      }),
+      { numRuns: 200 },
+    );
+  });
+});
+
+describe('jump: in a frame she goes no farther than the claim says', () => {
+  it('arcade', () => {
+    let closest = 0;
+    fc.assert(
+      fc.property(crowdedLevel, fc.constantFrom(1, 1, 12), script, (of, faster, plan) => {
+        const { vx, vy } = of.astronaut;
+        const level = { ...of, astronaut: { ...of.astronaut, vx: faster * vx, vy: faster * vy } };
+        const { jump } = claimOf(level, HOLE, 60, 'frames');
+        const { all } = statesOf(level, 'arcade', plan);
+        for (let i = 1; i < all.length; i++) {
+          const way = Math.hypot(all[i].s[0] - all[i - 1].s[0], all[i].s[1] - all[i - 1].s[1]);
+          if (way > jump) expect.fail(`${way} px of ${jump}`);
+          closest = Math.max(closest, way / jump);
+        }
+      }),
+      { numRuns: 200 },
+    );
+    expect(closest).toBeGreaterThan(0.9);
+  });
+});
+
+describe('drift: recoil carries an asteroid no farther than the claim says', () => {
+  it.each(accuracyNames)('%s', (accuracy) => {
+    let closest = 0;
+    fc.assert(
+      fc.property(real(20, 240), fc.constantFrom(0.05, 1, 16), whole(1, 200), script, (d, radius, first, plan) => {
+        const level = { ...EMPTY, recoil: true, asteroids: [rock(d, 0, radius)] };
+        const { all } = statesOf(level, accuracy, [[first, 'held'], ...plan]);
+        for (const [tick, { rocks }] of all.entries()) {
+          if (tick === 0) continue;
+          const most = claimOf(level, HOLE, tick * TICK, PLAYS[accuracy]).drift(0);
+          const far = Math.hypot(rocks[0] - d, rocks[1]);
+          if (far > most + 1e-9) expect.fail(`${far} px of ${most} after ${tick} ticks`);
+          closest = Math.max(closest, far / most);
+        }
+      }),
+      { numRuns: 60 },
+    );
+    expect(closest).toBeGreaterThan(0.9);
+  });
+});
+
+describe('arcade-axis: on a line along an axis all across is exactly 0', () => {
+  it.each([
+    ['x', 1, 0],
+    ['-x', -1, 0],
+    ['y, up to the centre', 0, 1],
+    ['-y, up to the centre', 0, -1],
+  ])('%s', (_, ux, uy) => {
+    let passes = 0;
+    fc.assert(
+      fc.property(
+        fc.oneof(whole(20, 240), real(20, 240)),
+        real(-1e4, 1e4),
+        real(-1e4, 1e4),
+        fc.boolean(),
+        script,
+        (d, x, y, recoil, plan) => {
+          const level = { ...EMPTY, recoil, astronaut: { x, y, vx: 0, vy: 0 }, asteroids: [rock(x + d * ux, y + d * uy, 16)] };
+          const { all } = statesOf(level, 'arcade', plan);
+          for (const { s, rocks } of all) {
+            const before = (rocks[0] - s[0]) * ux + (rocks[1] - s[1]) * uy > 0;
+            if (!before) passes++;
+            // in the very centre the original pulls to the right
+            if (!before && uy !== 0) return;
+            const across = ux === 0 ? 0 : 1;
+            if (s[across] !== (across === 0 ? x : y) || s[2 + across] !== 0) expect.fail(`across: ${s}`);
+          }
+        },
+      ),
+      { numRuns: 60 },
+    );
+    expect(passes).toBeGreaterThan(10);
+  });
+});
+
+describe('arcade-fall: on her way to the centre rounding takes her no farther off the line than the bound', () => {
+  it('arcade', () => {
+    let looks = 0;
+    let largest = 0;
+    fc.assert(
+      fc.property(real(40, 240), real(0.1, 1.4), real(-2000, 2000), script, (d, turn, x, plan) => {
+        const [ux, uy] = [Math.cos(turn), Math.sin(turn)];
+        const level = { ...EMPTY, astronaut: { x, y: -x, vx: 0, vy: 0 }, asteroids: [rock(x + d * ux, -x + d * uy, 16)] };
+        const { all } = statesOf(level, 'arcade', plan);
+        const [centre] = [all[0].rocks];
+        // the line through the two places as they are
+        const [lx, ly] = [centre[0] - x, centre[1] + x];
+        const length = Math.hypot(lx, ly);
+        const bound = offLine({
+          centre: length,
+          nearest: 8,
+          jump: 3,
+          coordinate: 2 * Math.abs(x) + length,
+          speed: 141,
+          seconds: 60,
+        });
+        expect(bound.beside).toBeLessThan(0.0025);
+        for (const { s } of all) {
+          const [rx, ry] = [s[0] - x, s[1] + x];
+          if ((rx * lx + ry * ly) / length > length - 8) return;
+          looks++;
+          const beside = Math.abs(ry * lx - rx * ly) / length;
+          largest = Math.max(largest, beside / bound.beside);
+          if (beside > bound.beside) expect.fail(`${beside} px of ${bound.beside}`);
+        }
+      }),
+      { numRuns: 200 },
+    );
+    expect(looks).toBeGreaterThan(5000);
+    expect(largest).toBeGreaterThan(1e-12);
+  });
+});
+
+describe('pushes: after some ticks she is within what pushes from the places on the way allow', () => {
+  it.each(accuracyNames)('%s', (accuracy) => {
+    let steps = 0;
+    fc.assert(
+      fc.property(crowdedLevel, script, whole(2, 8), (level, plan, frames) => {
+        const scene = turnedScene(claimOf(level, HOLE, 60, PLAYS[accuracy]), [1, 0]);
+        const { all } = statesOf(level, accuracy, plan);
+        const seconds = frames * TICK;
+        // what a frame moves by is the velocity with the push that waits; the last look has none to tell it
+        const at = (i: number) => {
+          const { s } = all[i];
+          const v = accuracy === 'arcade' ? [(all[i + 1].s[0] - s[0]) / TICK, (all[i + 1].s[1] - s[1]) / TICK] : [s[2], s[3]];
+          return { x: s[0], y: s[1], vx: v[0], vy: v[1] };
+        };
+        const about = (n: number) => [n - 1e-7, n + 1e-7] as const;
+        for (let i = 0; i + frames + 1 < all.length; i += frames) {
+          const from = at(i);
+          const box: Box = { x: about(from.x), y: about(from.y), vx: about(from.vx), vy: about(from.vy) };
+          const way = placesWithin(box, seconds);
+          const [ax, ay] = accelerations(scene, way, (i + frames) * TICK);
+          const after = advance(box, ax, ay, seconds);
+          const to = at(i + frames);
+          steps++;
+          for (const key of ['x', 'y', 'vx', 'vy'] as const) {
+            if (to[key] < after[key][0] || to[key] > after[key][1]) expect.fail(`${key} ${to[key]} is not in ${after[key]}`);
+          }
+          for (let k = i; k <= i + frames; k++) {
+            const [x, y] = all[k].s;
+            if (x < way.x[0] || x > way.x[1] || y < way.y[0] || y > way.y[1]) expect.fail(`${x} ${y} is not on the way`);
+          }
+        }
+      }),
+      { numRuns: 150 },
+    );
+    expect(steps).toBeGreaterThan(1000);
+  });
+});
+
+describe('chasers: aliens are where they are said to be, and those said to be there have not exploded', () => {
+  const swarm = fc.array(fc.tuple(whole(-170, 170), whole(-170, 170), fc.constantFrom(4, 12, 25)), {
+    minLength: 2,
+    maxLength: 6,
+  });
+
+  it.each(CONTINUOUS)('%s', (accuracy) => {
+    let certain = 0;
+    let gone = 0;
+    fc.assert(
+      fc.property(swarm, whole(-40, 40), script, (places, vy, plan) => {
+        const level: Level = {
+          ...EMPTY,
+          astronaut: { x: 0, y: 0, vx: 30, vy },
+          asteroids: [rock(60, 60, 16)],
+          aliens: places.map(([x, y, radius]) => ({ id: null, x, y, radius })),
+        };
+        const simulation = createSimulation(compile(level, accuracy));
+        const aliens = new Float64Array(3 * places.length);
+        const s = new Float64Array(6);
+        let chasers: readonly Chaser[] = places.map(([x, y, radius]) => ({
+          at: { centre: { x, y }, within: 0 },
+          speed: { centre: { x: 0, y: 0 }, within: 0 },
+          radius,
+          isThere: true,
+        }));
+        for (const [ticks, how] of plan) {
+          for (let n = 0; n < ticks && simulation.ending === null; n++) {
+            simulation.readState(s);
+            const before = [...s];
+            simulation.advance(1, how === 'held');
+            if (simulation.ending !== null) return;
+            simulation.readState(s);
+            const bend = 0.02;
+            const area = {
+              left: Math.min(before[0], s[0]) - bend,
+              right: Math.max(before[0], s[0]) + bend,
+              low: Math.min(before[1], s[1]) - bend,
+              high: Math.max(before[1], s[1]) + bend,
+            };
+            chasers = afterChase(chasers, area, TICK);
+            simulation.readAliens(aliens);
+            for (const [i, { at, isThere }] of chasers.entries()) {
+              const there = aliens[3 * i + 2] === 1;
+              if (!there) gone++;
+              if (isThere) {
+                certain++;
+                if (!there) expect.fail(`alien ${i} has exploded`);
+              }
+              const off = Math.hypot(aliens[3 * i] - at.centre.x, aliens[3 * i + 1] - at.centre.y);
+              if (there && off > at.within + 1e-7) expect.fail(`alien ${i}: ${off} px of ${at.within}`);
+            }
+          }
+        }
+      }),
+      { numRuns: 150 },
+    );
+    expect(certain).toBeGreaterThan(1000);
+    expect(gone).toBeGreaterThan(100);
+  });
+
+  it('what may have exploded, or may not, may explode others', () => {
+    const alien = (x: number): Chaser => ({
+      at: { centre: { x, y: 0 }, within: 1 },
+      speed: { centre: { x: 0, y: 0 }, within: 1 },
+      radius: 10,
+      isThere: true,
+    });
+    const away = { left: 900, right: 901, low: 0, high: 1 };
+    const [a, b, c] = afterChase([alien(0), alien(21), alien(26 + 20)], away, TICK);
+    expect([a.isThere, b.isThere, c.isThere]).toEqual([false, false, true]);
+    // b comes on to c
+    const nearer = [a, { ...b, at: { ...b.at, centre: { x: 26, y: 0 } } }, c];
+    expect(afterChase(nearer, away, TICK)[2].isThere).toBe(false);
+  });
+});
+
+describe('order: a hazard and the black hole in the same instant', () => {
+  it.each(accuracyNames)('%s', (accuracy) => {
+    // her box, upright, comes down on both at once
+    const level = {
+      ...EMPTY,
+      astronaut: { x: 0, y: 0, vx: 0, vy: 30 },
+      asteroids: [rock(0, 200, 16)],
+      blackHole: { id: null, x: 5, y: 60, radius: 18 },
+      novae: [{ id: null, x: -5, y: 60, radius: 18 }],
+    };
+    expect(simulate(compile(level, accuracy), []).outcome).toBe(accuracy === 'arcade' ? 'completed' : 'collided');
+  });
+});
