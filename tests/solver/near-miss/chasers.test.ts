@@ -8,7 +8,11 @@ import { at, levelWith, type NearMiss, nearMisses, ORIGIN } from './near-miss.ts
 const CHASE = 8;
 const SIGHT = 150;
 
-const alien = (x: number, y: number, more: { radius?: number; within?: number; v?: readonly [number, number]; blur?: number } = {}): Chaser => ({
+const alien = (
+  x: number,
+  y: number,
+  more: { radius?: number; within?: number; v?: readonly [number, number]; blur?: number } = {},
+): Chaser => ({
   at: { centre: { x, y }, within: more.within ?? 0 },
   speed: { centre: { x: more.v?.[0] ?? 0, y: more.v?.[1] ?? 0 }, within: more.blur ?? 0 },
   radius: more.radius ?? 25,
@@ -65,7 +69,12 @@ describe('what becomes of an alien', () => {
 
   it('one as near as that may be pulled anywhere, and not harder than aliens are', () => {
     const after = one(alien(3, 0, { within: 2 }), area(-1, 1, -1, 1));
-    for (const [x, y] of [[1, 0], [-1, 0], [0, 1], [0, -1]]) {
+    for (const [x, y] of [
+      [1, 0],
+      [-1, 0],
+      [0, 1],
+      [0, -1],
+    ]) {
       expect(inside(after.speed, x * CHASE * T * 0.999, y * CHASE * T * 0.999)).toBeLessThan(0);
     }
     expect(after.speed.within).toBeLessThan(CHASE * T + 1e-6);
@@ -83,7 +92,11 @@ describe('what becomes of an alien', () => {
     'two that may touch explode': meet((d) => alien(d, 1000, { radius: 10 }), 35 + 2 * pulled),
     'wherever they may be': meet((d) => alien(0, 1000 - d, { within: 3 }), 50 + 3 + 2 * pulled),
     'however fast they may be': meet((d) => alien(0.6 * d, 1000 + 0.8 * d, { v: [3, 4], blur: 2 }), 50 + 7 * T + 2 * pulled),
-    'whatever the first may do': meet((d) => alien(0, 1000 + d), 50 + 4 + 6 * T + 2 * pulled, alien(0, 1000, { within: 4, v: [0, -5], blur: 1 })),
+    'whatever the first may do': meet(
+      (d) => alien(0, 1000 + d),
+      50 + 4 + 6 * T + 2 * pulled,
+      alien(0, 1000, { within: 4, v: [0, -5], blur: 1 }),
+    ),
   });
 
   it('one that has exploded is gone, and explodes no other', () => {
@@ -95,7 +108,10 @@ describe('what becomes of an alien', () => {
 
   it('is in its disc in every play', () => {
     const play = fc.record({
-      aliens: fc.array(fc.record({ x: fc.integer({ min: -220, max: 220 }), y: fc.integer({ min: -220, max: 220 }) }), { minLength: 1, maxLength: 2 }),
+      aliens: fc.array(fc.record({ x: fc.integer({ min: -220, max: 220 }), y: fc.integer({ min: -220, max: 220 }) }), {
+        minLength: 1,
+        maxLength: 2,
+      }),
       v: fc.tuple(fc.integer({ min: -90, max: 90 }), fc.integer({ min: -90, max: 90 })),
       ticks: fc.constantFrom(1, 3, 6),
       holds: fc.array(fc.boolean(), { minLength: 30, maxLength: 30 }),

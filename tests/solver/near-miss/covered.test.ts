@@ -5,7 +5,8 @@ import { type Asked, at, BOX, FRAMES, hot, levelWith, nearMisses, spot, whyNot }
 const covered = { kind: 'covered' } as const;
 const MINERAL = { kind: 'mineral', index: 0 } as const;
 const hole = (radius = 18) => ({ ...spot(300, 40), radius });
-const why = (more: Partial<LevelFile>, asked?: Asked) => whyNot(levelWith({ blackHole: hole(), asteroids: [at(0, 100)], ...more }), covered, asked);
+const why = (more: Partial<LevelFile>, asked?: Asked) =>
+  whyNot(levelWith({ blackHole: hole(), asteroids: [at(0, 100)], ...more }), covered, asked);
 
 /** Gap of her box, turned by an angle, and a point. */
 function gapTo(px: number, py: number, angle: number): number {
@@ -43,11 +44,22 @@ describe('covered', () => {
   nearMisses({
     'a nova about the same place': { ...coarse, why: (r) => why({ novae: [at(300, 40, r)] }), truth: 18, slack: [0.05, 0.9] },
     'a nova beside it, along x': { ...coarse, why: (r) => why({ novae: [at(304, 40, r)] }), truth: 22, slack: [0.05, 0.35] },
-    'a nova beside it, along y': { ...coarse, why: (r) => why({ novae: [at(9000, 0), at(300, 35, r)] }), truth: 23, slack: [0.05, 0.35] },
+    'a nova beside it, along y': {
+      ...coarse,
+      why: (r) => why({ novae: [at(9000, 0), at(300, 35, r)] }),
+      truth: 23,
+      slack: [0.05, 0.35],
+    },
     'two novae, of which neither covers it': {
       ...coarse,
       why: (r) => why({ novae: [at(306, 40, r), at(294, 40, r)] }),
-      truth: radiusNeeded([[6, 0], [-6, 0]], 18),
+      truth: radiusNeeded(
+        [
+          [6, 0],
+          [-6, 0],
+        ],
+        18,
+      ),
       slack: [0.02, 0.3],
     },
     'a hot asteroid that recoil drags': {
@@ -61,7 +73,10 @@ describe('covered', () => {
     'a mineral, wherever her centre is': {
       ...coarse,
       why: (r) =>
-        why({ blackHole: spot(4000, 0), novae: [at(900, 0), at(300, 40, r)], minerals: [{ ...spot(300, 40), radius: 7 }] }, { about: MINERAL }),
+        why(
+          { blackHole: spot(4000, 0), novae: [at(900, 0), at(300, 40, r)], minerals: [{ ...spot(300, 40), radius: 7 }] },
+          { about: MINERAL },
+        ),
       truth: 7 + BOX.halfDiagonal - BOX.halfWidth,
       slack: [0.02, 0.16],
     },
@@ -72,7 +87,11 @@ describe('covered', () => {
       slack: [0.02, 0.16],
     },
     'a black hole that her corner reaches at the start': {
-      why: (d) => why({ blackHole: { ...spot((10 / BOX.halfDiagonal) * d, (16 / BOX.halfDiagonal) * d), radius: 18 }, novae: [at(20, 32, 60)] }),
+      why: (d) =>
+        why({
+          blackHole: { ...spot((10 / BOX.halfDiagonal) * d, (16 / BOX.halfDiagonal) * d), radius: 18 },
+          novae: [at(20, 32, 60)],
+        }),
       truth: 18 + BOX.halfDiagonal,
       safe: 'above',
       slack: [3.78e-5, 1e-3],

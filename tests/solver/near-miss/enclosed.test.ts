@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import type { LevelFile } from '../../../schema/index.ts';
 import type { BarrierEdge, Blocker } from '../../../solver/index.ts';
-import { type Asked, at, BOX, CONTINUOUS, FRAMES, hot, levelWith, type NearMiss, nearMisses, ORIGIN, RANGE, spot, whyNot } from './near-miss.ts';
+import { type Asked, at, BOX, CONTINUOUS, FRAMES, hot, levelWith, nearMisses, ORIGIN, RANGE, spot, whyNot } from './near-miss.ts';
 
 const ALL = [...CONTINUOUS, ...FRAMES];
 const ROUNDED = 3.77e-5;
@@ -21,8 +21,10 @@ const square = (x: number, y: number, half: number, by = range) =>
 
 /** Around the start at half size 100, by one big nova a side: the ends of each edge lie in it. */
 const FOUR = [at(0, -600, 600), at(600, 0, 600), at(0, 600, 600), at(-600, 0, 600)];
-const pen = (more: Partial<LevelFile> = {}) => levelWith({ novae: FOUR, asteroids: [at(0, 20)], blackHole: spot(400, 0), ...more });
-const walls = (half: number) => barrier([-half, -half, nova(0)], [half, -half, nova(1)], [half, half, nova(2)], [-half, half, nova(3)]);
+const pen = (more: Partial<LevelFile> = {}) =>
+  levelWith({ novae: FOUR, asteroids: [at(0, 20)], blackHole: spot(400, 0), ...more });
+const walls = (half: number) =>
+  barrier([-half, -half, nova(0)], [half, -half, nova(1)], [half, half, nova(2)], [-half, half, nova(3)]);
 
 /** How far a frame can take her at rest in a level whose rectangle of ranges has a width and a height. */
 const jumpOf = (width: number, height: number, speed = 0): number => {
@@ -43,7 +45,14 @@ describe('enclosed', () => {
   const topEdge = (a: number, b: number, asked?: Asked) =>
     whyNot(
       pen({ novae: [...FOUR, at(0, -100, 40)] }),
-      barrier([-100, -100, nova(0)], [a, -100, nova(4)], [b, -100, nova(0)], [100, -100, nova(1)], [100, 100, nova(2)], [-100, 100, nova(3)]),
+      barrier(
+        [-100, -100, nova(0)],
+        [a, -100, nova(4)],
+        [b, -100, nova(0)],
+        [100, -100, nova(1)],
+        [100, 100, nova(2)],
+        [-100, 100, nova(3)],
+      ),
       asked,
     );
   const frames = jumpOf(500, 500);
@@ -74,10 +83,19 @@ describe('enclosed', () => {
       why: (r) =>
         whyNot(
           pen({ astronaut: { ...ORIGIN, vx: 1000, vy: 0 }, novae: [...FOUR, at(0, -100, r)] }),
-          barrier([-100, -100, nova(0)], [-1e-3, -100, nova(4)], [1e-3, -100, nova(0)], [100, -100, nova(1)], [100, 100, nova(2)], [-100, 100, nova(3)]),
+          barrier(
+            [-100, -100, nova(0)],
+            [-1e-3, -100, nova(4)],
+            [1e-3, -100, nova(0)],
+            [100, -100, nova(1)],
+            [100, 100, nova(2)],
+            [-100, 100, nova(3)],
+          ),
           { covers: FRAMES },
         ),
-      truth: (1.001 * Math.sqrt(1000 ** 2 + 78 * Math.hypot(500 + 2 * 23.571666666666665, 500 + 2 * 23.571666666666665))) / 60 / 2 - 10,
+      truth:
+        (1.001 * Math.sqrt(1000 ** 2 + 78 * Math.hypot(500 + 2 * 23.571666666666665, 500 + 2 * 23.571666666666665))) / 60 / 2 -
+        10,
       safe: 'above',
       slack: [1e-7, 1e-6],
       says: '',
@@ -121,7 +139,10 @@ describe('enclosed', () => {
     },
     'a rock in range of a corner': {
       why: (d) =>
-        whyNot(levelWith({ asteroids: [at(700 + 0.6 * d, -100 - 0.8 * d), at(0, 20)], blackHole: spot(600, 0) }), square(600, 0, 100)),
+        whyNot(
+          levelWith({ asteroids: [at(700 + 0.6 * d, -100 - 0.8 * d), at(0, 20)], blackHole: spot(600, 0) }),
+          square(600, 0, 100),
+        ),
       truth: RANGE,
       safe: 'above',
       slack: [1e-7, 2e-7],
@@ -174,7 +195,8 @@ describe('enclosed', () => {
 
   it('the start lies on no edge', () => {
     const level = levelWith({ blackHole: spot(600, 0) });
-    const through = (x: number) => whyNot(level, barrier([x, -50, range], [x, 50, range], [x - 200, 50, range], [x - 200, -50, range]));
+    const through = (x: number) =>
+      whyNot(level, barrier([x, -50, range], [x, 50, range], [x - 200, 50, range], [x - 200, -50, range]));
     for (const x of [0, 5e-8, -5e-8]) expect(through(x)).toBe('the start lies on edge 0 of the barrier');
     expect(through(3e-7)).toBeNull();
     expect(through(-3e-7)).toBe('the barrier does not lie between the start and it');
@@ -210,10 +232,19 @@ describe('enclosed', () => {
     const why = (list: unknown) => whyNot(level, { kind: 'enclosed', barrier: list as never });
     expect(why(whole)).toBeNull();
     expect(why(whole.slice(0, 3))).not.toBe('its barrier is no closed line');
-    for (const list of [undefined, null, 'line', [], whole.slice(0, 2), { length: 4 }]) expect(why(list)).toBe('its barrier is no closed line');
+    for (const list of [undefined, null, 'line', [], whole.slice(0, 2), { length: 4 }])
+      expect(why(list)).toBe('its barrier is no closed line');
     const triangle = barrier([500, -100, range], [800, 0, range], [500, 100, range]).barrier;
     expect(why(triangle)).toBeNull();
-    for (const corner of [null, undefined, {}, { x: 1, by: range }, { y: 1, by: range }, { x: 1, y: Number.NaN, by: range }, { x: '1', y: 0, by: range }])
+    for (const corner of [
+      null,
+      undefined,
+      {},
+      { x: 1, by: range },
+      { y: 1, by: range },
+      { x: 1, y: Number.NaN, by: range },
+      { x: '1', y: 0, by: range },
+    ])
       expect(why([...whole, corner])).toBe('a corner of its barrier is no place');
   });
 
@@ -234,7 +265,8 @@ describe('enclosed', () => {
           return { x: x + reaches[i % n] * Math.cos(turn), y: y + reaches[i % n] * Math.sin(turn) };
         };
         const isInside = (px: number, py: number) => {
-          const cross = (a: { x: number; y: number }, b: { x: number; y: number }) => (b.x - a.x) * (py - a.y) - (b.y - a.y) * (px - a.x);
+          const cross = (a: { x: number; y: number }, b: { x: number; y: number }) =>
+            (b.x - a.x) * (py - a.y) - (b.y - a.y) * (px - a.x);
           return Array.from({ length: n }, (_, i) => i).some(
             (i) => cross({ x, y }, corner(i)) >= 0 && cross(corner(i), corner(i + 1)) >= 0 && cross(corner(i + 1), { x, y }) >= 0,
           );

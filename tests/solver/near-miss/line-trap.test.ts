@@ -13,14 +13,21 @@ const on = (along: number, aside = 0, radius = 16) => at(along * U.x - aside * U
 const nova = (where: number, index = 0): LineEnd => ({ at: where, by: { kind: 'nova', index } });
 const start: LineEnd = { at: 0, by: { kind: 'start' } };
 const range = (where: number): LineEnd => ({ at: where, by: { kind: 'range' } });
-const trap = (back: LineEnd, front: LineEnd, drift: Drift | null = null, target = 0) => ({ kind: 'line-trap' as const, target, back, front, drift });
+const trap = (back: LineEnd, front: LineEnd, drift: Drift | null = null, target = 0) => ({
+  kind: 'line-trap' as const,
+  target,
+  back,
+  front,
+  drift,
+});
 
 /** How near the checker holds her to the line, px; it allows for as much at ends and sides. */
 const TUBE = 0.01;
 const slackOf = (times: number) => [times * TUBE - 1e-6, times * TUBE + 1e-5] as const;
 
 /** One asteroid 60 px along the line, a nova before its centre: she only ever falls forward. */
-const fall = (more: Partial<LevelFile> = {}) => levelWith({ asteroids: [on(60)], novae: [on(50, 0, 32)], blackHole: spot(4000, 0), ...more });
+const fall = (more: Partial<LevelFile> = {}) =>
+  levelWith({ asteroids: [on(60)], novae: [on(50, 0, 32)], blackHole: spot(4000, 0), ...more });
 /** She swings through the asteroid between a nova behind the start and one beyond. */
 const swing = (more: Partial<LevelFile> = {}) =>
   levelWith({ asteroids: [on(60)], novae: [on(-80), on(200)], blackHole: spot(4000, 0), ...more });
@@ -122,7 +129,11 @@ describe('line-trap', () => {
     },
     'a black hole at the left of a start that falls down': {
       why: (d) => {
-        const level = levelWith({ asteroids: [at(0, 60)], novae: [at(0, 50, 32)], blackHole: spot(-10 - 0.6 * d, -16 - 0.8 * d) });
+        const level = levelWith({
+          asteroids: [at(0, 60)],
+          novae: [at(0, 50, 32)],
+          blackHole: spot(-10 - 0.6 * d, -16 - 0.8 * d),
+        });
         return whyNot(level, trap(start, nova(20)));
       },
       truth: 18,
@@ -203,25 +214,44 @@ describe('line-trap', () => {
     ] as [LineEnd, LineEnd][]) {
       expect(whyNot(fall(), trap(back, front))).toBe(ends);
     }
-    expect(whyNot(fall({ asteroids: [at(0, 0.009)] }), trap(start, nova(20)))).toBe('the asteroid is where she starts: there is no line');
+    expect(whyNot(fall({ asteroids: [at(0, 0.009)] }), trap(start, nova(20)))).toBe(
+      'the asteroid is where she starts: there is no line',
+    );
     expect(whyNot(fall(), trap({ ...start, at: -1 }, nova(20)))).toBe('its stretch does not begin at the start');
-    expect(whyNot(swing(), trap(nova(-60, 0), start))).toBe('what it names at an end of the stretch is no hazard that stands still');
+    expect(whyNot(swing(), trap(nova(-60, 0), start))).toBe(
+      'what it names at an end of the stretch is no hazard that stands still',
+    );
   });
 
   it('an end is a hazard that stands still', () => {
     const none = 'what it names at an end of the stretch is no hazard that stands still';
-    const by = (end: unknown, more: Partial<LevelFile> = {}) => whyNot(swing(more), trap(nova(-60, 0), { at: 180, by: end as never }));
+    const by = (end: unknown, more: Partial<LevelFile> = {}) =>
+      whyNot(swing(more), trap(nova(-60, 0), { at: 180, by: end as never }));
     expect(by({ kind: 'nova', index: 1 })).toBeNull();
-    for (const end of [undefined, null, { kind: 'nova', index: 2 }, { kind: 'start' }, { kind: 'alien', index: 0 }, { kind: 'blackHole', index: 0 }])
+    for (const end of [
+      undefined,
+      null,
+      { kind: 'nova', index: 2 },
+      { kind: 'start' },
+      { kind: 'alien', index: 0 },
+      { kind: 'blackHole', index: 0 },
+    ])
       expect(by(end, { aliens: [on(200)] })).toBe(none);
     expect(by({ kind: 'asteroid', index: 1 }, { asteroids: [on(60), on(420, 0, 250)] })).toBe(none);
     expect(by({ kind: 'asteroid', index: 1 }, { asteroids: [on(60), { ...on(420, 0, 250), hot: true }] })).toBeNull();
-    expect(whyNot(swing({ minerals: [spot(0, 900)], blackHole: on(200) }), trap(nova(-60, 0), { at: 180, by: { kind: 'blackHole', index: 0 } }), { about: { kind: 'mineral', index: 0 } })).toBeNull();
+    expect(
+      whyNot(
+        swing({ minerals: [spot(0, 900)], blackHole: on(200) }),
+        trap(nova(-60, 0), { at: 180, by: { kind: 'blackHole', index: 0 } }),
+        { about: { kind: 'mineral', index: 0 } },
+      ),
+    ).toBeNull();
   });
 
   it('a hot asteroid stops her where she touches it, a cold one does not', () => {
     const end = (where: number): LineEnd => ({ at: where, by: { kind: 'asteroid', index: 0 } });
-    const why = (where: number, asteroid = hot(60, 0, 20)) => whyNot(levelWith({ asteroids: [asteroid] }), trap(start, end(where)));
+    const why = (where: number, asteroid = hot(60, 0, 20)) =>
+      whyNot(levelWith({ asteroids: [asteroid] }), trap(start, end(where)));
     expect(why(31)).toBeNull();
     expect(why(31, at(60, 0, 20))).toBe('the asteroid at its end is cold');
     expect(why(30.009)).toBe('she may stop before she touches the asteroid');
@@ -251,8 +281,10 @@ describe('line-trap with recoil', () => {
   };
 
   // she swings between a nova 30 px behind the start and one 50 px beyond the rock, which is dragged
-  const level = (radius = 50) => levelWith({ asteroids: [on(20, 0, radius)], novae: [on(-46), on(80)], blackHole: spot(4000, 0), recoil: true });
-  const claimed = (drift: Drift | null, radius = 50, to = 64) => whyNot(level(radius), trap(nova(-30, 0), nova(to, 1), drift), asked);
+  const level = (radius = 50) =>
+    levelWith({ asteroids: [on(20, 0, radius)], novae: [on(-46), on(80)], blackHole: spot(4000, 0), recoil: true });
+  const claimed = (drift: Drift | null, radius = 50, to = 64) =>
+    whyNot(level(radius), trap(nova(-30, 0), nova(to, 1), drift), asked);
   const may = 'the asteroid may drift farther than it says';
 
   it('needs both numbers, and no more than what the time allows', () => {
@@ -263,6 +295,10 @@ describe('line-trap with recoil', () => {
     expect(claimed({ back: 0, ahead: 0 })).toBe(may);
     expect(claimed({ back: -5, ahead: 18.5 })).toBe(may);
     expect(claimed({ back: 18.5, ahead: -5 })).toBe(may);
+    for (const none of [undefined, {}, { ahead: 18.5 }, { back: 18.5 }, { back: 18.5, ahead: '19' }])
+      expect(claimed(none as never)).toBe(may);
+    // a hundredth more than 3600 / 200 px, what constant acceleration could do, needs nothing else
+    expect(claimed({ back: 18.18, ahead: 18.18 })).toBeNull();
   });
 
   nearMisses({
@@ -332,7 +368,9 @@ describe('line-trap with recoil', () => {
     },
     'a fall with a pull that is too weak to tell': {
       why: (d) =>
-        whyNot(levelWith({ asteroids: [on(249.995, 0, 200)], novae: [on(230, 0, 40)], recoil: true }), trap(start, nova(d)), { maxTime: 60 }),
+        whyNot(levelWith({ asteroids: [on(249.995, 0, 200)], novae: [on(230, 0, 40)], recoil: true }), trap(start, nova(d)), {
+          maxTime: 60,
+        }),
       truth: 249.995 - 3600 / 800,
       safe: 'below',
       slack: [0.05, 0.06],
@@ -341,8 +379,14 @@ describe('line-trap with recoil', () => {
   });
 
   it('recoil moves no other asteroid: a hot one that is never the target stands still', () => {
-    const big = levelWith({ asteroids: [on(20, 0, 50), { ...on(320, 0, 240), hot: true }], novae: [on(-46)], blackHole: spot(4000, 0), recoil: true });
-    const end = (to: number) => whyNot(big, trap(nova(-30, 0), { at: to, by: { kind: 'asteroid', index: 1 } }, { back: 18.5, ahead: 19 }), asked);
+    const big = levelWith({
+      asteroids: [on(20, 0, 50), { ...on(320, 0, 240), hot: true }],
+      novae: [on(-46)],
+      blackHole: spot(4000, 0),
+      recoil: true,
+    });
+    const end = (to: number) =>
+      whyNot(big, trap(nova(-30, 0), { at: to, by: { kind: 'asteroid', index: 1 } }, { back: 18.5, ahead: 19 }), asked);
     expect(end(70.011)).toBeNull();
     expect(end(70.009)).toBe('the hazard at an end of the stretch may not stop her');
   });

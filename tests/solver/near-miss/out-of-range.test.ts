@@ -1,6 +1,21 @@
 import { describe, expect, it } from 'vitest';
 import { compile, simulate } from '../../../engine/index.ts';
-import { at, BOX, CONTINUOUS, CORNER, FRAMES, levelWith, type NearMiss, nearMisses, ORIGIN, PULL, RANGE, spot, TICK, whyNot } from './near-miss.ts';
+import {
+  at,
+  BOX,
+  CONTINUOUS,
+  CORNER,
+  FRAMES,
+  levelWith,
+  type NearMiss,
+  nearMisses,
+  ORIGIN,
+  PULL,
+  RANGE,
+  spot,
+  TICK,
+  whyNot,
+} from './near-miss.ts';
 
 const ALL = [...CONTINUOUS, ...FRAMES];
 const lists = (...asteroids: number[]) => ({ kind: 'out-of-range', asteroids }) as const;
@@ -149,6 +164,34 @@ describe('out-of-range with frames', () => {
     'a gap above, from a start out of all ranges': gap([0, -300], [0, -1], v, (d) => [500, 300 + d + 250]),
     'small ranges': gap([5, 0], [1, 0], { vx: 50, vy: 0 }, (d) => [d + 20, 20], 10),
     'at the speed limit': gap([0, 100], [0, 1], { vx: 1000, vy: -999 }, (d) => [500, d + 500]),
+  });
+
+  // ranges that recoil may carry on make the way longer on which she may gain speed
+  it.each([
+    ['x', [1, 0]],
+    ['-x', [-1, 0]],
+    ['y', [0, 1]],
+    ['-y', [0, -1]],
+  ] as const)('recoil counts twice: it carries ranges on, and makes ways longer: %s', (_, [x, y]) => {
+    const why = (d: number) =>
+      whyNot(
+        levelWith({
+          asteroids: [at(50 * x, 50 * y, 4), at((50 + d) * x, (50 + d) * y, 4)],
+          blackHole: spot(9e5, 0),
+          recoil: true,
+        }),
+        lists(0),
+        {
+          covers: FRAMES,
+          maxTime: 40,
+        },
+      );
+    const drift = recoilWay(4, 40);
+    let truth = 500;
+    for (let i = 0; i < 50; i++)
+      truth = 500 + 2 * drift + farthestJump({ vx: 0, vy: 0 }, truth + 500 + 2 * drift, 500 + 2 * drift);
+    expect(why(truth)).toContain('she may come to it');
+    expect(why(truth + 2e-4)).toBeNull();
   });
 
   it('she jumps from range to range over a gap that she cannot cross in continuous time: played, and so it is refused', () => {
