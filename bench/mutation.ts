@@ -115,12 +115,18 @@ const excuseFor = (mutant: PlacedMutant): Excuse | undefined =>
       file === mutant.file && at === mutant.at && before === mutant.before && after === mutant.after,
   );
 
+/** Whether a path has one of some words in it, which are parted by commas. */
+const isAsked =
+  (words = '') =>
+  (file: string): boolean =>
+    words.split(',').some((word) => file.includes(word));
+
 const table: Record<string, unknown>[] = [];
 const all: { room: string; fate: Fate; excuse: Excuse | null; mutant: PlacedMutant }[] = [];
 for (const name of values.room ?? Object.keys(ROOMS)) {
   const room = ROOMS[name];
-  const files = filesIn(root, room.sources, '.ts').filter((file) => file.includes(values.files ?? ''));
-  const tests = filesIn(root, room.tests, '.test.ts').filter((file) => file.includes(values.tests ?? ''));
+  const files = filesIn(root, room.sources, '.ts').filter(isAsked(values.files));
+  const tests = filesIn(root, room.tests, '.test.ts').filter(isAsked(values.tests));
   const random = seeded(Number(values.seed));
   const mutants = allMutants(root, files)
     .map((mutant) => ({ mutant, rank: random() }))

@@ -1,7 +1,20 @@
 import { describe, expect, it } from 'vitest';
 import { compile, simulate } from '../../../engine/index.ts';
 import type { ThingRef } from '../../../solver/index.ts';
-import { at, BOX, CONTINUOUS, CORNER, FRAMES, hot, levelWith, type NearMiss, nearMisses, RANGE, spot, whyNot } from './near-miss.ts';
+import {
+  at,
+  BOX,
+  CONTINUOUS,
+  CORNER,
+  FRAMES,
+  hot,
+  levelWith,
+  type NearMiss,
+  nearMisses,
+  RANGE,
+  spot,
+  whyNot,
+} from './near-miss.ts';
 
 const ALL = [...CONTINUOUS, ...FRAMES];
 const MINERAL = { kind: 'mineral', index: 0 } as const;
@@ -74,7 +87,9 @@ describe('starts-in-hazard', () => {
     },
     'a mineral as near as the nova': {
       why: (d) =>
-        whyNot(levelWith({ novae: [at(1, 0)], minerals: [{ ...towardsCorner(d), radius: 7 }] }), starts('nova'), { about: MINERAL }),
+        whyNot(levelWith({ novae: [at(1, 0)], minerals: [{ ...towardsCorner(d), radius: 7 }] }), starts('nova'), {
+          about: MINERAL,
+        }),
       truth: 7 + BOX.halfDiagonal,
       safe: 'above',
       slack: ROUNDED_DIAGONAL,

@@ -63,6 +63,8 @@ export interface NearMiss {
   readonly says: string;
   /** How far from the truth it is tried; 5 unless told. */
   readonly reach?: number;
+  /** How finely it is looked at, where a check takes long. */
+  readonly grain?: number;
 }
 
 /** Asks for the twins: just false is refused, for that reason, just true is accepted; and for the slack between them. */
@@ -72,21 +74,21 @@ export function nearMisses(cases: Readonly<Record<string, NearMiss>>): void {
   }
 }
 
-function expectNearMiss({ why, truth, safe, slack, says, reach = 5 }: NearMiss): void {
+function expectNearMiss({ why, truth, safe, slack, says, reach = 5, grain = 0 }: NearMiss): void {
   const sign = safe === 'above' ? 1 : -1;
-  for (const off of [0, 1e-9, 1e-6, 1e-3, 0.1 * reach, reach]) {
+  for (const off of [grain, 1e-9, 1e-6, 1e-3, 0.1 * reach, reach].filter((one) => one >= grain)) {
     expect(why(truth - sign * off), `${off} on the false side`).toContain(says);
   }
   expect(why(truth + sign * reach), `${reach} on the true side`).toBeNull();
-  const measured = edge(truth, truth + sign * reach, (n) => why(n) === null);
+  const measured = edge(truth, truth + sign * reach, (n) => why(n) === null, grain);
   expect(sign * (measured - truth)).toBeGreaterThanOrEqual(slack[0]);
   expect(sign * (measured - truth)).toBeLessThanOrEqual(slack[1]);
 }
 
-/** Where between two numbers an answer turns from no to yes: by halving until doubles are too coarse, or 60 times. */
-export function edge(no: number, yes: number, isYes: (n: number) => boolean): number {
+/** Where between two numbers an answer turns from no to yes: by halving until doubles, or the grain, are too coarse. */
+function edge(no: number, yes: number, isYes: (n: number) => boolean, grain: number): number {
   let [from, to] = [no, yes];
-  for (let i = 0; i < 60; i++) {
+  for (let i = 0; i < 60 && Math.abs(to - from) > grain; i++) {
     const middle = (from + to) / 2;
     if (isYes(middle)) to = middle;
     else from = middle;

@@ -1,0 +1,189 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { compile, createSimulation } from '../../../engine/index.ts';
+import { afterChase, type Chaser, eitherChaser } from '../../../solver/verify/chasers.ts';
+import { at, levelWith, type NearMiss, nearMisses, ORIGIN } from './near-miss.ts';
+
+/** An alien accelerates by so much, px/s2, while she is nearer than so many px. */
+const CHASE = 8;
+const SIGHT = 150;
+
+const alien = (
+  x: number,
+  y: number,
+  more: { radius?: number; within?: number; v?: readonly [number, number]; blur?: number } = {},
+): Chaser => ({
+  at: { centre: { x, y }, within: more.within ?? 0 },
+  speed: { centre: { x: more.v?.[0] ?? 0, y: more.v?.[1] ?? 0 }, within: more.blur ?? 0 },
+  radius: more.radius ?? 25,
+  isThere: true,
+});
+const area = (left: number, right: number, low: number, high: number) => ({ left, right, low, high });
+const here = area(0, 0, 0, 0);
+const T = 4 / 60;
+const one = (chaser: Chaser, where = here, seconds = T): Chaser => afterChase([chaser], where, seconds)[0];
+const inside = (disc: { centre: { x: number; y: number }; within: number }, x: number, y: number): number =>
+  Math.hypot(disc.centre.x - x, disc.centre.y - y) - disc.within;
+
+describe('what becomes of an alien', () => {
+  const wakes = (chaser: (d: number) => Chaser, truth: number, where = here): NearMiss => ({
+    why: (d) => (one(chaser(d), where) === chaser(d) || one(chaser(d), where).at.within === chaser(d).at.within ? null : 'wakes'),
+    truth,
+    safe: 'above',
+    slack: [5e-8, 2e-7],
+    says: 'wakes',
+  });
+  nearMisses({
+    'one that stands sleeps when she is farther away than it sees': wakes((d) => alien(d, 0), SIGHT),
+    'in any direction': wakes((d) => alien(-0.6 * d, 0.8 * d), SIGHT),
+    'and so it does wherever it may be': wakes((d) => alien(0, -d, { within: 7 }), SIGHT + 7),
+    'and wherever she may be': wakes((d) => alien(0, -d), SIGHT + 5, area(-3, 3, -4, 4)),
+    'and where she may be is not about the origin': wakes((d) => alien(10, 20 + d), SIGHT + 5, area(7, 13, 16, 24)),
+  });
+
+  it('one that sees her is drawn to her', () => {
+    const after = one(alien(60, 80));
+    expect(inside(after.speed, -0.6 * CHASE * T, -0.8 * CHASE * T)).toBeLessThan(0);
+    expect(inside(after.at, 60 - (0.6 * CHASE * T * T) / 2, 80 - (0.8 * CHASE * T * T) / 2)).toBeLessThan(0);
+    // it moves 0.018 px itself: that is all that is not known
+    expect(after.speed.within).toBeLessThan(2e-4);
+    expect(after.at.within).toBeLessThan(5e-6);
+    expect(after.isThere).toBe(true);
+  });
+
+  it('one that moves goes on, and may be pulled or not where it is not known whether it sees her', () => {
+    const moving = alien(SIGHT + 0.3, 0, { v: [6, 3] });
+    const after = one(moving);
+    // it may stop dead, fly on, and be pulled
+    for (const share of [0, 1]) {
+      expect(inside(after.at, SIGHT + 0.3 + share * 6 * T, share * 3 * T)).toBeLessThan(1e-12);
+      expect(inside(after.speed, share * 6, share * 3)).toBeLessThan(1e-12);
+    }
+    expect(inside(after.speed, 6 - CHASE * T, 3)).toBeLessThan(1e-3);
+    expect(after.speed.within).toBeLessThan(4);
+    const near = one(alien(100, 0, { v: [6, 3], blur: 0.5 }));
+    expect(inside(near.speed, 6 - CHASE * T, 3)).toBeLessThan(-0.49);
+    expect(near.speed.within).toBeLessThan(0.51);
+    expect(near.at.within).toBeLessThan(0.5 * T + 1e-3);
+  });
+
+  it('one as near as that may be pulled anywhere, and not harder than aliens are', () => {
+    const after = one(alien(3, 0, { within: 2 }), area(-1, 1, -1, 1));
+    for (const [x, y] of [
+      [1, 0],
+      [-1, 0],
+      [0, 1],
+      [0, -1],
+    ]) {
+      expect(inside(after.speed, x * CHASE * T * 0.999, y * CHASE * T * 0.999)).toBeLessThan(0);
+    }
+    expect(after.speed.within).toBeLessThan(CHASE * T + 1e-6);
+  });
+
+  const meet = (other: (d: number) => Chaser, truth: number, first = alien(0, 1000)): NearMiss => ({
+    why: (d) => (afterChase([first, other(d)], here, T).every(({ isThere }) => isThere) ? null : 'may explode'),
+    truth,
+    safe: 'above',
+    slack: [1e-7, 1e-6],
+    says: 'may explode',
+  });
+  const pulled = (CHASE * T * T) / 2;
+  nearMisses({
+    'two that may touch explode': meet((d) => alien(d, 1000, { radius: 10 }), 35 + 2 * pulled),
+    'wherever they may be': meet((d) => alien(0, 1000 - d, { within: 3 }), 50 + 3 + 2 * pulled),
+    'however fast they may be': meet((d) => alien(0.6 * d, 1000 + 0.8 * d, { v: [3, 4], blur: 2 }), 50 + 7 * T + 2 * pulled),
+    'whatever the first may do': meet(
+      (d) => alien(0, 1000 + d),
+      50 + 4 + 6 * T + 2 * pulled,
+      alien(0, 1000, { within: 4, v: [0, -5], blur: 1 }),
+    ),
+  });
+
+  it('one that has exploded is gone, and explodes no other', () => {
+    const gone = { ...alien(0, 1000), isThere: false };
+    const [first, second] = afterChase([gone, alien(20, 1000)], here, T);
+    expect(first).toBe(gone);
+    expect(second.isThere).toBe(true);
+  });
+
+  it('is in its disc in every play', () => {
+    const play = fc.record({
+      aliens: fc.array(fc.record({ x: fc.integer({ min: -220, max: 220 }), y: fc.integer({ min: -220, max: 220 }) }), {
+        minLength: 1,
+        maxLength: 2,
+      }),
+      v: fc.tuple(fc.integer({ min: -90, max: 90 }), fc.integer({ min: -90, max: 90 })),
+      ticks: fc.constantFrom(1, 3, 6),
+      holds: fc.array(fc.boolean(), { minLength: 30, maxLength: 30 }),
+    });
+    let awake = 0;
+    fc.assert(
+      fc.property(play, ({ aliens, v, ticks, holds }) => {
+        const level = levelWith({
+          astronaut: { ...ORIGIN, vx: v[0], vy: v[1] },
+          asteroids: [at(60, -40)],
+          aliens: aliens.map(({ x, y }) => at(x, y, 12)),
+        });
+        const run = createSimulation(compile(level, 'precise'));
+        const state = new Float64Array(6);
+        const places = new Float64Array(3 * aliens.length);
+        let chasers: readonly Chaser[] = aliens.map(({ x, y }) => alien(x, y, { radius: 12 }));
+        for (const held of holds) {
+          const way = { left: Infinity, right: -Infinity, low: Infinity, high: -Infinity };
+          const widen = () => {
+            run.readState(state);
+            const [x, y] = [state[0] - ORIGIN.x, state[1] - ORIGIN.y];
+            // she bends by less than this within a tick
+            way.left = Math.min(way.left, x - 0.02);
+            way.right = Math.max(way.right, x + 0.02);
+            way.low = Math.min(way.low, y - 0.02);
+            way.high = Math.max(way.high, y + 0.02);
+          };
+          widen();
+          for (let n = 0; n < ticks; n++) {
+            run.advance(1, held);
+            widen();
+          }
+          if (run.ending !== null) return;
+          run.readAliens(places);
+          chasers = afterChase(chasers, way, ticks / 60);
+          for (const [i, { at: disc, isThere }] of chasers.entries()) {
+            const [x, y, alive] = [places[3 * i] - ORIGIN.x, places[3 * i + 1] - ORIGIN.y, places[3 * i + 2]];
+            if (alive === 0) expect(isThere).toBe(false);
+            else expect(inside(disc, x, y)).toBeLessThan(1e-9);
+            if (Math.hypot(x - aliens[i].x, y - aliens[i].y) > 1) awake++;
+          }
+        }
+      }),
+      { numRuns: 120 },
+    );
+    expect(awake).toBeGreaterThan(100);
+  });
+});
+
+describe('an alien that may be either of two', () => {
+  it('is in a disc that holds both, and no larger than that', () => {
+    const either = eitherChaser(alien(0, 0, { within: 2, v: [1, 0], blur: 0.5 }), alien(6, 8, { within: 1, v: [1, 5], blur: 0 }));
+    expect(either.at.within).toBeCloseTo(6.5, 9);
+    expect(either.at.centre.x).toBeCloseTo(0.6 * 4.5, 9);
+    expect(either.at.centre.y).toBeCloseTo(0.8 * 4.5, 9);
+    expect(either.speed.within).toBeCloseTo(2.75, 9);
+    expect(either.speed.centre.y).toBeCloseTo(2.25, 9);
+    expect(either.isThere).toBe(true);
+  });
+
+  it('is the larger one where that holds the other', () => {
+    const [small, large] = [alien(1, 1, { within: 1 }), alien(0, 0, { within: 2.5 })];
+    expect(eitherChaser(small, large).at).toBe(large.at);
+    expect(eitherChaser(large, small).at).toBe(large.at);
+    const [beside, touching] = [alien(2, 0, { within: 1 }), alien(0, 0, { within: 2.5 })];
+    expect(eitherChaser(beside, touching).at.within).toBeCloseTo(2.75, 9);
+    expect(eitherChaser(touching, beside).at.within).toBeCloseTo(2.75, 9);
+  });
+
+  it('is not there where one of them is gone', () => {
+    const gone = { ...alien(0, 0), isThere: false };
+    expect(eitherChaser(gone, alien(1, 0)).isThere).toBe(false);
+    expect(eitherChaser(alien(1, 0), gone).isThere).toBe(false);
+  });
+});

@@ -1,0 +1,138 @@
+import { describe, expect, it } from 'vitest';
+import type { LevelFile } from '../../../schema/index.ts';
+import type { DeadEnd, LineTrap } from '../../../solver/proofs/index.ts';
+import { type Asked, at, FRAMES, levelWith, nearMisses, ORIGIN, RANGE, spot, whyNot } from './near-miss.ts';
+
+// She falls to the right through an asteroid at 60 px. From 128 px on another is as near, which pulls her down to the right, into two novae.
+
+const SOURCE = { asteroids: [at(60, 0), at(160, 60)], novae: [at(-60, 0), at(176, 0, 32), at(150, 66, 32)] };
+const scene = (more: Partial<LevelFile> = {}) => levelWith({ ...SOURCE, blackHole: spot(300, 0), ...more });
+const second = (nova: ReturnType<typeof at>) => scene({ novae: [SOURCE.novae[0], nova, SOURCE.novae[2]] });
+// along the way from the first asteroid to the second, which is what they pull her along together
+const AXIS = [100 / Math.sqrt(13_600), 60 / Math.sqrt(13_600)] as const;
+const trap = (more: Partial<DeadEnd> = {}, at = 128): LineTrap => ({
+  kind: 'line-trap',
+  target: 0,
+  back: { at: -34.02, by: { kind: 'nova', index: 0 } },
+  front: { at, by: { kind: 'dead-end', axis: AXIS, step: 1, ...more } },
+  drift: null,
+});
+
+describe('a dead end', () => {
+  it('holds', () => expect(whyNot(scene(), trap())).toBeNull());
+
+  const leaves = 'she may turn away from its axis';
+  nearMisses({
+    // measured: on the other side the ways that are followed pass the novae
+    'a nova that is too small to stop all ways': {
+      why: (r) => whyNot(second(at(176, 0, r)), trap()),
+      truth: 11,
+      safe: 'above',
+      slack: [1.02, 1.06],
+      says: '',
+      reach: 4,
+      grain: 0.01,
+    },
+    'a nova that is too far': {
+      why: (x) => whyNot(second(at(x, 0, 32)), trap()),
+      truth: 210,
+      safe: 'below',
+      slack: [1.43, 1.48],
+      says: leaves,
+      reach: 4,
+      grain: 0.01,
+    },
+    'a nova that is too high': {
+      why: (y) => whyNot(second(at(176, -y, 32)), trap()),
+      truth: 26,
+      safe: 'below',
+      slack: [1.16, 1.22],
+      says: leaves,
+      reach: 4,
+      grain: 0.01,
+    },
+    'a nova that is too low': {
+      why: (y) => whyNot(second(at(176, y, 32)), trap()),
+      truth: 43,
+      safe: 'below',
+      slack: [1, 1.06],
+      says: leaves,
+      reach: 4,
+      grain: 0.01,
+    },
+    'a black hole near the way': {
+      why: (y) => whyNot(scene({ blackHole: spot(120, -y) }), trap()),
+      // on the line she reaches 16 px beside it
+      truth: 34,
+      safe: 'above',
+      slack: [2.44, 2.48],
+      says: '',
+      reach: 4,
+      grain: 0.005,
+    },
+    'a field that reaches the place where she leaves the line': {
+      why: (r) => whyNot(scene({ repulsors: [at(135, -60, r)] }), trap()),
+      truth: Math.hypot(7, 60),
+      safe: 'below',
+      slack: [0.009, 0.012],
+      says: '',
+      reach: 2,
+    },
+    'a third asteroid that is as near, at the other side': {
+      why: (y) => whyNot(scene({ asteroids: [...SOURCE.asteroids, at(160, -y)] }), trap()),
+      truth: 60,
+      safe: 'above',
+      slack: [1.26, 1.32],
+      says: '',
+      reach: 4,
+      grain: 0.005,
+    },
+  });
+
+  it('begins where the other asteroid is as near, neither before nor behind', () => {
+    expect(whyNot(scene(), trap({}, 127.999))).toBe('the asteroid before may be the nearest again');
+    expect(whyNot(scene(), trap({}, 128.001))).toBe('asteroids[1] may be the nearer one on the stretch');
+  });
+
+  it('has an axis and a step', () => {
+    const axis = 'its axis is no direction';
+    for (const bad of [undefined, null, [1], [1, 0, 0], [0.9, 0.5], [1, 1e-4], [Number.NaN, 0], 'x']) {
+      expect(whyNot(scene(), trap({ axis: bad as never })), JSON.stringify(bad)).toBe(axis);
+    }
+    for (const step of [0.2499, 4.001, 0, -1, Number.NaN, '1' as never, null as never]) {
+      expect(whyNot(scene(), trap({ step }))).toBe('its step is none');
+    }
+    for (const step of [0.25, 0.5, 2, 4]) expect(whyNot(scene(), trap({ step }))).not.toBe('its step is none');
+    const aside = 'she does not come along its axis';
+    expect(whyNot(scene(), trap({ axis: [-1, 0] }))).toBe(aside);
+    expect(whyNot(scene(), trap({ axis: [0, 1] }))).toBe(aside);
+    expect(whyNot(scene(), trap({ axis: [0.12, -Math.sqrt(1 - 0.12 ** 2)] }))).toBe(aside);
+    expect(whyNot(scene(), trap({ axis: [0.13, Math.sqrt(1 - 0.13 ** 2)] }))).not.toBe(aside);
+  });
+
+  it('says nothing of recoil, nor of frames', () => {
+    const asked: Asked = { maxTime: 60 };
+    const recoil = whyNot(scene({ recoil: true }), { ...trap(), drift: { back: 300, ahead: 300 } }, asked);
+    expect(recoil).toBe('with recoil the border between two asteroids moves');
+    expect(whyNot(scene(), trap(), { covers: FRAMES })).not.toBeNull();
+  });
+
+  it('is stopped by the end of the range, too', () => {
+    // no nova ahead, but a range in which the two asteroids lie at its end
+    const level = (range: number) =>
+      levelWith({ asteroids: [at(60, 0), at(160, 60)], novae: [at(-60, 0)], blackHole: spot(2000, 0), range });
+    expect(whyNot(level(RANGE), trap())).not.toBeNull();
+  });
+
+  it('is where she is, however the level is moved and turned over', () => {
+    const flip = ({ x, y, ...more }: { x: number; y: number; radius: number }) => ({
+      ...more,
+      x: 2 * ORIGIN.x - x,
+      y: 2 * ORIGIN.y - y,
+    });
+    const flipped = levelWith({ asteroids: SOURCE.asteroids.map(flip), novae: SOURCE.novae.map(flip), blackHole: spot(-300, 0) });
+    expect(whyNot(flipped, trap({ axis: [-AXIS[0], -AXIS[1]] }))).toBeNull();
+    const back: LineTrap = { ...trap(), front: { at: 34.02, by: { kind: 'nova', index: 0 } } };
+    expect(whyNot(flipped, { ...back, back: { at: -1, by: { kind: 'dead-end', axis: [1, 0], step: 1 } } })).not.toBeNull();
+  });
+});

@@ -1,0 +1,321 @@
+import { describe, expect, it } from 'vitest';
+import { compile, simulate } from '../../../engine/index.ts';
+import type { Hold, Level, LevelFile } from '../../../schema/index.ts';
+import type { Certificate } from '../../../solver/index.ts';
+import {
+  type Asked,
+  at,
+  BOX,
+  FRAMES,
+  hot,
+  levelWith,
+  type NearMiss,
+  nearMisses,
+  ORIGIN,
+  RANGE,
+  spot,
+  TICK,
+  whyNot,
+} from './near-miss.ts';
+
+// Proofs that follow all she may do hold more than what she can do, so their slack is no rounding: it is measured, and stated to some hundredths.
+// What is false is known from playing, or from the energy of one pull.
+
+type Grid = Certificate & { kind: 'doomed' | 'flowpipe' };
+type Follow = (steps: number, more?: Partial<Grid['grid']>) => Certificate;
+const doomed: Follow = (steps, more) =>
+  ({ kind: 'doomed', grid: { axis: [1, 0], cell: 8, bin: 4, frames: 4, steps, ...more } }) as Certificate;
+const flowpipe: Follow = (steps, more) =>
+  ({ kind: 'flowpipe', grid: { axis: [1, 0], cell: 16, frames: 4, steps, turns: 4, ...more } }) as Certificate;
+
+const HELD: readonly Hold[] = [[0, 3600]];
+const moving = (vx: number, vy: number, more: Partial<LevelFile>): Level =>
+  levelWith({ astronaut: { ...ORIGIN, vx, vy }, ...more });
+const MINERAL = { kind: 'mineral', index: 0 } as const;
+
+/** The speed that takes her out of range against the pull of one asteroid 200 px away: v2 / 2 = 39 (50 - (250^2 - 200^2) / 500). */
+const ESCAPE = Math.sqrt(2 * 39 * (50 - (RANGE ** 2 - 200 ** 2) / (2 * RANGE)));
+
+/** The number, between one at which a run with the gun held ends so and one at which it does not, where that changes. */
+function playedEdge(so: number, not: number, ends: (n: number) => boolean): number {
+  let [a, b] = [so, not];
+  if (!ends(a) || ends(b)) throw new Error('expected an end between the two');
+  for (let i = 0; i < 20; i++) {
+    const middle = (a + b) / 2;
+    if (ends(middle)) a = middle;
+    else b = middle;
+  }
+  return (a + b) / 2;
+}
+const outcome = (level: Level, holds = HELD): string => simulate(compile(level), holds, { maxTime: 5 }).outcome;
+
+const away = (v: number, more: Partial<LevelFile> = {}) => moving(-v, 0, { asteroids: [at(200, 0)], ...more });
+const turning = (x: number, more: Partial<LevelFile> = {}) =>
+  moving(-40, 0, { asteroids: [at(100, 0)], novae: [at(-x, 0, 20)], ...more });
+
+describe.each([
+  ['doomed', doomed],
+  ['flowpipe', flowpipe],
+] as const)('%s', (kind, follow) => {
+  const isPipe = kind === 'flowpipe';
+  const slack = (ofDoomed: number, ofPipe: number): readonly [number, number] => {
+    const measured = isPipe ? ofPipe : ofDoomed;
+    return [measured - 0.03, measured + 0.03];
+  };
+  const goesOn = (steps: number) => `some runs may go on after ${steps} steps`;
+  const turn = playedEdge(50, 90, (x) => outcome(turning(x)) === 'collided');
+  const cases: Record<string, NearMiss> = {
+    'the speed to get out of range': {
+      why: (v) => whyNot(away(v), follow(60)),
+      truth: ESCAPE,
+      safe: 'above',
+      slack: slack(2.064, 1.983),
+      says: goesOn(60),
+      grain: 0.02,
+    },
+    'with recoil': {
+      why: (v) => whyNot(away(v, { recoil: true, asteroids: [at(200, 0, 20)] }), follow(60), { maxTime: 60 }),
+      truth: ESCAPE,
+      safe: 'above',
+      slack: slack(2.108, 2.026),
+      says: goesOn(60),
+      grain: 0.02,
+    },
+    'along the axis of the grid': {
+      why: (v) => whyNot(moving(0.6 * v, -0.8 * v, { asteroids: [at(-120, 160)] }), follow(60, { axis: [0.6, -0.8] })),
+      truth: ESCAPE,
+      safe: 'above',
+      slack: slack(2.064, 1.983),
+      says: goesOn(60),
+      grain: 0.02,
+    },
+    'aslant to the axis of the grid': {
+      why: (v) => whyNot(moving(-0.6 * v, 0.8 * v, { asteroids: [at(120, -160)] }), follow(60)),
+      truth: ESCAPE,
+      safe: 'above',
+      slack: slack(2.094, 2.094),
+      says: goesOn(60),
+      grain: 0.02,
+    },
+    'between two asteroids that are as near': {
+      why: (v) => whyNot(moving(-v, 0, { asteroids: [at(180, 90), at(180, -90)] }), follow(60)),
+      truth: playedEdge(30, 15, (v) => outcome(moving(-v, 0, { asteroids: [at(180, 90), at(180, -90)] })) === 'lost'),
+      safe: 'above',
+      slack: isPipe ? [0.5, 5] : [0.5, 5],
+      says: goesOn(60),
+      reach: 8,
+      grain: 0.02,
+    },
+    'a field that pushes her out': {
+      why: (radius) => whyNot(moving(-12, 0, { asteroids: [at(200, 0)], repulsors: [at(30, 0, radius)] }), follow(80)),
+      truth: playedEdge(
+        45,
+        31,
+        (radius) => outcome(moving(-12, 0, { asteroids: [at(200, 0)], repulsors: [at(30, 0, radius)] })) === 'lost',
+      ),
+      safe: 'above',
+      slack: [1, 1.7],
+      says: goesOn(80),
+      reach: 2,
+      grain: 0.05,
+    },
+    'a nova that she comes to before she can turn back': {
+      why: (x) => whyNot(turning(x), follow(60)),
+      truth: turn,
+      safe: 'below',
+      slack: [0, 5],
+      says: goesOn(60),
+      reach: 8,
+      grain: 0.02,
+    },
+    'a black hole before a mineral': {
+      why: (x) =>
+        whyNot(turning(0, { novae: [], blackHole: { ...spot(-x, 0), radius: 20 }, minerals: [spot(700, 700)] }), follow(60), {
+          about: MINERAL,
+        }),
+      truth: turn,
+      safe: 'below',
+      slack: [0, 5],
+      says: goesOn(60),
+      reach: 8,
+      grain: 0.02,
+    },
+    'a second asteroid whose range takes her up': {
+      why: (x) => whyNot(away(40, { asteroids: [at(200, 0), at(-x, 0)] }), follow(60)),
+      truth: 300,
+      safe: 'above',
+      slack: slack(3.333, 6),
+      says: goesOn(60),
+      reach: 8,
+      grain: 0.02,
+    },
+    'a black hole beside her way': {
+      why: (d) => whyNot(away(40, { blackHole: spot(-20, d) }), follow(60)),
+      truth: 18 + BOX.halfHeight,
+      safe: 'above',
+      slack: slack(2.977, 2.965),
+      says: 'she may touch it in step',
+      grain: 0.005,
+    },
+    'a black hole at the other side, behind the start': {
+      why: (d) => whyNot(away(40, { blackHole: spot(5, -d) }), follow(60)),
+      truth: 18 + BOX.halfHeight,
+      safe: 'above',
+      slack: [2.62, 2.67],
+      says: 'she may touch it in step',
+      grain: 0.005,
+    },
+    'a black hole towards which she is pulled': {
+      why: (d) => whyNot(moving(0, -60, { asteroids: [at(230, 0)], blackHole: spot(d, -30) }), follow(40)),
+      truth: playedEdge(
+        20,
+        40,
+        (d) => outcome(moving(0, -60, { asteroids: [at(230, 0)], blackHole: spot(d, -30) })) === 'completed',
+      ),
+      safe: 'above',
+      slack: [8, 10],
+      says: 'she may touch it in step',
+      reach: 12,
+      grain: 0.02,
+    },
+    'the speed limit': {
+      why: (v) => whyNot(away(v), follow(10)),
+      // a flowpipe allows for the full pull all the time, and both stay below half of the limit
+      truth: (isPipe ? 500 - 39 * 10 * 4 * TICK : 500) + 1e-6,
+      safe: 'below',
+      slack: [0, 1e-5],
+      says: 'she may come to the speed limit',
+    },
+  };
+  nearMisses(cases);
+
+  it('the steps that the longest run takes, and one less', () => {
+    // without the gun she is out of range after 50 px, at 40 px/s; with it it takes longer
+    const lost = simulate(compile(away(40)), HELD).time / (4 * TICK);
+    const least = [...Array(60).keys()]
+      .slice(1)
+      .find((steps) => steps >= 3 && whyNot(away(40), follow(steps)) === null) as number;
+    expect(least).toBeGreaterThanOrEqual(lost);
+    expect(least - lost).toBeLessThan(1.5);
+    expect(whyNot(away(40), follow(least - 1))).toBe(goesOn(least - 1));
+  });
+
+  it('a grid that is none', () => {
+    const accepted = (more: object) => whyNot(away(60), follow(30, more));
+    expect(accepted({})).toBeNull();
+    expect(accepted({ cell: 0.25 })).not.toBe('its grid is none');
+    expect(accepted({ cell: 1000 })).not.toBe('its grid is none');
+    expect(accepted({ frames: 1, steps: 60 })).not.toBe('its grid is none');
+    expect(accepted({ frames: 60, steps: isPipe ? 3 : 1 })).not.toBe('its grid is none');
+    expect(accepted({ steps: isPipe ? 400 : 1000, frames: 4 })).not.toBe('its grid is none');
+    const none: object[] = [
+      ...[0.2499, 0, -8, 1000.1, Number.NaN, '8', null].map((cell) => ({ cell })),
+      ...[0, 61, 1.5, '4', null].map((frames) => ({ frames })),
+      ...[0, isPipe ? 2 : -1, isPipe ? 401 : 1001, 2.5, '30'].map((steps) => ({ steps })),
+      ...[undefined, null, [1], [1, 0, 0], [1, 1e-5], [0.6, 0.81], [Number.NaN, 0], '10', { 0: 1, 1: 0, length: 2 }].map(
+        (axis) => ({ axis }),
+      ),
+      ...(isPipe ? [0, 65, 1.5, '4'].map((turns) => ({ turns })) : [0.2499, 1000.1, '4', null].map((bin) => ({ bin }))),
+    ];
+    for (const more of none) expect(accepted(more), JSON.stringify(more)).toBe('its grid is none');
+    if (isPipe) {
+      expect(accepted({ turns: 1 })).not.toBe('its grid is none');
+      expect(accepted({ turns: 64 })).not.toBe('its grid is none');
+    } else {
+      expect(accepted({ bin: 0.25 })).not.toBe('its grid is none');
+      expect(accepted({ bin: 1000 })).not.toBe('its grid is none');
+    }
+    expect(whyNot(away(60), { ...follow(30), grid: undefined } as never)).toBe('its grid is none');
+  });
+
+  it('what stops her, and what does not', () => {
+    const asked: Asked = { covers: ['precise'] };
+    const stops = (more: Partial<LevelFile>) => whyNot(turning(0, { novae: [], ...more }), follow(60), asked);
+    expect(stops({ novae: [at(-50, 0, 20)] })).toBeNull();
+    expect(stops({ asteroids: [at(100, 0), hot(-50, 0, 4)] })).toBeNull();
+    expect(stops({ asteroids: [at(100, 0), at(-50, 0, 20)] })).not.toBeNull();
+    expect(stops({ blackHole: { ...spot(-50, 0), radius: 20 } })).toContain('she may touch it');
+    expect(stops({ repulsors: [at(-90, 0, 20)] })).not.toBeNull();
+  });
+});
+
+describe('doomed alone', () => {
+  it('holds for frames, too, with one rule for both', () => {
+    expect(whyNot(turning(60), doomed(60), { covers: FRAMES })).toBeNull();
+    expect(whyNot(turning(75), doomed(60), { covers: FRAMES })).toBe('some runs may go on after 60 steps');
+  });
+
+  it('follows no more boxes than it may', () => {
+    expect(whyNot(moving(-60, 20, { asteroids: [at(50, 0)] }), doomed(1000, { cell: 0.25, bin: 0.25, frames: 1 }))).toBe(
+      'it takes too many boxes to follow her',
+    );
+  });
+
+  nearMisses({
+    'a nova aside: no more of her box than the circle in it is sure to touch': {
+      why: (y) => whyNot(moving(-40, 0, { asteroids: [at(100, 0)], novae: [at(-50, y, 30)] }), doomed(40)),
+      // upright, her box is 16 px high, and so it is while it is turned to the asteroid
+      truth: 30 + BOX.halfHeight,
+      safe: 'below',
+      slack: [8, 8.3],
+      says: 'some runs may go on after 40 steps',
+      reach: 10,
+      grain: 0.05,
+    },
+  });
+});
+
+describe('flowpipe alone', () => {
+  const fine = { cell: 3.5, frames: 2, turns: 8 };
+  const past = (more: Partial<LevelFile>) => moving(60, 0, { asteroids: [at(150, 0)], blackHole: spot(300, 0), ...more });
+  const says = 'some runs may go on after 22 steps';
+  nearMisses({
+    'an alien beside her way': {
+      why: (y) => whyNot(past({ aliens: [at(70, y, 25)] }), flowpipe(22, fine)),
+      truth: 25 + BOX.halfHeight + 1,
+      safe: 'below',
+      slack: [5, 5.3],
+      says,
+      reach: 12,
+      grain: 0.02,
+    },
+    'an alien that is too far ahead to be met in time': {
+      why: (x) => whyNot(past({ aliens: [at(x, 5, 25)] }), flowpipe(22, fine)),
+      truth: 88,
+      safe: 'below',
+      slack: [7.2, 7.35],
+      says,
+      reach: 15,
+      grain: 0.02,
+    },
+    'two aliens that may explode before she comes': {
+      why: (y) => whyNot(past({ aliens: [at(70, 5, 25), at(70, 5 + y, 25)] }), flowpipe(22, fine)),
+      truth: 50,
+      safe: 'above',
+      slack: [1.1, 1.25],
+      says,
+      reach: 8,
+      grain: 0.02,
+    },
+    'a nova beside her way, which her box as it is turned touches': {
+      why: (y) => whyNot(past({ novae: [at(70, y, 25)] }), flowpipe(22, fine)),
+      truth: 25 + BOX.halfHeight,
+      safe: 'below',
+      slack: [6.6, 6.8],
+      says,
+      reach: 15,
+      grain: 0.02,
+    },
+  });
+
+  it('says nothing of frames', () => {
+    expect(whyNot(turning(60), flowpipe(60))).toBeNull();
+    expect(whyNot(turning(60), flowpipe(60), { covers: FRAMES })).toBe(
+      'with frames she is pushed and looked at once a frame only',
+    );
+  });
+
+  it('follows no more pieces than it may', () => {
+    expect(whyNot(moving(-60, 20, { asteroids: [at(50, 0)] }), flowpipe(400, { cell: 0.25, frames: 1 }))).not.toBeNull();
+  });
+});
