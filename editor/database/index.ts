@@ -1,1 +1,1 @@
-export { type Database, done, openDatabase } from './database.ts';
+export { done, openDatabase } from './database.ts';

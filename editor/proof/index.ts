@@ -1,6 +1,6 @@
 export { createProofStore, type ProofStore } from './live-proof.ts';
 
 export { outcomeInWords, type RunEnd } from './outcome.ts';
-export { type Limit, limitInWords } from './patience.ts';
+export { limitInWords } from './patience.ts';
 export { type Proved, withProofs } from './proved-problems.ts';
 export { createProver, endInWords, isWhole, type LiveProof } from './prover.ts';

@@ -131,7 +131,8 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
       { '01': garden(), '02': straight() },
       async ({ page, canvas, file, open, saved, killServer, startServer, server, context }) => {
         await context.addInitScript(() => {
-          delete (window as unknown as Record<string, unknown>).showSaveFilePicker;
+          for (const name of ['showOpenFilePicker', 'showSaveFilePicker'])
+            delete (window as unknown as Record<string, unknown>)[name];
         });
         await page.reload();
         await canvas.fit(file('01'));

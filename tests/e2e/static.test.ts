@@ -163,10 +163,7 @@ else {
       await asked.getByRole('button', { name: 'Add the level' }).click();
       await isOpen(page, 'Swarm');
       const look = async () => {
-        await page
-          .getByText(/work limit/)
-          .first()
-          .waitFor();
+        await page.getByText('work limit').first().waitFor();
         // it is edited as any other
         await page.getByRole('textbox', { name: 'range' }).fill('333');
         await page.keyboard.press('Enter');

@@ -2,7 +2,7 @@ import { CircleDot, UserRound } from 'lucide-react';
 import type { LevelFile } from '../../../schema/index.ts';
 import { useEditor, useLevel } from '../../context/index.ts';
 import { ASTRONAUT, BLACK_HOLE, type LevelProperty, type ObjectKey, setLevelProperty } from '../../document/index.ts';
-import { endInWords, type LiveProof } from '../../proof/index.ts';
+import { endInWords, isWhole, type LiveProof } from '../../proof/index.ts';
 import { Button } from '../../ui/index.ts';
 import type { Fact } from '../figures/index.ts';
 import { Facts, Section, useCalmProof } from '../parts/index.ts';
@@ -15,6 +15,7 @@ interface RunSummary {
   readonly name: string | null;
   readonly end: string;
   readonly isGood: boolean;
+  readonly isKnown: boolean;
   readonly facts: readonly Fact[];
 }
 
@@ -22,7 +23,9 @@ const summaryOf = (proof: LiveProof): RunSummary => ({
   name: proof.run.name,
   end: endInWords(proof),
   isGood: proof.run.outcome === 'completed',
-  facts: wayFacts(proof),
+  isKnown: isWhole(proof),
+  // of a way that was cut they would be about its beginning alone
+  facts: isWhole(proof) ? wayFacts(proof) : [],
 });
 
 const setProperty = (key: string, value: Field['fallback']) => setLevelProperty(key as LevelProperty, value as never);
@@ -61,7 +64,11 @@ export function LevelFields({ file }: { readonly file: LevelFile }) {
         </div>
       </Section>
       <Section title={run.name === null ? 'Without a run' : `Run “${run.name}”`}>
-        <p className={run.isGood ? 'tone--good' : 'tone--bad'}>She {run.name === null ? `drifts and ${run.end}` : run.end}.</p>
+        {run.isKnown ? (
+          <p className={run.isGood ? 'tone--good' : 'tone--bad'}>She {run.name === null ? `drifts and ${run.end}` : run.end}.</p>
+        ) : (
+          <p className="tone--warn">{run.end}.</p>
+        )}
         <Facts facts={run.facts} />
       </Section>
     </>

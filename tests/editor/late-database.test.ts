@@ -1,0 +1,63 @@
+import { describe, expect, it } from 'vitest';
+import { inTimeOrLate } from '../../editor/files/page-surroundings.ts';
+import { breathe, TurnedClock } from './stage.ts';
+
+/** What has come of it by now. */
+function watched<T>(opening: ReturnType<typeof inTimeOrLate<T>>) {
+  const seen: { inTime?: T | null; late?: T } = {};
+  void opening.then(({ inTime, late }) => {
+    seen.inTime = inTime;
+    void late.then((value) => {
+      seen.late = value;
+    });
+  });
+  return seen;
+}
+
+describe('what may never answer', () => {
+  it('is there when it answers', async () => {
+    const clock = new TurnedClock();
+    const seen = watched(inTimeOrLate(async () => 'levels', clock));
+    await breathe();
+    expect(seen).toEqual({ inTime: 'levels', late: 'levels' });
+  });
+
+  it('is waited for no longer than 3 s, and taken when it comes after all', async () => {
+    const clock = new TurnedClock();
+    let answer = (_: string) => {};
+    const seen = watched(
+      inTimeOrLate(
+        () =>
+          new Promise<string>((resolve) => {
+            answer = resolve;
+          }),
+        clock,
+      ),
+    );
+    await clock.pass(2900);
+    expect(seen).toEqual({});
+    await clock.pass(200);
+    expect(seen).toEqual({ inTime: null });
+    await clock.pass(3_600_000);
+    answer('levels');
+    await breathe();
+    expect(seen).toEqual({ inTime: null, late: 'levels' });
+  });
+
+  it('is not waited for where it is refused, and tried again', async () => {
+    const clock = new TurnedClock();
+    let times = 0;
+    const seen = watched(
+      inTimeOrLate(async () => {
+        if (++times < 4) throw new DOMException('no', 'SecurityError');
+        return 'levels';
+      }, clock),
+    );
+    await breathe();
+    expect(seen).toEqual({ inTime: null });
+    await clock.pass(61_000);
+    expect([times, seen.late]).toEqual([3, undefined]);
+    await clock.pass(31_000);
+    expect(seen).toEqual({ inTime: null, late: 'levels' });
+  });
+});
