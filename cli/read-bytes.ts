@@ -20,7 +20,8 @@ export function readBytes(path: string): Uint8Array {
 
 function hintFor(path: string, error: unknown): string {
   const code = (error as NodeJS.ErrnoException).code;
-  if (code === 'ENOENT') return siblingHint(path);
+  // what a folder lists so can't be asked for: the bytes of its name are lost
+  if (code === 'ENOENT') return path.includes('\ufffd') ? '; its name is not UTF-8: rename it' : siblingHint(path);
   if (error instanceof NotAFile) return code === 'EISDIR' ? '; expected a file' : '; expected a file, or /dev/stdin for a pipe';
   return code === 'ENXIO' ? ' (is it a socket?); expected a file' : '';
 }

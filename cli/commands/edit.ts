@@ -60,7 +60,7 @@ function announcement(folder: string, { address, port, portBefore }: EditServer,
   const usual = portBefore ?? DEFAULT_PORT;
   const isOther = options.port === undefined && port !== usual;
   if (isOther) notes.push(`Port ${usual} is taken, perhaps by another gq edit: this one has ${port}.`);
-  if (portBefore !== null && portBefore !== port) {
+  if (portBefore !== null && portBefore !== port && options.port !== 0) {
     const old = `http://127.0.0.1:${portBefore}/`;
     notes.push(
       `What a page of the last time could not save is kept by the browser under ${old}: gq edit --port ${portBefore} finds it.`,

@@ -1,6 +1,7 @@
 import { createHash } from 'node:crypto';
 import { setImmediate } from 'node:timers/promises';
 import type { EditEvent, LevelEntry, ListResponse } from '../../schema/index.ts';
+import { systemReason } from '../failure.ts';
 import { schemaReference } from '../schema-reference.ts';
 import { changesBetween } from './changes.ts';
 import { findLevel, findLevels, inOrderOfPlay, type LevelFileFound } from './level-files.ts';
@@ -140,8 +141,10 @@ export function createKnownLevels(root: string, shown: string, reader: EntryRead
   const refresh = async (): Promise<ListResponse> => {
     next ??= current.then(() => {
       next = null;
-      current = lookAtAll();
-      return current;
+      const look = lookAtAll();
+      // one that fails is its asker's business, and not that of the next
+      current = look.catch(() => {});
+      return look;
     });
     await next;
     return list();
@@ -177,7 +180,11 @@ export function createKnownLevels(root: string, shown: string, reader: EntryRead
     tell({ type: 'list', list: list() });
   };
 
-  if (unread > 0) void setImmediate().then(() => readRest(files.slice(READ_AT_ONCE)));
+  if (unread > 0) {
+    setImmediate()
+      .then(() => readRest(files.slice(READ_AT_ONCE)))
+      .catch((error) => addTrouble(`the folder could not be read to its end: ${systemReason(error)}`));
+  }
   const end = (): void => {
     isOver = true;
   };

@@ -88,7 +88,8 @@ export const hasFolder = (root: string, folder: string): boolean =>
 export function findLevel(root: string, id: string): LevelFileFound | undefined {
   const { folder, name } = splitId(id);
   // an id is written in one way: /a is not a
-  if (name === '' || joinId(folder, name) !== id || !hasFolder(root, folder) || !namesIn(root, folder).includes(name + SUFFIX)) return undefined;
+  if (name === '' || joinId(folder, name) !== id || !hasFolder(root, folder) || !namesIn(root, folder).includes(name + SUFFIX))
+    return undefined;
   const path = pathOfNew(root, folder, name);
   const stats = lstatSync(path, { throwIfNoEntry: false });
   if (stats === undefined || !(stats.isFile() || stats.isSymbolicLink())) return undefined;

@@ -33,7 +33,7 @@ export interface EditServer {
 export interface EditServerOptions {
   /** The folder as a person named it. */
   readonly folder: string;
-  /** 0: any; null: that of the last time, else `DEFAULT_PORT`, or the next that is free. */
+  /** 0: any, that of the last time if it is free; null: that of the last time, else `DEFAULT_PORT`, or the next that is free. */
   readonly port: number | null;
   /** The folder of the built page. */
   readonly page: string;
@@ -65,7 +65,9 @@ export async function startServer({ folder, port, page, onCrash }: EditServerOpt
   server.headersTimeout = 10_000;
   server.requestTimeout = 60_000;
   const { id } = levels.known.list().folder;
-  const before = lastPort(id);
+  // who asks for any port gets the last one that was any
+  const memory = port === 0 ? `${id}-any` : id;
+  const before = lastPort(memory);
   await listen(server, port, before);
   const endWatching = watchFolder(root, levels.known);
   const { port: listening } = server.address() as AddressInfo;
@@ -76,7 +78,7 @@ export async function startServer({ folder, port, page, onCrash }: EditServerOpt
     await new Promise((resolve) => server.close(resolve));
   };
   // one that is taken now is kept: what a page could not save is there
-  if (before === null || port !== null) keepPort(id, listening);
+  if (before === null || port !== null) keepPort(memory, listening);
   return {
     port: listening,
     portBefore: before,
@@ -98,8 +100,8 @@ function realFolder(folder: string): string {
 }
 
 async function listen(server: Server, port: number | null, before: number | null): Promise<void> {
-  if (port !== null) return listenOn(server, port);
-  const usual = Array.from({ length: TRIED }, (_, i) => DEFAULT_PORT + i);
+  if (port !== null && port !== 0) return listenOn(server, port);
+  const usual = port === 0 ? [] : Array.from({ length: TRIED }, (_, i) => DEFAULT_PORT + i);
   for (const tried of before === null ? usual : [before, ...usual]) {
     try {
       return await listenOn(server, tried);

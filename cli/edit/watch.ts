@@ -39,7 +39,7 @@ export function watchFolder(root: string, known: KnownLevels): () => void {
     else if (below.endsWith(SUFFIX)) touched.add(below.slice(0, -SUFFIX.length));
     // a folder, perhaps; those that are hidden are of no interest
     else if (!below.split('/').some((part) => part.startsWith('.') || part === 'node_modules')) lookAtAll = true;
-    if (lookAtAll || touched.size > 0) timer ??= setTimeout(() => void look(), PATIENCE);
+    if (lookAtAll || touched.size > 0) timer ??= setTimeout(() => look().catch(fail), PATIENCE);
   };
 
   const fail = (error: unknown): void =>
@@ -79,7 +79,7 @@ export function watchFolder(root: string, known: KnownLevels): () => void {
   followFolders();
   // what happened before somebody watched
   lookAtAll = true;
-  timer = setTimeout(() => void look(), PATIENCE);
+  timer = setTimeout(() => look().catch(fail), PATIENCE);
   return () => {
     isOver = true;
     if (timer !== null) clearTimeout(timer);

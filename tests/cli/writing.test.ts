@@ -220,6 +220,17 @@ describe.runIf(process.platform !== 'win32')('what stands in the way', () => {
     expect(await run('import originals.json --out new/deep')).toMatchObject({ code: 0 });
   });
 
+  it.runIf(process.platform === 'linux')('a name that is not UTF-8 is told, and the rest is checked', async () => {
+    mkdirSync(at('odd'));
+    for (const name of ['ok.level.json', Buffer.from([0x6f, 0xff, ...Buffer.from('.level.json')])]) {
+      writeFileSync(Buffer.concat([Buffer.from(`${at('odd')}/`), Buffer.from(name)]), fallThrough());
+    }
+    const { code, stdout } = await run('check odd');
+    expect(code).toBe(2);
+    expect(stdout).toContain('its name is not UTF-8: rename it');
+    expect(stdout).toContain('2 levels: 1 completable, 1 invalid');
+  });
+
   it('a pipe that the shell has made is read to its end', () => {
     const script = '"$0" "$1" check <(cat a.level.json) <(cat a.level.json) && cat a.level.json | "$0" "$1" simulate /dev/stdin';
     const { status, stdout } = spawnSync('bash', ['-c', script, process.execPath, MAIN], { cwd: here, encoding: 'utf8' });

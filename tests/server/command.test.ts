@@ -102,7 +102,7 @@ describe('gq edit', () => {
     const first = await gqEdit([], { cwd });
     const second = await gqEdit([], { cwd });
     expect(second.port).not.toBe(first.port);
-    expect(second.said().stdout).toMatch(/^Port 4747 is taken, .*\nEditing/);
+    expect(second.said().stdout).toMatch(new RegExp(`^Port ${first.port} is taken, .*\\nEditing`));
     const busy = await refusal(['--port', String(first.port)]);
     expect(busy).toMatchObject({
       code: 2,

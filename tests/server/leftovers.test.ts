@@ -92,7 +92,12 @@ it('what killed processes have left is cleaned up once nobody can be at it any m
 it('a folder keeps its port, and is told where its edits are when that is taken', async () => {
   const env = { XDG_STATE_HOME: mkdtempSync(join(tmpdir(), 'gq-state-')) };
   const start = (...args: string[]) => gqEdit(['.', ...args], { cwd: made.folder, env });
-  const first = await start('--port', '0');
+  const any = await start('--port', '0');
+  await any.end('SIGTERM');
+  const again = await start('--port', '0');
+  expect(again.port).toBe(any.port);
+  await again.end('SIGTERM');
+  const first = await start('--port', String(any.port));
   await first.end('SIGTERM');
   const second = await start();
   expect(second.port).toBe(first.port);
