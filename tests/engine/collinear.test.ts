@@ -103,4 +103,56 @@ describe('everything on one line', () => {
     // most of them are known for most of the time
     expect(ticks).toBeGreaterThan(RUNS * 100);
   });
+
+  it('goes as its neighbours do, 1e-7 px beside it', () => {
+    let ticks = 0;
+    fc.assert(
+      fc.property(lineScene, button, (scene, parts) => {
+        // at rest in the very centre of a field: the neighbours are pushed out of it
+        fc.pre(!scene.fields.some(({ at }) => at === scene.start));
+        const held = heldBy(parts);
+        const beside = (by: number) => play(scene, DIRECTIONS[0], held, 'precise', by).run;
+        const [left, ...others] = [1e-7, -1e-7, 2e-7, 5e-8].map(beside);
+        // as long as the neighbours agree
+        const known = together(1e-4, [left, ...others]);
+        expect(together(1e-3, [left.slice(0, known), beside(0)])).toBe(known);
+        ticks += known;
+      }),
+      { numRuns: RUNS },
+    );
+    expect(ticks).toBeGreaterThan(RUNS * 100);
+  });
+});
+
+describe.each(['precise', 'standard', 'fast'] as const)('a rock that is dragged through her: %s', (accuracy) => {
+  const rockAt = (parts: Parameters<typeof plainLevel>[0], seconds: number) => {
+    const simulation = createSimulation(compile(plainLevel({ range: 400, recoil: true, ...parts }), accuracy));
+    simulation.advance(60 * seconds, true);
+    const places = new Float64Array(2);
+    simulation.readAsteroids(places);
+    return { places, pieces: simulation.work.pieces };
+  };
+
+  it('swings about her while she rests in the centre of a field', () => {
+    // 1 / diameter = 0.625 px/s2 from 45 px away: a quarter of a swing lasts 12 s
+    const at = { x: 27, y: 36 };
+    for (const [seconds, way] of [
+      [12, 0],
+      [24, -45],
+      [48, 45],
+    ]) {
+      const { places } = rockAt({ asteroids: [{ ...at, radius: 0.8 }], repulsors: [{ x: 0, y: 0, radius: 300 }] }, seconds);
+      expect(places[0]).toBeCloseTo(0.6 * way, 8);
+      expect(places[1]).toBeCloseTo(0.8 * way, 8);
+    }
+  });
+
+  it('stays in her centre where it can follow her push', () => {
+    // 25 px/s2 against 20: it starts with her and never leaves her
+    const parts = { asteroids: [{ x: 0, y: 0, radius: 0.02 }], repulsors: [{ x: -30, y: 0, radius: 300 }] };
+    const { places, pieces } = rockAt(parts, 2);
+    expect(places[0]).toBeCloseTo(40, 9);
+    expect(places[1]).toBe(0);
+    expect(pieces).toBeLessThan(200);
+  });
 });
