@@ -1,6 +1,7 @@
 import { ALIEN_PULL, SPEED_LIMIT } from '../constants.ts';
 import { CENTRAL, COAST, LINEAR, SLIDE } from './flow.ts';
 import { untilGrid } from './glide.ts';
+import { CONVERGENCE } from './integrator.ts';
 import { straighten } from './line.ts';
 import type { Motion } from './motion.ts';
 import { SMALLEST_ORBIT } from './piece.ts';
@@ -36,6 +37,9 @@ const LOOKS_A_CHASER = 8;
 
 /** Longest piece of a coast among so many things that an index finds the near ones, px. */
 const CROWDED_REACH = 128;
+
+/** Shortest piece that a rock's close pass makes, s. */
+const CLOSEST_PASS = 1e-8;
 
 /** Longest piece of a rock that is dragged along a line, so that bounds over it stay tight, s. */
 const LONGEST_DRAG = 4;
@@ -129,9 +133,11 @@ export function expandChasers(m: Motion, longest: number): number {
 /** The rock that she holds while she is in a field. */
 function expandDragged(m: Motion, longest: number): number {
   const aliens = m.scene.aliens.count;
-  if (m.s[MEETS] === NOT) return expandChaser(m, aliens, m.kappa, longest);
   beginSeries(m, aliens);
-  dragOnLine(m, m.chaserX[aliens], m.chaserY[aliens]);
+  const qx = m.chaserX[aliens];
+  const qy = m.chaserY[aliens];
+  if (m.s[MEETS] === NOT) return expandChaser(m, aliens, m.kappa, Math.min(longest, untilMeeting(m, qx, qy)));
+  dragOnLine(m, qx, qy);
   return Math.min(longest, LONGEST_DRAG);
 }
 
@@ -182,4 +188,19 @@ function dragOnLine(m: Motion, qx: Float64Array, qy: Float64Array): void {
   qy[2] = a * s[LINE_Y];
   qx.fill(0, 3);
   qy.fill(0, 3);
+}
+
+/**
+ * A rock that is dragged past her, beside her line: its series ends short of where it could meet her, as it does at the pass of a centre. One too close for the last terms to show it must not be stepped over. Aliens touch her before.
+ */
+function untilMeeting(m: Motion, qx: Float64Array, qy: Float64Array): number {
+  const { wx, wy } = m;
+  const dx = wx[0] - qx[0];
+  const dy = wy[0] - qy[0];
+  const vx = wx[1] - qx[1];
+  const vy = wy[1] - qy[1];
+  const d = Math.sqrt(dx * dx + dy * dy);
+  const v2 = vx * vx + vy * vy;
+  const time = (2 * d) / (Math.sqrt(v2) + Math.sqrt(v2 + 2 * (m.s[ACCELERATION] + m.kappa) * d));
+  return Math.max(CLOSEST_PASS, CONVERGENCE * time);
 }

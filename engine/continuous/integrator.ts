@@ -57,7 +57,7 @@ const LONGEST_TAYLOR = 4;
  * at which u.u = 0, no nearer than she could be at the centre; a pass too close for the last terms to show it must not be
  * stepped over.
  */
-const CONVERGENCE = 0.6;
+export const CONVERGENCE = 0.6;
 
 /** The least time in which she can be at the centre of a force of strength `alpha`, s. */
 function timeToCentre(x: Float64Array, y: Float64Array, alpha: number): number {
