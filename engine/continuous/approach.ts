@@ -43,6 +43,10 @@ export function approachHazards(m: Motion, start: number, length: number, tracke
     if (far < tracker.least) approach(m, start, length, tracker, kind, i, r, pull);
   };
   const nova = (i: number) => {
+    const dx = novae.x[i] - x;
+    const dy = novae.y[i] - y;
+    const near = within + novae.r[i];
+    if (dx * dx + dy * dy > near * near) return;
     placeCircle(m, novae.x[i], novae.y[i], m.originX, m.originY);
     consider('nova', novae.index[i], novae.r[i], 0, 0);
   };

@@ -4,6 +4,9 @@ import type { RunEvent } from '../simulation.ts';
 import type { Trajectory } from '../trajectory.ts';
 import { ContinuousSimulation } from './simulation.ts';
 
+/** Pieces at whose beginning the clearance is looked for before it is looked for everywhere. */
+const FIRST_LOOKS = 64;
+
 /** Keeps every piece and event of a run in continuous time. */
 export class PieceRecorder implements Trajectory {
   readonly events: RunEvent[] = [];
@@ -80,6 +83,9 @@ export class PieceRecorder implements Trajectory {
     const { scene, events } = this;
     if (scene.novae.count + scene.aliens.count + scene.targets.count - scene.coldCount === 0) return null;
     const near = new ClearanceTracker(scene);
+    // a few looks all along the run first: of what stays farther than the nearest of them the rest sees little
+    const stride = Math.ceil(this.starts.length / FIRST_LOOKS);
+    for (let i = 0; i < this.starts.length; i += stride) this.open(i).approach(0, near);
     for (let i = 0; i < this.starts.length; i++) this.open(i).approach(this.lengths[i], near);
     const { best } = near;
     if (best === null || scene.accuracy.contact === 'frame') return best;
