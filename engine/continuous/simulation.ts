@@ -1,8 +1,10 @@
+import type { ClearanceTracker } from '../clearance.ts';
 import { TICK_RATE } from '../constants.ts';
 import type { Scene } from '../scene.ts';
 import type { Ending, Mode, Simulation, Work } from '../simulation.ts';
 import { expectSnapshot } from '../snapshot.ts';
 import { unlimited, type WorkBudget } from '../work-budget.ts';
+import { approachHazards } from './approach.ts';
 import { button } from './button.ts';
 import { endingOf } from './ending.ts';
 import { restoreChasers } from './expand.ts';
@@ -189,6 +191,11 @@ export class ContinuousSimulation implements Simulation {
       out[2 * targets.index[i]] = motion.originX + motion.e[0];
       out[2 * targets.index[i] + 1] = motion.originY + motion.e[1];
     }
+  }
+
+  /** Shows `tracker` how near to hazards she comes on the piece that it stands on, within `length` seconds. */
+  approach(length: number, tracker: ClearanceTracker): void {
+    approachHazards(this.motion, this.motion.s[START], length, tracker);
   }
 
   isCollected(mineral: number): boolean {

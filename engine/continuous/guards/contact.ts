@@ -76,7 +76,7 @@ export function contactTime(m: Motion, r: number, pull: number, from: number): n
  * @param r radius, px
  * @param pull bound on the circle's own acceleration, px/s2
  */
-function sweptTime(m: Motion, r: number, pull: number, from: number): number {
+export function sweptTime(m: Motion, r: number, pull: number, from: number): number {
   const { s, e, work } = m;
   work.guards++;
   const horizon = Math.min(m.horizon, s[LENGTH_H]);
@@ -199,7 +199,7 @@ function cornerStep(
 }
 
 /** Gap between her box and the placed circle after `t`, px. */
-function gapAt(m: Motion, t: number, r: number): number {
+export function gapAt(m: Motion, t: number, r: number): number {
   const { s, e } = m;
   relativeAt(m, t);
   let cos = s[COS];

@@ -1,0 +1,132 @@
+import type { ClearanceTracker } from '../clearance.ts';
+import { ALIEN_PULL, HALF_DIAGONAL } from '../constants.ts';
+import type { BodyKind } from '../simulation.ts';
+import { placeAlien, placeCircle, placeRock, relativeAt, SERIES } from './circle.ts';
+import { gapAt, sweptTime } from './guards/contact.ts';
+import type { Motion } from './motion.ts';
+import { alienTravel, rockTravel } from './neighbourhood.ts';
+import { placeAt } from './places.ts';
+import { ALERTNESS, RECORDS, SLOTS } from './state.ts';
+
+const { BASE_X, BASE_Y, NEXT, ACCELERATION } = SLOTS;
+const { CHASER } = RECORDS;
+const { GONE } = ALERTNESS;
+
+/** A clearance is reached, and nowhere is she nearer by more than this, px. */
+const CLEARANCE_ERROR = 1e-6;
+
+/** Where looking closer at a dip ends, s: about its lowest point the gap changes with the square of this. */
+const FINEST = 1e-8;
+
+/**
+ * Finds whether she comes nearer to a hazard on the piece that `m` is on than `tracker` knows of: every hazard is marched past
+ * as if it were larger by what is known, less CLEARANCE_ERROR, so that nothing nearer is missed; where that is touched she
+ * comes nearer, and the bottom of that dip is what is known from there on.
+ * @param start when the piece begins, s
+ * @param length how long she is on it, s
+ */
+export function approachHazards(m: Motion, start: number, length: number, tracker: ClearanceTracker): void {
+  const { s, e, scene } = m;
+  const { novae, targets, coldCount, aliens } = scene;
+  // looking at where they are costs less than marching past them
+  const standing = novae.spatial === null ? novae.count : 0;
+  m.budget.look(1 + ((standing + targets.count - coldCount + aliens.count) >> 3));
+  const next = s[NEXT];
+  s[NEXT] = Math.min(next, length);
+  placeAt(m, 0);
+  const x = m.originX + s[BASE_X] + e[0];
+  const y = m.originY + s[BASE_Y] + e[1];
+  const vx = e[2] + (m.recoil ? e[6] : 0);
+  const vy = e[3] + (m.recoil ? e[7] : 0);
+  const travel = (Math.sqrt(vx * vx + vy * vy) + (s[ACCELERATION] + m.kappa) * length) * length;
+  const within = tracker.least + travel + HALF_DIAGONAL + 1e-6;
+  const consider = (kind: BodyKind, i: number, r: number, pull: number, moves: number) => {
+    relativeAt(m, 0);
+    const far = Math.sqrt(e[4] * e[4] + e[5] * e[5]) - r - HALF_DIAGONAL - travel - moves;
+    if (far < tracker.least) approach(m, start, length, tracker, kind, i, r, pull);
+  };
+  const nova = (i: number) => {
+    const dx = novae.x[i] - x;
+    const dy = novae.y[i] - y;
+    const near = within + novae.r[i];
+    if (dx * dx + dy * dy > near * near) return;
+    placeCircle(m, novae.x[i], novae.y[i], m.originX, m.originY);
+    consider('nova', novae.index[i], novae.r[i], 0, 0);
+  };
+  if (novae.spatial !== null && within < Number.POSITIVE_INFINITY) for (const i of novae.spatial.around(x, y, within)) nova(i);
+  else for (let i = 0; i < novae.count; i++) nova(i);
+  const rocks = m.recoil ? rockTravel(m, length) : 0;
+  for (let i = coldCount; i < targets.count; i++) {
+    placeRock(m, i);
+    consider('asteroid', targets.index[i], targets.r[i], m.kappa, rocks);
+  }
+  for (let i = 0; i < aliens.count; i++) {
+    if (s[m.chasers + CHASER * i + 4] === GONE) continue;
+    placeAlien(m, i);
+    consider('alien', i, aliens.r[i], m.circleMotion === SERIES ? ALIEN_PULL : 0, alienTravel(m, i, length));
+  }
+  s[NEXT] = next;
+}
+
+/** The same with one hazard, the placed circle. */
+function approach(
+  m: Motion,
+  start: number,
+  length: number,
+  tracker: ClearanceTracker,
+  kind: BodyKind,
+  index: number,
+  r: number,
+  pull: number,
+): void {
+  tracker.take(start, gapAt(m, 0, r), kind, index);
+  for (let t = 0; length > 0; ) {
+    // nearer than its centre she can't come
+    const reach = r + tracker.least - CLEARANCE_ERROR;
+    if (reach <= 0) return;
+    t = sweptTime(m, reach, pull, t);
+    if (t < 0 || t > length) return;
+    const bottom = bottomOfDip(m, r, t, length);
+    tracker.take(start + bottom, gapAt(m, bottom, r), kind, index);
+  }
+}
+
+/** Where a dip that begins at `t` is deepest, s: on as long as it goes down, then by golden section. */
+function bottomOfDip(m: Motion, r: number, t: number, length: number): number {
+  let a = t;
+  let b = t;
+  let gap = gapAt(m, t, r);
+  for (let h = FINEST; b < length; h *= 2) {
+    const further = Math.min(length, b + h);
+    const there = gapAt(m, further, r);
+    if (there >= gap) {
+      b = further;
+      break;
+    }
+    a = Math.max(t, b - h);
+    b = further;
+    gap = there;
+  }
+  const share = (3 - Math.sqrt(5)) / 2;
+  let c = a + share * (b - a);
+  let d = b - share * (b - a);
+  let atC = gapAt(m, c, r);
+  let atD = gapAt(m, d, r);
+  while (b - a > FINEST) {
+    if (atC < atD) {
+      b = d;
+      d = c;
+      atD = atC;
+      c = a + share * (b - a);
+      atC = gapAt(m, c, r);
+    } else {
+      a = c;
+      c = d;
+      atC = atD;
+      d = b - share * (b - a);
+      atD = gapAt(m, d, r);
+    }
+  }
+  // it may go down to the very end of the piece
+  return gapAt(m, b, r) < Math.min(atC, atD) ? b : atC < atD ? c : d;
+}

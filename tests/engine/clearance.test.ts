@@ -1,0 +1,69 @@
+import fc from 'fast-check';
+import { expect, it } from 'vitest';
+import { GRAZED_AT, graze } from '../../bench/soak/contacts.ts';
+import { randomScene } from '../../bench/soak/random-scene.ts';
+import { boxCircleGap, compile, type Run, STATE_SIZE, simulate } from '../../engine/index.ts';
+import type { Level } from '../../schema/index.ts';
+
+/** The gap to the nearest hazard at a time, px. */
+function nearestHazard(level: Level, run: Run, time: number): number {
+  const state = new Float64Array(STATE_SIZE);
+  const aliens = new Float64Array(3 * level.aliens.length);
+  const rocks = new Float64Array(2 * level.asteroids.length);
+  run.trajectory.at(time, state);
+  run.trajectory.aliensAt(time, aliens);
+  run.trajectory.asteroidsAt(time, rocks);
+  const [x, y, , , cos, sin] = state;
+  const gap = (cx: number, cy: number, r: number) => boxCircleGap(cx - x, cy - y, cos, sin, r);
+  return Math.min(
+    ...level.novae.map((o) => gap(o.x, o.y, o.radius)),
+    ...level.asteroids.map((o, i) => (o.hot ? gap(rocks[2 * i], rocks[2 * i + 1], o.radius) : Number.POSITIVE_INFINITY)),
+    ...level.aliens.map((o, i) =>
+      aliens[3 * i + 2] === 0 ? Number.POSITIVE_INFINITY : gap(aliens[3 * i], aliens[3 * i + 1], o.radius),
+    ),
+  );
+}
+
+it('the clearance is reached where it says so, and nowhere is she nearer', () => {
+  let looked = 0;
+  fc.assert(
+    fc.property(fc.nat(2 ** 31 - 1), fc.constantFrom(...GRAZED_AT), (seed, accuracy) => {
+      const { level, holds, maxTime } = randomScene(seed);
+      const run = simulate(compile(level, accuracy), holds, { maxTime: Math.min(maxTime, 10) });
+      const { clearance } = run;
+      if (clearance === null) return;
+      const rounding = 1e-10 + 4e-15 * (Math.abs(level.astronaut.x) + Math.abs(level.astronaut.y));
+      // where the box turns at once both states are right
+      const turns = run.events.some((e) => Math.abs(e.time - clearance.time) < 1e-9);
+      if (!turns) expect(Math.abs(nearestHazard(level, run, clearance.time) - clearance.distance)).toBeLessThan(rounding);
+      expect(clearance.distance <= 0).toBe(run.outcome === 'collided' || clearance.distance === 0);
+      let least = Number.POSITIVE_INFINITY;
+      for (let i = 0; i <= 1000; i++) least = Math.min(least, nearestHazard(level, run, (run.time * i) / 1000));
+      for (const e of run.events) least = Math.min(least, nearestHazard(level, run, e.time));
+      if (least > 0 || run.outcome === 'collided')
+        expect(clearance.distance).toBeLessThanOrEqual(Math.max(0, least) + 1e-6 + rounding);
+      looked++;
+    }),
+    { numRuns: 150, endOnFailure: true },
+  );
+  expect(looked).toBeGreaterThan(50);
+});
+
+it('the clearance is found however short she comes so near', () => {
+  let thin = 0;
+  fc.assert(
+    fc.property(fc.nat(2 ** 31 - 1), fc.constantFrom(...GRAZED_AT), (seed, accuracy) => {
+      const made = graze(seed, accuracy);
+      if (made === null || made.kind !== 'nova' || made.depth > 0 || made.gap(0) < 1e-6) return;
+      const run = simulate(compile(made.level, accuracy), made.holds, { maxTime: made.until });
+      if (run.outcome === 'collided' || run.clearance === null) return;
+      expect(run.clearance.distance).toBeGreaterThanOrEqual(0);
+      // the run ends at a tick, perhaps before
+      if (made.nearest > run.time) return;
+      expect(run.clearance.distance).toBeLessThanOrEqual(-made.depth + 1e-6);
+      thin++;
+    }),
+    { numRuns: 3000, endOnFailure: true },
+  );
+  expect(thin).toBeGreaterThan(30);
+});
