@@ -59,10 +59,13 @@ export const SLOTS = {
   /** The field along whose rim she slides, which counts as around her, or -1; and the one that acts just outside, or -1: the gun. */
   RIM: 36,
   OUTER: 37,
+  /** When a rim was crossed last, and how many more crossings came in quick succession than not. */
+  RIM_TIME: 38,
+  CHATTER: 39,
 } as const;
 
 /** Slots before the first chaser. */
-export const HEAD = 38;
+export const HEAD = 40;
 
 /** What turns the box. */
 export const TURNS = { TURN_NOT: 0, TURN_TO_BASE: 1, TURN_TO_TARGET: 2 } as const;
