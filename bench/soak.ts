@@ -2,12 +2,22 @@ import { isMainThread, parentPort, Worker, workerData } from 'node:worker_thread
 import { optionValue } from './harness.ts';
 import { checkScene, type Finding } from './soak/check-scene.ts';
 import { checkGraze, GRAZED_AT, graze } from './soak/contacts.ts';
+import { degenerateScene } from './soak/degenerate-scene.ts';
+import { checkPieces } from './soak/pieces.ts';
 import { randomScene } from './soak/random-scene.ts';
+
+/** What is looked at with a seed: `rules` in any scene, `pieces` in those where something may happen without end. */
+const ATTACKS = {
+  rules: { scene: randomScene, find: (seed: number) => checkScene(randomScene(seed), seed) },
+  pieces: { scene: degenerateScene, find: (seed: number) => checkPieces(degenerateScene(seed)) },
+};
+type Attack = keyof typeof ATTACKS;
 
 /** A scene that takes longer than this does not go on, ms. */
 const HANGS_AFTER = 20_000;
 
 interface Task {
+  readonly attack: Attack;
   readonly from: number;
   readonly to: number;
   /** The scene being checked, for the one who watches. */
@@ -19,21 +29,21 @@ interface Found extends Finding {
 }
 
 /** Checks scene after scene; what is found is posted, and null at the end. */
-function work({ from, to, current }: Task): void {
+function work({ attack, from, to, current }: Task): void {
   for (let scene = from; scene < to; scene++) {
     Atomics.store(current, 0, scene);
-    for (const finding of checkScene(randomScene(scene), scene)) parentPort?.postMessage({ ...finding, scene });
+    for (const finding of ATTACKS[attack].find(scene)) parentPort?.postMessage({ ...finding, scene });
   }
   Atomics.store(current, 0, to);
   parentPort?.postMessage(null);
 }
 
 /** Runs scenes in a worker that is ended when one of them hangs, and started again after it. */
-async function watch(from: number, to: number, until: number, report: (found: Found) => void): Promise<number> {
+async function watch(attack: Attack, from: number, to: number, until: number, report: (found: Found) => void): Promise<number> {
   const current = new Int32Array(new SharedArrayBuffer(4));
   for (let next = from; next < to; ) {
     current[0] = next;
-    const worker = new Worker(new URL(import.meta.url), { workerData: { from: next, to, current } satisfies Task });
+    const worker = new Worker(new URL(import.meta.url), { workerData: { attack, from: next, to, current } satisfies Task });
     next = await new Promise<number>((resolve) => {
       let seen = next;
       let since = Date.now();
@@ -87,31 +97,32 @@ function attackContacts(from: number, seeds: number, until: number): void {
 }
 
 async function main(): Promise<void> {
-  const only = optionValue('--only');
-  if (only !== null) {
-    const scene = randomScene(Number(only));
-    console.log(JSON.stringify(scene));
-    console.log(JSON.stringify(checkScene(scene, Number(only)), null, 2));
-    return;
-  }
+  const attack = optionValue('--attack') ?? 'rules';
   const from = Number(optionValue('--from') ?? 0);
   const scenes = Number(optionValue('--scenes') ?? 100_000);
   const seconds = Number(optionValue('--seconds') ?? 3600);
   const began = Date.now();
-  const attack = optionValue('--attack');
   if (attack === 'contacts') {
     attackContacts(from, scenes, began + 1000 * seconds);
     return;
   }
-  if (attack !== null) throw new Error(`--attack: expected contacts, or none for random scenes, found ${attack}`);
+  if (!Object.hasOwn(ATTACKS, attack))
+    throw new Error(`--attack is one of contacts, ${Object.keys(ATTACKS).join(', ')}, not ${attack}`);
+  const { scene: sceneOf, find } = ATTACKS[attack as Attack];
+  const only = optionValue('--only');
+  if (only !== null) {
+    console.log(JSON.stringify(sceneOf(Number(only))));
+    console.log(JSON.stringify(find(Number(only)), null, 2));
+    return;
+  }
   const counts = { bug: 0, hangs: 0 };
-  const done = await watch(from, from + scenes, began + 1000 * seconds, (found) => {
+  const done = await watch(attack as Attack, from, from + scenes, began + 1000 * seconds, (found) => {
     counts[found.kind]++;
     console.log(`${found.kind}  scene ${found.scene}  ${found.accuracy}: ${found.what}`);
   });
   console.log(
     `\n${done - from} scenes (${from} to ${done - 1}) at three accuracies in ${((Date.now() - began) / 1000).toFixed(1)} s: ` +
-      `${counts.bug} bugs, ${counts.hangs} whose outcome hangs on their last digits`,
+      `${counts.bug} bugs, ${counts.hangs} ${attack === 'rules' ? 'whose outcome hangs on their last digits' : 'in clusters of asteroids'}`,
   );
   if (counts.bug > 0 || done === from) process.exitCode = 1;
 }

@@ -1,9 +1,21 @@
-import { compile, createSimulation, joinHolds, type Scene } from '../../engine/index.ts';
+import { type AccuracyName, compile, createSimulation, joinHolds, type Scene } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
+import type { Finding } from './check-scene.ts';
+import type { RandomScene } from './random-scene.ts';
+
+/** More pieces than this in a second of play mean that a run does not go on. */
+const MOST_PIECES: Readonly<Record<Exclude<AccuracyName, 'arcade'>, number>> = {
+  precise: 10_000,
+  standard: 20_000,
+  fast: 20_000,
+};
+
+/** Asteroids nearer to each other or to her start than this, px, make orbits so small that other things interrupt every turn. */
+const CLUSTER = 0.01;
 
 /** What the dearest second of a run took. */
 export interface DearestSecond {
-  /** Pieces in it, more than `most` where counting ended there. */
+  /** Pieces in it; more than `most` where counting ended there. */
   readonly pieces: number;
   /** s from the start */
   readonly time: number;
@@ -31,4 +43,22 @@ export function dearestSecond(scene: Scene, holds: readonly Hold[], maxTime: num
   return dearest;
 }
 
-export { compile };
+/**
+ * Looks for runs that take pieces without end. A cluster of asteroids within a hundredth of a pixel of each other or of her start
+ * may take any number of them: it is named, not held against the engine.
+ */
+export function checkPieces({ level, holds, maxTime }: RandomScene): Finding[] {
+  const findings: Finding[] = [];
+  const { astronaut, asteroids } = level;
+  const near = (a: { x: number; y: number }, b: { x: number; y: number }) => Math.hypot(a.x - b.x, a.y - b.y) < CLUSTER;
+  const cluster = asteroids.some((a, i) => near(a, astronaut) || asteroids.some((b, j) => j < i && near(a, b)));
+  for (const accuracy of ['precise', 'standard', 'fast'] as const) {
+    const most = MOST_PIECES[accuracy];
+    const { pieces, time } = dearestSecond(compile(level, accuracy), holds, maxTime, most);
+    if (pieces > most) {
+      const what = `${pieces} pieces in the second up to ${time.toFixed(3)} s`;
+      findings.push({ kind: cluster ? 'hangs' : 'bug', accuracy, what });
+    }
+  }
+  return findings;
+}

@@ -110,6 +110,7 @@ export function relativeAt(m: Motion, t: number): void {
  */
 export function relativeSeries(m: Motion, t: number, x: Float64Array, y: Float64Array): number {
   const { s } = m;
+  m.budget.look(8);
   const degree = s[DEGREE];
   const motion = m.circleMotion;
   const series = motion === SERIES ? m.integrator.degree : 0;

@@ -1,7 +1,13 @@
 import type { Motion } from './motion.ts';
 import { SLOTS } from './state.ts';
 
-const { FIELD } = SLOTS;
+const { FIELD, RIM_TIME, CHATTER } = SLOTS;
+
+/** Two crossings of rims nearer than this come in quick succession, s. */
+const QUICK = 1 / 4000;
+
+/** A chatter at most so many crossings ahead is kept in mind. */
+const MOST = 15;
 
 /** Marks the repulsors that contain her at the start. */
 export function enterFields(m: Motion): void {
@@ -19,4 +25,11 @@ export function enterFields(m: Motion): void {
 export function actingField(m: Motion): number {
   for (let i = 0; i < m.scene.repulsors.count; i++) if (m.s[m.inside + i] === 1) return i;
   return -1;
+}
+
+/** Keeps count of crossings of rims in quick succession: where several rims meet she may be thrown to and fro without end. */
+export function countCrossing(m: Motion, time: number): void {
+  const { s } = m;
+  s[CHATTER] = time - s[RIM_TIME] < QUICK ? Math.min(MOST, s[CHATTER] + 1) : Math.max(0, s[CHATTER] - 1);
+  s[RIM_TIME] = time;
 }

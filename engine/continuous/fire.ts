@@ -1,6 +1,6 @@
 import { recordTarget } from './button.ts';
 import { endingOf } from './ending.ts';
-import { actingField } from './fields.ts';
+import { actingField, countCrossing } from './fields.ts';
 import { locate } from './locate.ts';
 import { meet } from './meet.ts';
 import type { Motion } from './motion.ts';
@@ -111,6 +111,7 @@ export function fire(m: Motion, until: number): void {
       break;
     case ENTER:
     case LEAVE:
+      countCrossing(m, time);
       // sliding on the rim she counts as inside
       s[m.inside + a] = 1;
       if (beginsToSlide(m, a) && kind === LEAVE) break;

@@ -8,7 +8,7 @@ import { EVENTS, RECORDS, SLOTS, TURNS } from './state.ts';
 import { centralSeries, TAYLOR_DEGREE, taylorStep } from './taylor.ts';
 
 const { START, TARGET, FIELD, BASE, BASE_X, BASE_Y, KIND, TURN, DEGREE, AWAKE_COUNT, LIMIT_X, LIMIT_Y } = SLOTS;
-const { MINERAL } = EVENTS;
+const { MINERAL, SWITCH } = EVENTS;
 const { TURN_NOT } = TURNS;
 const { ROCK } = RECORDS;
 
@@ -23,6 +23,10 @@ const y = new Float64Array(TAYLOR_DEGREE + 1);
 const e = new Float64Array(4);
 // from one pericentre to the next: time, and the turn as cosine and sine
 const turn = new Float64Array(3);
+const targetX = new Float64Array(TAYLOR_DEGREE + 1);
+const targetY = new Float64Array(TAYLOR_DEGREE + 1);
+// what an orbit adds to the target's way and velocity
+const orbit = new Float64Array(4);
 
 /** How far from the centre of her target an orbit gets at most, px: the pull is all but constant so near to it. */
 function width(m: Motion, strength: number): number {
@@ -50,6 +54,8 @@ export function isClear(m: Motion, far: number, rocks: number): boolean {
   const gone = Math.sqrt((px - near.x) * (px - near.x) + (py - near.y) * (py - near.y)) + reach;
   for (let i = 0; i < near.count; i++) {
     if (near.kind[i] === MINERAL && s[m.minerals + near.index[i]] !== 0) continue;
+    // the first of asteroids in the same place stays the target
+    if (near.kind[i] === SWITCH && !m.recoil && inSamePlace(m, near.index[i])) continue;
     if (near.slack[i] <= gone) return false;
   }
   return true;
@@ -59,6 +65,11 @@ export function isClear(m: Motion, far: number, rocks: number): boolean {
 export function untilTick(time: number): number {
   const n = Math.floor(time * TICK_RATE + 1e-9);
   return (time > n / TICK_RATE ? n + 1 : n) / TICK_RATE - time;
+}
+
+function inSamePlace(m: Motion, i: number): boolean {
+  const target = m.s[TARGET];
+  return m.targetX[i] === m.targetX[target] && m.targetY[i] === m.targetY[target];
 }
 
 /**
@@ -83,58 +94,76 @@ export function skipOrbits(m: Motion): void {
   const count = period > 0 ? Math.floor(left / period) : 0;
   if (count < 1) return;
   const skipped = count * period;
-  recordMean(m, vx, vy, skipped);
-
-  let cos = 1;
-  let sin = 0;
-  for (let n = count, c = turn[1], q = turn[2]; n > 0; n = Math.floor(n / 2)) {
-    if (n % 2 === 1) {
-      const was = cos;
-      cos = was * c - sin * q;
-      sin = was * q + sin * c;
-    }
-    const was = c;
-    c = was * was - q * q;
-    q = 2 * was * q;
-  }
   const [x0, y0, vx0, vy0] = [ux[0], uy[0], ux[1], uy[1]];
+  const [c, q] = [turn[1], turn[2]];
+  const [cos, sin] = power(c, q, count);
+  if (m.recoil) {
+    // the first orbit adds g to her target's velocity and h to its way, the k-th both turned k times: sums of powers of the turn
+    throughOrbit(m, period, a, strength);
+    const [hx, hy, gx, gy] = orbit;
+    const off = (1 - c) * (1 - c) + q * q;
+    const over = (re: number, im: number): [number, number] => [(re * (1 - c) - im * q) / off, (im * (1 - c) + re * q) / off];
+    const [sx, sy] = over(1 - cos, -sin);
+    const [tx, ty] = over(count - sx, -sy);
+    const dx = px[1] * skipped + period * (gx * tx - gy * ty) + hx * sx - hy * sy;
+    const dy = py[1] * skipped + period * (gx * ty + gy * tx) + hx * sy + hy * sx;
+    recordMean(m, dx / skipped, dy / skipped, skipped);
+    drift(m, dx, dy, px[1] + gx * sx - gy * sy, py[1] + gx * sy + gy * sx, skipped);
+  } else {
+    recordMean(m, 0, 0, skipped);
+  }
   ux[0] = x0 * cos - y0 * sin;
   uy[0] = x0 * sin + y0 * cos;
   ux[1] = vx0 * cos - vy0 * sin;
   uy[1] = vx0 * sin + vy0 * cos;
-  if (m.recoil) drift(m, vx * skipped - drawn * (ux[0] - x0), vy * skipped - drawn * (uy[0] - y0), vx, vy, skipped);
   m.modeSeconds[m.mode] += skipped;
   s[START] += skipped;
 }
 
-/** She swings on a line through the centre of her target, which recoils: moves both on by `time` s, in which whole swings end. */
-export function driftsBy(m: Motion, time: number): boolean {
-  const { ux, uy, px, py } = m;
-  const drawn = m.kappa / (GUN_PULL + m.kappa);
-  const vx = px[1] + drawn * ux[1];
-  const vy = py[1] + drawn * uy[1];
+/** (c + i q) to the power of n. */
+function power(c: number, q: number, n: number): [number, number] {
+  let [re, im] = [1, 0];
+  let [bx, by] = [c, q];
+  for (let left = n; left > 0; left = Math.floor(left / 2)) {
+    if (left % 2 === 1) [re, im] = [re * bx - im * by, re * by + im * bx];
+    [bx, by] = [bx * bx - by * by, 2 * bx * by];
+  }
+  return [re, im];
+}
+
+/**
+ * She swings on a line through the centre of her target, which recoils: moves both on by `time` s, a number of whole periods of
+ * `period` s, unless something could happen meanwhile.
+ * @returns whether it did
+ */
+export function driftsBy(m: Motion, time: number, period: number): boolean {
+  const { ux, uy, px, py, kappa } = m;
+  const v = Math.sqrt(ux[1] * ux[1] + uy[1] * uy[1]);
+  // drawn to one side for half a period and to the other for the next
+  const gain = v > 0 ? (kappa * period) / (4 * v) : 0;
+  const vx = px[1] + gain * ux[1];
+  const vy = py[1] + gain * uy[1];
   const a = width(m, GUN_PULL);
   if (4 * a > m.scene.level.range || !isClear(m, Math.sqrt(vx * vx + vy * vy) * time + 2 * a, rockTravel(m, time))) return false;
   recordMean(m, vx, vy, time);
-  drift(m, vx * time, vy * time, vx, vy, time);
+  drift(m, vx * time, vy * time, px[1], py[1], time);
   return true;
 }
 
-/** Moves her target by (dx, dy) with her, and the other rocks as they go; the mean velocity of both is (vx, vy). */
+/** Moves her target by (dx, dy), and her with it, to where it has the velocity (vx, vy); the other rocks go on for `time` s. */
 function drift(m: Motion, dx: number, dy: number, vx: number, vy: number, time: number): void {
-  const { s, ux, uy, px, py } = m;
-  const drawn = m.kappa / (GUN_PULL + m.kappa);
+  const { s, px, py } = m;
   s[BASE_X] += dx;
   s[BASE_Y] += dy;
-  px[1] = vx - drawn * ux[1];
-  py[1] = vy - drawn * uy[1];
+  px[1] = vx;
+  py[1] = vy;
   for (const i of m.stirred) {
     const o = m.rocks + ROCK * i;
     if (i === s[BASE]) {
       s[o] = s[BASE_X];
       s[o + 1] = s[BASE_Y];
-      s[o + 2] = px[1];
-      s[o + 3] = py[1];
+      s[o + 2] = vx;
+      s[o + 3] = vy;
     } else {
       s[o] += s[o + 2] * time;
       s[o + 1] += s[o + 3] * time;
@@ -158,6 +187,40 @@ function recordMean(m: Motion, vx: number, vy: number, length: number): void {
   s.set(kept);
 }
 
+/** Expands her orbit about the centre, and the way of a target that recoils at `kappa`; returns for how long they hold, s. */
+function expandOrbit(a: number, strength: number, beta: number, kappa: number): number {
+  centralSeries(x, y, -strength, beta, true, true, targetX, targetY, kappa);
+  const d = Math.sqrt(x[0] * x[0] + y[0] * y[0]);
+  const v2 = x[1] * x[1] + y[1] * y[1];
+  const toCentre = (2 * d) / (Math.sqrt(v2) + Math.sqrt(v2 + 2 * strength * d));
+  return taylorStep(x, y, 1e-17 * a, 0.6 * toCentre);
+}
+
+/** Her target through one orbit from where she is, as if it rested at its start: its way and velocity into `orbit`. */
+function throughOrbit(m: Motion, period: number, a: number, strength: number): void {
+  x[0] = m.ux[0];
+  y[0] = m.uy[0];
+  x[1] = m.ux[1];
+  y[1] = m.uy[1];
+  orbit.fill(0);
+  for (let time = 0; time < period; ) {
+    targetX[0] = orbit[0];
+    targetY[0] = orbit[1];
+    targetX[1] = orbit[2];
+    targetY[1] = orbit[3];
+    const h = Math.min(expandOrbit(a, strength, GUN_PULL / m.scene.level.range, m.kappa), period - time);
+    pairAt(targetX, targetY, TAYLOR_DEGREE, h, orbit, 0);
+    pairAt(x, y, TAYLOR_DEGREE, h, e, 0);
+    x[0] = e[0];
+    y[0] = e[1];
+    x[1] = e[2];
+    y[1] = e[3];
+    m.work.forceEvaluations++;
+    if (time + h === time) return;
+    time += h;
+  }
+}
+
 /** The time from one pericentre to the next, s, with the turn into `turn`; 0 where none is found. */
 function orbitPeriod(m: Motion, a: number, strength: number): number {
   const beta = GUN_PULL / m.scene.level.range;
@@ -172,11 +235,7 @@ function orbitPeriod(m: Motion, a: number, strength: number): number {
   let time = 0;
   let approaches = false;
   for (let n = 0; n < MOST_PIECES; n++) {
-    centralSeries(x, y, -strength, beta, true, true, null, null, 0);
-    const d = Math.sqrt(x[0] * x[0] + y[0] * y[0]);
-    const v2 = x[1] * x[1] + y[1] * y[1];
-    const toCentre = (2 * d) / (Math.sqrt(v2) + Math.sqrt(v2 + 2 * strength * d));
-    const h = taylorStep(x, y, 1e-17 * a, 0.6 * toCentre);
+    const h = expandOrbit(a, strength, beta, 0);
     if (!(h > 0)) return 0;
     const outward = (t: number) => {
       pairAt(x, y, TAYLOR_DEGREE, t, e, 0);

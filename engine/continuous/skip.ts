@@ -26,7 +26,7 @@ export function skipPeriods(m: Motion): void {
   const period = s[CROSSED] > 0 ? s[START] - s[CROSSED_BEFORE] : 0;
   if (s[CROSSED_BEFORE] > 0 && period > 0 && s[AWAKE_COUNT] === 0) {
     const skipped = Math.floor(untilTick(s[START]) / period) - 1;
-    if (skipped > 0 && (!m.recoil || driftsBy(m, skipped * period))) {
+    if (skipped > 0 && (!m.recoil || driftsBy(m, skipped * period, period))) {
       s[START] += skipped * period;
       m.modeSeconds[m.mode] += skipped * period;
       s[CROSSED] += skipped * period;

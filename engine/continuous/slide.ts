@@ -6,8 +6,23 @@ import { pairAt } from './polynomial.ts';
 import { EVENTS, RECORDS, SLOTS } from './state.ts';
 import { TAYLOR_DEGREE, taylorStep } from './taylor.ts';
 
-const { HELD, TARGET, FIELD, BASE_X, BASE_Y, LIMIT_X, LIMIT_Y, DEGREE, ACCELERATION, RIM, OUTER, START, LAST_EVENT, LAST_A } =
-  SLOTS;
+const {
+  HELD,
+  TARGET,
+  FIELD,
+  BASE_X,
+  BASE_Y,
+  LIMIT_X,
+  LIMIT_Y,
+  DEGREE,
+  ACCELERATION,
+  RIM,
+  OUTER,
+  CHATTER,
+  START,
+  LAST_EVENT,
+  LAST_A,
+} = SLOTS;
 const { ENTER } = EVENTS;
 const { ROCK } = RECORDS;
 
@@ -39,9 +54,26 @@ function rounding(m: Motion, field: number): number {
   return 1e-13 + 1e-14 * (far + r[field]);
 }
 
-/** While she slides on one rim another is crossed when she is so far beyond it, px: rims that all but coincide are one. */
+/** Rims nearer than this are one to her who slides, px. */
+const SAME_RIM = 1e-9;
+
+/** So many crossings in quick succession are a chatter; with each one more a rim is crossed twice as late. */
+const CHATTERS = 8;
+
+/** At most so late, px. */
+const LATEST = 1.28e-7;
+
+/**
+ * How far beyond a rim she is when it counts as crossed, px: 0 as a rule. While she slides along one rim, others that all but
+ * coincide with it are not to be crossed again and again; where she chatters between rims that meet, she is let swing wider
+ * until the crossings come no faster than anybody could wait for.
+ */
 export function tolerance(m: Motion, field: number): number {
-  return m.s[RIM] >= 0 ? 1e-9 + rounding(m, field) : 0;
+  const { s } = m;
+  if (s[RIM] < 0 && s[CHATTER] <= CHATTERS) return 0;
+  let far = SAME_RIM;
+  for (let n = CHATTERS; n < s[CHATTER]; n++) far = Math.min(LATEST, 2 * far);
+  return far + rounding(m, field);
 }
 
 /** Sets what acts on the rim she slides along, about its centre, from the state at the start of the piece. */

@@ -69,10 +69,13 @@ export const SLOTS = {
   LINE_COUNT: 43,
   /** Of MEETINGS: held in a field, where the target is on the line that she is on. */
   MEETS: 44,
+  /** When a rim was crossed last, and how many more crossings came in quick succession than not. */
+  RIM_TIME: 45,
+  CHATTER: 46,
 } as const;
 
 /** Slots before the first chaser. */
-export const HEAD = 45;
+export const HEAD = 47;
 
 /** Not on a line; on one that goes where the base goes; on one that stands still or that the base moves along. */
 export const LINES = { NONE: 0, LOOSE: 1, FAST: 2 } as const;

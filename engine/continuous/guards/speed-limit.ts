@@ -69,6 +69,7 @@ function firstBelow(m: Motion, degree: number, from: number, atZero: boolean): n
   let before = from;
   m.work.guards++;
   for (let t = from; ; ) {
+    m.budget.look(4);
     for (let k = 0; k <= degree; k++) about[k] = guard[k];
     shift(about, degree, t);
     const g = about[0];
