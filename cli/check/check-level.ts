@@ -58,10 +58,10 @@ function replay(file: string, opened: OpenedLevel, settings: CheckSettings): Che
     add(failedRun({ file, level, accuracy: accuracy.name, index, run, noneCompletes: verdict !== 'completable' }));
   }
   const others = new WorkBudget(maxWork);
-  const hangs =
-    unplayed >= 0 ? [] : withinWork(others, () => hangsOnAccuracy(file, level, scripted, accuracy, maxTime, others));
+  const hangs = unplayed >= 0 ? [] : withinWork(others, () => hangsOnAccuracy(file, level, scripted, accuracy, maxTime, others));
   for (const problem of hangs ?? []) add(problem);
-  if (hangs === null) add(workLimit({ what: 'whether its runs complete it at every accuracy was not looked at', pointer: '/runs' }, others, false));
+  if (hangs === null)
+    add(workLimit({ what: 'whether its runs complete it at every accuracy was not looked at', pointer: '/runs' }, others, false));
   const completing = completingRuns(level, scripted, found);
   for (const problem of slackProblems(scene, completing, settings)) add(problem);
   const lost = mineralsLost(level, scripted, found?.run ?? null, settings, proofs);

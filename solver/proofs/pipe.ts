@@ -353,6 +353,7 @@ class PipeFan {
   /** Takes off a set what surely overlaps a hazard at a moment; true when nothing is left, or all of it is out of range. */
   private isOver(far: Float64Array, { turn, aliens }: Pipe, moment: number): boolean {
     const seconds = moment * this.step;
+    this.setting.budget.look(2 * this.still.length + 2 * aliens.length + this.rocks.length / 4);
     const over = (of: Blocker): true => {
       const name = of.kind === 'range' ? of.kind : `${of.kind} ${of.index}`;
       if (!this.endedBy.has(name)) this.enders.push(of);

@@ -44,12 +44,7 @@ export interface Setting {
 }
 
 /** The numbers of a level for one of the two ways of playing. */
-export function settingOf(
-  level: Level,
-  maxTime: number | null,
-  frames: boolean,
-  budget: WorkBudget = unlimited(),
-): Setting {
+export function settingOf(level: Level, maxTime: number | null, frames: boolean, budget: WorkBudget = unlimited()): Setting {
   const time = maxTime ?? DEFAULT_MAX_TIME;
   // a hundredth more than a t2 / 2 with a = 1 / (2 radius): frames step a little farther than the flow
   const drift = level.asteroids.map(({ radius }) => (level.recoil ? (1.01 * time * time) / (4 * radius) : 0));
