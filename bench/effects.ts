@@ -86,6 +86,18 @@ const CASES: readonly EffectCase[] = [
     acting: ring([258, 255, 252, 249, 246, 243, 240]).map((place) => held({ ...ORBIT_FILE, aliens: [place] })),
     sign: 'wake',
   },
+  ...[8, 100, 1000].map(
+    (count): EffectCase => ({
+      effect: `${count} aliens asleep`,
+      without: orbit,
+      inert: held({
+        ...ORBIT_FILE,
+        aliens: Array.from({ length: count }, (_, i) => ({ x: 700 + 60 * (i % 32), y: -700 - 60 * Math.floor(i / 32) })),
+      }),
+      acting: [],
+      sign: null,
+    }),
+  ),
   {
     effect: 'alien-explosion',
     without: held({ ...ORBIT_FILE, aliens: [{ x: 700, y: -700 }] }),
@@ -168,7 +180,8 @@ const notes: string[] = [];
 for (const accuracy of accuracies) {
   for (const { effect, without, inert, acting, actingWithout, sign } of CASES) {
     const found = acting.find((played) => acts(played, accuracy, sign));
-    if (found === undefined) notes.push(`${accuracy}: none of ${acting.length} scenes lasts a minute with ${effect} acting.`);
+    if (found === undefined && acting.length > 0)
+      notes.push(`${accuracy}: none of ${acting.length} scenes lasts a minute with ${effect} acting.`);
     const played: [string, Played][] = [
       ['without', without],
       ['inert', inert],

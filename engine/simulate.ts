@@ -64,7 +64,6 @@ export interface SimulateOptions {
 /**
  * A simulation at the start of the scene, to be advanced by hand: a playtest, a search.
  * @param budget what it may cost; advanced when that is used up, it throws a WorkLimitReached. No limit when left out
- * @throws WorkLimitReached where the budget is too small for the start
  */
 export function createSimulation(scene: Scene, budget: WorkBudget = unlimited()): Simulation {
   return scene.accuracy.integrator === 'arcade'
@@ -79,15 +78,7 @@ export function createSimulation(scene: Scene, budget: WorkBudget = unlimited())
 export function simulate(scene: Scene, holds: readonly Hold[], options: SimulateOptions = {}): Run {
   const maxTicks = Math.round((options.maxTime ?? DEFAULT_MAX_TIME) * TICK_RATE);
   const budget = options.budget ?? unlimited();
-  const { recorder, simulation } = recorded(scene, budget, options.record ?? true);
-  let stopped: Run['stopped'] = null;
-  try {
-    playScript(simulation, joinHolds(holds), maxTicks);
-    if (simulation instanceof ContinuousSimulation) simulation.recordLast();
-  } catch (error) {
-    if (!(error instanceof WorkLimitReached)) throw error;
-    stopped = 'work-limit';
-  }
+  const { recorder, simulation, stopped } = play(scene, joinHolds(holds), maxTicks, budget, options.record ?? true);
   const limitTick = stopped === null ? maxTicks : simulation.tick;
 
   const ending = simulation.ending;
@@ -123,6 +114,24 @@ export function simulate(scene: Scene, holds: readonly Hold[], options: Simulate
     },
     stopped,
   };
+}
+
+interface Played {
+  readonly recorder: PieceRecorder | FrameRecorder;
+  readonly simulation: Simulation;
+  readonly stopped: Run['stopped'];
+}
+
+function play(scene: Scene, holds: readonly Hold[], maxTicks: number, budget: WorkBudget, keeps: boolean): Played {
+  const { recorder, simulation } = recorded(scene, budget, keeps);
+  try {
+    playScript(simulation, holds, maxTicks);
+    if (simulation instanceof ContinuousSimulation) simulation.recordLast();
+    return { recorder, simulation, stopped: null };
+  } catch (error) {
+    if (!(error instanceof WorkLimitReached)) throw error;
+    return { recorder, simulation, stopped: 'work-limit' };
+  }
 }
 
 function recorded(scene: Scene, budget: WorkBudget, keeps: boolean) {

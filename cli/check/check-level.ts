@@ -38,7 +38,7 @@ function replay(file: string, opened: OpenedLevel, settings: CheckSettings): Che
   const scripted = level.runs.map(({ holds }, index) => simulate(scene, holds, { maxTime, budget, record: index === 0 }));
   const first = scripted.findIndex((run) => run.outcome === 'completed');
   const unplayed = scripted.findIndex((run) => run.stopped !== null);
-  const proofs = new WorkBudget(maxWork);
+  const proofs = new WorkBudget(maxWork / 2);
   const beyond = first >= 0 ? null : judgeWithoutRun(file, scene, settings, unplayed < 0, proofs);
   const found = beyond?.found ?? null;
   const verdict = first >= 0 ? 'completable' : (beyond?.verdict ?? 'broken');
@@ -57,11 +57,11 @@ function replay(file: string, opened: OpenedLevel, settings: CheckSettings): Che
     if (run.outcome === 'completed' || run.stopped !== null) continue;
     add(failedRun({ file, level, accuracy: accuracy.name, index, run, noneCompletes: verdict !== 'completable' }));
   }
-  const others = new WorkBudget(maxWork);
-  const hangs =
-    unplayed >= 0 ? [] : withinWork(others, () => hangsOnAccuracy(file, level, scripted, accuracy, maxTime, others));
+  const others = new WorkBudget(maxWork / 2);
+  const hangs = unplayed >= 0 ? [] : withinWork(others, () => hangsOnAccuracy(file, level, scripted, accuracy, maxTime, others));
   for (const problem of hangs ?? []) add(problem);
-  if (hangs === null) add(workLimit({ what: 'whether its runs complete it at every accuracy was not looked at', pointer: '/runs' }, others, false));
+  if (hangs === null)
+    add(workLimit({ what: 'whether its runs complete it at every accuracy was not looked at', pointer: '/runs' }, others, false));
   const completing = completingRuns(level, scripted, found);
   for (const problem of slackProblems(scene, completing, settings)) add(problem);
   const lost = mineralsLost(level, scripted, found?.run ?? null, settings, proofs);

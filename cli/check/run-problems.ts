@@ -54,7 +54,8 @@ export function workLimit(
   { maxWork, spent }: Pick<WorkBudget, 'maxWork' | 'spent'>,
   isError: boolean,
 ): Omit<Problem, 'line' | 'column'> {
-  const ran = spent >= maxWork ? `more than the ${maxWork} pieces of motion allowed` : 'more memory for its recording than allowed';
+  const ran =
+    spent >= maxWork ? `more than the ${maxWork} pieces of motion allowed` : 'more memory for its recording than allowed';
   return {
     code: 'work-limit',
     severity: isError ? 'error' : 'warning',

@@ -24,7 +24,13 @@ const ticksOf = ({ maxTime }: CheckSettings): number => Math.round(maxTime * TIC
 
 /** What can be said of a level that no scripted run completes: proofs are always tried, a search is made when asked for. */
 /** @param played whether all runs were played to their end; @param budget what proofs may cost */
-export function judgeWithoutRun(file: string, scene: Scene, settings: CheckSettings, played: boolean, budget: WorkBudget): Judgement {
+export function judgeWithoutRun(
+  file: string,
+  scene: Scene,
+  settings: CheckSettings,
+  played: boolean,
+  budget: WorkBudget,
+): Judgement {
   const { level } = scene;
   const { accuracy, search, maxTime } = settings;
   const hasRuns = level.runs.length > 0;

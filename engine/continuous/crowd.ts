@@ -227,7 +227,7 @@ export class Crowd {
       const i = awake[k];
       for (; next < before.length && before[next][0] < i; next++) pair(before[next][0], before[next][1]);
       const all = partners(k);
-      this.m.budget.look(2 + (all.length >> 2));
+      this.m.budget.look(2 + 3 * all.length);
       for (const j of after[k]) all.push(j);
       all.sort((a, b) => a - b);
       for (const j of all) pair(i, j);

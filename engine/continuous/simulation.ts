@@ -3,7 +3,7 @@ import { TICK_RATE } from '../constants.ts';
 import type { Scene } from '../scene.ts';
 import type { Ending, Mode, Simulation, Work } from '../simulation.ts';
 import { expectSnapshot } from '../snapshot.ts';
-import { unlimited, type WorkBudget } from '../work-budget.ts';
+import { unlimited, type WorkBudget, WorkLimitReached } from '../work-budget.ts';
 import { approachHazards } from './approach.ts';
 import { button } from './button.ts';
 import { endingOf } from './ending.ts';
@@ -32,6 +32,8 @@ export class ContinuousSimulation implements Simulation {
   readonly work: Work;
   private readonly motion: Motion;
   private readonly start: Float64Array;
+  /** The budget is too small for what happens at the very start. */
+  private readonly refusal: WorkLimitReached | null = null;
   private readonly startHead: Float64Array;
   private readonly startRest: Float64Array;
 
@@ -43,7 +45,12 @@ export class ContinuousSimulation implements Simulation {
     this.motion = motion;
     layOut(motion);
     this.start = motion.s.slice();
-    begin(motion);
+    try {
+      begin(motion);
+    } catch (error) {
+      if (!(error instanceof WorkLimitReached)) throw error;
+      this.refusal = error;
+    }
     this.start.set(motion.s);
     motion.crowd.changed = false;
     this.startHead = this.start.subarray(0, motion.chasers);
@@ -206,6 +213,7 @@ export class ContinuousSimulation implements Simulation {
   advance(ticks: number, held: boolean): number {
     const { motion } = this;
     const { s } = motion;
+    if (this.refusal !== null) throw this.refusal;
     if (s[OUTCOME] !== 0) return 0;
     const from = s[TICK_NOW];
     const limit = from + ticks;

@@ -79,7 +79,7 @@ class Cover {
     const reach = half * 1.41422 + LEVER * chord * 1.000001;
     const touch = boxCircleGap(this.goal.x - x, this.goal.y - y, middle.cos, middle.sin, this.goal.radius);
     if (surelyLess(reach, touch)) return true;
-    this.budget.look(1 + this.hazards.length / 4);
+    this.budget.look(1 + this.hazards.length);
     let best = Number.POSITIVE_INFINITY;
     for (const hazard of this.hazards) {
       const depth = this.gap(hazard, x, y, middle);

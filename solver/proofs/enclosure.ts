@@ -87,7 +87,7 @@ function judgeOf({ left, bottom, discs, ranges }: Plane, budget: WorkBudget): Ju
     const half = (size * UNIT) / 2;
     const x = left + cellX * UNIT + half;
     const y = bottom + cellY * UNIT + half;
-    budget.look(1 + nearby.length / 8);
+    budget.look(1 + nearby.length / 2);
     const kept: number[] = [];
     let inRange = false;
     let someRange = false;

@@ -99,7 +99,7 @@ class Fan {
   /** Everything that a box becomes in a step that ends at `time` is added to `next`; false when it comes near the thing. */
   advance(box: Box, time: number, next: Map<number, Box>): boolean {
     const { step, a } = this;
-    this.setting.budget.look(4 + (2 * this.asteroids.length + this.fields.length) / 4);
+    this.setting.budget.look(4 + 2 * this.asteroids.length + this.fields.length);
     // all places within the step
     const bend = STRONGEST * step * (step + TICK) * 0.5 + SLACK;
     const xa = box[0] + Math.min(0, step * box[4]) - bend;
@@ -157,7 +157,7 @@ class Fan {
 
   /** Whether a rectangle lies in one hazard as a whole, or out of range of everything. */
   private isOver(xa: number, xb: number, ya: number, yb: number, time: number): boolean {
-    this.setting.budget.look(1 + (this.hazards.length + this.asteroids.length) / 8);
+    this.setting.budget.look(1 + this.hazards.length + this.asteroids.length);
     for (const hazard of this.hazards) {
       if (farthestFrom(hazard, xa, xb, ya, yb) >= hazard.r - SLACK) continue;
       this.endedBy.add(hazard.of);

@@ -189,7 +189,7 @@ class PipeFan {
   advance({ far, turn, aliens }: Pipe, to: number, next: Map<number, Pipe>): boolean {
     const { step } = this;
     const things = this.still.length + 2 * this.rocks.length + this.fields.length + aliens.length;
-    this.setting.budget.look(4 * this.grid.steps + things / 2);
+    this.setting.budget.look(8 * this.grid.steps + things);
     const way = this.placesUntil(far, to);
     if (nearestTo(this.goal, way) <= this.goal.r + SLACK) return false;
     const isPushed = this.pushesWithin(way);
@@ -354,6 +354,7 @@ class PipeFan {
   /** Takes off a set what surely overlaps a hazard at a moment; true when nothing is left, or all of it is out of range. */
   private isOver(far: Float64Array, { turn, aliens }: Pipe, moment: number): boolean {
     const seconds = moment * this.step;
+    this.setting.budget.look(4 * this.still.length + 4 * aliens.length + this.rocks.length);
     const over = (of: Blocker): true => {
       const name = of.kind === 'range' ? of.kind : `${of.kind} ${of.index}`;
       if (!this.endedBy.has(name)) this.enders.push(of);

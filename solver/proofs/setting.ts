@@ -47,12 +47,7 @@ export interface Setting {
 }
 
 /** The numbers of a level for one of the two ways of playing. */
-export function settingOf(
-  level: Level,
-  maxTime: number | null,
-  frames: boolean,
-  budget: WorkBudget = unlimited(),
-): Setting {
+export function settingOf(level: Level, maxTime: number | null, frames: boolean, budget: WorkBudget = unlimited()): Setting {
   const time = maxTime ?? DEFAULT_MAX_TIME;
   // a hundredth more than a t2 / 2 with a = 1 / (2 radius); frames step a little farther than the flow
   const most = 1.01 * (frames ? (time + TICK) * (time + 2 * TICK) : time * time);

@@ -1,0 +1,147 @@
+import process from 'node:process';
+import { type AccuracyName, compile, createSimulation, joinHolds, playScript, unlimited } from '../engine/index.ts';
+import { type LevelFile, resolveLevel } from '../schema/index.ts';
+import { atMost, type Claim, figure, optionValue, publish } from './harness.ts';
+
+/** Time may grow with n log n: that is an exponent of about 1.1 between some hundred and some thousand, and clocks err. */
+const STEEPEST = 1.15;
+
+const SIZES = [1250, 2500, 5000, 10_000, 20_000];
+const TICKS = 20 * 60;
+
+type Place = { readonly x: number; readonly y: number };
+
+const many = <T>(count: number, make: (i: number) => T): T[] => Array.from({ length: count }, (_, i) => make(i));
+
+/** So many places on a square grid, with the start in a gap of it: how many are near does not depend on how many there are. */
+function grid(count: number, step: number): Place[] {
+  const side = Math.ceil(Math.sqrt(count + 16));
+  return many(side * side, (i) => ({ x: (i % side) - side / 2 + 0.5, y: Math.floor(i / side) - side / 2 + 0.5 }))
+    .filter(({ x, y }) => Math.abs(x) > 2 || Math.abs(y) > 2)
+    .slice(0, count)
+    .map(({ x, y }) => ({ x: x * step, y: y * step }));
+}
+
+/** She swings about an asteroid in the middle. */
+const SWING: LevelFile = {
+  version: 1,
+  name: 'Growth',
+  astronaut: { x: 0, y: 0, vx: 0, vy: 40 },
+  blackHole: { x: 0, y: 1e6 },
+  range: 250,
+  asteroids: [{ x: 100, y: 0, radius: 16 }],
+};
+
+const taps = (count: number, every: number): [number, number][] =>
+  many(count, (i): [number, number] => [every * i, every * i + Math.ceil(every / 2)]);
+
+/** A level with `n` of one kind, and how it is played; runs are played one after the other. */
+const KINDS: Readonly<Record<string, (n: number) => LevelFile>> = {
+  'cold asteroids': (n) => ({
+    ...SWING,
+    asteroids: [...(SWING.asteroids ?? []), ...grid(n, 200).map((p) => ({ ...p, radius: 16 }))],
+    runs: [{ name: 'a', holds: [[0, TICKS]] }],
+  }),
+  'hot asteroids': (n) => ({
+    ...SWING,
+    asteroids: [...(SWING.asteroids ?? []), ...grid(n, 200).map((p) => ({ ...p, radius: 16, hot: true }))],
+    runs: [{ name: 'a', holds: [[0, TICKS]] }],
+  }),
+  'cold asteroids, recoil': (n) => ({
+    ...SWING,
+    recoil: true,
+    asteroids: [...(SWING.asteroids ?? []), ...grid(n, 200).map((p) => ({ ...p, radius: 16 }))],
+    runs: [{ name: 'a', holds: taps(60, 20) }],
+  }),
+  'hot asteroids, recoil': (n) => ({
+    ...SWING,
+    recoil: true,
+    asteroids: [...(SWING.asteroids ?? []), ...grid(n, 200).map((p) => ({ ...p, radius: 16, hot: true }))],
+    runs: [{ name: 'a', holds: taps(60, 20) }],
+  }),
+  novae: (n) => ({
+    ...SWING,
+    novae: grid(n, 150).map((p) => ({ ...p, radius: 16 })),
+    runs: [{ name: 'a', holds: [[0, TICKS]] }],
+  }),
+  minerals: (n) => ({ ...SWING, minerals: grid(n, 40), runs: [{ name: 'a', holds: [[0, TICKS]] }] }),
+  repulsors: (n) => ({
+    ...SWING,
+    repulsors: grid(n, 150).map((p) => ({ ...p, radius: 48 })),
+    runs: [{ name: 'a', holds: [[0, TICKS]] }],
+  }),
+  'aliens asleep': (n) => ({ ...SWING, aliens: grid(n, 200), runs: [{ name: 'a', holds: [[0, TICKS]] }] }),
+  'aliens woken one by one': (n) => ({
+    ...SWING,
+    astronaut: { x: 0, y: 0, vx: 1000, vy: 0 },
+    range: 1e6,
+    // as many in a second, whatever their number: those that she passes in the time
+    aliens: many(n, (i) => ({ x: 400 + (20_000 * i) / n, y: i % 2 === 0 ? 120 : -120, radius: 0.01 })),
+    runs: [{ name: 'a', holds: [] }],
+  }),
+  runs: (n) => ({ ...SWING, runs: many(n / 20, (i) => ({ name: `${i}`, holds: [[i % 60, TICKS]] })) }),
+  holds: (n) => ({ ...SWING, runs: many(Math.ceil(n / 600), (i) => ({ name: `${i}`, holds: taps(600, 2) })) }),
+};
+
+/** Least processor time of a few goes, ms: what disturbs only ever makes it longer. */
+function least(goes: number, work: () => void): number {
+  let best = Number.POSITIVE_INFINITY;
+  for (let k = 0; k < goes; k++) {
+    const start = process.cpuUsage();
+    work();
+    const { user, system } = process.cpuUsage(start);
+    best = Math.min(best, (user + system) / 1000);
+  }
+  return best;
+}
+
+/** Slope of a straight line through the logarithms. */
+function exponent(sizes: readonly number[], values: readonly number[]): number {
+  const x = sizes.map(Math.log);
+  const y = values.map(Math.log);
+  const mean = (v: readonly number[]) => v.reduce((sum, a) => sum + a, 0) / v.length;
+  const [mx, my] = [mean(x), mean(y)];
+  const rise = x.reduce((sum, a, i) => sum + (a - mx) * (y[i] - my), 0);
+  return rise / x.reduce((sum, a) => sum + (a - mx) * (a - mx), 0);
+}
+
+const only = optionValue('--only');
+const accuracies: readonly AccuracyName[] = ['precise', 'fast', 'arcade'];
+const rows: (string | number | null)[][] = [];
+const claims: Claim[] = [];
+for (const [kind, make] of Object.entries(KINDS)) {
+  if (only !== null && !kind.includes(only)) continue;
+  for (const accuracy of accuracies) {
+    const work: number[] = [];
+    const times = SIZES.map((n) => {
+      const level = resolveLevel(make(n));
+      const budget = unlimited();
+      let looks = 0;
+      const time = least(5, () => {
+        const before = budget.looks;
+        const simulation = createSimulation(compile(level, accuracy), budget);
+        for (const { holds } of level.runs) {
+          simulation.reset();
+          playScript(simulation, joinHolds(holds), TICKS);
+        }
+        looks = budget.looks - before;
+      });
+      work.push(looks);
+      return time;
+    });
+    const steep = exponent(SIZES, times);
+    rows.push([`${kind}, ${accuracy}`, ...times, steep, exponent(SIZES, work)]);
+    claims.push(atMost(`${kind}, ${accuracy}: exponent of the time`, steep, STEEPEST));
+  }
+}
+
+publish({
+  title: 'How the time of a run grows with the number of one kind of thing: ms, compiled and played for 20 s',
+  columns: ['', ...SIZES.map((n) => figure(n)), 'exponent', 'of the work'],
+  rows,
+  claims,
+  notes: [
+    'Processor time, least of 5. n log n is an exponent of about 1.1 here. "of the work" is that of the work counted for --max-work. runs: a twentieth of n; ' +
+      'holds: of 600 a run. Aliens that are awake at the same time all follow her, and each that wakes or sleeps begins a new piece for all of them.',
+  ],
+});

@@ -1,0 +1,102 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { HEAVY_LEVELS } from '../../bench/soak/heavy-levels.ts';
+import { randomScene } from '../../bench/soak/random-scene.ts';
+import {
+  type AccuracyName,
+  compile,
+  createSimulation,
+  playScript,
+  simulate,
+  WorkBudget,
+  WorkLimitReached,
+} from '../../engine/index.ts';
+import { resolveLevel } from '../../schema/index.ts';
+
+const ACCURACY = fc.constantFrom<AccuracyName>('precise', 'standard', 'fast', 'arcade');
+const SEED = fc.nat(1_000_000);
+
+describe('a budget of work', () => {
+  it('changes nothing where it suffices, and stops the run with a name where it does not', () => {
+    fc.assert(
+      fc.property(SEED, ACCURACY, fc.integer({ min: 1, max: 3000 }), (seed, accuracy, maxWork) => {
+        const { level, holds, maxTime } = randomScene(seed);
+        const scene = compile(level, accuracy);
+        const whole = simulate(scene, holds, { maxTime });
+        const limited = simulate(scene, holds, { maxTime, budget: new WorkBudget(maxWork) });
+        expect(whole.stopped).toBeNull();
+        if (limited.stopped === null) {
+          expect([limited.outcome, limited.time, limited.events]).toEqual([whole.outcome, whole.time, whole.events]);
+        } else {
+          expect(limited.outcome).toBe('timeout');
+          expect(limited.tick).toBeLessThanOrEqual(whole.tick);
+          expect(limited.events).toEqual(whole.events.slice(0, limited.events.length));
+        }
+      }),
+      { numRuns: 60 },
+    );
+  });
+
+  it('is used up at the same place however the run is split', () => {
+    fc.assert(
+      fc.property(SEED, ACCURACY, fc.integer({ min: 1, max: 500 }), (seed, accuracy, maxWork) => {
+        const { level, holds } = randomScene(seed);
+        const scene = compile(level, accuracy);
+        const spentBy = (): number => {
+          const budget = new WorkBudget(maxWork);
+          try {
+            playScript(createSimulation(scene, budget), holds, 600);
+          } catch (error) {
+            expect(error).toBeInstanceOf(WorkLimitReached);
+          }
+          return budget.spent;
+        };
+        expect(spentBy()).toBe(spentBy());
+      }),
+      { numRuns: 40 },
+    );
+  });
+
+  it('counts what recordings take, and ends a run that would take more', () => {
+    const scene = compile(resolveLevel(HEAVY_LEVELS['tiny-orbit']()));
+    const run = simulate(scene, [[0, 3600]], { budget: new WorkBudget(Number.POSITIVE_INFINITY, 100_000) });
+    expect(run.stopped).toBe('work-limit');
+    expect(run.work.pieces).toBeLessThan(1000);
+  });
+
+  it('is shared by runs one after the other, and by what is asked of them', () => {
+    const { level, holds } = randomScene(11);
+    const budget = new WorkBudget(1e6);
+    const scene = compile(level);
+    const before = budget.spent;
+    const run = simulate(scene, holds, { budget });
+    const played = budget.spent;
+    expect(played).toBeGreaterThan(before);
+    expect(run.hash).toMatch(/^[0-9a-f]+$/);
+    expect(budget.spent).toBeGreaterThan(played);
+  });
+
+  it.each(Object.keys(HEAVY_LEVELS))('ends %s, whatever the accuracy', (name) => {
+    const level = resolveLevel(HEAVY_LEVELS[name](0.05));
+    for (const accuracy of ['precise', 'fast', 'arcade'] as const) {
+      const budget = new WorkBudget(20_000);
+      for (const { holds } of level.runs.slice(0, 3)) simulate(compile(level, accuracy), holds, { budget });
+      // one piece more than allowed, with all that it looks at in one go
+      expect(budget.spent).toBeLessThan(30_000);
+    }
+  });
+});
+
+it('a run of which nothing but events is kept has the same hash, clearance and way', () => {
+  fc.assert(
+    fc.property(SEED, ACCURACY, (seed, accuracy) => {
+      const { level, holds, maxTime } = randomScene(seed);
+      const scene = compile(level, accuracy);
+      const kept = simulate(scene, holds, { maxTime });
+      const not = simulate(scene, holds, { maxTime, record: false });
+      expect([not.hash, not.clearance, not.trajectory.duration]).toEqual([kept.hash, kept.clearance, kept.trajectory.duration]);
+      expect([not.outcome, not.events, not.final]).toEqual([kept.outcome, kept.events, kept.final]);
+    }),
+    { numRuns: 40 },
+  );
+});
