@@ -1,5 +1,6 @@
 import { isMainThread, parentPort, Worker, workerData } from 'node:worker_threads';
 import { optionValue } from './harness.ts';
+import { attackProofs } from './soak/attack-proofs.ts';
 import { checkScene, type Finding } from './soak/check-scene.ts';
 import { randomScene } from './soak/random-scene.ts';
 
@@ -73,6 +74,12 @@ async function main(): Promise<void> {
     console.log(JSON.stringify(checkScene(scene, Number(only)), null, 2));
     return;
   }
+  const part = optionValue('--part');
+  if (part !== 'proofs') await soakScenes();
+  if (part !== 'scenes') attackProofs();
+}
+
+async function soakScenes(): Promise<void> {
   const from = Number(optionValue('--from') ?? 0);
   const scenes = Number(optionValue('--scenes') ?? 100_000);
   const seconds = Number(optionValue('--seconds') ?? 3600);
