@@ -255,9 +255,9 @@ describe('arcade-fall: on her way to the centre rounding takes her no farther of
     let looks = 0;
     let largest = 0;
     fc.assert(
-      fc.property(real(40, 240), real(0.1, 1.4), real(-2000, 2000), script, (d, turn, x, plan) => {
+      fc.property(real(40, 240), real(0.1, 1.4), real(-2000, 2000), fc.boolean(), script, (d, turn, x, recoil, plan) => {
         const [ux, uy] = [Math.cos(turn), Math.sin(turn)];
-        const level = { ...EMPTY, astronaut: { x, y: -x, vx: 0, vy: 0 }, asteroids: [rock(x + d * ux, -x + d * uy, 16)] };
+        const level = { ...EMPTY, recoil, astronaut: { x, y: -x, vx: 0, vy: 0 }, asteroids: [rock(x + d * ux, -x + d * uy, 16)] };
         const { all } = statesOf(level, 'arcade', plan);
         const [centre] = [all[0].rocks];
         // the line through the two places as they are
@@ -270,11 +270,13 @@ describe('arcade-fall: on her way to the centre rounding takes her no farther of
           coordinate: 2 * Math.abs(x) + length,
           speed: 141,
           seconds: 60,
+          rockSpeed: recoil ? 5 : 0,
+          drift: recoil ? 60 : 0,
         });
-        expect(bound.beside).toBeLessThan(0.0025);
-        for (const { s } of all) {
+        expect(bound.beside).toBeLessThan(0.005);
+        for (const { s, rocks } of all) {
           const [rx, ry] = [s[0] - x, s[1] + x];
-          if ((rx * lx + ry * ly) / length > length - 8) return;
+          if (Math.hypot(rocks[0] - s[0], rocks[1] - s[1]) < 8) return;
           looks++;
           const beside = Math.abs(ry * lx - rx * ly) / length;
           largest = Math.max(largest, beside / bound.beside);
