@@ -32,7 +32,7 @@ const EMPTY: Level = {
   name: 'lemma',
   description: '',
   astronaut: { x: 0, y: 0, vx: 0, vy: 0 },
-  blackHole: { id: null, x: 0, y: 1e7, radius: 18 },
+  blackHole: { x: 0, y: 1e7, radius: 18 },
   range: 250,
   recoil: false,
   asteroids: [],
