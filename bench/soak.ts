@@ -1,5 +1,6 @@
 import { isMainThread, parentPort, Worker, workerData } from 'node:worker_threads';
 import { optionValue } from './harness.ts';
+import { attackProofs } from './soak/attack-proofs.ts';
 import { checkScene, type Finding } from './soak/check-scene.ts';
 import { checkGraze, GRAZED_AT, graze } from './soak/contacts.ts';
 import { degenerateScene } from './soak/degenerate-scene.ts';
@@ -96,27 +97,11 @@ function attackContacts(from: number, seeds: number, until: number): void {
   if (counts.bug > 0 || counts.hit === 0) process.exitCode = 1;
 }
 
-async function main(): Promise<void> {
-  const attack = optionValue('--attack') ?? 'rules';
-  const from = Number(optionValue('--from') ?? 0);
-  const scenes = Number(optionValue('--scenes') ?? 100_000);
-  const seconds = Number(optionValue('--seconds') ?? 3600);
+/** Looks at scene after scene in a worker. */
+async function attackScenes(attack: Attack, from: number, scenes: number, seconds: number): Promise<void> {
   const began = Date.now();
-  if (attack === 'contacts') {
-    attackContacts(from, scenes, began + 1000 * seconds);
-    return;
-  }
-  if (!Object.hasOwn(ATTACKS, attack))
-    throw new Error(`--attack is one of contacts, ${Object.keys(ATTACKS).join(', ')}, not ${attack}`);
-  const { scene: sceneOf, find } = ATTACKS[attack as Attack];
-  const only = optionValue('--only');
-  if (only !== null) {
-    console.log(JSON.stringify(sceneOf(Number(only))));
-    console.log(JSON.stringify(find(Number(only)), null, 2));
-    return;
-  }
   const counts = { bug: 0, hangs: 0 };
-  const done = await watch(attack as Attack, from, from + scenes, began + 1000 * seconds, (found) => {
+  const done = await watch(attack, from, from + scenes, began + 1000 * seconds, (found) => {
     counts[found.kind]++;
     console.log(`${found.kind}  scene ${found.scene}  ${found.accuracy}: ${found.what}`);
   });
@@ -125,6 +110,34 @@ async function main(): Promise<void> {
       `${counts.bug} bugs, ${counts.hangs} ${attack === 'rules' ? 'whose outcome hangs on their last digits' : 'in clusters of asteroids'}`,
   );
   if (counts.bug > 0 || done === from) process.exitCode = 1;
+}
+
+const ALL_ATTACKS = [...(Object.keys(ATTACKS) as Attack[]), 'contacts', 'proofs'] as const;
+
+const isScenes = (attack: string): attack is Attack => Object.hasOwn(ATTACKS, attack);
+
+/** Every attack in turn, or the one that `--attack` names, each for at most `--seconds`. */
+async function main(): Promise<void> {
+  const named = optionValue('--attack');
+  if (named !== null && !ALL_ATTACKS.some((attack) => attack === named)) {
+    throw new Error(`--attack is one of ${ALL_ATTACKS.join(', ')}, not ${named}`);
+  }
+  const from = Number(optionValue('--from') ?? 0);
+  const seeds = Number(optionValue('--scenes') ?? 100_000);
+  const seconds = Number(optionValue('--seconds') ?? 900);
+  const only = optionValue('--only');
+  if (only !== null) {
+    const { scene, find } = ATTACKS[named !== null && isScenes(named) ? named : 'rules'];
+    console.log(JSON.stringify(scene(Number(only))));
+    console.log(JSON.stringify(find(Number(only)), null, 2));
+    return;
+  }
+  for (const attack of named === null ? ALL_ATTACKS : [named]) {
+    console.log(`\n== ${attack}`);
+    if (isScenes(attack)) await attackScenes(attack, from, seeds, seconds);
+    else if (attack === 'contacts') attackContacts(from, seeds, Date.now() + 1000 * seconds);
+    else attackProofs(seconds);
+  }
 }
 
 if (isMainThread) await main();

@@ -101,15 +101,24 @@ const ROUNDING = 2e-16;
 function mayBeRoundedOff(setting: Setting, line: Line, { front }: Trap): boolean {
   const { level, jump, maxTime } = setting;
   if (jump === 0 || isAlongAxis(setting, line)) return false;
-  const last = line.centre - front.at - 2 * TUBE - jump;
-  if (level.recoil || last < 1) return true;
+  const pull = GUN_PULL * (1 - (line.centre + 2 * TUBE) / level.range);
+  if (level.recoil && pull < 1e-3) return true;
+  const own = 1.02 * Math.sqrt(2 * GUN_PULL * (front.at + jump)) + 1;
+  // with recoil all this is so between the two, and the asteroid may be pushed askew, too
+  const rock = level.recoil ? (1.02 * own) / (2 * level.asteroids[line.target].radius * pull) : 0;
+  const moved = level.recoil ? setting.drift[line.target] : 0;
+  const step = jump + rock * TICK;
+  const last = line.centre - driftOnFall(setting, line, front.at + jump + 2 * TUBE) - front.at - 2 * TUBE - step;
+  if (last < 1) return true;
   const frames = maxTime / TICK + 3;
-  const speed = 1.02 * Math.sqrt(2 * GUN_PULL * (front.at + jump)) + 1;
-  const place = 3 * ROUNDING * (Math.abs(level.astronaut.x) + Math.abs(level.astronaut.y) + line.centre + jump);
-  const velocity = 3 * ROUNDING * (speed + 3);
+  const speed = own + rock;
+  const rounding = level.recoil ? 2 * ROUNDING : ROUNDING;
+  const coordinate = Math.abs(level.astronaut.x) + Math.abs(level.astronaut.y) + line.centre + moved + step;
+  const place = 3 * rounding * coordinate;
+  const velocity = 3 * rounding * (speed + 3);
   const momentum = 3 * frames * (place * speed + velocity * line.centre);
-  const turned = (frames * (TICK * momentum + 3 * place * (last + jump))) / (last * (last + jump));
-  const aside = turned * line.centre;
+  const turned = (frames * (TICK * momentum + 3 * place * (last + step))) / (last * (last + step));
+  const aside = turned * (line.centre + moved);
   return aside > TUBE / 6 || 20 * (turned + (aside + TICK * momentum) / last) > TUBE / 6;
 }
 

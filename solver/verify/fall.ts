@@ -17,6 +17,9 @@ export interface Fall {
   readonly speed: number;
   /** longest run */
   readonly seconds: number;
+  /** recoil of the asteroid: how fast it may become, and how far it may come; 0 where it stands still */
+  readonly rockSpeed: number;
+  readonly drift: number;
 }
 
 /**
@@ -26,17 +29,23 @@ export interface Fall {
  * factor 1 + dt2 |a| / |r|. All |a| dt together are at most her speed, and |r| is at least `nearest`: all factors together at most exp(speed dt / nearest), which is
  * below 3 where `nearest` is a jump or more. Rounding adds to the momentum, in each frame, what it takes from a place times the speed, and what it
  * takes from a velocity times the distance. The slope e / p, e beside the line and p before the centre, changes in a frame by dt times the momentum / (p p').
+ * With recoil r is from the asteroid to her: both are moved first and pushed then, along r, so all of it holds for r; the asteroid itself is pushed off its
+ * line by no more than the slope, as a share of the way it may come.
  */
-export function offLine({ centre, nearest, jump, coordinate, speed, seconds }: Fall): { beside: number; slope: number } {
+export function offLine(fall: Fall): { beside: number; slope: number } {
+  const { centre, nearest, coordinate, seconds, rockSpeed, drift } = fall;
+  const speed = fall.speed + rockSpeed;
+  const jump = fall.jump + rockSpeed * TICK;
   const last = nearest - jump;
   if (!(last >= 1)) return { beside: Number.POSITIVE_INFINITY, slope: Number.POSITIVE_INFINITY };
   const frames = Math.ceil(seconds * TICK_RATE) + 2;
   // a place: the product, the sum, both axes; a velocity likewise; and the pull: differences, root, quotient, products
-  const place = 3 * ROUNDING * (coordinate + jump);
-  const velocity = 3 * ROUNDING * (speed + 1) + 12 * ROUNDING * GUN_PULL * TICK;
+  const bodies = rockSpeed > 0 ? 2 : 1;
+  const place = 3 * bodies * ROUNDING * (coordinate + drift + jump);
+  const velocity = 3 * bodies * ROUNDING * (speed + 1) + 12 * bodies * ROUNDING * GUN_PULL * TICK;
   const momentum = 3 * frames * (place * speed + velocity * centre);
   const slope = frames * ((TICK * momentum) / (nearest * last) + (3 * place) / last);
-  const beside = centre * slope;
+  const beside = (centre + drift) * slope;
   // at the last look she may be as near as `last`
   return { beside, slope: slope + (beside + TICK * momentum) / last };
 }

@@ -158,21 +158,27 @@ function checkOneWay(claim: Claim, line: Line, back: LineEnd, front: LineEnd): s
 
 /**
  * With frames rounding is part of the game. Lemma `arcade-axis`: along an axis all differences, pulls and velocities across are 0, and stay so. On other
- * lines what it can do must be told, see {@link offLine}; recoil makes that too long a story.
+ * lines what it can do must be told, see {@link offLine}.
  */
 function checkRounding(claim: Claim, line: Line, end: number): string | null {
   if (!claim.frames) return null;
-  const { astronaut, asteroids, recoil } = claim.level;
-  const { x, y } = asteroids[line.target];
+  const { astronaut, asteroids, recoil, range } = claim.level;
+  const { x, y, radius } = asteroids[line.target];
   if (x === astronaut.x || y === astronaut.y) return null;
-  if (recoil) return 'with frames rounding and recoil may take her off the line';
   if (claim.seconds === null) return 'with frames it needs to say for how long rounding may add up';
+  const speed = 1.01 * speedAfter(end + claim.jump) + 1;
+  // the asteroid gains at most the share of her speed that its acceleration has of hers, see driftOnFall
+  const pull = GUN_PULL * (1 - (line.centre + TUBE) / range);
+  const kick = recoil ? 1 / (2 * radius) : 0;
+  if (recoil && !less(0, pull)) return 'with frames rounding may take her off the line';
   const { beside, slope } = offLine({
     centre: line.centre,
-    nearest: line.centre - end - TUBE,
+    nearest: line.nearest - end - TUBE,
+    rockSpeed: (1.01 * kick * speed) / pull,
+    drift: claim.drift(line.target),
     jump: claim.jump,
     coordinate: Math.abs(astronaut.x) + Math.abs(astronaut.y) + line.centre,
-    speed: 1.01 * speedAfter(end + claim.jump) + 1,
+    speed,
     seconds: claim.seconds,
   });
   return beside < TUBE / 4 && 20 * slope < TUBE / 4 ? null : 'with frames rounding may take her off the line';

@@ -2,7 +2,16 @@ import { describe, expect, it } from 'vitest';
 import { ALL_ACCURACIES, ALL_PROVERS, attackLevel, emptyTally, type Prover, SMALL } from '../../bench/soak/attack/index.ts';
 
 /** Levels for each kind and accuracy: `npm run bench:soak` tries thousands of claims more. */
-const SEEDS: Readonly<Partial<Record<Prover, number>>> = { flowpipe: 2, doomed: 2, enclosed: 2, covered: 4 };
+const SEEDS: Readonly<Partial<Record<Prover, number>>> = {
+  flowpipe: 2,
+  doomed: 2,
+  enclosed: 2,
+  covered: 4,
+  'line-trap': 16,
+  'dead-end': 12,
+};
+
+const ENOUGH = 6;
 
 /** Kinds that make no proof for an accuracy. */
 const NEVER: Readonly<Partial<Record<Prover, readonly string[]>>> = {
@@ -18,11 +27,12 @@ describe.each(ALL_PROVERS)('claims known to be false: %s', (prover) => {
     const tally = emptyTally();
     // the levels of some seeds have nothing to prove
     const levels = SEEDS[prover] ?? 6;
-    for (let seed = 0; seed < 10 * levels && tally.levels < levels; seed++) attackLevel(prover, accuracy, seed, SMALL, tally);
+    for (let seed = 0; seed < 10 * levels && (tally.levels < levels || tally.claims < ENOUGH); seed++)
+      attackLevel(prover, accuracy, seed, SMALL, tally);
     expect(tally.accepted.map(({ by, seed, about }) => ({ by, seed, about }))).toEqual([]);
     // vacuous otherwise
     expect(tally.levels).toBeGreaterThanOrEqual(levels);
-    expect(tally.claims).toBeGreaterThan(4);
-    expect(tally.mutated).toBeGreaterThan(4);
+    expect(tally.claims).toBeGreaterThanOrEqual(ENOUGH);
+    expect(tally.foreign).toBeGreaterThanOrEqual(ENOUGH);
   });
 });

@@ -117,7 +117,7 @@ const MAKERS: Readonly<Record<Prover, (dice: Dice) => Level>> = {
     const repulsors = d.chance(0.2) ? [circle(d.between(80, 260), d.between(-140, 140), d.pick(32, 48))] : [];
     return { ...EMPTY, asteroids: [near, ...others], novae, repulsors };
   },
-  doomed: (d) => moving(d, false),
+  doomed: (d) => (d.chance(0.8) ? wall(d) : moving(d, false)),
   flowpipe: (d) => moving(d, true),
   covered: (d) => ({
     ...EMPTY,
@@ -211,6 +211,22 @@ function moving(d: Dice, finely: boolean): Level {
     novae: novae.filter(apart),
     aliens: aliens.filter(apart),
     repulsors,
+  };
+}
+
+/** Too fast to stop before a wall: what is soon over. */
+function wall(d: Dice): Level {
+  const speed = d.between(55, 110);
+  const far = d.between(0.8, 1.1) * speed;
+  const apart = d.between(50, 66);
+  const novae = [-1, 0, 1].map((n) => circle(far, n * apart + d.between(-3, 3), 32));
+  return {
+    ...EMPTY,
+    recoil: d.chance(0.3),
+    astronaut: { x: 0, y: 0, vx: speed, vy: 0 },
+    asteroids: [rock(-d.between(60, 200), d.between(-60, 60), 16, d.chance(0.2))],
+    novae,
+    repulsors: d.chance(0.15) ? [circle(far / 2, d.between(30, 80), 32)] : [],
   };
 }
 

@@ -1,18 +1,20 @@
 import { writeFileSync } from 'node:fs';
-import { optionValue } from './harness.ts';
-import { ALL_ACCURACIES, ALL_PROVERS, attackLevel, emptyTally, LARGE, type Prover } from './soak/attack/index.ts';
+import { optionValue } from '../harness.ts';
+import { ALL_ACCURACIES, ALL_PROVERS, attackLevel, emptyTally, LARGE, type Prover } from './attack/index.ts';
 
 /**
- * Attacks every kind of proof at every accuracy with claims that are known to be false. Options: --claims N (of each; 10000), --seconds S (of each; no end),
- * --prover NAME, --accuracy NAME, --from SEED, --out FILE (what was accepted, as JSON).
+ * Attacks every kind of proof at every accuracy with claims that are known to be false. Options of the command line: --claims N (of each; 10000), --claim-seconds S (for
+ * each; an equal part of `most` when left out), --prover NAME, --accuracy NAME, --from SEED, --out FILE (what was accepted, as JSON). The exit code becomes 1 when one is accepted.
+ * @param most s, for all of them together
  */
-function main(): void {
+export function attackProofs(most: number): void {
   const claims = Number(optionValue('--claims') ?? 10_000);
-  const seconds = Number(optionValue('--seconds') ?? Number.POSITIVE_INFINITY);
   const from = Number(optionValue('--from') ?? 0);
   const out = optionValue('--out');
   const provers = ALL_PROVERS.filter((name) => name === (optionValue('--prover') ?? name));
   const accuracies = ALL_ACCURACIES.filter((name) => name === (optionValue('--accuracy') ?? name));
+  const pairs = provers.flatMap((prover) => accuracies.filter((accuracy) => covers(prover, accuracy))).length;
+  const seconds = Number(optionValue('--claim-seconds') ?? most / pairs);
   const accepted: unknown[] = [];
   console.log('proof             accuracy  levels  claims  foreign  mutated  searched  accepted');
   for (const prover of provers) {
@@ -43,5 +45,3 @@ function covers(prover: Prover, accuracy: string): boolean {
   if (prover === 'dead-end') return accuracy === 'precise';
   return accuracy !== 'arcade' || (prover !== 'flowpipe' && prover !== 'covered');
 }
-
-main();
