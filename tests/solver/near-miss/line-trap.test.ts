@@ -250,7 +250,7 @@ describe('line-trap', () => {
 
   it('a hot asteroid stops her where she touches it, a cold one does not', () => {
     const end = (where: number): LineEnd => ({ at: where, by: { kind: 'asteroid', index: 0 } });
-    const why = (where: number, asteroid = hot(60, 0, 20)) =>
+    const why = (where: number, asteroid: ReturnType<typeof at> = hot(60, 0, 20)) =>
       whyNot(levelWith({ asteroids: [asteroid] }), trap(start, end(where)));
     expect(why(31)).toBeNull();
     expect(why(31, at(60, 0, 20))).toBe('the asteroid at its end is cold');
