@@ -41,7 +41,8 @@ describe('gq generate', () => {
     expect(code).toBe(2);
     expect(stderr).toContain(`--seed ${last - 1} --count 3: expected seeds up to ${last}, found up to ${last + 1}`);
     // the last one itself is none of these
-    const fits = await generate(`--out past --seed ${last - 1} --count 2 --effort 0`);
+    const fits = await generate(`--out past --seed ${last - 1} --count 2 --effort 1`);
+    expect(fits.code).toBe(1);
     expect(fits.stderr).not.toContain('expected seeds up to');
   });
 
