@@ -218,6 +218,15 @@ describe('line-trap', () => {
       'the asteroid is where she starts: there is no line',
     );
     expect(whyNot(fall(), trap({ ...start, at: -1 }, nova(20)))).toBe('its stretch does not begin at the start');
+    for (const by of [undefined, null]) {
+      const end = { at: -60, by } as never;
+      expect(whyNot(swing(), trap(end, nova(180, 1)))).toBe(
+        'what it names at an end of the stretch is no hazard that stands still',
+      );
+      expect(whyNot(fall(), trap(start, { at: 20, by } as never))).toBe(
+        'what it names at an end of the stretch is no hazard that stands still',
+      );
+    }
     expect(whyNot(swing(), trap(nova(-60, 0), start))).toBe(
       'what it names at an end of the stretch is no hazard that stands still',
     );
