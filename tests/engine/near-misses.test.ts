@@ -66,7 +66,7 @@ describe('an alien that she flies away from', () => {
 describe('the speed limit of an axis', () => {
   // she falls towards the target, and the target towards her; both along one axis, which is the one that is limited
   const fall = (axis: 'x' | 'y', recoil: boolean) => {
-    const [v, away] = [995, 240];
+    const [v, away] = [999, 240];
     const place = (n: number) => (axis === 'x' ? { x: n, y: 0 } : { x: 0, y: n });
     const scene = level({
       astronaut: { x: 0, y: 0, vx: axis === 'x' ? v : 0, vy: axis === 'y' ? v : 0 },
@@ -78,7 +78,7 @@ describe('the speed limit of an axis', () => {
   };
   /** Small steps of the same fall: place and speed after a fifth of a second. */
   const stepped = (recoil: boolean) => {
-    let [x, v, rock, u] = [0, 995, 240, 0];
+    let [x, v, rock, u] = [0, 999, 240, 0];
     const n = 200_000;
     const h = 0.2 / n;
     const pull = () => 39 * (1 - Math.abs(rock - x) / 250) * (rock > x ? 1 : -1);
