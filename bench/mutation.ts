@@ -30,6 +30,15 @@ interface Excuse {
 const root = `${process.cwd()}/`;
 const EXCUSES = join(root, 'bench/mutation/survivors.json');
 
+// groups of children that run: a signal ends them, too
+const groups = new Set<number>();
+for (const signal of ['SIGINT', 'SIGTERM'] as const) {
+  process.on(signal, () => {
+    for (const group of groups) process.kill(-group, 'SIGKILL');
+    process.exit(signal === 'SIGINT' ? 130 : 143);
+  });
+}
+
 /** Runs a session in a child process, and gives its results as they come; ends it when it hangs. */
 async function session(plan: Omit<Plan, 'results'>, onResult: (result: Result) => void): Promise<void> {
   const folder = mkdtempSync(join(tmpdir(), 'mutation-'));
@@ -40,6 +49,8 @@ async function session(plan: Omit<Plan, 'results'>, onResult: (result: Result) =
     ['node_modules/vitest/vitest.mjs', 'run', '--config', 'bench/mutation/vitest.config.ts'],
     { cwd: root, env: { ...process.env, [PLAN]: join(folder, 'plan.json') }, stdio: ['ignore', 'pipe', 'pipe'], detached: true },
   );
+  const group = child.pid as number;
+  groups.add(group);
   let output = '';
   for (const stream of [child.stdout, child.stderr]) stream.on('data', (piece: Buffer) => (output += piece.toString()));
   let taken = 0;
@@ -54,9 +65,10 @@ async function session(plan: Omit<Plan, 'results'>, onResult: (result: Result) =
   const timer = setInterval(() => {
     take();
     // its workers are in its group
-    if (Date.now() - since > patience) process.kill(-(child.pid as number), 'SIGKILL');
+    if (Date.now() - since > patience) process.kill(-group, 'SIGKILL');
   }, 200);
   const code = await new Promise<number | null>((resolve) => child.on('close', resolve));
+  groups.delete(group);
   clearInterval(timer);
   take();
   rmSync(folder, { recursive: true });

@@ -51,7 +51,7 @@ const ARITHMETIC: Record<string, string> = { '+': '-', '-': '+', '*': '/', '/': 
 const ASSIGNMENTS: Record<string, string> = { '+=': '-=', '-=': '+=', '*=': '/=', '/=': '*=', '??=': '=' };
 
 /** Properties of one kind, which a slip of the hand takes for each other. */
-const TWINS: Record<string, string> = Object.fromEntries(
+const TWINS: ReadonlyMap<string, string> = new Map(
   [
     ['x', 'y'],
     ['vx', 'vy'],
@@ -62,7 +62,7 @@ const TWINS: Record<string, string> = Object.fromEntries(
     ['least', 'most'],
     ['back', 'front'],
     ['some', 'every'],
-  ].flatMap(([a, b]) => [
+  ].flatMap(([a, b]): [string, string][] => [
     [a, b],
     [b, a],
   ]),
@@ -184,7 +184,7 @@ export function mutantsOf(file: string, text: string, first: number): PlacedMuta
     const property = node.property as Node;
     if (node.computed === true) return;
     if (node.optional === true) add([(node.object as Node).end, property.start], '.', here);
-    const twin = TWINS[property.name as string];
+    const twin = TWINS.get(property.name as string);
     if (twin !== undefined) add([property.start, property.end], twin, here);
   }
 

@@ -17,10 +17,10 @@ export const ROOMS: Readonly<Record<string, Room>> = {
     sources: ['solver/verify'],
     tests: ['tests/solver/near-miss', 'tests/solver/verify.test.ts', 'tests/solver/proofs.test.ts'],
   },
-  'engine/contact': { sources: ['engine/contact'], tests: ['tests/engine/near-miss/contact.test.ts', ...engine('contact')] },
+  'engine/contact': { sources: ['engine/contact'], tests: engine('contact', 'near-misses') },
   'engine/continuous': {
     sources: ['engine/continuous'],
-    tests: ['tests/engine', 'tests/hard-cases'],
+    tests: [...engine('near-misses'), 'tests/engine', 'tests/hard-cases'],
   },
   'solver/robustness': { sources: ['solver/robustness'], tests: ['tests/solver/robustness'] },
   schema: { sources: ['schema'], tests: ['tests/schema'] },
@@ -28,7 +28,7 @@ export const ROOMS: Readonly<Record<string, Room>> = {
   'cli/disk': { sources: ['cli/disk.ts'], tests: server('disk', 'full-disk', 'api', 'changes') },
   'editor/files': {
     sources: ['editor/files'],
-    tests: editor('merge', 'saver', 'journal', 'server-storage', 'browser-storage'),
+    tests: editor('merge', 'merge-bases', 'saver', 'journal', 'server-storage', 'browser-storage'),
   },
   'editor/document': { sources: ['editor/document'], tests: editor('document') },
 };

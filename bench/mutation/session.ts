@@ -35,12 +35,11 @@ async function measure(): Promise<Reach> {
   const tests: TestReach[] = [];
   board.cover(true);
   for (const file of plan.tests) {
-    board.reached = new Set();
+    board.takeReached();
     const began = performance.now();
     const root = await load(file);
-    tests.push({ file, test: -1, ms: performance.now() - began, reached: [...board.reached], fails: false });
+    tests.push({ file, test: -1, ms: performance.now() - began, reached: board.takeReached(), fails: false });
     for (let n = 0; n < countTests(root); n++) {
-      board.reached = new Set();
       const start = performance.now();
       const failure = await runTests(
         root,
@@ -48,7 +47,7 @@ async function measure(): Promise<Reach> {
         (_, run) => run(),
       );
       if (failure !== null) console.error(`${file}, test ${n}, without a mutant: ${failure.error}`);
-      tests.push({ file, test: n, ms: performance.now() - start, reached: [...board.reached], fails: failure !== null });
+      tests.push({ file, test: n, ms: performance.now() - start, reached: board.takeReached(), fails: failure !== null });
     }
   }
   board.cover(false);

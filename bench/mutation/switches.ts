@@ -18,15 +18,15 @@ const TURNS = 4096;
 
 /** The switches of a session, and how it works them. */
 export class Board implements Switches {
-  /** what `is` was asked for since `cover` was called */
-  reached = new Set<number>();
+  /** what `is` was asked for, 1 each */
+  readonly #reached = new Uint8Array(1 << 16);
   #on = 0;
   #isCovering = false;
   #turns = 0;
   #deadline = Number.POSITIVE_INFINITY;
 
   is(id: number): boolean {
-    if (this.#isCovering) this.reached.add(id);
+    if (this.#isCovering) this.#reached[id] = 1;
     return id === this.#on;
   }
 
@@ -41,6 +41,13 @@ export class Board implements Switches {
   /** Puts a mutant on, or none: 0. */
   put(id: number): void {
     this.#on = id;
+  }
+
+  /** What was asked for since the last time. */
+  takeReached(): number[] {
+    const reached = [...this.#reached.keys()].filter((id) => this.#reached[id] === 1);
+    this.#reached.fill(0);
+    return reached;
   }
 
   cover(isCovering: boolean): void {

@@ -141,7 +141,6 @@ export const it = Object.assign(testNow, {
   runIf: (runs: unknown) => (runs ? testNow : nothing),
   skip: nothing,
 });
-export const test = it;
 
 export const beforeAll = (deed: Deed): unknown => current().before.push(deed);
 export const afterAll = (deed: Deed): unknown => current().after.push(deed);

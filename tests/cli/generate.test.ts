@@ -35,6 +35,17 @@ describe('a level that was made', () => {
 });
 
 describe('gq generate', () => {
+  it('has no seed past the last, for any of its levels', async () => {
+    const last = 2 ** 32 - 1;
+    const { code, stderr } = await generate(`--out past --seed ${last - 1} --count 3`);
+    expect(code).toBe(2);
+    expect(stderr).toContain(`--seed ${last - 1} --count 3: expected seeds up to ${last}, found up to ${last + 1}`);
+    // the last one itself is none of these
+    const fits = await generate(`--out past --seed ${last - 1} --count 2 --effort 1`);
+    expect(fits.code).toBe(1);
+    expect(fits.stderr).not.toContain('expected seeds up to');
+  });
+
   const EASY = '--size small --difficulty 3 --ingredients none';
 
   it('writes levels that gq check and gq fmt pass', async () => {

@@ -52,4 +52,12 @@ describe('ids', () => {
     expect(named[1].id).toBe(id);
     expect(named[0].id).not.toBe(id);
   });
+
+  test('avoid as many as are taken, one after the other', () => {
+    const ids = withIds(level([rock(3), rock(3), rock(3), rock(3)])).asteroids!.map(({ id }) => id);
+    const taken = ids.slice(0, 3).map((id, i) => ({ id, ...rock(100 + i) }));
+    const [first, second] = withIds(level([rock(3), rock(3), ...taken])).asteroids!;
+    expect(first.id).toBe(ids[3]);
+    expect([...ids, undefined]).not.toContain(second.id);
+  });
 });

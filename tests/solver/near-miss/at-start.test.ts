@@ -55,6 +55,11 @@ describe('nothing-in-range', () => {
   });
 });
 
+it('nothing-in-range: the first asteroid counts like any other', () => {
+  expect(whyNot(levelWith({ asteroids: [at(249, 0)] }), nowhere)).toContain('asteroids[0]');
+  expect(whyNot(levelWith({ asteroids: [at(251, 0)] }), nowhere)).toBeNull();
+});
+
 describe('starts-in-hazard', () => {
   const overlaps = (place: (d: number) => ReturnType<typeof at>, truth: number): NearMiss => ({
     why: (d) => whyNot(levelWith({ novae: [at(900, 0), place(d)] }), starts('nova', 1)),

@@ -124,6 +124,31 @@ describe('a dead end', () => {
     expect(whyNot(level(RANGE), trap())).not.toBeNull();
   });
 
+  it('ends the stretch behind the start as well, on a line that lies aslant', () => {
+    // seen from 94 px along the line, and looking back: the asteroid is 34 px ahead, the dead end 34 px behind
+    const turned = (x: number, y: number) => ({ x: 0.6 * (94 - x) - 0.8 * y, y: 0.8 * (94 - x) + 0.6 * y });
+    const moved = (thing: { x: number; y: number; radius: number }) => {
+      const { x, y } = turned(thing.x - ORIGIN.x, thing.y - ORIGIN.y);
+      return at(x, y, thing.radius);
+    };
+    const level = (more: Partial<LevelFile> = {}) =>
+      levelWith({ asteroids: SOURCE.asteroids.map(moved), novae: SOURCE.novae.map(moved), blackHole: spot(3000, 0), ...more });
+    const axis = [-0.6 * AXIS[0] - 0.8 * AXIS[1], -0.8 * AXIS[0] + 0.6 * AXIS[1]] as const;
+    const swung = (back: number): LineTrap => ({
+      kind: 'line-trap',
+      target: 0,
+      back: { at: back, by: { kind: 'dead-end', axis, step: 1 } },
+      front: { at: 128.02, by: { kind: 'nova', index: 0 } },
+      drift: null,
+    });
+    expect(whyNot(level(), swung(-34))).toBeNull();
+    expect(whyNot(level(), swung(-33.999))).toBe('the asteroid before may be the nearest again');
+    expect(whyNot(level(), swung(-34.001))).toBe('asteroids[1] may be the nearer one on the stretch');
+    expect(
+      whyNot(level({ novae: [moved(SOURCE.novae[0]), moved(at(176, 0, 11)), moved(SOURCE.novae[2])] }), swung(-34)),
+    ).not.toBeNull();
+  });
+
   it('is where she is, however the level is moved and turned over', () => {
     const flip = ({ x, y, ...more }: { x: number; y: number; radius: number }) => ({
       ...more,

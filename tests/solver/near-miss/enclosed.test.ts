@@ -200,6 +200,11 @@ describe('enclosed', () => {
     for (const x of [0, 5e-8, -5e-8]) expect(through(x)).toBe('the start lies on edge 0 of the barrier');
     expect(through(3e-7)).toBeNull();
     expect(through(-3e-7)).toBe('the barrier does not lie between the start and it');
+    const below = (y: number) =>
+      whyNot(level, barrier([-50, y, range], [50, y, range], [50, y - 200, range], [-50, y - 200, range]));
+    for (const y of [0, 5e-8, -5e-8]) expect(below(y)).toBe('the start lies on edge 0 of the barrier');
+    expect(below(3e-7)).toBeNull();
+    expect(below(-3e-7)).toBe('the barrier does not lie between the start and it');
   });
 
   it('what blocks, and what does not', () => {
@@ -224,6 +229,8 @@ describe('enclosed', () => {
     const mineral = { minerals: [spot(400, 0)], blackHole: top };
     expect(by({ kind: 'blackHole', index: 0 }, mineral, { about: MINERAL })).toBeNull();
     expect(by({ kind: 'blackHole', index: 0 }, mineral)).not.toBeNull();
+    expect(by({ kind: 'alien', index: 0 }, { ...mineral, aliens: [top] }, { about: MINERAL })).toBe(none);
+    expect(by(undefined, mineral, { about: MINERAL })).toBe(none);
   });
 
   it('a barrier that is none', () => {
@@ -234,6 +241,8 @@ describe('enclosed', () => {
     expect(why(whole.slice(0, 3))).not.toBe('its barrier is no closed line');
     for (const list of [undefined, null, 'line', [], whole.slice(0, 2), { length: 4 }])
       expect(why(list)).toBe('its barrier is no closed line');
+    // a corner twice is an edge without length
+    expect(why([...whole, whole[3]])).toBeNull();
     const triangle = barrier([500, -100, range], [800, 0, range], [500, 100, range]).barrier;
     expect(why(triangle)).toBeNull();
     for (const corner of [

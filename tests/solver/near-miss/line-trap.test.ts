@@ -218,6 +218,15 @@ describe('line-trap', () => {
       'the asteroid is where she starts: there is no line',
     );
     expect(whyNot(fall(), trap({ ...start, at: -1 }, nova(20)))).toBe('its stretch does not begin at the start');
+    for (const by of [undefined, null]) {
+      const end = { at: -60, by } as never;
+      expect(whyNot(swing(), trap(end, nova(180, 1)))).toBe(
+        'what it names at an end of the stretch is no hazard that stands still',
+      );
+      expect(whyNot(fall(), trap(start, { at: 20, by } as never))).toBe(
+        'what it names at an end of the stretch is no hazard that stands still',
+      );
+    }
     expect(whyNot(swing(), trap(nova(-60, 0), start))).toBe(
       'what it names at an end of the stretch is no hazard that stands still',
     );
@@ -250,12 +259,17 @@ describe('line-trap', () => {
 
   it('a hot asteroid stops her where she touches it, a cold one does not', () => {
     const end = (where: number): LineEnd => ({ at: where, by: { kind: 'asteroid', index: 0 } });
-    const why = (where: number, asteroid = hot(60, 0, 20)) =>
+    const why = (where: number, asteroid: ReturnType<typeof at> = hot(60, 0, 20)) =>
       whyNot(levelWith({ asteroids: [asteroid] }), trap(start, end(where)));
     expect(why(31)).toBeNull();
     expect(why(31, at(60, 0, 20))).toBe('the asteroid at its end is cold');
     expect(why(30.009)).toBe('she may stop before she touches the asteroid');
     expect(why(30.0101)).toBeNull();
+    // another one that is hot does not stop her there
+    const two = levelWith({ asteroids: [hot(60, 0, 20), hot(400, 0, 20)] });
+    expect(whyNot(two, trap(start, { at: 31, by: { kind: 'asteroid', index: 1 } }))).toBe(
+      'the hazard at an end of the stretch may not stop her',
+    );
   });
 
   it('with frames she does not jump over half of a hot asteroid', () => {
@@ -376,6 +390,15 @@ describe('line-trap with recoil', () => {
       slack: [0.05, 0.06],
       says: 'she may come to the centre of the asteroid',
     },
+  });
+
+  it('recoil moves the target: what is hot of it is smaller by as much', () => {
+    // 400 / 120 px and a hundredth in 20 s, so that it covers 26.63 px about its place for certain
+    const level = levelWith({ asteroids: [{ ...on(60, 0, 30), hot: true }], blackHole: spot(4000, 0), recoil: true });
+    const why = (to: number) =>
+      whyNot(level, trap(range(-200), { at: to, by: { kind: 'asteroid', index: 0 } }, { back: 4, ahead: 4 }), { maxTime: 20 });
+    expect(why(60 - 10 - 26.61)).toBeNull();
+    expect(why(60 - 10 - 26.64)).toBe('the hazard at an end of the stretch may not stop her');
   });
 
   it('recoil moves no other asteroid: a hot one that is never the target stands still', () => {

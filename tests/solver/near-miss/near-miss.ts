@@ -47,9 +47,6 @@ export function whyNot(level: Level, certificate: Certificate, asked?: Asked): s
   return verdict.ok ? null : verdict.why;
 }
 
-export const accepts = (level: Level, certificate: Certificate, asked?: Asked): boolean =>
-  whyNot(level, certificate, asked) === null;
-
 export interface NearMiss {
   /** Why not, for a number that is turned; null where the proof is accepted. */
   readonly why: (n: number) => string | null;

@@ -1,0 +1,19 @@
+import { expect, it } from 'vitest';
+import { mergeLevels } from '../../editor/files/merge.ts';
+import type { LevelFile } from '../../schema/index.ts';
+
+const named = (name: string): LevelFile => ({ version: 1, name, astronaut: { x: 0, y: 0 }, blackHole: { x: 300, y: 0 } });
+
+it('what was sent and not answered is a base, too: theirs that is any of the bases is no change of theirs', () => {
+  const merged = mergeLevels(named('first'), named('third'), named('second'), new Map(), [named('second')]);
+  expect(merged).toEqual({ file: named('third'), conflicts: [] });
+  expect(mergeLevels(named('first'), named('third'), named('first'), new Map(), [named('second')]).file.name).toBe('third');
+});
+
+it('mine is unchanged only where it is as in all of the bases', () => {
+  const gone = mergeLevels(named('first'), named('first'), named('theirs'), new Map(), [named('second')]);
+  expect(gone.conflicts.map(({ key }) => key)).toEqual(['name']);
+  expect(gone.file.name).toBe('first');
+  const same = mergeLevels(named('first'), named('first'), named('theirs'), new Map(), [named('first')]);
+  expect(same).toEqual({ file: named('theirs'), conflicts: [] });
+});

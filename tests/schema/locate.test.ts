@@ -1,0 +1,18 @@
+import fc from 'fast-check';
+import { expect, test } from 'vitest';
+import { createLocator } from '../../schema/locate.ts';
+
+test('a string ends at the first quote that no backslash stands before, however many there are', () => {
+  // strings of quotes, backslashes and brackets before the value that is asked for, as keys and as values
+  const tricky = fc
+    .array(fc.constantFrom('"', '\\', '{', '[', ',', ':', 'a', '\n'), { maxLength: 6 })
+    .map((parts) => parts.join(''));
+  fc.assert(
+    fc.property(tricky, tricky, (key, value) => {
+      const text = `{${JSON.stringify(`${key}-`)}: [${JSON.stringify(value)}, ${JSON.stringify(`\\${value}`)}], "last": 12345}`;
+      const locator = createLocator(text);
+      expect(text.slice(locator.offsetOf('/last', 'value'))).toBe('12345}');
+      expect(text.slice(locator.offsetOf('/last', 'key'))).toBe('"last": 12345}');
+    }),
+  );
+});

@@ -1,0 +1,93 @@
+import { readdirSync, readFileSync, utimesSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import { createFile, replaceFile } from '../../cli/disk.ts';
+import { openLevelFolder } from '../../cli/edit/level-folder.ts';
+import { oneAtATime } from '../../cli/edit/one-at-a-time.ts';
+import { levelText, makeFolder } from './running.ts';
+
+// What is done to the disk, in which order, and what somebody else does in between.
+
+const disk = vi.hoisted(() => ({ steps: [] as string[], before: null as null | ((step: string, path: string) => void) }));
+
+vi.mock('node:fs', async (original) => {
+  const fs = await original<typeof import('node:fs')>();
+  const watched = (name: 'writeFileSync' | 'fsyncSync' | 'linkSync' | 'renameSync') => {
+    const real = fs[name] as (...args: unknown[]) => unknown;
+    return (...args: unknown[]): unknown => {
+      const hook = disk.before;
+      // what the hook does itself is not watched
+      disk.before = null;
+      hook?.(name, String(args[0]));
+      disk.before = hook;
+      disk.steps.push(name);
+      return real(...args);
+    };
+  };
+  const names = ['writeFileSync', 'fsyncSync', 'linkSync', 'renameSync'] as const;
+  return { ...fs, ...Object.fromEntries(names.map((name) => [name, watched(name)])) };
+});
+
+let made: ReturnType<typeof makeFolder>;
+beforeEach(() => {
+  made = makeFolder({ '01.level.json': levelText('A') });
+  disk.steps = [];
+});
+afterEach(() => {
+  disk.before = null;
+  made.remove();
+});
+
+describe('a content is on the disk before it has its name', () => {
+  it('when it takes the place of another, and the folder that names it after that', () => {
+    replaceFile(join(made.folder, '01.level.json'), Buffer.from('new'), () => {});
+    const [write, sync, rename, ...rest] = disk.steps;
+    expect([write, sync, rename]).toEqual(['writeFileSync', 'fsyncSync', 'renameSync']);
+    if (process.platform !== 'win32') expect(rest).toEqual(['fsyncSync']);
+  });
+
+  it('when it is new', () => {
+    expect(createFile(join(made.folder, '02.level.json'), Buffer.from('new'))).toBe(true);
+    expect(disk.steps.slice(0, 3)).toEqual(['writeFileSync', 'fsyncSync', 'linkSync']);
+  });
+});
+
+describe('what somebody else does at the last moment', () => {
+  it('another program that writes the level while the new one is written keeps what it wrote', async () => {
+    const path = join(made.folder, '01.level.json');
+    const levels = openLevelFolder(made.folder, 'levels');
+    const etag = levels.read('01').etag ?? '';
+    let done = false;
+    disk.before = (step) => {
+      if (step !== 'fsyncSync' || done) return;
+      done = true;
+      writeFileSync(path, levelText('theirs'));
+    };
+    await expect(levels.write('01', levelText('mine'), { etag }, 'page')).rejects.toThrow();
+    expect(done).toBe(true);
+    expect(readFileSync(path, 'utf8')).toBe(levelText('theirs'));
+  });
+
+  it('a lock that another took between the look at a stale one and its removal is given back', async () => {
+    const lock = join(made.folder, '.gq-edit.lock');
+    // of a process that is no more
+    writeFileSync(lock, '999999999 nowhere 0123456789abcdef');
+    utimesSync(lock, new Date(0), new Date(0));
+    let stolen = false;
+    let kept = '';
+    disk.before = (step, path) => {
+      if (step !== 'renameSync' || stolen || path !== lock) return;
+      stolen = true;
+      writeFileSync(lock, 'theirs');
+      setTimeout(() => {
+        kept = readFileSync(lock, 'utf8');
+        // and they are done
+        utimesSync(lock, new Date(0), new Date(0));
+      }, 60);
+    };
+    await oneAtATime(made.folder, () => undefined);
+    expect(stolen).toBe(true);
+    expect(kept).toBe('theirs');
+    expect(readdirSync(made.folder)).toEqual(['01.level.json']);
+  });
+});
