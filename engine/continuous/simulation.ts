@@ -43,9 +43,9 @@ export class ContinuousSimulation implements Simulation {
     this.scene = scene;
     this.work = motion.work;
     this.motion = motion;
-    layOut(motion);
     this.start = motion.s.slice();
     try {
+      layOut(motion);
       begin(motion);
     } catch (error) {
       if (!(error instanceof WorkLimitReached)) throw error;

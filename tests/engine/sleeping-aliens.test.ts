@@ -96,9 +96,11 @@ it.each([8, 100, 1000, 20_000])('%i that sleep cost no work', (count) => {
     const looksOf = (aliens: readonly Circle[]): number => {
       const budget: WorkBudget = unlimited();
       const simulation = createSimulation(compile({ ...level, aliens }, accuracy), budget);
+      // until she first presses she might drift anywhere: that is looked at once, as the simulation is made
+      const made = budget.looks;
       playScript(simulation, [[0, 3600]], 3600);
       expect(simulation.ending).toBeNull();
-      return budget.looks;
+      return budget.looks - made;
     };
     const ring = Array.from({ length: count }, (_, i) => circle(3000 + 60 * (i % 150), 3000 + 60 * Math.floor(i / 150), 25));
     expect(looksOf(ring) / looksOf([])).toBeLessThan(1.03);

@@ -76,6 +76,15 @@ describe('a budget of work', () => {
     expect(budget.spent).toBeGreaterThan(played);
   });
 
+  it('that is used up before the run begins stops it at the start', () => {
+    const budget = new WorkBudget(1);
+    for (const name of ['everything', 'recoil', 'ring-of-aliens']) {
+      const level = resolveLevel(HEAVY_LEVELS[name](0.05));
+      const run = simulate(compile(level), level.runs[0].holds, { budget });
+      expect([run.stopped, run.outcome, run.tick, run.events]).toEqual(['work-limit', 'timeout', 0, []]);
+    }
+  });
+
   it.each(Object.keys(HEAVY_LEVELS))('ends %s, whatever the accuracy', (name) => {
     const level = resolveLevel(HEAVY_LEVELS[name](0.05));
     for (const accuracy of ['precise', 'fast', 'arcade'] as const) {
