@@ -26,9 +26,9 @@ function hintFor(path: string, error: unknown): string {
   return code === 'ENXIO' ? ' (is it a socket?); expected a file' : '';
 }
 
-/** Whether reading may wait for somebody: a device, or a pipe without a name of its own. */
+/** Whether reading may wait for somebody: a device, a pipe without a name of its own, or one that was opened for us. */
 export function isStream(path: string, stats: Stats): boolean {
-  return stats.isCharacterDevice() || (stats.isFIFO() && !hasName(path));
+  return stats.isCharacterDevice() || (stats.isFIFO() && (path.startsWith('/dev/') || !hasName(path)));
 }
 
 /** What /dev/fd/63 leads to is found in no folder. */
