@@ -1,9 +1,13 @@
 import { describe, expect, it } from 'vitest';
 import type { LevelFile } from '../../../schema/index.ts';
 import type { DeadEnd, LineTrap } from '../../../solver/proofs/index.ts';
-import { type Asked, at, FRAMES, levelWith, nearMisses, ORIGIN, RANGE, spot, whyNot } from './near-miss.ts';
+import { type Asked, at, FRAMES, levelWith, nearMisses, ORIGIN, RANGE, spot, whyNot as whyNotBy } from './near-miss.ts';
 
 // She falls to the right through an asteroid at 60 px. From 128 px on another is as near, which pulls her down to the right, into two novae.
+
+/** A fixed step is pushed as at a place a bit away: dead ends cover `precise` alone. */
+const whyNot: typeof whyNotBy = (level, certificate, asked = {}) =>
+  whyNotBy(level, certificate, { covers: ['precise'], ...asked });
 
 const SOURCE = { asteroids: [at(60, 0), at(160, 60)], novae: [at(-60, 0), at(176, 0, 32), at(150, 66, 32)] };
 const scene = (more: Partial<LevelFile> = {}) => levelWith({ ...SOURCE, blackHole: spot(300, 0), ...more });
@@ -110,11 +114,14 @@ describe('a dead end', () => {
     expect(whyNot(scene(), trap({ axis: [0.13, Math.sqrt(1 - 0.13 ** 2)] }))).not.toBe(aside);
   });
 
-  it('says nothing of recoil, nor of frames', () => {
+  it('says nothing of recoil, of frames, or of fixed steps', () => {
     const asked: Asked = { maxTime: 60 };
     const recoil = whyNot(scene({ recoil: true }), { ...trap(), drift: { back: 300, ahead: 300 } }, asked);
     expect(recoil).toBe('with recoil the border between two asteroids moves');
     expect(whyNot(scene(), trap(), { covers: FRAMES })).not.toBeNull();
+    for (const steps of ['fast', 'standard'] as const) {
+      expect(whyNot(scene(), trap(), { covers: [steps] }), steps).not.toBeNull();
+    }
   });
 
   it('is stopped by the end of the range, too', () => {
