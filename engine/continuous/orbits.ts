@@ -2,7 +2,7 @@ import { ALIEN_SIGHT, GUN_PULL, TICK, TICK_RATE } from '../constants.ts';
 import { bisect } from './bracket.ts';
 import { CENTRAL, COAST } from './flow.ts';
 import type { Motion } from './motion.ts';
-import { refresh, rockTravel } from './neighbourhood.ts';
+import { farthestRockTravel, refresh } from './neighbourhood.ts';
 import { pairAt } from './polynomial.ts';
 import { EVENTS, RECORDS, SLOTS, TURNS } from './state.ts';
 import { centralSeries, TAYLOR_DEGREE, taylorStep } from './taylor.ts';
@@ -89,7 +89,7 @@ export function skipOrbits(m: Motion): void {
   const vx = px[1] + drawn * ux[1];
   const vy = py[1] + drawn * uy[1];
   const travel = Math.sqrt(vx * vx + vy * vy) * left;
-  if (!isClear(m, travel + 2 * a, m.recoil ? rockTravel(m, left) : 0)) return;
+  if (!isClear(m, travel + 2 * a, m.recoil ? farthestRockTravel(m, left) : 0)) return;
   const period = orbitPeriod(m, a, strength);
   const count = period > 0 ? Math.floor(left / period) : 0;
   if (count < 1) return;
@@ -144,7 +144,8 @@ export function driftsBy(m: Motion, time: number, period: number): boolean {
   const vx = px[1] + gain * ux[1];
   const vy = py[1] + gain * uy[1];
   const a = width(m, GUN_PULL);
-  if (4 * a > m.scene.level.range || !isClear(m, Math.sqrt(vx * vx + vy * vy) * time + 2 * a, rockTravel(m, time))) return false;
+  if (4 * a > m.scene.level.range || !isClear(m, Math.sqrt(vx * vx + vy * vy) * time + 2 * a, farthestRockTravel(m, time)))
+    return false;
   recordMean(m, vx, vy, time);
   drift(m, vx * time, vy * time, px[1], py[1], time);
   return true;

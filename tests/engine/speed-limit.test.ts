@@ -150,7 +150,9 @@ describe('the speed limit on a line through a field', () => {
           });
           const run = simulate(compile(level, accuracy), [[0, 60]], { maxTime: 0.8 });
           // inside the field the push holds her at the limit; nothing happens but that she leaves it
-          expect(run.events.filter(({ type }) => type !== 'press' && type !== 'target').map(({ type }) => type)).toEqual(['leave']);
+          expect(run.events.filter(({ type }) => type !== 'press' && type !== 'target').map(({ type }) => type)).toEqual([
+            'leave',
+          ]);
           expect(Math.abs((run.events.at(-1)?.time ?? 0) - end / LIMIT)).toBeLessThan(1e-9);
           const rock = new Float64Array(2);
           run.trajectory.asteroidsAt(0.7, rock);
