@@ -1,6 +1,15 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { type AccuracyName, boxCircleGap, compile, type Run, STATE_SIZE, simulate } from '../../engine/index.ts';
+import {
+  type AccuracyName,
+  boxCircleGap,
+  compile,
+  createSimulation,
+  type Run,
+  STATE_SIZE,
+  simulate,
+  WorkBudget,
+} from '../../engine/index.ts';
 import type { Hold, Level } from '../../schema/index.ts';
 import { type PlainLevel, plainLevel } from '../engine/plain-level.ts';
 import { bounceByBounce } from './bounce.ts';
@@ -130,6 +139,26 @@ describe.each(continuous)('sliding on a rim, against the equation of the angle: 
       ),
       { numRuns: 20 },
     );
+  });
+
+  it('goes on at little cost however little holds her', () => {
+    // about the centre of the pull: it holds her with the same small force all the way
+    const radius = 100;
+    const pull = 39 * (1 - radius / 250);
+    for (const rest of [1e-2, 1e-4, 1e-6, 1e-9]) {
+      const level = onRim({
+        astronaut: { x: -radius, y: 0, vy: Math.sqrt(radius * (pull - rest)) },
+        asteroids: [{ x: 0, y: 0, radius: 16 }],
+        repulsors: [{ x: 0, y: 0, radius }],
+      });
+      const budget = new WorkBudget(6000);
+      const simulation = createSimulation(compile(level, accuracy), budget);
+      simulation.advance(600, true);
+      expect(simulation.modes.find(({ name }) => name === 'slide on a rim')?.share).toBeGreaterThan(0.999);
+      const state = new Float64Array(STATE_SIZE);
+      simulation.readState(state);
+      expect(Math.abs(Math.hypot(state[0], state[1]) - radius)).toBeLessThan(1e-9);
+    }
   });
 
   it('between two fields that push towards each other, with the gun or without', () => {
