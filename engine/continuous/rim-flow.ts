@@ -60,7 +60,7 @@ export class RimFlow {
     this.pressesOut = REPULSOR_PUSH * within + turning;
   }
 
-  /** The acceleration that the speed limit does not hold back, after `weigh` at the same place; into out[at..at + 1]. */
+  /** The mean acceleration after `weigh` at the same place, into out[at..at + 1]; of a limited axis what the limit holds back. */
   accelerate(x: number, y: number, out: Float64Array, at: number): void {
     const r = Math.sqrt(x * x + y * y);
     const s = this.pressesOut / (this.pressesOut + this.pressesIn);

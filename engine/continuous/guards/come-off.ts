@@ -78,6 +78,12 @@ function offBetween(m: Motion, before: number, behind: number): number {
 
 /** What presses her onto the rim after `t`, px/s2; e[0..3]: u and its velocity, e[8..11]: the centre of the force outside from there. */
 function pressureAt(m: Motion, t: number): number {
+  weighAt(m, t);
+  return m.rim.pressesIn;
+}
+
+/** Finds into `m.rim` what acts on her after `t`; e[0..3]: u and its velocity, e[8..11]: the centre of the force outside from there. */
+export function weighAt(m: Motion, t: number): void {
   const { s, e, rim } = m;
   placeAt(m, t);
   if (s[OUTER] < 0) {
@@ -89,5 +95,4 @@ function pressureAt(m: Motion, t: number): number {
     e[11] = -e[3];
   }
   rim.weigh(e[0], e[1], e[2], e[3], -e[8], -e[9]);
-  return rim.pressesIn;
 }
