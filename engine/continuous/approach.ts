@@ -55,10 +55,9 @@ export function approachHazards(m: Motion, start: number, length: number, tracke
   };
   if (novae.spatial !== null && within < Number.POSITIVE_INFINITY) for (const i of novae.spatial.around(x, y, within)) nova(i);
   else for (let i = 0; i < novae.count; i++) nova(i);
-  const rocks = m.recoil ? rockTravel(m, length) : 0;
   for (let i = coldCount; i < targets.count; i++) {
     placeRock(m, i);
-    consider('asteroid', targets.index[i], targets.r[i], m.kappa, rocks);
+    consider('asteroid', targets.index[i], targets.r[i], m.kappa, rockTravel(m, i, length));
   }
   for (let i = 0; i < aliens.count; i++) {
     if (s[m.chasers + CHASER * i + 4] === GONE) continue;

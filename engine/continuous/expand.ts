@@ -123,22 +123,28 @@ export function expandChasers(m: Motion, longest: number): number {
   }
   wx[0] += s[BASE_X];
   wy[0] += s[BASE_Y];
-  let h = longest;
+  const drags = m.recoils && s[m.chasers + CHASER * aliens + 4] === AWAKE;
+  // a fixed step depends on its length: it is known before the first is made, as it is after a restore
+  let h = drags ? Math.min(longest, longestDrag(m)) : longest;
   const awake = s[AWAKE_COUNT];
   for (let k = 0; k < awake; k++) h = expandChaser(m, m.crowd.awake[k], ALIEN_PULL, h);
-  if (m.recoils && s[m.chasers + CHASER * aliens + 4] === AWAKE) h = expandDragged(m, h);
+  if (drags) h = expandDragged(m, h);
   return h;
+}
+
+/** How long a piece of the rock that she holds while she is in a field may be, s; its series begins. */
+function longestDrag(m: Motion): number {
+  const aliens = m.scene.aliens.count;
+  beginSeries(m, aliens);
+  return m.s[MEETS] === NOT ? untilMeeting(m, m.chaserX[aliens], m.chaserY[aliens]) : LONGEST_DRAG;
 }
 
 /** The rock that she holds while she is in a field. */
 function expandDragged(m: Motion, longest: number): number {
   const aliens = m.scene.aliens.count;
-  beginSeries(m, aliens);
-  const qx = m.chaserX[aliens];
-  const qy = m.chaserY[aliens];
-  if (m.s[MEETS] === NOT) return expandChaser(m, aliens, m.kappa, Math.min(longest, untilMeeting(m, qx, qy)));
-  dragOnLine(m, qx, qy);
-  return Math.min(longest, LONGEST_DRAG);
+  if (m.s[MEETS] === NOT) return expandChaser(m, aliens, m.kappa, longest);
+  dragOnLine(m, m.chaserX[aliens], m.chaserY[aliens]);
+  return longest;
 }
 
 function expandChaser(m: Motion, i: number, pull: number, longest: number): number {

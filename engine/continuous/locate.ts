@@ -10,7 +10,7 @@ import { rimTime } from './guards/rim.ts';
 import { considerLimits } from './guards/speed-limit.ts';
 import { switchTime } from './guards/target-switch.ts';
 import type { Motion } from './motion.ts';
-import { alienTravel, refresh, rockTravel } from './neighbourhood.ts';
+import { alienTravel, farthestRockTravel, refresh } from './neighbourhood.ts';
 import { placeAt } from './places.ts';
 import { tolerance } from './slide.ts';
 import { EVENTS, MEETINGS, RECORDS, SLOTS } from './state.ts';
@@ -68,7 +68,7 @@ export function locate(m: Motion): void {
   const h = s[LENGTH_H];
   const speed = Math.sqrt(speedX * speedX + speedY * speedY);
   const travel = s[ACCELERATION] > 0 ? (speed + (s[ACCELERATION] + m.kappa) * h) * h : speed > 0 ? speed * h : 0;
-  const rocks = m.recoil ? rockTravel(m, h) : 0;
+  const rocks = m.recoil ? farthestRockTravel(m, h) : 0;
   const reach = travel + rocks;
 
   // what comes later than this is none of hers

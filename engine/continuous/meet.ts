@@ -61,8 +61,8 @@ export function meet(m: Motion): void {
   const { s, ux, uy, recoil } = m;
   const target = s[TARGET];
   const o = m.rocks + ROCK * target;
-  if (s[KIND] !== LINEAR) {
-    // she rests in the centre of the field, where the smallest step aside would grow
+  if (ux[0] === 0 && uy[0] === 0 && ux[1] === 0 && uy[1] === 0) {
+    // she rests in the centre of the field, where the smallest step aside would grow; at the speed limit she may pass it
     s[o] = s[BASE_X];
     s[o + 1] = s[BASE_Y];
     return;

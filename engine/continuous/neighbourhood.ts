@@ -66,8 +66,8 @@ function rockDistance(m: Motion, i: number, x: number, y: number): number {
   return Math.sqrt(dx * dx + dy * dy);
 }
 
-/** Farthest a drifting or recoiling rock moves in `h`, px. */
-export function rockTravel(m: Motion, h: number): number {
+/** Farthest any drifting or recoiling rock moves in `h`, px. */
+export function farthestRockTravel(m: Motion, h: number): number {
   const { s } = m;
   let fastest = 0;
   for (const i of m.stirred) {
@@ -76,6 +76,16 @@ export function rockTravel(m: Motion, h: number): number {
   }
   const v = Math.sqrt(fastest);
   const a = m.kappa;
+  return v > 0 || a > 0 ? (v + a * h) * h : 0;
+}
+
+/** Farthest a target moves in `h`, px. */
+export function rockTravel(m: Motion, i: number, h: number): number {
+  const { s } = m;
+  if (!m.recoil) return 0;
+  const o = m.rocks + ROCK * i;
+  const v = Math.sqrt(s[o + 2] * s[o + 2] + s[o + 3] * s[o + 3]);
+  const a = i === s[TARGET] ? m.kappa : 0;
   return v > 0 || a > 0 ? (v + a * h) * h : 0;
 }
 

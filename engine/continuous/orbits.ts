@@ -2,12 +2,28 @@ import { ALIEN_SIGHT, GUN_PULL, TICK, TICK_RATE } from '../constants.ts';
 import { bisect } from './bracket.ts';
 import { CENTRAL, COAST } from './flow.ts';
 import type { Motion } from './motion.ts';
-import { refresh, rockTravel } from './neighbourhood.ts';
+import { farthestRockTravel, refresh } from './neighbourhood.ts';
 import { pairAt } from './polynomial.ts';
 import { EVENTS, RECORDS, SLOTS, TURNS } from './state.ts';
 import { centralSeries, TAYLOR_DEGREE, taylorStep } from './taylor.ts';
 
-const { START, TARGET, FIELD, BASE, BASE_X, BASE_Y, KIND, TURN, DEGREE, AWAKE_COUNT, LIMIT_X, LIMIT_Y } = SLOTS;
+const {
+  START,
+  TARGET,
+  FIELD,
+  BASE,
+  BASE_X,
+  BASE_Y,
+  KIND,
+  TURN,
+  DEGREE,
+  AWAKE_COUNT,
+  LIMIT_X,
+  LIMIT_Y,
+  NEXT,
+  LENGTH_H,
+  ACCELERATION,
+} = SLOTS;
 const { MINERAL, SWITCH } = EVENTS;
 const { TURN_NOT } = TURNS;
 const { ROCK } = RECORDS;
@@ -89,7 +105,7 @@ export function skipOrbits(m: Motion): void {
   const vx = px[1] + drawn * ux[1];
   const vy = py[1] + drawn * uy[1];
   const travel = Math.sqrt(vx * vx + vy * vy) * left;
-  if (!isClear(m, travel + 2 * a, m.recoil ? rockTravel(m, left) : 0)) return;
+  if (!isClear(m, travel + 2 * a, m.recoil ? farthestRockTravel(m, left) : 0)) return;
   const period = orbitPeriod(m, a, strength);
   const count = period > 0 ? Math.floor(left / period) : 0;
   if (count < 1) return;
@@ -144,7 +160,8 @@ export function driftsBy(m: Motion, time: number, period: number): boolean {
   const vx = px[1] + gain * ux[1];
   const vy = py[1] + gain * uy[1];
   const a = width(m, GUN_PULL);
-  if (4 * a > m.scene.level.range || !isClear(m, Math.sqrt(vx * vx + vy * vy) * time + 2 * a, rockTravel(m, time))) return false;
+  if (4 * a > m.scene.level.range || !isClear(m, Math.sqrt(vx * vx + vy * vy) * time + 2 * a, farthestRockTravel(m, time)))
+    return false;
   recordMean(m, vx, vy, time);
   drift(m, vx * time, vy * time, px[1], py[1], time);
   return true;
@@ -181,14 +198,20 @@ function recordMean(m: Motion, vx: number, vy: number, length: number): void {
   s[KIND] = COAST;
   s[TURN] = TURN_NOT;
   s[DEGREE] = 1;
+  s[NEXT] = s[LENGTH_H] = length;
+  s[ACCELERATION] = 0;
   px[1] = vx;
   py[1] = vy;
   recorder.piece(m, length);
   s.set(kept);
 }
 
+/** Looks that take as long as a piece of an orbit. */
+const LOOKS_A_PIECE = 3;
+
 /** Expands her orbit about the centre, and the way of a target that recoils at `kappa`; returns for how long they hold, s. */
-function expandOrbit(a: number, strength: number, beta: number, kappa: number): number {
+function expandOrbit(m: Motion, a: number, strength: number, beta: number, kappa: number): number {
+  m.budget.look(LOOKS_A_PIECE);
   centralSeries(x, y, -strength, beta, true, true, targetX, targetY, kappa);
   const d = Math.sqrt(x[0] * x[0] + y[0] * y[0]);
   const v2 = x[1] * x[1] + y[1] * y[1];
@@ -208,7 +231,7 @@ function throughOrbit(m: Motion, period: number, a: number, strength: number): v
     targetY[0] = orbit[1];
     targetX[1] = orbit[2];
     targetY[1] = orbit[3];
-    const h = Math.min(expandOrbit(a, strength, GUN_PULL / m.scene.level.range, m.kappa), period - time);
+    const h = Math.min(expandOrbit(m, a, strength, GUN_PULL / m.scene.level.range, m.kappa), period - time);
     pairAt(targetX, targetY, TAYLOR_DEGREE, h, orbit, 0);
     pairAt(x, y, TAYLOR_DEGREE, h, e, 0);
     x[0] = e[0];
@@ -235,7 +258,7 @@ function orbitPeriod(m: Motion, a: number, strength: number): number {
   let time = 0;
   let approaches = false;
   for (let n = 0; n < MOST_PIECES; n++) {
-    const h = expandOrbit(a, strength, beta, 0);
+    const h = expandOrbit(m, a, strength, beta, 0);
     if (!(h > 0)) return 0;
     const outward = (t: number) => {
       pairAt(x, y, TAYLOR_DEGREE, t, e, 0);

@@ -41,6 +41,8 @@ export class RimFlow {
   /** How it presses her onto the rim against the centrifugal force, and how push and centrifugal force do from within, px/s2. */
   pressesIn = 0;
   pressesOut = 0;
+  /** After `series` while both axes are free: coefficients of pressesIn along the way. */
+  readonly pressure = new Float64Array(N - 1);
 
   /** Finds what acts at place u and velocity v when the force outside has its centre at u - w. */
   weigh(x: number, y: number, vx: number, vy: number, wx: number, wy: number): void {
@@ -58,7 +60,7 @@ export class RimFlow {
     this.pressesOut = REPULSOR_PUSH * within + turning;
   }
 
-  /** The acceleration that the speed limit does not hold back, after `weigh` at the same place; into out[at..at + 1]. */
+  /** The mean acceleration after `weigh` at the same place, into out[at..at + 1]; of a limited axis what the limit holds back. */
   accelerate(x: number, y: number, out: Float64Array, at: number): void {
     const r = Math.sqrt(x * x + y * y);
     const s = this.pressesOut / (this.pressesOut + this.pressesIn);
@@ -112,6 +114,7 @@ export class RimFlow {
       }
       const one = n === 0 ? REPULSOR_PUSH : 0;
       denominator[n] = one - pressing / radius;
+      this.pressure[n] = -(pressing + turning) / radius;
       let s = one + turning / radius;
       for (let k = 1; k <= n; k++) s -= denominator[k] * share[n - k];
       share[n] = s / denominator[0];

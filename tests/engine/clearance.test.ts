@@ -4,6 +4,7 @@ import { GRAZED_AT, graze } from '../../bench/soak/contacts.ts';
 import { randomScene } from '../../bench/soak/random-scene.ts';
 import { boxCircleGap, compile, type Run, STATE_SIZE, simulate } from '../../engine/index.ts';
 import type { Level } from '../../schema/index.ts';
+import { plainLevel } from './plain-level.ts';
 
 /** The gap to the nearest hazard at a time, px. */
 function nearestHazard(level: Level, run: Run, time: number): number {
@@ -66,4 +67,35 @@ it('the clearance is found however short she comes so near', () => {
     { numRuns: 3000, endOnFailure: true },
   );
   expect(thin).toBeGreaterThan(30);
+});
+
+it('the clearance knows of asteroids that drift by where recoil has sent them', () => {
+  let passes = 0;
+  fc.assert(
+    fc.property(
+      fc.constantFrom(...GRAZED_AT),
+      fc.integer({ min: 6, max: 40 }),
+      fc.double({ min: 1, max: 6, noNaN: true }),
+      fc.double({ min: 150, max: 400, noNaN: true }),
+      fc.double({ min: 40, max: 120, noNaN: true }),
+      (accuracy, ticks, vy, x, beside) => {
+        // the nova is near at the start; later, in one long coast, the asteroid comes nearer
+        const level = plainLevel({
+          recoil: true,
+          range: 1000,
+          astronaut: { vy },
+          asteroids: [{ x, y: 0, radius: 0.01, hot: true }],
+          novae: [{ x: 0, y: -beside, radius: 16 }],
+        });
+        const run = simulate(compile(level, accuracy), [[0, ticks]], { maxTime: 40 });
+        if (run.outcome === 'collided' || run.clearance === null) return;
+        let least = Number.POSITIVE_INFINITY;
+        for (let i = 0; i <= 1000; i++) least = Math.min(least, nearestHazard(level, run, (run.time * i) / 1000));
+        expect(run.clearance.distance).toBeLessThanOrEqual(least + 1e-6);
+        if (run.clearance.kind === 'asteroid') passes++;
+      },
+    ),
+    { numRuns: 150 },
+  );
+  expect(passes).toBeGreaterThan(20);
 });

@@ -3,8 +3,11 @@ import { describe, expect, it } from 'vitest';
 import { compile, createSimulation, joinHolds, playScript, type Simulation, STATE_SIZE, simulate } from '../../engine/index.ts';
 import { accuracyNames, levelsFor } from './accuracies.ts';
 import { arbitraryHolds, arbitraryPlayableLevel } from './arbitrary-level.ts';
+import { plainLevel } from './plain-level.ts';
 
 const LAST_TICK = 300;
+
+const continuousNames = accuracyNames.filter((name) => name !== 'arcade');
 
 /** Everything that can be seen of a simulation. */
 function view(simulation: Simulation) {
@@ -134,4 +137,39 @@ describe.each(accuracyNames)('a simulation at %s', (accuracy) => {
       { numRuns: 20 },
     );
   });
+});
+
+it.each(continuousNames)('at %s aliens chase the same way after a restore while an asteroid is dragged past her', (accuracy) => {
+  let chasing = 0;
+  fc.assert(
+    fc.property(
+      fc.double({ min: 60, max: 200, noNaN: true }),
+      fc.double({ min: 0.01, max: 3, noNaN: true }),
+      fc.double({ min: 20, max: 60, noNaN: true }),
+      (radius, aside, ahead) => {
+        const level = plainLevel({
+          recoil: true,
+          range: 1000,
+          repulsors: [{ x: -50, y: 0, radius }],
+          asteroids: [{ x: ahead, y: aside, radius: 0.01 }],
+          aliens: [
+            { x: -90, y: 80, radius: 4 },
+            { x: 90, y: -80, radius: 4 },
+          ],
+        });
+        const scene = compile(level, accuracy);
+        const simulation = createSimulation(scene);
+        const other = createSimulation(scene);
+        for (let tick = 0; tick < 90 && simulation.ending === null; tick++) {
+          other.restore(simulation.snapshot());
+          simulation.advance(1, true);
+          other.advance(1, true);
+          expect(view(other)).toEqual(view(simulation));
+          chasing++;
+        }
+      },
+    ),
+    { numRuns: 10 },
+  );
+  expect(chasing).toBeGreaterThan(500);
 });

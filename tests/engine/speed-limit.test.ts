@@ -123,3 +123,44 @@ describe('the speed limit along an axis', () => {
     expect(Math.min(counts.held, counts.free)).toBeGreaterThan(15);
   });
 });
+
+describe('the speed limit on a line through a field', () => {
+  it('lets her pass the asteroid that she holds without moving it, or the field', () => {
+    fc.assert(
+      fc.property(
+        fc.record({
+          accuracy: fc.constantFrom('precise', 'standard', 'fast'),
+          recoil: fc.boolean(),
+          // where the field begins behind her, and the asteroid ahead
+          behind: fc.double({ min: 20, max: 500, noNaN: true }),
+          ahead: fc.double({ min: 50, max: 400, noNaN: true }),
+          vertical: fc.boolean(),
+          mirror: fc.constantFrom(-1, 1),
+        }),
+        ({ accuracy, recoil, behind, ahead, vertical, mirror }) => {
+          const at = (along: number) => (vertical ? { x: 0, y: mirror * along } : { x: mirror * along, y: 0 });
+          const end = 700;
+          const level = plainLevel({
+            recoil,
+            range: 5000,
+            astronaut: vertical ? { vy: mirror * LIMIT } : { vx: mirror * LIMIT },
+            repulsors: [{ ...at(-behind), radius: behind + end }],
+            asteroids: [{ ...at(ahead), radius: 16 }],
+            minerals: [{ x: 3000, y: 3000, radius: 4 }],
+          });
+          const run = simulate(compile(level, accuracy), [[0, 60]], { maxTime: 0.8 });
+          // inside the field the push holds her at the limit; nothing happens but that she leaves it
+          expect(run.events.filter(({ type }) => type !== 'press' && type !== 'target').map(({ type }) => type)).toEqual([
+            'leave',
+          ]);
+          expect(Math.abs((run.events.at(-1)?.time ?? 0) - end / LIMIT)).toBeLessThan(1e-9);
+          const rock = new Float64Array(2);
+          run.trajectory.asteroidsAt(0.7, rock);
+          // dragged to her and back by no more than 1 / 32 px/s2
+          expect(Math.hypot(rock[0] - at(ahead).x, rock[1] - at(ahead).y)).toBeLessThan(recoil ? 0.02 : 1e-12);
+        },
+      ),
+      { numRuns: 60 },
+    );
+  });
+});

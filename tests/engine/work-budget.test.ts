@@ -12,6 +12,7 @@ import {
   WorkLimitReached,
 } from '../../engine/index.ts';
 import { resolveLevel } from '../../schema/index.ts';
+import { plainLevel } from './plain-level.ts';
 
 const ACCURACY = fc.constantFrom<AccuracyName>('precise', 'standard', 'fast', 'arcade');
 const SEED = fc.nat(1_000_000);
@@ -35,6 +36,23 @@ describe('a budget of work', () => {
       }),
       { numRuns: 60 },
     );
+  });
+
+  it('pays for the orbits that are looked through to be skipped', () => {
+    for (const share of [1, 1e-2, 1e-4, 1e-8]) {
+      const across = 3e-7;
+      const level = plainLevel({
+        range: 1000,
+        astronaut: { x: across, vy: share * Math.sqrt(39 * across) },
+        asteroids: [{ x: 0, y: 0, radius: 16 }],
+      });
+      const budget = new WorkBudget();
+      const simulation = createSimulation(compile(level, 'precise'), budget);
+      simulation.advance(300, true);
+      expect(simulation.work.forceEvaluations).toBeGreaterThan(5000);
+      // an eighth of what pieces cost
+      expect(budget.spent).toBeGreaterThan(simulation.work.forceEvaluations / 8);
+    }
   });
 
   it('is used up at the same place however the run is split', () => {

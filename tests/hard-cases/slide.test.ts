@@ -1,6 +1,15 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { type AccuracyName, boxCircleGap, compile, type Run, STATE_SIZE, simulate } from '../../engine/index.ts';
+import {
+  type AccuracyName,
+  boxCircleGap,
+  compile,
+  createSimulation,
+  type Run,
+  STATE_SIZE,
+  simulate,
+  WorkBudget,
+} from '../../engine/index.ts';
 import type { Hold, Level } from '../../schema/index.ts';
 import { type PlainLevel, plainLevel } from '../engine/plain-level.ts';
 import { bounceByBounce } from './bounce.ts';
@@ -82,6 +91,58 @@ describe.each(continuous)('bounces lower than 1e-6 px count as sliding: %s', (ac
   });
 });
 
+describe.each(continuous)('sliding on a rim at the speed limit: %s', (accuracy) => {
+  /** By the angle, in small steps: at the limit along y until what acts would drive her back along it. */
+  function slideAtLimit(level: Level, seconds: number): [x: number, y: number, vy: number] {
+    const { radius } = level.repulsors[0];
+    const [target] = level.asteroids;
+    const h = 1e-4;
+    let angle = Math.atan2(level.astronaut.y, level.astronaut.x);
+    let turn = (level.astronaut.vy * Math.cos(angle) - level.astronaut.vx * Math.sin(angle)) / radius;
+    // acceleration of the angle when she is free
+    const bends = (angle: number, turn: number) => {
+      const [c, s] = [Math.cos(angle), Math.sin(angle)];
+      const [wx, wy] = [target.x - radius * c, target.y - radius * s];
+      const f = 39 * (1 / Math.hypot(wx, wy) - 1 / level.range);
+      const out = f * (wx * c + wy * s);
+      const share = (20 + radius * turn * turn) / (20 - out);
+      return (share * f * (wy * c - wx * s)) / radius;
+    };
+    for (let n = 0; n < seconds / h - 0.5; n++) {
+      const along = bends(angle, turn);
+      const middle = bends(angle + (turn * h) / 2, turn + (along * h) / 2);
+      angle += turn * h + (along * h * h) / 2;
+      turn += middle * h;
+      const limit = 1000 / (radius * Math.abs(Math.cos(angle)));
+      if (Math.abs(turn) > limit) turn = Math.sign(turn) * limit;
+    }
+    return [radius * Math.cos(angle), radius * Math.sin(angle), radius * turn * Math.cos(angle)];
+  }
+
+  it('the limit holds her until the forces would drive her back', () => {
+    const radius = 5e4;
+    for (const sign of [1, -1]) {
+      const level = onRim({
+        range: 1e6,
+        astronaut: { x: -radius, y: 0, vy: sign * 990 },
+        asteroids: [{ x: -radius + 2000, y: sign * 3000, radius: 16 }],
+        repulsors: [{ x: 0, y: 0, radius }],
+      });
+      const run = play(level, accuracy, HELD, 6);
+      let reached = false;
+      for (let time = 0.5; time <= 6; time += 0.5) {
+        const [x, y, vy] = slideAtLimit(level, time);
+        const state = placeAt(run, time);
+        expect(Math.hypot(state[0] - x, state[1] - y)).toBeLessThan(0.02);
+        expect(Math.abs(state[3] - vy)).toBeLessThan(0.02);
+        reached ||= Math.abs(state[3]) === 1000;
+      }
+      expect(reached).toBe(true);
+      expect(Math.abs(placeAt(run, 6)[3])).toBeLessThan(990);
+    }
+  });
+});
+
 describe.each(continuous)('sliding on a rim, against the equation of the angle: %s', (accuracy) => {
   it.each(STARTS)('%s', (_, level) => {
     const run = play(level, accuracy, HELD, 10);
@@ -130,6 +191,26 @@ describe.each(continuous)('sliding on a rim, against the equation of the angle: 
       ),
       { numRuns: 20 },
     );
+  });
+
+  it('goes on at little cost however little holds her', () => {
+    // about the centre of the pull: it holds her with the same small force all the way
+    const radius = 100;
+    const pull = 39 * (1 - radius / 250);
+    for (const rest of [1e-2, 1e-4, 1e-6, 1e-9]) {
+      const level = onRim({
+        astronaut: { x: -radius, y: 0, vy: Math.sqrt(radius * (pull - rest)) },
+        asteroids: [{ x: 0, y: 0, radius: 16 }],
+        repulsors: [{ x: 0, y: 0, radius }],
+      });
+      const budget = new WorkBudget(6000);
+      const simulation = createSimulation(compile(level, accuracy), budget);
+      simulation.advance(600, true);
+      expect(simulation.modes.find(({ name }) => name === 'slide on a rim')?.share).toBeGreaterThan(0.999);
+      const state = new Float64Array(STATE_SIZE);
+      simulation.readState(state);
+      expect(Math.abs(Math.hypot(state[0], state[1]) - radius)).toBeLessThan(1e-9);
+    }
   });
 
   it('between two fields that push towards each other, with the gun or without', () => {

@@ -1,16 +1,27 @@
 import { bisect } from '../bracket.ts';
+import { PATIENCE, safeStretch } from '../march.ts';
 import type { Motion } from '../motion.ts';
 import { lookAt, placeAt } from '../places.ts';
+import { shift } from '../polynomial.ts';
 import { SLOTS } from '../state.ts';
+import { TAYLOR_DEGREE } from '../taylor.ts';
 
 const { LENGTH_H, ACCELERATION, OUTER } = SLOTS;
 
 /** A rim that lets go of her for a shorter time than this does not let go, s: she would be off it by less than 1e-16 px. */
 const SHORTEST = 1e-6;
 
+/** Once the series of the pressure leads, one that falls below 0 by less than this may be overlooked, px/s2. */
+const OVERLOOKED = 1e-10;
+
+const x = new Float64Array(TAYLOR_DEGREE + 1);
+const y = new Float64Array(TAYLOR_DEGREE + 1);
+const about = new Float64Array(TAYLOR_DEGREE - 1);
+
 /**
  * When nothing presses her onto the rim any more that she slides along: she flies out faster than the force outside drives her in.
  * The pressure can't fall faster than a bound, so strides of pressure / bound step over nothing.
+ * Where it stays near 0 for long its series says, after PATIENCE looks, how far it does.
  * @param from s from the start of the piece
  * @returns s from there, too; -1: not before the piece ends
  */
@@ -23,7 +34,8 @@ export function comeOffTime(m: Motion, from: number): number {
   let t = from;
   let before = from;
   work.guards++;
-  for (;;) {
+  for (let n = 0; ; n++) {
+    m.budget.look(1);
     const pressure = pressureAt(m, t);
     if (pressure < 0) return t === from ? t : offBetween(m, before, t);
     if (t >= horizon) return -1;
@@ -36,11 +48,27 @@ export function comeOffTime(m: Motion, from: number): number {
     const own = Math.sqrt(e[2] * e[2] + e[3] * e[3]) + a * cap;
     const turning = (Math.abs(rim.alpha) / (0.72 * d) + rim.beta) * fast;
     const falls = turning + (a * own + 2 * own * a) / rim.radius;
-    const step = Math.min(cap, falls > 0 ? pressure / falls : Number.POSITIVE_INFINITY);
+    let step = Math.min(cap, falls > 0 ? pressure / falls : Number.POSITIVE_INFINITY);
+    if (n >= PATIENCE && rim.freeX && rim.freeY && t + step < horizon) {
+      pressureSeries(m, t);
+      step = Math.max(step, safeStretch(about, about.length - 1, pressure + OVERLOOKED, about[1], 0, horizon - t));
+    }
     if (!(t + step < horizon)) return -1;
     before = t;
     t = Math.min(horizon, t + Math.max(step, stride));
   }
+}
+
+/** Into `about` the coefficients of the pressure about `t`; made again each time, since the piece may have been restored. */
+function pressureSeries(m: Motion, t: number): void {
+  m.budget.look(8);
+  for (let k = 0; k < 2; k++) {
+    x[k] = m.ux[k];
+    y[k] = m.uy[k];
+  }
+  m.rim.series(x, y);
+  about.set(m.rim.pressure);
+  shift(about, about.length - 1, t);
 }
 
 function offBetween(m: Motion, before: number, behind: number): number {
@@ -50,6 +78,12 @@ function offBetween(m: Motion, before: number, behind: number): number {
 
 /** What presses her onto the rim after `t`, px/s2; e[0..3]: u and its velocity, e[8..11]: the centre of the force outside from there. */
 function pressureAt(m: Motion, t: number): number {
+  weighAt(m, t);
+  return m.rim.pressesIn;
+}
+
+/** Finds into `m.rim` what acts on her after `t`; e[0..3]: u and its velocity, e[8..11]: the centre of the force outside from there. */
+export function weighAt(m: Motion, t: number): void {
   const { s, e, rim } = m;
   placeAt(m, t);
   if (s[OUTER] < 0) {
@@ -61,5 +95,4 @@ function pressureAt(m: Motion, t: number): number {
     e[11] = -e[3];
   }
   rim.weigh(e[0], e[1], e[2], e[3], -e[8], -e[9]);
-  return rim.pressesIn;
 }

@@ -1,12 +1,13 @@
 import { SPEED_LIMIT } from '../../constants.ts';
 import { bisect } from '../bracket.ts';
 import { justFired, offer } from '../first-event.ts';
-import { CENTRAL } from '../flow.ts';
+import { CENTRAL, SLIDE } from '../flow.ts';
 import { safeStretch, smallestStride } from '../march.ts';
 import type { Motion } from '../motion.ts';
 import { shift, valueAt } from '../polynomial.ts';
 import { EVENTS, SLOTS } from '../state.ts';
 import { LONGEST_SERIES } from '../taylor.ts';
+import { letGoTime } from './let-go.ts';
 
 const { LIMIT_X, LIMIT_Y, DEGREE, LENGTH_H } = SLOTS;
 const { LIMIT, UNLIMIT } = EVENTS;
@@ -27,6 +28,7 @@ export function considerLimits(m: Motion, from: number): void {
   for (let axis = 0; axis < 2; axis++) {
     const held = s[axis === 0 ? LIMIT_X : LIMIT_Y];
     if (held !== 0) {
+      if (m.flow.kind === SLIDE) offer(m, letGoTime(m, axis, from), UNLIMIT, axis, 0);
       // on a line both axes are free; without a force nothing drives her back
       if (m.flow.kind !== CENTRAL) continue;
       offer(m, firstBelow(m, placeGuard(m, axis, m.flow.alpha > 0 ? held : -held), from, false), UNLIMIT, axis, 0);
