@@ -1,7 +1,7 @@
 import { SPEED_LIMIT } from '../../constants.ts';
 import { bisect } from '../bracket.ts';
 import { justFired, offer } from '../first-event.ts';
-import { CENTRAL, SLIDE } from '../flow.ts';
+import { CENTRAL, LINEAR, SLIDE } from '../flow.ts';
 import { safeStretch, smallestStride } from '../march.ts';
 import type { Motion } from '../motion.ts';
 import { shift, valueAt } from '../polynomial.ts';
@@ -36,8 +36,24 @@ export function considerLimits(m: Motion, from: number): void {
     }
     const released = justFired(m, LIMIT, axis);
     for (let sign = -1; sign <= 1; sign += 2) {
-      offer(m, firstBelow(m, velocityGuard(m, axis, sign), from, released), LIMIT, axis, sign);
+      offer(m, limitTime(m, axis, sign, from, released), LIMIT, axis, sign);
     }
+  }
+}
+
+/**
+ * When she comes to the limit along an axis and is driven on. Where she is driven back, a step is beyond the limit only by
+ * its own error, and would be held and let go again without end.
+ */
+function limitTime(m: Motion, axis: number, sign: number, from: number, released: boolean): number {
+  const { kind, alpha } = m.flow;
+  const driving = alpha > 0 ? sign : -sign;
+  for (let t = from; ; ) {
+    const time = firstBelow(m, velocityGuard(m, axis, sign), t, released && t === from);
+    if (time < 0 || (kind !== CENTRAL && kind !== LINEAR)) return time;
+    if (valueAt(guard, placeGuard(m, axis, driving), time) > 0) return time;
+    t = firstBelow(m, placeGuard(m, axis, -driving), time, false);
+    if (t < 0) return -1;
   }
 }
 
