@@ -28,6 +28,18 @@ export function smallestStride(length: number): number {
   return Math.min(1e-10, length * 1e-6);
 }
 
+/** More than the rounding of a time, as a share of it. */
+const TIME_ROUNDING = 2.3e-16;
+
+/**
+ * Where a march looks next, s: a step on, `small` at least, and never at the same time again. On a coast without an end times grow
+ * so large that a small stride is lost in them.
+ */
+export function lookNext(t: number, step: number, small: number, horizon: number): number {
+  const next = t + Math.max(step, small);
+  return Math.min(horizon, next > t ? next : t + t * TIME_ROUNDING);
+}
+
 /**
  * Looks after which a march that has neither crossed nor passed its guard takes the guard's polynomial to hand: a step by its
  * coefficients costs tens of looks, but where a guard stays near 0 for long it is as long as the piece.

@@ -1,7 +1,7 @@
 import { ALIEN_PULL } from '../../constants.ts';
 import { bisect } from '../bracket.ts';
 import { offer } from '../first-event.ts';
-import { FLOOR, PATIENCE, safeStep, safeStretch, smallestStride } from '../march.ts';
+import { FLOOR, lookNext, PATIENCE, safeStep, safeStretch, smallestStride } from '../march.ts';
 import type { Motion } from '../motion.ts';
 import { alienTravel } from '../neighbourhood.ts';
 import { alienPlaceAt } from '../places.ts';
@@ -68,7 +68,7 @@ export function considerPair(m: Motion, i: number, j: number, from: number): voi
     }
     if (!(t + step < horizon)) return;
     before = t;
-    t = Math.min(horizon, t + Math.max(step, small));
+    t = lookNext(t, step, small, horizon);
   }
 }
 

@@ -1,5 +1,5 @@
 import { bisect } from '../bracket.ts';
-import { safeStep } from '../march.ts';
+import { lookNext, safeStep } from '../march.ts';
 import type { Motion } from '../motion.ts';
 import { lookAt, placeAt } from '../places.ts';
 import { pairAt } from '../polynomial.ts';
@@ -62,6 +62,6 @@ function passTime(m: Motion, from: number, way: Way, k: number): number {
     const step = safeStep(Math.max(g, 0), slope, k);
     if (!(t + step < horizon)) return -1;
     before = t;
-    t = Math.min(horizon, t + Math.max(step, s[LENGTH_H] * 1e-9));
+    t = lookNext(t, step, s[LENGTH_H] * 1e-9, horizon);
   }
 }

@@ -1,5 +1,5 @@
 import { bisect } from '../bracket.ts';
-import { PATIENCE, safeStretch } from '../march.ts';
+import { lookNext, PATIENCE, safeStretch } from '../march.ts';
 import type { Motion } from '../motion.ts';
 import { lookAt, placeAt } from '../places.ts';
 import { shift } from '../polynomial.ts';
@@ -55,7 +55,7 @@ export function comeOffTime(m: Motion, from: number): number {
     }
     if (!(t + step < horizon)) return -1;
     before = t;
-    t = Math.min(horizon, t + Math.max(step, stride));
+    t = lookNext(t, step, stride, horizon);
   }
 }
 

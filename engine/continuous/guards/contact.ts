@@ -2,7 +2,7 @@ import { HALF_DIAGONAL, HALF_HEIGHT, HALF_WIDTH } from '../../constants.ts';
 import { boxCircleGap } from '../../contact/index.ts';
 import { bisect } from '../bracket.ts';
 import { relativeAt } from '../circle.ts';
-import { FLOOR, PATIENCE, safeStep, smallestStride } from '../march.ts';
+import { FLOOR, lookNext, PATIENCE, safeStep, smallestStride } from '../march.ts';
 import type { Motion } from '../motion.ts';
 import { lookAt } from '../places.ts';
 import { SLOTS, TURNS } from '../state.ts';
@@ -174,7 +174,7 @@ export function sweptTime(m: Motion, r: number, pull: number, from: number): num
     }
     if (!(t + step < horizon)) return -1;
     before = t;
-    t = Math.min(horizon, t + Math.max(step, small));
+    t = lookNext(t, step, small, horizon);
   }
 }
 

@@ -1,5 +1,6 @@
 import { REPULSOR_PUSH } from '../../constants.ts';
 import { bisect } from '../bracket.ts';
+import { lookNext } from '../march.ts';
 import type { Motion } from '../motion.ts';
 import { SLOTS } from '../state.ts';
 import { weighAt } from './come-off.ts';
@@ -47,7 +48,7 @@ export function letGoTime(m: Motion, axis: number, from: number): number {
     const step = Math.min(cap, falls > 0 ? drives / falls : Number.POSITIVE_INFINITY);
     if (!(t + step < horizon)) return -1;
     before = t;
-    t = Math.min(horizon, t + Math.max(step, stride));
+    t = lookNext(t, step, stride, horizon);
   }
 }
 

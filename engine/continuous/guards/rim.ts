@@ -1,6 +1,6 @@
 import { bisect } from '../bracket.ts';
 import { relativeAt, relativeSeries } from '../circle.ts';
-import { FLOOR, PATIENCE, safeStep, safeStretch, smallestStride } from '../march.ts';
+import { FLOOR, lookNext, PATIENCE, safeStep, safeStretch, smallestStride } from '../march.ts';
 import type { Motion } from '../motion.ts';
 import { addProduct, valueAt } from '../polynomial.ts';
 import { SLOTS } from '../state.ts';
@@ -68,7 +68,7 @@ export function rimTime(m: Motion, r: number, inward: boolean, pull: number, fro
     }
     if (!(t + step < horizon)) return -1;
     before = t;
-    t = Math.min(horizon, t + Math.max(step, small));
+    t = lookNext(t, step, small, horizon);
   }
 }
 

@@ -2,7 +2,7 @@ import { SPEED_LIMIT } from '../../constants.ts';
 import { bisect } from '../bracket.ts';
 import { justFired, offer } from '../first-event.ts';
 import { CENTRAL, LINEAR, SLIDE } from '../flow.ts';
-import { safeStretch, smallestStride } from '../march.ts';
+import { lookNext, safeStretch, smallestStride } from '../march.ts';
 import type { Motion } from '../motion.ts';
 import { shift, valueAt } from '../polynomial.ts';
 import { EVENTS, SLOTS } from '../state.ts';
@@ -96,7 +96,7 @@ function firstBelow(m: Motion, degree: number, from: number, atZero: boolean): n
     const step = safeStretch(about, degree, Math.max(0, g) + OVERLOOKED, slope, 0, horizon - t);
     if (!(t + step < horizon)) return -1;
     before = t;
-    t = Math.min(horizon, t + Math.max(step, small));
+    t = lookNext(t, step, small, horizon);
   }
 }
 

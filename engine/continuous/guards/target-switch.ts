@@ -1,7 +1,7 @@
 import { bisect } from '../bracket.ts';
 import { placeRock, relativeAt, relativeSeries } from '../circle.ts';
 import { justFired } from '../first-event.ts';
-import { PATIENCE, safeStep, safeStretch, smallestStride } from '../march.ts';
+import { lookNext, PATIENCE, safeStep, safeStretch, smallestStride } from '../march.ts';
 import type { Motion } from '../motion.ts';
 import { addProduct, pairAt, shift, valueAt } from '../polynomial.ts';
 import { EVENTS, SLOTS } from '../state.ts';
@@ -52,7 +52,7 @@ export function switchTime(m: Motion, i: number, from: number): number {
     }
     if (!(t + step < horizon)) return -1;
     before = t;
-    t = Math.min(horizon, t + Math.max(step, small));
+    t = lookNext(t, step, small, horizon);
   }
 }
 
