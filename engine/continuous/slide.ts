@@ -1,6 +1,6 @@
 import { GUN_PULL, REPULSOR_PUSH } from '../constants.ts';
 import { actingField } from './fields.ts';
-import { PIECE_SHARE } from './integrator.ts';
+import { CONVERGENCE, PIECE_SHARE } from './integrator.ts';
 import type { Motion } from './motion.ts';
 import { pairAt } from './polynomial.ts';
 import { EVENTS, RECORDS, SLOTS } from './state.ts';
@@ -35,9 +35,6 @@ const SHORTEST_BOUNCE = 1 / 2000;
 
 /** So near to the centre of the force outside it has no direction to be relied on, px. */
 const NO_DIRECTION = 1e-7;
-
-/** Largest part of the time to the centre of the force outside that a piece may reach: the series has a singularity there. */
-const CONVERGENCE = 0.6;
 
 /** Longest piece, s. */
 const LONGEST = 4;

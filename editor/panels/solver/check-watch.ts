@@ -1,8 +1,9 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { AccuracyName } from '../../../engine/index.ts';
 import type { LevelFile } from '../../../schema/index.ts';
-import type { LiveProof, ProofStore } from '../../proof/index.ts';
-import type { Job, Results, Workers } from '../../workers/index.ts';
+import type { LiveProof } from '../../proof/index.ts';
+import type { Job, Results } from '../../workers/index.ts';
+import type { WatchParts } from './proof-watch.ts';
 
 /** What a worker has found out about a level that the page does not play itself. */
 export interface Checked {
@@ -16,13 +17,6 @@ export interface Checked {
 export interface CheckWatch {
   readonly store: StoreApi<Checked | null>;
   close(): void;
-}
-
-interface WatchParts {
-  readonly level: { readonly proof: ProofStore };
-  readonly workers: Pick<Workers, 'start'>;
-  /** Calls back once the page has rested for so many ms. @returns takes it back */
-  readonly afterRest: (ms: number, call: () => void) => () => void;
 }
 
 /** ms without a change: the page tries it with more patience first */

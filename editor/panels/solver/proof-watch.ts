@@ -9,7 +9,8 @@ export interface ProofWatch {
   close(): void;
 }
 
-interface WatchParts {
+/** What a watch of the open level needs. */
+export interface WatchParts {
   readonly level: { readonly proof: ProofStore };
   readonly workers: Pick<Workers, 'start'>;
   /** Calls back once the page has rested for so many ms. @returns takes it back */
