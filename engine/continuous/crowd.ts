@@ -20,6 +20,16 @@ const MARGIN = 1e-3;
 /** How much farther than asked sleepers are looked for, so that the next times nobody has to look, px. */
 const AHEAD = 256;
 
+/** Stands where a pair has no second. */
+export const NOBODY = -1;
+
+/** The same list with room for as many again. */
+function grown(list: Int32Array<ArrayBuffer>): Int32Array<ArrayBuffer> {
+  const longer = new Int32Array(2 * list.length);
+  longer.set(list);
+  return longer;
+}
+
 /**
  * Who of the aliens is awake, and where the others sleep. All of it follows from the state and is made from it after a restore; so
  * it is kept up to date only where an alien wakes, falls asleep or explodes, and sleepers cost nothing while she is away from them.
@@ -43,6 +53,10 @@ export class Crowd {
   private astray: number[] = [];
   /** Before this the list of explosions is over. */
   private explosion = 0;
+  /** What {@link meetings} found. */
+  first = new Int32Array(MANY_AWAKE);
+  second = new Int32Array(MANY_AWAKE);
+  private met = 0;
 
   constructor(private readonly m: Motion) {
     const { aliens } = m.scene;
@@ -181,27 +195,45 @@ export class Crowd {
   }
 
   /**
-   * Calls `pair` with at least all pairs of which one is awake and that may touch within `h` s from the start of the piece, by their
-   * first and then by their second; and `visit` with each that is awake, after the pairs that it is the first of. Which events are
-   * found first can depend on that order, and it is the one of looking at all pairs.
+   * Finds at least all pairs of which one is awake and that may touch within `h` s from the start of the piece: `first` and `second`
+   * of each, by their first and then by their second; and after the pairs that it is the first of each that is awake, with NOBODY
+   * as the second. Which events are found first can depend on that order, and it is the one of looking at all pairs.
+   * @returns how many
    */
-  eachAwake(h: number, pair: (i: number, j: number) => void, visit: (i: number) => void): void {
+  meetings(h: number): number {
+    this.met = 0;
+    const { s, chasers, scene } = this.m;
+    const { count } = scene.aliens;
+    if (count > MANY_AWAKE) {
+      this.meetingsOfMany(h);
+      return this.met;
+    }
+    for (let i = 0; i < count; i++) {
+      const state = s[chasers + CHASER * i + 4];
+      if (state === GONE) continue;
+      for (let j = i + 1; j < count; j++) {
+        const other = s[chasers + CHASER * j + 4];
+        if (other === AWAKE || (state === AWAKE && other === ASLEEP)) this.meet(i, j);
+      }
+      if (state === AWAKE) this.meet(i, NOBODY);
+    }
+    return this.met;
+  }
+
+  private meet(i: number, j: number): void {
+    if (this.met === this.first.length) {
+      this.first = grown(this.first);
+      this.second = grown(this.second);
+    }
+    this.first[this.met] = i;
+    this.second[this.met++] = j;
+  }
+
+  private meetingsOfMany(h: number): void {
     const { s, chasers, scene } = this.m;
     const { aliens } = scene;
     const count = s[AWAKE_COUNT];
     const { awake } = this;
-    if (aliens.count <= MANY_AWAKE) {
-      for (let i = 0; i < aliens.count; i++) {
-        const state = s[chasers + CHASER * i + 4];
-        if (state === GONE) continue;
-        for (let j = i + 1; j < aliens.count; j++) {
-          const other = s[chasers + CHASER * j + 4];
-          if (other === AWAKE || (state === AWAKE && other === ASLEEP)) pair(i, j);
-        }
-        if (state === AWAKE) visit(i);
-      }
-      return;
-    }
     this.m.budget.look(4 * count);
     const partners = this.partnersAmongAwake(h);
     // those of which the sleeper comes first in the list
@@ -225,15 +257,15 @@ export class Crowd {
     let next = 0;
     for (let k = 0; k < count; k++) {
       const i = awake[k];
-      for (; next < before.length && before[next][0] < i; next++) pair(before[next][0], before[next][1]);
+      for (; next < before.length && before[next][0] < i; next++) this.meet(before[next][0], before[next][1]);
       const all = partners(k);
       this.m.budget.look(2 + 3 * all.length);
       for (const j of after[k]) all.push(j);
       all.sort((a, b) => a - b);
-      for (const j of all) pair(i, j);
-      visit(i);
+      for (const j of all) this.meet(i, j);
+      this.meet(i, NOBODY);
     }
-    for (; next < before.length; next++) pair(before[next][0], before[next][1]);
+    for (; next < before.length; next++) this.meet(before[next][0], before[next][1]);
   }
 
   /** For the k-th that is awake: those awake behind it in the list that it may touch within `h` s. */

@@ -1,5 +1,6 @@
 import { ALIEN_PULL, ALIEN_SIGHT, HALF_DIAGONAL, SPEED_LIMIT } from '../constants.ts';
 import { placeAlien, placeCircle, placeRock, SERIES } from './circle.ts';
+import { NOBODY } from './crowd.ts';
 import { justFired, offer } from './first-event.ts';
 import { LINEAR, SLIDE } from './flow.ts';
 import { considerPair } from './guards/alien-pair.ts';
@@ -50,7 +51,7 @@ const {
   COME_OFF,
   PIECE_END,
 } = EVENTS;
-const { CHASER } = RECORDS;
+const { CHASER, ROCK } = RECORDS;
 const { AHEAD, BEHIND } = MEETINGS;
 
 /** Locates the first event in (FROM, LENGTH_H] of the piece; the natural end where nothing happens before. */
@@ -82,7 +83,7 @@ export function locate(m: Motion): void {
   }
   const { explosions } = m.scene.aliens;
   if (s[AWAKE_COUNT] > 0 || (s[START] === 0 && explosions.length > 0)) considerAwake(m, x, y, travel, from);
-  considerCover(m, from);
+  considerCover(m, x, y, reach, from);
   if (s[KIND] === LINEAR) offer(m, centreTime(m, from), CENTRE, 0, 0);
   if (s[MEETS] === AHEAD || s[MEETS] === BEHIND) offer(m, meetingTime(m, from), CENTRE, 1, 0);
   if (speed + (s[ACCELERATION] + m.kappa) * h >= SPEED_LIMIT || s[LIMIT_X] !== 0 || s[LIMIT_Y] !== 0) considerLimits(m, from);
@@ -133,36 +134,32 @@ function consider(m: Motion, kind: number, i: number, from: number): void {
 
 /** Aliens that are awake, and pairs with one of them, those asleep are in the neighbour list; at the start those that overlap, too. */
 function considerAwake(m: Motion, x: number, y: number, travel: number, from: number): void {
-  const { s, scene } = m;
-  const { aliens } = scene;
+  const { s, crowd } = m;
+  const { aliens } = m.scene;
+  const { explosions } = aliens;
   const h = s[LENGTH_H];
   // the first two that overlap where the level has them, asleep; one that is awake is told with its pairs
-  let first = m.crowd.overlapAtStart();
-  const overlapBefore = (i: number): void => {
-    if (first < 0 || aliens.explosions[first] > i) return;
-    considerPair(m, aliens.explosions[first], aliens.explosions[first + 1], from);
-    first = -1;
-  };
-  if (s[AWAKE_COUNT] > 0) {
-    m.crowd.eachAwake(
-      h,
-      (i, j) => {
-        overlapBefore(i);
-        // two that touch at once are found: other pairs come later
-        if (s[EVENT] <= PAIR && s[NEXT] - m.sameInstant <= from) return;
-        considerPair(m, i, j, from);
-      },
-      (i) => {
-        overlapBefore(i);
-        const o = m.chasers + CHASER * i;
-        const d = Math.sqrt((s[o] - x) * (s[o] - x) + (s[o + 1] - y) * (s[o + 1] - y));
-        const moves = travel + alienTravel(m, i, h);
-        if (d + moves > ALIEN_SIGHT - 1e-6) considerRim(m, i, SLEEP, from);
-        if (d - moves < aliens.r[i] + HALF_DIAGONAL + 1e-6) considerAlienTouch(m, i, from);
-      },
-    );
+  let overlap = explosions.length > 0 ? crowd.overlapAtStart() : -1;
+  const count = s[AWAKE_COUNT] > 0 ? crowd.meetings(h) : 0;
+  for (let k = 0; k < count; k++) {
+    const i = crowd.first[k];
+    const j = crowd.second[k];
+    if (overlap >= 0 && explosions[overlap] <= i) {
+      considerPair(m, explosions[overlap], explosions[overlap + 1], from);
+      overlap = -1;
+    }
+    if (j !== NOBODY) {
+      // two that touch at once are found: other pairs come later
+      if (s[EVENT] > PAIR || s[NEXT] - m.sameInstant > from) considerPair(m, i, j, from);
+      continue;
+    }
+    const o = m.chasers + CHASER * i;
+    const d = Math.sqrt((s[o] - x) * (s[o] - x) + (s[o + 1] - y) * (s[o + 1] - y));
+    const moves = travel + alienTravel(m, i, h);
+    if (d + moves > ALIEN_SIGHT - 1e-6) considerRim(m, i, SLEEP, from);
+    if (d - moves < aliens.r[i] + HALF_DIAGONAL + 1e-6) considerAlienTouch(m, i, from);
   }
-  overlapBefore(aliens.count);
+  if (overlap >= 0) considerPair(m, explosions[overlap], explosions[overlap + 1], from);
 }
 
 function considerRim(m: Motion, i: number, event: number, from: number): void {
@@ -177,14 +174,24 @@ function considerAlienTouch(m: Motion, i: number, from: number): void {
   offer(m, contactTime(m, m.scene.aliens.r[i], pull, from), ALIEN_TOUCH, i, 0);
 }
 
-/** The asteroid that keeps her in range: when she leaves its range another may take over, or she is lost. */
-function considerCover(m: Motion, from: number): void {
+/**
+ * The asteroid that keeps her in range: when she leaves its range another may take over, or she is lost.
+ * @param x, y where she is at the start of the piece, px from the origin
+ * @param reach how much farther from it she may be on the piece, px
+ */
+function considerCover(m: Motion, x: number, y: number, reach: number, from: number): void {
   const { s, scene } = m;
   const cover = s[COVER];
   if (cover < 0) {
     offer(m, from, LEAVE_COVER, -1, 0);
     return;
   }
+  const { range } = scene.level;
+  const within = range - reach - 1e-6;
+  const o = m.rocks + ROCK * cover;
+  const dx = (m.recoil ? s[o] : m.targetX[cover]) - x;
+  const dy = (m.recoil ? s[o + 1] : m.targetY[cover]) - y;
+  if (within > 0 && dx * dx + dy * dy < within * within) return;
   placeRock(m, cover);
-  offer(m, rimTime(m, scene.level.range, false, m.kappa, from, false), LEAVE_COVER, cover, 0);
+  offer(m, rimTime(m, range, false, m.kappa, from, false), LEAVE_COVER, cover, 0);
 }

@@ -1,5 +1,5 @@
 import { ALIEN_SIGHT, GUN_PULL, TICK, TICK_RATE } from '../constants.ts';
-import { bisect } from './bracket.ts';
+import { crossing } from './bracket.ts';
 import { CENTRAL, COAST } from './flow.ts';
 import type { Motion } from './motion.ts';
 import { farthestRockTravel, refresh } from './neighbourhood.ts';
@@ -260,15 +260,15 @@ function orbitPeriod(m: Motion, a: number, strength: number): number {
   for (let n = 0; n < MOST_PIECES; n++) {
     const h = expandOrbit(m, a, strength, beta, 0);
     if (!(h > 0)) return 0;
-    const outward = (t: number) => {
+    const inward = (t: number) => {
       pairAt(x, y, TAYLOR_DEGREE, t, e, 0);
-      return e[0] * e[2] + e[1] * e[3] > 0;
+      return -(e[0] * e[2] + e[1] * e[3]);
     };
     m.work.forceEvaluations++;
-    if (outward(h)) {
+    if (inward(h) < 0) {
       // near a circle rounding makes turning points of its own
       if (approaches && (found === 0 || time + h > shortest)) {
-        const t = bisect(0, h, outward);
+        const t = crossing(0, h, inward);
         pairAt(x, y, TAYLOR_DEGREE, t, e, 0);
         if (found === 1) {
           const both = Math.sqrt((fromX * fromX + fromY * fromY) * (e[0] * e[0] + e[1] * e[1]));

@@ -95,7 +95,7 @@ describe('a budget of work', () => {
   });
 
   it('that is used up before the run begins stops it at the start', () => {
-    const budget = new WorkBudget(1);
+    const budget = new WorkBudget(0);
     for (const name of ['everything', 'recoil', 'ring-of-aliens']) {
       const level = resolveLevel(HEAVY_LEVELS[name](0.05));
       const run = simulate(compile(level), level.runs[0].holds, { budget });

@@ -1,5 +1,5 @@
 import { ALIEN_PULL } from '../../constants.ts';
-import { bisect } from '../bracket.ts';
+import { crossing } from '../bracket.ts';
 import { offer } from '../first-event.ts';
 import { FLOOR, lookNext, PATIENCE, safeStep, safeStretch, smallestStride } from '../march.ts';
 import type { Motion } from '../motion.ts';
@@ -76,7 +76,7 @@ export function considerPair(m: Motion, i: number, j: number, from: number): voi
 function touchBetween(m: Motion, i: number, j: number, reach: number, before: number, behind: number): number {
   m.work.roots++;
   const degree = pairSeries(m, i, j, reach, before);
-  return before + bisect(0, behind - before, (t) => valueAt(guard, degree, t) < 0);
+  return crossing(before, behind, (t) => valueAt(guard, degree, t - before));
 }
 
 /** Into `guard` the coefficients of d^2 - reach^2 about `t`; returns their degree. */

@@ -1,4 +1,4 @@
-import { bisect } from '../bracket.ts';
+import { crossing } from '../bracket.ts';
 import { lookNext, safeStep } from '../march.ts';
 import type { Motion } from '../motion.ts';
 import { lookAt, placeAt } from '../places.ts';
@@ -56,7 +56,7 @@ function passTime(m: Motion, from: number, way: Way, k: number): number {
     } else if (g < 0) {
       if (n === 0) return t;
       work.roots++;
-      return bisect(before, t, (time) => way(m, time) < 0);
+      return crossing(before, t, (time) => way(m, time));
     }
     if (t >= horizon) return -1;
     const step = safeStep(Math.max(g, 0), slope, k);

@@ -1,4 +1,4 @@
-import { bisect } from '../bracket.ts';
+import { crossing } from '../bracket.ts';
 import { lookNext, PATIENCE, safeStretch } from '../march.ts';
 import type { Motion } from '../motion.ts';
 import { lookAt, placeAt } from '../places.ts';
@@ -73,7 +73,7 @@ function pressureSeries(m: Motion, t: number): void {
 
 function offBetween(m: Motion, before: number, behind: number): number {
   m.work.roots++;
-  return bisect(before, behind, (t) => pressureAt(m, t) < 0);
+  return crossing(before, behind, (t) => pressureAt(m, t));
 }
 
 /** What presses her onto the rim after `t`, px/s2; e[0..3]: u and its velocity, e[8..11]: the centre of the force outside from there. */

@@ -1,6 +1,6 @@
 import { HALF_DIAGONAL, HALF_HEIGHT, HALF_WIDTH } from '../../constants.ts';
 import { boxCircleGap } from '../../contact/index.ts';
-import { bisect } from '../bracket.ts';
+import { crossing } from '../bracket.ts';
 import { relativeAt } from '../circle.ts';
 import { FLOOR, lookNext, PATIENCE, safeStep, smallestStride } from '../march.ts';
 import type { Motion } from '../motion.ts';
@@ -20,6 +20,9 @@ const UNCERTAIN = 8;
 
 /** An overlap that begins within this begins at once, s. */
 const AT_ONCE = 1e-18;
+
+/** Where the box looked when its gap was last asked for: cos, sin. */
+const look = new Float64Array(2);
 
 /** The cubic of a Runge-Kutta step may bend by this much more than the strongest pull, see {@link dragRungeKutta}. */
 const CUBIC_BENDS = 5 / 3;
@@ -154,7 +157,7 @@ export function sweptTime(m: Motion, r: number, pull: number, from: number): num
       g = fineGap(m, t, r, cos, sin);
       rounding = 0;
     }
-    if (g < 0) return t === from ? t : contactBetween(m, before, t, r);
+    if (g < 0) return t === from ? t : contactBetween(m, before, t, r, before === from);
     // n, the nearest point, and the slope: n.R^T D' + w (n x q)
     const ax = (lx < 0 ? -nx : nx) / norm;
     const ay = (ly < 0 ? -ny : ny) / norm;
@@ -200,6 +203,13 @@ function cornerStep(
 
 /** Gap between her box and the placed circle after `t`, px. */
 export function gapAt(m: Motion, t: number, r: number): number {
+  const gap = plainGapAt(m, t, r);
+  const uncertain = UNCERTAIN * roundingOfGap(m, r);
+  return gap < uncertain && gap > -uncertain ? fineGap(m, t, r, look[0], look[1]) : gap;
+}
+
+/** The same, but for {@link roundingOfGap}. */
+function plainGapAt(m: Motion, t: number, r: number): number {
   const { s, e } = m;
   relativeAt(m, t);
   let cos = s[COS];
@@ -218,14 +228,24 @@ export function gapAt(m: Motion, t: number, r: number): number {
       sin = by / d;
     }
   }
-  const gap = boxCircleGap(e[4], e[5], cos, sin, r);
-  const uncertain = UNCERTAIN * ROUNDING * (Math.abs(e[4]) + Math.abs(e[5]) + r);
-  return gap < uncertain && gap > -uncertain ? fineGap(m, t, r, cos, sin) : gap;
+  look[0] = cos;
+  look[1] = sin;
+  return boxCircleGap(e[4], e[5], cos, sin, r);
 }
 
-/** When she begins to overlap it; `before` itself where she touches there and moves on into it. */
-function contactBetween(m: Motion, before: number, behind: number, r: number): number {
+/** What rounding may do to the gap to a circle that is as far from her as in e[4], e[5], px. */
+function roundingOfGap(m: Motion, r: number): number {
+  return ROUNDING * (Math.abs(m.e[4]) + Math.abs(m.e[5]) + r);
+}
+
+/**
+ * When she begins to overlap it; `before` itself where she touches there and moves on into it.
+ * @param touches she may touch at `before`
+ */
+function contactBetween(m: Motion, before: number, behind: number, r: number, touches: boolean): number {
   m.work.roots++;
-  const t = bisect(before, behind, (time) => gapAt(m, time, r) < 0);
+  // twice the digits cost twenty times as much: only where plain ones err by more than may be overlooked anyway
+  const isPlain = !touches && 2 * roundingOfGap(m, r) < FLOOR;
+  const t = crossing(before, behind, isPlain ? (time) => plainGapAt(m, time, r) : (time) => gapAt(m, time, r));
   return t - before < AT_ONCE ? before : t;
 }

@@ -1,5 +1,5 @@
 import { REPULSOR_PUSH } from '../../constants.ts';
-import { bisect } from '../bracket.ts';
+import { crossing } from '../bracket.ts';
 import { lookNext } from '../march.ts';
 import type { Motion } from '../motion.ts';
 import { SLOTS } from '../state.ts';
@@ -54,7 +54,7 @@ export function letGoTime(m: Motion, axis: number, from: number): number {
 
 function goneBetween(m: Motion, axis: number, before: number, behind: number): number {
   m.work.roots++;
-  return bisect(before, behind, (t) => driveAt(m, axis, t) < 0);
+  return crossing(before, behind, (t) => driveAt(m, axis, t));
 }
 
 /** How she would be accelerated along the axis, in the direction of the limit, were she free, px/s2. */

@@ -1,4 +1,4 @@
-import { bisect } from '../bracket.ts';
+import { crossing } from '../bracket.ts';
 import { relativeAt, relativeSeries } from '../circle.ts';
 import { FLOOR, lookNext, PATIENCE, safeStep, safeStretch, smallestStride } from '../march.ts';
 import type { Motion } from '../motion.ts';
@@ -89,5 +89,5 @@ function rimBetween(m: Motion, before: number, behind: number, r: number, sign: 
   relativeAt(m, before);
   const d = Math.sqrt(e[4] * e[4] + e[5] * e[5]);
   const degree = rimSeries(m, before, Math.max(0, sign * (d - r) * (d + r)), sign);
-  return before + bisect(0, behind - before, (t) => valueAt(guard, degree, t) < 0);
+  return crossing(before, behind, (t) => valueAt(guard, degree, t - before));
 }

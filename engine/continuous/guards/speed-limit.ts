@@ -1,5 +1,5 @@
 import { SPEED_LIMIT } from '../../constants.ts';
-import { bisect } from '../bracket.ts';
+import { crossing } from '../bracket.ts';
 import { justFired, offer } from '../first-event.ts';
 import { CENTRAL, LINEAR, SLIDE } from '../flow.ts';
 import { lookNext, safeStretch, smallestStride } from '../march.ts';
@@ -105,5 +105,5 @@ function rootBetween(m: Motion, degree: number, before: number, behind: number):
   m.work.roots++;
   for (let k = 0; k <= degree; k++) about[k] = guard[k];
   shift(about, degree, before);
-  return before + bisect(0, behind - before, (t) => valueAt(about, degree, t) < 0);
+  return crossing(before, behind, (t) => valueAt(about, degree, t - before));
 }

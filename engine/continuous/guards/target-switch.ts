@@ -1,4 +1,4 @@
-import { bisect } from '../bracket.ts';
+import { crossing } from '../bracket.ts';
 import { placeRock, relativeAt, relativeSeries } from '../circle.ts';
 import { justFired } from '../first-event.ts';
 import { lookNext, PATIENCE, safeStep, safeStretch, smallestStride } from '../march.ts';
@@ -40,7 +40,9 @@ export function switchTime(m: Motion, i: number, from: number): number {
       if (n > 0) return switchBetween(m, i, before, t);
       if (!atZero && (e[9] < 0 || g < -1e-9)) return t;
     }
+    // within a tie the root may lie behind already
     if (g < 0) g = 0;
+    else before = t;
     if (t >= horizon) return -1;
     // e[9]: slope, e[10]: how fast it may fall
     const slope = e[9];
@@ -51,7 +53,6 @@ export function switchTime(m: Motion, i: number, from: number): number {
       step = Math.max(step, safeStretch(guard, switchSeries(m, i, t), above, slope, 0, horizon - t));
     }
     if (!(t + step < horizon)) return -1;
-    before = t;
     t = lookNext(t, step, small, horizon);
   }
 }
@@ -62,7 +63,7 @@ function switchBetween(m: Motion, i: number, before: number, behind: number): nu
   const value = Math.max(0, switchGuard(m, i, before));
   const degree = switchSeries(m, i, before);
   guard[0] = value;
-  return before + bisect(0, behind - before, (t) => valueAt(guard, degree, t) < 0);
+  return crossing(before, behind, (t) => valueAt(guard, degree, t - before));
 }
 
 /** Into `guard` the coefficients of {@link switchGuard} about `t`; returns their degree. */
