@@ -55,7 +55,9 @@ function view(simulation: Simulation): string {
   simulation.readState(state);
   simulation.readAliens(aliens);
   simulation.readAsteroids(asteroids);
-  return [simulation.tick, JSON.stringify(simulation.ending), simulation.mineralCount, state, aliens, asteroids].join(' ');
+  // an end on a tick belongs to the call before as well as to the one after
+  const tick = simulation.ending === null ? simulation.tick : 'over';
+  return [tick, JSON.stringify(simulation.ending), simulation.mineralCount, state, aliens, asteroids].join(' ');
 }
 
 /**
@@ -73,6 +75,8 @@ export function checkScene({ level, holds, maxTime }: RandomScene, seed: number)
       for (const what of verifyRun(scene, holds, run, slack, DRIFT[accuracy])) bug(what);
       const whole = wholeRun(scene, holds, maxTime, bug);
       if (splitRun(scene, holds, maxTime, seed) !== whole) bug('split, with snapshots, it is another run');
+      if (ticksOf(scene, holds, maxTime) !== whole) bug('tick by tick it is another run');
+      if (!endsAs(run, scene, holds, maxTime)) bug('recorded it is another run');
       if (accuracy === 'precise') findings.push(...atTwoTolerances(level, holds, maxTime, run));
     } catch (error) {
       bug(`throws ${error instanceof Error ? error.message : error}`);
@@ -108,6 +112,29 @@ function splitRun(scene: Scene, holds: readonly Hold[], maxTime: number, seed: n
     [simulation, other] = [other, simulation];
   }
   return view(simulation);
+}
+
+/** The same run advanced by single ticks. */
+function ticksOf(scene: Scene, holds: readonly Hold[], maxTime: number): string {
+  const simulation = createSimulation(scene);
+  const held = new Uint8Array(Math.round(maxTime * TICK_RATE));
+  for (const [press, release] of joinHolds(holds)) held.fill(1, press, release);
+  for (let tick = 0; tick < held.length && simulation.ending === null; tick++) simulation.advance(1, held[tick] === 1);
+  return view(simulation);
+}
+
+/** Whether an unrecorded run ends in the bits of the recorded one. */
+function endsAs(run: Run, scene: Scene, holds: readonly Hold[], maxTime: number): boolean {
+  const simulation = createSimulation(scene);
+  playScript(simulation, joinHolds(holds), maxTime * TICK_RATE);
+  const [state, recorded] = [new Float64Array(STATE_SIZE), new Float64Array(STATE_SIZE)];
+  simulation.readState(state);
+  run.trajectory.at(run.time, recorded);
+  return (
+    (simulation.ending?.outcome ?? 'timeout') === run.outcome &&
+    (simulation.ending?.time ?? maxTime) === run.time &&
+    state.every((value, i) => Object.is(value, recorded[i]) || value === recorded[i])
+  );
 }
 
 function atTwoTolerances(level: Level, holds: readonly Hold[], maxTime: number, run: Run): Finding[] {

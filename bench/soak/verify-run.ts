@@ -46,7 +46,11 @@ export function verifyRun(scene: Scene, holds: readonly Hold[], run: Run, slack:
   const awake = level.aliens.map((a) => distance(a, level.astronaut.x, level.astronaut.y) < 150);
   const collected = level.minerals.map(() => false);
   const dead = level.aliens.map(() => false);
-  const inside = level.repulsors.map((f) => distance(f, level.astronaut.x, level.astronaut.y) < f.radius);
+  // of fields that are equal the first stands for all
+  const first = level.repulsors.map((f) =>
+    level.repulsors.findIndex(({ x, y, radius }) => x === f.x && y === f.y && radius === f.radius),
+  );
+  const inside = level.repulsors.map((f, i) => first[i] === i && distance(f, level.astronaut.x, level.astronaut.y) < f.radius);
   // of several that contain her the first acts
   let field = inside.indexOf(true);
   let target = -1;
@@ -112,6 +116,7 @@ export function verifyRun(scene: Scene, holds: readonly Hold[], run: Run, slack:
       if (off > 1e-9 + (1e-15 * scale(scene)) / d) complain(`box ${at} is turned ${off} away from target ${target}`);
     }
     for (const [i, f] of level.repulsors.entries()) {
+      if (first[i] !== i) continue;
       const d = distance(f, x, y);
       if (near) break;
       // she may slide along a rim a little to either side of it

@@ -111,8 +111,10 @@ function quietTime(m: Motion): number {
         const dx = x + m.originX - repulsors.x[i];
         const dy = y + m.originY - repulsors.y[i];
         const d = Math.sqrt(dx * dx + dy * dy);
-        const slope = d > repulsors.r[i] ? (dx * vx + dy * vy) / d : -v;
-        time = Math.min(time, safeStep(Math.max(0, Math.abs(d - repulsors.r[i]) - 1e-6), slope, STRONGEST));
+        // at the rim the flag says which side counts, not the rounded distance
+        const inside = s[m.inside + i] === 1;
+        const gap = (inside ? repulsors.r[i] - d : d - repulsors.r[i]) - 1e-6;
+        time = gap > 0 ? Math.min(time, safeStep(gap, inside ? -v : (dx * vx + dy * vy) / d, STRONGEST)) : 0;
         break;
       }
       case WAKE:
