@@ -10,7 +10,10 @@ const MOST_PIECES: Readonly<Record<Exclude<AccuracyName, 'arcade'>, number>> = {
   fast: 20_000,
 };
 
-/** Asteroids nearer to each other or to her start than this, px, make orbits so small that other things interrupt every turn. */
+/**
+ * Asteroids nearer to each other or to her start than this, px, make orbits so small that other things interrupt every turn; in a
+ * field of a smaller radius than this, every other rim and every tie is a corner in which she is thrown to and fro.
+ */
 const CLUSTER = 0.01;
 
 /** What the dearest second of a run took. */
@@ -44,14 +47,16 @@ export function dearestSecond(scene: Scene, holds: readonly Hold[], maxTime: num
 }
 
 /**
- * Looks for runs that take pieces without end. A cluster of asteroids within a hundredth of a pixel of each other or of her start
- * may take any number of them: it is named, not held against the engine.
+ * Looks for runs that take pieces without end. A cluster of asteroids within a hundredth of a pixel of each other or of her start,
+ * or a field as small as that, may take many of them: it is named, not held against the engine.
  */
 export function checkPieces({ level, holds, maxTime }: RandomScene): Finding[] {
   const findings: Finding[] = [];
-  const { astronaut, asteroids } = level;
+  const { astronaut, asteroids, repulsors } = level;
   const near = (a: { x: number; y: number }, b: { x: number; y: number }) => Math.hypot(a.x - b.x, a.y - b.y) < CLUSTER;
-  const cluster = asteroids.some((a, i) => near(a, astronaut) || asteroids.some((b, j) => j < i && near(a, b)));
+  const cluster =
+    asteroids.some((a, i) => near(a, astronaut) || asteroids.some((b, j) => j < i && near(a, b))) ||
+    repulsors.some(({ radius }) => radius < CLUSTER);
   for (const accuracy of ['precise', 'standard', 'fast'] as const) {
     const most = MOST_PIECES[accuracy];
     const { pieces, time } = dearestSecond(compile(level, accuracy), holds, maxTime, most);
