@@ -144,15 +144,19 @@ function atTwoTolerances(level: Level, holds: readonly Hold[], maxTime: number, 
   // a start moved by a billionth of a pixel that ends otherwise, too, says that the run is at fault, not the engine
   const { x, y } = level.astronaut;
   const step = Math.max(1e-9, 1e-15 * Math.max(Math.abs(x), Math.abs(y)));
-  const moved = [
+  const moves = [
     [step, 0],
     [-step, 0],
     [0, step],
     [0, -step],
-  ].map(([dx, dy]) =>
-    simulate(compile({ ...level, astronaut: { ...level.astronaut, x: x + dx, y: y + dy } }, TIGHTER), holds, { maxTime }),
+  ];
+  const hangs = [run, tighter].some((still, i) =>
+    moves.some(([dx, dy]) => {
+      const of = { ...level, astronaut: { ...level.astronaut, x: x + dx, y: y + dy } };
+      const moved = simulate(compile(of, i === 0 ? 'precise' : TIGHTER), holds, { maxTime });
+      return ending(moved) !== ending(still) || Math.abs(moved.time - still.time) > 1e-6;
+    }),
   );
-  const hangs = moved.some((m) => ending(m) !== ending(tighter) || Math.abs(m.time - tighter.time) > 1e-6);
   return [{ kind: hangs ? 'hangs' : 'bug', accuracy: 'precise', what: `two tolerances: ${difference}` }];
 }
 

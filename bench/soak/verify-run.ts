@@ -110,7 +110,7 @@ export function verifyRun(scene: Scene, holds: readonly Hold[], run: Run, slack:
     if (target >= 0 && rockDistance[target] > least + slack && !near) {
       complain(`target ${target} ${at} is ${rockDistance[target] - least} px farther than the nearest`);
     }
-    if (target >= 0 && rockDistance[target] > 1e-3) {
+    if (target >= 0 && rockDistance[target] > 1e-3 && !near) {
       const d = rockDistance[target];
       const off = Math.hypot((rocks[2 * target] - x) / d - cos, (rocks[2 * target + 1] - y) / d - sin);
       if (off > 1e-9 + (1e-15 * scale(scene)) / d) complain(`box ${at} is turned ${off} away from target ${target}`);

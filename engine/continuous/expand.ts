@@ -30,7 +30,7 @@ const {
 } = SLOTS;
 const { CHASER, ROCK } = RECORDS;
 const { AWAKE } = ALERTNESS;
-const { NOT, TOGETHER } = MEETINGS;
+const { NOT, AHEAD, BEHIND } = MEETINGS;
 
 /** Looks that take as long as the series of a chaser. */
 const LOOKS_A_CHASER = 8;
@@ -136,15 +136,28 @@ export function expandChasers(m: Motion, longest: number): number {
 function longestDrag(m: Motion): number {
   const aliens = m.scene.aliens.count;
   beginSeries(m, aliens);
+  if (staysInHer(m)) return Number.POSITIVE_INFINITY;
   return m.s[MEETS] === NOT ? untilMeeting(m, m.chaserX[aliens], m.chaserY[aliens]) : LONGEST_DRAG;
 }
 
 /** The rock that she holds while she is in a field. */
 function expandDragged(m: Motion, longest: number): number {
   const aliens = m.scene.aliens.count;
-  if (m.s[MEETS] === NOT) return expandChaser(m, aliens, m.kappa, longest);
+  if (m.s[MEETS] === NOT && !staysInHer(m)) return expandChaser(m, aliens, m.kappa, longest);
   dragOnLine(m, m.chaserX[aliens], m.chaserY[aliens]);
   return longest;
+}
+
+/** She rests in the centre of a field: a rock that would swing through her by less than counts as a swing stays in her centre. */
+function staysInHer(m: Motion): boolean {
+  const { s, wx, wy } = m;
+  if (s[KIND] !== COAST) return false;
+  const o = m.chasers + CHASER * m.scene.aliens.count;
+  const dx = wx[0] - s[o];
+  const dy = wy[0] - s[o + 1];
+  const vx = wx[1] - s[o + 2];
+  const vy = wy[1] - s[o + 3];
+  return Math.sqrt(dx * dx + dy * dy) + (vx * vx + vy * vy) / (2 * m.kappa) < SMALLEST_ORBIT;
 }
 
 function expandChaser(m: Motion, i: number, pull: number, longest: number): number {
@@ -184,7 +197,7 @@ export function restoreChasers(m: Motion): void {
 /** On her line the rock is accelerated evenly until it meets her; one that stays in her centre goes where she goes. */
 function dragOnLine(m: Motion, qx: Float64Array, qy: Float64Array): void {
   const { s, wx, wy } = m;
-  if (s[MEETS] === TOGETHER) {
+  if (s[MEETS] !== AHEAD && s[MEETS] !== BEHIND) {
     qx.set(wx);
     qy.set(wy);
     return;
@@ -207,6 +220,7 @@ function untilMeeting(m: Motion, qx: Float64Array, qy: Float64Array): number {
   const vy = wy[1] - qy[1];
   const d = Math.sqrt(dx * dx + dy * dy);
   const v2 = vx * vx + vy * vy;
+  if (d === 0 && v2 === 0) return CLOSEST_PASS;
   const time = (2 * d) / (Math.sqrt(v2) + Math.sqrt(v2 + 2 * (m.s[ACCELERATION] + m.kappa) * d));
   return Math.max(CLOSEST_PASS, CONVERGENCE * time);
 }

@@ -10,7 +10,9 @@
 export function safeStep(g: number, dg: number, k: number): number {
   const root = Math.sqrt(dg * dg + 2 * k * g);
   if (dg < 0) return (2 * g) / (root - dg);
-  return k > 0 ? (dg + root) / k : Number.POSITIVE_INFINITY;
+  if (k === 0) return Number.POSITIVE_INFINITY;
+  // where the product under the root is too small for a number
+  return root > 0 ? (dg + root) / k : Math.sqrt((2 * g) / k);
 }
 
 /**
@@ -49,10 +51,10 @@ export const PATIENCE = 32;
 /**
  * How far a polynomial, less `bend` t^2 / 2, stays at or above 0, given as its coefficients about the present place:
  * a safe step, which takes the exact second derivative and all beyond it into account. On [0, h]
- * p(t) >= c0 + c1 t - F(h) t^2 with F(h) = sum over k >= 2 of max(0, -ck) h^(k - 2), since h^(k - 2) t^2 >= t^k there; so
+ * p(t) >= c0 + c1 t + (c2 - F(h)) t^2 with F(h) = sum over k >= 3 of max(0, -ck) h^(k - 2), since h^(k - 2) t^2 >= t^k there; so
  * the root of that parabola is safe as far as h. The longest of h = longest, longest / 2, ... that it reaches is taken.
  * @param c coefficients from the second on are used
- * @param c0 value, > 0
+ * @param c0 value, >= 0
  * @param c1 slope
  * @param bend bound on what else bends it down, >= 0
  * @param longest how far the coefficients and `bend` hold; Infinity only for a parabola
@@ -62,11 +64,19 @@ export function safeStretch(c: Float64Array, degree: number, c0: number, c1: num
   for (let h = longest; h > best; h /= 2) {
     let fall = 0;
     for (let k = degree; k > 2; k--) fall = (fall + Math.max(0, -c[k])) * h;
-    if (degree >= 2) fall += Math.max(0, -c[2]);
-    const step = safeStep(c0, c1, 2 * fall + bend);
+    if (degree >= 2) fall -= c[2];
+    const step = parabolaStep(c0, c1, 2 * fall + bend);
     if (step >= h) return h;
     if (degree <= 2) return step;
     best = Math.max(best, step);
   }
   return best;
+}
+
+/** {@link safeStep} where the guard may also bend up: k < 0. */
+function parabolaStep(g: number, dg: number, k: number): number {
+  if (k >= 0) return safeStep(g, dg, k);
+  if (dg >= 0) return Number.POSITIVE_INFINITY;
+  const square = dg * dg + 2 * k * g;
+  return square < 0 ? Number.POSITIVE_INFINITY : (2 * g) / (Math.sqrt(square) - dg);
 }
