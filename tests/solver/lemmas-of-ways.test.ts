@@ -1,0 +1,243 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { type AccuracyName, compile, createSimulation, GUN_PULL, TICK } from '../../engine/index.ts';
+import type { Level } from '../../schema/index.ts';
+import { swingDrift } from '../../solver/proofs/swing-drift.ts';
+import { claimOf } from '../../solver/verify/claim.ts';
+import { accuracyNames } from '../levels/shipped-pack.ts';
+import { crowdedLevel } from './proofs-crowded.ts';
+
+// More of what proofs take for granted, see lemmas.test.ts: what follows from where she was and how she went.
+
+const HOLE = { kind: 'blackHole' } as const;
+const RANGE = 250;
+
+const whole = (min: number, max: number) => fc.integer({ min, max });
+const real = (min: number, max: number) => fc.integer({ min: 0, max: 2 ** 30 }).map((n) => min + ((max - min) * n) / 2 ** 30);
+const rock = (x: number, y: number, radius: number) => ({ id: null, x, y, radius, hot: false });
+
+const level = (asteroids: Level['asteroids'], more: Partial<Level> = {}): Level => ({
+  name: 'lemma',
+  description: '',
+  astronaut: { x: 0, y: 0, vx: 0, vy: 0 },
+  blackHole: { x: 0, y: 1e7, radius: 18 },
+  range: RANGE,
+  recoil: false,
+  asteroids,
+  novae: [],
+  repulsors: [],
+  aliens: [],
+  minerals: [],
+  runs: [],
+  ...more,
+});
+
+interface Look {
+  readonly s: readonly number[];
+  readonly rocks: readonly number[];
+}
+
+/** Whether the button is held in the next tick, from what is seen at its start. */
+type Player = (look: Look, luck: number) => boolean;
+
+/** Her state and the asteroids' places at each tick while the run goes on. */
+function watch(of: Level, accuracy: AccuracyName, ticks: number, player: Player, luck: () => number): Look[] {
+  const simulation = createSimulation(compile(of, accuracy));
+  const state = new Float64Array(6);
+  const places = new Float64Array(2 * of.asteroids.length);
+  const looks: Look[] = [];
+  const look = (): Look => {
+    simulation.readState(state);
+    simulation.readAsteroids(places);
+    return { s: [...state], rocks: [...places] };
+  };
+  looks.push(look());
+  for (let tick = 0; tick < ticks; tick++) {
+    simulation.advance(1, player(looks[tick], luck()));
+    if (simulation.ending !== null) break;
+    looks.push(look());
+  }
+  return looks;
+}
+
+/** A button that changes now and then. */
+const script = fc.array(whole(1, 60), { minLength: 5, maxLength: 30 });
+const playing = (lengths: readonly number[]): Player => {
+  let left = lengths[0];
+  let k = 0;
+  return () => {
+    while (left === 0) left = lengths[++k % lengths.length];
+    left--;
+    return k % 2 === 0;
+  };
+};
+
+describe('chord: between two frames outside of a disc she enters it no deeper than a chord as long as the jump', () => {
+  it('arcade', () => {
+    let deepest = 0;
+    fc.assert(
+      fc.property(crowdedLevel, script, whole(0, 300), real(-1, 1), real(1.01, 4), (of, lengths, at, aside, size) => {
+        const { jump } = claimOf(of, HOLE, 60, 'frames');
+        const looks = watch(of, 'arcade', 400, playing(lengths), () => 0);
+        const i = Math.min(at, looks.length - 2);
+        if (i < 0) return;
+        const [ax, ay] = looks[i].s;
+        const [bx, by] = looks[i + 1].s;
+        const far = Math.hypot(bx - ax, by - ay);
+        if (far === 0) return;
+        // a disc whose rim the frame's ends lie on or outside of, its centre beside the middle of the way
+        const r = (size * jump) / 2;
+        const off = Math.sqrt(Math.max(0, r * r - (far * far) / 4)) * (aside < 0 ? aside / 100 - 1 : 1 + aside / 100);
+        const centre = { x: (ax + bx) / 2 - (off * (by - ay)) / far, y: (ay + by) / 2 + (off * (bx - ax)) / far };
+        if (Math.hypot(ax - centre.x, ay - centre.y) < r || Math.hypot(bx - centre.x, by - centre.y) < r) return;
+        const bound = Math.sqrt(r * r - (jump * jump) / 4);
+        for (let k = 0; k <= 32; k++) {
+          const d = Math.hypot(ax + ((bx - ax) * k) / 32 - centre.x, ay + ((by - ay) * k) / 32 - centre.y);
+          if (d < bound) expect.fail(`${r - d} px deep of ${r - bound}`);
+          deepest = Math.max(deepest, (r - d) / (r - bound));
+        }
+      }),
+      { numRuns: 1500 },
+    );
+    expect(deepest).toBeGreaterThan(0.1);
+  });
+});
+
+describe('fall drift: on a fall the asteroid makes at most the share of her way that its acceleration has of hers', () => {
+  it.each(accuracyNames)('%s', (accuracy) => {
+    let closest = 0;
+    fc.assert(
+      fc.property(real(30, 200), real(0, 6.3), fc.constantFrom(0.05, 1, 16), script, (d, turn, radius, lengths) => {
+        const [ux, uy] = [Math.cos(turn), Math.sin(turn)];
+        const of = level([rock(d * ux, d * uy, radius)], { recoil: true });
+        const share = 1 / (2 * radius * GUN_PULL * (1 - d / RANGE));
+        for (const { s, rocks } of watch(of, accuracy, 1200, playing(lengths), () => 0)) {
+          const left = (rocks[0] - s[0]) * ux + (rocks[1] - s[1]) * uy;
+          if (left <= 0) break;
+          const way = s[0] * ux + s[1] * uy;
+          const moved = Math.hypot(rocks[0] - d * ux, rocks[1] - d * uy);
+          // frames move her by the velocity they end with, and a hundredth is allowed for that
+          if (moved > 1.01 * share * way + 1e-9) expect.fail(`${moved} px of ${share * way}`);
+          if (way > 1) closest = Math.max(closest, moved / (share * way));
+        }
+      }),
+      { numRuns: 60 },
+    );
+    expect(closest).toBeGreaterThan(0.8);
+  });
+});
+
+describe('swing drift: an asteroid that she swings through drifts no farther than is claimed', () => {
+  it.each(['fast', 'standard', 'precise'] as const)('%s', (accuracy) => {
+    let most = 0;
+    const chance = real(0, 1);
+    fc.assert(
+      fc.property(
+        real(5, 120),
+        fc.constantFrom(16, 32),
+        fc.tuple(chance, chance, chance, chance),
+        real(0, 120),
+        fc.infiniteStream(chance),
+        (centre, radius, chances, from, numbers) => {
+          const of = level([rock(centre, 0, radius)], { recoil: true });
+          const luck = () => numbers.next().value as number;
+          const side = ({ s, rocks }: Look) => s[0] - rocks[0];
+          const inwards = (look: Look) => look.s[2] * side(look) < 0;
+          const mixed: Player = (look, random) =>
+            random < chances[(side(look) > 0 ? 2 : 0) + (inwards(look) ? 0 : 1)] &&
+            (side(look) > 0 || Math.abs(side(look)) > from);
+          const greedy: Player = (look) =>
+            side(look) < 0 ? inwards(look) && -side(look) > Math.min(from, centre / 2) : !inwards(look) || side(look) < from;
+          for (const player of [mixed, greedy]) {
+            const looks = watch(of, accuracy, 3600, player, luck);
+            const seconds = (looks.length - 1) * TICK;
+            const places = looks.map(({ s }) => s[0]);
+            const stretch = { centre, back: Math.min(...places), front: Math.max(...places) };
+            const always = (1.01 * seconds * seconds) / 4 / radius;
+            const bound = swingDrift(radius, RANGE, stretch, seconds, always);
+            for (const { rocks } of looks) {
+              if (centre - rocks[0] > bound.back + 1e-9) expect.fail(`${centre - rocks[0]} px back of ${bound.back}`);
+              if (rocks[0] - centre > bound.ahead + 1e-9) expect.fail(`${rocks[0] - centre} px ahead of ${bound.ahead}`);
+              most = Math.max(most, (centre - rocks[0]) / bound.back, (rocks[0] - centre) / bound.ahead);
+            }
+          }
+        },
+      ),
+      { numRuns: 30 },
+    );
+    expect(most).toBeGreaterThan(0.05);
+  });
+});
+
+/** She flies to the right; asteroids ahead of her pull her forward as long as she is left of all of them. */
+const ahead = fc.record({
+  vx: real(5, 100),
+  vy: real(-60, 60),
+  asteroids: fc.array(
+    fc.record({ x: real(40, 240), y: real(-120, 120) }).map(({ x, y }) => rock(x, y, 16)),
+    { minLength: 1, maxLength: 4 },
+  ),
+});
+
+describe('slopes: where all pushes go forward, the slope of her way only turns towards their slopes', () => {
+  it('precise', () => {
+    let turned = 0;
+    fc.assert(
+      fc.property(ahead, script, ({ vx, vy, asteroids }, lengths) => {
+        const of = level(asteroids, { astronaut: { x: 0, y: 0, vx, vy }, range: 1000 });
+        const first = Math.min(...asteroids.map(({ x }) => x));
+        let before: Look | null = null;
+        for (const look of watch(of, 'precise', 240, playing(lengths), () => 0)) {
+          const [x, y, u, v] = look.s;
+          if (x >= first - 1) break;
+          if (before !== null) {
+            const slopes: number[] = [];
+            // of the pushes between the two looks: extremes over both places, with room for what lies between them
+            const room = (p: number, q: number) => 0.02 * (1 + Math.abs(p) + Math.abs(q)) * Math.max(1, 20 / (first - x));
+            for (const [px, py] of [before.s, look.s]) {
+              for (const a of asteroids) slopes.push((a.y - py) / (a.x - px));
+            }
+            const [low, high] = [Math.min(...slopes), Math.max(...slopes)];
+            const [was, is] = [before.s[3] / before.s[2], v / u];
+            const slack = room(low, high);
+            if (is > Math.max(was, high + slack) + 1e-9 || is < Math.min(was, low - slack) - 1e-9)
+              expect.fail(`slope ${is} after ${was}, pushes from ${low} to ${high} at ${x}, ${y}`);
+            if (Math.abs(is - was) > 1e-3) turned++;
+          }
+          before = look;
+        }
+      }),
+      { numRuns: 300 },
+    );
+    expect(turned).toBeGreaterThan(500);
+  });
+});
+
+describe('leaving: on slopes that take her nearer to another asteroid than to the one before, that is never the nearest again', () => {
+  it('precise', () => {
+    let left = 0;
+    fc.assert(
+      fc.property(ahead, real(-200, 0), real(-150, 150), script, ({ vx, vy, asteroids }, ox, oy, lengths) => {
+        const old = rock(ox, oy, 16);
+        const of = level([...asteroids, old], { astronaut: { x: 0, y: 0, vx, vy }, range: 1000 });
+        const looks = watch(of, 'precise', 240, playing(lengths), () => 0);
+        const far = ({ s }: Look, a: { x: number; y: number }) => Math.hypot(s[0] - a.x, s[1] - a.y);
+        for (const taker of asteroids) {
+          const from = looks.findIndex((look) => far(look, taker) <= far(look, old));
+          if (from < 0) continue;
+          for (let i = from + 1; i < looks.length; i++) {
+            const [u, v] = looks[i].s.slice(2);
+            // each stretch of her way so far went nearer to the taker than to the one before
+            if (u <= 0 || (taker.x - old.x) * u + (taker.y - old.y) * v <= 0) break;
+            const [pu, pv] = looks[i - 1].s.slice(2);
+            if (pu <= 0 || (taker.x - old.x) * pu + (taker.y - old.y) * pv <= 0) break;
+            left++;
+            if (far(looks[i], old) < far(looks[i], taker) - 1e-9) expect.fail(`the one before is the nearer at look ${i}`);
+          }
+        }
+      }),
+      { numRuns: 300 },
+    );
+    expect(left).toBeGreaterThan(1000);
+  });
+});
