@@ -157,7 +157,7 @@ export function verifyRun(scene: Scene, holds: readonly Hold[], run: Run, slack:
     before = near ? null : { time, state: state.slice(), modes };
 
     function keepsInvariants(a: Float64Array, b: Float64Array, m: Modes) {
-      if (Math.max(Math.abs(a[2]), Math.abs(a[3]), Math.abs(b[2]), Math.abs(b[3])) > 999.99) return;
+      if (Math.max(Math.abs(a[2]), Math.abs(a[3]), Math.abs(b[2]), Math.abs(b[3])) > 1000 - 39 * TICK) return;
       const speed = Math.hypot(a[2], a[3]);
       if (!m.held && m.field < 0) {
         const off = Math.hypot(b[2] - a[2], b[3] - a[3]) + Math.hypot(b[0] - a[0] - a[2] * TICK, b[1] - a[1] - a[3] * TICK);

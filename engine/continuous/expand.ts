@@ -41,6 +41,9 @@ const CROWDED_REACH = 128;
 /** Shortest piece that a rock's close pass makes, s. */
 const CLOSEST_PASS = 1e-8;
 
+/** Longest piece of a rock that the gun holds in her centre while she is accelerated, s. */
+const LONGEST_STAY = 1 / 240;
+
 /** Longest piece of a rock that is dragged along a line, so that bounds over it stay tight, s. */
 const LONGEST_DRAG = 4;
 
@@ -136,8 +139,9 @@ export function expandChasers(m: Motion, longest: number): number {
 function longestDrag(m: Motion): number {
   const aliens = m.scene.aliens.count;
   beginSeries(m, aliens);
-  if (staysInHer(m)) return Number.POSITIVE_INFINITY;
-  return m.s[MEETS] === NOT ? untilMeeting(m, m.chaserX[aliens], m.chaserY[aliens]) : LONGEST_DRAG;
+  if (m.s[MEETS] !== NOT) return LONGEST_DRAG;
+  if (staysInHer(m)) return m.s[KIND] === COAST ? Number.POSITIVE_INFINITY : LONGEST_STAY;
+  return untilMeeting(m, m.chaserX[aliens], m.chaserY[aliens]);
 }
 
 /** The rock that she holds while she is in a field. */
@@ -148,16 +152,22 @@ function expandDragged(m: Motion, longest: number): number {
   return longest;
 }
 
-/** She rests in the centre of a field: a rock that would swing through her by less than counts as a swing stays in her centre. */
+/**
+ * A rock that would swing through her by less than counts as a swing stays in her centre: where nothing accelerates her by more
+ * than the gun accelerates it, the gun holds it there. Her series must be known.
+ */
 function staysInHer(m: Motion): boolean {
   const { s, wx, wy } = m;
-  if (s[KIND] !== COAST) return false;
   const o = m.chasers + CHASER * m.scene.aliens.count;
   const dx = wx[0] - s[o];
   const dy = wy[0] - s[o + 1];
+  const d = Math.sqrt(dx * dx + dy * dy);
+  if (d > SMALLEST_ORBIT) return false;
   const vx = wx[1] - s[o + 2];
   const vy = wy[1] - s[o + 3];
-  return Math.sqrt(dx * dx + dy * dy) + (vx * vx + vy * vy) / (2 * m.kappa) < SMALLEST_ORBIT;
+  const { kappa } = m;
+  if (d + (vx * vx + vy * vy) / (2 * kappa) > SMALLEST_ORBIT) return false;
+  return s[KIND] === COAST || 4 * (wx[2] * wx[2] + wy[2] * wy[2]) <= kappa * kappa;
 }
 
 function expandChaser(m: Motion, i: number, pull: number, longest: number): number {

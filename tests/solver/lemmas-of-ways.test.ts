@@ -198,7 +198,8 @@ describe('slopes: where all pushes go forward, the slope of her way only turns t
               for (const a of asteroids) slopes.push((a.y - py) / (a.x - px));
             }
             const [low, high] = [Math.min(...slopes), Math.max(...slopes)];
-            const [was, is] = [before.s[3] / before.s[2], v / u];
+            const was: number = before.s[3] / before.s[2];
+            const is: number = v / u;
             const slack = room(low, high);
             if (is > Math.max(was, high + slack) + 1e-9 || is < Math.min(was, low - slack) - 1e-9)
               expect.fail(`slope ${is} after ${was}, pushes from ${low} to ${high} at ${x}, ${y}`);

@@ -1,0 +1,41 @@
+import { expect, it } from 'vitest';
+import { randomScene } from '../../bench/soak/random-scene.ts';
+import { compile, simulate, WorkBudget } from '../../engine/index.ts';
+import { plainLevel } from './plain-level.ts';
+
+// In a field the gun drags what it holds, and that may lie in her very centre.
+
+const CONTINUOUS = ['fast', 'standard', 'precise'] as const;
+
+it.each(CONTINUOUS)('at rest in the centre of a field with it she stays there, and so does it: %s', (accuracy) => {
+  for (const apart of [0, 1e-300, 1e-12]) {
+    const level = plainLevel({
+      asteroids: [{ x: apart, y: 0, radius: 16 }],
+      repulsors: [{ x: 0, y: 0, radius: 100 }],
+      recoil: true,
+      range: 250,
+    });
+    const budget = new WorkBudget();
+    const run = simulate(compile(level, accuracy), [[10, 300]], { maxTime: 6, budget });
+    expect(run.outcome).toBe('timeout');
+    expect([run.final.x, run.final.y, run.final.vx, run.final.vy]).toEqual([0, 0, 0, 0]);
+    const places = new Float64Array(2);
+    run.trajectory.asteroidsAt(6, places);
+    expect(Math.hypot(...places)).toBeLessThan(1e-11);
+    expect(budget.spent).toBeLessThan(1000);
+  }
+});
+
+it.each(CONTINUOUS)('in scenes where she also slides along a rim, numbers stay finite and work small: %s', (accuracy) => {
+  for (const seed of [30_279, 22_978, 30_909, 34_301, 209_007]) {
+    const { level, holds, maxTime } = randomScene(seed);
+    const budget = new WorkBudget();
+    const run = simulate(compile(level, accuracy), holds, { maxTime, budget });
+    const state = new Float64Array(6);
+    for (let t = 0; t <= run.time; t += 1 / 60) {
+      run.trajectory.at(t, state);
+      if (!state.every(Number.isFinite)) expect.fail(`${state} at ${t} s`);
+    }
+    expect(budget.spent).toBeLessThan(20_000);
+  }
+});
