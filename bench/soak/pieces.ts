@@ -1,13 +1,21 @@
-import { type AccuracyName, compile, createSimulation, joinHolds, type Scene } from '../../engine/index.ts';
+import {
+  type AccuracyName,
+  compile,
+  createSimulation,
+  joinHolds,
+  type Scene,
+  WorkBudget,
+  WorkLimitReached,
+} from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import type { Finding } from './check-scene.ts';
 import type { RandomScene } from './random-scene.ts';
 
 /** More pieces than this in a second of play mean that a run does not go on. */
 const MOST_PIECES: Readonly<Record<Exclude<AccuracyName, 'arcade'>, number>> = {
-  precise: 10_000,
-  standard: 20_000,
-  fast: 20_000,
+  precise: 20_000,
+  standard: 60_000,
+  fast: 60_000,
 };
 
 /**
@@ -29,15 +37,22 @@ export interface DearestSecond {
  * @param most from so many pieces in a second on it is not played on
  */
 export function dearestSecond(scene: Scene, holds: readonly Hold[], maxTime: number, most: number): DearestSecond {
-  const simulation = createSimulation(scene);
+  // a single tick may take more than anybody waits for
+  const budget = new WorkBudget(2 * most * maxTime);
+  const simulation = createSimulation(scene, budget);
   const script = joinHolds(holds);
   const counts: number[] = [0];
   let dearest: DearestSecond = { pieces: 0, time: 0 };
   for (let tick = 0; tick < 60 * maxTime && simulation.ending === null; tick++) {
-    simulation.advance(
-      1,
-      script.some(([press, release]) => press <= tick && tick < release),
-    );
+    try {
+      simulation.advance(
+        1,
+        script.some(([press, release]) => press <= tick && tick < release),
+      );
+    } catch (error) {
+      if (!(error instanceof WorkLimitReached)) throw error;
+      return { pieces: Number.POSITIVE_INFINITY, time: tick / 60 };
+    }
     counts.push(simulation.work.pieces);
     const pieces = simulation.work.pieces - counts[Math.max(0, counts.length - 61)];
     if (pieces > dearest.pieces) dearest = { pieces, time: tick / 60 };

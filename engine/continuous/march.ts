@@ -48,6 +48,9 @@ export function lookNext(t: number, step: number, small: number, horizon: number
  */
 export const PATIENCE = 32;
 
+/** A stretch of which no more than this many halvings are safe is shorter than the smallest stride. */
+const MOST_HALVINGS = 44;
+
 /**
  * How far a polynomial, less `bend` t^2 / 2, stays at or above 0, given as its coefficients about the present place:
  * a safe step, which takes the exact second derivative and all beyond it into account. On [0, h]
@@ -61,7 +64,7 @@ export const PATIENCE = 32;
  */
 export function safeStretch(c: Float64Array, degree: number, c0: number, c1: number, bend: number, longest: number): number {
   let best = 0;
-  for (let h = longest; h > best; h /= 2) {
+  for (let h = longest, halvings = 0; h > best && halvings < MOST_HALVINGS; h /= 2, halvings++) {
     let fall = 0;
     for (let k = degree; k > 2; k--) fall = (fall + Math.max(0, -c[k])) * h;
     if (degree >= 2) fall -= c[2];
