@@ -1,5 +1,6 @@
 import type { LevelFile } from '../../schema/index.ts';
 import { seeded } from '../scenes/seeded.ts';
+import { degenerateScene } from './degenerate-scene.ts';
 import { HEAVY_LEVELS, taps } from './heavy-levels.ts';
 
 /** Bytes that a level file may have, and a little room. */
@@ -15,6 +16,7 @@ export function randomHeavy(seed: number): LevelFile {
   const random = seeded(seed);
   const pick = <T>(...of: T[]): T => of[Math.floor(random() * of.length)];
   const chance = (p: number) => random() < p;
+  if (chance(0.2)) return clusters(seed);
   if (chance(0.1)) {
     const names = Object.keys(HEAVY_LEVELS);
     return HEAVY_LEVELS[names[Math.floor(random() * names.length)]](pick(0.2, 0.5, 1));
@@ -90,4 +92,28 @@ export function randomHeavy(seed: number): LevelFile {
   const runs = Math.min(pick(0, 1, 1, 20, 400, 1000), Math.floor(left / (40 + 13 * holds)));
   level.runs = Array.from({ length: Math.max(0, runs) }, (_, i) => ({ name: `run ${i}`, holds: taps(holds, i % 7, every) }));
   return level;
+}
+
+/** Few objects that all but touch, where every turn is interrupted by another: the run, and as many that differ in their last hold. */
+function clusters(seed: number): LevelFile {
+  const { level, holds } = degenerateScene(seed);
+  const { name, astronaut, blackHole, range, recoil } = level;
+  const bare = <T extends { id: string | null }>(list: readonly T[]) => list.map(({ id: _, ...object }) => object);
+  return {
+    version: 1,
+    name,
+    astronaut,
+    blackHole: { x: blackHole.x, y: blackHole.y, radius: Math.max(1, blackHole.radius) },
+    range: Math.max(1, range),
+    recoil,
+    asteroids: bare(level.asteroids),
+    novae: bare(level.novae),
+    repulsors: bare(level.repulsors),
+    aliens: bare(level.aliens),
+    minerals: bare(level.minerals),
+    runs: [0, 1, 2, 3].map((n) => ({
+      name: `run ${n}`,
+      holds: [...holds, [2000 + 10 * n, 2400]] as [number, number][],
+    })),
+  };
 }
