@@ -67,6 +67,52 @@ describe('what becomes of an alien', () => {
     expect(near.at.within).toBeLessThan(0.5 * T + 1e-3);
   });
 
+  it('one that moves in the least way goes on, where she is out of its sight, too', () => {
+    for (const more of [{ v: [3, 0] }, { v: [0, -3] }, { blur: 0.5 }] as const) {
+      const after = one(alien(0, SIGHT + 20, more));
+      const [vx, vy] = 'v' in more ? more.v : [0, 0.5];
+      for (const share of [0, 1]) expect(inside(after.at, share * vx * T, SIGHT + 20 + share * vy * T)).toBeLessThan(1e-12);
+      expect(after.at.within).toBeGreaterThan(0);
+    }
+  });
+
+  it('is drawn to wherever she may be, from wherever it may be, and not harder than aliens are', () => {
+    const angle = fc.double({ min: 0, max: 2 * Math.PI, noNaN: true });
+    // shares of the distance: where all is known she is far away, where it is not she may be anywhere
+    const share = fc.double({ min: 0, max: 0.5, noNaN: true });
+    fc.assert(
+      fc.property(angle, angle, fc.double({ min: 20, max: 100, noNaN: true }), share, share, (way, wide, d, its, hers) => {
+        // an area whose corners lie where they may turn its way to her the most
+        const [x, y] = [d * Math.cos(way), d * Math.sin(way)];
+        const half = { x: Math.abs(hers * d * Math.cos(wide)), y: Math.abs(hers * d * Math.sin(wide)) };
+        const after = one(alien(x, y, { within: its * d }), area(-half.x, half.x, -half.y, half.y));
+        expect(after.speed.within).toBeLessThan(CHASE * T + 1e-7);
+        if (its + hers < 0.4) expect(after.speed.within).toBeLessThan((1.1 * 0.4 + 0.05) * CHASE * T);
+        for (const sx of [-1, 1]) {
+          for (const sy of [-1, 1]) {
+            const her = { x: sx * half.x, y: sy * half.y };
+            for (let n = 0; n < 12; n++) {
+              const it = { x: x + its * d * Math.cos((n * Math.PI) / 6), y: y + its * d * Math.sin((n * Math.PI) / 6) };
+              const far = Math.hypot(her.x - it.x, her.y - it.y);
+              if (far < 1 || far > SIGHT) continue;
+              // it moves by less than 0.02 px itself meanwhile, and its way turns by no more than that
+              const error = (0.02 / far) * CHASE * T;
+              const pull = (CHASE * T) / far;
+              expect(inside(after.speed, (her.x - it.x) * pull, (her.y - it.y) * pull)).toBeLessThan(error);
+            }
+          }
+        }
+      }),
+      { numRuns: 400 },
+    );
+  });
+
+  it('one that she may be next to is drawn anywhere, and rounded outwards by 5e-8 px or px/s a time', () => {
+    const { at: place, speed } = one(alien(3, 0, { within: 2 }), area(-1, 1, -1, 1));
+    expect(Math.abs(speed.within - CHASE * T - 5e-8)).toBeLessThan(1e-8);
+    expect(Math.abs(place.within - 2 - (CHASE * T * T) / 2 - 1e-7)).toBeLessThan(1e-8);
+  });
+
   it('one as near as that may be pulled anywhere, and not harder than aliens are', () => {
     const after = one(alien(3, 0, { within: 2 }), area(-1, 1, -1, 1));
     for (const [x, y] of [
@@ -105,6 +151,7 @@ describe('what becomes of an alien', () => {
     const [first, second] = afterChase([perhaps, alien(20, 1000)], here, T);
     expect(first).toEqual({ ...there, isThere: false });
     expect(second.isThere).toBe(false);
+    expect(one(perhaps)).toEqual({ ...one(alien(0, 1000)), isThere: false });
   });
 
   it('is in its disc in every play', () => {
@@ -171,6 +218,23 @@ describe('an alien that may be either of two', () => {
     expect(either.speed.within).toBeCloseTo(2.75, 9);
     expect(either.speed.centre.y).toBeCloseTo(2.25, 9);
     expect(either.isThere).toBe(true);
+  });
+
+  it('holds both wherever they are, and reaches no farther than it must', () => {
+    const place = fc.record({
+      x: fc.double({ min: -50, max: 50, noNaN: true }),
+      y: fc.double({ min: -50, max: 50, noNaN: true }),
+      within: fc.double({ min: 0, max: 40, noNaN: true }),
+    });
+    fc.assert(
+      fc.property(place, place, (a, b) => {
+        const either = eitherChaser(alien(a.x, a.y, a), alien(b.x, b.y, b)).at;
+        const d = Math.hypot(b.x - a.x, b.y - a.y);
+        for (const { x, y, within } of [a, b]) expect(inside(either, x, y) + within).toBeLessThan(2e-13);
+        expect(either.within).toBeLessThan(Math.max(a.within, b.within, (a.within + b.within + d) / 2) + 1e-11);
+      }),
+      { numRuns: 400 },
+    );
   });
 
   it('is the larger one where that holds the other', () => {

@@ -1,3 +1,4 @@
+import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import type { LevelFile } from '../../../schema/index.ts';
 import { type Asked, at, BOX, FRAMES, hot, levelWith, nearMisses, spot, whyNot } from './near-miss.ts';
@@ -39,6 +40,25 @@ function radiusNeeded(novae: readonly (readonly [number, number])[], radius: num
 
 describe('covered', () => {
   const not = 'she may touch it and no hazard';
+
+  // it comes first, since it is quick: a long way from the truth few poses need to be looked at
+  it('is what trying poses says, wherever novae and hot asteroids lie about the hole', () => {
+    const off = fc.integer({ min: -8, max: 8 });
+    const places = fc.array(fc.tuple(off, off), { minLength: 1, maxLength: 3 });
+    fc.assert(
+      fc.property(places, fc.integer({ min: 0, max: 3 }), (list, hotOnes) => {
+        const needed = radiusNeeded(list, 18);
+        const of = (radius: number) => {
+          const circles = list.map(([x, y]) => ({ ...at(300 + x, 40 + y, radius), hot: true }));
+          return why({ asteroids: [at(0, 100), ...circles.slice(0, hotOnes)], novae: circles.slice(hotOnes) });
+        };
+        expect(of(needed - 0.5)).toBe(not);
+        expect(of(needed + 3)).toBeNull();
+      }),
+      { numRuns: 15 },
+    );
+  });
+
   // near the truth it takes too many poses to see: that, and no bound, is most of the slack
   const coarse = { safe: 'above', says: '', reach: 2, grain: 0.05 } as const;
   nearMisses({
