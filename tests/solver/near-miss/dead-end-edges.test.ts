@@ -76,6 +76,11 @@ const field = (x: number, y: number, radius: number) => ({ repulsors: [at(x, y, 
 const Q = 68 * Math.SQRT1_2;
 const BOTH = { asteroids: [at(60, 0), at(128 + Q, Q), at(128 + Q, -Q)], novae: [BACK, at(182, 0, 50)] };
 
+/** The other asteroid is seen from where she leaves the line by an angle from it, as far as the one before. */
+const seenAt = (angle: number) => at(128 + 68 * Math.cos(angle), 68 * Math.sin(angle));
+/** A nova on the way to it. */
+const onTheWay = (angle: number) => at(128 + 40 * Math.cos(angle), 45 * Math.sin(angle), 30);
+
 /** A line so long that she comes near to the speed limit, in a range that is longer still. */
 const long = (length: number): Scene => {
   const far = length - 60;
@@ -274,6 +279,73 @@ const edges: Readonly<Record<string, Edge>> = {
     edge: 16.553,
     safe: 'above',
     says: AWAY,
+  },
+  // these were found by chance, one for each slip that none of the others noticed
+  'a black hole beside the last step': {
+    of: (d) => ({
+      more: { asteroids: [at(60, 0), seenAt(0.4196)], novae: [BACK, at(157, -14, 23)], blackHole: spot(131, -d) },
+      angle: 0.0323,
+      step: 4,
+    }),
+    edge: 38.669,
+    safe: 'above',
+    says: TOUCHES,
+  },
+  'a black hole before the last step': {
+    of: (x) => ({
+      more: {
+        asteroids: [at(60, 0), seenAt(-0.895)],
+        novae: [BACK, at(194, 30, 31), onTheWay(-0.895)],
+        blackHole: spot(x, 34),
+      },
+      angle: -0.5216,
+      step: 4,
+    }),
+    edge: 152.067,
+    safe: 'above',
+    says: TOUCHES,
+  },
+  'a third asteroid that becomes the nearest within a step': {
+    of: (y) => ({
+      more: {
+        asteroids: [at(60, 0), seenAt(-1.2164), at(206, 34)],
+        novae: [BACK, at(176, y, 32), onTheWay(-1.2164)],
+        blackHole: spot(179, -30),
+      },
+      angle: -1.1813,
+      step: 4,
+    }),
+    edge: 28.798,
+    safe: 'below',
+    says: PUSHED,
+  },
+  'another that becomes the nearest within a step': {
+    of: (x) => ({
+      more: {
+        asteroids: [at(60, 0), seenAt(-1.1101), at(203, 64)],
+        novae: [BACK, at(x, -3, 30), onTheWay(-1.1101)],
+        blackHole: spot(190, -40),
+      },
+      angle: -0.0054,
+      step: 4,
+    }),
+    edge: 181.552,
+    safe: 'below',
+    says: AWAY,
+  },
+  'a turn at the end of a step': {
+    of: (y) => ({
+      more: {
+        asteroids: [at(60, 0), seenAt(0.99), at(199, 36)],
+        novae: [BACK, at(181, y, 26)],
+        blackHole: spot(196, -31),
+      },
+      angle: 0.5577,
+      step: 4,
+    }),
+    edge: 32.568,
+    safe: 'below',
+    says: TOUCHES,
   },
   'the speed limit': { of: long, edge: 12_452.019, safe: 'below', says: 'she may come to the speed limit' },
 };
