@@ -25,7 +25,7 @@ export const ROOMS: Readonly<Record<string, Room>> = {
   },
   'solver/robustness': {
     sources: ['solver/robustness'],
-    tests: [...robustness('noise', 'any-game', 'in-steps'), 'tests/solver/robustness'],
+    tests: [...robustness('noise', 'any-game', 'measured', 'in-steps'), 'tests/solver/robustness'],
   },
   schema: { sources: ['schema'], tests: ['tests/schema'] },
   'cli/edit': { sources: ['cli/edit'], tests: server('reorder', 'api', 'attacks', 'changes', 'events', 'concurrent-writers') },

@@ -4,6 +4,8 @@ import { compile, type Ending, joinHolds, type Simulation } from '../../../engin
 import type { Hold } from '../../../schema/index.ts';
 import { certifyWith } from '../../../solver/robustness/certify.ts';
 import { clustersOf, judgeAll, ShiftBox, shiftHolds, shiftsUpTo, type Trials } from '../../../solver/robustness/index.ts';
+import { slackOf } from '../../../solver/robustness/slack.ts';
+import { finish } from '../../../solver/steps.ts';
 import { fallThrough } from '../search/solvable-levels.ts';
 import { ANY } from './scenes.ts';
 
@@ -123,6 +125,123 @@ it('a certificate tries every combination, and nothing else', () => {
   );
   // every answer has come up
   for (const times of proved) expect(times).toBeGreaterThan(10);
+});
+
+it('the slack of an edge is how far it alone can be moved, each way', () => {
+  const found = new Set<number>();
+  fc.assert(
+    fc.property(
+      arbitraryGame(fc.constantFrom(3, 30, 300)),
+      arbitraryScript,
+      fc.integer({ min: 1, max: 6 }),
+      (game, holds, limit) => {
+        const shifted = (edge: number, by: number) =>
+          shiftHolds(
+            holds,
+            holds.flatMap((_, i) => [2 * i, 2 * i + 1]).map((one) => (one === edge ? by : 0)),
+          );
+        const byHand = (edge: number, direction: number): number => {
+          let by = 0;
+          while (by < limit && succeeds(game, holds) && succeeds(game, shifted(edge, (by + 1) * direction))) by++;
+          found.add(by);
+          return by;
+        };
+        const edges = [...holds.flat().keys()];
+        expect(finish(slackOf(game(), holds, limit))).toEqual(
+          edges.map((edge) => ({ earlier: byHand(edge, -1), later: byHand(edge, 1) })),
+        );
+      },
+    ),
+    { numRuns: 300 },
+  );
+  for (const slack of [0, 1, 2, 6]) expect(found).toContain(slack);
+});
+
+it('a certificate with few runs to try says no more than is true, and takes no more runs', () => {
+  let [undecided, decided, refuted] = [0, 0, 0];
+  fc.assert(
+    fc.property(
+      arbitraryGame(fc.constantFrom(30, 300, 3000)),
+      arbitraryScript,
+      fc.integer({ min: 1, max: 700 }),
+      (game, holds, most) => {
+        const trials = game();
+        // what somebody else has tried before doesn't count
+        trials.runs = 5000;
+        const { ticks, exhausted, counterexample, runs } = certifyWith(trials, holds, most, 2);
+        const whole = certifyWith(game(), holds, 1e6, 2);
+        expect(runs).toBe(trials.runs - 5000);
+        expect(runs).toBeLessThanOrEqual(Math.max(most, 1));
+        expect(ticks).toBeLessThanOrEqual(whole.ticks);
+        if (counterexample !== null) expect(succeeds(game, counterexample)).toBe(false);
+        if (exhausted) {
+          undecided++;
+          expect(counterexample).toBeNull();
+          return;
+        }
+        decided++;
+        expect(ticks).toBe(whole.ticks);
+        if (counterexample !== null) refuted++;
+        expect(counterexample === null).toBe(ticks === 2);
+      },
+    ),
+    { numRuns: 400 },
+  );
+  for (const times of [undecided, decided, refuted]) expect(times).toBeGreaterThan(20);
+});
+
+it('a certificate tries 200,000 runs when nothing else is said, and shifts by a second at most', () => {
+  const end = 6000;
+  // nothing that the button does changes anything
+  const simulation = {
+    tick: 0,
+    mineralCount: 0,
+    get ending() {
+      return this.tick < end ? null : { outcome: 'completed' };
+    },
+    reset() {
+      this.tick = 0;
+    },
+    snapshot() {
+      return Float64Array.of(this.tick);
+    },
+    restore([tick]: Float64Array) {
+      this.tick = tick;
+    },
+    advance(ticks: number) {
+      this.tick += ticks;
+      return ticks;
+    },
+  };
+  const certain = (): Trials => ({ ...trialsOf(new HashGame(1, 1, 1)), maxTicks: end, simulation: simulation as never });
+  const holds: Hold[] = [
+    [500, 1000],
+    [1500, 2000],
+    [2500, 3000],
+  ];
+  // by 3 ticks there are 7 to the power of 6 combinations, by 4 more than 200,000
+  expect(certifyWith(certain(), holds)).toEqual({ ticks: 3, exhausted: true, runs: 200_000, counterexample: null });
+  expect(certifyWith(certain(), holds.slice(0, 1))).toMatchObject({ ticks: 60, exhausted: false, counterexample: null });
+  expect(certifyWith(certain(), [], 10)).toEqual({ ticks: 60, exhausted: false, runs: 1, counterexample: null });
+});
+
+it('edges that shifts can bring out of order are read together, where that takes no more ways than may be tried', () => {
+  const holds: Hold[] = [
+    [10, 14],
+    [19, 30],
+  ];
+  // 10 and 14 are 4 apart, 14 and 19 are 5, 19 and 30 are 11
+  const clusters = (k: number, most: number) => clustersOf(holds, k, shiftsUpTo(k), most)?.map(({ ways }) => ways.length > 0);
+  expect(clusters(1, 1e6)).toHaveLength(4);
+  expect(clusters(2, 1e6)).toHaveLength(3);
+  expect(clusters(3, 1e6)).toHaveLength(2);
+  expect(clusters(5, 1e6)).toHaveLength(2);
+  expect(clusters(6, 1e6)).toHaveLength(1);
+  expect(clusters(2, 25)).toHaveLength(3);
+  expect(clusters(2, 24)).toBeUndefined();
+  expect(clusters(3, 7 ** 3)).toHaveLength(2);
+  expect(clusters(3, 7 ** 3 - 1)).toBeUndefined();
+  expect(clustersOf(holds, 2, shiftsUpTo(2), 25)?.map(({ heldBefore }) => heldBefore)).toEqual([false, false, true]);
 });
 
 it('a box tried bit by bit gives what it gives in one go', () => {
