@@ -77,18 +77,34 @@ const trialsOf = (game: HashGame): Trials => ({
   ticks: 0,
 });
 
+/** Games that may end after more ticks than a run may have, or always before. */
 const arbitraryGame = (failing: fc.Arbitrary<number>) =>
-  fc.tuple(fc.nat(2 ** 31), failing, fc.integer({ min: 8, max: 400 })).map((args) => () => trialsOf(new HashGame(...args)));
+  fc.tuple(fc.nat(2 ** 31), failing, fc.integer({ min: 8, max: 400 }), fc.constantFrom(LAST, LAST, LAST, 40)).map(
+    ([salt, one, ending, maxTicks]) =>
+      (): Trials => ({ ...trialsOf(new HashGame(salt, one, ending)), maxTicks }),
+  );
 
 /** Played tick by tick from the start. */
 function succeeds(game: () => Trials, holds: readonly Hold[]): boolean {
-  const { simulation } = game();
-  for (let tick = 0; tick < LAST; tick++)
+  const { simulation, maxTicks } = game();
+  for (let tick = 0; tick < maxTicks; tick++)
     simulation.advance(
       1,
       holds.some(([press, release]) => press <= tick && tick < release),
     );
   return simulation.ending?.outcome === 'completed';
+}
+
+/** What the button does in each tick until the run ends, as text. */
+function history(game: () => Trials, holds: readonly Hold[]): string {
+  const { simulation, maxTicks } = game();
+  let text = '';
+  for (let tick = 0; tick < maxTicks && simulation.ending === null; tick++) {
+    const held = holds.some(([press, release]) => press <= tick && tick < release);
+    simulation.advance(1, held);
+    text += held ? '#' : '.';
+  }
+  return text;
 }
 
 const arbitraryScript = fc
@@ -118,8 +134,12 @@ it('a certificate tries every combination, and nothing else', () => {
       expect(exhausted).toBe(false);
       expect(ticks).toBe(itself ? largest : 0);
       proved[ticks]++;
-      if (counterexample !== null) expect(succeeds(game, counterexample)).toBe(false);
       expect(counterexample === null).toBe(ticks === 2);
+      if (counterexample === null) return;
+      expect(succeeds(game, counterexample)).toBe(false);
+      // it is one of the combinations, as far as it was played
+      const played = history(game, counterexample);
+      expect((itself ? all(largest + 1) : [holds]).some((run) => history(game, run) === played)).toBe(true);
     }),
     { numRuns: 400 },
   );
@@ -277,9 +297,14 @@ it('runs judged together are judged as each on its own', () => {
       arbitraryGame(fc.constantFrom(2, 5)),
       fc.array(arbitraryScript, { minLength: 1, maxLength: 40 }),
       (game, runs) => {
-        expect([...judgeAll(game(), [...runs, [], runs[0]])]).toEqual(
-          [...runs, [], runs[0]].map((run) => (succeeds(game, run) ? 1 : 0)),
+        const trials = game();
+        const all = [...runs, [], runs[0]];
+        expect([...judgeAll(trials, all)]).toEqual(all.map((run) => (succeeds(game, run) ? 1 : 0)));
+        // what some have in common at their beginning is simulated once
+        const beginnings = new Set(
+          all.flatMap((run) => [...history(game, run)].map((_, i, ticks) => ticks.slice(0, i + 1).join(''))),
         );
+        expect(trials.ticks).toBe(beginnings.size);
       },
     ),
     { numRuns: 200 },
