@@ -186,6 +186,51 @@ const edges: Readonly<Record<string, Edge>> = {
     safe: 'above',
     doomed: 30.15,
   },
+  'a hot asteroid ahead': {
+    of: (x) => ({ v: LEFT, asteroids: [at(50, 0), hot(-x, 0, 30)] }),
+    safe: 'below',
+    flowpipe: 66.389,
+  },
+  'a small hot asteroid ahead, with recoil': {
+    of: (x) => ({ v: LEFT, asteroids: [at(50, 0), hot(-x, 0, 5)], recoil: true }),
+    asked: SECONDS,
+    safe: 'below',
+    flowpipe: 46.88,
+  },
+  'a hot asteroid aside, with recoil': {
+    of: (y) => ({ v: LEFT, asteroids: [at(50, 0), hot(-35, y, 20)], recoil: true }),
+    asked: SECONDS,
+    safe: 'below',
+    flowpipe: 29.69,
+  },
+  'a second asteroid that is never the nearest': {
+    of: (x) => ({ v: [0, 30], asteroids: [at(60, 0, 4), at(-x, 0, 4)], novae: [at(25, 60, 35)] }),
+    safe: 'above',
+    flowpipe: 60.193,
+  },
+  'a second asteroid that is never the nearest, with recoil': {
+    of: (x) => ({ v: [0, 30], asteroids: [at(60, 0, 4), at(-x, 0, 4)], novae: [at(25, 60, 35)], recoil: true }),
+    asked: SECONDS,
+    safe: 'above',
+    flowpipe: 60.975,
+  },
+  'a second asteroid above that is never the nearest': {
+    of: (y) => ({ v: [0, 30], asteroids: [at(60, 0, 4), at(-60, -y, 4)], novae: [at(25, 60, 35)] }),
+    safe: 'above',
+    flowpipe: 4.915,
+  },
+  'a second asteroid above that is never the nearest, with recoil': {
+    of: (y) => ({ v: [0, 30], asteroids: [at(60, 0, 4), at(-60, -y, 4)], novae: [at(25, 60, 35)], recoil: true }),
+    asked: SECONDS,
+    safe: 'above',
+    flowpipe: 5.358,
+  },
+  'a second asteroid below that becomes the nearest late': {
+    of: (y) => ({ v: [0, 30], asteroids: [at(60, 0, 4), at(-40, y, 4)], novae: [at(25, 60, 35)], recoil: true }),
+    asked: SECONDS,
+    safe: 'above',
+    flowpipe: 66.604,
+  },
   'a nova behind an asteroid that she flies through': {
     of: (x) => ({ v: [40, 0], asteroids: [at(20, 0)], novae: [at(x, 0, 30)] }),
     safe: 'below',
