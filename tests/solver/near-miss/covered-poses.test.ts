@@ -31,6 +31,19 @@ describe('covered', () => {
     );
   });
 
+  it.each([
+    [6, -6],
+    [6, 6],
+    [-6, 6],
+    [-9, -4],
+    [4, 9],
+    [8, -3],
+  ])('is what trying poses says, of a nova aslant by %i, %i px', (x, y) => {
+    const needed = radiusNeeded([[x, y]], 18);
+    expect(why({ novae: [at(300 + x, 40 + y, needed - 0.1)] })).toBe(not);
+    expect(why({ novae: [at(300 + x, 40 + y, needed + 2)] })).toBeNull();
+  });
+
   const mineral = { ...spot(300, 40), radius: 7 };
   const forMineral = 7 + BOX.halfDiagonal - BOX.halfWidth;
   it.each<[name: string, truth: number, of: (radius: number) => string | null]>([
