@@ -10,6 +10,7 @@ export interface Room {
 
 const server = (...names: string[]): string[] => names.map((name) => `tests/server/${name}.test.ts`);
 const editor = (...names: string[]): string[] => names.map((name) => `tests/editor/${name}.test.ts`);
+const robustness = (...names: string[]): string[] => names.map((name) => `tests/solver/robustness/${name}.test.ts`);
 const engine = (...names: string[]): string[] => names.map((name) => `tests/engine/${name}.test.ts`);
 
 export const ROOMS: Readonly<Record<string, Room>> = {
@@ -22,7 +23,10 @@ export const ROOMS: Readonly<Record<string, Room>> = {
     sources: ['engine/continuous'],
     tests: [...engine('near-misses'), 'tests/engine', 'tests/hard-cases'],
   },
-  'solver/robustness': { sources: ['solver/robustness'], tests: ['tests/solver/robustness'] },
+  'solver/robustness': {
+    sources: ['solver/robustness'],
+    tests: [...robustness('noise', 'any-game', 'measured', 'in-steps'), 'tests/solver/robustness'],
+  },
   schema: { sources: ['schema'], tests: ['tests/schema'] },
   'cli/edit': { sources: ['cli/edit'], tests: server('reorder', 'api', 'attacks', 'changes', 'events', 'concurrent-writers') },
   'cli/disk': { sources: ['cli/disk.ts'], tests: server('disk', 'full-disk', 'api', 'changes') },

@@ -67,6 +67,55 @@ describe('what becomes of an alien', () => {
     expect(near.at.within).toBeLessThan(0.5 * T + 1e-3);
   });
 
+  it('one that moves in the least way goes on, where she is out of its sight, too', () => {
+    const cases = [
+      { more: { v: [3, 0] }, at: [3, 0] },
+      { more: { v: [0, -3] }, at: [0, -3] },
+      { more: { blur: 0.5 }, at: [0, 0.5] },
+    ] as const;
+    for (const {
+      more,
+      at: [vx, vy],
+    } of cases) {
+      const after = one(alien(0, SIGHT + 20, more));
+      for (const share of [0, 1]) expect(inside(after.at, share * vx * T, SIGHT + 20 + share * vy * T)).toBeLessThan(1e-12);
+      expect(after.at.within).toBeGreaterThan(0);
+    }
+  });
+
+  it('is drawn to wherever she may be, from wherever it may be, and not harder than aliens are', () => {
+    // of doubles most would be next to 0
+    const between = (min: number, max: number) => fc.nat(10_000).map((n) => min + ((max - min) * n) / 10_000);
+    const angle = between(0, 2 * Math.PI);
+    const share = between(0, 0.49);
+    fc.assert(
+      fc.property(angle, between(20, 110), share, share, fc.boolean(), (way, d, its, hers, left) => {
+        const both = its + hers;
+        // both aside so that its way to her turns the most: across that way
+        const across = way + Math.PI + (left ? 1 : -1) * (Math.PI / 2 + Math.asin(both));
+        const e = { x: d * Math.cos(across), y: d * Math.sin(across) };
+        const [x, y] = [d * Math.cos(way), d * Math.sin(way)];
+        const half = { x: Math.abs(hers * e.x), y: Math.abs(hers * e.y) };
+        const after = one(alien(x, y, { within: its * d }), area(-half.x, half.x, -half.y, half.y));
+        expect(after.speed.within).toBeLessThan(CHASE * T + 1e-7);
+        if (both < 0.49 && (1 + both) * d < SIGHT - 0.1) expect(after.speed.within).toBeLessThan((1.1 * both + 0.01) * CHASE * T);
+        const [dx, dy] = [hers * e.x - (x - its * e.x), hers * e.y - (y - its * e.y)];
+        const far = Math.hypot(dx, dy);
+        if (far < 1) return;
+        const pull = far < SIGHT ? (CHASE * T) / far : 0;
+        // it moves by less than 0.02 px itself meanwhile, and its way turns by no more than that
+        expect(inside(after.speed, pull * dx, pull * dy)).toBeLessThan((0.02 / far) * CHASE * T);
+      }),
+      { numRuns: 1000 },
+    );
+  });
+
+  it('one that she may be next to is drawn anywhere, and rounded outwards by 5e-8 px or px/s a time', () => {
+    const { at: place, speed } = one(alien(3, 0, { within: 2 }), area(-1, 1, -1, 1));
+    expect(Math.abs(speed.within - CHASE * T - 5e-8)).toBeLessThan(1e-8);
+    expect(Math.abs(place.within - 2 - (CHASE * T * T) / 2 - 1e-7)).toBeLessThan(1e-8);
+  });
+
   it('one as near as that may be pulled anywhere, and not harder than aliens are', () => {
     const after = one(alien(3, 0, { within: 2 }), area(-1, 1, -1, 1));
     for (const [x, y] of [
@@ -105,6 +154,7 @@ describe('what becomes of an alien', () => {
     const [first, second] = afterChase([perhaps, alien(20, 1000)], here, T);
     expect(first).toEqual({ ...there, isThere: false });
     expect(second.isThere).toBe(false);
+    expect(one(perhaps)).toEqual({ ...one(alien(0, 1000)), isThere: false });
   });
 
   it('is in its disc in every play', () => {
@@ -171,6 +221,23 @@ describe('an alien that may be either of two', () => {
     expect(either.speed.within).toBeCloseTo(2.75, 9);
     expect(either.speed.centre.y).toBeCloseTo(2.25, 9);
     expect(either.isThere).toBe(true);
+  });
+
+  it('holds both wherever they are, and reaches no farther than it must', () => {
+    const place = fc.record({
+      x: fc.double({ min: -50, max: 50, noNaN: true }),
+      y: fc.double({ min: -50, max: 50, noNaN: true }),
+      within: fc.double({ min: 0, max: 40, noNaN: true }),
+    });
+    fc.assert(
+      fc.property(place, place, (a, b) => {
+        const either = eitherChaser(alien(a.x, a.y, a), alien(b.x, b.y, b)).at;
+        const d = Math.hypot(b.x - a.x, b.y - a.y);
+        for (const { x, y, within } of [a, b]) expect(inside(either, x, y) + within).toBeLessThan(2e-13);
+        expect(either.within).toBeLessThan(Math.max(a.within, b.within, (a.within + b.within + d) / 2) + 1e-11);
+      }),
+      { numRuns: 400 },
+    );
   });
 
   it('is the larger one where that holds the other', () => {

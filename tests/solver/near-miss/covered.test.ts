@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { LevelFile } from '../../../schema/index.ts';
 import { type Asked, at, BOX, FRAMES, hot, levelWith, nearMisses, spot, whyNot } from './near-miss.ts';
+import { radiusNeeded } from './poses.ts';
 
 const covered = { kind: 'covered' } as const;
 const MINERAL = { kind: 'mineral', index: 0 } as const;
@@ -8,37 +9,9 @@ const hole = (radius = 18) => ({ ...spot(300, 40), radius });
 const why = (more: Partial<LevelFile>, asked?: Asked) =>
   whyNot(levelWith({ blackHole: hole(), asteroids: [at(0, 100)], ...more }), covered, asked);
 
-/** Gap of her box, turned by an angle, and a point. */
-function gapTo(px: number, py: number, angle: number): number {
-  const [c, s] = [Math.cos(angle), Math.sin(angle)];
-  const along = Math.max(0, Math.abs(px * c + py * s) - BOX.halfWidth);
-  const across = Math.max(0, Math.abs(py * c - px * s) - BOX.halfHeight);
-  return Math.hypot(along, across);
-}
-
-/** The radius that novae need at some places about the hole so that no box touches it clear of all, by trying poses: no less than this. */
-function radiusNeeded(novae: readonly (readonly [number, number])[], radius: number): number {
-  let needed = 0;
-  for (let i = 0; i < 60; i++) {
-    const angle = (i * Math.PI) / 60;
-    for (let j = 0; j < 120; j++) {
-      const way = (j * Math.PI) / 60;
-      // from inside outwards, to where the box leaves the hole
-      let [near, far] = [0, radius + BOX.halfDiagonal];
-      for (let n = 0; n < 40; n++) {
-        const d = (near + far) / 2;
-        if (gapTo(-d * Math.cos(way), -d * Math.sin(way), angle) < radius) near = d;
-        else far = d;
-      }
-      const [x, y] = [near * Math.cos(way), near * Math.sin(way)];
-      needed = Math.max(needed, Math.min(...novae.map(([nx, ny]) => gapTo(nx - x, ny - y, angle))));
-    }
-  }
-  return needed;
-}
-
 describe('covered', () => {
   const not = 'she may touch it and no hazard';
+
   // near the truth it takes too many poses to see: that, and no bound, is most of the slack
   const coarse = { safe: 'above', says: '', reach: 2, grain: 0.05 } as const;
   nearMisses({

@@ -100,7 +100,19 @@ describe('a dead end', () => {
 
   it('has an axis and a step', () => {
     const axis = 'its axis is no direction';
-    for (const bad of [undefined, null, [1], [1, 0, 0], [0.9, 0.5], [1, 1e-4], [Number.NaN, 0], 'x']) {
+    for (const bad of [
+      undefined,
+      null,
+      [1],
+      [1, 0, 0],
+      [0.9, 0.5],
+      [1, 1e-4],
+      [0.8, 0.5],
+      [1 - 1e-8, 0],
+      [0, 0],
+      [Number.NaN, 0],
+      'x',
+    ]) {
       expect(whyNot(scene(), trap({ axis: bad as never })), JSON.stringify(bad)).toBe(axis);
     }
     for (const step of [0.2499, 4.001, 0, -1, Number.NaN, '1' as never, null as never]) {

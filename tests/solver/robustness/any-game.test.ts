@@ -4,6 +4,8 @@ import { compile, type Ending, joinHolds, type Simulation } from '../../../engin
 import type { Hold } from '../../../schema/index.ts';
 import { certifyWith } from '../../../solver/robustness/certify.ts';
 import { clustersOf, judgeAll, ShiftBox, shiftHolds, shiftsUpTo, type Trials } from '../../../solver/robustness/index.ts';
+import { slackOf } from '../../../solver/robustness/slack.ts';
+import { finish } from '../../../solver/steps.ts';
 import { fallThrough } from '../search/solvable-levels.ts';
 import { ANY } from './scenes.ts';
 
@@ -75,18 +77,34 @@ const trialsOf = (game: HashGame): Trials => ({
   ticks: 0,
 });
 
+/** Games that may end after more ticks than a run may have, or always before. */
 const arbitraryGame = (failing: fc.Arbitrary<number>) =>
-  fc.tuple(fc.nat(2 ** 31), failing, fc.integer({ min: 8, max: 400 })).map((args) => () => trialsOf(new HashGame(...args)));
+  fc.tuple(fc.nat(2 ** 31), failing, fc.integer({ min: 8, max: 400 }), fc.constantFrom(LAST, LAST, LAST, 40)).map(
+    ([salt, one, ending, maxTicks]) =>
+      (): Trials => ({ ...trialsOf(new HashGame(salt, one, ending)), maxTicks }),
+  );
 
 /** Played tick by tick from the start. */
 function succeeds(game: () => Trials, holds: readonly Hold[]): boolean {
-  const { simulation } = game();
-  for (let tick = 0; tick < LAST; tick++)
+  const { simulation, maxTicks } = game();
+  for (let tick = 0; tick < maxTicks; tick++)
     simulation.advance(
       1,
       holds.some(([press, release]) => press <= tick && tick < release),
     );
   return simulation.ending?.outcome === 'completed';
+}
+
+/** What the button does in each tick until the run ends, as text. */
+function history(game: () => Trials, holds: readonly Hold[]): string {
+  const { simulation, maxTicks } = game();
+  let text = '';
+  for (let tick = 0; tick < maxTicks && simulation.ending === null; tick++) {
+    const held = holds.some(([press, release]) => press <= tick && tick < release);
+    simulation.advance(1, held);
+    text += held ? '#' : '.';
+  }
+  return text;
 }
 
 const arbitraryScript = fc
@@ -116,13 +134,134 @@ it('a certificate tries every combination, and nothing else', () => {
       expect(exhausted).toBe(false);
       expect(ticks).toBe(itself ? largest : 0);
       proved[ticks]++;
-      if (counterexample !== null) expect(succeeds(game, counterexample)).toBe(false);
       expect(counterexample === null).toBe(ticks === 2);
+      if (counterexample === null) return;
+      expect(succeeds(game, counterexample)).toBe(false);
+      // it is one of the combinations, as far as it was played
+      const played = history(game, counterexample);
+      expect((itself ? all(largest + 1) : [holds]).some((run) => history(game, run) === played)).toBe(true);
     }),
     { numRuns: 400 },
   );
   // every answer has come up
   for (const times of proved) expect(times).toBeGreaterThan(10);
+});
+
+it('the slack of an edge is how far it alone can be moved, each way', () => {
+  const found = new Set<number>();
+  fc.assert(
+    fc.property(
+      arbitraryGame(fc.constantFrom(3, 30, 300)),
+      arbitraryScript,
+      fc.integer({ min: 1, max: 6 }),
+      (game, holds, limit) => {
+        const shifted = (edge: number, by: number) =>
+          shiftHolds(
+            holds,
+            holds.flatMap((_, i) => [2 * i, 2 * i + 1]).map((one) => (one === edge ? by : 0)),
+          );
+        const byHand = (edge: number, direction: number): number => {
+          let by = 0;
+          while (by < limit && succeeds(game, holds) && succeeds(game, shifted(edge, (by + 1) * direction))) by++;
+          found.add(by);
+          return by;
+        };
+        const edges = [...holds.flat().keys()];
+        expect(finish(slackOf(game(), holds, limit))).toEqual(
+          edges.map((edge) => ({ earlier: byHand(edge, -1), later: byHand(edge, 1) })),
+        );
+      },
+    ),
+    { numRuns: 300 },
+  );
+  for (const slack of [0, 1, 2, 6]) expect(found).toContain(slack);
+});
+
+it('a certificate with few runs to try says no more than is true, and takes no more runs', () => {
+  let [undecided, decided, refuted] = [0, 0, 0];
+  fc.assert(
+    fc.property(
+      arbitraryGame(fc.constantFrom(30, 300, 3000)),
+      arbitraryScript,
+      fc.integer({ min: 1, max: 700 }),
+      (game, holds, most) => {
+        const trials = game();
+        // what somebody else has tried before doesn't count
+        trials.runs = 5000;
+        const { ticks, exhausted, counterexample, runs } = certifyWith(trials, holds, most, 2);
+        const whole = certifyWith(game(), holds, 1e6, 2);
+        expect(runs).toBe(trials.runs - 5000);
+        expect(runs).toBeLessThanOrEqual(Math.max(most, 1));
+        expect(ticks).toBeLessThanOrEqual(whole.ticks);
+        if (counterexample !== null) expect(succeeds(game, counterexample)).toBe(false);
+        if (exhausted) {
+          undecided++;
+          expect(counterexample).toBeNull();
+          return;
+        }
+        decided++;
+        expect(ticks).toBe(whole.ticks);
+        if (counterexample !== null) refuted++;
+        expect(counterexample === null).toBe(ticks === 2);
+      },
+    ),
+    { numRuns: 400 },
+  );
+  for (const times of [undecided, decided, refuted]) expect(times).toBeGreaterThan(20);
+});
+
+it('a certificate tries 200,000 runs when nothing else is said, and shifts by a second at most', () => {
+  const end = 6000;
+  // nothing that the button does changes anything
+  const simulation = {
+    tick: 0,
+    mineralCount: 0,
+    get ending() {
+      return this.tick < end ? null : { outcome: 'completed' };
+    },
+    reset() {
+      this.tick = 0;
+    },
+    snapshot() {
+      return Float64Array.of(this.tick);
+    },
+    restore([tick]: Float64Array) {
+      this.tick = tick;
+    },
+    advance(ticks: number) {
+      this.tick += ticks;
+      return ticks;
+    },
+  };
+  const certain = (): Trials => ({ ...trialsOf(new HashGame(1, 1, 1)), maxTicks: end, simulation: simulation as never });
+  const holds: Hold[] = [
+    [500, 1000],
+    [1500, 2000],
+    [2500, 3000],
+  ];
+  // by 3 ticks there are 7 to the power of 6 combinations, by 4 more than 200,000
+  expect(certifyWith(certain(), holds)).toEqual({ ticks: 3, exhausted: true, runs: 200_000, counterexample: null });
+  expect(certifyWith(certain(), holds.slice(0, 1))).toMatchObject({ ticks: 60, exhausted: false, counterexample: null });
+  expect(certifyWith(certain(), [], 10)).toEqual({ ticks: 60, exhausted: false, runs: 1, counterexample: null });
+});
+
+it('edges that shifts can bring out of order are read together, where that takes no more ways than may be tried', () => {
+  const holds: Hold[] = [
+    [10, 14],
+    [19, 30],
+  ];
+  // 10 and 14 are 4 apart, 14 and 19 are 5, 19 and 30 are 11
+  const clusters = (k: number, most: number) => clustersOf(holds, k, shiftsUpTo(k), most)?.map(({ ways }) => ways.length > 0);
+  expect(clusters(1, 1e6)).toHaveLength(4);
+  expect(clusters(2, 1e6)).toHaveLength(3);
+  expect(clusters(3, 1e6)).toHaveLength(2);
+  expect(clusters(5, 1e6)).toHaveLength(2);
+  expect(clusters(6, 1e6)).toHaveLength(1);
+  expect(clusters(2, 25)).toHaveLength(3);
+  expect(clusters(2, 24)).toBeUndefined();
+  expect(clusters(3, 7 ** 3)).toHaveLength(2);
+  expect(clusters(3, 7 ** 3 - 1)).toBeUndefined();
+  expect(clustersOf(holds, 2, shiftsUpTo(2), 25)?.map(({ heldBefore }) => heldBefore)).toEqual([false, false, true]);
 });
 
 it('a box tried bit by bit gives what it gives in one go', () => {
@@ -158,9 +297,14 @@ it('runs judged together are judged as each on its own', () => {
       arbitraryGame(fc.constantFrom(2, 5)),
       fc.array(arbitraryScript, { minLength: 1, maxLength: 40 }),
       (game, runs) => {
-        expect([...judgeAll(game(), [...runs, [], runs[0]])]).toEqual(
-          [...runs, [], runs[0]].map((run) => (succeeds(game, run) ? 1 : 0)),
+        const trials = game();
+        const all = [...runs, [], runs[0]];
+        expect([...judgeAll(trials, all)]).toEqual(all.map((run) => (succeeds(game, run) ? 1 : 0)));
+        // what some have in common at their beginning is simulated once
+        const beginnings = new Set(
+          all.flatMap((run) => [...history(game, run)].map((_, i, ticks) => ticks.slice(0, i + 1).join(''))),
         );
+        expect(trials.ticks).toBe(beginnings.size);
       },
     ),
     { numRuns: 200 },

@@ -48,6 +48,33 @@ describe('noise in ticks', () => {
     });
   });
 
+  it('is the same everywhere: numbers are mixed as MurmurHash3 ends', () => {
+    const bits = (n: bigint) => BigInt.asUintN(32, n);
+    const mixed = (value: bigint): bigint => {
+      let h = bits(value);
+      h = bits((h ^ (h >> 16n)) * 0x85ebca6bn);
+      h = bits((h ^ (h >> 13n)) * 0xc2b2ae35n);
+      return h ^ (h >> 16n);
+    };
+    // as it is published
+    expect([mixed(0n), mixed(1n)]).toEqual([0n, 0x514e28b7n]);
+    fc.assert(
+      fc.property(fc.nat(2 ** 31 - 1), fc.nat(5000), fc.nat(40), (seed, sample, edge) => {
+        const bySeed = mixed(BigInt(seed) ^ 0x9e3779b9n);
+        const bySample = mixed(bySeed ^ bits(BigInt(sample + 1) * 0x85ebca6bn));
+        expect(BigInt(uniformOf(seed, sample, edge))).toBe(mixed(bySample + BigInt(edge + 1) * 0xc2b2ae35n));
+      }),
+    );
+  });
+
+  it('of extremes is one tick count or the other, each for half of the numbers', () => {
+    for (const ticks of [1, 2, 7]) {
+      const noise = extremeNoise(ticks);
+      expect([0, 2 ** 31 - 1, 2 ** 31, 2 ** 32 - 1].map((n) => drawShift(noise, n))).toEqual([-ticks, -ticks, ticks, ticks]);
+      expect(noise.probability.reduce((sum, p) => sum + p)).toBe(1);
+    }
+  });
+
   it('is independent between edges and samples', () => {
     const noise = tickNoise(40);
     const shift = (sample: number, edge: number) => drawShift(noise, uniformOf(3, sample, edge));

@@ -1,0 +1,75 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import type { LevelFile } from '../../../schema/index.ts';
+import { type Asked, at, BOX, hot, levelWith, spot, whyNot } from './near-miss.ts';
+import { radiusNeeded } from './poses.ts';
+
+// A long way from the truth few poses need to be looked at: these are quick, and covered.test.ts comes nearer to it.
+
+const covered = { kind: 'covered' } as const;
+const MINERAL = { kind: 'mineral', index: 0 } as const;
+const not = 'she may touch it and no hazard';
+const hole = (radius = 18) => ({ ...spot(300, 40), radius });
+const why = (more: Partial<LevelFile>, asked?: Asked) =>
+  whyNot(levelWith({ blackHole: hole(), asteroids: [at(0, 100)], ...more }), covered, asked);
+
+describe('covered', () => {
+  it('is what trying poses says, wherever novae and hot asteroids lie about the hole', () => {
+    const off = fc.integer({ min: -8, max: 8 });
+    const places = fc.array(fc.tuple(off, off), { minLength: 1, maxLength: 3 });
+    fc.assert(
+      fc.property(places, fc.integer({ min: 0, max: 3 }), (list, hotOnes) => {
+        const needed = radiusNeeded(list, 18);
+        const of = (radius: number) => {
+          const circles = list.map(([x, y]) => ({ ...at(300 + x, 40 + y, radius), hot: true }));
+          return why({ asteroids: [at(0, 100), ...circles.slice(0, hotOnes)], novae: circles.slice(hotOnes) });
+        };
+        expect(of(needed - 0.5)).toBe(not);
+        expect(of(needed + 3)).toBeNull();
+      }),
+      { numRuns: 15 },
+    );
+  });
+
+  it.each([
+    [6, -6],
+    [6, 6],
+    [-6, 6],
+    [-9, -4],
+    [4, 9],
+    [8, -3],
+  ])('is what trying poses says, of a nova aslant by %i, %i px', (x, y) => {
+    const needed = radiusNeeded([[x, y]], 18);
+    expect(why({ novae: [at(300 + x, 40 + y, needed - 0.1)] })).toBe(not);
+    expect(why({ novae: [at(300 + x, 40 + y, needed + 2)] })).toBeNull();
+  });
+
+  const mineral = { ...spot(300, 40), radius: 7 };
+  const forMineral = 7 + BOX.halfDiagonal - BOX.halfWidth;
+  it.each<[name: string, truth: number, of: (radius: number) => string | null]>([
+    ['a nova along x', 22, (r) => why({ novae: [at(304, 40, r)] })],
+    ['a nova along y', 23, (r) => why({ novae: [at(9000, 0), at(300, 35, r)] })],
+    // r - 400 / (4 r) = 22
+    [
+      'a hot asteroid that recoil drags',
+      (22 + Math.sqrt(22 * 22 + 400)) / 2,
+      (r) => why({ asteroids: [hot(304, 40, r)], recoil: true }, { maxTime: 20 }),
+    ],
+    [
+      'a nova about a mineral',
+      forMineral,
+      (r) => why({ blackHole: spot(4000, 0), novae: [at(900, 0), at(300, 40, r)], minerals: [mineral] }, { about: MINERAL }),
+    ],
+    [
+      'a nova beside a mineral',
+      forMineral + 5,
+      (r) => why({ blackHole: spot(4000, 0), novae: [at(303, 36, r)], minerals: [mineral] }, { about: MINERAL }),
+    ],
+    ['the black hole about a mineral', forMineral, (r) => why({ blackHole: hole(r), minerals: [mineral] }, { about: MINERAL })],
+  ])('%s', (_, truth, of) => {
+    expect(of(truth - 0.1)).toBe(not);
+    expect(of(truth - 1)).toBe(not);
+    expect(of(truth + 1)).toBeNull();
+    expect(of(truth + 3)).toBeNull();
+  });
+});
