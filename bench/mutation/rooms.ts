@@ -24,13 +24,33 @@ export const ROOMS: Readonly<Record<string, Room>> = {
   },
   'solver/robustness': { sources: ['solver/robustness'], tests: ['tests/solver/robustness'] },
   schema: { sources: ['schema'], tests: ['tests/schema'] },
-  'cli/edit': { sources: ['cli/edit'], tests: server('reorder', 'api', 'attacks', 'changes', 'events', 'concurrent-writers') },
+  'cli/edit': {
+    sources: ['cli/edit'],
+    tests: server(
+      'reorder',
+      'changes',
+      'leftovers',
+      'api',
+      'attacks',
+      'events',
+      'disk',
+      'full-disk',
+      'large',
+      'concurrent-writers',
+    ),
+  },
   'cli/disk': { sources: ['cli/disk.ts'], tests: server('disk', 'full-disk', 'api', 'changes') },
   'editor/files': {
     sources: ['editor/files'],
-    tests: editor('merge', 'merge-bases', 'saver', 'journal', 'server-storage', 'browser-storage'),
+    tests: [
+      ...editor('merge', 'merge-bases', 'opening-marks', 'page-token', 'late-database', 'long-list', 'browser-storage'),
+      ...editor('saver', 'pages', 'server-storage'),
+    ],
   },
-  'editor/document': { sources: ['editor/document'], tests: editor('document') },
+  'editor/document': {
+    sources: ['editor/document'],
+    tests: editor('history', 'settle', 'hold-operations', 'object-operations', 'document'),
+  },
 };
 
 /** The files among some files and folders whose names end in `ending`; what isn't there has none. */
