@@ -174,6 +174,35 @@ describe('the history', () => {
     expect(drag.set(addObject('alien', 1, 1))).toMatchObject({ ok: true, added: [expect.any(String)] });
     expect(drag.set((draft) => void Object.assign(draft, { name: '' }))).toMatchObject({ ok: false });
     drag.cancel();
+    const empty = createEditedLevel({ ...PLAIN, novae: undefined });
+    expect(empty.change('Add', addObject('nova', 5, 5))).toEqual({ ok: true, added: [empty.file().novae?.[0].id] });
+  });
+
+  it('is over for a drag that was cancelled, and gives it away no more', () => {
+    const level = createEditedLevel(PLAIN);
+    const drag = level.begin('Drag');
+    drag.set(named('dragged'));
+    drag.cancel();
+    expect(drag.isLive).toBe(false);
+    drag.set(named('dragged'));
+    drag.commit();
+    level.seal();
+    expect([level.file().name, level.labels()]).toEqual(['plain', []]);
+    level.change('later', named('later'));
+    expect(level.settledFile().name).toBe('later');
+  });
+
+  it('gives files that nobody can change', () => {
+    const isFrozen = (value: unknown): boolean =>
+      typeof value !== 'object' || value === null || (Object.isFrozen(value) && Object.values(value).every(isFrozen));
+    const level = createEditedLevel(structuredClone(PLAIN));
+    expect(isFrozen(level.file())).toBe(true);
+    level.change('Add', addObject('alien', 1, 1));
+    expect(isFrozen(level.file())).toBe(true);
+    level.replace('Replace', structuredClone({ ...PLAIN, name: 'other' }));
+    expect(isFrozen(level.file())).toBe(true);
+    level.undo();
+    expect(isFrozen(level.file())).toBe(true);
   });
 });
 
@@ -215,6 +244,12 @@ describe('patches', () => {
       { op: 'replace', path: ['x-own'], value: { a: 2, b: [1] } },
     ]);
     expect(diffFiles(other, { ...other, 'x-own': { b: [1], a: 1 } } as LevelFile)).toEqual([]);
+    const runs = (...names: string[]) => ({ ...PLAIN, runs: names.map((name) => ({ name, holds: [] })) });
+    expect(diffFiles(runs('a', 'b', 'c', 'd'), runs('b', 'x', 'd'))).toEqual([
+      { op: 'remove', path: ['runs', 2] },
+      { op: 'remove', path: ['runs', 0] },
+      { op: 'add', path: ['runs', 1], value: { name: 'x', holds: [] } },
+    ]);
     expect(diffFiles(PLAIN, { ...PLAIN, runs: [] })).toEqual([{ op: 'remove', path: ['runs', 0] }]);
   });
 

@@ -103,7 +103,7 @@ it('an edge of a hold goes as far as its neighbours and its other edge let it; w
   );
 });
 
-it('what neither tick nor hold is given for is rounded, or passed over', () => {
+it('ticks are rounded, what is not there is passed over, and nothing ripples unasked', () => {
   const holds: Hold[] = [
     [10, 20],
     [30, 40],
@@ -112,6 +112,10 @@ it('what neither tick nor hold is given for is rounded, or passed over', () => {
   expect(holdsAfter(holds, moveHold('run', 0, 1.6))).toEqual([[12, 22], holds[1]]);
   expect(holdsAfter(holds, stretchHold('run', 0, 'release', 21.6))).toEqual([[10, 22], holds[1]]);
   expect(holdsAfter(holds, addHold('run', 49.6, 52.4))).toEqual([...holds, [50, 52]]);
+  // without ripple, when nothing is said
+  expect(holdsAfter(holds, deleteHolds('run', [0]))).toEqual([holds[1]]);
+  expect(holdsAfter(holds, moveHold('run', 0, 3))).toEqual([[13, 23], holds[1]]);
+  expect(holdsAfter(holds, stretchHold('run', 0, 'press', 13))).toEqual([[13, 20], holds[1]]);
   expect(holdsAfter(holds, splitHold('run', 0, 14.6))).toEqual([[10, 15], [16, 20], holds[1]]);
   for (const recipe of [
     moveHold('run', 2, 5),

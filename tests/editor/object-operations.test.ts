@@ -23,6 +23,7 @@ import {
   readClipping,
   reorderObject,
   scaleRadius,
+  setLevelProperty,
   setObjectProperty,
   setRadius,
 } from '../../editor/document/index.ts';
@@ -104,6 +105,19 @@ describe('objects', () => {
     );
   });
 
+  it('are changed by two recipes in one step as by one after the other', () => {
+    fc.assert(
+      fc.property(withKeys, withKeys, coordinate, ({ file, keys }, other, dx) => {
+        const [one, two] = [moveObjects(keys, dx, 1), moveObjects([...other.keys, ...keys], 1, dx)];
+        const both = fileAfter(file, (draft) => {
+          one(draft);
+          two(draft);
+        });
+        expect(both).toEqual(fileAfter(fileAfter(file, one), two));
+      }),
+    );
+  });
+
   it('have one edge in line with the outermost of them, and stay where they are along the other axis', () => {
     const edges: [Edge, 'x' | 'y', -1 | 0 | 1][] = [
       ['left', 'x', -1],
@@ -169,6 +183,7 @@ describe('objects', () => {
           const old = file[list] ?? [];
           const now = level.file()[list] ?? [];
           expect(now.slice(0, old.length)).toEqual(old);
+          expect(level.file()[list] === undefined).toBe(file[list] === undefined);
           const copies = now.slice(old.length);
           const expected = old.filter(({ id }) => keys.includes(id as string));
           expect(copies.map((copy) => ({ ...copy, id: null }))).toEqual(
@@ -219,6 +234,11 @@ describe('objects', () => {
     );
   });
 
+  it('come from no other JSON', () => {
+    for (const text of ['null', '7', '"asteroids"', 'true', '[{"asteroids":[]}]', '{"asteroids":null}', '{"runs":[]}'])
+      expect(readClipping(text).ok).toBe(false);
+  });
+
   it('are pasted where they were when no way is given', () => {
     const clipping = { novae: [{ x: 3, y: 4, radius: 16 }] };
     const empty: LevelFile = { version: 1, name: 'a', astronaut: { x: 0, y: 0 }, blackHole: { x: 0, y: 0 } };
@@ -266,7 +286,16 @@ describe('objects', () => {
     );
   });
 
-  it('have a property that is typed, or leave it out', () => {
+  it('and the level have a property that is typed, or leave it out', () => {
+    const level = createEditedLevel({
+      ...{ version: 1, name: 'a', astronaut: { x: 0, y: 0 }, blackHole: { x: 0, y: 0 }, range: 100, recoil: true },
+    });
+    level.change('Type', setLevelProperty('range', 300));
+    level.change('Type', setLevelProperty('recoil', undefined));
+    expect(level.file()).toEqual({ version: 1, name: 'a', astronaut: { x: 0, y: 0 }, blackHole: { x: 0, y: 0 }, range: 300 });
+  });
+
+  it('have a property that is typed, and no longer one that is left out', () => {
     const level: LevelFile = {
       version: 1,
       name: 'a',
