@@ -43,8 +43,17 @@ export const ROOMS: Readonly<Record<string, Room>> = {
   'editor/files': {
     sources: ['editor/files'],
     tests: [
-      ...editor('merge', 'merge-bases', 'opening-marks', 'page-token', 'late-database', 'long-list', 'browser-storage'),
-      ...editor('saver', 'pages', 'server-storage'),
+      ...editor('merge', 'merge-bases', 'opening-marks', 'page-token', 'page-surroundings', 'late-database', 'long-list'),
+      ...editor(
+        'browser-storage',
+        'writer-lock',
+        'saver-states',
+        'saver',
+        'workspace',
+        'server-requests',
+        'pages',
+        'server-storage',
+      ),
     ],
   },
   'editor/document': {
