@@ -39,7 +39,7 @@ export const ROOMS: Readonly<Record<string, Room>> = {
       'concurrent-writers',
     ),
   },
-  'cli/disk': { sources: ['cli/disk.ts'], tests: server('disk', 'full-disk', 'api', 'changes') },
+  'cli/disk': { sources: ['cli/disk.ts'], tests: server('other-systems', 'disk', 'full-disk', 'api') },
   'editor/files': {
     sources: ['editor/files'],
     tests: [
