@@ -7,7 +7,16 @@ import { makeFolder } from './running.ts';
 
 // Disks and systems that are not the one the tests run on: without links, without cases of letters, with scanners that hold files.
 
-type Step = 'linkSync' | 'renameSync' | 'rmSync' | 'lstatSync' | 'openSync' | 'fsyncSync' | 'fchmodSync' | 'fchownSync';
+type Step =
+  | 'closeSync'
+  | 'linkSync'
+  | 'renameSync'
+  | 'rmSync'
+  | 'lstatSync'
+  | 'openSync'
+  | 'fsyncSync'
+  | 'fchmodSync'
+  | 'fchownSync';
 type Call = readonly [step: Step, ...args: unknown[]];
 
 const disk = vi.hoisted(() => ({
@@ -18,7 +27,17 @@ const disk = vi.hoisted(() => ({
 
 vi.mock('node:fs', async (original) => {
   const fs = await original<typeof import('node:fs')>();
-  const names: Step[] = ['linkSync', 'renameSync', 'rmSync', 'lstatSync', 'openSync', 'fsyncSync', 'fchmodSync', 'fchownSync'];
+  const names: Step[] = [
+    'closeSync',
+    'linkSync',
+    'renameSync',
+    'rmSync',
+    'lstatSync',
+    'openSync',
+    'fsyncSync',
+    'fchmodSync',
+    'fchownSync',
+  ];
   const watched = (name: Step) => {
     const real = fs[name] as (...args: unknown[]) => unknown;
     return (...args: unknown[]): unknown => {
@@ -247,6 +266,29 @@ it('a folder that can not be told to keep its names is no reason to refuse, and 
   disk.instead = ([step, name]) => (step === 'openSync' && name === made.folder ? fails('EISDIR') : undefined);
   expect(createFile(path('c'), Buffer.from('C'))).toBe(true);
   expect(content('c')).toBe('C');
+});
+
+it('every file and folder that was opened is closed again, whatever fails', () => {
+  const acts = [
+    () => replaceFile(path('a'), Buffer.from('new'), () => {}),
+    () => createFile(path('c'), Buffer.from('C')),
+    () => moveFile(path('c'), path('d')),
+  ];
+  const total = { opened: 0, failed: 0 };
+  for (const act of acts) {
+    for (const failing of [null, 'fsyncSync', 'fchmodSync', 'linkSync', 'renameSync'] as const) {
+      disk.calls = [];
+      disk.instead = ([step]) => (step === failing ? fails('EIO') : undefined);
+      try {
+        act();
+      } catch {
+        total.failed++;
+      }
+      total.opened += count('openSync');
+      expect([failing, count('closeSync')]).toEqual([failing, count('openSync')]);
+    }
+  }
+  expect([total.opened > 10, total.failed > 3]).toEqual([true, true]);
 });
 
 it('a name is taken by a file, a folder, a link and a broken one', () => {
