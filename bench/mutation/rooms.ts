@@ -26,34 +26,18 @@ export const ROOMS: Readonly<Record<string, Room>> = {
   schema: { sources: ['schema'], tests: ['tests/schema'] },
   'cli/edit': {
     sources: ['cli/edit'],
-    tests: server(
-      'reorder',
-      'changes',
-      'leftovers',
-      'api',
-      'attacks',
-      'events',
-      'disk',
-      'full-disk',
-      'large',
-      'concurrent-writers',
-    ),
+    tests: [
+      ...server('reorder', 'changes', 'streams', 'entries', 'ports', 'attacks', 'api', 'locks', 'disk', 'full-disk'),
+      ...server('leftovers', 'events', 'large', 'concurrent-writers'),
+    ],
   },
   'cli/disk': { sources: ['cli/disk.ts'], tests: server('other-systems', 'disk', 'full-disk', 'api') },
   'editor/files': {
     sources: ['editor/files'],
     tests: [
       ...editor('merge', 'merge-bases', 'opening-marks', 'page-token', 'page-surroundings', 'late-database', 'long-list'),
-      ...editor(
-        'browser-storage',
-        'writer-lock',
-        'saver-states',
-        'saver',
-        'workspace',
-        'server-requests',
-        'pages',
-        'server-storage',
-      ),
+      ...editor('browser-storage', 'writer-lock', 'saver-states', 'saver', 'workspace'),
+      ...editor('server-requests', 'pages', 'server-storage'),
     ],
   },
   'editor/document': {
