@@ -27,8 +27,8 @@ export const ROOMS: Readonly<Record<string, Room>> = {
   'cli/edit': {
     sources: ['cli/edit'],
     tests: [
-      ...server('reorder', 'changes', 'streams', 'entries', 'ports', 'attacks', 'api', 'locks', 'disk', 'full-disk'),
-      ...server('leftovers', 'events', 'large', 'concurrent-writers'),
+      ...server('reorder', 'changes', 'streams', 'entries', 'ports', 'attacks', 'api', 'locks', 'refusals', 'disk'),
+      ...server('full-disk', 'leftovers', 'events', 'large', 'concurrent-writers'),
     ],
   },
   'cli/disk': { sources: ['cli/disk.ts'], tests: server('other-systems', 'disk', 'full-disk', 'api') },

@@ -3,7 +3,7 @@ import { hostname } from 'node:os';
 import { join } from 'node:path';
 import process from 'node:process';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { oneAtATime } from '../../cli/edit/one-at-a-time.ts';
+import { ASIDE, oneAtATime } from '../../cli/edit/one-at-a-time.ts';
 import { makeFolder } from './running.ts';
 
 // Waits take no time here: they are counted, and something happens in the middle of them.
@@ -17,6 +17,18 @@ vi.mock('node:timers/promises', async (original) => ({
   },
 }));
 
+const renamed = vi.hoisted(() => ({ to: [] as string[] }));
+vi.mock('node:fs', async (original) => {
+  const fs = await original<typeof import('node:fs')>();
+  return {
+    ...fs,
+    renameSync(from: string, to: string) {
+      renamed.to.push(to);
+      fs.renameSync(from, to);
+    },
+  };
+});
+
 let made: ReturnType<typeof makeFolder>;
 let lock: string;
 beforeEach(() => {
@@ -24,6 +36,7 @@ beforeEach(() => {
   lock = join(made.folder, '.gq-edit.lock');
   waits.ms = [];
   waits.meanwhile = () => undefined;
+  renamed.to = [];
 });
 afterEach(() => {
   vi.restoreAllMocks();
@@ -89,6 +102,9 @@ describe('work on a folder', () => {
       await oneAtATime(made.folder, () => {});
       expect([age, waits.ms.length, names()]).toEqual([age, isStale ? 1 : 3, []]);
     }
+    // under a name by which it is known when this process is killed here
+    expect(renamed.to).toHaveLength(2);
+    for (const name of renamed.to) expect(name.slice(made.folder.length + 1)).toMatch(ASIDE);
   });
 
   it('does not wait for a process of this machine that is no more, and does for one that it may not ask', async () => {
