@@ -248,6 +248,7 @@ const PROBLEMS: Readonly<Record<string, readonly (readonly [source: string, mess
     [small(',"novae":[7]'), 'novae[0]: expected an object in { }, found the number 7'],
     [small(',"novae":[[]]'), 'novae[0]: expected an object in { }, found an empty list'],
     [small(',"runs":[null]'), 'runs[0]: expected an object in { }, found null'],
+    [small('').replace('{"x":1,"y":2}', '7'), 'astronaut: expected an object in { }, found the number 7'],
   ],
   'Write a pair [press, release].': [
     [hold('[1,2,3]'), 'runs[0].holds[0]: expected a pair [press, release], found a list of 3'],

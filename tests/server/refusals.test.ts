@@ -237,11 +237,14 @@ it('answers have the statuses that the page expects', async () => {
   ).status;
   statuses.ordered = (await post(EDIT_API.ORDER, { folder: 'w', ids: ['w/03'] })).status;
   statuses.page = (await page.get('/')).status;
+  const headersOf = async (length: number) => (await page.ask({ headers: { 'X-Long': 'x'.repeat(length) } })).status;
+  statuses.longHeaders = await headersOf(14_000);
+  statuses.longerHeaders = await headersOf(17_000);
   statuses.nothing = (await page.get('/nothing')).status;
   statuses.method = (await page.ask({ method: 'POST', body: '' })).status;
   expect(statuses).toEqual({
     ...{ list: 200, read: 200, made: 201, written: 200, copied: 201, renamed: 200, removed: 200, trash: 200 },
-    ...{ restored: 201, ordered: 200, page: 200, nothing: 404, method: 405 },
+    ...{ restored: 201, ordered: 200, page: 200, longHeaders: 200, longerHeaders: 431, nothing: 404, method: 405 },
   });
   const unreadable = await page.get(levelPath('w/03'));
   expect(unreadable.headers.etag).toBe((unreadable.json() as { etag: string }).etag);
