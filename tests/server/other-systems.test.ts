@@ -1,4 +1,4 @@
-import { existsSync, mkdirSync, readdirSync, readFileSync, statSync, symlinkSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readdirSync, readFileSync, statSync, symlinkSync, unlinkSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import process from 'node:process';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
@@ -116,6 +116,14 @@ describe('a file that is moved', () => {
     disk.instead = ([step, name]) => (step === 'rmSync' && name === path('a') ? fails('EPERM') : undefined);
     expect(() => moveFile(path('a'), path('c'))).toThrow('EPERM');
     expect(names()).toEqual(['a', 'b', 'sub']);
+  });
+
+  it('is moved when somebody else takes its old name away at the same time', () => {
+    disk.instead = ([step, name]) => {
+      if (step === 'rmSync' && name === path('a')) unlinkSync(path('a'));
+      return undefined;
+    };
+    expect([moveFile(path('a'), path('c')), content('a'), content('c')]).toEqual([true, null, 'A']);
   });
 
   it('is renamed where A and a are one file, and only there', () => {
