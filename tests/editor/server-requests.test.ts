@@ -217,6 +217,7 @@ describe('the stream of events', () => {
   it('is told in order, however it is cut in pieces; what is not understood, and what the page did itself, is passed over', async () => {
     const part = fc.oneof(
       fc.constantFrom('a', 'bü🚀').map((id) => ({ text: block(changed(id)), told: [id] })),
+      fc.constant({ text: `event: x\nid: 7\n${block(changed('named'))}`, told: ['named'] }),
       fc.constant({
         text: `data:${JSON.stringify(changed('c', 'page-2'), null, 1).replaceAll('\n', '\ndata: ')}\n\n`,
         told: ['c'],
@@ -303,6 +304,19 @@ describe('the stream of events', () => {
     expect(streams).toHaveLength(1);
     await clock.pass(1 + 250);
     expect([streams.length, links]).toEqual([2, ['up', 'gone', 'up']]);
+    stop();
+  });
+
+  it('that ended is not waited for any more, and takes no other with it', async () => {
+    const { streams, send, stop } = stream();
+    await breathe();
+    await send(': still here\n\n');
+    streams.at(-1)?.close();
+    for (let i = 0; i < 4; i++) {
+      await clock.pass(10_000);
+      await send(': still here\n\n');
+    }
+    expect(streams).toHaveLength(2);
     stop();
   });
 

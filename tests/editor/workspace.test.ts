@@ -120,6 +120,10 @@ describe('the list', () => {
     line.tell({ type: 'read', levels: [], unread: 0 });
     line.tell({ type: 'removed', id: 'b', by: null });
     expect(workspace.store.getState().list).toBeNull();
+    const list = granted(await disk.list());
+    line.tell({ type: 'list', list: { ...list, levels: list.levels.slice(0, 1), unread: 2 } });
+    expect(ids(workspace)).toEqual(['a']);
+    workspace.store.setState({ list: null });
     line.tell({ type: 'changed', entry: granted(await disk.read('a')), by: null });
     expect(workspace.store.getState().list).toBeNull();
   });
@@ -189,6 +193,47 @@ describe('the level that is open', () => {
     }
     expect(workspace.store.getState().opened).toBeNull();
     await workspace.leave();
+  });
+
+  it('is there once it is known whether this page may write it', async () => {
+    let go = () => {};
+    const gate = new Promise<void>((resolve) => {
+      go = resolve;
+    });
+    const mine = locks.of('slow');
+    const request = (...all: [never, never, never]) => gate.then(() => mine.request(...all));
+    const line = createLine(disk);
+    const workspace = createWorkspace({
+      ...{ storage: line, journal: createJournal(store, () => 0), timers: clock, channel, locks: { request: request as never } },
+    });
+    await workspace.start();
+    const opening = workspace.open('a');
+    await clock.pass(60_000);
+    expect(workspace.store.getState().opened).toBeNull();
+    go();
+    await opening;
+    expect(opened(workspace).lock.store.getState()).toBe('writer');
+    expect(opened(workspace).saver.store.getState()).toEqual({ kind: 'saved' });
+  });
+
+  it('that another page has taken while the journal was asked is only read', async () => {
+    let go = () => {};
+    const gate = new Promise<void>((resolve) => {
+      go = resolve;
+    });
+    const journal = createJournal(store, () => 0);
+    const one = await page({ ...journal, recover: (place) => gate.then(() => journal.recover(place)) });
+    const two = await page();
+    const opening = one.workspace.open('a');
+    await breathe();
+    const b = await open(two.workspace, 'a');
+    b.lock.takeOver();
+    await clock.pass(5000);
+    expect(b.lock.store.getState()).toBe('writer');
+    go();
+    await opening;
+    const a = opened(one.workspace);
+    expect([a.lock.store.getState(), a.saver.store.getState().kind, a.keeping.getState()]).toEqual(['reader', 'readOnly', null]);
   });
 
   it('stays on the screen until the next one is there, and is opened anew when it is opened again', async () => {
@@ -349,6 +394,7 @@ describe('the level that is open', () => {
     const { trash } = granted(await workspace.storage.trash())[0];
     expect(await workspace.restore(trash, 'back')).toMatchObject({ ok: true, value: { id: 'back', name: 'three' } });
     expect(ids(workspace)).toEqual(['b', 'c', 'copy', 'back']);
+    expect(await workspace.rename(entry(workspace, 'b'), 'c')).toMatchObject({ ok: false, error: { code: 'name-taken' } });
     // one that could not be read has no etag, and is refused
     expect(await workspace.remove({ ...entry(workspace, 'b'), etag: null })).toMatchObject({
       ok: false,

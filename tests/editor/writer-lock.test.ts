@@ -56,10 +56,13 @@ describe('the pages that have a level open', () => {
     await breathe();
     expect(rolesOf(a, b)).toEqual(['writer', 'reader']);
     expect([a.seen, b.seen]).toEqual([[], ['a']]);
-    a.lock.tell(shownOf('more'));
-    b.lock.tell(shownOf('not from a reader'));
+    const c = tab('c');
     await breathe();
-    expect([a.seen, b.seen]).toEqual([[], ['a', 'more']]);
+    a.lock.tell(shownOf('more'));
+    c.lock.tell(shownOf('not from a reader'));
+    await breathe();
+    // c has asked, and all readers hear the answer
+    expect([a.seen, b.seen]).toEqual([[], ['a', 'a', 'more']]);
     // each is told once of what it becomes
     expect([a.roles, b.roles]).toEqual([['writer'], ['reader']]);
   });
@@ -90,7 +93,9 @@ describe('the pages that have a level open', () => {
     b.lock.moveTo('other', channel('other'));
     await clock.pass(10_000);
     expect(rolesOf(a, b)).toEqual(['writer', 'writer']);
-    expect([a.handedOver, a.roles, b.roles]).toEqual([0, [], []]);
+    channel('level').postMessage({ type: 'hand-over' });
+    await breathe();
+    expect([a.handedOver, a.role(), a.roles, b.roles]).toEqual([0, 'writer', [], []]);
   });
 
   it('that are closed before they know hold nothing', async () => {
@@ -194,6 +199,17 @@ describe('a level that gets another name', () => {
     expect([b, late, early].filter((one) => one.role() === 'writer')).toHaveLength(1);
   });
 
+  it('is shown to a reader that follows it, who asks for it', async () => {
+    const [a, b] = [tab('a'), tab('b')];
+    await breathe();
+    b.seen.length = 0;
+    a.lock.moveTo('new', channel('new'));
+    a.text = 'a, renamed';
+    b.lock.moveTo('new', channel('new'));
+    await clock.pass(10_000);
+    expect([rolesOf(a, b), b.seen]).toEqual([['writer', 'reader'], ['a, renamed']]);
+  });
+
   it('is held under the old name for 3 s more, and is free after that', async () => {
     const a = tab('a');
     await breathe();
@@ -230,6 +246,19 @@ describe('a level that gets another name', () => {
     expect(rolesOf(first, second, third)).toEqual(['writer', 'writer', 'writer']);
   });
 
+  it('stays with its writer when another page takes the old name', async () => {
+    const a = tab('a');
+    await breathe();
+    a.lock.moveTo('new', channel('new'));
+    const b = tab('b', 'level');
+    await breathe();
+    b.lock.takeOver();
+    await clock.pass(2000);
+    expect(rolesOf(a, b)).toEqual(['writer', 'writer']);
+    await clock.pass(10_000);
+    expect([rolesOf(a, b), a.roles, a.handedOver]).toEqual([['writer', 'writer'], ['writer'], 0]);
+  });
+
   it('by a reader, who does not take over any more what it had asked for', async () => {
     const [a, b] = [tab('a'), tab('b')];
     await breathe();
@@ -242,6 +271,22 @@ describe('a level that gets another name', () => {
     a.lock.tell(shownOf('of the old name'));
     await breathe();
     expect(b.seen).not.toContain('of the old name');
+  });
+
+  it('takes no message amiss', () => {
+    const listeners: ((event: { readonly data: unknown }) => void)[] = [];
+    const lock = claimLevel({
+      locks: null,
+      channel: { postMessage: () => {}, addEventListener: (_, listener) => void listeners.push(listener), close: () => {} },
+      timers: clock,
+      name: 'level',
+      beforeHandOver: async () => {},
+      onShown: () => {},
+      shown: () => shownOf(''),
+    });
+    for (const data of [null, undefined, 7, 'shown', [], {}, { type: null }])
+      for (const listener of listeners) expect(() => listener({ data })).not.toThrow();
+    expect(lock.store.getState()).toBe('writer');
   });
 
   it('hears nothing of the old name, and junk of no name', async () => {
