@@ -27,7 +27,20 @@ export const ROOMS: Readonly<Record<string, Room>> = {
   'cli/edit': {
     sources: ['cli/edit'],
     tests: [
-      ...server('reorder', 'changes', 'streams', 'watch', 'entries', 'ports', 'attacks', 'api', 'locks', 'refusals', 'disk'),
+      ...server(
+        'reorder',
+        'changes',
+        'streams',
+        'watch',
+        'entries',
+        'ports',
+        'crashes',
+        'attacks',
+        'api',
+        'locks',
+        'refusals',
+        'disk',
+      ),
       ...server('full-disk', 'leftovers', 'events', 'large', 'concurrent-writers'),
     ],
   },

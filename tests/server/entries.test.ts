@@ -322,6 +322,24 @@ describe('what everybody has been told of a folder', () => {
     expect([ids(), words(events)]).toEqual([['0', '2', '3', '4', '6', '9'], ['1 to 9']]);
   });
 
+  it('has what is new between the last two there, and what is changed last in its place', () => {
+    for (const id of ['1', '3']) level(id);
+    const { known, ids } = open();
+    level('2');
+    known.announce(['2'], 'me');
+    expect(ids()).toEqual(['1', '2', '3']);
+    level('3', 'new');
+    known.announce(['3'], 'me');
+    expect(known.list().levels.map(({ id, name }) => [id, name])).toEqual([
+      ['1', '1'],
+      ['2', '2'],
+      ['3', 'new'],
+    ]);
+    level('2', 'new');
+    known.announce(['2'], 'me');
+    expect(ids()).toEqual(['1', '2', '3']);
+  });
+
   it('is the same whether few are announced or so many that the whole folder is looked at', () => {
     const all = Array.from({ length: 30 }, (_, i) => `${i}`);
     const { known, events, ids } = open();

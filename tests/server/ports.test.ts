@@ -49,6 +49,38 @@ describe.runIf(process.platform !== 'win32')('the port of a folder', () => {
     expect(lastPort('one')).toBeNull();
   });
 
+  it.runIf(process.platform === 'linux')('is kept below the home of a person who names no place for it, or half of one', () => {
+    const home = process.env.HOME;
+    const at = join(state, '.local', 'state', 'gravity-quest-toolkit', 'edit-ports');
+    try {
+      process.env.HOME = state;
+      for (const named of [undefined, '', 'relative']) {
+        if (named === undefined) delete process.env.XDG_STATE_HOME;
+        else process.env.XDG_STATE_HOME = named;
+        keepPort(`named ${named}`, 4747);
+        expect([readdirSync(at).includes(`named ${named}`), lastPort(`named ${named}`)]).toEqual([true, 4747]);
+      }
+    } finally {
+      process.env.HOME = home;
+    }
+  });
+
+  it.runIf(process.platform === 'linux')('is kept where Windows keeps such things, on Windows', () => {
+    const { platform } = process;
+    const local = process.env.LOCALAPPDATA;
+    try {
+      Object.defineProperty(process, 'platform', { value: 'win32' });
+      process.env.LOCALAPPDATA = join(state, 'local');
+      keepPort('one', 4747);
+      expect(readdirSync(join(state, 'local', 'gravity-quest-toolkit', 'edit-ports'))).toEqual(['one']);
+      expect(lastPort('one')).toBe(4747);
+    } finally {
+      Object.defineProperty(process, 'platform', { value: platform });
+      if (local === undefined) delete process.env.LOCALAPPDATA;
+      else process.env.LOCALAPPDATA = local;
+    }
+  });
+
   it('is remembered for the last 1000 folders', () => {
     keepPort('first', 1);
     for (let i = 0; i < 1002; i++) {
@@ -95,6 +127,13 @@ describe.runIf(process.platform !== 'win32')('a server', () => {
     const next = await start(at, null);
     expect([next.port, next.portBefore]).toEqual([other.port, other.port]);
     await next.close();
+    // another one that was given is the one to find from then on
+    const third = await listener();
+    await third.close();
+    await (await start(at, third.port)).close();
+    const last = await start(at, null);
+    expect([last.port, last.portBefore]).toEqual([third.port, third.port]);
+    await last.close();
   });
 
   it('takes any port again where it was given none, and another one while that is taken, which stays the one to find', async () => {
