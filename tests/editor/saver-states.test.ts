@@ -84,11 +84,16 @@ describe('when a saver writes', () => {
     move(1);
     await clock.pass(1000);
     expect(times).toHaveLength(8);
+    // at once when the line may be back, and then as at the beginning
+    const again = clock.now();
+    saver.retry();
+    await clock.pass(2000);
+    expect(times.slice(8).map((time) => time - again)).toEqual([0, 500, 1500]);
     line.isCut = false;
     saver.retry();
     saver.retry();
     await clock.pass(0);
-    expect(times).toHaveLength(9);
+    expect(times).toHaveLength(12);
     expect(saver.store.getState()).toEqual({ kind: 'saved' });
     times.length = 0;
     line.isCut = true;

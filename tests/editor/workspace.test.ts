@@ -218,22 +218,36 @@ describe('the level that is open', () => {
 
   it('that another page has taken while the journal was asked is only read', async () => {
     let go = () => {};
-    const gate = new Promise<void>((resolve) => {
+    let gate = new Promise<void>((resolve) => {
       go = resolve;
     });
     const journal = createJournal(store, () => 0);
-    const one = await page({ ...journal, recover: (place) => gate.then(() => journal.recover(place)) });
-    const two = await page();
-    const opening = one.workspace.open('a');
-    await breathe();
-    const b = await open(two.workspace, 'a');
-    b.lock.takeOver();
-    await clock.pass(5000);
-    expect(b.lock.store.getState()).toBe('writer');
-    go();
-    await opening;
-    const a = opened(one.workspace);
-    expect([a.lock.store.getState(), a.saver.store.getState().kind, a.keeping.getState()]).toEqual(['reader', 'readOnly', null]);
+    const fails = () => Promise.reject(new Error('it does not answer'));
+    for (const [id, recover] of [
+      ['a', journal.recover],
+      ['b', fails],
+    ] as const) {
+      const one = await page({ ...journal, recover: (place) => gate.then(() => recover(place)) });
+      const two = await page();
+      const opening = one.workspace.open(id);
+      await breathe();
+      const other = await open(two.workspace, id);
+      other.lock.takeOver();
+      await clock.pass(5000);
+      expect(other.lock.store.getState()).toBe('writer');
+      go();
+      await opening;
+      const mine = opened(one.workspace);
+      await clock.pass(10_000);
+      expect([mine.lock.store.getState(), mine.saver.store.getState().kind, mine.keeping.getState()]).toEqual([
+        'reader',
+        'readOnly',
+        null,
+      ]);
+      gate = new Promise<void>((resolve) => {
+        go = resolve;
+      });
+    }
   });
 
   it('stays on the screen until the next one is there, and is opened anew when it is opened again', async () => {
@@ -395,6 +409,13 @@ describe('the level that is open', () => {
     expect(await workspace.restore(trash, 'back')).toMatchObject({ ok: true, value: { id: 'back', name: 'three' } });
     expect(ids(workspace)).toEqual(['b', 'c', 'copy', 'back']);
     expect(await workspace.rename(entry(workspace, 'b'), 'c')).toMatchObject({ ok: false, error: { code: 'name-taken' } });
+    // and what is remembered of it stays
+    rename(await open(workspace, 'b'), 'changed');
+    await open(workspace, 'c');
+    await workspace.refresh();
+    expect(await workspace.rename(entry(workspace, 'b'), 'c')).toMatchObject({ ok: false, error: { code: 'name-taken' } });
+    expect((await open(workspace, 'b')).level.labels()).toEqual(['Rename']);
+    await workspace.leave();
     // one that could not be read has no etag, and is refused
     expect(await workspace.remove({ ...entry(workspace, 'b'), etag: null })).toMatchObject({
       ok: false,
