@@ -27,21 +27,8 @@ export const ROOMS: Readonly<Record<string, Room>> = {
   'cli/edit': {
     sources: ['cli/edit'],
     tests: [
-      ...server(
-        'reorder',
-        'changes',
-        'streams',
-        'watch',
-        'entries',
-        'ports',
-        'crashes',
-        'attacks',
-        'api',
-        'locks',
-        'refusals',
-        'disk',
-      ),
-      ...server('full-disk', 'leftovers', 'events', 'large', 'concurrent-writers'),
+      ...server('reorder', 'changes', 'streams', 'watch', 'entries', 'ports', 'crashes', 'first-reading', 'attacks', 'api'),
+      ...server('locks', 'refusals', 'disk', 'full-disk', 'leftovers', 'events', 'large', 'concurrent-writers'),
     ],
   },
   'cli/disk': { sources: ['cli/disk.ts'], tests: server('other-systems', 'disk', 'full-disk', 'api') },

@@ -1,5 +1,6 @@
+import fc from 'fast-check';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { createEventStreams } from '../../cli/edit/event-stream.ts';
+import { createEventStreams, inParts } from '../../cli/edit/event-stream.ts';
 import type { KnownLevels } from '../../cli/edit/known-levels.ts';
 import { Refusal } from '../../cli/edit/refusal.ts';
 import { EDIT_API, type EditEvent, type LevelEntry, type ListResponse } from '../../schema/index.ts';
@@ -54,6 +55,24 @@ async function said(reader: ReadableStreamDefaultReader<Uint8Array>): Promise<st
 }
 const pending = new WeakMap<object, Promise<ReadableStreamReadResult<Uint8Array>>>();
 const line = (event: EditEvent) => `data: ${JSON.stringify(event)}\n\n`;
+
+it('a list of any length is told in parts, each level once and in its order, and the last part says that it is the last', () => {
+  fc.assert(
+    fc.property(fc.nat(5000), fc.nat(3), (count, unread) => {
+      const list = { ...listOf(...Array.from({ length: count }, (_, i) => `${i}`)), unread };
+      const { levels } = list;
+      const parts = [...inParts({ type: 'list', list })];
+      const told = parts.map((part) => (part.type === 'list' ? part.list : part)) as { levels: LevelEntry[]; unread: number }[];
+      expect(parts.map(({ type }) => type)).toEqual(['list', ...parts.slice(1).map(() => 'read')]);
+      expect(told.flatMap((part) => part.levels)).toEqual(levels);
+      for (const [i, part] of told.entries()) {
+        const after = told.slice(i + 1).reduce((sum, { levels: more }) => sum + more.length, 0);
+        expect(part.unread).toBe(unread + after);
+      }
+    }),
+    { numRuns: 30 },
+  );
+});
 
 describe('a stream of events', () => {
   it('begins with the list, and goes on with what happens', async () => {
