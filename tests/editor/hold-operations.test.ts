@@ -103,6 +103,14 @@ it('an edge of a hold goes as far as its neighbours and its other edge let it; w
   );
 });
 
+it('a run that is not there has no holds, and nothing can be done to them', () => {
+  for (const file of [levelWith(undefined), levelWith([]), levelWith([{ name: 'other', holds: [[1, 2]] }])]) {
+    expect(holdsOf(file, 'run')).toEqual([]);
+    for (const recipe of [moveHold('run', 0, 1), addHold('run', 1, 2), renameRun('run', 'x'), replaceHolds('run', [])])
+      expect(fileAfter(file, recipe)).toEqual(file);
+  }
+});
+
 it('ticks are rounded, what is not there is passed over, and nothing ripples unasked', () => {
   const holds: Hold[] = [
     [10, 20],
