@@ -56,11 +56,12 @@ export function scanJson(text: string): Scan {
   let hasExtensions = false;
   let failure: Finding | null = null;
 
+  /** Of the key that was read last. */
   const path = (): Path => {
     const steps: (string | number)[] = [];
     for (let d = 0; d < depth; d++) {
       if (isList[d]) steps.push(index[d]);
-      else if (keys[d].length > 0) steps.push(keys[d][keys[d].length - 1]);
+      else steps.push(keys[d][keys[d].length - 1]);
     }
     return steps;
   };

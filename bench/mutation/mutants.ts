@@ -158,8 +158,10 @@ export function mutantsOf(file: string, text: string, first: number): PlacedMuta
         return;
       }
       case 'ExpressionStatement': {
-        const { start, end } = node.expression as Node;
+        const { type, start, end, callee } = node.expression as Node;
         if (parent !== null && FUNCTIONS.has(parent.type)) return;
+        // a constructor whose parameters are properties must begin with it
+        if (type === 'CallExpression' && (callee as Node).type === 'Super') return;
         add([start, end], 'undefined', { ...here, site: [start, end] });
         return;
       }

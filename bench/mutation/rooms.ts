@@ -28,13 +28,26 @@ export const ROOMS: Readonly<Record<string, Room>> = {
     tests: [...robustness('noise', 'any-game', 'measured', 'in-steps'), 'tests/solver/robustness'],
   },
   schema: { sources: ['schema'], tests: ['tests/schema'] },
-  'cli/edit': { sources: ['cli/edit'], tests: server('reorder', 'api', 'attacks', 'changes', 'events', 'concurrent-writers') },
-  'cli/disk': { sources: ['cli/disk.ts'], tests: server('disk', 'full-disk', 'api', 'changes') },
+  'cli/edit': {
+    sources: ['cli/edit'],
+    tests: [
+      ...server('reorder', 'changes', 'streams', 'watch', 'entries', 'ports', 'crashes', 'first-reading', 'attacks', 'api'),
+      ...server('locks', 'refusals', 'disk', 'full-disk', 'leftovers', 'events', 'large', 'concurrent-writers'),
+    ],
+  },
+  'cli/disk': { sources: ['cli/disk.ts'], tests: server('other-systems', 'disk', 'full-disk', 'api') },
   'editor/files': {
     sources: ['editor/files'],
-    tests: editor('merge', 'merge-bases', 'saver', 'journal', 'server-storage', 'browser-storage'),
+    tests: [
+      ...editor('merge', 'merge-bases', 'opening-marks', 'page-token', 'page-surroundings', 'late-database', 'long-list'),
+      ...editor('browser-storage', 'writer-lock', 'saver-states', 'saver', 'workspace'),
+      ...editor('server-requests', 'pages', 'server-storage'),
+    ],
   },
-  'editor/document': { sources: ['editor/document'], tests: editor('document') },
+  'editor/document': {
+    sources: ['editor/document'],
+    tests: editor('history', 'settle', 'hold-operations', 'object-operations', 'document'),
+  },
 };
 
 /** The files among some files and folders whose names end in `ending`; what isn't there has none. */

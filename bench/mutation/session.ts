@@ -13,7 +13,22 @@ Object.assign(globalThis, { mutation: board });
 const say = (result: Result): void => appendFileSync(plan.results, `${JSON.stringify(result)}\n`);
 
 let loads = 0;
-const load = (file: string) => collect(() => import(/* @vite-ignore */ `../../${file}?load=${loads++}`));
+let mocked: readonly string[] = [];
+
+/**
+ * Loads a test file. What one mocks stays mocked for all modules that are loaded from then on, and modules that are loaded already don't hear of it:
+ * a file with mocks, and the one after it, have modules of their own.
+ */
+function load(file: string) {
+  // names of packages: a path would be looked for beside this file
+  const mocks = [...readFileSync(file, 'utf8').matchAll(/\bvi\.mock\('([^']+)'/g)].map((match) => match[1]);
+  if (mocks.length > 0 || mocked.length > 0) {
+    for (const name of mocked) vi.doUnmock(name);
+    vi.resetModules();
+  }
+  mocked = mocks;
+  return collect(() => import(/* @vite-ignore */ `../../${file}?load=${loads++}`));
+}
 
 /** The time a test may take, ms: much more than without a mutant. */
 const patience = (ms: number): number => 3000 + 10 * ms;

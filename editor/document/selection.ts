@@ -57,7 +57,8 @@ export function createSelection(level: EditedLevel): SelectionStore {
     toggle: (key) => set({ ...NONE, keys: keys().includes(key) ? keys().filter((k) => k !== key) : existing([...keys(), key]) }),
     selectAll: () => set({ ...NONE, keys: [...objectsOf(level.file()).keys()] }),
     selectHolds(run, holds) {
-      set({ keys: [], holds: [...new Set(holds)].sort((a, b) => a - b), run });
+      const chosen = [...new Set(holds)].sort((a, b) => a - b);
+      set({ keys: [], holds: chosen, run: chosen.length === 0 ? null : run });
       mend();
     },
     clear: () => set(NONE),

@@ -111,7 +111,7 @@ function settleEach<T>(
 
 type RunFile = NonNullable<LevelFile['runs']>[number];
 
-const tickOf = (tick: number): number => Math.min(LIMITS.tick, Math.max(0, Math.round(tick))) + 0;
+const tickOf = (tick: number): number => Math.min(LIMITS.tick, Math.max(0, Math.round(tick)));
 
 function settleHolds(holds: RunFile['holds']): RunFile['holds'] {
   if (holds.length > LIMITS.holds) refuse(`a run can have ${LIMITS.holds} holds at most`, 'Take some out.');

@@ -66,10 +66,10 @@ export async function openLevel(id: string, surroundings: Surroundings, remember
   const answer = await surroundings.storage.read(id);
   if (!answer.ok) return { ok: false, kind: 'failed', error: answer.error };
   const { text, etag, problems } = answer.value;
-  const reading = readText(text ?? '');
-  if (text === null || !reading.ok) {
-    return { ok: false, kind: 'invalid', text: text ?? '', etag, problems: reading.ok ? problems : reading.problems };
-  }
+  // only the storage knows why it could not be read
+  if (text === null) return { ok: false, kind: 'invalid', text: '', etag, problems };
+  const reading = readText(text);
+  if (!reading.ok) return { ok: false, kind: 'invalid', text, etag, problems: reading.problems };
   // an id may have become another level's meanwhile: a history goes on only where its level is still what is there
   const fresh = createEditedLevel(reading.file);
   const level = remembered !== null && isSame(remembered.file(), fresh.file()) ? remembered : fresh;

@@ -91,7 +91,151 @@ describe('levels in the browser', () => {
     );
     expect(await full.write('a', text('a'), null)).toMatchObject({
       ok: false,
-      error: { code: 'disk-full', hint: expect.stringContaining('download') },
+      error: { code: 'disk-full', message: expect.stringContaining('no room'), hint: expect.stringContaining('download') },
+    });
+  });
+
+  it('whose database fails say so, and why', async () => {
+    for (const [thrown, why] of [
+      [new DOMException('denied', 'SecurityError'), 'denied'],
+      ['no reason', 'no reason'],
+      [{ name: 'QuotaExceededError' }, 'object'],
+    ] as const) {
+      const fail = () => Promise.reject(thrown);
+      const failing = createBrowserStorage({ get: fail, update: fail }, null, () => 0);
+      const error = { code: 'failed', message: expect.stringContaining(why), hint: expect.stringContaining('download') };
+      for (const answer of [await failing.list(), await failing.write('a', text('a'), null)])
+        expect(answer).toMatchObject({ ok: false, error });
+      const told: unknown[] = [];
+      failing.watch(
+        (event) => told.push(event),
+        (link) => told.push(link),
+      );
+      await breathe();
+      expect(told).toEqual(['up']);
+    }
+  });
+
+  it('are what the last look of a database at them found, should it look twice', async () => {
+    // as one does whose transaction is begun again
+    const kept: unknown[] = [];
+    const database = createKeyValues();
+    await createBrowserStorage(database, null, () => 0).write('a', text('a'), null);
+    const full = await database.get('gravity-quest-editor-levels');
+    const twice = (first: unknown, second: unknown) =>
+      createBrowserStorage(
+        {
+          get: async () => second,
+          async update(_, change) {
+            for (const state of [first, second]) kept.push(change(state));
+          },
+        },
+        null,
+        () => 0,
+      );
+    expect(await twice(undefined, full).write('a', text('new'), null)).toMatchObject({
+      ok: false,
+      error: { code: 'name-taken' },
+    });
+    expect(kept.at(-1)).toBe(full);
+    expect(await twice(full, undefined).write('a', text('new'), null)).toMatchObject({ ok: true, value: { name: 'new' } });
+  });
+
+  it('never have an etag twice, and come back from the trash alone and to a free name', async () => {
+    const etags = new Set([await etagOf('a')]);
+    for (let i = 0; i < 20; i++) {
+      await storage.write('a', text('same'), await etagOf('a'));
+      etags.add(await etagOf('a'));
+    }
+    expect(etags.size).toBe(21);
+    const names: string[] = [];
+    for (let i = 0; i < 3; i++) {
+      const removed = await storage.remove('a', await etagOf('a'));
+      if (removed.ok) names.push(removed.value.trashed.trash);
+      etags.add(await etagOf('a'));
+      await storage.write('a', text(`a ${i}`), null);
+      etags.add(await etagOf('a'));
+    }
+    expect([etags.size, new Set(names).size]).toEqual([25, 3]);
+    const trash = async () => {
+      const answer = await storage.trash();
+      return answer.ok ? answer.value.map((entry) => entry.trash) : [];
+    };
+    expect(await trash()).toEqual(names.toReversed());
+    expect(await storage.restore(names[1])).toMatchObject({ ok: false, error: { code: 'name-taken' } });
+    expect(await storage.restore('nowhere')).toMatchObject({ ok: false, error: { code: 'unknown-level' } });
+    expect(await storage.restore(names[1], 'back')).toMatchObject({ ok: true, value: { id: 'back', name: 'a 0' } });
+    expect(await trash()).toEqual([names[2], names[0]]);
+    expect(await storage.restore(names[1], 'again')).toMatchObject({ ok: false, error: { code: 'unknown-level' } });
+    await storage.remove('a', await etagOf('a'));
+    expect(await storage.restore(names[0])).toMatchObject({ ok: true, value: { id: 'a', name: 'same' } });
+  });
+
+  it('are written in their place, and put into an order that names each of them', async () => {
+    await storage.write('b', text('B'), await etagOf('b'));
+    expect(await ids()).toEqual(['a', 'b', 'c']);
+    for (const wrong of [
+      ['a', 'b', 'x'],
+      ['a', 'b', 'b'],
+      ['a', 'b'],
+      ['a', 'b', 'c', 'x'],
+      ['x', 'y', 'z'],
+    ])
+      expect(await storage.order('', wrong)).toMatchObject({ ok: false, error: { code: 'list-changed' } });
+    expect(await storage.order('', ['c', 'a', 'b'])).toMatchObject({
+      ok: true,
+      value: { renamed: [], levels: [{ id: 'c' }, {}, {}] },
+    });
+    expect(await ids()).toEqual(['c', 'a', 'b']);
+    // another case of letters is the same name, but for the level that has it
+    expect(await storage.rename('b', 'B', await etagOf('b'))).toMatchObject({ ok: true, value: { id: 'B', name: 'B' } });
+    expect(await storage.duplicate('B', 'b', await etagOf('B'))).toMatchObject({ ok: false, error: { code: 'name-taken' } });
+  });
+
+  it('are told of by name, from where and in which list, until the page stops listening', async () => {
+    const told: unknown[] = [];
+    const stop = other.watch(
+      (event) => told.push(event),
+      (link) => told.push(link),
+    );
+    await breathe();
+    expect(told).toMatchObject(['up', { type: 'list', list: { levels: [{ id: 'a' }, { id: 'b' }, { id: 'c' }] } }]);
+    told.length = 0;
+    await storage.write('n', text('n'), null);
+    await storage.rename('n', 'm', await etagOf('n'));
+    await storage.remove('m', await etagOf('m'));
+    await breathe();
+    expect(told).toMatchObject([
+      { type: 'changed', entry: { id: 'n' } },
+      { type: 'renamed', from: 'n', entry: { id: 'm' } },
+      { type: 'removed', id: 'm' },
+    ]);
+    stop();
+    const count = told.length;
+    await storage.write('n', text('n'), null);
+    // nor what it had asked for before
+    const stopAtOnce = other.watch(
+      (event) => told.push(event),
+      () => {},
+    );
+    stopAtOnce();
+    await breathe();
+    expect(told).toHaveLength(count);
+  });
+
+  it('that are none are shown as such, and may be mended', async () => {
+    const database = createKeyValues();
+    const shelf = createBrowserStorage(database, null, () => 0);
+    await shelf.write('a', text('a'), null);
+    await database.update('gravity-quest-editor-levels', (old) => {
+      const { levels, ...rest } = old as { levels: Map<string, object> };
+      return { ...rest, levels: new Map([...levels].map(([id, level]) => [id, { ...level, text: '{' }])) };
+    });
+    const found = await shelf.read('a');
+    expect(found).toMatchObject({ ok: true, value: { status: 'invalid', name: null, text: '{', problems: [{}] } });
+    expect(await shelf.write('a', text('mended'), found.ok ? found.value.etag : null)).toMatchObject({
+      ok: true,
+      value: { status: 'valid', problems: [] },
     });
   });
 });

@@ -156,6 +156,29 @@ describe('merging', () => {
     expect(mergeLevels(BASE, rocks(cc, aa, bb), rocks(bb, aa, cc)).conflicts).toMatchObject([{ key: 'asteroids/order' }]);
   });
 
+  it('asks for the astronaut, the black hole and the level by their names', () => {
+    const mine = { ...BASE, name: 'm', astronaut: { x: 1, y: 0 }, blackHole: { x: 301, y: 0, radius: 20 } };
+    const theirs = { ...BASE, name: 't', astronaut: { x: 2, y: 0, vx: 5 }, blackHole: { x: 300, y: 0, radius: 30 } };
+    const { conflicts, file } = mergeLevels(BASE, mine, theirs);
+    expect(conflicts.map(({ key, what }) => [key, what])).toEqual([
+      ['name', 'name'],
+      ['astronaut/place', 'astronaut, place'],
+      ['blackHole/radius', 'black hole, radius'],
+    ]);
+    expect(file).toMatchObject({ name: 'm', astronaut: { x: 1, y: 0, vx: 5 }, blackHole: { x: 301, y: 0, radius: 20 } });
+  });
+
+  it('puts what both added at one place in an order of its own, whoever is who', () => {
+    const [dd, ee] = ['dd', 'ee'].map((id) => ({ ...aa, id }));
+    for (const [mine, theirs] of [
+      [rocks(aa, dd, bb, cc), rocks(aa, ee, bb, cc)],
+      [rocks(aa, ee, bb, cc), rocks(aa, dd, bb, cc)],
+    ])
+      expect(ids(mergeLevels(BASE, mine, theirs).file)).toEqual(['aa', 'dd', 'ee', 'bb', 'cc']);
+    // in front of all, and behind the last
+    expect(ids(mergeLevels(BASE, rocks(dd, aa, bb, cc), rocks(aa, bb, cc, ee)).file)).toEqual(['dd', 'aa', 'bb', 'cc', 'ee']);
+  });
+
   it('knows runs by name, and their holds are one thing', () => {
     const runs = (...list: [string, [number, number][]][]): LevelFile => ({
       ...BASE,

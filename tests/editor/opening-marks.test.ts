@@ -64,5 +64,10 @@ describe('marks of levels that are being opened', () => {
     for (let i = 0; i < 1000; i++) createOpeningMarks(storage).set(`level ${i}`);
     expect(kept.get('gravity-quest-editor-opening')?.length).toBeLessThan(2000);
     expect(createOpeningMarks(storage).has('level 999')).toBe(true);
+    expect(createOpeningMarks(storage).has('level 950')).toBe(true);
+    expect(createOpeningMarks(storage).has('level 949')).toBe(false);
+    // one that is marked again and again takes the place of no other
+    for (let i = 0; i < 100; i++) createOpeningMarks(storage).set('level 999');
+    expect(createOpeningMarks(storage).has('level 950')).toBe(true);
   });
 });

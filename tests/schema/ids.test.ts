@@ -34,6 +34,16 @@ describe('ids', () => {
     );
   });
 
+  test('are the same in every version of the toolkit, or two people would give one object two', () => {
+    const { asteroids, novae, minerals } = withIds({
+      ...level([rock(3), rock(3)]),
+      novae: [rock(3)],
+      minerals: [{ x: -1.5, y: 1e9 }],
+    });
+    const ids = [asteroids, novae, minerals].flatMap((list) => list?.map(({ id }) => id));
+    expect(ids).toEqual(['7kptlv', 'ww813j', '6psvun', '2rfc1q']);
+  });
+
   test('do not depend on what else is in the list', () => {
     const [alone] = withIds(level([rock(3)])).asteroids!;
     const among = withIds(level([rock(1), rock(2), rock(3)])).asteroids!;

@@ -45,6 +45,7 @@ describe('did you mean', () => {
     ['Asteroids', 'asteroids'],
     ['blackhole', 'blackHole'],
     ['schema', '$schema'],
+    ['runz', 'runs'],
     ['repulsers', 'repulsors'],
     ['gravity', null],
     ['z', null],
@@ -56,6 +57,16 @@ describe('did you mean', () => {
   test('no one-letter key is guessed from another letter', () => {
     expect(closestName('z', ['x', 'y'])).toBeNull();
     expect(closestName('X', ['x', 'y'])).toBe('x');
+  });
+
+  test('one slip is one in a short name, and one in three letters of a long one; the nearest and first is taken', () => {
+    expect(closestName('v', ['vx', 'vy'])).toBe('vx');
+    expect(closestName('xv', ['vx', 'vy'])).toBe('vx');
+    expect(closestName('hto', ['hot'])).toBe('hot');
+    expect(closestName('abcxyf', ['abcdef'])).toBe('abcdef');
+    expect(closestName('abxyzf', ['abcdef'])).toBeNull();
+    expect(closestName('abxye', ['abcde'])).toBeNull();
+    expect(closestName('abcd', ['abxy', 'abce', 'abcf', 'xbcd'])).toBe('abce');
   });
 });
 
@@ -90,6 +101,24 @@ describe('the code frame', () => {
     const frame = codeFrame(`${'a'.repeat(5000)}X${'b'.repeat(5000)}`, 1, 5001).split('\n');
     expect(frame[0].length).toBeLessThan(130);
     expect(frame[0][frame[1].indexOf('^')]).toBe('X');
+  });
+
+  test('shows 110 characters of a line, from its begin on where the place is among the first 90', () => {
+    const lengths = fc.oneof(fc.integer({ min: 1, max: 300 }), fc.integer({ min: 108, max: 112 }));
+    const letters = Array.from({ length: 1000 }, (_, i) => 'abcdefghij'[i % 10]).join('');
+    fc.assert(
+      fc.property(lengths, fc.integer({ min: 1, max: 300 }), (length, place) => {
+        const text = letters.slice(0, length);
+        const column = Math.min(place, length + 1);
+        const [line, caret] = codeFrame(text, 1, column).split('\n');
+        const from = column > 90 ? column - 55 : 0;
+        const shown = text.slice(from, from + 110);
+        const rest = length > from + 110 ? '…' : '';
+        expect(line).toBe(`> 1 | ${from > 0 ? '…' : ''}${shown}${rest}`);
+        expect(caret).toBe(`    | ${' '.repeat(column - 1 - from + (from > 0 ? 1 : 0))}^`);
+      }),
+      { numRuns: 500 },
+    );
   });
 
   test('the caret stands below the character, whatever stands before it', () => {

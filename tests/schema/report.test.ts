@@ -1,5 +1,16 @@
 import { describe, expect, test } from 'vitest';
-import { type CheckReport, checkReportSchema, type RunReport, runReportSchema, VERDICTS } from '../../schema/index.ts';
+import type * as z from 'zod';
+import {
+  type CheckReport,
+  checkReportSchema,
+  difficultyReportSchema,
+  generateReportSchema,
+  type RunReport,
+  robustnessReportSchema,
+  runReportSchema,
+  solveReportSchema,
+  VERDICTS,
+} from '../../schema/index.ts';
 
 const run: RunReport = {
   level: 'levels/01-first-swing.level.json',
@@ -59,5 +70,96 @@ describe('the JSON of reports', () => {
       expect(runReportSchema.safeParse(Object.fromEntries(Object.entries(run).filter(([k]) => k !== key))).success).toBe(false);
     }
     expect(checkReportSchema.safeParse({ ...report, summary: { fine: 1 } }).success).toBe(false);
+  });
+});
+
+// every number at its least, and -7 where there is none
+const robustness = {
+  ...{ p30: 0, p40: 0, p60: 0, p80: 0, certifiedTicks: 0, decided: false, slack: [[0, 0]], samples: 0 },
+  intervals: { p30: [0, 0], p40: [0, 0], p60: [0, 0], p80: [0, 0] },
+};
+const place = { kind: 'nova', index: 0 };
+const leastRun = {
+  ...{ level: '', accuracy: '', holds: [[-7, -7]], outcome: 'lost', with: place, time: 0, tick: 0 },
+  minerals: [{ index: 0, time: 0 }],
+  events: [{ time: 0, type: '' }],
+  clearance: { distance: -7, ...place, time: 0 },
+  final: { x: -7, y: -7, vx: -7, vy: -7, angle: -7 },
+  samples: [Array(6).fill(-7)],
+  hash: '',
+};
+const found = { holds: [[-7, -7]], time: 0, tick: 0, minerals: [0] };
+const solution = {
+  ...{ level: '', accuracy: '', found: false, holds: null, outcome: null, time: 0, tick: 0, minerals: [{ index: 0, time: 0 }] },
+  effort: { runs: 0, ticks: 0, seconds: 0, seed: -7 },
+  robustness,
+  closest: { distance: 0, tick: 0, holds: [] },
+  impossible: null,
+  hash: null,
+};
+const measured = {
+  run: { name: null, ...found },
+  grade: { value: 1, word: '' },
+  robustness,
+  sigmaAtHalf: { ms: -7, low: -7, high: -7, capped: true },
+  ...{ smallestWindow: 0, presses: 0, length: 0 },
+  randomPlay: { share: 0, low: 0, high: 0, samples: -7 },
+  mineralsExtra: { run: found, time: -7, presses: -7, p40: -7 },
+  shortcuts: {
+    withoutPressing: found,
+    onePress: { count: -7, tried: -7, length: -7, stride: 1, example: null },
+    withoutAsteroid: [{ asteroid: 0, use: 'unknown', run: null }],
+  },
+  curve: [{ sigma: -7, p: 0, low: 0, high: 0, samples: -7 }],
+};
+const generated = {
+  ...{ seed: -7, status: 'nothing', file: null, name: null, grade: { value: -7, word: '' }, p40: 0, certifiedTicks: -7 },
+  ...{ length: 0, presses: -7, attempts: -7, ticks: -7 },
+};
+const problem = { code: '', severity: 'error', message: '', line: 1, column: 1, pointer: '' };
+const checked = { file: '', name: '', verdict: 'invalid', run: leastRun, problems: [problem], ms: 0 };
+
+/** The path of every number in a value. */
+function* numbersIn(value: unknown, path: readonly string[] = []): Generator<readonly string[]> {
+  if (typeof value === 'number') yield path;
+  else if (typeof value === 'object' && value !== null)
+    for (const [key, inner] of Object.entries(value)) yield* numbersIn(inner, [...path, key]);
+}
+/** A copy with the number at a path changed. */
+function withNumber(value: unknown, [key, ...rest]: readonly string[], change: (old: number) => number): unknown {
+  if (key === undefined) return change(value as number);
+  const inner = withNumber((value as Record<string, unknown>)[key], rest, change);
+  if (Array.isArray(value)) return value.with(Number(key), inner);
+  return { ...(value as object), [key]: inner };
+}
+
+describe.each<[name: string, schema: z.ZodType, least: object]>([
+  ['a run', runReportSchema, leastRun],
+  ['check', checkReportSchema, { levels: [checked], summary: { invalid: 0 } }],
+  ['robustness', robustnessReportSchema, robustness],
+  ['solve', solveReportSchema, { ...solution, solutions: [solution] }],
+  ['difficulty', difficultyReportSchema, { levels: [{ file: '', name: '', problems: [problem], measured, why: null }] }],
+  ['generate', generateReportSchema, { asked: 1, levels: [generated], rejected: 0 }],
+])('the numbers of %s', (_, schema, least) => {
+  test('may be at their least, and not below; shares are 1 at most, and a grade is 10', () => {
+    expect(schema.safeParse(least)).toMatchObject({ success: true });
+    for (const path of numbersIn(least)) {
+      const takes = (change: (old: number) => number) => schema.safeParse(withNumber(least, path, change)).success;
+      const isFree = takes((old) => (old < 0 ? old - 1 : Number.NaN));
+      expect([path, takes((old) => old - 1)]).toEqual([path, isFree]);
+      const most = /^(p\d\d|p|share|low|high)$/.test(path.at(-1) ?? '') || path.includes('intervals') ? 1 : 10;
+      if (isFree) continue;
+      expect([path, takes(() => most)]).toEqual([path, true]);
+      if (most === 1 || path.includes('grade')) expect([path, takes(() => most + 1)]).toEqual([path, false]);
+    }
+  });
+
+  test('are whole where they count something', () => {
+    for (const path of numbersIn(least)) {
+      const counts =
+        /^(tick|ticks|index|line|column|runs|certifiedTicks|samples|asked|rejected|stride|asteroid|attempts|smallestWindow|seed|presses|count|tried)$/;
+      if (counts.test(path.at(-1) ?? ''))
+        expect([path, schema.safeParse(withNumber(least, path, () => 1.5)).success]).toEqual([path, false]);
+    }
   });
 });

@@ -8,24 +8,25 @@ import { type Asked, everythingIn, levelPath, levelText, makeFolder, put, serve 
 // What websites, and files that come with a level folder, could try against a server on a person's own machine. Each attack
 // gets a 4xx and leaves the folder, and all around it, as it was.
 
-const around = makeFolder({
-  'secret.level.json': levelText('secret'),
-  'levels/a.level.json': levelText('a'),
-  'levels/sub/b.level.json': levelText('b'),
-  'levels/broken.level.json': '{',
-  'elsewhere/c.level.json': levelText('c'),
-});
-const folder = join(around.folder, 'levels');
-symlinkSync('../secret.level.json', join(folder, 'link.level.json'));
-symlinkSync('../elsewhere', join(folder, 'out'));
-symlinkSync('sub', join(folder, 'in'));
-mkdirSync(join(folder, '.hidden'));
-put(folder, '.hidden/h.level.json', levelText('h'));
-
+let around: ReturnType<typeof makeFolder>;
+let folder: string;
 let server: Awaited<ReturnType<typeof serve>>;
 let tag = '';
 let before: ReturnType<typeof everythingIn>;
 beforeAll(async () => {
+  around = makeFolder({
+    'secret.level.json': levelText('secret'),
+    'levels/a.level.json': levelText('a'),
+    'levels/sub/b.level.json': levelText('b'),
+    'levels/broken.level.json': '{',
+    'elsewhere/c.level.json': levelText('c'),
+  });
+  folder = join(around.folder, 'levels');
+  symlinkSync('../secret.level.json', join(folder, 'link.level.json'));
+  symlinkSync('../elsewhere', join(folder, 'out'));
+  symlinkSync('sub', join(folder, 'in'));
+  mkdirSync(join(folder, '.hidden'));
+  put(folder, '.hidden/h.level.json', levelText('h'));
   server = await serve(folder);
   tag = (await server.page.get(levelPath('a'))).headers.etag as string;
   before = everythingIn(around.folder);

@@ -1,8 +1,7 @@
 import { rmSync } from 'node:fs';
 import { join } from 'node:path';
-import fc from 'fast-check';
 import { expect, it } from 'vitest';
-import { createEventStreams, inParts } from '../../cli/edit/event-stream.ts';
+import { createEventStreams } from '../../cli/edit/event-stream.ts';
 import type { KnownLevels } from '../../cli/edit/known-levels.ts';
 import { openLevelFolder } from '../../cli/edit/level-folder.ts';
 import { EDIT_API, type EditEvent, type LevelEntry, type ListResponse } from '../../schema/index.ts';
@@ -18,12 +17,12 @@ const entry = (id: string): LevelEntry => ({
   readOnly: null,
 });
 
-const listOf = (levels: LevelEntry[], unread = 0): ListResponse => ({
+const listOf = (levels: LevelEntry[]): ListResponse => ({
   folder: { id: 'f', path: 'levels', $schema: null },
   folders: [''],
   levels,
   troubles: [],
-  unread,
+  unread: 0,
 });
 
 /** Reads events of a stream until one passes. */
@@ -43,23 +42,6 @@ async function readUntil(stream: ReadableStream<Uint8Array>, passes: (event: Edi
     }
   }
 }
-
-it('a list of any length is told in parts, each level once and in its order, and the last part says that it is the last', () => {
-  fc.assert(
-    fc.property(fc.nat(5000), fc.nat(3), (count, unread) => {
-      const levels = Array.from({ length: count }, (_, i) => entry(`${i}`));
-      const parts = [...inParts({ type: 'list', list: listOf(levels, unread) })];
-      const told = parts.map((part) => (part.type === 'list' ? part.list : part)) as { levels: LevelEntry[]; unread: number }[];
-      expect(parts.map(({ type }) => type)).toEqual(['list', ...parts.slice(1).map(() => 'read')]);
-      expect(told.flatMap((part) => part.levels)).toEqual(levels);
-      for (const [i, part] of told.entries()) {
-        const after = told.slice(i + 1).reduce((sum, { levels: more }) => sum + more.length, 0);
-        expect(part.unread).toBe(unread + after);
-      }
-    }),
-    { numRuns: 30 },
-  );
-});
 
 it('a page that reads nothing is let go in the end; others hear everything', async () => {
   const listeners = new Set<(event: EditEvent) => void>();

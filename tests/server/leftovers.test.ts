@@ -89,6 +89,28 @@ it('what killed processes have left is cleaned up once nobody can be at it any m
   expect(kept.map((name) => after[name])).toEqual([levelText('work')]);
 });
 
+it('what killed processes have left is old, too, when it comes from a time to come, and goes to the trash together', () => {
+  const now = Date.now();
+  const unfinished = ['0123456789abcdef', '00112233445566aa'].map((hex) => `.gq-edit-${hex}.tmp`);
+  for (const [i, name] of unfinished.entries()) {
+    put(made.folder, name, levelText(`${i}`));
+    utimesSync(join(made.folder, name), now / 1000 + 3600, now / 1000 + 3600);
+  }
+  put(made.folder, 'sub/.gq-edit-0123456789abcdee.tmp', levelText('young'));
+  put(made.folder, 'sub/.gq-edit.lock.0123456789abcdef', 'of no use here');
+  collectLeftovers(made.folder, ['', 'sub'], new Date(now), 60_000);
+  const names = Object.keys(everythingIn(made.folder)).sort();
+  const stamps = names.filter((name) => /^\.gq-trash\/[^/]*Z$/.test(name));
+  expect(stamps).toHaveLength(1);
+  expect(names.filter((name) => name.startsWith(`${stamps[0]}/`))).toEqual(
+    ['00112233445566aa', '0123456789abcdef'].map((hex) => `${stamps[0]}/unfinished-${hex}.level.json`),
+  );
+  expect(names.filter((name) => name.startsWith('sub/'))).toEqual([
+    'sub/.gq-edit-0123456789abcdee.tmp',
+    'sub/.gq-edit.lock.0123456789abcdef',
+  ]);
+});
+
 it('a folder keeps its port, and is told where its edits are when that is taken', async () => {
   const env = { XDG_STATE_HOME: mkdtempSync(join(tmpdir(), 'gq-state-')) };
   const start = (...args: string[]) => gqEdit(['.', ...args], { cwd: made.folder, env });

@@ -1,0 +1,308 @@
+import { beforeEach, describe, expect, it } from 'vitest';
+import { claimLevel, type Role, type Shown, type WriterLock } from '../../editor/files/writer-lock.ts';
+import { breathe, createChannels, LockKeeper, TurnedClock } from './stage.ts';
+
+let clock: TurnedClock;
+let locks: LockKeeper;
+let channel: ReturnType<typeof createChannels>;
+
+beforeEach(() => {
+  clock = new TurnedClock();
+  locks = new LockKeeper();
+  channel = createChannels();
+});
+
+interface Tab {
+  readonly lock: WriterLock;
+  readonly seen: string[];
+  readonly roles: Role[];
+  text: string;
+  /** What it waits for before it hands the level over. */
+  before: () => Promise<unknown>;
+  handedOver: number;
+  role(): Role;
+}
+
+const shownOf = (text: string): Shown => ({ text, base: { text: `${text} on disk`, etag: null } });
+
+function tab(page: string, name = 'level', hasLocks = true): Tab {
+  const made = {
+    ...{ seen: [] as string[], roles: [] as Role[], text: page, handedOver: 0, before: async (): Promise<unknown> => undefined },
+    role: () => lock.store.getState(),
+  };
+  const lock = claimLevel({
+    locks: hasLocks ? locks.of(page) : null,
+    channel: channel(name),
+    timers: clock,
+    name,
+    beforeHandOver() {
+      made.handedOver++;
+      return made.before();
+    },
+    onShown: ({ text }) => made.seen.push(text),
+    shown: () => shownOf(made.text),
+  });
+  lock.store.subscribe((role) => made.roles.push(role));
+  return Object.assign(made, { lock });
+}
+const rolesOf = (...tabs: Tab[]) => tabs.map((one) => one.role());
+
+describe('the pages that have a level open', () => {
+  it('have one writer, and readers who are told at once what it has', async () => {
+    const a = tab('a');
+    expect(a.role()).toBe('waiting');
+    await breathe();
+    const b = tab('b');
+    await breathe();
+    expect(rolesOf(a, b)).toEqual(['writer', 'reader']);
+    expect([a.seen, b.seen]).toEqual([[], ['a']]);
+    const c = tab('c');
+    await breathe();
+    a.lock.tell(shownOf('more'));
+    c.lock.tell(shownOf('not from a reader'));
+    await breathe();
+    // c has asked, and all readers hear the answer
+    expect([a.seen, b.seen]).toEqual([[], ['a', 'a', 'more']]);
+    // each is told once of what it becomes
+    expect([a.roles, b.roles]).toEqual([['writer'], ['reader']]);
+  });
+
+  it('have the next one in the row for a writer when it is closed, or killed', async () => {
+    const tabs = ['a', 'b', 'c', 'd'].map((page) => tab(page));
+    const [a, b, c, d] = tabs;
+    await breathe();
+    a.lock.close();
+    await breathe();
+    expect(rolesOf(b, c, d)).toEqual(['writer', 'reader', 'reader']);
+    c.lock.close();
+    await breathe();
+    locks.kill('b');
+    await breathe();
+    expect(d.role()).toBe('writer');
+    // who is closed hears nothing and becomes nothing
+    expect(rolesOf(a, c)).toEqual(['writer', 'reader']);
+    d.lock.tell(shownOf('late'));
+    await breathe();
+    expect([a.seen, c.seen.includes('late')]).toEqual([[], false]);
+  });
+
+  it('are all writers where there are no locks', async () => {
+    const [a, b] = [tab('a', 'level', false), tab('b', 'level', false)];
+    expect(rolesOf(a, b)).toEqual(['writer', 'writer']);
+    b.lock.takeOver();
+    b.lock.moveTo('other', channel('other'));
+    await clock.pass(10_000);
+    expect(rolesOf(a, b)).toEqual(['writer', 'writer']);
+    channel('level').postMessage({ type: 'hand-over' });
+    await breathe();
+    expect([a.handedOver, a.role(), a.roles, b.roles]).toEqual([0, 'writer', [], []]);
+  });
+
+  it('that are closed before they know hold nothing', async () => {
+    const a = tab('a');
+    a.lock.close();
+    await breathe();
+    expect([a.role(), a.roles]).toEqual(['waiting', []]);
+    const b = tab('b');
+    await breathe();
+    expect(b.role()).toBe('writer');
+  });
+});
+
+describe('a page that takes over', () => {
+  it('waits until the other one has written, and that one is next in the row', async () => {
+    const [a, b] = [tab('a'), tab('b')];
+    await breathe();
+    let written = () => {};
+    a.before = () =>
+      new Promise<void>((resolve) => {
+        written = resolve;
+      });
+    b.lock.takeOver();
+    await breathe();
+    expect([rolesOf(a, b), a.handedOver]).toEqual([['writer', 'reader'], 1]);
+    written();
+    await breathe();
+    expect(rolesOf(a, b)).toEqual(['reader', 'writer']);
+    // it is shown what the new one has
+    expect(a.seen).toEqual(['b']);
+    await clock.pass(10_000);
+    expect([rolesOf(a, b), a.roles, b.roles]).toEqual([
+      ['reader', 'writer'],
+      ['writer', 'reader'],
+      ['reader', 'writer'],
+    ]);
+    b.lock.close();
+    await breathe();
+    expect(a.role()).toBe('writer');
+  });
+
+  it('is it after 1.5 s when the other one does not answer, which is a reader once it wakes', async () => {
+    const [a, b] = [tab('a'), tab('b')];
+    await breathe();
+    let written = () => {};
+    a.before = () =>
+      new Promise<void>((resolve) => {
+        written = resolve;
+      });
+    b.lock.takeOver();
+    // asked again, it waits anew
+    await clock.pass(1000);
+    b.lock.takeOver();
+    await clock.pass(1400);
+    expect(rolesOf(a, b)).toEqual(['writer', 'reader']);
+    await clock.pass(200);
+    expect(rolesOf(a, b)).toEqual(['reader', 'writer']);
+    written();
+    await clock.pass(10_000);
+    expect(rolesOf(a, b)).toEqual(['reader', 'writer']);
+    expect(a.seen).toContain('b');
+    b.lock.close();
+    await breathe();
+    expect(a.role()).toBe('writer');
+  });
+
+  it('takes nothing when it is closed meanwhile, or when it is the writer', async () => {
+    const [a, b] = [tab('a'), tab('b')];
+    await breathe();
+    a.lock.takeOver();
+    a.before = () => new Promise(() => {});
+    b.lock.takeOver();
+    await breathe();
+    b.lock.close();
+    await clock.pass(10_000);
+    expect(a.role()).toBe('writer');
+    expect(a.roles).toEqual(['writer']);
+  });
+});
+
+describe('a level that gets another name', () => {
+  it('has the same writer, whoever opens it by the old name or the new one, and readers that follow', async () => {
+    const [a, b] = [tab('a'), tab('b')];
+    await breathe();
+    a.lock.moveTo('new', channel('new'));
+    await breathe();
+    const [late, early] = [tab('late', 'new'), tab('early', 'level')];
+    await breathe();
+    expect(rolesOf(a, late, early)).toEqual(['writer', 'reader', 'reader']);
+    b.lock.moveTo('new', channel('new'));
+    early.lock.moveTo('new', channel('new'));
+    await clock.pass(10_000);
+    expect(rolesOf(a, b, late, early)).toEqual(['writer', 'reader', 'reader', 'reader']);
+    // who moved asks what there is
+    expect(b.seen.at(-1)).toBe('a');
+    a.lock.tell(shownOf('more'));
+    await breathe();
+    expect([b, late, early].map(({ seen }) => seen.at(-1))).toEqual(['more', 'more', 'more']);
+    a.lock.close();
+    await clock.pass(10_000);
+    expect([b, late, early].filter((one) => one.role() === 'writer')).toHaveLength(1);
+  });
+
+  it('is shown to a reader that follows it, who asks for it', async () => {
+    const [a, b] = [tab('a'), tab('b')];
+    await breathe();
+    b.seen.length = 0;
+    a.lock.moveTo('new', channel('new'));
+    a.text = 'a, renamed';
+    b.lock.moveTo('new', channel('new'));
+    await clock.pass(10_000);
+    expect([rolesOf(a, b), b.seen]).toEqual([['writer', 'reader'], ['a, renamed']]);
+  });
+
+  it('is held under the old name for 3 s more, and is free after that', async () => {
+    const a = tab('a');
+    await breathe();
+    a.lock.moveTo('new', channel('new'));
+    await breathe();
+    const b = tab('b', 'level');
+    await clock.pass(2900);
+    expect(rolesOf(a, b)).toEqual(['writer', 'reader']);
+    await clock.pass(200);
+    // another level may have the name now
+    expect(rolesOf(a, b)).toEqual(['writer', 'writer']);
+    a.lock.close();
+    b.lock.close();
+    await clock.pass(10_000);
+    for (const name of ['level', 'new']) {
+      const next = tab(`next ${name}`, name);
+      await breathe();
+      expect(next.role()).toBe('writer');
+    }
+  });
+
+  it('and another one soon after lets go of the first at once, and when it is closed of all', async () => {
+    const a = tab('a');
+    await breathe();
+    a.lock.moveTo('second', channel('second'));
+    await breathe();
+    a.lock.moveTo('third', channel('third'));
+    await breathe();
+    const [first, second, third] = ['level', 'second', 'third'].map((name) => tab(name, name));
+    await breathe();
+    expect(rolesOf(first, second, third)).toEqual(['writer', 'reader', 'reader']);
+    a.lock.close();
+    await breathe();
+    expect(rolesOf(first, second, third)).toEqual(['writer', 'writer', 'writer']);
+  });
+
+  it('stays with its writer when another page takes the old name', async () => {
+    const a = tab('a');
+    await breathe();
+    a.lock.moveTo('new', channel('new'));
+    const b = tab('b', 'level');
+    await breathe();
+    b.lock.takeOver();
+    await clock.pass(2000);
+    expect(rolesOf(a, b)).toEqual(['writer', 'writer']);
+    await clock.pass(10_000);
+    expect([rolesOf(a, b), a.roles, a.handedOver]).toEqual([['writer', 'writer'], ['writer'], 0]);
+  });
+
+  it('by a reader, who does not take over any more what it had asked for', async () => {
+    const [a, b] = [tab('a'), tab('b')];
+    await breathe();
+    a.before = () => new Promise(() => {});
+    b.lock.takeOver();
+    b.lock.moveTo('new', channel('new'));
+    await clock.pass(10_000);
+    expect(rolesOf(a, b)).toEqual(['writer', 'writer']);
+    expect(a.roles).toEqual(['writer']);
+    a.lock.tell(shownOf('of the old name'));
+    await breathe();
+    expect(b.seen).not.toContain('of the old name');
+  });
+
+  it('takes no message amiss', () => {
+    const listeners: ((event: { readonly data: unknown }) => void)[] = [];
+    const lock = claimLevel({
+      locks: null,
+      channel: { postMessage: () => {}, addEventListener: (_, listener) => void listeners.push(listener), close: () => {} },
+      timers: clock,
+      name: 'level',
+      beforeHandOver: async () => {},
+      onShown: () => {},
+      shown: () => shownOf(''),
+    });
+    for (const data of [null, undefined, 7, 'shown', [], {}, { type: null }])
+      for (const listener of listeners) expect(() => listener({ data })).not.toThrow();
+    expect(lock.store.getState()).toBe('writer');
+  });
+
+  it('hears nothing of the old name, and junk of no name', async () => {
+    const b = tab('b');
+    const c = tab('c');
+    await breathe();
+    const others = channel('level');
+    for (const junk of [null, 7, 'shown', {}, { type: 7 }, { type: 'other' }]) others.postMessage(junk);
+    await breathe();
+    expect([rolesOf(b, c), c.seen]).toEqual([['writer', 'reader'], ['b']]);
+    others.postMessage({ type: 'shown', shown: shownOf('x') });
+    await breathe();
+    expect([b.seen, c.seen]).toEqual([[], ['b', 'x']]);
+    b.lock.moveTo('new', channel('new'));
+    others.postMessage({ type: 'hand-over' });
+    await breathe();
+    expect([b.handedOver, b.role()]).toEqual([0, 'writer']);
+  });
+});
