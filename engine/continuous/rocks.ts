@@ -30,5 +30,14 @@ export function targetsAround(m: Motion, x: number, y: number, reach: number): r
   if (spatial === null) return Array.from({ length: count }, (_, i) => i);
   const found = spatial.around(x + m.originX, y + m.originY, reach);
   if (!m.recoil) return found;
-  return [...found.filter((i) => !stirred.includes(i)), ...stirred].sort((a, b) => a - b);
+  m.budget.look((found.length + stirred.length) >> 1);
+  const all: number[] = [];
+  let k = 0;
+  // both lists ascend
+  for (const i of Int32Array.from(found).sort()) {
+    while (k < stirred.length && stirred[k] < i) all.push(stirred[k++]);
+    if (stirred[k] !== i) all.push(i);
+  }
+  while (k < stirred.length) all.push(stirred[k++]);
+  return all;
 }
