@@ -5,7 +5,7 @@ const LOOKS_A_PIECE = 16;
  * Work allowed where nothing else is said, pieces of motion: what a level may cost `gq check`. At a few microseconds each, the check
  * of any valid file ends within 10 s.
  */
-export const DEFAULT_MAX_WORK = 1_000_000;
+export const DEFAULT_MAX_WORK = 400_000;
 
 /** What recordings of runs may take, bytes. */
 const DEFAULT_MAX_RECORDED = 128 * 1024 * 1024;

@@ -38,7 +38,7 @@ export interface DearestSecond {
  */
 export function dearestSecond(scene: Scene, holds: readonly Hold[], maxTime: number, most: number): DearestSecond {
   // a single tick may take more than anybody waits for
-  const budget = new WorkBudget(2 * most * maxTime);
+  const budget = new WorkBudget(5 * most * maxTime);
   const simulation = createSimulation(scene, budget);
   const script = joinHolds(holds);
   const counts: number[] = [0];

@@ -1,6 +1,9 @@
 /** Two times nearer than this are one, s. */
 const SAME = 1e-19;
 
+/** What begins within this begins at once, s. */
+export const AT_ONCE = 1e-18;
+
 /** Half a unit of the last digit of a time, as a share of it. */
 const ROUNDING = 1.2e-16;
 

@@ -54,6 +54,9 @@ const {
 const { CHASER, ROCK } = RECORDS;
 const { AHEAD, BEHIND } = MEETINGS;
 
+/** What overlaps at the start is over by then, s. */
+const AT_THE_START = 1e-9;
+
 /** Locates the first event in (FROM, LENGTH_H] of the piece; the natural end where nothing happens before. */
 export function locate(m: Motion): void {
   const { s, e, near } = m;
@@ -82,7 +85,7 @@ export function locate(m: Motion): void {
     consider(m, near.kind[i], near.index[i], from);
   }
   const { explosions } = m.scene.aliens;
-  if (s[AWAKE_COUNT] > 0 || (s[START] === 0 && explosions.length > 0)) considerAwake(m, x, y, travel, from);
+  if (s[AWAKE_COUNT] > 0 || (s[START] < AT_THE_START && explosions.length > 0)) considerAwake(m, x, y, travel, from);
   considerCover(m, x, y, reach, from);
   if (s[KIND] === LINEAR) offer(m, centreTime(m, from), CENTRE, 0, 0);
   if (s[MEETS] === AHEAD || s[MEETS] === BEHIND) offer(m, meetingTime(m, from), CENTRE, 1, 0);

@@ -1,6 +1,6 @@
 import { HALF_DIAGONAL, HALF_HEIGHT, HALF_WIDTH } from '../../constants.ts';
 import { boxCircleGap } from '../../contact/index.ts';
-import { crossing } from '../bracket.ts';
+import { AT_ONCE, crossing } from '../bracket.ts';
 import { relativeAt } from '../circle.ts';
 import { FLOOR, lookNext, PATIENCE, safeStep, smallestStride } from '../march.ts';
 import type { Motion } from '../motion.ts';
@@ -17,9 +17,6 @@ const ROUNDING = 8.9e-16;
 
 /** A gap below this many times its rounding is computed in twice the digits. */
 const UNCERTAIN = 8;
-
-/** An overlap that begins within this begins at once, s. */
-const AT_ONCE = 1e-18;
 
 /** Where the box looked when its gap was last asked for: cos, sin. */
 const look = new Float64Array(2);
