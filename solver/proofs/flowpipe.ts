@@ -1,4 +1,4 @@
-import { compile, createSimulation, GUN_PULL, SPEED_LIMIT, TICK, TICK_RATE } from '../../engine/index.ts';
+import { compile, createSimulation, GUN_PULL, SPEED_LIMIT, TICK, TICK_RATE, type WorkBudget } from '../../engine/index.ts';
 import type { Level } from '../../schema/index.ts';
 import { createRandom } from '../random.ts';
 import { startAxis, whatEnds } from './doomed.ts';
@@ -39,7 +39,7 @@ export function proveFlowpipe(setting: Setting, about: About, goal: Thing): Proo
   const fastest = Math.sqrt(vx * vx + vy * vy) + 2 * GUN_PULL * LONGEST;
   // at rest she can wait as long as she likes
   if (jump > 0 || (vx === 0 && vy === 0) || fastest > SPEED_LIMIT / 2) return null;
-  const last = longestPlay(level);
+  const last = longestPlay(level, setting.budget);
   if (last === null) return null;
   for (const [share, more] of HORIZONS) {
     const horizon = share * last + more;
@@ -69,8 +69,8 @@ export function proveFlowpipe(setting: Setting, about: About, goal: Thing): Proo
 }
 
 /** How long the longest of some plays lasts, s; null where one goes on for longer than is tried, or completes the level. */
-function longestPlay(level: Level): number | null {
-  const simulation = createSimulation(compile(level));
+function longestPlay(level: Level, budget: WorkBudget): number | null {
+  const simulation = createSimulation(compile(level), budget);
   const random = createRandom(0);
   let longest = 0;
   for (let play = 0; play < PLAYS; play++) {
