@@ -2,7 +2,7 @@
 const SAME = 1e-19;
 
 /** What begins within this begins at once, s. */
-export const AT_ONCE = 1e-18;
+const AT_ONCE = 1e-18;
 
 /** Half a unit of the last digit of a time, as a share of it. */
 const ROUNDING = 1.2e-16;
@@ -52,4 +52,10 @@ export function crossing(before: number, behind: number, guard: (t: number) => n
       side = 1;
     }
   }
+}
+
+/** The same where two may touch at `before` already and move on into each other: then it is `before` itself. */
+export function overlapBetween(before: number, behind: number, gap: (t: number) => number): number {
+  const t = crossing(before, behind, gap);
+  return t - before < AT_ONCE ? before : t;
 }

@@ -1,5 +1,5 @@
 import { ALIEN_PULL } from '../../constants.ts';
-import { AT_ONCE, crossing } from '../bracket.ts';
+import { overlapBetween } from '../bracket.ts';
 import { offer } from '../first-event.ts';
 import { FLOOR, lookNext, PATIENCE, safeStep, safeStretch, smallestStride } from '../march.ts';
 import type { Motion } from '../motion.ts';
@@ -72,12 +72,11 @@ export function considerPair(m: Motion, i: number, j: number, from: number): voi
   }
 }
 
-/** The root by the polynomial about `before`, or `before` itself where they touch there and move on into each other: close to a touch there it has more digits than distances have. */
+/** When they begin to overlap, by the polynomial about `before`: close to a touch there it has more digits than distances have. */
 function touchBetween(m: Motion, i: number, j: number, reach: number, before: number, behind: number): number {
   m.work.roots++;
   const degree = pairSeries(m, i, j, reach, before);
-  const t = crossing(before, behind, (time) => valueAt(guard, degree, time - before));
-  return t - before < AT_ONCE ? before : t;
+  return overlapBetween(before, behind, (t) => valueAt(guard, degree, t - before));
 }
 
 /** Into `guard` the coefficients of d^2 - reach^2 about `t`; returns their degree. */

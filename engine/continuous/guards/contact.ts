@@ -1,6 +1,6 @@
 import { HALF_DIAGONAL, HALF_HEIGHT, HALF_WIDTH } from '../../constants.ts';
 import { boxCircleGap } from '../../contact/index.ts';
-import { AT_ONCE, crossing } from '../bracket.ts';
+import { overlapBetween } from '../bracket.ts';
 import { relativeAt } from '../circle.ts';
 import { FLOOR, lookNext, PATIENCE, safeStep, smallestStride } from '../march.ts';
 import type { Motion } from '../motion.ts';
@@ -149,7 +149,7 @@ export function sweptTime(m: Motion, r: number, pull: number, from: number): num
     const ny = gy > 0 ? gy : 0;
     const norm = nx > 0 ? (ny > 0 ? Math.sqrt(nx * nx + ny * ny) : nx) : ny;
     let g = norm - r;
-    let rounding = ROUNDING * (Math.abs(dx) + Math.abs(dy) + r);
+    let rounding = roundingOfGap(m, r);
     if (g < UNCERTAIN * rounding && g > -UNCERTAIN * rounding) {
       g = fineGap(m, t, r, cos, sin);
       rounding = 0;
@@ -243,6 +243,5 @@ function contactBetween(m: Motion, before: number, behind: number, r: number, to
   m.work.roots++;
   // twice the digits cost twenty times as much: only where plain ones err by more than may be overlooked anyway
   const isPlain = !touches && 2 * roundingOfGap(m, r) < FLOOR;
-  const t = crossing(before, behind, isPlain ? (time) => plainGapAt(m, time, r) : (time) => gapAt(m, time, r));
-  return t - before < AT_ONCE ? before : t;
+  return overlapBetween(before, behind, isPlain ? (t) => plainGapAt(m, t, r) : (t) => gapAt(m, t, r));
 }
