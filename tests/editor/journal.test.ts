@@ -3,15 +3,8 @@ import { describe, expect, it } from 'vitest';
 import { createEditedLevel, moveObjects, setLevelProperty } from '../../editor/document/index.ts';
 import { createJournal, createMemoryStore, type JournalStore } from '../../editor/journal/index.ts';
 import { formatLevel, type LevelFile } from '../../schema/index.ts';
-import { TurnedClock } from './stage.ts';
+import { FILE, TurnedClock } from './stage.ts';
 
-const FILE: LevelFile = {
-  version: 1,
-  name: 'base',
-  astronaut: { x: 0, y: 0 },
-  blackHole: { x: 300, y: 0 },
-  asteroids: [{ id: 'aa', x: 10, y: 20, radius: 16 }],
-};
 const clock = () => 1000;
 
 /** A store that fails when told to, and that loses nothing of what it has said it kept. */

@@ -4,15 +4,7 @@ import { createBrowserStorage, createSaver, type LevelStorage, readText, type Sa
 import { storageError } from '../../editor/files/level-storage.ts';
 import type { DiskBase } from '../../editor/files/saver.ts';
 import { formatLevel, type LevelFile } from '../../schema/index.ts';
-import { breathe, createKeyValues, createLine, TurnedClock } from './stage.ts';
-
-const FILE: LevelFile = {
-  version: 1,
-  name: 'base',
-  astronaut: { x: 0, y: 0 },
-  blackHole: { x: 300, y: 0 },
-  asteroids: [{ id: 'aa', x: 10, y: 20, radius: 16 }],
-};
+import { breathe, createKeyValues, createLine, FILE, TurnedClock } from './stage.ts';
 
 let disk: LevelStorage;
 let line: ReturnType<typeof createLine>;

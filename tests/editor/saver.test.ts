@@ -9,15 +9,7 @@ import {
   type Saver,
 } from '../../editor/files/index.ts';
 import { formatLevel, type LevelFile } from '../../schema/index.ts';
-import { breathe, createKeyValues, createLine, TurnedClock } from './stage.ts';
-
-const FILE: LevelFile = {
-  version: 1,
-  name: 'base',
-  astronaut: { x: 0, y: 0 },
-  blackHole: { x: 300, y: 0 },
-  asteroids: [{ id: 'aa', x: 10, y: 20, radius: 16 }],
-};
+import { breathe, createKeyValues, createLine, FILE, TurnedClock } from './stage.ts';
 
 let disk: LevelStorage;
 let line: ReturnType<typeof createLine>;

@@ -1,6 +1,15 @@
 import type { Channel, KeyValues, LevelStorage, Timers } from '../../editor/files/index.ts';
 import { type Link, storageError } from '../../editor/files/level-storage.ts';
-import type { EditEvent } from '../../schema/index.ts';
+import type { EditEvent, LevelFile } from '../../schema/index.ts';
+
+/** A small level that tests of files begin with. */
+export const FILE: LevelFile = {
+  version: 1,
+  name: 'base',
+  astronaut: { x: 0, y: 0 },
+  blackHole: { x: 300, y: 0 },
+  asteroids: [{ id: 'aa', x: 10, y: 20, radius: 16 }],
+};
 
 /** A clock that stands until it is turned. */
 export class TurnedClock implements Timers {
