@@ -37,13 +37,14 @@ export interface DearestSecond {
  * @param most from so many pieces in a second on it is not played on
  */
 export function dearestSecond(scene: Scene, holds: readonly Hold[], maxTime: number, most: number): DearestSecond {
-  // a single tick may take more than anybody waits for
-  const budget = new WorkBudget(5 * most * maxTime);
+  const budget = new WorkBudget(5 * most);
   const simulation = createSimulation(scene, budget);
   const script = joinHolds(holds);
   const counts: number[] = [0];
   let dearest: DearestSecond = { pieces: 0, time: 0 };
   for (let tick = 0; tick < 60 * maxTime && simulation.ending === null; tick++) {
+    // of each tick: a single one may take more than anybody waits for
+    budget.looks = 0;
     try {
       simulation.advance(
         1,

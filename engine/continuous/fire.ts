@@ -31,6 +31,7 @@ const {
   LAST_EVENT,
   LAST_A,
   CROSSED,
+  RIM,
 } = SLOTS;
 const {
   MINERAL,
@@ -73,7 +74,8 @@ export function fire(m: Motion, until: number): void {
   if (kind === PIECE_END) {
     skipOrbits(m);
     if (m.integrator.glide !== null && recorder === null) skipQuietSteps(m, until);
-    if (s[LIMIT_X] === 0 && s[LIMIT_Y] === 0) proceed(m);
+    // along a rim it is looked at anew whether anything holds her there
+    if (s[LIMIT_X] === 0 && s[LIMIT_Y] === 0 && s[RIM] < 0) proceed(m);
     else begin(m);
     return;
   }

@@ -39,3 +39,19 @@ it.each(CONTINUOUS)('in scenes where she also slides along a rim, numbers stay f
     expect(budget.spent).toBeLessThan(20_000);
   }
 });
+
+it.each(CONTINUOUS)('what the gun holds may come to lie in the centre of her who slides along a huge rim: %s', (accuracy) => {
+  const level = plainLevel({
+    range: 250,
+    recoil: true,
+    asteroids: [
+      { x: 0, y: 1, radius: 1 },
+      { x: -1e-15, y: -1, radius: 1 },
+    ],
+    repulsors: [{ x: 1e-13, y: -1e6, radius: 1e6 }],
+  });
+  const budget = new WorkBudget();
+  const run = simulate(compile(level, accuracy), [[0, 180]], { maxTime: 3, budget });
+  expect(run.time).toBe(3);
+  expect(budget.spent).toBeLessThan(20_000);
+});
