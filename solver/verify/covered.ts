@@ -32,7 +32,7 @@ export function checkCovered(claim: Claim): string | null {
     ...novae.map((_, index) => standingHazard(claim, { kind: 'nova', index })),
     ...asteroids.map((_, index) => standingHazard(claim, { kind: 'asteroid', index })),
     standingHazard(claim, { kind: 'blackHole', index: 0 }),
-  ].filter((hazard) => hazard !== null && hazard.radius > 0) as Circle[];
+  ].filter((hazard) => hazard !== null);
   const quarter = (from: Point, to: Point): Poses => ({ centre: claim.thing, half: claim.touch, from, to });
   // the box looks the same after half a turn
   const waiting = [quarter({ x: 1, y: 0 }, { x: 0, y: 1 }), quarter({ x: 0, y: 1 }, { x: -1, y: 0 })];

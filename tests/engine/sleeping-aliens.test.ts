@@ -13,6 +13,7 @@ import {
   type WorkBudget,
 } from '../../engine/index.ts';
 import type { Circle, Level } from '../../schema/index.ts';
+import { plainLevel } from './plain-level.ts';
 
 const ACCURACY = fc.constantFrom<AccuracyName>('precise', 'standard', 'fast', 'arcade');
 const SEED = fc.nat(1_000_000);
@@ -33,6 +34,24 @@ function crowd(seed: number, count: number): ReturnType<typeof randomScene> {
   return { ...scene, level: { ...scene.level, aliens } };
 }
 
+/** Her orbit lies in the middle of a ring of aliens: most of them see her, chase her, and meet one another. */
+function chasing(seed: number, count: number): Level {
+  const random = seeded(seed);
+  const aliens: Circle[] = [];
+  while (aliens.length < count) {
+    const angle = 2 * Math.PI * random();
+    const far = 125 + 65 * random();
+    const one = circle(far * Math.cos(angle), 50 + far * Math.sin(angle), 0.5 + 3 * random());
+    const isClear = aliens.every(({ x, y, radius }) => Math.hypot(x - one.x, y - one.y) > radius + one.radius);
+    if (isClear) aliens.push(one);
+  }
+  return plainLevel({
+    astronaut: { x: 0, y: 0, vx: Math.sqrt(39 * 50) },
+    asteroids: [{ x: 0, y: 50, radius: 5 }],
+    aliens,
+  });
+}
+
 // a list of 12 is looked at one by one, one of 300 through the index
 it('sleepers far away change no bit of what the others do', () => {
   fc.assert(
@@ -44,6 +63,85 @@ it('sleepers far away change no bit of what the others do', () => {
       expect([all.hash, all.events, all.clearance]).toEqual([few.hash, few.events, few.clearance]);
     }),
     { numRuns: 60 },
+  );
+});
+
+const CONTINUOUS = fc.constantFrom<AccuracyName>('precise', 'standard', 'fast');
+
+// more than 16 that are awake are looked at through an index, too
+it('two of a crowd that chases her explode as they touch, and no others touch', () => {
+  let explosions = 0;
+  fc.assert(
+    fc.property(SEED, CONTINUOUS, fc.constantFrom(20, 60), (seed, accuracy, count) => {
+      const level = chasing(seed, count);
+      const run = simulate(compile(level, accuracy), [[0, 600]], { maxTime: 8 });
+      const places = new Float64Array(3 * count);
+      const gap = (i: number, j: number) => {
+        const centres = Math.hypot(places[3 * i] - places[3 * j], places[3 * i + 1] - places[3 * j + 1]);
+        return centres - level.aliens[i].radius - level.aliens[j].radius;
+      };
+      for (const event of run.events) {
+        if (event.type !== 'explosion') continue;
+        explosions++;
+        run.trajectory.aliensAt(event.time - 1e-7, places);
+        expect(Math.abs(gap(...event.aliens))).toBeLessThan(1e-4);
+      }
+      for (let time = 1 / 30; time < run.time; time += 1 / 30) {
+        run.trajectory.aliensAt(time, places);
+        for (let i = 0; i < count; i++) {
+          for (let j = 0; places[3 * i + 2] === 1 && j < i; j++) {
+            if (places[3 * j + 2] === 1 && gap(i, j) < -1e-9) expect.fail(`${i} and ${j} overlap at ${time} s`);
+          }
+        }
+      }
+    }),
+    { numRuns: 30 },
+  );
+  expect(explosions).toBeGreaterThan(60);
+});
+
+const explosionsOf = (aliens: readonly Circle[], accuracy: AccuracyName) =>
+  simulate(compile(plainLevel({ aliens }), accuracy), [], { maxTime: 5 }).events.filter(({ type }) => type === 'explosion');
+
+// one that chases her from rest, while she rests, comes nearer by 4 t2
+it('two that chase her side by side touch when a closed form says so, in a crowd', () => {
+  fc.assert(
+    fc.property(SEED, CONTINUOUS, fc.constantFrom(1, 7, 9, 12), (seed, accuracy, pairs) => {
+      const random = seeded(seed);
+      const apart = 0.05;
+      const aliens: Circle[] = [];
+      const expected: number[] = [];
+      for (let k = 0; k < pairs; k++) {
+        const angle = (2 * Math.PI * (k + 0.3 * random())) / pairs;
+        const [far, a, b] = [100 + 45 * random(), 3 + random(), 3 + random()];
+        aliens.push(circle(far * Math.cos(angle - apart), far * Math.sin(angle - apart), a));
+        aliens.push(circle(far * Math.cos(angle + apart), far * Math.sin(angle + apart), b));
+        expected.push(Math.sqrt((far - (a + b) / (2 * Math.sin(apart))) / 4));
+      }
+      const times = explosionsOf(aliens, accuracy).map(({ time }) => time);
+      expect(times).toHaveLength(pairs);
+      for (const [i, time] of expected.sort((a, b) => a - b).entries()) expect(Math.abs(times[i] - time)).toBeLessThan(1e-6);
+    }),
+    { numRuns: 40 },
+  );
+});
+
+it('one that chases her past a large sleeper touches it when a closed form says so, in a crowd', () => {
+  fc.assert(
+    fc.property(SEED, CONTINUOUS, fc.constantFrom(0, 30, 300), fc.boolean(), (seed, accuracy, others, isFirst) => {
+      const random = seeded(seed);
+      const angle = 2 * Math.PI * random();
+      const turned = (x: number, y: number, radius: number) =>
+        circle(x * Math.cos(angle) - y * Math.sin(angle), x * Math.sin(angle) + y * Math.cos(angle), radius);
+      // 101 px between the centres: at 20 px along the way beside 99 px across it
+      const pair = [turned(0, 140, 1), turned(99, 115, 100)];
+      const more = farAway(plainLevel(), others);
+      const aliens = isFirst ? [...pair, ...more] : [...more, pair[1], pair[0]];
+      const times = explosionsOf(aliens, accuracy).map(({ time }) => time);
+      expect(times).toHaveLength(1);
+      expect(Math.abs(times[0] - Math.sqrt(5 / 4))).toBeLessThan(1e-6);
+    }),
+    { numRuns: 40 },
   );
 });
 
