@@ -44,6 +44,47 @@ describe('covered', () => {
     expect(why({ novae: [at(300 + x, 40 + y, needed + 2)] })).toBeNull();
   });
 
+  // a box that stands half askew is covered long before one that is upright, or level
+  it.each<[name: string, least: number, places: readonly [number, number][]]>([
+    [
+      'two aslant',
+      18.4,
+      [
+        [10, 10],
+        [-10, -10],
+      ],
+    ],
+    [
+      'four around it',
+      11,
+      [
+        [10, 0],
+        [0, 10],
+        [-10, 0],
+        [0, -10],
+      ],
+    ],
+  ])('is what trying poses says where the box stands otherwise than the novae: %s', (_, least, places) => {
+    const needed = radiusNeeded(places, 18);
+    expect(needed).toBeGreaterThan(least + 1.5);
+    const of = (radius: number) => why({ novae: places.map(([x, y]) => at(300 + x, 40 + y, radius)) });
+    for (const radius of [least, least + 0.5, least + 1, needed - 0.5, needed - 0.1]) expect(of(radius)).toBe(not);
+    expect(of(needed + 2)).toBeNull();
+  });
+
+  it('is what trying poses says where only boxes of a few directions come between three novae', () => {
+    const places = [
+      [-15.68, -0.89],
+      [0.18, 10.9],
+      [15.38, -1.39],
+    ] as const;
+    const needed = radiusNeeded(places, 6);
+    expect(needed).toBeGreaterThan(14.2);
+    const of = (radius: number) => why({ blackHole: hole(6), novae: places.map(([x, y]) => at(300 + x, 40 + y, radius)) });
+    for (const radius of [14.05, 14.1, 14.2]) expect(of(radius)).toBe(not);
+    expect(of(needed + 0.5)).toBeNull();
+  });
+
   const mineral = { ...spot(300, 40), radius: 7 };
   const forMineral = 7 + BOX.halfDiagonal - BOX.halfWidth;
   it.each<[name: string, truth: number, of: (radius: number) => string | null]>([
@@ -64,6 +105,16 @@ describe('covered', () => {
       'a nova beside a mineral',
       forMineral + 5,
       (r) => why({ blackHole: spot(4000, 0), novae: [at(303, 36, r)], minerals: [mineral] }, { about: MINERAL }),
+    ],
+    // each covers the places nearer than its radius and 10 px: together all but the very middle
+    [
+      'a ring of novae about a mineral',
+      15,
+      (r) => {
+        const ring = Array.from({ length: 12 }, (_, i) => (Math.PI * i) / 6);
+        const novae = ring.map((angle) => at(300 + 25 * Math.cos(angle), 40 + 25 * Math.sin(angle), r));
+        return why({ blackHole: spot(4000, 0), novae, minerals: [mineral] }, { about: MINERAL });
+      },
     ],
     ['the black hole about a mineral', forMineral, (r) => why({ blackHole: hole(r), minerals: [mineral] }, { about: MINERAL })],
   ])('%s', (_, truth, of) => {
