@@ -1,0 +1,77 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { randomScene } from '../../bench/soak/random-scene.ts';
+import { compile, type Run, simulate, WorkBudget } from '../../engine/index.ts';
+import type { Hold, Level } from '../../schema/index.ts';
+
+// Nothing in continuous time knows right from left, or one axis from the other: what a slip makes of one of them shows in the image.
+
+type Turn = (x: number, y: number) => { x: number; y: number };
+const flipped: Turn = (x, y) => ({ x: 0 - x, y });
+const swapped: Turn = (x, y) => ({ x: y, y: x });
+
+function imageOf(level: Level, turn: Turn): Level {
+  const moved = <T extends { x: number; y: number }>(thing: T): T => ({ ...thing, ...turn(thing.x, thing.y) });
+  const { x: vx, y: vy } = turn(level.astronaut.vx, level.astronaut.vy);
+  return {
+    ...level,
+    astronaut: { ...moved(level.astronaut), vx, vy },
+    blackHole: moved(level.blackHole),
+    asteroids: level.asteroids.map(moved),
+    novae: level.novae.map(moved),
+    repulsors: level.repulsors.map(moved),
+    aliens: level.aliens.map(moved),
+    minerals: level.minerals.map(moved),
+  };
+}
+
+const SEED = fc.nat(1_000_000);
+const CONTINUOUS = ['precise', 'standard', 'fast'] as const;
+
+describe.each(CONTINUOUS)('the image of a scene plays as the scene does: %s', (accuracy) => {
+  const play = (level: Level, holds: readonly Hold[], maxTime: number): Run =>
+    simulate(compile(level, accuracy), holds, { maxTime, budget: new WorkBudget(50_000) });
+
+  it('left for right, bit for bit', () => {
+    fc.assert(
+      fc.property(SEED, (seed) => {
+        const { level, holds, maxTime } = randomScene(seed);
+        const run = play(level, holds, maxTime);
+        const image = play(imageOf(level, flipped), holds, maxTime);
+        expect([image.outcome, image.with, image.time, image.events]).toEqual([run.outcome, run.with, run.time, run.events]);
+        const { x, y, vx, vy } = image.final;
+        const { final } = run;
+        // whichever of the two zeros it is
+        expect([0 - x, y + 0, 0 - vx, vy + 0]).toEqual([final.x + 0, final.y + 0, final.vx + 0, final.vy + 0]);
+      }),
+      { numRuns: 150 },
+    );
+  });
+
+  it('x for y, but for the box that stands upright at the start', () => {
+    let compared = 0;
+    fc.assert(
+      fc.property(SEED, (seed) => {
+        const scene = randomScene(seed);
+        const { x, y } = scene.level.astronaut;
+        const isClear = (o: { x: number; y: number; radius: number }) => Math.hypot(o.x - x, o.y - y) > o.radius + 30;
+        const level = { ...scene.level, minerals: scene.level.minerals.filter(isClear) };
+        // held from the start on she looks to where the gun draws her
+        const holds: Hold[] = [[0, scene.holds[0]?.[1] ?? 30], ...scene.holds.slice(1)];
+        const run = play(level, holds, scene.maxTime);
+        const image = play(imageOf(level, swapped), holds, scene.maxTime);
+        if (run.time === 0 || image.time === 0) return;
+        compared++;
+        const told = ({ outcome, with: what, events }: Run) => [outcome, what, events.map((event) => ({ ...event, time: 0 }))];
+        expect(told(image)).toEqual(told(run));
+        // sums may be taken in another order
+        expect(Math.abs(image.time - run.time)).toBeLessThan(1e-9);
+        for (const [i, { time }] of run.events.entries()) expect(Math.abs(image.events[i].time - time)).toBeLessThan(1e-9);
+        expect(Math.hypot(image.final.x - run.final.y, image.final.y - run.final.x)).toBeLessThan(1e-6);
+        expect(Math.hypot(image.final.vx - run.final.vy, image.final.vy - run.final.vx)).toBeLessThan(1e-6);
+      }),
+      { numRuns: 150 },
+    );
+    expect(compared).toBeGreaterThan(100);
+  });
+});
