@@ -1,6 +1,7 @@
 import { recordTarget } from './button.ts';
 import { endingOf } from './ending.ts';
 import { actingField, countCrossing } from './fields.ts';
+import { countSwitch } from './guards/target-switch.ts';
 import { locate } from './locate.ts';
 import { meet } from './meet.ts';
 import type { Motion } from './motion.ts';
@@ -105,6 +106,7 @@ export function fire(m: Motion, until: number): void {
       skipPeriods(m);
       break;
     case SWITCH:
+      countSwitch(m, time);
       s[LAST_EVENT] = SWITCH;
       s[LAST_A] = s[TARGET];
       s[TARGET] = a;

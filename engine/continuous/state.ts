@@ -72,10 +72,13 @@ export const SLOTS = {
   /** When a rim was crossed last, and how many more crossings came in quick succession than not. */
   RIM_TIME: 45,
   CHATTER: 46,
+  /** When the target changed last, and how often it did in that instant. */
+  SWITCH_TIME: 47,
+  SWITCHES: 48,
 } as const;
 
 /** Slots before the first chaser. */
-export const HEAD = 47;
+export const HEAD = 49;
 
 /** Not on a line; on one that goes where the base goes; on one that stands still or that the base moves along. */
 export const LINES = { NONE: 0, LOOSE: 1, FAST: 2 } as const;

@@ -7,11 +7,36 @@ import { addProduct, pairAt, shift, valueAt } from '../polynomial.ts';
 import { EVENTS, SLOTS } from '../state.ts';
 import { LONGEST_SERIES } from '../taylor.ts';
 
-const { TARGET, BASE_X, BASE_Y, DEGREE, LENGTH_H, ACCELERATION } = SLOTS;
+const { START, TARGET, BASE_X, BASE_Y, DEGREE, LENGTH_H, ACCELERATION, SWITCH_TIME, SWITCHES } = SLOTS;
 const { SWITCH } = EVENTS;
 
 /** A dip across the bisector of two asteroids shallower than this is within the error of the way: no change of target, px. */
 const TIE = 1e-11;
+
+/** The widest tie, px. */
+const WIDEST_TIE = 1e-4;
+
+/** So many changes of target in one instant may be: with each one more a tie is ten times as wide. */
+const MOST_SWITCHES = 4;
+
+/** The target changes at this time, s. */
+export function countSwitch(m: Motion, time: number): void {
+  const { s } = m;
+  s[SWITCHES] = time - s[SWITCH_TIME] <= m.sameInstant ? s[SWITCHES] + 1 : 1;
+  s[SWITCH_TIME] = time;
+}
+
+/**
+ * What counts as a tie, px. Where between fixed steps the way strays a little, each of two asteroids may seem to be nearer as soon as
+ * the other is the target; and where the speed limit holds her along one axis, then along the other, nothing takes her away from there.
+ */
+function tieOf(m: Motion): number {
+  const { s } = m;
+  if (s[SWITCHES] <= MOST_SWITCHES || s[START] - s[SWITCH_TIME] > m.sameInstant) return TIE;
+  let tie = TIE;
+  for (let n = MOST_SWITCHES; n < s[SWITCHES]; n++) tie = Math.min(WIDEST_TIE, 10 * tie);
+  return tie;
+}
 
 const ix = new Float64Array(LONGEST_SERIES);
 const iy = new Float64Array(LONGEST_SERIES);
@@ -98,13 +123,14 @@ function switchSeries(m: Motion, i: number, t: number): number {
 
 /**
  * Squared distance to asteroid `i` minus that to the target, px2. Where both stand still it is linear in her place.
- * e[9]: its slope; e[10]: a bound on how fast the slope can fall; e[11]: what TIE px across the bisector make of it.
+ * e[9]: its slope; e[10]: a bound on how fast the slope can fall; e[11]: what a tie across the bisector make of it.
  */
 export function switchGuard(m: Motion, i: number, t: number): number {
   const { s, e, budget } = m;
   if (++budget.looks > budget.most) budget.end();
   const target = s[TARGET];
   const a = s[ACCELERATION];
+  const tie = tieOf(m);
   if (!m.recoil) {
     const ix = m.targetX[i] - s[BASE_X];
     const iy = m.targetY[i] - s[BASE_Y];
@@ -116,7 +142,7 @@ export function switchGuard(m: Motion, i: number, t: number): number {
     e[9] = -2 * (mx * e[2] + my * e[3]);
     const apart = Math.sqrt(mx * mx + my * my);
     e[10] = 2 * a * apart;
-    e[11] = 2 * TIE * apart;
+    e[11] = 2 * tie * apart;
     // (i - u)^2 - (t - u)^2 = (i - t).(i + t - 2 u)
     return mx * (ix + tx - 2 * e[0]) + my * (iy + ty - 2 * e[1]);
   }
@@ -136,6 +162,6 @@ export function switchGuard(m: Motion, i: number, t: number): number {
   const g = (e[4] - tx) * (e[4] + tx) + (e[5] - ty) * (e[5] + ty);
   e[9] = slope;
   e[10] = 2 * fast * fast + 2 * far * pull;
-  e[11] = 2 * TIE * Math.sqrt((e[4] - tx) * (e[4] - tx) + (e[5] - ty) * (e[5] - ty));
+  e[11] = 2 * tie * Math.sqrt((e[4] - tx) * (e[4] - tx) + (e[5] - ty) * (e[5] - ty));
   return g;
 }
