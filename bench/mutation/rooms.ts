@@ -16,12 +16,15 @@ const engine = (...names: string[]): string[] => names.map((name) => `tests/engi
 export const ROOMS: Readonly<Record<string, Room>> = {
   'solver/verify': {
     sources: ['solver/verify'],
-    tests: ['tests/solver/near-miss', 'tests/solver/verify.test.ts', 'tests/solver/proofs.test.ts'],
+    tests: [
+      'tests/solver/near-miss',
+      ...['verify', 'proofs', 'lemmas', 'lemmas-of-ways'].map((name) => `tests/solver/${name}.test.ts`),
+    ],
   },
   'engine/contact': { sources: ['engine/contact'], tests: engine('contact', 'near-misses') },
   'engine/continuous': {
     sources: ['engine/continuous'],
-    tests: [...engine('near-misses'), 'tests/engine', 'tests/hard-cases'],
+    tests: ['tests/browsers/node.test.ts', ...engine('near-misses'), 'tests/engine', 'tests/hard-cases'],
   },
   'solver/robustness': {
     sources: ['solver/robustness'],
