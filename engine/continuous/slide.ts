@@ -249,9 +249,9 @@ export function expandSlide(m: Motion, longest: number): number {
   return h;
 }
 
-/** Bound on the force outside and on the push, at most `d` px from the centre of the former, px/s2. */
+/** Bound on the force outside, at most `d` px from its centre, and so on the push, which is none of the larger ones, px/s2. */
 function strongest(m: Motion, d: number): number {
-  return Math.max(REPULSOR_PUSH, Math.abs(m.rim.alpha), m.rim.beta * d);
+  return Math.max(Math.abs(m.rim.alpha), m.rim.beta * d);
 }
 
 /** The polynomial of degree 2 or 3 that begins as the series does and meets its place at h, and its velocity where it can. */

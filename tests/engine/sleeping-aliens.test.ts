@@ -145,6 +145,70 @@ it('one that chases her past a large sleeper touches it when a closed form says 
   );
 });
 
+it('a sleeper so large that she touches it before it wakes ends the run when a closed form says so', () => {
+  fc.assert(
+    fc.property(
+      SEED,
+      CONTINUOUS,
+      fc.constantFrom(0, 30, 300),
+      fc.constantFrom(141, 200, 1000, 1e4),
+      (seed, accuracy, others, radius) => {
+        const random = seeded(seed);
+        const [speed, gap] = [100 + 800 * random(), 50 + 1500 * random()];
+        for (const [ux, uy, half] of [
+          [1, 0, 10],
+          [-1, 0, 10],
+          [0, 1, 16],
+          [0, -1, 16],
+        ]) {
+          const far = radius + half + gap;
+          const large = circle(far * ux, far * uy, radius);
+          const beside = circle(-50 * ux - 400 * uy, -50 * uy + 400 * ux, 5);
+          const level = plainLevel({
+            astronaut: { x: 0, y: 0, vx: speed * ux, vy: speed * uy },
+            aliens: [beside, ...farAway(plainLevel(), others), large],
+          });
+          const run = simulate(compile(level, accuracy), [], { maxTime: 30 });
+          expect(run.with).toEqual({ kind: 'alien', index: level.aliens.length - 1 });
+          expect(Math.abs(run.time - gap / speed)).toBeLessThan(1e-9);
+          expect(run.events.some(({ type }) => type === 'wake')).toBe(false);
+        }
+      },
+    ),
+    { numRuns: 40 },
+  );
+});
+
+it('a sleeper so large that she touches it before it wakes is as deadly as a nova of its size', () => {
+  let touched = 0;
+  fc.assert(
+    fc.property(SEED, CONTINUOUS, fc.constantFrom(0, 30, 300), (seed, accuracy, others) => {
+      const random = seeded(seed);
+      const radius = 160 + 400 * random();
+      const angle = 2 * Math.PI * random();
+      const far = radius + 20 + 100 * random();
+      const large = circle(far * Math.cos(angle), far * Math.sin(angle), radius);
+      const level = plainLevel({
+        astronaut: { x: 0, y: 0, vx: 120 * (random() - 0.5), vy: 120 * (random() - 0.5) },
+        asteroids: [{ x: 150 * random(), y: 150 * random(), radius: 16 }],
+        range: 1000,
+      });
+      const holds: [number, number][] = [
+        [10, 200],
+        [260, 500],
+      ];
+      const beyond = farAway(plainLevel(), others);
+      const alien = simulate(compile({ ...level, aliens: [...beyond, large] }, accuracy), holds, { maxTime: 10 });
+      const nova = simulate(compile({ ...level, novae: [large], aliens: beyond }, accuracy), holds, { maxTime: 10 });
+      expect([alien.outcome, alien.with?.kind ?? 'nothing']).toEqual([nova.outcome, nova.with === null ? 'nothing' : 'alien']);
+      expect(Math.abs(alien.time - nova.time)).toBeLessThan(1e-9);
+      if (nova.with !== null) touched++;
+    }),
+    { numRuns: 100 },
+  );
+  expect(touched).toBeGreaterThan(30);
+});
+
 it('after a reset or a restore a crowd goes on as it did', () => {
   fc.assert(
     fc.property(SEED, ACCURACY, fc.integer({ min: 1, max: 200 }), (seed, accuracy, tick) => {

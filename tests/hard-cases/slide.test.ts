@@ -193,6 +193,28 @@ describe.each(continuous)('sliding on a rim, against the equation of the angle: 
     );
   });
 
+  // all but on a circle about the centre of the pull, what holds her wanes and grows by little, and only just comes to nothing
+  it('comes off where what holds her has been next to nothing for long', () => {
+    let off = 0;
+    for (const rest of [3e-2, 1e-3, 1e-5]) {
+      for (const aside of [1e-3, 0.03, 0.4]) {
+        const radius = 100;
+        const pull = 39 * (1 - radius / 250);
+        const level = onRim({
+          astronaut: { x: -radius, y: 0, vy: Math.sqrt(radius * (pull - rest)) },
+          asteroids: [{ x: 0, y: -aside, radius: 16 }],
+          repulsors: [{ x: 0, y: 0, radius }],
+        });
+        const slid = slideByAngle(level, 20, 'gun', 1e-3);
+        const run = play(level, accuracy, HELD, 20);
+        if (!slid.off) continue;
+        off++;
+        expect(Math.abs((leaves(run) ?? Number.NaN) - slid.time)).toBeLessThan(accuracy === 'fast' ? 0.05 : 1e-5);
+      }
+    }
+    expect(off).toBeGreaterThan(4);
+  });
+
   it('goes on at little cost however little holds her', () => {
     // about the centre of the pull: it holds her with the same small force all the way
     const radius = 100;
