@@ -97,4 +97,18 @@ describe.each(CONTINUOUS)('asteroids far away change nothing: %s', (accuracy) =>
       expect(targets).toBeGreaterThan(5);
     }
   });
+
+  it('of several at the same distance the first in the list is the target', () => {
+    for (const turn of [0, 7, 60, 119]) {
+      const places = Array.from({ length: 196 }, (_, i) => ({
+        x: 60 * (i % 14) - 390,
+        y: 60 * Math.floor(i / 14) - 390,
+        radius: 2,
+      }));
+      const grid = [...places.slice(turn), ...places.slice(0, turn)];
+      const run = play(plainLevel({ range: 100, astronaut: { x: 0, y: 0 }, asteroids: grid }), accuracy, [[0, 5]], 0.1);
+      const first = grid.findIndex(({ x, y }) => Math.abs(x) === 30 && Math.abs(y) === 30);
+      expect(run.events.find(({ type }) => type === 'target')).toMatchObject({ index: first });
+    }
+  });
 });

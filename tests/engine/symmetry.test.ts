@@ -1,8 +1,10 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { seeded } from '../../bench/scenes/seeded.ts';
 import { randomScene } from '../../bench/soak/random-scene.ts';
 import { compile, type Run, simulate, WorkBudget } from '../../engine/index.ts';
 import type { Hold, Level } from '../../schema/index.ts';
+import { plainLevel } from './plain-level.ts';
 
 // Nothing in continuous time knows right from left, or one axis from the other: what a slip makes of one of them shows in the image.
 
@@ -73,5 +75,34 @@ describe.each(CONTINUOUS)('the image of a scene plays as the scene does: %s', (a
       { numRuns: 150 },
     );
     expect(compared).toBeGreaterThan(100);
+  });
+
+  // the frame goes with the rock until she is in the field
+  it('x for y, where she comes to slide along a rim while recoil moves what holds her', () => {
+    let slides = 0;
+    fc.assert(
+      fc.property(SEED, (seed) => {
+        const random = seeded(seed);
+        const angle = 2 * Math.PI * random();
+        const [c, s] = [Math.cos(angle), Math.sin(angle)];
+        const radius = 30 + 60 * random();
+        const out = 3e-7 * random();
+        const along = 10 * (random() - 0.5);
+        const level = plainLevel({
+          range: 250,
+          recoil: true,
+          astronaut: { x: (radius + out) * c, y: (radius + out) * s, vx: -along * s, vy: along * c },
+          asteroids: [{ x: -70 * c + 40 * (random() - 0.5), y: -70 * s + 40 * (random() - 0.5), radius: 0.5 + random() }],
+          repulsors: [{ x: 0, y: 0, radius }],
+        });
+        const run = play(level, [[0, 60]], 1);
+        const image = play(imageOf(level, swapped), [[0, 60]], 1);
+        if (run.modes.some(({ name, share }) => name === 'slide on a rim' && share > 0.1)) slides++;
+        expect(Math.hypot(image.final.x - run.final.y, image.final.y - run.final.x)).toBeLessThan(1e-5);
+        expect(Math.hypot(image.final.vx - run.final.vy, image.final.vy - run.final.vx)).toBeLessThan(1e-5);
+      }),
+      { numRuns: 30 },
+    );
+    expect(slides).toBeGreaterThan(5);
   });
 });
