@@ -134,7 +134,8 @@ export function graze(seed: number, accuracy: Accuracy): Graze | null {
     depth,
     until,
     nearest,
-    rounding: 2e-11 + 5e-16 * size,
+    // at 1e6 px the 1e-9 px that are promised
+    rounding: 2e-11 + 1e-15 * size,
     gap(time) {
       run.trajectory.at(time, state);
       return gap(state);
