@@ -3,6 +3,7 @@ import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { MAX_FILE_SIZE } from '../schema/index.ts';
 import { optionValue } from './harness.ts';
 import { randomHeavy } from './soak/random-heavy.ts';
 
@@ -54,7 +55,10 @@ let done = 0;
 try {
   for (let seed = from; seed < from + levels && Date.now() < until; seed++) {
     const file = join(folder, 'heavy.level.json');
-    writeFileSync(file, JSON.stringify(randomHeavy(seed)));
+    const text = JSON.stringify(randomHeavy(seed));
+    // a larger file is refused unread
+    if (text.length > MAX_FILE_SIZE) continue;
+    writeFileSync(file, text);
     const { verdict, seconds, memory } = check(file, probe);
     done++;
     if (seconds > worst.seconds.value) worst.seconds = { value: seconds, seed };

@@ -250,6 +250,8 @@ class March {
       const dy = Math.max(0, places[0] - y, y - places[1]);
       return i !== this.before && Math.sqrt(dx * dx + dy * dy) <= reach + SLACK;
     });
+    this.comparisons += near.length * near.length;
+    if (this.comparisons > MOST_COMPARISONS) return null;
     for (const centre of near) {
       const [from, to] = nearestWithin(centre, near, line, places);
       if (from > to) continue;
@@ -304,6 +306,7 @@ function nearestWithin(rock: Place, others: readonly Place[], line: number, plac
     if (y > 0) to = Math.min(to, most / (2 * y) + SLACK);
     else if (y < 0) from = Math.max(from, most / (2 * y) - SLACK);
     else if (most < 0) return [1, 0];
+    if (from > to) break;
   }
   return [from, to];
 }
