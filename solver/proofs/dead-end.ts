@@ -226,7 +226,7 @@ class March {
     }
   }
 
-  /** What may push her between two lines across, where `places` bounds her; null when some of it may push her back. */
+  /** What may push her between two lines across, where `places` bounds her; null when some of it may push her back, or when it takes too many comparisons to tell. */
   private pushes(line: number, places: Span): Push[] | null {
     const end = line + STEP;
     const pushes: Push[] = [];

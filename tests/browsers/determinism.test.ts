@@ -1,21 +1,18 @@
 import { execFileSync } from 'node:child_process';
-import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
-import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 import puppeteer from 'puppeteer-core';
 import { getQuickJS } from 'quickjs-emscripten';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { declareMissing } from '../missing.ts';
 import { bundleEngine } from './bundle.ts';
-import { type HashTable, questions, tableOf } from './hash-table.ts';
+import { committedTable, questions, tableOf } from './hash-table.ts';
 import { hashedRuns } from './scenes.ts';
 
-const here = dirname(fileURLToPath(import.meta.url));
-const hashesFile = join(here, 'hashes.json');
-const committed: HashTable = existsSync(hashesFile) ? JSON.parse(readFileSync(hashesFile, 'utf8')) : {};
+const committed = committedTable();
 const runs = hashedRuns();
 const asked = questions(runs);
 

@@ -109,15 +109,21 @@ describe('the pages that have a level open', () => {
   });
 });
 
+/** From now on a page that is to hand over writes until what this gives is called. */
+function keepWriting(page: Tab): () => void {
+  let written = () => {};
+  page.before = () =>
+    new Promise<void>((resolve) => {
+      written = resolve;
+    });
+  return () => written();
+}
+
 describe('a page that takes over', () => {
   it('waits until the other one has written, and that one is next in the row', async () => {
     const [a, b] = [tab('a'), tab('b')];
     await breathe();
-    let written = () => {};
-    a.before = () =>
-      new Promise<void>((resolve) => {
-        written = resolve;
-      });
+    const written = keepWriting(a);
     b.lock.takeOver();
     await breathe();
     expect([rolesOf(a, b), a.handedOver]).toEqual([['writer', 'reader'], 1]);
@@ -140,11 +146,7 @@ describe('a page that takes over', () => {
   it('is it after 1.5 s when the other one does not answer, which is a reader once it wakes', async () => {
     const [a, b] = [tab('a'), tab('b')];
     await breathe();
-    let written = () => {};
-    a.before = () =>
-      new Promise<void>((resolve) => {
-        written = resolve;
-      });
+    const written = keepWriting(a);
     b.lock.takeOver();
     // asked again, it waits anew
     await clock.pass(1000);

@@ -10,6 +10,9 @@ import { plainLevel } from './plain-level.ts';
 const CONTINUOUS = ['precise', 'standard', 'fast'] as const;
 const COUNT = 150;
 
+/** 14 rows of 14, 60 px apart, so that the start lies in the middle of four. */
+const GRID = Array.from({ length: 196 }, (_, i) => ({ x: 60 * (i % 14) - 390, y: 60 * Math.floor(i / 14) - 390, radius: 2 }));
+
 /** So many asteroids that she can't come near, in no order. */
 const farAway = ({ astronaut }: Level): Asteroid[] =>
   Array.from({ length: COUNT }, (_, i) => ({
@@ -72,9 +75,8 @@ describe.each(CONTINUOUS)('asteroids far away change nothing: %s', (accuracy) =>
 
   // as she holds one, places are told from it; nearest may be another by now
   it('the nearest is found wherever recoil has moved them', () => {
-    const grid = Array.from({ length: 196 }, (_, i) => ({ x: 60 * (i % 14) - 390, y: 60 * Math.floor(i / 14) - 390, radius: 2 }));
     for (const recoil of [false, true]) {
-      const level = plainLevel({ range: 100, recoil, astronaut: { x: 3, y: 8, vx: 70, vy: 31 }, asteroids: grid });
+      const level = plainLevel({ range: 100, recoil, astronaut: { x: 3, y: 8, vx: 70, vy: 31 }, asteroids: GRID });
       const run = play(level, accuracy, [
         [0, 20],
         [25, 60],
@@ -83,7 +85,7 @@ describe.each(CONTINUOUS)('asteroids far away change nothing: %s', (accuracy) =>
         [210, 300],
       ]);
       const at = new Float64Array(6);
-      const rocks = new Float64Array(2 * grid.length);
+      const rocks = new Float64Array(2 * GRID.length);
       let targets = 0;
       for (const event of run.events) {
         if (event.type !== 'target') continue;
@@ -91,7 +93,7 @@ describe.each(CONTINUOUS)('asteroids far away change nothing: %s', (accuracy) =>
         run.trajectory.at(event.time, at);
         run.trajectory.asteroidsAt(event.time, rocks);
         const far = (i: number) => Math.hypot(rocks[2 * i] - at[0], rocks[2 * i + 1] - at[1]);
-        const nearest = Math.min(...grid.map((_, i) => far(i)));
+        const nearest = Math.min(...GRID.map((_, i) => far(i)));
         expect(far(event.index) - nearest).toBeLessThan(1e-3);
       }
       expect(targets).toBeGreaterThan(5);
@@ -100,14 +102,9 @@ describe.each(CONTINUOUS)('asteroids far away change nothing: %s', (accuracy) =>
 
   it('of several at the same distance the first in the list is the target', () => {
     for (const turn of [0, 7, 60, 119]) {
-      const places = Array.from({ length: 196 }, (_, i) => ({
-        x: 60 * (i % 14) - 390,
-        y: 60 * Math.floor(i / 14) - 390,
-        radius: 2,
-      }));
-      const grid = [...places.slice(turn), ...places.slice(0, turn)];
-      const run = play(plainLevel({ range: 100, astronaut: { x: 0, y: 0 }, asteroids: grid }), accuracy, [[0, 5]], 0.1);
-      const first = grid.findIndex(({ x, y }) => Math.abs(x) === 30 && Math.abs(y) === 30);
+      const turned = [...GRID.slice(turn), ...GRID.slice(0, turn)];
+      const run = play(plainLevel({ range: 100, astronaut: { x: 0, y: 0 }, asteroids: turned }), accuracy, [[0, 5]], 0.1);
+      const first = turned.findIndex(({ x, y }) => Math.abs(x) === 30 && Math.abs(y) === 30);
       expect(run.events.find(({ type }) => type === 'target')).toMatchObject({ index: first });
     }
   });

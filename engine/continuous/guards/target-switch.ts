@@ -123,7 +123,7 @@ function switchSeries(m: Motion, i: number, t: number): number {
 
 /**
  * Squared distance to asteroid `i` minus that to the target, px2. Where both stand still it is linear in her place.
- * e[9]: its slope; e[10]: a bound on how fast the slope can fall; e[11]: what a tie across the bisector make of it.
+ * e[9]: its slope; e[10]: a bound on how fast the slope can fall; e[11]: what the width of a tie makes of it.
  */
 export function switchGuard(m: Motion, i: number, t: number): number {
   const { s, e, budget } = m;
