@@ -217,6 +217,24 @@ inChromium('panels in Chromium', ({ on }) => {
   );
 
   it(
+    'a press on a way that was found keeps its place when the search ends before the release',
+    on({ '01': garden({ runs: undefined }) }, async ({ page }) => {
+      await tab(page, 'Solver');
+      const solver = page.getByRole('tabpanel', { name: 'Solver' });
+      await solver.getByRole('textbox', { name: 'Seconds' }).fill('4');
+      const cancel = solver.getByRole('button', { name: 'Cancel', exact: true });
+      await solver.getByRole('button', { name: 'Solve', exact: true }).click();
+      const use = solver.getByRole('list', { name: 'Ways found' }).getByRole('button', { name: 'Use' }).first();
+      await use.hover();
+      await page.mouse.down();
+      expect(await cancel.isVisible(), 'the search ended before the press').toBe(true);
+      await cancel.waitFor({ state: 'hidden' });
+      await page.mouse.up();
+      await verdict(page, 'completable');
+    }),
+  );
+
+  it(
     'accuracy and effects: what each setting and each effect costs in this level',
     on({ '01': straight() }, async ({ page }) => {
       await tab(page, 'Accuracy');

@@ -5,7 +5,7 @@ import { useEditor, usePageTheme, useProof, useSession } from '../../context/ind
 import { outcomeInWords } from '../../proof/index.ts';
 import { Button, Dialog } from '../../ui/index.ts';
 import { pixels, playsAlike } from '../figures/index.ts';
-import { Section } from '../parts/index.ts';
+import { Progress, Section } from '../parts/index.ts';
 import './accuracy.css';
 import { drawSettings } from './diagram.ts';
 import { NAMES, type NamedResult } from './named-results.ts';
@@ -149,7 +149,7 @@ export function AccuracyPanel() {
           )
         }
       >
-        {phase === 'measuring' && <progress className="progress" aria-label="Measuring" />}
+        {(phase === 'measuring' || measured !== null) && <Progress label="Measuring" isRunning={phase === 'measuring'} />}
         {phase === 'failed' && (
           <p className="tone--bad" role="alert">
             It could not be measured: {message}. Try again.

@@ -4,7 +4,7 @@ import { TICK } from '../../../engine/index.ts';
 import type { Candidate, Difficulty, WithoutAsteroid } from '../../../solver/index.ts';
 import { Button } from '../../ui/index.ts';
 import { type Fact, percent, plural, seconds } from '../figures/index.ts';
-import { Facts, Section } from '../parts/index.ts';
+import { Facts, Progress, Section } from '../parts/index.ts';
 import { useSolverDesk } from './use-desk.ts';
 
 const USES: Readonly<Record<WithoutAsteroid['use'], string>> = {
@@ -99,7 +99,7 @@ export function DifficultyReport() {
         )
       }
     >
-      {phase === 'measuring' && <progress className="progress" aria-label="Measuring" />}
+      {(phase === 'measuring' || result !== null) && <Progress label="Measuring" isRunning={phase === 'measuring'} />}
       {phase === 'failed' && (
         <p className="tone--bad" role="alert">
           It could not be measured: {message}. Try again.

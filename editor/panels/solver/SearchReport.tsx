@@ -4,6 +4,7 @@ import { TICK } from '../../../engine/index.ts';
 import { useDocument, useEditor, useProof, useSession } from '../../context/index.ts';
 import { Button } from '../../ui/index.ts';
 import { about, percent, pixels, plural, seconds } from '../figures/index.ts';
+import { Progress } from '../parts/index.ts';
 import type { Found, SearchState } from './search.ts';
 import { useSolverDesk } from './use-desk.ts';
 
@@ -134,14 +135,7 @@ export function SearchReport() {
   if (phase === 'idle' || wish === null) return null;
   return (
     <div className="report">
-      {phase === 'running' && (
-        <progress
-          className="progress"
-          aria-label="Time spent"
-          max={1000 * wish.budget}
-          value={Math.min(ms, 1000 * wish.budget)}
-        />
-      )}
+      <Progress label="Time spent" isRunning={phase === 'running'} share={Math.min(1, ms / (1000 * wish.budget))} />
       <Standing state={state} />
       {found.length > 0 && (
         <ol className="report__found" aria-label="Ways found">
