@@ -80,14 +80,16 @@ const textOf = (content: unknown): string => (typeof content === 'string' ? cont
 /** Number of the user who owns nothing. */
 const NOBODY = 65534;
 
-/** Prints what a page shows as assistive technology reads it: a failure on another machine can't be looked at. */
-async function tellPage(page: Page, complaints: readonly string[]): Promise<void> {
-  try {
-    console.error(await page.locator('body').ariaSnapshot({ timeout: 10_000 }));
-  } catch (error) {
-    console.error('the page does not answer:', error);
+/** Prints what the pages show as assistive technology reads it: a failure on another machine can't be looked at. */
+async function tellPages(context: BrowserContext, complaints: readonly string[]): Promise<void> {
+  for (const page of context.pages()) {
+    try {
+      console.error(await page.locator('body').ariaSnapshot({ timeout: 10_000 }));
+    } catch (error) {
+      console.error('the page does not answer:', error);
+    }
   }
-  if (complaints.length > 0) console.error('console of the page:', complaints);
+  if (complaints.length > 0) console.error('complaints of the pages:', complaints);
 }
 
 /** Suites in one Chromium that all tests of the file share; each test has a folder, a server and a profile of its own. */
@@ -118,11 +120,9 @@ export function inChromium(suite: string, declare: (browsers: Browsers) => void)
           // the tour would lie over the page
           if (!firstTime) await context.addInitScript(KNOWN);
           const complaints: string[] = [];
-          let shown: Page | null = null;
           try {
             await context.grantPermissions(['clipboard-read', 'clipboard-write'], { origin: new URL(server.address).origin });
             const { page, canvas } = await enter(context, server.address, complaints);
-            shown = page;
             const text = (id: string) => readFileSync(join(folder, `${id}.level.json`), 'utf8');
             await play({
               folder,
@@ -148,7 +148,7 @@ export function inChromium(suite: string, declare: (browsers: Browsers) => void)
             });
             expect(complaints.filter((complaint) => expected?.test(complaint) !== true)).toEqual([]);
           } catch (error) {
-            if (shown !== null) await tellPage(shown, complaints);
+            await tellPages(context, complaints);
             throw error;
           } finally {
             await context.close();

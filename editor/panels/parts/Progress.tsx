@@ -7,5 +7,8 @@ interface ProgressProps {
 
 /** How far something has come. It keeps its room when it is over: a control below must not move away from under a press. */
 export function Progress({ label, isRunning, share }: ProgressProps) {
-  return <progress className={isRunning ? 'progress' : 'progress progress--over'} aria-label={label} value={share} />;
+  // without a value it would move on, unseen
+  return (
+    <progress className={isRunning ? 'progress' : 'progress progress--over'} aria-label={label} value={isRunning ? share : 1} />
+  );
 }
