@@ -249,7 +249,7 @@ export function expandSlide(m: Motion, longest: number): number {
   return h;
 }
 
-/** Bound on the force outside, at most `d` px from its centre, and so on the push, which is none of the larger ones, px/s2. */
+/** Bound on the force outside, at most `d` px from its centre, px/s2. Where she slides, the push from the rim is no larger. */
 function strongest(m: Motion, d: number): number {
   return Math.max(Math.abs(m.rim.alpha), m.rim.beta * d);
 }

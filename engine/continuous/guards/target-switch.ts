@@ -33,6 +33,7 @@ export function countSwitch(m: Motion, time: number): void {
 function tieOf(m: Motion): number {
   const { s } = m;
   if (s[SWITCHES] <= MOST_SWITCHES || s[START] - s[SWITCH_TIME] > m.sameInstant) return TIE;
+  // multiplied one by one: `**` may differ by a bit between JavaScript engines
   let tie = TIE;
   for (let n = MOST_SWITCHES; n < s[SWITCHES]; n++) tie = Math.min(WIDEST_TIE, 10 * tie);
   return tie;
