@@ -1,6 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { type AccuracyName, compile, createSimulation, STATE_SIZE } from '../../engine/index.ts';
+import { continuousNames } from './accuracies.ts';
 import { type LineRun, type LineScene, moveOnLine } from './motion-on-a-line.ts';
 import { plainLevel } from './plain-level.ts';
 
@@ -124,7 +125,7 @@ describe('everything on one line', () => {
   });
 });
 
-describe.each(['precise', 'standard', 'fast'] as const)('a rock that is dragged through her: %s', (accuracy) => {
+describe.each(continuousNames)('a rock that is dragged through her: %s', (accuracy) => {
   const rockAt = (parts: Parameters<typeof plainLevel>[0], seconds: number) => {
     const simulation = createSimulation(compile(plainLevel({ range: 400, recoil: true, ...parts }), accuracy));
     simulation.advance(60 * seconds, true);

@@ -11,6 +11,7 @@ import {
   simulate,
 } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
+import { continuousNames } from './accuracies.ts';
 import { offLine } from './exact-line.ts';
 import { plainLevel } from './plain-level.ts';
 
@@ -184,26 +185,23 @@ function generator(seed: number): () => number {
   };
 }
 
-describe.each(['precise', 'standard', 'fast'] as const)(
-  'beside the target, where only a box that sweeps round would reach: %s',
-  (accuracy) => {
-    // 34.55 px from the asteroid's centre, square to her way: more than 18 + 16, less than 18 and half the box's diagonal
-    const level = plainLevel({
-      range: 250,
-      asteroids: [{ x: 64.2, y: 102.7, radius: 32 }],
-      blackHole: { x: 34.903, y: 121.014 },
-    });
-    // each was found by a search when rounding took her off the line
-    const runs: readonly (readonly Hold[])[] = [
-      [
-        [0, 528],
-        [608, 800],
-        [878, 1227],
-      ],
-    ];
+describe.each(continuousNames)('beside the target, where only a box that sweeps round would reach: %s', (accuracy) => {
+  // 34.55 px from the asteroid's centre, square to her way: more than 18 + 16, less than 18 and half the box's diagonal
+  const level = plainLevel({
+    range: 250,
+    asteroids: [{ x: 64.2, y: 102.7, radius: 32 }],
+    blackHole: { x: 34.903, y: 121.014 },
+  });
+  // each was found by a search when rounding took her off the line
+  const runs: readonly (readonly Hold[])[] = [
+    [
+      [0, 528],
+      [608, 800],
+      [878, 1227],
+    ],
+  ];
 
-    it('the black hole is not reached', () => {
-      for (const holds of runs) expect(simulate(compile(level, accuracy), holds).outcome).not.toBe('completed');
-    });
-  },
-);
+  it('the black hole is not reached', () => {
+    for (const holds of runs) expect(simulate(compile(level, accuracy), holds).outcome).not.toBe('completed');
+  });
+});

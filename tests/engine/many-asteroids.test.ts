@@ -3,11 +3,11 @@ import { describe, expect, it } from 'vitest';
 import { randomScene } from '../../bench/soak/random-scene.ts';
 import { compile, type Run, simulate, WorkBudget } from '../../engine/index.ts';
 import type { Asteroid, Level } from '../../schema/index.ts';
+import { continuousNames } from './accuracies.ts';
 import { plainLevel } from './plain-level.ts';
 
 // From 128 asteroids on they are looked for through an index, below that one by one: both are to find the same.
 
-const CONTINUOUS = ['precise', 'standard', 'fast'] as const;
 const COUNT = 150;
 
 /** 14 rows of 14, 60 px apart, so that the start lies in the middle of four. */
@@ -25,7 +25,7 @@ const farAway = ({ astronaut }: Level): Asteroid[] =>
 
 const play = (
   level: Level,
-  accuracy: (typeof CONTINUOUS)[number],
+  accuracy: (typeof continuousNames)[number],
   holds: ReturnType<typeof randomScene>['holds'],
   maxTime = 10,
 ) => simulate(compile(level, accuracy), holds, { maxTime, budget: new WorkBudget(50_000) });
@@ -47,7 +47,7 @@ function told({ outcome, with: what, events }: Run, first: number): unknown {
 }
 
 // pieces are shorter where an index is asked, so that last digits may differ
-describe.each(CONTINUOUS)('asteroids far away change nothing: %s', (accuracy) => {
+describe.each(continuousNames)('asteroids far away change nothing: %s', (accuracy) => {
   it.each([
     ['behind', 0],
     ['before', COUNT],

@@ -3,6 +3,7 @@ import { expect, it } from 'vitest';
 import { randomScene } from '../../bench/soak/random-scene.ts';
 import { safeStep, safeStretch } from '../../engine/continuous/march.ts';
 import { compile, simulate, WorkBudget } from '../../engine/index.ts';
+import { continuousNames } from './accuracies.ts';
 
 const real = (min: number, max: number) => fc.double({ min, max, noNaN: true });
 const at = (c: Float64Array, t: number) => c.reduceRight((value, ck) => value * t + ck, 0);
@@ -44,7 +45,7 @@ it('a step is safe and not 0 where the product under the root is too small for a
 
 it('fields and asteroids in the same place, one of them dragged away, are not looked at without end', () => {
   const { level, holds, maxTime } = randomScene(67_997);
-  for (const accuracy of ['fast', 'standard', 'precise'] as const) {
+  for (const accuracy of continuousNames) {
     const budget = new WorkBudget();
     simulate(compile(level, accuracy), holds, { budget, maxTime });
     expect(budget.spent).toBeLessThan(5000);

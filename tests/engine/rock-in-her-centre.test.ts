@@ -1,13 +1,12 @@
 import { expect, it } from 'vitest';
 import { randomScene } from '../../bench/soak/random-scene.ts';
 import { compile, simulate, WorkBudget } from '../../engine/index.ts';
+import { continuousNames } from './accuracies.ts';
 import { plainLevel } from './plain-level.ts';
 
 // In a field the gun drags what it holds, and that may lie in her very centre.
 
-const CONTINUOUS = ['fast', 'standard', 'precise'] as const;
-
-it.each(CONTINUOUS)('at rest in the centre of a field with it she stays there, and so does it: %s', (accuracy) => {
+it.each(continuousNames)('at rest in the centre of a field with it she stays there, and so does it: %s', (accuracy) => {
   for (const apart of [0, 1e-300, 1e-12]) {
     const level = plainLevel({
       asteroids: [{ x: apart, y: 0, radius: 16 }],
@@ -26,7 +25,7 @@ it.each(CONTINUOUS)('at rest in the centre of a field with it she stays there, a
   }
 });
 
-it.each(CONTINUOUS)('in scenes where she also slides along a rim, numbers stay finite and work small: %s', (accuracy) => {
+it.each(continuousNames)('in scenes where she also slides along a rim, numbers stay finite and work small: %s', (accuracy) => {
   for (const seed of [30_279, 22_978, 30_909, 34_301, 209_007]) {
     const { level, holds, maxTime } = randomScene(seed);
     const budget = new WorkBudget();
@@ -40,18 +39,21 @@ it.each(CONTINUOUS)('in scenes where she also slides along a rim, numbers stay f
   }
 });
 
-it.each(CONTINUOUS)('what the gun holds may come to lie in the centre of her who slides along a huge rim: %s', (accuracy) => {
-  const level = plainLevel({
-    range: 250,
-    recoil: true,
-    asteroids: [
-      { x: 0, y: 1, radius: 1 },
-      { x: -1e-15, y: -1, radius: 1 },
-    ],
-    repulsors: [{ x: 1e-13, y: -1e6, radius: 1e6 }],
-  });
-  const budget = new WorkBudget();
-  const run = simulate(compile(level, accuracy), [[0, 180]], { maxTime: 3, budget });
-  expect(run.time).toBe(3);
-  expect(budget.spent).toBeLessThan(20_000);
-});
+it.each(continuousNames)(
+  'what the gun holds may come to lie in the centre of her who slides along a huge rim: %s',
+  (accuracy) => {
+    const level = plainLevel({
+      range: 250,
+      recoil: true,
+      asteroids: [
+        { x: 0, y: 1, radius: 1 },
+        { x: -1e-15, y: -1, radius: 1 },
+      ],
+      repulsors: [{ x: 1e-13, y: -1e6, radius: 1e6 }],
+    });
+    const budget = new WorkBudget();
+    const run = simulate(compile(level, accuracy), [[0, 180]], { maxTime: 3, budget });
+    expect(run.time).toBe(3);
+    expect(budget.spent).toBeLessThan(20_000);
+  },
+);

@@ -1,13 +1,11 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { compile, createSimulation, joinHolds, playScript, type Simulation, STATE_SIZE, simulate } from '../../engine/index.ts';
-import { accuracyNames, levelsFor } from './accuracies.ts';
+import { accuracyNames, continuousNames, levelsFor } from './accuracies.ts';
 import { arbitraryHolds, arbitraryPlayableLevel } from './arbitrary-level.ts';
 import { plainLevel } from './plain-level.ts';
 
 const LAST_TICK = 300;
-
-const continuousNames = accuracyNames.filter((name) => name !== 'arcade');
 
 /** Everything that can be seen of a simulation. */
 function view(simulation: Simulation) {

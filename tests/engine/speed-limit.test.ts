@@ -1,6 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { compile, STATE_SIZE, simulate, WorkBudget } from '../../engine/index.ts';
+import { continuousNames } from './accuracies.ts';
 import { plainLevel } from './plain-level.ts';
 
 const LIMIT = 1000;
@@ -165,27 +166,24 @@ describe('the speed limit on a line through a field', () => {
   });
 });
 
-describe.each(['precise', 'standard', 'fast'] as const)(
-  'let go at the limit she is not held again without being driven on: %s',
-  (accuracy) => {
-    it('in a bounded number of pieces', () => {
-      const even = (min: number, max: number) => fc.integer({ min: 0, max: 1000 }).map((k) => min + ((max - min) * k) / 1000);
-      fc.assert(
-        fc.property(even(-600, 600), even(-600, 600), fc.constantFrom(-1000, 1000), even(-1000, 1000), (x, y, vx, vy) => {
-          const level = plainLevel({ astronaut: { x: 0, y: 0, vx, vy }, range: 1000, asteroids: [{ x, y, radius: 16 }] });
-          const budget = new WorkBudget(2000);
-          expect(simulate(compile(level, accuracy), [[0, 120]], { maxTime: 2, budget }).stopped).toBeNull();
-        }),
-      );
-    });
+describe.each(continuousNames)('let go at the limit she is not held again without being driven on: %s', (accuracy) => {
+  it('in a bounded number of pieces', () => {
+    const even = (min: number, max: number) => fc.integer({ min: 0, max: 1000 }).map((k) => min + ((max - min) * k) / 1000);
+    fc.assert(
+      fc.property(even(-600, 600), even(-600, 600), fc.constantFrom(-1000, 1000), even(-1000, 1000), (x, y, vx, vy) => {
+        const level = plainLevel({ astronaut: { x: 0, y: 0, vx, vy }, range: 1000, asteroids: [{ x, y, radius: 16 }] });
+        const budget = new WorkBudget(2000);
+        expect(simulate(compile(level, accuracy), [[0, 120]], { maxTime: 2, budget }).stopped).toBeNull();
+      }),
+    );
+  });
 
-    it('passing an asteroid on the axis that is held', () => {
-      const asteroids = [{ x: -250, y: -300, radius: 16 }];
-      const level = plainLevel({ astronaut: { x: 0, y: 0, vx: -1000, vy: -1000 }, range: 1000, asteroids });
-      const budget = new WorkBudget(2000);
-      const run = simulate(compile(level, accuracy), [[0, 60]], { maxTime: 1, budget });
-      expect(run.stopped).toBeNull();
-      expect(run.final.vx).toBeGreaterThan(-1000);
-    });
-  },
-);
+  it('passing an asteroid on the axis that is held', () => {
+    const asteroids = [{ x: -250, y: -300, radius: 16 }];
+    const level = plainLevel({ astronaut: { x: 0, y: 0, vx: -1000, vy: -1000 }, range: 1000, asteroids });
+    const budget = new WorkBudget(2000);
+    const run = simulate(compile(level, accuracy), [[0, 60]], { maxTime: 1, budget });
+    expect(run.stopped).toBeNull();
+    expect(run.final.vx).toBeGreaterThan(-1000);
+  });
+});

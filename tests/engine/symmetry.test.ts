@@ -4,6 +4,7 @@ import { seeded } from '../../bench/scenes/seeded.ts';
 import { randomScene } from '../../bench/soak/random-scene.ts';
 import { compile, type Run, simulate, WorkBudget } from '../../engine/index.ts';
 import type { Hold, Level } from '../../schema/index.ts';
+import { continuousNames } from './accuracies.ts';
 import { plainLevel } from './plain-level.ts';
 
 // Nothing in continuous time knows right from left, or one axis from the other: what a slip makes of one of them shows in the image.
@@ -28,9 +29,8 @@ function imageOf(level: Level, turn: Turn): Level {
 }
 
 const SEED = fc.nat(1_000_000);
-const CONTINUOUS = ['precise', 'standard', 'fast'] as const;
 
-describe.each(CONTINUOUS)('the image of a scene plays as the scene does: %s', (accuracy) => {
+describe.each(continuousNames)('the image of a scene plays as the scene does: %s', (accuracy) => {
   const play = (level: Level, holds: readonly Hold[], maxTime: number): Run =>
     simulate(compile(level, accuracy), holds, { maxTime, budget: new WorkBudget(50_000) });
 

@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest';
 import { compile, type RunEvent, simulate } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
+import { continuousNames } from './accuracies.ts';
 import { type PlainLevel, plainLevel } from './plain-level.ts';
 
-const ACCURACIES = ['precise', 'standard', 'fast'] as const;
 const KINDS = ['nova', 'hot asteroid', 'black hole', 'mineral', 'alien'] as const;
 
 interface Place {
@@ -28,7 +28,7 @@ function withThing(kind: (typeof KINDS)[number], circle: Place, parts: PlainLeve
 }
 
 /** When she first touches anything, s; null where she doesn't. */
-function touchTime(parts: PlainLevel, holds: readonly Hold[], accuracy: (typeof ACCURACIES)[number]): number | null {
+function touchTime(parts: PlainLevel, holds: readonly Hold[], accuracy: (typeof continuousNames)[number]): number | null {
   const run = simulate(compile(plainLevel(parts), accuracy), holds, { maxTime: 0.25 });
   const touches = run.events.filter(({ type }) => type === 'mineral' || type === 'collided' || type === 'completed');
   return touches[0]?.time ?? null;
@@ -36,7 +36,7 @@ function touchTime(parts: PlainLevel, holds: readonly Hold[], accuracy: (typeof 
 
 const ULP_BELOW_26 = 26 - 2 ** -48;
 
-describe.each(ACCURACIES)('a start at which box and circle exactly touch, %s', (accuracy) => {
+describe.each(continuousNames)('a start at which box and circle exactly touch, %s', (accuracy) => {
   describe.each(KINDS)('%s', (kind) => {
     const touch = (x: number, parts: PlainLevel, holds: readonly Hold[] = []) =>
       touchTime(withThing(kind, { x, y: 0, radius: 16 }, parts), holds, accuracy);
@@ -81,7 +81,7 @@ for (let i = -30; i <= 30; i++) {
   }
 }
 
-describe.each(ACCURACIES)('a press that turns the box exactly to touching, %s', (accuracy) => {
+describe.each(continuousNames)('a press that turns the box exactly to touching, %s', (accuracy) => {
   const apart = turned.filter(({ x, y, radius }) => {
     const [gx, gy] = [Math.max(0, Math.abs(x) - 10), Math.max(0, Math.abs(y) - 16)];
     return gx * gx + gy * gy > (radius + 1) * (radius + 1);
@@ -105,7 +105,7 @@ describe.each(ACCURACIES)('a press that turns the box exactly to touching, %s', 
   });
 });
 
-describe.each(ACCURACIES)('a start that stands exactly on a border, %s', (accuracy) => {
+describe.each(continuousNames)('a start that stands exactly on a border, %s', (accuracy) => {
   const firstOf = (type: RunEvent['type'], parts: PlainLevel, holds: readonly Hold[] = []) => {
     const run = simulate(compile(plainLevel(parts), accuracy), holds, { maxTime: 0.1 });
     return run.events.find((event) => event.type === type && !(event.type === 'target' && event.index === 0))?.time ?? null;

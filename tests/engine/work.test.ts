@@ -4,7 +4,7 @@ import { randomScene } from '../../bench/soak/random-scene.ts';
 import { type AccuracyName, compile, simulate, WorkBudget } from '../../engine/index.ts';
 import type { Hold, Level } from '../../schema/index.ts';
 import { hashedRuns } from '../browsers/scenes.ts';
-import { accuracyNames } from './accuracies.ts';
+import { accuracyNames, continuousNames } from './accuracies.ts';
 import { plainLevel } from './plain-level.ts';
 
 // What runs cost, counted: the same on every machine. A change that makes them dearer, or cheaper, shows here, and what is new is taken over from the failure.
@@ -30,7 +30,6 @@ function workOf(scenes: readonly Scene[], accuracies: readonly AccuracyName[]): 
   );
 }
 
-const CONTINUOUS = ['precise', 'standard', 'fast'] as const;
 const some = (count: number, scene: (seed: number) => Scene): Scene[] => Array.from({ length: count }, (_, i) => scene(i));
 
 it('of the runs whose hashes are committed', () => {
@@ -44,7 +43,7 @@ it('of the runs whose hashes are committed', () => {
 });
 
 it('of random scenes', () => {
-  expect(workOf(some(150, randomScene), CONTINUOUS)).toEqual({
+  expect(workOf(some(150, randomScene), continuousNames)).toEqual({
     fast: '26797 31199 32723 1313 545037',
     precise: '4150 3576 14673 1900 120288',
     standard: '26799 124804 32725 1312 545440',
@@ -52,7 +51,7 @@ it('of random scenes', () => {
 });
 
 it('of scenes in which a digit decides', () => {
-  expect(workOf(some(150, degenerateScene), CONTINUOUS)).toEqual({
+  expect(workOf(some(150, degenerateScene), continuousNames)).toEqual({
     fast: '79365 99625 87453 13688 1798581',
     precise: '48598 76436 64990 18444 1351571',
     standard: '80377 378198 86528 12933 1816398',
@@ -72,7 +71,7 @@ it('of slides along a rim', () => {
     });
     return { level, holds: [[3 * (i % 2), 300]] as const, maxTime: 6 };
   });
-  expect(workOf(scenes, CONTINUOUS)).toEqual({
+  expect(workOf(scenes, continuousNames)).toEqual({
     fast: '7883 8352 6144 432 141703',
     precise: '805 781 896 447 20516',
     standard: '7889 33432 6150 436 141850',
@@ -101,7 +100,7 @@ it('of crowds', () => {
     });
     return { level, holds: [[2, 20 + i] as const, [60, 90] as const, [120, 400] as const], maxTime: 8 };
   });
-  expect(workOf(scenes, CONTINUOUS)).toEqual({
+  expect(workOf(scenes, continuousNames)).toEqual({
     fast: '842 12959 1595 168 305866',
     precise: '439 6903 2276 308 191613',
     standard: '842 51836 1595 167 305908',

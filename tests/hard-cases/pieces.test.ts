@@ -1,8 +1,9 @@
 import { describe, expect, it } from 'vitest';
 import { degenerateScene } from '../../bench/soak/degenerate-scene.ts';
 import { checkPieces, dearestSecond } from '../../bench/soak/pieces.ts';
-import { type AccuracyName, compile, GUN_PULL, STATE_SIZE, simulate } from '../../engine/index.ts';
+import { compile, GUN_PULL, STATE_SIZE, simulate } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
+import { continuousNames } from '../engine/accuracies.ts';
 import { type PlainLevel, plainLevel } from '../engine/plain-level.ts';
 
 const HELD: Hold[] = [[0, 3600]];
@@ -67,7 +68,7 @@ const CASES: readonly Dear[] = [
   },
 ];
 
-describe.each(['precise', 'standard', 'fast'] as const satisfies AccuracyName[])('pieces a second: %s', (accuracy) => {
+describe.each(continuousNames)('pieces a second: %s', (accuracy) => {
   it.each(CASES)('$name', ({ parts, holds, most }) => {
     const bound = most[accuracy === 'precise' ? 0 : 1];
     expect(dearestSecond(compile(plainLevel(parts), accuracy), holds, 3, 20_000).pieces).toBeLessThan(bound);

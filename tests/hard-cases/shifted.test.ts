@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { type AccuracyName, compile, STATE_SIZE, simulate } from '../../engine/index.ts';
+import { compile, STATE_SIZE, simulate } from '../../engine/index.ts';
 import type { Hold, Level } from '../../schema/index.ts';
+import { continuousNames } from '../engine/accuracies.ts';
 import { plainLevel } from '../engine/plain-level.ts';
 
 /** Whole numbers throughout, so that shifting by whole numbers loses nothing. */
@@ -50,7 +51,7 @@ const SHIFTS = [
   [2 ** 30, 1e-6],
 ] as const;
 
-describe.each<AccuracyName>(['fast', 'standard', 'precise'])('the same level far from the origin: %s', (accuracy) => {
+describe.each(continuousNames)('the same level far from the origin: %s', (accuracy) => {
   it.each(SHIFTS)('moved by %d px goes the same way', (by, within) => {
     for (const holds of HOLDS) {
       const here = simulate(compile(LEVEL, accuracy), holds, { maxTime: 20 });

@@ -11,11 +11,12 @@ import {
   WorkBudget,
 } from '../../engine/index.ts';
 import type { Hold, Level } from '../../schema/index.ts';
+import { continuousNames } from '../engine/accuracies.ts';
 import { type PlainLevel, plainLevel } from '../engine/plain-level.ts';
+import { real } from '../real.ts';
 import { bounceByBounce } from './bounce.ts';
 import { type Slid, slideByAngle } from './slide-by-angle.ts';
 
-const continuous = ['precise', 'standard', 'fast'] as const satisfies AccuracyName[];
 /** s, by which she may come off too early or too late. */
 const OFF = { precise: 1e-9, standard: 1e-6, fast: 1e-3 };
 const HELD: Hold[] = [[0, 3600]];
@@ -79,7 +80,7 @@ const BOUNCES = [
   return { across, along, level, times, states: bounceByBounce(level, times) };
 });
 
-describe.each(continuous)('bounces lower than 1e-6 px count as sliding: %s', (accuracy) => {
+describe.each(continuousNames)('bounces lower than 1e-6 px count as sliding: %s', (accuracy) => {
   it.each(BOUNCES)('$across px/s across the rim, $along px/s along it', ({ level, times, states }) => {
     const run = play(level, accuracy, HELD, 0.5);
     for (const [i, [x, y, vx, vy]] of states.entries()) {
@@ -91,7 +92,7 @@ describe.each(continuous)('bounces lower than 1e-6 px count as sliding: %s', (ac
   });
 });
 
-describe.each(continuous)('sliding on a rim at the speed limit: %s', (accuracy) => {
+describe.each(continuousNames)('sliding on a rim at the speed limit: %s', (accuracy) => {
   /** By the angle, in small steps: at the limit along y until what acts would drive her back along it. */
   function slideAtLimit(level: Level, seconds: number): [x: number, y: number, vy: number] {
     const { radius } = level.repulsors[0];
@@ -143,7 +144,7 @@ describe.each(continuous)('sliding on a rim at the speed limit: %s', (accuracy) 
   });
 });
 
-describe.each(continuous)('sliding on a rim, against the equation of the angle: %s', (accuracy) => {
+describe.each(continuousNames)('sliding on a rim, against the equation of the angle: %s', (accuracy) => {
   it.each(STARTS)('%s', (_, level) => {
     const run = play(level, accuracy, HELD, 10);
     const whole = slideByAngle(level, 10);
@@ -161,14 +162,13 @@ describe.each(continuous)('sliding on a rim, against the equation of the angle: 
   });
 
   it('wherever on a rim she starts, however large it is and wherever the asteroid', () => {
-    const even = (a: number, b: number) => fc.integer({ min: 0, max: 2 ** 30 }).map((k) => a + ((b - a) * k) / 2 ** 30);
     fc.assert(
       fc.property(
-        even(0, 2 * Math.PI),
-        even(5, 500),
-        even(-150, 150),
-        even(-150, 150),
-        even(-0.9, 0.9),
+        real(0, 2 * Math.PI),
+        real(5, 500),
+        real(-150, 150),
+        real(-150, 150),
+        real(-0.9, 0.9),
         (angle, radius, x, y, share) => {
           const [c, s] = [Math.cos(angle), Math.sin(angle)];
           const at = { x: 3 + radius * c, y: -2 + radius * s };

@@ -4,7 +4,9 @@ import { type AccuracyName, compile, createSimulation, GUN_PULL, TICK } from '..
 import type { Level } from '../../schema/index.ts';
 import { swingDrift } from '../../solver/proofs/swing-drift.ts';
 import { claimOf } from '../../solver/verify/claim.ts';
+import { continuousNames } from '../engine/accuracies.ts';
 import { accuracyNames } from '../levels/shipped-pack.ts';
+import { real } from '../real.ts';
 import { crowdedLevel } from './proofs-crowded.ts';
 
 // More of what proofs take for granted, see lemmas.test.ts: what follows from where she was and how she went.
@@ -13,7 +15,6 @@ const HOLE = { kind: 'blackHole' } as const;
 const RANGE = 250;
 
 const whole = (min: number, max: number) => fc.integer({ min, max });
-const real = (min: number, max: number) => fc.integer({ min: 0, max: 2 ** 30 }).map((n) => min + ((max - min) * n) / 2 ** 30);
 const rock = (x: number, y: number, radius: number) => ({ id: null, x, y, radius, hot: false });
 
 const level = (asteroids: Level['asteroids'], more: Partial<Level> = {}): Level => ({
@@ -128,7 +129,7 @@ describe('fall drift: on a fall the asteroid makes at most the share of her way 
 });
 
 describe('swing drift: an asteroid that she swings through drifts no farther than is claimed', () => {
-  it.each(['fast', 'standard', 'precise'] as const)('%s', (accuracy) => {
+  it.each(continuousNames)('%s', (accuracy) => {
     let most = 0;
     const chance = real(0, 1);
     fc.assert(

@@ -15,18 +15,18 @@ import { afterChase, type Chaser } from '../../solver/verify/chasers.ts';
 import { claimOf, type Play } from '../../solver/verify/claim.ts';
 import { accelerations, advance, type Box, placesWithin, turnedScene } from '../../solver/verify/doomed.ts';
 import { offLine } from '../../solver/verify/fall.ts';
+import { continuousNames } from '../engine/accuracies.ts';
 import { accuracyNames } from '../levels/shipped-pack.ts';
+import { real } from '../real.ts';
 import { crowdedLevel } from './proofs-crowded.ts';
 
 // What proofs take for granted, each by its name in docs/proofs.md, held against the engine at every accuracy that a proof that rests on it covers.
 
-const CONTINUOUS: readonly AccuracyName[] = ['fast', 'standard', 'precise'];
 const PLAYS: Readonly<Record<AccuracyName, Play>> = { arcade: 'frames', fast: 'steps', standard: 'steps', precise: 'exact' };
 const HOLE = { kind: 'blackHole' } as const;
 
 const whole = (min: number, max: number) => fc.integer({ min, max });
 // evenly spread, as doubles of fast-check are not
-const real = (min: number, max: number) => fc.integer({ min: 0, max: 2 ** 30 }).map((n) => min + ((max - min) * n) / 2 ** 30);
 
 const EMPTY: Level = {
   name: 'lemma',
@@ -98,7 +98,7 @@ describe('reach: how near a box must be to touch, and may be without', () => {
 });
 
 describe('line: from rest before one asteroid she stays on the line through it, and her box lies along it', () => {
-  it.each(CONTINUOUS)('%s', (accuracy) => {
+  it.each(continuousNames)('%s', (accuracy) => {
     let passes = 0;
     fc.assert(
       fc.property(real(50, 150), real(0, 6.3), fc.constantFrom(0, 0, 0.5, 16), longScript, (d, turn, recoil, plan) => {
@@ -132,7 +132,7 @@ describe('line: from rest before one asteroid she stays on the line through it, 
 });
 
 describe('speed on a line: no faster than from rest at the far end to the centre', () => {
-  it.each(CONTINUOUS)('%s', (accuracy) => {
+  it.each(continuousNames)('%s', (accuracy) => {
     let closest = 0;
     fc.assert(
       fc.property(real(20, 245), real(0, 6.3), script, (d, turn, plan) => {
@@ -334,7 +334,7 @@ describe('chasers: aliens are where they are said to be, and those said to be th
     maxLength: 6,
   });
 
-  it.each(CONTINUOUS)('%s', (accuracy) => {
+  it.each(continuousNames)('%s', (accuracy) => {
     let certain = 0;
     let gone = 0;
     fc.assert(

@@ -1,12 +1,11 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { type Fall, offLine, speedAfter } from '../../../solver/verify/fall.ts';
+import { real } from '../../real.ts';
 import { PULL, TICK } from './near-miss.ts';
 
 /** What rounding to a double may add, as a share. */
 const UNIT = 2 ** -53;
-
-const real = (min: number, max: number) => fc.integer({ min: 0, max: 2 ** 30 }).map((n) => min + ((max - min) * n) / 2 ** 30);
 
 /**
  * The same bound frame by frame: at each of them rounding adds what it can at most, to her place (a product, a sum), to her velocity
