@@ -133,9 +133,13 @@ it('what a checkout does is told', async () => {
   put(made.folder, 'a.level.json', levelText('other'));
   git('add', '.');
   git('commit', '-m', 'two');
+  // while git runs the server, in the same process, stands still: what is changed back by then it never sees
+  const lookNow = () => server.page.get(EDIT_API.LEVELS);
+  await lookNow();
   const listener = await listen();
   git('checkout', '-');
   await listener.until((e) => e.type === 'changed' && e.entry.id === 'a' && e.entry.name === 'A');
+  await lookNow();
   git('checkout', 'other');
   await listener.until((e) => e.type === 'changed' && e.entry.id === 'many-19');
   listener.end();
