@@ -25,6 +25,8 @@ export interface SnapOptions {
   readonly toObjects: boolean;
   /** px of the level within which something snaps to another object */
   readonly reach: number;
+  /** The axis along which nothing moves, as when a drag is kept straight; null: it may move along both. */
+  readonly fixed?: 'x' | 'y' | null;
 }
 
 /** What others can snap to on one axis: the value, and where on the other axis it is. */
@@ -47,9 +49,12 @@ export interface SnapTargets {
   readonly y: readonly Line[];
 }
 
-/** Edges and middles of all objects that do not move along. */
-export function snapTargets(file: LevelFile, moving: readonly ObjectKey[]): SnapTargets {
-  const along = new Set(moving);
+/**
+ * Edges and middles of all objects that stay where they are.
+ * @param areCopies whether copies of these objects move: then the objects themselves stay, too
+ */
+export function snapTargets(file: LevelFile, moving: readonly ObjectKey[], areCopies = false): SnapTargets {
+  const along: ReadonlySet<ObjectKey> = new Set(areCopies ? [] : moving);
   const boxes = [...objectsOf(file).values()].filter(({ key }) => !along.has(key)).map(boxOf);
   const sorted = (axis: 'x' | 'y') => boxes.flatMap((box) => linesOfBox(box, axis)).sort((a, b) => a.at - b.at);
   return { own: extentOf(file, moving), x: sorted('x'), y: sorted('y') };
@@ -73,33 +78,37 @@ function nearest(lines: readonly Line[], value: number): Line | null {
 
 interface AxisSnap {
   readonly by: number;
-  readonly guide: Guide | null;
+  /** What stands still on the line that was snapped to; null: nothing was snapped to. */
+  readonly line: Line | null;
 }
 
-function snapAxis(
-  axis: 'x' | 'y',
-  own: readonly Line[],
-  lead: number,
-  move: number,
-  targets: readonly Line[],
-  options: SnapOptions,
-): AxisSnap {
+/** All that lies on the same line, as one. */
+function joined(lines: readonly Line[], { at }: Line): Line {
+  let [from, to] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
+  for (const line of lines) {
+    if (line.at !== at) continue;
+    from = Math.min(from, line.from);
+    to = Math.max(to, line.to);
+  }
+  return { at, from, to };
+}
+
+function snapAxis(own: readonly Line[], lead: number, move: number, targets: readonly Line[], options: SnapOptions): AxisSnap {
   if (options.toObjects) {
-    let best: { by: number; gap: number; line: Line; self: Line } | null = null;
+    let best: { by: number; gap: number; line: Line } | null = null;
     for (const self of own) {
       const line = nearest(targets, self.at + move);
       if (line === null) continue;
       const gap = Math.abs(line.at - self.at - move);
-      if (gap <= options.reach && (best === null || gap < best.gap)) best = { by: line.at - self.at, gap, line, self };
+      if (gap <= options.reach && (best === null || gap < best.gap)) best = { by: line.at - self.at, gap, line };
     }
-    if (best !== null) {
-      const { by, line, self } = best;
-      return { by, guide: { axis, at: line.at, from: Math.min(line.from, self.from), to: Math.max(line.to, self.to) } };
-    }
+    if (best !== null) return { by: best.by, line: joined(targets, best.line) };
   }
-  if (options.grid === null) return { by: move, guide: null };
-  return { by: Math.round((lead + move) / options.grid) * options.grid - lead, guide: null };
+  if (options.grid === null) return { by: move, line: null };
+  return { by: Math.round((lead + move) / options.grid) * options.grid - lead, line: null };
 }
+
+const STILL: AxisSnap = { by: 0, line: null };
 
 /**
  * Where a drag of objects really goes: to edges and middles of other objects when near enough, else to the grid.
@@ -108,13 +117,14 @@ function snapAxis(
 export function snapMove(lead: Point, move: Point, targets: SnapTargets, options: SnapOptions): Snapped {
   const box = targets.own;
   if (box === null) return { dx: move.x, dy: move.y, guides: [] };
-  const x = snapAxis('x', linesOfBox(box, 'x'), lead.x, move.x, targets.x, options);
-  const y = snapAxis('y', linesOfBox(box, 'y'), lead.y, move.y, targets.y, options);
-  // the guides reach to where the objects are now, not to where they were
+  const x = options.fixed === 'x' ? STILL : snapAxis(linesOfBox(box, 'x'), lead.x, move.x, targets.x, options);
+  const y = options.fixed === 'y' ? STILL : snapAxis(linesOfBox(box, 'y'), lead.y, move.y, targets.y, options);
+  // a guide joins what moves, where it is now, with what it is in line with
   const guides: Guide[] = [];
-  if (x.guide !== null)
-    guides.push({ ...x.guide, from: Math.min(x.guide.from, box.top + y.by), to: Math.max(x.guide.to, box.bottom + y.by) });
-  if (y.guide !== null)
-    guides.push({ ...y.guide, from: Math.min(y.guide.from, box.left + x.by), to: Math.max(y.guide.to, box.right + x.by) });
+  const add = (axis: 'x' | 'y', line: Line | null, from: number, to: number) => {
+    if (line !== null) guides.push({ axis, at: line.at, from: Math.min(line.from, from), to: Math.max(line.to, to) });
+  };
+  add('x', x.line, box.top + y.by, box.bottom + y.by);
+  add('y', y.line, box.left + x.by, box.right + x.by);
   return { dx: x.by, dy: y.by, guides };
 }

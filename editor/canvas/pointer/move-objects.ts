@@ -1,47 +1,80 @@
-import { duplicateObjects, moveObjects, type ObjectKey, objectsOf } from '../../document/index.ts';
+import { duplicateObjects, type Gesture, moveObjects, type ObjectKey, objectsOf } from '../../document/index.ts';
 import { REACH } from '../hit-test.ts';
-import { snapMove, snapTargets } from '../snapping.ts';
+import { type SnapTargets, snapMove, snapTargets } from '../snapping.ts';
 import type { PointerContext, PointerInput, PointerState } from './state.ts';
 
+/** What the drag moves: the objects themselves, or copies of them while Alt is held. */
+interface Drag {
+  readonly areCopies: boolean;
+  readonly gesture: Gesture;
+  readonly targets: SnapTargets;
+}
+
+const NOT_COPIED = 'A level has one astronaut and one black hole: they can be moved, not copied. Let go of Alt to move them.';
+
 /**
- * Dragging what is selected. With Alt copies are left where the objects were: the objects themselves move on, so that what the pointer holds stays the same.
+ * Dragging what is selected. While Alt is held the objects stay where they are, and copies of them are what moves and what is selected.
  * @param lead the object under the pointer
  */
 export function movingObjects(context: PointerContext, from: PointerInput, lead: ObjectKey): PointerState {
   const { document, selection, canvas } = context;
   const keys = selection.keys();
   const file = document.file();
-  const start = objectsOf(file).get(lead)?.object ?? { x: from.place.x, y: from.place.y };
-  const targets = snapTargets(file, keys);
-  const gesture = document.begin(keys.length === 1 ? 'Move' : `Move ${keys.length} objects`);
+  const objects = objectsOf(file);
+  const start = objects.get(lead)?.object ?? { x: from.place.x, y: from.place.y };
+  const copied = keys.filter((key) => objects.get(key)?.list !== null);
+
+  const begin = (areCopies: boolean): Drag => {
+    const moving = areCopies ? copied : keys;
+    const what = moving.length === 1 ? '' : ` ${moving.length} objects`;
+    return {
+      areCopies,
+      gesture: document.begin(areCopies ? `Duplicate${what}` : `Move${what}`),
+      targets: snapTargets(file, moving, areCopies),
+    };
+  };
+  let drag = begin(false);
+  /** Moves the objects on with copies, or the other way round. */
+  const change = (areCopies: boolean) => {
+    // an undo or a change on the disk has ended it
+    if (drag.areCopies === areCopies || !drag.gesture.isLive) return;
+    drag.gesture.cancel();
+    drag = begin(areCopies);
+  };
+  const show = (dx: number, dy: number) => {
+    // a copy right on top of what it is a copy of would not be seen
+    const isNothing = drag.areCopies && dx === 0 && dy === 0;
+    const recipe = drag.areCopies ? duplicateObjects(isNothing ? [] : copied, dx, dy) : moveObjects(keys, dx, dy);
+    const { isLive } = drag.gesture;
+    const result = drag.gesture.set(recipe);
+    if (!result.ok) context.refused(result.refusal.message);
+    else if (isLive) selection.select(result.added.length > 0 ? result.added : keys);
+  };
   const done = () => canvas.setState({ guides: [] });
   return {
     name: 'moving',
     cursor: 'grabbing',
     move(input) {
+      change(input.alt);
+      if (drag.areCopies && copied.length === 0) context.refused(NOT_COPIED);
       const move = { x: input.place.x - from.place.x, y: input.place.y - from.place.y };
       // Shift keeps to the axis that is farther
-      const straight = input.shift ? (Math.abs(move.x) > Math.abs(move.y) ? { x: move.x, y: 0 } : { x: 0, y: move.y }) : move;
+      const fixed = input.shift ? (Math.abs(move.x) > Math.abs(move.y) ? 'y' : 'x') : null;
       const reach = (input.touch ? REACH.touch : REACH.mouse) / context.view().zoom;
       const snapping = input.mod ? { grid: null, toObjects: false } : context.snapping();
-      const snapped = snapMove(start, straight, targets, { ...snapping, reach });
-      const dx = input.shift && straight.x === 0 ? 0 : snapped.dx;
-      const dy = input.shift && straight.y === 0 ? 0 : snapped.dy;
-      const result = gesture.set((draft) => {
-        if (input.alt) duplicateObjects(keys, 0, 0)(draft);
-        moveObjects(keys, dx, dy)(draft);
-      });
-      if (!result.ok) context.refused(result.refusal.message);
-      canvas.setState({ guides: snapped.guides });
+      const { dx, dy, guides } = snapMove(start, move, drag.targets, { ...snapping, reach, fixed });
+      show(dx, dy);
+      canvas.setState({ guides, cursor: drag.areCopies ? 'copy' : 'grabbing' });
       return undefined;
     },
     up() {
-      gesture.commit();
+      drag.gesture.commit();
       done();
       return undefined;
     },
     cancel() {
-      gesture.cancel();
+      drag.gesture.cancel();
+      selection.select(keys);
       done();
     },
   };
