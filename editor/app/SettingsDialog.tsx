@@ -1,6 +1,7 @@
 import { useId, useState } from 'react';
 import { useStore } from 'zustand';
 import { type AccuracyName, DEFAULT_ACCURACY } from '../../engine/index.ts';
+import { rendererOf } from '../canvas/index.ts';
 import { keyLabel } from '../commands/index.ts';
 import { IS_MAC, useEditor, useSession } from '../context/index.ts';
 import type { Settings } from '../settings/index.ts';
@@ -45,6 +46,42 @@ function Check({ label, checked, onChange }: { label: string; checked: boolean; 
   );
 }
 
+const RENDERERS = [
+  ['automatic', 'automatic: a graphics card where there is one'],
+  ['webgl', 'WebGL'],
+  ['canvas', 'Canvas'],
+] as const;
+
+/** What draws the level. A page keeps the one it began with, so that a change waits for the next one. */
+function RendererSetting() {
+  const editor = useEditor();
+  const { settings, workspace } = editor;
+  const wanted = useStore(settings, (state) => state.renderer);
+  const now = rendererOf(editor);
+  const reload = async () => {
+    await workspace.store.getState().opened?.saver.flush();
+    window.location.reload();
+  };
+  return (
+    <>
+      <Choice label="Renderer" value={wanted} options={RENDERERS} onChange={(renderer) => settings.setState({ renderer })} />
+      {now?.setting === null && (
+        <p className="setting__note">
+          {`The address of this page asks for ${now.name === 'webgl' ? 'WebGL' : 'Canvas'}, and it wins over this setting.`}
+        </p>
+      )}
+      {now !== null && now.setting !== null && now.setting !== wanted && (
+        <div className="setting">
+          <span role="status">It draws once the page is loaded anew.</span>
+          <Button hint="Save, then load the page anew" look="outlined" onClick={() => void reload()}>
+            Load it anew
+          </Button>
+        </div>
+      )}
+    </>
+  );
+}
+
 /** What a person prefers; it holds at once and is kept in this browser. */
 export function SettingsDialog() {
   const { session, settings: store } = useEditor();
@@ -80,6 +117,7 @@ export function SettingsDialog() {
           ]}
           onChange={(reduceMotion) => set({ reduceMotion })}
         />
+        <RendererSetting />
         <Choice
           label="Accuracy"
           value={settings.accuracy}

@@ -6,10 +6,11 @@ import { createCanvasState } from './canvas-state.ts';
 import './canvas.css';
 import { extentOf } from './extent.ts';
 import type { SearchPicture } from './layers/search-layer.ts';
+import { stageOf } from './page-stage.ts';
 import { listenToDrops, listenToPointer, type PointerContext } from './pointer/index.ts';
 import type { Pose } from './pose.ts';
 import { poseAt } from './run-pose.ts';
-import { createStage, type Picture } from './stage.ts';
+import type { Picture } from './stage.ts';
 import { fitBox, type View } from './view.ts';
 
 interface CanvasViewProps {
@@ -70,7 +71,8 @@ export function CanvasView({ search }: CanvasViewProps) {
         calm: dataset.motion === 'less',
       };
     };
-    const stage = createStage(element, picture);
+    const stage = stageOf(editor);
+    const unmount = stage.mount(element, picture);
 
     let fitted = false;
     const observer = new ResizeObserver(() => {
@@ -105,7 +107,7 @@ export function CanvasView({ search }: CanvasViewProps) {
       stopDrops();
       pointer.stop();
       observer.disconnect();
-      stage.destroy();
+      unmount();
     };
   }, [editor, level, canvas, search]);
 

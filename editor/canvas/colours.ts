@@ -54,7 +54,9 @@ const SHARED = {
   beam: '#8be9ff',
 } as const;
 
-export const COLOURS: Readonly<Record<'dark' | 'light', Colours>> = {
+export type Theme = 'dark' | 'light';
+
+export const COLOURS: Readonly<Record<Theme, Colours>> = {
   dark: {
     ...SHARED,
     space: '#0a0d15',

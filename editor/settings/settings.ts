@@ -3,6 +3,8 @@ import { createStore, type StoreApi } from 'zustand/vanilla';
 
 const settingsSchema = z.object({
   theme: z.enum(['system', 'dark', 'light']),
+  /** What draws the canvas; a page keeps the one it began with. */
+  renderer: z.enum(['automatic', 'webgl', 'canvas']),
   /** px between the lines of the grid */
   grid: z.number().min(1).max(256),
   snapToGrid: z.boolean(),
@@ -23,6 +25,7 @@ export type SettingsStore = StoreApi<Settings>;
 
 const DEFAULTS: Settings = {
   theme: 'system',
+  renderer: 'automatic',
   grid: 8,
   snapToGrid: true,
   snapToObjects: true,

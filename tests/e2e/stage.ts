@@ -14,6 +14,8 @@ export const CHROMIUM = process.env.CHROMIUM ?? '/usr/bin/chromium';
 export const CHROMIUM_ARGS = [
   ...['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking'],
   ...['--disable-component-update', '--disable-sync', '--mute-audio'],
+  // without a graphics card the processor draws what WebGL is asked for
+  '--enable-unsafe-swiftshader',
 ];
 
 export interface StageOptions {
@@ -24,6 +26,8 @@ export interface StageOptions {
   readonly readOnly?: boolean;
   /** What the browser may complain of on its console. */
   readonly complaints?: RegExp;
+  /** What is asked for in the page's address: `renderer=webgl`. */
+  readonly query?: string;
 }
 
 /** A folder of levels, a server on it, and a person in front of its page. */
@@ -107,7 +111,7 @@ export function inChromium(suite: string, declare: (browsers: Browsers) => void)
 
     declare({
       on:
-        (levels, play, { context: wanted = {}, firstTime = false, complaints: expected, readOnly = false } = {}) =>
+        (levels, play, { context: wanted = {}, firstTime = false, complaints: expected, readOnly = false, query = '' } = {}) =>
         async () => {
           const files = Object.entries(levels).map(([id, content]) => [`${id}.level.json`, textOf(content)] as const);
           const { folder, remove } = makeFolder(Object.fromEntries(files));
@@ -120,9 +124,14 @@ export function inChromium(suite: string, declare: (browsers: Browsers) => void)
           // the tour would lie over the page
           if (!firstTime) await context.addInitScript(KNOWN);
           const complaints: string[] = [];
+          const address = () => {
+            const asked = new URL(server.address);
+            asked.search = query;
+            return asked.href;
+          };
           try {
             await context.grantPermissions(['clipboard-read', 'clipboard-write'], { origin: new URL(server.address).origin });
-            const { page, canvas } = await enter(context, server.address, complaints);
+            const { page, canvas } = await enter(context, address(), complaints);
             const text = (id: string) => readFileSync(join(folder, `${id}.level.json`), 'utf8');
             await play({
               folder,
@@ -130,7 +139,7 @@ export function inChromium(suite: string, declare: (browsers: Browsers) => void)
               page,
               canvas,
               server: () => server,
-              open: () => enter(context, server.address, complaints),
+              open: () => enter(context, address(), complaints),
               text,
               file: (id) => JSON.parse(text(id)) as LevelFile,
               write: (id, content) => put(folder, `${id}.level.json`, textOf(content)),

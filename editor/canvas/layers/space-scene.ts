@@ -1,6 +1,6 @@
 import { type GameObjects, Scene } from 'phaser';
-import { type Colours, colourNumber } from '../colours.ts';
-import { STAR_TILE } from '../textures/index.ts';
+import { COLOURS, colourNumber, type Theme } from '../colours.ts';
+import { STAR_TILE, starsOf } from '../textures/index.ts';
 import type { View } from '../view.ts';
 
 /** How much of the view's way a layer of stars goes along: the farther, the less. */
@@ -18,13 +18,13 @@ export class SpaceScene extends Scene {
     super('space');
   }
 
-  /** Builds everything anew from the textures, which may be new. */
-  build(colours: Colours): void {
-    this.children.removeAll(true);
-    this.cameras.main.setBackgroundColor(colourNumber(colours.space));
-    this.haze = [0, 1, 2].map((i) => this.add.image(0, 0, 'haze').setScale(9 - 2 * i));
-    this.far = this.add.tileSprite(0, 0, STAR_TILE, STAR_TILE, 'stars-far').setOrigin(0);
-    this.near = this.add.tileSprite(0, 0, STAR_TILE, STAR_TILE, 'stars-near').setOrigin(0);
+  /** Wears a theme whose textures are drawn. Nothing is made twice: Phaser forgets the canvases of a tile that is destroyed only halfway. */
+  dress(theme: Theme): void {
+    this.cameras.main.setBackgroundColor(colourNumber(COLOURS[theme].space));
+    if (this.haze.length === 0) this.haze = [0, 1, 2].map((i) => this.add.image(0, 0, 'haze').setScale(9 - 2 * i));
+    const [far, near] = [starsOf(theme, 'far'), starsOf(theme, 'near')];
+    this.far = this.far?.setTexture(far) ?? this.add.tileSprite(0, 0, STAR_TILE, STAR_TILE, far).setOrigin(0);
+    this.near = this.near?.setTexture(near) ?? this.add.tileSprite(0, 0, STAR_TILE, STAR_TILE, near).setOrigin(0);
   }
 
   show({ x, y, zoom, width, height }: View): void {

@@ -1,5 +1,5 @@
 import type { Textures } from 'phaser';
-import type { Colours } from '../colours.ts';
+import { COLOURS, type Theme } from '../colours.ts';
 import { drawAlien, drawAstronaut, drawMineral, drawPupil, drawSpark } from './beings.ts';
 import type { Brush } from './brush.ts';
 import { drawGlow, drawHotRock, drawRock } from './rock.ts';
@@ -12,13 +12,31 @@ export const STAR_TILE = 512;
 /** Asteroids come in so many shapes. */
 export const ROCKS = 4;
 
-/** Draws all textures by code and puts them where Phaser finds them; those of the last theme are replaced. */
-export function drawTextures(textures: Textures.TextureManager, colours: Colours): void {
+/** Stars are laid as tiles, of which Phaser keeps copies: those of one theme are never drawn over. */
+export const starsOf = (theme: Theme, layer: 'far' | 'near'): string => `stars-${layer}-${theme}`;
+
+/** The canvas of a texture, empty. It is of its own: one out of Phaser's pool may have been opaque before, and goes on being so. */
+function emptied(textures: Textures.TextureManager, name: string, size: number): Textures.CanvasTexture | null {
+  if (textures.exists(name)) {
+    const there = textures.get(name) as Textures.CanvasTexture;
+    there.context.clearRect(0, 0, size, size);
+    return there;
+  }
+  const canvas = document.createElement('canvas');
+  canvas.width = size;
+  canvas.height = size;
+  return textures.addCanvas(name, canvas);
+}
+
+/** Draws all textures by code and puts them where Phaser finds them; those of the last theme are drawn over, so that whoever shows them goes on. */
+export function drawTextures(textures: Textures.TextureManager, theme: Theme): void {
+  const colours = COLOURS[theme];
   const texture = (name: string, size: number, draw: (brush: Brush) => void) => {
-    if (textures.exists(name)) textures.remove(name);
-    const made = textures.createCanvas(name, size, size);
+    const made = emptied(textures, name, size);
     if (made === null) return;
+    made.context.save();
     draw(made.context);
+    made.context.restore();
     made.refresh();
   };
   const object = (name: string, draw: (brush: Brush) => void) =>
@@ -42,6 +60,7 @@ export function drawTextures(textures: Textures.TextureManager, colours: Colours
   object('astronaut', (brush) => drawAstronaut(brush, colours));
   object('spark', drawSpark);
   object('haze', (brush) => drawHaze(brush, colours));
-  texture('stars-far', STAR_TILE, (brush) => drawStars(brush, colours, STAR_TILE, 160, 1.1, 3));
-  texture('stars-near', STAR_TILE, (brush) => drawStars(brush, colours, STAR_TILE, 40, 1.9, 11));
+  if (textures.exists(starsOf(theme, 'far'))) return;
+  texture(starsOf(theme, 'far'), STAR_TILE, (brush) => drawStars(brush, colours, STAR_TILE, 160, 1.1, 3));
+  texture(starsOf(theme, 'near'), STAR_TILE, (brush) => drawStars(brush, colours, STAR_TILE, 40, 1.9, 11));
 }

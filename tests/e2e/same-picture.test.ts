@@ -1,0 +1,111 @@
+import type { Page } from 'playwright-core';
+import { expect, it } from 'vitest';
+import { command } from './commands.ts';
+import { garden, straight } from './levels.ts';
+import { compare } from './pictures.ts';
+import { inChromium, type Stage } from './stage.ts';
+import { until } from './until.ts';
+
+/** Small ones: what WebGL is asked for the processor draws here. */
+const SIZES = [
+  { width: 480, height: 600 },
+  { width: 840, height: 560 },
+  { width: 390, height: 640 },
+] as const;
+
+const NAMES = ['Garden', 'Straight', 'Third'] as const;
+const LEVELS = { '01': garden(), '02': straight(), '03': garden({ name: 'Third', range: 300 }) };
+
+const openLevel = (page: Page) => page.locator('.topbar__level');
+
+async function step(page: Page, key: 'Alt+PageDown' | 'Alt+PageUp', name: string): Promise<void> {
+  await page.keyboard.press(key);
+  await openLevel(page).filter({ hasText: name }).waitFor();
+}
+
+/** Drawn with what is known of the page by now. */
+const nextFrames = (page: Page): Promise<unknown> =>
+  page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+
+/** The canvas as the person sees it. */
+async function look({ page, canvas, file }: Stage): Promise<Buffer> {
+  await canvas.fit(file('01'));
+  await page.mouse.move(2, 2);
+  await nextFrames(page);
+  return page.getByRole('application', { name: 'Level canvas' }).screenshot();
+}
+
+const lookInBothThemes = async (stage: Stage): Promise<{ dark: Buffer; light: Buffer }> => {
+  const dark = await look(stage);
+  await command(stage.page, 'Light or dark');
+  const light = await look(stage);
+  await command(stage.page, 'Light or dark');
+  return { dark, light };
+};
+
+/** How many canvases the level was ever drawn on, counted with the one that is there now. */
+const countCanvases = (page: Page): Promise<number> =>
+  page.evaluate(() => {
+    const seen = globalThis as { canvases?: Set<Element | null> };
+    seen.canvases ??= new Set();
+    return seen.canvases.add(document.querySelector('.canvas canvas')).size;
+  });
+
+/** On to the next level and back again, thirty times; now and then another theme, another size, a playtest. */
+async function useFor(page: Page): Promise<void> {
+  for (let i = 0; i < 30; i++) {
+    const at = i % 4;
+    if (at < 2) await step(page, 'Alt+PageDown', NAMES[at + 1]);
+    else await step(page, 'Alt+PageUp', NAMES[3 - at]);
+    await countCanvases(page);
+    if (i % 5 === 4) await page.setViewportSize(SIZES[((i / 5) % 3) | 0]);
+    if (i % 6 === 5) await command(page, 'Light or dark');
+    if (i % 10 !== 9) continue;
+    await command(page, 'Play from the start');
+    await page.getByRole('application', { name: /^Playtest/ }).waitFor();
+    await nextFrames(page);
+    await page.keyboard.press('Escape');
+    await page.getByRole('application', { name: /^Playtest/ }).waitFor({ state: 'hidden' });
+  }
+  await page.setViewportSize(SIZES[0]);
+}
+
+inChromium('the canvas in Chromium', ({ on }) => {
+  for (const renderer of ['canvas', 'webgl'] as const) {
+    it(
+      `looks as on a fresh page after thirty levels, other themes, sizes and plays, with one game alone, drawn by ${renderer}`,
+      on(
+        LEVELS,
+        async (stage) => {
+          const { page } = stage;
+          const kinds = () =>
+            page.evaluate(() => document.querySelector<HTMLCanvasElement>('.canvas canvas')?.getContext('2d') === null);
+          await stage.saved();
+          await openLevel(page).filter({ hasText: NAMES[0] }).waitFor();
+          expect(await kinds()).toBe(renderer === 'webgl');
+          const fresh = await lookInBothThemes(stage);
+          await useFor(page);
+          // the list is two on from its beginning, and the theme another one
+          await until(async () => {
+            await page.keyboard.press('Alt+PageUp');
+            expect(await openLevel(page).textContent()).toContain(NAMES[0]);
+          });
+          await command(page, 'Light or dark');
+          const used = await lookInBothThemes(stage);
+          for (const theme of ['dark', 'light'] as const) {
+            const { share, mean } = await compare(page, fresh[theme], used[theme]);
+            expect(share, `share of px that differ on ${theme}`).toBeLessThan(0.001);
+            expect(mean, `mean difference on ${theme}`).toBeLessThan(0.2);
+          }
+          // the two themes differ: what is compared is the picture
+          expect((await compare(page, used.dark, used.light)).share).toBeGreaterThan(0.5);
+          expect(await countCanvases(page)).toBe(1);
+        },
+        {
+          context: { reducedMotion: 'reduce', colorScheme: 'dark', viewport: SIZES[0] },
+          query: `renderer=${renderer}`,
+        },
+      ),
+    );
+  }
+});
