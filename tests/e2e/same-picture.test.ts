@@ -3,14 +3,14 @@ import { expect, it } from 'vitest';
 import { command } from './commands.ts';
 import { garden, straight } from './levels.ts';
 import { compare } from './pictures.ts';
-import { inChromium, type Stage } from './stage.ts';
+import { inChromium } from './stage.ts';
 import { until } from './until.ts';
 
 /** Small ones: what WebGL is asked for the processor draws here. */
 const SIZES = [
-  { width: 480, height: 600 },
-  { width: 840, height: 560 },
-  { width: 390, height: 640 },
+  { width: 480, height: 480 },
+  { width: 400, height: 560 },
+  { width: 840, height: 600 },
 ] as const;
 
 const NAMES = ['Garden', 'Straight', 'Third'] as const;
@@ -28,18 +28,20 @@ const nextFrames = (page: Page): Promise<unknown> =>
   page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
 
 /** The canvas as the person sees it. */
-async function look({ page, canvas, file }: Stage): Promise<Buffer> {
-  await canvas.fit(file('01'));
+async function look(page: Page): Promise<Buffer> {
+  const canvas = page.getByRole('application', { name: 'Level canvas' });
+  await canvas.focus();
+  await page.keyboard.press('f');
   await page.mouse.move(2, 2);
   await nextFrames(page);
-  return page.getByRole('application', { name: 'Level canvas' }).screenshot();
+  return canvas.screenshot();
 }
 
-const lookInBothThemes = async (stage: Stage): Promise<{ dark: Buffer; light: Buffer }> => {
-  const dark = await look(stage);
-  await command(stage.page, 'Light or dark');
-  const light = await look(stage);
-  await command(stage.page, 'Light or dark');
+const lookInBothThemes = async (page: Page): Promise<{ dark: Buffer; light: Buffer }> => {
+  const dark = await look(page);
+  await command(page, 'Light or dark');
+  const light = await look(page);
+  await command(page, 'Light or dark');
   return { dark, light };
 };
 
@@ -76,14 +78,12 @@ inChromium('the canvas in Chromium', ({ on }) => {
       `looks as on a fresh page after thirty levels, other themes, sizes and plays, with one game alone, drawn by ${renderer}`,
       on(
         LEVELS,
-        async (stage) => {
-          const { page } = stage;
+        async ({ page }) => {
           const kinds = () =>
             page.evaluate(() => document.querySelector<HTMLCanvasElement>('.canvas canvas')?.getContext('2d') === null);
-          await stage.saved();
           await openLevel(page).filter({ hasText: NAMES[0] }).waitFor();
           expect(await kinds()).toBe(renderer === 'webgl');
-          const fresh = await lookInBothThemes(stage);
+          const fresh = await lookInBothThemes(page);
           await useFor(page);
           // the list is two on from its beginning, and the theme another one
           await until(async () => {
@@ -91,7 +91,7 @@ inChromium('the canvas in Chromium', ({ on }) => {
             expect(await openLevel(page).textContent()).toContain(NAMES[0]);
           });
           await command(page, 'Light or dark');
-          const used = await lookInBothThemes(stage);
+          const used = await lookInBothThemes(page);
           for (const theme of ['dark', 'light'] as const) {
             const { share, mean } = await compare(page, fresh[theme], used[theme]);
             expect(share, `share of px that differ on ${theme}`).toBeLessThan(0.001);
