@@ -135,6 +135,11 @@ export function SettingsDialog() {
           checked={settings.snapToObjects}
           onChange={(snapToObjects) => set({ snapToObjects })}
         />
+        <Check
+          label="Show the run's way in a playtest"
+          checked={settings.runInPlay}
+          onChange={(runInPlay) => set({ runInPlay })}
+        />
         <Check label="Sound" checked={settings.sound} onChange={(sound) => set({ sound })} />
         <div className="setting">
           <label htmlFor="volume">Volume</label>

@@ -3,6 +3,7 @@ import { type StoreApi, useStore } from 'zustand';
 import { useEditor, useLevel } from '../context/index.ts';
 import { canvasCommands } from './canvas-commands.ts';
 import { createCanvasState } from './canvas-state.ts';
+import { EndReason } from './EndReason.tsx';
 import './canvas.css';
 import { extentOf } from './extent.ts';
 import type { SearchPicture } from './layers/search-layer.ts';
@@ -67,6 +68,7 @@ export function CanvasView({ search }: CanvasViewProps) {
         search: search.getState(),
         pose: pose(),
         editing: session.getState().mode === 'edit',
+        showsRun: session.getState().mode === 'edit' || settings.getState().runInPlay,
         theme: dataset.theme === 'light' ? 'light' : 'dark',
         calm: dataset.motion === 'less',
       };
@@ -112,7 +114,10 @@ export function CanvasView({ search }: CanvasViewProps) {
   }, [editor, level, canvas, search]);
 
   return (
-    // biome-ignore lint/a11y/noNoninteractiveTabindex: keys move what is selected; the outline says the same in words
-    <div ref={host} className="canvas" style={{ cursor }} tabIndex={0} role="application" aria-label="Level canvas" />
+    <>
+      {/* biome-ignore lint/a11y/noNoninteractiveTabindex: keys move what is selected; the outline says the same in words */}
+      <div ref={host} className="canvas" style={{ cursor }} tabIndex={0} role="application" aria-label="Level canvas" />
+      <EndReason canvas={canvas} />
+    </>
   );
 }

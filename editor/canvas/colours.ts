@@ -22,8 +22,12 @@ export interface Colours {
   readonly suitShade: string;
   readonly visor: string;
   readonly range: string;
+  /** Of a run that completes the level. */
   readonly way: string;
   readonly wayHeld: string;
+  /** Of one that does not. */
+  readonly wayLost: string;
+  readonly wayLostHeld: string;
   readonly ghost: string;
   readonly danger: string;
   readonly near: string;
@@ -67,6 +71,8 @@ export const COLOURS: Readonly<Record<Theme, Colours>> = {
     range: '#7ea2d6',
     way: '#7cf2b0',
     wayHeld: '#baffd6',
+    wayLost: '#c9cfdb',
+    wayLostHeld: '#f1f3f7',
     ghost: '#9aa7bd',
     danger: '#ff6b61',
     near: '#ffc04d',
@@ -85,6 +91,8 @@ export const COLOURS: Readonly<Record<Theme, Colours>> = {
     range: '#4f72a8',
     way: '#0b7a45',
     wayHeld: '#00592f',
+    wayLost: '#4a5263',
+    wayLostHeld: '#232936',
     ghost: '#6c7890',
     danger: '#c3261b',
     near: '#9a6200',

@@ -29,6 +29,8 @@ export interface Picture {
   readonly search: SearchPicture;
   readonly pose: Pose;
   readonly editing: boolean;
+  /** Whether the way of the run is shown. */
+  readonly showsRun: boolean;
   readonly theme: Theme;
   /** Whether little motion is wanted. */
   readonly calm: boolean;
@@ -84,7 +86,7 @@ class LevelScene extends Scene {
     const zoomed = fresh || last.canvas.view.zoom !== view.zoom;
     const same = (...names: readonly (keyof Picture)[]) => !fresh && names.every((name) => last[name] === picture[name]);
     if (!same('file', 'canvas', 'selected', 'hovered', 'layers', 'grid', 'editing')) overlay.show(picture);
-    if (zoomed || !same('proof', 'ghosts', 'layers')) way.show({ ...picture, zoom: view.zoom });
+    if (zoomed || !same('proof', 'ghosts', 'layers', 'showsRun')) way.show({ ...picture, zoom: view.zoom });
     if (zoomed || !same('search', 'layers')) search.show(picture.search, picture.layers.heatMap, view.zoom);
     if (zoomed || !same('file', 'pose')) objects.pose(picture.pose, view.zoom);
     const seconds = time / 1000;

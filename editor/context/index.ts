@@ -11,4 +11,5 @@ export {
 export type { Analysis, Editor, OpenLevel } from './editor.ts';
 export { usePageTheme } from './page-theme.ts';
 export { IS_MAC } from './platform.ts';
+export { useTouch } from './use-touch.ts';
 export { useWhenIdle } from './use-when-idle.ts';

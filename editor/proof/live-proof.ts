@@ -1,13 +1,16 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { AccuracyName } from '../../engine/index.ts';
-import type { EditedLevel } from '../document/index.ts';
+import { type EditedLevel, isSame } from '../document/index.ts';
 import { AT_REST, WHILE_DRAGGED } from './patience.ts';
 import { createProver, type LiveProof } from './prover.ts';
+import { type Reach, reachOf } from './reach.ts';
 
 /** The proof of the open level, up to date after every change. */
 export interface ProofStore {
   readonly store: StoreApi<LiveProof>;
   proof(): LiveProof;
+  /** How far along time the shown run is to be shown. */
+  readonly reach: StoreApi<Reach>;
   /** Which run is shown; the first one when it is null or there is none of that name. */
   showRun(name: string | null): void;
   setAccuracy(accuracy: AccuracyName): void;
@@ -40,21 +43,38 @@ export function createProofStore(
   const most = (patience: number) => (afterRest === undefined ? Number.POSITIVE_INFINITY : patience);
   const prove = (patience: number) => prover.prove({ file: level.file(), ...asked, patience: checked ? most(patience) : 0 });
   const store = createStore<LiveProof>(() => prove(WHILE_DRAGGED));
+  const isInHand = () => !isSame(level.settledFile(), level.file());
+  const reach = createStore<Reach>(() => reachOf(store.getState(), null, isInHand));
+  const stretch = (proof: LiveProof) => {
+    const before = reach.getState();
+    const now = reachOf(proof, before, isInHand);
+    if (now.ticks !== before.ticks || now.formerEnd !== before.formerEnd || now.run !== before.run) reach.setState(now, true);
+  };
+  const show = (proof: LiveProof) => {
+    // first: whoever is told of the proof shows it that far
+    stretch(proof);
+    store.setState(proof, true);
+  };
   const rest = () => {
     forget();
     const { limit } = store.getState();
     if (afterRest === undefined || (limit !== 'run' && limit !== 'others')) return;
-    forget = afterRest(REST, () => store.setState(prove(AT_REST), true));
+    forget = afterRest(REST, () => show(prove(AT_REST)));
   };
   const update = () => {
-    store.setState(prove(WHILE_DRAGGED), true);
+    show(prove(WHILE_DRAGGED));
     rest();
   };
   rest();
-  const stop = level.subscribe(update);
+  const stops = [
+    level.subscribe(update),
+    // the hand has let go
+    level.onStep(() => stretch(store.getState())),
+  ];
   return {
     store,
     proof: () => store.getState(),
+    reach,
     showRun(name) {
       asked = { ...asked, run: name };
       update();
@@ -64,7 +84,7 @@ export function createProofStore(
       update();
     },
     close() {
-      stop();
+      for (const stop of stops) stop();
       forget();
     },
   };

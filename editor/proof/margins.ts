@@ -26,7 +26,7 @@ export interface Margins {
 }
 
 /** What is passed nearer than this is a near miss, px: the height of her box. */
-const NEAR = 32;
+export const NEAR = 32;
 /** Within so many ticks the same hazard is missed once. */
 const ONE_PASS = 30;
 /** Ticks for which the hazards that can be nearest are looked up once. */

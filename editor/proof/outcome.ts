@@ -30,3 +30,17 @@ export function outcomeInWords({ outcome, with: touched, time }: RunEnd, range: 
       return `goes on without an end for ${time} s`;
   }
 }
+
+/** Why a run failed, in a few words for the place where it did: `hits nova 3`; null: it did not. */
+export function reasonInWords({ outcome, with: touched, time }: RunEnd, range: number): string | null {
+  switch (outcome) {
+    case 'completed':
+      return null;
+    case 'collided':
+      return `hits ${touched === null ? 'something' : touchedInWords(touched)}`;
+    case 'lost':
+      return `lost: farther than ${range} px from every asteroid`;
+    case 'timeout':
+      return `still under way after ${time} s`;
+  }
+}

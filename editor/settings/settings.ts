@@ -14,6 +14,8 @@ const settingsSchema = z.object({
   volume: z.number().min(0).max(1),
   /** `KeyboardEvent.code` of the key that is the gun in a playtest */
   gunKey: z.string(),
+  /** Whether the run's way is shown in a playtest, too. */
+  runInPlay: z.boolean(),
   reduceMotion: z.enum(['system', 'yes', 'no']),
   accuracy: z.enum(['arcade', 'fast', 'standard', 'precise']),
   tourSeen: z.boolean(),
@@ -32,6 +34,7 @@ const DEFAULTS: Settings = {
   sound: true,
   volume: 0.5,
   gunKey: 'KeyX',
+  runInPlay: false,
   reduceMotion: 'system',
   accuracy: 'precise',
   tourSeen: false,

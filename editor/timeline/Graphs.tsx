@@ -13,21 +13,25 @@ interface GraphsProps {
 /** Clearances above this are all the same to the eye, px. */
 const FAR = 150;
 
-/** Colours and letters of the page's theme. Asking for them makes the browser style the whole page, so it is done once a theme. */
+/** Clearance is dashed, so that the lines differ by more than their colour; px. */
+const DASHES = [6, 3];
+
+/** Colours of the page's theme. Asking for them makes the browser style the whole page, so it is done once a theme. */
 function lookOf(element: Element) {
   const style = getComputedStyle(element);
   const colour = (name: string) => style.getPropertyValue(name);
-  return {
-    speed: colour('--accent'),
-    gap: colour('--warn'),
-    miss: colour('--bad'),
-    words: colour('--quiet'),
-    ground: colour('--panel'),
-    font: `11px ${style.fontFamily}`,
-  };
+  return { speed: colour('--accent'), gap: colour('--warn'), miss: colour('--bad') };
 }
 
-/** Speed and clearance along the run, one above the other. */
+const fastestOf = ({ speed, gap }: GraphsProps['margins']): number => {
+  let fastest = 1;
+  for (let tick = 0; tick < gap.length; tick++) fastest = Math.max(fastest, speed[tick]);
+  return fastest;
+};
+
+const hasHazards = ({ gap }: GraphsProps['margins']): boolean => gap.length > 0 && Number.isFinite(gap[0]);
+
+/** Speed and clearance along the run, one below the other, with what they are in a line of their own above. */
 export const Graphs = memo(function Graphs({ margins, scale, width, height }: GraphsProps) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const theme = usePageTheme();
@@ -36,6 +40,8 @@ export const Graphs = memo(function Graphs({ margins, scale, width, height }: Gr
   useLayoutEffect(() => {
     if (canvas.current !== null) setLook(lookOf(canvas.current));
   }, [theme]);
+  const fastest = fastestOf(margins);
+  const hazards = hasHazards(margins);
   useEffect(() => {
     const element = canvas.current;
     const brush = element?.getContext('2d');
@@ -51,39 +57,48 @@ export const Graphs = memo(function Graphs({ margins, scale, width, height }: Gr
     const last = Math.min(count - 1, Math.ceil(scale.from + width / scale.zoom));
     // a point a px is enough for the eye
     const stride = Math.max(1, Math.floor(0.5 / scale.zoom));
-    const line = (value: (tick: number) => number, top: number, size: number, stroke: string) => {
+    const line = (value: (tick: number) => number, top: number, size: number, stroke: string, dashes: number[]) => {
       brush.strokeStyle = stroke;
       brush.lineWidth = 1.5;
+      brush.setLineDash(dashes);
       brush.beginPath();
       for (let tick = first; tick <= last; tick += stride) brush.lineTo(toX(scale, tick), top + size * (1 - value(tick)));
       brush.stroke();
     };
-    let fastest = 1;
-    for (let tick = 0; tick < count; tick++) fastest = Math.max(fastest, speed[tick]);
-    line((tick) => speed[tick] / fastest, 2, half - 6, look.speed);
-    const hazards = count > 0 && Number.isFinite(gap[0]);
-    if (hazards) line((tick) => Math.min(1, Math.max(0, gap[tick]) / FAR), half + 2, half - 6, look.gap);
+    line((tick) => speed[tick] / fastest, 2, half - 6, look.speed, []);
+    if (!hazards) return;
+    line((tick) => Math.min(1, Math.max(0, gap[tick]) / FAR), half + 2, half - 6, look.gap, DASHES);
     brush.fillStyle = look.miss;
     for (const miss of nearMisses) {
       brush.beginPath();
       brush.arc(toX(scale, miss.tick), half + 2 + (half - 6) * (1 - Math.min(1, Math.max(0, miss.gap) / FAR)), 3, 0, 2 * Math.PI);
       brush.fill();
     }
-    brush.fillStyle = look.words;
-    brush.font = look.font;
-    brush.strokeStyle = look.ground;
-    brush.lineWidth = 4;
-    brush.lineJoin = 'round';
-    const label = (text: string, y: number) => {
-      // a rim in the colour of the ground keeps it apart from the lines
-      brush.strokeText(text, 4, y);
-      brush.fillText(text, 4, y);
-    };
-    label(`speed, to ${Math.round(fastest)} px/s`, half - 4);
-    label(hazards ? `clearance, to ${FAR} px` : 'nothing deadly in this level', height - 4);
-  }, [margins, scale, width, height, look]);
+  }, [margins, scale, width, height, look, fastest, hazards]);
 
   const least = margins.nearMisses.reduce((low, { gap }) => Math.min(low, gap), Number.POSITIVE_INFINITY);
   const words = Number.isFinite(least) ? `nearest pass ${least.toFixed(1)} px` : 'no close pass';
-  return <canvas ref={canvas} className="graphs" role="img" aria-label={`Speed and clearance along the run: ${words}`} />;
+  return (
+    <>
+      <div className="graphs__key" aria-hidden>
+        <span className="legend__look legend__look--speed" />
+        <span>speed, to {Math.round(fastest)} px/s</span>
+        {hazards && <span className="legend__look legend__look--gap" />}
+        <span>{hazards ? `clearance, to ${FAR} px` : 'nothing deadly in this level'}</span>
+        {Number.isFinite(least) && (
+          <>
+            <span className="legend__look legend__look--near" />
+            <span>graze</span>
+          </>
+        )}
+      </div>
+      <canvas
+        ref={canvas}
+        className="graphs"
+        style={{ height }}
+        role="img"
+        aria-label={`Speed and clearance along the run: ${words}, top speed ${Math.round(fastest)} px/s`}
+      />
+    </>
+  );
 });

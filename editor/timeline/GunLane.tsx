@@ -1,7 +1,10 @@
 import { type KeyboardEvent, memo, type PointerEvent, useRef } from 'react';
 import { useStore } from 'zustand';
+import type { Hold } from '../../schema/index.ts';
 import { useEditor, useLevel } from '../context/index.ts';
 import { addHold, type Gesture, moveHold, splitHold, stretchHold } from '../document/index.ts';
+import { type Grip, gripAt } from './grip.ts';
+import { holdsInWords, isCut, isMissed, type Reached } from './reached.ts';
 import { type Scale, toTick, toX } from './scale.ts';
 
 const NONE: readonly number[] = [];
@@ -10,7 +13,8 @@ const NO_HOLD: readonly [number, number] = [0, 0];
 interface GunLaneProps {
   /** Name of the run whose holds are shown. */
   readonly run: string;
-  readonly holds: readonly (readonly [press: number, release: number])[];
+  readonly holds: readonly Hold[];
+  readonly reached: Reached;
   readonly scale: Scale;
   /** Told when a drag begins and ends: the scale must stay as it is meanwhile. */
   readonly onDragging: (isDragging: boolean) => void;
@@ -18,18 +22,20 @@ interface GunLaneProps {
   readonly slack: readonly { readonly earlier: number; readonly later: number }[] | null;
 }
 
-type Part = 'body' | 'press' | 'release' | 'new';
+type Part = Grip['part'];
 
 interface Drag {
-  readonly part: Part;
+  readonly part: Part | 'new';
   readonly index: number;
   /** What the hold was like when the drag began: the gesture starts from there each time. */
-  readonly hold: readonly [press: number, release: number];
+  readonly hold: Hold;
   readonly x: number;
   readonly tick: number;
   readonly gesture: Gesture;
   moved: boolean;
 }
+
+const LABELS = { body: 'Move hold', press: 'Move press', release: 'Move release', new: 'Add hold' } as const;
 
 /** px that a press may move and still be a click */
 const SLOP = 3;
@@ -37,7 +43,7 @@ const SLOP = 3;
 const seconds = (tick: number) => `${(tick / 60).toFixed(2)} s`;
 
 /** When the gun is held, as bars: drag to move, drag an end to stretch, double-click to split, drag on empty lane for a new one. */
-export const GunLane = memo(function GunLane({ run, holds, scale, slack, onDragging }: GunLaneProps) {
+export const GunLane = memo(function GunLane({ run, holds, reached, scale, slack, onDragging }: GunLaneProps) {
   const { session, notices } = useEditor();
   const { document, selection } = useLevel();
   const selected = useStore(selection.store, (state) => (state.run === run ? state.holds : NONE));
@@ -45,23 +51,24 @@ export const GunLane = memo(function GunLane({ run, holds, scale, slack, onDragg
   const drag = useRef<Drag | null>(null);
 
   const xOf = (event: { clientX: number }) => event.clientX - (lane.current?.getBoundingClientRect().left ?? 0);
-  const begin = (event: PointerEvent<HTMLElement>, part: Part, index: number) => {
+  const begin = (event: PointerEvent<HTMLElement>) => {
     if (event.button !== 0) return;
-    event.stopPropagation();
     event.currentTarget.setPointerCapture(event.pointerId);
     onDragging(true);
-    const labels = { body: 'Move hold', press: 'Move press', release: 'Move release', new: 'Add hold' } as const;
     const x = xOf(event);
+    // where it is says what it takes: targets for fingers lie over one another
+    const grip = gripAt(holds, scale, x, event.pointerType === 'touch' ? 'coarse' : 'fine');
+    const { part, index } = grip ?? ({ part: 'new', index: -1 } as const);
     drag.current = {
       part,
       index,
       hold: holds[index] ?? NO_HOLD,
       x,
       tick: toTick(scale, x),
-      gesture: document.begin(labels[part]),
+      gesture: document.begin(LABELS[part]),
       moved: false,
     };
-    if (part === 'new') return;
+    if (grip === null) return;
     const others = event.shiftKey ? selected : NONE;
     selection.selectHolds(run, others.includes(index) ? others.filter((hold) => hold !== index) : [...others, index]);
   };
@@ -101,8 +108,10 @@ export const GunLane = memo(function GunLane({ run, holds, scale, slack, onDragg
     drag.current = null;
     onDragging(false);
   };
-  const split = (event: { clientX: number }, index: number) => {
-    document.change('Split hold', splitHold(run, index, toTick(scale, xOf(event))));
+  const split = (event: { clientX: number }) => {
+    const tick = toTick(scale, xOf(event));
+    const index = holds.findIndex(([press, release]) => press < tick && tick < release);
+    if (index >= 0) document.change('Split hold', splitHold(run, index, tick));
   };
   const onKey = (event: KeyboardEvent<HTMLElement>, part: Part, index: number) => {
     if (event.key === 'Escape' && drag.current !== null) {
@@ -119,7 +128,7 @@ export const GunLane = memo(function GunLane({ run, holds, scale, slack, onDragg
     const recipe =
       part === 'body'
         ? moveHold(run, index, by, ripple)
-        : stretchHold(run, index, part as 'press' | 'release', (part === 'press' ? hold[0] : hold[1]) + by, ripple);
+        : stretchHold(run, index, part, (part === 'press' ? hold[0] : hold[1]) + by, ripple);
     document.change('Move hold', recipe, { gesture: `hold ${run} ${part} ${index}` });
   };
 
@@ -133,10 +142,6 @@ export const GunLane = memo(function GunLane({ run, holds, scale, slack, onDragg
       aria-valuemin={0}
       aria-valuemax={3600}
       aria-valuetext={`tick ${tick}, ${seconds(tick)}`}
-      onPointerDown={(event) => begin(event, part, index)}
-      onPointerMove={onMove}
-      onPointerUp={onEnd}
-      onPointerCancel={cancel}
       onKeyDown={(event) => onKey(event, part, index)}
     />
   );
@@ -145,14 +150,21 @@ export const GunLane = memo(function GunLane({ run, holds, scale, slack, onDragg
       ref={lane}
       className="lane"
       role="application"
-      aria-label={`Gun of the run ${run}: ${holds.length} holds`}
-      onPointerDown={(event) => begin(event, 'new', -1)}
+      aria-label={`Gun of the run ${run}: ${holdsInWords(holds, reached)}`}
+      onPointerDown={begin}
       onPointerMove={onMove}
       onPointerUp={onEnd}
       onPointerCancel={cancel}
+      onDoubleClick={split}
     >
-      {holds.map(([press, release], index) => {
+      {reached.isBroken && <div className="lane__after" style={{ left: toX(scale, reached.until) }} />}
+      {holds.map((hold, index) => {
+        const [press, release] = hold;
         const soft = slack === null ? null : ([slack[2 * index], slack[2 * index + 1]] as const);
+        const missed = isMissed(hold, reached);
+        const cut = isCut(hold, reached);
+        const state = `${missed ? ' hold--missed' : ''}${selected.includes(index) ? ' hold--selected' : ''}`;
+        const gets = missed ? ', not reached' : cut ? `, reached until ${seconds(reached.until)}` : '';
         return (
           // holds have no names of their own: their place in the order is what they are
           // biome-ignore lint/suspicious/noArrayIndexKey: see above
@@ -170,19 +182,15 @@ export const GunLane = memo(function GunLane({ run, holds, scale, slack, onDragg
               ),
             )}
             <div
-              className={selected.includes(index) ? 'hold hold--selected' : 'hold'}
+              className={`hold${state}`}
               style={{ left: toX(scale, press), width: Math.max(2, (release - press) * scale.zoom) }}
             >
+              {cut && <div className="hold__cut" style={{ left: (reached.until - press) * scale.zoom }} />}
               <button
                 type="button"
                 className="hold__body"
-                aria-label={`Hold ${index + 1}: tick ${press} to ${release}, ${seconds(press)} for ${seconds(release - press)}`}
+                aria-label={`Hold ${index + 1}: tick ${press} to ${release}, ${seconds(press)} for ${seconds(release - press)}${gets}`}
                 aria-pressed={selected.includes(index)}
-                onPointerDown={(event) => begin(event, 'body', index)}
-                onPointerMove={onMove}
-                onPointerUp={onEnd}
-                onPointerCancel={cancel}
-                onDoubleClick={(event) => split(event, index)}
                 onKeyDown={(event) => onKey(event, 'body', index)}
               >
                 {(release - press) * scale.zoom > 34 ? release - press : ''}

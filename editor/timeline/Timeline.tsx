@@ -1,11 +1,12 @@
 import { useCallback, useEffect, useLayoutEffect, useMemo, useRef, useState } from 'react';
 import { useStore } from 'zustand';
-import { useEditor, useLevel, useProof, useSession, useWhenIdle } from '../context/index.ts';
-import type { LiveProof } from '../proof/index.ts';
+import { useEditor, useLevel, useProof, useSession, useTouch, useWhenIdle } from '../context/index.ts';
+import type { LiveProof, Reach } from '../proof/index.ts';
 import { EventMarks } from './EventMarks.tsx';
 import { Graphs } from './Graphs.tsx';
 import { GunLane } from './GunLane.tsx';
 import { Ruler } from './Ruler.tsx';
+import { reachedBy } from './reached.ts';
 import { rollTimeline } from './roll.ts';
 import { runCommands } from './run-commands.ts';
 import { fitTicks, panScale, type Scale, toTick, toX, zoomScale } from './scale.ts';
@@ -14,11 +15,16 @@ import './timeline.css';
 
 /** Zoom by one px of wheel. */
 const WHEEL_ZOOM = 1.0015;
+/** px that say what the graphs are, above them */
+const KEY_HEIGHT = 16;
+/** Zoom by one press of a button or key. */
+const STEP_ZOOM = 1.5;
 
 const endOf = ({ run }: LiveProof): number => Math.max(1, run.way.count - 1);
+const ticksOf = ({ ticks }: Reach): number => ticks;
 
 /** What takes longest to find out, and may be a frame or two behind the pointer. */
-const detailsOf = (proof: LiveProof) => ({ end: endOf(proof), events: proof.full?.events ?? [], margins: proof.margins });
+const detailsOf = (proof: LiveProof) => ({ events: proof.full?.events ?? [], margins: proof.margins });
 
 /** Where the shown moment is, and the one under the pointer. */
 function Cursors({ scale, end }: { readonly scale: Scale; readonly end: number }) {
@@ -32,6 +38,18 @@ function Cursors({ scale, end }: { readonly scale: Scale; readonly end: number }
   );
 }
 
+/** What is said of a level without a run. */
+function NoRun() {
+  const touch = useTouch();
+  return (
+    <div className="lane lane--empty">
+      {touch
+        ? 'No run yet. Play, and make an attempt that gets through the proof, or let the solver find one.'
+        : 'No run yet. Play with Space and make an attempt that gets through the proof, let the solver find one, or press I to hold the gun from here.'}
+    </div>
+  );
+}
+
 /** The shown run along time: transport, gun lane, events, speed and clearance. */
 export function Timeline() {
   const editor = useEditor();
@@ -40,25 +58,33 @@ export function Timeline() {
   const name = useProof(({ run }) => run.name);
   const holds = useProof(({ run }) => run.holds);
   const end = useProof(endOf);
+  const until = useProof((proof) => reachedBy(proof).until);
+  const isBroken = useProof((proof) => reachedBy(proof).isBroken);
+  const reached = useMemo(() => ({ until, isBroken }), [until, isBroken]);
+  const ticks = useStore(level.proof.reach, ticksOf);
   const details = useWhenIdle(level.proof.store, detailsOf);
+  const drawnTicks = useWhenIdle(level.proof.reach, ticksOf);
   const analysis = useStore(level.analysis);
   const box = useRef<HTMLDivElement>(null);
+  const graphs = useRef<HTMLDivElement>(null);
   const [size, setSize] = useState({ width: 600, height: 60 });
   // null: all of the run, however long it is
   const [chosen, setChosen] = useState<Scale | null>(null);
   // while a hold is dragged, though the run may end elsewhere
   const [kept, setKept] = useState<Scale | null>(null);
+  const [isExplained, setExplained] = useState(false);
   const { width } = size;
-  const scale = useMemo(() => chosen ?? kept ?? fitTicks(end, width), [chosen, kept, end, width]);
-  const drawn = useMemo(() => chosen ?? kept ?? fitTicks(details.end, width), [chosen, kept, details.end, width]);
-  const now = useRef({ scale, end });
-  now.current = { scale, end };
+  const scale = useMemo(() => chosen ?? kept ?? fitTicks(ticks, width), [chosen, kept, ticks, width]);
+  const drawn = useMemo(() => chosen ?? kept ?? fitTicks(drawnTicks, width), [chosen, kept, drawnTicks, width]);
+  const now = useRef({ scale, end, width });
+  now.current = { scale, end, width };
 
   useLayoutEffect(() => {
-    const element = box.current;
-    if (element === null) return;
-    const observer = new ResizeObserver(() => setSize({ width: element.clientWidth, height: element.clientHeight }));
+    const [element, plot] = [box.current, graphs.current];
+    if (element === null || plot === null) return;
+    const observer = new ResizeObserver(() => setSize({ width: element.clientWidth, height: plot.clientHeight }));
     observer.observe(element);
+    observer.observe(plot);
     const onWheel = (event: WheelEvent) => {
       event.preventDefault();
       const x = event.clientX - element.getBoundingClientRect().left;
@@ -76,19 +102,28 @@ export function Timeline() {
   useEffect(() => rollTimeline(session, () => now.current.end), [session]);
   useEffect(() => {
     const lastTick = () => now.current.end;
+    // the shown moment stays where it is
+    const zoomBy = (factor: number) => {
+      const { scale: last, width: room } = now.current;
+      const x = toX(last, session.getState().tick);
+      setChosen(zoomScale(last, x >= 0 && x <= room ? x : room / 2, factor));
+    };
     const forget = commands.register([
       ...runCommands(editor, level, lastTick),
       { id: 'run.fit', title: 'Show all of the run in the timeline', group: 'Run', run: () => setChosen(null) },
+      { id: 'run.zoom-in', title: 'Zoom in on the timeline', group: 'Run', run: () => zoomBy(STEP_ZOOM) },
+      { id: 'run.zoom-out', title: 'Zoom out of the timeline', group: 'Run', run: () => zoomBy(1 / STEP_ZOOM) },
+      { id: 'run.legend', title: 'Explain the timeline', group: 'Help', run: () => setExplained(true) },
     ]);
     return forget;
-  }, [commands, editor, level]);
+  }, [commands, editor, level, session]);
 
   const onDragging = useCallback((isDragging: boolean) => setKept(isDragging ? now.current.scale : null), []);
-  const graphs = Math.max(40, size.height - 88);
   const slack = analysis !== null && analysis.holds === holds.join() ? analysis.slack : null;
+  const ending = toX(scale, end);
   return (
     <div className="timeline">
-      <Transport end={end} />
+      <Transport end={end} reached={reached} isExplained={isExplained} onExplain={setExplained} />
       <div
         ref={box}
         className="timeline__box"
@@ -100,17 +135,21 @@ export function Timeline() {
         onPointerLeave={() => session.setState({ hoverTick: null })}
       >
         <Ruler scale={scale} width={width} end={end} />
-        {name === null ? (
-          <div className="lane lane--empty">
-            No run yet. Play with Space and make the attempt the proof, let the solver find one, or press I to hold the gun from
-            here.
+        {isBroken && ending < width && (
+          <div className="timeline__after" style={{ left: Math.max(0, ending) }} aria-hidden>
+            <span className="timeline__unreached">not reached</span>
           </div>
+        )}
+        {name === null ? (
+          <NoRun />
         ) : (
-          <GunLane run={name} holds={holds} scale={scale} slack={slack} onDragging={onDragging} />
+          <GunLane run={name} holds={holds} reached={reached} scale={scale} slack={slack} onDragging={onDragging} />
         )}
         <EventMarks events={details.events} scale={drawn} width={width} />
-        <Graphs margins={details.margins} scale={drawn} width={width} height={graphs} />
-        <div className="timeline__end" style={{ left: toX(scale, end) }} aria-hidden />
+        <div ref={graphs} className="timeline__graphs">
+          <Graphs margins={details.margins} scale={drawn} width={width} height={Math.max(24, size.height - KEY_HEIGHT)} />
+        </div>
+        <div className="timeline__end" style={{ left: ending }} aria-hidden />
         <Cursors scale={scale} end={end} />
       </div>
     </div>

@@ -1,10 +1,11 @@
-import { ChevronFirst, ChevronLast, Pause, Play, StepBack, StepForward } from 'lucide-react';
+import { ChevronFirst, ChevronLast, Pause, Play, StepBack, StepForward, ZoomIn, ZoomOut } from 'lucide-react';
 import { memo } from 'react';
-import { useStore } from 'zustand';
-import { useDocument, useEditor, useLevel, useProof, useSession } from '../context/index.ts';
+import { useDocument, useEditor, useProof, useSession } from '../context/index.ts';
 import { endInWords } from '../proof/index.ts';
 import { RATES } from '../session/index.ts';
 import { Button } from '../ui/index.ts';
+import { holdsInWords, type Reached } from './reached.ts';
+import { TimelineLegend } from './TimelineLegend.tsx';
 
 const RATE_NAMES: Readonly<Record<number, string>> = { 0.25: '¼×', 0.5: '½×', 1: '1×', 2: '2×' };
 
@@ -18,18 +19,25 @@ function Moment({ end }: { readonly end: number }) {
   );
 }
 
+interface TransportProps {
+  readonly end: number;
+  readonly reached: Reached;
+  /** Whether the legend is open. */
+  readonly isExplained: boolean;
+  readonly onExplain: (isExplained: boolean) => void;
+}
+
 /** Which run is shown, and where in it: step, roll, scrub. */
-export const Transport = memo(function Transport({ end }: { readonly end: number }) {
+export const Transport = memo(function Transport({ end, reached, isExplained, onExplain }: TransportProps) {
   const { session, commands } = useEditor();
-  const { proof } = useLevel();
   const runs = useDocument(({ file }) => file.runs);
   const shown = useProof((now) => now.run.name);
   const ends = useProof((now) => endInWords(now));
   const good = useProof((now) => now.run.outcome === 'completed');
   const rolling = useSession((state) => state.rolling);
   const rate = useSession((state) => state.rate);
-  const open = useStore(proof.store, (now) => now.run.holds.length);
-  const summary = `${open} ${open === 1 ? 'hold' : 'holds'}, ${ends}`;
+  const holds = useProof((now) => now.run.holds);
+  const summary = `${holdsInWords(holds, reached)}, ${ends}`;
   return (
     <div className="transport">
       <select
@@ -67,6 +75,12 @@ export const Transport = memo(function Transport({ end }: { readonly end: number
           </Button>
         ))}
       </div>
+      {/* who has a wheel or a touchpad needs no buttons */}
+      <div className="transport__zoom" role="toolbar" aria-label="Zoom of the timeline">
+        <Button hint="Zoom out of the timeline" icon={<ZoomOut size={16} />} onClick={() => commands.run('run.zoom-out')} />
+        <Button hint="Zoom in on the timeline" icon={<ZoomIn size={16} />} onClick={() => commands.run('run.zoom-in')} />
+      </div>
+      <TimelineLegend isOpen={isExplained} onOpen={onExplain} />
       <Moment end={end} />
       <span className={good ? 'transport__end transport__end--good' : 'transport__end'} title={summary}>
         {summary}

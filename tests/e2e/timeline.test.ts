@@ -272,7 +272,7 @@ inChromium('the timeline in Chromium', ({ on }) => {
       await page.mouse.move(x, y);
 
       await page.getByRole('combobox', { name: 'Run' }).selectOption('second');
-      await page.getByRole('application', { name: 'Gun of the run second: 1 holds' }).waitFor();
+      await page.getByRole('application', { name: 'Gun of the run second: 1 hold' }).waitFor();
       await page.getByRole('slider', { name: 'Release of hold 1' }).focus();
       await page.keyboard.press('ArrowRight');
       await holdsAre(stage, [[10, 21]], 'second');

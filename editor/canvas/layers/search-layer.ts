@@ -57,7 +57,7 @@ export class SearchLayer {
     for (const { points, closed, role } of lines) {
       const reach = role === 'reach';
       this.proof
-        .lineStyle((reach ? 1 : 2.5) / zoom, reach ? colourNumber(this.colours.way) : danger, reach ? 0.4 : 0.95)
+        .lineStyle((reach ? 1 : 2.5) / zoom, reach ? colourNumber(this.colours.wayLost) : danger, reach ? 0.4 : 0.95)
         .beginPath();
       for (const { x, y } of points) this.proof.lineTo(x, y);
       if (closed) this.proof.closePath();

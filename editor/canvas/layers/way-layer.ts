@@ -1,6 +1,6 @@
 import type { GameObjects, Scene } from 'phaser';
 import { HALF_HEIGHT, HALF_WIDTH, STATE_SIZE } from '../../../engine/index.ts';
-import type { LiveProof } from '../../proof/index.ts';
+import { isWhole, type LiveProof } from '../../proof/index.ts';
 import type { Layer } from '../../session/index.ts';
 import { type Colours, colourNumber } from '../colours.ts';
 
@@ -16,11 +16,16 @@ export interface Ghost {
 /** Ticks between the dots of a way. */
 const DOTS = 6;
 
+/** Ticks at the end of a way in the colour of danger, where the run fails. */
+const DOOM = 45;
+
 export interface WayInput {
   readonly proof: LiveProof;
   readonly ghosts: readonly Ghost[];
   readonly layers: Readonly<Record<Layer, boolean>>;
   readonly zoom: number;
+  /** Whether the run is shown, and what hangs on it. In a playtest it would give the solution away. */
+  readonly showsRun: boolean;
 }
 
 /** Where the run goes: dots in even times, thick where the gun is held, near misses, how it ends; ghosts behind it. */
@@ -37,6 +42,7 @@ export class WayLayer {
   show(input: WayInput): void {
     this.graphics.clear();
     if (input.layers.ghosts || input.layers.slackFan) this.ghosts(input);
+    if (!input.showsRun) return;
     this.way(input);
     if (input.layers.nearMisses) this.nearMisses(input);
     this.end(input);
@@ -46,9 +52,11 @@ export class WayLayer {
     this.graphics.destroy();
   }
 
-  private ghosts({ ghosts, layers, zoom }: WayInput): void {
+  private ghosts({ ghosts, layers, zoom, showsRun }: WayInput): void {
     for (const { points, look } of ghosts) {
       if (look === 'slack' ? !layers.slackFan : !layers.ghosts) continue;
+      // the person's own attempts give nothing away
+      if (!showsRun && look !== 'attempt') continue;
       const colour = look === 'slack' ? this.colours.slack : look === 'candidate' ? this.colours.select : this.colours.ghost;
       this.graphics.lineStyle((look === 'candidate' ? 1.6 : 1) / zoom, colourNumber(colour), look === 'slack' ? 0.22 : 0.6);
       this.graphics.beginPath();
@@ -59,16 +67,21 @@ export class WayLayer {
 
   private way({ proof, zoom }: WayInput): void {
     const { states, held, count, last } = proof.run.way;
-    const { graphics } = this;
-    const coast = colourNumber(this.colours.way);
-    const pull = colourNumber(this.colours.wayHeld);
+    const { graphics, colours } = this;
+    const completes = proof.run.outcome === 'completed';
+    const coast = colourNumber(completes ? colours.way : colours.wayLost);
+    const pull = colourNumber(completes ? colours.wayHeld : colours.wayLostHeld);
+    const danger = colourNumber(colours.danger);
+    // where it was not played to its end nobody knows how it ends
+    const doom = completes || !isWhole(proof) ? count : Math.max(0, count - 1 - DOOM);
     const place = (k: number) => [states[k * STATE_SIZE], states[k * STATE_SIZE + 1]] as const;
     // stretches with the gun held and without, each as one line
     for (let from = 0; from < count - 1; ) {
       let to = from + 1;
-      while (to < count - 1 && held[to] === held[from]) to++;
+      while (to < count - 1 && to !== doom && held[to] === held[from]) to++;
       const gun = held[from] === 1;
-      graphics.lineStyle((gun ? 3.2 : 1.3) / zoom, gun ? pull : coast, gun ? 0.95 : 0.7);
+      const colour = from >= doom ? danger : gun ? pull : coast;
+      graphics.lineStyle((gun ? 3.2 : from >= doom ? 2 : 1.3) / zoom, colour, gun || from >= doom ? 0.95 : 0.7);
       graphics.beginPath();
       graphics.moveTo(...place(from));
       for (let k = from + 1; k <= to; k++) graphics.lineTo(...place(k));
@@ -76,10 +89,11 @@ export class WayLayer {
       from = to;
     }
     if (count > 0) {
-      graphics.lineStyle(1.3 / zoom, coast, 0.7).lineBetween(...place(count - 1), last[0], last[1]);
+      const isDoomed = doom < count;
+      graphics.lineStyle((isDoomed ? 2 : 1.3) / zoom, isDoomed ? danger : coast, isDoomed ? 0.95 : 0.7);
+      graphics.lineBetween(...place(count - 1), last[0], last[1]);
     }
-    graphics.fillStyle(coast, 0.9);
-    for (let k = 0; k < count; k += DOTS) graphics.fillCircle(...place(k), 1.7 / zoom);
+    for (let k = 0; k < count; k += DOTS) graphics.fillStyle(k >= doom ? danger : coast, 0.9).fillCircle(...place(k), 1.7 / zoom);
     // presses and releases
     for (const [press, release] of proof.run.holds) {
       for (const [tick, filled] of [

@@ -1,0 +1,34 @@
+import type { LiveProof } from './prover.ts';
+
+/** How far along time a run is shown. */
+export interface Reach {
+  /** The run it is about. */
+  readonly run: string | null;
+  /** The longest way since the run was shown or last completed the level, ticks. */
+  readonly formerEnd: number;
+  /** What is shown: up to the end, the former end and the last hold. */
+  readonly ticks: number;
+}
+
+/**
+ * How far a run is to be shown. Where it breaks, what came after stays in sight, so that it can be mended.
+ * @param isInHand whether a gesture is going on: nothing shrinks under the hand
+ */
+export function reachOf(
+  { run, limit }: Pick<LiveProof, 'run' | 'limit'>,
+  before: Reach | null,
+  isInHand: () => boolean,
+): Reach {
+  const end = Math.max(1, run.way.count - 1);
+  const known = before !== null && before.run === run.name ? before : null;
+  const completes = limit !== 'run' && run.outcome === 'completed';
+  // a hold that lasts until she is through ends there, however much longer it goes on
+  const lastHold = run.holds.reduce((last, [press, release]) => (completes && press < end ? last : Math.max(last, release)), 0);
+  const upTo = (formerEnd: number): Reach => ({ run: run.name, formerEnd, ticks: Math.max(end, formerEnd, lastHold) });
+  if (known === null) return upTo(end);
+  // what goes on without an end has none to be remembered
+  const longest = run.outcome === 'timeout' ? known.formerEnd : Math.max(known.formerEnd, end);
+  const now = upTo(completes ? end : longest);
+  if (now.ticks >= known.ticks && now.formerEnd >= known.formerEnd) return now;
+  return isInHand() ? { ...now, formerEnd: longest, ticks: Math.max(known.ticks, now.ticks) } : now;
+}
