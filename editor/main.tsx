@@ -4,6 +4,8 @@ import { StrictMode } from 'react';
 import { createRoot } from 'react-dom/client';
 import * as z from 'zod';
 import { App, createEditor, openFirstLevel, tellKept } from './app/index.ts';
+import './ui/touch.css';
+import './ui/contrast.css';
 
 // a strict content security policy allows no code made from text
 z.config({ jitless: true });

@@ -16,6 +16,7 @@ import { CommandPalette } from './CommandPalette.tsx';
 import { Layout, type SidePanel } from './Layout.tsx';
 import { NoticeList } from './NoticeList.tsx';
 import { LEFT, LEVELS, PROBLEMS, RIGHT } from './parts.tsx';
+import { useRoom } from './room.ts';
 import { SettingsDialog } from './SettingsDialog.tsx';
 import { StatusBar } from './StatusBar.tsx';
 import { Toolbar } from './Toolbar.tsx';
@@ -147,6 +148,7 @@ function EmptyScreen() {
 function Screen() {
   const editor = useEditor();
   const level = useStore(editor.open);
+  const room = useRoom();
   useTheme();
   useEffect(() => {
     const { commands, session } = editor;
@@ -158,7 +160,7 @@ function Screen() {
     };
   }, [editor]);
   return (
-    <div className="app">
+    <div className={`app app--${room}`}>
       {level === null ? (
         <EmptyScreen />
       ) : (

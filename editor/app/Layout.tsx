@@ -1,8 +1,10 @@
 import { Activity } from 'lucide-react';
-import { type ReactNode, useSyncExternalStore } from 'react';
-import { Group, Panel, Separator } from 'react-resizable-panels';
+import { type ReactNode, useEffect, useState } from 'react';
+import { Group, Panel, Separator, usePanelRef } from 'react-resizable-panels';
 import { useEditor, useSession } from '../context/index.ts';
+import { useProblemCount } from '../panels/problems/index.ts';
 import { Button } from '../ui/index.ts';
+import { useRoom } from './room.ts';
 
 /** A panel of its own on a phone, a region at the side of a wide screen. */
 export interface SidePanel {
@@ -22,20 +24,6 @@ interface LayoutProps {
   readonly panels: readonly SidePanel[];
 }
 
-/** px below which there is no room for regions beside the canvas */
-const WIDE = 820;
-const wide = matchMedia(`(min-width: ${WIDE}px)`);
-
-function useWide(): boolean {
-  return useSyncExternalStore(
-    (listener) => {
-      wide.addEventListener('change', listener);
-      return () => wide.removeEventListener('change', listener);
-    },
-    () => wide.matches,
-  );
-}
-
 function NarrowLayout({ canvas, timeline, panels }: LayoutProps) {
   const { session } = useEditor();
   const shown = useSession((state) => state.panels.phone);
@@ -43,9 +31,9 @@ function NarrowLayout({ canvas, timeline, panels }: LayoutProps) {
   const all = [{ id: 'timeline', title: 'Timeline', icon: <Activity size={17} />, content: timeline }, ...panels];
   const panel = all.find(({ id }) => id === shown);
   return (
-    <div className="narrow">
+    <div className={panel === undefined ? 'narrow' : 'narrow narrow--open'}>
       <main className="region region--canvas">{canvas}</main>
-      {panel !== undefined && <section className="region narrow__sheet">{panel.content}</section>}
+      {panel !== undefined && <section className={`region narrow__sheet narrow__sheet--${panel.id}`}>{panel.content}</section>}
       <nav className="narrow__tabs" aria-label="Panels">
         {all.map(({ id, title, icon }) => (
           <Button key={id} hint={title} icon={icon} pressed={id === shown} onClick={() => show(id === shown ? null : id)}>
@@ -62,28 +50,42 @@ function Side({
   id,
   parts,
   share,
+  isLine = false,
 }: {
   readonly id: string;
   readonly parts: readonly [ReactNode, ReactNode];
   readonly share: string;
+  /** The lower one has a line to say and no more. */
+  readonly isLine?: boolean;
 }) {
+  const lower = usePanelRef();
+  useEffect(() => {
+    if (isLine) lower.current?.collapse();
+    else lower.current?.expand();
+  }, [isLine, lower]);
   return (
     <Group orientation="vertical" id={id}>
       <Panel id={`${id}-top`} minSize="80px">
         <div className="region">{parts[0]}</div>
       </Panel>
       <Separator className="divider" />
-      <Panel id={`${id}-bottom`} defaultSize={share} minSize="80px">
+      <Panel id={`${id}-bottom`} panelRef={lower} defaultSize={share} minSize="80px" collapsible collapsedSize={LINE}>
         <div className="region">{parts[1]}</div>
       </Panel>
     </Group>
   );
 }
 
+/** A panel that has one line to say. */
+const LINE = '38px';
+
+/** px that the timeline begins with, and the share of a low page that it takes at most */
+const TIMELINE = { height: 230, share: 0.3 } as const;
+
 /** The three fixed regions and the timeline, with dividers that can be dragged or moved by keys. */
-export function Layout(props: LayoutProps) {
-  if (!useWide()) return <NarrowLayout {...props} />;
-  const { left, canvas, right, timeline } = props;
+function WideLayout({ left, canvas, right, timeline }: LayoutProps) {
+  const nothingWrong = useProblemCount() === 0;
+  const [timelineHeight] = useState(() => Math.round(Math.min(TIMELINE.height, TIMELINE.share * window.innerHeight)));
   return (
     <Group className="regions" orientation="horizontal" id="regions">
       <Panel id="left" defaultSize="250px" minSize="180px" maxSize="420px" groupResizeBehavior="preserve-pixel-size">
@@ -92,13 +94,19 @@ export function Layout(props: LayoutProps) {
         </aside>
       </Panel>
       <Separator className="divider" />
-      <Panel id="middle" minSize="300px">
+      <Panel id="middle" minSize="320px">
         <Group orientation="vertical" id="middle-regions">
-          <Panel id="canvas" minSize="160px">
+          <Panel id="canvas" minSize="55%">
             <main className="region region--canvas">{canvas}</main>
           </Panel>
           <Separator className="divider" />
-          <Panel id="timeline" defaultSize="230px" minSize="120px" maxSize="420px" groupResizeBehavior="preserve-pixel-size">
+          <Panel
+            id="timeline"
+            defaultSize={`${timelineHeight}px`}
+            minSize="120px"
+            maxSize="420px"
+            groupResizeBehavior="preserve-pixel-size"
+          >
             <section className="region" aria-label="Timeline">
               {timeline}
             </section>
@@ -108,9 +116,14 @@ export function Layout(props: LayoutProps) {
       <Separator className="divider" />
       <Panel id="right" defaultSize="300px" minSize="220px" maxSize="520px" groupResizeBehavior="preserve-pixel-size">
         <aside className="region" aria-label="Inspector and problems">
-          <Side id="right-side" parts={right} share="30%" />
+          <Side id="right-side" parts={right} share="30%" isLine={nothingWrong} />
         </aside>
       </Panel>
     </Group>
   );
+}
+
+/** All panels where there is room, else one at a time: the canvas does not give way. */
+export function Layout(props: LayoutProps) {
+  return useRoom() === 'wide' ? <WideLayout {...props} /> : <NarrowLayout {...props} />;
 }

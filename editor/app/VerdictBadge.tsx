@@ -31,7 +31,8 @@ function Slack() {
   return (
     <Hint text={`${certificate} With timing noise of 40 ms the run succeeds ${chance} of the time.`}>
       <output className={isThin ? 'topbar__forgives topbar__forgives--thin' : 'topbar__forgives'} aria-label="Slack">
-        {words} · {chance}
+        {words}
+        <span className="topbar__chance"> · {chance}</span>
       </output>
     </Hint>
   );
@@ -65,7 +66,11 @@ export function VerdictBadge() {
       <Slack />
       {minerals > 0 && (
         <output className="topbar__forgives numbers" aria-label={`Minerals taken: ${taken} of ${minerals}`}>
-          minerals {taken}/{minerals}
+          <span className="topbar__sign" aria-hidden>
+            ◆
+          </span>
+          <span className="topbar__unit">minerals </span>
+          {taken}/{minerals}
         </output>
       )}
     </>

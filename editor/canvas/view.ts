@@ -50,17 +50,20 @@ export function panBy(view: View, dx: number, dy: number): View {
   return { ...view, x: view.x - dx / view.zoom, y: view.y - dy / view.zoom };
 }
 
-/** px of screen around the level when all of it is shown; at the top there are the tools as well */
+/** px of screen around the level when all of it is shown, and how much of a small canvas they take at most; at the top there are the tools as well */
 const MARGIN = 60;
-const ABOVE = 84;
+const MARGIN_SHARE = 0.125;
+const TOOLS = 24;
+
+const marginOf = (size: number): number => Math.min(MARGIN, MARGIN_SHARE * size);
 
 /** Shows all of a box with a margin, clear of the tools, at most at the zoom `most`. */
 export function fitBox(view: View, box: Box, most = 2): View {
   const width = Math.max(1, box.right - box.left);
   const height = Math.max(1, box.bottom - box.top);
-  const room = (size: number, margins: number) => Math.max(1, size - margins);
-  const wanted = Math.min(most, room(view.width, 2 * MARGIN) / width, room(view.height, MARGIN + ABOVE) / height);
+  const room = (size: number, above: number) => Math.max(1, size - 2 * marginOf(size) - above);
+  const wanted = Math.min(most, room(view.width, 0) / width, room(view.height, TOOLS) / height);
   const zoom = Math.min(ZOOM_LIMITS.most, Math.max(ZOOM_LIMITS.least, wanted));
-  const y = (box.top + box.bottom) / 2 - (ABOVE - MARGIN) / 2 / zoom;
+  const y = (box.top + box.bottom) / 2 - TOOLS / 2 / zoom;
   return { ...view, x: (box.left + box.right) / 2, y, zoom };
 }

@@ -2,3 +2,4 @@ export { Button } from './Button.tsx';
 export { Dialog } from './Dialog.tsx';
 export { Hint } from './Hint.tsx';
 export { NumberField } from './NumberField.tsx';
+export { FINGER, useCoarse } from './use-coarse.ts';

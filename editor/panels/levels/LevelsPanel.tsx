@@ -157,12 +157,16 @@ export function LevelsPanel() {
           onMove={move}
           onKey={onKey}
           menu={menu}
-          render={({ entry, title, expanded }) =>
+          render={({ entry, title, expanded, count }) =>
             entry === null ? (
               <>
                 <ChevronRight size={13} className={`levels__fold${expanded === true ? ' levels__fold--open' : ''}`} aria-hidden />
                 <Folder size={14} aria-hidden />
                 <span className="levels__name">{title}</span>
+                <span className="levels__count numbers">
+                  {count}
+                  <span className="unseen">{count === 1 ? ' level' : ' levels'}</span>
+                </span>
               </>
             ) : (
               <LevelLine entry={entry} title={title} open={open?.opened.id() === entry.id ? open : null} />

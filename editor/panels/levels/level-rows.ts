@@ -6,6 +6,8 @@ export interface LevelRow extends TreeRow {
   /** null: the row of a folder */
   readonly entry: LevelEntry | null;
   readonly title: string;
+  /** How many levels are in the folder; 0 for a level. */
+  readonly count: number;
 }
 
 /** Whether every word is in its name or in that of its file. */
@@ -36,15 +38,27 @@ export function levelRows(levels: readonly LevelEntry[], folded: ReadonlySet<str
   const level = (entry: LevelEntry, depth: number, list: string, place: number, count: number): LevelRow => {
     const title = entry.name ?? stemOf(entry.id);
     const label = entry.status === 'valid' ? title : `${title}, ${entry.status}`;
-    return { key: entry.id, depth, label, expanded: null, list: canMove ? list : null, place, siblings: count, entry, title };
+    return {
+      key: entry.id,
+      depth,
+      label,
+      expanded: null,
+      list: canMove ? list : null,
+      place,
+      siblings: count,
+      entry,
+      title,
+      count: 0,
+    };
   };
   const rows = top.map((entry, place) => level(entry, 1, '', place, siblings));
   for (const [i, folder] of folders.entries()) {
     const entries = byFolder.get(folder) ?? [];
     const expanded = !canMove || !folded.has(folder);
     const place = top.length + i;
-    const label = `${folder}, ${entries.length} levels`;
-    rows.push({ key: `${folder}/`, depth: 1, label, expanded, list: null, place, siblings, entry: null, title: folder });
+    const count = entries.length;
+    const label = `${folder}, ${count} ${count === 1 ? 'level' : 'levels'}`;
+    rows.push({ key: `${folder}/`, depth: 1, label, expanded, list: null, place, siblings, entry: null, title: folder, count });
     if (expanded) rows.push(...entries.map((entry, k) => level(entry, 2, folder, k, entries.length)));
   }
   return rows;

@@ -151,6 +151,7 @@ function ObjectLine({ row, problems }: { row: ObjectRow; problems: readonly stri
         </span>
       )}
       <span className="outliner__place numbers">
+        <span className="unseen">at </span>
         {Math.round(found.object.x)}, {Math.round(found.object.y)}
       </span>
       <MoreButton />

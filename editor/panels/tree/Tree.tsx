@@ -11,6 +11,7 @@ import {
   useRef,
   useState,
 } from 'react';
+import { FINGER, useCoarse } from '../../ui/index.ts';
 import { showMenu } from './show-menu.ts';
 import './tree.css';
 import { dropPlace, type MenuEntry, parentOf, stepFrom, type TreeRow } from './tree-rows.ts';
@@ -66,17 +67,23 @@ export function Tree<R extends TreeRow>(props: TreeProps<R>) {
   } = props;
   const { onOpen, onToggle, onMove, onKey, onHover, menu } = props;
   const id = useId();
+  const least = useCoarse() ? FINGER : 0;
   const scroller = useRef<HTMLDivElement>(null);
   const [dragged, setDragged] = useState<R | null>(null);
-  const [drop, setDrop] = useState<{ readonly index: number; readonly below: boolean } | null>(null);
+  const [drop, setDrop] = useState<{ readonly index: number; readonly below: boolean; readonly place: number } | null>(null);
   const virtual = useVirtualizer({
     count: rows.length,
     getScrollElement: () => scroller.current,
-    estimateSize: (index) => rowHeight(rows[index]),
+    estimateSize: (index) => Math.max(least, rowHeight(rows[index])),
     getItemKey: (index) => rows[index].key,
     overscan: 8,
   });
   const activeIndex = rows.findIndex(({ key }) => key === active);
+
+  const measure = useRef(virtual.measure);
+  measure.current = virtual.measure;
+  // biome-ignore lint/correctness/useExhaustiveDependencies: another pointer, other heights
+  useEffect(() => measure.current(), [least]);
 
   // whoever made it active, it is to be seen
   const scrollTo = useRef(virtual.scrollToIndex);
@@ -161,10 +168,13 @@ export function Tree<R extends TreeRow>(props: TreeProps<R>) {
     else onPick(row, { shift: event.shiftKey, mod: event.ctrlKey || event.metaKey });
   };
   const dropAt = (event: DragEvent<HTMLDivElement>) => {
-    const over = rowAt(event.target);
-    if (dragged === null || over === null) return null;
+    if (dragged === null) return null;
+    const row = rowAt(event.target);
+    // the room below all rows is that below the last one
+    const over = row ?? rows.findLast(({ list }) => list === dragged.list) ?? null;
+    if (over === null) return null;
     const box = (event.target as Element).closest('[data-index]')?.getBoundingClientRect();
-    const below = box !== undefined && event.clientY > box.top + box.height / 2;
+    const below = box === undefined || event.clientY > box.top + box.height / 2;
     const place = dropPlace(dragged, over, below);
     return place === null ? null : { index: rows.indexOf(over), below, place };
   };
@@ -172,6 +182,7 @@ export function Tree<R extends TreeRow>(props: TreeProps<R>) {
     setDragged(null);
     setDrop(null);
   };
+  const line = drop === null ? undefined : virtual.measurementsCache[drop.index];
   const entries = menu === undefined || activeIndex < 0 ? [] : menu(rows[activeIndex]);
 
   const tree = (
@@ -208,7 +219,11 @@ export function Tree<R extends TreeRow>(props: TreeProps<R>) {
       onDragOver={(event) => {
         const at = dropAt(event);
         if (at !== null) event.preventDefault();
-        setDrop(at);
+        setDrop((now) => (now?.index === at?.index && now?.below === at?.below ? now : at));
+      }}
+      onDragLeave={(event) => {
+        const to = event.relatedTarget;
+        if (!(to instanceof Node && event.currentTarget.contains(to))) setDrop(null);
       }}
       onDrop={(event) => {
         const at = dropAt(event);
@@ -224,16 +239,15 @@ export function Tree<R extends TreeRow>(props: TreeProps<R>) {
         {virtual.getVirtualItems().map(({ index, start, size }) => {
           const row = rows[index];
           const lit = row.key === hovered ? ' tree__row--hovered' : '';
-          const mark = drop?.index === index ? ` tree__row--drop-${drop.below ? 'below' : 'above'}` : '';
+          const held = row.key === dragged?.key ? ' tree__row--dragged' : '';
           return (
             // biome-ignore lint/a11y/useFocusableInteractive: the tree has the focus, and says which row is active
             <div
               key={row.key}
               id={`${id}-${index}`}
               data-index={index}
-              className={`tree__row${index === activeIndex ? ' tree__row--active' : ''}${lit}${mark}`}
+              className={`tree__row${index === activeIndex ? ' tree__row--active' : ''}${lit}${held}`}
               role="treeitem"
-              aria-label={row.label}
               aria-level={row.depth}
               aria-expanded={row.expanded ?? undefined}
               aria-selected={row.expanded === null ? selected.has(row.key) : undefined}
@@ -246,6 +260,9 @@ export function Tree<R extends TreeRow>(props: TreeProps<R>) {
             </div>
           );
         })}
+        {line !== undefined && drop !== null && (
+          <div className="tree__drop" aria-hidden style={{ top: Math.max(2, drop.below ? line.end : line.start) }} />
+        )}
       </div>
     </div>
   );

@@ -3,7 +3,7 @@ export interface TreeRow {
   readonly key: string;
   /** from 1 */
   readonly depth: number;
-  /** What it is called for who can't see it. */
+  /** What it is called wherever it is dragged to; in the tree it is called by what it shows. */
   readonly label: string;
   /** null: there is nothing below it */
   readonly expanded: boolean | null;
