@@ -18,7 +18,7 @@ const LOOKS: Readonly<Record<Tool, { Icon: ComponentType<{ size: number }>; name
 
 /** The tools, over the canvas: click one, or drag it to where the object shall be. */
 export function Toolbar() {
-  const { session } = useEditor();
+  const { session, commands } = useEditor();
   const tool = useSession((state) => state.tool);
   const mode = useSession((state) => state.mode);
   if (mode === 'play') return null;
@@ -38,7 +38,11 @@ export function Toolbar() {
               event.dataTransfer.setData(DRAGGED_TOOL, name);
               event.dataTransfer.effectAllowed = 'copy';
             }}
-            onClick={() => session.setState({ tool: name })}
+            onClick={({ detail }) => {
+              // pressed by a key: what is next is done by keys, on the canvas
+              if (detail === 0) commands.run(`tool.${name}`);
+              else session.setState({ tool: name });
+            }}
           />
         );
       })}

@@ -1,10 +1,12 @@
 import { useEffect, useRef } from 'react';
 import { type StoreApi, useStore } from 'zustand';
+import { createStore } from 'zustand/vanilla';
 import { useEditor, useLevel } from '../context/index.ts';
 import { canvasCommands } from './canvas-commands.ts';
 import { createCanvasState } from './canvas-state.ts';
 import { EndReason } from './EndReason.tsx';
 import './canvas.css';
+import { CROSSHAIR_HELP, createCrosshair } from './crosshair/index.ts';
 import { extentOf } from './extent.ts';
 import type { SearchPicture } from './layers/search-layer.ts';
 import { stageOf } from './page-stage.ts';
@@ -26,6 +28,9 @@ export function CanvasView({ search }: CanvasViewProps) {
   const host = useRef<HTMLDivElement>(null);
   const canvas = useRef(createCanvasState()).current;
   const cursor = useStore(canvas, (state) => state.cursor);
+  const hasCrosshair = useStore(canvas, (state) => state.crosshair !== null);
+  const said = useRef(createStore<string>(() => '')).current;
+  const words = useStore(said);
 
   useEffect(() => {
     const element = host.current;
@@ -103,20 +108,35 @@ export function CanvasView({ search }: CanvasViewProps) {
     };
     const pointer = listenToPointer(element, context, () => session.getState().mode === 'edit');
     const stopDrops = listenToDrops(element, context);
-    const forget = editor.commands.register(canvasCommands({ editor, level, canvas, setView, bringIntoView, pointer, stage }));
+    const crosshair = createCrosshair({ element, context, pointer, grid: () => settings.getState().grid, said });
+    const forget = editor.commands.register(
+      canvasCommands({ editor, level, canvas, setView, bringIntoView, pointer, crosshair, stage }),
+    );
     return () => {
       forget();
       stopDrops();
+      crosshair.stop();
       pointer.stop();
       observer.disconnect();
       unmount();
     };
-  }, [editor, level, canvas, search]);
+  }, [editor, level, canvas, said, search]);
 
   return (
     <>
-      {/* biome-ignore lint/a11y/noNoninteractiveTabindex: keys move what is selected; the outline says the same in words */}
-      <div ref={host} className="canvas" style={{ cursor }} tabIndex={0} role="application" aria-label="Level canvas" />
+      <div
+        ref={host}
+        className="canvas"
+        style={{ cursor }}
+        // biome-ignore lint/a11y/noNoninteractiveTabindex: keys use the tools and move what is selected
+        tabIndex={0}
+        role="application"
+        aria-label="Level canvas"
+        aria-description={CROSSHAIR_HELP}
+      />
+      <p className={`canvas__said${hasCrosshair ? '' : ' canvas__said--unseen'} numbers`} role="status" aria-label="Crosshair">
+        {words}
+      </p>
       <EndReason canvas={canvas} />
     </>
   );

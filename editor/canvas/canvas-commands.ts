@@ -18,9 +18,10 @@ import {
 } from '../document/index.ts';
 import type { Tool } from '../session/index.ts';
 import type { CanvasState } from './canvas-state.ts';
+import { arrowsWith, type Crosshair, crosshairCommands, stepOf } from './crosshair/index.ts';
 import type { PointerListening } from './pointer/index.ts';
 import type { Stage } from './stage.ts';
-import { type View, zoomAt } from './view.ts';
+import { toScreen, type View, zoomAt } from './view.ts';
 
 interface CanvasParts {
   readonly editor: Editor;
@@ -29,6 +30,7 @@ interface CanvasParts {
   readonly setView: (view: View) => void;
   readonly bringIntoView: (keys?: readonly string[]) => void;
   readonly pointer: PointerListening;
+  readonly crosshair: Crosshair;
   readonly stage: Stage;
 }
 
@@ -56,7 +58,15 @@ const ALIGNMENTS: readonly (readonly [edge: Edge, title: string])[] = [
 const BESIDE = 32;
 
 /** What can be done on the canvas without the pointer. */
-export function canvasCommands({ editor, level, canvas, setView, bringIntoView, pointer }: CanvasParts): readonly Command[] {
+export function canvasCommands({
+  editor,
+  level,
+  canvas,
+  setView,
+  bringIntoView,
+  pointer,
+  crosshair,
+}: CanvasParts): readonly Command[] {
   const { session, settings, notices } = editor;
   const { document, selection } = level;
   const needsSelected = (least: 1 | 2 | 3) => () =>
@@ -71,25 +81,21 @@ export function canvasCommands({ editor, level, canvas, setView, bringIntoView, 
     if (result.ok && result.added.length > 0) selection.select(result.added);
   };
 
-  const nudge = (key: string, dx: number, dy: number): Command[] => {
-    const step = (size: () => number, keys: string, id: string, how: string): Command => ({
-      id: `object.nudge-${id}`,
-      title: `Nudge ${how}`,
-      group: 'Object',
-      keys: [keys],
-      needs: needsSelected(1),
-      hidden: true,
-      run: () => change('Nudge', moveObjects(selection.keys(), dx * size(), dy * size()), `nudge ${selection.keys().join()}`),
-    });
-    const name = key.slice(5).toLowerCase();
-    return [
-      step(() => 1, key, name, `${name} by 1 px`),
-      step(() => settings.getState().grid, `Shift+${key}`, `${name}-far`, `${name} by the grid`),
-    ];
-  };
+  const nudge = (id: string, how: string, keys: readonly string[], size: () => number): Command => ({
+    id: `object.${id}`,
+    title: `Nudge what is selected by ${how}, while no crosshair is shown`,
+    group: 'Object',
+    keys,
+    needs: needsSelected(1),
+    hidden: true,
+    run(press) {
+      const { x, y } = stepOf(press);
+      change('Nudge', moveObjects(selection.keys(), x * size(), y * size()), `nudge ${selection.keys().join()}`);
+    },
+  });
   const zoomBy = (factor: number) => {
-    const { view } = canvas.getState();
-    setView(zoomAt(view, { x: view.width / 2, y: view.height / 2 }, factor));
+    const { view, crosshair: place } = canvas.getState();
+    setView(zoomAt(view, place === null ? { x: view.width / 2, y: view.height / 2 } : toScreen(view, place), factor));
   };
   const copy = async (): Promise<boolean> => {
     const text = copyObjects(document.file(), selection.keys());
@@ -145,19 +151,23 @@ export function canvasCommands({ editor, level, canvas, setView, bringIntoView, 
         title,
         group: 'Edit',
         keys: [key],
-        run: () => session.setState({ tool }),
+        run: () => {
+          session.setState({ tool });
+          crosshair.show(title);
+        },
       }),
     ),
     {
       id: 'edit.escape',
-      title: 'Take back the gesture, lay the tool aside, select nothing',
+      title: 'Take back the gesture, put crosshair and tool away, select nothing',
       group: 'Edit',
       keys: ['Escape'],
       hidden: true,
       run: () => {
         if (pointer.cancel()) return;
-        if (session.getState().tool !== 'select') session.setState({ tool: 'select' });
-        else selection.clear();
+        const isAway = session.getState().tool === 'select';
+        session.setState({ tool: 'select' });
+        if (!crosshair.hide() && isAway) selection.clear();
       },
     },
     { id: 'edit.select-all', title: 'Select all', group: 'Edit', keys: ['$mod+a'], run: () => selection.selectAll() },
@@ -187,10 +197,9 @@ export function canvasCommands({ editor, level, canvas, setView, bringIntoView, 
       run: () => void copy().then((copied) => copied && remove('Cut')),
     },
     { id: 'edit.paste', title: 'Paste', group: 'Edit', keys: ['$mod+v'], run: () => void paste() },
-    ...nudge('ArrowLeft', -1, 0),
-    ...nudge('ArrowRight', 1, 0),
-    ...nudge('ArrowUp', 0, -1),
-    ...nudge('ArrowDown', 0, 1),
+    ...crosshairCommands(crosshair, () => selection.keys().length > 0),
+    nudge('nudge', '1 px', arrowsWith(''), () => 1),
+    nudge('nudge-far', 'the grid', arrowsWith('Shift+'), () => settings.getState().grid),
     ...ALIGNMENTS.map(
       ([edge, title]): Command => ({
         id: `object.align-${edge}`,

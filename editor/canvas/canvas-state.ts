@@ -9,6 +9,8 @@ export interface CanvasState {
   readonly guides: readonly Guide[];
   /** Where the tool in hand would place an object; null: nowhere. */
   readonly placing: Point | null;
+  /** Where keys use the tool in hand; null: the crosshair is put away. */
+  readonly crosshair: Point | null;
   /** CSS cursor */
   readonly cursor: string;
 }
@@ -19,6 +21,7 @@ export function createCanvasState(): StoreApi<CanvasState> {
     marquee: null,
     guides: [],
     placing: null,
+    crosshair: null,
     cursor: 'default',
   }));
 }

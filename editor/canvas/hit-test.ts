@@ -11,7 +11,7 @@ export interface Hit {
 }
 
 /** How far from a thing a pointer may be to take it, px of screen. */
-export const REACH = { mouse: 5, touch: 18 } as const;
+export const REACH = { mouse: 5, touch: 18, keys: 5 } as const;
 
 /** How far outside of the object a place is, px; negative inside. */
 function distanceOutside(found: FoundObject, { x, y }: Point): number {

@@ -50,6 +50,26 @@ export function panBy(view: View, dx: number, dy: number): View {
   return { ...view, x: view.x - dx / view.zoom, y: view.y - dy / view.zoom };
 }
 
+/** px of screen that are kept between a place that is worked at and the edges; at the top there are the tools as well */
+const CLEAR = { side: 48, top: 84 } as const;
+
+/** The view moved no farther than needed for a place to be seen, clear of the edges and of the tools. */
+export function withinView(view: View, place: Point): View {
+  const { x, y } = toScreen(view, place);
+  // a small canvas keeps a middle
+  const side = Math.min(CLEAR.side, view.width / 4);
+  const [top, bottom] = [Math.min(CLEAR.top, view.height / 4), Math.min(CLEAR.side, view.height / 4)];
+  const dx = Math.min(view.width - side, Math.max(side, x)) - x;
+  const dy = Math.min(view.height - bottom, Math.max(top, y)) - y;
+  return dx === 0 && dy === 0 ? view : panBy(view, dx, dy);
+}
+
+/** Whether a place is seen. */
+export function isInView(view: View, place: Point): boolean {
+  const { x, y } = toScreen(view, place);
+  return x >= 0 && y >= 0 && x <= view.width && y <= view.height;
+}
+
 /** px of screen around the level when all of it is shown, and how much of a small canvas they take at most; at the top there are the tools as well */
 const MARGIN = 60;
 const MARGIN_SHARE = 0.125;

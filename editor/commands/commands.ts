@@ -3,7 +3,7 @@ export interface Command {
   /** `group.verb`, unique */
   readonly id: string;
   readonly title: string;
-  readonly group: 'File' | 'Edit' | 'Object' | 'View' | 'Run' | 'Play' | 'Solve' | 'Help';
+  readonly group: 'File' | 'Edit' | 'Crosshair' | 'Object' | 'View' | 'Run' | 'Play' | 'Solve' | 'Help';
   /** Key bindings in the notation of tinykeys: `$mod+z`, `Shift+Space`, `?`. The first one is shown. */
   readonly keys?: readonly string[];
   /** In which mode its keys work; `edit` when left out. */
@@ -14,7 +14,8 @@ export interface Command {
   readonly hidden?: boolean;
   /** What must be done before it can be done, as `select an object`; null when it can be done now, as always when left out. */
   readonly needs?: () => string | null;
-  readonly run: () => void;
+  /** @param press the key by which it was called; undefined: by its name */
+  readonly run: (press?: KeyboardEvent) => void;
 }
 
 /** What must be done before a command can be done; null when it can be done now. */

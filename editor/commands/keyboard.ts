@@ -42,7 +42,7 @@ export function listenToKeys(page: Window, commands: Commands, mode: () => 'edit
       });
       if (!matches || needsOf(command) !== null) continue;
       event.preventDefault();
-      command.run();
+      command.run(event);
       return;
     }
   };

@@ -7,6 +7,7 @@ export {
   type Gesture,
   type Recipe,
 } from './document.ts';
+export { KIND_NAMES, nameOf } from './names.ts';
 export {
   ASTRONAUT,
   BLACK_HOLE,

@@ -6,7 +6,7 @@ import type { Layer } from '../../session/index.ts';
 import type { CanvasState } from '../canvas-state.ts';
 import { type Colours, colourNumber } from '../colours.ts';
 import { boxOf } from '../extent.ts';
-import { toLevel } from '../view.ts';
+import { type Point, toLevel, type View } from '../view.ts';
 
 /** Lines of the grid nearer to each other than this are left out, px of screen. */
 const GRID_LEAST = 7;
@@ -156,7 +156,7 @@ export class OverlayLayer {
     }
   }
 
-  private gesture({ view, marquee, guides, placing }: CanvasState): void {
+  private gesture({ view, marquee, guides, placing, crosshair }: CanvasState): void {
     const select = colourNumber(this.colours.select);
     if (marquee !== null) {
       const { left, top, right, bottom } = marquee;
@@ -174,5 +174,23 @@ export class OverlayLayer {
       this.above.lineBetween(placing.x - arm, placing.y, placing.x + arm, placing.y);
       this.above.lineBetween(placing.x, placing.y - arm, placing.x, placing.y + arm);
     }
+    if (crosshair !== null) this.crosshair(crosshair, view);
+  }
+
+  /** Lines across all that is seen and a ring about the place, dark or light beneath so that they stand out from anything. */
+  private crosshair({ x, y }: Point, view: View): void {
+    const from = toLevel(view, { x: 0, y: 0 });
+    const to = toLevel(view, { x: view.width, y: view.height });
+    const gap = 5 / view.zoom;
+    for (const [width, colour, alpha] of [
+      [5, this.colours.space, 0.75],
+      [2, this.colours.select, 1],
+    ] as const) {
+      this.above.lineStyle(width / view.zoom, colourNumber(colour), alpha);
+      this.above.lineBetween(from.x, y, x - gap, y).lineBetween(x + gap, y, to.x, y);
+      this.above.lineBetween(x, from.y, x, y - gap).lineBetween(x, y + gap, x, to.y);
+      this.above.strokeCircle(x, y, 10 / view.zoom);
+    }
+    this.above.fillStyle(colourNumber(this.colours.select), 1).fillCircle(x, y, 1.5 / view.zoom);
   }
 }

@@ -23,7 +23,7 @@ export function listenToDrops(element: HTMLElement, context: PointerContext): ()
       shift: event.shiftKey,
       alt: event.altKey,
       mod,
-      touch: false,
+      by: 'mouse',
       button: 0,
     });
   };

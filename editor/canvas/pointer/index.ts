@@ -1,3 +1,3 @@
 export { DRAGGED_TOOL, listenToDrops } from './drop.ts';
 export { listenToPointer, type PointerListening } from './listen.ts';
-export type { PointerContext } from './state.ts';
+export { CLICK_SLOP, type PointerContext, type PointerInput } from './state.ts';

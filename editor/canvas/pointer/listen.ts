@@ -9,6 +9,15 @@ const WHEEL_ZOOM = 1.0015;
 const WHEEL_LINE = 16;
 
 export interface PointerListening {
+  /** A hand at the keys in place of the pointer: it presses, moves and lets go in the same states. */
+  readonly keys: {
+    /** @param onCancel called when it is taken back instead of let go */
+    press(input: PointerInput, onCancel: () => void): void;
+    move(input: PointerInput): void;
+    release(input: PointerInput): void;
+    /** Whether they hold something. */
+    isHolding(): boolean;
+  };
   /** Takes back what the pointer has begun. @returns whether there was anything */
   cancel(): boolean;
   stop(): void;
@@ -21,6 +30,7 @@ export interface PointerListening {
 export function listenToPointer(element: HTMLElement, context: PointerContext, enabled: () => boolean): PointerListening {
   let state: PointerState | null = null;
   let last: PointerInput | null = null;
+  let cancelled: (() => void) | null = null;
   const fingers = new Map<number, Point>();
   const stopping = new AbortController();
   const options = { signal: stopping.signal };
@@ -40,14 +50,14 @@ export function listenToPointer(element: HTMLElement, context: PointerContext, e
       shift: event.shiftKey,
       alt: event.altKey,
       mod: event.ctrlKey || event.metaKey,
-      touch: event.pointerType === 'touch',
+      by: event.pointerType === 'touch' ? 'touch' : 'mouse',
       button: event.button,
     };
   };
   const hover = (input: PointerInput) => {
     const { key, cursor } = hovered(context, input);
     const tool = context.tool();
-    const placing = tool === 'select' || tool === 'hand' || input.touch ? null : placeFor(context, input);
+    const placing = tool === 'select' || tool === 'hand' || input.by === 'touch' ? null : placeFor(context, input);
     context.hovered.setState(key, true);
     context.canvas.setState({ cursor, placing });
   };
@@ -60,10 +70,22 @@ export function listenToPointer(element: HTMLElement, context: PointerContext, e
     context.hovered.setState(null, true);
     context.canvas.setState({ cursor: next.cursor, placing: null });
   };
+  const follow = (input: PointerInput) => {
+    let next = state?.move?.(input);
+    // a drag that has just begun is to follow this very move
+    while (next !== undefined) {
+      enter(next);
+      next = next.move?.(input);
+    }
+  };
+  const letGo = (input: PointerInput) => enter(state?.up?.(input) ?? null);
+  const byKeys = () => state !== null && last?.by === 'keys';
   const cancel = () => {
     const was = state;
+    const tell = byKeys() ? cancelled : null;
     enter(null);
     was?.cancel();
+    tell?.();
     return was !== null;
   };
 
@@ -78,6 +100,8 @@ export function listenToPointer(element: HTMLElement, context: PointerContext, e
         return;
       }
     }
+    // what the keys hold stays where they have brought it
+    if (byKeys() && last !== null) letGo(last);
     if (state !== null) return;
     event.preventDefault();
     last = inputOf(event);
@@ -95,30 +119,25 @@ export function listenToPointer(element: HTMLElement, context: PointerContext, e
       context.setView(zoomAt(panBy(context.view(), to.x - from.x, to.y - from.y), to, apart(c, d) / apart(a, b)));
       return;
     }
+    if (byKeys()) return;
     last = inputOf(event);
     if (state === null) hover(last);
     else {
       // nobody else has a use for it, and the dividers of the panels would measure the page each time
       event.stopPropagation();
-      let next = state.move?.(last);
-      // a drag that has just begun is to follow this very move
-      while (next !== undefined) {
-        enter(next);
-        next = next.move?.(last);
-      }
+      follow(last);
     }
   };
   const onUp = (event: PointerEvent) => {
     fingers.delete(event.pointerId);
-    if (state === null || !enabled()) return;
+    if (state === null || byKeys() || !enabled()) return;
     last = inputOf(event);
-    const next = state.up?.(last) ?? null;
-    enter(next);
+    letGo(last);
     hover(last);
   };
   const onCancel = (event: PointerEvent) => {
     fingers.delete(event.pointerId);
-    cancel();
+    if (!byKeys()) cancel();
   };
   const onLeave = () => {
     context.hovered.setState(null, true);
@@ -136,8 +155,10 @@ export function listenToPointer(element: HTMLElement, context: PointerContext, e
     context.setView(zoomAt(context.view(), screenOf(event), factor));
   };
   const onKey = (event: KeyboardEvent) => {
+    // with Alt, Shift or Ctrl held, as a drag may need them, it is no command's key
+    if (event.key === 'Escape' && event.type === 'keydown' && !event.defaultPrevented && cancel()) event.preventDefault();
     // modifiers change what a drag does before the pointer moves again
-    if (last === null || state === null || !['Shift', 'Alt', 'Control', 'Meta'].includes(event.key)) return;
+    if (last === null || state === null || byKeys() || !['Shift', 'Alt', 'Control', 'Meta'].includes(event.key)) return;
     if (event.key === 'Alt') event.preventDefault();
     last = { ...last, shift: event.shiftKey, alt: event.altKey, mod: event.ctrlKey || event.metaKey };
     state.move?.(last);
@@ -154,6 +175,25 @@ export function listenToPointer(element: HTMLElement, context: PointerContext, e
   window.addEventListener('keydown', onKey, options);
   window.addEventListener('keyup', onKey, options);
   return {
+    keys: {
+      press(input, onCancel) {
+        if (state !== null) return;
+        last = input;
+        cancelled = onCancel;
+        enter(pressed(context, input));
+      },
+      move(input) {
+        if (!byKeys()) return;
+        last = input;
+        follow(input);
+      },
+      release(input) {
+        if (!byKeys()) return;
+        last = input;
+        letGo(input);
+      },
+      isHolding: byKeys,
+    },
     cancel,
     stop() {
       cancel();

@@ -58,9 +58,9 @@ export function movingObjects(context: PointerContext, from: PointerInput, lead:
       change(input.alt);
       if (drag.areCopies && copied.length === 0) context.refused(NOT_COPIED);
       const move = { x: input.place.x - from.place.x, y: input.place.y - from.place.y };
-      // Shift keeps to the axis that is farther
-      const fixed = input.shift ? (Math.abs(move.x) > Math.abs(move.y) ? 'y' : 'x') : null;
-      const reach = (input.touch ? REACH.touch : REACH.mouse) / context.view().zoom;
+      // Shift keeps to the axis that is farther; keys follow an axis anyhow, and Shift is how far they step
+      const fixed = input.shift && input.by !== 'keys' ? (Math.abs(move.x) > Math.abs(move.y) ? 'y' : 'x') : null;
+      const reach = REACH[input.by] / context.view().zoom;
       const snapping = input.mod ? { grid: null, toObjects: false } : context.snapping();
       const { dx, dy, guides } = snapMove(start, move, drag.targets, { ...snapping, reach, fixed });
       show(dx, dy);

@@ -1,5 +1,5 @@
 import type { ObjectKey } from '../../document/index.ts';
-import { hitTest, REACH } from '../hit-test.ts';
+import { type Hit, hitTest, REACH } from '../hit-test.ts';
 import { drawingMarquee } from './marquee.ts';
 import { movingObjects } from './move-objects.ts';
 import { panning } from './pan.ts';
@@ -7,8 +7,8 @@ import { placingObject } from './place-object.ts';
 import { resizingObjects } from './resize-objects.ts';
 import { hasMoved, type PointerContext, type PointerInput, type PointerState } from './state.ts';
 
-/** An object is pressed: a click selects it, a drag moves it and what is selected with it. */
-function pressedObject(context: PointerContext, from: PointerInput, key: ObjectKey): PointerState {
+/** An object is pressed: a click selects it, a drag moves it and what is selected with it, or by its rim resizes it. */
+function pressedObject(context: PointerContext, from: PointerInput, { key, part }: Hit): PointerState {
   const { selection } = context;
   const wasSelected = selection.keys().includes(key);
   if (!wasSelected) {
@@ -17,9 +17,10 @@ function pressedObject(context: PointerContext, from: PointerInput, key: ObjectK
   }
   return {
     name: 'pressed',
-    cursor: 'default',
+    cursor: part === 'rim' ? 'nwse-resize' : 'default',
     move(input) {
-      return hasMoved(from, input) ? movingObjects(context, from, key) : undefined;
+      if (!hasMoved(from, input)) return undefined;
+      return part === 'rim' ? resizingObjects(context, key) : movingObjects(context, from, key);
     },
     up() {
       if (!wasSelected) return undefined;
@@ -38,7 +39,7 @@ function pressedSpace(context: PointerContext, from: PointerInput): PointerState
     cursor: 'default',
     move(input) {
       if (!hasMoved(from, input)) return undefined;
-      return from.touch ? panning(context, from) : drawingMarquee(context, from);
+      return from.by === 'touch' ? panning(context, from) : drawingMarquee(context, from);
     },
     up() {
       if (!from.shift) context.selection.clear();
@@ -53,10 +54,10 @@ export function pressed(context: PointerContext, input: PointerInput): PointerSt
   const tool = context.tool();
   if (input.button !== 0 || tool === 'hand') return panning(context, input);
   if (tool !== 'select') return placingObject(context, input, tool);
-  const reach = (input.touch ? REACH.touch : REACH.mouse) / context.view().zoom;
+  const reach = REACH[input.by] / context.view().zoom;
   const hit = hitTest(context.document.file(), input.place, reach, new Set(context.selection.keys()));
   if (hit === null) return pressedSpace(context, input);
-  return hit.part === 'rim' ? resizingObjects(context, hit.key) : pressedObject(context, input, hit.key);
+  return pressedObject(context, input, hit);
 }
 
 /** The cursor and the hovered object where nothing is pressed. */

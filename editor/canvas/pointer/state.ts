@@ -5,6 +5,9 @@ import type { CanvasState } from '../canvas-state.ts';
 import type { SnapOptions } from '../snapping.ts';
 import type { Point, View } from '../view.ts';
 
+/** Whose hand it is: keys move the crosshair, which presses and drags as a pointer does. */
+export type Device = 'mouse' | 'touch' | 'keys';
+
 /** What the pointer does now. */
 export interface PointerInput {
   /** px of screen from the canvas's top left */
@@ -15,7 +18,7 @@ export interface PointerInput {
   readonly alt: boolean;
   /** Ctrl, or the command key of a Mac: no snapping */
   readonly mod: boolean;
-  readonly touch: boolean;
+  readonly by: Device;
   /** 0 main, 1 middle, 2 second */
   readonly button: number;
 }
@@ -53,6 +56,8 @@ export const CLICK_SLOP = { mouse: 3, touch: 8 } as const;
 
 /** Whether the pointer has left where it was pressed. */
 export function hasMoved(from: PointerInput, now: PointerInput): boolean {
-  const slop = from.touch ? CLICK_SLOP.touch : CLICK_SLOP.mouse;
+  // keys don't tremble
+  if (now.by === 'keys') return now.place.x !== from.place.x || now.place.y !== from.place.y;
+  const slop = CLICK_SLOP[now.by];
   return Math.hypot(now.screen.x - from.screen.x, now.screen.y - from.screen.y) > slop;
 }

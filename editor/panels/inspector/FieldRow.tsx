@@ -6,7 +6,7 @@ import { Button, NumberField } from '../../ui/index.ts';
 import { Segments } from '../parts/index.ts';
 import type { FieldValue } from './field-values.ts';
 import type { Field } from './fields.ts';
-import { labelOf } from './names.ts';
+import { labelOf } from './labels.ts';
 
 interface FieldRowProps {
   readonly field: Field;

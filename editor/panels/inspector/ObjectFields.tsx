@@ -15,6 +15,8 @@ import { memo, useCallback } from 'react';
 import { useEditor } from '../../context/index.ts';
 import {
   type FoundObject,
+  KIND_NAMES,
+  nameOf,
   type ObjectKey,
   type ObjectKind,
   type ObjectProperties,
@@ -29,7 +31,6 @@ import { Facts, Section, useCalmProof } from '../parts/index.ts';
 import { FieldRow } from './FieldRow.tsx';
 import { valueOfObjects } from './field-values.ts';
 import { type Field, fieldsOf, sharedFields } from './fields.ts';
-import { KIND_NAMES, nameOf } from './names.ts';
 import { runFactsOf } from './run-facts.ts';
 
 /** What several objects can be told at once, by the commands of the canvas. */

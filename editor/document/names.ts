@@ -1,4 +1,4 @@
-import type { FoundObject, ObjectKind } from '../../document/index.ts';
+import type { FoundObject, ObjectKind } from './objects.ts';
 
 /** What people call a kind: one and many. */
 export const KIND_NAMES: Readonly<Record<ObjectKind, readonly [one: string, many: string]>> = {
@@ -18,8 +18,3 @@ export function nameOf({ kind, list, index, object }: FoundObject): string {
   const hot = kind === 'asteroid' && 'hot' in object && object.hot === true;
   return `${hot ? 'Hot asteroid' : one} ${index + 1}`;
 }
-
-const LABELS: Readonly<Record<string, string>> = { vx: 'speed x', vy: 'speed y', description: 'about' };
-
-/** How a property is called where it is typed. */
-export const labelOf = (key: string): string => LABELS[key] ?? key;
