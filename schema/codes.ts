@@ -29,6 +29,11 @@ const EXPLANATIONS = {
     fix: 'Write a level into it, or delete it.',
     example: '{ "version": 1, "name": "First swing", "astronaut": { "x": 0, "y": 0 }, "blackHole": { "x": 0, "y": 200 } }',
   },
+  'not-a-level': {
+    title: 'the file is a picture, an archive or another kind of file',
+    why: 'Its first bytes are those of another kind of file. Whatever its name, there is no level in it that could be read.',
+    fix: 'Choose the level file: a JSON text that begins with `{`. Unpack an archive first.',
+  },
   'not-utf8': {
     title: 'the file is not UTF-8 text',
     why: 'Level files are UTF-8. Bytes of another encoding would be read as other letters on other machines.',

@@ -1,3 +1,4 @@
+import { foreignKind, isUtf16 } from './foreign-file.ts';
 import { createLocator, type Locator } from './locate.ts';
 import { type Finding, MAX_FINDINGS, MAX_PROBLEMS, type Path, type Problem, toPointer } from './problem.ts';
 import { scanJson } from './scan-json.ts';
@@ -37,12 +38,16 @@ function wholeFile(code: Finding['code'], message: string, hint: string): JsonRe
   return { ok: false, problems: [{ code, severity: 'error', message, hint, pointer: '', line: null, column: null }], text: '' };
 }
 
+const hintFor = (kind: string): string =>
+  kind.endsWith('archive')
+    ? 'Unpack it and take the level files that are in it.'
+    : 'Level files end in .level.json and begin with {. Choose one of those.';
+
 function badByteFinding(bytes: Uint8Array, bad: { byte: number; at: number; offset: number }): Finding {
-  const isUtf16 = bytes.length >= 2 && ((bytes[0] === 0xff && bytes[1] === 0xfe) || (bytes[0] === 0xfe && bytes[1] === 0xff));
   const hex = bad.byte.toString(16).toUpperCase().padStart(2, '0');
   return {
     code: 'not-utf8',
-    message: `the byte ${hex} at offset ${bad.at} is not UTF-8${isUtf16 ? ': the file looks like UTF-16' : ''}`,
+    message: `the byte ${hex} at offset ${bad.at} is not UTF-8${isUtf16(bytes) ? ': the file looks like UTF-16' : ''}`,
     hint: 'Save the file as UTF-8.',
     path: [],
     part: 'value',
@@ -97,6 +102,8 @@ export function readJson(source: Uint8Array | string, byteOrderMark: 'refuse' | 
   if (source.length > MAX_FILE_SIZE) {
     return wholeFile('file-too-large', 'a file may have 8 MiB, this one has more', 'Check that the path names a level file.');
   }
+  const kind = foreignKind(source);
+  if (kind !== null) return wholeFile('not-a-level', `expected a level as JSON text, found ${kind}`, hintFor(kind));
   const decoded = typeof source === 'string' ? { text: source, bad: null } : decodeUtf8(source);
   const hasMark = decoded.text.startsWith(MARK);
   const text = hasMark ? decoded.text.slice(1) : decoded.text;

@@ -4,6 +4,8 @@ import { useStore } from 'zustand';
 import { CanvasView } from '../canvas/index.ts';
 import { type Command, listenToKeys } from '../commands/index.ts';
 import { Dialogs } from '../dialogs/index.ts';
+import { problemsInWords } from '../files/index.ts';
+import { openListed } from '../panels/levels/index.ts';
 import { SolverWatch, solverDeskOf } from '../panels/solver/index.ts';
 import { PlayView, playCommands } from '../play/index.ts';
 import { Timeline } from '../timeline/index.ts';
@@ -104,9 +106,16 @@ function LevelScreen() {
 
 /** What is seen while no level is open. */
 function EmptyScreen() {
-  const { workspace, session } = useEditor();
+  const editor = useEditor();
+  const { workspace, session } = editor;
   const list = useStore(workspace.store, (state) => state.list);
   const error = useStore(workspace.store, (state) => state.error);
+  const refused = useStore(workspace.store, (state) => state.refused);
+  const mended = list?.levels.find(({ id, status }) => id === refused?.id && status === 'valid')?.id;
+  // a file that was refused is opened as soon as somebody has mended it
+  useEffect(() => {
+    if (mended !== undefined) void openListed(editor, mended);
+  }, [editor, mended]);
   return (
     <>
       <header className="topbar">
@@ -124,7 +133,11 @@ function EmptyScreen() {
           ) : list === null ? (
             <p>Looking for levels…</p>
           ) : (
-            <p>{list.levels.length === 0 ? 'No levels here yet.' : 'Choose a level, or begin a new one.'}</p>
+            <p role={refused?.opening.kind === 'invalid' ? 'alert' : undefined}>
+              {refused?.opening.kind === 'invalid' &&
+                `This level can't be read. ${problemsInWords(`${refused.id}.level.json`, refused.opening.problems)} `}
+              {list.levels.length === 0 ? 'No levels here yet.' : 'Choose a level, or begin a new one.'}
+            </p>
           )}
           {error !== null && (
             <Button

@@ -1,8 +1,8 @@
-import { CircleAlert, CircleCheck, CloudOff, Download, Eye, GitMerge, LoaderCircle } from 'lucide-react';
+import { CircleAlert, CircleCheck, CloudOff, Download, Eye, FileWarning, GitMerge, LoaderCircle } from 'lucide-react';
 import type { ComponentType } from 'react';
 import { useStore } from 'zustand';
 import { useEditor, useLevel } from '../context/index.ts';
-import type { SaveState } from '../files/index.ts';
+import { problemsInWords, type SaveState } from '../files/index.ts';
 import type { Keeping } from '../journal/index.ts';
 import { keepFile, levelFile } from '../share/index.ts';
 import { Button, Hint } from '../ui/index.ts';
@@ -14,7 +14,8 @@ const LOOKS: Readonly<Record<SaveState['kind'], { Icon: ComponentType<{ size: nu
   offline: { Icon: CloudOff, text: 'server is gone' },
   failing: { Icon: CircleAlert, text: 'not saved' },
   conflict: { Icon: GitMerge, text: 'conflict' },
-  displaced: { Icon: CircleAlert, text: 'gone from the disk' },
+  deleted: { Icon: CircleAlert, text: 'gone from the disk' },
+  unreadable: { Icon: FileWarning, text: "the file can't be read" },
   readOnly: { Icon: Eye, text: 'read only' },
 };
 
@@ -32,8 +33,8 @@ const KEPT: Readonly<Record<Keeping, { readonly short: string; readonly long: st
   },
 };
 
-/** The reason in full. @param lasts whether what is saved is still there when the page is gone */
-function reasonOf(state: SaveState, keeping: Keeping | null, lasts: boolean): string {
+/** The reason in full. @param file the level's file @param lasts whether what is saved is still there when the page is gone */
+function reasonOf(state: SaveState, keeping: Keeping | null, lasts: boolean, file: string): string {
   const kept = keeping === null ? '' : ` ${KEPT[keeping].long}`;
   switch (state.kind) {
     case 'saved':
@@ -48,8 +49,10 @@ function reasonOf(state: SaveState, keeping: Keeping | null, lasts: boolean): st
       return `${state.message}. ${state.hint}.${kept}`;
     case 'conflict':
       return `The file was changed on the disk at the same place as here.${kept}`;
-    case 'displaced':
-      return `${state.reason === 'deleted' ? 'The file was deleted on the disk.' : 'The file on the disk is no valid level now.'}${kept}`;
+    case 'deleted':
+      return `The file was deleted on the disk.${kept}`;
+    case 'unreadable':
+      return `The file on the disk can't be read as a level: ${problemsInWords(file, state.problems)} Once it is mended, the page goes on by itself. What is on the screen is the last good state.${kept}`;
     case 'readOnly':
       return state.unsaved ? `${state.why}; this tab has changes that were not written.${kept}` : `${state.why}.`;
   }
@@ -63,7 +66,10 @@ function textOf(state: SaveState, keeping: Keeping | null, lasts: boolean): stri
 }
 
 /** Changes that do not come to the disk by themselves: a copy is worth having. */
-const IN_DANGER: readonly SaveState['kind'][] = ['offline', 'failing', 'displaced'];
+const IN_DANGER: readonly SaveState['kind'][] = ['offline', 'failing', 'deleted', 'unreadable'];
+
+/** Where somebody has to choose. */
+const TO_RESOLVE: readonly SaveState['kind'][] = ['conflict', 'deleted', 'unreadable'];
 
 /** Whether the work is safe, and what to do when it is not. */
 export function SaveStatus() {
@@ -76,7 +82,7 @@ export function SaveStatus() {
   const { Icon } = LOOKS[state.kind];
   return (
     <>
-      <Hint text={reasonOf(state, keeping, lasts)}>
+      <Hint text={reasonOf(state, keeping, lasts, `${opened.id()}.level.json`)}>
         <output className={`topbar__saved topbar__saved--${state.kind}`} aria-label="Saving">
           <Icon size={14} />
           {textOf(state, keeping, lasts)}
@@ -89,7 +95,7 @@ export function SaveStatus() {
           onClick={() => void keepFile(levelFile(opened.id(), document.settledFile()))}
         />
       )}
-      {(state.kind === 'conflict' || state.kind === 'displaced') && (
+      {TO_RESOLVE.includes(state.kind) && (
         <Button hint="Look at both and choose" look="outlined" onClick={() => session.setState({ overlay: 'conflict' })}>
           Resolve
         </Button>

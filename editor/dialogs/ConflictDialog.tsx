@@ -2,7 +2,7 @@ import { useEffect, useMemo, useState } from 'react';
 import { useStore } from 'zustand';
 import { formatLevel, type LevelFile, type Problem } from '../../schema/index.ts';
 import { LevelContext, useDocument, useEditor, useLevel, useSession } from '../context/index.ts';
-import { type Choices, type Conflict, mergeLevels, readText, type Side } from '../files/index.ts';
+import { type Choices, type Conflict, mergeLevels, readStored, type Side } from '../files/index.ts';
 import { addLevels, folderOf, openListed, stemOf, TextDialog } from '../panels/levels/index.ts';
 import { Button, Dialog } from '../ui/index.ts';
 import { diffLines } from './line-diff.ts';
@@ -24,13 +24,18 @@ export function ConflictDialog() {
 function Disagreement({ onClose }: { readonly onClose: () => void }) {
   const { opened } = useLevel();
   const state = useStore(opened.saver.store);
+  // what is being typed is not taken away when the file is mended meanwhile
+  const [asText, setAsText] = useState(false);
   // settled by whoever, in whatever way: nothing to choose any more
-  const isOver = state.kind !== 'conflict' && state.kind !== 'displaced';
+  const isOver = state.kind !== 'conflict' && state.kind !== 'deleted' && state.kind !== 'unreadable';
   useEffect(() => {
-    if (isOver) onClose();
-  }, [isOver, onClose]);
+    if (isOver && !asText) onClose();
+  }, [isOver, asText, onClose]);
+  if (asText) return <TextDialog id={opened.id()} fromDisk onClose={() => setAsText(false)} />;
   if (state.kind === 'conflict') return <Merge conflicts={state.conflicts} onClose={onClose} />;
-  if (state.kind === 'displaced') return <Displaced reason={state.reason} problems={state.problems} onClose={onClose} />;
+  if (state.kind === 'deleted') return <Displaced problems={null} onMend={() => {}} onClose={onClose} />;
+  if (state.kind === 'unreadable')
+    return <Displaced problems={state.problems} onMend={() => setAsText(true)} onClose={onClose} />;
   return null;
 }
 
@@ -42,8 +47,8 @@ function useTheirs(): LevelFile | null {
   useEffect(() => {
     let isGone = false;
     void workspace.storage.read(opened.id()).then((answer) => {
-      if (isGone || !answer.ok || answer.value.text === null) return;
-      const reading = readText(answer.value.text);
+      if (isGone || !answer.ok) return;
+      const reading = readStored(answer.value);
       if (reading.ok) setTheirs(reading.file);
     });
     return () => {
@@ -160,16 +165,17 @@ function Preview({ choices }: { readonly choices: Choices }) {
 }
 
 interface DisplacedProps {
-  readonly reason: 'deleted' | 'invalid';
-  readonly problems: readonly Problem[];
+  /** Why the file can't be read; null: it was deleted. */
+  readonly problems: readonly Problem[] | null;
+  /** Mends the file as text. */
+  readonly onMend: () => void;
   readonly onClose: () => void;
 }
 
-function Displaced({ reason, problems, onClose }: DisplacedProps) {
+function Displaced({ problems, onMend, onClose }: DisplacedProps) {
   const editor = useEditor();
   const { workspace } = editor;
   const { opened, document } = useLevel();
-  const [asText, setAsText] = useState(false);
   const id = opened.id();
   const saveAsNew = async () => {
     const stem = `${stemOf(id)}-mine`;
@@ -186,21 +192,24 @@ function Displaced({ reason, problems, onClose }: DisplacedProps) {
       await opened.close();
     }
   };
-  if (asText) return <TextDialog id={id} fromDisk onClose={() => setAsText(false)} />;
-  const isDeleted = reason === 'deleted';
+  const isDeleted = problems === null;
   return (
     <Dialog
       open
-      title={isDeleted ? 'The file was deleted' : 'The file is no valid level any more'}
-      about={`${id}.level.json was ${isDeleted ? 'deleted or moved' : 'changed'} outside of this page. What is on the screen is still all here.`}
+      title={isDeleted ? 'The file was deleted' : "The file can't be read"}
+      about={
+        isDeleted
+          ? `${id}.level.json was deleted or moved outside of this page. What is on the screen is still all here.`
+          : `${id}.level.json was changed outside of this page, and is no valid level now. What is on the screen is the last good state. Once the file is mended, the page goes on by itself.`
+      }
       onClose={onClose}
     >
-      {problems.length > 0 && (
+      {problems !== null && (
         <ul className="displaced__problems">
-          {problems.slice(0, 3).map(({ code, pointer, line, column, message }) => (
+          {problems.slice(0, 3).map(({ code, pointer, line, column, message, hint }) => (
             <li key={`${code} ${pointer} ${line}`}>
               {line !== null && <span className="astext__place">{`${line}:${column} `}</span>}
-              {message}
+              {message}. <span className="astext__hint">{hint}</span>
             </li>
           ))}
         </ul>
@@ -224,7 +233,7 @@ function Displaced({ reason, problems, onClose }: DisplacedProps) {
             Take theirs: let it go
           </Button>
         ) : (
-          <Button hint="See and mend what is on the disk" look="outlined" onClick={() => setAsText(true)}>
+          <Button hint="See and mend what is on the disk" look="outlined" onClick={onMend}>
             Take theirs: mend it as text
           </Button>
         )}

@@ -2,7 +2,7 @@ import { FileDown } from 'lucide-react';
 import { useEffect, useState } from 'react';
 import { useEditor } from '../context/index.ts';
 import { folderOf } from '../panels/levels/index.ts';
-import { readFiles, takeIn } from './take-in.ts';
+import { IMPORT_TOPIC, takeInFiles } from './take-in.ts';
 
 const hasFiles = (event: DragEvent): boolean => event.dataTransfer?.types.includes('Files') === true;
 
@@ -35,7 +35,11 @@ export function DropZone() {
       depth = 0;
       setIsOver(false);
       const folder = folderOf(editor.workspace.store.getState().opened?.id() ?? '');
-      void readFiles(editor, [...(event.dataTransfer?.files ?? [])]).then((texts) => takeIn(editor, folder, texts, true));
+      const { notices } = editor;
+      notices.settle(IMPORT_TOPIC);
+      void takeInFiles(editor, folder, [...(event.dataTransfer?.files ?? [])], true).then(({ refusals }) => {
+        if (refusals.length > 0) notices.show('error', refusals.join('\n'), { topic: IMPORT_TOPIC });
+      });
     });
     return () => stopping.abort();
   }, [editor]);

@@ -1,10 +1,10 @@
-import { FolderOpen } from 'lucide-react';
-import { useId, useState } from 'react';
+import { CircleAlert, FolderOpen } from 'lucide-react';
+import { useEffect, useId, useState } from 'react';
 import { useEditor } from '../context/index.ts';
 import { FolderSelect, folderOf } from '../panels/levels/index.ts';
 import { chooseFiles } from '../share/index.ts';
 import { Button } from '../ui/index.ts';
-import { type GivenText, takeIn } from './take-in.ts';
+import { IMPORT_TOPIC, type TakenIn, takeIn, takeInFiles } from './take-in.ts';
 
 /** Levels from files or text, of this toolkit or of the original game. */
 export function ImportTab({ onClose }: { readonly onClose: () => void }) {
@@ -14,16 +14,21 @@ export function ImportTab({ onClose }: { readonly onClose: () => void }) {
   const [folder, setFolder] = useState(() => folderOf(editor.workspace.store.getState().opened?.id() ?? ''));
   const [busy, setBusy] = useState(false);
   const field = useId();
-  const take = async (texts: readonly GivenText[]) => {
+  const [refusals, setRefusals] = useState<readonly string[]>([]);
+  const take = async (act: () => Promise<TakenIn>) => {
     setBusy(true);
-    const count = await takeIn(editor, folder, texts, recoil);
+    setRefusals([]);
+    const { added, refusals: refused } = await act();
     setBusy(false);
-    if (count > 0) onClose();
+    setRefusals(refused);
+    if (added > 0 && refused.length === 0) onClose();
   };
   const choose = async () => {
     const files = await chooseFiles();
-    if (files !== null) await take(files);
+    if (files !== null) await take(() => takeInFiles(editor, folder, files, recoil));
   };
+  // what was refused when it was dropped is an old story now
+  useEffect(() => editor.notices.settle(IMPORT_TOPIC), [editor]);
   return (
     <div className="share form">
       <p className="share__about">
@@ -56,12 +61,21 @@ export function ImportTab({ onClose }: { readonly onClose: () => void }) {
         value={text}
         onChange={(event) => setText(event.target.value)}
       />
+      {refusals.length > 0 && (
+        <ul className="share__refusals" role="alert" aria-label="Not imported">
+          {refusals.map((refusal) => (
+            <li key={refusal}>
+              <CircleAlert size={14} aria-hidden /> {refusal}
+            </li>
+          ))}
+        </ul>
+      )}
       <div className="form__buttons">
         <Button
           hint="Add what the text says as new levels"
           look="outlined"
           disabled={busy || text.trim() === ''}
-          onClick={() => void take([{ name: 'pasted', text }])}
+          onClick={() => void take(() => takeIn(editor, folder, [{ name: 'pasted text', content: text }], recoil))}
         >
           Import the text
         </Button>

@@ -1,53 +1,59 @@
 import type { Editor } from '../context/index.ts';
+import { problemsInWords } from '../files/index.ts';
 import { addLevels } from '../panels/levels/index.ts';
-import { type Importing, importText } from '../share/index.ts';
+import { type Importing, importLevels } from '../share/index.ts';
 
-/** A text that somebody chose, dropped or pasted. */
-export interface GivenText {
+/** What somebody chose, dropped or pasted: the bytes of a file, or a text. */
+export interface Given {
   readonly name: string;
-  readonly text: string;
+  readonly content: Uint8Array | string;
 }
 
-type Refused = Extract<Importing, { ok: false }>;
+/** What became of an import. */
+export interface TakenIn {
+  /** How many levels were added. */
+  readonly added: number;
+  /** What is no level, and why. */
+  readonly refusals: readonly string[];
+}
 
-const problemInWords = (name: string, { problems }: Refused): string => {
-  const [{ line, column, message, hint }] = problems;
-  const more = problems.length > 1 ? ` (and ${problems.length - 1} more)` : '';
-  return `${name}${line === null ? '' : `:${line}:${column}`}: ${message}${more}. ${hint}`;
-};
+/** What a drop says of files that it refused: the next import takes it away. */
+export const IMPORT_TOPIC = 'import';
 
 /** Files that must not be read into memory as levels, bytes. */
 const LARGEST = 4 * 1024 * 1024;
 
-/** Texts of files; what is too large to be a level is said and left out. */
-export async function readFiles({ notices }: Editor, files: Iterable<File>): Promise<GivenText[]> {
-  const texts: GivenText[] = [];
+/** Adds the levels of some files to a folder and opens the first. What is too large to be a level is not read. */
+export async function takeInFiles(editor: Editor, folder: string, files: readonly File[], recoil: boolean): Promise<TakenIn> {
+  const given: Given[] = [];
+  const refusals: string[] = [];
   for (const file of files) {
     if (file.size > LARGEST)
-      notices.show('warning', `${file.name} is too large to be a level: ${Math.round(file.size / 1e6)} MB.`);
-    else texts.push({ name: file.name, text: await file.text() });
+      refusals.push(
+        `${file.name}: expected a level, which has some kB, found a file of ${Math.round(file.size / 1e6)} MB. Choose a .level.json file.`,
+      );
+    else given.push({ name: file.name, content: new Uint8Array(await file.arrayBuffer()) });
   }
-  return texts;
+  const taken = await takeIn(editor, folder, given, recoil);
+  return { ...taken, refusals: [...refusals, ...taken.refusals] };
 }
 
-/**
- * Adds the levels of some texts to a folder and opens the first; says what was passed over and what is no level.
- * @returns how many levels were added
- */
-export async function takeIn(editor: Editor, folder: string, texts: readonly GivenText[], recoil: boolean): Promise<number> {
+/** Adds the levels of some texts to a folder and opens the first; says what was passed over in them. */
+export async function takeIn(editor: Editor, folder: string, given: readonly Given[], recoil: boolean): Promise<TakenIn> {
   const { notices } = editor;
   const wanted: { stem: string; file: Extract<Importing, { ok: true }>['levels'][number]['file'] }[] = [];
-  for (const { name, text } of texts) {
-    const importing = importText(text, name, { recoil });
+  const refusals: string[] = [];
+  for (const { name, content } of given) {
+    const importing = importLevels(content, name, { recoil });
     if (!importing.ok) {
-      notices.show('error', problemInWords(name, importing));
+      refusals.push(problemsInWords(name, importing.problems));
       continue;
     }
     wanted.push(...importing.levels.map(({ slug, file }) => ({ stem: slug, file })));
     for (const note of importing.notes) notices.show('info', `${name}: ${note}`);
   }
-  if (wanted.length === 0) return 0;
+  if (wanted.length === 0) return { added: 0, refusals };
   const { length } = await addLevels(editor, folder, wanted);
   if (length > 0) notices.show('info', length === 1 ? 'One level was imported.' : `${length} levels were imported.`);
-  return length;
+  return { added: length, refusals };
 }

@@ -1,10 +1,11 @@
 export { createBrowserStorage, type KeyValues } from './browser-storage.ts';
-export { readText } from './disk-text.ts';
+export { readStored, readText } from './disk-text.ts';
 export type { Answer, LevelStorage, Link, StorageError } from './level-storage.ts';
 export { type Choices, type Conflict, mergeLevels, type Side } from './merge.ts';
 export type { OpenedLevel } from './open-level.ts';
 export { createOpeningMarks, type OpeningMarks } from './opening-marks.ts';
 export { pageSurroundings } from './page-surroundings.ts';
+export { problemsInWords } from './problems-in-words.ts';
 export type { SaveState } from './save-state.ts';
 export { createSaver, type Saver } from './saver.ts';
 export { createServerStorage } from './server-storage.ts';

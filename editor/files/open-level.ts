@@ -2,7 +2,7 @@ import { createStore, type StoreApi } from 'zustand/vanilla';
 import { formatLevel, type Problem } from '../../schema/index.ts';
 import { createEditedLevel, type EditedLevel, isSame } from '../document/index.ts';
 import type { Journal, Keeping, LevelJournal, Recovery } from '../journal/index.ts';
-import { readText } from './disk-text.ts';
+import { readStored, readText } from './disk-text.ts';
 import type { LevelStorage, StorageError } from './level-storage.ts';
 import { mergeLevels } from './merge.ts';
 import { createSaver, type DiskBase, type Saver } from './saver.ts';
@@ -65,11 +65,9 @@ const ASKING = 'asking whether another tab has this level open';
 export async function openLevel(id: string, surroundings: Surroundings, remembered: EditedLevel | null = null): Promise<Opening> {
   const answer = await surroundings.storage.read(id);
   if (!answer.ok) return { ok: false, kind: 'failed', error: answer.error };
-  const { text, etag, problems } = answer.value;
-  // only the storage knows why it could not be read
-  if (text === null) return { ok: false, kind: 'invalid', text: '', etag, problems };
-  const reading = readText(text);
-  if (!reading.ok) return { ok: false, kind: 'invalid', text, etag, problems: reading.problems };
+  const { text, etag } = answer.value;
+  const reading = readStored(answer.value);
+  if (!reading.ok) return { ok: false, kind: 'invalid', text: text ?? '', etag, problems: reading.problems };
   // an id may have become another level's meanwhile: a history goes on only where its level is still what is there
   const fresh = createEditedLevel(reading.file);
   const level = remembered !== null && isSame(remembered.file(), fresh.file()) ? remembered : fresh;

@@ -13,7 +13,9 @@ export type SaveState =
   | { readonly kind: 'failing'; readonly message: string; readonly hint: string }
   /** Both the disk and this page have changed the same thing: `resolve` goes on. */
   | { readonly kind: 'conflict'; readonly conflicts: readonly Conflict[] }
-  /** Somebody deleted it, or made it something that is no level: `keepMine` writes this one in its place. */
-  | { readonly kind: 'displaced'; readonly reason: 'deleted' | 'invalid'; readonly problems: readonly Problem[] }
+  /** Somebody deleted the file: `keepMine` writes it again. */
+  | { readonly kind: 'deleted' }
+  /** The file is there, and is no level now: it goes on by itself once the file is mended, or `keepMine` writes this one in its place. */
+  | { readonly kind: 'unreadable'; readonly problems: readonly Problem[] }
   /** `unsaved`: changes of this page that another took the level from before they were written. */
   | { readonly kind: 'readOnly'; readonly why: string; readonly unsaved: boolean };

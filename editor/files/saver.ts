@@ -1,7 +1,7 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import { formatLevel, type LevelFile, type ReadResponse } from '../../schema/index.ts';
 import { type EditedLevel, isSame } from '../document/index.ts';
-import { readText } from './disk-text.ts';
+import { readStored } from './disk-text.ts';
 import type { LevelStorage, StorageError } from './level-storage.ts';
 import { type Choices, mergeLevels } from './merge.ts';
 import type { SaveState } from './save-state.ts';
@@ -24,7 +24,7 @@ export interface Saver {
   refresh(etag?: string | null): void;
   /** After a conflict: goes on with what was chosen; what was not chosen is mine. */
   resolve(choices: Choices): void;
-  /** After `displaced`, or instead of any merge: writes what is in the page over what is on the disk. */
+  /** After `deleted` or `unreadable`, or instead of any merge: writes what is in the page over what is on the disk. */
   keepMine(): void;
   /** Takes what is on the disk, as a step that can be undone. */
   takeTheirs(): void;
@@ -202,11 +202,15 @@ export function createSaver(
       if (blocked !== null) goOn();
       return;
     }
-    const reading = current === null || current.text === null ? null : readText(current.text);
-    if (current === null || reading === null || !reading.ok) {
+    if (current === null) {
+      blocked = { theirs: null, file: null };
+      show({ kind: 'deleted' });
+      return;
+    }
+    const reading = readStored(current);
+    if (!reading.ok) {
       blocked = { theirs: current, file: null };
-      const problems = reading?.ok === false ? reading.problems : [];
-      show({ kind: 'displaced', reason: current === null ? 'deleted' : 'invalid', problems });
+      show({ kind: 'unreadable', problems: reading.problems });
       return;
     }
     const theirs = reading.file;

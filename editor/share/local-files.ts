@@ -5,15 +5,14 @@ import type { ExportedFile } from './export.ts';
 const isCancel = (error: unknown): boolean => error instanceof DOMException && error.name === 'AbortError';
 
 /** Lets the person choose files with levels. @returns null when they chose none */
-export async function chooseFiles(): Promise<readonly { readonly name: string; readonly text: string }[] | null> {
+export async function chooseFiles(): Promise<readonly File[] | null> {
   try {
-    const files = await fileOpen({
+    return await fileOpen({
       description: 'levels',
       mimeTypes: ['application/json'],
       extensions: ['.json'],
       multiple: true,
     });
-    return await Promise.all(files.map(async (file) => ({ name: file.name, text: await file.text() })));
   } catch (error) {
     if (isCancel(error)) return null;
     throw error;

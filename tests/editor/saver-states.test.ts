@@ -225,12 +225,12 @@ describe('what a saver shows', () => {
         return answer.ok ? { ...answer, value: { ...answer.value, text, etag: '"other"' } } : answer;
       };
       const saver = saverOf({ storage: { ...line, read } });
-      const displaced = { kind: 'displaced', reason: reason === 'deleted' ? 'deleted' : 'invalid' };
+      const displaced = { kind: reason === 'deleted' ? 'deleted' : 'unreadable' };
       saver.refresh();
       await breathe();
       const shown = saver.store.getState();
       expect(shown).toMatchObject(displaced);
-      expect(shown.kind === 'displaced' && shown.problems.length).toBe(reason === 'invalid' ? 1 : 0);
+      expect(shown.kind === 'unreadable' && shown.problems.length).toBe({ deleted: false, invalid: 1, unreadable: 0 }[reason]);
       move(1);
       const mine = level.file();
       saver.resolve(new Map());
@@ -254,7 +254,7 @@ describe('what a saver shows', () => {
     const saver = saverOf({ storage: { ...line, read } });
     saver.refresh();
     await breathe();
-    expect(saver.store.getState().kind).toBe('displaced');
+    expect(saver.store.getState().kind).toBe('deleted');
     move(1);
     // told of what it knows already it looks all the same, since it is blocked
     saver.refresh(etag);

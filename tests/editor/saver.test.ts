@@ -323,7 +323,7 @@ describe('a change on the disk', () => {
     if (answer.ok) await disk.remove('07', answer.value.etag ?? '');
     saver.refresh();
     await breathe();
-    expect(state()).toEqual({ kind: 'displaced', reason: 'deleted', problems: [] });
+    expect(state()).toEqual({ kind: 'deleted' });
     move(5);
     await clock.pass(5000);
     expect((await disk.list()).ok && (await disk.read('07')).ok).toBe(false);
@@ -347,7 +347,7 @@ describe('a change on the disk', () => {
     saver = createSaver('07', level, { storage: damaged, timers: clock, base: saver.base() });
     saver.refresh();
     await breathe();
-    expect(state()).toMatchObject({ kind: 'displaced', reason: 'invalid', problems: [{ code: 'truncated-json' }] });
+    expect(state()).toMatchObject({ kind: 'unreadable', problems: [{ code: 'truncated-json' }] });
     move(5);
     await clock.pass(5000);
     expect((await onDisk()).asteroids?.[0].x).toBe(10);
@@ -425,7 +425,7 @@ describe('a write whose answer was lost', () => {
     };
     move(1);
     await clock.pass(300);
-    expect(state()).toMatchObject({ kind: 'displaced', reason: 'deleted' });
+    expect(state()).toMatchObject({ kind: 'deleted' });
     move(1);
     const away = await disk.read('07-away');
     await disk.rename('07-away', '07', away.ok ? (away.value.etag ?? '') : '');

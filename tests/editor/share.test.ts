@@ -7,7 +7,7 @@ import { surveyLink } from '../../editor/dialogs/survey-link.ts';
 import { applyPatches, createEditedLevel, diffFiles } from '../../editor/document/index.ts';
 import { mergeLevels } from '../../editor/files/index.ts';
 import { createProver } from '../../editor/proof/index.ts';
-import { importText, LONGEST_LINK, levelFile, levelOf, linkTo, pictureSvg, slugOf } from '../../editor/share/index.ts';
+import { importLevels, LONGEST_LINK, levelFile, levelOf, linkTo, pictureSvg, slugOf } from '../../editor/share/index.ts';
 import { TEMPLATES } from '../../editor/templates/index.ts';
 import { formatLevel, LEVEL_ID_PART, type LevelFile, readLevel, withIds } from '../../schema/index.ts';
 import { arbitraryFile } from './arbitrary-file.ts';
@@ -63,25 +63,25 @@ describe('a link', () => {
 
 describe('importing', () => {
   it('reads a level file, and levels of the original game', () => {
-    expect(importText(firewalk, '16-firewalk.level.json')).toMatchObject({
+    expect(importLevels(firewalk, '16-firewalk.level.json')).toMatchObject({
       ok: true,
       kind: 'level',
       levels: [{ slug: '16-firewalk' }],
     });
     const original = '[{"player":{"x":1,"y":2},"target":{"x":50,"y":2},"asteroids":[{"x":30,"y":9,"radius":"16"}]},{}]';
-    const read = importText(original, 'levels.json');
+    const read = importLevels(original, 'levels.json');
     expect(read).toMatchObject({
       ok: true,
       kind: 'original',
       levels: [{ slug: 'level-00', file: { recoil: true } }],
       notes: [expect.any(String)],
     });
-    const without = importText(original, 'levels.json', { recoil: false });
+    const without = importLevels(original, 'levels.json', { recoil: false });
     expect(without.ok && without.levels[0].file.recoil).toBe(undefined);
   });
 
   it.each(['', '{', '{"version": 1}', '[{"player": 1}]'])('says what is wrong with %s', (text) => {
-    const read = importText(text, 'x.json');
+    const read = importLevels(text, 'x.json');
     expect(!read.ok && read.problems[0].message).toMatch(/./);
   });
 

@@ -152,7 +152,7 @@ describe('the list', () => {
     expect(one.saver.store.getState().kind).toBe('saved');
     line.tell({ type: 'read', levels: [], unread: 0 });
     await breathe();
-    expect(one.saver.store.getState()).toMatchObject({ kind: 'displaced', reason: 'deleted' });
+    expect(one.saver.store.getState()).toMatchObject({ kind: 'deleted' });
   });
 
   it('and that it was taken away, or that the line is back', async () => {
@@ -172,7 +172,7 @@ describe('the list', () => {
     await disk.remove('a', (await read('a'))?.etag ?? '');
     line.tell({ type: 'removed', id: 'a', by: null });
     await breathe();
-    expect(one.saver.store.getState()).toMatchObject({ kind: 'displaced' });
+    expect(one.saver.store.getState()).toMatchObject({ kind: 'deleted' });
   });
 });
 

@@ -3,6 +3,7 @@ import { useEffect } from 'react';
 import { useStore } from 'zustand';
 import type { LevelEntry } from '../../../schema/index.ts';
 import { type OpenLevel, useEditor, usePageTheme } from '../../context/index.ts';
+import { problemsInWords } from '../../files/index.ts';
 import { useVerdict } from '../solver/index.ts';
 import { MoreButton } from '../tree/index.ts';
 import { stemOf } from './level-files.ts';
@@ -34,6 +35,11 @@ function LiveName({ level }: { level: OpenLevel }) {
   return useStore(level.document.store, ({ file }) => file.name);
 }
 
+/** Where its file can't be read: `4:3 `. */
+function placeOf({ problems: [first] }: LevelEntry): string {
+  return first === undefined || first.line === null ? '' : `${first.line}:${first.column} `;
+}
+
 /** A level of the list: how it looks, what it is called, whether it can be completed. @param open it, where it is the one that is open */
 export function LevelLine({ entry, title, open }: { entry: LevelEntry; title: string; open: OpenLevel | null }) {
   const thumbnail = useThumbnail(entry);
@@ -54,7 +60,7 @@ export function LevelLine({ entry, title, open }: { entry: LevelEntry; title: st
           <span className="levels__name">{open === null ? title : <LiveName level={open} />}</span>
         </span>
         <span className="levels__file">
-          {open === null ? <VerdictSign verdict={verdict} /> : <LiveVerdict level={open} />}
+          {open === null || entry.status !== 'valid' ? <VerdictSign verdict={verdict} /> : <LiveVerdict level={open} />}
           {entry.readOnly !== null && (
             <span className="levels__lock" role="img" aria-label={`read only: ${entry.readOnly}`} title={entry.readOnly}>
               <Lock size={11} />
@@ -65,7 +71,8 @@ export function LevelLine({ entry, title, open }: { entry: LevelEntry; title: st
               {stemOf(entry.id)}
             </span>
           ) : (
-            <span className="levels__stem" title={entry.problems[0]?.message}>
+            <span className="levels__stem" title={problemsInWords(entry.file, entry.problems)}>
+              {placeOf(entry)}
               {entry.problems[0]?.message ?? entry.file}
             </span>
           )}

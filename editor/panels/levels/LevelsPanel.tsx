@@ -1,6 +1,7 @@
 import { ChevronRight, FilePlus2, Folder, Search, Trash2 } from 'lucide-react';
 import { type KeyboardEvent, useEffect, useMemo, useRef, useState } from 'react';
 import { useStore } from 'zustand';
+import type { LevelEntry } from '../../../schema/index.ts';
 import { useEditor } from '../../context/index.ts';
 import { Button } from '../../ui/index.ts';
 import { type MenuEntry, Tree } from '../tree/index.ts';
@@ -27,7 +28,7 @@ export function LevelsPanel() {
   const [search, setSearch] = useState('');
   const [folded, setFolded] = useState<ReadonlySet<string>>(new Set());
   const [renamed, setRenamed] = useState<string | null>(null);
-  const [asText, setAsText] = useState<string | null>(null);
+  const [asText, setAsText] = useState<LevelEntry | null>(null);
   const searchField = useRef<HTMLInputElement>(null);
   const levels = list?.levels ?? NO_LEVELS;
   const rows = useMemo(() => levelRows(levels, folded, search), [levels, folded, search]);
@@ -47,7 +48,7 @@ export function LevelsPanel() {
 
   const pick = ({ entry }: LevelRow) => {
     if (entry === null) return;
-    if (entry.status !== 'valid') setAsText(entry.id);
+    if (entry.status !== 'valid') setAsText(entry);
     else if (entry.id !== opened) void openListed(editor, entry.id);
   };
   const move = ({ entry }: LevelRow, place: number) => {
@@ -88,7 +89,7 @@ export function LevelsPanel() {
     const last = rows.filter(({ list }) => list === row.list).length - 1;
     return [
       { title: 'Open', keys: 'Enter', disabled: !valid || entry.id === opened, run: () => pick(row) },
-      { title: 'Edit as text…', disabled: entry.status === 'unreadable', run: () => setAsText(entry.id) },
+      { title: 'Edit as text…', disabled: entry.status === 'unreadable', run: () => setAsText(entry) },
       null,
       newLevel,
       { title: 'Rename…', keys: 'F2', disabled: entry.readOnly !== null, run: () => setRenamed(entry.id) },
@@ -193,7 +194,7 @@ export function LevelsPanel() {
         </div>
       )}
       {renamed !== null && <RenameDialog id={renamed} onClose={() => setRenamed(null)} />}
-      {asText !== null && <TextDialog id={asText} onClose={() => setAsText(null)} />}
+      {asText !== null && <TextDialog id={asText.id} fromDisk={asText.status !== 'valid'} onClose={() => setAsText(null)} />}
     </section>
   );
 }

@@ -1,7 +1,7 @@
 import { CircleCheck, TriangleAlert } from 'lucide-react';
-import { useEffect, useMemo, useRef, useState } from 'react';
+import { useEffect, useEffectEvent, useMemo, useRef, useState } from 'react';
 import { formatLevel, type Problem } from '../../../schema/index.ts';
-import { useEditor } from '../../context/index.ts';
+import { type Editor, useEditor } from '../../context/index.ts';
 import { readText, type StorageError } from '../../files/index.ts';
 import { Button, Dialog } from '../../ui/index.ts';
 import { openListed } from './level-files.ts';
@@ -11,6 +11,54 @@ import { TextArea, type TextAreaHandle } from './TextArea.tsx';
 interface Base {
   readonly text: string;
   readonly etag: string | null;
+  /** What the storage finds wrong with it: of some files it knows more than their text tells. */
+  readonly problems: readonly Problem[];
+}
+
+/** What there is to edit: a text, or why there is none. */
+type Source = { readonly kind: 'text'; readonly base: Base } | { readonly kind: 'none'; readonly problems: readonly Problem[] };
+
+const NOTHING = [] as const;
+
+/** Follows what a level says: in the editor where it is open and not `fromDisk`, else on the disk. @returns stops it */
+function followSource(
+  { workspace, open }: Editor,
+  id: string,
+  fromDisk: boolean,
+  onSource: (source: Source) => void,
+  onError: (error: StorageError) => void,
+): () => void {
+  const level = open.getState();
+  if (!fromDisk && level?.opened.id() === id) {
+    const { document } = level;
+    const tell = () =>
+      onSource({ kind: 'text', base: { text: formatLevel(document.settledFile()), etag: null, problems: NOTHING } });
+    tell();
+    return document.onStep(tell);
+  }
+  let isGone = false;
+  let last = 0;
+  const read = async () => {
+    const mine = ++last;
+    const answer = await workspace.storage.read(id);
+    if (isGone || mine !== last) return;
+    if (!answer.ok) {
+      onError(answer.error);
+      return;
+    }
+    const { text, etag, problems } = answer.value;
+    onSource(text === null ? { kind: 'none', problems } : { kind: 'text', base: { text, etag, problems } });
+  };
+  const entryOf = ({ list }: ReturnType<typeof workspace.store.getState>) => list?.levels.find((entry) => entry.id === id);
+  void read();
+  const stop = workspace.store.subscribe((now, before) => {
+    const [entry, old] = [entryOf(now), entryOf(before)];
+    if (entry !== undefined && (entry.etag !== old?.etag || entry.status !== old?.status)) void read();
+  });
+  return () => {
+    isGone = true;
+    stop();
+  };
 }
 
 interface TextDialogProps {
@@ -27,36 +75,41 @@ export function TextDialog({ id, fromDisk = false, onClose }: TextDialogProps) {
   const [base, setBase] = useState<Base | null>(null);
   const [text, setText] = useState('');
   const [error, setError] = useState<StorageError | null>(null);
+  /** What has come in place of the base while something was typed. */
+  const [newer, setNewer] = useState<Base | null>(null);
   /** Why there is no text to show; null: there is one. */
   const [unreadable, setUnreadable] = useState<readonly Problem[] | null>(null);
   const [isLeaving, setIsLeaving] = useState(false);
   const area = useRef<TextAreaHandle>(null);
+  const isDirty = base !== null && text !== base.text;
 
-  useEffect(() => {
-    let isGone = false;
-    const show = (now: Base) => {
-      setBase(now);
-      setText(now.text);
-    };
-    const level = open.getState();
-    if (!fromDisk && level?.opened.id() === id) {
-      show({ text: formatLevel(level.document.file()), etag: null });
-      return;
-    }
-    void workspace.storage.read(id).then((answer) => {
-      if (isGone) return;
-      if (!answer.ok) setError(answer.error);
-      else if (answer.value.text === null) setUnreadable(answer.value.problems);
-      else show({ text: answer.value.text, etag: answer.value.etag });
-    });
-    return () => {
-      isGone = true;
-    };
-  }, [id, fromDisk, open, workspace]);
+  const take = (now: Base) => {
+    setBase(now);
+    setText(now.text);
+    setUnreadable(null);
+    setError(null);
+    setNewer(null);
+  };
+  const onSource = useEffectEvent((source: Source) => {
+    if (source.kind === 'none') {
+      // what is being typed stays
+      if (!isDirty) {
+        setBase(null);
+        setUnreadable(source.problems);
+      }
+    } else if (!isDirty || source.base.text === text) take(source.base);
+    // it went back to what is being changed here
+    else if (source.base.text === base?.text) {
+      setBase(source.base);
+      setNewer(null);
+    } else setNewer(source.base);
+  });
+  useEffect(() => followSource(editor, id, fromDisk, onSource, setError), [editor, id, fromDisk]);
 
   const reading = useMemo(() => (base === null ? null : readText(text)), [base, text]);
-  const problems: readonly Problem[] = unreadable ?? (reading?.ok === false ? reading.problems : []);
-  const isDirty = base !== null && text !== base.text;
+  const problems: readonly Problem[] =
+    unreadable ??
+    (base !== null && !isDirty && base.problems.length > 0 ? base.problems : reading?.ok === false ? reading.problems : NOTHING);
 
   const save = async (over: string | null) => {
     if (reading?.ok !== true || base === null || !isDirty) return;
@@ -77,7 +130,10 @@ export function TextDialog({ id, fromDisk = false, onClose }: TextDialogProps) {
     if (level?.opened.id() === id) level.opened.saver.refresh();
     else await openListed(editor, id);
   };
-  const theirs = error?.code === 'conflict' ? error.current : null;
+  const current = error?.code === 'conflict' ? error.current : null;
+  const theirs: Base | null =
+    newer ?? (current === null ? null : { text: current.text ?? '', etag: current.etag, problems: current.problems });
+  const where = base?.etag === null ? 'in the editor' : 'on the disk';
   const leave = () => (isDirty && !isLeaving ? setIsLeaving(true) : onClose());
 
   return (
@@ -117,26 +173,20 @@ export function TextDialog({ id, fromDisk = false, onClose }: TextDialogProps) {
             ))}
           </ul>
         ))}
-      {error !== null && (
+      {(error !== null || theirs !== null) && (
         <div className="astext__refusal" role="alert">
           <p>
-            {error.message}. {error.hint}.
+            {error !== null && newer === null
+              ? `${error.message}. ${error.hint}.`
+              : `The level was changed ${where} meanwhile. What was typed here is kept, and rests on what was there before.`}
           </p>
           {theirs !== null && (
             <>
-              <Button
-                hint="Drop what was typed here"
-                look="outlined"
-                onClick={() => {
-                  setBase({ text: theirs.text ?? '', etag: theirs.etag });
-                  setText(theirs.text ?? '');
-                  setError(null);
-                }}
-              >
-                Take what is on the disk
+              <Button hint="Drop what was typed here" look="outlined" onClick={() => take(theirs)}>
+                Take what is {where}
               </Button>
               <Button
-                hint="Replace what is on the disk"
+                hint={`Replace what is ${where}`}
                 look="danger"
                 disabled={reading?.ok !== true}
                 onClick={() => void save(theirs.etag)}
@@ -153,10 +203,10 @@ export function TextDialog({ id, fromDisk = false, onClose }: TextDialogProps) {
           {isLeaving ? 'Drop it' : 'Close'}
         </Button>
         <Button
-          hint={problems.length > 0 ? 'Mend what is listed first' : 'Save'}
+          hint={problems.length > 0 ? 'Mend what is listed first' : newer !== null ? 'Choose above first' : 'Save'}
           shortcut="Ctrl S"
           look="main"
-          disabled={!isDirty || problems.length > 0 || base === null}
+          disabled={!isDirty || problems.length > 0 || base === null || newer !== null}
           onClick={() => void save(null)}
         >
           {base?.etag === null ? 'Apply' : 'Save and open'}

@@ -175,17 +175,21 @@ export function followSaves({ workspace, open }: Editor): () => void {
     stop();
     const opened = open.getState()?.opened;
     if (opened === undefined) return;
-    const note = () => {
+    /** @param isNews the saver has just written or taken something over; else the list may know better that the file is no level any more */
+    const note = (isNews: boolean) => {
       const { list } = workspace.store.getState();
       const { etag, file } = opened.saver.base();
       const entry = list?.levels.find(({ id }) => id === opened.id());
-      if (list === null || entry === undefined || etag === null) return;
+      if (list === null || entry === undefined || etag === null || (entry.status !== 'valid' && !isNews)) return;
       if (opened.saver.store.getState().kind !== 'saved' || (entry.etag === etag && entry.name === file.name)) return;
       const now: LevelEntry = { ...entry, etag, name: file.name, status: 'valid', problems: [] };
       workspace.store.setState({ list: { ...list, levels: list.levels.map((other) => (other === entry ? now : other)) } });
     };
-    note();
-    const stops = [opened.saver.store.subscribe(note), workspace.store.subscribe(note)];
+    note(true);
+    const stops = [
+      opened.saver.store.subscribe((_, before) => note(before.kind !== 'saved')),
+      workspace.store.subscribe(() => note(false)),
+    ];
     stop = () => {
       for (const end of stops) end();
     };

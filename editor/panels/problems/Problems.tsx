@@ -61,6 +61,11 @@ const ProblemCard = memo(function ProblemCard({ problem, place, fixTitle }: Prob
             {fixTitle}
           </Button>
         )}
+        {(code === 'file-unreadable' || code === 'file-deleted') && (
+          <Button hint="Look at both and choose" look="outlined" onClick={() => editor.session.setState({ overlay: 'conflict' })}>
+            Resolve
+          </Button>
+        )}
         {code === 'no-run' && (
           <Button hint="Let the solver look for a run" look="outlined" onClick={() => editor.commands.run('solve.start')}>
             Solve

@@ -31,6 +31,22 @@ const OF_THE_PROOF: readonly Explanation[] = [
   },
 ];
 
+/** What only a page knows that has the level open. */
+const OF_THE_FILE: readonly Explanation[] = [
+  {
+    code: 'file-unreadable',
+    title: 'the file on the disk is no valid level now',
+    why: 'Another program has written something into the file that can not be read as a level. `gq check` would call it invalid. The page keeps the last good state and writes nothing over the file.',
+    fix: 'Mend the file where the place says: once it can be read, the page goes on by itself. Or write what is on the screen over it.',
+  },
+  {
+    code: 'file-deleted',
+    title: 'the file was deleted or moved on the disk',
+    why: 'The level is on the screen and kept in this browser, and has no file.',
+    fix: 'Write it again, save it as a new level, or let it go.',
+  },
+];
+
 /** What a worker proves on the side. */
 const OF_PROOFS: readonly Explanation[] = [
   {
@@ -48,7 +64,10 @@ const OF_PROOFS: readonly Explanation[] = [
 ];
 
 const ALL = new Map(
-  [...CODES, ...WARNING_CODES, ...OF_THE_PROOF, ...OF_PROOFS].map((explanation) => [explanation.code, explanation]),
+  [...CODES, ...WARNING_CODES, ...OF_THE_PROOF, ...OF_THE_FILE, ...OF_PROOFS].map((explanation) => [
+    explanation.code,
+    explanation,
+  ]),
 );
 
 /** What a code means; null for one that is not known. */

@@ -29,8 +29,9 @@ export function slugOf(fileName: string): string {
 }
 
 /** Whether a JSON text is of the original game: a list of levels, or a level with a player. */
-function isOriginal(text: string): boolean {
+function isOriginal(source: string | Uint8Array): boolean {
   try {
+    const text = typeof source === 'string' ? source : new TextDecoder('utf-8', { fatal: true }).decode(source);
     const value: unknown = JSON.parse(text);
     return Array.isArray(value) || (typeof value === 'object' && value !== null && Object.hasOwn(value, 'player'));
   } catch {
@@ -39,16 +40,21 @@ function isOriginal(text: string): boolean {
 }
 
 /**
- * Reads a level file, or levels of the original game, whichever the text is.
+ * Reads a level file, or levels of the original game, whichever it is.
+ * @param source what the file holds, or a text that was pasted
  * @param recoil whether levels of the original get recoil, as the original has it
  */
-export function importText(text: string, fileName: string, { recoil = true }: { readonly recoil?: boolean } = {}): Importing {
-  if (!isOriginal(text)) {
-    const reading = readText(text);
+export function importLevels(
+  source: string | Uint8Array,
+  fileName: string,
+  { recoil = true }: { readonly recoil?: boolean } = {},
+): Importing {
+  if (!isOriginal(source)) {
+    const reading = readText(source);
     if (!reading.ok) return { ok: false, problems: reading.problems };
     return { ok: true, kind: 'level', levels: [{ slug: slugOf(fileName), file: reading.file }], notes: [] };
   }
-  const reading = importOriginal(text, { recoil });
+  const reading = importOriginal(source, { recoil });
   if (!reading.ok) return { ok: false, problems: reading.problems };
   return { ok: true, kind: 'original', levels: reading.levels, notes: reading.notes };
 }

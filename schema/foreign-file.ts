@@ -1,0 +1,64 @@
+/** How files of other kinds begin: numbers are bytes, `null` is any byte. The first that fits counts. */
+const BEGINNINGS: readonly (readonly [kind: string, bytes: readonly (number | null)[]])[] = [
+  ['a PNG picture', [0x89, 0x50, 0x4e, 0x47]],
+  ['a JPEG picture', [0xff, 0xd8, 0xff]],
+  ['a GIF picture', letters('GIF8')],
+  ['a WebP picture', [...letters('RIFF'), null, null, null, null, ...letters('WEBP')]],
+  ['an AVIF picture', [null, null, null, null, ...letters('ftypavif')]],
+  ['a HEIC picture', [null, null, null, null, ...letters('ftyphei')]],
+  ['a video', [null, null, null, null, ...letters('ftyp')]],
+  ['a video', [0x1a, 0x45, 0xdf, 0xa3]],
+  ['a sound or a video', letters('RIFF')],
+  ['a sound', letters('OggS')],
+  ['a sound', letters('ID3')],
+  ['a PDF document', letters('%PDF-')],
+  ['a ZIP archive', [0x50, 0x4b, 0x03, 0x04]],
+  ['a ZIP archive', [0x50, 0x4b, 0x05, 0x06]],
+  ['a gzip archive', [0x1f, 0x8b]],
+  ['a 7z archive', [0x37, 0x7a, 0xbc, 0xaf]],
+  ['a RAR archive', letters('Rar!')],
+];
+
+function letters(text: string): number[] {
+  return [...text].map((letter) => letter.charCodeAt(0));
+}
+
+/** Texts that are no JSON, by how they begin, in small letters. */
+const MARKUP: readonly (readonly [kind: string, beginning: RegExp])[] = [
+  ['an HTML page', /^(<!doctype html|<html[\s>])/],
+  ['an SVG picture', /^<(.*<)?svg[\s>]/s],
+  ['an XML file', /^<\?xml/],
+];
+
+/** Bytes that are looked at. */
+const HEAD = 1024;
+
+/** In a text NUL means nothing; UTF-16, which is another mistake, has it in every other place. */
+function isBinary(head: Uint8Array): boolean {
+  const at = head.indexOf(0);
+  return at > 1 || (at >= 0 && head.length > 3 && head[at + 1] === 0);
+}
+
+/**
+ * What a file is that is surely no JSON, by its first bytes: `a PNG picture`; null where it may be a text.
+ * @param source the bytes of the file, or its text
+ */
+export function foreignKind(source: Uint8Array | string): string | null {
+  const head = typeof source === 'string' ? source.slice(0, HEAD) : source.subarray(0, HEAD);
+  if (typeof head !== 'string') {
+    const found = BEGINNINGS.find(([, bytes]) => bytes.every((byte, i) => byte === null || head[i] === byte));
+    if (found !== undefined) return found[0];
+    if (!isUtf16(head) && isBinary(head)) return 'a binary file';
+  }
+  const text = typeof head === 'string' ? head : String.fromCharCode(...head);
+  const start = text
+    .replace(/^\u00ef\u00bb\u00bf/, '')
+    .trimStart()
+    .toLowerCase();
+  return MARKUP.find(([, beginning]) => beginning.test(start))?.[0] ?? null;
+}
+
+/** Whether the bytes begin with the byte order mark of UTF-16. */
+export function isUtf16(bytes: Uint8Array): boolean {
+  return (bytes[0] === 0xff && bytes[1] === 0xfe) || (bytes[0] === 0xfe && bytes[1] === 0xff);
+}

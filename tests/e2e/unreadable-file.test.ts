@@ -1,0 +1,108 @@
+import { writeFileSync } from 'node:fs';
+import { expect, it } from 'vitest';
+import { formatLevel, type LevelFile } from '../../schema/index.ts';
+import { verdict } from './commands.ts';
+import { garden, straight } from './levels.ts';
+import { inChromium } from './stage.ts';
+import { until } from './until.ts';
+
+const TYPO = '{\n  "version": 1\n  "name": "Typo"\n}\n';
+
+inChromium('a file that another program made unreadable, in Chromium', ({ on }) => {
+  it(
+    'is said everywhere with its place, the last good state stays and is edited on, and all is well once it is mended',
+    on({ '01': straight(), '02': garden() }, async ({ page, canvas, file, write, text, saved }) => {
+      await canvas.fit(file('01'));
+      await saved();
+      const good = file('01');
+      const saving = page.getByRole('status', { name: 'Saving' });
+      const row = page.getByRole('tree', { name: 'Levels' }).getByRole('treeitem').first();
+      const problems = page.getByRole('list', { name: 'Problems' });
+      const place = /01\.level\.json:3:3: expected "," or "}", found a text.*comma/;
+      write('01', TYPO);
+      await saving.filter({ hasText: /^the file can't be read$/ }).waitFor();
+      await row.getByText('invalid').waitFor();
+      await row.getByText('3:3 expected "," or "}", found a text').waitFor();
+      await problems.getByText(place).waitFor();
+      await page.getByRole('list', { name: 'Messages' }).getByText(place).waitFor();
+      // the level is all there, and what is done now is not lost
+      await verdict(page, 'completable');
+      await canvas.click({ x: 448, y: 520 });
+      await page.keyboard.press('ArrowDown');
+      await until(async () => expect(await page.getByRole('textbox', { name: 'y', exact: true }).inputValue()).toBe('521'));
+      expect(text('01')).toBe(TYPO);
+
+      write('01', formatLevel({ ...good, name: 'Mended' }));
+      await page.getByRole('heading', { level: 1, name: 'Mended' }).waitFor();
+      await saved();
+      await until(() => expect(file('01')).toMatchObject({ name: 'Mended', novae: [{ y: 521 }] }));
+      await row.getByText('completable').waitFor();
+      expect(await problems.getByText(place).count()).toBe(0);
+      expect(await page.getByRole('list', { name: 'Messages' }).getByText(place).count()).toBe(0);
+    }),
+  );
+
+  it(
+    'its text dialog follows the disk while nothing is typed, and offers what is there once something is',
+    on({ '01': straight(), '02': garden() }, async ({ page, file, write, saved, text }) => {
+      await saved();
+      const good = file('01') as LevelFile;
+      write('01', TYPO);
+      await page
+        .getByRole('list', { name: 'Problems' })
+        .getByRole('button', { name: /^Resolve/ })
+        .click();
+      await page
+        .getByRole('dialog', { name: "The file can't be read" })
+        .getByRole('button', { name: /mend it as text/ })
+        .click();
+      const dialog = page.getByRole('dialog', { name: '01.level.json' });
+      const field = dialog.getByRole('textbox', { name: 'Text of the level' });
+      await until(async () => expect(await field.inputValue()).toBe(TYPO));
+      await dialog.getByRole('list', { name: 'Problems' }).getByText('expected "," or "}"').waitFor();
+      const mended = formatLevel({ ...good, name: 'Mended' });
+      write('01', mended);
+      await until(async () => expect(await field.inputValue()).toBe(mended));
+      await dialog.getByText('A valid level.', { exact: true }).waitFor();
+
+      // what is typed is never taken away
+      const typed = formatLevel({ ...good, name: 'Typed' });
+      await field.fill(typed);
+      const theirs = formatLevel({ ...good, name: 'Theirs' });
+      write('01', theirs);
+      await dialog.getByRole('alert').getByText('The level was changed on the disk meanwhile').waitFor();
+      expect(await field.inputValue()).toBe(typed);
+      await dialog.getByRole('button', { name: /^Take what is on the disk/ }).click();
+      expect(await field.inputValue()).toBe(theirs);
+      await field.fill(typed);
+      write('01', mended);
+      await dialog.getByRole('button', { name: /^Save over it/ }).click();
+      await until(() => expect(file('01').name).toBe('Typed'));
+      await page.getByRole('heading', { level: 1, name: 'Typed' }).waitFor();
+      expect(text('01')).toBe(typed);
+    }),
+  );
+
+  it(
+    'a page that begins with it says so, and opens it as soon as it is mended; Latin-1 is not taken for a change',
+    on({ '01': straight(), '02': garden() }, async ({ page, folder, file, write, saved }) => {
+      await saved();
+      const good = file('01');
+      writeFileSync(`${folder}/01.level.json`, Buffer.from(formatLevel({ ...good, name: 'Böse' }), 'latin1'));
+      await page
+        .getByRole('list', { name: 'Problems' })
+        .getByText(/the byte F6 at offset \d+ is not UTF-8/)
+        .waitFor();
+      await page.getByRole('heading', { level: 1, name: 'Straight' }).waitFor();
+      await page.reload();
+      await page
+        .getByRole('main')
+        .getByRole('alert')
+        .getByText(/can't be read.*01\.level\.json:\d+:\d+: the byte F6/)
+        .waitFor();
+      write('01', formatLevel({ ...good, name: 'Böse' }));
+      await page.getByRole('heading', { level: 1, name: 'Böse' }).waitFor();
+      await saved();
+    }),
+  );
+});
