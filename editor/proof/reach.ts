@@ -14,11 +14,7 @@ export interface Reach {
  * How far a run is to be shown. Where it breaks, what came after stays in sight, so that it can be mended.
  * @param isInHand whether a gesture is going on: nothing shrinks under the hand
  */
-export function reachOf(
-  { run, limit }: Pick<LiveProof, 'run' | 'limit'>,
-  before: Reach | null,
-  isInHand: () => boolean,
-): Reach {
+export function reachOf({ run, limit }: Pick<LiveProof, 'run' | 'limit'>, before: Reach | null, isInHand: () => boolean): Reach {
   const end = Math.max(1, run.way.count - 1);
   const known = before !== null && before.run === run.name ? before : null;
   const completes = limit !== 'run' && run.outcome === 'completed';
