@@ -27,31 +27,48 @@ function parse(text: string): number | null {
 
 const shown = (value: number | null): string => (value === null ? '' : String(Number(value.toFixed(6))));
 
-/** A number that can be typed, stepped with the arrow keys, and dragged by its label. */
+/** What stands in a field and is not taken over. */
+interface Draft {
+  readonly text: string;
+  /** The value that it is to replace: once that is another one, the draft is about nothing any more. */
+  readonly of: number | null;
+  /** Whether Enter was pressed or the field left, and it could not be taken over. */
+  readonly isRefused: boolean;
+}
+
+/** A number that can be typed, stepped with the arrow keys, and dragged by its label. What can't be taken over stays to be mended, and says why. */
 export function NumberField(props: NumberFieldProps) {
   const { label, value, min, max, step = 1, whole = false, unit, about, disabled = false, onChange, onGestureEnd } = props;
   const id = useId();
   // what is being typed, until Enter or leaving the field takes it over
-  const [draft, setDraft] = useState<string | null>(null);
+  const [kept, setKept] = useState<Draft | null>(null);
+  const draft = kept !== null && kept.of === value ? kept : null;
   const drag = useRef<{ from: number; x: number; gesture: string } | null>(null);
 
   const within = (next: number) => {
     const inside = Math.min(max, Math.max(min, next));
     return whole ? Math.round(inside) : Number(inside.toFixed(6));
   };
-  const typed = draft === null ? value : parse(draft);
-  const error =
-    draft === null || draft === ''
-      ? null
-      : typed === null
-        ? `expected a number, found "${draft}"`
-        : typed < min || typed > max
-          ? `expected ${min} to ${max}${unit === undefined ? '' : ` ${unit}`}`
-          : null;
+  const isEmpty = draft !== null && draft.text.trim() === '';
+  const typed = draft === null ? value : parse(draft.text);
+  const problem = (): string | null => {
+    if (draft === null) return null;
+    // who replaces a number begins with nothing; several different values show none
+    if (isEmpty) return draft.isRefused && value !== null ? 'expected a number, found nothing' : null;
+    if (typed === null) return `expected a number, found "${draft.text}"`;
+    if (typed < min || typed > max) return `expected ${min} to ${max}${unit === undefined ? '' : ` ${unit}`}, found ${typed}`;
+    return whole && !Number.isInteger(typed) ? `expected a whole number, found ${typed}` : null;
+  };
+  const error = problem();
 
   const takeOver = () => {
-    if (draft !== null && error === null && typed !== null && typed !== value) onChange(within(typed), null);
-    setDraft(null);
+    if (draft === null) return;
+    if (error !== null || (isEmpty && value !== null)) {
+      setKept({ ...draft, isRefused: true });
+      return;
+    }
+    if (typed !== null && typed !== value) onChange(within(typed), null);
+    setKept(null);
   };
   const factor = (event: { shiftKey: boolean; altKey: boolean }) => (event.shiftKey ? 10 : event.altKey && !whole ? 0.1 : 1);
 
@@ -59,11 +76,11 @@ export function NumberField(props: NumberFieldProps) {
     if (event.key === 'Enter') takeOver();
     else if (event.key === 'Escape') {
       if (draft !== null) event.stopPropagation();
-      setDraft(null);
+      setKept(null);
     } else if ((event.key === 'ArrowUp' || event.key === 'ArrowDown') && typed !== null && error === null) {
       event.preventDefault();
       const by = step * factor(event) * (event.key === 'ArrowUp' ? 1 : -1);
-      setDraft(null);
+      setKept(null);
       onChange(within(typed + by), `step ${id}`);
     }
   };
@@ -101,11 +118,11 @@ export function NumberField(props: NumberFieldProps) {
         inputMode="decimal"
         autoComplete="off"
         disabled={disabled}
-        value={draft ?? shown(value)}
+        value={draft?.text ?? shown(value)}
         placeholder={value === null ? 'mixed' : undefined}
         aria-invalid={error !== null}
         aria-describedby={error === null ? undefined : `${id}-error`}
-        onChange={(event) => setDraft(event.target.value)}
+        onChange={(event) => setKept({ text: event.target.value, of: value, isRefused: false })}
         onKeyDown={onKeyDown}
         onBlur={() => {
           takeOver();
@@ -115,7 +132,7 @@ export function NumberField(props: NumberFieldProps) {
       />
       {error !== null && (
         <span id={`${id}-error`} className="number__error" role="alert">
-          {error}
+          {error}. {value === null ? 'Nothing is changed' : `It is still ${shown(value)}`}: type another, or Esc puts it back.
         </span>
       )}
     </div>

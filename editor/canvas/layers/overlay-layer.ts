@@ -177,18 +177,21 @@ export class OverlayLayer {
     if (crosshair !== null) this.crosshair(crosshair, view);
   }
 
-  /** Lines across all that is seen and a ring about the place, dark or light beneath so that they stand out from anything. */
+  /** Fine lines across all that is seen, and a cross with a ring that stands out from anything it lies on. */
   private crosshair({ x, y }: Point, view: View): void {
     const from = toLevel(view, { x: 0, y: 0 });
     const to = toLevel(view, { x: view.width, y: view.height });
-    const gap = 5 / view.zoom;
+    const [near, far] = [5 / view.zoom, 20 / view.zoom];
+    this.above.lineStyle(1 / view.zoom, colourNumber(this.colours.select), 0.5);
+    this.above.lineBetween(from.x, y, x - near, y).lineBetween(x + near, y, to.x, y);
+    this.above.lineBetween(x, from.y, x, y - near).lineBetween(x, y + near, x, to.y);
     for (const [width, colour, alpha] of [
       [5, this.colours.space, 0.75],
       [2, this.colours.select, 1],
     ] as const) {
       this.above.lineStyle(width / view.zoom, colourNumber(colour), alpha);
-      this.above.lineBetween(from.x, y, x - gap, y).lineBetween(x + gap, y, to.x, y);
-      this.above.lineBetween(x, from.y, x, y - gap).lineBetween(x, y + gap, x, to.y);
+      this.above.lineBetween(x - far, y, x - near, y).lineBetween(x + near, y, x + far, y);
+      this.above.lineBetween(x, y - far, x, y - near).lineBetween(x, y + near, x, y + far);
       this.above.strokeCircle(x, y, 10 / view.zoom);
     }
     this.above.fillStyle(colourNumber(this.colours.select), 1).fillCircle(x, y, 1.5 / view.zoom);

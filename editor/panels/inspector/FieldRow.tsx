@@ -1,5 +1,5 @@
 import { RotateCcw } from 'lucide-react';
-import { memo, useId, useState } from 'react';
+import { type KeyboardEvent, memo, useId, useState } from 'react';
 import { useLevel } from '../../context/index.ts';
 import type { Recipe } from '../../document/index.ts';
 import { Button, NumberField } from '../../ui/index.ts';
@@ -29,12 +29,15 @@ const ENDS: Readonly<Record<string, readonly [off: string, on: string]>> = { hot
 /** One property: typed, dragged or switched, with what is wrong about it beside it, and a way back to its default. */
 export const FieldRow = memo(function FieldRow({ field, value: shown, isDefault, whose, recipe }: FieldRowProps) {
   const { document } = useLevel();
-  const [refusal, setRefusal] = useState<string | null>(null);
+  const refusalId = useId();
+  // about the value that it left as it was
+  const [refused, setRefused] = useState<{ readonly why: string; readonly of: FieldValue['value'] } | null>(null);
+  const refusal = refused !== null && refused.of === shown ? refused.why : null;
   const { key, type, fallback } = field;
   const label = labelOf(key);
   const change = (value: Field['fallback'], gesture: string | null) => {
     const result = document.change(`Set ${label} ${whose}`, recipe(key, value), gesture === null ? {} : { gesture });
-    setRefusal(result.ok ? null : `${result.refusal.message}. ${result.refusal.hint}`);
+    setRefused(result.ok ? null : { why: `${result.refusal.message}. ${result.refusal.hint}`, of: shown });
     return result.ok;
   };
   const canReset = fallback !== undefined && !isDefault;
@@ -66,7 +69,15 @@ export const FieldRow = memo(function FieldRow({ field, value: shown, isDefault,
           }}
         />
       )}
-      {type === 'text' && <TextField field={field} label={label} value={String(shown ?? '')} onChange={change} />}
+      {type === 'text' && (
+        <TextField
+          field={field}
+          label={label}
+          value={String(shown ?? '')}
+          refusalId={refusal === null ? null : refusalId}
+          onChange={change}
+        />
+      )}
       <span className="row__end">
         {type === 'number' && <span className="row__unit">{field.unit}</span>}
         {type !== 'flag' && canReset && (
@@ -80,7 +91,7 @@ export const FieldRow = memo(function FieldRow({ field, value: shown, isDefault,
         )}
       </span>
       {refusal !== null && (
-        <span className="row__refusal" role="alert">
+        <span id={refusalId} className="row__refusal" role="alert">
           {refusal}
         </span>
       )}
@@ -92,31 +103,38 @@ interface TextFieldProps {
   readonly field: Field;
   readonly label: string;
   readonly value: string;
+  /** Id of what says why the text was refused; null: it was not. */
+  readonly refusalId: string | null;
   /** @returns whether it was taken */
   readonly onChange: (value: string | undefined, gesture: string) => boolean;
 }
 
-/** A text; what was refused stays to be mended until the field is left. */
-function TextField({ field, label, value, onChange }: TextFieldProps) {
+/** A text; what was refused stays to be mended, and Esc puts back what stands in the level. */
+function TextField({ field, label, value, refusalId, onChange }: TextFieldProps) {
   const { document } = useLevel();
   const id = useId();
-  const [draft, setDraft] = useState<string | null>(null);
+  const [kept, setKept] = useState<{ readonly text: string; readonly of: string } | null>(null);
+  const draft = kept !== null && kept.of === value ? kept.text : null;
   const shared = {
     id,
     className: 'field',
     value: draft ?? value,
     maxLength: field.most,
+    'aria-invalid': refusalId !== null,
+    'aria-describedby': refusalId ?? undefined,
     onChange: (event: { target: { value: string } }) => {
       const text = event.target.value;
       const isTaken = onChange(text === field.fallback ? undefined : text, `type ${id}`);
-      setDraft(isTaken ? null : text);
+      setKept(isTaken ? null : { text, of: value });
     },
-    onBlur: () => {
-      // what stands in the level is shown again
-      if (draft !== null) onChange(value, `type ${id}`);
-      setDraft(null);
-      document.seal();
+    onKeyDown: (event: KeyboardEvent) => {
+      if (event.key !== 'Escape' || draft === null) return;
+      event.stopPropagation();
+      // what stands in the level is nothing to refuse
+      onChange(value, `type ${id}`);
+      setKept(null);
     },
+    onBlur: document.seal,
   };
   return (
     <div className="text-row">
