@@ -7,23 +7,24 @@ import { problemsInWords } from '../../files/index.ts';
 import { useVerdict } from '../solver/index.ts';
 import { MoreButton } from '../tree/index.ts';
 import { stemOf } from './level-files.ts';
-import { type Thumbnail, thumbnailKey, thumbnailsOf } from './thumbnails.ts';
+import { pictureOf, thumbnailKey, thumbnailsOf, verdictOf } from './thumbnails.ts';
 import { type ListedVerdict, VerdictSign } from './VerdictSign.tsx';
 
-/** The picture of a listed level, made while the row is there; null until it is made. */
-function useThumbnail(entry: LevelEntry): Thumbnail | null {
+/** The picture of a listed level and what it is worth, made while the row is there. */
+function useThumbnail(entry: LevelEntry): { readonly url: string | null; readonly verdict: ListedVerdict } {
   const editor = useEditor();
   const theme = usePageTheme();
   const accuracy = useStore(editor.settings, (settings) => settings.accuracy);
   const thumbnails = thumbnailsOf(editor);
   const key = thumbnailKey(entry, theme, accuracy);
-  const thumbnail = useStore(thumbnails.store, (all) => (key === null ? undefined : all.get(key)));
+  const url = useStore(thumbnails.store, (made) => pictureOf(made, entry, theme, accuracy));
+  const verdict = useStore(thumbnails.store, (made) => verdictOf(made, entry, accuracy));
   useEffect(() => {
     if (entry.status !== 'valid' || key === null) return;
     thumbnails.want(entry, theme, accuracy);
     return () => thumbnails.drop(key);
   }, [thumbnails, entry, theme, accuracy, key]);
-  return thumbnail ?? null;
+  return { url, verdict: entry.status === 'valid' ? (verdict ?? 'unknown') : entry.status };
 }
 
 function LiveVerdict({ level }: { level: OpenLevel }) {
@@ -42,17 +43,12 @@ function placeOf({ problems: [first] }: LevelEntry): string {
 
 /** A level of the list: how it looks, what it is called, whether it can be completed. @param open it, where it is the one that is open */
 export function LevelLine({ entry, title, open }: { entry: LevelEntry; title: string; open: OpenLevel | null }) {
-  const thumbnail = useThumbnail(entry);
+  const { url, verdict } = useThumbnail(entry);
   const number = entry.name === null ? undefined : /^\d+(?=[ ._-])/.exec(stemOf(entry.id))?.[0];
-  const verdict: ListedVerdict = entry.status === 'valid' ? (thumbnail?.verdict ?? 'unknown') : entry.status;
   return (
     <>
       <span className="levels__picture">
-        {entry.status !== 'valid' ? (
-          <FileX size={18} aria-hidden />
-        ) : (
-          thumbnail?.url != null && <img src={thumbnail.url} alt="" draggable={false} />
-        )}
+        {entry.status !== 'valid' ? <FileX size={18} aria-hidden /> : url !== null && <img src={url} alt="" draggable={false} />}
       </span>
       <span className="levels__text">
         <span className="levels__line">

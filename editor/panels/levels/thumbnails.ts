@@ -4,18 +4,29 @@ import type { LevelEntry } from '../../../schema/index.ts';
 import type { Editor } from '../../context/index.ts';
 import type { Results } from '../../workers/index.ts';
 
+const THEMES = ['dark', 'light'] as const;
+type Theme = (typeof THEMES)[number];
+type Verdict = Results['thumbnail']['verdict'];
+
 /** How a level looks and what it is worth, by what its file says. */
-export interface Thumbnail {
+interface Thumbnail {
   /** Address of an SVG; null where the level can't be drawn. */
   readonly url: string | null;
-  readonly verdict: Results['thumbnail']['verdict'];
+  readonly verdict: Verdict;
+}
+
+/** What has been made. */
+export interface MadeThumbnails {
+  /** By `thumbnailKey`. */
+  readonly byKey: ReadonlyMap<string, Thumbnail>;
+  /** Under which key the last one of a level was made. */
+  readonly lastKey: ReadonlyMap<LevelEntry['id'], string>;
 }
 
 export interface Thumbnails {
-  /** By `keyOf`. */
-  readonly store: StoreApi<ReadonlyMap<string, Thumbnail>>;
+  readonly store: StoreApi<MadeThumbnails>;
   /** Makes it when it is not there; what was wanted last comes first. */
-  want(entry: LevelEntry, theme: 'dark' | 'light', accuracy: AccuracyName): void;
+  want(entry: LevelEntry, theme: Theme, accuracy: AccuracyName): void;
   /** It is no longer seen: not made unless it has begun. */
   drop(key: string): void;
 }
@@ -26,8 +37,29 @@ const WIDTH = 144;
 const KEPT = 600;
 
 /** What a thumbnail hangs on; null when the file can't be read. */
-export const thumbnailKey = ({ etag }: LevelEntry, theme: string, accuracy: string): string | null =>
+export const thumbnailKey = ({ etag }: LevelEntry, theme: Theme, accuracy: AccuracyName): string | null =>
   etag === null ? null : `${etag} ${theme} ${accuracy}`;
+
+/** The picture of a level, as long as there is none of what its file says now the last one; null where there is none. */
+export function pictureOf(
+  { byKey, lastKey }: MadeThumbnails,
+  entry: LevelEntry,
+  theme: Theme,
+  accuracy: AccuracyName,
+): string | null {
+  const key = thumbnailKey(entry, theme, accuracy);
+  const made = (key === null ? undefined : byKey.get(key)) ?? byKey.get(lastKey.get(entry.id) ?? '');
+  return made?.url ?? null;
+}
+
+/** The verdict on what a level's file says now, whichever the theme it was drawn in; null until it is known. */
+export function verdictOf({ byKey }: MadeThumbnails, entry: LevelEntry, accuracy: AccuracyName): Verdict | null {
+  for (const theme of THEMES) {
+    const made = byKey.get(thumbnailKey(entry, theme, accuracy) ?? '');
+    if (made !== undefined) return made.verdict;
+  }
+  return null;
+}
 
 const made = new WeakMap<Editor, Thumbnails>();
 
@@ -39,28 +71,29 @@ export function thumbnailsOf(editor: Editor): Thumbnails {
 }
 
 function createThumbnails({ workspace, workers }: Editor): Thumbnails {
-  const store = createStore<ReadonlyMap<string, Thumbnail>>(() => new Map());
-  const waiting = new Map<string, { id: string; theme: 'dark' | 'light'; accuracy: AccuracyName }>();
+  const store = createStore<MadeThumbnails>(() => ({ byKey: new Map(), lastKey: new Map() }));
+  const waiting = new Map<string, { id: string; theme: Theme; accuracy: AccuracyName }>();
   let isBusy = false;
 
-  const keep = (key: string, thumbnail: Thumbnail) => {
-    const all = new Map(store.getState()).set(key, thumbnail);
+  const keep = (key: string, id: string, thumbnail: Thumbnail) => {
+    const { byKey, lastKey } = store.getState();
+    const all = new Map(byKey).set(key, thumbnail);
     for (const [old, { url }] of all) {
       if (all.size <= KEPT) break;
       all.delete(old);
       if (url !== null) URL.revokeObjectURL(url);
     }
-    store.setState(all, true);
+    store.setState({ byKey: all, lastKey: new Map(lastKey).set(id, key) });
   };
-  const make = async (key: string, { id, theme, accuracy }: { id: string; theme: 'dark' | 'light'; accuracy: AccuracyName }) => {
+  const make = async (key: string, { id, theme, accuracy }: { id: string; theme: Theme; accuracy: AccuracyName }) => {
     const answer = await workspace.storage.read(id);
     // a file that has changed meanwhile has another key, under which it is asked for again
     if (!answer.ok || answer.value.text === null || !key.startsWith(`${answer.value.etag} `)) return;
     const end = await workers.start('thumbnail', { text: answer.value.text, accuracy, width: WIDTH, theme }).end;
-    if (end.kind === 'gaveUp') keep(key, { url: null, verdict: 'unproven' });
+    if (end.kind === 'gaveUp') keep(key, id, { url: null, verdict: 'unproven' });
     if (end.kind !== 'done') return;
     const { svg, verdict } = end.result;
-    keep(key, { url: svg === '' ? null : URL.createObjectURL(new Blob([svg], { type: 'image/svg+xml' })), verdict });
+    keep(key, id, { url: svg === '' ? null : URL.createObjectURL(new Blob([svg], { type: 'image/svg+xml' })), verdict });
   };
   const go = async () => {
     if (isBusy) return;
@@ -78,7 +111,7 @@ function createThumbnails({ workspace, workers }: Editor): Thumbnails {
     store,
     want(entry, theme, accuracy) {
       const key = thumbnailKey(entry, theme, accuracy);
-      if (key === null || store.getState().has(key) || waiting.has(key)) return;
+      if (key === null || store.getState().byKey.has(key) || waiting.has(key)) return;
       waiting.set(key, { id: entry.id, theme, accuracy });
       void go();
     },
