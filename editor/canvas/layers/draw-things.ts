@@ -1,30 +1,10 @@
+import type { Lens, Marks, Spot } from './marks.ts';
 import type { Thing } from './thing.ts';
-
-/** From px of the level to px of a canvas, as the matrix of a camera has it. */
-export interface Lens {
-  readonly a: number;
-  readonly b: number;
-  readonly c: number;
-  readonly d: number;
-  readonly e: number;
-  readonly f: number;
-  /** 0 to 1, of all that is seen through it */
-  readonly alpha: number;
-}
 
 /** Half of the diagonal of a square, over half of its side. */
 const DIAGONAL = Math.SQRT2;
 
-/** The square on the canvas that a thing can't leave, however it is turned. */
-export interface Spot {
-  /** its middle */
-  x: number;
-  y: number;
-  /** half of its side */
-  reach: number;
-}
-
-export function spotOf(thing: Thing, { a, b, c, d, e, f }: Lens, into: Spot): Spot {
+function spotOf(thing: Thing, { a, b, c, d, e, f }: Lens, into: Spot): Spot {
   const { x, y, scaleX, scaleY, displayOriginX, displayOriginY } = thing;
   const zoom = Math.max(Math.sqrt(a * a + b * b), Math.sqrt(c * c + d * d));
   into.x = a * x + c * y + e;
@@ -37,11 +17,12 @@ export function spotOf(thing: Thing, { a, b, c, d, e, f }: Lens, into: Spot): Sp
  * Draws things as Phaser's canvas renderer does. It saves and sets all of the canvas's state for each of them, which for a thousand takes longer than to draw them;
  * and it draws what is out of sight.
  */
-export function drawThings(context: CanvasRenderingContext2D, things: readonly Thing[], lens: Lens): void {
+function drawThings(context: CanvasRenderingContext2D, things: readonly Thing[], lens: Lens, from: number, to: number): void {
   const { a, b, c, d } = lens;
   const { width, height } = context.canvas;
   const spot: Spot = { x: 0, y: 0, reach: 0 };
-  for (const thing of things) {
+  for (let i = from; i < to; i++) {
+    const thing = things[i];
     const { rotation, scaleX, scaleY, displayOriginX, displayOriginY, frame } = thing;
     const alpha = lens.alpha * thing.alpha;
     const { x, y, reach } = spotOf(thing, lens, spot);
@@ -58,5 +39,27 @@ export function drawThings(context: CanvasRenderingContext2D, things: readonly T
     );
     context.globalAlpha = alpha;
     context.drawImage(frame.source.image as HTMLCanvasElement, -displayOriginX, -displayOriginY);
+  }
+}
+
+/** Images, painted without Phaser. */
+export class Things implements Marks {
+  constructor(private readonly things: readonly Thing[]) {}
+
+  get count(): number {
+    return this.things.length;
+  }
+
+  looksLike(others: Marks): boolean {
+    if (!(others instanceof Things) || others.count !== this.count) return false;
+    return this.things.every((thing, i) => thing === others.things[i]);
+  }
+
+  spotOf(index: number, lens: Lens, into: Spot): Spot {
+    return spotOf(this.things[index], lens, into);
+  }
+
+  paint(context: CanvasRenderingContext2D, lens: Lens, from: number, to: number): void {
+    drawThings(context, this.things, lens, from, to);
   }
 }

@@ -1,12 +1,13 @@
 import type { GameObjects, Scene } from 'phaser';
 import { HALF_WIDTH } from '../../../engine/index.ts';
 import { DEFAULT_RANGE, type LevelFile } from '../../../schema/index.ts';
-import { type ObjectKey, objectsOf, radiusOf } from '../../document/index.ts';
+import { ASTRONAUT, type ObjectKey, objectsOf, radiusOf } from '../../document/index.ts';
 import type { Layer } from '../../session/index.ts';
 import type { CanvasState } from '../canvas-state.ts';
 import { type Colours, colourNumber } from '../colours.ts';
 import { boxOf } from '../extent.ts';
 import { type Point, toLevel, type View } from '../view.ts';
+import { type Circle, Rings } from './rings.ts';
 
 /** Lines of the grid nearer to each other than this are left out, px of screen. */
 const GRID_LEAST = 7;
@@ -34,12 +35,21 @@ export interface OverlayInput {
 export class OverlayLayer {
   private readonly below: GameObjects.Graphics;
   private readonly above: GameObjects.Graphics;
+  /** Margins of hazards that are not selected, and of those that are, which a drag takes along. */
+  private readonly margins: Rings;
+  private readonly chosenMargins: Rings;
+  private readonly outlines: Rings;
+  /** What the rings were made of last. */
+  private ringed: OverlayInput | null = null;
 
   constructor(
     scene: Scene,
     private readonly colours: Colours,
   ) {
     this.below = scene.add.graphics().setDepth(0);
+    this.margins = new Rings(scene).setDepth(0.1);
+    this.chosenMargins = new Rings(scene).setDepth(0.1);
+    this.outlines = new Rings(scene).setDepth(19);
     this.above = scene.add.graphics().setDepth(20);
   }
 
@@ -49,7 +59,7 @@ export class OverlayLayer {
     above.clear();
     if (input.editing && input.grid !== null) this.grid(input.grid, input.canvas);
     if (input.layers.ranges) this.ranges(input);
-    if (input.layers.margins) this.margins(input);
+    this.rings(input);
     if (!input.editing) return;
     this.selection(input);
     this.gesture(input.canvas);
@@ -58,6 +68,9 @@ export class OverlayLayer {
   destroy(): void {
     this.below.destroy();
     this.above.destroy();
+    this.margins.destroy();
+    this.chosenMargins.destroy();
+    this.outlines.destroy();
   }
 
   private grid(size: number, { view }: CanvasState): void {
@@ -94,47 +107,56 @@ export class OverlayLayer {
     }
   }
 
-  /** How near her centre may come to what burns or bites, at the least turn of her box. */
-  private margins({ file, canvas }: OverlayInput): void {
-    const colour = colourNumber(this.colours.danger);
-    this.below.lineStyle(1 / canvas.view.zoom, colour, 0.3).beginPath();
-    for (const found of objectsOf(file).values()) {
-      const hot = found.kind === 'asteroid' && 'hot' in found.object && found.object.hot === true;
-      if (!hot && found.kind !== 'nova' && found.kind !== 'alien') continue;
-      const { x, y } = found.object;
-      const radius = (radiusOf(found) ?? 0) + HALF_WIDTH;
-      this.below.moveTo(x + radius, y).arc(x, y, radius, 0, 2 * Math.PI);
+  /** Rings are made anew when what they are around changes. */
+  private rings(input: OverlayInput): void {
+    const last = this.ringed;
+    const { zoom } = input.canvas.view;
+    const same = (...names: readonly (keyof OverlayInput)[]) =>
+      last !== null && names.every((name) => last[name] === input[name]);
+    if (same('file', 'selected', 'layers', 'editing')) {
+      for (const rings of [this.margins, this.chosenMargins, this.outlines]) rings.zoomTo(zoom);
+      return;
     }
-    this.below.strokePath();
+    this.ringed = input;
+    const chosen: ReadonlySet<ObjectKey> = new Set(input.editing ? input.selected : []);
+    const around = { still: [] as Circle[], chosen: [] as Circle[], outlined: [] as Circle[] };
+    for (const found of objectsOf(input.file).values()) {
+      const radius = radiusOf(found);
+      if (radius === null) continue;
+      const { x, y } = found.object;
+      const isChosen = chosen.has(found.key);
+      if (isChosen) around.outlined.push({ x, y, radius });
+      const hot = found.kind === 'asteroid' && 'hot' in found.object && found.object.hot === true;
+      if (!input.layers.margins || (!hot && found.kind !== 'nova' && found.kind !== 'alien')) continue;
+      // how near her centre may come to what burns or bites, at the least turn of her box
+      around[isChosen ? 'chosen' : 'still'].push({ x, y, radius: radius + HALF_WIDTH });
+    }
+    const margin = { colour: colourNumber(this.colours.danger), alpha: 0.3, width: 1, off: 0 };
+    this.margins.show(around.still, margin, zoom);
+    this.chosenMargins.show(around.chosen, margin, zoom);
+    const outline = { colour: colourNumber(this.colours.select), alpha: 1, width: 2, off: OUTLINE };
+    this.outlines.show(around.outlined, outline, zoom);
   }
 
   private selection({ file, canvas, selected, hovered }: OverlayInput): void {
     const { zoom } = canvas.view;
     const objects = objectsOf(file);
-    // one line for all: a stroke for each of hundreds would take milliseconds in every frame
-    const outline = (keys: readonly ObjectKey[], width: number, alpha: number) => {
+    const outline = (key: ObjectKey, width: number, alpha: number) => {
+      const found = objects.get(key);
+      if (found === undefined) return;
       const off = OUTLINE / zoom;
-      this.above.lineStyle(width / zoom, colourNumber(this.colours.select), alpha).beginPath();
-      for (const key of keys) {
-        const found = objects.get(key);
-        if (found === undefined) continue;
-        const radius = radiusOf(found);
-        if (radius !== null) {
-          const { x, y } = found.object;
-          this.above.moveTo(x + radius + off, y).arc(x, y, radius + off, 0, 2 * Math.PI);
-          continue;
-        }
-        const { left, top, right, bottom } = boxOf(found);
-        this.above
-          .moveTo(left - off, top - off)
-          .lineTo(right + off, top - off)
-          .lineTo(right + off, bottom + off);
-        this.above.lineTo(left - off, bottom + off).lineTo(left - off, top - off);
+      this.above.lineStyle(width / zoom, colourNumber(this.colours.select), alpha);
+      const radius = radiusOf(found);
+      if (radius !== null) {
+        this.above.strokeCircle(found.object.x, found.object.y, radius + off);
+        return;
       }
-      this.above.strokePath();
+      const { left, top, right, bottom } = boxOf(found);
+      this.above.strokeRect(left - off, top - off, right - left + 2 * off, bottom - top + 2 * off);
     };
-    if (hovered !== null && !selected.includes(hovered)) outline([hovered], 1.5, 0.6);
-    if (selected.length > 0) outline(selected, 2, 1);
+    if (hovered !== null && !selected.includes(hovered)) outline(hovered, 1.5, 0.6);
+    // those of circles are rings
+    if (selected.includes(ASTRONAUT)) outline(ASTRONAUT, 2, 1);
     // handles to resize by, while few are selected
     if (selected.length > 12) return;
     const half = 3.5 / zoom;

@@ -1,104 +1,226 @@
-import { drawThings, type Lens, type Spot, spotOf } from './draw-things.ts';
-import type { Thing } from './thing.ts';
+import { areMoreSeen, extentOf, type Lens, type Marks } from './marks.ts';
 
-/** Frames in which the things were the same ones, before a picture is made of them. */
+/** Frames in which the marks were the same ones, before a picture is made of them. */
 const STEADY = 2;
-/** Fewer things than this are drawn one by one. */
+/** Fewer marks than this are painted one by one. */
 const WORTHWHILE = 40;
+/** So many are painted one by one while the view moves: then they are large, and a picture that is stretched would show it. */
+const FEW = 300;
+/** Frames after which a view that has moved rests: then the picture is made anew. */
+const REST = 4;
+/** So many marks are painted in a frame at most, while an older picture can stand for the new one. */
+const AT_ONCE = 500;
 /** px around the canvas that a picture of what is on its way covers. */
 const MARGIN = 160;
 
-/** How far things are from where they stood still, px of the level. */
+/** How far marks are from where they stood still, px of the level. */
 export interface Shift {
   readonly x: number;
   readonly y: number;
 }
 
-/** Things as they were drawn once. */
+interface Size {
+  readonly width: number;
+  readonly height: number;
+}
+
+/** Marks as they were painted once. */
 interface Picture {
-  /** px of the canvas that its corner lay at */
+  readonly canvas: HTMLCanvasElement;
+  /** through which they were painted */
+  readonly lens: Lens;
+  /** of the canvas that it was made for */
+  readonly size: Size;
+  /** px of the lens's canvas that its corner lies at */
   readonly left: number;
   readonly top: number;
-  /** where the things were then */
+  /** where the marks were then */
   readonly shift: Shift;
   /** px of the canvas that it may be moved by before anything is missing at its edges */
   readonly reach: number;
+  /** Whether all marks are on it. */
+  readonly isWhole: boolean;
+  /** The first of the marks that is not painted yet. */
+  next: number;
 }
+
+const isSameLens = (one: Lens, other: Lens): boolean =>
+  one.a === other.a &&
+  one.b === other.b &&
+  one.c === other.c &&
+  one.d === other.d &&
+  one.e === other.e &&
+  one.f === other.f &&
+  one.alpha === other.alpha;
+
+const isSameSize = (one: Size, other: Size): boolean => one.width === other.width && one.height === other.height;
 
 /**
- * Things that stand still, or all go the same way. When they have been the same ones for some frames they are drawn once, onto a picture that is then laid where
- * they are: on whole px of the canvas, so that it stays sharp.
+ * Marks that stand still, or all go the same way, where a plain canvas is drawn on. When they have been the same ones for some frames they are painted once, onto a
+ * picture that is then laid where they are: on whole px of the canvas, so that it stays sharp. While the view moves the last picture is stretched, or one
+ * that has all of them on it; once it rests the sharp one is made, some marks in each frame, so that no frame takes long.
  */
 export class Plate {
-  private things: readonly Thing[] = [];
-  private shown = '';
-  /** Frames since either was different. */
+  private marks: Marks | null = null;
+  private lens: Lens | null = null;
+  private size: Size = { width: 0, height: 0 };
+  /** Frames since the marks were others. */
   private steady = 0;
-  private picture: Picture | null = null;
-  private canvas: HTMLCanvasElement | null = null;
+  /** Frames since the view moved. */
+  private rested = 0;
+  private sharp: Picture | null = null;
+  private whole: Picture | null = null;
+  private making: Picture | null = null;
+  private readonly canvases: HTMLCanvasElement[] = [];
 
-  draw(context: CanvasRenderingContext2D, things: readonly Thing[], lens: Lens, shift: Shift): void {
-    const { a, b, c, d, e, f, alpha } = lens;
-    const { width, height } = context.canvas;
-    const shown = [a, b, c, d, e, f, alpha, width, height].join();
-    if (shown === this.shown && isSame(things, this.things)) this.steady++;
+  /** @param shift how far all of the marks have gone since they stood still */
+  draw(context: CanvasRenderingContext2D, marks: Marks, lens: Lens, shift: Shift): void {
+    this.look(marks, lens, context.canvas);
+    const picture = this.steady < STEADY || marks.count < WORTHWHILE ? null : this.pictureOf(marks, lens, shift);
+    if (picture === null) marks.paint(context, lens, 0, marks.count);
+    else lay(context, picture, lens, shift);
+  }
+
+  private look(marks: Marks, lens: Lens, { width, height }: Size): void {
+    if (this.marks !== null && marks.looksLike(this.marks)) this.steady++;
     else {
       this.steady = 0;
-      this.picture = null;
-      this.things = things;
-      this.shown = shown;
+      this.sharp = null;
+      this.whole = null;
+      this.making = null;
     }
-    if (this.steady < STEADY || things.length < WORTHWHILE) {
-      drawThings(context, things, lens);
-      return;
+    this.marks = marks;
+    const isResting = this.lens !== null && isSameLens(this.lens, lens) && isSameSize(this.size, { width, height });
+    this.rested = isResting ? this.rested + 1 : 0;
+    this.lens = lens;
+    this.size = { width, height };
+  }
+
+  /** What may stand for the marks now; null: nothing, or nothing better than to paint them. */
+  private pictureOf(marks: Marks, lens: Lens, shift: Shift): Picture | null {
+    const { sharp, size } = this;
+    if (sharp !== null && isSameLens(sharp.lens, lens) && isSameSize(sharp.size, size) && reaches(sharp, lens, shift)) {
+      // what stands for it when the view moves is made in time
+      if (this.whole === null && isAt(sharp, shift)) this.makeWhole(marks, lens, shift);
+      return sharp;
     }
-    const across = ({ x, y }: Shift) => Math.round(a * (shift.x - x) + c * (shift.y - y));
-    const down = ({ x, y }: Shift) => Math.round(b * (shift.x - x) + d * (shift.y - y));
-    const isGood = (picture: Picture | null): picture is Picture =>
-      picture !== null && Math.max(Math.abs(across(picture.shift)), Math.abs(down(picture.shift))) <= picture.reach;
-    this.canvas ??= document.createElement('canvas');
-    if (!isGood(this.picture)) this.picture = paint(this.canvas, context.canvas, things, lens, shift);
-    const { left, top, shift: then } = this.picture;
-    context.setTransform(1, 0, 0, 1, 0, 0);
-    context.globalAlpha = 1;
-    context.drawImage(this.canvas, left + across(then), top + down(then));
+    const standIn = this.whole !== null && isAt(this.whole, shift) ? this.whole : sharp;
+    if (standIn === null || !isAt(standIn, shift)) {
+      this.sharp = this.begun(lens, shift, this.clipped(marks, lens, shift));
+      paintMore(this.sharp, marks, Number.POSITIVE_INFINITY);
+      if (this.sharp.isWhole) this.whole = this.sharp;
+      return this.sharp;
+    }
+    if (!areMoreSeen(marks, lens, size, FEW)) return null;
+    if (this.rested < REST) {
+      if (this.whole === null) this.makeWhole(marks, lens, shift);
+      return standIn;
+    }
+    const { making } = this;
+    const isOfNow = making !== null && isSameLens(making.lens, lens) && isAt(making, shift) && isSameSize(making.size, size);
+    this.making = isOfNow ? making : this.begun(lens, shift, this.clipped(marks, lens, shift));
+    if (!paintMore(this.making, marks, AT_ONCE)) return standIn;
+    this.sharp = this.making;
+    this.making = null;
+    if (this.sharp.isWhole) this.whole = this.sharp;
+    return this.sharp;
+  }
+
+  /** Goes on with a picture of all marks, no larger than the canvas. */
+  private makeWhole(marks: Marks, lens: Lens, shift: Shift): void {
+    if (this.making === null || !this.making.isWhole || !isAt(this.making, shift)) {
+      const { left, top, right, bottom } = extentOf(marks, lens);
+      const share = Math.min(1, this.size.width / (right - left), this.size.height / (bottom - top));
+      const { a, b, c, d, e, f, alpha } = lens;
+      const far = { a: a * share, b: b * share, c: c * share, d: d * share, e: (e - left) * share, f: (f - top) * share, alpha };
+      const box = { left: 0, top: 0, width: (right - left) * share, height: (bottom - top) * share };
+      this.making = this.begun(far, shift, { ...box, reach: 0, isWhole: true });
+    }
+    if (!paintMore(this.making, marks, AT_ONCE)) return;
+    this.whole = this.making;
+    this.making = null;
+  }
+
+  /** What of the marks is seen, and a margin where they are on their way. */
+  private clipped(marks: Marks, lens: Lens, shift: Shift): Box {
+    const { width, height } = this.size;
+    // what stands still is never moved
+    const margin = shift.x === 0 && shift.y === 0 ? 0 : MARGIN;
+    const box = extentOf(marks, lens);
+    const isWhole = box.left >= -margin && box.top >= -margin && box.right <= width + margin && box.bottom <= height + margin;
+    const left = Math.floor(Math.max(box.left, -margin));
+    const top = Math.floor(Math.max(box.top, -margin));
+    return {
+      left,
+      top,
+      width: Math.ceil(Math.min(box.right, width + margin)) - left,
+      height: Math.ceil(Math.min(box.bottom, height + margin)) - top,
+      reach: isWhole ? Number.POSITIVE_INFINITY : margin,
+      isWhole,
+    };
+  }
+
+  /** A picture with nothing on it yet. */
+  private begun(lens: Lens, shift: Shift, { left, top, width, height, reach, isWhole }: Box): Picture {
+    const used = [this.sharp?.canvas, this.whole?.canvas];
+    let canvas = this.canvases.find((one) => !used.includes(one));
+    if (canvas === undefined) {
+      canvas = document.createElement('canvas');
+      this.canvases.push(canvas);
+    }
+    // this clears it, too; one without a px can't be drawn
+    canvas.width = Math.max(1, Math.ceil(width));
+    canvas.height = Math.max(1, Math.ceil(height));
+    return { canvas, lens, size: this.size, left, top, shift, reach, isWhole, next: 0 };
   }
 }
 
-const isSame = (things: readonly Thing[], before: readonly Thing[]): boolean =>
-  things.length === before.length && things.every((thing, i) => thing === before[i]);
+/** The part of a lens's canvas that a picture shows, px. */
+interface Box extends Pick<Picture, 'left' | 'top' | 'reach' | 'isWhole'>, Size {}
 
-/** Draws things onto a canvas that is as large as they are, but no larger than what is seen and a margin. */
-function paint(
-  canvas: HTMLCanvasElement,
-  { width, height }: { readonly width: number; readonly height: number },
-  things: readonly Thing[],
-  lens: Lens,
-  shift: Shift,
-): Picture {
-  // what stands still is never moved
-  const margin = shift.x === 0 && shift.y === 0 ? 0 : MARGIN;
-  const box = {
-    left: Number.POSITIVE_INFINITY,
-    top: Number.POSITIVE_INFINITY,
-    right: Number.NEGATIVE_INFINITY,
-    bottom: Number.NEGATIVE_INFINITY,
-  };
-  const spot: Spot = { x: 0, y: 0, reach: 0 };
-  for (const thing of things) {
-    const { x, y, reach } = spotOf(thing, lens, spot);
-    box.left = Math.min(box.left, x - reach);
-    box.top = Math.min(box.top, y - reach);
-    box.right = Math.max(box.right, x + reach);
-    box.bottom = Math.max(box.bottom, y + reach);
-  }
-  const isWhole = box.left >= -margin && box.top >= -margin && box.right <= width + margin && box.bottom <= height + margin;
-  const left = Math.floor(Math.max(box.left, -margin));
-  const top = Math.floor(Math.max(box.top, -margin));
-  // this clears it, too; one without a px can't be drawn
-  canvas.width = Math.max(1, Math.ceil(Math.min(box.right, width + margin)) - left);
-  canvas.height = Math.max(1, Math.ceil(Math.min(box.bottom, height + margin)) - top);
+/** Whether the marks are where they were when it was painted. */
+const isAt = ({ shift }: Picture, { x, y }: Shift): boolean => shift.x === x && shift.y === y;
+
+/** How far marks have gone since a picture was painted, whole px of the canvas. */
+const wayOf = ({ shift: then }: Picture, { a, b, c, d }: Lens, shift: Shift): Shift => ({
+  x: Math.round(a * (shift.x - then.x) + c * (shift.y - then.y)),
+  y: Math.round(b * (shift.x - then.x) + d * (shift.y - then.y)),
+});
+
+/** Whether nothing is missing at its edges. */
+function reaches(picture: Picture, lens: Lens, shift: Shift): boolean {
+  const { x, y } = wayOf(picture, lens, shift);
+  return Math.max(Math.abs(x), Math.abs(y)) <= picture.reach;
+}
+
+/** Paints some more of the marks. @returns whether all of them are on it */
+function paintMore(picture: Picture, marks: Marks, most: number): boolean {
+  const to = Math.min(marks.count, picture.next + most);
+  const { lens, left, top, canvas } = picture;
   const context = canvas.getContext('2d');
-  if (context !== null) drawThings(context, things, { ...lens, e: lens.e - left, f: lens.f - top });
-  return { left, top, shift, reach: isWhole ? Number.POSITIVE_INFINITY : margin };
+  if (context !== null) marks.paint(context, { ...lens, e: lens.e - left, f: lens.f - top }, picture.next, to);
+  picture.next = to;
+  return to === marks.count;
+}
+
+/** Lays a picture where the marks are now; stretched, where it was painted for another view. */
+function lay(context: CanvasRenderingContext2D, picture: Picture, lens: Lens, shift: Shift): void {
+  const { canvas, left, top } = picture;
+  context.globalAlpha = 1;
+  const way = wayOf(picture, lens, shift);
+  if (isSameLens(picture.lens, lens)) {
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.drawImage(canvas, left + way.x, top + way.y);
+    return;
+  }
+  const grown = lens.a / picture.lens.a;
+  context.setTransform(
+    grown,
+    0,
+    0,
+    grown,
+    grown * (left - picture.lens.e) + lens.e + way.x,
+    grown * (top - picture.lens.f) + lens.f + way.y,
+  );
+  context.drawImage(canvas, 0, 0);
 }

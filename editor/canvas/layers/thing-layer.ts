@@ -1,5 +1,5 @@
 import { type Cameras, GameObjects, type Renderer, type Scene } from 'phaser';
-import { drawThings } from './draw-things.ts';
+import { Things } from './draw-things.ts';
 import { Plate, type Shift } from './plate.ts';
 import type { Thing } from './thing.ts';
 
@@ -53,9 +53,9 @@ export class ThingLayer extends GameObjects.Layer {
     context.save();
     for (const [i, { still, carried, others }] of sortOut(things, camera, shift).entries()) {
       this.plates[i] ??= { still: new Plate(), carried: new Plate() };
-      this.plates[i].still.draw(context, still, lens, NOWHERE);
-      this.plates[i].carried.draw(context, carried, lens, shift);
-      drawThings(context, others, lens);
+      this.plates[i].still.draw(context, new Things(still), lens, NOWHERE);
+      this.plates[i].carried.draw(context, new Things(carried), lens, shift);
+      new Things(others).paint(context, lens, 0, others.length);
     }
     context.restore();
   }
