@@ -5,7 +5,8 @@ import { type Victim, World } from './editor-soak/world.ts';
 import { optionValue } from './harness.ts';
 
 // Everything is nudged to the right, a px a key, while page, browser and server are killed and other things go wrong. How far it was, as far as the editor
-// has shown it as saved or had it in its journal, it must be when all is up again: never further back, and never further than it was moved.
+// has shown it as saved or had it in its journal, it must be when all is up again: never further back, and never further than it was moved. What was done in the
+// last two seconds before a kill counts, too: all of it is reported that was not there again, with how long before the kill it was done.
 
 function report(rounds: readonly Round[]): void {
   const line = (name: string, of: readonly Round[]) => {
@@ -25,6 +26,30 @@ function report(rounds: readonly Round[]): void {
     const of = rounds.filter((round) => round.hazard === hazard);
     line(hazard, of);
   }
+}
+
+/** ms before a kill, from one up to the next. */
+const AGES = [0, 20, 50, 100, 200, 500, 1000, 2000, Number.POSITIVE_INFINITY];
+
+/** How much of the last two seconds before a kill was lost. @returns what was lost although it was older */
+function reportLastSeconds(rounds: readonly Round[]): number {
+  const all = rounds.flatMap(({ edits }) => edits);
+  for (const [i, from] of AGES.slice(0, -1).entries()) {
+    const of = all.filter(({ age }) => age >= from && age < AGES[i + 1]);
+    const to = AGES[i + 1] === Number.POSITIVE_INFINITY ? 'and more' : `to ${AGES[i + 1]}`;
+    const lost = of.filter(({ isLost }) => isLost).length;
+    console.log(`${`${from} ${to} ms before`.padEnd(26)} ${String(of.length).padStart(5)} edits, ${lost} lost`);
+  }
+  const late = all.filter(({ age }) => age < 2000);
+  const lost = all.filter(({ isLost }) => isLost);
+  const lostLate = lost.filter(({ age }) => age < 2000).length;
+  const share = late.length === 0 ? 0 : (100 * lostLate) / late.length;
+  const oldest = Math.max(0, ...lost.map(({ age }) => age));
+  console.log(
+    `in the 2 s before a kill   ${String(late.length).padStart(5)} edits, ${lostLate} lost: ${share.toFixed(1)} %; ` +
+      `of all that were lost the oldest was done ${oldest.toFixed(0)} ms before`,
+  );
+  return lost.length - lostLate;
 }
 
 async function main(): Promise<void> {
@@ -73,6 +98,8 @@ async function main(): Promise<void> {
   }
   await leave();
   report(rounds);
+  const lostEarlier = reportLastSeconds(rounds);
+  if (lostEarlier > 0) failures.push(`${lostEarlier} edits were lost that were older than 2 s when something was killed`);
   for (const failure of failures) console.log(`FAILED  ${failure}`);
   console.log(
     `seed ${seed}: ${kills.page} pages, ${kills.browser} browsers and ${kills.server} servers killed in ${rounds.length} rounds; ` +

@@ -11,7 +11,7 @@ import { atMost, type Claim, optionValue, publish } from './harness.ts';
 const STEPS = Number(optionValue('--steps') ?? 60);
 /** How often what is done once is done. */
 const TIMES = Number(optionValue('--times') ?? 20);
-const SIZES = (optionValue('--objects') ?? '30,1000').split(',').map(Number);
+const SIZES = (optionValue('--objects') ?? '30,1000,5000').split(',').map(Number);
 
 /** All that the page loads before it can be used, gzipped, kB. */
 function firstLoad(): number {
@@ -89,6 +89,10 @@ async function measure(objects: number, rows: Row[]): Promise<void> {
     rows.push(ofCosts('marquee over half of them, a frame', 16, await deeds.marquee(stage, extent, STEPS)));
     say('dragMany');
     rows.push(ofCosts('drag half of them, a frame', 16, await deeds.dragMany(stage, extent, [grip.x, grip.y], STEPS)));
+    say('zoomAll');
+    rows.push(ofCosts('zoom with all selected, a frame', 16, await deeds.zoomAll(stage, extent, STEPS)));
+    say('panAll');
+    rows.push(ofCosts('pan with all selected, a frame', 16, await deeds.panAll(stage, extent, STEPS)));
     say('enterPlay');
     rows.push(ofCosts('entering play', 100, await deeds.enterPlay(stage, TIMES)));
     say('switchLevel');
@@ -98,6 +102,8 @@ async function measure(objects: number, rows: Row[]): Promise<void> {
     say('search');
     const { first, cancel } = await deeds.search(stage, TIMES);
     rows.push(ofTimes('first word from a search', 1000, first), ofCosts('cancelling it', 50, cancel));
+    say('openPage');
+    rows.push(ofTimes('opening the page', 1000, await deeds.openPage(stage, TIMES)));
   } finally {
     await stage.close();
   }

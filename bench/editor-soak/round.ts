@@ -26,6 +26,8 @@ export interface Round {
   readonly least: number;
   readonly most: number;
   readonly found: number;
+  /** Of each edit how long before the kill the page had done it, ms, and whether it was there again. */
+  readonly edits: readonly { readonly age: number; readonly isLost: boolean }[];
   /** What was not as promised. */
   readonly failures: readonly string[];
 }
@@ -58,13 +60,20 @@ function lookAtDisk(folder: string, isWhole: boolean): { page: number; others: n
 
 /**
  * Keys are pressed while something goes wrong, and page, browser or server are killed; then all is started again, and what was acknowledged must be on
- * the disk. Acknowledged is what the page called saved, what was seen on the disk, and what the journal had.
+ * the disk. Acknowledged is what the page called saved or kept in the browser, what was seen on the disk, and what the journal had. Of the rest it is
+ * counted what was lost, and how long before the kill it was done.
  */
 export async function playRound(world: World, random: Random): Promise<Round> {
   const victims = pick(random, VICTIMS);
   const hazard = pick(random, HAZARDS);
   const { folder } = world;
   const failures: string[] = [];
+  /** When the page had done each edit: a key is pressed once the page has handled it. */
+  const doneAt: number[] = [];
+  const nudge = async () => {
+    await world.page.keyboard.press('ArrowRight');
+    doneAt.push(performance.now());
+  };
   if (hazard === 'two tabs') await world.openAnother();
   if (hazard === 'full disk') {
     await world.killServer();
@@ -86,7 +95,7 @@ export async function playRound(world: World, random: Random): Promise<Round> {
   for (let i = 0; i < keys; i++) {
     if (i === strikesAt) mended = await strike(hazard, world);
     if (i === serverDiesAt) await world.killServer();
-    await world.page.keyboard.press('ArrowRight');
+    await nudge();
     most++;
     if (random.below(3) === 0) await wait(random.below(150));
   }
@@ -97,16 +106,17 @@ export async function playRound(world: World, random: Random): Promise<Round> {
   if (random.below(2) === 0) acknowledge(await furthestKept(world.page).then((x) => (x === null ? null : x - START)));
   const said = await savingState(world.page);
   acknowledge(lookAtDisk(folder, mended === null || hazard === 'read-only folder')?.page ?? null);
-  if (said === 'saved') acknowledge(most);
+  if (said === 'saved' || said.endsWith('kept in this browser')) acknowledge(most);
 
   if (victims !== 'page' && victims !== 'browser') {
     await world.killServer();
     if (victims === 'server' && random.below(2) === 0) {
-      await world.page.keyboard.press('ArrowRight');
+      await nudge();
       most++;
       acknowledge(await furthestKept(world.page).then((x) => (x === null ? null : x - START)));
     }
   }
+  const killedAt = performance.now();
   if (victims === 'page') await world.killPage(random.below(2) === 0 ? 'crash' : 'close');
   if (victims === 'browser' || victims === 'browser and server') await world.killBrowser();
   // the first server that runs again on a full disk has no more room than the last
@@ -129,5 +139,8 @@ export async function playRound(world: World, random: Random): Promise<Round> {
   if (found.others !== others) failures.push(`of others expected ${others}, found ${found.others}`);
   const strange = readdirSync(folder).filter((name) => name.endsWith('.level.json') && name !== FILE);
   if (strange.length > 0) failures.push(`other files: ${strange.join()}`);
-  return { victims, hazard, pressed: most - before.page, least, most, found: found.page, failures };
+  // edits are written in their order: what is missing are the last ones
+  const kept = found.page - before.page;
+  const edits = doneAt.map((time, i) => ({ age: killedAt - time, isLost: i >= kept }));
+  return { victims, hazard, pressed: most - before.page, least, most, found: found.page, edits, failures };
 }

@@ -163,6 +163,59 @@ export async function switchLevel({ page, traced }: Stage, names: readonly [stri
   return all;
 }
 
+/** Turns of the wheel to and fro, ten one way and ten back, while everything is selected. */
+async function turnWheel(
+  { page, traced }: Stage,
+  extent: Extent,
+  steps: number,
+  turn: readonly [x: number, y: number],
+  keys: readonly string[],
+): Promise<Cost[]> {
+  const at = await aim(page, extent);
+  await page.mouse.move(...at((extent.left + extent.right) / 2, (extent.top + extent.bottom) / 2));
+  await page.keyboard.press('Control+a');
+  await page.getByRole('heading', { name: /^\d+ objects$/ }).waitFor();
+  await page.evaluate(() => new Promise((resolve) => requestIdleCallback(resolve)));
+  for (const key of keys) await page.keyboard.down(key);
+  const trace = await traced(async () => {
+    for (let i = 0; i < steps; i++) {
+      const way = i % 20 < 10 ? -1 : 1;
+      await page.mouse.wheel(way * turn[0], way * turn[1]);
+      // the next one comes in a frame of its own, as a hand's do
+      await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(resolve)));
+    }
+  });
+  for (const key of keys) await page.keyboard.up(key);
+  await page.keyboard.press('Escape');
+  return costs(trace, 'wheel');
+}
+
+export const zoomAll = (stage: Stage, extent: Extent, steps: number): Promise<Cost[]> =>
+  turnWheel(stage, extent, steps, [0, 60], []);
+
+export const panAll = (stage: Stage, extent: Extent, steps: number): Promise<Cost[]> =>
+  turnWheel(stage, extent, steps, [0, 40], ['Shift']);
+
+/** The page is loaded anew, again and again. @returns ms by the clock from there to the frame after the level's name is shown */
+export async function openPage({ page }: Stage, times: number): Promise<number[]> {
+  const all: number[] = [];
+  for (let i = 0; i < times; i++) {
+    await page.reload({ waitUntil: 'commit' });
+    await canvas(page).waitFor();
+    all.push(
+      await page.evaluate(
+        () =>
+          new Promise<number>((resolve) => requestAnimationFrame(() => requestAnimationFrame(() => resolve(performance.now())))),
+      ),
+    );
+    await page
+      .getByRole('status', { name: 'Saving' })
+      .filter({ hasText: /^saved$/ })
+      .waitFor();
+  }
+  return all;
+}
+
 /** A marquee that is drawn over half of the level, in steps. */
 export async function marquee({ page, traced }: Stage, extent: Extent, steps: number): Promise<Cost[]> {
   const at = await aim(page, extent);

@@ -3,7 +3,7 @@ import { DEFAULT_RADIUS, type LevelFile } from '../../../schema/index.ts';
 import { ASTRONAUT, type FoundObject, type ObjectKey, objectsOf, radiusOf } from '../../document/index.ts';
 import type { Pose } from '../pose.ts';
 import { ROCKS, TEXTURE_UNIT } from '../textures/index.ts';
-import { Thing } from './thing.ts';
+import type { Thing } from './thing.ts';
 import { ThingLayer } from './thing-layer.ts';
 
 /** Turns of a black hole and of a nova, radians a second. */
@@ -55,8 +55,10 @@ export class ObjectLayer {
   private readonly shown = new Map<ObjectKey, Shown>();
   private readonly layer: ThingLayer;
   private file: LevelFile | null = null;
+  /** Those that turn by themselves. */
+  private turning: readonly Shown[] = [];
 
-  constructor(private readonly scene: Scene) {
+  constructor(scene: Scene) {
     this.layer = new ThingLayer(scene).setDepth(DEPTH.repulsor);
   }
 
@@ -64,6 +66,7 @@ export class ObjectLayer {
   clear(): void {
     for (const one of this.shown.values()) this.destroy(one);
     this.shown.clear();
+    this.turning = [];
     this.file = null;
   }
 
@@ -82,6 +85,7 @@ export class ObjectLayer {
       if (old !== undefined && old.found.object === found.object && old.found.index === found.index) continue;
       this.shown.set(found.key, this.place(found, old));
     }
+    this.turning = [...this.shown.values()].filter(({ found: { kind } }) => kind === 'blackHole' || kind === 'nova');
   }
 
   /**
@@ -124,9 +128,9 @@ export class ObjectLayer {
    * @param zoom px of screen per px of the level
    */
   animate(time: number, zoom: number): void {
-    for (const { found, body } of this.shown.values()) {
+    for (const { found, body } of this.turning) {
       if (found.kind === 'blackHole') body.setRotation(SPIN['black-hole'] * time);
-      else if (found.kind === 'nova' && TEXTURE_UNIT * body.scale * zoom >= TURNS_FROM) {
+      else if (TEXTURE_UNIT * body.scale * zoom >= TURNS_FROM) {
         body.setRotation(SPIN.nova * time + found.index);
       }
     }
@@ -139,12 +143,12 @@ export class ObjectLayer {
       return shown;
     }
     const texture = textureOf(found);
-    const body = old?.body ?? this.image(texture, DEPTH[found.kind]);
+    const body = old?.body ?? this.layer.addThing(texture, DEPTH[found.kind]);
     if (body.texture.key !== texture) body.setTexture(texture);
     const hot = found.kind === 'nova' || texture.startsWith('hot');
-    const glow = hot ? (old?.glow ?? this.image('glow', DEPTH.glow)) : null;
+    const glow = hot ? (old?.glow ?? this.layer.addThing('glow', DEPTH.glow)) : null;
     if (!hot) old?.glow?.destroy();
-    const pupil = found.kind === 'alien' ? (old?.pupil ?? this.image('pupil', DEPTH.alien)) : null;
+    const pupil = found.kind === 'alien' ? (old?.pupil ?? this.layer.addThing('pupil', DEPTH.alien)) : null;
     const radius = radiusOf(found) ?? 0;
     const scale = radius / TEXTURE_UNIT;
     body.setScale(scale * (texture in SIZE ? SIZE[texture as keyof typeof SIZE] : 1));
@@ -153,12 +157,6 @@ export class ObjectLayer {
     const shown = { found, body, glow, pupil, gaze: old?.gaze ?? { x: 0, y: 0 } };
     this.move(shown, found.object.x, found.object.y);
     return shown;
-  }
-
-  private image(texture: string, depth: number): Thing {
-    const image = new Thing(this.scene, 0, 0, texture).setDepth(depth);
-    this.layer.add(image);
-    return image;
   }
 
   private move({ body, glow, pupil, found, gaze }: Shown, x: number, y: number): void {

@@ -1,23 +1,23 @@
 import { type Cameras, GameObjects, type Renderer, type Scene } from 'phaser';
 import { Things } from './draw-things.ts';
 import { Plate, type Shift } from './plate.ts';
-import type { Thing } from './thing.ts';
+import { type Drawn, Thing } from './thing.ts';
 
 type Canvas = Renderer.Canvas.CanvasRenderer;
 type Camera = Cameras.Scene2D.Camera;
 
 /** Things of neighbouring depths, from below to above. */
 interface Part {
-  readonly still: Thing[];
+  readonly still: Things;
   /** They have all gone the same way since they stood still: a drag. */
-  readonly carried: Thing[];
-  readonly others: Thing[];
+  readonly carried: Things;
+  readonly alone: Things;
 }
 
 const NOWHERE: Shift = { x: 0, y: 0 };
 
 /** Where the most of those that are carried have been carried to. Of two halves one is found, of less than half maybe none. */
-function shiftOf(things: readonly Thing[]): Shift {
+function shiftOf(things: Iterable<Thing>): Shift {
   let shift = NOWHERE;
   let lead = 0;
   // the vote of Boyer and Moore
@@ -35,47 +35,77 @@ function shiftOf(things: readonly Thing[]): Shift {
  */
 export class ThingLayer extends GameObjects.Layer {
   private readonly plates: { readonly still: Plate; readonly carried: Plate }[] = [];
+  /** Those that are not known to stand still: of thousands these alone are looked at in a frame. */
+  private readonly restless = new Set<Thing>();
+  private parts: readonly Part[] = [];
+  /** How many things there were when they were sorted last. */
+  private sorted = 0;
 
   constructor(scene: Scene) {
     super(scene);
     scene.add.existing(this);
   }
 
+  addThing(texture: string, depth: number): Thing {
+    const thing = new Thing(this.scene, texture, this.restless).setDepth(depth);
+    this.add(thing);
+    return thing;
+  }
+
   /** Called by Phaser where there is no graphics card. */
   renderCanvas(renderer: Canvas, _layer: this, camera: Camera): void {
-    this.depthSort();
-    const things = this.getChildren() as Thing[];
-    for (const thing of things) thing.look();
-    const shift = shiftOf(things);
+    const shift = this.sortAnew();
     const context = renderer.currentContext;
     const { a, b, c, d, e, f } = camera.matrixCombined;
     const lens = { a, b, c, d, e, f, alpha: camera.alpha };
     context.save();
-    for (const [i, { still, carried, others }] of sortOut(things, camera, shift).entries()) {
+    for (const [i, { still, carried, alone }] of this.parts.entries()) {
       this.plates[i] ??= { still: new Plate(), carried: new Plate() };
-      this.plates[i].still.draw(context, new Things(still), lens, NOWHERE);
-      this.plates[i].carried.draw(context, new Things(carried), lens, shift);
-      new Things(others).paint(context, lens, 0, others.length);
+      this.plates[i].still.draw(context, still, lens, NOWHERE);
+      this.plates[i].carried.draw(context, carried, lens, shift);
+      alone.paint(context, lens, 0, alone.count);
     }
     context.restore();
   }
+
+  /** Sorts the things out anew if one of them is to be drawn in another way than in the last frame. @returns how far those that are carried are */
+  private sortAnew(): Shift {
+    const { restless } = this;
+    for (const thing of restless) thing.look();
+    const shift = shiftOf(restless);
+    let isOther = this.getChildren().length !== this.sorted;
+    for (const thing of restless) {
+      const drawn: Drawn = thing.isStill ? 'still' : thing.isCarriedBy(shift.x, shift.y) ? 'carried' : 'alone';
+      if (drawn !== thing.drawn) isOther = true;
+      thing.drawn = drawn;
+      if (drawn === 'still') restless.delete(thing);
+    }
+    if (isOther) {
+      this.depthSort();
+      const things = this.getChildren() as Thing[];
+      this.sorted = things.length;
+      this.parts = sortOut(things);
+    }
+    return shift;
+  }
 }
 
-function sortOut(things: readonly Thing[], camera: Camera, shift: Shift): Part[] {
+function sortOut(things: readonly Thing[]): Part[] {
   const parts: Part[] = [];
-  let part: Part = { still: [], carried: [], others: [] };
+  const empty = () => ({ still: [] as Thing[], carried: [] as Thing[], alone: [] as Thing[] });
+  let part = empty();
+  const end = () =>
+    parts.push({ still: new Things(part.still), carried: new Things(part.carried), alone: new Things(part.alone) });
   let depth = Number.NaN;
   for (const thing of things) {
     // what lies higher may only be put into the same picture as long as nothing moves between
-    if (thing.depth !== depth && part.carried.length + part.others.length > 0) {
-      parts.push(part);
-      part = { still: [], carried: [], others: [] };
+    if (thing.depth !== depth && part.carried.length + part.alone.length > 0) {
+      end();
+      part = empty();
     }
     depth = thing.depth;
-    if (!thing.willRender(camera)) continue;
-    const list = thing.isStill ? part.still : thing.isCarriedBy(shift.x, shift.y) ? part.carried : part.others;
-    list.push(thing);
+    part[thing.drawn ?? 'alone'].push(thing);
   }
-  parts.push(part);
+  end();
   return parts;
 }

@@ -1,4 +1,4 @@
-import { GameObjects } from 'phaser';
+import { GameObjects, type Scene } from 'phaser';
 
 /** Frames without a change after which a thing counts as standing still. */
 const CALM = 10;
@@ -7,8 +7,13 @@ const CALM_ON_THE_WAY = 60;
 /** px within which two things have gone the same way: what rounding makes of it. */
 const ALIKE = 1e-6;
 
+/** How a thing is drawn: with those that stand still, with those that are dragged, or by itself. */
+export type Drawn = 'still' | 'carried' | 'alone';
+
 /** An image that knows how it was drawn last. */
 export class Thing extends GameObjects.Image {
+  /** As it was sorted last; null: it is new. */
+  drawn: Drawn | null = null;
   /** How far it is from where it stood still last, px. */
   shiftX = 0;
   shiftY = 0;
@@ -25,7 +30,50 @@ export class Thing extends GameObjects.Image {
   /** Whether nothing but its place has changed since it stood still. */
   private onlyMoved = true;
 
-  /** Looks at how it is to be drawn; to be called once a frame. */
+  /** @param restless those that are not known to stand still; it joins them whenever it is changed */
+  constructor(
+    scene: Scene,
+    texture: string,
+    private readonly restless: Set<Thing>,
+  ) {
+    super(scene, 0, 0, texture);
+    restless.add(this);
+  }
+
+  override setPosition(x: number, y: number): this {
+    if (x === this.x && y === this.y) return this;
+    this.restless.add(this);
+    return super.setPosition(x, y);
+  }
+
+  override setRotation(radians: number): this {
+    this.restless.add(this);
+    return super.setRotation(radians);
+  }
+
+  override setScale(scale: number): this {
+    this.restless.add(this);
+    return super.setScale(scale);
+  }
+
+  override setAlpha(alpha: number): this {
+    if (alpha === this.alpha) return this;
+    this.restless.add(this);
+    return super.setAlpha(alpha);
+  }
+
+  override setTexture(texture: string): this {
+    // Phaser calls it while it makes an image
+    this.restless?.add(this);
+    return super.setTexture(texture);
+  }
+
+  override destroy(fromScene?: boolean): void {
+    this.restless.delete(this);
+    super.destroy(fromScene);
+  }
+
+  /** Looks at how it is to be drawn; to be called once a frame while it is restless. */
   look(): void {
     const { x, y, rotation, scaleX, alpha, frame } = this;
     const isNew = Number.isNaN(this.drawnX);
