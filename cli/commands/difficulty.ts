@@ -64,7 +64,7 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
       'after',
       `
 Noise: each press and release is off by an independent Gaussian error; people are off by 30 to 60 ms. The grade is an estimate,
-made from the other numbers and not fitted to players. Of a single level it is also said what all its minerals cost beyond, and
+made from the other numbers and not fitted to players. Of a single level it is also said what all its minerals take beyond, and
 whether it can be completed without pressing, with one press, and without each asteroid that the run uses.
 
 Exit code: 0 when every level was measured; 1 when one has no run that can be, or is invalid; 2 when one could not be read.

@@ -94,8 +94,11 @@ function detail({ name, runName, difficulty }: Hard, colors: Colors): string {
 }
 
 function mineralsInWords({ time, presses, p40 }: NonNullable<Difficulty['mineralsExtra']>): string {
-  const signed = (value: number, digits: number): string => `${value < 0 ? '-' : '+'}${Math.abs(value).toFixed(digits)}`;
-  return `all of them cost ${signed(time, 2)} s, ${signed(presses, 0)} presses, ${signed(100 * p40, 1)} % of success at 40 ms`;
+  const than = (value: number, size: string, less: string, more: string): string => `${size} ${value < 0 ? less : more}`;
+  const quick = than(time, `${Math.abs(time).toFixed(2)} s`, 'quicker', 'slower');
+  const many = than(presses, plural(Math.abs(presses), 'press', 'presses'), 'fewer', 'more');
+  const sure = than(p40, `${Math.abs(100 * p40).toFixed(1)} points`, 'less', 'more');
+  return `taking all of them is ${quick}, with ${many} and ${sure} of success at 40 ms`;
 }
 
 function onePressInWords({ count, tried, example }: Difficulty['shortcuts']['onePress']): string {

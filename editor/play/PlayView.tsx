@@ -1,10 +1,12 @@
-import { Check, RotateCcw, X } from 'lucide-react';
+import { Check, Plus, RotateCcw, Route, X } from 'lucide-react';
 import { useCallback, useEffect, useRef, useState } from 'react';
-import { useEditor, useLevel, useSession } from '../context/index.ts';
-import { addRun, freeRunName, replaceHolds } from '../document/index.ts';
+import { useStore } from 'zustand';
+import { useEditor, useLevel, useProof, useSession, useTouch } from '../context/index.ts';
 import { outcomeInWords } from '../proof/index.ts';
 import { Button } from '../ui/index.ts';
+import type { Attempt } from './attempts.ts';
 import { listenToGun } from './gun-input.ts';
+import { keepAsRun, makeProof } from './keep-attempt.ts';
 import './play.css';
 import { createPlaytest, type Playtest } from './playtest.ts';
 import { createSound } from './sound.ts';
@@ -14,7 +16,6 @@ interface Readout {
   readonly tick: number;
   readonly minerals: number;
   readonly speed: number;
-  readonly over: boolean;
 }
 
 /** ms between two readouts */
@@ -24,7 +25,6 @@ const read = (play: Playtest): Readout => ({
   tick: play.tick,
   minerals: play.minerals,
   speed: play.speed,
-  over: play.end !== null,
 });
 
 /** The playtest over the canvas: takes the gun's input, plays in fixed ticks, keeps out of the way. */
@@ -38,36 +38,40 @@ export function PlayView() {
   const rateNow = useRef(rate);
   rateNow.current = rate;
   const [readout, setReadout] = useState<Readout | null>(null);
+  // what was played, once it is over
+  const [attempt, setAttempt] = useState<Attempt | null>(null);
+
+  /** Puts what was played so far among the attempts. */
+  const keep = useCallback(
+    (playing: Playtest): Attempt => {
+      const { accuracy } = level.proof.proof();
+      const { end, tick, minerals } = playing;
+      return level.attempts.add({ holds: playing.holds(), end, tick, minerals, accuracy, points: playing.points() });
+    },
+    [level],
+  );
+  /** Whoever leaves, or begins again, before it is over loses nothing. */
+  const abandon = useCallback(() => {
+    const playing = play.current;
+    play.current = null;
+    if (playing !== null && playing.end === null && playing.tick > playing.startTick) keep(playing);
+  }, [keep]);
+  const toGun = useCallback(() => host.current?.focus({ preventScroll: true }), []);
 
   const start = useCallback(() => {
+    abandon();
     const { run, scene } = level.proof.proof();
     const { tick } = editor.session.getState();
-    play.current = createPlaytest(scene, from === 'scrubbed' ? { holds: run.holds, tick } : null);
-    level.playtest.setState({ pose: () => (play.current as Playtest).pose() }, true);
-    setReadout(read(play.current));
+    const playing = createPlaytest(scene, from === 'scrubbed' ? { holds: run.holds, tick } : null);
+    play.current = playing;
+    level.playtest.setState({ pose: () => playing.pose() }, true);
+    setReadout(read(playing));
+    setAttempt(null);
     // the button that began it anew is gone, and the focus with it
-    host.current?.focus({ preventScroll: true });
-  }, [editor, level, from]);
+    toGun();
+  }, [editor, level, from, abandon, toGun]);
 
   const leave = useCallback(() => editor.session.setState({ mode: 'edit' }), [editor]);
-
-  /** Puts the attempt into the level: in place of the shown run when that doesn't complete it, else as a run of its own, shown first. */
-  const promote = useCallback(() => {
-    const now = play.current;
-    if (now === null || now.end === null) return;
-    const { run } = level.proof.proof();
-    const holds = now.holds();
-    const file = level.document.file();
-    if (run.name !== null && run.outcome !== 'completed') {
-      level.document.change('Make the attempt the proof', replaceHolds(run.name, holds));
-    } else {
-      const name = freeRunName(file, run.name === null ? 'solution' : 'played');
-      level.document.change('Make the attempt the proof', addRun(name, holds, 'first'));
-      editor.session.setState({ run: name });
-    }
-    editor.notices.show('info', `The attempt is a run of the level now: ${holds.length} holds.`, { topic: 'promoted' });
-    leave();
-  }, [editor, level, leave]);
 
   useEffect(() => {
     const element = host.current;
@@ -95,14 +99,7 @@ export function PlayView() {
         kept = playing;
         if (playing.end.outcome === 'completed') sound.won();
         else sound.died();
-        const { accuracy } = level.proof.proof();
-        level.attempts.add({
-          holds: playing.holds(),
-          end: playing.end,
-          minerals: playing.minerals,
-          accuracy,
-          points: playing.points(),
-        });
+        setAttempt(keep(playing));
         setReadout(read(playing));
       }
       if (now - shownAt > READOUT) {
@@ -116,9 +113,16 @@ export function PlayView() {
       gun.stop();
       sound.close();
       level.playtest.setState(null, true);
-      play.current = null;
+      abandon();
     };
-  }, [editor, level, start]);
+  }, [editor, level, start, keep, abandon]);
+
+  const won = attempt?.end?.outcome === 'completed';
+  const promote = useCallback(() => {
+    if (attempt === null) return;
+    (won ? makeProof : keepAsRun)({ editor, level }, attempt);
+    leave();
+  }, [editor, level, attempt, won, leave]);
 
   useEffect(
     () =>
@@ -127,53 +131,80 @@ export function PlayView() {
         { id: 'play.restart', title: 'Play again', group: 'Play', mode: 'play', keys: ['r'], run: start },
         {
           id: 'play.promote',
-          title: 'Make this attempt the proof',
+          title: won ? 'Make this attempt the proof' : 'Keep this attempt as a run',
           group: 'Play',
           mode: 'play',
           keys: ['Enter'],
-          needs: () => (play.current?.end === null ? 'the attempt has not ended' : null),
+          needs: () => (attempt === null ? 'the attempt has not ended' : null),
           run: promote,
         },
       ]),
-    [editor, leave, start, promote],
+    [editor, leave, start, promote, attempt, won],
   );
 
-  const end = readout?.over === true ? (play.current?.end ?? null) : null;
+  const touch = useTouch();
+  const isRunShown = useStore(editor.settings, ({ runInPlay }) => runInPlay);
+  const hasRun = useProof(({ run }) => run.name !== null);
+  const end = attempt?.end ?? null;
   const { minerals: all, range } = level.proof.proof().level;
+  const gun = touch ? 'hold a finger on the screen' : 'hold the mouse button';
   return (
-    <div
-      ref={host}
-      className="play"
-      tabIndex={-1}
-      role="application"
-      aria-label="Playtest: hold the mouse button to fire the gun"
-    >
-      <div className="play__readout numbers" aria-hidden>
-        <span>{((readout?.tick ?? 0) / 60).toFixed(2)} s</span>
-        <span>{Math.round(readout?.speed ?? 0)} px/s</span>
-        {all.length > 0 && (
-          <span>
-            minerals {readout?.minerals ?? 0}/{all.length}
-          </span>
-        )}
-        <span className="play__hint">hold the mouse button, a finger or Space: gun · R again · Esc edit</span>
+    <div ref={host} className="play" tabIndex={-1} role="application" aria-label={`Playtest: ${gun} to fire the gun`}>
+      <div className="play__hud">
+        <div className="play__readout numbers" aria-hidden>
+          <span>{((readout?.tick ?? 0) / 60).toFixed(2)} s</span>
+          <span>{Math.round(readout?.speed ?? 0)} px/s</span>
+          {all.length > 0 && (
+            <span>
+              minerals {readout?.minerals ?? 0}/{all.length}
+            </span>
+          )}
+          <span className="play__hint">{touch ? `${gun}: gun` : `${gun} or Space: gun · R again · Esc edit`}</span>
+        </div>
+        <div className="play__tools">
+          {hasRun && (
+            <Button
+              hint="Show the run's way"
+              shortcut="W"
+              icon={<Route size={15} />}
+              pressed={isRunShown}
+              onClick={() => {
+                editor.settings.setState({ runInPlay: !isRunShown });
+                toGun();
+              }}
+            />
+          )}
+          {/* who has no keys */}
+          {touch && end === null && (
+            <>
+              <Button hint="Play again" icon={<RotateCcw size={15} />} onClick={start} />
+              <Button hint="Back to editing" icon={<X size={15} />} onClick={leave} />
+            </>
+          )}
+        </div>
       </div>
       {end !== null && (
-        <div className={`play__end play__end--${end.outcome === 'completed' ? 'won' : 'lost'}`} role="status">
-          <strong>{end.outcome === 'completed' ? 'Through!' : 'Not this time'}</strong>
+        <div className={`play__end play__end--${won ? 'won' : 'lost'}`} role="status">
+          <strong>{won ? 'Through!' : 'Not this time'}</strong>
           <span>She {outcomeInWords(end, range)}.</span>
           <span className="play__actions">
-            <Button hint="Play again" shortcut="R" look="outlined" icon={<RotateCcw size={15} />} onClick={start}>
+            <Button
+              hint="Play again"
+              shortcut="R"
+              look={won ? 'outlined' : 'main'}
+              icon={<RotateCcw size={15} />}
+              onClick={start}
+            >
               Again
             </Button>
             <Button
-              hint="Put this attempt into the level as a run"
+              hint={won ? 'Put this attempt into the level as its proof' : 'Put this attempt into the level as its last run'}
               shortcut="Enter"
-              look={end.outcome === 'completed' ? 'main' : 'outlined'}
-              icon={<Check size={15} />}
+              look={won ? 'main' : 'outlined'}
+              icon={won ? <Check size={15} /> : <Plus size={15} />}
               onClick={promote}
             >
-              Make this the proof
+              {won ? 'Make this the proof' : 'Keep as a run'}
             </Button>
             <Button hint="Back to editing" shortcut="Esc" look="outlined" icon={<X size={15} />} onClick={leave}>
               Edit

@@ -1,14 +1,17 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
-import type { AccuracyName } from '../../engine/index.ts';
+import { type AccuracyName, TICK } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
-import type { RunEnd } from '../proof/index.ts';
+import { outcomeInWords, type RunEnd } from '../proof/index.ts';
 
 /** One attempt of a person at a level. */
 export interface Attempt {
   /** Counted from 1 within the level. */
   readonly number: number;
   readonly holds: readonly Hold[];
-  readonly end: RunEnd;
+  /** null: the person left before it ended */
+  readonly end: RunEnd | null;
+  /** How far it was played. */
+  readonly tick: number;
   readonly minerals: number;
   readonly accuracy: AccuracyName;
   /** x, y at every tick, px. */
@@ -32,9 +35,16 @@ export function createAttempts(): Attempts {
     store,
     add(attempt) {
       const numbered = { ...attempt, number: ++count };
-      store.setState([...store.getState(), numbered].slice(-KEPT), true);
+      const all = [...store.getState(), numbered];
+      // those that were only begun go first
+      const spare = all.slice(0, -1).find(({ end }) => end === null) ?? all[0];
+      store.setState(all.length > KEPT ? all.filter((one) => one !== spare) : all, true);
       return numbered;
     },
     clear: () => store.setState([], true),
   };
 }
+
+/** How an attempt ended, for a person: `collides with nova 3 at 3.22 s`, `was left at 3.20 s`. @param range of the level, px */
+export const attemptInWords = ({ end, tick }: Pick<Attempt, 'end' | 'tick'>, range: number): string =>
+  end === null ? `was left at ${(tick * TICK).toFixed(2)} s` : outcomeInWords(end, range);

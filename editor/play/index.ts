@@ -1,4 +1,5 @@
 export { attemptGhosts } from './attempt-ghosts.ts';
-export { type Attempt, type Attempts, createAttempts } from './attempts.ts';
+export { type Attempt, type Attempts, attemptInWords, createAttempts } from './attempts.ts';
+export { keepAsRun, makeProof } from './keep-attempt.ts';
 export { PlayView } from './PlayView.tsx';
 export { playCommands } from './play-commands.ts';

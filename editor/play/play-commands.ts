@@ -26,6 +26,19 @@ export function playCommands({ session, settings, notices }: Editor): readonly C
     { id: 'play.slower', title: 'Slower', group: 'Play', mode: 'both', keys: ['BracketLeft'], run: () => changeRate(-1) },
     { id: 'play.faster', title: 'Faster', group: 'Play', mode: 'both', keys: ['BracketRight'], run: () => changeRate(1) },
     {
+      id: 'play.show-run',
+      title: "Show or hide the run's way while playing",
+      group: 'Play',
+      mode: 'both',
+      keys: ['w'],
+      run: () => {
+        const runInPlay = !settings.getState().runInPlay;
+        settings.setState({ runInPlay });
+        const text = runInPlay ? "The run's way is shown while you play." : "The run's way is hidden while you play.";
+        notices.show('info', text, { topic: 'runInPlay' });
+      },
+    },
+    {
       id: 'play.sound',
       title: 'Sound on or off',
       group: 'Play',

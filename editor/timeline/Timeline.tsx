@@ -121,12 +121,16 @@ export function Timeline() {
   const onDragging = useCallback((isDragging: boolean) => setKept(isDragging ? now.current.scale : null), []);
   const slack = analysis !== null && analysis.holds === holds.join() ? analysis.slack : null;
   const ending = toX(scale, end);
+  const isPlaying = useSession(({ mode }) => mode === 'play');
+  const isRunShown = useStore(editor.settings, ({ runInPlay }) => runInPlay);
+  // when to press would be given away as well
+  const isHidden = isPlaying && !isRunShown;
   return (
     <div className="timeline">
       <Transport end={end} reached={reached} isExplained={isExplained} onExplain={setExplained} />
       <div
         ref={box}
-        className="timeline__box"
+        className={isHidden ? 'timeline__box timeline__box--hidden' : 'timeline__box'}
         onPointerMove={(event) => {
           if (event.buttons !== 0 || event.pointerType === 'touch') return;
           const at = toTick(scale, event.clientX - event.currentTarget.getBoundingClientRect().left);
@@ -134,6 +138,7 @@ export function Timeline() {
         }}
         onPointerLeave={() => session.setState({ hoverTick: null })}
       >
+        {isHidden && <p className="timeline__hidden">Hidden while you play: it gives the run away.</p>}
         <Ruler scale={scale} width={width} end={end} />
         {isBroken && ending < width && (
           <div className="timeline__after" style={{ left: Math.max(0, ending) }} aria-hidden>

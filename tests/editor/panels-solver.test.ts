@@ -4,14 +4,15 @@ import { fileURLToPath } from 'node:url';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { createStore } from 'zustand/vanilla';
 import type { Ghost } from '../../editor/canvas/layers/way-layer.ts';
-import { createEditedLevel, setLevelProperty } from '../../editor/document/index.ts';
+import { addRun, createEditedLevel, setLevelProperty } from '../../editor/document/index.ts';
+import { extraInWords } from '../../editor/panels/figures/index.ts';
 import { createDifficultyDesk } from '../../editor/panels/solver/difficulty.ts';
 import { createOverlay } from '../../editor/panels/solver/overlay.ts';
 import { watchProofs } from '../../editor/panels/solver/proof-watch.ts';
 import { watchRobustness } from '../../editor/panels/solver/robustness-watch.ts';
 import { createSearchDesk } from '../../editor/panels/solver/search.ts';
 import { everyTick, wayOf } from '../../editor/panels/solver/ways.ts';
-import { createWish, goalOf } from '../../editor/panels/solver/wish.ts';
+import { aimOf, createWish, goalOf } from '../../editor/panels/solver/wish.ts';
 import { createProofStore } from '../../editor/proof/index.ts';
 import { createSession } from '../../editor/session/index.ts';
 import type { JobEnd, JobKind, Requests, Solving, Workers } from '../../editor/workers/index.ts';
@@ -283,6 +284,52 @@ describe('a search', () => {
     expect(document.undo() && document.undo() && document.undo()).toBe(true);
     expect(document.file().runs).toBeUndefined();
   });
+});
+
+describe('what a found run is called, and where it comes', () => {
+  it('tells what it was looked for, where the level is proved already', () => {
+    const { search, document, workers, wish, holds, solving } = stage();
+    const [, other] = document.file().runs ?? [];
+    wish.setState({ objective: 'time' });
+    search.start();
+    workers.last('solve').tell(solving(holds, other.holds));
+    search.use(holds);
+    search.use(other.holds);
+    search.use(holds);
+    const names = () => document.file().runs?.map(({ name }) => name);
+    expect(names()).toEqual(['solution', 'all-minerals', 'quickest', 'quickest 2', 'quickest 3']);
+    search.use(other.holds, undefined, 'one press');
+    expect(names()?.at(-1)).toBe('one press');
+  });
+
+  it('comes first where no run completes the level, but not when it does not either', () => {
+    const { search, document, workers, proof, holds, solving } = stage('04-slingshot', false);
+    document.change('try', addRun('solution', [[1, 2]]));
+    search.start();
+    workers.last('solve').tell(solving(holds));
+    search.use([[3, 4]]);
+    expect(document.file().runs?.map(({ name }) => name)).toEqual(['solution', 'solution 2']);
+    search.use(holds);
+    expect(document.file().runs?.map(({ name }) => name)).toEqual(['safest', 'solution', 'solution 2']);
+    expect(proof.proof().verdict).toBe('completable');
+  });
+
+  it.each([
+    [{ minerals: 'all', objective: 'robust' }, 1, 'all minerals'],
+    [{ minerals: 'all', objective: 'presses' }, 2, 'all minerals, simplest 2'],
+    [{ minerals: 'some', some: 1, objective: 'first' }, 1, '1 mineral'],
+    [{ minerals: 'any', objective: 'first' }, 3, 'found 3'],
+  ] as const)('%j, place %i: %s', (wished, place, name) => {
+    expect(aimOf({ ...createWish().getState(), ...wished }, place)).toBe(name);
+  });
+});
+
+it.each([
+  [-1.75, 0, '1.75 s quicker, as many presses'],
+  [3.1, 1, '3.10 s slower, 1 press more'],
+  [0.001, -2, 'as quick, 2 presses fewer'],
+])('all minerals take %d s and %i presses: %s', (time, presses, words) => {
+  expect(extraInWords(time, presses)).toBe(words);
 });
 
 describe('ways of ghosts', () => {

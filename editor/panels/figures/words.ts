@@ -27,3 +27,10 @@ export function about(count: number): string {
   if (count >= 1e4) return `${Math.round(count / 1e3)} k`;
   return String(Math.round(count));
 }
+
+/** What all minerals take beyond the way that is measured: `3.10 s slower, 1 press more`. */
+export function extraInWords(time: number, presses: number): string {
+  const slower = `${seconds(Math.abs(time))} ${time < 0 ? 'quicker' : 'slower'}`;
+  const more = `${plural(Math.abs(presses), 'press', 'presses')} ${presses < 0 ? 'fewer' : 'more'}`;
+  return [Math.abs(time) < 0.005 ? 'as quick' : slower, presses === 0 ? 'as many presses' : more].join(', ');
+}

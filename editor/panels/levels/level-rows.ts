@@ -1,4 +1,5 @@
 import type { LevelEntry } from '../../../schema/index.ts';
+import { plural } from '../figures/index.ts';
 import type { TreeRow } from '../tree/index.ts';
 import { folderOf, stemOf } from './level-files.ts';
 
@@ -57,7 +58,7 @@ export function levelRows(levels: readonly LevelEntry[], folded: ReadonlySet<str
     const expanded = !canMove || !folded.has(folder);
     const place = top.length + i;
     const count = entries.length;
-    const label = `${folder}, ${count} ${count === 1 ? 'level' : 'levels'}`;
+    const label = `${folder}, ${plural(count, 'level')}`;
     rows.push({ key: `${folder}/`, depth: 1, label, expanded, list: null, place, siblings, entry: null, title: folder, count });
     if (expanded) rows.push(...entries.map((entry, k) => level(entry, 2, folder, k, entries.length)));
   }

@@ -1,12 +1,12 @@
 import { Check, Eye, EyeOff, Plus, Trash2 } from 'lucide-react';
 import { useEffect, useState } from 'react';
 import { useStore } from 'zustand';
+import { TICK } from '../../../engine/index.ts';
 import { useEditor, useLevel, useProof } from '../../context/index.ts';
-import { type Attempt, attemptGhosts } from '../../play/index.ts';
-import { outcomeInWords } from '../../proof/index.ts';
+import { type Attempt, attemptGhosts, attemptInWords, keepAsRun, makeProof } from '../../play/index.ts';
 import { Button } from '../../ui/index.ts';
+import { plural, seconds } from '../figures/index.ts';
 import { OutcomeSign, outcomeWord } from './OutcomeSign.tsx';
-import { promoteAttempt } from './promote.ts';
 
 /** What was played: each attempt a ghost on the canvas, and a run of the level if wanted. */
 export function AttemptList() {
@@ -44,15 +44,18 @@ export function AttemptList() {
       </div>
       <ul className="attempts__list">
         {attempts.toReversed().map((attempt) => {
-          const { number, end, minerals, holds } = attempt;
-          const completes = end.outcome === 'completed';
+          const { number, end, minerals, holds, tick } = attempt;
+          const completes = end?.outcome === 'completed';
+          const how = end === null ? `left at ${seconds(tick * TICK)}` : `${outcomeWord(end.outcome)} · ${seconds(end.time)}`;
+          const words = `She ${attemptInWords(attempt, range)}, with ${plural(holds.length, 'hold')}.`;
           return (
-            <li key={number} className="attempts__one" title={`She ${outcomeInWords(end, range)}, with ${holds.length} holds.`}>
-              <OutcomeSign outcome={end.outcome} />
+            <li key={number} className="attempts__one" title={words}>
+              <OutcomeSign outcome={end?.outcome ?? null} />
               <span className="runs__text">
                 <span className="runs__name">attempt {number}</span>
                 <span className="runs__facts numbers">
-                  {outcomeWord(end.outcome)} · {end.time.toFixed(2)} s{minerals > 0 && ` · ◆ ${minerals}`}
+                  {how}
+                  {minerals > 0 && ` · ◆ ${minerals}`}
                 </span>
               </span>
               <Button
@@ -63,7 +66,7 @@ export function AttemptList() {
               <Button
                 hint={completes ? `Make attempt ${number} the proof` : `Keep attempt ${number} as a run`}
                 icon={completes ? <Check size={14} /> : <Plus size={14} />}
-                onClick={() => promoteAttempt(editor, level, attempt)}
+                onClick={() => (completes ? makeProof : keepAsRun)({ editor, level }, attempt)}
               />
             </li>
           );

@@ -14,6 +14,7 @@ import {
 } from '../../document/index.ts';
 import { outcomeInWords } from '../../proof/index.ts';
 import { Button } from '../../ui/index.ts';
+import { plural } from '../figures/index.ts';
 import { InlineName, type MenuEntry, MoreButton, Tree, type TreeRow } from '../tree/index.ts';
 import { AttemptList } from './AttemptList.tsx';
 import { OutcomeSign, outcomeWord } from './OutcomeSign.tsx';
@@ -76,13 +77,14 @@ export function RunsPanel() {
     setActive(name);
   };
   const rename = (name: string, to: string) => {
-    if (runs.some((run) => run.name === to)) {
-      notices.show('warning', `Another run of this level is called "${to}" already. Choose another name.`, { topic: 'refused' });
-      return;
-    }
     if (!change('Rename run', renameRun(name, to)).ok) return;
     if (shown === name) session.setState({ run: to });
     setActive(to);
+  };
+  const nameProblem = (to: string): string | null => {
+    if (to === '') return 'A run needs a name. Esc leaves it as it was.';
+    const isTaken = runs.some((run) => run.name === to);
+    return isTaken ? `Another run is called “${to}” already. Choose another name; Esc leaves it as it was.` : null;
   };
   const duplicate = (name: string) => {
     const as = freeRunName(document.file(), name);
@@ -156,6 +158,7 @@ export function RunsPanel() {
                   label="Name of the run"
                   value={row.key}
                   longest={LONGEST_NAME}
+                  problemOf={nameProblem}
                   onDone={(to) => rename(row.key, to)}
                   onEnd={() => setRenamed(null)}
                 />
@@ -184,7 +187,7 @@ export function RunsPanel() {
 }
 
 function facts({ summary, holds }: RunRow, minerals: number): string {
-  const held = holds === 0 ? 'no press' : holds === 1 ? '1 hold' : `${holds} holds`;
+  const held = holds === 0 ? 'no press' : plural(holds, 'hold');
   if (summary === null) return held;
   const taken = minerals === 0 ? [] : [`◆ ${summary.minerals}/${minerals}`];
   return [outcomeWord(summary.outcome), `${summary.time.toFixed(2)} s`, ...taken, held].join(' · ');

@@ -3,7 +3,7 @@ import { useStore } from 'zustand';
 import { TICK } from '../../../engine/index.ts';
 import type { Candidate, Difficulty, WithoutAsteroid } from '../../../solver/index.ts';
 import { Button } from '../../ui/index.ts';
-import { type Fact, percent, plural, seconds } from '../figures/index.ts';
+import { extraInWords, type Fact, percent, plural, seconds } from '../figures/index.ts';
 import { Facts, Progress, Section } from '../parts/index.ts';
 import { useSolverDesk } from './use-desk.ts';
 
@@ -23,14 +23,13 @@ function factsOf({ sigmaAtHalf, smallestWindow, presses, length, randomPlay, min
   facts.push({ label: 'random play wins', value: `${percent(randomPlay.share)} of ${randomPlay.samples.toLocaleString('en')}` });
   if (mineralsExtra !== null) {
     const { time, presses: more } = mineralsExtra;
-    const signed = (value: number, digits: number) => `${value < 0 ? '−' : '+'}${Math.abs(value).toFixed(digits)}`;
-    facts.push({ label: 'all minerals cost', value: `${signed(time, 2)} s, ${signed(more, 0)} presses` });
+    facts.push({ label: 'taking all minerals', value: extraInWords(time, more) });
   }
   return facts;
 }
 
 /** A way of winning that may not be meant, with a button that keeps it. */
-function Shortcut({ text, run }: { readonly text: string; readonly run: Candidate | null }) {
+function Shortcut({ text, run, as }: { readonly text: string; readonly run: Candidate | null; readonly as: string }) {
   const { search } = useSolverDesk();
   return (
     <li className="shortcut">
@@ -39,7 +38,7 @@ function Shortcut({ text, run }: { readonly text: string; readonly run: Candidat
         <Button
           hint="Add it to the level as a run, to look at it"
           icon={<Plus size={14} />}
-          onClick={() => search.use(run.holds)}
+          onClick={() => search.use(run.holds, undefined, as)}
         />
       )}
     </li>
@@ -62,7 +61,11 @@ function Result({ result }: { readonly result: Difficulty }) {
       <h4 className="report__title">Shortcuts</h4>
       <ul className="report__shortcuts">
         {withoutPressing !== null && (
-          <Shortcut text={`Never pressing completes it in ${seconds(withoutPressing.time)}`} run={withoutPressing} />
+          <Shortcut
+            text={`Never pressing completes it in ${seconds(withoutPressing.time)}`}
+            run={withoutPressing}
+            as="no press"
+          />
         )}
         <Shortcut
           text={
@@ -71,9 +74,15 @@ function Result({ result }: { readonly result: Difficulty }) {
               : `One press completes it in ${percent(onePress.count / onePress.tried)} of ${onePress.tried.toLocaleString('en')} tried`
           }
           run={onePress.example}
+          as="one press"
         />
         {withoutAsteroid.map(({ asteroid, use, run }) => (
-          <Shortcut key={asteroid} text={`Asteroid ${asteroid + 1} ${USES[use]}`} run={use === 'avoidable' ? run : null} />
+          <Shortcut
+            key={asteroid}
+            text={`Asteroid ${asteroid + 1} ${USES[use]}`}
+            run={use === 'avoidable' ? run : null}
+            as={`without asteroid ${asteroid + 1}`}
+          />
         ))}
       </ul>
     </>

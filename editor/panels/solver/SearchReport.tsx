@@ -104,14 +104,18 @@ function FoundCard({ found, place, minerals }: { readonly found: Found; readonly
       ) : (
         <span className="found__does">
           <Button
-            hint={`Add way ${place} to the level as a new run`}
+            hint={
+              works
+                ? `Add way ${place} to the level as a new run`
+                : `Keep way ${place} as the last run, though it fails in the level as it is now`
+            }
             icon={<Plus size={15} />}
             look="outlined"
             onClick={() => search.use(candidate.holds)}
           >
-            Use
+            {works ? 'Use' : 'Keep'}
           </Button>
-          {shown !== null && (
+          {shown !== null && works && (
             <Button
               hint={`Put way ${place} in place of the run “${shown}”`}
               icon={<Replace size={15} />}

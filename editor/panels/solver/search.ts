@@ -10,7 +10,7 @@ import type { Job, Results, Solving, Workers } from '../../workers/index.ts';
 import { type GhostShelf, putGhosts } from './ghost-shelf.ts';
 import type { OverlayStore } from './overlay.ts';
 import { wayOf } from './ways.ts';
-import { goalOf, type Wish, type WishStore } from './wish.ts';
+import { aimOf, goalOf, type Wish, type WishStore } from './wish.ts';
 
 /** A run that was found, and whether it still does what it was found for. */
 export interface Found {
@@ -57,6 +57,9 @@ const IDLE: SearchState = {
   hovered: null,
 };
 
+/** What the run is called that shows first that a level can be completed. */
+const SOLUTION = 'solution';
+
 /** Different runs that are kept and shown. */
 const COUNT = 5;
 /** ms after a change of the level before found runs are tried in it */
@@ -73,8 +76,12 @@ export interface SearchDesk {
   clear(): void;
   /** Shows this one alone on the canvas; null: all of them. */
   hover(id: string | null): void;
-  /** Puts a run into the level and shows it: a new one, or in place of the run called `into`. */
-  use(holds: readonly Hold[], into?: string): void;
+  /**
+   * Puts a run into the level and shows it. Where no run completes the level and this one does, it comes first: it is the proof.
+   * @param into name of the run whose place it takes; a new one when left out
+   * @param as what a new run is called; by what it was looked for when left out
+   */
+  use(holds: readonly Hold[], into?: string, as?: string): void;
   close(): void;
 }
 
@@ -261,16 +268,24 @@ export function createSearchDesk({ level, session, workers, wish, overlay, now }
       if (id === null) unseen = null;
       drawGhosts();
     },
-    use(holds, into) {
+    use(holds, into, as) {
       const file = document.file();
       if (into !== undefined) {
         document.change(`Replace run ${into}`, replaceHolds(into, holds));
         session.setState({ run: into });
         return;
       }
-      // the first run is the one that is shown: a level that is not proved yet is proved by this one
-      const place = proof.proof().provenBy === null ? 'first' : 'last';
-      const name = freeRunName(file, 'solution');
+      const { provenBy, scene: current } = proof.proof();
+      // the first run is the one that is shown, but what fails in the level as it is now proves nothing
+      const proves = provenBy === null && verifyRun(current, holds) !== null;
+      const place = proves ? 'first' : 'last';
+      const hasSolution = file.runs?.some(({ name }) => name === SOLUTION) === true;
+      const aim = () => {
+        const { wish: wished, found } = store.getState();
+        const rank = found.findIndex(({ id }) => id === holds.join());
+        return wished === null || rank < 0 ? SOLUTION : aimOf(wished, rank + 1);
+      };
+      const name = freeRunName(file, proves && !hasSolution ? SOLUTION : (as ?? aim()));
       if (document.change(`Add run ${name}`, addRun(name, holds, place)).ok) session.setState({ run: name });
     },
     close() {

@@ -23,3 +23,14 @@ export function goalOf({ minerals, some }: Wish, count: number): Goal {
   // of none all is any: nobody has to know the difference
   return { minerals: minerals === 'all' && count > 0 ? 'all' : 'any' };
 }
+
+const AIMS: Readonly<Record<Objective, string>> = { robust: 'safest', presses: 'simplest', time: 'quickest', first: 'found' };
+
+/** What a run is called that was found by a wish: `safest`, `all minerals, quickest`, `safest 2` for the second best. */
+export function aimOf({ minerals, some, objective }: Wish, place: number): string {
+  const taken =
+    minerals === 'all' ? ['all minerals'] : minerals === 'some' ? [`${some} ${some === 1 ? 'mineral' : 'minerals'}`] : [];
+  // of runs with minerals the safest is what one gets without asking
+  const best = taken.length > 0 && (objective === 'robust' || objective === 'first') ? [] : [AIMS[objective]];
+  return [...taken, ...best].join(', ') + (place > 1 ? ` ${place}` : '');
+}

@@ -1,9 +1,11 @@
-import { useEffect, useRef, useState } from 'react';
+import { useEffect, useId, useRef, useState } from 'react';
 
 interface InlineNameProps {
   readonly label: string;
   readonly value: string;
   readonly longest: number;
+  /** Why a name can't be taken, and what to do; null: it can. It stays in the field until it can, or Esc gives it up. */
+  readonly problemOf: (name: string) => string | null;
   /** Enter, or another place was clicked; only with a text that differs. */
   readonly onDone: (name: string) => void;
   /** The field is to go: done or given up. */
@@ -11,9 +13,11 @@ interface InlineNameProps {
 }
 
 /** A name that is edited in its row. */
-export function InlineName({ label, value, longest, onDone, onEnd }: InlineNameProps) {
+export function InlineName({ label, value, longest, problemOf, onDone, onEnd }: InlineNameProps) {
   const [text, setText] = useState(value);
   const input = useRef<HTMLInputElement>(null);
+  const note = useRef<HTMLSpanElement>(null);
+  const id = useId();
   // the tree had the focus, and is to have it again; leaving the field by Esc must not count as done
   const over = useRef(false);
   useEffect(() => {
@@ -28,31 +32,45 @@ export function InlineName({ label, value, longest, onDone, onEnd }: InlineNameP
       if (document.activeElement === null || document.activeElement === document.body) tree?.focus({ preventScroll: true });
     };
   }, []);
+  const name = text.trim();
+  const problem = name === value ? null : problemOf(name);
+  const hasProblem = problem !== null;
+  useEffect(() => {
+    if (hasProblem) note.current?.scrollIntoView({ block: 'nearest' });
+  }, [hasProblem]);
   const end = (keep: boolean) => {
-    if (over.current) return;
+    if (over.current || (keep && hasProblem)) return;
     over.current = true;
-    const name = text.trim();
-    if (keep && name !== '' && name !== value) onDone(name);
+    if (keep && name !== value) onDone(name);
     onEnd();
   };
   return (
-    <input
-      ref={input}
-      className="field tree__name"
-      aria-label={label}
-      value={text}
-      maxLength={longest}
-      spellCheck={false}
-      onChange={(event) => setText(event.target.value)}
-      onBlur={() => end(true)}
-      onClick={(event) => event.stopPropagation()}
-      onDoubleClick={(event) => event.stopPropagation()}
-      onContextMenu={(event) => event.stopPropagation()}
-      onKeyDown={(event) => {
-        event.stopPropagation();
-        if (event.key === 'Enter') end(true);
-        else if (event.key === 'Escape') end(false);
-      }}
-    />
+    <span className="tree__rename">
+      <input
+        ref={input}
+        className="field tree__name"
+        aria-label={label}
+        aria-invalid={hasProblem}
+        aria-describedby={hasProblem ? id : undefined}
+        value={text}
+        maxLength={longest}
+        spellCheck={false}
+        onChange={(event) => setText(event.target.value)}
+        onBlur={() => end(true)}
+        onClick={(event) => event.stopPropagation()}
+        onDoubleClick={(event) => event.stopPropagation()}
+        onContextMenu={(event) => event.stopPropagation()}
+        onKeyDown={(event) => {
+          event.stopPropagation();
+          if (event.key === 'Enter') end(true);
+          else if (event.key === 'Escape') end(false);
+        }}
+      />
+      {hasProblem && (
+        <span ref={note} id={id} className="tree__problem" role="alert">
+          {problem}
+        </span>
+      )}
+    </span>
   );
 }

@@ -1,0 +1,53 @@
+import { simulate } from '../../engine/index.ts';
+import type { Editor, OpenLevel } from '../context/index.ts';
+import { addRun, type ChangeResult, freeRunName, replaceHolds } from '../document/index.ts';
+import type { Attempt } from './attempts.ts';
+
+interface Parts {
+  readonly editor: Pick<Editor, 'session' | 'notices'>;
+  readonly level: Pick<OpenLevel, 'document' | 'proof'>;
+}
+
+const TOPIC = { topic: 'kept' } as const;
+
+function changed({ editor: { notices } }: Parts, result: ChangeResult): boolean {
+  if (!result.ok) notices.show('warning', `${result.refusal.message}. ${result.refusal.hint}`, TOPIC);
+  return result.ok;
+}
+
+/** Puts an attempt into the level as its last run: it proves nothing, and takes nobody's place. */
+export function keepAsRun(parts: Parts, { number, holds }: Attempt): void {
+  const { document } = parts.level;
+  const { session, notices } = parts.editor;
+  const name = freeRunName(document.file(), `attempt ${number}`);
+  if (!changed(parts, document.change(`Keep attempt ${number} as a run`, addRun(name, holds)))) return;
+  session.setState({ run: name });
+  notices.show('info', `Attempt ${number} is kept as the last run, “${name}”.`, TOPIC);
+}
+
+/**
+ * Makes an attempt that completes the level its proof: in place of the shown run where none completes it, else as the first run. One that does not, or no
+ * longer does, is kept as the last run.
+ */
+export function makeProof(parts: Parts, attempt: Attempt): void {
+  const { document, proof } = parts.level;
+  const { session, notices } = parts.editor;
+  const { number, holds } = attempt;
+  const { scene, run, provenBy } = proof.proof();
+  // the level, or its accuracy, may have changed since it was played
+  if (simulate(scene, holds).outcome !== 'completed') {
+    keepAsRun(parts, attempt);
+    notices.show(
+      'warning',
+      `Attempt ${number} does not complete the level as it is now, so it can not be the proof. It is kept as the last run.`,
+      TOPIC,
+    );
+    return;
+  }
+  const label = `Make attempt ${number} the proof`;
+  const mends = provenBy === null && run.name !== null;
+  const name = mends ? run.name : freeRunName(document.file(), run.name === null ? 'solution' : 'played');
+  if (!changed(parts, document.change(label, mends ? replaceHolds(name, holds) : addRun(name, holds, 'first')))) return;
+  session.setState({ run: name });
+  notices.show('info', `Attempt ${number} is the proof now, as the run “${name}”.`, TOPIC);
+}

@@ -1,0 +1,81 @@
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import type { Page } from 'playwright-core';
+import { expect, it } from 'vitest';
+import { verdict } from './commands.ts';
+import { straight } from './levels.ts';
+import { inChromium } from './stage.ts';
+import { until } from './until.ts';
+
+const firewalk = () => readFileSync(join(import.meta.dirname, '..', '..', 'levels', '16-firewalk.level.json'), 'utf8');
+
+const playtest = (page: Page) => page.getByRole('application', { name: /^Playtest/ });
+const theEnd = (page: Page) => playtest(page).getByRole('status');
+
+inChromium('attempts that do not get through, in Chromium', ({ on }) => {
+  it(
+    'are never made the proof: by key or button they become the last run, and one that was left is kept as well',
+    on({ '16': firewalk() }, async ({ page, file }) => {
+      await verdict(page, 'completable');
+      const names = () => file('16').runs?.map(({ name }) => name);
+      await page.getByRole('button', { name: '2×' }).click();
+      await page.getByRole('button', { name: 'Play', exact: true }).click();
+      // without a press she drifts into a nova
+      await theEnd(page).getByText('Not this time').waitFor();
+      await playtest(page).getByRole('button', { name: 'Keep as a run' }).waitFor();
+      expect(await page.getByRole('button', { name: 'Make this the proof' }).count()).toBe(0);
+      await page.getByRole('button', { name: 'Search or run' }).click();
+      const palette = page.getByRole('dialog', { name: 'Commands' });
+      await palette.getByRole('option', { name: 'Keep this attempt as a run' }).waitFor();
+      expect(await palette.getByRole('option', { name: 'the proof' }).count()).toBe(0);
+      await page.keyboard.press('Escape');
+      await palette.waitFor({ state: 'hidden' });
+      await playtest(page).focus();
+      await page.keyboard.press('Enter');
+      await playtest(page).waitFor({ state: 'hidden' });
+      await until(() => expect(names()).toEqual(['solution', 'all-minerals', 'attempt 1']));
+      await page.getByText('Attempt 1 is kept as the last run, “attempt 1”.').waitFor();
+      await verdict(page, 'completable');
+      await page.getByRole('combobox', { name: 'Run' }).selectOption('solution');
+
+      // left before it is over
+      await page.getByRole('button', { name: 'Play', exact: true }).click();
+      await page.keyboard.down('x');
+      await until(async () => expect(await playtest(page).textContent()).toMatch(/^0\.[1-9]|^[1-9]/));
+      await page.keyboard.press('Escape');
+      await playtest(page).waitFor({ state: 'hidden' });
+      await page.keyboard.up('x');
+      await page.getByRole('tab', { name: 'Runs' }).click();
+      const attempts = page.getByRole('region', { name: 'Attempts' });
+      await attempts.getByText(/^left at \d+\.\d\d s/).waitFor();
+      await attempts.getByRole('button', { name: 'Keep attempt 2 as a run' }).click();
+      await until(() => expect(names()).toEqual(['solution', 'all-minerals', 'attempt 1', 'attempt 2']));
+      expect(file('16').runs?.[3].holds[0]).toEqual([expect.any(Number), expect.any(Number)]);
+      await verdict(page, 'completable');
+    }),
+  );
+
+  it(
+    'neither is one that got through a level that has changed since',
+    on(
+      { '01': straight({ astronaut: { x: 200, y: 304, vx: 60 }, blackHole: { x: 400, y: 304 } }) },
+      async ({ page, canvas, file }) => {
+        await verdict(page, 'completable');
+        await canvas.fit(file('01'));
+        await page.getByRole('button', { name: '2×' }).click();
+        await page.getByRole('button', { name: 'Play', exact: true }).click();
+        await theEnd(page).getByText('Through!').waitFor();
+        await playtest(page).getByRole('button', { name: 'Make this the proof' }).waitFor();
+        await page.keyboard.press('Escape');
+        await playtest(page).waitFor({ state: 'hidden' });
+        await canvas.drag({ x: 400, y: 304 }, { to: [{ x: 200, y: 504 }] });
+        await verdict(page, 'impossible');
+        await page.getByRole('tab', { name: 'Runs' }).click();
+        await page.getByRole('button', { name: 'Make attempt 1 the proof' }).click();
+        await page.getByText('Attempt 1 does not complete the level as it is now').waitFor();
+        await until(() => expect(file('01').runs?.map(({ name }) => name)).toEqual(['solution', 'attempt 1']));
+        await verdict(page, 'impossible');
+      },
+    ),
+  );
+});

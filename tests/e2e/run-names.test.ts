@@ -1,0 +1,52 @@
+import { expect, it } from 'vitest';
+import { straight } from './levels.ts';
+import { inChromium } from './stage.ts';
+import { until } from './until.ts';
+
+inChromium('names of runs in Chromium', ({ on }) => {
+  it(
+    'a name that is there already, or none, stays in the field with what is wrong beside it until it is mended',
+    on(
+      {
+        '01': straight({
+          runs: [
+            { name: 'solution', holds: [[0, 600]] },
+            { name: 'other', holds: [[0, 601]] },
+          ],
+        }),
+      },
+      async ({ page, file }) => {
+        const names = () => file('01').runs?.map(({ name }) => name);
+        await page.getByRole('tab', { name: 'Runs' }).click();
+        await page.getByRole('treeitem', { name: /^other/ }).click();
+        await page.keyboard.press('F2');
+        const field = page.getByRole('textbox', { name: 'Name of the run' });
+        const problem = page.getByRole('alert').filter({ hasText: 'Esc leaves it as it was' });
+        await field.fill('solution');
+        await page.keyboard.press('Enter');
+        await problem.getByText('Another run is called “solution” already').waitFor();
+        expect(await field.getAttribute('aria-invalid')).toBe('true');
+        const [of, beside] = [await field.boundingBox(), await problem.boundingBox()];
+        expect(Math.abs((beside?.y ?? 0) - (of?.y ?? 0) - (of?.height ?? 0))).toBeLessThan(8);
+        // another place is clicked: what was typed is not lost
+        await page.getByRole('heading', { name: 'Runs' }).click();
+        expect(await field.inputValue()).toBe('solution');
+        await problem.waitFor();
+        await field.fill('');
+        await page.keyboard.press('Enter');
+        await problem.getByText('A run needs a name').waitFor();
+        await field.fill('second');
+        await problem.waitFor({ state: 'hidden' });
+        await page.keyboard.press('Enter');
+        await until(() => expect(names()).toEqual(['solution', 'second']));
+        await field.waitFor({ state: 'hidden' });
+        // Esc leaves it as it was
+        await page.keyboard.press('F2');
+        await field.fill('solution');
+        await page.keyboard.press('Escape');
+        await field.waitFor({ state: 'hidden' });
+        expect(names()).toEqual(['solution', 'second']);
+      },
+    ),
+  );
+});
