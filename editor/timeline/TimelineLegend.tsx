@@ -38,7 +38,18 @@ export function TimelineLegend({ isOpen, onOpen }: TimelineLegendProps) {
         <Button hint="What the timeline shows" icon={<CircleQuestionMark size={15} />} />
       </Popover.Trigger>
       <Popover.Portal>
-        <Popover.Content className="legend" side="top" sideOffset={6} collisionPadding={8} aria-label="What the timeline shows">
+        <Popover.Content
+          className="legend"
+          side="top"
+          sideOffset={6}
+          collisionPadding={8}
+          aria-label="What the timeline shows"
+          // on its first button the focus would open a tooltip, and Esc would close that instead
+          onOpenAutoFocus={(event) => {
+            event.preventDefault();
+            if (event.target instanceof HTMLElement) event.target.focus();
+          }}
+        >
           <div className="legend__head">
             <h2 className="legend__title">What the timeline shows</h2>
             <Popover.Close asChild>
