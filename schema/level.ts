@@ -64,13 +64,13 @@ const asteroid = z
   .strictObject({
     ...at,
     radius: radius.describe('Radius in px; the original uses 16 and 32.'),
-    hot: z.boolean().optional().describe('A hot asteroid pulls like a cold one, and burns on touch; false when left out.'),
+    hot: z.boolean().optional().describe('A hot asteroid pulls like a cold one, and kills on touch; false when left out.'),
   })
   .describe('Pulls her while it is the nearest asteroid and the gun is held.');
 
 const nova = z
   .strictObject({ ...at, radius: radius.describe('Radius in px; the original uses 16 and 32.') })
-  .describe('A dwarf nova burns on touch; the gun never targets it.');
+  .describe('A dwarf nova kills on touch; the gun never targets it.');
 
 const repulsor = z
   .strictObject({ ...at, radius: radius.describe('Radius in px; the original uses 32 and 48.') })
@@ -116,7 +116,7 @@ export const levelSchema = z
       .describe(`Farther than this from the centre of every asteroid she is lost, px; ${DEFAULT_RANGE} when left out.`),
     recoil: z.boolean().optional().describe('Whether the target of the gun is pulled towards her, too; false when left out.'),
     asteroids: z.array(asteroid).max(LIMITS.objects).optional().describe('What the gun can target.'),
-    novae: z.array(nova).max(LIMITS.objects).optional().describe('Burn on touch; never a target.'),
+    novae: z.array(nova).max(LIMITS.objects).optional().describe('Kill on touch; never a target.'),
     repulsors: z.array(repulsor).max(LIMITS.objects).optional().describe('Fields that push her away.'),
     aliens: z.array(alien).max(LIMITS.objects).optional().describe('Chase her when she comes near.'),
     minerals: z.array(mineral).max(LIMITS.objects).optional().describe('To collect on the way; usually three.'),

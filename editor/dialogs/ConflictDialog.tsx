@@ -2,6 +2,7 @@ import { useEffect, useMemo, useState } from 'react';
 import { useStore } from 'zustand';
 import { formatLevel, type LevelFile, type Problem } from '../../schema/index.ts';
 import { LevelContext, useDocument, useEditor, useLevel, useSession } from '../context/index.ts';
+import { inPageWords } from '../document/index.ts';
 import { type Choices, type Conflict, mergeLevels, readStored, type Side } from '../files/index.ts';
 import { addLevels, folderOf, openListed, stemOf, TextDialog } from '../panels/levels/index.ts';
 import { Button, Dialog } from '../ui/index.ts';
@@ -209,7 +210,7 @@ function Displaced({ problems, onMend, onClose }: DisplacedProps) {
           {problems.slice(0, 3).map(({ code, pointer, line, column, message, hint }) => (
             <li key={`${code} ${pointer} ${line}`}>
               {line !== null && <span className="astext__place">{`${line}:${column} `}</span>}
-              {message}. <span className="astext__hint">{hint}</span>
+              {inPageWords(message)}. <span className="astext__hint">{inPageWords(hint)}</span>
             </li>
           ))}
         </ul>

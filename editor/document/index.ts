@@ -20,6 +20,7 @@ export {
   objectsOf,
 } from './objects.ts';
 export * from './operations/index.ts';
+export { inPageWords } from './page-words.ts';
 export { applyPatches, diffFiles, isSame, type Patch } from './patch.ts';
 export { createSelection, type SelectionStore } from './selection.ts';
 export { settle } from './settle.ts';

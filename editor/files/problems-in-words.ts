@@ -1,4 +1,5 @@
 import type { Problem } from '../../schema/index.ts';
+import { inPageWords } from '../document/index.ts';
 
 /** Where a file can't be read, what was expected and found, and what to do, as one text: `01.level.json:4:3: …`. */
 export function problemsInWords(file: string, problems: readonly Problem[]): string {
@@ -7,5 +8,5 @@ export function problemsInWords(file: string, problems: readonly Problem[]): str
   const { line, column, message, hint } = first;
   const place = line === null ? file : `${file}:${line}:${column}`;
   const more = problems.length > 1 ? ` (and ${problems.length - 1} more)` : '';
-  return `${place}: ${message}${more}. ${hint}`;
+  return `${place}: ${inPageWords(message)}${more}. ${inPageWords(hint)}`;
 }

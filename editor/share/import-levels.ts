@@ -13,11 +13,22 @@ export type Importing =
     }
   | { readonly ok: false; readonly problems: readonly Problem[] };
 
-/** `07 Sling Shot!.level.json` becomes `07-sling-shot`. */
+/** Letters that Unicode does not take apart into a Latin letter and a mark, and umlauts, as those write them who have none. */
+const LETTERS: Readonly<Record<string, string>> = {
+  ...{ ä: 'ae', ö: 'oe', ü: 'ue', ß: 'ss', æ: 'ae', œ: 'oe', ø: 'oe', þ: 'th', ð: 'd', đ: 'd', ħ: 'h' },
+  ...{ ı: 'i', ł: 'l', ŋ: 'ng', ŧ: 't', ĸ: 'k', ſ: 's', ƒ: 'f' },
+};
+
+/** `07 Sling Shot!.level.json` becomes `07-sling-shot`, `Böse` `boese`, `Café` `cafe`; a name without a Latin letter or digit `level`. */
 export function slugOf(fileName: string): string {
   const stem = fileName.replace(/(\.level)?\.json$/i, '');
   const slug = stem
+    .toLowerCase()
+    .normalize('NFC')
+    .replace(/[^\p{ASCII}]/gu, (letter) => LETTERS[letter] ?? letter)
+    // an accent is dropped from its letter; anything else that is no letter parts two words
     .normalize('NFKD')
+    .replace(/\p{Mn}+/gu, '')
     .toLowerCase()
     .replace(/[^a-z0-9]+/g, '-')
     .replace(/^-+|-+$/g, '')

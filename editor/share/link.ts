@@ -1,4 +1,5 @@
 import { formatLevel, type LevelFile, type Problem } from '../../schema/index.ts';
+import { inPageWords } from '../document/index.ts';
 import { readText } from '../files/index.ts';
 
 /** A link, or why there is none. */
@@ -77,5 +78,9 @@ export async function levelOf(fragment: string): Promise<Linked | null> {
   }
   const reading = readText(text);
   if (reading.ok) return reading;
-  return { ok: false, message: `the link carries no valid level: ${reading.problems[0].message}`, problems: reading.problems };
+  return {
+    ok: false,
+    message: `the link carries no valid level: ${inPageWords(reading.problems[0].message)}`,
+    problems: reading.problems,
+  };
 }

@@ -88,10 +88,15 @@ describe('importing', () => {
   it('names files so that every system takes them', () => {
     expect(['07 Sling Shot!.level.json', 'Ünïcode.json', '???', `${'a'.repeat(200)}.json`, '-x-.json'].map(slugOf)).toEqual([
       '07-sling-shot',
-      'u-ni-code',
+      'uenicode',
       'level',
       'a'.repeat(60),
       'x',
+    ]);
+    expect(
+      ['Böse', 'Bo\u0308se', 'STRASSE Straße', 'Blåbærgrød', 'Café à la crème', 'Łódź', '漢字', '½ Größe №3', 'ﬁx'].map(slugOf),
+    ).toEqual([
+      ...['boese', 'boese', 'strasse-strasse', 'blabaergroed', 'cafe-a-la-creme', 'lodz', 'level', '1-2-groesse-no3', 'fix'],
     ]);
     expect(slugOf('CON.json')).toBe('level-con');
     fc.assert(fc.property(fc.string(), (name) => LEVEL_ID_PART.test(slugOf(name))));

@@ -1,6 +1,7 @@
 import { LEVEL_VERSION, OBJECT_LISTS, readLevel } from '../../../schema/index.ts';
 import type { Recipe } from '../document.ts';
 import { type PlacedObject, plainList } from '../objects.ts';
+import { inPageWords } from '../page-words.ts';
 import type { Refusal } from '../settle.ts';
 import type { Clipping } from './copy-objects.ts';
 
@@ -26,7 +27,10 @@ export function readClipping(text: string): ClippingReading {
   // the lists are checked as those of a level, so that problems are told in the same words
   const level = { version: LEVEL_VERSION, name: 'clipboard', astronaut: { x: 0, y: 0 }, blackHole: { x: 0, y: 0 }, ...lists };
   const reading = readLevel(JSON.stringify(level));
-  if (!reading.ok) return { ok: false, refusal: { message: reading.problems[0].message, hint: reading.problems[0].hint } };
+  if (!reading.ok) {
+    const [{ message, hint }] = reading.problems;
+    return { ok: false, refusal: { message: inPageWords(message), hint: inPageWords(hint) } };
+  }
   const clipping: Clipping = {};
   let count = 0;
   for (const list of OBJECT_LISTS) {

@@ -30,7 +30,7 @@ import { type Fact, plural } from '../figures/index.ts';
 import { Facts, Section, useCalmProof } from '../parts/index.ts';
 import { FieldRow } from './FieldRow.tsx';
 import { valueOfObjects } from './field-values.ts';
-import { type Field, fieldsOf, sharedFields } from './fields.ts';
+import { aboutObject, type Field, sharedFields } from './fields.ts';
 import { runFactsOf } from './run-facts.ts';
 
 /** What several objects can be told at once, by the commands of the canvas. */
@@ -129,7 +129,7 @@ export function ObjectFields({ keys, objects }: ObjectFieldsProps) {
   return (
     <>
       <Section title={one ? nameOf(first) : plural(objects.length, 'object')} aside={<Deeds isFixed={isFixed} />}>
-        <p className="part__note">{one ? fieldsOf(first.kind).about : countsOf(objects)}</p>
+        <p className="part__note">{one ? aboutObject(first) : countsOf(objects)}</p>
         {sharedFields(objects.map(({ kind }) => kind)).map((field) => (
           <FieldRow key={field.key} field={field} {...valueOfObjects(objects, field)} whose={whose} recipe={recipe} />
         ))}

@@ -1,5 +1,5 @@
 import { levelJsonSchema, resolveLevel } from '../../../schema/index.ts';
-import { LIST_OF_KIND, type ObjectKind } from '../../document/index.ts';
+import { type FoundObject, LIST_OF_KIND, type ObjectKind } from '../../document/index.ts';
 
 /** One property that can be typed, as the schema of levels has it. */
 export interface Field {
@@ -90,6 +90,12 @@ export function fieldsOf(subject: Subject): { readonly about: string; readonly f
   known.set(subject, answer);
   return answer;
 }
+
+const HOT = 'Pulls her as a cold one does while it is the nearest asteroid and the gun is held. Kills on touch.';
+
+/** What an object is and does to her. */
+export const aboutObject = ({ kind, object }: FoundObject): string =>
+  'hot' in object && object.hot === true ? HOT : fieldsOf(kind).about;
 
 const shared = new Map<string, readonly Field[]>();
 

@@ -3,6 +3,7 @@ import { useEffect } from 'react';
 import { useStore } from 'zustand';
 import type { LevelEntry } from '../../../schema/index.ts';
 import { type OpenLevel, useEditor, usePageTheme } from '../../context/index.ts';
+import { inPageWords } from '../../document/index.ts';
 import { problemsInWords } from '../../files/index.ts';
 import { useVerdict } from '../solver/index.ts';
 import { MoreButton } from '../tree/index.ts';
@@ -44,6 +45,7 @@ function placeOf({ problems: [first] }: LevelEntry): string {
 /** A level of the list: how it looks, what it is called, whether it can be completed. @param open it, where it is the one that is open */
 export function LevelLine({ entry, title, open }: { entry: LevelEntry; title: string; open: OpenLevel | null }) {
   const { url, verdict } = useThumbnail(entry);
+  const wrong = entry.problems.length === 0 ? null : inPageWords(entry.problems[0].message);
   const number = entry.name === null ? undefined : /^\d+(?=[ ._-])/.exec(stemOf(entry.id))?.[0];
   return (
     <>
@@ -69,7 +71,7 @@ export function LevelLine({ entry, title, open }: { entry: LevelEntry; title: st
           ) : (
             <span className="levels__stem" title={problemsInWords(entry.file, entry.problems)}>
               {placeOf(entry)}
-              {entry.problems[0]?.message ?? entry.file}
+              {wrong ?? entry.file}
             </span>
           )}
         </span>

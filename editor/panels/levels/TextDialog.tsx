@@ -2,6 +2,7 @@ import { CircleCheck, TriangleAlert } from 'lucide-react';
 import { useEffect, useEffectEvent, useMemo, useRef, useState } from 'react';
 import { formatLevel, type Problem } from '../../../schema/index.ts';
 import { type Editor, useEditor } from '../../context/index.ts';
+import { inPageWords } from '../../document/index.ts';
 import { readText, type StorageError } from '../../files/index.ts';
 import { Button, Dialog } from '../../ui/index.ts';
 import { openListed } from './level-files.ts';
@@ -166,7 +167,7 @@ export function TextDialog({ id, fromDisk = false, onClose }: TextDialogProps) {
                     </span>
                   )}
                   <span>
-                    {message} <span className="astext__hint">{hint}</span>
+                    {inPageWords(message)} <span className="astext__hint">{inPageWords(hint)}</span>
                   </span>
                 </button>
               </li>

@@ -18,14 +18,49 @@ export function freeId(levels: readonly { readonly id: string }[], folder: strin
   return id;
 }
 
+/** The number that a file's name begins with, as it is written, and what follows. */
+const NUMBERED = /^(\d{1,6})([ ._-].*)$/;
+
+/** The number after the last one of these files, as wide as they are; null where none has one. */
+function numberAfter(stems: readonly string[]): string | null {
+  const numbers = stems.flatMap((stem) => NUMBERED.exec(stem)?.[1] ?? []);
+  if (numbers.length === 0) return null;
+  const width = Math.max(...numbers.map(({ length }) => length));
+  return String(Math.max(...numbers.map(Number)) + 1).padStart(width, '0');
+}
+
+const stemsIn = (levels: readonly { readonly id: string }[], folder: string): string[] =>
+  levels.filter(({ id }) => folderOf(id) === folder).map(({ id }) => stemOf(id));
+
 /** `07-` for the next level of a folder whose levels are numbered; '' where they are not. */
 export function nextNumber(levels: readonly { readonly id: string }[], folder: string): string {
-  const stems = levels.filter(({ id }) => folderOf(id) === folder).map(({ id }) => stemOf(id));
-  const numbers = stems.map((stem) => /^(\d{1,6})[ ._-]/.exec(stem)?.[1]);
-  if (stems.length === 0 || numbers.some((number) => number === undefined)) return '';
-  const width = Math.max(...numbers.map((number) => number?.length ?? 0));
-  const next = Math.max(...numbers.map(Number)) + 1;
-  return `${String(next).padStart(width, '0')}-`;
+  const stems = stemsIn(levels, folder);
+  const next = numberAfter(stems);
+  return next === null || !stems.every((stem) => NUMBERED.test(stem)) ? '' : `${next}-`;
+}
+
+/** Characters of a file's name and of a level's at most. */
+const LONGEST = { stem: 80, name: 120 } as const;
+
+/** The words with a mark behind them that says how often they are there, cut so that both fit. */
+const marked = (words: string, mark: string, most: number): string => `${words.slice(0, most - mark.length).trimEnd()}${mark}`;
+
+/** An id for a copy: `07-slingshot-copy` of `02-slingshot` where six levels are numbered, else `slingshot-copy`. */
+export function copyId(levels: readonly { readonly id: string }[], id: string): string {
+  const folder = folderOf(id);
+  const stem = stemOf(id).replace(/-copy(-\d+)?$/i, '');
+  const rest = NUMBERED.exec(stem)?.[2];
+  const next = rest === undefined ? null : numberAfter(stemsIn(levels, folder));
+  return freeId(levels, folder, marked(next === null ? stem : `${next}${rest}`, '-copy', LONGEST.stem - 5));
+}
+
+/** A name that no level has: `Slingshot copy`, `Slingshot copy 2`. */
+export function copyName(levels: readonly { readonly name: string | null }[], name: string): string {
+  const taken = new Set(levels.map((level) => level.name));
+  const original = name.replace(/ copy( \d+)?$/, '');
+  let copy = marked(original, ' copy', LONGEST.name);
+  for (let i = 2; taken.has(copy); i++) copy = marked(original, ` copy ${i}`, LONGEST.name);
+  return copy;
 }
 
 /** Says why something was not done. */
@@ -93,11 +128,13 @@ export async function addLevels(
   return added;
 }
 
-/** Makes a copy of a level and opens it. */
+/** Makes a copy of a level, with a name and a number of its own, and opens it. */
 export async function duplicateLevel(editor: Editor, entry: LevelEntry): Promise<void> {
-  const to = freeId(levelsOf(editor), folderOf(entry.id), `${stemOf(entry.id)}-copy`);
-  const copy = told(editor, await editor.workspace.duplicate(entry, to));
-  if (copy !== null && copy.status === 'valid') await openListed(editor, copy.id);
+  const levels = levelsOf(editor);
+  const copy = told(editor, await editor.workspace.duplicate(entry, copyId(levels, entry.id)));
+  if (copy?.status !== 'valid' || copy.name === null) return;
+  await renameTitle(editor, copy, copyName(levels, copy.name));
+  await openListed(editor, copy.id);
 }
 
 /** Puts a level into the trash, from where the notice or the dialog of deleted levels brings it back. */

@@ -2,6 +2,7 @@ import { Check, CircleCheck, CircleHelp, CircleX, Plus, Replace, TriangleAlert, 
 import { useStore } from 'zustand';
 import { TICK } from '../../../engine/index.ts';
 import { useDocument, useEditor, useProof, useSession } from '../../context/index.ts';
+import { inPageWords } from '../../document/index.ts';
 import { Button } from '../../ui/index.ts';
 import { about, percent, pixels, plural, seconds } from '../figures/index.ts';
 import { Progress } from '../parts/index.ts';
@@ -14,7 +15,7 @@ function Standing({ state }: { readonly state: SearchState }) {
   if (impossible !== null) {
     return (
       <p className="standing tone--bad">
-        <CircleX size={15} aria-hidden /> Proved impossible: {impossible.reason}
+        <CircleX size={15} aria-hidden /> Proved impossible: {inPageWords(impossible.reason)}
       </p>
     );
   }
@@ -150,7 +151,7 @@ export function SearchReport() {
       )}
       {mineralProofs.map(({ index, proof }) => (
         <p key={index} className="standing tone--warn">
-          <TriangleAlert size={15} aria-hidden /> Mineral {index + 1} can never be collected: {proof.reason}
+          <TriangleAlert size={15} aria-hidden /> Mineral {index + 1} can never be collected: {inPageWords(proof.reason)}
         </p>
       ))}
       {solving !== null && (

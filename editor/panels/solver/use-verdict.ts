@@ -1,5 +1,6 @@
 import { useStore } from 'zustand';
 import { type OpenLevel, useEditor } from '../../context/index.ts';
+import { inPageWords } from '../../document/index.ts';
 import { type LiveProof, limitInWords } from '../../proof/index.ts';
 import { checkedOf } from './check-watch.ts';
 import { solverDeskOf } from './desk.ts';
@@ -23,7 +24,7 @@ export function useVerdict(level: OpenLevel): Verdict {
   const proof = useStore(desk.proofs.store, ({ impossible }) => impossible);
   const verdict = own === 'completable' ? own : (checked?.result?.verdict ?? own);
   if (verdict === 'completable') return { verdict, reason: null, limit: null };
-  if (proof !== null) return { verdict: 'impossible', reason: proof.reason, limit: null };
+  if (proof !== null) return { verdict: 'impossible', reason: inPageWords(proof.reason), limit: null };
   if (limit === null || checked?.result != null) return { verdict, reason: null, limit: null };
   const words = checked === null ? limitInWords(limit) : checked.message;
   return { verdict, reason: null, limit: words };
