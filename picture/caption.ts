@@ -7,6 +7,7 @@ import type { Theme } from './theme.ts';
 import { drawTimeline } from './timeline.ts';
 import { num } from './xml.ts';
 
+/** At the sides; less where there is little room. */
 const PADDING = 26;
 const KINDS = { nova: 'nova', asteroid: 'hot asteroid', alien: 'alien', blackHole: 'black hole' } as const;
 
@@ -37,7 +38,13 @@ export interface Caption {
   readonly signs: readonly LegendEntry[];
 }
 
+const TITLE = 14;
+const OUTCOME = 9.5;
 const NOTE = 7.6;
+/** Between two lines of the outcome. */
+const LINE = 18;
+/** From this width on a long name is cut rather than the outcome moved. */
+const ROOMY = 900;
 
 /** Below the scene: name, outcome, when the gun was held, and what the signs mean. */
 export function drawCaption(
@@ -47,28 +54,38 @@ export function drawCaption(
   width: number,
   { title, run, holds, ways, note, signs }: Caption,
 ): { readonly svg: string; readonly height: number } {
-  const inner = width - 2 * PADDING;
+  const padding = Math.min(PADDING, width / 20);
+  const inner = width - 2 * padding;
   let y = top + 34;
   let outcome = '';
   let outcomeWidth = 0;
+  let below = 0;
   if (run !== undefined) {
     const words = outcomeText(level, run);
     const color = run.outcome === 'completed' ? theme.good : run.outcome === 'timeout' ? theme.muted : theme.bad;
-    outcomeWidth = textWidth(words, 9.5) + 24;
-    outcome = drawText(words, width - PADDING, y, { size: 9.5, color, anchor: 'end' });
+    outcomeWidth = textWidth(words, OUTCOME) + 24;
+    // beside the name, or below it where there is no room for both
+    const isBeside = textWidth(title, TITLE) + outcomeWidth <= inner || width >= ROOMY;
+    if (isBeside) outcome = drawText(words, width - padding, y, { size: OUTCOME, color, anchor: 'end' });
+    else {
+      outcomeWidth = 0;
+      const lines = wrapText(words, OUTCOME, inner);
+      outcome = lines.map((line, i) => drawText(line, padding, y + LINE * (i + 1), { size: OUTCOME, color })).join('');
+      below = LINE * lines.length;
+    }
   }
-  const name = drawText(title, PADDING, y, { size: 14, color: theme.text, bold: true, maxWidth: inner - outcomeWidth });
-  y += 18;
+  const name = drawText(title, padding, y, { size: TITLE, color: theme.text, bold: true, maxWidth: inner - outcomeWidth });
+  y += 18 + below;
   const notes = note === '' ? [] : wrapText(note, NOTE, inner);
-  const written = notes.map((line, i) => drawText(line, PADDING, y + 6 + 15 * i, { size: NOTE, color: theme.muted })).join('');
+  const written = notes.map((line, i) => drawText(line, padding, y + 6 + 15 * i, { size: NOTE, color: theme.muted })).join('');
   y += 15 * notes.length + (notes.length > 0 ? 6 : 0);
   let timeline: string;
   if (ways.length > 0) {
-    const several = drawSeveralTimelines(theme, ways, PADDING, y, inner);
+    const several = drawSeveralTimelines(theme, ways, padding, y, inner);
     timeline = several.svg;
     y += several.height + 8;
   } else {
-    timeline = drawTimeline(theme, PADDING, y, inner, run, holds);
+    timeline = drawTimeline(theme, padding, y, inner, run, holds);
     y += timeline === '' ? 8 : 50;
   }
   const legend = drawLegend(
@@ -76,7 +93,7 @@ export function drawCaption(
     theme,
     ways.length > 0 ? 'several' : run === undefined ? 'none' : 'one',
     signs,
-    PADDING,
+    padding,
     y,
     inner,
   );

@@ -6,7 +6,7 @@ import { drawContact } from './contact.ts';
 import { drawFan, drawFanSign } from './fan.ts';
 import { drawGap } from './gap.ts';
 import { drawGradients } from './gradients.ts';
-import { drawHeat, drawHeatSign, type Explored } from './heat.ts';
+import { drawHeat, type Explored, heatSigns } from './heat.ts';
 import type { LegendEntry } from './legend.ts';
 import { drawTick } from './mineral.ts';
 import { drawObjects } from './objects.ts';
@@ -16,11 +16,13 @@ import { drawRanges } from './range.ts';
 import { drawAlienWays, drawEnd, drawPresses, drawSeconds, drawTethers, drawWay } from './run.ts';
 import { drawSeveral, type NamedRun } from './several.ts';
 import type { Point } from './simplify.ts';
-import { drawStart } from './start.ts';
+import { drawStart, drawStartFigure } from './start.ts';
 import { THEMES, type Theme } from './theme.ts';
 import { frame, type View } from './view.ts';
 import { stretchesOf } from './way.ts';
 import { escapeXml, num } from './xml.ts';
+
+export { heatCaption, heatColour, heatShades, visitsInWords } from './heat.ts';
 
 export interface RenderOptions {
   /** A simulated run of the level, to be drawn into it. */
@@ -44,10 +46,20 @@ export interface RenderOptions {
   readonly nearest?: number;
   /** Why something can't be reached. */
   readonly proof?: ProofOverlay;
+  /** false: nothing that has to be read, for pictures that are too small for it. */
+  readonly words?: boolean;
 }
 
-/** Everything is laid out for a picture of this width and then scaled, so that pictures of any size look alike. */
+/** Wide pictures are laid out for this width and then scaled, so that they look alike. */
 const UNITS = 960;
+
+/** From this width on, px, the smallest letters of the layout can be read: capitals of 8 px, as of a font of 11 px. Narrower pictures are laid out in fewer units, so that letters stay as large. */
+const LEGIBLE_WIDTH = 1180;
+
+/** There is no room for words in fewer units. */
+const FEWEST_UNITS = 260;
+
+const unitsFor = (width: number): number => Math.round(Math.max(FEWEST_UNITS, Math.min(UNITS, (width * UNITS) / LEGIBLE_WIDTH)));
 
 function drawCollected(view: View, theme: Theme, level: Level, run: Run): string {
   const indices = [...new Set(run.minerals.map(({ index }) => index))];
@@ -59,13 +71,28 @@ function drawCollected(view: View, theme: Theme, level: Level, run: Run): string
  * the same text. Texts from the level are escaped.
  */
 export function renderSvg(level: Level, options: RenderOptions = {}): string {
-  const { run, holds, width = UNITS, title = level.name, note = '', ways = [], explored, fan, nearest, proof } = options;
+  const {
+    run,
+    holds,
+    width = UNITS,
+    title = level.name,
+    note = '',
+    ways = [],
+    explored,
+    fan,
+    nearest,
+    proof,
+    words = true,
+  } = options;
   const theme = THEMES[options.theme ?? 'dark'];
+  const units = words ? unitsFor(width) : UNITS;
   const stretches = run === undefined ? [] : stretchesOf(run);
   const others = ways.map((way) => stretchesOf(way.run));
-  const view = frame(level, [...[...stretches, ...others.flat()].flatMap(({ points }) => points), ...cornersOf(options)], UNITS);
+  const view = frame(level, [...[...stretches, ...others.flat()].flatMap(({ points }) => points), ...cornersOf(options)], units);
   const signs = signsOf(theme, options);
-  const caption = drawCaption(level, theme, view.height, UNITS, { title, run, holds, ways, note, signs });
+  const caption = words
+    ? drawCaption(level, theme, view.height, units, { title, run, holds, ways, note, signs })
+    : { svg: '', height: 0 };
   const height = view.height + caption.height;
 
   const scene = [drawBackground(view, theme, level)];
@@ -83,19 +110,19 @@ export function renderSvg(level: Level, options: RenderOptions = {}): string {
       drawAlienWays(view, theme, level, run),
       drawWay(view, theme, stretches),
       drawSeconds(view, theme, run),
-      drawPresses(view, theme, level, run),
+      words ? drawPresses(view, theme, level, run) : '',
       drawCollected(view, theme, level, run),
     );
   }
-  scene.push(drawStart(view, theme, level, run));
+  scene.push(words ? drawStart(view, theme, level, run) : drawStartFigure(view, theme, level));
   if (run !== undefined) scene.push(drawEnd(view, theme, level, run));
   if (run !== undefined && nearest !== undefined) scene.push(drawGap(view, theme, level, run, nearest));
 
   const about = run === undefined ? level.description : outcomeText(level, run);
   return (
-    `<svg xmlns="http://www.w3.org/2000/svg" width="${num(width)}" height="${num((height * width) / UNITS)}" viewBox="0 0 ${UNITS} ${num(height)}" role="img">` +
+    `<svg xmlns="http://www.w3.org/2000/svg" width="${num(width)}" height="${num((height * width) / units)}" viewBox="0 0 ${units} ${num(height)}" role="img">` +
     `<title>${escapeXml(title)}</title><desc>${escapeXml(note === '' ? about : note)}</desc>${drawGradients(theme)}` +
-    `<clipPath id="gq-scene"><rect width="${UNITS}" height="${num(view.height)}"/></clipPath>` +
+    `<clipPath id="gq-scene"><rect width="${units}" height="${num(view.height)}"/></clipPath>` +
     `<g data-kind="scene" clip-path="url(#gq-scene)">${scene.join('')}</g>${caption.svg}</svg>\n`
   );
 }
@@ -109,7 +136,7 @@ function cornersOf({ explored, proof }: RenderOptions): Point[] {
 
 function signsOf(theme: Theme, { explored, fan, proof }: RenderOptions): LegendEntry[] {
   const signs: LegendEntry[] = [];
-  if (explored !== undefined) signs.push({ label: 'where the search has been', icon: drawHeatSign(theme) });
+  if (explored !== undefined) signs.push(...heatSigns(theme, explored));
   for (const completes of [true, false]) {
     if (!fan?.some(({ outcome }) => (outcome === 'completed') === completes)) continue;
     signs.push({ label: completes ? 'still completes it' : 'fails', icon: drawFanSign(theme, completes) });

@@ -17,7 +17,8 @@ const GAP = 20;
 
 export interface LegendEntry {
   readonly label: string;
-  readonly icon: string;
+  /** null: words alone */
+  readonly icon: string | null;
 }
 
 const radiusIcon = (drawing: string, radius: number): string => `<g transform="scale(${num(ICON / radius)})">${drawing}</g>`;
@@ -68,15 +69,14 @@ export function drawLegend(
   let top = y;
   let svg = '';
   for (const { label, icon } of entriesOf(level, theme, runs, others)) {
-    const labelLeft = ICON + 7;
-    const entryWidth = ICON + labelLeft + textWidth(label, LABEL);
+    const iconWidth = icon === null ? 0 : 2 * ICON + 7;
+    const entryWidth = iconWidth + textWidth(label, LABEL);
     if (left > x && left + entryWidth > x + width) {
       left = x;
       top += ROW;
     }
-    svg +=
-      `<g transform="translate(${num(left + ICON)} ${num(top)})">${icon}` +
-      `${drawText(label, labelLeft, LABEL / 2, { size: LABEL, color: theme.muted })}</g>`;
+    const sign = icon === null ? '' : `<g transform="translate(${num(left + ICON)} ${num(top)})">${icon}</g>`;
+    svg += sign + drawText(label, left + iconWidth, top + LABEL / 2, { size: LABEL, color: theme.muted, maxWidth: width });
     left += entryWidth + GAP;
   }
   return { svg: `<g data-kind="legend">${svg}</g>`, height: top - y + ROW };

@@ -1,6 +1,6 @@
 import type { Run } from '../engine/index.ts';
 import type { Point } from './simplify.ts';
-import { drawText } from './text.ts';
+import { drawText, wrapText } from './text.ts';
 import type { Theme } from './theme.ts';
 import type { View } from './view.ts';
 import { heldTimes, positionAt, type Stretch } from './way.ts';
@@ -66,6 +66,9 @@ function placeBadges(view: View, runs: readonly NamedRun[]): Point[] {
 
 const ROW = 27;
 const BAR = 7;
+const LABEL = 6.8;
+/** Between two lines of a label. */
+const LINE = 13;
 
 /** Below the scene: what each way is, and when the gun was held, on one scale of time. */
 export function drawSeveralTimelines(
@@ -76,8 +79,15 @@ export function drawSeveralTimelines(
   width: number,
 ): { readonly svg: string; readonly height: number } {
   const longest = Math.max(...runs.map(({ run }) => run.time), 1e-9);
-  const rows = runs.map(({ run, label }, i) => {
-    const top = y + ROW * i;
+  const lines = runs.map(({ label }) => wrapText(label, LABEL, width - 26));
+  let end = y;
+  const tops = lines.map(({ length }) => {
+    const top = end;
+    end += ROW + LINE * (length - 1);
+    return top;
+  });
+  const rows = runs.map(({ run }, i) => {
+    const top = tops[i];
     const left = x + 26;
     const at = (time: number): number => left + ((width - 26) * time) / longest;
     const color = wayColor(theme, i);
@@ -87,12 +97,14 @@ export function drawSeveralTimelines(
           `<rect x="${num(at(from))}" y="${num(top)}" width="${num(Math.max(1, at(to) - at(from)))}" height="${BAR}" rx="2"/>`,
       )
       .join('');
-    const words = drawText(label, left, top + BAR + 11, { size: 6.8, color: theme.muted, maxWidth: width - 26 });
+    const words = lines[i]
+      .map((line, k) => drawText(line, left, top + BAR + 11 + LINE * k, { size: LABEL, color: theme.muted }))
+      .join('');
     return (
       `<g data-kind="timeline" data-index="${i}">${drawBadge(theme, i, x + BADGE, top + BAR)}` +
       `<rect x="${num(left)}" y="${num(top)}" width="${num(at(run.time) - left)}" height="${BAR}" rx="2" fill="${theme.rule}"/>` +
       `<g fill="${color}">${held}</g>${words}</g>`
     );
   });
-  return { svg: rows.join(''), height: ROW * runs.length + 8 };
+  return { svg: rows.join(''), height: end - y + 8 };
 }

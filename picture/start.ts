@@ -20,8 +20,12 @@ export function startLabelAt(view: View, level: Level, run: Run | undefined): Po
 }
 
 /** The astronaut as she starts: upright in her box. */
+export const drawStartFigure = (view: View, theme: Theme, level: Level): string =>
+  place(view, 'astronaut', 0, level.astronaut, drawAstronaut(theme, theme.muted));
+
+/** The astronaut as she starts, and the word beside her. */
 export function drawStart(view: View, theme: Theme, level: Level, run: Run | undefined): string {
   const [x, y] = startLabelAt(view, level, run);
   const label = drawText('start', x, y + 3.3, { size: 6.5, color: theme.muted, anchor: 'middle' });
-  return place(view, 'astronaut', 0, level.astronaut, drawAstronaut(theme, theme.muted)) + label;
+  return drawStartFigure(view, theme, level) + label;
 }

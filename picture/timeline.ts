@@ -7,7 +7,11 @@ import { num } from './xml.ts';
 
 const HEIGHT = 9;
 
-// marks of so many seconds, so that there are at most about thirty
+/** Units from one mark to the next, and from one label to the next, at least. */
+const MARK_ROOM = 30;
+const LABEL_ROOM = 69;
+
+// marks of so many seconds, so that there are at most about thirty in a wide picture
 const STEPS = [1, 2, 5, 10, 30, 60, 300, 600];
 
 /** When the gun was held, as blocks on a line of time with a mark each second. */
@@ -32,8 +36,8 @@ export function drawTimeline(
         `<rect x="${num(at(press))}" y="${num(y)}" width="${num(Math.max(1, at(release) - at(press)))}" height="${HEIGHT}" rx="2"/>`,
     )
     .join('');
-  const step = STEPS.find((s) => end / s <= 30) ?? 3600;
-  const label = STEPS.find((s) => s >= step && end / s <= 13) ?? 3600;
+  const step = STEPS.find((s) => end / s <= width / MARK_ROOM) ?? 3600;
+  const label = STEPS.find((s) => s >= step && end / s <= width / LABEL_ROOM) ?? 3600;
   let marks = '';
   let labels = '';
   for (let time = 0; time <= end; time += step) {

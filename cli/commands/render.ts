@@ -118,10 +118,12 @@ async function render(file: string, options: Options): Promise<CommandResult> {
   if (!('level' in opened)) return opened;
   const view = await viewOf(file, { level: opened.level, ...subject }, options);
   if ('exitCode' in view) return view;
-  const svg = renderSvg(opened.level, { ...view, width, theme });
-  if (output === '-') return { output: svg, exitCode: 0 };
+  const { remark, ...shown } = view;
+  const said = remark === undefined ? '' : `${visibleLine(remark)}\n`;
+  const svg = renderSvg(opened.level, { ...shown, width, theme });
+  if (output === '-') return { output: svg, messages: said, exitCode: 0 };
   await writeWhole(output, kind === '.svg' ? svg : await renderPng(svg, width));
-  return { messages: `wrote ${visibleLine(output)}\n`, exitCode: 0 };
+  return { messages: `${said}wrote ${visibleLine(output)}\n`, exitCode: 0 };
 }
 
 /** What the options ask to be shown, or what the command is to leave behind when there is no such thing. */
@@ -137,7 +139,7 @@ async function viewOf(file: string, subject: Subject, options: Options): Promise
   if (solve !== undefined) {
     const solved = await solveFor(subject, goal, { count: solve, effort, seed });
     return solved.runs.length > 0
-      ? viewSolved(subject, solved)
+      ? viewSolved(subject, solved, solve)
       : nothing(`${file}: no run was found; see gq solve ${shellPath(file)}`);
   }
   const explicit = wanted !== undefined || holds !== undefined;

@@ -93,11 +93,16 @@ async function solve(file: string, options: Options): Promise<CommandResult> {
     options.format === 'json' ? solveJson(settings, solved) : solvePretty(settings, solved, colorsFor(process.stdout));
   const found = solved.runs.length > 0;
   const exitCode = found ? 0 : 1;
-  if (!options.write) return { output: report, exitCode };
+  const count = solved.runs.length;
+  const fewer =
+    found && count < options.count
+      ? `found ${count} of ${options.count} really different runs: a larger --budget or another --seed may find more\n`
+      : '';
+  if (!options.write) return { output: report, messages: fewer, exitCode };
   if (!found) return { output: report, messages: 'nothing was written: no run was found\n', exitCode };
   try {
     const messages = await uncut(() => write(file, opened, solved, options.run ?? null));
-    return { output: report, messages, exitCode };
+    return { output: report, messages: fewer + messages, exitCode };
   } catch (error) {
     if (!(error instanceof Failure)) throw error;
     // what was found is not lost

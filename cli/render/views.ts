@@ -11,7 +11,10 @@ import { proveGoalImpossible } from '../solve/prove.ts';
 import type { Solved } from '../solve/solve-level.ts';
 
 /** What a picture shows, but for its size and colours. */
-export type View = Omit<RenderOptions, 'width' | 'theme'>;
+export interface View extends Omit<RenderOptions, 'width' | 'theme'> {
+  /** What the person is told beside the picture: where it shows less than was asked for. */
+  readonly remark?: string;
+}
 
 /** What is drawn, and how it is played. */
 export interface Subject {
@@ -36,8 +39,8 @@ export function viewAllRuns({ level, accuracy, maxTime }: Subject): View {
   return { ways };
 }
 
-/** Really different runs that a search found. */
-export function viewSolved({ level }: Subject, { runs, effort }: Solved): View {
+/** Really different runs that a search found. @param wanted how many were asked for */
+export function viewSolved({ level }: Subject, { runs, effort }: Solved, wanted: number): View {
   const ways = runs.map(({ run, holds, robustness }) => {
     const presses = plural(holds.length, 'press', 'presses');
     return {
@@ -45,10 +48,14 @@ export function viewSolved({ level }: Subject, { runs, effort }: Solved): View {
       label: `${run.time.toFixed(2)} s, ${presses}, succeeds in ${percent(robustness.p40.p)} of attempts with 40 ms of noise`,
     };
   });
+  const tried = `simulated ${effortInWords(effort)}`;
   return {
-    title: `${level.name}: ${plural(runs.length, 'run')} found`,
-    note: `A search simulated ${effortInWords(effort)}.`,
+    title: `${level.name}: ${runs.length < wanted ? `${runs.length} of ${plural(wanted, 'run')}` : plural(runs.length, 'run')} found`,
+    note: `A search ${tried}.`,
     ways,
+    ...(runs.length < wanted && {
+      remark: `found ${runs.length} of ${wanted} really different runs: the search ${tried}; a larger --effort or another --seed may find more`,
+    }),
   };
 }
 

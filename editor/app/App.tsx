@@ -5,8 +5,8 @@ import { CanvasView } from '../canvas/index.ts';
 import { type Command, listenToKeys } from '../commands/index.ts';
 import { Dialogs } from '../dialogs/index.ts';
 import { problemsInWords } from '../files/index.ts';
-import { openListed } from '../panels/levels/index.ts';
-import { SolverWatch, solverDeskOf } from '../panels/solver/index.ts';
+import { addSamples, openListed } from '../panels/levels/index.ts';
+import { HeatLegend, SolverWatch, solverDeskOf } from '../panels/solver/index.ts';
 import { PlayView, playCommands } from '../play/index.ts';
 import { Timeline } from '../timeline/index.ts';
 import { Button } from '../ui/index.ts';
@@ -92,6 +92,7 @@ function LevelScreen() {
           <>
             <CanvasView key={level.opened.id()} search={overlay} />
             <Toolbar />
+            <HeatLegend />
             {mode === 'play' && <PlayView />}
           </>
         }
@@ -151,6 +152,15 @@ function EmptyScreen() {
           <Button hint="Start from a template" look="main" onClick={() => session.setState({ overlay: 'newLevel' })}>
             New level
           </Button>
+          {list?.levels.length === 0 && (
+            <Button
+              hint="Levels that come with the toolkit, each with a run that completes it"
+              look="outlined"
+              onClick={() => void addSamples(editor, '')}
+            >
+              Add the sample levels
+            </Button>
+          )}
         </main>
       </div>
       <footer className="statusbar" />

@@ -1,3 +1,5 @@
+import { heatColour } from '../../picture/index.ts';
+
 /** Colours of what the canvas draws, as CSS has them. Space is dark in both themes, lighter when the page is light. */
 export interface Colours {
   readonly space: string;
@@ -31,6 +33,8 @@ export interface Colours {
   readonly ghost: string;
   readonly danger: string;
   readonly near: string;
+  /** Where a search has been: as in pictures. */
+  readonly heat: string;
   readonly slack: string;
   readonly select: string;
   readonly guide: string;
@@ -76,6 +80,7 @@ export const COLOURS: Readonly<Record<Theme, Colours>> = {
     ghost: '#9aa7bd',
     danger: '#ff6b61',
     near: '#ffc04d',
+    heat: heatColour('dark'),
     slack: '#7cf2b0',
     select: '#5fb0ff',
     guide: '#ff7ad9',
@@ -96,6 +101,7 @@ export const COLOURS: Readonly<Record<Theme, Colours>> = {
     ghost: '#6c7890',
     danger: '#c3261b',
     near: '#9a6200',
+    heat: heatColour('light'),
     slack: '#0b7a45',
     select: '#0b63c4',
     guide: '#b0128a',

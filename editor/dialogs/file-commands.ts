@@ -1,6 +1,6 @@
 import type { Command } from '../commands/index.ts';
 import type { Editor } from '../context/index.ts';
-import { deleteLevel, duplicateLevel, openListed } from '../panels/levels/index.ts';
+import { addSamples, deleteLevel, duplicateLevel, folderOf, openListed } from '../panels/levels/index.ts';
 
 /** What can be done with the open level as a file. */
 export function fileCommands(editor: Editor): readonly Command[] {
@@ -44,6 +44,12 @@ export function fileCommands(editor: Editor): readonly Command[] {
       group: 'File',
       needs: needsListed,
       run: withEntry((e) => deleteLevel(editor, e)),
+    },
+    {
+      id: 'file.samples',
+      title: 'Add the sample levels',
+      group: 'File',
+      run: () => void addSamples(editor, folderOf(workspace.store.getState().opened?.id() ?? '')),
     },
     { id: 'file.import', title: 'Import levels', group: 'File', run: () => session.setState({ overlay: 'open' }) },
   ];

@@ -6,5 +6,5 @@ import { type LevelFile, resolveLevel } from '../../schema/index.ts';
 export function levelPicture(file: LevelFile, accuracy: AccuracyName, theme: 'dark' | 'light', width: number): string {
   const level = resolveLevel(file);
   const run = level.runs.length === 0 ? undefined : simulate(compile(level, accuracy), level.runs[0].holds);
-  return `data:image/svg+xml,${encodeURIComponent(renderSvg(level, { run, width, theme }))}`;
+  return `data:image/svg+xml,${encodeURIComponent(renderSvg(level, { run, width, theme, words: false }))}`;
 }

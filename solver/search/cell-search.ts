@@ -372,9 +372,7 @@ class CellSearch implements Search {
   /** Notes where she is; returns the square. */
   private visit(): number {
     const { state, heat } = this;
-    const square = heat.squareAt(state[0], state[1], this.minerals.hash);
-    heat.visits[square]++;
-    return square;
+    return heat.visit(state[0], state[1], this.minerals.hash);
   }
 
   private findCell(): void {

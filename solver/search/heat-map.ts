@@ -8,6 +8,28 @@ const hash = (x: number, y: number, layer: number): number => {
   return h ^ (h >>> 15);
 };
 
+/** Visits of several searches that start at the same place, put together. */
+export class HeatTally {
+  private readonly cells = new Map<string, { x: number; y: number; visits: number }>();
+
+  add({ cells }: Explored): void {
+    for (const { x, y, visits } of cells) {
+      const key = `${x} ${y}`;
+      const cell = this.cells.get(key);
+      if (cell === undefined) this.cells.set(key, { x, y, visits });
+      else cell.visits += visits;
+    }
+  }
+
+  /** With those of some more that go on. */
+  explored(...more: readonly Explored[]): Explored {
+    const all = new HeatTally();
+    all.add({ cellSize: SIZE, cells: [...this.cells.values()] });
+    for (const one of more) all.add(one);
+    return { cellSize: SIZE, cells: [...all.cells.values()] };
+  }
+}
+
 /**
  * How often each square of the level has been visited, with each set of minerals in hand (its layer) apart. Squares are counted
  * from where she starts and numbered as they are found.
@@ -27,6 +49,13 @@ export class HeatMap {
   constructor(originX: number, originY: number) {
     this.originX = originX;
     this.originY = originY;
+  }
+
+  /** Notes one visit of a place in px. @returns its square */
+  visit(px: number, py: number, layer: number): number {
+    const square = this.squareAt(px, py, layer);
+    this.visits[square]++;
+    return square;
   }
 
   /** The number of the square that holds a place in px. */

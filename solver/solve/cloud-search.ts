@@ -3,6 +3,7 @@ import type { Hold } from '../../schema/index.ts';
 import { type Goal, mineralsNeeded } from '../goal.ts';
 import { createRandom, type Random } from '../random.ts';
 import { drawShift, type TickNoise, tickNoise, uniformOf } from '../robustness/index.ts';
+import type { HeatMap } from '../search/index.ts';
 
 /** A run as the cloud sees it: the share of its noisy executions that met the goal. */
 export interface CloudRun {
@@ -68,10 +69,13 @@ export class CloudSearch {
   private readonly open: Way[] = [];
   private readonly state = new Float64Array(STATE_SIZE);
   private readonly aliens: Float64Array;
+  private readonly heat: HeatMap;
   private found: CloudRun[] = [];
 
-  constructor(scene: Scene, goal: Goal, maxTicks: number, seed: number) {
+  /** @param heat is told where the executions come by */
+  constructor(scene: Scene, goal: Goal, maxTicks: number, seed: number, heat: HeatMap) {
     this.scene = scene;
+    this.heat = heat;
     this.needed = mineralsNeeded(goal, scene.minerals.count);
     this.maxTicks = maxTicks;
     this.seed = seed;
@@ -175,6 +179,7 @@ export class CloudSearch {
     for (const simulation of cloud) {
       if (simulation.ending !== null) continue;
       simulation.readState(state);
+      this.heat.visit(state[0], state[1], 0);
       x += state[0];
       y += state[1];
       vx += state[2];

@@ -2,6 +2,7 @@ import { joinHolds, type Scene } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import type { Goal } from '../goal.ts';
 import { createTrials, type Trials } from '../robustness/index.ts';
+import { HeatMap } from '../search/index.ts';
 import { type Candidate, verifyRun } from '../verified-run.ts';
 import { Restarts } from './restarts.ts';
 import type { Objective, Solution } from './solution.ts';
@@ -19,6 +20,8 @@ export interface Desk {
   seedOf(n: number): number;
   readonly trials: Trials;
   readonly restarts: Restarts;
+  /** Where clouds of executions came by. */
+  readonly cloudHeat: HeatMap;
   /** Best first. */
   solutions: readonly Solution[];
 }
@@ -59,6 +62,7 @@ export function createDesk(scene: Scene, order: Order): Desk {
     ...order,
     seedOf,
     trials: createTrials(scene, goal, maxTicks),
+    cloudHeat: new HeatMap(scene.level.astronaut.x, scene.level.astronaut.y),
     restarts: new Restarts(scene, goal, maxTicks, seedOf),
     solutions: [],
   };

@@ -1,7 +1,7 @@
 import type { Scene } from '../../engine/index.ts';
 import { cleanRun } from '../clean/index.ts';
 import type { Goal } from '../goal.ts';
-import { type Closest, createSearch, type Effort, type Explored, type Search } from '../search/index.ts';
+import { type Closest, createSearch, type Effort, type Explored, HeatTally, type Search } from '../search/index.ts';
 import type { Candidate } from '../verified-run.ts';
 
 /** Ticks a search simulates in one go: between two goes somebody may stop it. */
@@ -21,6 +21,7 @@ export class Restarts {
   private search: Search;
   private count = 0;
   private dearest = 0;
+  private readonly past = new HeatTally();
   private nearest: Closest | null = null;
   private runs = 0;
   private ticks = 0;
@@ -45,9 +46,9 @@ export class Restarts {
     return now === null || (this.nearest !== null && this.nearest.distance <= now.distance) ? this.nearest : now;
   }
 
-  /** Where the first of them has been: it is the one that goes on until it finds something. */
+  /** Where all of them have been. */
   get explored(): Explored {
-    return this.first.explored;
+    return this.past.explored(this.search.explored);
   }
 
   /** Nothing can be found, however long it is sought. */
@@ -80,6 +81,7 @@ export class Restarts {
 
   private restart(): void {
     this.nearest = this.closest;
+    this.past.add(this.search.explored);
     this.runs += this.search.effort.runs;
     this.ticks += this.search.effort.ticks;
     this.search = this.start();

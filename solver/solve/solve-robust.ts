@@ -141,7 +141,7 @@ export class RobustWork {
     const { desk } = this;
     const best = this.elites.length > 0 ? this.elites[0].p : 0;
     if (this.cloud === null || this.cloud.exhausted || this.cloud.ticks > CLOUD_LIFE) {
-      this.cloud = new CloudSearch(desk.scene, desk.goal, desk.maxTicks, desk.seedOf(500_000 + this.clouds++));
+      this.cloud = new CloudSearch(desk.scene, desk.goal, desk.maxTicks, desk.seedOf(500_000 + this.clouds++), desk.cloudHeat);
     }
     const { cloud } = this;
     const until = cloud.ticks + Math.min(CLOUD_ROUND, CLOUD_FIRST_ROUND * ++this.rounds);

@@ -1,7 +1,7 @@
 import type { Scene } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import type { Goal } from '../goal.ts';
-import type { Closest, Effort, Explored } from '../search/index.ts';
+import { type Closest, type Effort, type Explored, HeatTally } from '../search/index.ts';
 import { DEFAULT_MAX_TICKS } from '../verified-run.ts';
 import { createDesk } from './desk.ts';
 import type { Objective, Solution } from './solution.ts';
@@ -33,6 +33,7 @@ export interface Solver {
   readonly effort: Effort;
   /** The nearest that any run came to the black hole; null until something has been simulated. */
   readonly closest: Closest | null;
+  /** Where searches of all kinds have been so far. */
   readonly explored: Explored;
   readonly best: Solution | null;
   /** Best first, really different ones, at most `count`. Each has been verified by a replay from the start. */
@@ -60,7 +61,7 @@ export function createSolver(scene: Scene, options: SolveOptions = {}): Solver {
       return desk.restarts.closest;
     },
     get explored() {
-      return desk.restarts.explored;
+      return new HeatTally().explored(desk.restarts.explored, desk.cloudHeat.explored());
     },
     get best() {
       return desk.solutions[0] ?? null;

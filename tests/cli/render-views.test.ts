@@ -32,6 +32,17 @@ describe('gq render', () => {
     expect(stdout).not.toMatch(/NaN|undefined|Infinity/);
   });
 
+  it('--solve says when it has found fewer runs than asked for, wherever the picture goes', async () => {
+    const [whole, part] = await Promise.all([
+      render('through.level.json --solve 1 --effort 100000'),
+      render(`${shipped('12-detour')} --solve 4 --effort 100`),
+    ]);
+    expect([whole.code, whole.stderr]).toEqual([0, '']);
+    expect([part.code, count(part.stdout, 'ways')]).toEqual([0, 1]);
+    expect(part.stderr).toMatch(/^found [123] of 4 really different runs: .* --effort .* --seed .*\n$/);
+    expect(part.stdout).toMatch(/<title>[^<]*: [123] of 4 runs found</);
+  });
+
   it('draws the same picture again', async () => {
     const args = 'needle.level.json --closest --explored --effort 60000 --seed 3';
     const [one, two] = await Promise.all([render(args), render(args)]);

@@ -38,7 +38,7 @@ inChromium('an import of what is no level, in Chromium', ({ on }) => {
         page.getByRole('region', { name: 'Timeline' }).boundingBox(),
       ]);
       if (card === null || timeline === null) throw new Error('the message and the timeline are shown');
-      expect(card.y + card.height).toBeLessThanOrEqual(timeline.y);
+      expect(card.x).toBeGreaterThanOrEqual(timeline.x + timeline.width);
 
       // another drop takes its place, the dialog of imports takes it away
       await drop(page, { 'other.png': PNG });

@@ -143,6 +143,28 @@ else {
       expect(complaints).toEqual([]);
     });
 
+    it('offers the sample levels, which are loaded when they are asked for', async () => {
+      const complaints: string[] = [];
+      const one = await person(complaints);
+      const page = await one.open(hosted.address);
+      const samples = () => hosted.asked.filter((url) => url.includes('samples'));
+      const add = page.getByRole('main').getByRole('button', { name: 'Add the sample levels' });
+      await add.waitFor();
+      expect(samples()).toEqual([]);
+      await add.click();
+      await isOpen(page, 'First Pull');
+      await verdict(page, 'completable');
+      await saved(page);
+      await until(async () =>
+        expect(await page.getByRole('searchbox', { name: 'Find a level' }).getAttribute('placeholder')).toBe('Find in 18 levels'),
+      );
+      expect(samples()).toHaveLength(1);
+      await page.reload();
+      await isOpen(page, 'First Pull');
+      await one.context.close();
+      expect(complaints).toEqual([]);
+    });
+
     it('shows what a link brings and adds nothing unasked; a link to thousands of aliens leaves the page usable, then and later', async () => {
       const complaints: string[] = [];
       const one = await person(complaints);

@@ -50,7 +50,7 @@ inChromium('a file that another program made unreadable, in Chromium', ({ on }) 
       write('01', TYPO);
       await page
         .getByRole('list', { name: 'Problems' })
-        .getByRole('button', { name: /^Resolve/ })
+        .getByRole('button', { name: /^Look at both/ })
         .click();
       await page
         .getByRole('dialog', { name: "The file can't be read" })

@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { compile, simulate } from '../../engine/index.ts';
 import { drawDifficulty } from '../../picture/difficulty/index.ts';
-import { renderSvg } from '../../picture/index.ts';
+import { heatCaption, heatColour, heatShades, renderSvg, visitsInWords } from '../../picture/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
 import { count, FULL, level, play } from './scenes.ts';
 
@@ -9,6 +9,17 @@ const HOLDS: [number, number][] = [
   [10, 40],
   [60, 200],
 ];
+
+/** Of each text drawn in strokes: where it begins, how much it is scaled, and how far it reaches before that. */
+const letters = (svg: string): readonly [svg: string, x: number, scale: number, reach: number][] =>
+  [...svg.matchAll(/<path d="([^"]*)" transform="translate\(([\d.-]+) [^)]*\) scale\(([\d.]+)\)" fill="none"/g)].map(
+    ([all, d, x, scale]) => [
+      all,
+      Number(x),
+      Number(scale),
+      Math.max(0, ...[...d.matchAll(/M([\d.-]+) /g)].map(([, at]) => Number(at))),
+    ],
+  );
 
 describe('several runs', () => {
   const full = level(FULL);
@@ -46,6 +57,56 @@ test('the explored: every cell is drawn, in at most seven shades, the oftener vi
       if (cells[i].visits === cells[k].visits) expect(byPlace[i]).toBe(byPlace[k]);
     }
   }
+});
+
+test('the explored: the legend says what is counted and what each shade stands for, in numbers', () => {
+  const cells = Array.from({ length: 70 }, (_, i) => ({ x: 32 * i, y: 0, visits: 10 * (i + 1) }));
+  const explored = { cellSize: 32, cells };
+  const shades = heatShades(explored);
+  expect(heatCaption(explored)).toBe('visits of the search to each square of 32 px');
+  expect(shades.map(visitsInWords)).toEqual(['10–100', '110–200', '210–300', '310–400', '410–500', '510–600', '610–700']);
+  expect(shades.flatMap((shade) => shade.cells)).toHaveLength(70);
+  expect(visitsInWords({ least: 3, most: 3 })).toBe('3');
+  expect(visitsInWords({ least: 9999, most: 12_345_678 })).toBe('9999–12.3M');
+  for (const theme of ['dark', 'light'] as const) {
+    const svg = renderSvg(level(FULL), { explored, theme });
+    const legend = svg.slice(svg.indexOf('data-kind="legend"'));
+    for (const { opacity } of shades) {
+      const strength = `fill="${heatColour(theme)}" fill-opacity="${Number(opacity.toFixed(2))}"`;
+      expect(legend).toContain(strength);
+    }
+  }
+});
+
+test.each([400, 600, 960, 1200])('at %i px every letter is at least as large as of a font of 11 px', (width) => {
+  const full = level(FULL);
+  const runs = [HOLDS, [[0, 300]] as [number, number][]].map((holds, i) => ({
+    run: simulate(compile(full), holds),
+    label: `way ${i}: as long a line as a search has to say, which does not fit into a narrow picture at once`,
+  }));
+  const cells = [{ x: 0, y: 0, visits: 3 }];
+  for (const options of [
+    { run: runs[0].run },
+    { ways: runs },
+    { explored: { cellSize: 32, cells }, note: 'A search simulated much.' },
+  ]) {
+    const svg = renderSvg(full, { ...options, width });
+    const units = Number(/viewBox="0 0 ([\d.]+)/.exec(svg)?.[1]);
+    // letters are strokes: capitals are 10 units of the stroke font high
+    const scales = [...svg.matchAll(/<path d="[^"]*" transform="translate\([^)]*\) scale\(([\d.]+)\)" fill="none"/g)].map(
+      ([, s]) => Number(s),
+    );
+    expect(scales.length).toBeGreaterThan(5);
+    // a capital has 0.725 of a font's size
+    expect((Math.min(...scales) * 10 * width) / units / 0.725).toBeGreaterThanOrEqual(10.9);
+    // and nothing runs out of the picture
+    for (const [, x, scale, d] of letters(svg)) expect(x + scale * d).toBeLessThanOrEqual(units + 1);
+  }
+});
+
+test('a picture without words has the scene alone', () => {
+  const svg = renderSvg(level(FULL), { run: play(FULL, HOLDS), width: 144, words: false });
+  expect([count(svg, 'caption'), count(svg, 'presses'), count(svg, 'way')]).toEqual([0, 0, 1]);
 });
 
 test('a fan tells the runs that still complete the level from those that fail', () => {

@@ -1,4 +1,5 @@
 import type { GameObjects, Scene } from 'phaser';
+import { heatShades } from '../../../picture/index.ts';
 import type { Explored, ProofPicture } from '../../../solver/index.ts';
 import { type Colours, colourNumber } from '../colours.ts';
 
@@ -36,13 +37,12 @@ export class SearchLayer {
     this.proof.destroy();
   }
 
-  private drawHeat({ cells, cellSize }: Explored): void {
-    const most = cells.reduce((high, { visits }) => Math.max(high, visits), 1);
-    const colour = colourNumber(this.colours.near);
-    for (const { x, y, visits } of cells) {
-      // visits differ by factors of thousands: their size counts, not their number
-      const share = Math.log1p(visits) / Math.log1p(most);
-      this.heat.fillStyle(colour, 0.03 + 0.3 * share).fillRect(x - cellSize / 2, y - cellSize / 2, cellSize, cellSize);
+  private drawHeat(explored: Explored): void {
+    const { cellSize } = explored;
+    const colour = colourNumber(this.colours.heat);
+    for (const { opacity, cells } of heatShades(explored)) {
+      this.heat.fillStyle(colour, opacity);
+      for (const { x, y } of cells) this.heat.fillRect(x - cellSize / 2, y - cellSize / 2, cellSize, cellSize);
     }
   }
 

@@ -6,7 +6,7 @@ import { useEditor } from '../../context/index.ts';
 import { Button } from '../../ui/index.ts';
 import { type MenuEntry, Tree } from '../tree/index.ts';
 import { LevelLine } from './LevelLine.tsx';
-import { deleteLevel, duplicateLevel, folderOf, followSaves, openListed, orderLevels } from './level-files.ts';
+import { addSamples, deleteLevel, duplicateLevel, folderOf, followSaves, openListed, orderLevels } from './level-files.ts';
 import { type LevelRow, levelRows } from './level-rows.ts';
 import './levels.css';
 import { RenameDialog } from './RenameDialog.tsx';
@@ -190,6 +190,13 @@ export function LevelsPanel() {
             onClick={() => session.setState({ overlay: 'open' })}
           >
             Import levels
+          </Button>
+          <Button
+            hint="Levels that come with the toolkit, each with a run that completes it"
+            look="outlined"
+            onClick={() => void addSamples(editor, '')}
+          >
+            Add the sample levels
           </Button>
         </div>
       )}

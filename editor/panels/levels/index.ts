@@ -3,6 +3,7 @@ export { FolderSelect } from './FolderSelect.tsx';
 export { LevelsPanel } from './LevelsPanel.tsx';
 export {
   addLevels,
+  addSamples,
   deleteLevel,
   duplicateLevel,
   folderOf,

@@ -1,6 +1,7 @@
 import { formatLevel, type LevelEntry, type LevelFile, readLevel } from '../../../schema/index.ts';
 import type { Editor } from '../../context/index.ts';
 import type { Answer, StorageError } from '../../files/index.ts';
+import { loadSamples } from '../../templates/index.ts';
 
 /** The folder of a level; '' for the outermost. */
 export const folderOf = (id: string): string => id.slice(0, Math.max(0, id.lastIndexOf('/')));
@@ -126,6 +127,20 @@ export async function addLevels(
   await editor.workspace.refresh();
   if (added.length > 0) await openListed(editor, added[0]);
   return added;
+}
+
+/** Adds the levels that come with the toolkit, and opens the first of them. */
+export async function addSamples(editor: Editor, folder: string): Promise<void> {
+  let samples: Awaited<ReturnType<typeof loadSamples>>;
+  try {
+    samples = await loadSamples();
+  } catch {
+    editor.notices.show('warning', 'The sample levels could not be loaded. Load the page again and try once more.', {
+      topic: 'level-files',
+    });
+    return;
+  }
+  await addLevels(editor, folder, samples);
 }
 
 /** Makes a copy of a level, with a name and a number of its own, and opens it. */

@@ -63,7 +63,7 @@ const ProblemCard = memo(function ProblemCard({ problem, place, fixTitle }: Prob
         )}
         {(code === 'file-unreadable' || code === 'file-deleted') && (
           <Button hint="Look at both and choose" look="outlined" onClick={() => editor.session.setState({ overlay: 'conflict' })}>
-            Resolve
+            Look at both
           </Button>
         )}
         {code === 'no-run' && (

@@ -1,1 +1,2 @@
 export { RunsPanel } from './RunsPanel.tsx';
+export { useRunEnds } from './run-ends.ts';

@@ -92,7 +92,7 @@ function Result({ result }: { readonly result: Difficulty }) {
 /** How hard the level is, when it is asked for. */
 export function DifficultyReport() {
   const { difficulty } = useSolverDesk();
-  const { phase, result, run, isOld, message } = useStore(difficulty.store);
+  const { phase, result, run, asked, isOld, message } = useStore(difficulty.store);
   return (
     <Section
       title="How hard it is"
@@ -115,13 +115,16 @@ export function DifficultyReport() {
         </p>
       )}
       {phase === 'none' && (
-        <p className="part__note">No run completes the level and none was found: there is nothing to measure.</p>
+        <p className="part__note">
+          The shown run does not complete the level{asked}, and no run that does was found in the time set above. That does not
+          prove that there is none. Show a run that does, or give it more seconds.
+        </p>
       )}
       {result !== null && phase !== 'none' && (
         <div className={isOld || phase === 'measuring' ? 'report report--old' : 'report'}>
           <p className="part__note">
             {isOld && 'Before the last change. '}
-            {run === null ? 'By a run that was found for it.' : `By the run “${run}”.`}
+            {run === null ? `By a run${asked} that was found for it.` : `By the run “${run}”${asked}.`}
           </p>
           <Result result={result} />
         </div>

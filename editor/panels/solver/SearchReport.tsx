@@ -1,70 +1,30 @@
-import { Check, CircleCheck, CircleHelp, CircleX, Plus, Replace, TriangleAlert, X } from 'lucide-react';
+import { Check, CircleCheck, CircleHelp, CircleX, Info, Plus, Replace, TriangleAlert, X } from 'lucide-react';
 import { useStore } from 'zustand';
-import { TICK } from '../../../engine/index.ts';
+import { mineralsNeeded } from '../../../solver/index.ts';
 import { useDocument, useEditor, useProof, useSession } from '../../context/index.ts';
 import { inPageWords } from '../../document/index.ts';
 import { Button } from '../../ui/index.ts';
-import { about, percent, pixels, plural, seconds } from '../figures/index.ts';
+import { about, percent, plural, seconds } from '../figures/index.ts';
 import { Progress } from '../parts/index.ts';
-import type { Found, SearchState } from './search.ts';
+import { useRunEnds } from '../runs/index.ts';
+import { COUNT, type Found, type SearchState } from './search.ts';
+import { type OwnRuns, standingOf } from './standing.ts';
 import { useSolverDesk } from './use-desk.ts';
+import { goalOf } from './wish.ts';
 
-/** How it stands, in a sentence. */
-function Standing({ state }: { readonly state: SearchState }) {
-  const { phase, found, impossible, isHopeless, solving, message } = state;
-  if (impossible !== null) {
-    return (
-      <p className="standing tone--bad">
-        <CircleX size={15} aria-hidden /> Proved impossible: {inPageWords(impossible.reason)}
-      </p>
-    );
-  }
-  if (isHopeless && found.length === 0) {
-    return (
-      <p className="standing tone--bad">
-        <CircleX size={15} aria-hidden /> Proved: no run takes the minerals asked for.
-      </p>
-    );
-  }
-  if (phase === 'failed') {
-    return (
-      <p className="standing tone--bad" role="alert">
-        <TriangleAlert size={15} aria-hidden /> The search broke down: {message}. Start it again; the level is untouched.
-      </p>
-    );
-  }
-  if (phase === 'stale') {
-    return (
-      <p className="standing">
-        <TriangleAlert size={15} aria-hidden /> The level changed, so the search stopped. What it had found was tried in the level
-        as it is now.
-      </p>
-    );
-  }
-  if (found.length > 0) {
-    const working = found.filter(({ works }) => works).length;
-    return (
-      <p className={working > 0 ? 'standing tone--good' : 'standing tone--warn'}>
-        <CircleCheck size={15} aria-hidden />
-        {working === found.length
-          ? `${plural(found.length, 'different way', 'different ways')} found${phase === 'running' ? ' so far' : ''}`
-          : `${working} of ${plural(found.length, 'way')} still work in the level as it is now`}
-      </p>
-    );
-  }
-  const closest = solving?.closest ?? null;
-  const near =
-    closest === null
-      ? ''
-      : closest.distance === 0
-        ? ' The black hole was reached, but without the minerals asked for.'
-        : ` The closest approach, shown on the canvas, was ${pixels(closest.distance)} at ${seconds(closest.tick * TICK)}.`;
-  if (phase === 'running') return <p className="standing">Nothing found yet.{near}</p>;
-  return (
-    <p className="standing tone--warn">
-      <CircleHelp size={15} aria-hidden /> No run found, which does not prove that there is none.{near}
-    </p>
-  );
+const ICONS = { good: CircleCheck, warn: CircleHelp, bad: CircleX, plain: Info } as const;
+const NO_RUNS = [] as const;
+
+/** What the level's own runs show of what is asked. */
+function useOwnRuns({ wish }: SearchState, minerals: number): OwnRuns {
+  const runs = useDocument(({ file }) => file.runs ?? NO_RUNS);
+  const endOf = useRunEnds(runs);
+  const needed = wish === null ? 0 : mineralsNeeded(goalOf(wish, minerals), minerals);
+  const completing = runs.filter(({ name }) => endOf(name)?.outcome === 'completed');
+  return {
+    meets: completing.find(({ name }) => (endOf(name)?.minerals ?? 0) >= needed)?.name ?? null,
+    completes: completing[0]?.name ?? null,
+  };
 }
 
 function FoundCard({ found, place, minerals }: { readonly found: Found; readonly place: number; readonly minerals: number }) {
@@ -137,11 +97,15 @@ export function SearchReport() {
   const heatMap = useSession(({ layers }) => layers.heatMap);
   const minerals = useDocument(({ file }) => file.minerals?.length ?? 0);
   const { phase, solving, ms, wish, found, mineralProofs } = state;
+  const { tone, text, note } = standingOf(state, useOwnRuns(state, minerals), minerals, COUNT);
   if (phase === 'idle' || wish === null) return null;
+  const Icon = ICONS[tone];
   return (
     <div className="report">
       <Progress label="Time spent" isRunning={phase === 'running'} share={Math.min(1, ms / (1000 * wish.budget))} />
-      <Standing state={state} />
+      <p className={tone === 'plain' ? 'standing' : `standing tone--${tone}`} role={tone === 'bad' ? 'alert' : 'status'}>
+        <Icon size={15} aria-hidden /> {text}
+      </p>
       {found.length > 0 && (
         <ol className="report__found" aria-label="Ways found">
           {found.map((one, i) => (
@@ -149,6 +113,7 @@ export function SearchReport() {
           ))}
         </ol>
       )}
+      {note !== null && <p className="part__note">{note}</p>}
       {mineralProofs.map(({ index, proof }) => (
         <p key={index} className="standing tone--warn">
           <TriangleAlert size={15} aria-hidden /> Mineral {index + 1} can never be collected: {inPageWords(proof.reason)}

@@ -1,9 +1,10 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { Scene } from '../../../engine/index.ts';
-import type { Difficulty } from '../../../solver/index.ts';
+import { type Difficulty, mineralsNeeded } from '../../../solver/index.ts';
 import type { ProofStore } from '../../proof/index.ts';
 import type { Job, Workers } from '../../workers/index.ts';
 import { withoutRuns } from './search.ts';
+import { askedInWords } from './standing.ts';
 import { goalOf, type WishStore } from './wish.ts';
 
 export interface DifficultyState {
@@ -13,6 +14,8 @@ export interface DifficultyState {
   readonly result: Difficulty | null;
   /** Name of the run that was measured; null: one that was found. */
   readonly run: string | null;
+  /** What was asked of the run besides the black hole: ` with all 3 minerals`; '' for nothing. */
+  readonly asked: string;
   /** The level or the run has changed since. */
   readonly isOld: boolean;
 }
@@ -32,12 +35,19 @@ interface DifficultyParts {
 
 /** How hard the level is, measured when it is asked for: by the shown run where it completes the level, else by one that is looked for. */
 export function createDifficultyDesk({ level: { proof }, workers, wish }: DifficultyParts): DifficultyDesk {
-  const store = createStore<DifficultyState>(() => ({ phase: 'idle', message: null, result: null, run: null, isOld: false }));
+  const store = createStore<DifficultyState>(() => ({
+    phase: 'idle',
+    message: null,
+    result: null,
+    run: null,
+    asked: '',
+    isOld: false,
+  }));
   let job: Job<'difficulty'> | null = null;
-  let asked: { scene: Scene; holds: string } | null = null;
+  let measured: { scene: Scene; holds: string } | null = null;
   const stop = proof.store.subscribe(({ scene, run }) => {
-    if (asked === null || store.getState().isOld) return;
-    if (scene !== asked.scene || run.holds.join() !== asked.holds) store.setState({ isOld: true });
+    if (measured === null || store.getState().isOld) return;
+    if (scene !== measured.scene || run.holds.join() !== measured.holds) store.setState({ isOld: true });
   });
   const cancel = () => {
     job?.cancel();
@@ -49,9 +59,14 @@ export function createDifficultyDesk({ level: { proof }, workers, wish }: Diffic
       cancel();
       const { level, accuracy, run, scene } = proof.proof();
       const goal = goalOf(wish.getState(), level.minerals.length);
-      const completes = run.name !== null && run.outcome === 'completed';
-      asked = { scene, holds: run.holds.join() };
-      store.setState({ phase: 'measuring', message: null, isOld: false, run: completes ? run.name : null });
+      const asked = askedInWords(wish.getState(), level.minerals.length);
+      // only a run that does what is asked can be measured by it
+      const completes =
+        run.name !== null &&
+        run.outcome === 'completed' &&
+        new Set(run.minerals.map(({ index }) => index)).size >= mineralsNeeded(goal, level.minerals.length);
+      measured = { scene, holds: run.holds.join() };
+      store.setState({ phase: 'measuring', message: null, isOld: false, run: completes ? run.name : null, asked });
       const budget = 1000 * wish.getState().budget;
       const mine = workers.start('difficulty', {
         level: withoutRuns(level),

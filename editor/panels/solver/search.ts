@@ -40,6 +40,8 @@ export interface SearchState {
   readonly mineralProofs: Results['proofs']['minerals'];
   /** It is proved that the minerals asked for can't all be had. */
   readonly isHopeless: boolean;
+  /** The level has changed since it was searched. */
+  readonly isOld: boolean;
   /** Id of the one that is pointed at. */
   readonly hovered: string | null;
 }
@@ -54,6 +56,7 @@ const IDLE: SearchState = {
   impossible: null,
   mineralProofs: [],
   isHopeless: false,
+  isOld: false,
   hovered: null,
 };
 
@@ -61,7 +64,7 @@ const IDLE: SearchState = {
 const SOLUTION = 'solution';
 
 /** Different runs that are kept and shown. */
-const COUNT = 5;
+export const COUNT = 5;
 /** ms after a change of the level before found runs are tried in it */
 const SETTLE = 200;
 
@@ -184,6 +187,7 @@ export function createSearchDesk({ level, session, workers, wish, overlay, now }
       impossible: null,
       mineralProofs: [],
       isHopeless: false,
+      isOld: true,
       solving: null,
       phase: wasRunning ? 'stale' : phase,
     });

@@ -24,5 +24,5 @@ export const thumbnail: Start<'thumbnail'> = function* ({ text, accuracy, width,
   const otherwise = shown === undefined ? 'unproven' : 'broken';
   const verdict = isCompleted ? 'completable' : isImpossible ? 'impossible' : otherwise;
   const minerals = new Set(shown?.minerals.map(({ index }) => index)).size;
-  return { svg: renderSvg(level, { run: shown, width, theme }), verdict, minerals };
+  return { svg: renderSvg(level, { run: shown, width, theme, words: false }), verdict, minerals };
 };

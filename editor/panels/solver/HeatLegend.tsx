@@ -1,0 +1,31 @@
+import { useMemo } from 'react';
+import { useStore } from 'zustand';
+import { heatCaption, heatColour, heatShades, visitsInWords } from '../../../picture/index.ts';
+import { usePageTheme, useSession } from '../../context/index.ts';
+import { useSolverDesk } from './use-desk.ts';
+import './solver.css';
+
+/** What the squares on the canvas count, and how strong how many visits are; nothing while they are not shown. */
+export function HeatLegend() {
+  const { overlay } = useSolverDesk();
+  const explored = useStore(overlay, ({ heat }) => heat);
+  const isShown = useSession(({ layers }) => layers.heatMap);
+  const theme = usePageTheme();
+  const shades = useMemo(() => (explored === null || !isShown ? [] : heatShades(explored)), [explored, isShown]);
+  if (explored === null || shades.length === 0) return null;
+  return (
+    <figure className="heatlegend" aria-label="Where the search has been">
+      <figcaption>{heatCaption(explored)}</figcaption>
+      <ul className="heatlegend__shades numbers">
+        {shades.map((shade) => (
+          <li key={shade.opacity}>
+            <span className="heatlegend__square" aria-hidden>
+              <span style={{ background: heatColour(theme), opacity: shade.opacity }} />
+            </span>
+            {visitsInWords(shade)}
+          </li>
+        ))}
+      </ul>
+    </figure>
+  );
+}

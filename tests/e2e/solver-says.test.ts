@@ -1,0 +1,70 @@
+import { expect, it } from 'vitest';
+import { heatColour } from '../../picture/index.ts';
+import { straight } from './levels.ts';
+import { inChromium } from './stage.ts';
+import { until } from './until.ts';
+
+/** The mineral stands behind the black hole, where nobody has to go. */
+const ASIDE = [{ id: 'gem', x: 660, y: 520, radius: 7 }];
+
+inChromium('what the solver says, in Chromium', ({ on }) => {
+  it(
+    'speaks of what was asked, of what the own runs show, and of no minerals where none were asked for',
+    on({ '01': straight({ minerals: ASIDE }) }, async ({ page, saved }) => {
+      await saved();
+      await page.getByRole('tab', { name: 'Solver' }).click();
+      const solver = page.getByRole('tabpanel', { name: 'Solver' });
+      const standing = solver.getByRole('status').filter({ hasText: /./ });
+      const solve = async (minerals: RegExp) => {
+        await solver.getByRole('radio', { name: minerals }).click();
+        await solver.getByRole('button', { name: 'Solve', exact: true }).click();
+      };
+      // the level's own run is the start: it is found at once, and no word is said of minerals
+      await solve(/^any$/);
+      await standing.filter({ hasText: /different ways? found/ }).waitFor();
+      await solver.getByRole('button', { name: 'Cancel', exact: true }).click();
+      await solver.getByText(/^Looked for up to 5 ways\. Stopped by hand after [\d.]+ s\. More time or another seed/).waitFor();
+      const report = () => solver.locator('.report').first().innerText();
+      expect(await report()).not.toMatch(/asked for|No run found/);
+
+      // with the mineral it takes another run, which is not to be had at once: the level is completable all the same
+      await solve(/^all 1$/);
+      await standing.filter({ hasText: /^Looking for runs with the mineral: none found yet\./ }).waitFor();
+      await standing
+        .filter({ hasText: 'The level is completable all the same: its run “solution” reaches the black hole.' })
+        .waitFor();
+    }),
+  );
+
+  it(
+    'where the search has been is drawn as in pictures, with a legend of numbers, in both themes',
+    on({ '01': straight() }, async ({ page, saved }) => {
+      await saved();
+      await page.getByRole('tab', { name: 'Solver' }).click();
+      const solver = page.getByRole('tabpanel', { name: 'Solver' });
+      const legend = page.getByRole('figure', { name: 'Where the search has been' });
+      await solver.getByRole('textbox', { name: 'Seconds' }).fill('3600');
+      await solver.getByRole('button', { name: 'Solve', exact: true }).click();
+      await solver.getByLabel('Show where the search has been').check();
+      await legend.getByText('visits of the search to each square of 32 px').waitFor();
+      // many squares, of many strengths: every strength has its numbers
+      await until(async () => expect(await legend.getByRole('listitem').count()).toBe(7));
+      const labels = await legend.getByRole('listitem').allInnerTexts();
+      for (const label of labels) expect(label).toMatch(/^\d[\d.kM]*(–\d[\d.kM]*)?$/);
+      const colour = () =>
+        legend
+          .getByRole('listitem')
+          .last()
+          .locator('span span')
+          .evaluate((square) => getComputedStyle(square).backgroundColor);
+      const rgb = (hex: string) => `rgb(${[1, 3, 5].map((at) => Number.parseInt(hex.slice(at, at + 2), 16)).join(', ')})`;
+      const shown = await page.evaluate(() => document.documentElement.dataset.theme);
+      const first = shown === 'light' ? 'light' : 'dark';
+      expect(await colour()).toBe(rgb(heatColour(first)));
+      await page.emulateMedia({ colorScheme: first === 'light' ? 'dark' : 'light' });
+      await until(async () => expect(await colour()).toBe(rgb(heatColour(first === 'light' ? 'dark' : 'light'))));
+      await solver.getByLabel('Show where the search has been').uncheck();
+      await legend.waitFor({ state: 'hidden' });
+    }),
+  );
+});

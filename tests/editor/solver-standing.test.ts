@@ -1,0 +1,102 @@
+import { describe, expect, it } from 'vitest';
+import type { SearchState } from '../../editor/panels/solver/search.ts';
+import { askedInWords, standingOf } from '../../editor/panels/solver/standing.ts';
+import { createWish } from '../../editor/panels/solver/wish.ts';
+
+const wish = createWish().getState();
+const NOBODY = { meets: null, completes: null };
+const COUNT = 3;
+
+const solving = (distance: number | null, finished = false): SearchState['solving'] => ({
+  effort: { runs: 1, ticks: 1 },
+  closest: distance === null ? null : { distance, tick: 60, holds: [] },
+  solutions: [],
+  explored: { cellSize: 32, cells: [] },
+  finished,
+});
+const found = (...works: boolean[]): SearchState['found'] =>
+  works.map((one, i) => ({
+    id: String(i),
+    candidate: { holds: [], outcome: 'completed', time: 1, tick: 60, minerals: [] },
+    p40: null,
+    certified: false,
+    works: one,
+  }));
+const state = (changes: Partial<SearchState>): SearchState => ({
+  phase: 'done',
+  message: null,
+  ms: 10_000,
+  wish,
+  solving: solving(42),
+  found: [],
+  impossible: null,
+  mineralProofs: [],
+  isHopeless: false,
+  isOld: false,
+  hovered: null,
+  ...changes,
+});
+const say = (changes: Partial<SearchState>, own: Parameters<typeof standingOf>[1] = NOBODY) => {
+  const { text, note } = standingOf(state(changes), own, COUNT, 5);
+  return note === null ? text : `${text} | ${note}`;
+};
+const all = { ...wish, minerals: 'all' } as const;
+const some = { ...wish, minerals: 'some', some: 2 } as const;
+
+describe('what the solver says', () => {
+  it('names the minerals where some are asked for, and only there', () => {
+    expect([wish, some, all].map((one) => askedInWords(one, COUNT))).toEqual([
+      '',
+      ' with at least 2 of 3 minerals',
+      ' with all 3 minerals',
+    ]);
+    expect(askedInWords(all, 1)).toBe(' with the mineral');
+    // of none all is any
+    expect(askedInWords(all, 0)).toBe('');
+    for (const phase of ['running', 'done', 'cancelled', 'stale', 'failed'] as const)
+      for (const distance of [null, 0, 42])
+        for (const own of [NOBODY, { meets: 'a', completes: 'a' }])
+          for (const ways of [found(), found(true), found(true, false)])
+            for (const isOld of [true, false])
+              expect(say({ phase, solving: solving(distance), found: ways, isOld }, own)).not.toContain('mineral');
+  });
+
+  it('that nothing was found, why it ended, what that means, and what the own runs show', () => {
+    expect(say({})).toBe(
+      'The 10 s are over: no run into the black hole was found. That does not prove that there is none. The closest approach, shown on the canvas, was 42 px at 1.00 s.',
+    );
+    expect(say({ phase: 'cancelled', ms: 2100, solving: null })).toMatch(/^Stopped by hand after 2.1 s: no run into/);
+    expect(say({ solving: solving(null, true) })).toMatch(/^Nothing is left to try: no run into/);
+    expect(say({}, { meets: 'solution', completes: 'solution' })).toBe(
+      "The 10 s are over: no other run was found. The closest approach, shown on the canvas, was 42 px at 1.00 s. The level's own run “solution” does it already.",
+    );
+    expect(say({ wish: all, solving: solving(0) }, { meets: null, completes: 'solution' })).toBe(
+      'The 10 s are over: no run into the black hole with all 3 minerals was found. That does not prove that there is none. It has reached the black hole, but not with all 3 minerals. The level is completable all the same: its run “solution” reaches the black hole.',
+    );
+    expect(say({ solving: solving(0) })).toContain('It has reached the black hole, but no run was ready');
+    expect(say({ phase: 'running' })).toMatch(/^Looking for runs: none found yet\./);
+    expect(say({ isHopeless: true, wish: all }, { meets: null, completes: 'solution' })).toBe(
+      'Proved: no run completes the level with all 3 minerals. The level is completable all the same: its run “solution” reaches the black hole.',
+    );
+  });
+
+  it('how many of those looked for were found', () => {
+    expect(say({ phase: 'running', found: found(true) })).toBe('1 different way found so far | Looked for up to 5 ways.');
+    expect(say({ found: found(true, true), wish: some })).toBe(
+      '2 different ways found | Looked for up to 5 ways with at least 2 of 3 minerals. The 10 s are over. More time or another seed may find more.',
+    );
+    expect(say({ found: found(true), solving: solving(0, true) })).toBe(
+      '1 different way found | Looked for up to 5 ways. Nothing is left to try.',
+    );
+    expect(say({ found: found(true, true, true, true, true) })).toBe('5 different ways found | Looked for up to 5 ways.');
+  });
+
+  it('what became of it once the level has changed', () => {
+    expect(say({ phase: 'stale', isOld: true, found: found(true, false), solving: null })).toBe(
+      'The level changed, so the search stopped. Of 2 ways found before the level changed 1 still works.',
+    );
+    expect(say({ isOld: true, solving: null })).toBe(
+      'The level has changed since it was searched; no run was found in it as it was. Solve looks in the level as it is now.',
+    );
+  });
+});
