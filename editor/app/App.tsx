@@ -1,17 +1,18 @@
 import { Tabs, Tooltip } from 'radix-ui';
 import { useEffect } from 'react';
+import { flushSync } from 'react-dom';
 import { useStore } from 'zustand';
 import { CanvasView } from '../canvas/index.ts';
 import { type Command, listenToKeys } from '../commands/index.ts';
 import { Dialogs } from '../dialogs/index.ts';
-import { problemsInWords } from '../files/index.ts';
+import { errorInWords, problemsInWords } from '../files/index.ts';
 import { addSamples, openListed } from '../panels/levels/index.ts';
 import { HeatLegend, SolverWatch, solverDeskOf } from '../panels/solver/index.ts';
 import { PlayView, playCommands } from '../play/index.ts';
 import { Timeline } from '../timeline/index.ts';
-import { Button } from '../ui/index.ts';
+import { Button, keepFocus } from '../ui/index.ts';
 import './app.css';
-import { type Editor, EditorContext, LevelContext, useEditor, useLevel, useSession } from '../context/index.ts';
+import { type Editor, EditorContext, LevelContext, useEditor, useLevel, useLevelKey, useSession } from '../context/index.ts';
 import { appCommands } from './app-commands.ts';
 import { CheatSheet } from './CheatSheet.tsx';
 import { CommandPalette } from './CommandPalette.tsx';
@@ -63,23 +64,43 @@ const ALL_PANELS = [LEVELS, ...LEFT, ...RIGHT, PROBLEMS];
 
 /** Brings panels to the front by their names. */
 function panelCommands({ session }: Editor): readonly Command[] {
-  return ALL_PANELS.map(({ id, title }) => ({
-    id: `panel.${id}`,
-    title: `Show ${title.toLowerCase()}`,
-    group: 'View',
-    mode: 'both',
-    run: () => {
-      const { panels } = session.getState();
-      const left = LEFT.some((panel) => panel.id === id) ? id : panels.left;
-      const right = RIGHT.some((panel) => panel.id === id) ? id : panels.right;
-      session.setState({ panels: { left, right, phone: id } });
+  const show = (id: string) => {
+    const { panels } = session.getState();
+    const left = LEFT.some((panel) => panel.id === id) ? id : panels.left;
+    const right = RIGHT.some((panel) => panel.id === id) ? id : panels.right;
+    session.setState({ panels: { left, right, phone: id } });
+  };
+  return [
+    ...ALL_PANELS.map(
+      ({ id, title }): Command => ({
+        id: `panel.${id}`,
+        title: `Show ${title.toLowerCase()}`,
+        group: 'View',
+        mode: 'both',
+        run: () => show(id),
+      }),
+    ),
+    {
+      id: 'file.find',
+      title: 'Find a level',
+      group: 'File',
+      keys: ['$mod+p'],
+      inText: true,
+      run: () => {
+        // where panels come one at a time the list may not be there yet
+        flushSync(() => show(LEVELS.id));
+        const field = document.querySelector<HTMLInputElement>('.levels input[type="search"]');
+        field?.focus();
+        field?.select();
+      },
     },
-  }));
+  ];
 }
 
 function LevelScreen() {
   const editor = useEditor();
   const level = useLevel();
+  const key = useLevelKey();
   const mode = useSession((state) => state.mode);
   const { overlay } = solverDeskOf(editor, level);
   return (
@@ -90,13 +111,13 @@ function LevelScreen() {
         right={[<SideTabs key="tabs" side="right" label="Inspector and tools" panels={RIGHT} />, PROBLEMS.content]}
         canvas={
           <>
-            <CanvasView key={level.opened.id()} search={overlay} />
+            <CanvasView key={key} search={overlay} />
             <Toolbar />
             <HeatLegend />
             {mode === 'play' && <PlayView />}
           </>
         }
-        timeline={<Timeline key={level.opened.id()} />}
+        timeline={<Timeline key={key} />}
         panels={ALL_PANELS}
       />
       <StatusBar />
@@ -128,9 +149,7 @@ function EmptyScreen() {
         </aside>
         <main className="empty">
           {error !== null ? (
-            <p role="alert">
-              {error.message}. {error.hint}.
-            </p>
+            <p role="alert">{errorInWords(error)}</p>
           ) : list === null ? (
             <p>Looking for levels…</p>
           ) : (
@@ -176,10 +195,10 @@ function Screen() {
   useEffect(() => {
     const { commands, session } = editor;
     const forget = commands.register([...appCommands(editor), ...playCommands(editor), ...panelCommands(editor)]);
-    const stop = listenToKeys(window, commands, () => session.getState().mode);
+    const stops = [listenToKeys(window, commands, () => session.getState().mode), keepFocus(document)];
     return () => {
       forget();
-      stop();
+      for (const stop of stops) stop();
     };
   }, [editor]);
   return (

@@ -1,5 +1,7 @@
 import { defaultFilter, Command as Palette } from 'cmdk';
+import { Dialog as Radix } from 'radix-ui';
 import { useEffect, useState, useSyncExternalStore } from 'react';
+import { flushSync } from 'react-dom';
 import { type Command, keyLabel, needsOf } from '../commands/index.ts';
 import { IS_MAC, useEditor, useSession } from '../context/index.ts';
 import { findPlaces, type Place } from './palette-places.ts';
@@ -62,7 +64,8 @@ export function CommandPalette() {
       className="palette__item"
       disabled={entry.needs !== null}
       onSelect={() => {
-        session.setState({ overlay: null });
+        // gone before it is done: what is done may give the focus to something, which an open dialog would take back
+        flushSync(() => session.setState({ overlay: null }));
         entry.go();
       }}
     >
@@ -72,32 +75,42 @@ export function CommandPalette() {
     </Palette.Item>
   );
   return (
-    <Palette.Dialog
-      open={open}
-      onOpenChange={(next) => session.setState({ overlay: next ? 'palette' : null })}
-      label="Commands"
-      // it orders within groups only
-      shouldFilter={false}
-      className="palette"
-      overlayClassName="dialog__shade"
-      contentClassName="palette__frame"
-    >
-      <Palette.Input
-        className="palette__input"
-        placeholder="What do you want to do, or where to?"
-        value={query}
-        onValueChange={setQuery}
-      />
-      <Palette.List className="palette__list">
-        <Palette.Empty className="palette__empty">Nothing has this name.</Palette.Empty>
-        {typed === ''
-          ? [...new Set(usable.map(({ group }) => group))].map((group) => (
-              <Palette.Group key={group} heading={group}>
-                {usable.filter((entry) => entry.group === group).map((entry) => show(entry, false))}
-              </Palette.Group>
-            ))
-          : found.map((entry) => show(entry, true))}
-      </Palette.List>
-    </Palette.Dialog>
+    <Radix.Root open={open} onOpenChange={(next) => session.setState({ overlay: next ? 'palette' : null })}>
+      <Radix.Portal>
+        <Radix.Overlay className="dialog__shade" />
+        <Radix.Content
+          className="palette__frame"
+          aria-describedby={undefined}
+          onCloseAutoFocus={(event) => {
+            if (document.activeElement !== document.body) event.preventDefault();
+          }}
+        >
+          <Radix.Title className="unseen">Commands</Radix.Title>
+          <Palette
+            className="palette"
+            label="Commands"
+            // it orders within groups only
+            shouldFilter={false}
+          >
+            <Palette.Input
+              className="palette__input"
+              placeholder="What do you want to do, or where to?"
+              value={query}
+              onValueChange={setQuery}
+            />
+            <Palette.List className="palette__list">
+              <Palette.Empty className="palette__empty">Nothing has this name.</Palette.Empty>
+              {typed === ''
+                ? [...new Set(usable.map(({ group }) => group))].map((group) => (
+                    <Palette.Group key={group} heading={group}>
+                      {usable.filter((entry) => entry.group === group).map((entry) => show(entry, false))}
+                    </Palette.Group>
+                  ))
+                : found.map((entry) => show(entry, true))}
+            </Palette.List>
+          </Palette>
+        </Radix.Content>
+      </Radix.Portal>
+    </Radix.Root>
   );
 }

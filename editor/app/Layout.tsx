@@ -77,7 +77,7 @@ function Side({
 }
 
 /** A panel that has one line to say. */
-const LINE = '38px';
+const LINE = '40px';
 
 /** px that the timeline begins with, and the share of a low page that it takes at most */
 const TIMELINE = { height: 230, share: 0.3 } as const;

@@ -1,18 +1,20 @@
 import { CircleQuestionMark, Play, Redo2, Search, Settings, Share2, Square, Undo2 } from 'lucide-react';
 import { useStore } from 'zustand';
 import { keyLabel } from '../commands/index.ts';
-import { IS_MAC, useDocument, useEditor, useLevel, useSession } from '../context/index.ts';
+import { IS_MAC, useDocument, useEditor, useSession } from '../context/index.ts';
+import { listHistoryOf } from '../panels/levels/index.ts';
 import { Button } from '../ui/index.ts';
 import { SaveStatus } from './SaveStatus.tsx';
 import { VerdictBadge } from './VerdictBadge.tsx';
 
 /** What is open, whether it is safe, what it is worth; play. */
 export function TopBar() {
-  const { commands, session } = useEditor();
-  const { document } = useLevel();
+  const editor = useEditor();
+  const { commands, session } = editor;
+  const history = listHistoryOf(editor);
   const name = useDocument(({ file }) => file.name);
-  const undo = useStore(document.store, (state) => state.undoLabel);
-  const redo = useStore(document.store, (state) => state.redoLabel);
+  const undo = useStore(history.store, (state) => state.undoLabel);
+  const redo = useStore(history.store, (state) => state.redoLabel);
   const playing = useSession((state) => state.mode === 'play');
   const key = (binding: string) => keyLabel(binding, IS_MAC);
   return (
@@ -25,14 +27,14 @@ export function TopBar() {
         shortcut={key('$mod+z')}
         icon={<Undo2 size={16} />}
         disabled={undo === null}
-        onClick={() => document.undo()}
+        onClick={history.undo}
       />
       <Button
         hint={redo === null ? 'Nothing to redo' : `Redo: ${redo}`}
         shortcut={key('$mod+Shift+z')}
         icon={<Redo2 size={16} />}
         disabled={redo === null}
-        onClick={() => document.redo()}
+        onClick={history.redo}
       />
       <Button
         className="topbar__search"

@@ -1,5 +1,6 @@
 import type { Command } from '../commands/index.ts';
 import type { Editor } from '../context/index.ts';
+import { listHistoryOf } from '../panels/levels/index.ts';
 import { LAYERS, type Layer } from '../session/index.ts';
 
 const LAYER_TITLES: Readonly<Record<Layer, string>> = {
@@ -12,7 +13,9 @@ const LAYER_TITLES: Readonly<Record<Layer, string>> = {
 };
 
 /** What can be done whatever is shown. */
-export function appCommands({ session, settings, open }: Editor): readonly Command[] {
+export function appCommands(editor: Editor): readonly Command[] {
+  const { session, settings, open } = editor;
+  const history = listHistoryOf(editor);
   const needsLevel = () => (open.getState() === null ? 'open a level first' : null);
   const show = (overlay: NonNullable<ReturnType<typeof session.getState>['overlay']>) => () => session.setState({ overlay });
   return [
@@ -21,16 +24,16 @@ export function appCommands({ session, settings, open }: Editor): readonly Comma
       title: 'Undo',
       group: 'Edit',
       keys: ['$mod+z'],
-      needs: needsLevel,
-      run: () => open.getState()?.document.undo(),
+      needs: () => (history.store.getState().undoLabel === null ? needsLevel() : null),
+      run: history.undo,
     },
     {
       id: 'edit.redo',
       title: 'Redo',
       group: 'Edit',
       keys: ['$mod+Shift+z', '$mod+y'],
-      needs: needsLevel,
-      run: () => open.getState()?.document.redo(),
+      needs: () => (history.store.getState().redoLabel === null ? needsLevel() : null),
+      run: history.redo,
     },
     {
       id: 'file.save',
@@ -39,10 +42,11 @@ export function appCommands({ session, settings, open }: Editor): readonly Comma
       keys: ['$mod+s'],
       mode: 'both',
       inText: true,
+      inDialogs: true,
       needs: needsLevel,
       run: () => void open.getState()?.opened.saver.flush(),
     },
-    { id: 'file.new', title: 'New level', group: 'File', keys: ['Alt+n'], run: show('newLevel') },
+    { id: 'file.new', title: 'New level', group: 'File', keys: ['Alt+n'], inText: true, run: show('newLevel') },
     { id: 'file.share', title: 'Import, export, link', group: 'File', run: show('share') },
     { id: 'file.kept', title: 'Unsaved changes kept in this browser', group: 'File', run: show('kept') },
     { id: 'file.trash', title: 'Deleted levels', group: 'File', run: show('trash') },
@@ -52,11 +56,12 @@ export function appCommands({ session, settings, open }: Editor): readonly Comma
       group: 'Help',
       keys: ['$mod+k', '$mod+Shift+p'],
       inText: true,
+      inDialogs: true,
       run: show('palette'),
     },
     { id: 'help.keys', title: 'Keys and gestures', group: 'Help', keys: ['Shift+?', '?'], run: show('cheatSheet') },
     { id: 'help.tour', title: 'A tour of the editor', group: 'Help', run: show('tour') },
-    { id: 'help.settings', title: 'Settings', group: 'Help', keys: ['$mod+Comma'], run: show('settings') },
+    { id: 'help.settings', title: 'Settings', group: 'Help', keys: ['$mod+Comma'], inText: true, run: show('settings') },
     {
       id: 'view.theme',
       title: 'Light or dark',

@@ -1,4 +1,6 @@
 import { Files, Gauge, ListTree, Puzzle, SlidersHorizontal, Sparkles, TriangleAlert, Waypoints } from 'lucide-react';
+import type { ReactNode } from 'react';
+import { PerLevel } from '../context/index.ts';
 import { AccuracyPanel } from '../panels/accuracy/index.ts';
 import { Effects } from '../panels/effects/index.ts';
 import { Inspector } from '../panels/inspector/index.ts';
@@ -12,18 +14,20 @@ import type { SidePanel } from './Layout.tsx';
 /** px of an icon in a tab of a phone */
 const ICON = 17;
 
+const inLevel = (panel: ReactNode) => <PerLevel>{panel}</PerLevel>;
+
 /** Always there at the top of the left side. */
 export const LEVELS: SidePanel = { id: 'levels', title: 'Levels', icon: <Files size={ICON} />, content: <LevelsPanel /> };
 
 /** Below it, one at a time. */
 export const LEFT: readonly SidePanel[] = [
-  { id: 'outline', title: 'Outline', icon: <ListTree size={ICON} />, content: <Outliner /> },
-  { id: 'runs', title: 'Runs', icon: <Waypoints size={ICON} />, content: <RunsPanel /> },
+  { id: 'outline', title: 'Outline', icon: <ListTree size={ICON} />, content: inLevel(<Outliner />) },
+  { id: 'runs', title: 'Runs', icon: <Waypoints size={ICON} />, content: inLevel(<RunsPanel />) },
 ];
 
 /** On the right side, one at a time. */
 export const RIGHT: readonly SidePanel[] = [
-  { id: 'inspector', title: 'Inspector', icon: <SlidersHorizontal size={ICON} />, content: <Inspector /> },
+  { id: 'inspector', title: 'Inspector', icon: <SlidersHorizontal size={ICON} />, content: inLevel(<Inspector />) },
   { id: 'solver', title: 'Solver', icon: <Sparkles size={ICON} />, content: <Solver /> },
   { id: 'effects', title: 'Effects', icon: <Puzzle size={ICON} />, content: <Effects /> },
   { id: 'accuracy', title: 'Accuracy', icon: <Gauge size={ICON} />, content: <AccuracyPanel /> },
@@ -34,5 +38,5 @@ export const PROBLEMS: SidePanel = {
   id: 'problems',
   title: 'Problems',
   icon: <TriangleAlert size={ICON} />,
-  content: <Problems />,
+  content: inLevel(<Problems />),
 };

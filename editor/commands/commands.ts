@@ -10,6 +10,8 @@ export interface Command {
   readonly mode?: 'edit' | 'play' | 'both';
   /** Whether its keys work while a text field has the focus, too. */
   readonly inText?: boolean;
+  /** Whether its keys work while a dialog or a menu lies over the page, too. */
+  readonly inDialogs?: boolean;
   /** Not in the palette: a variant that only a key makes sense for. */
   readonly hidden?: boolean;
   /** What must be done before it can be done, as `select an object`; null when it can be done now, as always when left out. */

@@ -10,10 +10,22 @@ export function takesText(target: EventTarget | null): boolean {
   return target instanceof HTMLInputElement && TEXT_INPUTS.has(target.type);
 }
 
-/** Space and Enter press a button, and arrows walk in a menu or list, when those have the focus. */
+/** Whether a key is pressed together with one that makes it a command. Shift makes other letters and walks backwards: it is none of them. */
+const isChord = (event: KeyboardEvent): boolean => event.ctrlKey || event.metaKey || event.altKey;
+
+/** Keys that edit a text together with Ctrl, or ⌘: there is nothing of them in a list of choices. */
+function belongsToText(event: KeyboardEvent): boolean {
+  if (!takesText(event.target)) return false;
+  return !(event.target instanceof HTMLSelectElement && isChord(event));
+}
+
+/** Whether something lies over the page that is to be dealt with first; a dialog that is not modal leaves the page as it is. */
+const isOverPage = ({ target }: KeyboardEvent): boolean =>
+  target instanceof Element && target.closest('[role=dialog]:not([aria-modal=false]), [role=menu], [role=listbox]') !== null;
+
+/** Space and Enter press a button, and arrows walk in a list, when those have the focus; with Ctrl, Alt or ⌘ they do neither. */
 function belongsToWidget(event: KeyboardEvent): boolean {
-  if (!(event.target instanceof HTMLElement)) return false;
-  if (event.target.closest('[role=dialog], [role=menu], [role=listbox]') !== null) return true;
+  if (!(event.target instanceof HTMLElement) || isChord(event)) return false;
   if (event.key === ' ' || event.key === 'Enter') {
     return event.target.closest('button, a, summary, input, [role=button], [role=tab], [role=option], [role=switch]') !== null;
   }
@@ -29,10 +41,12 @@ function belongsToWidget(event: KeyboardEvent): boolean {
 export function listenToKeys(page: Window, commands: Commands, mode: () => 'edit' | 'play'): () => void {
   const onKey = (event: KeyboardEvent) => {
     if (event.defaultPrevented || event.isComposing) return;
-    const inText = takesText(event.target);
+    const inText = belongsToText(event);
     const inWidget = belongsToWidget(event);
+    const inDialog = isOverPage(event);
     for (const command of commands.all()) {
       if (command.keys === undefined) continue;
+      if (inDialog && command.inDialogs !== true) continue;
       if ((inText || inWidget) && command.inText !== true) continue;
       const when = command.mode ?? 'edit';
       if (when !== 'both' && when !== mode()) continue;

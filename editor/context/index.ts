@@ -9,6 +9,7 @@ export {
   useSession,
 } from './context.ts';
 export type { Analysis, Editor, OpenLevel } from './editor.ts';
+export { PerLevel, useLevelKey } from './PerLevel.tsx';
 export { usePageTheme } from './page-theme.ts';
 export { IS_MAC } from './platform.ts';
 export { useTouch } from './use-touch.ts';

@@ -1,7 +1,7 @@
 import { useEffect, useLayoutEffect, useRef, useState } from 'react';
 import { useStore } from 'zustand';
 import { useEditor, useSession } from '../context/index.ts';
-import { Button } from '../ui/index.ts';
+import { Button, useCoarse } from '../ui/index.ts';
 import { TOUR } from './tour-steps.ts';
 
 interface Box {
@@ -11,6 +11,7 @@ interface Box {
   readonly height: number;
 }
 
+/** px; how high it is, its text says: this is before it is known */
 const CARD = { width: 320, height: 170 } as const;
 /** px between a place and the card beside it, and between the card and the edge of the page */
 const GAP = 14;
@@ -26,19 +27,19 @@ function find(selectors: readonly string[]): Box | null {
 }
 
 /** Beside the place, where there is room: below, above, right, left, or else within it. */
-function placeCard(box: Box | null): { left: number; top: number } {
+function placeCard(box: Box | null, cardHeight: number): { left: number; top: number } {
   const [width, height] = [window.innerWidth, window.innerHeight];
   const inside = (left: number, top: number) => ({
     left: Math.max(GAP, Math.min(width - CARD.width - GAP, left)),
-    top: Math.max(GAP, Math.min(height - CARD.height - GAP, top)),
+    top: Math.max(GAP, Math.min(height - cardHeight - GAP, top)),
   });
-  if (box === null) return inside((width - CARD.width) / 2, (height - CARD.height) / 2);
+  if (box === null) return inside((width - CARD.width) / 2, (height - cardHeight) / 2);
   const middle = box.left + (box.width - CARD.width) / 2;
-  if (box.top + box.height + GAP + CARD.height < height - GAP) return inside(middle, box.top + box.height + GAP);
-  if (box.top - GAP - CARD.height > GAP) return inside(middle, box.top - GAP - CARD.height);
+  if (box.top + box.height + GAP + cardHeight < height - GAP) return inside(middle, box.top + box.height + GAP);
+  if (box.top - GAP - cardHeight > GAP) return inside(middle, box.top - GAP - cardHeight);
   if (box.left + box.width + GAP + CARD.width < width) return inside(box.left + box.width + GAP, box.top + 40);
   if (box.left - GAP - CARD.width > 0) return inside(box.left - GAP - CARD.width, box.top + 40);
-  return inside(middle, box.top + box.height - CARD.height - 60);
+  return inside(middle, box.top + box.height - cardHeight - 60);
 }
 
 /** Shows the editor around, the first time by itself. The page can be used meanwhile; Esc ends it. */
@@ -71,13 +72,18 @@ interface TourCardProps {
 function TourCard({ index, onIndex, takesFocus, onEnd }: TourCardProps) {
   const [box, setBox] = useState<Box | null>(null);
   const card = useRef<HTMLDivElement>(null);
-  const { title, text, at } = TOUR[index];
+  const [height, setHeight] = useState<number>(CARD.height);
+  const isTouched = useCoarse();
+  const { title, text, touch, at } = TOUR[index];
   const isLast = index === TOUR.length - 1;
   const ending = useRef(onEnd);
   ending.current = onEnd;
 
   useLayoutEffect(() => {
-    const look = () => setBox(find(at));
+    const look = () => {
+      setBox(find(at));
+      if (card.current !== null) setHeight(card.current.offsetHeight);
+    };
     look();
     // dividers are dragged, panels come and go
     const timer = setInterval(look, 400);
@@ -109,9 +115,10 @@ function TourCard({ index, onIndex, takesFocus, onEnd }: TourCardProps) {
         ref={card}
         className="tour"
         role="dialog"
+        aria-modal="false"
         aria-label={`Tour, ${index + 1} of ${TOUR.length}: ${title}`}
         tabIndex={-1}
-        style={placeCard(box)}
+        style={placeCard(box, height)}
         onKeyDown={(event) => {
           if (event.key === 'ArrowRight') go(1);
           else if (event.key === 'ArrowLeft') go(-1);
@@ -121,7 +128,7 @@ function TourCard({ index, onIndex, takesFocus, onEnd }: TourCardProps) {
       >
         <h2 className="tour__title">{title}</h2>
         <p className="tour__text" aria-live="polite">
-          {text}
+          {isTouched && touch !== undefined ? touch : text}
         </p>
         <div className="tour__buttons">
           <span className="tour__dots" aria-hidden>
@@ -130,7 +137,7 @@ function TourCard({ index, onIndex, takesFocus, onEnd }: TourCardProps) {
             ))}
           </span>
           {!isLast && (
-            <Button hint="End the tour" shortcut="Esc" onClick={onEnd}>
+            <Button hint="End the tour" shortcut={isTouched ? undefined : 'Esc'} onClick={onEnd}>
               Skip
             </Button>
           )}

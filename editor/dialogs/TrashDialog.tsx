@@ -2,7 +2,7 @@ import { RotateCcw } from 'lucide-react';
 import { useEffect, useState } from 'react';
 import type { TrashEntry } from '../../schema/index.ts';
 import { useEditor, useSession } from '../context/index.ts';
-import type { StorageError } from '../files/index.ts';
+import { errorInWords, type StorageError } from '../files/index.ts';
 import { restoreLevel } from '../panels/levels/index.ts';
 import { Button, Dialog } from '../ui/index.ts';
 
@@ -41,11 +41,7 @@ function Trash({ onClose }: { readonly onClose: () => void }) {
   }, [storage]);
 
   if (error !== null) {
-    return (
-      <p role="alert">
-        {error.message}. {error.hint}.
-      </p>
-    );
+    return <p role="alert">{errorInWords(error)}</p>;
   }
   if (entries === null) return <p>Looking…</p>;
   if (entries.length === 0) return <p className="trash__empty">Nothing was deleted.</p>;

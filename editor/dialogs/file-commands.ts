@@ -22,12 +22,21 @@ export function fileCommands(editor: Editor): readonly Command[] {
     if (found !== undefined) void act(found);
   };
   return [
-    { id: 'file.next', title: 'Next level', group: 'File', keys: ['Alt+PageDown'], needs: needsListed, run: () => step(1) },
+    {
+      id: 'file.next',
+      title: 'Next level',
+      group: 'File',
+      keys: ['Alt+PageDown'],
+      inText: true,
+      needs: needsListed,
+      run: () => step(1),
+    },
     {
       id: 'file.previous',
       title: 'Previous level',
       group: 'File',
       keys: ['Alt+PageUp'],
+      inText: true,
       needs: needsListed,
       run: () => step(-1),
     },

@@ -55,3 +55,9 @@ export const storageError = (
   hint: string,
   more: Partial<Pick<StorageError, 'problems' | 'current'>> = {},
 ): StorageError => ({ code, message, hint, problems: [], current: null, ...more });
+
+/** What went wrong and what to do, as sentences. */
+export function errorInWords({ message, hint }: StorageError): string {
+  const sentence = (text: string) => `${text.charAt(0).toUpperCase()}${text.slice(1)}.`;
+  return `${sentence(message)} ${sentence(hint)}`;
+}

@@ -28,6 +28,10 @@ export function Dialog({ open, title, about, wide = false, onClose, children }: 
             const first = content.querySelector<HTMLElement>('input:not([type=file]), select, textarea');
             (first ?? content).focus();
           }}
+          onCloseAutoFocus={(event) => {
+            // what closed it has given the focus to something, or keepFocus has
+            if (document.activeElement !== document.body) event.preventDefault();
+          }}
         >
           <div className="dialog__head">
             <div>

@@ -114,27 +114,6 @@ export function AccuracyPanel() {
   const isOld = measured !== null && (measured.holds !== holds || !playsAlike(measured.file, file));
   return (
     <div className="panel__body accuracies">
-      <Section title="This level and run at" aside={!isFresh && <span className="part__note">comparing…</span>}>
-        <div
-          className={isFresh ? 'accuracies__list' : 'accuracies__list accuracies__list--old'}
-          role="radiogroup"
-          aria-label="Accuracy"
-        >
-          {NAMES.map((name) => (
-            <Choice
-              key={name}
-              name={name}
-              result={results.find((result) => result.name === name)}
-              cost={costs?.get(name)}
-              isCurrent={name === current}
-            />
-          ))}
-        </div>
-        <p className="part__note">
-          Off by: the largest distance to precise at any tick. µs/s: time per simulated second, timed in this page. The one in use
-          is that of the proof, the playtest and the solver.
-        </p>
-      </Section>
       <Section
         title="Every setting"
         aside={
@@ -167,6 +146,27 @@ export function AccuracyPanel() {
             <DiagramView measured={measured} current={current} />
           </>
         )}
+      </Section>
+      <Section title="This level and run at" aside={!isFresh && <span className="part__note">comparing…</span>}>
+        <div
+          className={isFresh ? 'accuracies__list' : 'accuracies__list accuracies__list--old'}
+          role="radiogroup"
+          aria-label="Accuracy"
+        >
+          {NAMES.map((name) => (
+            <Choice
+              key={name}
+              name={name}
+              result={results.find((result) => result.name === name)}
+              cost={costs?.get(name)}
+              isCurrent={name === current}
+            />
+          ))}
+        </div>
+        <p className="part__note">
+          Off by: the largest distance to precise at any tick. µs/s: time per simulated second, timed in this page. The one in use
+          is that of the proof, the playtest and the solver.
+        </p>
       </Section>
     </div>
   );

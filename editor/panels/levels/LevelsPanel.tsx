@@ -1,9 +1,10 @@
 import { ChevronRight, FilePlus2, Folder, Search, Trash2 } from 'lucide-react';
-import { type KeyboardEvent, useEffect, useMemo, useRef, useState } from 'react';
+import { type KeyboardEvent, useEffect, useMemo, useState } from 'react';
 import { useStore } from 'zustand';
 import type { LevelEntry } from '../../../schema/index.ts';
 import { useEditor } from '../../context/index.ts';
-import { Button } from '../../ui/index.ts';
+import { errorInWords } from '../../files/index.ts';
+import { Button, focusHome } from '../../ui/index.ts';
 import { type MenuEntry, Tree } from '../tree/index.ts';
 import { LevelLine } from './LevelLine.tsx';
 import { addSamples, deleteLevel, duplicateLevel, folderOf, followSaves, openListed, orderLevels } from './level-files.ts';
@@ -19,7 +20,7 @@ const NO_LEVELS = [] as const;
 /** The levels of the folder: how they look, whether they can be completed; open, rename, order, delete them. */
 export function LevelsPanel() {
   const editor = useEditor();
-  const { workspace, session, commands, notices } = editor;
+  const { workspace, session, notices } = editor;
   const list = useStore(workspace.store, (state) => state.list);
   const error = useStore(workspace.store, (state) => state.error);
   const open = useStore(editor.open);
@@ -29,7 +30,6 @@ export function LevelsPanel() {
   const [folded, setFolded] = useState<ReadonlySet<string>>(new Set());
   const [renamed, setRenamed] = useState<string | null>(null);
   const [asText, setAsText] = useState<LevelEntry | null>(null);
-  const searchField = useRef<HTMLInputElement>(null);
   const levels = list?.levels ?? NO_LEVELS;
   const rows = useMemo(() => levelRows(levels, folded, search), [levels, folded, search]);
   const selected = useMemo(() => new Set(opened === null ? [] : [opened]), [opened]);
@@ -38,14 +38,6 @@ export function LevelsPanel() {
   useEffect(() => {
     if (opened !== null) setActive(opened);
   }, [opened]);
-  useEffect(
-    () =>
-      commands.register([
-        { id: 'file.find', title: 'Find a level', group: 'File', keys: ['$mod+p'], run: () => searchField.current?.focus() },
-      ]),
-    [commands],
-  );
-
   const pick = ({ entry }: LevelRow) => {
     if (entry === null) return;
     if (entry.status !== 'valid') setAsText(entry);
@@ -108,7 +100,6 @@ export function LevelsPanel() {
         <label className="levels__search">
           <Search size={13} aria-hidden />
           <input
-            ref={searchField}
             type="search"
             className="field"
             placeholder={levels.length === 1 ? 'Find in 1 level' : `Find in ${levels.length} levels`}
@@ -116,10 +107,15 @@ export function LevelsPanel() {
             value={search}
             onChange={(event) => setSearch(event.target.value)}
             onKeyDown={(event) => {
-              if (event.key === 'Escape') setSearch('');
-              else if (event.key === 'Enter' && rows.length > 0) {
+              if (event.key === 'Escape' && search !== '') setSearch('');
+              else if (event.key === 'Escape') focusHome();
+              else if (event.key === 'Enter') {
                 const first = rows.find(({ entry }) => entry !== null);
-                if (first !== undefined) pick(first);
+                if (first === undefined) return;
+                // it is found: the next keys are for the level
+                setSearch('');
+                focusHome();
+                pick(first);
               } else return;
               event.preventDefault();
             }}
@@ -133,9 +129,9 @@ export function LevelsPanel() {
         />
         <Button hint="Deleted levels" icon={<Trash2 size={15} />} onClick={() => session.setState({ overlay: 'trash' })} />
       </div>
-      {error !== null && (
+      {error !== null && open !== null && (
         <p className="levels__trouble" role="alert">
-          {error.message}. {error.hint}.
+          {errorInWords(error)}
         </p>
       )}
       {list?.troubles.map((trouble) => (
@@ -175,7 +171,7 @@ export function LevelsPanel() {
           }
         />
       ) : list === null ? (
-        <p className="levels__empty">Looking for levels…</p>
+        error === null && <p className="levels__empty">Looking for levels…</p>
       ) : levels.length > 0 ? (
         <p className="levels__empty">No level is called "{search}".</p>
       ) : (

@@ -14,4 +14,5 @@ export {
   restoreLevel,
   stemOf,
 } from './level-files.ts';
+export { listHistoryOf } from './list-history.ts';
 export { TextDialog } from './TextDialog.tsx';

@@ -1,7 +1,8 @@
 import { formatLevel, type LevelEntry, type LevelFile, readLevel } from '../../../schema/index.ts';
 import type { Editor } from '../../context/index.ts';
-import type { Answer, StorageError } from '../../files/index.ts';
+import { type Answer, errorInWords, type StorageError } from '../../files/index.ts';
 import { loadSamples } from '../../templates/index.ts';
+import { type ListStep, listHistoryOf } from './list-history.ts';
 
 /** The folder of a level; '' for the outermost. */
 export const folderOf = (id: string): string => id.slice(0, Math.max(0, id.lastIndexOf('/')));
@@ -65,8 +66,8 @@ export function copyName(levels: readonly { readonly name: string | null }[], na
 }
 
 /** Says why something was not done. */
-export function tellError({ notices }: Editor, { message, hint }: StorageError): void {
-  notices.show('warning', `${message}. ${hint}.`, { topic: 'level-files' });
+export function tellError({ notices }: Editor, error: StorageError): void {
+  notices.show('warning', errorInWords(error), { topic: 'level-files' });
 }
 
 const levelsOf = ({ workspace }: Editor): readonly LevelEntry[] => workspace.store.getState().list?.levels ?? [];
@@ -152,9 +153,44 @@ export async function duplicateLevel(editor: Editor, entry: LevelEntry): Promise
   await openListed(editor, copy.id);
 }
 
-/** Puts a level into the trash, from where the notice or the dialog of deleted levels brings it back. */
+/** Puts a level into the trash, from where undo, the notice or the dialog of deleted levels brings it back. */
 export async function deleteLevel(editor: Editor, entry: LevelEntry): Promise<void> {
-  const { workspace, notices } = editor;
+  let trash = await putIntoTrash(editor, entry);
+  if (trash === null) return;
+  const wasOpen = trash.wasOpen;
+  let { id } = entry;
+  const step: ListStep = {
+    label: `Delete "${entry.name ?? id}"`,
+    async undo() {
+      const restored = trash === null ? null : await restoreLevel(editor, trash.trash, wasOpen);
+      if (restored !== null) ({ id } = restored);
+      return restored !== null;
+    },
+    async redo() {
+      const again = levelsOf(editor).find((level) => level.id === id);
+      trash = again === undefined ? null : await putIntoTrash(editor, again);
+      return trash !== null;
+    },
+  };
+  listHistoryOf(editor).add(step);
+  const { notices } = editor;
+  notices.show('info', `"${entry.name ?? entry.id}" is deleted.`, {
+    topic: `deleted ${trash.trash}`,
+    actions: [
+      {
+        title: 'Undo',
+        run: () => {
+          listHistoryOf(editor).drop(step);
+          void step.undo();
+        },
+      },
+    ],
+  });
+}
+
+/** @returns where it is, and whether it was open; null when it was refused, which is told */
+async function putIntoTrash(editor: Editor, entry: LevelEntry): Promise<{ trash: string; wasOpen: boolean } | null> {
+  const { workspace } = editor;
   const levels = levelsOf(editor);
   const { opened } = workspace.store.getState();
   const isOpen = opened?.id() === entry.id;
@@ -163,18 +199,14 @@ export async function deleteLevel(editor: Editor, entry: LevelEntry): Promise<vo
     ({ status }) => status === 'valid',
   );
   const done = told(editor, await workspace.remove(entry));
-  if (done === null) return;
+  if (done === null) return null;
   if (isOpen && next !== undefined) await openListed(editor, next.id);
   else if (isOpen) await workspace.leave();
-  const { trash } = done.trashed;
-  notices.show('info', `"${entry.name ?? entry.id}" is deleted.`, {
-    topic: `deleted ${trash}`,
-    actions: [{ title: 'Undo', run: () => void restoreLevel(editor, trash, isOpen) }],
-  });
+  return { trash: done.trashed.trash, wasOpen: isOpen };
 }
 
 /** Brings a level back from the trash; under another name when its own is taken. */
-export async function restoreLevel(editor: Editor, trash: string, open: boolean): Promise<void> {
+export async function restoreLevel(editor: Editor, trash: string, open: boolean): Promise<LevelEntry | null> {
   const { workspace } = editor;
   let answer = await workspace.restore(trash);
   if (!answer.ok && answer.error.code === 'name-taken') {
@@ -184,14 +216,32 @@ export async function restoreLevel(editor: Editor, trash: string, open: boolean)
       answer = await workspace.restore(trash, freeId(levelsOf(editor), folderOf(id), `${stemOf(id)}-restored`));
   }
   const restored = told(editor, answer);
-  if (restored === null) return;
+  if (restored === null) return null;
   editor.notices.settle(`deleted ${trash}`);
   if (open && restored.status === 'valid') await openListed(editor, restored.id);
+  return restored;
 }
 
-/** Puts the levels of a folder into another order; their files are renumbered. */
+/** Puts the levels of a folder into another order; their files are renumbered. It can be undone. */
 export async function orderLevels(editor: Editor, folder: string, ids: readonly string[]): Promise<void> {
-  told(editor, await editor.workspace.order(folder, ids));
+  const before = levelsOf(editor).flatMap(({ id }) => (folderOf(id) === folder ? [id] : []));
+  // what each of them is called now
+  const names = new Map(before.map((id) => [id, id]));
+  const order = async (wanted: readonly string[]): Promise<boolean> => {
+    const answer = told(
+      editor,
+      await editor.workspace.order(
+        folder,
+        wanted.map((id) => names.get(id) ?? id),
+      ),
+    );
+    if (answer === null) return false;
+    const renamed = new Map(answer.renamed.map(({ from, to }) => [from, to]));
+    for (const [id, name] of names) names.set(id, renamed.get(name) ?? name);
+    return true;
+  };
+  if (!(await order(ids))) return;
+  listHistoryOf(editor).add({ label: 'Reorder levels', undo: () => order(before), redo: () => order(ids) });
 }
 
 /** Gives the level another name; that of its file stays. */

@@ -96,11 +96,11 @@ export function Problems() {
   const warnings = problems.length - errors;
   const counts = [...(errors > 0 ? [plural(errors, 'error')] : []), ...(warnings > 0 ? [plural(warnings, 'warning')] : [])];
   return (
-    <div className="panel__body problems">
+    <div className={problems.length === 0 ? 'panel__body problems problems--none' : 'panel__body problems'}>
       <p className="problems__count" role="status">
         {problems.length === 0 ? (
           <>
-            <CircleCheck size={15} className="tone--good" aria-hidden /> Nothing is wrong, and nothing looks wrong.
+            <CircleCheck size={15} className="tone--good" aria-hidden /> No errors and no warnings.
           </>
         ) : (
           counts.join(', ')

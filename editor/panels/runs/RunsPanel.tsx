@@ -171,6 +171,7 @@ export function RunsPanel() {
                         first
                       </span>
                     )}
+                    {row.summary !== null && <span className="runs__time numbers">{row.summary.time.toFixed(2)} s</span>}
                   </span>
                   <span className="runs__facts numbers">{facts(row, minerals)}</span>
                 </span>
@@ -190,5 +191,5 @@ function facts({ summary, holds }: RunRow, minerals: number): string {
   const held = holds === 0 ? 'no press' : plural(holds, 'hold');
   if (summary === null) return held;
   const taken = minerals === 0 ? [] : [`◆ ${summary.minerals}/${minerals}`];
-  return [outcomeWord(summary.outcome), `${summary.time.toFixed(2)} s`, ...taken, held].join(' · ');
+  return [outcomeWord(summary.outcome), ...taken, held].join(' · ');
 }

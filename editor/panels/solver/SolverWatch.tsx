@@ -20,6 +20,7 @@ export function SolverWatch() {
         title: 'Solve: look for runs',
         group: 'Solve',
         keys: [SOLVE_KEY],
+        inText: true,
         run: () => {
           search.start();
           commands.run('panel.solver');

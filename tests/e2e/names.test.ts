@@ -1,0 +1,90 @@
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import type { Result } from 'axe-core';
+import type { Page } from 'playwright-core';
+import { expect, it } from 'vitest';
+import { command, verdict } from './commands.ts';
+import { garden, straight } from './levels.ts';
+import { inChromium } from './stage.ts';
+import { until } from './until.ts';
+
+const AXE = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+
+/** What is wrong with the page by the rules of WCAG 2.2 AA, and by that for names, which axe runs only when it is asked to. */
+async function complaintsAbout(page: Page, where: string): Promise<string[]> {
+  const violations = await page.evaluate(async (source) => {
+    // a script element would need leave of the page's content security policy
+    if (!('axe' in window)) new Function(source).call(window);
+    const { axe } = window as unknown as typeof window & { axe: typeof import('axe-core') };
+    const { violations: found } = await axe.run({
+      runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa'],
+      rules: { 'label-content-name-mismatch': { enabled: true } },
+    });
+    return found as Result[];
+  }, AXE);
+  return violations.flatMap(({ id, nodes }) =>
+    nodes
+      // where a hold begins and ends is a place in time: it can't be wider than the time it stands for
+      .filter(({ html }) => !(id === 'target-size' && html.includes('hold__edge')))
+      .map(({ html }) => `${where}: ${id}: ${html.slice(0, 200)}`),
+  );
+}
+
+const PANELS = ['Outline', 'Runs', 'Inspector', 'Solver', 'Effects', 'Accuracy'];
+const DIALOGS = {
+  'Keys and gestures': 'Keys and gestures',
+  Settings: 'Settings',
+  'New level': 'New level',
+  'Import, export, link': 'Import, export, link',
+  'Deleted levels': 'Deleted levels',
+  'Unsaved changes kept in this browser': 'Unsaved changes',
+};
+
+inChromium('names in Chromium', ({ on }) => {
+  it(
+    'rows are called by all that they show, verdicts included',
+    on({ '01-straight': straight(), '02-garden': garden(), '03-torn': '{' }, async ({ page }) => {
+      const levels = page.getByRole('tree', { name: 'Levels' });
+      await levels.getByRole('treeitem', { name: /^01 Straight completable/ }).waitFor();
+      await levels.getByRole('treeitem', { name: /^02 Garden broken/ }).waitFor();
+      await levels.getByRole('treeitem', { name: /03-torn.*invalid/ }).waitFor();
+      const objects = page.getByRole('tree', { name: 'Objects of the level' });
+      await objects.getByRole('treeitem', { name: 'Asteroid 1 rock at 448, 304', exact: true }).waitFor();
+      await objects.getByRole('treeitem', { name: 'Minerals 1', exact: true }).waitFor();
+      await page.getByRole('tab', { name: 'Runs' }).click();
+      await page
+        .getByRole('tree', { name: 'Runs of the level' })
+        .getByRole('treeitem', { name: /^solution first [\d.]+ s completes/ })
+        .waitFor();
+    }),
+  );
+
+  it(
+    'every panel and every dialog keeps the rules for names, roles and contrast, in both themes',
+    on({ '01-straight': straight(), '02-garden': garden(), '03-torn': '{' }, async ({ page }) => {
+      await verdict(page, 'completable');
+      await page
+        .getByRole('tree', { name: 'Levels' })
+        .getByRole('treeitem', { name: /^02 Garden broken/ })
+        .waitFor();
+      const complaints: string[] = [];
+      for (const colorScheme of ['dark', 'light'] as const) {
+        await page.emulateMedia({ colorScheme, reducedMotion: 'reduce' });
+        await until(async () => expect(await page.locator('html').getAttribute('data-theme')).toBe(colorScheme));
+        for (const panel of PANELS) {
+          await page.getByRole('tab', { name: panel }).click();
+          complaints.push(...(await complaintsAbout(page, `${panel}, ${colorScheme}`)));
+        }
+        for (const [title, name] of Object.entries(DIALOGS)) {
+          await command(page, title);
+          const dialog = page.getByRole('dialog', { name });
+          await dialog.waitFor();
+          complaints.push(...(await complaintsAbout(page, `${title}, ${colorScheme}`)));
+          await page.keyboard.press('Escape');
+          await dialog.waitFor({ state: 'hidden' });
+        }
+      }
+      expect(complaints).toEqual([]);
+    }),
+  );
+});
