@@ -14,6 +14,7 @@ import { runInPool } from '../pool.ts';
 import { createProgress } from '../progress.ts';
 import { difficultyJson } from '../reporters/difficulty-json.ts';
 import { difficultyPretty } from '../reporters/difficulty-pretty.ts';
+import { plural } from '../reporters/plural.ts';
 import { mineralsOption } from '../solve/solve-options.ts';
 import { visibleLine } from '../visible.ts';
 import { writeWhole } from '../write-file.ts';
@@ -147,8 +148,8 @@ function pictureOf(levels: readonly MeasuredLevel[], accuracy: string): Difficul
   return {
     title: `How hard ${name} is: ${grade.word}, ${grade.value.toFixed(1)} of 10`,
     subtitle: [
-      `${run}, ${accuracy}: ${length.toFixed(2)} s, ${presses} ${presses === 1 ? 'press' : 'presses'}`,
-      `every shift of all presses and releases by up to ${robustness.certifiedTicks} ticks succeeds; the grade is an estimate`,
+      `${run}, ${accuracy}: ${length.toFixed(2)} s, ${plural(presses, 'press', 'presses')}`,
+      `every shift of all presses and releases by up to ${plural(robustness.certifiedTicks, 'tick')} succeeds; the grade is an estimate`,
     ],
     curves,
     edges: robustness.slack.map(({ earlier, later }, i) => ({

@@ -1,6 +1,7 @@
 import { CircleCheck, CircleHelp, CircleX } from 'lucide-react';
 import { useStore } from 'zustand';
 import { useLevel, useProof } from '../context/index.ts';
+import { plural } from '../panels/figures/index.ts';
 import { useVerdict } from '../panels/solver/index.ts';
 import { endInWords } from '../proof/index.ts';
 import { Hint } from '../ui/index.ts';
@@ -27,7 +28,7 @@ function Slack() {
       ? 'How far all presses and releases may slip at once is being certified.'
       : isThin
         ? 'Some slip of all presses and releases by one tick fails.'
-        : `All presses and releases may slip by ${ticks} ticks at once: certified.${decided ? '' : ' Whether by more was too much to try.'}`;
+        : `All presses and releases may slip by ${plural(ticks, 'tick')} at once: certified.${decided ? '' : ' Whether by more was too much to try.'}`;
   return (
     <Hint text={`${certificate} With timing noise of 40 ms the run succeeds ${chance} of the time.`}>
       <output className={isThin ? 'topbar__forgives topbar__forgives--thin' : 'topbar__forgives'} aria-label="Slack">

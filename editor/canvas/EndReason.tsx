@@ -8,8 +8,9 @@ import { toScreen } from './view.ts';
 const BESIDE = 16;
 /** px of screen that it stays away from the canvas's edges */
 const MARGIN = 8;
-/** px that it may need to the right of the end */
-const ROOM = 240;
+/** px that it needs at most, and about: `canvas.css` has the same widest */
+const WIDEST = 232;
+const roomOf = (reason: string): number => Math.min(WIDEST, 18 + 7 * reason.length);
 
 const reasonOf = (proof: LiveProof): string | null => (isWhole(proof) ? reasonInWords(proof.run, proof.level.range) : null);
 const endX = ({ run }: LiveProof): number => run.way.last[0];
@@ -26,7 +27,7 @@ export function EndReason({ canvas }: { readonly canvas: StoreApi<CanvasState> }
   const view = useStore(canvas, (state) => state.view);
   if (reason === null || !(isEdited || inPlay)) return null;
   const end = toScreen(view, { x, y });
-  const toTheLeft = end.x + BESIDE + ROOM > view.width;
+  const toTheLeft = end.x + BESIDE + roomOf(reason) > view.width;
   const within = (value: number, size: number) => Math.min(size - MARGIN, Math.max(MARGIN, value));
   const place = { x: within(end.x + (toTheLeft ? -BESIDE : BESIDE), view.width), y: within(end.y, view.height) };
   return (

@@ -18,8 +18,9 @@ export function reachOf({ run, limit }: Pick<LiveProof, 'run' | 'limit'>, before
   const end = Math.max(1, run.way.count - 1);
   const known = before !== null && before.run === run.name ? before : null;
   const completes = limit !== 'run' && run.outcome === 'completed';
-  // a hold that lasts until she is through ends there, however much longer it goes on
-  const lastHold = run.holds.reduce((last, [press, release]) => (completes && press < end ? last : Math.max(last, release)), 0);
+  // who holds until she is through may have written any tick: the way itself is not to become a speck
+  const seenUntil = (press: number, release: number) => (completes && press < end ? Math.min(release, 2 * end) : release);
+  const lastHold = run.holds.reduce((last, [press, release]) => Math.max(last, seenUntil(press, release)), 0);
   const upTo = (formerEnd: number): Reach => ({ run: run.name, formerEnd, ticks: Math.max(end, formerEnd, lastHold) });
   if (known === null) return upTo(end);
   // what goes on without an end has none to be remembered

@@ -51,6 +51,25 @@ describe('how far along time a run is shown', () => {
     expect(end()).toBeLessThan(1300);
   });
 
+  it('goes to the end of a hold that lasts longer than the run, but not to any', () => {
+    const { document, proof, ticks, end } = firewalk();
+    const until = (release: number) =>
+      document.change(
+        'longer',
+        replaceHolds('solution', [
+          [110, 250],
+          [290, 420],
+          [470, release],
+        ]),
+      );
+    until(900);
+    expect(proof.proof().verdict).toBe('completable');
+    expect(ticks()).toBe(900);
+    until(3600);
+    expect(proof.proof().verdict).toBe('completable');
+    expect(ticks()).toBe(2 * end());
+  });
+
   it('begins anew with another run', () => {
     const { document, proof, ticks, end } = firewalk();
     document.change('longer', replaceHolds('solution', [[0, 1500]]));

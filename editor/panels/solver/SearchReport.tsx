@@ -46,7 +46,7 @@ function FoundCard({ found, place, minerals }: { readonly found: Found; readonly
         <span>{plural(candidate.holds.length, 'press', 'presses')}</span>
         {minerals > 0 && (
           <span>
-            {candidate.minerals.length}/{minerals} minerals
+            minerals {candidate.minerals.length}/{minerals}
           </span>
         )}
         {p40 !== null && (

@@ -5,6 +5,7 @@ import type { Ghost } from '../../canvas/layers/way-layer.ts';
 import type { EditedLevel } from '../../document/index.ts';
 import { endInWords, isWhole, type ProofStore } from '../../proof/index.ts';
 import { FAN_TICKS, type FanWay, type Job, type Workers } from '../../workers/index.ts';
+import { plural } from '../figures/index.ts';
 import { type GhostShelf, putGhosts } from './ghost-shelf.ts';
 import { withoutRuns } from './search.ts';
 import { everyTick } from './ways.ts';
@@ -61,7 +62,7 @@ const UNKNOWN = { message: null, slack: null, p40: null, full: null } as const;
 
 const toGhost = ({ edge, shift, points }: FanWay): Ghost => ({
   id: `slack-${edge}-${shift}`,
-  label: `${edge % 2 === 0 ? 'press' : 'release'} ${(edge >> 1) + 1} ${Math.abs(shift)} ticks ${shift < 0 ? 'earlier' : 'later'}`,
+  label: `${edge % 2 === 0 ? 'press' : 'release'} ${(edge >> 1) + 1} ${plural(Math.abs(shift), 'tick')} ${shift < 0 ? 'earlier' : 'later'}`,
   points: everyTick(points, FAN_TICKS),
   look: 'slack',
 });
