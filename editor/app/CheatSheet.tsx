@@ -1,5 +1,5 @@
 import { useSyncExternalStore } from 'react';
-import { keyLabel } from '../commands/index.ts';
+import { keyLabels } from '../commands/index.ts';
 import { IS_MAC, useEditor, useSession } from '../context/index.ts';
 import { Dialog } from '../ui/index.ts';
 
@@ -43,8 +43,8 @@ export function CheatSheet() {
                   <div key={id} className="sheet__row">
                     <dt>{title}</dt>
                     <dd>
-                      {keys?.map((key) => (
-                        <kbd key={key}>{keyLabel(key, IS_MAC)}</kbd>
+                      {keyLabels(keys ?? [], IS_MAC).map((label) => (
+                        <kbd key={label}>{label}</kbd>
                       ))}
                     </dd>
                   </div>

@@ -1,3 +1,3 @@
 export { type Command, type Commands, createCommands, needsOf } from './commands.ts';
-export { keyLabel } from './key-label.ts';
+export { keyLabel, keyLabels } from './key-label.ts';
 export { listenToKeys } from './keyboard.ts';

@@ -26,3 +26,19 @@ export function keyLabel(binding: string, mac: boolean): string {
   });
   return parts.join(mac ? '' : '+');
 }
+
+const ARROW = /^(.*)Arrow(?:Left|Right|Up|Down)$/;
+
+/** The keys of a command as people write them; arrows with the same key held are one label: `Shift+←→↑↓`. */
+export function keyLabels(bindings: readonly string[], mac: boolean): string[] {
+  const labels: string[] = [];
+  let last: string | null = null;
+  for (const binding of bindings) {
+    const held = ARROW.exec(binding)?.[1] ?? null;
+    const label = keyLabel(binding, mac);
+    if (held !== null && held === last) labels.push(`${labels.pop() ?? ''}${label.slice(-1)}`);
+    else labels.push(label);
+    last = held;
+  }
+  return labels;
+}

@@ -197,18 +197,24 @@ inChromium('the crosshair in Chromium', ({ on }) => {
       await page.keyboard.down('Shift');
       // the key is held: it is told once it is let go
       for (let i = 0; i < 5; i++) await page.keyboard.down('ArrowRight');
-      await hears(page, 'x 512, y 96, 0 inside');
+      await hears(page, 'x 512, y 96, 0 selected');
       await page.keyboard.up('ArrowRight');
-      await hears(page, 'x 768, y 96, 0 inside');
+      await hears(page, 'x 768, y 96, 0 selected');
       await page.keyboard.press('ArrowDown');
       await page.keyboard.press('ArrowDown');
       await page.keyboard.press('ArrowDown');
       await page.keyboard.up('Shift');
-      await hears(page, 'x 768, y 256, 2 inside');
+      await hears(page, 'x 768, y 256, 2 selected');
       await page.keyboard.press('d');
       await hears(page, '2 objects are selected');
+      await page.keyboard.press('Shift+D');
+      await press(page, 'Shift+ArrowDown', 3);
+      await press(page, 'Shift+ArrowLeft', 1);
+      await hears(page, 'x 704, y 448, 3 selected');
+      await page.keyboard.press('d');
+      await hears(page, '3 objects are selected');
       await page.keyboard.press('Delete');
-      await until(() => expect(file('01').asteroids).toMatchObject([{ id: 'a1' }]));
+      await until(() => expect(file('01')).toMatchObject({ asteroids: [{ id: 'a1' }], aliens: [] }));
 
       // away and back by Tab: the crosshair of a tool waits there
       await page.keyboard.press('m');

@@ -59,7 +59,7 @@ export function createCrosshair({ element, context, pointer, grid, said }: Cross
   /** Where the pointer rests meanwhile; a page that moves under it is no move of the pointer. */
   let rest: Point | null = null;
   /** The level and the selection when the keys began to hold something. */
-  let held: { readonly file: LevelFile; readonly keys: readonly ObjectKey[] } | null = null;
+  let held: { readonly file: LevelFile; readonly keys: readonly ObjectKey[]; readonly shift: boolean } | null = null;
   let isUntold = false;
 
   const hasFocus = () => window.document.activeElement === element;
@@ -86,7 +86,7 @@ export function createCrosshair({ element, context, pointer, grid, said }: Cross
     const file = document.file();
     const here = placeInWords(place);
     if (held === null) say(`${here}, ${thing()}`);
-    else if (canvas.getState().marquee !== null) say(`${here}, ${selection.keys().length} inside`);
+    else if (canvas.getState().marquee !== null) say(`${here}, ${selection.keys().length} selected`);
     else say(changeInWords(held.file, file) ?? here);
   };
   const input = (shift: boolean): PointerInput => {
@@ -95,7 +95,7 @@ export function createCrosshair({ element, context, pointer, grid, said }: Cross
     return { screen: toScreen(view, place), place, shift, alt: false, mod: true, by: 'keys', button: 0 };
   };
   /** Says what came of it. */
-  const tellDone = ({ file, keys }: NonNullable<typeof held>) =>
+  const tellDone = ({ file, keys }: { readonly file: LevelFile; readonly keys: readonly ObjectKey[] }) =>
     say(
       changeInWords(file, document.file()) ??
         `${selectionInWords(document.file(), keys, selection.keys())}. ${placeInWords(place)}`,
@@ -103,7 +103,7 @@ export function createCrosshair({ element, context, pointer, grid, said }: Cross
   const release = (shift: boolean) => {
     const before = held;
     held = null;
-    pointer.keys.release(input(shift));
+    pointer.keys.release(input(shift || before?.shift === true));
     draw();
     if (before !== null) tellDone(before);
   };
@@ -193,7 +193,7 @@ export function createCrosshair({ element, context, pointer, grid, said }: Cross
           ? { x: place.x + to.x, y: place.y + to.y }
           : { x: nextLine(place.x, to.x, step), y: nextLine(place.y, to.y, step) };
       context.setView(withinView(context.view(), place));
-      if (held !== null) pointer.keys.move(input(false));
+      if (held !== null) pointer.keys.move(input(held.shift));
       draw();
       if (isRepeated) isUntold = true;
       else tell();
@@ -222,7 +222,7 @@ export function createCrosshair({ element, context, pointer, grid, said }: Cross
       // the view is not dragged by what moves over it
       if (context.tool() === 'hand') return;
       const what = context.tool() === 'select' ? thing() : null;
-      held = { file: document.file(), keys: selection.keys() };
+      held = { file: document.file(), keys: selection.keys(), shift };
       pointer.keys.press(input(shift), putBack);
       draw();
       if (what === null) tell();
