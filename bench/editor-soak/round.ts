@@ -99,14 +99,18 @@ export async function playRound(world: World, random: Random): Promise<Round> {
     most++;
     if (random.below(3) === 0) await wait(random.below(150));
   }
-  const diesWriting = victims !== 'page' && victims !== 'browser' && random.below(2) === 0;
+  // looking takes time, in which the last edits come to be kept: in many rounds nobody looks
+  const isAbrupt = random.below(3) === 0;
+  const diesWriting = !isAbrupt && victims !== 'page' && victims !== 'browser' && random.below(2) === 0;
   if (diesWriting) await world.killServer(true);
   // a save is on its way some 200 ms after the last key: more often about then
-  else if (random.below(4) > 0) await wait(random.below(2) === 0 ? random.below(400) : 190 + random.below(40));
-  if (random.below(2) === 0) acknowledge(await furthestKept(world.page).then((x) => (x === null ? null : x - START)));
-  const said = await savingState(world.page);
-  acknowledge(lookAtDisk(folder, mended === null || hazard === 'read-only folder')?.page ?? null);
-  if (said === 'saved' || said.endsWith('kept in this browser')) acknowledge(most);
+  else if (!isAbrupt && random.below(4) > 0) await wait(random.below(2) === 0 ? random.below(400) : 190 + random.below(40));
+  if (!isAbrupt) {
+    if (random.below(2) === 0) acknowledge(await furthestKept(world.page).then((x) => (x === null ? null : x - START)));
+    const said = await savingState(world.page);
+    acknowledge(lookAtDisk(folder, mended === null || hazard === 'read-only folder')?.page ?? null);
+    if (said === 'saved' || said.endsWith('kept in this browser')) acknowledge(most);
+  }
 
   if (victims !== 'page' && victims !== 'browser') {
     await world.killServer();

@@ -174,7 +174,7 @@ async function turnWheel(
   const at = await aim(page, extent);
   await page.mouse.move(...at((extent.left + extent.right) / 2, (extent.top + extent.bottom) / 2));
   await page.keyboard.press('Control+a');
-  await page.getByRole('heading', { name: /^\d+ objects$/ }).waitFor();
+  await page.getByRole('heading', { name: /^[\d,]+ objects$/ }).waitFor();
   await page.evaluate(() => new Promise((resolve) => requestIdleCallback(resolve)));
   for (const key of keys) await page.keyboard.down(key);
   const trace = await traced(async () => {
@@ -245,7 +245,7 @@ export async function dragMany(
   await along(page, 5, (share) => [x + 10 * share, y]);
   const trace = await traced(() => along(page, steps, (share) => [x + 10 + 50 * share, y - 20 * share]));
   await page.mouse.up();
-  await expectStep(page, /^Undo: Move \d+ objects/);
+  await expectStep(page, /^Undo: Move [\d,]+ objects/);
   await page.keyboard.press('Control+z');
   return costs(trace, 'pointermove');
 }
