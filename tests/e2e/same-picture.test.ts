@@ -8,9 +8,9 @@ import { until } from './until.ts';
 
 /** Small ones: what WebGL is asked for the processor draws here. */
 const SIZES = [
-  { width: 480, height: 480 },
-  { width: 400, height: 560 },
-  { width: 840, height: 600 },
+  { width: 360, height: 400 },
+  { width: 400, height: 360 },
+  { width: 840, height: 480 },
 ] as const;
 
 const NAMES = ['Garden', 'Straight', 'Third'] as const;
