@@ -38,7 +38,8 @@ inChromium('attempts that do not get through, in Chromium', ({ on }) => {
       await verdict(page, 'completable');
       await page.getByRole('combobox', { name: 'Run' }).selectOption('solution');
 
-      // left before it is over
+      // left before it is over: slow, so that there is all the time in the world for it
+      await page.getByRole('button', { name: '¼×' }).click();
       await page.getByRole('button', { name: 'Play', exact: true }).click();
       await page.keyboard.down('x');
       await until(async () => expect(await playtest(page).textContent()).toMatch(/^0\.[1-9]|^[1-9]/));

@@ -167,7 +167,7 @@ export function RunsPanel() {
                   <span className="runs__line">
                     <span className="runs__name">{row.key}</span>
                     {row.place === 0 && (
-                      <span className="runs__first" title="gq check and pictures show the first run">
+                      <span className="runs__first" title="Pictures show the first run">
                         first
                       </span>
                     )}
