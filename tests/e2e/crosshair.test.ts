@@ -23,24 +23,31 @@ async function placeOf(page: Page): Promise<Place> {
   return { x: Number(x), y: Number(y) };
 }
 
-/** Presses an arrow until the crosshair is there, in strides of the grid of 8 px; what remains by single px. */
+/** Where a stride leads: the next line that way, or a px on. */
+function onward(from: number, way: number, size: number): number {
+  if (size === 1) return from + way;
+  return way > 0 ? (Math.floor(from / size) + 1) * size : (Math.ceil(from / size) - 1) * size;
+}
+
+/** Brings the crosshair there by arrows: as far as may be in strides of 8 lines of the grid of 8 px, then of one, then px by px. */
 async function go(page: Page, to: Place): Promise<void> {
+  const from = await placeOf(page);
   for (const [axis, back, on] of [
     ['x', 'ArrowLeft', 'ArrowRight'],
     ['y', 'ArrowUp', 'ArrowDown'],
   ] as const) {
-    const step = async (modifier: string, size: number) => {
-      const from = await placeOf(page);
-      for (let left = to[axis] - from[axis], at = from[axis]; Math.abs(left) >= size; left = to[axis] - at) {
-        await page.keyboard.press(`${modifier}${left < 0 ? back : on}`);
-        const here = at;
-        await until(async () => expect((await placeOf(page))[axis]).not.toBe(here));
-        at = (await placeOf(page))[axis];
+    let at = from[axis];
+    for (const [modifier, size] of [
+      ['Shift+', 64],
+      ['', 8],
+      ['Alt+', 1],
+    ] as const) {
+      const way = Math.sign(to[axis] - at);
+      for (let next = onward(at, way, size); way !== 0 && (to[axis] - next) * way >= 0; next = onward(at, way, size)) {
+        await page.keyboard.press(`${modifier}${way < 0 ? back : on}`);
+        at = next;
       }
-    };
-    await step('Shift+', 64);
-    await step('', 8);
-    await step('Alt+', 1);
+    }
   }
   await hears(page, `x ${to.x}, y ${to.y}`);
 }
@@ -90,13 +97,19 @@ inChromium('the crosshair in Chromium', ({ on }) => {
       await hears(page, 'Nova 4 added at x 640, y 560, radius 24');
       await page.keyboard.press('d');
       await until(() => expect(last(file('01'), 'novae')).toMatchObject({ x: 640, y: 560, radius: 24 }));
+    }),
+  );
 
+  it(
+    'a tool is chosen by its button, the view goes where the crosshair goes, Esc and the pointer put it away',
+    on({ '01': garden() }, async ({ page, canvas, file }) => {
+      await canvas.fit(file('01'));
       // a tool's button leads there as well, and the view goes where the crosshair goes
       await tool(page, 'Move the view').press('Enter');
       expect(await focused(page)).toBe(true);
       await hears(page, /^Move the view\. x /);
-      for (let i = 0; i < 20; i++) await page.keyboard.press('Shift+ArrowRight');
-      const far = await placeOf(page);
+      const far = { x: 1536, y: 560 };
+      await go(page, far);
       await page.keyboard.press('Enter');
       await hears(page, `The middle of the view is at x ${far.x}, y ${far.y}`);
       const box = await page.getByRole('application', { name: 'Level canvas' }).boundingBox();
@@ -185,9 +198,14 @@ inChromium('the crosshair in Chromium', ({ on }) => {
       await hears(page, 'Asteroid 1, radius 48');
       await page.keyboard.press('d');
       await until(() => expect(placed('a1')).toMatchObject({ x: 400, radius: 48 }));
+    }),
+  );
 
+  it(
+    'objects are selected in a rectangle, a held key is told when it is let go, and the crosshair waits while the focus is elsewhere',
+    on({ '01': garden() }, async ({ page, canvas, file }) => {
+      await canvas.fit(file('01'));
       await page.keyboard.press('ArrowDown');
-
       // a rectangle from empty space
       await go(page, { x: 480, y: 96 });
       await page.keyboard.press('Enter');
@@ -212,7 +230,7 @@ inChromium('the crosshair in Chromium', ({ on }) => {
       await press(page, 'Shift+ArrowLeft', 1);
       await hears(page, 'x 704, y 448, 3 selected');
       await page.keyboard.press('d');
-      await hears(page, '3 objects are selected');
+      await hears(page, 'Alien 1 is selected, 3 in all');
       await page.keyboard.press('Delete');
       await until(() => expect(file('01')).toMatchObject({ asteroids: [{ id: 'a1' }], aliens: [] }));
 
