@@ -37,7 +37,7 @@ export function drawTimeline(
     )
     .join('');
   const step = STEPS.find((s) => end / s <= width / MARK_ROOM) ?? 3600;
-  const label = STEPS.find((s) => s >= step && end / s <= width / LABEL_ROOM) ?? 3600;
+  const label = STEPS.find((s) => s % step === 0 && end / s <= width / LABEL_ROOM) ?? 3600;
   let marks = '';
   let labels = '';
   for (let time = 0; time <= end; time += step) {

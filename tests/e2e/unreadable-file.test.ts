@@ -48,10 +48,7 @@ inChromium('a file that another program made unreadable, in Chromium', ({ on }) 
       await saved();
       const good = file('01') as LevelFile;
       write('01', TYPO);
-      await page
-        .getByRole('list', { name: 'Problems' })
-        .getByRole('button', { name: /^Look at both/ })
-        .click();
+      await page.getByRole('list', { name: 'Messages' }).getByRole('button', { name: 'Look at it' }).click();
       await page
         .getByRole('dialog', { name: "The file can't be read" })
         .getByRole('button', { name: /mend it as text/ })
