@@ -143,10 +143,13 @@ function EmptyScreen() {
       <header className="topbar">
         <h1 className="topbar__level">Gravity Quest editor</h1>
       </header>
-      <div className="start">
-        <aside className="region" aria-label="Levels">
-          {LEVELS.content}
-        </aside>
+      <div className={error === null ? 'start' : 'start start--alone'}>
+        {/* without the levels there is nothing to list and nowhere to put a new one */}
+        {error === null && (
+          <aside className="region" aria-label="Levels">
+            {LEVELS.content}
+          </aside>
+        )}
         <main className="empty">
           {error !== null ? (
             <p role="alert">{errorInWords(error)}</p>
@@ -168,10 +171,12 @@ function EmptyScreen() {
               Unsaved changes
             </Button>
           )}
-          <Button hint="Start from a template" look="main" onClick={() => session.setState({ overlay: 'newLevel' })}>
-            New level
-          </Button>
-          {list?.levels.length === 0 && (
+          {error === null && (
+            <Button hint="Start from a template" look="main" onClick={() => session.setState({ overlay: 'newLevel' })}>
+              New level
+            </Button>
+          )}
+          {error === null && list?.levels.length === 0 && (
             <Button
               hint="Levels that come with the toolkit, each with a run that completes it"
               look="outlined"

@@ -182,7 +182,7 @@ export function Tree<R extends TreeRow>(props: TreeProps<R>) {
     setDragged(null);
     setDrop(null);
   };
-  const line = drop === null ? undefined : virtual.measurementsCache[drop.index];
+  const line = virtual.getVirtualItems().find(({ index }) => index === drop?.index);
   const entries = menu === undefined || activeIndex < 0 ? [] : menu(rows[activeIndex]);
 
   const tree = (
