@@ -25,7 +25,7 @@ inChromium('what the solver says, in Chromium', ({ on }) => {
         .getByRole('status')
         .filter({ hasText: /different ways? found/ })
         .waitFor();
-      expect(await report.innerText()).not.toMatch(/asked for|No run found|with the mineral/);
+      expect(await report.textContent()).not.toMatch(/asked for|No run found|with the mineral/);
       await solver.getByText(/^Looked for up to 5 ways\./).waitFor();
 
       // the mineral is out of reach, and the level is completable all the same
