@@ -42,9 +42,13 @@ export function CanvasView({ search }: CanvasViewProps) {
       canvas.setState({ view });
       session.setState({ zoom: view.zoom });
     };
+    // the view that shows all of the level, until somebody moves it
+    let fitted: View | null = null;
     const bringIntoView = (keys?: readonly string[]) => {
       const box = extentOf(document.file(), keys);
-      if (box !== null) setView(fitBox(canvas.getState().view, box));
+      if (box === null) return;
+      setView(fitBox(canvas.getState().view, box));
+      if (keys === undefined) fitted = canvas.getState().view;
     };
 
     // the pose of a tick is made once, however many frames show it
@@ -81,13 +85,15 @@ export function CanvasView({ search }: CanvasViewProps) {
     const stage = stageOf(editor);
     const unmount = stage.mount(element, picture);
 
-    let fitted = false;
+    let isShown = false;
     const observer = new ResizeObserver(() => {
       const { clientWidth: width, clientHeight: height } = element;
       stage.resize(width, height);
-      setView({ ...canvas.getState().view, width, height });
-      if (!fitted && width > 1) bringIntoView();
-      fitted ||= width > 1;
+      const { view } = canvas.getState();
+      setView({ ...view, width, height });
+      // who sees all of the level goes on to do so when the page is turned or a panel opens
+      if (width > 1 && (!isShown || view === fitted)) bringIntoView();
+      isShown ||= width > 1;
     });
     observer.observe(element);
 

@@ -1,5 +1,7 @@
 import { expect, it } from 'vitest';
 import { COLOURS } from '../../editor/canvas/colours.ts';
+import { extentOf } from '../../editor/canvas/extent.ts';
+import { fitBox } from '../../editor/canvas/view.ts';
 import type { LevelFile } from '../../schema/index.ts';
 import { command, tool, verdict } from './commands.ts';
 import { garden, straight } from './levels.ts';
@@ -265,8 +267,21 @@ inChromium('the canvas in Chromium', ({ on }) => {
       await until(() => expect(asteroids(file('01'))).toEqual([A, B, C]));
       await canvas.fit(file('01'));
       expect(await zoomShown()).toBe(before);
+      // all of the level stays in view when the page gets smaller, a view that somebody has chosen stays what it is
+      const large = page.viewportSize() ?? { width: 0, height: 0 };
+      await page.setViewportSize({ width: 960, height: 600 });
+      await until(async () => {
+        const box = await page.getByRole('application', { name: 'Level canvas' }).boundingBox();
+        const view = { x: 0, y: 0, zoom: 1, width: box?.width ?? 0, height: box?.height ?? 0 };
+        const { zoom } = fitBox(view, extentOf(file('01')) ?? { left: 0, top: 0, right: 0, bottom: 0 });
+        expect(zoom).toBeLessThan(0.9 * (before / 100));
+        expect(await zoomShown()).toBe(Math.round(100 * zoom));
+      });
       await page.keyboard.press('Control+0');
       await until(async () => expect(await zoomShown()).toBe(100));
+      await page.setViewportSize(large);
+      await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+      expect(await zoomShown()).toBe(100);
 
       await canvas.fit(file('01'));
       await saved();

@@ -9,6 +9,9 @@ import { until } from './until.ts';
 /** What every page leaves to the canvas: px, and a share of the page's height. */
 const LEAST = { width: 320, height: 220, share: 0.45 };
 
+/** px from which on all panels stand around the canvas */
+const WIDE = { width: 880, height: 520 };
+
 /** px of the level from her to the black hole */
 const ACROSS = 504;
 
@@ -52,7 +55,9 @@ async function lookAt({ page }: Stage, size: { width: number; height: number }):
   const name = `${size.width} x ${size.height}`;
   await page.setViewportSize(size);
   const tabs = page.getByRole('navigation', { name: 'Panels' });
-  if (!(await tabs.isVisible())) {
+  const isWide = size.width >= WIDE.width && size.height >= WIDE.height;
+  await tabs.waitFor({ state: isWide ? 'hidden' : 'visible' });
+  if (isWide) {
     await lookAtCanvas(page, name);
     for (const panel of ['Runs', 'Outline', 'Solver', 'Effects', 'Accuracy', 'Inspector']) {
       await page.getByRole('tab', { name: panel }).click();
