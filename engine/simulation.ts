@@ -72,6 +72,8 @@ export interface Simulation {
   readState(out: Float64Array): void;
   /** Writes x, y, alive (1, or 0 when exploded) of every alien into `out` (3 doubles each). */
   readAliens(out: Float64Array): void;
+  /** False while every alien is as it was at the start; true where one may be elsewhere, or have exploded. */
+  readonly mayAliensHaveStirred: boolean;
   /** Writes x, y of every asteroid, in the level's order, into `out` (2 doubles each): recoil moves them. */
   readAsteroids(out: Float64Array): void;
   /** Whether the mineral with this index in the level's list has been collected. */

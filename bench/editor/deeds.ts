@@ -29,9 +29,9 @@ async function boxOf(page: Page, name: 'canvas' | 'time'): Promise<Aim> {
   return { left: box.x, top: box.y, width: box.width, height: box.height };
 }
 
-/** px around the level when all of it is shown, as the canvas has it; above it there are the tools as well */
-const MARGIN = 60;
-const ABOVE = 84;
+/** px around the level when all of it is shown, as `editor/canvas` has it: at most a share of the canvas; above it there are the tools as well */
+const marginOf = (size: number): number => Math.min(60, 0.125 * size);
+const TOOLS = 24;
 
 /** Shows all of the level. @returns from places of the level to places of the page */
 async function aim(page: Page, extent: Extent): Promise<(x: number, y: number) => [x: number, y: number]> {
@@ -40,15 +40,15 @@ async function aim(page: Page, extent: Extent): Promise<(x: number, y: number) =
   const { left, top, width, height } = await boxOf(page, 'canvas');
   const zoom = Math.min(
     2,
-    (width - 2 * MARGIN) / (extent.right - extent.left),
-    (height - MARGIN - ABOVE) / (extent.bottom - extent.top),
+    (width - 2 * marginOf(width)) / (extent.right - extent.left),
+    (height - 2 * marginOf(height) - TOOLS) / (extent.bottom - extent.top),
   );
   const shown = `${Math.round(zoom * 100)} %`;
   // or it would measure how nothing is dragged
   if (!(await isSoon(page.getByText(shown, { exact: true }))))
     throw new Error(`the level is not shown at ${shown}: did the canvas change?`);
   const [midX, midY] = [(extent.left + extent.right) / 2, (extent.top + extent.bottom) / 2];
-  return (x, y) => [left + width / 2 + (x - midX) * zoom, top + height / 2 + (y - midY) * zoom + (ABOVE - MARGIN) / 2];
+  return (x, y) => [left + width / 2 + (x - midX) * zoom, top + height / 2 + (y - midY) * zoom + TOOLS / 2];
 }
 
 const isSoon = (what: Locator): Promise<boolean> =>
@@ -60,7 +60,9 @@ const isSoon = (what: Locator): Promise<boolean> =>
 /** @throws when the last step of the history is another one: then nothing was measured */
 async function expectStep(page: Page, label: RegExp): Promise<void> {
   const undo = page.getByRole('button', { name: label });
-  if (!(await isSoon(undo))) throw new Error(`nothing to undo that is called ${label}: was the object hit?`);
+  if (await isSoon(undo)) return;
+  const found = await page.getByRole('button', { name: /undo/i }).first().getAttribute('aria-label');
+  throw new Error(`expected a step to undo that is called ${label}, found "${found}": was the object hit?`);
 }
 
 /** Moves in small steps, each one waited for. */
@@ -219,14 +221,20 @@ export async function openPage({ page }: Stage, times: number): Promise<number[]
 /** A marquee that is drawn over half of the level, in steps. */
 export async function marquee({ page, traced }: Stage, extent: Extent, steps: number): Promise<Cost[]> {
   const at = await aim(page, extent);
-  const from = at(extent.left - 20, extent.top - 20);
-  const to = at(extent.right + 20, (extent.top + extent.bottom) / 2);
+  // px of the page off the level: nearer, the pointer would take the object in its corner
+  const off = 20;
+  const corner = at(extent.left, extent.top);
+  const from = [corner[0] - off, corner[1] - off] as const;
+  const end = at(extent.right, (extent.top + extent.bottom) / 2);
+  const to = [end[0] + off, end[1]] as const;
   const trace = await traced(async () => {
     await page.mouse.move(...from);
     await page.mouse.down();
     await along(page, steps, (share) => [from[0] + share * (to[0] - from[0]), from[1] + share * (to[1] - from[1])]);
   });
   await page.mouse.up();
+  // or it would measure how one is dragged
+  if (!(await isSoon(page.getByRole('heading', { name: /^[\d,]+ objects$/ })))) throw new Error('the marquee caught nothing');
   // the first one only comes to where it begins
   return costs(trace, 'pointermove').slice(1);
 }
@@ -353,9 +361,9 @@ export async function search({ page, traced }: Stage, times: number): Promise<{ 
     first.push(await until(page, '.report .part__note', 'stretches', click('Solve')));
     const trace = await traced(async () => {
       await page.evaluate(() => performance.clearMarks());
-      await markWhen(page, 'stopped', '.report .part__note', 'stopped by hand');
+      await markWhen(page, 'stopped', '.report', 'topped by hand');
       await click('Cancel')();
-      await page.getByText('stopped by hand').waitFor();
+      await page.getByText('stopped by hand').first().waitFor();
       await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
     });
     cancel.push(...costs(trace, 'click', 'stopped').slice(0, 1));

@@ -13,6 +13,23 @@ export interface Hit {
 /** How far from a thing a pointer may be to take it, px of screen. */
 export const REACH = { mouse: 5, touch: 18, keys: 5 } as const;
 
+/** Of more selected objects than this none is resized by its rim: then they are rather meant to be moved. */
+const MOST_RESIZED = 12;
+
+/**
+ * Which selected objects can be resized by their rims: few ones, and each as large on the screen as a pointer can tell its rim from its middle.
+ * @param reach px of the level
+ */
+export function resizedByRim(file: LevelFile, selected: readonly ObjectKey[], reach: number): FoundObject[] {
+  if (selected.length > MOST_RESIZED) return [];
+  const objects = objectsOf(file);
+  return selected.flatMap((key) => {
+    const found = objects.get(key);
+    const radius = found === undefined ? null : radiusOf(found);
+    return found === undefined || radius === null || 2 * radius < reach ? [] : [found];
+  });
+}
+
 /** How far outside of the object a place is, px; negative inside. */
 function distanceOutside(found: FoundObject, { x, y }: Point): number {
   const dx = x - found.object.x;
@@ -23,11 +40,12 @@ function distanceOutside(found: FoundObject, { x, y }: Point): number {
 }
 
 /**
- * What is at a place of the level. A rim can be taken on objects in `resizable` alone; of several bodies the smallest wins, so that what
+ * What is at a place of the level. A rim can be taken on selected objects alone; of several bodies the smallest wins, so that what
  * lies in a field can be reached.
  * @param reach px of the level
  */
-export function hitTest(file: LevelFile, place: Point, reach: number, resizable: ReadonlySet<ObjectKey>): Hit | null {
+export function hitTest(file: LevelFile, place: Point, reach: number, selected: readonly ObjectKey[]): Hit | null {
+  const resizable = new Set(resizedByRim(file, selected, reach).map(({ key }) => key));
   let rim: { key: ObjectKey; gap: number } | null = null;
   let body: { key: ObjectKey; size: number; outside: boolean } | null = null;
   for (const found of objectsOf(file).values()) {

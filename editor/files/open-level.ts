@@ -55,6 +55,9 @@ const placeOf = (folder: string, id: string): string => `${folder}/${id}`;
 /** After so long the journal is asked again for what an earlier page has left, ms. */
 const RETRY = 3000;
 
+/** So long after a step other tabs are told what the level is like, ms. */
+const TELL_AFTER = 100;
+
 /** Until a page that has just opened a level knows whether it may write it. */
 const ASKING = 'asking whether another tab has this level open';
 
@@ -114,7 +117,10 @@ async function begin(
     channel: channel(name),
     timers,
     name,
-    beforeHandOver: () => saver.flush(),
+    beforeHandOver: () => {
+      tellNow();
+      return saver.flush();
+    },
     onShown({ text, base }) {
       const [theirs, disk] = [readText(text), readText(base.text)];
       if (!theirs.ok || !disk.ok || isStranded || lock.store.getState() !== 'reader') return;
@@ -126,6 +132,17 @@ async function begin(
   const shown = () => {
     const { file, etag } = saver.base();
     return { text: formatLevel(level.settledFile()), base: { text: formatLevel(file), etag } };
+  };
+  let cancelTelling: (() => void) | null = null;
+  const tellNow = () => {
+    if (cancelTelling === null) return;
+    cancelTelling();
+    cancelTelling = null;
+    lock.tell(shown());
+  };
+  // a large level takes long to write out: what a person does must not wait for that
+  const tellSoon = () => {
+    cancelTelling ??= timers.after(TELL_AFTER, tellNow);
   };
 
   /** From now on this page writes: with what whoever wrote before has left in the journal. */
@@ -177,7 +194,7 @@ async function begin(
     decide();
   });
   const stops = [
-    level.onStep(() => lock.tell(shown())),
+    level.onStep(tellSoon),
     // the database may have what an earlier page did not save
     journal.onAdopted(() => {
       if (kept !== null) settled = settled.then(takeUp);
@@ -207,6 +224,7 @@ async function begin(
     },
     async close() {
       level.seal();
+      tellNow();
       await settled;
       await saver.flush();
       for (const stop of stops) stop();

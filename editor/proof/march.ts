@@ -223,7 +223,8 @@ export class March {
     room.grow(count + 2);
     simulation.readState(state);
     room.states.set(state, STATE_SIZE * count);
-    if (room.aliens.count > 0) {
+    // of hundreds that sleep none need be looked at in every tick
+    if (room.aliens.count > 0 && (count === 0 || simulation.mayAliensHaveStirred)) {
       simulation.readAliens(room.alienState);
       room.aliens.write(count, room.alienState);
     }

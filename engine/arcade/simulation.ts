@@ -122,6 +122,11 @@ export class ArcadeSimulation implements Simulation {
     this.world.aliens.read(out);
   }
 
+  /** Nobody keeps count of them here. */
+  get mayAliensHaveStirred(): boolean {
+    return this.hasAliens;
+  }
+
   readAsteroids(out: Float64Array): void {
     const { scene, places, placesFrom, placesStep } = this.world;
     const { targets } = scene;

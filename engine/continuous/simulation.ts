@@ -151,6 +151,11 @@ export class ContinuousSimulation implements Simulation {
     this.aliensAt(this.sincePieceBegan, out);
   }
 
+  get mayAliensHaveStirred(): boolean {
+    const { s, crowd } = this.motion;
+    return crowd.changed || s[AWAKE_COUNT] > 0;
+  }
+
   readAsteroids(out: Float64Array): void {
     this.asteroidsAt(this.sincePieceBegan, out);
   }

@@ -245,6 +245,8 @@ describe('two pages on one level', () => {
     expect([role(a.workspace), role(b.workspace)]).toEqual(['writer', 'reader']);
     expect(opened(b.workspace)?.saver.store.getState()).toMatchObject({ kind: 'readOnly', unsaved: false });
     opened(a.workspace)?.level.change('Rename', setLevelProperty('name', 'by a'));
+    // a large level is not written out while the person waits
+    await at.clock.pass(100);
     await breathe();
     expect(opened(b.workspace)?.level.file().name).toBe('by a');
     await at.clock.pass(1000);

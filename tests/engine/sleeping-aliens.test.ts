@@ -268,3 +268,48 @@ it.each([8, 100, 1000, 20_000])('%i that sleep cost no work', (count) => {
     expect(looksOf(ring) / looksOf([])).toBeLessThan(1.03);
   }
 });
+
+it('while nobody may have stirred every alien is as it was at the start, after a snapshot and a reset as well', () => {
+  let hasBeenCalm = false;
+  let hasStirred = false;
+  fc.assert(
+    fc.property(SEED, ACCURACY, fc.boolean(), fc.nat(90), (seed, accuracy, isChased, at) => {
+      const { level, holds } = crowd(seed, 12);
+      const simulation = createSimulation(compile(isChased ? chasing(seed, 6) : level, accuracy));
+      const script = joinHolds(holds);
+      const count = simulation.scene.aliens.count;
+      const start = new Float64Array(3 * count);
+      const now = new Float64Array(3 * count);
+      simulation.readAliens(start);
+      const look = () => {
+        if (simulation.mayAliensHaveStirred) return;
+        simulation.readAliens(now);
+        expect([...now]).toEqual([...start]);
+        hasBeenCalm ||= simulation.tick > 0;
+      };
+      const play = (until: number) => {
+        while (simulation.tick < until && simulation.ending === null) {
+          const { tick } = simulation;
+          simulation.advance(
+            1,
+            script.some(([press, release]) => press <= tick && tick < release),
+          );
+          look();
+        }
+      };
+      play(at);
+      const snapshot = simulation.snapshot();
+      play(180);
+      simulation.readAliens(now);
+      hasStirred ||= now.some((value, i) => value !== start[i]);
+      simulation.restore(snapshot);
+      look();
+      play(120);
+      simulation.reset();
+      look();
+      play(60);
+    }),
+    { numRuns: 100 },
+  );
+  expect([hasBeenCalm, hasStirred]).toEqual([true, true]);
+});

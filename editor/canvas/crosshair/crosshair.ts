@@ -65,12 +65,7 @@ export function createCrosshair({ element, context, pointer, grid, said }: Cross
   const hasFocus = () => window.document.activeElement === element;
   const isShown = () => isOut && hasFocus();
   const under = () =>
-    hitTest(
-      document.file(),
-      place,
-      REACH.keys / context.view().zoom,
-      new Set(context.tool() === 'select' ? selection.keys() : []),
-    );
+    hitTest(document.file(), place, REACH.keys / context.view().zoom, context.tool() === 'select' ? selection.keys() : []);
   const draw = () => {
     const shown = isShown();
     if (!shown && canvas.getState().crosshair === null) return;

@@ -6,6 +6,7 @@ import type { Layer } from '../../session/index.ts';
 import type { CanvasState } from '../canvas-state.ts';
 import { type Colours, colourNumber } from '../colours.ts';
 import { boxOf } from '../extent.ts';
+import { REACH, resizedByRim } from '../hit-test.ts';
 import { type Point, toLevel, type View } from '../view.ts';
 import { type Circle, Rings } from './rings.ts';
 
@@ -157,13 +158,9 @@ export class OverlayLayer {
     if (hovered !== null && !selected.includes(hovered)) outline(hovered, 1.5, 0.6);
     // those of circles are rings
     if (selected.includes(ASTRONAUT)) outline(ASTRONAUT, 2, 1);
-    // handles to resize by, while few are selected
-    if (selected.length > 12) return;
     const half = 3.5 / zoom;
-    for (const key of selected) {
-      const found = objects.get(key);
-      const radius = found === undefined ? null : radiusOf(found);
-      if (found === undefined || radius === null) continue;
+    for (const found of resizedByRim(file, selected, REACH.mouse / zoom)) {
+      const radius = radiusOf(found) ?? 0;
       for (const [dx, dy] of [
         [1, 0],
         [-1, 0],
