@@ -1,5 +1,5 @@
 import type { Editor } from '../context/index.ts';
-import { type ChosenRenderer, chooseRenderer, webglOffer } from './renderer.ts';
+import { type ChosenRenderer, chooseRenderer, offersWebgl } from './renderer.ts';
 import { createStage, type Stage } from './stage.ts';
 
 interface PageStage {
@@ -15,7 +15,7 @@ export function stageOf(editor: Editor): Stage {
   const known = stages.get(editor);
   if (known !== undefined) return known.stage;
   const { settings, notices } = editor;
-  const renderer = chooseRenderer(settings.getState().renderer, window.location.search, () => webglOffer(document));
+  const renderer = chooseRenderer(settings.getState().renderer, window.location.search, (need) => offersWebgl(document, need));
   if (renderer.complaint !== null) notices.show('warning', renderer.complaint, { topic: 'renderer' });
   const stage = createStage(renderer.name);
   stages.set(editor, { stage, renderer });

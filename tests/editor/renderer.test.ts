@@ -1,8 +1,9 @@
 import { describe, expect, it } from 'vitest';
-import { chooseRenderer, type WebglOffer } from '../../editor/canvas/renderer.ts';
+import { chooseRenderer } from '../../editor/canvas/renderer.ts';
 import type { Settings } from '../../editor/settings/index.ts';
 
-const choose = (setting: Settings['renderer'], search: string, offer: WebglOffer) => chooseRenderer(setting, search, () => offer);
+const choose = (setting: Settings['renderer'], search: string, offer: 'none' | 'software' | 'card') =>
+  chooseRenderer(setting, search, (need) => (need === 'card' ? offer === 'card' : offer !== 'none'));
 
 describe('what draws the canvas', () => {
   it('is a graphics card where there is one, else a plain canvas, while nobody asks for either', () => {

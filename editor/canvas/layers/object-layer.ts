@@ -66,6 +66,7 @@ export class ObjectLayer {
   clear(): void {
     for (const one of this.shown.values()) this.destroy(one);
     this.shown.clear();
+    this.layer.forget();
     this.turning = [];
     this.file = null;
   }

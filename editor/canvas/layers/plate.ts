@@ -82,7 +82,9 @@ export class Plate {
   }
 
   private look(marks: Marks, lens: Lens, { width, height }: Size): void {
-    if (this.marks !== null && marks.looksLike(this.marks)) this.steady++;
+    // the first ones are expected to stay: to paint thousands one by one in the first frames as well would take long
+    if (this.marks === null) this.steady = STEADY;
+    else if (marks.looksLike(this.marks)) this.steady++;
     else {
       this.steady = 0;
       this.sharp = null;

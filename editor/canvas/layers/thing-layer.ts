@@ -52,6 +52,11 @@ export class ThingLayer extends GameObjects.Layer {
     return thing;
   }
 
+  /** What comes next is another level: it begins without the pictures of the last one. */
+  forget(): void {
+    this.plates.length = 0;
+  }
+
   /** Called by Phaser where there is no graphics card. */
   renderCanvas(renderer: Canvas, _layer: this, camera: Camera): void {
     const shift = this.sortAnew();
