@@ -47,7 +47,7 @@ function Check({ label, checked, onChange }: { label: string; checked: boolean; 
 }
 
 const RENDERERS = [
-  ['automatic', 'automatic: a graphics card where there is one'],
+  ['automatic', 'automatic: a graphics card if any'],
   ['webgl', 'WebGL'],
   ['canvas', 'Canvas'],
 ] as const;
