@@ -113,8 +113,10 @@ describe.runIf(process.platform === 'linux')('a signal at any moment', () => {
     const whole = await run(args, null, []);
     expect(whole.code, whole.after.err).toBeLessThan(2);
     let heard = 0;
+    let tries = 0;
     const lane = async (): Promise<void> => {
-      for (let i = 0; i < MOMENTS / 2; i++) {
+      // a command that ends before its moment is no test: on a busy machine one may take a part of the time of another
+      while (heard < MOMENTS && tries++ < 20 * MOMENTS) {
         const first = Math.random() < 0.5 ? 'SIGINT' : 'SIGTERM';
         const signals: NodeJS.Signals[] = Math.random() < 0.3 ? [first, 'SIGTERM', 'SIGINT'] : [first];
         const { before, after, code, signal } = await run(args, Math.random() * whole.lasted, signals);
@@ -129,7 +131,11 @@ describe.runIf(process.platform === 'linux')('a signal at any moment', () => {
           expect([ASIDE + Object.keys(contentOf(pattern)).length, Object.keys(whole.after).length]).toContain(
             Object.keys(after).length,
           );
-        } else expect(finished.length, finished.join()).toBeLessThan(2);
+        } else {
+          // a folder is made together with the one that it lies in
+          const folders = finished.filter((name) => after[name] === 'folder');
+          expect(finished.length - Math.max(0, folders.length - 1), finished.join()).toBeLessThan(2);
+        }
         for (const name of finished) {
           expect(name).toMatch(/^work\//);
           if (!args.startsWith('import')) expect(after[name]).toBe(whole.after[name]);
@@ -138,7 +144,6 @@ describe.runIf(process.platform === 'linux')('a signal at any moment', () => {
       }
     };
     await Promise.all([lane(), lane()]);
-    // or this test has tested little
-    expect(heard).toBeGreaterThan(MOMENTS / 5);
+    expect(heard, 'signals that came in time').toBeGreaterThanOrEqual(MOMENTS);
   });
 });
