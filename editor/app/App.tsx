@@ -6,7 +6,7 @@ import { CanvasView } from '../canvas/index.ts';
 import { type Command, listenToKeys } from '../commands/index.ts';
 import { Dialogs } from '../dialogs/index.ts';
 import { errorInWords, problemsInWords } from '../files/index.ts';
-import { addSamples, openListed } from '../panels/levels/index.ts';
+import { openListed, SamplesButton } from '../panels/levels/index.ts';
 import { HeatLegend, SolverWatch, solverDeskOf } from '../panels/solver/index.ts';
 import { PlayView, playCommands } from '../play/index.ts';
 import { Timeline } from '../timeline/index.ts';
@@ -176,15 +176,7 @@ function EmptyScreen() {
               New level
             </Button>
           )}
-          {error === null && list?.levels.length === 0 && (
-            <Button
-              hint="Levels that come with the toolkit, each with a run that completes it"
-              look="outlined"
-              onClick={() => void addSamples(editor, '')}
-            >
-              Add the sample levels
-            </Button>
-          )}
+          {error === null && list?.levels.length === 0 && <SamplesButton />}
         </main>
       </div>
       <footer className="statusbar" />

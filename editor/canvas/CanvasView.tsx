@@ -116,7 +116,7 @@ export function CanvasView({ search }: CanvasViewProps) {
     const stopDrops = listenToDrops(element, context);
     const crosshair = createCrosshair({ element, context, pointer, grid: () => settings.getState().grid, said });
     const forget = editor.commands.register(
-      canvasCommands({ editor, level, canvas, setView, bringIntoView, pointer, crosshair, stage }),
+      canvasCommands({ editor, level, canvas, setView, bringIntoView, pointer, crosshair }),
     );
     return () => {
       forget();

@@ -20,7 +20,6 @@ import type { Tool } from '../session/index.ts';
 import type { CanvasState } from './canvas-state.ts';
 import { arrowsWith, type Crosshair, crosshairCommands, stepOf } from './crosshair/index.ts';
 import type { PointerListening } from './pointer/index.ts';
-import type { Stage } from './stage.ts';
 import { toScreen, type View, zoomAt } from './view.ts';
 
 interface CanvasParts {
@@ -31,7 +30,6 @@ interface CanvasParts {
   readonly bringIntoView: (keys?: readonly string[]) => void;
   readonly pointer: PointerListening;
   readonly crosshair: Crosshair;
-  readonly stage: Stage;
 }
 
 const TOOL_KEYS: readonly (readonly [tool: Tool, key: string, title: string])[] = [

@@ -123,8 +123,6 @@ export interface Stage {
    */
   mount(parent: HTMLElement, picture: () => Picture): () => void;
   resize(width: number, height: number): void;
-  /** What is on the screen, as a PNG. */
-  snapshot(): Promise<Blob>;
 }
 
 /** Its physics, sound and input are off: the engine, the editor and the person move things, it draws. */
@@ -164,14 +162,5 @@ export function createStage(renderer: RendererName): Stage {
       };
     },
     resize: (width, height) => game.scale.resize(Math.max(1, width), Math.max(1, height)),
-    snapshot: () =>
-      new Promise((resolve, reject) => {
-        game.events.once('postrender', () =>
-          canvas.toBlob(
-            (blob) => (blob === null ? reject(new Error('the browser made no picture')) : resolve(blob)),
-            'image/png',
-          ),
-        );
-      }),
   };
 }

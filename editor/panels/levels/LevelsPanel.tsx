@@ -7,10 +7,11 @@ import { errorInWords } from '../../files/index.ts';
 import { Button, focusHome } from '../../ui/index.ts';
 import { type MenuEntry, Tree } from '../tree/index.ts';
 import { LevelLine } from './LevelLine.tsx';
-import { addSamples, deleteLevel, duplicateLevel, folderOf, followSaves, openListed, orderLevels } from './level-files.ts';
+import { deleteLevel, duplicateLevel, folderOf, followSaves, openListed, orderLevels } from './level-files.ts';
 import { type LevelRow, levelRows } from './level-rows.ts';
 import './levels.css';
 import { RenameDialog } from './RenameDialog.tsx';
+import { SamplesButton } from './SamplesButton.tsx';
 import { TextDialog } from './TextDialog.tsx';
 
 /** px */
@@ -187,13 +188,7 @@ export function LevelsPanel() {
           >
             Import levels
           </Button>
-          <Button
-            hint="Levels that come with the toolkit, each with a run that completes it"
-            look="outlined"
-            onClick={() => void addSamples(editor, '')}
-          >
-            Add the sample levels
-          </Button>
+          <SamplesButton />
         </div>
       )}
       {renamed !== null && <RenameDialog id={renamed} onClose={() => setRenamed(null)} />}

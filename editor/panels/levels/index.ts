@@ -15,4 +15,5 @@ export {
   stemOf,
 } from './level-files.ts';
 export { listHistoryOf } from './list-history.ts';
+export { SamplesButton } from './SamplesButton.tsx';
 export { TextDialog } from './TextDialog.tsx';
