@@ -1,5 +1,6 @@
+import type { Circles } from '../circles.ts';
 import { ALIEN_SIGHT, HALF_DIAGONAL } from '../constants.ts';
-import type { Circles, IndexedCircles, Scene } from '../scene.ts';
+import type { IndexedCircles, Scene } from '../scene.ts';
 
 /** Side of a cell, px. */
 const SIDE = 32;

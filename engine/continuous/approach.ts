@@ -1,12 +1,19 @@
 import type { ClearanceTracker } from '../clearance.ts';
 import { ALIEN_PULL, HALF_DIAGONAL } from '../constants.ts';
+import { alienTravel, gapAt, rockTravel, sweptTime } from '../events/index.ts';
+import {
+  ALERTNESS,
+  type Motion,
+  placeAlien,
+  placeAt,
+  placeCircle,
+  placeRock,
+  RECORDS,
+  relativeAt,
+  SERIES,
+  SLOTS,
+} from '../motion/index.ts';
 import type { BodyKind } from '../simulation.ts';
-import { placeAlien, placeCircle, placeRock, relativeAt, SERIES } from './circle.ts';
-import { gapAt, sweptTime } from './guards/contact.ts';
-import type { Motion } from './motion.ts';
-import { alienTravel, rockTravel } from './neighbourhood.ts';
-import { placeAt } from './places.ts';
-import { ALERTNESS, RECORDS, SLOTS } from './state.ts';
 
 const { BASE_X, BASE_Y, NEXT, ACCELERATION } = SLOTS;
 const { CHASER } = RECORDS;
@@ -62,7 +69,7 @@ export function approachHazards(m: Motion, start: number, length: number, tracke
   for (let i = 0; i < aliens.count; i++) {
     if (s[m.chasers + CHASER * i + 4] === GONE) continue;
     placeAlien(m, i);
-    consider('alien', i, aliens.r[i], m.circleMotion === SERIES ? ALIEN_PULL : 0, alienTravel(m, i, length));
+    consider('alien', i, aliens.r[i], m.circleMotion === SERIES ? ALIEN_PULL : 0, alienTravel(m, i, ALIEN_PULL, length));
   }
   s[NEXT] = next;
 }

@@ -1,12 +1,20 @@
 import { ALIEN_PULL, SPEED_LIMIT } from '../constants.ts';
-import { CENTRAL, COAST, LINEAR, SLIDE } from './flow.ts';
-import { untilGrid } from './glide.ts';
-import { CONVERGENCE } from './integrator.ts';
-import { straighten } from './line.ts';
-import type { Motion } from './motion.ts';
-import { SMALLEST_ORBIT } from './piece.ts';
-import { expandSlide } from './slide.ts';
-import { ALERTNESS, MEETINGS, RECORDS, SLOTS } from './state.ts';
+import { untilGrid } from '../integrators/index.ts';
+import {
+  ALERTNESS,
+  awakeAt,
+  CENTRAL,
+  COAST,
+  expandSlide,
+  LINEAR,
+  MEETINGS,
+  type Motion,
+  RECORDS,
+  SLIDE,
+  SLOTS,
+  straighten,
+} from '../motion/index.ts';
+import { CONVERGENCE, SMALLEST_ORBIT } from '../tolerances.ts';
 
 const {
   START,
@@ -130,7 +138,7 @@ export function expandChasers(m: Motion, longest: number): number {
   // a fixed step depends on its length: it is known before the first is made, as it is after a restore
   let h = drags ? Math.min(longest, longestDrag(m)) : longest;
   const awake = s[AWAKE_COUNT];
-  for (let k = 0; k < awake; k++) h = expandChaser(m, m.crowd.awake[k], ALIEN_PULL, h);
+  for (let k = 0; k < awake; k++) h = expandChaser(m, awakeAt(m, k), ALIEN_PULL, h);
   if (drags) h = expandDragged(m, h);
   return h;
 }
@@ -198,7 +206,7 @@ export function restoreChasers(m: Motion): void {
   expandChasers(m, s[LENGTH_H]);
   if (s[OUTCOME] === 0) return;
   for (let k = 0; k < s[AWAKE_COUNT]; k++) {
-    const i = m.crowd.awake[k];
+    const i = awakeAt(m, k);
     chaserX[i].fill(0, 1);
     chaserY[i].fill(0, 1);
   }

@@ -1,15 +1,19 @@
 import type { Level } from '../../schema/index.ts';
-import { alienChase } from './alien-chase.ts';
-import { alienExplosion } from './alien-explosion.ts';
-import { blackHole, range, speedLimit } from './always.ts';
+import { layOutRules, putInOrder } from '../events/index.ts';
+import type { EventRule, EventRules } from '../motion/index.ts';
+import type { ChosenEffect, EffectChoice } from '../scene.ts';
+import { alienChase, alienExplosion, explode, fallAsleep, touchAlien, wake } from './aliens/index.ts';
+import { blackHole, touchBlackHole } from './black-hole/index.ts';
 import type { Effect } from './effect.ts';
-import { gun } from './gun.ts';
-import { hotAsteroids } from './hot-asteroids.ts';
-import { minerals } from './minerals.ts';
-import { novae } from './novae.ts';
-import { recoil } from './recoil.ts';
-import { repulsor } from './repulsor.ts';
+import { gun, meetTarget, passCentre, switchTarget } from './gun/index.ts';
+import { hotAsteroids, novae, touchHot, touchNova } from './hazards/index.ts';
+import { collect, minerals } from './minerals/index.ts';
+import { leaveRange, range } from './range/index.ts';
+import { recoil } from './recoil/index.ts';
+import { comeOffRim, enterField, leaveField, repulsor } from './repulsor/index.ts';
+import { freeAxis, holdAxis, speedLimit } from './speed-limit/index.ts';
 
+export { explosionsAtStart } from './aliens/index.ts';
 export type { Effect } from './effect.ts';
 
 /** Every effect of the game, in the order in which `gq inspect` lists them. */
@@ -27,15 +31,30 @@ export const EFFECTS: readonly Effect[] = [
   range,
 ];
 
-export interface ChosenEffect {
-  readonly name: string;
-  readonly because: string;
-}
+/** Every kind of event, in the order in which they happen when they fall on the same instant. */
+const EVENTS_IN_ORDER: readonly EventRule[] = [
+  collect,
+  touchNova,
+  touchHot,
+  touchAlien,
+  touchBlackHole,
+  leaveRange,
+  passCentre,
+  meetTarget,
+  switchTarget,
+  enterField,
+  leaveField,
+  wake,
+  fallAsleep,
+  explode,
+  holdAxis,
+  freeAxis,
+  comeOffRim,
+];
+putInOrder(EVENTS_IN_ORDER);
 
-export interface EffectChoice {
-  readonly simulated: readonly ChosenEffect[];
-  readonly notCalledFor: readonly ChosenEffect[];
-}
+/** With these the neighbour list begins: the last digit of a tie between two of them can depend on which is looked at first. */
+const LISTED_FIRST: readonly EventRule[] = [touchNova, collect, enterField, touchBlackHole, touchAlien, touchHot, switchTarget];
 
 /** Which effects a level calls for. */
 export function chooseEffects(level: Level): EffectChoice {
@@ -46,4 +65,31 @@ export function chooseEffects(level: Level): EffectChoice {
     (called ? simulated : notCalledFor).push({ name: effect.name, because });
   }
   return { simulated, notCalledFor };
+}
+
+/** The effects that are part of a scene. */
+export function effectsOf({ simulated }: EffectChoice): readonly Effect[] {
+  const names = new Set(simulated.map(({ name }) => name));
+  return EFFECTS.filter(({ name }) => names.has(name));
+}
+
+/** The kinds of events that these effects bring with them, laid out for a motion. */
+export function eventsOf(effects: readonly Effect[]): EventRules {
+  return layOutRules(
+    EVENTS_IN_ORDER,
+    LISTED_FIRST,
+    effects.flatMap(({ events }) => events ?? []),
+  );
+}
+
+/** The most that all these forces together can accelerate her, px/s2. */
+export function strongestOf(effects: readonly Effect[], level: Level): number {
+  let instead = 0;
+  let beside = 0;
+  for (const { force } of effects) {
+    if (force === undefined) continue;
+    if (force.acts === 'instead') instead = Math.max(instead, force.strongest(level));
+    else beside += force.strongest(level);
+  }
+  return instead + beside;
 }

@@ -1,8 +1,8 @@
 import type { Level } from '../../schema/index.ts';
 import { ACCURACIES, type Accuracy } from '../accuracy.ts';
+import { compile } from '../compile.ts';
 import { HALF_DIAGONAL, HALF_HEIGHT, HALF_WIDTH, TICK_RATE } from '../constants.ts';
 import { boxOverlapsCircle } from '../contact/index.ts';
-import { compile } from '../scene.ts';
 import { createSimulation } from '../simulate.ts';
 
 export interface TunnellingOptions {

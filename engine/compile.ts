@@ -1,0 +1,63 @@
+import type { Circle, Level } from '../schema/index.ts';
+import { ACCURACIES, type Accuracy, type AccuracyName, DEFAULT_ACCURACY } from './accuracy.ts';
+import type { Circles } from './circles.ts';
+import { chooseEffects, explosionsAtStart } from './effects/index.ts';
+import type { IndexedCircles, Scene } from './scene.ts';
+import { indexCircles } from './spatial-index.ts';
+
+function indexed(circles: Circles): IndexedCircles {
+  const { count, x, y, r, index } = circles;
+  // one by one: `...` would give every list a shape of its own, which V8 then has to search
+  return { count, x, y, r, index, spatial: indexCircles(circles) };
+}
+
+function circles(list: readonly Circle[], order: readonly number[]): Circles {
+  const pick = (f: (c: Circle) => number) => Float64Array.from(order, (i) => f(list[i]));
+  return {
+    count: order.length,
+    x: pick((c) => c.x),
+    y: pick((c) => c.y),
+    r: pick((c) => c.radius),
+    index: Int32Array.from(order),
+  };
+}
+
+/** The places in a list of all circles but those that an earlier one is equal to. */
+function unlike(list: readonly Circle[]): number[] {
+  const seen = new Set<string>();
+  const kept: number[] = [];
+  for (const [i, { x, y, radius }] of list.entries()) {
+    const circle = `${x} ${y} ${radius}`;
+    if (!seen.has(circle)) kept.push(i);
+    seen.add(circle);
+  }
+  return kept;
+}
+
+/**
+ * Makes a valid level ready to simulate: chooses the effects it calls for and lays its objects out in typed arrays.
+ * @param level a level from `schema`; the engine trusts its numbers to be finite and its radii positive
+ * @param accuracy a name, or a full setting of one's own
+ */
+export function compile(level: Level, accuracy: AccuracyName | Accuracy = DEFAULT_ACCURACY): Scene {
+  const all = (list: readonly Circle[]) => circles(list, [...list.keys()]);
+  const cold: number[] = [];
+  const hot: number[] = [];
+  for (const [i, a] of level.asteroids.entries()) (a.hot ? hot : cold).push(i);
+  const aliens = indexed(all(level.aliens));
+  const chosen = typeof accuracy === 'string' ? ACCURACIES[accuracy] : accuracy;
+  // continuous time has places relative to where she starts
+  const origin = chosen.integrator === 'arcade' ? { x: 0, y: 0 } : level.astronaut;
+  const explosions = explosionsAtStart(aliens, origin.x, origin.y);
+  return {
+    level,
+    accuracy: chosen,
+    effects: chooseEffects(level),
+    targets: indexed(circles(level.asteroids, [...cold, ...hot])),
+    coldCount: cold.length,
+    novae: indexed(all(level.novae)),
+    repulsors: indexed(circles(level.repulsors, unlike(level.repulsors))),
+    aliens: { ...aliens, explosions },
+    minerals: indexed(all(level.minerals)),
+  };
+}

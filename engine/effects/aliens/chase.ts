@@ -1,0 +1,17 @@
+import { whereAny } from '../count.ts';
+import type { Effect } from '../effect.ts';
+import { AlienCrowd } from './crowd.ts';
+import { fallAsleep, layOutAliens, touchAlien, wake } from './events.ts';
+
+export const alienChase: Effect = {
+  name: 'alien-chase',
+  summary: 'an alien within 150 px accelerates towards her at 8 px/s2, otherwise it stops dead; touching it ends the run',
+  calledFor: whereAny('aliens', 'alien'),
+  moves: true,
+  kills: true,
+  events: [touchAlien, wake, fallAsleep],
+  attach(m) {
+    m.crowd = new AlienCrowd(m);
+  },
+  layOut: layOutAliens,
+};

@@ -1,0 +1,14 @@
+export { DRIFTS, IS_BASE, placeAlien, placeCircle, placeRock, relativeAt, relativeSeries, SERIES } from './circle.ts';
+export { CENTRAL, COAST, Flow, LINEAR, SLIDE } from './flow.ts';
+export { rebase } from './frame.ts';
+export type { Glide, Integrator } from './integrator.ts';
+export { beginLine, bendLine, findLine, holdsTarget, movesAlong, ontoLine, sideOf, straighten, straightenBody } from './line.ts';
+export { awakeAt, type Crowd, type EventRule, type EventRules, GOES_ON, MODES, Motion, type Recorder } from './motion.ts';
+export { distanceSquared, nearest } from './nearest.ts';
+export { packPiece, unpackPiece } from './packed-piece.ts';
+export { alienPlaceAt, directionAt, lookAt, placeAt, rockAt, settleAt } from './places.ts';
+export { addProduct, pairAt, shift, valueAt } from './polynomial.ts';
+export { centralSeries, chaserSeries, LONGEST_SERIES, linearSeries, TAYLOR_DEGREE, taylorStep } from './power-series.ts';
+export { expandSlide } from './rim-piece.ts';
+export { layOutRocks, readRocks, stir, targetsAround } from './rocks.ts';
+export { ALERTNESS, LINES, MEETINGS, PIECE_END, RECORDS, SLOTS, TURNS } from './state.ts';
