@@ -4,7 +4,7 @@ import { showProblems } from '../code-frames.ts';
 import { Failure } from '../failure.ts';
 import { type OpenedLevel, placed, warningsOf } from '../level-source.ts';
 import { readBytes } from '../read-bytes.ts';
-import { plural } from '../reporters/plural.ts';
+import { plural } from '../report-parts/index.ts';
 import { reportRun } from '../run-report.ts';
 import { hangsOnAccuracy } from './accuracy-hang.ts';
 import type { CheckedLevel, CheckSettings, RunInBrief } from './checked-level.ts';

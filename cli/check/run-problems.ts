@@ -2,10 +2,9 @@ import type { Run, WorkBudget } from '../../engine/index.ts';
 import type { Level, Problem } from '../../schema/index.ts';
 import type { Candidate, Proof, ProofCode } from '../../solver/index.ts';
 import { outcomeInWords } from '../outcome.ts';
-import { closestInWords, effortInWords } from '../reporters/effort.ts';
-import { holdsInWords } from '../reporters/holds.ts';
+import type { LostMineral } from '../prove.ts';
+import { closestInWords, effortInWords, holdsInWords } from '../report-parts/index.ts';
 import { shellPath } from '../shown-path.ts';
-import type { LostMineral } from '../solve/prove.ts';
 import type { Searched } from './search-level.ts';
 
 /** Of a level without runs that was not searched. */

@@ -1,8 +1,7 @@
 import { joinHolds, type Run, type Scene } from '../../engine/index.ts';
 import type { Hold, Level, Problem } from '../../schema/index.ts';
 import { certify } from '../../solver/index.ts';
-import { holdsInWords } from '../reporters/holds.ts';
-import { plural } from '../reporters/plural.ts';
+import { holdsInWords, plural } from '../report-parts/index.ts';
 import type { CheckSettings } from './checked-level.ts';
 
 /** Runs simulated at most to certify a run: where they don't suffice, what was asked for is not proved. */

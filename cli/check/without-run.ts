@@ -1,7 +1,7 @@
 import { type Run, type Scene, simulate, TICK_RATE, type WorkBudget } from '../../engine/index.ts';
 import type { Hold, Level, Problem, Verdict } from '../../schema/index.ts';
 import { OUTDONE_WARNINGS } from '../../solver/index.ts';
-import { type LostMineral, proveGoalImpossible, proveMineralsLost } from '../solve/prove.ts';
+import { type LostMineral, proveGoalImpossible, proveMineralsLost } from '../prove.ts';
 import type { CheckSettings } from './checked-level.ts';
 import { foundRun, noRun, noRunFound, provedImpossible } from './run-problems.ts';
 import { searchLevel } from './search-level.ts';

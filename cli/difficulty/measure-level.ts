@@ -4,9 +4,9 @@ import { type Level, readLevel } from '../../schema/index.ts';
 import { createSolver, measureDifficulty, type Success, successProbability, verifyRun } from '../../solver/index.ts';
 import { showProblems } from '../code-frames.ts';
 import { Failure } from '../failure.ts';
+import { proveGoalImpossible } from '../prove.ts';
 import { readBytes } from '../read-bytes.ts';
-import { closestInWords, effortInWords } from '../reporters/effort.ts';
-import { proveGoalImpossible } from '../solve/prove.ts';
+import { closestInWords, effortInWords } from '../report-parts/index.ts';
 import type { MeasuredLevel, MeasureSettings, MeasureTask } from './measured-level.ts';
 
 /** Noises at which a curve is sampled, ms; success at 0 is certain. */

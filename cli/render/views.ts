@@ -4,11 +4,9 @@ import type { Hold, Level } from '../../schema/index.ts';
 import { createRandom, createSearch, type Goal, proofPicture, type Search } from '../../solver/index.ts';
 import type { ChosenRun } from '../chosen-run.ts';
 import { outcomeInWords } from '../outcome.ts';
-import { effortInWords } from '../reporters/effort.ts';
-import { plural } from '../reporters/plural.ts';
-import { percent } from '../reporters/robustness.ts';
-import { proveGoalImpossible } from '../solve/prove.ts';
-import type { Solved } from '../solve/solve-level.ts';
+import { proveGoalImpossible } from '../prove.ts';
+import { effortInWords, percent, plural } from '../report-parts/index.ts';
+import type { Solved } from '../solve/index.ts';
 
 /** What a picture shows, but for its size and colours. */
 export interface View extends Omit<RenderOptions, 'width' | 'theme'> {

@@ -1,7 +1,8 @@
 import type { Hold } from '../../schema/index.ts';
 import { type Closest, type Effort, mergeSolutions, type Robustness, type Solution } from '../../solver/index.ts';
+import type { Limits } from '../search-options.ts';
 import type { LaneState } from './messages.ts';
-import { LANES, type Limits, rounds, type SolveSettings } from './settings.ts';
+import { LANES, rounds, type SolveSettings } from './settings.ts';
 import { startThread } from './thread.ts';
 
 /** What the lanes have found together. */

@@ -1,11 +1,12 @@
 import { compile, type Run, simulate, TICK } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import type { Closest, Effort, Proof, Robustness } from '../../solver/index.ts';
+import { proveGoalImpossible } from '../prove.ts';
+import type { Limits } from '../search-options.ts';
 import { catchSignals, leaveSignals } from '../signals.ts';
 import type { Found } from './crew.ts';
 import { hireCrew } from './crew.ts';
-import { proveGoalImpossible } from './prove.ts';
-import type { Limits, SolveSettings } from './settings.ts';
+import type { SolveSettings } from './settings.ts';
 
 /** A run that was found, replayed, with what it forgives. */
 export interface SolvedRun {

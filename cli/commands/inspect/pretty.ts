@@ -1,0 +1,36 @@
+import type { Colors } from '../../colors.ts';
+import type { Inspection } from '../../inspection.ts';
+import { alignColumns, plural, showFileProblems } from '../../report-parts/index.ts';
+import { visibleLine } from '../../visible.ts';
+
+const COUNTED: Record<string, readonly [one: string, many: string]> = {
+  coldAsteroids: ['cold asteroid', 'cold asteroids'],
+  hotAsteroids: ['hot asteroid', 'hot asteroids'],
+  novae: ['dwarf nova', 'dwarf novae'],
+  repulsors: ['repulsor field', 'repulsor fields'],
+  aliens: ['alien', 'aliens'],
+  minerals: ['mineral', 'minerals'],
+  runs: ['run', 'runs'],
+};
+
+/** What `inspect` found out, for a person. */
+export function inspectPretty({ file, level, effects, counts, modes, work, problems }: Inspection, colors: Colors): string {
+  const list = (rows: readonly { readonly name: string; readonly because: string }[]): string =>
+    alignColumns(rows.map(({ name, because }) => [name, because]))
+      .map((line) => `  ${line}\n`)
+      .join('');
+  const has = Object.entries(counts)
+    .filter(([, count]) => count > 0)
+    .map(([key, count]) => `${plural(count, ...COUNTED[key])}`);
+  let text = `${colors.bold(visibleLine(level))}: ${has.length === 0 ? 'nothing but the black hole' : has.join(', ')}\n`;
+  text += `\n${colors.bold('simulated')}\n${list(effects.simulated)}`;
+  if (effects.notCalledFor.length > 0) text += `\n${colors.bold('not called for')}\n${list(effects.notCalledFor)}`;
+  if (work.pieces > 0) {
+    const { pieces, forceEvaluations, guards, roots } = work;
+    text += `\nits first run takes ${pieces} pieces of motion, ${forceEvaluations} force evaluations, ${guards} guards, ${roots} roots\n`;
+    const spent = modes.map(({ name, share }) => `${(100 * share).toFixed(1)} % ${name}`);
+    text += `its time: ${spent.join(', ')}\n`;
+  }
+  if (problems.length > 0) text += `\n${showFileProblems(file, problems, colors)}`;
+  return text;
+}
