@@ -1,5 +1,6 @@
 import { createStore } from 'zustand/vanilla';
 import type { LevelFile } from '../../schema/index.ts';
+import { createAttempts } from '../attempts/index.ts';
 import { createCommands } from '../commands/index.ts';
 import type { Analysis, Editor, OpenLevel } from '../context/index.ts';
 import { createSelection, type ObjectKey } from '../document/index.ts';
@@ -15,7 +16,7 @@ import {
 import { createNotices } from '../notices/index.ts';
 import { openHeldBack } from '../panels/levels/index.ts';
 import { afterRest } from '../panels/parts/index.ts';
-import { attemptGhosts, createAttempts } from '../play/index.ts';
+import { attemptGhosts } from '../play/index.ts';
 import { createProofStore } from '../proof/index.ts';
 import { createSession } from '../session/index.ts';
 import { createSettings } from '../settings/index.ts';

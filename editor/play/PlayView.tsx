@@ -1,10 +1,10 @@
 import { Check, Plus, RotateCcw, Route, X } from 'lucide-react';
 import { useCallback, useEffect, useRef, useState } from 'react';
 import { useStore } from 'zustand';
+import type { Attempt } from '../attempts/index.ts';
 import { useEditor, useLevel, useProof, useSession, useTouch } from '../context/index.ts';
 import { outcomeInWords } from '../proof/index.ts';
 import { Button } from '../ui/index.ts';
-import type { Attempt } from './attempts.ts';
 import { listenToGun } from './gun-input.ts';
 import { keepAsRun, makeProof } from './keep-attempt.ts';
 import './play.css';

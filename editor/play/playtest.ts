@@ -10,7 +10,7 @@ import {
   TICK_RATE,
 } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
-import type { Pose } from '../canvas/index.ts';
+import type { Pose } from '../context/index.ts';
 import type { RunEnd } from '../proof/index.ts';
 
 /** After so many ticks `gq simulate` says timeout. */

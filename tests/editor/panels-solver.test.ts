@@ -3,7 +3,7 @@ import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { createStore } from 'zustand/vanilla';
-import type { Ghost } from '../../editor/canvas/layers/way-layer.ts';
+import type { Ghost } from '../../editor/context/index.ts';
 import { addRun, createEditedLevel, setLevelProperty } from '../../editor/document/index.ts';
 import { extraInWords } from '../../editor/panels/figures/index.ts';
 import { createDifficultyDesk } from '../../editor/panels/solver/difficulty.ts';

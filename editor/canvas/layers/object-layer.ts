@@ -1,7 +1,7 @@
 import type { Scene } from 'phaser';
 import { DEFAULT_RADIUS, type LevelFile } from '../../../schema/index.ts';
+import type { Pose } from '../../context/index.ts';
 import { ASTRONAUT, type FoundObject, type ObjectKey, objectsOf, radiusOf } from '../../document/index.ts';
-import type { Pose } from '../pose.ts';
 import { ROCKS, TEXTURE_UNIT } from '../textures/index.ts';
 import type { Thing } from './thing.ts';
 import { ThingLayer } from './thing-layer.ts';

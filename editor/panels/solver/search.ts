@@ -2,7 +2,7 @@ import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { Scene } from '../../../engine/index.ts';
 import type { Hold, Level } from '../../../schema/index.ts';
 import { type Candidate, type Goal, mineralsNeeded, type Proof, proofPicture, verifyRun } from '../../../solver/index.ts';
-import type { Ghost } from '../../canvas/layers/way-layer.ts';
+import type { Ghost } from '../../context/index.ts';
 import { addRun, type EditedLevel, freeRunName, replaceHolds } from '../../document/index.ts';
 import type { ProofStore } from '../../proof/index.ts';
 import type { SessionStore } from '../../session/index.ts';
