@@ -1,6 +1,6 @@
 import { compile, createSimulation, playScript, type Simulation, STATE_SIZE, simulate, TICK } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
-import { countOnePress } from '../difficulty/one-press.ts';
+import { countOnePress } from '../difficulty/index.ts';
 import type { Goal } from '../goal.ts';
 import type { Random } from '../random.ts';
 import { successProbability } from '../robustness/index.ts';
