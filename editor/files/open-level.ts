@@ -3,9 +3,10 @@ import { formatLevel, type Problem } from '../../schema/index.ts';
 import { createEditedLevel, type EditedLevel, isSame } from '../document/index.ts';
 import type { Journal, Keeping, LevelJournal, Recovery } from '../journal/index.ts';
 import { readStored, readText } from './disk-text.ts';
+import type { DiskBase } from './known-disk.ts';
 import type { LevelStorage, StorageError } from './level-storage.ts';
 import { mergeLevels } from './merge.ts';
-import { createSaver, type DiskBase, type Saver } from './saver.ts';
+import { createSaver, type Saver } from './saver.ts';
 import type { Timers } from './timers.ts';
 import { type Channel, claimLevel, type Role, type WriterLock } from './writer-lock.ts';
 
