@@ -5,7 +5,7 @@ import { useLevel } from '../../context/index.ts';
 import { problemsInWords, type SaveState } from '../../files/index.ts';
 import { type LiveProof, withProofs } from '../../proof/index.ts';
 import { useRestingProof } from '../parts/index.ts';
-import { type Checked, checkedOf, useSolverDesk } from '../solver/index.ts';
+import { type Checked, checkedOf, useSolverSession } from '../solver/index.ts';
 import { keepSame } from './kept.ts';
 
 /** ms without a change before problems are looked for: that plays every run at two accuracies at least, which would cost a drag its frames */
@@ -38,7 +38,7 @@ function problemsOfFile(id: string, state: SaveState): readonly Problem[] {
 /** What is wrong with the level and what looks wrong, with what a worker has proved about it; the component follows it once the level rests. */
 export function useProblems(): readonly Problem[] {
   const known = useRestingProof(knownOf, REST);
-  const { proofs, checks } = useSolverDesk();
+  const { proofs, checks } = useSolverSession();
   const proved = useStore(proofs.store);
   const checked = useStore(checks.store);
   const { opened } = useLevel();

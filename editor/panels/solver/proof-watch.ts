@@ -1,7 +1,7 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { ProofStore, Proved } from '../../proof/index.ts';
 import type { Job, Workers } from '../../workers/index.ts';
-import { withoutRuns } from './search.ts';
+import { withoutRuns } from './without-runs.ts';
 
 export interface ProofWatch {
   /** What is proved of the level as it is; nothing while that is not known. */

@@ -7,8 +7,8 @@ import { endInWords, isWhole, type ProofStore } from '../../proof/index.ts';
 import { FAN_TICKS, type FanWay, type Job, type Workers } from '../../workers/index.ts';
 import { plural } from '../figures/index.ts';
 import { type GhostShelf, putGhosts } from './ghost-shelf.ts';
-import { withoutRuns } from './search.ts';
 import { everyTick } from './ways.ts';
+import { withoutRuns } from './without-runs.ts';
 
 /** How much the shown run forgives, as far as it is known. */
 export interface RobustnessState {

@@ -2,8 +2,8 @@ import { TICK } from '../../../engine/index.ts';
 import { mineralsNeeded } from '../../../solver/index.ts';
 import { inPageWords } from '../../document/index.ts';
 import { pixels, plural, seconds } from '../figures/index.ts';
-import type { SearchState } from './search.ts';
-import { goalOf, type Wish } from './wish.ts';
+import { goalOf, type SearchSettings } from './search-settings.ts';
+import type { SearchState } from './search-state.ts';
 
 /** How a search stands, for people. */
 export interface Standing {
@@ -22,8 +22,8 @@ export interface OwnRuns {
 }
 
 /** What is asked of a run besides the black hole: ` with all 3 minerals`; '' where minerals do not matter. @param count minerals in the level */
-export function askedInWords(wish: Wish, count: number): string {
-  const goal = goalOf(wish, count);
+export function askedInWords(settings: SearchSettings, count: number): string {
+  const goal = goalOf(settings, count);
   if (goal.minerals === 'any') return '';
   const needed = mineralsNeeded(goal, count);
   if (needed < count) return ` with at least ${needed} of ${count} minerals`;
@@ -50,10 +50,10 @@ function nearInWords({ solving }: SearchState, asked: string): string {
 }
 
 /** Why a search that is over is over, as the beginning of a sentence. */
-function endInWords({ phase, wish, ms, solving }: SearchState): string {
+function endInWords({ phase, settings, ms, solving }: SearchState): string {
   if (phase === 'cancelled') return `Stopped by hand after ${(ms / 1000).toFixed(1)} s`;
   if (solving?.finished === true) return 'Nothing is left to try';
-  return `The ${wish?.budget ?? 0} s are over`;
+  return `The ${settings?.budget ?? 0} s are over`;
 }
 
 /** @param wanted different ways that are looked for */
@@ -77,8 +77,8 @@ function foundInWords(state: SearchState, asked: string, wanted: number): Standi
  * @param wanted different ways that are looked for
  */
 export function standingOf(state: SearchState, own: OwnRuns, count: number, wanted: number): Standing {
-  const { phase, found, impossible, isHopeless, isOld, message, wish } = state;
-  const asked = wish === null ? '' : askedInWords(wish, count);
+  const { phase, found, impossible, isHopeless, isOld, message, settings } = state;
+  const asked = settings === null ? '' : askedInWords(settings, count);
   const say = (tone: Standing['tone'], text: string): Standing => ({ tone, text, note: null });
   if (impossible !== null) return say('bad', `Proved impossible: ${inPageWords(impossible.reason)}.`);
   if (isHopeless && found.length === 0) return say('bad', `Proved: no run completes the level${asked}.${ownInWords(own, asked)}`);

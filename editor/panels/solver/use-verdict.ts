@@ -3,7 +3,7 @@ import { type OpenLevel, useEditor } from '../../context/index.ts';
 import { inPageWords } from '../../document/index.ts';
 import { type LiveProof, limitInWords } from '../../proof/index.ts';
 import { checkedOf } from './check-watch.ts';
-import { solverDeskOf } from './desk.ts';
+import { solverSessionOf } from './solver-session.ts';
 
 interface Verdict {
   readonly verdict: LiveProof['verdict'] | 'impossible';
@@ -15,13 +15,13 @@ interface Verdict {
 
 /** The verdict of `gq check` on an open level, as far as it is known by now. */
 export function useVerdict(level: OpenLevel): Verdict {
-  const desk = solverDeskOf(useEditor(), level);
+  const solver = solverSessionOf(useEditor(), level);
   const own = useStore(level.proof.store, (proof) => proof.verdict);
   const limit = useStore(level.proof.store, (proof) => proof.limit);
   const file = useStore(level.proof.store, (proof) => proof.file);
   const accuracy = useStore(level.proof.store, (proof) => proof.accuracy);
-  const checked = checkedOf({ file, accuracy, limit }, useStore(desk.checks.store));
-  const proof = useStore(desk.proofs.store, ({ impossible }) => impossible);
+  const checked = checkedOf({ file, accuracy, limit }, useStore(solver.checks.store));
+  const proof = useStore(solver.proofs.store, ({ impossible }) => impossible);
   const verdict = own === 'completable' ? own : (checked?.result?.verdict ?? own);
   if (verdict === 'completable') return { verdict, reason: null, limit: null };
   if (proof !== null) return { verdict: 'impossible', reason: inPageWords(proof.reason), limit: null };

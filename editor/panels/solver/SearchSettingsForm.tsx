@@ -6,7 +6,7 @@ import { IS_MAC, useDocument } from '../../context/index.ts';
 import { Button, NumberField } from '../../ui/index.ts';
 import { Segments } from '../parts/index.ts';
 import { SOLVE_KEY } from './SolverWatch.tsx';
-import { useSolverDesk } from './use-desk.ts';
+import { useSolverSession } from './use-solver-session.ts';
 
 const OBJECTIVES = [
   { value: 'robust', title: 'safest', about: 'the run that still succeeds when every press is a little off' },
@@ -16,23 +16,23 @@ const OBJECTIVES = [
 ] as const;
 
 /** What to look for, and the button that does. */
-export function WishForm() {
-  const { wish: store, search } = useSolverDesk();
-  const wish = useStore(store);
+export function SearchSettingsForm() {
+  const { settings: store, search } = useSolverSession();
+  const settings = useStore(store);
   const isRunning = useStore(search.store, ({ phase }) => phase === 'running');
   const minerals = useDocument(({ file }) => file.minerals?.length ?? 0);
   return (
-    <div className="wish">
+    <div className="search-settings">
       <Segments
         label="Best is"
-        value={wish.objective}
+        value={settings.objective}
         options={OBJECTIVES}
         onChange={(objective) => store.setState({ objective })}
       />
       {minerals > 0 && (
         <Segments
           label="Minerals"
-          value={wish.minerals}
+          value={settings.minerals}
           options={[
             { value: 'any', title: 'any', about: 'minerals do not matter' },
             { value: 'some', title: 'some', about: 'at least so many' },
@@ -41,11 +41,11 @@ export function WishForm() {
           onChange={(wanted) => store.setState({ minerals: wanted })}
         />
       )}
-      <div className="wish__numbers">
-        {minerals > 0 && wish.minerals === 'some' && (
+      <div className="search-settings__numbers">
+        {minerals > 0 && settings.minerals === 'some' && (
           <NumberField
             label="At least"
-            value={Math.min(wish.some, minerals)}
+            value={Math.min(settings.some, minerals)}
             min={1}
             max={minerals}
             whole
@@ -55,7 +55,7 @@ export function WishForm() {
         <NumberField
           label="Seconds"
           about="How long to look, at most"
-          value={wish.budget}
+          value={settings.budget}
           min={1}
           max={3600}
           whole
@@ -64,7 +64,7 @@ export function WishForm() {
         <NumberField
           label="Seed"
           about="Another seed looks elsewhere first"
-          value={wish.seed}
+          value={settings.seed}
           min={0}
           max={LIMITS.coordinate}
           whole

@@ -3,9 +3,9 @@ import type { Scene } from '../../../engine/index.ts';
 import { type Difficulty, mineralsNeeded } from '../../../solver/index.ts';
 import type { ProofStore } from '../../proof/index.ts';
 import type { Job, Workers } from '../../workers/index.ts';
-import { withoutRuns } from './search.ts';
+import { goalOf, type SearchSettingsStore } from './search-settings.ts';
 import { askedInWords } from './standing.ts';
-import { goalOf, type WishStore } from './wish.ts';
+import { withoutRuns } from './without-runs.ts';
 
 export interface DifficultyState {
   /** `none`: there is no run to measure. */
@@ -20,7 +20,7 @@ export interface DifficultyState {
   readonly isOld: boolean;
 }
 
-export interface DifficultyDesk {
+export interface DifficultySession {
   readonly store: StoreApi<DifficultyState>;
   start(): void;
   cancel(): void;
@@ -30,11 +30,11 @@ export interface DifficultyDesk {
 interface DifficultyParts {
   readonly level: { readonly proof: ProofStore };
   readonly workers: Pick<Workers, 'start'>;
-  readonly wish: WishStore;
+  readonly settings: SearchSettingsStore;
 }
 
 /** How hard the level is, measured when it is asked for: by the shown run where it completes the level, else by one that is looked for. */
-export function createDifficultyDesk({ level: { proof }, workers, wish }: DifficultyParts): DifficultyDesk {
+export function createDifficultySession({ level: { proof }, workers, settings }: DifficultyParts): DifficultySession {
   const store = createStore<DifficultyState>(() => ({
     phase: 'idle',
     message: null,
@@ -58,8 +58,8 @@ export function createDifficultyDesk({ level: { proof }, workers, wish }: Diffic
     start() {
       cancel();
       const { level, accuracy, run, scene } = proof.proof();
-      const goal = goalOf(wish.getState(), level.minerals.length);
-      const asked = askedInWords(wish.getState(), level.minerals.length);
+      const goal = goalOf(settings.getState(), level.minerals.length);
+      const asked = askedInWords(settings.getState(), level.minerals.length);
       // only a run that does what is asked can be measured by it
       const completes =
         run.name !== null &&
@@ -67,7 +67,7 @@ export function createDifficultyDesk({ level: { proof }, workers, wish }: Diffic
         new Set(run.minerals.map(({ index }) => index)).size >= mineralsNeeded(goal, level.minerals.length);
       measured = { scene, holds: run.holds.join() };
       store.setState({ phase: 'measuring', message: null, isOld: false, run: completes ? run.name : null, asked });
-      const budget = 1000 * wish.getState().budget;
+      const budget = 1000 * settings.getState().budget;
       const mine = workers.start('difficulty', {
         level: withoutRuns(level),
         accuracy,
