@@ -1,8 +1,8 @@
 import * as z from 'zod';
 import { closestName } from './closest-name.ts';
+import { formatValue, quote } from './format-value.ts';
 import { LEVEL_VERSION, LIMITS, levelSchema, OBJECT_LISTS } from './level.ts';
 import { type Finding, MAX_FINDINGS, type Path, toWords } from './problem.ts';
-import { quote, sayValue } from './say.ts';
 
 const { shape } = levelSchema;
 const runSchema = shape.runs.unwrap().element;
@@ -118,11 +118,11 @@ function wrongType(path: Path, expected: string, value: unknown): Finding {
   if (Array.isArray(value) && path.length === 1 && (path[0] === 'astronaut' || path[0] === 'blackHole')) {
     const what = path[0] === 'astronaut' ? 'astronaut' : 'black hole';
     const hint = `Keep one of them, without the list around it: "${path[0]}": { "x": 0, "y": 0 }.`;
-    return found(path, 'one-per-level', `a level has exactly one ${what}, found ${sayValue(value)}`, hint);
+    return found(path, 'one-per-level', `a level has exactly one ${what}, found ${formatValue(value)}`, hint);
   }
   if (path.length === 0) {
     const hint = 'A level is one object in { }; gq import reads the list of levels of the original game.';
-    return found(path, 'wrong-type', `expected a level, an object in { }, found ${sayValue(value)}`, hint);
+    return found(path, 'wrong-type', `expected a level, an object in { }, found ${formatValue(value)}`, hint);
   }
   if (expected === 'int' && typeof value === 'number') {
     return found(path, 'not-whole', `expected a whole number, found ${value}`, `Write ${Math.round(value)}.`);
@@ -132,7 +132,7 @@ function wrongType(path: Path, expected: string, value: unknown): Finding {
   const isNumber = expected === 'number' || expected === 'int';
   if (isNumber && typeof value === 'string' && /^-?\d+(\.\d+)?$/.test(value)) hint = 'Remove the quotes.';
   else if (expected === 'boolean' && (value === 'true' || value === 'false')) hint = 'Remove the quotes.';
-  return found(path, 'wrong-type', `expected ${words}, found ${sayValue(value)}`, hint);
+  return found(path, 'wrong-type', `expected ${words}, found ${formatValue(value)}`, hint);
 }
 
 function outOfLimits(path: Path, issue: z.core.$ZodIssueTooBig | z.core.$ZodIssueTooSmall, value: unknown): Finding {
@@ -152,10 +152,10 @@ function toFinding(issue: z.core.$ZodIssue, path: Path, value: unknown): Finding
   if (issue.code === 'invalid_type') return wrongType(path, issue.expected, value);
   if (issue.code === 'too_big' || issue.code === 'too_small') return outOfLimits(path, issue, value);
   if (issue.code === 'invalid_format') {
-    const message = `expected 2 to 16 of the characters a-z and 0-9, found ${sayValue(value)}`;
+    const message = `expected 2 to 16 of the characters a-z and 0-9, found ${formatValue(value)}`;
     return found(path, 'bad-id', message, 'Correct it, or remove it: gq fmt writes a new one.');
   }
-  const message = `expected ${LEVEL_VERSION}, found ${sayValue(value)}`;
+  const message = `expected ${LEVEL_VERSION}, found ${formatValue(value)}`;
   return found(path, 'unsupported-version', message, `Write "version": ${LEVEL_VERSION}.`);
 }
 

@@ -1,8 +1,8 @@
+import { formatValue } from './format-value.ts';
 import { withIds } from './ids.ts';
 import { LEVEL_VERSION, type LevelFile, LIMITS } from './level.ts';
 import { type Finding, MAX_FINDINGS, type Path, type Problem, toWords } from './problem.ts';
 import { readJson, toProblems } from './read-json.ts';
-import { sayValue } from './say.ts';
 
 export interface ImportedLevel {
   /** `level-NN` by place in the list, from 0; `level-01` for a single object. */
@@ -55,7 +55,7 @@ class OriginalReader {
     const value = object[key];
     const at = [...path, key];
     if (typeof value !== 'number') {
-      this.find('wrong-type', at, `expected a number, found ${sayValue(value)}`, 'Write a number.');
+      this.find('wrong-type', at, `expected a number, found ${formatValue(value)}`, 'Write a number.');
     } else if (value < least || value > most) {
       this.find(
         'out-of-limits',
@@ -76,7 +76,7 @@ class OriginalReader {
     const size = typeof value === 'string' && /^\d+(\.\d+)?$/.test(value) ? Number(value) : value;
     const at = [...path, key];
     if (typeof size !== 'number') {
-      this.find('wrong-type', at, `expected a number or a text of digits, found ${sayValue(value)}`, 'Write a number.');
+      this.find('wrong-type', at, `expected a number or a text of digits, found ${formatValue(value)}`, 'Write a number.');
     } else if (size < LIMITS.leastRadius || size > LIMITS.radius) {
       const limits = `from ${LIMITS.leastRadius} to ${LIMITS.radius}`;
       this.find('out-of-limits', at, `expected a number ${limits}, found ${size}`, `Write a number ${limits}.`);
@@ -103,7 +103,7 @@ class OriginalReader {
     this.find(
       'wrong-type',
       [...path, key],
-      `expected an object in { }, found ${sayValue(value)}`,
+      `expected an object in { }, found ${formatValue(value)}`,
       'Write an object with x and y.',
     );
     return null;
@@ -114,7 +114,7 @@ class OriginalReader {
     const value = level[key];
     const at = [...path, key];
     if (!Array.isArray(value)) {
-      this.find('wrong-type', at, `expected a list in [ ], found ${sayValue(value)}`, 'Write a list of objects.');
+      this.find('wrong-type', at, `expected a list in [ ], found ${formatValue(value)}`, 'Write a list of objects.');
       return undefined;
     }
     if (value.length > LIMITS.objects) {
@@ -129,7 +129,7 @@ class OriginalReader {
         this.find(
           'wrong-type',
           [...at, i],
-          `expected an object in { }, found ${sayValue(entry)}`,
+          `expected an object in { }, found ${formatValue(entry)}`,
           'Write an object with x and y.',
         );
     }
@@ -157,7 +157,7 @@ function readLevelObject(reader: OriginalReader, level: Json, path: Path, name: 
       reader.find(
         'wrong-type',
         [...at, 'enemy'],
-        `expected true or false, found ${sayValue(enemy)}`,
+        `expected true or false, found ${formatValue(enemy)}`,
         'Write true for a hot asteroid.',
       );
     }
@@ -205,7 +205,7 @@ export function importOriginal(source: Uint8Array | string, options: { readonly 
       reader.find(
         'wrong-type',
         path,
-        `expected ${expected}, found ${sayValue(entry)}`,
+        `expected ${expected}, found ${formatValue(entry)}`,
         'Write an object with player and target.',
       );
     } else if (Object.keys(entry).length === 0) {

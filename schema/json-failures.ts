@@ -1,7 +1,7 @@
 import { closestName } from './closest-name.ts';
+import { quote } from './format-value.ts';
 import { isDigit, isSpace, LITERALS, wordAt } from './json-characters.ts';
 import type { Finding } from './problem.ts';
-import { quote } from './say.ts';
 
 /** What may come next in a JSON text. */
 export type Expected = 'value' | 'value or ]' | 'key' | 'key or }' | 'colon' | 'after' | 'end';

@@ -1,7 +1,7 @@
+import { quote } from './format-value.ts';
 import { isDigit, LOWER_E, LOWER_X, MINUS, PLUS, POINT, UPPER_E, UPPER_X, wordAt, ZERO } from './json-characters.ts';
 import { failureAt, truncated, unexpected } from './json-failures.ts';
 import type { Finding } from './problem.ts';
-import { quote } from './say.ts';
 
 /** @returns the offset after the number at `start`, or what is wrong with it */
 export function scanNumber(text: string, start: number): number | Finding {

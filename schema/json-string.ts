@@ -1,7 +1,7 @@
+import { quote } from './format-value.ts';
 import { BACKSLASH, CARRIAGE_RETURN, isHex, LINE_FEED, QUOTE, TAB } from './json-characters.ts';
 import { failureAt, truncated } from './json-failures.ts';
 import type { Finding } from './problem.ts';
-import { quote } from './say.ts';
 
 const CLOSING = 'the closing " of the text';
 

@@ -130,11 +130,21 @@ export const OBJECT_LISTS = ['asteroids', 'novae', 'repulsors', 'aliens', 'miner
 /** A level as its file says it: what may be left out may be missing. */
 export type LevelFile = z.infer<typeof levelSchema>;
 
-export interface Circle {
-  readonly id: string | null;
+/** A place in a level, px. */
+export interface Place {
   readonly x: number;
   readonly y: number;
+}
+
+/** A disc in a level; `radius` in px. */
+export interface Disc extends Place {
   readonly radius: number;
+}
+
+/** An object of a level that is a disc. */
+export interface Circle extends Disc {
+  /** null: the file gives it none */
+  readonly id: string | null;
 }
 
 export interface Asteroid extends Circle {
@@ -153,8 +163,8 @@ export interface ScriptedRun {
 export interface Level {
   readonly name: string;
   readonly description: string;
-  readonly astronaut: { readonly x: number; readonly y: number; readonly vx: number; readonly vy: number };
-  readonly blackHole: { readonly x: number; readonly y: number; readonly radius: number };
+  readonly astronaut: Place & { readonly vx: number; readonly vy: number };
+  readonly blackHole: Disc;
   readonly range: number;
   readonly recoil: boolean;
   readonly asteroids: readonly Asteroid[];

@@ -1,5 +1,5 @@
+import { quote } from './format-value.ts';
 import { type Finding, MAX_FINDINGS, type Path } from './problem.ts';
-import { quote } from './say.ts';
 
 /** Brackets may be nested this deep; a level needs 4. */
 export const MAX_DEPTH = 64;

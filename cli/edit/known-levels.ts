@@ -7,7 +7,7 @@ import { changesBetween } from './changes.ts';
 import { findLevel, findLevels, inOrderOfPlay, type LevelFileFound } from './level-files.ts';
 import type { EntryReader } from './read-entry.ts';
 
-/** What everybody has been told of a folder, kept the same as the disk. */
+/** What has been reported of a folder to everybody, kept the same as the disk. */
 export interface KnownLevels {
   /** What is known now. */
   list(): ListResponse;
@@ -23,10 +23,10 @@ export interface KnownLevels {
   end(): void;
 }
 
-/** So many files are read before anybody asks; of larger folders the rest is told as it is read. */
+/** So many files are read before anybody asks; of larger folders the rest is reported as it is read. */
 const READ_AT_ONCE = 500;
 
-/** Levels that are told together while a folder is read for the first time. */
+/** Levels that are reported together while a folder is read for the first time. */
 const TOLD_TOGETHER = 1000;
 
 /** How long the disk is read before others get their turn, ms. */

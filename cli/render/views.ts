@@ -10,7 +10,7 @@ import type { Solved } from '../solve/index.ts';
 
 /** What a picture shows, but for its size and colours. */
 export interface View extends Omit<RenderOptions, 'width' | 'theme'> {
-  /** What the person is told beside the picture: where it shows less than was asked for. */
+  /** What is reported to the person beside the picture: where it shows less than was asked for. */
   readonly remark?: string;
 }
 

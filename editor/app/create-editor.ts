@@ -55,7 +55,14 @@ function openParts(editor: Editor, opened: OpenedLevel): { level: OpenLevel; clo
       ghosts.setState([...others, ...attemptGhosts(all)], true);
     }),
   ];
-  session.setState({ run: null, tick: 0, hoverTick: null, rolling: false, mode: 'edit', accuracy: settings.getState().accuracy });
+  session.setState({
+    run: null,
+    tick: 0,
+    hoverTick: null,
+    isPlayingBack: false,
+    mode: 'edit',
+    accuracy: settings.getState().accuracy,
+  });
   const level: OpenLevel = {
     opened,
     document,
@@ -158,11 +165,11 @@ export async function createEditor(): Promise<Editor> {
   const workspace = createWorkspace(surroundings);
   const notices = createNotices();
   const { journal } = surroundings;
-  let toldLink = '';
+  let reportedLink = '';
   const tellLink = (link: Link) => {
     const text = link === 'up' ? '' : linkInWords(link, journal.state.getState().kind === 'working');
-    if (text === toldLink) return;
-    toldLink = text;
+    if (text === reportedLink) return;
+    reportedLink = text;
     if (text === '') notices.settle('server');
     else notices.show('warning', text, { topic: 'server' });
   };

@@ -69,12 +69,12 @@ export function canvasCommands({
   const { document, selection } = level;
   const needsSelected = (least: 1 | 2 | 3) => () =>
     selection.keys().length >= least ? null : `select ${['an object', 'two objects', 'three objects'][least - 1]} first`;
-  const told = (result: ChangeResult): ChangeResult => {
+  const reported = (result: ChangeResult): ChangeResult => {
     if (!result.ok) notices.show('warning', `${result.refusal.message}. ${result.refusal.hint}`, { topic: 'refused' });
     return result;
   };
   const change = (label: string, recipe: Recipe, gesture?: string) =>
-    told(document.change(label, recipe, gesture === undefined ? {} : { gesture }));
+    reported(document.change(label, recipe, gesture === undefined ? {} : { gesture }));
   const added = (result: ChangeResult) => {
     if (result.ok && result.added.length > 0) selection.select(result.added);
   };

@@ -16,7 +16,7 @@ export class KnownDisk {
   /** The level is to be written even if it is the same. */
   private isForced = false;
 
-  /** @param onDisk told what is on the disk whenever that is known anew */
+  /** @param onDisk called with what is on the disk whenever that is known anew */
   constructor(
     private readonly level: EditedLevel,
     base: DiskBase,

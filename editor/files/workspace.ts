@@ -70,23 +70,23 @@ export function createWorkspace(surroundings: Omit<Surroundings, 'folder'>): Wor
     const now = renamed.find(({ from }) => from === opened?.id())?.entry;
     if (now?.etag != null) opened?.moved(now.id, now.etag);
   };
-  /** Ids that were told since a list began: a long one comes in parts, and until the last one what was known stays on the screen. */
+  /** Ids that were reported since a list began: a long one comes in parts, and until the last one what was known stays on the screen. */
   let heard = new Set<string>();
   const hear = (levels: readonly LevelEntry[], next: ListResponse) => {
     const { list, opened } = store.getState();
-    const told = new Map(levels.map((entry) => [entry.id, entry]));
-    for (const id of told.keys()) heard.add(id);
+    const reported = new Map(levels.map((entry) => [entry.id, entry]));
+    for (const id of reported.keys()) heard.add(id);
     const isWhole = next.unread === 0;
-    if (isWhole && told.size === heard.size) store.setState({ list: { ...next, levels: [...levels] }, error: null });
+    if (isWhole && reported.size === heard.size) store.setState({ list: { ...next, levels: [...levels] }, error: null });
     else {
       const before = list?.levels ?? [];
-      const kept = before.filter(({ id }) => !isWhole || heard.has(id)).map((entry) => told.get(entry.id) ?? entry);
+      const kept = before.filter(({ id }) => !isWhole || heard.has(id)).map((entry) => reported.get(entry.id) ?? entry);
       const known = new Set(before.map(({ id }) => id));
       store.setState({ list: { ...next, levels: [...kept, ...levels.filter(({ id }) => !known.has(id))] }, error: null });
     }
-    // one that was not told of is looked for once all are
+    // one that was not reported is looked for once all are
     if (opened === null) return;
-    if (told.has(opened.id())) opened.saver.refresh(told.get(opened.id())?.etag);
+    if (reported.has(opened.id())) opened.saver.refresh(reported.get(opened.id())?.etag);
     else if (isWhole && !heard.has(opened.id())) opened.saver.refresh();
   };
   const refreshList = async () => {

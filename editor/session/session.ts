@@ -39,7 +39,7 @@ export interface Session {
   /** The tick under the pointer in the timeline, or null. */
   readonly hoverTick: number | null;
   /** Whether the timeline plays the run by itself. */
-  readonly rolling: boolean;
+  readonly isPlayingBack: boolean;
   readonly rate: Rate;
   readonly accuracy: AccuracyName;
   readonly layers: Readonly<Record<Layer, boolean>>;
@@ -61,7 +61,7 @@ export function createSession(accuracy: AccuracyName): SessionStore {
     run: null,
     tick: 0,
     hoverTick: null,
-    rolling: false,
+    isPlayingBack: false,
     rate: 1,
     accuracy,
     layers: { ranges: true, margins: true, nearMisses: true, slackFan: true, ghosts: true, heatMap: false },

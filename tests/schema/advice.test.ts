@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
+import { quote } from '../../schema/format-value.ts';
 import { readLevel } from '../../schema/index.ts';
-import { quote } from '../../schema/say.ts';
 import { scanJson } from '../../schema/scan-json.ts';
 
 // What a person is told to do about each problem, and where.

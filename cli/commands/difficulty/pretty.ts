@@ -10,13 +10,13 @@ export function difficultyPretty(levels: readonly MeasuredLevel[], colors: Color
   const measured = levels.filter(hasDifficulty);
   const text = levels.length === 1 && measured.length === 1 ? detail(measured[0], colors) : table(measured, colors);
   const failures = levels.filter(({ difficulty }) => difficulty === null);
-  const told = failures.map(({ file, why, problems }) =>
+  const reported = failures.map(({ file, why, problems }) =>
     problems.length > 0
       ? showFileProblems(file, problems, colors)
       : `${visibleLine(file)}: ${colors.yellow('not measured')}: ${visibleLine(why)}\n`,
   );
   const grade = measured.length === 0 ? '' : 'the grade, 1 to 10, is an estimate made from the other numbers\n';
-  return `${text}${told.join('')}${grade}`;
+  return `${text}${reported.join('')}${grade}`;
 }
 
 type Hard = MeasuredLevel & { readonly difficulty: Difficulty };

@@ -20,7 +20,7 @@ export function fmtJson(files: readonly FormattedFile[]): string {
 export function fmtPretty(files: readonly FormattedFile[], colors: Colors): string {
   let text = '';
   for (const { file, status, problems } of files) {
-    // why one failed is told on the side
+    // why one failed is reported on the side
     if (status === 'unchanged' || status === 'failed') continue;
     const paint = status === 'invalid' ? colors.red : colors.yellow;
     text += `${paint(status)} ${visibleLine(file)}\n${showFileProblems(file, problems, colors)}`;

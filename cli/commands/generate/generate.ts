@@ -78,8 +78,8 @@ async function generate(options: Options): Promise<CommandResult> {
     throw new Failure(`--seed ${seed} --count ${count}: expected seeds up to ${LARGEST_SEED}, found up to ${seed + count - 1}`);
   await uncut(() => makeDirectory(out));
   const tasks = Array.from({ length: count }, (_, i): GenerateTask => {
-    const wish: GeneratorOptions = { seed: seed + i, size, difficulty, ...(ingredients && { ingredients }) };
-    return { options: wish, effort };
+    const options: GeneratorOptions = { seed: seed + i, size, difficulty, ...(ingredients && { ingredients }) };
+    return { options, effort };
   });
   const done: GenerateReport['levels'][number][] = [];
   const progress = createProgress('generated', count);

@@ -23,7 +23,7 @@ export interface Crosshair {
   hide(): boolean;
   /**
    * @param to one step to the left or right, up or down
-   * @param isRepeated the key is held: what is there is told once it is let go
+   * @param isRepeated the key is held: what is there is reported once it is let go
    */
   move(to: Point, stride: Stride, isRepeated: boolean): void;
   /** Does what a click of the pointer does there; lets go of what is held. */
@@ -72,7 +72,7 @@ export function createCrosshair({ element, context, pointer, grid, said }: Cross
     canvas.setState({ crosshair: shown ? place : null });
     hovered.setState(shown && !pointer.keys.isHolding() ? (under()?.key ?? null) : null, true);
   };
-  const say = (text: string) => {
+  const report = (text: string) => {
     isUntold = false;
     said.setState(text, true);
   };
@@ -80,9 +80,9 @@ export function createCrosshair({ element, context, pointer, grid, said }: Cross
   const tell = () => {
     const file = document.file();
     const here = placeInWords(place);
-    if (held === null) say(`${here}, ${thing()}`);
-    else if (canvas.getState().marquee !== null) say(`${here}, ${selection.keys().length} selected`);
-    else say(changeInWords(held.file, file) ?? here);
+    if (held === null) report(`${here}, ${thing()}`);
+    else if (canvas.getState().marquee !== null) report(`${here}, ${selection.keys().length} selected`);
+    else report(changeInWords(held.file, file) ?? here);
   };
   const input = (shift: boolean): PointerInput => {
     const view = context.view();
@@ -91,7 +91,7 @@ export function createCrosshair({ element, context, pointer, grid, said }: Cross
   };
   /** Says what came of it. */
   const tellDone = ({ file, keys }: { readonly file: LevelFile; readonly keys: readonly ObjectKey[] }) =>
-    say(
+    report(
       changeInWords(file, document.file()) ??
         `${selectionInWords(document.file(), keys, selection.keys())}. ${placeInWords(place)}`,
     );
@@ -124,18 +124,18 @@ export function createCrosshair({ element, context, pointer, grid, said }: Cross
     context.setView(withinView(context.view(), place));
     draw();
     if (why === undefined) tell();
-    else say(`${why}. ${placeInWords(place)}, ${thing()}`);
+    else report(`${why}. ${placeInWords(place)}, ${thing()}`);
   };
   const putBack = () => {
     held = null;
     draw();
-    say(`Put back. ${placeInWords(place)}, ${thing()}`);
+    report(`Put back. ${placeInWords(place)}, ${thing()}`);
   };
   const hide = () => {
     const was = isShown();
     isOut = false;
     draw();
-    if (was) say('');
+    if (was) report('');
     return was;
   };
 
@@ -150,7 +150,7 @@ export function createCrosshair({ element, context, pointer, grid, said }: Cross
     'blur',
     () => {
       if (pointer.keys.isHolding()) release(false);
-      else say('');
+      else report('');
       draw();
     },
     options,
@@ -200,7 +200,7 @@ export function createCrosshair({ element, context, pointer, grid, said }: Cross
       }
       if (context.tool() === 'hand') {
         context.setView({ ...context.view(), x: place.x, y: place.y });
-        say(`The middle of the view is at ${placeInWords(place)}`);
+        report(`The middle of the view is at ${placeInWords(place)}`);
         return;
       }
       const before = { file: document.file(), keys: selection.keys() };
@@ -221,7 +221,7 @@ export function createCrosshair({ element, context, pointer, grid, said }: Cross
       pointer.keys.press(input(shift), putBack);
       draw();
       if (what === null) tell();
-      else say(what === 'empty' ? `Selecting from ${placeInWords(place)}` : `Holding ${what}`);
+      else report(what === 'empty' ? `Selecting from ${placeInWords(place)}` : `Holding ${what}`);
     },
     stop() {
       for (const end of stops) end();

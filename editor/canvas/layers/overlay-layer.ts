@@ -1,6 +1,6 @@
 import type { GameObjects, Scene } from 'phaser';
 import { HALF_WIDTH } from '../../../engine/index.ts';
-import { DEFAULT_RANGE, type LevelFile } from '../../../schema/index.ts';
+import { DEFAULT_RANGE, type Disc, type LevelFile } from '../../../schema/index.ts';
 import { ASTRONAUT, type ObjectKey, objectsOf, radiusOf } from '../../document/index.ts';
 import type { Layer } from '../../session/index.ts';
 import type { CanvasState } from '../canvas-state.ts';
@@ -8,7 +8,7 @@ import { type Colours, colourNumber } from '../colours.ts';
 import { boxOf } from '../extent.ts';
 import { REACH, resizedByRim } from '../hit-test.ts';
 import { type Point, toLevel, type View } from '../view.ts';
-import { type Circle, Rings } from './rings.ts';
+import { Rings } from './rings.ts';
 
 /** Lines of the grid nearer to each other than this are left out, px of screen. */
 const GRID_LEAST = 7;
@@ -120,7 +120,7 @@ export class OverlayLayer {
     }
     this.ringed = input;
     const chosen: ReadonlySet<ObjectKey> = new Set(input.editing ? input.selected : []);
-    const around = { still: [] as Circle[], chosen: [] as Circle[], outlined: [] as Circle[] };
+    const around = { still: [] as Disc[], chosen: [] as Disc[], outlined: [] as Disc[] };
     for (const found of objectsOf(input.file).values()) {
       const radius = radiusOf(found);
       if (radius === null) continue;

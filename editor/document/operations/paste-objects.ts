@@ -24,7 +24,7 @@ export function readClipping(text: string): ClippingReading {
   }
   if (typeof value !== 'object' || value === null || Array.isArray(value)) return { ok: false, refusal: NOTHING };
   const lists = Object.fromEntries(OBJECT_LISTS.map((list) => [list, (value as Record<string, unknown>)[list]]));
-  // the lists are checked as those of a level, so that problems are told in the same words
+  // the lists are checked as those of a level, so that problems are reported in the same words
   const level = { version: LEVEL_VERSION, name: 'clipboard', astronaut: { x: 0, y: 0 }, blackHole: { x: 0, y: 0 }, ...lists };
   const reading = readLevel(JSON.stringify(level));
   if (!reading.ok) {

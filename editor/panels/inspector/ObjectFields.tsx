@@ -27,7 +27,7 @@ import {
 import type { LiveProof } from '../../proof/index.ts';
 import { Button } from '../../ui/index.ts';
 import { type Fact, plural } from '../figures/index.ts';
-import { Facts, Section, useCalmProof } from '../parts/index.ts';
+import { Facts, Section, useThrottledProof } from '../parts/index.ts';
 import { FieldRow } from './FieldRow.tsx';
 import { valueOfObjects } from './field-values.ts';
 import { aboutObject, type Field, sharedFields } from './fields.ts';
@@ -53,7 +53,7 @@ function countsOf(objects: readonly FoundObject[]): string {
 }
 
 /** What can be done with what is selected. @param isFixed only what every level has once */
-const Deeds = memo(function Deeds({ isFixed }: { readonly isFixed: boolean }) {
+const Interactions = memo(function Interactions({ isFixed }: { readonly isFixed: boolean }) {
   const { commands } = useEditor();
   return (
     <span className="inspector__does">
@@ -105,7 +105,7 @@ function RunFacts({ objectKey }: { readonly objectKey: string }) {
   );
   return (
     <Section title="What the run does with it">
-      <Facts facts={useCalmProof(pick)} />
+      <Facts facts={useThrottledProof(pick)} />
     </Section>
   );
 }
@@ -128,7 +128,7 @@ export function ObjectFields({ keys, objects }: ObjectFieldsProps) {
   const whose = one ? `of ${nameOf(first).toLowerCase()}` : `of ${objects.length} objects`;
   return (
     <>
-      <Section title={one ? nameOf(first) : plural(objects.length, 'object')} aside={<Deeds isFixed={isFixed} />}>
+      <Section title={one ? nameOf(first) : plural(objects.length, 'object')} aside={<Interactions isFixed={isFixed} />}>
         <p className="part__note">{one ? aboutObject(first) : countsOf(objects)}</p>
         {sharedFields(objects.map(({ kind }) => kind)).map((field) => (
           <FieldRow key={field.key} field={field} {...valueOfObjects(objects, field)} whose={whose} recipe={recipe} />

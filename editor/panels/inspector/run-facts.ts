@@ -7,9 +7,9 @@ const tickOf = (time: number): number => Math.floor(time * TICK_RATE + 1e-9);
 const at = (time: number): string => `at ${seconds(time)}`;
 
 /** Where an object is at a tick, or null when it is no longer there. */
-type Place = (tick: number) => { readonly x: number; readonly y: number } | null;
+type PlaceAt = (tick: number) => { readonly x: number; readonly y: number } | null;
 
-function placeOf({ run }: LiveProof, { kind, index, object }: FoundObject): Place {
+function placeOf({ run }: LiveProof, { kind, index, object }: FoundObject): PlaceAt {
   const { aliens, asteroids } = run.way;
   if (kind === 'alien') {
     const state = new Float64Array(3);

@@ -4,7 +4,7 @@ import type { Problem } from '../../../schema/index.ts';
 import { useLevel } from '../../context/index.ts';
 import { problemsInWords, type SaveState } from '../../files/index.ts';
 import { type LiveProof, withProofs } from '../../proof/index.ts';
-import { useRestingProof } from '../parts/index.ts';
+import { useDebouncedProof } from '../parts/index.ts';
 import { type Checked, checkedOf, useSolverSession } from '../solver/index.ts';
 import { keepSame } from './kept.ts';
 
@@ -37,7 +37,7 @@ function problemsOfFile(id: string, state: SaveState): readonly Problem[] {
 
 /** What is wrong with the level and what looks wrong, with what a worker has proved about it; the component follows it once the level rests. */
 export function useProblems(): readonly Problem[] {
-  const known = useRestingProof(knownOf, REST);
+  const known = useDebouncedProof(knownOf, REST);
   const { proofs, checks } = useSolverSession();
   const proved = useStore(proofs.store);
   const checked = useStore(checks.store);

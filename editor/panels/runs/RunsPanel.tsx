@@ -69,7 +69,7 @@ export function RunsPanel() {
     if (!result.ok) notices.show('warning', `${result.refusal.message}. ${result.refusal.hint}`, { topic: 'refused' });
     return result;
   };
-  const show = (name: string | null) => session.setState({ run: name, tick: 0, hoverTick: null, rolling: false });
+  const show = (name: string | null) => session.setState({ run: name, tick: 0, hoverTick: null, isPlayingBack: false });
   const add = () => {
     const name = freeRunName(document.file(), 'solution');
     if (!change('New run', addRun(name, [])).ok) return;

@@ -65,7 +65,7 @@ function SlackTable({ slack }: { readonly slack: readonly EdgeSlack[] }) {
                 onClick={() => {
                   if (name === null) return;
                   selection.selectHolds(name, [i]);
-                  session.setState({ tick: press, rolling: false });
+                  session.setState({ tick: press, isPlayingBack: false });
                 }}
               >
                 {press}–{release}

@@ -79,10 +79,11 @@ function foundInWords(state: SearchState, asked: string, wanted: number): Standi
 export function standingOf(state: SearchState, own: OwnRuns, count: number, wanted: number): Standing {
   const { phase, found, impossible, isHopeless, isOld, message, settings } = state;
   const asked = settings === null ? '' : askedInWords(settings, count);
-  const say = (tone: Standing['tone'], text: string): Standing => ({ tone, text, note: null });
-  if (impossible !== null) return say('bad', `Proved impossible: ${inPageWords(impossible.reason)}.`);
-  if (isHopeless && found.length === 0) return say('bad', `Proved: no run completes the level${asked}.${ownInWords(own, asked)}`);
-  if (phase === 'failed') return say('bad', `The search broke down: ${message}. Start it again; the level is untouched.`);
+  const withTone = (tone: Standing['tone'], text: string): Standing => ({ tone, text, note: null });
+  if (impossible !== null) return withTone('bad', `Proved impossible: ${inPageWords(impossible.reason)}.`);
+  if (isHopeless && found.length === 0)
+    return withTone('bad', `Proved: no run completes the level${asked}.${ownInWords(own, asked)}`);
+  if (phase === 'failed') return withTone('bad', `The search broke down: ${message}. Start it again; the level is untouched.`);
   const stopped = phase === 'stale' ? 'The level changed, so the search stopped. ' : '';
   if (found.length > 0) {
     const standing = foundInWords(state, asked, wanted);
@@ -90,12 +91,12 @@ export function standingOf(state: SearchState, own: OwnRuns, count: number, want
   }
   if (isOld) {
     const before = `The level has changed since it was searched; no run${asked} was found in it as it was. `;
-    return say('plain', `${stopped === '' ? before : stopped}Solve looks in the level as it is now.`);
+    return withTone('plain', `${stopped === '' ? before : stopped}Solve looks in the level as it is now.`);
   }
   const near = nearInWords(state, asked);
-  if (phase === 'running') return say('plain', `Looking for runs${asked}: none found yet.${near}${ownInWords(own, asked)}`);
+  if (phase === 'running') return withTone('plain', `Looking for runs${asked}: none found yet.${near}${ownInWords(own, asked)}`);
   const end = endInWords(state);
-  if (own.meets !== null) return say('plain', `${end}: no other run${asked} was found.${near}${ownInWords(own, asked)}`);
+  if (own.meets !== null) return withTone('plain', `${end}: no other run${asked} was found.${near}${ownInWords(own, asked)}`);
   const meaning = ' That does not prove that there is none.';
-  return say('warn', `${end}: no run into the black hole${asked} was found.${meaning}${near}${ownInWords(own, asked)}`);
+  return withTone('warn', `${end}: no run into the black hole${asked} was found.${meaning}${near}${ownInWords(own, asked)}`);
 }

@@ -3,7 +3,7 @@ import { openListed } from '../panels/levels/index.ts';
 import { objectRows } from '../panels/outliner/index.ts';
 
 /** Somewhere to go by its name: a level, a run or an object. */
-export interface Place {
+export interface Destination {
   /** unique */
   readonly key: string;
   readonly group: 'Level' | 'Run' | 'Object';
@@ -16,12 +16,12 @@ export interface Place {
 /** So many of a group are listed at most: who sees more types another letter. */
 const MOST = 12;
 
-/** Places that every word of the query occurs in; none while nothing is typed. */
-export function findPlaces(editor: Editor, query: string): readonly Place[] {
+/** Destinations that every word of the query occurs in; none while nothing is typed. */
+export function findDestinations(editor: Editor, query: string): readonly Destination[] {
   const words = query.toLowerCase().split(/\s+/).filter(Boolean);
   if (words.length === 0) return [];
-  const matching = (places: readonly Place[]) =>
-    places
+  const matching = (destinations: readonly Destination[]) =>
+    destinations
       .filter(({ group, title, detail }) => {
         const text = `${group} ${title} ${detail}`.toLowerCase();
         return words.every((word) => text.includes(word));
@@ -30,7 +30,7 @@ export function findPlaces(editor: Editor, query: string): readonly Place[] {
   return [levels, runs, objects].flatMap((list) => matching(list(editor)));
 }
 
-function levels(editor: Editor): Place[] {
+function levels(editor: Editor): Destination[] {
   const { list, opened } = editor.workspace.store.getState();
   return (list?.levels ?? [])
     .filter(({ id, status }) => status === 'valid' && id !== opened?.id())
@@ -43,7 +43,7 @@ function levels(editor: Editor): Place[] {
     }));
 }
 
-function runs({ open, session }: Editor): Place[] {
+function runs({ open, session }: Editor): Destination[] {
   return (open.getState()?.document.file().runs ?? []).map(({ name, holds }) => ({
     key: `run ${name}`,
     group: 'Run',
@@ -53,10 +53,10 @@ function runs({ open, session }: Editor): Place[] {
   }));
 }
 
-function objects({ open, commands }: Editor): Place[] {
+function objects({ open, commands }: Editor): Destination[] {
   const level = open.getState();
   if (level === null) return [];
-  return objectRows(level.document.file(), new Set()).flatMap(({ found, title, key }): Place[] => {
+  return objectRows(level.document.file(), new Set()).flatMap(({ found, title, key }): Destination[] => {
     if (found === null) return [];
     const { x, y } = found.object;
     return [

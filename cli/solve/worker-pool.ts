@@ -14,7 +14,7 @@ export interface Found {
 }
 
 /** Threads that search together. */
-export interface Crew {
+export interface WorkerPool {
   /**
    * Searches until nothing can get better, or a limit is reached.
    * @param onRound called with what there is by then
@@ -23,14 +23,14 @@ export interface Crew {
   /** How much each of these runs forgives. */
   measure(runs: readonly (readonly Hold[])[]): Promise<readonly Robustness[]>;
   /** Ends the threads. */
-  dismiss(): Promise<void>;
+  close(): Promise<void>;
 }
 
 /**
  * Starts worker threads that share the lanes of a search.
  * @param jobs the most threads; what they find does not depend on it
  */
-export function hireCrew(settings: SolveSettings, jobs: number): Crew {
+export function startWorkerPool(settings: SolveSettings, jobs: number): WorkerPool {
   const threads = Math.min(jobs, LANES);
   const stopped = new Int32Array(new SharedArrayBuffer(4));
   const workers = Array.from({ length: threads }, (_, thread) => {
@@ -71,7 +71,7 @@ export function hireCrew(settings: SolveSettings, jobs: number): Crew {
       const answers = runs.map((holds, i) => workers[i % threads].ask({ kind: 'measure', holds }, 'measure'));
       return (await Promise.all(answers)).map((answer) => answer.robustness);
     },
-    async dismiss() {
+    async close() {
       await Promise.all(workers.map((worker) => worker.end()));
     },
   };

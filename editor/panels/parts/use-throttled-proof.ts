@@ -4,10 +4,10 @@ import type { LiveProof } from '../../proof/index.ts';
 
 /**
  * What `pick` makes of the live proof, made anew at most every so many ms: a panel need not be drawn for every move of the pointer.
- * It is picked at once when the proof changes has calmed down, since the arrays of a proof are good until the next one.
+ * It is picked at once once the wait is over, since the arrays of a proof are good until the next one.
  * @param pick kept between renders (`useCallback`, or outside of the component)
  */
-export function useCalmProof<T>(pick: (proof: LiveProof) => T, wait = 100): T {
+export function useThrottledProof<T>(pick: (proof: LiveProof) => T, wait = 100): T {
   const { proof } = useLevel();
   const [picked, setPicked] = useState(() => ({ pick, value: pick(proof.proof()) }));
   const timer = useRef<ReturnType<typeof setTimeout> | null>(null);

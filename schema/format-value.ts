@@ -8,7 +8,7 @@ export function quote(text: string): string {
 }
 
 /** A JSON value in words: `the text "12"`, `a list of 3`. */
-export function sayValue(value: unknown): string {
+export function formatValue(value: unknown): string {
   if (value === null) return 'null';
   if (Array.isArray(value)) return value.length === 0 ? 'an empty list' : `a list of ${value.length}`;
   switch (typeof value) {

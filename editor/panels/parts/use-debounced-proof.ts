@@ -7,7 +7,7 @@ import { afterRest } from './after-rest.ts';
  * What `pick` makes of the live proof once nothing has changed for so many ms: for what would cost a drag its frames.
  * @param pick kept between renders (outside of the component)
  */
-export function useRestingProof<T>(pick: (proof: LiveProof) => T, rest: number): T {
+export function useDebouncedProof<T>(pick: (proof: LiveProof) => T, rest: number): T {
   const { proof } = useLevel();
   const [seen, setSeen] = useState(() => ({ proof, value: pick(proof.proof()) }));
   useEffect(() => {

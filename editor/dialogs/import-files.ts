@@ -10,7 +10,7 @@ export interface Given {
 }
 
 /** What became of an import. */
-export interface TakenIn {
+export interface ImportResult {
   /** How many levels were added. */
   readonly added: number;
   /** What is no level, and why. */
@@ -24,7 +24,12 @@ export const IMPORT_TOPIC = 'import';
 const LARGEST = 4 * 1024 * 1024;
 
 /** Adds the levels of some files to a folder and opens the first. What is too large to be a level is not read. */
-export async function takeInFiles(editor: Editor, folder: string, files: readonly File[], recoil: boolean): Promise<TakenIn> {
+export async function importFiles(
+  editor: Editor,
+  folder: string,
+  files: readonly File[],
+  recoil: boolean,
+): Promise<ImportResult> {
   const given: Given[] = [];
   const refusals: string[] = [];
   for (const file of files) {
@@ -34,12 +39,17 @@ export async function takeInFiles(editor: Editor, folder: string, files: readonl
       );
     else given.push({ name: file.name, content: new Uint8Array(await file.arrayBuffer()) });
   }
-  const taken = await takeIn(editor, folder, given, recoil);
+  const taken = await importContents(editor, folder, given, recoil);
   return { ...taken, refusals: [...refusals, ...taken.refusals] };
 }
 
 /** Adds the levels of some texts to a folder and opens the first; says what was passed over in them. */
-export async function takeIn(editor: Editor, folder: string, given: readonly Given[], recoil: boolean): Promise<TakenIn> {
+export async function importContents(
+  editor: Editor,
+  folder: string,
+  given: readonly Given[],
+  recoil: boolean,
+): Promise<ImportResult> {
   const { notices } = editor;
   const wanted: { stem: string; file: Extract<Importing, { ok: true }>['levels'][number]['file'] }[] = [];
   const refusals: string[] = [];
