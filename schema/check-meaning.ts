@@ -1,5 +1,5 @@
 import { quote } from './format-value.ts';
-import { OBJECT_LISTS } from './level.ts';
+import { OBJECT_LISTS } from './kinds.ts';
 import { type Finding, MAX_FINDINGS, toWords } from './problem.ts';
 
 const listOf = (value: unknown): readonly unknown[] => (Array.isArray(value) ? value : []);

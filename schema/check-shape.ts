@@ -1,7 +1,9 @@
 import * as z from 'zod';
 import { closestName } from './closest-name.ts';
 import { formatValue, quote } from './format-value.ts';
-import { LEVEL_VERSION, LIMITS, levelSchema, OBJECT_LISTS } from './level.ts';
+import { KINDS, OBJECT_KINDS, OBJECT_LISTS, SINGLE_KINDS } from './kinds.ts';
+import { LEVEL_VERSION, levelSchema } from './level.ts';
+import { LIMITS } from './limits.ts';
 import { type Finding, MAX_FINDINGS, type Path, toWords } from './problem.ts';
 
 const { shape } = levelSchema;
@@ -9,12 +11,15 @@ const runSchema = shape.runs.unwrap().element;
 
 /** What the original game calls things: people who know it write these. */
 const NAMES_OF_THE_ORIGINAL: Readonly<Record<string, string>> = {
-  player: 'astronaut',
-  target: 'blackHole',
-  antiForceFields: 'repulsors',
-  goodies: 'minerals',
   maxDistance: 'range',
-  enemy: 'hot',
+  ...Object.fromEntries(
+    OBJECT_KINDS.flatMap((kind) => {
+      const { list, original } = KINDS[kind];
+      if (original === null) return [];
+      const fields = Object.entries(original.fields ?? {}).map(([name, there]) => [there, name]);
+      return [[original.key, list ?? kind], ...fields];
+    }),
+  ),
 };
 
 const EXPECTED: Readonly<Record<string, string>> = {
@@ -115,10 +120,10 @@ function missingKey(path: Path): Finding {
 }
 
 function wrongType(path: Path, expected: string, value: unknown): Finding {
-  if (Array.isArray(value) && path.length === 1 && (path[0] === 'astronaut' || path[0] === 'blackHole')) {
-    const what = path[0] === 'astronaut' ? 'astronaut' : 'black hole';
-    const hint = `Keep one of them, without the list around it: "${path[0]}": { "x": 0, "y": 0 }.`;
-    return found(path, 'one-per-level', `a level has exactly one ${what}, found ${formatValue(value)}`, hint);
+  const single = path.length === 1 ? SINGLE_KINDS.find((kind) => kind === path[0]) : undefined;
+  if (Array.isArray(value) && single !== undefined) {
+    const hint = `Keep one of them, without the list around it: "${single}": { "x": 0, "y": 0 }.`;
+    return found(path, 'one-per-level', `a level has exactly one ${KINDS[single].one}, found ${formatValue(value)}`, hint);
   }
   if (path.length === 0) {
     const hint = 'A level is one object in { }; gq import reads the list of levels of the original game.';

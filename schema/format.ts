@@ -1,4 +1,5 @@
-import { type LevelFile, levelSchema, OBJECT_LISTS } from './level.ts';
+import { OBJECT_LISTS, SINGLE_KINDS } from './kinds.ts';
+import { type LevelFile, levelSchema } from './level.ts';
 
 type Json = { readonly [key: string]: unknown };
 
@@ -8,8 +9,7 @@ const run = shape.runs.unwrap().element;
 /** The order of keys in a file is the order in the schema. */
 const KEYS = {
   level: Object.keys(shape),
-  astronaut: Object.keys(shape.astronaut.shape),
-  blackHole: Object.keys(shape.blackHole.shape),
+  ...Object.fromEntries(SINGLE_KINDS.map((kind) => [kind, Object.keys(shape[kind].shape)])),
   runs: Object.keys(run.shape),
   ...Object.fromEntries(OBJECT_LISTS.map((list) => [list, Object.keys(shape[list].unwrap().element.shape)])),
 } as { readonly [part: string]: readonly string[] };

@@ -1,4 +1,5 @@
 import type { StoreApi } from 'zustand/vanilla';
+import { appearanceOf, PLACEABLES } from '../../schema/index.ts';
 import type { Command } from '../commands/index.ts';
 import type { Editor, OpenLevel } from '../context/index.ts';
 import {
@@ -32,15 +33,13 @@ interface CanvasParts {
   readonly crosshair: Crosshair;
 }
 
-const TOOL_KEYS: readonly (readonly [tool: Tool, key: string, title: string])[] = [
+const TOOL_KEYS: readonly (readonly [tool: Tool, key: string | null, title: string])[] = [
   ['select', 'v', 'Select and move'],
   ['hand', 'g', 'Move the view'],
-  ['asteroid', 'a', 'Add asteroids'],
-  ['nova', 'n', 'Add novae'],
-  ['hot', 'h', 'Add hot asteroids'],
-  ['repulsor', 'r', 'Add repulsors'],
-  ['alien', 'e', 'Add aliens'],
-  ['mineral', 'm', 'Add minerals'],
+  ...PLACEABLES.map((tool): [Tool, string | null, string] => {
+    const { letter, many } = appearanceOf(tool);
+    return [tool, letter, `Add ${many}`];
+  }),
 ];
 
 const ALIGNMENTS: readonly (readonly [edge: Edge, title: string])[] = [
@@ -148,7 +147,7 @@ export function canvasCommands({
         id: `tool.${tool}`,
         title,
         group: 'Edit',
-        keys: [key],
+        ...(key === null ? {} : { keys: [key] }),
         run: () => {
           session.setState({ tool });
           crosshair.show(title);

@@ -1,9 +1,10 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { AccuracyName } from '../../engine/index.ts';
+import { PLACEABLES, type Placeable } from '../../schema/index.ts';
 
 /** What a press on the canvas does: select and move, pan, or place an object of that kind. */
-export const TOOLS = ['select', 'hand', 'asteroid', 'hot', 'nova', 'repulsor', 'alien', 'mineral'] as const;
-export type Tool = (typeof TOOLS)[number];
+export type Tool = 'select' | 'hand' | Placeable;
+export const TOOLS: readonly Tool[] = ['select', 'hand', ...PLACEABLES];
 
 /** What may be drawn over the level. */
 export const LAYERS = ['ranges', 'margins', 'nearMisses', 'slackFan', 'ghosts', 'heatMap'] as const;

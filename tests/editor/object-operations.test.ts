@@ -16,7 +16,6 @@ import {
   middleOf,
   moveObjects,
   objectsOf,
-  type PlacedKind,
   pasteObjects,
   type Recipe,
   radiusOf,
@@ -27,7 +26,7 @@ import {
   setObjectProperty,
   setRadius,
 } from '../../editor/document/index.ts';
-import { formatLevel, type LevelFile, OBJECT_LISTS } from '../../schema/index.ts';
+import { formatLevel, type LevelFile, OBJECT_LISTS, type Placeable } from '../../schema/index.ts';
 
 const coordinate = fc.integer({ min: -200, max: 200 });
 const radius = fc.constantFrom(4, 16, 32);
@@ -320,7 +319,7 @@ describe('objects', () => {
   });
 
   it('are placed with the usual radius of their kind, or the given one, behind the others', () => {
-    const kinds: [PlacedKind, (typeof OBJECT_LISTS)[number], number | undefined][] = [
+    const kinds: [Placeable, (typeof OBJECT_LISTS)[number], number | undefined][] = [
       ['asteroid', 'asteroids', 16],
       ['hot', 'asteroids', 16],
       ['nova', 'novae', 16],

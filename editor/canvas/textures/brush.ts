@@ -1,6 +1,9 @@
 /** What textures are drawn with: a canvas whose middle is the origin and whose unit is half its size. */
 export type Brush = CanvasRenderingContext2D;
 
+/** Half of a texture's side, px: what the unit circle of its drawing is on it. */
+export const TEXTURE_UNIT = 64;
+
 /** A colour of the palette with an opacity, 0 to 1. */
 export function faint(css: string, opacity: number): string {
   return `${css}${Math.round(255 * opacity)

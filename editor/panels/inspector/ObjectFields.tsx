@@ -12,18 +12,9 @@ import {
   Trash2,
 } from 'lucide-react';
 import { memo, useCallback } from 'react';
+import { type FieldName, KINDS, type ObjectKind } from '../../../schema/index.ts';
 import { useEditor } from '../../context/index.ts';
-import {
-  type FoundObject,
-  KIND_NAMES,
-  nameOf,
-  type ObjectKey,
-  type ObjectKind,
-  type ObjectProperties,
-  objectsOf,
-  radiusOf,
-  setObjectProperty,
-} from '../../document/index.ts';
+import { type FoundObject, nameOf, type ObjectKey, objectsOf, radiusOf, setObjectProperty } from '../../document/index.ts';
 import type { LiveProof } from '../../proof/index.ts';
 import { Button } from '../../ui/index.ts';
 import { type Fact, plural } from '../figures/index.ts';
@@ -49,7 +40,7 @@ const ARRANGE = [
 function countsOf(objects: readonly FoundObject[]): string {
   const counts = new Map<ObjectKind, number>();
   for (const { kind } of objects) counts.set(kind, (counts.get(kind) ?? 0) + 1);
-  return [...counts].map(([kind, count]) => plural(count, KIND_NAMES[kind][0].toLowerCase(), KIND_NAMES[kind][1])).join(', ');
+  return [...counts].map(([kind, count]) => plural(count, KINDS[kind].one, KINDS[kind].many)).join(', ');
 }
 
 /** What can be done with what is selected. @param isFixed only what every level has once */
@@ -119,7 +110,7 @@ interface ObjectFieldsProps {
 /** One object, or what several have in common. While hundreds of them are dragged hardly anything of it is drawn anew. */
 export function ObjectFields({ keys, objects }: ObjectFieldsProps) {
   const recipe = useCallback(
-    (key: string, value: Field['fallback']) => setObjectProperty(keys, key as keyof ObjectProperties, value as never),
+    (key: string, value: Field['fallback']) => setObjectProperty(keys, key as FieldName, value as number | boolean | undefined),
     [keys],
   );
   const [first] = objects;

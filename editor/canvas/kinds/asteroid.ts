@@ -1,5 +1,12 @@
+import { Circle, Flame } from 'lucide-react';
+import { isVariant } from '../../../schema/index.ts';
+import type { ObjectKey } from '../../document/index.ts';
 import type { Colours } from '../colours.ts';
-import { type Brush, dice, disc, fadingDisc, faint } from './brush.ts';
+import { type Brush, dice, disc, faint } from '../textures/brush.ts';
+import { type KindOnCanvas, put } from './kind-on-canvas.ts';
+
+/** They come in so many shapes. */
+const SHAPES = 4;
 
 /** A lump with a bumpy rim that stays inside of the unit circle, which is where it is touched. */
 function lump(brush: Brush, roll: () => number): void {
@@ -21,7 +28,7 @@ function lump(brush: Brush, roll: () => number): void {
 }
 
 /** A cold asteroid: lit from the upper left, with craters. */
-export function drawRock(brush: Brush, colours: Colours, seed: number): void {
+function drawRock(brush: Brush, colours: Colours, seed: number): void {
   const roll = dice(seed);
   lump(brush, roll);
   const light = brush.createRadialGradient(-0.4, -0.45, 0.1, 0, 0, 1.1);
@@ -47,7 +54,7 @@ export function drawRock(brush: Brush, colours: Colours, seed: number): void {
 }
 
 /** A hot asteroid: a dark lump with glowing cracks. */
-export function drawHotRock(brush: Brush, colours: Colours, seed: number): void {
+function drawHotRock(brush: Brush, colours: Colours, seed: number): void {
   const roll = dice(seed);
   lump(brush, roll);
   const light = brush.createRadialGradient(0, 0, 0.1, 0, 0, 1);
@@ -83,12 +90,36 @@ export function drawHotRock(brush: Brush, colours: Colours, seed: number): void 
   brush.restore();
 }
 
-/** The light around what is hot; twice as wide as the thing itself. */
-export function drawGlow(brush: Brush, colour: string): void {
-  fadingDisc(brush, 1, [
-    [0, faint(colour, 0.65)],
-    [0.45, faint(colour, 0.4)],
-    [0.6, faint(colour, 0.16)],
-    [1, faint(colour, 0)],
-  ]);
+/** A shape that stays with an asteroid as long as it lives: made from its id. */
+function shapeOf(key: ObjectKey): number {
+  let sum = 0;
+  for (let i = 0; i < key.length; i++) sum = (sum * 31 + key.charCodeAt(i)) % 9973;
+  return sum % SHAPES;
 }
+
+const shapes = [...Array(SHAPES).keys()];
+
+/** An asteroid: of several shapes, in a glow when it is hot. In a run it is where her gun has pulled it. */
+export const asteroid: KindOnCanvas = {
+  sign: { Icon: Circle, tone: 'quiet' },
+  variantSign: { Icon: Flame, tone: 'bad' },
+  textures: {
+    ...Object.fromEntries(
+      shapes.map((i) => [`rock-${i}`, (brush: Brush, colours: Colours) => drawRock(brush, colours, 7 + 13 * i)]),
+    ),
+    ...Object.fromEntries(
+      shapes.map((i) => [`hot-${i}`, (brush: Brush, colours: Colours) => drawHotRock(brush, colours, 5 + 17 * i)]),
+    ),
+  },
+  parts({ kind, key, object }) {
+    const hot = isVariant(kind, object);
+    const body = { texture: `${hot ? 'hot' : 'rock'}-${shapeOf(key)}`, depth: 4 };
+    return hot ? [body, { texture: 'glow', depth: 3, scale: 1.9 }] : [body];
+  },
+  pose(figure, pose) {
+    const { index } = figure.found;
+    const moved = pose !== null && pose.asteroids !== null && pose.asteroids.length > 2 * index;
+    if (moved) put(figure, pose.asteroids[2 * index], pose.asteroids[2 * index + 1]);
+    else put(figure, figure.at.x, figure.at.y);
+  },
+};

@@ -1,0 +1,44 @@
+import { KINDS, type ObjectKind } from '../../schema/index.ts';
+import type { FoundObject, PlacedObject } from './objects.ts';
+
+/** A place of the level, px. */
+interface Place {
+  readonly x: number;
+  readonly y: number;
+}
+
+type Numbers = Record<string, number>;
+
+/** Where an object is: for most kinds one place, for some several, the first of which is its own `x` and `y`. */
+export function placesOf({ kind, object }: Pick<FoundObject, 'kind' | 'object'>): readonly Place[] {
+  const { places } = KINDS[kind];
+  if (places.length === 1) return [object];
+  const numbers = object as unknown as Numbers;
+  return places.map(([x, y]) => ({ x: numbers[x], y: numbers[y] }));
+}
+
+/**
+ * A copy of an object with its places changed.
+ * @param change where a place comes to, from where it is
+ * @param only index of the one place that is changed; all of them when left out
+ */
+export function withPlaces<T extends PlacedObject>(
+  kind: ObjectKind,
+  object: T,
+  change: (place: Place, index: number) => Place,
+  only?: number,
+): T {
+  const changed = { ...object };
+  const numbers = changed as unknown as Numbers;
+  for (const [i, [x, y]] of KINDS[kind].places.entries()) {
+    if (only !== undefined && i !== only) continue;
+    const place = change({ x: numbers[x], y: numbers[y] }, i);
+    numbers[x] = place.x;
+    numbers[y] = place.y;
+  }
+  return changed;
+}
+
+/** A copy of an object, all of it moved by so many px. @param only index of the one place that moves; all of them when left out */
+export const shifted = <T extends PlacedObject>(kind: ObjectKind, object: T, dx: number, dy: number, only?: number): T =>
+  withPlaces(kind, object, ({ x, y }) => ({ x: x + dx, y: y + dy }), only);
