@@ -1,6 +1,6 @@
 import { boxCircleGap, HALF_HEIGHT, HALF_WIDTH, type Run, STATE_SIZE } from '../engine/index.ts';
 import type { Level } from '../schema/index.ts';
-import { drawAstronaut } from './astronaut.ts';
+import { drawAstronaut } from './kinds/index.ts';
 import { place } from './place.ts';
 import { drawText, textWidth } from './text.ts';
 import type { Theme } from './theme.ts';

@@ -239,6 +239,17 @@ export function nameWhenTouched(kind: ObjectKind): string {
   return !deadly && variant?.deadly === true ? variant.one : one;
 }
 
+/** Where an object is: for most kinds one place, for some several, the first of which is its own `x` and `y`. @param object as a file or a level has it */
+export function placesIn(
+  kind: ObjectKind,
+  object: { readonly x: number; readonly y: number },
+): readonly { readonly x: number; readonly y: number }[] {
+  const { places } = KINDS[kind];
+  if (places.length === 1) return [object];
+  const numbers = object as unknown as Readonly<Record<string, number>>;
+  return places.map(([x, y]) => ({ x: numbers[x], y: numbers[y] }));
+}
+
 /** The fields of a kind, with their names, in the order of a file. */
 export const fieldsOf = (kind: ObjectKind): readonly (readonly [name: string, field: Field])[] => FIELDS[kind];
 

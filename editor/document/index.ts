@@ -19,6 +19,6 @@ export {
 export * from './operations/index.ts';
 export { inPageWords } from './page-words.ts';
 export { applyPatches, diffFiles, isSame, type Patch } from './patch.ts';
-export { placesOf, shifted } from './places.ts';
+export { placesOf } from './places.ts';
 export { createSelection, type SelectionStore } from './selection.ts';
 export { settle } from './settle.ts';

@@ -1,4 +1,4 @@
-import { KINDS, type ObjectKind } from '../../schema/index.ts';
+import { KINDS, type ObjectKind, placesIn } from '../../schema/index.ts';
 import type { FoundObject, PlacedObject } from './objects.ts';
 
 /** A place of the level, px. */
@@ -10,12 +10,7 @@ interface Place {
 type Numbers = Record<string, number>;
 
 /** Where an object is: for most kinds one place, for some several, the first of which is its own `x` and `y`. */
-export function placesOf({ kind, object }: Pick<FoundObject, 'kind' | 'object'>): readonly Place[] {
-  const { places } = KINDS[kind];
-  if (places.length === 1) return [object];
-  const numbers = object as unknown as Numbers;
-  return places.map(([x, y]) => ({ x: numbers[x], y: numbers[y] }));
-}
+export const placesOf = ({ kind, object }: Pick<FoundObject, 'kind' | 'object'>): readonly Place[] => placesIn(kind, object);
 
 /**
  * A copy of an object with its places changed.

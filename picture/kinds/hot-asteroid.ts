@@ -1,6 +1,6 @@
-import { randomFrom } from './random.ts';
-import type { Theme } from './theme.ts';
-import { num, polyline } from './xml.ts';
+import { randomFrom } from '../random.ts';
+import type { Theme } from '../theme.ts';
+import { num, polyline } from '../xml.ts';
 
 // a flame about 2 units high around the origin
 const FLAME = 'M0 1C-.75 1-.95.35-.7-.1C-.55-.4-.35-.5-.3-.95C.15-.75.3-.4.3-.1C.42-.2.5-.35.5-.5C.8-.1.95 1 0 1Z';

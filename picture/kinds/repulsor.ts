@@ -1,8 +1,11 @@
-import type { Theme } from './theme.ts';
-import { num } from './xml.ts';
+import type { Circle } from '../../schema/index.ts';
+import { radial } from '../radial-gradient.ts';
+import type { Theme } from '../theme.ts';
+import { num } from '../xml.ts';
+import type { KindInPicture } from './kind-in-picture.ts';
 
 /** A repulsor field around its centre: a dashed disc with arrows that point outwards. */
-export function drawRepulsor(radius: number, theme: Theme): string {
+function drawRepulsor(radius: number, theme: Theme): string {
   const from = 0.34 * radius;
   const to = 0.8 * radius;
   const head = Math.min(0.15 * radius, 7);
@@ -16,3 +19,17 @@ export function drawRepulsor(radius: number, theme: Theme): string {
     `<circle r="${num(0.11 * radius)}" fill="${theme.repulsor}"/>`
   );
 }
+
+export const repulsor: KindInPicture<Circle> = {
+  depth: 1,
+  draw: ({ radius, theme }) => drawRepulsor(radius, theme),
+  speck: ({ radius, theme }) =>
+    `<circle r="${num(radius)}" fill="${theme.repulsor}" fill-opacity=".2" stroke="${theme.repulsor}" stroke-dasharray="4 3"/>`,
+  gradients: (theme) => [
+    radial('field', [
+      [0, theme.repulsor, 0.3],
+      [1, theme.repulsor, 0.1],
+    ]),
+  ],
+  legend: { radius: 16 },
+};

@@ -1,5 +1,6 @@
-import { HALF_HEIGHT, HALF_WIDTH } from '../engine/index.ts';
-import type { Theme } from './theme.ts';
+import { HALF_HEIGHT, HALF_WIDTH } from '../../engine/index.ts';
+import type { Theme } from '../theme.ts';
+import type { KindInPicture } from './kind-in-picture.ts';
 
 /**
  * The astronaut around her centre, upright in her box of 20 x 32 px; turn the group for another angle.
@@ -15,3 +16,11 @@ export function drawAstronaut(theme: Theme, boxColor: string): string {
     `<path d="M-2.4.6H2.4M-2.4 2.8H1" stroke="${theme.bad}" stroke-width="1.1" stroke-linecap="round"/>`
   );
 }
+
+/** As she starts; the run draws her where it ends, too. */
+export const astronaut: KindInPicture = {
+  depth: null,
+  draw: ({ theme }) => drawAstronaut(theme, theme.muted),
+  speck: ({ theme }) => drawAstronaut(theme, theme.muted),
+  legend: null,
+};

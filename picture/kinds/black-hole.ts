@@ -1,5 +1,7 @@
-import type { Theme } from './theme.ts';
-import { num, polyline } from './xml.ts';
+import { radial } from '../radial-gradient.ts';
+import type { Theme } from '../theme.ts';
+import { num, polyline } from '../xml.ts';
+import type { KindInPicture } from './kind-in-picture.ts';
 
 const ARMS = 3;
 const STEPS = 22;
@@ -17,7 +19,7 @@ function arm(radius: number, turn: number): string {
 }
 
 /** The black hole around its centre: a dark disc with a bright rim, in a spiral of what it swallows. */
-export function drawBlackHole(radius: number, theme: Theme): string {
+function drawBlackHole(radius: number, theme: Theme): string {
   let arms = '';
   let wisps = '';
   for (let i = 0; i < ARMS; i++) {
@@ -31,3 +33,23 @@ export function drawBlackHole(radius: number, theme: Theme): string {
     `<circle r="${num(0.88 * radius)}" fill="none" stroke="#fff" stroke-opacity=".35" stroke-width="${num(0.03 * radius)}"/>`
   );
 }
+
+export const blackHole: KindInPicture = {
+  depth: 3,
+  draw: ({ radius, theme }) => drawBlackHole(radius, theme),
+  speck: ({ radius, theme }) => `<circle r="${num(radius)}" fill="${theme.hole}" stroke="${theme.disc}"/>`,
+  reach: 1.9,
+  gradients: ({ disc, hole }) => [
+    radial('hole', [
+      [0.7, hole],
+      [0.93, hole],
+      [1, disc],
+    ]),
+    radial('disc', [
+      [0.42, disc, 0.75],
+      [0.65, disc, 0.25],
+      [1, disc, 0],
+    ]),
+  ],
+  legend: { radius: 16, factor: 0.72 },
+};

@@ -1,8 +1,10 @@
-import type { Theme } from './theme.ts';
-import { num } from './xml.ts';
+import type { Circle } from '../../schema/index.ts';
+import type { Theme } from '../theme.ts';
+import { num } from '../xml.ts';
+import type { KindInPicture } from './kind-in-picture.ts';
 
 /** A mineral around its centre: a cut gem that fills its circle. */
-export function drawMineral(radius: number, theme: Theme): string {
+function drawMineral(radius: number, theme: Theme): string {
   const [lit, middle, shade] = theme.mineral;
   return (
     `<g transform="scale(${num(radius / 7)})"><circle r="10" fill="${middle}" fill-opacity=".16"/>` +
@@ -12,7 +14,12 @@ export function drawMineral(radius: number, theme: Theme): string {
   );
 }
 
-/** The sign that a mineral was collected, around its centre. */
-export const drawTick = (theme: Theme): string =>
-  `<g fill="none" stroke-linecap="round" stroke-linejoin="round"><circle r="11.5" stroke="${theme.good}" stroke-width="1.3"/>` +
-  `<path d="M6.5-9.5L9.8-6L16-13.5" stroke="${theme.halo}" stroke-width="5.5"/><path d="M6.5-9.5L9.8-6L16-13.5" stroke="${theme.good}" stroke-width="2.6"/></g>`;
+export const mineral: KindInPicture<Circle> = {
+  depth: 7,
+  draw: ({ radius, theme }) => drawMineral(radius, theme),
+  speck({ radius, theme }) {
+    const r = num(radius);
+    return `<path d="M0-${r}L${r} 0L0 ${r}L-${r} 0Z" fill="${theme.mineral[1]}"/>`;
+  },
+  legend: { radius: 7 },
+};
