@@ -1,11 +1,9 @@
 import type { BodyKind, Run } from '../engine/index.ts';
-import type { Level } from '../schema/index.ts';
-
-const KIND: Record<BodyKind, string> = { blackHole: 'the black hole', nova: 'nova', asteroid: 'hot asteroid', alien: 'alien' };
+import { KINDS, type Level, nameWhenTouched } from '../schema/index.ts';
 
 /** `nova 2`, `the black hole`. */
 export const bodyInWords = (kind: BodyKind, index: number): string =>
-  kind === 'blackHole' ? KIND[kind] : `${KIND[kind]} ${index}`;
+  KINDS[kind].list === null ? `the ${KINDS[kind].one}` : `${nameWhenTouched(kind)} ${index}`;
 
 /** How a run ended, for a person: `collided with nova 2 at 3.217 s (tick 193)`. */
 export function outcomeInWords(run: Pick<Run, 'outcome' | 'with' | 'time' | 'tick'>, level: Pick<Level, 'range'>): string {

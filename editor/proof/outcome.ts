@@ -1,4 +1,5 @@
-import type { BodyKind, Outcome, Touched } from '../../engine/index.ts';
+import type { Outcome, Touched } from '../../engine/index.ts';
+import { KINDS, nameWhenTouched } from '../../schema/index.ts';
 
 /** How a run ended. */
 export interface RunEnd {
@@ -10,11 +11,9 @@ export interface RunEnd {
   readonly tick: number;
 }
 
-const KIND: Record<BodyKind, string> = { blackHole: 'the black hole', nova: 'nova', asteroid: 'hot asteroid', alien: 'alien' };
-
 /** `nova 3`, counted from 1 as people do; `the black hole`. */
 export const touchedInWords = ({ kind, index }: Touched): string =>
-  kind === 'blackHole' ? KIND[kind] : `${KIND[kind]} ${index + 1}`;
+  KINDS[kind].list === null ? `the ${KINDS[kind].one}` : `${nameWhenTouched(kind)} ${index + 1}`;
 
 /** How a run ended, for a person: `collides with nova 3 at 3.22 s`. @param range of the level, px */
 export function outcomeInWords({ outcome, with: touched, time }: RunEnd, range: number): string {

@@ -1,17 +1,7 @@
 import type { Colors } from '../../colors.ts';
-import type { Inspection } from '../../inspection.ts';
+import { COUNTED, type Inspection } from '../../inspection.ts';
 import { alignColumns, plural, showFileProblems } from '../../report-parts/index.ts';
 import { visibleLine } from '../../visible.ts';
-
-const COUNTED: Record<string, readonly [one: string, many: string]> = {
-  coldAsteroids: ['cold asteroid', 'cold asteroids'],
-  hotAsteroids: ['hot asteroid', 'hot asteroids'],
-  novae: ['dwarf nova', 'dwarf novae'],
-  repulsors: ['repulsor field', 'repulsor fields'],
-  aliens: ['alien', 'aliens'],
-  minerals: ['mineral', 'minerals'],
-  runs: ['run', 'runs'],
-};
 
 /** What `inspect` found out, for a person. */
 export function inspectPretty({ file, level, effects, counts, modes, work, problems }: Inspection, colors: Colors): string {
@@ -19,9 +9,7 @@ export function inspectPretty({ file, level, effects, counts, modes, work, probl
     alignColumns(rows.map(({ name, because }) => [name, because]))
       .map((line) => `  ${line}\n`)
       .join('');
-  const has = Object.entries(counts)
-    .filter(([, count]) => count > 0)
-    .map(([key, count]) => `${plural(count, ...COUNTED[key])}`);
+  const has = COUNTED.filter(({ key }) => counts[key] > 0).map(({ key, one, many }) => plural(counts[key], one, many));
   let text = `${colors.bold(visibleLine(level))}: ${has.length === 0 ? 'nothing but the black hole' : has.join(', ')}\n`;
   text += `\n${colors.bold('simulated')}\n${list(effects.simulated)}`;
   if (effects.notCalledFor.length > 0) text += `\n${colors.bold('not called for')}\n${list(effects.notCalledFor)}`;
