@@ -1,4 +1,5 @@
-import { GUN_PULL, REPULSOR_PUSH, SPEED_LIMIT, TICK } from '../../engine/index.ts';
+import { GUN_PULL, REPULSOR_PUSH, TICK } from '../../engine/index.ts';
+import { bendWithin, driftAfter, EASY_SPEED } from './assumptions.ts';
 import { standingCircles } from './blockers.ts';
 import type { About, Blocker, FanGrid } from './proof.ts';
 import { LEAST_HALF, type Setting, type Thing } from './setting.ts';
@@ -13,9 +14,6 @@ interface Circle {
 }
 
 const RANGE: Blocker = { kind: 'range' };
-
-/** Nothing accelerates her by more, px/s2. */
-const STRONGEST = GUN_PULL;
 
 /** What every bound is rounded outwards by in a step, px and px/s. */
 const SLACK = 1e-6;
@@ -90,10 +88,8 @@ class Fan {
     return layer;
   }
 
-  /** How far recoil can have carried an asteroid after `time`, px. */
   private drift(i: number, time: number): number {
-    const { level } = this.setting;
-    return level.recoil ? (0.2525 * time * (time + TICK)) / level.asteroids[i].radius : 0;
+    return driftAfter(this.setting.level, i, time);
   }
 
   /** Everything that a box becomes in a step that ends at `time` is added to `next`; false when it comes near the thing. */
@@ -101,7 +97,7 @@ class Fan {
     const { step, a } = this;
     this.setting.budget.look(4 + 2 * this.asteroids.length + this.fields.length);
     // all places within the step
-    const bend = STRONGEST * step * (step + TICK) * 0.5 + SLACK;
+    const bend = bendWithin(this.setting.strongest, step * (step + TICK)) + SLACK;
     const xa = box[0] + Math.min(0, step * box[4]) - bend;
     const xb = box[1] + Math.max(0, step * box[5]) + bend;
     const ya = box[2] + Math.min(0, step * box[6]) - bend;
@@ -123,7 +119,7 @@ class Fan {
       box[6] + a[2] * step - SLACK,
       box[7] + a[3] * step + SLACK,
     );
-    if (Math.max(-moved[4], moved[5], -moved[6], moved[7]) > SPEED_LIMIT / 2) return false;
+    if (Math.max(-moved[4], moved[5], -moved[6], moved[7]) > EASY_SPEED) return false;
     this.put(next, moved, time);
     return true;
   }

@@ -1,6 +1,7 @@
-import { compile, createSimulation, GUN_PULL, SPEED_LIMIT, TICK, TICK_RATE, type WorkBudget } from '../../engine/index.ts';
+import { compile, createSimulation, TICK, TICK_RATE, type WorkBudget } from '../../engine/index.ts';
 import type { Level } from '../../schema/index.ts';
 import { createRandom } from '../random.ts';
+import { EASY_SPEED } from './assumptions.ts';
 import { startAxis, whatEnds } from './doomed.ts';
 import { followPipes } from './pipe.ts';
 import type { About, PipeGrid, Proof } from './proof.ts';
@@ -34,11 +35,11 @@ export const MOST_PIPES = 2000;
  * is turned, with aliens, and with what ties place and velocity together, so that much less is taken for possible that isn't.
  */
 export function proveFlowpipe(setting: Setting, about: About, goal: Thing): Proof | null {
-  const { level, jump, maxTime } = setting;
+  const { level, jump, maxTime, strongest } = setting;
   const { vx, vy } = level.astronaut;
-  const fastest = Math.sqrt(vx * vx + vy * vy) + 2 * GUN_PULL * LONGEST;
+  const fastest = Math.sqrt(vx * vx + vy * vy) + 2 * strongest * LONGEST;
   // at rest she can wait as long as she likes
-  if (jump > 0 || (vx === 0 && vy === 0) || fastest > SPEED_LIMIT / 2) return null;
+  if (jump > 0 || (vx === 0 && vy === 0) || fastest > EASY_SPEED) return null;
   const last = longestPlay(level, setting.budget);
   if (last === null) return null;
   for (const [share, more] of HORIZONS) {

@@ -1,13 +1,5 @@
-import {
-  ALIEN_PULL,
-  ALIEN_SIGHT,
-  GUN_PULL,
-  HALF_DIAGONAL,
-  HALF_HEIGHT,
-  HALF_WIDTH,
-  REPULSOR_PUSH,
-  TICK,
-} from '../../engine/index.ts';
+import { ALIEN_SIGHT, GUN_PULL, HALF_DIAGONAL, HALF_HEIGHT, HALF_WIDTH, REPULSOR_PUSH, TICK } from '../../engine/index.ts';
+import { bendWithin, driftAfter, STRONGEST_CHASE } from './assumptions.ts';
 import { type ChaserDisc, chase, joinedChasers } from './chaser.ts';
 import type { About, Blocker, PipeGrid } from './proof.ts';
 import type { Setting, Thing } from './setting.ts';
@@ -179,10 +171,8 @@ class PipeFan {
     };
   }
 
-  /** How far recoil can have carried an asteroid after `seconds`, px. */
   private drift(i: number, seconds: number): number {
-    const { level } = this.setting;
-    return level.recoil ? (0.2525 * seconds * (seconds + TICK)) / level.asteroids[i].radius : 0;
+    return driftAfter(this.setting.level, i, seconds);
   }
 
   /** What a set becomes until the moment `to`, pressed and not, is added to `next`; false when it comes near the thing. */
@@ -206,7 +196,7 @@ class PipeFan {
         pushed[moment * SIDES + m] += Math.abs(lever) * force + SLACK;
       }
     }
-    const chasing = chase(aliens, way, step, ALIEN_PULL, ALIEN_SIGHT);
+    const chasing = chase(aliens, way, step, STRONGEST_CHASE, ALIEN_SIGHT);
     this.put(next, { far: pushed, turn: aimed, aliens: chasing }, to);
     this.put(next, { far: isPushed ? pushed : far, turn, aliens: chasing }, to);
     return true;
@@ -216,7 +206,7 @@ class PipeFan {
   private placesUntil(far: Float64Array, to: number): Rectangle {
     const now = (to - 1) * SIDES;
     const then = to * SIDES;
-    const bend = 0.5 * GUN_PULL * this.step * this.step + 0.01;
+    const bend = bendWithin(this.setting.strongest, this.step * this.step) + 0.01;
     const most = (m: number) => Math.max(far[now + m], far[then + m]) + bend;
     return [-most(4), most(0), -most(6), most(2)];
   }

@@ -84,6 +84,9 @@ export type ProofCode =
   | 'covered'
   | 'flowpipe';
 
+/** The ways to prove: `dead-end` makes proofs of the kind `line-trap`. */
+export type Prover = ProofCode | 'dead-end';
+
 /**
  * What the checker in solver/verify needs to see that a proof holds: plain JSON, lengths in px.
  * - `nothing-in-range`: the level alone shows it

@@ -1,5 +1,6 @@
-import { GUN_PULL, HALF_WIDTH, REPULSOR_PUSH, SPEED_LIMIT, TICK } from '../../engine/index.ts';
+import { GUN_PULL, HALF_WIDTH, REPULSOR_PUSH, TICK } from '../../engine/index.ts';
 import type { FanGrid } from '../proofs/index.ts';
+import { driftIn, FAR_FROM_LIMIT } from './assumptions.ts';
 import type { Claim } from './claim.ts';
 import { standingHazard } from './hazards.ts';
 import type { Point } from './rounded.ts';
@@ -50,11 +51,11 @@ export function checkDoomed(claim: Claim, grid: FanGrid): string | null {
   for (let step = 1; step <= grid.steps; step++) {
     const next = new Map<string, Box>();
     for (const box of boxes) {
-      const way = placesWithin(box, seconds);
+      const way = placesWithin(box, seconds, claim.push);
       if (distances(scene.thing, way)[0] <= claim.touch + ROUNDING) return `she may touch it in step ${step}`;
       const [ax, ay] = accelerations(scene, way, step * seconds);
       const after = advance(box, ax, ay, seconds);
-      if (Math.max(-after.vx[0], after.vx[1], -after.vy[0], after.vy[1]) > SPEED_LIMIT / 2)
+      if (Math.max(-after.vx[0], after.vx[1], -after.vy[0], after.vy[1]) > FAR_FROM_LIMIT)
         return 'she may come to the speed limit';
       for (const x of cut(after.x, grid.cell)) {
         for (const y of cut(after.y, grid.cell)) {
@@ -123,14 +124,13 @@ export function turnedScene(claim: Claim, [ux, uy]: readonly [number, number]): 
     }),
     asteroids: level.asteroids.map((a) => ({ ...turn(place(a)), radius: level.range })),
     fields: level.repulsors.map((field) => ({ ...turn(place(field)), radius: field.radius })),
-    // acceleration 1 / diameter all the time, a hundredth more, and a frame more
-    drift: (i, seconds) => (level.recoil ? (1.01 * seconds * (seconds + TICK)) / (4 * level.asteroids[i].radius) : 0),
+    drift: (i, seconds) => driftIn(level, i, seconds * (seconds + TICK)),
   };
 }
 
 /** Every place of the next `seconds`: the straight way, and what any push can bend it by. */
-export function placesWithin({ x, y, vx, vy }: Box, seconds: number): Rectangle {
-  const bend = 0.5 * GUN_PULL * seconds * (seconds + TICK);
+export function placesWithin({ x, y, vx, vy }: Box, seconds: number, push: number): Rectangle {
+  const bend = 0.5 * push * seconds * (seconds + TICK);
   const along = (p: Interval, v: Interval) => add(add(p, times(v, [0, seconds])), [-bend, bend]);
   return { x: along(x, vx), y: along(y, vy) };
 }

@@ -1,5 +1,6 @@
-import { GUN_PULL, HALF_DIAGONAL, HALF_HEIGHT, HALF_WIDTH, REPULSOR_PUSH, SPEED_LIMIT, TICK } from '../../engine/index.ts';
+import { GUN_PULL, HALF_DIAGONAL, HALF_HEIGHT, HALF_WIDTH, REPULSOR_PUSH, TICK } from '../../engine/index.ts';
 import type { PipeGrid } from '../proofs/index.ts';
+import { driftIn, FAR_FROM_LIMIT } from './assumptions.ts';
 import { afterChase, type Chaser, eitherChaser } from './chasers.ts';
 import type { Claim } from './claim.ts';
 import { apart, type Point } from './rounded.ts';
@@ -64,14 +65,14 @@ export function checkFlowpipe(claim: Claim, grid: PipeGrid): string | null {
   if (!isGrid(grid)) return 'its grid is none';
   const seconds = grid.frames * TICK;
   const { vx, vy } = claim.level.astronaut;
-  if (Math.sqrt(vx * vx + vy * vy) + GUN_PULL * seconds * grid.steps > SPEED_LIMIT / 2) return 'she may come to the speed limit';
+  if (Math.sqrt(vx * vx + vy * vy) + claim.push * seconds * grid.steps > FAR_FROM_LIMIT) return 'she may come to the speed limit';
   const scene = sceneOf(claim, grid);
   let bundles: readonly Bundle[] = [scene.start];
   let made = 0;
   for (let step = 1; step <= grid.steps; step++) {
     const next = new Map<string, Bundle>();
     for (const bundle of bundles) {
-      const way = wayTo(bundle, step, seconds);
+      const way = wayTo(bundle, step, seconds, claim.push);
       if (distances(scene.thing, way).least <= claim.touch + ROUNDING) return `she may touch it in step ${step}`;
       for (const after of afterStep(scene, bundle, way, step)) {
         for (const [key, piece] of pieces(scene, after, step)) {
@@ -127,9 +128,7 @@ function sceneOf(claim: Claim, grid: PipeGrid): Scene {
   const turn = ({ x, y }: Point): Point => ({ x: x * ux + y * uy, y: y * ux - x * uy });
   const circle = (c: Circle): Circle => ({ ...turn(place(c)), radius: c.radius });
   const v = turn({ x: level.astronaut.vx, y: level.astronaut.vy });
-  // acceleration 1 / diameter all the time, a hundredth more, and a frame more
-  const drift = (i: number, seconds: number) =>
-    level.recoil ? (1.01 * seconds * (seconds + TICK)) / (4 * level.asteroids[i].radius) : 0;
+  const drift = (i: number, seconds: number) => driftIn(level, i, seconds * (seconds + TICK));
   const rocks = level.asteroids.map(circle);
   const standing = level.novae.map(circle);
   if (about.kind === 'mineral') standing.push(circle(level.blackHole));
@@ -161,11 +160,11 @@ function sceneOf(claim: Claim, grid: PipeGrid): Scene {
 }
 
 /** Where she may be in a step: the drift between its two ends, and how far a push can take her from that. */
-function wayTo({ atTimes }: Bundle, step: number, seconds: number): Area {
+function wayTo({ atTimes }: Bundle, step: number, seconds: number, push: number): Area {
   const before = atTimes[step - 1] as Octagon;
   const after = atTimes[step] as Octagon;
   // and a hundredth of a px for the stages of a method that steps
-  const bend = (GUN_PULL * seconds * seconds) / 2 + 0.01;
+  const bend = (push * seconds * seconds) / 2 + 0.01;
   const most = (n: number) => Math.max(before[n], after[n]) + bend;
   return { left: -most(4), right: most(0), low: -most(6), high: most(2) };
 }

@@ -295,7 +295,8 @@ describe('pushes: after some ticks she is within what pushes from the places on 
     let steps = 0;
     fc.assert(
       fc.property(crowdedLevel, script, whole(2, 8), (level, plan, frames) => {
-        const scene = turnedScene(claimOf(level, HOLE, 60, PLAYS[accuracy]), [1, 0]);
+        const claim = claimOf(level, HOLE, 60, PLAYS[accuracy]);
+        const scene = turnedScene(claim, [1, 0]);
         const { all } = statesOf(level, accuracy, plan);
         const seconds = frames * TICK;
         // what a frame moves by is the velocity with the push that waits; the last look has none to tell it
@@ -308,7 +309,7 @@ describe('pushes: after some ticks she is within what pushes from the places on 
         for (let i = 0; i + frames + 1 < all.length; i += frames) {
           const from = at(i);
           const box: Box = { x: about(from.x), y: about(from.y), vx: about(from.vx), vy: about(from.vy) };
-          const way = placesWithin(box, seconds);
+          const way = placesWithin(box, seconds, claim.push);
           const [ax, ay] = accelerations(scene, way, (i + frames) * TICK);
           const after = advance(box, ax, ay, seconds);
           const to = at(i + frames);
