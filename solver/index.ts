@@ -31,6 +31,7 @@ export {
   type BarrierEdge,
   type Blocker,
   type Certificate,
+  type Doomed,
   type FanGrid,
   type LineEnd,
   OUTDONE_WARNINGS,

@@ -45,7 +45,7 @@ export interface Drift {
   readonly ahead: number;
 }
 
-/** How finely all that she may do is followed. */
+/** How finely all that she may do is followed, and along which axes. */
 export interface FanGrid {
   /** direction of its first axis, a unit vector; the second is a quarter turn from it, from x to y */
   readonly axis: readonly [number, number];
@@ -55,8 +55,17 @@ export interface FanGrid {
   readonly bin: number;
   /** length of a step, ticks of 1/60 s */
   readonly frames: number;
-  /** after so many steps everything is over */
-  readonly steps: number;
+}
+
+/** Places and velocities, least and most of each along the axes of a grid: x, x, y, y, vx, vx, vy, vy; px from the start and px/s. */
+export type BoxNumbers = readonly number[];
+
+/** Certificate of all that she may do until it is over. */
+export interface Doomed {
+  readonly kind: 'doomed';
+  readonly grid: FanGrid;
+  /** for the start, and for the end of each step but the last: boxes that hold every run that goes on; after the last step none does */
+  readonly layers: readonly (readonly BoxNumbers[])[];
 }
 
 /** How finely all that she may do is followed as sets bounded by where she would drift to. */
@@ -96,7 +105,8 @@ export type Prover = ProofCode | 'dead-end';
  * - `line-trap`: the asteroid whose line she is bound to, the ends of the stretch that she can't leave, and with recoil how far the asteroid drifts
  *   while she swings between them
  * - `covered`: the level alone shows it
- * - `doomed`, `flowpipe`: how finely to follow all that she may do until everything is over
+ * - `doomed`: all that she may do, as sets after each step; after the last none is left
+ * - `flowpipe`: how finely to follow all that she may do until everything is over
  */
 export type Certificate =
   | { readonly kind: 'nothing-in-range' }
@@ -104,7 +114,7 @@ export type Certificate =
   | { readonly kind: 'out-of-range'; readonly asteroids: readonly number[] }
   | { readonly kind: 'enclosed'; readonly barrier: readonly BarrierEdge[] }
   | LineTrap
-  | { readonly kind: 'doomed'; readonly grid: FanGrid }
+  | Doomed
   | { readonly kind: 'flowpipe'; readonly grid: PipeGrid }
   | { readonly kind: 'covered' };
 

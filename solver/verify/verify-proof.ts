@@ -65,7 +65,7 @@ function check(claim: Claim, certificate: Certificate): string | null {
     case 'line-trap':
       return checkLineTrap(claim, certificate);
     case 'doomed':
-      return checkDoomed(claim, certificate.grid);
+      return checkDoomed(claim, certificate);
     case 'flowpipe':
       return checkFlowpipe(claim, certificate.grid);
     case 'covered':
