@@ -8,7 +8,7 @@ import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { circlesIn, importGraph, passedFaces } from './architecture/import-graph.ts';
 import { importProblems, importsOf, purityProblems } from './architecture/inspect-source.ts';
 import { machineWords } from './architecture/machine-words.ts';
-import { EXCEPTIONS, ROOMS } from './architecture/rooms.ts';
+import { ROOMS } from './architecture/rooms.ts';
 
 const root = dirname(dirname(fileURLToPath(import.meta.url)));
 const manifest = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8'));
@@ -58,18 +58,11 @@ describe.each(Object.entries(ROOMS).filter(([name]) => existsSync(join(root, nam
 describe('imports of files', () => {
   const graph = importGraph([...Object.keys(ROOMS), 'bench', 'tests'].flatMap(sourcesOf));
   const inRooms = new Map([...graph].filter(([path]) => path.split('/')[0] in ROOMS));
-  const isIn = (place: string, path: string) => (place.endsWith('/') ? path.startsWith(place) : path === place);
-  const pathsOf = (problem: string) => problem.split(/ -> |: /);
-  const excused = (place: string, problem: string) => pathsOf(problem).some((path) => isIn(place, path));
   const problems = [...circlesIn(graph), ...passedFaces(inRooms)];
 
   it('never go in a circle, and never past the face of a folder', () => {
     expect(graph.size).toBeGreaterThan(500);
-    expect(problems.filter((problem) => !EXCEPTIONS.some(({ path }) => excused(path, problem)))).toEqual([]);
-  });
-
-  it.each(EXCEPTIONS)('are excused in $path for as long as that is needed', ({ path }) => {
-    expect(problems.some((problem) => excused(path, problem))).toBe(true);
+    expect(problems).toEqual([]);
   });
 });
 

@@ -23,24 +23,6 @@ export const ROOMS: Readonly<Record<string, Room>> = {
 /** Folders that stand on all others of their room, and who alone may know them: whoever else did would stand on itself. */
 export const TOPS: Readonly<Record<string, readonly string[]>> = { 'editor/app': ['editor/main.tsx'] };
 
-/** A place that does not keep the rules on imports yet: a folder with its slash, or a file. */
-export interface Exception {
-  readonly path: string;
-  /** When it was found, and what is to become of it. */
-  readonly since: string;
-  readonly plan: string;
-}
-
-/** Every circle through these places, and every face passed from within them, is known. What keeps the rules may not be listed. */
-export const EXCEPTIONS: readonly Exception[] = [
-  {
-    path: 'engine/continuous/',
-    since: '2026-11-23',
-    plan: 'the state of motion gets a folder of its own, below events and integrators',
-  },
-  { path: 'engine/scene.ts', since: '2026-11-23', plan: 'circles of a scene get a file of their own, below the spatial index' },
-];
-
 /** ECMAScript fixes these to the last bit; the rest of Math differs between engines (or between calls). */
 export const PORTABLE_MATH: ReadonlySet<string> = new Set([
   ...['abs', 'sqrt', 'min', 'max', 'floor', 'ceil', 'round', 'trunc', 'sign', 'imul', 'fround', 'clz32', 'PI'],

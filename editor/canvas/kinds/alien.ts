@@ -1,6 +1,6 @@
 import { Bug } from 'lucide-react';
+import { type Brush, disc, faint } from '../brush.ts';
 import type { Colours } from '../colours.ts';
-import { type Brush, disc, faint } from '../textures/brush.ts';
 import { type KindOnCanvas, put } from './kind-on-canvas.ts';
 
 /** px of screen that a pupil moves by at least. */

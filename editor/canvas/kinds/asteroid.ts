@@ -1,8 +1,8 @@
 import { Circle, Flame } from 'lucide-react';
 import { isVariant } from '../../../schema/index.ts';
 import type { ObjectKey } from '../../document/index.ts';
+import { type Brush, dice, disc, faint } from '../brush.ts';
 import type { Colours } from '../colours.ts';
-import { type Brush, dice, disc, faint } from '../textures/brush.ts';
 import { type KindOnCanvas, put } from './kind-on-canvas.ts';
 
 /** They come in so many shapes. */

@@ -1,6 +1,6 @@
 import { PersonStanding } from 'lucide-react';
+import { type Brush, disc } from '../brush.ts';
 import type { Colours } from '../colours.ts';
-import { type Brush, disc } from '../textures/brush.ts';
 import type { KindOnCanvas } from './kind-on-canvas.ts';
 
 /** The astronaut; the unit is 16 px, so that her box is 20 x 32 px. Her right side, the box's x axis, is where the gun points. */

@@ -1,6 +1,6 @@
 import { Orbit } from 'lucide-react';
+import { type Brush, disc, fadingDisc, faint, ring } from '../brush.ts';
 import type { Colours } from '../colours.ts';
-import { type Brush, disc, fadingDisc, faint, ring } from '../textures/brush.ts';
 import type { KindOnCanvas } from './kind-on-canvas.ts';
 
 /** Radians a second. */

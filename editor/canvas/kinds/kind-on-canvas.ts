@@ -1,9 +1,9 @@
 import type { LucideIcon } from 'lucide-react';
 import type { Pose } from '../../context/index.ts';
 import type { FoundObject } from '../../document/index.ts';
+import type { Brush } from '../brush.ts';
 import type { Colours, Theme } from '../colours.ts';
-import type { Thing } from '../layers/thing.ts';
-import type { Brush } from '../textures/brush.ts';
+import type { Thing } from '../thing.ts';
 import type { Point } from '../view.ts';
 
 /** What stands for a kind beside its name, in tools and lists. */

@@ -1,6 +1,6 @@
 import { Gem } from 'lucide-react';
+import { type Brush, fadingDisc, faint } from '../brush.ts';
 import type { Colours } from '../colours.ts';
-import { type Brush, fadingDisc, faint } from '../textures/brush.ts';
 import type { KindOnCanvas } from './kind-on-canvas.ts';
 
 /** A mineral: a cut crystal with a light around it. */

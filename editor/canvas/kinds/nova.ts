@@ -1,6 +1,6 @@
 import { Sun } from 'lucide-react';
+import { type Brush, fadingDisc, faint, TEXTURE_UNIT } from '../brush.ts';
 import type { Colours } from '../colours.ts';
-import { type Brush, fadingDisc, faint, TEXTURE_UNIT } from '../textures/brush.ts';
 import type { KindOnCanvas } from './kind-on-canvas.ts';
 
 /** Radians a second. */

@@ -1,6 +1,6 @@
 import { CircleDashed } from 'lucide-react';
+import { type Brush, fadingDisc, faint, ring } from '../brush.ts';
 import type { Colours } from '../colours.ts';
-import { type Brush, fadingDisc, faint, ring } from '../textures/brush.ts';
 import type { KindOnCanvas } from './kind-on-canvas.ts';
 
 /** A repulsor: rings that go outwards. */

@@ -4,7 +4,7 @@ import type { Pose } from '../../context/index.ts';
 import { type FoundObject, type ObjectKey, objectsOf, placesOf, radiusOf } from '../../document/index.ts';
 import { type Figure, ON_CANVAS, type Part, put } from '../kinds/index.ts';
 import { TEXTURE_UNIT } from '../textures/index.ts';
-import type { Thing } from './thing.ts';
+import type { Thing } from '../thing.ts';
 import { ThingLayer } from './thing-layer.ts';
 
 /** Below everything but the grid and what lies on it. */

@@ -1,11 +1,11 @@
 import type { Textures } from 'phaser';
+import { type Brush, TEXTURE_UNIT } from '../brush.ts';
 import { COLOURS, type Theme } from '../colours.ts';
 import { ON_CANVAS } from '../kinds/index.ts';
-import { type Brush, TEXTURE_UNIT } from './brush.ts';
 import { drawGlow, drawSpark } from './light.ts';
 import { drawHaze, drawStars } from './space.ts';
 
-export { TEXTURE_UNIT } from './brush.ts';
+export { TEXTURE_UNIT } from '../brush.ts';
 
 /** Side of a tile of stars, px. */
 export const STAR_TILE = 512;

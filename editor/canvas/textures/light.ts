@@ -1,4 +1,4 @@
-import { type Brush, fadingDisc, faint } from './brush.ts';
+import { type Brush, fadingDisc, faint } from '../brush.ts';
 
 /** The light around what is hot; twice as wide as the thing itself. */
 export function drawGlow(brush: Brush, colour: string): void {

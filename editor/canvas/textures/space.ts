@@ -1,5 +1,5 @@
+import { type Brush, dice, disc, fadingDisc, faint } from '../brush.ts';
 import type { Colours } from '../colours.ts';
-import { type Brush, dice, disc, fadingDisc, faint } from './brush.ts';
 
 /** A tile of stars that fits to itself on all sides; `share` of them are big. The brush counts px here. */
 export function drawStars(brush: Brush, colours: Colours, size: number, count: number, biggest: number, seed: number): void {
