@@ -1,7 +1,8 @@
-import type { Circle, Level } from '../schema/index.ts';
+import { type Circle, type Level, rulesOf } from '../schema/index.ts';
 import { ACCURACIES, type Accuracy, type AccuracyName, DEFAULT_ACCURACY } from './accuracy.ts';
 import type { Circles } from './circles.ts';
-import { chooseEffects, explosionsAtStart } from './effects/index.ts';
+import { boxOf } from './contact/index.ts';
+import { chooseEffects, effectsOf, explosionsAtStart, strongestOf } from './effects/index.ts';
 import type { IndexedCircles, Scene } from './scene.ts';
 import { indexCircles } from './spatial-index.ts';
 
@@ -40,6 +41,8 @@ function unlike(list: readonly Circle[]): number[] {
  * @param accuracy a name, or a full setting of one's own
  */
 export function compile(level: Level, accuracy: AccuracyName | Accuracy = DEFAULT_ACCURACY): Scene {
+  const rules = rulesOf(level);
+  const effects = chooseEffects(level);
   const all = (list: readonly Circle[]) => circles(list, [...list.keys()]);
   const cold: number[] = [];
   const hot: number[] = [];
@@ -51,8 +54,11 @@ export function compile(level: Level, accuracy: AccuracyName | Accuracy = DEFAUL
   const explosions = explosionsAtStart(aliens, origin.x, origin.y);
   return {
     level,
+    rules,
+    box: boxOf(rules),
     accuracy: chosen,
-    effects: chooseEffects(level),
+    effects,
+    strongest: strongestOf(effectsOf(effects), level, rules),
     targets: indexed(circles(level.asteroids, [...cold, ...hot])),
     coldCount: cold.length,
     novae: indexed(all(level.novae)),

@@ -3,7 +3,7 @@ export type { Circles } from './circles.ts';
 export type { Clearance } from './clearance.ts';
 export { compile } from './compile.ts';
 export * from './constants.ts';
-export { boxCircleGap, boxOverlapsCircle, circlesOverlap } from './contact/index.ts';
+export { type Box, boxCircleGap, boxOf, boxOverlapsCircle, circlesOverlap, DEFAULT_BOX } from './contact/index.ts';
 export { EFFECTS, type Effect } from './effects/index.ts';
 export type { EffectChoice, Scene } from './scene.ts';
 export { joinHolds, playScript } from './script.ts';

@@ -1,6 +1,7 @@
-import type { Level } from '../schema/index.ts';
+import type { Level, Rules } from '../schema/index.ts';
 import type { Accuracy } from './accuracy.ts';
 import type { Circles } from './circles.ts';
+import type { Box } from './contact/index.ts';
 import type { SpatialIndex } from './spatial-index.ts';
 
 /** A list of circles as the level has them, with an index where there are many. */
@@ -29,6 +30,11 @@ export interface EffectChoice {
 /** A level made ready to simulate at one accuracy. Never written to after `compile`; share it freely. */
 export interface Scene {
   readonly level: Level;
+  /** The numbers of the game: the level's own, and the original's where it has none. */
+  readonly rules: Rules;
+  readonly box: Box;
+  /** The most that anything can accelerate her, px/s2: the one bound that everybody reads. */
+  readonly strongest: number;
   readonly accuracy: Accuracy;
   /** What the level calls for and what it doesn't, with the reason. */
   readonly effects: EffectChoice;

@@ -1,5 +1,6 @@
 import { OBJECT_LISTS, SINGLE_KINDS } from './kinds.ts';
 import { type LevelFile, levelSchema } from './level.ts';
+import { RULE_NAMES } from './rules.ts';
 
 type Json = { readonly [key: string]: unknown };
 
@@ -10,6 +11,7 @@ const run = shape.runs.unwrap().element;
 const KEYS = {
   level: Object.keys(shape),
   ...Object.fromEntries(SINGLE_KINDS.map((kind) => [kind, Object.keys(shape[kind].shape)])),
+  rules: RULE_NAMES,
   runs: Object.keys(run.shape),
   ...Object.fromEntries(OBJECT_LISTS.map((list) => [list, Object.keys(shape[list].unwrap().element.shape)])),
 } as { readonly [part: string]: readonly string[] };

@@ -14,6 +14,7 @@ import {
   type ValueOf,
 } from './kinds.ts';
 import { LIMITS } from './limits.ts';
+import { type OwnRules, rulesSchema } from './rules.ts';
 
 /** The version of the level format that this toolkit writes. */
 export const LEVEL_VERSION = 1;
@@ -89,6 +90,7 @@ export const levelSchema = z
       .optional()
       .describe(`Farther than this from the centre of every asteroid she is lost, px; ${DEFAULT_RANGE} when left out.`),
     recoil: z.boolean().optional().describe('Whether the target of the gun is pulled towards her, too; false when left out.'),
+    rules: rulesSchema.optional(),
     ...lists,
     runs: z.array(run).max(LIMITS.runs).optional().describe('Scripted runs; the first is the one that is shown.'),
   })
@@ -141,6 +143,8 @@ export interface Level extends LevelObjects {
   readonly description: string;
   readonly range: number;
   readonly recoil: boolean;
+  /** Numbers of the game that are another in this level. */
+  readonly rules?: OwnRules;
   readonly runs: readonly ScriptedRun[];
 }
 

@@ -1,5 +1,6 @@
 import { fieldsOf, KINDS, LISTED_KINDS, type ObjectKind, type ObjectList, SINGLE_KINDS, type SingleKind } from './kinds.ts';
 import { DEFAULT_RANGE, type Level, type LevelFile } from './level.ts';
+import { RULE_NAMES, RULES } from './rules.ts';
 
 type Written = Readonly<Record<string, unknown>>;
 
@@ -12,6 +13,16 @@ function resolveObject(kind: ObjectKind, object: Written): Written {
     resolved[name] = typeof value === 'number' ? value + 0 : value;
   }
   return resolved;
+}
+
+/** The rules that are not the game's own: a level that repeats those says nothing. */
+function ownRules({ rules }: LevelFile): Pick<Level, 'rules'> {
+  if (rules === undefined) return {};
+  const own = RULE_NAMES.flatMap((name) => {
+    const value = rules[name];
+    return value === undefined || value === RULES[name].default ? [] : [[name, value]];
+  });
+  return own.length === 0 ? {} : { rules: Object.fromEntries(own) };
 }
 
 /** Fills in every default that the file leaves out. Pure; `file` is not changed. */
@@ -28,6 +39,7 @@ export function resolveLevel(file: LevelFile): Level {
     ...(Object.fromEntries(singles) as Pick<Level, SingleKind>),
     range: file.range ?? DEFAULT_RANGE,
     recoil: file.recoil ?? false,
+    ...ownRules(file),
     ...(Object.fromEntries(lists) as Pick<Level, ObjectList>),
     runs: (file.runs ?? []).map((run) => ({
       name: run.name,

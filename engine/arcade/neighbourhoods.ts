@@ -1,5 +1,4 @@
 import type { Circles } from '../circles.ts';
-import { ALIEN_SIGHT, HALF_DIAGONAL } from '../constants.ts';
 import type { IndexedCircles, Scene } from '../scene.ts';
 
 /** Side of a cell, px. */
@@ -138,17 +137,18 @@ export class Neighbourhoods {
   private survey(x: number, y: number, half: number): Survey {
     const { scene, drift } = this;
     const { targets, coldCount, novae, minerals, repulsors, aliens, level } = scene;
+    const { halfDiagonal } = scene.box;
     const toCorner = half * DIAGONAL;
     const distance = (cx: number, cy: number) => Math.sqrt((cx - x) * (cx - x) + (cy - y) * (cy - y));
     // whether a distance from the centre may be below `reach` elsewhere in the square; the surplus is far above any rounding
     const within = (d: number, reach: number) => d <= (reach + toCorner + 1e-3) * (1 + 1e-9) + d * 1e-9;
     const touching = (circles: IndexedCircles, moves: number): number[] => {
-      const near = circlesAround(circles, x, y, toCorner + HALF_DIAGONAL + moves + 1);
-      return near.filter((i) => within(distance(circles.x[i], circles.y[i]), HALF_DIAGONAL + circles.r[i] + moves));
+      const near = circlesAround(circles, x, y, toCorner + halfDiagonal + moves + 1);
+      return near.filter((i) => within(distance(circles.x[i], circles.y[i]), halfDiagonal + circles.r[i] + moves));
     };
 
     const hole = level.blackHole;
-    const deadly = within(distance(hole.x, hole.y), HALF_DIAGONAL + hole.radius) ? [0] : [];
+    const deadly = within(distance(hole.x, hole.y), halfDiagonal + hole.radius) ? [0] : [];
     for (const i of touching(novae, 0)) deadly.push(1 + i);
     for (const i of touching(targets, drift)) if (i >= coldCount) deadly.push(1 + novae.count + i);
     const collectable = touching(minerals, 0);
@@ -167,7 +167,7 @@ export class Neighbourhoods {
     const inRange = closest !== null && !(closest * (1 + 1e-9) + toCorner + drift + 1e-3 >= level.range);
     let unseen = true;
     for (let i = 0; i < aliens.count && unseen; i++) {
-      unseen = !within(distance(aliens.x[i], aliens.y[i]), Math.max(ALIEN_SIGHT, HALF_DIAGONAL + aliens.r[i]));
+      unseen = !within(distance(aliens.x[i], aliens.y[i]), Math.max(scene.rules.alienSight, halfDiagonal + aliens.r[i]));
     }
     return {
       rivals: Int32Array.from(rivals),

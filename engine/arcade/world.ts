@@ -1,3 +1,5 @@
+import type { Rules } from '../../schema/index.ts';
+import type { Box } from '../contact/index.ts';
 import type { Scene } from '../scene.ts';
 import { expectSnapshot } from '../snapshot.ts';
 import type { WorkBudget } from '../work-budget.ts';
@@ -15,6 +17,8 @@ const FEW = 48;
 export class World {
   readonly s: Float64Array;
   readonly recoil: boolean;
+  readonly rules: Rules;
+  readonly box: Box;
   readonly rocks: Rocks;
   readonly aliens: Aliens;
   readonly range: number;
@@ -46,6 +50,8 @@ export class World {
     const { level, targets, novae, repulsors, aliens, minerals } = scene;
     const { blackHole } = level;
     this.recoil = level.recoil;
+    this.rules = scene.rules;
+    this.box = scene.box;
     const length = HEAD + (this.recoil ? (ROCK + 1) * targets.count : 0) + Aliens.length(aliens.count) + minerals.count;
     this.s = new Float64Array(length);
     this.start = new Float64Array(length);

@@ -1,4 +1,4 @@
-import { recordTarget } from '../effects/gun/index.ts';
+import { recordTarget } from '../effects/index.ts';
 import { type Motion, nearest, SLOTS } from '../motion/index.ts';
 import { begin } from './begin.ts';
 import { stop } from './stop.ts';

@@ -5,8 +5,8 @@ import type { Ending } from '../simulation.ts';
 const { OUTCOME, TOUCHED, END_TIME } = SLOTS;
 
 /** How the run ended, or null while it goes on. */
-export function endingOf({ s, events }: Motion): Ending | null {
-  const ends = s[OUTCOME] === 0 ? null : events.byKind[s[OUTCOME]].ends;
+export function endingOf({ s, parts }: Motion): Ending | null {
+  const ends = s[OUTCOME] === 0 ? null : parts.byKind[s[OUTCOME]].ends;
   if (ends === null) return null;
   const { outcome, touches } = ends;
   const time = s[END_TIME];

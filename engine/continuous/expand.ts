@@ -1,4 +1,3 @@
-import { ALIEN_PULL, SPEED_LIMIT } from '../constants.ts';
 import { untilGrid } from '../integrators/index.ts';
 import {
   ALERTNESS,
@@ -87,7 +86,7 @@ export function expand(m: Motion): void {
   }
   if (kind === COAST && (s[LIMIT_X] !== 0 || s[LIMIT_Y] !== 0) && (s[FIELD] >= 0 || held)) {
     // at the limit through the very centre: out of it straight on
-    h = Math.min(h, SMALLEST_ORBIT / SPEED_LIMIT);
+    h = Math.min(h, SMALLEST_ORBIT / m.rules.speedLimit);
   }
   if (kind === SLIDE) {
     s[DEGREE] = integrator.degree;
@@ -138,7 +137,7 @@ export function expandChasers(m: Motion, longest: number): number {
   // a fixed step depends on its length: it is known before the first is made, as it is after a restore
   let h = drags ? Math.min(longest, longestDrag(m)) : longest;
   const awake = s[AWAKE_COUNT];
-  for (let k = 0; k < awake; k++) h = expandChaser(m, awakeAt(m, k), ALIEN_PULL, h);
+  for (let k = 0; k < awake; k++) h = expandChaser(m, awakeAt(m, k), m.rules.alienPull, h);
   if (drags) h = expandDragged(m, h);
   return h;
 }

@@ -1,4 +1,3 @@
-import { skipOrbits } from '../effects/gun/index.ts';
 import { GOES_ON, type Motion, PIECE_END, SLOTS } from '../motion/index.ts';
 import { begin, proceed } from './begin.ts';
 import { endingOf } from './ending.ts';
@@ -16,7 +15,7 @@ export function fire(m: Motion, until: number): void {
     goOn(m, until);
     return;
   }
-  const rule = m.events.byKind[s[EVENT]];
+  const rule = m.parts.byKind[s[EVENT]];
   const a = s[EVENT_A];
   const b = s[EVENT_B];
   const time = s[START] + s[NEXT];
@@ -36,10 +35,10 @@ export function fire(m: Motion, until: number): void {
 
 /** The natural end of a piece: the next one of the same flow. */
 function goOn(m: Motion, until: number): void {
-  const { s, integrator, recorder } = m;
+  const { s, parts, integrator, recorder } = m;
   stop(m, s[NEXT], s[START] + s[NEXT]);
   s[LAST_EVENT] = 0;
-  skipOrbits(m);
+  for (const repeat of parts.repeat) repeat(m);
   if (integrator.glide !== null && recorder === null) skipQuietSteps(m, until);
   // along a rim it is looked at anew whether anything holds her there
   if (s[LIMIT_X] === 0 && s[LIMIT_Y] === 0 && s[RIM] < 0) proceed(m);

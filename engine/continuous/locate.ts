@@ -5,7 +5,7 @@ const { FROM, NEXT, EVENT, TARGET, BASE_X, BASE_Y, LENGTH_H, ACCELERATION } = SL
 
 /** Locates the first event in (FROM, LENGTH_H] of the piece; the natural end where nothing happens before. */
 export function locate(m: Motion): void {
-  const { s, e, near, path, events } = m;
+  const { s, e, near, path, parts } = m;
   s[NEXT] = s[LENGTH_H];
   s[EVENT] = PIECE_END;
   const from = s[FROM];
@@ -21,7 +21,7 @@ export function locate(m: Motion): void {
   const rocks = m.recoil ? farthestRockTravel(m, h) : 0;
   const reach = travel + rocks;
 
-  const { first, always, byKind } = events;
+  const { first, always, byKind } = parts;
   for (let k = 0; k < first.length; k++) first[k].first?.(m, from);
   if (m.recoil || !near.covers(x, y, reach, s[TARGET])) refresh(m, x, y, reach);
   const gone = Math.sqrt((x - near.x) * (x - near.x) + (y - near.y) * (y - near.y)) + reach;

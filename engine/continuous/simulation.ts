@@ -1,6 +1,6 @@
 import type { ClearanceTracker } from '../clearance.ts';
 import { TICK_RATE } from '../constants.ts';
-import { effectsOf, eventsOf, strongestOf } from '../effects/index.ts';
+import { effectsOf, partsOf } from '../effects/index.ts';
 import { integratorOf } from '../integrators/index.ts';
 import {
   ALERTNESS,
@@ -50,8 +50,7 @@ export class ContinuousSimulation implements Simulation {
   /** @param budget what it may cost; used up, whatever asked for more gets a WorkLimitReached */
   constructor(scene: Scene, recorder: Recorder | null = null, budget: WorkBudget = unlimited()) {
     const effects = effectsOf(scene.effects);
-    const strongest = strongestOf(effects, scene.level);
-    const motion = new Motion(scene, integratorOf(scene.accuracy), eventsOf(effects), strongest, recorder, budget);
+    const motion = new Motion(scene, integratorOf(scene.accuracy), partsOf(effects), recorder, budget);
     for (const effect of effects) effect.attach?.(motion);
     this.scene = scene;
     this.work = motion.work;

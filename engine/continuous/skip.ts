@@ -1,5 +1,3 @@
-import { SPEED_LIMIT } from '../constants.ts';
-import { isTiny } from '../effects/gun/index.ts';
 import { quietTime } from '../events/index.ts';
 import { COAST, directionAt, type Motion, SLIDE, SLOTS } from '../motion/index.ts';
 
@@ -14,9 +12,9 @@ export function skipQuietSteps(m: Motion, until: number): void {
   const { rate } = m.scene.accuracy;
   if (integrator.glide === null || rate === null || m.recoil || s[KIND] === COAST || s[KIND] === SLIDE) return;
   // orbits may be skipped at the end of any piece: none is to be glided over
-  if (isTiny(m, 4)) return;
+  if (m.parts.mayRepeat.some((mayRepeat) => mayRepeat(m))) return;
   const v = Math.sqrt(ux[1] * ux[1] + uy[1] * uy[1]);
-  if (v > SPEED_LIMIT / 2) return;
+  if (v > m.rules.speedLimit / 2) return;
   const end = Math.min(until, s[START] + quietTime(m));
   const from = s[START];
   m.steps[0] = 0;

@@ -1,28 +1,34 @@
-import type { Level } from '../../schema/index.ts';
-import type { EventRule, Motion } from '../motion/index.ts';
+import type { Level, RuleName, Rules } from '../../schema/index.ts';
+import type { CentralForce, EventRule, Motion, SteadyForce } from '../motion/index.ts';
 
 /** A part of the game that a level may or may not call for. */
 export interface Effect {
   readonly name: string;
-  /** One line for a person: what it does. */
-  readonly summary: string;
+  /** One line for a person: what it does under these rules. */
+  summary(rules: Rules): string;
   /** Why this level calls for the effect, or why it doesn't. */
   calledFor(level: Level): { readonly called: boolean; readonly because: string };
-  /**
-   * The most it can accelerate her, px/s2. Forces of which one replaces the other say `instead`, and the strongest of them counts;
-   * others add up. Left out where it doesn't accelerate her.
-   */
-  readonly force?: { readonly strongest: (level: Level) => number; readonly acts: 'instead' | 'beside' };
+  /** The rules that are about it. */
+  readonly rules?: readonly RuleName[];
+  /** How it accelerates her, if it does. */
+  readonly force?: CentralForce | SteadyForce;
   /** She may be somewhere else from one moment to the next. */
   readonly jumps?: true;
   /** Things of the level move. */
   readonly moves?: true;
   /** Touching it ends the run badly. */
   readonly kills?: true;
-  /** What can happen by it in continuous time. */
+
+  // in continuous time, see Parts
+  /** What can happen by it. */
   readonly events?: readonly EventRule[];
-  /** Makes for a motion in continuous time what is no part of its state. */
+  /** Makes for a motion what is no part of its state. */
   attach?(m: Motion): void;
-  /** Puts its things where the level has them, in continuous time. */
+  /** Puts its things where the level has them. */
   layOut?(m: Motion): void;
+  beforePiece?(m: Motion): void;
+  turn?(m: Motion): void;
+  setRim?(m: Motion): void;
+  repeat?(m: Motion): void;
+  mayRepeat?(m: Motion): boolean;
 }

@@ -1,6 +1,6 @@
-import type { Level } from '../../schema/index.ts';
+import type { Level, Rules } from '../../schema/index.ts';
 import { layOutRules, putInOrder } from '../events/index.ts';
-import type { EventRule, EventRules } from '../motion/index.ts';
+import type { EventRule, Parts } from '../motion/index.ts';
 import type { ChosenEffect, EffectChoice } from '../scene.ts';
 import { alienChase, alienExplosion, explode, fallAsleep, touchAlien, wake } from './aliens/index.ts';
 import { blackHole, touchBlackHole } from './black-hole/index.ts';
@@ -15,6 +15,7 @@ import { freeAxis, holdAxis, speedLimit } from './speed-limit/index.ts';
 
 export { explosionsAtStart } from './aliens/index.ts';
 export type { Effect } from './effect.ts';
+export { recordTarget } from './gun/index.ts';
 
 /** Every effect of the game, in the order in which `gq inspect` lists them. */
 export const EFFECTS: readonly Effect[] = [
@@ -56,6 +57,9 @@ putInOrder(EVENTS_IN_ORDER);
 /** With these the neighbour list begins: the last digit of a tie between two of them can depend on which is looked at first. */
 const LISTED_FIRST: readonly EventRule[] = [touchNova, collect, enterField, touchBlackHole, touchAlien, touchHot, switchTarget];
 
+/** Those that accelerate her: of forces that act one instead of another the first that acts does. */
+const FORCES_IN_ORDER: readonly Effect[] = [repulsor, gun];
+
 /** Which effects a level calls for. */
 export function chooseEffects(level: Level): EffectChoice {
   const simulated: ChosenEffect[] = [];
@@ -73,23 +77,42 @@ export function effectsOf({ simulated }: EffectChoice): readonly Effect[] {
   return EFFECTS.filter(({ name }) => names.has(name));
 }
 
-/** The kinds of events that these effects bring with them, laid out for a motion. */
-export function eventsOf(effects: readonly Effect[]): EventRules {
-  return layOutRules(
-    EVENTS_IN_ORDER,
-    LISTED_FIRST,
-    effects.flatMap(({ events }) => events ?? []),
-  );
+/** What these effects bring to a motion, laid out. */
+export function partsOf(effects: readonly Effect[]): Parts {
+  const hooks = <K extends 'beforePiece' | 'turn' | 'setRim' | 'repeat' | 'mayRepeat'>(name: K) =>
+    effects.flatMap((effect) => {
+      const hook = effect[name];
+      return hook === undefined ? [] : [hook];
+    });
+  const forces = FORCES_IN_ORDER.filter((effect) => effects.includes(effect)).flatMap(({ force }) => force ?? []);
+  return {
+    ...layOutRules(
+      EVENTS_IN_ORDER,
+      LISTED_FIRST,
+      effects.flatMap(({ events }) => events ?? []),
+    ),
+    central: forces.filter((force) => force.acts === 'instead'),
+    steady: forces.filter((force) => force.acts === 'beside'),
+    beforePiece: hooks('beforePiece'),
+    turn: hooks('turn'),
+    setRim: hooks('setRim'),
+    repeat: hooks('repeat'),
+    mayRepeat: hooks('mayRepeat'),
+  };
 }
 
-/** The most that all these forces together can accelerate her, px/s2. */
-export function strongestOf(effects: readonly Effect[], level: Level): number {
+/**
+ * The most that all forces together can accelerate her, px/s2. Of those that act one instead of another the strongest counts, and
+ * those that act beside them add up.
+ */
+export function strongestOf(effects: readonly Effect[], level: Level, rules: Rules): number {
   let instead = 0;
   let beside = 0;
   for (const { force } of effects) {
     if (force === undefined) continue;
-    if (force.acts === 'instead') instead = Math.max(instead, force.strongest(level));
-    else beside += force.strongest(level);
+    const strongest = force.strongest(level, rules);
+    if (force.acts === 'instead') instead = Math.max(instead, strongest);
+    else beside += strongest;
   }
   return instead + beside;
 }

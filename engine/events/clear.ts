@@ -8,7 +8,7 @@ const FARTHEST = 150;
 
 /** Whether nothing but the pull of her target can matter for her before she is `far` px away, and the rocks have moved `rocks` px. */
 export function isClear(m: Motion, far: number, rocks: number): boolean {
-  const { s, near, events, ux, uy } = m;
+  const { s, near, parts, ux, uy } = m;
   if (s[AWAKE_COUNT] > 0 || far + rocks > FARTHEST) return false;
   const px = s[BASE_X] + ux[0];
   const py = s[BASE_Y] + uy[0];
@@ -16,7 +16,7 @@ export function isClear(m: Motion, far: number, rocks: number): boolean {
   if (m.recoil || !near.covers(px, py, reach, s[TARGET])) refresh(m, px, py, reach);
   const gone = Math.sqrt((px - near.x) * (px - near.x) + (py - near.y) * (py - near.y)) + reach;
   for (let i = 0; i < near.count; i++) {
-    const { isOver } = events.byKind[near.kind[i]];
+    const { isOver } = parts.byKind[near.kind[i]];
     if (isOver?.(m, near.index[i])) continue;
     if (near.slack[i] <= gone) return false;
   }

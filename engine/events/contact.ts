@@ -1,5 +1,4 @@
-import { HALF_DIAGONAL, HALF_HEIGHT, HALF_WIDTH } from '../constants.ts';
-import { boxCircleGap } from '../contact/index.ts';
+import { type Box, boxCircleGap } from '../contact/index.ts';
 import { lookAt, type Motion, relativeAt, SLOTS, TURNS } from '../motion/index.ts';
 import { FLOOR } from '../tolerances.ts';
 import { overlapBetween } from './bracket.ts';
@@ -59,7 +58,7 @@ export function contactTime(m: Motion, r: number, pull: number, from: number): n
  *    k = |D''| + 2 |w| |D'| + (|w'| + w^2) |D|. It is tight where a side is nearest, for any radius.
  * 2. The half plane N.x >= N.D(t) - r holds the circle. The box is the hull of its corners b, so
  *    gap(t) >= min over b of N.D(t) - r - N.R(t) b. The second derivative of N.R(t) b is no more than (w^2 + |w'|) |b|, so each
- *    of the four falls by no more than |D''| + (w^2 + |w'|) 18.868 px: neither distance nor radius matters.
+ *    of the four falls by no more than |D''| + (w^2 + |w'|) times half the diagonal: neither distance nor radius matters.
  *
  * For both, w, w', D' and D are bounded over the next `cap` seconds, and no step is longer. Let d = |c|, v = |c'| for the
  * vector c along which the box looks, a bound on |c''| be A, and cap = d / (4 (v + sqrt(A d))). With x = v / (v + sqrt(A d))
@@ -76,6 +75,7 @@ export function contactTime(m: Motion, r: number, pull: number, from: number): n
  */
 export function sweptTime(m: Motion, r: number, pull: number, from: number): number {
   const { s, e, work } = m;
+  const { halfWidth, halfHeight, halfDiagonal } = m.box;
   work.guards++;
   const horizon = Math.min(m.horizon, s[LENGTH_H]);
   const turn = s[TURN];
@@ -141,8 +141,8 @@ export function sweptTime(m: Motion, r: number, pull: number, from: number): num
     }
     const lx = dx * cos + dy * sin;
     const ly = dy * cos - dx * sin;
-    const gx = Math.abs(lx) - HALF_WIDTH;
-    const gy = Math.abs(ly) - HALF_HEIGHT;
+    const gx = Math.abs(lx) - halfWidth;
+    const gy = Math.abs(ly) - halfHeight;
     const nx = gx > 0 ? gx : 0;
     const ny = gy > 0 ? gy : 0;
     const norm = nx > 0 ? (ny > 0 ? Math.sqrt(nx * nx + ny * ny) : nx) : ny;
@@ -156,13 +156,13 @@ export function sweptTime(m: Motion, r: number, pull: number, from: number): num
     // n, the nearest point, and the slope: n.R^T D' + w (n x q)
     const ax = (lx < 0 ? -nx : nx) / norm;
     const ay = (ly < 0 ? -ny : ny) / norm;
-    const qx = gx > 0 ? (lx < 0 ? -HALF_WIDTH : HALF_WIDTH) : lx;
-    const qy = gy > 0 ? (ly < 0 ? -HALF_HEIGHT : HALF_HEIGHT) : ly;
+    const qx = gx > 0 ? (lx < 0 ? -halfWidth : halfWidth) : lx;
+    const qy = gy > 0 ? (ly < 0 ? -halfHeight : halfHeight) : ly;
     const along = ax * (dvx * cos + dvy * sin) + ay * (dvy * cos - dvx * sin);
     const above = g + FLOOR - rounding;
     let step = safeStep(above, along + omega * (ax * qy - ay * qx), k);
     if (step < cap && swing > 0 && t + step < horizon) {
-      step = Math.max(step, cornerStep(above, ax, ay, qx, qy, along, omega, relative + HALF_DIAGONAL * swing));
+      step = Math.max(step, cornerStep(m.box, above, ax, ay, qx, qy, along, omega, relative + halfDiagonal * swing));
     }
     if (n >= PATIENCE && step < cap && t + step < horizon) {
       work.guards++;
@@ -178,6 +178,7 @@ export function sweptTime(m: Motion, r: number, pull: number, from: number): num
 
 /** The second bound: the least safe step of the four corners. */
 function cornerStep(
+  { halfWidth, halfHeight }: Box,
   above: number,
   ax: number,
   ay: number,
@@ -188,8 +189,8 @@ function cornerStep(
   k: number,
 ): number {
   let step = Number.POSITIVE_INFINITY;
-  for (let x = -HALF_WIDTH; x <= HALF_WIDTH; x += 2 * HALF_WIDTH) {
-    for (let y = -HALF_HEIGHT; y <= HALF_HEIGHT; y += 2 * HALF_HEIGHT) {
+  for (let x = -halfWidth; x <= halfWidth; x += 2 * halfWidth) {
+    for (let y = -halfHeight; y <= halfHeight; y += 2 * halfHeight) {
       step = Math.min(step, safeStep(above + ax * (qx - x) + ay * (qy - y), along + omega * (ax * y - ay * x), k));
     }
   }
@@ -225,7 +226,7 @@ function plainGapAt(m: Motion, t: number, r: number): number {
   }
   look[0] = cos;
   look[1] = sin;
-  return boxCircleGap(e[4], e[5], cos, sin, r);
+  return boxCircleGap(m.box, e[4], e[5], cos, sin, r);
 }
 
 /** What rounding may do to the gap to a circle that is as far from her as in e[4], e[5], px. */

@@ -1,4 +1,3 @@
-import { HALF_HEIGHT, HALF_WIDTH } from '../constants.ts';
 import { DRIFTS, IS_BASE, LINEAR, type Motion, SERIES, SLOTS, TURNS } from '../motion/index.ts';
 
 const { HELD, FIELD, TARGET, BASE_X, BASE_Y, KIND, TURN, DEGREE } = SLOTS;
@@ -162,10 +161,10 @@ export function fineGap(m: Motion, t: number, r: number, cos: number, sin: numbe
   let xl = low;
   let y = products(BX, DY, BY, DX, -1);
   let yl = low;
-  const width = multiply(q, ql, HALF_WIDTH, 0);
+  const width = multiply(q, ql, m.box.halfWidth, 0);
   x = x < 0 ? add(-x, -xl, -width, -low) : add(x, xl, -width, -low);
   xl = low;
-  const height = multiply(q, ql, HALF_HEIGHT, 0);
+  const height = multiply(q, ql, m.box.halfHeight, 0);
   y = y < 0 ? add(-y, -yl, -height, -low) : add(y, yl, -height, -low);
   yl = low;
   if (x <= 0 && y <= 0) return -r;

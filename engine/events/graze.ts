@@ -1,4 +1,3 @@
-import { HALF_DIAGONAL, HALF_HEIGHT, HALF_WIDTH } from '../constants.ts';
 import { addProduct, LONGEST_SERIES, type Motion, relativeSeries, SLOTS, shift, TURNS } from '../motion/index.ts';
 import { FLOOR } from '../tolerances.ts';
 import { safeStretch } from './conservative-advancement.ts';
@@ -56,10 +55,11 @@ export function grazeStep(
   if (swing === 0) return safeStretch(along, degree, above, slope, 0, Math.min(cap, longest));
 
   let step = Math.min(cap, longest);
-  for (let x = -HALF_WIDTH; x <= HALF_WIDTH; x += 2 * HALF_WIDTH) {
-    for (let y = -HALF_HEIGHT; y <= HALF_HEIGHT; y += 2 * HALF_HEIGHT) {
+  const { halfWidth, halfHeight, halfDiagonal } = m.box;
+  for (let x = -halfWidth; x <= halfWidth; x += 2 * halfWidth) {
+    for (let y = -halfHeight; y <= halfHeight; y += 2 * halfHeight) {
       const value = above + ax * (qx - x) + ay * (qy - y);
-      step = Math.min(step, safeStretch(along, degree, value, slope + omega * (ax * y - ay * x), HALF_DIAGONAL * swing, step));
+      step = Math.min(step, safeStretch(along, degree, value, slope + omega * (ax * y - ay * x), halfDiagonal * swing, step));
     }
   }
   const beside = ax === 0 || ay === 0;
@@ -87,7 +87,7 @@ function besideStep(
   shift(bx, own, t);
   shift(by, own, t);
   const size = Math.sqrt(bx[0] * bx[0] + by[0] * by[0]);
-  const half = ay === 0 ? HALF_WIDTH : HALF_HEIGHT;
+  const half = ay === 0 ? m.box.halfWidth : m.box.halfHeight;
   const squares = -(half + r) / (2 * size);
   product.fill(0);
   if (ay === 0) {

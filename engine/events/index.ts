@@ -13,7 +13,6 @@ export {
   refresh,
   rockDistanceToNear,
   rockTravel,
-  TOUCH_MARGIN,
 } from './neighbourhood.ts';
 export { quietOutside, quietTime, quietWithin } from './quiet.ts';
 export { rimTime } from './rim.ts';

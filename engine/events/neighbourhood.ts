@@ -1,4 +1,3 @@
-import { HALF_DIAGONAL } from '../constants.ts';
 import { ALERTNESS, type EventRule, type Motion, RECORDS, SLOTS, targetsAround } from '../motion/index.ts';
 import type { IndexedCircles } from '../scene.ts';
 import { SURPLUS } from '../tolerances.ts';
@@ -7,13 +6,10 @@ const { TARGET } = SLOTS;
 const { CHASER, ROCK } = RECORDS;
 const { AWAKE } = ALERTNESS;
 
-/** How far from a circle's rim her centre is at most when she touches it, px, with room. */
-export const TOUCH_MARGIN = HALF_DIAGONAL + SURPLUS;
-
 /** Makes the neighbour list anew around (x, y) for a path of length `reach`. */
 export function refresh(m: Motion, x: number, y: number, reach: number): void {
   const { near } = m;
-  const { list } = m.events;
+  const { list } = m.parts;
   // places of rocks change under recoil: then the list serves one piece
   near.restart(x, y, m.recoil ? reach : Math.max(2 * reach, 64), m.s[TARGET]);
   for (let k = 0; k < list.length; k++) list[k].list?.(m);
@@ -42,15 +38,15 @@ export function eachCircleNear(m: Motion, circles: IndexedCircles, within: numbe
 /** Lists the circles that stand still and that she may touch. */
 export function listTouching(m: Motion, rule: EventRule, circles: IndexedCircles): void {
   const { near } = m;
-  eachCircleNear(m, circles, near.skin + TOUCH_MARGIN, (i) => {
-    near.add(rule.kind, i, distanceToNear(m, circles.x[i], circles.y[i]) - circles.r[i] - TOUCH_MARGIN);
+  eachCircleNear(m, circles, near.skin + m.touchMargin, (i) => {
+    near.add(rule.kind, i, distanceToNear(m, circles.x[i], circles.y[i]) - circles.r[i] - m.touchMargin);
   });
 }
 
 /** Lists the circles that stand still and whose rims her centre may cross. */
 export function listRims(m: Motion, rule: EventRule, circles: IndexedCircles): void {
   const { near } = m;
-  eachCircleNear(m, circles, near.skin + TOUCH_MARGIN, (i) => {
+  eachCircleNear(m, circles, near.skin + m.touchMargin, (i) => {
     near.add(rule.kind, i, Math.abs(distanceToNear(m, circles.x[i], circles.y[i]) - circles.r[i]) - SURPLUS);
   });
 }

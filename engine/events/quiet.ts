@@ -12,7 +12,7 @@ const LONGEST = 4;
  * piece. 0 while somebody chases her.
  */
 export function quietTime(m: Motion): number {
-  const { s, near, path, events, ux, uy, strongest } = m;
+  const { s, near, path, parts, ux, uy, strongest } = m;
   if (s[AWAKE_COUNT] > 0) return 0;
   const x = s[BASE_X] + ux[0];
   const y = s[BASE_Y] + uy[0];
@@ -29,10 +29,10 @@ export function quietTime(m: Motion): number {
   let time = Math.min(LONGEST, safeStep(Math.min(near.skin - gone, 1e6), -v, strongest));
   for (let n = 0; n < near.count && time > 0; n++) {
     if (near.slack[n] > gone + (v + strongest * time) * time) continue;
-    const rule = events.byKind[near.kind[n]];
+    const rule = parts.byKind[near.kind[n]];
     time = rule.quiet === null ? 0 : rule.quiet(m, near.index[n], time);
   }
-  for (const rule of events.alwaysQuiet) time = rule.alwaysQuiet === null ? 0 : rule.alwaysQuiet(m, time);
+  for (const rule of parts.alwaysQuiet) time = rule.alwaysQuiet === null ? 0 : rule.alwaysQuiet(m, time);
   return time;
 }
 

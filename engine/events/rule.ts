@@ -1,4 +1,4 @@
-import type { EventRule, EventRules } from '../motion/index.ts';
+import type { EventRule, Parts } from '../motion/index.ts';
 
 /** A kind of event from what it has to say: {@link EventRule}. Its place in the order is given by {@link putInOrder}. */
 export function eventRule(rule: Pick<EventRule, 'name' | 'fire'> & Partial<Omit<EventRule, 'kind'>>): EventRule {
@@ -35,7 +35,7 @@ export function layOutRules(
   all: readonly EventRule[],
   listedFirst: readonly EventRule[],
   chosen: readonly EventRule[],
-): EventRules {
+): Pick<Parts, 'byKind' | 'list' | 'first' | 'always' | 'alwaysQuiet'> {
   const used = all.filter((rule) => chosen.includes(rule));
   const byKind: EventRule[] = [];
   for (const rule of all) byKind[rule.kind] = rule;

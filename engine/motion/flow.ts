@@ -1,5 +1,3 @@
-import { GUN_PULL } from '../constants.ts';
-
 /** No force: a straight line. */
 export const COAST = 0;
 /** Towards or away from the centre of the frame: u'' = alpha u / |u| + beta u. */
@@ -16,6 +14,8 @@ export class Flow {
   alpha = 0;
   /** 1/s2 */
   beta = 0;
+  /** LINEAR: the pull at the centre, px/s2. */
+  pull = 0;
   /** LINEAR: range of the pull (px; 0 for a push), what acts beside it (px/s2), and the direction away from the centre. */
   range = 0;
   extra = 0;
@@ -36,7 +36,7 @@ export class Flow {
   /** LINEAR: begins a step at (x, y). */
   moveTo(x: number, y: number): void {
     // written so that the pull is exactly 0 at the range
-    const pull = this.range > 0 ? GUN_PULL * (1 - Math.sqrt(x * x + y * y) / this.range) : 0;
+    const pull = this.range > 0 ? this.pull * (1 - Math.sqrt(x * x + y * y) / this.range) : 0;
     this.ax = (this.extra - pull) * this.outX;
     this.ay = (this.extra - pull) * this.outY;
     this.x0 = x;

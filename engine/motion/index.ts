@@ -3,7 +3,19 @@ export { CENTRAL, COAST, Flow, LINEAR, SLIDE } from './flow.ts';
 export { rebase } from './frame.ts';
 export type { Glide, Integrator } from './integrator.ts';
 export { beginLine, bendLine, findLine, holdsTarget, movesAlong, ontoLine, sideOf, straighten, straightenBody } from './line.ts';
-export { awakeAt, type Crowd, type EventRule, type EventRules, GOES_ON, MODES, Motion, type Recorder } from './motion.ts';
+export {
+  actingForce,
+  awakeAt,
+  type CentralForce,
+  type Crowd,
+  type EventRule,
+  GOES_ON,
+  MODES,
+  Motion,
+  type Parts,
+  type Recorder,
+  type SteadyForce,
+} from './motion.ts';
 export { distanceSquared, nearest } from './nearest.ts';
 export { packPiece, unpackPiece } from './packed-piece.ts';
 export { alienPlaceAt, directionAt, lookAt, placeAt, rockAt, settleAt } from './places.ts';

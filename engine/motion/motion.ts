@@ -1,7 +1,9 @@
+import type { Level, Rules } from '../../schema/index.ts';
 import { TICK_RATE } from '../constants.ts';
+import type { Box } from '../contact/index.ts';
 import type { Scene } from '../scene.ts';
 import type { BodyKind, Ending, RunEvent } from '../simulation.ts';
-import { SAME_INSTANT } from '../tolerances.ts';
+import { SAME_INSTANT, SURPLUS } from '../tolerances.ts';
 import type { WorkBudget } from '../work-budget.ts';
 import { COAST, Flow } from './flow.ts';
 import type { Integrator } from './integrator.ts';
@@ -69,14 +71,52 @@ export interface EventRule {
   readonly fire: (m: Motion, a: number, b: number, time: number) => number;
 }
 
-/** The kinds of events that can happen in a scene. */
-export interface EventRules {
-  /** All there are, by their `kind`. */
+/** A force towards or away from a centre. Of several one acts at a time: the first in the order of the effects that does. */
+export interface CentralForce {
+  readonly acts: 'instead';
+  /** The most it can accelerate her, px/s2. */
+  strongest(level: Level, rules: Rules): number;
+  isActing(m: Motion): boolean;
+  /** Puts the origin of the frame into its centre. */
+  centre(m: Motion): void;
+  /** Sets strength and range of the flow; {@link Flow}. */
+  set(m: Motion): void;
+  /** How far from the centre she could get, at distance `d` (px) and speed `v` (px/s); Infinity where it doesn't hold her. */
+  swing(m: Motion, d: number, v: number): number;
+}
+
+/** A force that is the same wherever she is while it acts, beside all others. */
+export interface SteadyForce {
+  readonly acts: 'beside';
+  /** The most it can accelerate her, px/s2. */
+  strongest(level: Level, rules: Rules): number;
+  /** Adds it to the flow, if it acts. */
+  add(m: Motion): void;
+}
+
+type Hook = (m: Motion) => void;
+
+/** What the chosen effects bring to a motion. */
+export interface Parts {
+  /** All kinds of events there are, by their `kind`. */
   readonly byKind: readonly EventRule[];
+  // those that can happen here, by how they are found
   readonly list: readonly EventRule[];
   readonly first: readonly EventRule[];
   readonly always: readonly EventRule[];
   readonly alwaysQuiet: readonly EventRule[];
+  readonly central: readonly CentralForce[];
+  readonly steady: readonly SteadyForce[];
+  /** Before the frame and flow of a new piece are chosen. */
+  readonly beforePiece: readonly Hook[];
+  /** After they are: says how her box turns. */
+  readonly turn: readonly Hook[];
+  /** Sets `m.rim` where she slides, from the state. */
+  readonly setRim: readonly Hook[];
+  /** Where a piece came to its natural end: may skip time in which all repeats itself. */
+  readonly repeat: readonly Hook[];
+  /** Whether all may repeat itself before long, so that no piece is to be glided over. */
+  readonly mayRepeat: readonly ((m: Motion) => boolean)[];
 }
 
 /** Where she goes from the start of the piece: place relative to the origin (px), velocity (px/s), and how far (px). */
@@ -112,6 +152,11 @@ export interface Crowd {
  */
 export class Motion {
   readonly scene: Scene;
+  /** The numbers of the game in this scene. */
+  readonly rules: Rules;
+  readonly box: Box;
+  /** How far from a circle's rim her centre is at most when she touches it, px, with room. */
+  readonly touchMargin: number;
   readonly recorder: Recorder | null;
   readonly flow = new Flow();
   /** What acts where she slides along a rim. */
@@ -178,20 +223,21 @@ export class Motion {
   circleSeries = 0;
 
   /**
-   * @param strongest the most that all forces together can accelerate her, px/s2
    * @param budget what looking for events may cost
    */
   constructor(
     scene: Scene,
     readonly integrator: Integrator,
-    readonly events: EventRules,
-    strongest: number,
+    readonly parts: Parts,
     recorder: Recorder | null,
     readonly budget: WorkBudget,
   ) {
     this.scene = scene;
+    this.rules = scene.rules;
+    this.box = scene.box;
+    this.touchMargin = scene.box.halfDiagonal + SURPLUS;
     this.recorder = recorder;
-    this.strongest = FIXED_STEP_ROOM * strongest;
+    this.strongest = FIXED_STEP_ROOM * scene.strongest;
     this.frameRate = scene.accuracy.contact === 'frame' ? (scene.accuracy.rate ?? TICK_RATE) : 0;
     const { level, targets, aliens, minerals, novae, repulsors } = scene;
     this.recoils = level.recoil && targets.count > 0;
@@ -237,7 +283,7 @@ export class Motion {
     if (!this.recoil || s[HELD] === 0) return 0;
     // at rest in its very centre there is no direction to recoil in
     if (s[KIND] === COAST && s[FIELD] < 0) return 0;
-    return 1 / (2 * this.scene.targets.r[s[TARGET]]);
+    return this.rules.recoil / (2 * this.scene.targets.r[s[TARGET]]);
   }
 
   /** Index into {@link MODES}. */
@@ -260,4 +306,11 @@ export class Motion {
 /** The index of the k-th alien that is awake. */
 export function awakeAt({ crowd }: Motion, k: number): number {
   return crowd === null ? -1 : crowd.awake[k];
+}
+
+/** The force that acts on her now, or null. */
+export function actingForce(m: Motion): CentralForce | null {
+  const { central } = m.parts;
+  for (let k = 0; k < central.length; k++) if (central[k].isActing(m)) return central[k];
+  return null;
 }

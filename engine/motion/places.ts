@@ -1,4 +1,3 @@
-import { SPEED_LIMIT } from '../constants.ts';
 import { COAST, SLIDE } from './flow.ts';
 import { ontoLine } from './line.ts';
 import type { Motion } from './motion.ts';
@@ -23,8 +22,8 @@ export function settleAt(m: Motion, t: number): void {
   // a fixed step may overshoot the speed limit by what its velocity errs
   const vx = e[2] + e[6];
   const vy = e[3] + e[7];
-  if (vx > SPEED_LIMIT || vx < -SPEED_LIMIT) e[2] = (vx > 0 ? SPEED_LIMIT : -SPEED_LIMIT) - e[6];
-  if (vy > SPEED_LIMIT || vy < -SPEED_LIMIT) e[3] = (vy > 0 ? SPEED_LIMIT : -SPEED_LIMIT) - e[7];
+  if (vx > m.rules.speedLimit || vx < -m.rules.speedLimit) e[2] = (vx > 0 ? m.rules.speedLimit : -m.rules.speedLimit) - e[6];
+  if (vy > m.rules.speedLimit || vy < -m.rules.speedLimit) e[3] = (vy > 0 ? m.rules.speedLimit : -m.rules.speedLimit) - e[7];
   if (s[LINE] === NONE) return;
   const steep = s[LINE_STEEP] === 1;
   ontoLine(steep, s[LINE_SLOPE], e, 0);

@@ -1,4 +1,3 @@
-import { REPULSOR_PUSH } from '../constants.ts';
 import { TAYLOR_DEGREE } from './power-series.ts';
 
 const N = TAYLOR_DEGREE;
@@ -22,6 +21,8 @@ const denominator = new Float64Array(N + 1);
 export class RimFlow {
   /** px */
   radius = 1;
+  /** What pushes her out from within, px/s2. */
+  push = 0;
   /** Of the force outside, px/s2 and 1/s2. */
   alpha = 0;
   beta = 0;
@@ -57,15 +58,15 @@ export class RimFlow {
     const outside = (this.freeX ? this.forceX * nx : 0) + (this.freeY ? this.forceY * ny : 0);
     const within = (this.freeX ? nx * nx : 0) + (this.freeY ? ny * ny : 0);
     this.pressesIn = -outside - turning;
-    this.pressesOut = REPULSOR_PUSH * within + turning;
+    this.pressesOut = this.push * within + turning;
   }
 
   /** The mean acceleration after `weigh` at the same place, into out[at..at + 1]; of a limited axis what the limit holds back. */
   accelerate(x: number, y: number, out: Float64Array, at: number): void {
     const r = Math.sqrt(x * x + y * y);
     const s = this.pressesOut / (this.pressesOut + this.pressesIn);
-    out[at] = s * this.forceX + ((1 - s) * REPULSOR_PUSH * x) / r;
-    out[at + 1] = s * this.forceY + ((1 - s) * REPULSOR_PUSH * y) / r;
+    out[at] = s * this.forceX + ((1 - s) * this.push * x) / r;
+    out[at + 1] = s * this.forceY + ((1 - s) * this.push * y) / r;
   }
 
   /**
@@ -112,7 +113,7 @@ export class RimFlow {
         turning += c * (x[k + 1] * x[n - k + 1] + y[k + 1] * y[n - k + 1]);
         pressing += outX[k] * x[n - k] + outY[k] * y[n - k];
       }
-      const one = n === 0 ? REPULSOR_PUSH : 0;
+      const one = n === 0 ? this.push : 0;
       denominator[n] = one - pressing / radius;
       this.pressure[n] = -(pressing + turning) / radius;
       let s = one + turning / radius;
@@ -121,7 +122,7 @@ export class RimFlow {
       let ax = 0;
       let ay = 0;
       for (let k = 0; k <= n; k++) {
-        const push = (REPULSOR_PUSH / radius) * ((k === 0 ? 1 : 0) - share[k]);
+        const push = (this.push / radius) * ((k === 0 ? 1 : 0) - share[k]);
         ax += share[k] * outX[n - k] + push * x[n - k];
         ay += share[k] * outY[n - k] + push * y[n - k];
       }

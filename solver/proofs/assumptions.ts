@@ -27,9 +27,11 @@ const UNDERSTOOD: Readonly<Record<Prover, readonly string[]>> = {
   flowpipe: GAME,
 };
 
-/** The names of the effects that a level calls for. */
-export const effectsOf = (level: Level): readonly string[] =>
-  EFFECTS.filter((effect) => effect.calledFor(level).called).map(({ name }) => name);
+/** The names of the effects that a level calls for; rules of its own count as one, which no way to prove understands. */
+export const effectsOf = (level: Level): readonly string[] => [
+  ...EFFECTS.filter((effect) => effect.calledFor(level).called).map(({ name }) => name),
+  ...(level.rules === undefined ? [] : ['rules of its own']),
+];
 
 /** Why a way to prove says nothing where these effects act; null where it understands all of them. */
 export function whyNotTried(prover: Prover, effects: readonly string[]): string | null {

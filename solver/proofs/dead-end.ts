@@ -1,4 +1,4 @@
-import { boxCircleGap, HALF_DIAGONAL } from '../../engine/index.ts';
+import { boxCircleGap, DEFAULT_BOX, HALF_DIAGONAL } from '../../engine/index.ts';
 import { speedAfter, UNBENT_SPEED } from './assumptions.ts';
 import type { StandingCircle } from './blockers.ts';
 import { between, convexHull, type Vertex } from './convex.ts';
@@ -370,7 +370,7 @@ function isStopped(circle: StandingCircle, ends: readonly Place[], from: Place, 
   const length = Math.sqrt(sum.x * sum.x + sum.y * sum.y);
   const middle = { x: sum.x / length, y: sum.y / length };
   const chord = Math.max(distance(middle, from), distance(middle, to));
-  const gaps = ends.map((p) => boxCircleGap(circle.x - p.x, circle.y - p.y, middle.x, middle.y, circle.radius));
+  const gaps = ends.map((p) => boxCircleGap(DEFAULT_BOX, circle.x - p.x, circle.y - p.y, middle.x, middle.y, circle.radius));
   const worst = Math.max(...gaps);
   if (worst < -DEEP - HALF_DIAGONAL * chord) return true;
   if (worst > -DEEP || chord < FINEST_TURN) return false;

@@ -29,6 +29,7 @@ const KNOWS: ReadonlyMap<string, ReadonlySet<string>> = new Map<ProofCode, Reado
 export function whyNotKnown(kind: unknown, level: Level): string | null {
   const known = typeof kind === 'string' ? KNOWS.get(kind) : undefined;
   if (known === undefined) return 'its kind is unknown';
+  if (level.rules !== undefined) return 'the level has rules of its own, which no proof knows';
   const unknown = EFFECTS.find((effect) => !known.has(effect.name) && effect.calledFor(level).called);
   return unknown === undefined
     ? null

@@ -214,7 +214,7 @@ const small = (rest: string) => `{"version":1,"name":"a","astronaut":{"x":1,"y":
 const nova = (rest: string) => small(`,"novae":[{"x":1,"y":2,"radius":3${rest}}]`);
 const hold = (text: string) => small(`,"runs":[{"name":"a","holds":[${text}]}]`);
 const TOP =
-  '$schema, version, name, description, astronaut, blackHole, range, recoil, asteroids, novae, repulsors, aliens, minerals, runs';
+  '$schema, version, name, description, astronaut, blackHole, range, recoil, rules, asteroids, novae, repulsors, aliens, minerals, runs';
 
 /** What is no level, by what is to be done: the text, and what is said of it. */
 const PROBLEMS: Readonly<Record<string, readonly (readonly [source: string, message: string])[]>> = {

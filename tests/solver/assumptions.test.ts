@@ -9,7 +9,7 @@ import { ALSO, LEVELS } from './impossible-levels.ts';
 
 const WIND: Effect = {
   name: 'test-wind',
-  summary: 'pushes her somewhere',
+  summary: () => 'pushes her somewhere',
   calledFor: () => ({ called: true, because: 'the wind blows everywhere' }),
 };
 const game = EFFECTS as Effect[];

@@ -5,6 +5,7 @@ import {
   boxCircleGap,
   compile,
   createSimulation,
+  DEFAULT_BOX,
   GUN_PULL,
   HALF_DIAGONAL,
   simulate,
@@ -86,7 +87,7 @@ describe('reach: how near a box must be to touch, and may be without', () => {
     fc.assert(
       fc.property(real(0, 40), real(0, 6.3), real(0, 6.3), real(0.001, 100), (gap, to, turn, radius) => {
         const d = radius + gap;
-        const g = boxCircleGap(d * Math.cos(to), d * Math.sin(to), Math.cos(turn), Math.sin(turn), radius);
+        const g = boxCircleGap(DEFAULT_BOX, d * Math.cos(to), d * Math.sin(to), Math.cos(turn), Math.sin(turn), radius);
         if (gap < 10 - 1e-9) expect(g).toBeLessThan(0);
         if (gap >= HALF_DIAGONAL) expect(g).toBeGreaterThanOrEqual(0);
         if (g < 0) farthest = Math.max(farthest, gap);

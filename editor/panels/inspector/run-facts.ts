@@ -1,4 +1,4 @@
-import { boxCircleGap, type RunEvent, STATE_SIZE, TICK, TICK_RATE } from '../../../engine/index.ts';
+import { boxCircleGap, DEFAULT_BOX, type RunEvent, STATE_SIZE, TICK, TICK_RATE } from '../../../engine/index.ts';
 import { appearanceOfObject } from '../../../schema/index.ts';
 import { type FoundObject, placesOf } from '../../document/index.ts';
 import { endInWords, type LiveProof } from '../../proof/index.ts';
@@ -45,7 +45,7 @@ export function nearestPass(proof: LiveProof, found: FoundObject, radius: number
     const places = placesAt(tick);
     if (places === null) break;
     for (const { x, y } of places) {
-      const gap = boxCircleGap(x - states[o], y - states[o + 1], states[o + 4], states[o + 5], radius);
+      const gap = boxCircleGap(DEFAULT_BOX, x - states[o], y - states[o + 1], states[o + 4], states[o + 5], radius);
       if (best === null || gap < best.gap) best = { gap, tick };
     }
   }

@@ -5,8 +5,10 @@ import { fallAsleep, layOutAliens, touchAlien, wake } from './events.ts';
 
 export const alienChase: Effect = {
   name: 'alien-chase',
-  summary: 'an alien within 150 px accelerates towards her at 8 px/s2, otherwise it stops dead; touching it ends the run',
+  summary: ({ alienSight, alienPull }) =>
+    `an alien within ${alienSight} px accelerates towards her at ${alienPull} px/s2, otherwise it stops dead; touching it ends the run`,
   calledFor: whereAny('aliens', 'alien'),
+  rules: ['alienPull', 'alienSight'],
   moves: true,
   kills: true,
   events: [touchAlien, wake, fallAsleep],

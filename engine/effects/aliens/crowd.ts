@@ -1,5 +1,4 @@
 import Flatbush from 'flatbush';
-import { ALIEN_PULL, ALIEN_SIGHT, HALF_DIAGONAL } from '../../constants.ts';
 import { ALERTNESS, type Crowd, type Motion, RECORDS, SLOTS } from '../../motion/index.ts';
 import { indexCircles, type SpatialIndex } from '../../spatial-index.ts';
 
@@ -182,10 +181,10 @@ export class AlienCrowd implements Crowd {
     const { r } = scene.aliens;
     const around = within + AHEAD;
     let calm = this.index === null ? Number.POSITIVE_INFINITY : around;
-    for (const i of this.sleepersAround(x, y, around + Math.max(ALIEN_SIGHT, HALF_DIAGONAL) + MARGIN)) {
+    for (const i of this.sleepersAround(x, y, around + Math.max(this.m.rules.alienSight, this.m.box.halfDiagonal) + MARGIN)) {
       const o = chasers + CHASER * i;
       const d = Math.sqrt((s[o] - x) * (s[o] - x) + (s[o + 1] - y) * (s[o + 1] - y));
-      calm = Math.min(calm, d - Math.max(ALIEN_SIGHT, r[i] + HALF_DIAGONAL));
+      calm = Math.min(calm, d - Math.max(this.m.rules.alienSight, r[i] + this.m.box.halfDiagonal));
       visit(i, d);
     }
     this.calmX = x;
@@ -241,7 +240,7 @@ export class AlienCrowd implements Crowd {
     for (let k = 0; k < count; k++) {
       const i = awake[k];
       const o = chasers + CHASER * i;
-      const far = (Math.sqrt(s[o + 2] * s[o + 2] + s[o + 3] * s[o + 3]) + ALIEN_PULL * h) * h;
+      const far = (Math.sqrt(s[o + 2] * s[o + 2] + s[o + 3] * s[o + 3]) + this.m.rules.alienPull * h) * h;
       const later: number[] = [];
       for (const j of this.sleepersAround(s[o], s[o + 1], far + aliens.r[i])) {
         const q = chasers + CHASER * j;
@@ -287,7 +286,7 @@ export class AlienCrowd implements Crowd {
       const o = chasers + CHASER * awake[k];
       const dx = (s[o + 2] - vx) * h;
       const dy = (s[o + 3] - vy) * h;
-      const room = r[awake[k]] + ALIEN_PULL * h * h + MARGIN;
+      const room = r[awake[k]] + this.m.rules.alienPull * h * h + MARGIN;
       boxes[4 * k] = s[o] + Math.min(0, dx) - room;
       boxes[4 * k + 1] = s[o + 1] + Math.min(0, dy) - room;
       boxes[4 * k + 2] = s[o] + Math.max(0, dx) + room;

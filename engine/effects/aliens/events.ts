@@ -1,14 +1,4 @@
-import { ALIEN_PULL, ALIEN_SIGHT } from '../../constants.ts';
-import {
-  alienTravel,
-  contactTime,
-  eventRule,
-  justFired,
-  offer,
-  quietOutside,
-  rimTime,
-  TOUCH_MARGIN,
-} from '../../events/index.ts';
+import { alienTravel, contactTime, eventRule, justFired, offer, quietOutside, rimTime } from '../../events/index.ts';
 import { GOES_ON, type Motion, placeAlien, RECORDS, SERIES, SLOTS } from '../../motion/index.ts';
 import { SURPLUS } from '../../tolerances.ts';
 import { type AlienCrowd, NOBODY } from './crowd.ts';
@@ -31,14 +21,14 @@ export const touchAlien = eventRule({
     const { near } = m;
     const { r } = m.scene.aliens;
     crowdOf(m).eachSleeperNear(near.x, near.y, near.skin, (i, d) => {
-      near.add(wake.kind, i, d - ALIEN_SIGHT - SURPLUS);
-      near.add(touchAlien.kind, i, d - r[i] - TOUCH_MARGIN);
+      near.add(wake.kind, i, d - m.rules.alienSight - SURPLUS);
+      near.add(touchAlien.kind, i, d - r[i] - m.touchMargin);
     });
   },
   guard: offerTouch,
   quiet(m, i, time) {
     const o = m.chasers + CHASER * i;
-    return quietOutside(m, m.s[o], m.s[o + 1], m.scene.aliens.r[i] + TOUCH_MARGIN, time);
+    return quietOutside(m, m.s[o], m.s[o + 1], m.scene.aliens.r[i] + m.touchMargin, time);
   },
   always: offerAwake,
   fire: (_m, i) => i,
@@ -46,7 +36,7 @@ export const touchAlien = eventRule({
 
 function offerTouch(m: Motion, i: number, from: number): void {
   placeAlien(m, i);
-  const pull = m.circleMotion === SERIES ? ALIEN_PULL : 0;
+  const pull = m.circleMotion === SERIES ? m.rules.alienPull : 0;
   offer(m, contactTime(m, m.scene.aliens.r[i], pull, from), touchAlien.kind, i, 0);
 }
 
@@ -55,11 +45,11 @@ export const wake = eventRule({
   name: 'wake',
   guard(m, i, from) {
     placeAlien(m, i);
-    offer(m, rimTime(m, ALIEN_SIGHT, true, 0, from, justFired(m, wake.kind, i)), wake.kind, i, 0);
+    offer(m, rimTime(m, m.rules.alienSight, true, 0, from, justFired(m, wake.kind, i)), wake.kind, i, 0);
   },
   quiet(m, i, time) {
     const o = m.chasers + CHASER * i;
-    return quietOutside(m, m.s[o], m.s[o + 1], ALIEN_SIGHT + SURPLUS, time);
+    return quietOutside(m, m.s[o], m.s[o + 1], m.rules.alienSight + SURPLUS, time);
   },
   fire: (m, i, _b, time) => become(m, i, true, time),
 });
@@ -72,7 +62,13 @@ export const fallAsleep = eventRule({
 
 function offerSleep(m: Motion, i: number, from: number): void {
   placeAlien(m, i);
-  offer(m, rimTime(m, ALIEN_SIGHT, false, ALIEN_PULL, from, justFired(m, fallAsleep.kind, i)), fallAsleep.kind, i, 0);
+  offer(
+    m,
+    rimTime(m, m.rules.alienSight, false, m.rules.alienPull, from, justFired(m, fallAsleep.kind, i)),
+    fallAsleep.kind,
+    i,
+    0,
+  );
 }
 
 function become(m: Motion, i: number, awake: boolean, time: number): number {
@@ -130,9 +126,9 @@ function offerAwake(m: Motion, from: number): void {
     }
     const o = m.chasers + CHASER * i;
     const d = Math.sqrt((s[o] - path.x) * (s[o] - path.x) + (s[o + 1] - path.y) * (s[o + 1] - path.y));
-    const moves = path.travel + alienTravel(m, i, ALIEN_PULL, h);
-    if (d + moves > ALIEN_SIGHT - SURPLUS) offerSleep(m, i, from);
-    if (d - moves < aliens.r[i] + TOUCH_MARGIN) offerTouch(m, i, from);
+    const moves = path.travel + alienTravel(m, i, m.rules.alienPull, h);
+    if (d + moves > m.rules.alienSight - SURPLUS) offerSleep(m, i, from);
+    if (d - moves < aliens.r[i] + m.touchMargin) offerTouch(m, i, from);
   }
   if (overlap >= 0) offerPair(m, explosions[overlap], explosions[overlap + 1], from);
 }
@@ -145,7 +141,7 @@ export function layOutAliens(m: Motion): void {
     const o = m.chasers + CHASER * i;
     s[o] = aliens.x[i] - m.originX;
     s[o + 1] = aliens.y[i] - m.originY;
-    if (s[o] * s[o] + s[o + 1] * s[o + 1] >= ALIEN_SIGHT * ALIEN_SIGHT) continue;
+    if (s[o] * s[o] + s[o + 1] * s[o + 1] >= m.rules.alienSight * m.rules.alienSight) continue;
     crowdOf(m).wake(i);
   }
 }

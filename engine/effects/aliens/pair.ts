@@ -1,4 +1,3 @@
-import { ALIEN_PULL } from '../../constants.ts';
 import { alienTravel, lookNext, overlapBetween, PATIENCE, safeStep, safeStretch, smallestStride } from '../../events/index.ts';
 import {
   ALERTNESS,
@@ -38,12 +37,12 @@ export function pairTime(m: Motion, i: number, j: number, from: number): number 
   const reach = scene.aliens.r[i] + scene.aliens.r[j];
   const d = Math.sqrt((s[a] - s[b]) * (s[a] - s[b]) + (s[a + 1] - s[b + 1]) * (s[a + 1] - s[b + 1]));
   const h = s[LENGTH_H];
-  if (d - alienTravel(m, i, ALIEN_PULL, h) - alienTravel(m, j, ALIEN_PULL, h) > reach + SURPLUS) return -1;
+  if (d - alienTravel(m, i, m.rules.alienPull, h) - alienTravel(m, j, m.rules.alienPull, h) > reach + SURPLUS) return -1;
   work.guards++;
   const e = m.e;
   const still = s[a + 4] === ASLEEP && s[b + 4] === ASLEEP;
   const horizon = Math.min(m.horizon, h);
-  const pull = m.integrator.degree === 3 ? CUBIC_BENDS * ALIEN_PULL : ALIEN_PULL;
+  const pull = m.integrator.degree === 3 ? CUBIC_BENDS * m.rules.alienPull : m.rules.alienPull;
   const small = smallestStride(h);
   const floor = 2 * reach * FLOOR;
   let t = from;

@@ -1,4 +1,4 @@
-import { contactTime, distanceToNear, eventRule, offer, quietOutside, TOUCH_MARGIN } from '../../events/index.ts';
+import { contactTime, distanceToNear, eventRule, offer, quietOutside } from '../../events/index.ts';
 import { placeCircle } from '../../motion/index.ts';
 import type { Effect } from '../effect.ts';
 
@@ -7,7 +7,7 @@ export const touchBlackHole = eventRule({
   ends: { outcome: 'completed', touches: 'blackHole' },
   list(m) {
     const { x, y, radius } = m.scene.level.blackHole;
-    m.near.add(touchBlackHole.kind, 0, distanceToNear(m, x, y) - radius - TOUCH_MARGIN);
+    m.near.add(touchBlackHole.kind, 0, distanceToNear(m, x, y) - radius - m.touchMargin);
   },
   guard(m, _i, from) {
     const { x, y, radius } = m.scene.level.blackHole;
@@ -16,14 +16,14 @@ export const touchBlackHole = eventRule({
   },
   quiet(m, _i, time) {
     const { x, y, radius } = m.scene.level.blackHole;
-    return quietOutside(m, x - m.originX, y - m.originY, radius + TOUCH_MARGIN, time);
+    return quietOutside(m, x - m.originX, y - m.originY, radius + m.touchMargin, time);
   },
   fire: () => 0,
 });
 
 export const blackHole: Effect = {
   name: 'black-hole',
-  summary: 'touching it completes the level',
+  summary: () => 'touching it completes the level',
   calledFor: () => ({ called: true, because: 'every level has one' }),
   events: [touchBlackHole],
 };

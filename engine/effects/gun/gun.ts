@@ -1,12 +1,24 @@
-import { GUN_PULL } from '../../constants.ts';
+import { SLOTS, stir } from '../../motion/index.ts';
 import { whereAny } from '../count.ts';
 import type { Effect } from '../effect.ts';
 import { meetTarget, passCentre, switchTarget } from './events.ts';
+import { gunPull } from './force.ts';
+import { isTiny, skipOrbits } from './orbits.ts';
+import { turnToTarget } from './turn.ts';
+
+const { HELD, TARGET } = SLOTS;
 
 export const gun: Effect = {
   name: 'gun',
-  summary: 'held, pulls her to the nearest asteroid: 39 (1 - d / range) px/s2, and turns her towards it',
+  summary: ({ pull }) => `held, pulls her to the nearest asteroid: ${pull} (1 - d / range) px/s2, and turns her towards it`,
   calledFor: whereAny('asteroids', 'asteroid'),
-  force: { strongest: () => GUN_PULL, acts: 'instead' },
+  rules: ['pull'],
+  force: gunPull,
+  beforePiece(m) {
+    if (m.recoil && m.s[HELD] === 1) stir(m, m.s[TARGET]);
+  },
+  turn: turnToTarget,
+  repeat: skipOrbits,
+  mayRepeat: (m) => isTiny(m, 4),
   events: [passCentre, meetTarget, switchTarget],
 };

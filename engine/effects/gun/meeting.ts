@@ -1,4 +1,3 @@
-import { REPULSOR_PUSH } from '../../constants.ts';
 import { beginLine, holdsTarget, LINEAR, LINES, MEETINGS, type Motion, RECORDS, SLOTS } from '../../motion/index.ts';
 import { SMALLEST_ORBIT } from '../../tolerances.ts';
 
@@ -33,7 +32,7 @@ export function holdOnLine(m: Motion): boolean {
   const main = steep ? s[LINE_Y] : s[LINE_X];
   const way = (steep ? y : x) / main;
   const speed = (steep ? vy : vx) / main;
-  const push = s[KIND] === LINEAR ? s[SIDE] * REPULSOR_PUSH : 0;
+  const push = s[KIND] === LINEAR ? s[SIDE] * m.rules.push : 0;
   const back = m.kappa - Math.abs(push);
   const energy = (speed * speed) / 2 + (m.kappa + Math.abs(push)) * Math.abs(way);
   if (back > 0 ? energy < back * SMALLEST_ORBIT : way === 0 && speed === 0 && push === 0) {

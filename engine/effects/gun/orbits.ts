@@ -1,4 +1,4 @@
-import { GUN_PULL, TICK, TICK_RATE } from '../../constants.ts';
+import { TICK, TICK_RATE } from '../../constants.ts';
 import { crossing, farthestRockTravel, isClear } from '../../events/index.ts';
 import {
   CENTRAL,
@@ -44,7 +44,7 @@ export function isTiny(m: Motion, room = 1): boolean {
   const { s, ux, uy } = m;
   // seldom more than the first of these is asked
   if (ux[0] * ux[0] + uy[0] * uy[0] > 1e-4 || s[KIND] !== CENTRAL || s[FIELD] >= 0) return false;
-  const strength = GUN_PULL + m.kappa;
+  const strength = m.rules.pull + m.kappa;
   return width(m, strength) < room * strength * SHORTEST * SHORTEST;
 }
 
@@ -64,7 +64,7 @@ export function skipOrbits(m: Motion): void {
   if (!isTiny(m) || s[LIMIT_X] !== 0 || s[LIMIT_Y] !== 0) return;
   const left = untilTick(s[START]);
   const { kappa } = m;
-  const strength = GUN_PULL + kappa;
+  const strength = m.rules.pull + kappa;
   const a = width(m, strength);
   if (left < 4 * Math.sqrt(a / strength) || 4 * a > m.scene.level.range) return;
   const drawn = kappa / strength;
@@ -125,7 +125,7 @@ export function driftsBy(m: Motion, time: number, period: number): boolean {
   const gain = v > 0 ? (kappa * period) / (4 * v) : 0;
   const vx = px[1] + gain * ux[1];
   const vy = py[1] + gain * uy[1];
-  const a = width(m, GUN_PULL);
+  const a = width(m, m.rules.pull);
   if (4 * a > m.scene.level.range || !isClear(m, Math.sqrt(vx * vx + vy * vy) * time + 2 * a, farthestRockTravel(m, time)))
     return false;
   recordMean(m, vx, vy, time);
@@ -197,7 +197,7 @@ function throughOrbit(m: Motion, period: number, a: number, strength: number): v
     targetY[0] = orbit[1];
     targetX[1] = orbit[2];
     targetY[1] = orbit[3];
-    const h = Math.min(expandOrbit(m, a, strength, GUN_PULL / m.scene.level.range, m.kappa), period - time);
+    const h = Math.min(expandOrbit(m, a, strength, m.rules.pull / m.scene.level.range, m.kappa), period - time);
     pairAt(targetX, targetY, TAYLOR_DEGREE, h, orbit, 0);
     pairAt(x, y, TAYLOR_DEGREE, h, e, 0);
     x[0] = e[0];
@@ -212,7 +212,7 @@ function throughOrbit(m: Motion, period: number, a: number, strength: number): v
 
 /** The time from one pericentre to the next, s, with the turn into `turn`; 0 where none is found. */
 function orbitPeriod(m: Motion, a: number, strength: number): number {
-  const beta = GUN_PULL / m.scene.level.range;
+  const beta = m.rules.pull / m.scene.level.range;
   x[0] = m.ux[0];
   y[0] = m.uy[0];
   x[1] = m.ux[1];

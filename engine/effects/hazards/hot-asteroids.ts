@@ -1,12 +1,4 @@
-import {
-  contactTime,
-  eachTargetNear,
-  eventRule,
-  offer,
-  quietOutside,
-  rockDistanceToNear,
-  TOUCH_MARGIN,
-} from '../../events/index.ts';
+import { contactTime, eachTargetNear, eventRule, offer, quietOutside, rockDistanceToNear } from '../../events/index.ts';
 import { placeRock } from '../../motion/index.ts';
 import type { Effect } from '../effect.ts';
 
@@ -16,21 +8,21 @@ export const touchHot = eventRule({
   list(m) {
     const { near } = m;
     const { coldCount, targets } = m.scene;
-    eachTargetNear(m, near.skin + TOUCH_MARGIN, coldCount, (i) => {
-      near.add(touchHot.kind, i, rockDistanceToNear(m, i) - targets.r[i] - TOUCH_MARGIN);
+    eachTargetNear(m, near.skin + m.touchMargin, coldCount, (i) => {
+      near.add(touchHot.kind, i, rockDistanceToNear(m, i) - targets.r[i] - m.touchMargin);
     });
   },
   guard(m, i, from) {
     placeRock(m, i);
     offer(m, contactTime(m, m.scene.targets.r[i], m.kappa, from), touchHot.kind, i, 0);
   },
-  quiet: (m, i, time) => quietOutside(m, m.targetX[i], m.targetY[i], m.scene.targets.r[i] + TOUCH_MARGIN, time),
+  quiet: (m, i, time) => quietOutside(m, m.targetX[i], m.targetY[i], m.scene.targets.r[i] + m.touchMargin, time),
   fire: (m, i) => m.scene.targets.index[i],
 });
 
 export const hotAsteroids: Effect = {
   name: 'hot-asteroids',
-  summary: 'burn on touch, and pull like cold ones',
+  summary: () => 'burn on touch, and pull like cold ones',
   calledFor: (level) => {
     const n = level.asteroids.filter((a) => a.hot).length;
     return n > 0

@@ -1,4 +1,4 @@
-import { contactTime, eventRule, listTouching, offer, quietOutside, TOUCH_MARGIN } from '../../events/index.ts';
+import { contactTime, eventRule, listTouching, offer, quietOutside } from '../../events/index.ts';
 import { placeCircle } from '../../motion/index.ts';
 import { whereAny } from '../count.ts';
 import type { Effect } from '../effect.ts';
@@ -14,14 +14,14 @@ export const touchNova = eventRule({
   },
   quiet(m, i, time) {
     const { x, y, r } = m.scene.novae;
-    return quietOutside(m, x[i] - m.originX, y[i] - m.originY, r[i] + TOUCH_MARGIN, time);
+    return quietOutside(m, x[i] - m.originX, y[i] - m.originY, r[i] + m.touchMargin, time);
   },
   fire: (_m, index) => index,
 });
 
 export const novae: Effect = {
   name: 'novae',
-  summary: 'burn on touch',
+  summary: () => 'burn on touch',
   calledFor: whereAny('novae', 'nova'),
   kills: true,
   events: [touchNova],

@@ -1,4 +1,4 @@
-import { contactTime, eventRule, listTouching, offer, quietOutside, TOUCH_MARGIN } from '../../events/index.ts';
+import { contactTime, eventRule, listTouching, offer, quietOutside } from '../../events/index.ts';
 import { GOES_ON, type Motion, placeCircle, SLOTS } from '../../motion/index.ts';
 import { whereAny } from '../count.ts';
 import type { Effect } from '../effect.ts';
@@ -21,7 +21,7 @@ export const collect = eventRule({
   quiet(m, i, time) {
     if (isCollected(m, i)) return time;
     const { x, y, r } = m.scene.minerals;
-    return quietOutside(m, x[i] - m.originX, y[i] - m.originY, r[i] + TOUCH_MARGIN, time);
+    return quietOutside(m, x[i] - m.originX, y[i] - m.originY, r[i] + m.touchMargin, time);
   },
   fire(m, i, _b, time) {
     m.s[m.minerals + i] = 1;
@@ -33,7 +33,7 @@ export const collect = eventRule({
 
 export const minerals: Effect = {
   name: 'minerals',
-  summary: 'collected on touch',
+  summary: () => 'collected on touch',
   calledFor: whereAny('minerals', 'mineral'),
   events: [collect],
 };

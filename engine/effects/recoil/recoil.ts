@@ -3,12 +3,14 @@ import type { Effect } from '../effect.ts';
 
 export const recoil: Effect = {
   name: 'recoil',
-  summary: 'the target of the gun accelerates towards her at 1 / diameter px/s2 and keeps its velocity after release',
+  summary: ({ recoil: strength }) =>
+    `the target of the gun accelerates towards her at ${strength} / diameter px/s2 and keeps its velocity after release`,
   calledFor: (level) => {
     if (!level.recoil) return { called: false, because: 'the level leaves recoil off' };
     if (level.asteroids.length === 0) return { called: false, because: 'no asteroids' };
     return { called: true, because: 'the level turns recoil on' };
   },
+  rules: ['recoil'],
   moves: true,
   layOut: layOutRocks,
 };

@@ -1,4 +1,3 @@
 export { letGoTime } from './let-go.ts';
 export { repulsor } from './repulsor.ts';
-export { comeOffRim, enterField, followRim, leaveField } from './rims.ts';
-export { setRim } from './slide.ts';
+export { comeOffRim, enterField, leaveField } from './rims.ts';

@@ -1,4 +1,3 @@
-import { REPULSOR_PUSH } from '../../constants.ts';
 import { crossing, lookNext } from '../../events/index.ts';
 import { type Motion, SLOTS } from '../../motion/index.ts';
 import { weighAt } from './come-off.ts';
@@ -41,8 +40,8 @@ export function letGoTime(m: Motion, axis: number, from: number): number {
     const fast = v + 0.25 * root;
     const own = Math.sqrt(e[2] * e[2] + e[3] * e[3]) + a * cap;
     const turning = (Math.abs(rim.alpha) / (0.72 * d) + rim.beta) * fast;
-    const shares = (turning + (3 * a * own) / rim.radius) / REPULSOR_PUSH;
-    const falls = shares * (a + REPULSOR_PUSH) + turning + (REPULSOR_PUSH * own) / rim.radius;
+    const shares = (turning + (3 * a * own) / rim.radius) / m.rules.push;
+    const falls = shares * (a + m.rules.push) + turning + (m.rules.push * own) / rim.radius;
     const step = Math.min(cap, falls > 0 ? drives / falls : Number.POSITIVE_INFINITY);
     if (!(t + step < horizon)) return -1;
     before = t;

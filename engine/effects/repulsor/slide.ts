@@ -1,4 +1,3 @@
-import { GUN_PULL, REPULSOR_PUSH } from '../../constants.ts';
 import { type Motion, RECORDS, SLOTS } from '../../motion/index.ts';
 import { actingField } from './fields.ts';
 
@@ -56,18 +55,19 @@ function aim(m: Motion, field: number, outer: number): void {
   const cx = repulsors.x[field] - m.originX;
   const cy = repulsors.y[field] - m.originY;
   rim.radius = repulsors.r[field];
+  rim.push = m.rules.push;
   rim.freeX = s[LIMIT_X] === 0;
   rim.freeY = s[LIMIT_Y] === 0;
   rim.qvx = rim.qvy = rim.kappa = 0;
   if (outer >= 0) {
-    rim.alpha = REPULSOR_PUSH;
+    rim.alpha = m.rules.push;
     rim.beta = 0;
     rim.qx = repulsors.x[outer] - m.originX - cx;
     rim.qy = repulsors.y[outer] - m.originY - cy;
     return;
   }
-  rim.alpha = -GUN_PULL;
-  rim.beta = GUN_PULL / scene.level.range;
+  rim.alpha = -m.rules.pull;
+  rim.beta = m.rules.pull / scene.level.range;
   const target = s[TARGET];
   if (m.recoil) {
     const o = m.rocks + ROCK * target;
@@ -119,8 +119,8 @@ export function beginsToSlide(m: Motion, field: number): boolean {
   const y = s[BASE_Y] + uy[0] - (repulsors.y[field] - m.originY);
   const r = Math.sqrt(x * x + y * y);
   const across = (x * (ux[1] + px[1]) + y * (uy[1] + py[1])) / r;
-  // pushed out at 20 px/s2 at least, she takes no less than this within
-  if (Math.abs(across) > (SHORTEST_BOUNCE * 100) / 2) return false;
+  // so fast across the rim a bounce takes too long, however she is pressed back
+  if (Math.abs(across) > (SHORTEST_BOUNCE * 5 * m.rules.push) / 2) return false;
   if (!holdsOnRim(m, field)) return false;
   const { pressesIn, pressesOut } = rim;
   if (2 * Math.abs(across) * (1 / pressesIn + 1 / pressesOut) > SHORTEST_BOUNCE) return false;

@@ -1,4 +1,3 @@
-import { SPEED_LIMIT } from '../../constants.ts';
 import { eventRule, justFired, offer } from '../../events/index.ts';
 import { GOES_ON, type Motion, SLOTS } from '../../motion/index.ts';
 import { freeTime, limitTime } from './guard.ts';
@@ -14,7 +13,7 @@ export const holdAxis = eventRule({
   name: 'limit',
   always(m, from) {
     const { s, path } = m;
-    const fast = path.speed + (s[ACCELERATION] + m.kappa) * s[LENGTH_H] >= SPEED_LIMIT;
+    const fast = path.speed + (s[ACCELERATION] + m.kappa) * s[LENGTH_H] >= m.rules.speedLimit;
     if (!fast && s[LIMIT_X] === 0 && s[LIMIT_Y] === 0) return;
     for (let axis = 0; axis < 2; axis++) {
       const held = s[axis === 0 ? LIMIT_X : LIMIT_Y];
@@ -50,13 +49,13 @@ export const freeAxis = eventRule({
 /** Keeps a limited axis at exactly the limit. */
 function holdLimits(m: Motion): void {
   const { s, ux, uy, px, py } = m;
-  if (s[LIMIT_X] !== 0) ux[1] = s[LIMIT_X] * SPEED_LIMIT - px[1];
-  if (s[LIMIT_Y] !== 0) uy[1] = s[LIMIT_Y] * SPEED_LIMIT - py[1];
+  if (s[LIMIT_X] !== 0) ux[1] = s[LIMIT_X] * m.rules.speedLimit - px[1];
+  if (s[LIMIT_Y] !== 0) uy[1] = s[LIMIT_Y] * m.rules.speedLimit - py[1];
 }
 
 /** She may start at the limit. */
 export function limitStart(m: Motion): void {
-  const limit = (v: number) => (v >= SPEED_LIMIT ? 1 : v <= -SPEED_LIMIT ? -1 : 0);
+  const limit = (v: number) => (v >= m.rules.speedLimit ? 1 : v <= -m.rules.speedLimit ? -1 : 0);
   m.s[LIMIT_X] = limit(m.ux[1]);
   m.s[LIMIT_Y] = limit(m.uy[1]);
   holdLimits(m);

@@ -1,4 +1,3 @@
-import { SPEED_LIMIT } from '../../constants.ts';
 import { crossing, lookNext, safeStretch, smallestStride } from '../../events/index.ts';
 import { CENTRAL, LINEAR, LONGEST_SERIES, type Motion, SLIDE, SLOTS, shift, valueAt } from '../../motion/index.ts';
 import { letGoTime } from '../repulsor/index.ts';
@@ -49,7 +48,7 @@ function velocityGuard(m: Motion, axis: number, sign: number): number {
   const p = axis === 0 ? m.px : m.py;
   const degree = m.s[DEGREE] - 1;
   for (let k = 0; k <= degree; k++) guard[k] = -sign * (k + 1) * (u[k + 1] + (m.recoil ? p[k + 1] : 0));
-  guard[0] += SPEED_LIMIT;
+  guard[0] += m.rules.speedLimit;
   return degree;
 }
 
