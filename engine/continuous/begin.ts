@@ -4,12 +4,14 @@ import {
   CENTRAL,
   COAST,
   findLine,
+  keepSteadyLine,
   LINEAR,
   LINES,
   MEETINGS,
   type Motion,
   SLIDE,
   SLOTS,
+  STEADY,
   sideOf,
   straighten,
   TURNS,
@@ -30,6 +32,8 @@ export function begin(m: Motion): void {
   for (let k = 0; k < beforePiece.length; k++) beforePiece[k](m);
   const force = actingForce(m);
   force?.centre(m);
+  addSteadyForces(m);
+  const windy = m.flow.isSteady;
   if (s[RIM] >= 0) {
     s[KIND] = SLIDE;
     s[LINE] = NONE;
@@ -40,10 +44,11 @@ export function begin(m: Motion): void {
   }
   if (force !== null && s[LINE] === NONE) findLine(m);
   if (s[LINE] !== NONE) bendLine(m);
+  if (windy && s[LINE] !== NONE) keepSteadyLine(m);
   const onLine = s[LINE] !== NONE;
   if (onLine) straighten(m, 1);
 
-  s[KIND] = COAST;
+  s[KIND] = windy ? STEADY : COAST;
   s[TURN] = TURN_NOT;
   s[MEETS] = NOT;
   if (force !== null) {
@@ -52,7 +57,8 @@ export function begin(m: Motion): void {
     const free = s[LIMIT_X] === 0 && s[LIMIT_Y] === 0;
     if (force.swing(m, d, v) < (onLine && !m.recoil ? SMALLEST_SWING : SMALLEST_ORBIT)) {
       for (let k = 0; k < 2; k++) ux[k] = uy[k] = 0;
-    } else if ((d > 0 || v > 0) && (free || d > SMALLEST_ORBIT)) {
+      s[KIND] = COAST;
+    } else if ((d > 0 || v > 0) && ((free && (onLine || !windy)) || d > SMALLEST_ORBIT)) {
       const isLinear = free && onLine;
       s[KIND] = isLinear ? LINEAR : CENTRAL;
       if (isLinear) s[SIDE] = sideOf(m);
@@ -60,6 +66,14 @@ export function begin(m: Motion): void {
   }
   for (let k = 0; k < turn.length; k++) turn[k](m);
   proceed(m);
+}
+
+/** Adds up the steady forces that act on her. */
+function addSteadyForces(m: Motion): void {
+  const { flow, parts } = m;
+  flow.steadyX = 0;
+  flow.steadyY = 0;
+  for (const force of parts.steady) force.add(m);
 }
 
 /** The next piece of the same flow. */
@@ -75,6 +89,7 @@ export function setFlow(m: Motion): void {
   flow.kind = s[KIND];
   flow.freeX = s[LIMIT_X] === 0;
   flow.freeY = s[LIMIT_Y] === 0;
+  addSteadyForces(m);
   if (flow.kind === SLIDE) {
     for (const set of parts.setRim) set(m);
     return;

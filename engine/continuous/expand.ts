@@ -1,6 +1,7 @@
 import { untilGrid } from '../integrators/index.ts';
 import {
   ALERTNESS,
+  actingForce,
   awakeAt,
   CENTRAL,
   COAST,
@@ -11,6 +12,7 @@ import {
   RECORDS,
   SLIDE,
   SLOTS,
+  STEADY,
   straighten,
 } from '../motion/index.ts';
 import { CONVERGENCE, SMALLEST_ORBIT } from '../tolerances.ts';
@@ -51,6 +53,12 @@ const CLOSEST_PASS = 1e-8;
 /** Longest piece of a rock that the gun holds in her centre while she is accelerated, s. */
 const LONGEST_STAY = 1 / 240;
 
+/** Longest piece of her who is held at the speed limit beside a steady force, s: when it lets go is looked for at its end. */
+const LONGEST_HELD = 1 / 240;
+
+/** Longest piece under a steady force alone, so that bounds over it stay tight, s. */
+const LONGEST_STEADY = 4;
+
 /** Longest piece of a rock that is dragged along a line, so that bounds over it stay tight, s. */
 const LONGEST_DRAG = 4;
 
@@ -74,12 +82,13 @@ export function expand(m: Motion): void {
   // fixed steps end on a grid of their own rate, which the ticks are a part of
   let h = Number.POSITIVE_INFINITY;
   const { rate } = m.scene.accuracy;
-  if ((kind !== COAST || awake > 0) && rate !== null) {
+  if (((kind !== COAST && kind !== STEADY) || awake > 0) && rate !== null) {
     h = untilGrid(s[START], rate);
   }
   s[DEGREE] = 1;
   s[ACCELERATION] = 0;
-  if (kind === COAST && m.crowded) {
+  if (m.flow.isSteady && (s[LIMIT_X] !== 0 || s[LIMIT_Y] !== 0)) h = Math.min(h, LONGEST_HELD);
+  if ((kind === COAST || kind === STEADY) && m.crowded) {
     // where an index finds the neighbours, a long path would find them all
     const speed = Math.sqrt(ux[1] * ux[1] + uy[1] * uy[1]);
     if (speed > 0) h = Math.min(h, CROWDED_REACH / speed);
@@ -88,7 +97,9 @@ export function expand(m: Motion): void {
     // at the limit through the very centre: out of it straight on
     h = Math.min(h, SMALLEST_ORBIT / m.rules.speedLimit);
   }
-  if (kind === SLIDE) {
+  if (kind === STEADY) {
+    h = expandSteady(m, h);
+  } else if (kind === SLIDE) {
     s[DEGREE] = integrator.degree;
     h = expandSlide(m, h);
   } else if (kind !== COAST) {
@@ -107,6 +118,19 @@ export function expand(m: Motion): void {
     m.budget.look(LOOKS_A_CHASER * awake);
   }
   s[LENGTH_H] = h;
+}
+
+/** Nothing but a steady force acts, or she passes so near to the centre of another that its direction is none: a parabola, exactly. */
+function expandSteady(m: Motion, longest: number): number {
+  const { s, flow, ux, uy, px, py } = m;
+  s[DEGREE] = 2;
+  ux[2] = flow.freeX ? flow.steadyX / 2 : 0;
+  uy[2] = flow.freeY ? flow.steadyY / 2 : 0;
+  px[2] = py[2] = 0;
+  s[ACCELERATION] = flow.steadyStrength;
+  const speed = Math.sqrt(ux[1] * ux[1] + uy[1] * uy[1]);
+  const isPass = actingForce(m) !== null;
+  return Math.min(longest, isPass && speed > 0 ? SMALLEST_ORBIT / speed : LONGEST_STEADY);
 }
 
 /** On a line through the centre the target's recoil is constant. */

@@ -10,7 +10,7 @@ const { START, KIND, COS, SIN, DEGREE } = SLOTS;
 export function skipQuietSteps(m: Motion, until: number): void {
   const { s, ux, uy, flow, integrator, work } = m;
   const { rate } = m.scene.accuracy;
-  if (integrator.glide === null || rate === null || m.recoil || s[KIND] === COAST || s[KIND] === SLIDE) return;
+  if (integrator.glide === null || rate === null || m.recoil || s[KIND] === COAST || s[KIND] === SLIDE || flow.isSteady) return;
   // orbits may be skipped at the end of any piece: none is to be glided over
   if (m.parts.mayRepeat.some((mayRepeat) => mayRepeat(m))) return;
   const v = Math.sqrt(ux[1] * ux[1] + uy[1] * uy[1]);

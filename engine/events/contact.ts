@@ -81,8 +81,8 @@ export function sweptTime(m: Motion, r: number, pull: number, from: number): num
   const turn = s[TURN];
   const dragged = m.kappa + pull;
   const relative = s[ACCELERATION] + (m.integrator.degree === 3 ? CUBIC_BENDS * dragged : dragged);
-  // the speed limit holds back a part of the force: then it is none towards the centre
-  const central = turn === TURN_TO_BASE && s[LIMIT_X] === 0 && s[LIMIT_Y] === 0;
+  // the speed limit holds back a part of the force, and a steady one turns it aside: then it is none towards the centre
+  const central = turn === TURN_TO_BASE && s[LIMIT_X] === 0 && s[LIMIT_Y] === 0 && !m.flow.isSteady;
   const small = smallestStride(s[LENGTH_H]);
   let t = from;
   let before = t;

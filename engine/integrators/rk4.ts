@@ -58,7 +58,8 @@ const plainRungeKutta = glideBy(rungeKuttaEnd);
 
 /** Runge-Kutta about a centre, {@link rungeKuttaEnd} written out on local numbers. */
 const glideRungeKutta: Glide = (flow, xs, ys, start, end, rate, count) => {
-  if (flow.kind !== CENTRAL || !flow.freeX || !flow.freeY) return plainRungeKutta(flow, xs, ys, start, end, rate, count);
+  if (flow.kind !== CENTRAL || !flow.freeX || !flow.freeY || flow.isSteady)
+    return plainRungeKutta(flow, xs, ys, start, end, rate, count);
   const { alpha, beta } = flow;
   const strength = Math.abs(alpha);
   let time = start;

@@ -5,7 +5,7 @@ const CLOSE_PASS = 0.1;
 
 /** The length of a step: near the centre of the force it covers at most a part of the distance to it. */
 export function closePass(flow: Flow, x: Float64Array, y: Float64Array, longest: number): number {
-  return flow.kind === CENTRAL ? stepNear(x[0], y[0], x[1], y[1], Math.abs(flow.alpha), longest) : longest;
+  return flow.kind === CENTRAL ? stepNear(x[0], y[0], x[1], y[1], Math.abs(flow.alpha) + flow.steadyStrength, longest) : longest;
 }
 
 /** The same for a centre of strength `alpha`, px/s2. */

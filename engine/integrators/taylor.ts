@@ -17,7 +17,7 @@ const LONGEST_TAYLOR = 4;
 function timeToCentre(x: Float64Array, y: Float64Array, alpha: number): number {
   const d = Math.sqrt(x[0] * x[0] + y[0] * y[0]);
   const v2 = x[1] * x[1] + y[1] * y[1];
-  return (2 * d) / (Math.sqrt(v2) + Math.sqrt(v2 + 2 * Math.abs(alpha) * d));
+  return (2 * d) / (Math.sqrt(v2) + Math.sqrt(v2 + 2 * alpha * d));
 }
 
 /**
@@ -33,19 +33,21 @@ export function taylor(tolerance: number): Integrator {
         linearSeries(x, y, flow.ax, flow.ay, flow.beta);
         return taylorStep(x, y, tolerance, Math.min(longest, LONGEST_TAYLOR));
       }
-      centralSeries(x, y, flow.alpha, flow.beta, flow.freeX, flow.freeY, px, py, kappa);
-      return taylorStep(x, y, tolerance, Math.min(longest, LONGEST_TAYLOR, CONVERGENCE * timeToCentre(x, y, flow.alpha)));
+      centralSeries(x, y, flow, px, py, kappa);
+      const strength = Math.abs(flow.alpha) + flow.steadyStrength;
+      return taylorStep(x, y, tolerance, Math.min(longest, LONGEST_TAYLOR, CONVERGENCE * timeToCentre(x, y, strength)));
     },
     chase(qx, qy, ax, ay, kappa, h) {
       chaserSeries(qx, qy, ax, ay, kappa);
       return taylorStep(qx, qy, tolerance, Math.min(h, LONGEST_TAYLOR));
     },
     acceleration(flow, x, y, h) {
+      const steady = flow.steadyStrength;
       const alpha = Math.abs(flow.alpha);
-      if (flow.alpha > 0) return alpha;
+      if (flow.alpha > 0) return alpha + steady;
       // a pull weakens with distance while she is in range; `beta d` may win only beyond it
-      const d = Math.sqrt(x[0] * x[0] + y[0] * y[0]) + (Math.sqrt(x[1] * x[1] + y[1] * y[1]) + alpha * h) * h;
-      return Math.max(alpha, flow.beta * d);
+      const d = Math.sqrt(x[0] * x[0] + y[0] * y[0]) + (Math.sqrt(x[1] * x[1] + y[1] * y[1]) + (alpha + steady) * h) * h;
+      return Math.max(alpha, flow.beta * d) + steady;
     },
     settle(_flow, x, y, t, out) {
       pairAt(x, y, TAYLOR_DEGREE, t, out, 0);

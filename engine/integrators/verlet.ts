@@ -28,7 +28,8 @@ const plainVerlet = glideBy(verletEnd);
 
 /** Verlet about a centre: the acceleration at the end of a step is the one at the start of the next. */
 const glideVerlet: Glide = (flow, xs, ys, start, end, rate, count) => {
-  if (flow.kind !== CENTRAL || !flow.freeX || !flow.freeY) return plainVerlet(flow, xs, ys, start, end, rate, count);
+  if (flow.kind !== CENTRAL || !flow.freeX || !flow.freeY || flow.isSteady)
+    return plainVerlet(flow, xs, ys, start, end, rate, count);
   const { alpha, beta } = flow;
   const strength = Math.abs(alpha);
   let time = start;

@@ -1,11 +1,14 @@
 /** No force: a straight line. */
 export const COAST = 0;
-/** Towards or away from the centre of the frame: u'' = alpha u / |u| + beta u. */
+/** Towards or away from the centre of the frame, and a steady force w beside: u'' = alpha u / |u| + beta u + w. */
 export const CENTRAL = 1;
 /** The same on a line through the centre, where the direction is constant: u'' = a + beta (u - u0). */
 export const LINEAR = 2;
 /** Along the rim of a field, see {@link RimFlow}. */
 export const SLIDE = 3;
+
+/** A steady force alone: u'' = w. */
+export const STEADY = 4;
 
 /** The smooth motion between two events, in a frame whose origin is the centre of the force. */
 export class Flow {
@@ -29,9 +32,22 @@ export class Flow {
   ay = 0;
   x0 = 0;
   y0 = 0;
+  /** What acts beside it, the same wherever she is, px/s2. */
+  steadyX = 0;
+  steadyY = 0;
   /** false: the speed limit holds this axis */
   freeX = true;
   freeY = true;
+
+  /** Whether a steady force acts. */
+  get isSteady(): boolean {
+    return this.steadyX !== 0 || this.steadyY !== 0;
+  }
+
+  /** Of the steady force, px/s2. */
+  get steadyStrength(): number {
+    return Math.sqrt(this.steadyX * this.steadyX + this.steadyY * this.steadyY);
+  }
 
   /** LINEAR: begins a step at (x, y). */
   moveTo(x: number, y: number): void {
@@ -39,6 +55,10 @@ export class Flow {
     const pull = this.range > 0 ? this.pull * (1 - Math.sqrt(x * x + y * y) / this.range) : 0;
     this.ax = (this.extra - pull) * this.outX;
     this.ay = (this.extra - pull) * this.outY;
+    if (this.isSteady) {
+      this.ax += this.steadyX;
+      this.ay += this.steadyY;
+    }
     this.x0 = x;
     this.y0 = y;
   }
@@ -52,9 +72,16 @@ export class Flow {
       const f = (d > 0 ? this.alpha / d : 0) + this.beta;
       ax = f * x;
       ay = f * y;
+      if (this.isSteady) {
+        ax += this.steadyX;
+        ay += this.steadyY;
+      }
     } else if (this.kind === LINEAR) {
       ax = this.ax + this.beta * (x - this.x0);
       ay = this.ay + this.beta * (y - this.y0);
+    } else if (this.kind === STEADY) {
+      ax = this.steadyX;
+      ay = this.steadyY;
     }
     out[at] = this.freeX ? ax : 0;
     out[at + 1] = this.freeY ? ay : 0;

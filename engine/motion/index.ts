@@ -1,8 +1,19 @@
 export { DRIFTS, IS_BASE, placeAlien, placeCircle, placeRock, relativeAt, relativeSeries, SERIES } from './circle.ts';
-export { CENTRAL, COAST, Flow, LINEAR, SLIDE } from './flow.ts';
+export { CENTRAL, COAST, Flow, LINEAR, SLIDE, STEADY } from './flow.ts';
 export { rebase } from './frame.ts';
 export type { Glide, Integrator } from './integrator.ts';
-export { beginLine, bendLine, findLine, holdsTarget, movesAlong, ontoLine, sideOf, straighten, straightenBody } from './line.ts';
+export {
+  beginLine,
+  bendLine,
+  findLine,
+  holdsTarget,
+  keepSteadyLine,
+  movesAlong,
+  ontoLine,
+  sideOf,
+  straighten,
+  straightenBody,
+} from './line.ts';
 export {
   actingForce,
   awakeAt,

@@ -148,9 +148,16 @@ export function bendLine(m: Motion): void {
   if (s[LINE] === LOOSE || (slope !== 0 && slope !== 1)) s[LINE] = NONE;
 }
 
+/** A steady force turns her off her line unless it acts along it. */
+export function keepSteadyLine(m: Motion): void {
+  const { s, flow } = m;
+  if (!isAlong(s[LINE_STEEP] === 1, s[LINE_SLOPE], flow.steadyX, flow.steadyY)) s[LINE] = NONE;
+}
+
 /** +1 or -1: on which side of the origin she is along the line, or goes to when she is in it. */
 export function sideOf(m: Motion): number {
   const steep = m.s[LINE_STEEP] === 1;
   const along = steep ? m.uy : m.ux;
-  return along[0] < 0 || (along[0] === 0 && along[1] < 0) ? -1 : 1;
+  const steady = steep ? m.flow.steadyY : m.flow.steadyX;
+  return along[0] < 0 || (along[0] === 0 && (along[1] < 0 || (along[1] === 0 && steady < 0))) ? -1 : 1;
 }

@@ -5,7 +5,7 @@ import type { Scene } from '../scene.ts';
 import type { BodyKind, Ending, RunEvent } from '../simulation.ts';
 import { SAME_INSTANT, SURPLUS } from '../tolerances.ts';
 import type { WorkBudget } from '../work-budget.ts';
-import { COAST, Flow } from './flow.ts';
+import { COAST, Flow, STEADY } from './flow.ts';
 import type { Integrator } from './integrator.ts';
 import { NeighbourList } from './neighbour-list.ts';
 import { RimFlow } from './rim-flow.ts';
@@ -21,7 +21,7 @@ const FIXED_STEP_ROOM = 1.05;
 const NO_SERIES = new Float64Array(0);
 
 /** What can move her between two events. */
-export const MODES = ['coast', 'pull', 'pull on a line', 'push', 'push on a line', 'slide on a rim'] as const;
+export const MODES = ['coast', 'pull', 'pull on a line', 'push', 'push on a line', 'slide on a rim', 'steady force'] as const;
 
 /** What keeps the pieces and events of a run. */
 export interface Recorder {
@@ -289,7 +289,8 @@ export class Motion {
   /** Index into {@link MODES}. */
   get mode(): number {
     const { s } = this;
-    return s[KIND] === COAST ? 0 : s[KIND] + (s[FIELD] >= 0 ? 2 : 0);
+    if (s[KIND] === COAST) return 0;
+    return s[KIND] === STEADY ? MODES.length - 1 : s[KIND] + (s[FIELD] >= 0 ? 2 : 0);
   }
 
   /** Events no farther apart than this are the same instant, s. */

@@ -1,4 +1,4 @@
-import { COAST, SLIDE } from './flow.ts';
+import { COAST, SLIDE, STEADY } from './flow.ts';
 import { ontoLine } from './line.ts';
 import type { Motion } from './motion.ts';
 import { pairAt } from './polynomial.ts';
@@ -15,6 +15,7 @@ const { NONE, FAST } = LINES;
 export function settleAt(m: Motion, t: number): void {
   const { s, e } = m;
   if (s[KIND] === COAST) pairAt(m.ux, m.uy, 1, t, e, 0);
+  else if (s[KIND] === STEADY) pairAt(m.ux, m.uy, 2, t, e, 0);
   else if (s[KIND] === SLIDE) settleSlide(m, t, e);
   else m.integrator.settle(m.flow, m.ux, m.uy, t, e);
   if (m.recoil) pairAt(m.px, m.py, s[DEGREE], t, e, 4);

@@ -11,20 +11,32 @@ const w = new Float64Array(N + 1);
 const dx = new Float64Array(N + 1);
 const dy = new Float64Array(N + 1);
 
+/** A force about the origin, see {@link Flow}. */
+export interface CentralFlow {
+  /** px/s2 */
+  readonly alpha: number;
+  /** 1/s2 */
+  readonly beta: number;
+  /** false where the speed limit holds that axis: no acceleration along it */
+  readonly freeX: boolean;
+  readonly freeY: boolean;
+  /** px/s2 */
+  readonly steadyX: number;
+  readonly steadyY: number;
+  readonly isSteady: boolean;
+}
+
 /**
- * Power series of u'' = alpha u / |u| + beta u: a pull or push of constant strength along u and one in proportion to it.
+ * Power series of u'' = alpha u / |u| + beta u + w: a pull or push of constant strength along u, one in proportion to it, and a
+ * steady one.
  * Recurrences by Cauchy products, with s = u.u and w = s^(-1/2), from s w' = -s' w / 2 (Jorba and Zou 2005, prop. 1).
  * On entry x[0..1], y[0..1] hold place and velocity; on return all coefficients.
- * @param freeX, freeY false where the speed limit holds that axis: no acceleration along it
  * @param px, py when given, the series of a body with p'' = kappa u / |u| (the target's recoil); its [0..1] are kept
  */
 export function centralSeries(
   x: Float64Array,
   y: Float64Array,
-  alpha: number,
-  beta: number,
-  freeX: boolean,
-  freeY: boolean,
+  { alpha, beta, freeX, freeY, steadyX, steadyY, isSteady }: CentralFlow,
   px: Float64Array | null,
   py: Float64Array | null,
   kappa: number,
@@ -57,6 +69,9 @@ export function centralSeries(
     }
     x[n + 2] = freeX ? (alpha * wx + beta * x[n]) * f : px === null ? 0 : -px[n + 2];
     y[n + 2] = freeY ? (alpha * wy + beta * y[n]) * f : py === null ? 0 : -py[n + 2];
+    if (n > 0 || !isSteady) continue;
+    if (freeX) x[2] += steadyX / 2;
+    if (freeY) y[2] += steadyY / 2;
   }
 }
 

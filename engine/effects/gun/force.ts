@@ -27,5 +27,8 @@ export const gunPull: CentralForce = {
     flow.range = range;
     flow.extra = -kappa;
   },
-  swing: (m, d, v) => d + (v * v) / (2 * m.rules.pull),
+  swing(m, d, v) {
+    const left = m.rules.pull - m.flow.steadyStrength;
+    return left > 0 ? d + (v * v) / (2 * left) : Number.POSITIVE_INFINITY;
+  },
 };

@@ -33,8 +33,9 @@ export function holdOnLine(m: Motion): boolean {
   const way = (steep ? y : x) / main;
   const speed = (steep ? vy : vx) / main;
   const push = s[KIND] === LINEAR ? s[SIDE] * m.rules.push : 0;
-  const back = m.kappa - Math.abs(push);
-  const energy = (speed * speed) / 2 + (m.kappa + Math.abs(push)) * Math.abs(way);
+  const strongest = Math.abs(push) + m.flow.steadyStrength;
+  const back = m.kappa - strongest;
+  const energy = (speed * speed) / 2 + (m.kappa + strongest) * Math.abs(way);
   if (back > 0 ? energy < back * SMALLEST_ORBIT : way === 0 && speed === 0 && push === 0) {
     s[MEETS] = TOGETHER;
     if (!recoil) return true;

@@ -4,6 +4,7 @@ import {
   CENTRAL,
   COAST,
   centralSeries,
+  Flow,
   type Motion,
   pairAt,
   RECORDS,
@@ -26,6 +27,7 @@ const MOST_PIECES = 400;
 const x = new Float64Array(TAYLOR_DEGREE + 1);
 const y = new Float64Array(TAYLOR_DEGREE + 1);
 const e = new Float64Array(4);
+const orbitFlow = new Flow();
 // from one pericentre to the next: time, and the turn as cosine and sine
 const turn = new Float64Array(3);
 const targetX = new Float64Array(TAYLOR_DEGREE + 1);
@@ -43,7 +45,7 @@ function width(m: Motion, strength: number): number {
 export function isTiny(m: Motion, room = 1): boolean {
   const { s, ux, uy } = m;
   // seldom more than the first of these is asked
-  if (ux[0] * ux[0] + uy[0] * uy[0] > 1e-4 || s[KIND] !== CENTRAL || s[FIELD] >= 0) return false;
+  if (ux[0] * ux[0] + uy[0] * uy[0] > 1e-4 || s[KIND] !== CENTRAL || s[FIELD] >= 0 || m.flow.isSteady) return false;
   const strength = m.rules.pull + m.kappa;
   return width(m, strength) < room * strength * SHORTEST * SHORTEST;
 }
@@ -178,7 +180,9 @@ const LOOKS_A_PIECE = 3;
 /** Expands her orbit about the centre, and the way of a target that recoils at `kappa`; returns for how long they hold, s. */
 function expandOrbit(m: Motion, a: number, strength: number, beta: number, kappa: number): number {
   m.budget.look(LOOKS_A_PIECE);
-  centralSeries(x, y, -strength, beta, true, true, targetX, targetY, kappa);
+  orbitFlow.alpha = -strength;
+  orbitFlow.beta = beta;
+  centralSeries(x, y, orbitFlow, targetX, targetY, kappa);
   const d = Math.sqrt(x[0] * x[0] + y[0] * y[0]);
   const v2 = x[1] * x[1] + y[1] * y[1];
   const toCentre = (2 * d) / (Math.sqrt(v2) + Math.sqrt(v2 + 2 * strength * d));

@@ -1,5 +1,5 @@
 import { crossing, lookNext, safeStretch, smallestStride } from '../../events/index.ts';
-import { CENTRAL, LINEAR, LONGEST_SERIES, type Motion, SLIDE, SLOTS, shift, valueAt } from '../../motion/index.ts';
+import { CENTRAL, Flow, LINEAR, LONGEST_SERIES, type Motion, pairAt, SLIDE, SLOTS, shift, valueAt } from '../../motion/index.ts';
 import { letGoTime } from '../repulsor/index.ts';
 
 const { DEGREE, LENGTH_H } = SLOTS;
@@ -7,6 +7,9 @@ const { DEGREE, LENGTH_H } = SLOTS;
 /** What may be overlooked: px/s beyond the limit, px beyond the centre. Below what rounding makes of the limit ten times. */
 const OVERLOOKED = 1e-12;
 
+// scratch: what would act if the axis were free
+const force = new Flow();
+const there = new Float64Array(4);
 const guard = new Float64Array(LONGEST_SERIES);
 const about = new Float64Array(LONGEST_SERIES);
 
@@ -19,7 +22,7 @@ export function limitTime(m: Motion, axis: number, sign: number, from: number, r
   const driving = alpha > 0 ? sign : -sign;
   for (let t = from; ; ) {
     const time = firstBelow(m, velocityGuard(m, axis, sign), t, released && t === from);
-    if (time < 0 || (kind !== CENTRAL && kind !== LINEAR)) return time;
+    if (time < 0 || (kind !== CENTRAL && kind !== LINEAR) || m.flow.isSteady) return time;
     if (valueAt(guard, placeGuard(m, axis, driving), time) > 0) return time;
     t = firstBelow(m, placeGuard(m, axis, -driving), time, false);
     if (t < 0) return -1;
@@ -30,8 +33,30 @@ export function limitTime(m: Motion, axis: number, sign: number, from: number, r
 export function freeTime(m: Motion, axis: number, held: number, from: number): number {
   if (m.flow.kind === SLIDE) return letGoTime(m, axis, from);
   // on a line both axes are free; without a force nothing drives her back
+  if (m.flow.isSteady) return steadyFreeTime(m, axis, held, from);
   if (m.flow.kind !== CENTRAL) return -1;
   return firstBelow(m, placeGuard(m, axis, m.flow.alpha > 0 ? held : -held), from, false);
+}
+
+/**
+ * The same beside a steady force, where the place doesn't say in which direction she is driven. It is looked at the end of the piece
+ * alone, which the stepper keeps short.
+ */
+function steadyFreeTime(m: Motion, axis: number, held: number, from: number): number {
+  const drives = (t: number): number => {
+    pairAt(m.ux, m.uy, m.s[DEGREE], t, there, 0);
+    force.kind = m.flow.kind;
+    force.alpha = m.flow.alpha;
+    force.beta = m.flow.beta;
+    force.steadyX = m.flow.steadyX;
+    force.steadyY = m.flow.steadyY;
+    force.accelerate(there[0], there[1], there, 0);
+    return held * there[axis];
+  };
+  m.work.guards++;
+  if (drives(from) < 0) return from;
+  const end = Math.min(m.horizon, m.s[LENGTH_H]);
+  return drives(end) < 0 ? crossing(from, end, drives) : -1;
 }
 
 /** Into `guard`: sign u, px; returns its degree. */
