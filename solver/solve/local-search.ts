@@ -2,8 +2,8 @@ import type { Hold } from '../../schema/index.ts';
 import { normalBeyondHalf, type TickNoise, type Trials, tickNoise } from '../robustness/index.ts';
 import { sampleNoise } from './noisy-sample.ts';
 
-/** A run on its way up: its edges move to where noise does the least harm. */
-export interface Basin {
+/** A local search from one run: its edges move to where noise does the least harm. */
+export interface LocalSearch {
   /** Ticks, fractions included: press, release, press, ... */
   edges: number[];
   /** Where `edges` was when it last succeeded at all. */
@@ -23,10 +23,10 @@ const FIRST_SIGMA = 20;
 /** Less noise than this hardly moves an edge by a tick, ms. */
 const LEAST_SIGMA = 4;
 
-/** How far the edges follow the drift: 1 climbs surely, more climbs faster. */
+/** How far the edges follow the drift: 1 never makes a run worse, more is faster. */
 const STRIDE = 1.5;
 
-export function createBasin(holds: readonly Hold[], seed: number): Basin {
+export function createLocalSearch(holds: readonly Hold[], seed: number): LocalSearch {
   const edges = holds.flat();
   return { edges, foothold: edges, sigma: FIRST_SIGMA, width: 0, used: 0, seed };
 }
@@ -51,29 +51,29 @@ export function holdsOf(edges: readonly number[]): Hold[] {
  * @param samples executions tried
  * @param most the most noise it is tried with, ms
  */
-export function climb(trials: Trials, basin: Basin, samples: number, most: number): void {
+export function meanShiftStep(trials: Trials, local: LocalSearch, samples: number, most: number): void {
   const { successes, tried, drift } = sampleNoise(
     trials,
-    holdsOf(basin.edges),
-    noiseOf(basin.sigma),
-    basin.seed,
-    basin.used,
-    basin.used + samples,
+    holdsOf(local.edges),
+    noiseOf(local.sigma),
+    local.seed,
+    local.used,
+    local.used + samples,
   );
-  basin.used += samples;
+  local.used += samples;
   if (successes === 0) {
-    basin.edges = [...basin.foothold];
-    basin.sigma = Math.max(LEAST_SIGMA, basin.sigma / 2);
-    basin.width = Math.min(basin.width, basin.sigma / 4);
+    local.edges = [...local.foothold];
+    local.sigma = Math.max(LEAST_SIGMA, local.sigma / 2);
+    local.width = Math.min(local.width, local.sigma / 4);
     return;
   }
-  const width = windowOf(successes / tried, basin.sigma, tried);
-  basin.width = basin.width === 0 ? width : (basin.width + 2 * width) / 3;
-  basin.foothold = basin.edges;
-  basin.edges = basin.edges.map((tick, i) => tick + STRIDE * drift[i]);
+  const width = windowOf(successes / tried, local.sigma, tried);
+  local.width = local.width === 0 ? width : (local.width + 2 * width) / 3;
+  local.foothold = local.edges;
+  local.edges = local.edges.map((tick, i) => tick + STRIDE * drift[i]);
   const share = successes / tried;
-  if (share > 0.7) basin.sigma = Math.min(most, basin.sigma * 1.6);
-  else if (share < 0.25) basin.sigma = Math.max(LEAST_SIGMA, basin.sigma / 1.5);
+  if (share > 0.7) local.sigma = Math.min(most, local.sigma * 1.6);
+  else if (share < 0.25) local.sigma = Math.max(LEAST_SIGMA, local.sigma / 1.5);
 }
 
 /** Edges after `steps` mean-shift steps under one kind of noise, each with executions of its own. */

@@ -19,7 +19,7 @@ export interface GeneratorOptions {
 }
 
 /** What a level has to be, worked out from the options. Lengths in px. */
-export interface Wish {
+export interface GeneratorSpec {
   readonly width: number;
   readonly height: number;
   /** the grade lies in [least, most] */
@@ -60,7 +60,7 @@ export const GREATEST_SIDE = 4000;
 /**
  * @throws RangeError for a size or a grade that can't be
  */
-export function wishOf({ size = 'medium', difficulty = 'medium', ingredients }: GeneratorOptions): Wish {
+export function specOf({ size = 'medium', difficulty = 'medium', ingredients }: GeneratorOptions): GeneratorSpec {
   const [width, height] = typeof size === 'string' ? SIZES[size] : [size.width, size.height];
   for (const [name, side] of Object.entries({ width, height })) {
     if (side >= LEAST_SIDE && side <= GREATEST_SIDE) continue;

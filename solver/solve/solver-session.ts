@@ -8,7 +8,7 @@ import { Restarts } from './restarts.ts';
 import type { Objective, Solution } from './solution.ts';
 
 /** What the ways of solving share: what is asked, what has been spent, what has been found. */
-export interface Desk {
+export interface SolverSession {
   readonly scene: Scene;
   readonly goal: Goal;
   readonly maxTicks: number;
@@ -26,8 +26,8 @@ export interface Desk {
   solutions: readonly Solution[];
 }
 
-/** What is asked of a {@link Desk}. */
-export interface Order {
+/** What is asked of a {@link SolverSession}. */
+export interface SolverTask {
   readonly goal: Goal;
   readonly seed: number;
   readonly lane: number;
@@ -54,12 +54,12 @@ function seedsOf(seed: number, lane: number): (n: number) => number {
   };
 }
 
-export function createDesk(scene: Scene, order: Order): Desk {
-  const { goal, maxTicks, seed, lane } = order;
+export function createSolverSession(scene: Scene, task: SolverTask): SolverSession {
+  const { goal, maxTicks, seed, lane } = task;
   const seedOf = seedsOf(seed, lane);
   return {
     scene,
-    ...order,
+    ...task,
     seedOf,
     trials: createTrials(scene, goal, maxTicks),
     cloudHeat: new HeatMap(scene.level.astronaut.x, scene.level.astronaut.y),
@@ -75,13 +75,13 @@ const HOLD_ON = 120;
  * The run as a player would do it: without what comes after the end, and holding on where she arrives held.
  * @returns null when the run doesn't meet the goal
  */
-export function playable(desk: Desk, holds: readonly Hold[]): { candidate: Candidate; holds: Hold[] } | null {
-  const candidate = verifyRun(desk.scene, holds, desk.goal, desk.maxTicks);
-  desk.trials.runs++;
-  desk.trials.ticks += candidate?.tick ?? desk.maxTicks;
-  if (candidate === null) return null;
-  const kept = joinHolds(holds).filter(([press]) => press <= candidate.tick);
+export function playable(session: SolverSession, holds: readonly Hold[]): { verified: Candidate; holds: Hold[] } | null {
+  const verified = verifyRun(session.scene, holds, session.goal, session.maxTicks);
+  session.trials.runs++;
+  session.trials.ticks += verified?.tick ?? session.maxTicks;
+  if (verified === null) return null;
+  const kept = joinHolds(holds).filter(([press]) => press <= verified.tick);
   const last = kept.length - 1;
-  if (last >= 0 && kept[last][1] > candidate.tick) kept[last] = [kept[last][0], candidate.tick + HOLD_ON];
-  return { candidate, holds: kept };
+  if (last >= 0 && kept[last][1] > verified.tick) kept[last] = [kept[last][0], verified.tick + HOLD_ON];
+  return { verified, holds: kept };
 }
