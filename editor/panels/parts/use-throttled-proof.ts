@@ -4,7 +4,7 @@ import type { LiveProof } from '../../proof/index.ts';
 
 /**
  * What `pick` makes of the live proof, made anew at most every so many ms: a panel need not be drawn for every move of the pointer.
- * It is picked at once once the wait is over, since the arrays of a proof are good until the next one.
+ * It is picked at the end of the wait, since the arrays of a proof are good until the next one.
  * @param pick kept between renders (`useCallback`, or outside of the component)
  */
 export function useThrottledProof<T>(pick: (proof: LiveProof) => T, wait = 100): T {
