@@ -1,4 +1,4 @@
-import type { Level } from '../../schema/index.ts';
+import { type Level, NO_OBJECTS } from '../../schema/index.ts';
 import { ACCURACIES, type Accuracy } from '../accuracy.ts';
 import { compile } from '../compile.ts';
 import { TICK_RATE } from '../constants.ts';
@@ -69,11 +69,9 @@ function seenBySweep(x: number, y: number, radius: number, vx: number, vy: numbe
     blackHole: { x: 0, y: 1e6, radius: 1 },
     range: 1e6,
     recoil: false,
+    ...NO_OBJECTS,
     asteroids: [{ id: null, x: 1e5, y: 1e5, radius: 1, hot: false }],
     novae: [{ id: null, x, y, radius }],
-    repulsors: [],
-    aliens: [],
-    minerals: [],
     runs: [],
   };
   const simulation = createSimulation(compile(level, SWEPT));

@@ -26,30 +26,53 @@ import {
   setObjectProperty,
   setRadius,
 } from '../../editor/document/index.ts';
-import { formatLevel, type LevelFile, OBJECT_LISTS, type Placeable } from '../../schema/index.ts';
+import {
+  fieldsOf,
+  formatLevel,
+  isRequired,
+  KINDS,
+  type LevelFile,
+  LISTED_KINDS,
+  type ListedKind,
+  listOf,
+  OBJECT_LISTS,
+  type ObjectList,
+  type Placeable,
+} from '../../schema/index.ts';
 
 const coordinate = fc.integer({ min: -200, max: 200 });
 const radius = fc.constantFrom(4, 16, 32);
-const circles = <T extends object>(more: { [K in keyof T]: fc.Arbitrary<T[K]> }) =>
-  fc.array(fc.record({ x: coordinate, y: coordinate, ...more }), { maxLength: 3 });
-const sized = circles({ radius });
-const sizable = circles({ radius: fc.option(radius, { nil: undefined }) });
+
+interface Listed {
+  x: number;
+  y: number;
+}
+
+/** Some objects of a kind, without what may be left out but for the radius. */
+const some = (kind: ListedKind): fc.Arbitrary<Listed[]> => {
+  const fields = fieldsOf(kind).flatMap(([name, field]): [string, fc.Arbitrary<unknown>][] => {
+    if (name === KINDS[kind].radius) return [[name, isRequired(field) ? radius : fc.option(radius, { nil: undefined })]];
+    return isRequired(field) ? [[name, coordinate]] : [];
+  });
+  return fc.array(fc.record(Object.fromEntries(fields)) as unknown as fc.Arbitrary<Listed>, { maxLength: 3 });
+};
+
+const lists = Object.fromEntries(LISTED_KINDS.map((kind) => [listOf(kind), some(kind)])) as Record<
+  ObjectList,
+  fc.Arbitrary<Listed[]>
+>;
 
 /** Small levels with whole numbers, an id on every object, some radii left to their defaults, and lists that are missing. */
 const smallFile: fc.Arbitrary<LevelFile> = fc
   .record({
     astronaut: fc.record({ x: coordinate, y: coordinate }),
     blackHole: fc.record({ x: coordinate, y: coordinate, radius: fc.option(radius, { nil: undefined }) }),
-    asteroids: sized,
-    novae: sized,
-    repulsors: sized,
-    aliens: sizable,
-    minerals: sizable,
+    ...lists,
   })
   .map((parts) => {
     const lists = OBJECT_LISTS.filter((list) => parts[list].length > 0).map((list) => [
       list,
-      parts[list].map((object, i) => ({ id: `${list.slice(0, 3)}${i}`, ...object })),
+      parts[list].map((object: object, i: number) => ({ id: `${list.slice(0, 3)}${i}`, ...object })),
     ]);
     return createEditedLevel({
       version: 1,
@@ -359,10 +382,9 @@ describe('objects', () => {
           { key: ASTRONAUT, kind: 'astronaut', list: null, index: 0, object: file.astronaut, pointer: '/astronaut' },
           { key: BLACK_HOLE, kind: 'blackHole', list: null, index: 0, object: file.blackHole, pointer: '/blackHole' },
         ]);
-        const kinds = ['asteroid', 'nova', 'repulsor', 'alien', 'mineral'];
         const expected = OBJECT_LISTS.flatMap((list, n) =>
           (file[list] ?? []).map((object, index) => ({
-            ...{ key: object.id, kind: kinds[n], list, index, object, pointer: `/${list}/${index}` },
+            ...{ key: object.id, kind: LISTED_KINDS[n], list, index, object, pointer: `/${list}/${index}` },
           })),
         );
         expect(objects.slice(2)).toEqual(expected);

@@ -11,7 +11,7 @@ import {
   simulate,
   TICK,
 } from '../../engine/index.ts';
-import type { Hold, Level } from '../../schema/index.ts';
+import { type Hold, type Level, NO_OBJECTS } from '../../schema/index.ts';
 import { afterChase, type Chaser } from '../../solver/verify/chasers.ts';
 import { claimOf, type Play } from '../../solver/verify/claim.ts';
 import { accelerations, advance, type Box, placesWithin, turnedScene } from '../../solver/verify/doomed.ts';
@@ -36,11 +36,7 @@ const EMPTY: Level = {
   blackHole: { x: 0, y: 1e7, radius: 18 },
   range: 250,
   recoil: false,
-  asteroids: [],
-  novae: [],
-  repulsors: [],
-  aliens: [],
-  minerals: [],
+  ...NO_OBJECTS,
   runs: [],
 };
 const rock = (x: number, y: number, radius: number) => ({ id: null, x, y, radius, hot: false });
