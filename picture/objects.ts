@@ -8,7 +8,7 @@ import {
   type ObjectKind,
   placesIn,
 } from '../schema/index.ts';
-import { IN_PICTURE } from './kinds/index.ts';
+import { IN_PICTURE, type Look } from './kinds/index.ts';
 import { place } from './place.ts';
 import type { Theme } from './theme.ts';
 import { type Thing, thingsOf } from './things.ts';
@@ -29,13 +29,16 @@ const drawRing = (radius: number, view: View, theme: Theme): string =>
 export function drawObjects(view: View, theme: Theme, level: Level): string {
   const crowded = LISTED_KINDS.reduce((sum, kind) => sum + level[listOf(kind)].length, 0) >= SPECKS_FROM;
   const least = LEAST / view.scale;
+  const drawDisc = (kind: ObjectKind, look: Look<object>): string => {
+    const { draw } = IN_PICTURE[kind];
+    return look.radius < least ? draw({ ...look, radius: least }) + drawRing(least, view, theme) : draw(look);
+  };
   const drawOne = (kind: ObjectKind, object: Thing, index: number, nth: number): string => {
-    const { draw, speck } = IN_PICTURE[kind];
-    const radius = object.radius ?? 0;
-    const look = { object, place: nth, radius, index, theme };
+    const { draw, speck, between } = IN_PICTURE[kind];
+    const look = { object, place: nth, radius: object.radius ?? 0, index, theme };
     if (KINDS[kind].list === null) return draw(look);
     if (crowded) return speck(look);
-    return radius < least ? draw({ ...look, radius: least }) + drawRing(least, view, theme) : draw(look);
+    return (nth === 0 ? (between?.(look) ?? '') : '') + drawDisc(kind, look);
   };
   const layers: { readonly depth: number; readonly draw: () => string }[] = [];
   for (const kind of OBJECT_KINDS) {

@@ -9,6 +9,7 @@ import { nova } from './nova.ts';
 import { repulsor } from './repulsor.ts';
 
 export { drawAstronaut } from './astronaut.ts';
+export type { Look } from './kind-in-picture.ts';
 
 const DRAWINGS: { readonly [K in ObjectKind]: KindInPicture<ObjectOf<K>> } = {
   astronaut,

@@ -20,6 +20,8 @@ export interface KindInPicture<Thing = object> {
   draw(look: Look<Thing>): string;
   /** The simplest sign of it, of another shape than that of each other kind. */
   speck(look: Look<Thing>): string;
+  /** What joins its places, for a kind that has several: around the first of them. */
+  between?(look: Look<Thing>): string;
   /** How far a picture shows what is around its centre, in radii; 1 when left out. */
   readonly reach?: number;
   /** What lies around it, farther than its rim. */
