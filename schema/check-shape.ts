@@ -1,8 +1,8 @@
 import * as z from 'zod';
 import { closestName } from './closest-name.ts';
 import { formatValue, quote } from './format-value.ts';
-import { KINDS, OBJECT_KINDS, OBJECT_LISTS, SINGLE_KINDS } from './kinds.ts';
-import { LEVEL_VERSION, levelSchema } from './level.ts';
+import { KINDS, LISTED_KINDS, OBJECT_KINDS, OBJECT_LISTS, SINGLE_KINDS } from './kinds.ts';
+import { LEVEL_VERSION, levelSchema, OBJECT_SCHEMAS } from './level.ts';
 import { LIMITS } from './limits.ts';
 import { type Finding, MAX_FINDINGS, type Path, toWords } from './problem.ts';
 
@@ -47,7 +47,7 @@ let compiled: Compiled | null = null;
 function parts(): Compiled {
   compiled ??= {
     root: z.compile(levelSchema),
-    elements: Object.fromEntries(OBJECT_LISTS.map((list) => [list, z.compile(shape[list].unwrap().element)])),
+    elements: Object.fromEntries(LISTED_KINDS.map((kind) => [KINDS[kind].list, z.compile(OBJECT_SCHEMAS[kind])])),
     run: z.compile(runSchema),
     hold: z.compile(runSchema.shape.holds.element),
   };

@@ -1,5 +1,5 @@
-import { OBJECT_LISTS, SINGLE_KINDS } from './kinds.ts';
-import { type LevelFile, levelSchema } from './level.ts';
+import { KINDS, OBJECT_KINDS } from './kinds.ts';
+import { type LevelFile, levelSchema, OBJECT_SCHEMAS } from './level.ts';
 import { RULE_NAMES } from './rules.ts';
 
 type Json = { readonly [key: string]: unknown };
@@ -10,10 +10,9 @@ const run = shape.runs.unwrap().element;
 /** The order of keys in a file is the order in the schema. */
 const KEYS = {
   level: Object.keys(shape),
-  ...Object.fromEntries(SINGLE_KINDS.map((kind) => [kind, Object.keys(shape[kind].shape)])),
   rules: RULE_NAMES,
   runs: Object.keys(run.shape),
-  ...Object.fromEntries(OBJECT_LISTS.map((list) => [list, Object.keys(shape[list].unwrap().element.shape)])),
+  ...Object.fromEntries(OBJECT_KINDS.map((kind) => [KINDS[kind].list ?? kind, Object.keys(OBJECT_SCHEMAS[kind].shape)])),
 } as { readonly [part: string]: readonly string[] };
 
 /** Entries in canonical order: those with a place in `order` first, then the others as they come; none that is undefined. */

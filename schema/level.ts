@@ -7,6 +7,7 @@ import {
   LISTED_KINDS,
   type ListedKind,
   type ListOf,
+  OBJECT_KINDS,
   type ObjectKind,
   type ObjectList,
   SINGLE_KINDS,
@@ -43,19 +44,23 @@ function fieldSchema(field: Field): z.core.$ZodType {
   return (field.default === undefined ? plain : plain.optional()).describe(field.about);
 }
 
-/** What an object of a kind looks like in a file. */
 function objectSchema<K extends ObjectKind>(kind: K): ObjectSchema<K> {
   const { list, about } = KINDS[kind];
   const fields = fieldsOf(kind).map(([name, field]) => [name, fieldSchema(field)]);
   return z.strictObject({ ...(list === null ? {} : { id }), ...Object.fromEntries(fields) }).describe(about) as never;
 }
 
-const singles = Object.fromEntries(SINGLE_KINDS.map((kind) => [kind, objectSchema(kind)])) as {
+/** What an object of each kind looks like in a file. */
+export const OBJECT_SCHEMAS = Object.fromEntries(OBJECT_KINDS.map((kind) => [kind, objectSchema(kind)])) as {
+  readonly [K in ObjectKind]: ObjectSchema<K>;
+};
+
+const singles = Object.fromEntries(SINGLE_KINDS.map((kind) => [kind, OBJECT_SCHEMAS[kind]])) as {
   [K in SingleKind]: ObjectSchema<K>;
 };
 
 const listSchema = (kind: ListedKind) =>
-  z.array(objectSchema(kind)).max(LIMITS.objects).optional().describe(KINDS[kind].aboutList);
+  z.array(OBJECT_SCHEMAS[kind]).max(LIMITS.objects).optional().describe(KINDS[kind].aboutList);
 
 const lists = Object.fromEntries(LISTED_KINDS.map((kind) => [KINDS[kind].list, listSchema(kind)])) as {
   [K in ListedKind as ListOf<K>]: z.ZodOptional<z.ZodArray<ObjectSchema<K>>>;

@@ -24,7 +24,7 @@ const NAMES = new RegExp(
   'g',
 );
 
-const oneOfSingle = (single: string): string => KINDS[SINGLE_KINDS.find((kind) => kind === single) ?? 'astronaut'].one;
+const ONE_OF_SINGLE: Readonly<Record<string, string>> = Object.fromEntries(SINGLE_KINDS.map((kind) => [kind, KINDS[kind].one]));
 
 /** `.holds[2][1]` is `, hold 3, release` */
 function partInWords(part: string): string {
@@ -44,7 +44,7 @@ export function inPageWords(message: string): string {
     NAMES,
     (all: string, kind?: string, list?: string, index?: string, part?: string, single?: string, partOfSingle?: string) => {
       if (list !== undefined) return `${kind ?? ONE_OF[list]} ${Number(index) + 1}${partInWords(part ?? '')}`;
-      if (single !== undefined) return `${oneOfSingle(single)}${partInWords(partOfSingle ?? '')}`;
+      if (single !== undefined) return `${ONE_OF_SINGLE[single]}${partInWords(partOfSingle ?? '')}`;
       return all;
     },
   );

@@ -8,6 +8,7 @@ import {
   levelSchema,
   OBJECT_KINDS,
   OBJECT_LISTS,
+  OBJECT_SCHEMAS,
   type ObjectKind,
   type ObjectList,
   SINGLE_KINDS,
@@ -41,12 +42,9 @@ const LEVEL: Fields = { shape, limits: { range: [LIMITS.leastRadius, LIMITS.radi
 const RUN: Fields = { shape: shape.runs.unwrap().element.shape, limits: {}, required: [] };
 
 function fieldsOfKind(kind: ObjectKind): Fields {
-  const { list } = KINDS[kind];
-  const schema = OBJECT_LISTS.find((one) => one === list);
-  const single = SINGLE_KINDS.find((one) => one === kind) ?? 'astronaut';
   const fields = fieldsOf(kind);
   return {
-    shape: schema === undefined ? shape[single].shape : shape[schema].unwrap().element.shape,
+    shape: OBJECT_SCHEMAS[kind].shape,
     limits: Object.fromEntries(
       fields.flatMap(([name, field]) => (field.type === 'number' ? [[name, [field.least, field.most]]] : [])),
     ),
