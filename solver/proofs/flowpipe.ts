@@ -27,8 +27,8 @@ const HORIZONS = [
 /** Plays that are looked at first. */
 const PLAYS = 120;
 
-/** What isn't over by so many sets is given up. */
-export const MOST_PIPES = 2000;
+/** What isn't over by so many sets, or parts of sets, is given up: a certificate has no more. */
+export const MOST_PIPES = { sets: 2000, parts: 25_000 } as const;
 
 /**
  * Whatever she presses she runs into a hazard, an alien or out of range within seconds, and comes nowhere near the thing: like `doomed`, but with her box as it
@@ -51,10 +51,10 @@ export function proveFlowpipe(setting: Setting, about: About, goal: Thing): Proo
       steps: Math.ceil(horizon / (FRAMES * TICK)),
       turns: TURNS,
     };
-    const { closed, hopeless, steps, endedBy } = followPipes(setting, about, goal, grid, MOST_PIPES);
+    const { closed, hopeless, layers, endedBy } = followPipes(setting, about, goal, grid, MOST_PIPES);
     if (hopeless) return null;
     if (!closed) continue;
-    const seconds = Math.ceil(steps * grid.frames * TICK * 10) / 10;
+    const seconds = Math.ceil(layers.length * grid.frames * TICK * 10) / 10;
     return {
       code: 'flowpipe',
       about,
@@ -63,7 +63,7 @@ export function proveFlowpipe(setting: Setting, about: About, goal: Thing): Proo
         `at ${whatEnds(endedBy)}, whatever is pressed: start slower, elsewhere or in another direction, or clear her way`,
       covers: CONTINUOUS,
       maxTime: level.recoil ? maxTime : null,
-      certificate: { kind: 'flowpipe', grid },
+      certificate: { kind: 'flowpipe', grid, layers },
     };
   }
   return null;

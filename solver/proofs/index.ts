@@ -10,11 +10,15 @@ export type {
   Doomed,
   Drift,
   FanGrid,
+  Flowpipe,
   LineEnd,
   LineTrap,
   PipeGrid,
+  PipePart,
+  PipeStep,
   Proof,
   ProofCode,
+  Strip,
   ThingRef,
 } from './proof.ts';
 export { PROVERS, type ProveOptions, proveBy, proveImpossible, proveMineralsUnreachable } from './prove.ts';

@@ -82,6 +82,36 @@ export interface PipeGrid {
   readonly turns: number;
 }
 
+/** A strip taken off a set, since a hazard overlaps her box in all of it: beyond `at` px in one of eight directions, eighths of a turn from the first axis. */
+export interface Strip {
+  readonly by: ThingRef;
+  readonly side: number;
+  readonly at: number;
+}
+
+/** What becomes of a part of a set: strips are taken off, and what is left goes into a set of the next step; null: nothing is left, or all is out of range. */
+export interface PipePart {
+  readonly off: readonly Strip[];
+  readonly to: number | null;
+}
+
+/**
+ * How a set goes on: where it is cut, px, by the places she drifts to at the two moments of the grid (x and y of the earlier, x and y of the later), and what
+ * becomes of each part; those along the last cuts come one after the other.
+ */
+export interface PipeStep {
+  readonly cuts: readonly (readonly number[])[];
+  readonly parts: readonly PipePart[];
+}
+
+/** Certificate of all that she may do until it is over, known by where she would drift to. */
+export interface Flowpipe {
+  readonly kind: 'flowpipe';
+  readonly grid: PipeGrid;
+  /** for each step, and each set there is then, how it goes on when she presses in it, and when she doesn't; the start is one set */
+  readonly layers: readonly (readonly (readonly [pressed: PipeStep, free: PipeStep])[])[];
+}
+
 /** The kinds of proof. */
 export type ProofCode =
   | 'nothing-in-range'
@@ -106,7 +136,7 @@ export type Prover = ProofCode | 'dead-end';
  *   while she swings between them
  * - `covered`: the level alone shows it
  * - `doomed`: all that she may do, as sets after each step; after the last none is left
- * - `flowpipe`: how finely to follow all that she may do until everything is over
+ * - `flowpipe`: how to follow all that she may do: where to cut sets, and what ends which part of them, until none is left
  */
 export type Certificate =
   | { readonly kind: 'nothing-in-range' }
@@ -115,7 +145,7 @@ export type Certificate =
   | { readonly kind: 'enclosed'; readonly barrier: readonly BarrierEdge[] }
   | LineTrap
   | Doomed
-  | { readonly kind: 'flowpipe'; readonly grid: PipeGrid }
+  | Flowpipe
   | { readonly kind: 'covered' };
 
 /** Certificate of a line trap. */

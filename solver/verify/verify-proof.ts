@@ -67,7 +67,7 @@ function check(claim: Claim, certificate: Certificate): string | null {
     case 'doomed':
       return checkDoomed(claim, certificate);
     case 'flowpipe':
-      return checkFlowpipe(claim, certificate.grid);
+      return checkFlowpipe(claim, certificate);
     case 'covered':
       return checkCovered(claim);
   }

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { Certificate } from '../../../solver/index.ts';
-import { at, doomedBy, FRAMES, levelWith, ORIGIN, whyNot } from './near-miss.ts';
+import { at, doomedBy, FRAMES, flowpipeBy, levelWith, ORIGIN, whyNot } from './near-miss.ts';
 
 // What a certificate that follows her may ask for. Where she moves so fast that she is out of range soon, all of it is quick.
 
@@ -11,12 +11,12 @@ const DOOMED = doomed(AWAY);
 // its sets may be none of another grid
 type Follow = (steps: number, more?: object) => Certificate;
 const withGrid: Follow = (_, more) => ({ ...DOOMED, grid: { ...DOOMED.grid, ...more } });
-const flowpipe: Follow = (steps, more) =>
-  ({ kind: 'flowpipe', grid: { axis: [1, 0], cell: 16, frames: 4, steps, turns: 4, ...more } }) as Certificate;
+const FLOWPIPE = flowpipeBy({ axis: [1, 0], cell: 16, frames: 4, steps: 30, turns: 4 })(AWAY);
+const withPipeGrid: Follow = (_, more) => ({ ...FLOWPIPE, grid: { ...FLOWPIPE.grid, ...more } });
 
 describe.each([
   ['doomed', withGrid],
-  ['flowpipe', flowpipe],
+  ['flowpipe', withPipeGrid],
 ] as const)('%s', (kind, follow) => {
   const isPipe = kind === 'flowpipe';
 

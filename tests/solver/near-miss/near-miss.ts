@@ -1,8 +1,18 @@
 import { expect, it } from 'vitest';
 import type { AccuracyName } from '../../../engine/index.ts';
 import { type Level, type LevelFile, resolveLevel } from '../../../schema/index.ts';
-import { type About, type Certificate, type Doomed, type FanGrid, type Proof, verifyProof } from '../../../solver/index.ts';
+import {
+  type About,
+  type Certificate,
+  type Doomed,
+  type FanGrid,
+  type Flowpipe,
+  type PipeGrid,
+  type Proof,
+  verifyProof,
+} from '../../../solver/index.ts';
 import { followFan } from '../../../solver/proofs/fan.ts';
+import { followPipes } from '../../../solver/proofs/pipe.ts';
 import { settingOf, thingOf } from '../../../solver/proofs/setting.ts';
 
 // The game's numbers as its rules give them, and not as the sources name them: the two are to agree.
@@ -58,6 +68,15 @@ export const doomedBy =
     const goal = thingOf(level, about.kind === 'mineral' ? level.minerals[about.index] : level.blackHole);
     const { layers } = followFan(setting, about, goal, grid, { steps, boxes: 100_000 });
     return { kind: 'doomed', grid, layers };
+  };
+
+/** The same as a flowpipe; the grid says how many steps. */
+export const flowpipeBy =
+  (grid: PipeGrid): Maker<Flowpipe> =>
+  (level, { about = HOLE, maxTime = null } = {}) => {
+    const goal = thingOf(level, about.kind === 'mineral' ? level.minerals[about.index] : level.blackHole);
+    const { layers } = followPipes(settingOf(level, maxTime, false), about, goal, grid, { sets: 25_000, parts: 25_000 });
+    return { kind: 'flowpipe', grid, layers };
   };
 
 /** What the checker says: null, or why not. */
