@@ -2,12 +2,12 @@
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import type { Brush } from '../../editor/canvas/brush.ts';
 import { COLOURS } from '../../editor/canvas/colours.ts';
 import { extentOf } from '../../editor/canvas/extent.ts';
 import { hitTest, objectsIn } from '../../editor/canvas/hit-test.ts';
 import { type Figure, ON_CANVAS, put, signOf } from '../../editor/canvas/kinds/index.ts';
 import { snapTargets } from '../../editor/canvas/snapping.ts';
-import type { Brush } from '../../editor/canvas/textures/brush.ts';
 import {
   addObject,
   alignObjects,
