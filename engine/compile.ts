@@ -1,27 +1,9 @@
 import { type Circle, type Level, rulesOf } from '../schema/index.ts';
 import { ACCURACIES, type Accuracy, type AccuracyName, DEFAULT_ACCURACY } from './accuracy.ts';
-import type { Circles } from './circles.ts';
 import { boxOf } from './contact/index.ts';
 import { chooseEffects, effectsOf, explosionsAtStart, strongestOf } from './effects/index.ts';
-import type { IndexedCircles, Scene } from './scene.ts';
-import { indexCircles } from './spatial-index.ts';
-
-function indexed(circles: Circles): IndexedCircles {
-  const { count, x, y, r, index } = circles;
-  // one by one: `...` would give every list a shape of its own, which V8 then has to search
-  return { count, x, y, r, index, spatial: indexCircles(circles) };
-}
-
-function circles(list: readonly Circle[], order: readonly number[]): Circles {
-  const pick = (f: (c: Circle) => number) => Float64Array.from(order, (i) => f(list[i]));
-  return {
-    count: order.length,
-    x: pick((c) => c.x),
-    y: pick((c) => c.y),
-    r: pick((c) => c.radius),
-    index: Int32Array.from(order),
-  };
-}
+import { circlesOf, indexed } from './indexed-circles.ts';
+import type { Scene } from './scene.ts';
 
 /** The places in a list of all circles but those that an earlier one is equal to. */
 function unlike(list: readonly Circle[]): number[] {
@@ -43,7 +25,8 @@ function unlike(list: readonly Circle[]): number[] {
 export function compile(level: Level, accuracy: AccuracyName | Accuracy = DEFAULT_ACCURACY): Scene {
   const rules = rulesOf(level);
   const effects = chooseEffects(level);
-  const all = (list: readonly Circle[]) => circles(list, [...list.keys()]);
+  const parts = effectsOf(effects);
+  const all = (list: readonly Circle[]) => circlesOf(list, [...list.keys()]);
   const cold: number[] = [];
   const hot: number[] = [];
   for (const [i, a] of level.asteroids.entries()) (a.hot ? hot : cold).push(i);
@@ -58,12 +41,13 @@ export function compile(level: Level, accuracy: AccuracyName | Accuracy = DEFAUL
     box: boxOf(rules),
     accuracy: chosen,
     effects,
-    strongest: strongestOf(effectsOf(effects), level, rules),
-    targets: indexed(circles(level.asteroids, [...cold, ...hot])),
+    strongest: strongestOf(parts, level, rules),
+    targets: indexed(circlesOf(level.asteroids, [...cold, ...hot])),
     coldCount: cold.length,
     novae: indexed(all(level.novae)),
-    repulsors: indexed(circles(level.repulsors, unlike(level.repulsors))),
+    repulsors: indexed(circlesOf(level.repulsors, unlike(level.repulsors))),
     aliens: { ...aliens, explosions },
     minerals: indexed(all(level.minerals)),
+    own: Object.fromEntries(parts.flatMap(({ name, prepare }) => (prepare === undefined ? [] : [[name, prepare(level)]]))),
   };
 }

@@ -1,13 +1,7 @@
 import type { Level, Rules } from '../schema/index.ts';
 import type { Accuracy } from './accuracy.ts';
-import type { Circles } from './circles.ts';
 import type { Box } from './contact/index.ts';
-import type { SpatialIndex } from './spatial-index.ts';
-
-/** A list of circles as the level has them, with an index where there are many. */
-export interface IndexedCircles extends Circles {
-  readonly spatial: SpatialIndex | null;
-}
+import type { IndexedCircles } from './indexed-circles.ts';
 
 /** The aliens as the level has them. */
 export interface Aliens extends IndexedCircles {
@@ -47,4 +41,6 @@ export interface Scene {
   readonly repulsors: IndexedCircles;
   readonly aliens: Aliens;
   readonly minerals: IndexedCircles;
+  /** What effects prepared for themselves, by their names. */
+  readonly own: Readonly<Record<string, unknown>>;
 }

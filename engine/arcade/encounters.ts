@@ -1,6 +1,7 @@
 import { TICK } from '../constants.ts';
 import { boxOverlapsCircle, circlesOverlap } from '../contact/index.ts';
-import type { Simulation } from '../simulation.ts';
+import type { Frame } from '../frames/index.ts';
+import type { RunEvent, Simulation } from '../simulation.ts';
 import {
   ALIEN_TOUCH,
   ASTEROID,
@@ -37,11 +38,16 @@ const FRAMES_ALERT = 12;
 
 /** Frames in which everything in her neighbourhood is looked at, in the order of the original. */
 export class Encounters {
+  private readonly body: Frame;
+
   constructor(
     private readonly simulation: Simulation,
     private readonly world: World,
     private readonly recorder: FrameRecorder | null,
-  ) {}
+  ) {
+    const tell = recorder === null ? null : (event: RunEvent) => recorder.event(event);
+    this.body = { scene: world.scene, s: world.s, number: 0, x: 0, y: 0, ax: 0, ay: 0, tell };
+  }
 
   /**
    * Some frames among things; ends where she leaves the cell or the run ends.
@@ -68,9 +74,11 @@ export class Encounters {
       firstTarget,
       box,
       rules,
+      frameRules,
+      frameStates,
     } = this.world;
     const { pull, push, speedLimit } = rules;
-    const { left, right, top, bottom, rivals, deadly } = cell;
+    const { left, right, top, bottom, rivals, deadly, discs } = cell;
     const near = cell.minerals;
     const fields = cell.repulsors;
     const rangeSquared = range * range;
@@ -170,6 +178,19 @@ export class Encounters {
       }
       if (recorder !== null) recorder.field(frame, field);
 
+      if (frameRules.length > 0) {
+        const { body } = this;
+        body.number = frame;
+        body.x = x;
+        body.y = y;
+        body.ax = ax;
+        body.ay = ay;
+        for (let k = 0; k < frameRules.length; k++) frameRules[k].act(body, discs[k], frameStates[k]);
+        x = body.x;
+        y = body.y;
+        ax = body.ax;
+        ay = body.ay;
+      }
       if (s[OUTCOME] >= NOVA) {
         vx = 0;
         vy = 0;

@@ -1,5 +1,6 @@
 import type { Circles } from '../circles.ts';
-import type { IndexedCircles, Scene } from '../scene.ts';
+import type { IndexedCircles } from '../indexed-circles.ts';
+import type { Scene } from '../scene.ts';
 
 /** Side of a cell, px. */
 const SIDE = 32;
@@ -31,6 +32,8 @@ interface Survey {
   readonly deadly: Int32Array;
   readonly minerals: Int32Array;
   readonly repulsors: Int32Array;
+  /** Discs of each of the frame rules. */
+  readonly discs: readonly Int32Array[];
   /** Nothing but the gun acts: no touch, no field, no end of the range. */
   readonly quiet: boolean;
   /** Aliens where the level has them neither see nor touch her. */
@@ -65,7 +68,11 @@ export class Neighbourhoods {
   private readonly cells: (Cell | null)[] = new Array(1 << (2 * BITS)).fill(null);
   private readonly drift: number;
 
-  constructor(private readonly scene: Scene) {
+  constructor(
+    private readonly scene: Scene,
+    /** Discs of each of the frame rules. */
+    private readonly discs: readonly Circles[],
+  ) {
     const { targets, coldCount, novae, minerals, repulsors, level } = scene;
     this.drift = level.recoil ? DRIFT : 0;
     const hot = all(targets.count).slice(coldCount);
@@ -78,6 +85,7 @@ export class Neighbourhoods {
       deadly: Int32Array.from([...all(1 + novae.count), ...hot.map((i) => 1 + novae.count + i)]),
       minerals: all(minerals.count),
       repulsors: all(repulsors.count),
+      discs: discs.map(({ count }) => all(count)),
       quiet: false,
       freeLeft: 0,
       freeRight: 0,
@@ -120,6 +128,7 @@ export class Neighbourhoods {
       deadly: here.deadly,
       minerals: here.minerals,
       repulsors: here.repulsors,
+      discs: here.discs,
       quiet: here.quiet,
       unseen: here.unseen,
       left: column * SIDE,
@@ -156,6 +165,9 @@ export class Neighbourhoods {
     const pushing = circlesAround(repulsors, x, y, toCorner + 1).filter((i) =>
       within(distance(repulsors.x[i], repulsors.y[i]), repulsors.r[i]),
     );
+    const discs = this.discs.map((circles) =>
+      all(circles.count).filter((i) => within(distance(circles.x[i], circles.y[i]), circles.r[i])),
+    );
     const closest = nearestDistance(targets, x, y, distance);
     const slack = 2 * (toCorner + drift);
     const rivals =
@@ -174,7 +186,13 @@ export class Neighbourhoods {
       deadly: Int32Array.from(deadly),
       minerals: Int32Array.from(collectable),
       repulsors: Int32Array.from(pushing),
-      quiet: inRange && deadly.length === 0 && collectable.length === 0 && pushing.length === 0,
+      discs,
+      quiet:
+        inRange &&
+        deadly.length === 0 &&
+        collectable.length === 0 &&
+        pushing.length === 0 &&
+        discs.every(({ length }) => length === 0),
       unseen,
     };
   }

@@ -1,3 +1,4 @@
+import type { Circles } from '../circles.ts';
 import { MOVED, STRAYED, X, Y } from './layout.ts';
 import { type Neighbourhood, Neighbourhoods } from './neighbourhoods.ts';
 import { ROCK_LEEWAY } from './rocks.ts';
@@ -13,11 +14,13 @@ export class Surroundings {
   /** Targets that may be the nearest within them. */
   rivals: Int32Array = new Int32Array(0);
   private readonly nearest = new Int32Array(1);
+  private readonly discs: readonly Circles[];
   private readonly neighbourhoods: Neighbourhoods;
   private cell: Neighbourhood;
 
   constructor(private readonly world: World) {
-    this.neighbourhoods = new Neighbourhoods(world.scene);
+    this.discs = world.frameRules.map((rule) => rule.discs(world.scene));
+    this.neighbourhoods = new Neighbourhoods(world.scene, this.discs);
     this.cell = this.neighbourhoods.everything;
   }
 
@@ -134,6 +137,14 @@ export class Surroundings {
       const dx = Math.abs(repulsorX[i] - x);
       const dy = Math.abs(repulsorY[i] - y);
       gap = Math.min(gap, (dx > dy ? dx : dy) - repulsorR[i]);
+    }
+    for (let k = 0; k < cell.discs.length && gap >= AWAY; k++) {
+      const { x: discX, y: discY, r } = this.discs[k];
+      for (const i of cell.discs[k]) {
+        const dx = Math.abs(discX[i] - x);
+        const dy = Math.abs(discY[i] - y);
+        gap = Math.min(gap, (dx > dy ? dx : dy) - r[i]);
+      }
     }
     return gap;
   }

@@ -2,6 +2,7 @@ import type { Level, Rules } from '../../schema/index.ts';
 import { layOutRules, putInOrder } from '../events/index.ts';
 import type { EventRule, Parts } from '../motion/index.ts';
 import type { ChosenEffect, EffectChoice } from '../scene.ts';
+import type { RunEvent } from '../simulation.ts';
 import { alienChase, alienExplosion, explode, fallAsleep, touchAlien, wake } from './aliens/index.ts';
 import { blackHole, touchBlackHole } from './black-hole/index.ts';
 import type { Effect } from './effect.ts';
@@ -79,7 +80,7 @@ export function effectsOf({ simulated }: EffectChoice): readonly Effect[] {
 
 /** What these effects bring to a motion, laid out. */
 export function partsOf(effects: readonly Effect[]): Parts {
-  const hooks = <K extends 'beforePiece' | 'turn' | 'setRim' | 'repeat' | 'mayRepeat'>(name: K) =>
+  const hooks = <K extends 'moved' | 'beforePiece' | 'turn' | 'setRim' | 'repeat' | 'mayRepeat'>(name: K) =>
     effects.flatMap((effect) => {
       const hook = effect[name];
       return hook === undefined ? [] : [hook];
@@ -93,6 +94,8 @@ export function partsOf(effects: readonly Effect[]): Parts {
     ),
     central: forces.filter((force) => force.acts === 'instead'),
     steady: forces.filter((force) => force.acts === 'beside'),
+    own: effects.flatMap(({ name, stateLength }) => (stateLength === undefined ? [] : [{ name, length: stateLength }])),
+    moved: hooks('moved'),
     beforePiece: hooks('beforePiece'),
     turn: hooks('turn'),
     setRim: hooks('setRim'),
@@ -115,4 +118,10 @@ export function strongestOf(effects: readonly Effect[], level: Level, rules: Rul
     else beside += strongest;
   }
   return instead + beside;
+}
+
+/** An effect's own event as a sentence without its subject, who is she. */
+export function effectEventInWords({ effect, what, index }: Extract<RunEvent, { type: 'effect' }>): string {
+  const tell = EFFECTS.find(({ name }) => name === effect)?.tells?.[what];
+  return tell === undefined ? `${effect} ${index}: ${what}` : tell(index);
 }

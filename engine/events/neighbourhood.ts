@@ -1,5 +1,5 @@
+import type { IndexedCircles } from '../indexed-circles.ts';
 import { ALERTNESS, type EventRule, type Motion, RECORDS, SLOTS, targetsAround } from '../motion/index.ts';
-import type { IndexedCircles } from '../scene.ts';
 import { SURPLUS } from '../tolerances.ts';
 
 const { TARGET } = SLOTS;

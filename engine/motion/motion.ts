@@ -9,9 +9,9 @@ import { COAST, Flow, STEADY } from './flow.ts';
 import type { Integrator } from './integrator.ts';
 import { NeighbourList } from './neighbour-list.ts';
 import { RimFlow } from './rim-flow.ts';
-import { HEAD, RECORDS, SLOTS } from './state.ts';
+import { HEAD, LINES, RECORDS, SLOTS } from './state.ts';
 
-const { START, NEXT, HELD, TARGET, FIELD, KIND, MOVES } = SLOTS;
+const { START, NEXT, HELD, TARGET, FIELD, KIND, MOVES, LINE, RIM, CHATTER } = SLOTS;
 const { CHASER, ROCK } = RECORDS;
 
 /** A fixed step may make this much more of a force than it is. */
@@ -105,8 +105,12 @@ export interface Parts {
   readonly first: readonly EventRule[];
   readonly always: readonly EventRule[];
   readonly alwaysQuiet: readonly EventRule[];
+  /** Numbers of state that effects need for themselves. */
+  readonly own: readonly { readonly name: string; length(scene: Scene): number }[];
   readonly central: readonly CentralForce[];
   readonly steady: readonly SteadyForce[];
+  /** She is somewhere else all at once: what depends on where she is follows. */
+  readonly moved: readonly ((m: Motion, time: number) => void)[];
   /** Before the frame and flow of a new piece are chosen. */
   readonly beforePiece: readonly Hook[];
   /** After they are: says how her box turns. */
@@ -188,6 +192,8 @@ export class Motion {
   readonly minerals: number;
   /** From here on a flag for each repulsor that contains her. */
   readonly inside: number;
+  /** Where in the state that of each effect begins which has some of its own, by its name. */
+  readonly own: Readonly<Record<string, number>>;
   /** From here on, for each target that moves, the line that it moves along. */
   readonly lines: number;
   /** Whether the level has recoil; nothing moves before the first press. */
@@ -255,6 +261,12 @@ export class Motion {
     this.inside = this.minerals + minerals.count;
     this.lines = this.inside + repulsors.count;
     let end = this.lines + (this.recoils ? targets.count : 0);
+    const own: Record<string, number> = {};
+    for (const { name, length } of parts.own) {
+      own[name] = end;
+      end += length(scene);
+    }
+    this.own = own;
     this.s = new Float64Array(end + 4 * length);
     const series = () => {
       end += length;
@@ -314,4 +326,16 @@ export function actingForce(m: Motion): CentralForce | null {
   const { central } = m.parts;
   for (let k = 0; k < central.length; k++) if (central[k].isActing(m)) return central[k];
   return null;
+}
+
+/** She is moved by (dx, dy), px, all at once, at `time` s from the start of the run; her velocity stays. */
+export function moveBy(m: Motion, dx: number, dy: number, time: number): void {
+  const { s, ux, uy, near } = m;
+  ux[0] += dx;
+  uy[0] += dy;
+  s[LINE] = LINES.NONE;
+  s[RIM] = -1;
+  s[CHATTER] = 0;
+  near.skin = -1;
+  for (const moved of m.parts.moved) moved(m, time);
 }

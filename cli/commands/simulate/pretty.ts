@@ -1,4 +1,4 @@
-import type { Run, RunEvent } from '../../../engine/index.ts';
+import { effectEventInWords, type Run, type RunEvent } from '../../../engine/index.ts';
 import type { Level, RunReport } from '../../../schema/index.ts';
 import type { Colors } from '../../colors.ts';
 import { bodyInWords, collected, outcomeInWords } from '../../outcome.ts';
@@ -43,6 +43,8 @@ function eventInWords(event: RunEvent): string {
     case 'enter':
     case 'leave':
       return `${event.type}s the field of repulsor ${event.index}`;
+    case 'effect':
+      return effectEventInWords(event);
     case 'wake':
       return `alien ${event.index} wakes`;
     case 'sleep':

@@ -1,4 +1,4 @@
-import type { IndexedCircles } from '../../scene.ts';
+import type { IndexedCircles } from '../../indexed-circles.ts';
 
 /** So many that follow in the list are looked at before the index is asked: heaps are over sooner. */
 const NEXT_IN_LIST = 32;

@@ -4,6 +4,7 @@ import type { Effect } from '../effect.ts';
 import { meetTarget, passCentre, switchTarget } from './events.ts';
 import { gunPull } from './force.ts';
 import { isTiny, skipOrbits } from './orbits.ts';
+import { holdNearest } from './target.ts';
 import { turnToTarget } from './turn.ts';
 
 const { HELD, TARGET } = SLOTS;
@@ -17,6 +18,7 @@ export const gun: Effect = {
   beforePiece(m) {
     if (m.recoil && m.s[HELD] === 1) stir(m, m.s[TARGET]);
   },
+  moved: holdNearest,
   turn: turnToTarget,
   repeat: skipOrbits,
   mayRepeat: (m) => isTiny(m, 4),

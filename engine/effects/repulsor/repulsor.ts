@@ -1,7 +1,7 @@
 import { SLOTS } from '../../motion/index.ts';
 import { whereAny } from '../count.ts';
 import type { Effect } from '../effect.ts';
-import { enterFields } from './fields.ts';
+import { changeFields, enterFields } from './fields.ts';
 import { repulsorPush } from './force.ts';
 import { comeOffRim, enterField, followRim, leaveField } from './rims.ts';
 import { setRim } from './slide.ts';
@@ -20,4 +20,5 @@ export const repulsor: Effect = {
   setRim,
   events: [enterField, leaveField, comeOffRim],
   layOut: enterFields,
+  moved: changeFields,
 };
