@@ -28,6 +28,20 @@ const radius = (initial: number, note: string) => ({ ...size, initial, about: `R
 const optionalRadius = <const R extends number>(usual: R) =>
   ({ ...size, default: usual, about: `Radius in px; ${usual} when left out.` }) as const;
 
+/** The strongest wind, px/s2 along each axis. */
+const STRONGEST = 100;
+
+const acceleration = <const A extends number>(usual: A, direction: string, label: string) =>
+  ({
+    type: 'number',
+    unit: 'px/s2',
+    least: -STRONGEST,
+    most: STRONGEST,
+    default: usual,
+    about: `Acceleration ${direction}, px/s2; ${usual} when left out.`,
+    label,
+  }) as const;
+
 /** Every kind of object, in the order of a file. Types of levels are made of it. */
 const TABLE = {
   astronaut: {
@@ -148,6 +162,25 @@ const TABLE = {
     vectors: {},
     radius: 'radius',
     original: { key: 'goodies' },
+  },
+  wind: {
+    one: 'wind',
+    many: 'winds',
+    list: 'winds',
+    about: 'A disc in which a steady acceleration is added to whatever else acts on her.',
+    aboutList: 'Discs in which a steady wind blows.',
+    deadly: false,
+    letter: 'b',
+    fields: {
+      ...at,
+      radius: radius(96, 'the disc in which it blows'),
+      ax: acceleration(0, 'to the right', 'wind x'),
+      ay: acceleration(-20, 'downwards', 'wind y'),
+    },
+    places: [['x', 'y']],
+    vectors: { acceleration: ['ax', 'ay'] },
+    radius: 'radius',
+    original: null,
   },
 } as const satisfies Readonly<Record<string, Kind>>;
 

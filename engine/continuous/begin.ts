@@ -1,5 +1,6 @@
 import {
   actingForce,
+  beginLine,
   bendLine,
   CENTRAL,
   COAST,
@@ -45,6 +46,9 @@ export function begin(m: Motion): void {
   if (force !== null && s[LINE] === NONE) findLine(m);
   if (s[LINE] !== NONE) bendLine(m);
   if (windy && s[LINE] !== NONE) keepSteadyLine(m);
+  // out of the very centre, where she rests, a wind that is stronger blows her along itself
+  const isStill = ux[0] === 0 && uy[0] === 0 && ux[1] === 0 && uy[1] === 0;
+  if (windy && force !== null && isStill && s[LINE] === NONE) beginLine(m, m.flow.steadyX, m.flow.steadyY);
   const onLine = s[LINE] !== NONE;
   if (onLine) straighten(m, 1);
 
@@ -58,7 +62,7 @@ export function begin(m: Motion): void {
     if (force.swing(m, d, v) < (onLine && !m.recoil ? SMALLEST_SWING : SMALLEST_ORBIT)) {
       for (let k = 0; k < 2; k++) ux[k] = uy[k] = 0;
       s[KIND] = COAST;
-    } else if ((d > 0 || v > 0) && ((free && (onLine || !windy)) || d > SMALLEST_ORBIT)) {
+    } else if ((d > 0 || v > 0 || (windy && onLine)) && ((free && (onLine || !windy)) || d > SMALLEST_ORBIT)) {
       const isLinear = free && onLine;
       s[KIND] = isLinear ? LINEAR : CENTRAL;
       if (isLinear) s[SIDE] = sideOf(m);

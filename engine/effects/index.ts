@@ -13,6 +13,7 @@ import { leaveRange, range } from './range/index.ts';
 import { recoil } from './recoil/index.ts';
 import { comeOffRim, enterField, leaveField, repulsor } from './repulsor/index.ts';
 import { freeAxis, holdAxis, speedLimit } from './speed-limit/index.ts';
+import { enterWind, leaveWind, winds } from './winds/index.ts';
 
 export { explosionsAtStart } from './aliens/index.ts';
 export type { Effect } from './effect.ts';
@@ -23,6 +24,7 @@ export const EFFECTS: readonly Effect[] = [
   gun,
   recoil,
   repulsor,
+  winds,
   alienChase,
   alienExplosion,
   speedLimit,
@@ -46,6 +48,8 @@ const EVENTS_IN_ORDER: readonly EventRule[] = [
   switchTarget,
   enterField,
   leaveField,
+  enterWind,
+  leaveWind,
   wake,
   fallAsleep,
   explode,
@@ -59,7 +63,7 @@ putInOrder(EVENTS_IN_ORDER);
 const LISTED_FIRST: readonly EventRule[] = [touchNova, collect, enterField, touchBlackHole, touchAlien, touchHot, switchTarget];
 
 /** Those that accelerate her: of forces that act one instead of another the first that acts does. */
-const FORCES_IN_ORDER: readonly Effect[] = [repulsor, gun];
+const FORCES_IN_ORDER: readonly Effect[] = [repulsor, gun, winds];
 
 /** Which effects a level calls for. */
 export function chooseEffects(level: Level): EffectChoice {

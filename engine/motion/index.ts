@@ -23,6 +23,7 @@ export {
   GOES_ON,
   MODES,
   Motion,
+  moveBy,
   type Parts,
   type Recorder,
   type SteadyForce,

@@ -7,6 +7,7 @@ import type { KindInPicture } from './kind-in-picture.ts';
 import { mineral } from './mineral.ts';
 import { nova } from './nova.ts';
 import { repulsor } from './repulsor.ts';
+import { wind } from './wind.ts';
 
 export { drawAstronaut } from './astronaut.ts';
 export type { Look } from './kind-in-picture.ts';
@@ -19,6 +20,7 @@ const DRAWINGS: { readonly [K in ObjectKind]: KindInPicture<ObjectOf<K>> } = {
   repulsor,
   alien,
   mineral,
+  wind,
 };
 
 /** How each kind of object is drawn. */

@@ -7,6 +7,7 @@ import type { KindOnCanvas, Sign } from './kind-on-canvas.ts';
 import { mineral } from './mineral.ts';
 import { nova } from './nova.ts';
 import { repulsor } from './repulsor.ts';
+import { wind } from './wind.ts';
 
 export { type Figure, type Part, put } from './kind-on-canvas.ts';
 
@@ -19,6 +20,7 @@ export const ON_CANVAS: Readonly<Record<ObjectKind, KindOnCanvas>> = {
   repulsor,
   alien,
   mineral,
+  wind,
 };
 
 /** What stands for a kind, or for its variant, beside its name. */

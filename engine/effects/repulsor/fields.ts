@@ -1,12 +1,6 @@
 import { type Motion, SLOTS } from '../../motion/index.ts';
 
-const { FIELD, BASE_X, BASE_Y, RIM_TIME, CHATTER } = SLOTS;
-
-/** Two crossings of rims nearer than this come in quick succession, s. */
-const QUICK = 1 / 4000;
-
-/** A chatter at most so many crossings ahead is kept in mind. */
-const MOST = 15;
+const { FIELD, BASE_X, BASE_Y } = SLOTS;
 
 /** Marks the repulsors that contain her at the start. */
 export function enterFields(m: Motion): void {
@@ -39,11 +33,4 @@ export function changeFields(m: Motion, time: number): void {
 export function actingField(m: Motion): number {
   for (let i = 0; i < m.scene.repulsors.count; i++) if (m.s[m.inside + i] === 1) return i;
   return -1;
-}
-
-/** Keeps count of crossings of rims in quick succession: where several rims meet she may be thrown to and fro without end. */
-export function countCrossing(m: Motion, time: number): void {
-  const { s } = m;
-  s[CHATTER] = time - s[RIM_TIME] < QUICK ? Math.min(MOST, s[CHATTER] + 1) : Math.max(0, s[CHATTER] - 1);
-  s[RIM_TIME] = time;
 }

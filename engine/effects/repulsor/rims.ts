@@ -1,9 +1,10 @@
 import { eventRule, justFired, listRims, offer, quietWithin, rimTime } from '../../events/index.ts';
 import { GOES_ON, type Motion, placeCircle, SLIDE, SLOTS } from '../../motion/index.ts';
 import { SURPLUS } from '../../tolerances.ts';
+import { countCrossing, rimTolerance, roundingOnRim } from '../rims/index.ts';
 import { comeOffTime } from './come-off.ts';
-import { actingField, countCrossing } from './fields.ts';
-import { beginsToSlide, holdsOnRim, rounding, tolerance } from './slide.ts';
+import { actingField } from './fields.ts';
+import { beginsToSlide, holdsOnRim } from './slide.ts';
 
 const { START, KIND, FIELD, BASE_X, BASE_Y, RIM, LAST_EVENT, LAST_A } = SLOTS;
 
@@ -18,7 +19,8 @@ export const enterField = eventRule({
     const { kind } = inside ? leaveField : enterField;
     if (s[RIM] === i) return;
     placeCircle(m, x[i], y[i], m.originX, m.originY);
-    const rim = r[i] + (inside ? tolerance(m, i) : -tolerance(m, i));
+    const late = rimTolerance(m, x[i], y[i], r[i]);
+    const rim = r[i] + (inside ? late : -late);
     offer(m, rimTime(m, rim, !inside, 0, from, justFired(m, kind, i)), kind, i, 0);
   },
   quiet(m, i, time) {
@@ -87,7 +89,9 @@ function comeOff(m: Motion): void {
   const y = s[BASE_Y] + uy[0] - cy;
   const r = Math.sqrt(x * x + y * y);
   // clear of the rim by what rounding could take for another crossing
-  const wanted = (scene.repulsors.r[field] + rounding(m, field)) / r;
+  const wanted =
+    (scene.repulsors.r[field] + roundingOnRim(m, scene.repulsors.x[field], scene.repulsors.y[field], scene.repulsors.r[field])) /
+    r;
   ux[0] += x * wanted - x;
   uy[0] += y * wanted - y;
   s[m.inside + field] = 0;

@@ -1,7 +1,7 @@
 import { type Motion, RECORDS, SLOTS } from '../../motion/index.ts';
 import { actingField } from './fields.ts';
 
-const { HELD, TARGET, BASE_X, BASE_Y, LIMIT_X, LIMIT_Y, RIM, OUTER, CHATTER } = SLOTS;
+const { HELD, TARGET, BASE_X, BASE_Y, LIMIT_X, LIMIT_Y, RIM, OUTER } = SLOTS;
 const { ROCK } = RECORDS;
 
 /**
@@ -13,36 +13,6 @@ const SHORTEST_BOUNCE = 1 / 2000;
 
 /** So near to the centre of the force outside it has no direction to be relied on, px. */
 const NO_DIRECTION = 1e-7;
-
-/** What rounding makes of a place on a rim, px, with room. */
-export function rounding(m: Motion, field: number): number {
-  const { s, scene } = m;
-  const { x, y, r } = scene.repulsors;
-  const far = Math.abs(x[field] - m.originX) + Math.abs(y[field] - m.originY) + Math.abs(s[BASE_X]) + Math.abs(s[BASE_Y]);
-  return 1e-13 + 1e-14 * (far + r[field]);
-}
-
-/** Rims nearer than this are one to her who slides, px. */
-const SAME_RIM = 1e-9;
-
-/** So many crossings in quick succession are a chatter; with each one more a rim is crossed twice as late. */
-const CHATTERS = 8;
-
-/** At most so late, px. */
-const LATEST = 1.28e-7;
-
-/**
- * How far beyond a rim she is when it counts as crossed, px: 0 as a rule. While she slides along one rim, others that all but
- * coincide with it are not to be crossed again and again; where she chatters between rims that meet, she is let swing wider
- * until the crossings come no faster than anybody could wait for.
- */
-export function tolerance(m: Motion, field: number): number {
-  const { s } = m;
-  if (s[RIM] < 0 && s[CHATTER] <= CHATTERS) return 0;
-  let far = SAME_RIM;
-  for (let n = CHATTERS; n < s[CHATTER]; n++) far = Math.min(LATEST, 2 * far);
-  return far + rounding(m, field);
-}
 
 /** Sets what acts on the rim she slides along, about its centre, from the state at the start of the piece. */
 export function setRim(m: Motion): void {

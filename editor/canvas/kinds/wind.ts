@@ -1,0 +1,54 @@
+import { Wind } from 'lucide-react';
+import { KINDS } from '../../../schema/index.ts';
+import { type Brush, fadingDisc, faint, ring } from '../brush.ts';
+import type { Colours, Theme } from '../colours.ts';
+import type { KindOnCanvas } from './kind-on-canvas.ts';
+
+const INK = { dark: '#8fd3ff', light: '#1c74b8' } as const;
+
+function drawDisc(brush: Brush, _: Colours, theme: Theme): void {
+  fadingDisc(brush, 1, [
+    [0, faint(INK[theme], 0.05)],
+    [1, faint(INK[theme], 0.18)],
+  ]);
+  ring(brush, 0.985, 0.02, faint(INK[theme], 0.7));
+}
+
+/** Streaks to the right. */
+function drawStreaks(brush: Brush, _: Colours, theme: Theme): void {
+  brush.strokeStyle = faint(INK[theme], 0.9);
+  brush.lineWidth = 0.045;
+  brush.lineCap = 'round';
+  brush.lineJoin = 'round';
+  for (const [y, to] of [
+    [-0.45, 0.55],
+    [0, 0.8],
+    [0.45, 0.55],
+  ]) {
+    brush.beginPath();
+    brush.moveTo(-to, y);
+    brush.lineTo(to, y);
+    brush.moveTo(to - 0.14, y - 0.12);
+    brush.lineTo(to, y);
+    brush.lineTo(to - 0.14, y + 0.12);
+    brush.stroke();
+  }
+}
+
+const usual = (name: string): number => {
+  const field = KINDS.wind.fields[name];
+  return field.type === 'number' ? (field.default ?? 0) : 0;
+};
+
+/** A disc with streaks that point where the wind blows; the stronger, the larger they are. */
+export const wind: KindOnCanvas = {
+  sign: { Icon: Wind, tone: 'accent' },
+  textures: { wind: drawDisc, streaks: drawStreaks },
+  parts({ object }) {
+    const { ax = usual('ax'), ay = usual('ay') } = object as { ax?: number; ay?: number };
+    const strength = Math.hypot(ax, ay);
+    const disc = { texture: 'wind', depth: 1.5 };
+    if (strength === 0) return [disc];
+    return [disc, { texture: 'streaks', depth: 1.6, scale: 0.35 + Math.min(0.6, strength / 100), rotation: Math.atan2(ay, ax) }];
+  },
+};

@@ -1,0 +1,1 @@
+export { countCrossing, rimTolerance, roundingOnRim } from './chatter.ts';

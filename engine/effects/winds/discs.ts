@@ -1,0 +1,21 @@
+import type { Level } from '../../../schema/index.ts';
+import { circlesOf, type IndexedCircles, indexed } from '../../indexed-circles.ts';
+import type { Scene } from '../../scene.ts';
+
+/** The winds of a scene: discs, and the acceleration in each, px/s2. */
+export interface Winds extends IndexedCircles {
+  readonly ax: Float64Array;
+  readonly ay: Float64Array;
+}
+
+export function windsOf({ winds }: Level): Winds {
+  const { count, x, y, r, index, spatial } = indexed(circlesOf(winds, [...winds.keys()]));
+  return { count, x, y, r, index, spatial, ax: Float64Array.from(winds, (w) => w.ax), ay: Float64Array.from(winds, (w) => w.ay) };
+}
+
+/** Those of a compiled scene. */
+export const preparedWinds = (scene: Scene): Winds => scene.own.winds as Winds;
+
+/** The most that winds can accelerate her, px/s2: all together, for discs may overlap. */
+export const strongestWind = ({ winds }: Level): number =>
+  winds.reduce((sum, { ax, ay }) => sum + Math.sqrt(ax * ax + ay * ay), 0);

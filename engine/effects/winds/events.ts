@@ -1,0 +1,92 @@
+import { eventRule, justFired, listRims, offer, quietWithin, rimTime } from '../../events/index.ts';
+import { GOES_ON, type Motion, placeCircle, SLOTS, type SteadyForce } from '../../motion/index.ts';
+import { SURPLUS } from '../../tolerances.ts';
+import { countCrossing, rimTolerance } from '../rims/index.ts';
+import { preparedWinds, strongestWind } from './discs.ts';
+
+const { BASE_X, BASE_Y, LAST_EVENT, LAST_A } = SLOTS;
+
+/** Of the state: how many winds blow on her, then a flag for each. */
+export const stateLength = ({ level }: { readonly level: { readonly winds: readonly unknown[] } }): number =>
+  1 + level.winds.length;
+
+const blows = (m: Motion, i: number): boolean => m.s[m.own.winds + 1 + i] === 1;
+
+function set(m: Motion, i: number, isInside: boolean): void {
+  if (blows(m, i) === isInside) return;
+  m.s[m.own.winds + 1 + i] = isInside ? 1 : 0;
+  m.s[m.own.winds] += isInside ? 1 : -1;
+}
+
+/** The winds that blow on her, added up. */
+export const wind: SteadyForce = {
+  acts: 'beside',
+  strongest: strongestWind,
+  add(m) {
+    const { flow } = m;
+    let left = m.s[m.own.winds];
+    if (left === 0) return;
+    const { ax, ay } = preparedWinds(m.scene);
+    for (let i = 0; left > 0; i++) {
+      if (!blows(m, i)) continue;
+      flow.steadyX += ax[i];
+      flow.steadyY += ay[i];
+      left--;
+    }
+  },
+};
+
+/** Her centre comes into a wind. What is listed under this is about leaving it where she is in it. */
+export const enterWind = eventRule({
+  name: 'wind',
+  list: (m) => listRims(m, enterWind, preparedWinds(m.scene)),
+  guard(m, i, from) {
+    const { x, y, r } = preparedWinds(m.scene);
+    const inside = blows(m, i);
+    const { kind } = inside ? leaveWind : enterWind;
+    placeCircle(m, x[i], y[i], m.originX, m.originY);
+    const late = rimTolerance(m, x[i], y[i], r[i]);
+    offer(m, rimTime(m, r[i] + (inside ? late : -late), !inside, 0, from, justFired(m, kind, i)), kind, i, 0);
+  },
+  quiet(m, i, time) {
+    const { path } = m;
+    const { x, y, r } = preparedWinds(m.scene);
+    const dx = path.x + m.originX - x[i];
+    const dy = path.y + m.originY - y[i];
+    const d = Math.sqrt(dx * dx + dy * dy);
+    const inside = blows(m, i);
+    const gap = (inside ? r[i] - d : d - r[i]) - SURPLUS;
+    return quietWithin(m, gap, inside ? -path.speed : (dx * path.vx + dy * path.vy) / d, time);
+  },
+  fire: (m, i, _b, time) => cross(m, i, true, time),
+});
+
+/** Her centre leaves a wind. */
+export const leaveWind = eventRule({
+  name: 'lull',
+  fire: (m, i, _b, time) => cross(m, i, false, time),
+});
+
+function cross(m: Motion, i: number, entering: boolean, time: number): number {
+  const { s } = m;
+  countCrossing(m, time);
+  set(m, i, entering);
+  s[LAST_EVENT] = entering ? leaveWind.kind : enterWind.kind;
+  s[LAST_A] = i;
+  m.recorder?.event({ time, type: 'effect', effect: 'winds', what: entering ? 'enter' : 'leave', index: i });
+  return GOES_ON;
+}
+
+/** She is at a place without having come there by her own motion. @param time where winds change is told at this time; null: not at all */
+export function feelWinds(m: Motion, time: number | null): void {
+  const { s, ux, uy } = m;
+  const { count, x, y, r } = preparedWinds(m.scene);
+  for (let i = 0; i < count; i++) {
+    const dx = x[i] - m.originX - s[BASE_X] - ux[0];
+    const dy = y[i] - m.originY - s[BASE_Y] - uy[0];
+    const isInside = dx * dx + dy * dy < r[i] * r[i];
+    if (isInside === blows(m, i)) continue;
+    set(m, i, isInside);
+    if (time !== null) m.recorder?.event({ time, type: 'effect', effect: 'winds', what: isInside ? 'enter' : 'leave', index: i });
+  }
+}

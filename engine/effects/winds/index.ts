@@ -1,0 +1,2 @@
+export { enterWind, leaveWind } from './events.ts';
+export { winds } from './winds.ts';

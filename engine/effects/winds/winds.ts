@@ -1,0 +1,19 @@
+import { whereAny } from '../count.ts';
+import type { Effect } from '../effect.ts';
+import { windsOf } from './discs.ts';
+import { enterWind, feelWinds, leaveWind, stateLength, wind } from './events.ts';
+import { windFrame } from './frame.ts';
+
+export const winds: Effect = {
+  name: 'winds',
+  summary: () => 'a steady acceleration while her centre is inside, beside whatever else acts',
+  calledFor: whereAny('winds', 'wind'),
+  force: wind,
+  tells: { enter: (index) => `comes into wind ${index}`, leave: (index) => `leaves wind ${index}` },
+  prepare: windsOf,
+  frame: windFrame,
+  events: [enterWind, leaveWind],
+  stateLength,
+  layOut: (m) => feelWinds(m, null),
+  moved: feelWinds,
+};
