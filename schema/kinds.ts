@@ -182,6 +182,28 @@ const TABLE = {
     radius: 'radius',
     original: null,
   },
+  wormhole: {
+    one: 'wormhole',
+    many: 'wormholes',
+    list: 'wormholes',
+    about: 'Two mouths: when her centre enters one of them, she goes on from the other, as far from its centre.',
+    aboutList: 'Pairs of discs that lead to each other.',
+    deadly: false,
+    letter: 'o',
+    fields: {
+      ...at,
+      toX: { ...coordinate('Place of the second mouth in px, from left to right.'), label: 'to x' },
+      toY: { ...coordinate('Place of the second mouth in px, from top to bottom.'), label: 'to y' },
+      radius: radius(32, 'of both mouths'),
+    },
+    places: [
+      ['x', 'y'],
+      ['toX', 'toY'],
+    ],
+    vectors: {},
+    radius: 'radius',
+    original: null,
+  },
 } as const satisfies Readonly<Record<string, Kind>>;
 
 type Table = typeof TABLE;

@@ -14,6 +14,7 @@ import { recoil } from './recoil/index.ts';
 import { comeOffRim, enterField, leaveField, repulsor } from './repulsor/index.ts';
 import { freeAxis, holdAxis, speedLimit } from './speed-limit/index.ts';
 import { enterWind, leaveWind, winds } from './winds/index.ts';
+import { enterMouth, leaveMouth, wormholes } from './wormholes/index.ts';
 
 export { explosionsAtStart } from './aliens/index.ts';
 export type { Effect } from './effect.ts';
@@ -25,6 +26,7 @@ export const EFFECTS: readonly Effect[] = [
   recoil,
   repulsor,
   winds,
+  wormholes,
   alienChase,
   alienExplosion,
   speedLimit,
@@ -43,6 +45,8 @@ const EVENTS_IN_ORDER: readonly EventRule[] = [
   touchAlien,
   touchBlackHole,
   leaveRange,
+  enterMouth,
+  leaveMouth,
   passCentre,
   meetTarget,
   switchTarget,

@@ -8,6 +8,7 @@ import { mineral } from './mineral.ts';
 import { nova } from './nova.ts';
 import { repulsor } from './repulsor.ts';
 import { wind } from './wind.ts';
+import { wormhole } from './wormhole.ts';
 
 export { drawAstronaut } from './astronaut.ts';
 export type { Look } from './kind-in-picture.ts';
@@ -21,6 +22,7 @@ const DRAWINGS: { readonly [K in ObjectKind]: KindInPicture<ObjectOf<K>> } = {
   alien,
   mineral,
   wind,
+  wormhole,
 };
 
 /** How each kind of object is drawn. */

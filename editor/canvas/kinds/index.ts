@@ -8,6 +8,7 @@ import { mineral } from './mineral.ts';
 import { nova } from './nova.ts';
 import { repulsor } from './repulsor.ts';
 import { wind } from './wind.ts';
+import { wormhole } from './wormhole.ts';
 
 export { type Figure, type Part, put } from './kind-on-canvas.ts';
 
@@ -21,6 +22,7 @@ export const ON_CANVAS: Readonly<Record<ObjectKind, KindOnCanvas>> = {
   alien,
   mineral,
   wind,
+  wormhole,
 };
 
 /** What stands for a kind, or for its variant, beside its name. */

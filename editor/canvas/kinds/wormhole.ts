@@ -1,0 +1,32 @@
+import { Infinity as Loop } from 'lucide-react';
+import { type Brush, disc, faint, ring } from '../brush.ts';
+import type { Colours, Theme } from '../colours.ts';
+import type { KindOnCanvas } from './kind-on-canvas.ts';
+
+const INK = { dark: '#ff9de2', light: '#b0128a' } as const;
+
+function drawMouth(brush: Brush, colours: Colours, theme: Theme): void {
+  brush.fillStyle = faint(colours.hole, 0.7);
+  disc(brush, 0, 0, 1);
+  ring(brush, 0.96, 0.08, INK[theme]);
+  brush.strokeStyle = faint(INK[theme], 0.8);
+  brush.lineWidth = 0.06;
+  brush.lineCap = 'round';
+  brush.beginPath();
+  for (let i = 0; i < 60; i++) {
+    const out = 0.9 * (1 - i / 62);
+    brush.lineTo(out * Math.cos(0.3 * i), out * Math.sin(0.3 * i));
+  }
+  brush.stroke();
+}
+
+/** Radians a second. */
+const SPIN = 0.6;
+
+/** The two mouths are alike, and turn. */
+export const wormhole: KindOnCanvas = {
+  sign: { Icon: Loop, tone: 'accent' },
+  textures: { mouth: drawMouth },
+  parts: () => [{ texture: 'mouth', depth: 2.5 }],
+  turn: ({ images: [body] }, time) => void body.setRotation(SPIN * time),
+};

@@ -1,0 +1,2 @@
+export { enterMouth, leaveMouth } from './events.ts';
+export { wormholes } from './wormholes.ts';

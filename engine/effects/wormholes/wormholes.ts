@@ -1,0 +1,19 @@
+import { whereAny } from '../count.ts';
+import type { Effect } from '../effect.ts';
+import { enterMouth, leaveMouth, stayPut } from './events.ts';
+import { wormholeFrame } from './frame.ts';
+import { mouthsOf } from './mouths.ts';
+
+export const wormholes: Effect = {
+  name: 'wormholes',
+  summary: () => 'her centre comes into a mouth and is in the other one at once, with her velocity and turn',
+  calledFor: whereAny('wormholes', 'wormhole'),
+  jumps: true,
+  tells: { jump: (index) => `goes through wormhole ${index}` },
+  prepare: mouthsOf,
+  frame: wormholeFrame,
+  events: [enterMouth, leaveMouth],
+  stateLength: ({ level }) => level.wormholes.length,
+  layOut: stayPut,
+  moved: stayPut,
+};
