@@ -37,6 +37,9 @@ const velocity = fc.oneof(
   { weight: 1, arbitrary: fc.constantFrom(1000, -1000, 5e-324, -0) },
 );
 
+/** px/s2 */
+const wind = fc.record({ ax: even(-100, 100), ay: fc.constantFrom(0, -20, 20, 100) });
+
 const list = <T>(item: fc.Arbitrary<T>, most: number) => fc.array(item, { maxLength: most });
 
 /**
@@ -66,6 +69,14 @@ export const arbitraryLevel: fc.Arbitrary<Level> = fc.array(point, { minLength: 
     repulsors: list(circle, 4),
     aliens: list(circle, 4),
     minerals: list(circle, 5),
+    winds: list(
+      fc.tuple(circle, wind).map(([c, blows]) => ({ ...c, ...blows })),
+      3,
+    ),
+    wormholes: list(
+      fc.tuple(circle, place).map(([c, [toX, toY]]) => ({ ...c, toX, toY })),
+      2,
+    ),
     runs: fc.constant([]),
   });
   return level.map((objects): Level => ({ ...NO_OBJECTS, ...objects }));
@@ -92,6 +103,18 @@ export const arbitraryPlayableLevel: fc.Arbitrary<Level> = fc
     minerals: list(
       fc.tuple(even(-80, 80), even(-80, 80)).map(([x, y]) => ({ id: null, x, y, radius: 7 })),
       4,
+    ),
+    winds: list(
+      fc
+        .tuple(even(-200, 200), even(-200, 200), even(20, 120), wind)
+        .map(([x, y, radius, blows]) => ({ id: null, x, y, radius, ...blows })),
+      2,
+    ),
+    wormholes: list(
+      fc
+        .tuple(even(-150, 150), even(-150, 150), even(-300, 300), even(-300, 300), even(10, 40))
+        .map(([x, y, toX, toY, radius]) => ({ id: null, x, y, toX, toY, radius })),
+      2,
     ),
     runs: fc.constant([]),
   })

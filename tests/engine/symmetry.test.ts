@@ -2,6 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { seeded } from '../../bench/scenes/seeded.ts';
 import { randomScene } from '../../bench/soak/random-scene.ts';
+import { windyScene } from '../../bench/soak/windy-scene.ts';
 import { compile, type Run, simulate, WorkBudget } from '../../engine/index.ts';
 import type { Hold, Level } from '../../schema/index.ts';
 import { continuousNames } from './accuracies.ts';
@@ -16,6 +17,14 @@ const swapped: Turn = (x, y) => ({ x: y, y: x });
 function imageOf(level: Level, turn: Turn): Level {
   const moved = <T extends { x: number; y: number }>(thing: T): T => ({ ...thing, ...turn(thing.x, thing.y) });
   const { x: vx, y: vy } = turn(level.astronaut.vx, level.astronaut.vy);
+  const turned = (ax: number, ay: number) => {
+    const { x, y } = turn(ax, ay);
+    return { ax: x, ay: y };
+  };
+  const there = (toX: number, toY: number) => {
+    const { x, y } = turn(toX, toY);
+    return { toX: x, toY: y };
+  };
   return {
     ...level,
     astronaut: { ...moved(level.astronaut), vx, vy },
@@ -25,6 +34,8 @@ function imageOf(level: Level, turn: Turn): Level {
     repulsors: level.repulsors.map(moved),
     aliens: level.aliens.map(moved),
     minerals: level.minerals.map(moved),
+    winds: level.winds.map((wind) => ({ ...moved(wind), ...turned(wind.ax, wind.ay) })),
+    wormholes: level.wormholes.map((wormhole) => ({ ...moved(wormhole), ...there(wormhole.toX, wormhole.toY) })),
   };
 }
 
@@ -37,7 +48,7 @@ describe.each(continuousNames)('the image of a scene plays as the scene does: %s
   it('left for right, bit for bit', () => {
     fc.assert(
       fc.property(SEED, (seed) => {
-        const { level, holds, maxTime } = randomScene(seed);
+        const { level, holds, maxTime } = (seed % 2 === 0 ? randomScene : windyScene)(seed);
         const run = play(level, holds, maxTime);
         const image = play(imageOf(level, flipped), holds, maxTime);
         expect([image.outcome, image.with, image.time, image.events]).toEqual([run.outcome, run.with, run.time, run.events]);
@@ -54,7 +65,7 @@ describe.each(continuousNames)('the image of a scene plays as the scene does: %s
     let compared = 0;
     fc.assert(
       fc.property(SEED, (seed) => {
-        const scene = randomScene(seed);
+        const scene = (seed % 2 === 0 ? randomScene : windyScene)(seed);
         const { x, y } = scene.level.astronaut;
         const isClear = (o: { x: number; y: number; radius: number }) => Math.hypot(o.x - x, o.y - y) > o.radius + 30;
         const level = { ...scene.level, minerals: scene.level.minerals.filter(isClear) };
