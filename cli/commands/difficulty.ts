@@ -1,6 +1,7 @@
 import { availableParallelism } from 'node:os';
 import process from 'node:process';
 import { type Command, Option } from 'commander';
+import { plural } from '../../check/words/index.ts';
 import { type DifficultyPicture, drawDifficulty, type Ground } from '../../picture/difficulty/index.ts';
 import type { Goal } from '../../solver/index.ts';
 import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../accuracy-options.ts';
@@ -14,7 +15,6 @@ import { runInPool } from '../pool.ts';
 import { createProgress } from '../progress.ts';
 import { difficultyJson } from '../reporters/difficulty-json.ts';
 import { difficultyPretty } from '../reporters/difficulty-pretty.ts';
-import { plural } from '../reporters/plural.ts';
 import { mineralsOption } from '../solve/solve-options.ts';
 import { visibleLine } from '../visible.ts';
 import { writeWhole } from '../write-file.ts';

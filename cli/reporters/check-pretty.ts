@@ -1,10 +1,9 @@
+import { bodyInWords, countMinerals, plural } from '../../check/words/index.ts';
 import type { Verdict } from '../../schema/index.ts';
 import type { CheckedLevel } from '../check/checked-level.ts';
 import { summarize } from '../check/summary.ts';
 import type { Colors } from '../colors.ts';
-import { bodyInWords, collected } from '../outcome.ts';
 import { visibleLine } from '../visible.ts';
-import { plural } from './plural.ts';
 import { showFileProblems } from './problem.ts';
 import { alignColumns } from './table.ts';
 
@@ -41,9 +40,8 @@ const TIME_COLUMN = 3;
 function row({ verdict, file, name, run, found, mineralCount }: CheckedLevel): string[] {
   const cells = [verdict, visibleLine(file), verdict === 'invalid' || verdict === 'crashed' ? '' : visibleLine(name)];
   if (verdict !== 'completable' || run === null) return cells;
-  const minerals = mineralCount === 0 ? 'no minerals' : `${collected(run)} of ${plural(mineralCount, 'mineral')}`;
+  const minerals = mineralCount === 0 ? 'no minerals' : `${countMinerals(run)} of ${plural(mineralCount, 'mineral')}`;
   const near = run.clearance;
-  const clearance =
-    near === null ? 'nothing deadly' : `${near.distance.toFixed(1)} px clear of ${bodyInWords(near.kind, near.index)}`;
+  const clearance = near === null ? 'nothing deadly' : `${near.distance.toFixed(1)} px clear of ${bodyInWords(near)}`;
   return [...cells, `${run.time.toFixed(2)} s`, minerals, found === null ? clearance : `${clearance}, by a run that was found`];
 }

@@ -1,10 +1,9 @@
+import { holdsInWords, plural } from '../../check/words/index.ts';
 import { TICK } from '../../engine/index.ts';
 import type { Difficulty, GradeWord } from '../../solver/index.ts';
 import type { Colors } from '../colors.ts';
 import type { MeasuredLevel } from '../difficulty/measured-level.ts';
 import { visible, visibleLine } from '../visible.ts';
-import { holdsInWords } from './holds.ts';
-import { plural } from './plural.ts';
 import { showFileProblems } from './problem.ts';
 import { percent, robustnessLines } from './robustness.ts';
 import { alignColumns } from './table.ts';

@@ -1,7 +1,7 @@
+import { plural } from '../../check/words/index.ts';
 import type { GenerateReport } from '../../schema/index.ts';
 import type { Colors } from '../colors.ts';
 import { visibleLine } from '../visible.ts';
-import { plural } from './plural.ts';
 import { percent } from './robustness.ts';
 import { alignColumns } from './table.ts';
 

@@ -1,5 +1,5 @@
+import { plural } from '../../check/words/index.ts';
 import { visibleLine } from '../visible.ts';
-import { plural } from './plural.ts';
 
 export interface ImportedFile {
   readonly file: string;

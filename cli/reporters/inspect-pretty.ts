@@ -1,7 +1,7 @@
+import { plural } from '../../check/words/index.ts';
 import type { Colors } from '../colors.ts';
 import type { Inspection } from '../inspection.ts';
 import { visibleLine } from '../visible.ts';
-import { plural } from './plural.ts';
 import { showFileProblems } from './problem.ts';
 import { alignColumns } from './table.ts';
 

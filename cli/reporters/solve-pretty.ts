@@ -1,10 +1,9 @@
+import { countMinerals, effortInWords, holdsInWords, outcomeInWords } from '../../check/words/index.ts';
 import type { Colors } from '../colors.ts';
-import { collected, outcomeInWords } from '../outcome.ts';
 import type { SolveSettings } from '../solve/settings.ts';
 import type { Solved, SolvedRun } from '../solve/solve-level.ts';
 import { visible, visibleLine } from '../visible.ts';
-import { closestInWords, effortInWords } from './effort.ts';
-import { holdsInWords } from './holds.ts';
+import { closestRunInWords } from './closest.ts';
 import { robustnessLines } from './robustness.ts';
 
 /** What `solve` found, for a person. */
@@ -21,12 +20,12 @@ export function solvePretty(settings: SolveSettings, solved: Solved, colors: Col
   const spent: [string, string] = ['effort', `${effortInWords(effort)}, ${solved.seconds.toFixed(1)} s, seed ${settings.seed}`];
   if (runs.length === 0) {
     const lines: [string, string][] = [spent];
-    if (closest !== null) lines.push(['closest', closestInWords(closest)]);
+    if (closest !== null) lines.push(['closest', closestRunInWords(closest)]);
     return `${head}\n${colors.yellow('no run found')}, which does not prove that there is none\n\n${rows(lines)}`;
   }
   const parts = runs.map((run, i) => {
     const title = runs.length === 1 ? '' : `${colors.bold(`${i + 1} of ${runs.length}`)}: `;
-    return `${title}${colors.green(outcomeInWords(run.run, level))}\n${rows(linesOf(settings, run))}`;
+    return `${title}${colors.green(outcomeInWords(run.run, level.range))}\n${rows(linesOf(settings, run))}`;
   });
   return `${head}\n${parts.join('\n')}\n${rows([spent])}`;
 }
@@ -34,7 +33,7 @@ export function solvePretty(settings: SolveSettings, solved: Solved, colors: Col
 function linesOf({ level }: SolveSettings, { holds, run, robustness }: SolvedRun): [string, string][] {
   return [
     ['holds', holdsInWords(holds)],
-    ['minerals', `${collected(run)} of ${level.minerals.length}`],
+    ['minerals', `${countMinerals(run)} of ${level.minerals.length}`],
     ...robustnessLines(robustness),
     ['hash', run.hash],
   ];

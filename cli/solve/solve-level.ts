@@ -1,10 +1,10 @@
+import { proveGoalImpossible } from '../../check/index.ts';
 import { compile, type Run, simulate, TICK } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import type { Closest, Effort, Proof, Robustness } from '../../solver/index.ts';
 import { catchSignals, leaveSignals } from '../signals.ts';
 import type { Found } from './crew.ts';
 import { hireCrew } from './crew.ts';
-import { proveGoalImpossible } from './prove.ts';
 import type { Limits, SolveSettings } from './settings.ts';
 
 /** A run that was found, replayed, with what it forgives. */

@@ -1,5 +1,5 @@
-import { type Accuracy, isAccuracyName, TICK, WorkBudget } from '../../engine/index.ts';
-import type { Level } from '../../schema/index.ts';
+import { type Accuracy, isAccuracyName, TICK, WorkBudget } from '../engine/index.ts';
+import type { Level } from '../schema/index.ts';
 import {
   type Goal,
   mineralsNeeded,
@@ -7,7 +7,7 @@ import {
   proveImpossible,
   proveMineralsUnreachable,
   verifyProof,
-} from '../../solver/index.ts';
+} from '../solver/index.ts';
 
 /**
  * Proves that no run reaches a goal, where that can be shown quickly. Proofs are made for the accuracies that have a name: of
@@ -36,6 +36,15 @@ export interface LostMineral {
   /** in the level's list */
   readonly index: number;
   readonly proof: Proof;
+}
+
+/** Of more minerals than this it is not asked in one check whether they can be collected: each takes a moment. */
+const MOST_MINERALS = 20;
+
+/** The minerals of which a check tries to prove that nobody collects them: of those that no run does, the first few. */
+export function mineralsToProve({ minerals }: Pick<Level, 'minerals'>, collected: Iterable<number>): number[] {
+  const known = new Set(collected);
+  return [...minerals.keys()].filter((index) => !known.has(index)).slice(0, MOST_MINERALS);
 }
 
 /** Those of some minerals of which it can quickly be proved that no run collects them; confirmed by the separate checker. */
