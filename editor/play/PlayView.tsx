@@ -1,8 +1,8 @@
 import { Check, Plus, RotateCcw, Route, X } from 'lucide-react';
 import { useCallback, useEffect, useRef, useState } from 'react';
 import { useStore } from 'zustand';
+import { outcomeAsPredicate } from '../../check/words/index.ts';
 import { useEditor, useLevel, useProof, useSession, useTouch } from '../context/index.ts';
-import { outcomeInWords } from '../proof/index.ts';
 import { Button } from '../ui/index.ts';
 import type { Attempt } from './attempts.ts';
 import { listenToGun } from './gun-input.ts';
@@ -186,7 +186,7 @@ export function PlayView() {
       {end !== null && (
         <div className={`play__end play__end--${won ? 'won' : 'lost'}`} role="status">
           <strong>{won ? 'Through!' : 'Not this time'}</strong>
-          <span>She {outcomeInWords(end, range)}.</span>
+          <span>She {outcomeAsPredicate(end, range)}.</span>
           <span className="play__actions">
             <Button
               hint="Play again"

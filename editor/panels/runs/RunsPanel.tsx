@@ -1,5 +1,6 @@
 import { Gamepad2, Plus } from 'lucide-react';
 import { type KeyboardEvent, useMemo, useState } from 'react';
+import { outcomeAsPredicate } from '../../../check/words/index.ts';
 import type { LevelFile } from '../../../schema/index.ts';
 import { useDocument, useEditor, useLevel, useProof } from '../../context/index.ts';
 import {
@@ -12,7 +13,6 @@ import {
   renameRun,
   reorderRun,
 } from '../../document/index.ts';
-import { outcomeInWords } from '../../proof/index.ts';
 import { Button } from '../../ui/index.ts';
 import { plural } from '../figures/index.ts';
 import { InlineName, type MenuEntry, MoreButton, Tree, type TreeRow } from '../tree/index.ts';
@@ -49,7 +49,7 @@ export function RunsPanel() {
 
   const rows = runs.map(({ name, holds }, place): RunRow => {
     const summary = endOf(name);
-    const how = summary === null ? 'not played yet' : outcomeInWords(summary, range);
+    const how = summary === null ? 'not played yet' : outcomeAsPredicate(summary, range);
     const label = `${name}, ${how}`;
     return {
       key: name,

@@ -238,7 +238,7 @@ export function createSearchDesk({ level, session, workers, wish, overlay, now }
           if (jobs.includes(solve)) tell(so);
         },
       );
-      const prove = workers.start('proofs', played, (so) => {
+      const prove = workers.start('proofs', { ...played, collected: [] }, (so) => {
         if (jobs.includes(prove)) learn(so);
       });
       jobs = [solve, prove];
