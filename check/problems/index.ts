@@ -7,7 +7,7 @@ import type { CheckProblem, LevelProblem } from './problem.ts';
 import { failedRun, hangingRun, tightRun } from './run-problems.ts';
 import { accuraciesCut, nearnessCut, runsCut } from './work-limit.ts';
 
-export type { Hints, SearchHints } from './hints.ts';
+export type { Hints } from './hints.ts';
 export type { LevelProblem } from './problem.ts';
 
 /**

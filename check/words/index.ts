@@ -1,4 +1,4 @@
-export { type Advice, type CheckCode, explainCodes, type Terms } from './codes.ts';
+export { type Advice, type CheckCode, explainCodes } from './codes.ts';
 export { closestInWords, effortInWords } from './effort.ts';
 export { holdsInWords } from './holds.ts';
 export {
@@ -11,3 +11,4 @@ export {
   reasonInWords,
 } from './outcome.ts';
 export { plural } from './plural.ts';
+export { VERDICT_MEANS } from './verdict.ts';

@@ -1,4 +1,4 @@
-import { bodyInWords, countMinerals, plural } from '../../check/words/index.ts';
+import { bodyInWords, countMinerals, plural, VERDICT_MEANS } from '../../check/words/index.ts';
 import type { Verdict } from '../../schema/index.ts';
 import type { CheckedLevel } from '../check/checked-level.ts';
 import { summarize } from '../check/summary.ts';
@@ -8,11 +8,11 @@ import { showFileProblems } from './problem.ts';
 import { alignColumns } from './table.ts';
 
 const WHAT_TO_DO: Record<Exclude<Verdict, 'completable'>, string> = {
-  broken: 'none of its runs completes it: change the level or a run; gq simulate shows what happens',
-  unproven: 'nothing shows that it can be completed: gq solve looks for a run',
-  impossible: 'proved that nobody can complete it: change the level',
-  invalid: 'the file is not a valid level: mend what is said above',
-  crashed: 'gq itself failed: please report it with the level',
+  broken: 'change the level or a run; gq simulate shows what happens',
+  unproven: 'gq solve looks for a run',
+  impossible: 'change the level',
+  invalid: 'mend what is said above',
+  crashed: 'please report it with the level',
 };
 
 /** What `check` found out, for a person: a line a level, its problems below it, and a summary. */
@@ -27,8 +27,8 @@ export function checkPretty(reports: readonly CheckedLevel[], colors: Colors): s
   const summary = summarize(reports);
   const counts = Object.entries(summary).filter(([, count]) => count > 0);
   text += `\n${colors.bold(plural(reports.length, 'level'))}: ${counts.map(([v, count]) => paint(v as Verdict)(`${count} ${v}`)).join(', ')}\n`;
-  for (const [verdict] of counts) {
-    if (verdict !== 'completable') text += `${verdict}: ${WHAT_TO_DO[verdict as Exclude<Verdict, 'completable'>]}\n`;
+  for (const [verdict] of counts as [Verdict, number][]) {
+    if (verdict !== 'completable') text += `${verdict}: ${VERDICT_MEANS[verdict]}: ${WHAT_TO_DO[verdict]}\n`;
   }
   if (reports.some((report) => report.problems.length > 0)) text += 'gq explain CODE says more about a problem\n';
   return text;

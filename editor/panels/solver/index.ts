@@ -1,4 +1,4 @@
-export { type Checked, checkedOf } from './check-watch.ts';
+export { checkedOf } from './check-watch.ts';
 export { solverDeskOf } from './desk.ts';
 
 export { HeatLegend } from './HeatLegend.tsx';
