@@ -15,7 +15,8 @@ import {
   WorkLimitReached,
 } from '../../engine/index.ts';
 import { type Hold, type Level, type LevelFile, OBJECT_LISTS } from '../../schema/index.ts';
-import { March, type MarchRoom } from './march.ts';
+import { March } from './march.ts';
+import type { MarchRoom } from './march-room.ts';
 
 /** Ticks between two looks at the clock. */
 const STRIDE = 60;

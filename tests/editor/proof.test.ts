@@ -5,7 +5,8 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { createEditedLevel, moveHold, moveObjects, setLevelProperty, stretchHold } from '../../editor/document/index.ts';
 import { createProofStore, createProver, type LiveProof } from '../../editor/proof/index.ts';
-import { firstDifference, March, MarchRoom } from '../../editor/proof/march.ts';
+import { firstDifference, March } from '../../editor/proof/march.ts';
+import { MarchRoom } from '../../editor/proof/march-room.ts';
 import type { Tracks } from '../../editor/proof/tracks.ts';
 import {
   ACCURACIES,
