@@ -1,7 +1,7 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
-import * as deeds from './editor/deeds.ts';
+import * as interactions from './editor/interactions.ts';
 import { playableLevel } from './editor/playable-level.ts';
 import { openStage } from './editor/stage.ts';
 import { type Cost, p95 } from './editor/trace.ts';
@@ -78,42 +78,48 @@ async function measure(objects: number, rows: Row[]): Promise<void> {
   };
   try {
     say('drag');
-    rows.push(ofCosts('drag with ghost and verdict', 16, await deeds.drag(stage, extent, STEPS)));
+    rows.push(ofCosts('drag with ghost and verdict', 16, await interactions.drag(stage, extent, STEPS)));
     say('scrub');
-    rows.push(ofCosts('scrub', 16, await deeds.scrub(stage, STEPS)));
+    rows.push(ofCosts('scrub', 16, await interactions.scrub(stage, STEPS)));
     say('undo');
-    rows.push(ofCosts('undo with re-check', 50, await deeds.undo(stage, extent, 2 * TIMES)));
+    rows.push(ofCosts('undo with re-check', 50, await interactions.undo(stage, extent, 2 * TIMES)));
     say('toDisk');
-    rows.push(ofTimes('on disk after the last edit', 500, await deeds.toDisk(stage, '01', extent, TIMES)));
+    rows.push(ofTimes('on disk after the last edit', 500, await interactions.toDisk(stage, '01', extent, TIMES)));
     say('marquee');
-    rows.push(ofCosts('marquee over half of them, a frame', 16, await deeds.marquee(stage, extent, STEPS)));
+    rows.push(ofCosts('marquee over half of them, a frame', 16, await interactions.marquee(stage, extent, STEPS)));
     say('dragMany');
     // half of thousands are 2,500 objects, which all move, and with them the run: it is simulated in each frame
     rows.push(
       ofCosts(
         'drag half of them, a frame',
         objects > 1000 ? 25 : 16,
-        await deeds.dragMany(stage, extent, [grip.x, grip.y], STEPS),
+        await interactions.dragMany(stage, extent, [grip.x, grip.y], STEPS),
       ),
     );
     say('zoomAll');
-    rows.push(ofCosts('zoom with all selected, a frame', objects > 1000 ? 20 : 16, await deeds.zoomAll(stage, extent, STEPS)));
+    rows.push(
+      ofCosts('zoom with all selected, a frame', objects > 1000 ? 20 : 16, await interactions.zoomAll(stage, extent, STEPS)),
+    );
     say('panAll');
-    rows.push(ofCosts('pan with all selected, a frame', 16, await deeds.panAll(stage, extent, STEPS)));
+    rows.push(ofCosts('pan with all selected, a frame', 16, await interactions.panAll(stage, extent, STEPS)));
     say('enterPlay');
-    rows.push(ofCosts('entering play', 100, await deeds.enterPlay(stage, TIMES)));
+    rows.push(ofCosts('entering play', 100, await interactions.enterPlay(stage, TIMES)));
     say('switchLevel');
     // a second is what a person waits for thousands of objects
     rows.push(
-      ofCosts('switching level', objects > 1000 ? 1000 : 200, await deeds.switchLevel(stage, names, 2 * Math.ceil(TIMES / 2))),
+      ofCosts(
+        'switching level',
+        objects > 1000 ? 1000 : 200,
+        await interactions.switchLevel(stage, names, 2 * Math.ceil(TIMES / 2)),
+      ),
     );
     say('fan');
-    rows.push(ofTimes('fan after a drag', 300, await deeds.fan(stage, extent, TIMES)));
+    rows.push(ofTimes('fan after a drag', 300, await interactions.fan(stage, extent, TIMES)));
     say('search');
-    const { first, cancel } = await deeds.search(stage, TIMES);
+    const { first, cancel } = await interactions.search(stage, TIMES);
     rows.push(ofTimes('first word from a search', 1000, first), ofCosts('cancelling it', 50, cancel));
     say('openPage');
-    rows.push(ofTimes('opening the page', objects > 1000 ? 1500 : 1000, await deeds.openPage(stage, TIMES)));
+    rows.push(ofTimes('opening the page', objects > 1000 ? 1500 : 1000, await interactions.openPage(stage, TIMES)));
   } finally {
     await stage.close();
   }

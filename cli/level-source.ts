@@ -5,7 +5,7 @@ import { showProblems } from './code-frames.ts';
 import { colorsFor } from './colors.ts';
 import type { CommandResult } from './command.ts';
 import { readBytes } from './read-bytes.ts';
-import { showFileProblems } from './reporters/problem.ts';
+import { showFileProblems } from './report-parts/index.ts';
 import type { ShownProblem } from './shown-problem.ts';
 
 export interface OpenedLevel {

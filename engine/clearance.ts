@@ -31,17 +31,17 @@ export class ClearanceTracker {
    * @param asteroids x, y of every asteroid in the level's order
    */
   see(time: number, x: number, y: number, cos: number, sin: number, aliens: Float64Array, asteroids: Float64Array): void {
-    const { novae, targets, coldCount, aliens: kinds } = this.scene;
+    const { box, novae, targets, coldCount, aliens: kinds } = this.scene;
     for (let i = 0; i < novae.count; i++) {
-      this.take(time, boxCircleGap(novae.x[i] - x, novae.y[i] - y, cos, sin, novae.r[i]), 'nova', novae.index[i]);
+      this.take(time, boxCircleGap(box, novae.x[i] - x, novae.y[i] - y, cos, sin, novae.r[i]), 'nova', novae.index[i]);
     }
     for (let i = coldCount; i < targets.count; i++) {
       const k = targets.index[i];
-      this.take(time, boxCircleGap(asteroids[2 * k] - x, asteroids[2 * k + 1] - y, cos, sin, targets.r[i]), 'asteroid', k);
+      this.take(time, boxCircleGap(box, asteroids[2 * k] - x, asteroids[2 * k + 1] - y, cos, sin, targets.r[i]), 'asteroid', k);
     }
     for (let i = 0; i < kinds.count; i++) {
       if (aliens[3 * i + 2] === 0) continue;
-      this.take(time, boxCircleGap(aliens[3 * i] - x, aliens[3 * i + 1] - y, cos, sin, kinds.r[i]), 'alien', i);
+      this.take(time, boxCircleGap(box, aliens[3 * i] - x, aliens[3 * i + 1] - y, cos, sin, kinds.r[i]), 'alien', i);
     }
   }
 

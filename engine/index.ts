@@ -1,9 +1,11 @@
 export * from './accuracy.ts';
+export type { Circles } from './circles.ts';
 export type { Clearance } from './clearance.ts';
+export { compile } from './compile.ts';
 export * from './constants.ts';
-export { boxCircleGap, boxOverlapsCircle, circlesOverlap } from './contact/index.ts';
-export { EFFECTS, type Effect, type EffectChoice } from './effects/index.ts';
-export { type Circles, compile, type Scene } from './scene.ts';
+export { type Box, boxCircleGap, boxOf, boxOverlapsCircle, circlesOverlap, DEFAULT_BOX } from './contact/index.ts';
+export { EFFECTS, type Effect, effectEventInWords } from './effects/index.ts';
+export type { EffectChoice, Scene } from './scene.ts';
 export { joinHolds, playScript } from './script.ts';
 export { createSimulation, type Run, type SimulateOptions, type State, simulate } from './simulate.ts';
 export * from './simulation.ts';

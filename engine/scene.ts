@@ -1,22 +1,7 @@
-import type { Circle, Level } from '../schema/index.ts';
-import { ACCURACIES, type Accuracy, type AccuracyName, DEFAULT_ACCURACY } from './accuracy.ts';
-import { chooseEffects, type EffectChoice } from './effects/index.ts';
-import { explosionsAtStart } from './explosions-at-start.ts';
-import { indexCircles, type SpatialIndex } from './spatial-index.ts';
-
-/** Circles as parallel arrays, px. `index` is the place in the level's own list of that kind. */
-export interface Circles {
-  readonly count: number;
-  readonly x: Float64Array;
-  readonly y: Float64Array;
-  readonly r: Float64Array;
-  readonly index: Int32Array;
-}
-
-/** A list of circles as the level has them, with an index where there are many. */
-export interface IndexedCircles extends Circles {
-  readonly spatial: SpatialIndex | null;
-}
+import type { Level, Rules } from '../schema/index.ts';
+import type { Accuracy } from './accuracy.ts';
+import type { Box } from './contact/index.ts';
+import type { IndexedCircles } from './indexed-circles.ts';
 
 /** The aliens as the level has them. */
 export interface Aliens extends IndexedCircles {
@@ -24,9 +9,26 @@ export interface Aliens extends IndexedCircles {
   readonly explosions: Int32Array;
 }
 
+/** An effect of the game, and why a level calls for it or doesn't. */
+export interface ChosenEffect {
+  readonly name: string;
+  readonly because: string;
+}
+
+/** What of the game is simulated in a scene, and what is left out. */
+export interface EffectChoice {
+  readonly simulated: readonly ChosenEffect[];
+  readonly notCalledFor: readonly ChosenEffect[];
+}
+
 /** A level made ready to simulate at one accuracy. Never written to after `compile`; share it freely. */
 export interface Scene {
   readonly level: Level;
+  /** The numbers of the game: the level's own, and the original's where it has none. */
+  readonly rules: Rules;
+  readonly box: Box;
+  /** The most that anything can accelerate her, px/s2: the one bound that everybody reads. */
+  readonly strongest: number;
   readonly accuracy: Accuracy;
   /** What the level calls for and what it doesn't, with the reason. */
   readonly effects: EffectChoice;
@@ -39,61 +41,6 @@ export interface Scene {
   readonly repulsors: IndexedCircles;
   readonly aliens: Aliens;
   readonly minerals: IndexedCircles;
-}
-
-function indexed(circles: Circles): IndexedCircles {
-  const { count, x, y, r, index } = circles;
-  // one by one: `...` would give every list a shape of its own, which V8 then has to search
-  return { count, x, y, r, index, spatial: indexCircles(circles) };
-}
-
-function circles(list: readonly Circle[], order: readonly number[]): Circles {
-  const pick = (f: (c: Circle) => number) => Float64Array.from(order, (i) => f(list[i]));
-  return {
-    count: order.length,
-    x: pick((c) => c.x),
-    y: pick((c) => c.y),
-    r: pick((c) => c.radius),
-    index: Int32Array.from(order),
-  };
-}
-
-/** The places in a list of all circles but those that an earlier one is equal to. */
-function unlike(list: readonly Circle[]): number[] {
-  const seen = new Set<string>();
-  const kept: number[] = [];
-  for (const [i, { x, y, radius }] of list.entries()) {
-    const circle = `${x} ${y} ${radius}`;
-    if (!seen.has(circle)) kept.push(i);
-    seen.add(circle);
-  }
-  return kept;
-}
-
-/**
- * Makes a valid level ready to simulate: chooses the effects it calls for and lays its objects out in typed arrays.
- * @param level a level from `schema`; the engine trusts its numbers to be finite and its radii positive
- * @param accuracy a name, or a full setting of one's own
- */
-export function compile(level: Level, accuracy: AccuracyName | Accuracy = DEFAULT_ACCURACY): Scene {
-  const all = (list: readonly Circle[]) => circles(list, [...list.keys()]);
-  const cold: number[] = [];
-  const hot: number[] = [];
-  for (const [i, a] of level.asteroids.entries()) (a.hot ? hot : cold).push(i);
-  const aliens = indexed(all(level.aliens));
-  const chosen = typeof accuracy === 'string' ? ACCURACIES[accuracy] : accuracy;
-  // continuous time has places relative to where she starts
-  const origin = chosen.integrator === 'arcade' ? { x: 0, y: 0 } : level.astronaut;
-  const explosions = explosionsAtStart(aliens, origin.x, origin.y);
-  return {
-    level,
-    accuracy: chosen,
-    effects: chooseEffects(level),
-    targets: indexed(circles(level.asteroids, [...cold, ...hot])),
-    coldCount: cold.length,
-    novae: indexed(all(level.novae)),
-    repulsors: indexed(circles(level.repulsors, unlike(level.repulsors))),
-    aliens: { ...aliens, explosions },
-    minerals: indexed(all(level.minerals)),
-  };
+  /** What effects prepared for themselves, by their names. */
+  readonly own: Readonly<Record<string, unknown>>;
 }

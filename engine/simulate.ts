@@ -160,6 +160,7 @@ function hashRun(
   }
   for (const event of events) {
     hash.addText(event.type);
+    if (event.type === 'effect') hash.addText(`${event.effect} ${event.what}`);
     hash.add(event.time);
     if ('index' in event) hash.add(event.index);
     if ('aliens' in event) for (const alien of event.aliens) hash.add(alien);

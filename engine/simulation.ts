@@ -28,6 +28,8 @@ export type RunEvent =
   | { readonly time: number; readonly type: 'enter' | 'leave'; readonly index: number }
   | { readonly time: number; readonly type: 'wake' | 'sleep'; readonly index: number }
   | { readonly time: number; readonly type: 'explosion'; readonly aliens: readonly [number, number] }
+  /** Something of an effect's own: `what` happened with its thing `index`; {@link effectEventInWords}. */
+  | { readonly time: number; readonly type: 'effect'; readonly effect: string; readonly what: string; readonly index: number }
   | { readonly time: number; readonly type: Exclude<Outcome, 'timeout'>; readonly with: Touched | null };
 
 /** What a run cost. Under `arcade` a piece is a frame, and a guard a test for contact. */

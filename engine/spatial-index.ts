@@ -1,5 +1,5 @@
 import Flatbush from 'flatbush';
-import type { Circles } from './scene.ts';
+import type { Circles } from './circles.ts';
 
 /** From so many circles on a list is searched through an index; below, plain loops are faster. */
 const INDEX_FROM = 128;

@@ -1,5 +1,5 @@
 import type { Run } from '../engine/index.ts';
-import type { Hold, Level } from '../schema/index.ts';
+import { type Hold, type Level, nameWhenTouched } from '../schema/index.ts';
 import { drawLegend, type LegendEntry } from './legend.ts';
 import { drawSeveralTimelines, type NamedRun } from './several.ts';
 import { drawText, textWidth, wrapText } from './text.ts';
@@ -9,14 +9,13 @@ import { num } from './xml.ts';
 
 /** At the sides; less where there is little room. */
 const PADDING = 26;
-const KINDS = { nova: 'nova', asteroid: 'hot asteroid', alien: 'alien', blackHole: 'black hole' } as const;
 
 /** How the run went, in a few words. */
 export function outcomeText(level: Level, run: Run): string {
   const time = `${run.time.toFixed(2)} s`;
   const what = {
     completed: `completed in ${time}`,
-    collided: `burned by ${run.with === null ? 'a hazard' : `${KINDS[run.with.kind]} ${run.with.index}`} at ${time}`,
+    collided: `burned by ${run.with === null ? 'a hazard' : `${nameWhenTouched(run.with.kind)} ${run.with.index}`} at ${time}`,
     lost: `lost at ${time}`,
     timeout: `nothing ended it in ${time}`,
   }[run.outcome];

@@ -1,6 +1,7 @@
 import { HALF_HEIGHT, HALF_WIDTH, type Run } from '../engine/index.ts';
-import type { Level } from '../schema/index.ts';
+import { type Level, placesIn } from '../schema/index.ts';
 import type { Theme } from './theme.ts';
+import { thingsOf } from './things.ts';
 import type { View } from './view.ts';
 import { num } from './xml.ts';
 
@@ -33,20 +34,16 @@ function touchOf(level: Level, run: Run): { x: number; y: number } {
   return { x: x + along * cos - across * sin, y: y + along * sin + across * cos };
 }
 
+/** The middle of what the run ended at, where it then was: of several places the one that is nearest to her. */
 function touchedAt(level: Level, run: Run): { readonly x: number; readonly y: number } {
-  switch (run.with?.kind) {
-    case 'nova':
-      return level.novae[run.with.index];
-    case 'asteroid':
-      return level.asteroids[run.with.index];
-    case 'alien': {
-      const aliens = new Float64Array(3 * level.aliens.length);
-      run.trajectory.aliensAt(run.trajectory.duration, aliens);
-      return { x: aliens[3 * run.with.index], y: aliens[3 * run.with.index + 1] };
-    }
-    case 'blackHole':
-      return level.blackHole;
-    default:
-      return run.final;
+  const { final } = run;
+  if (run.with === null) return final;
+  const { kind, index } = run.with;
+  if (kind === 'alien') {
+    const aliens = new Float64Array(3 * level.aliens.length);
+    run.trajectory.aliensAt(run.trajectory.duration, aliens);
+    return { x: aliens[3 * index], y: aliens[3 * index + 1] };
   }
+  const away = ({ x, y }: { readonly x: number; readonly y: number }): number => Math.hypot(x - final.x, y - final.y);
+  return placesIn(kind, thingsOf(level, kind)[index]).reduce((a, b) => (away(b) < away(a) ? b : a));
 }

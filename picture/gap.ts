@@ -1,6 +1,6 @@
-import { boxCircleGap, HALF_HEIGHT, HALF_WIDTH, type Run, STATE_SIZE } from '../engine/index.ts';
+import { boxCircleGap, DEFAULT_BOX, HALF_HEIGHT, HALF_WIDTH, type Run, STATE_SIZE } from '../engine/index.ts';
 import type { Level } from '../schema/index.ts';
-import { drawAstronaut } from './astronaut.ts';
+import { drawAstronaut } from './kinds/index.ts';
 import { place } from './place.ts';
 import { drawText, textWidth } from './text.ts';
 import type { Theme } from './theme.ts';
@@ -26,7 +26,7 @@ export function drawGap(view: View, theme: Theme, level: Level, run: Run, time: 
   const far = Math.hypot(blackHole.x - nearX, blackHole.y - nearY) || 1;
   const rimX = blackHole.x - ((blackHole.x - nearX) * blackHole.radius) / far;
   const rimY = blackHole.y - ((blackHole.y - nearY) * blackHole.radius) / far;
-  const gap = Math.max(0, boxCircleGap(dx, dy, cos, sin, blackHole.radius));
+  const gap = Math.max(0, boxCircleGap(DEFAULT_BOX, dx, dy, cos, sin, blackHole.radius));
   const angle = num((Math.atan2(sin, cos) * 180) / Math.PI);
   const drawing = `<g transform="rotate(${angle})">${drawAstronaut(theme, theme.good)}</g>`;
   const figure = run.trajectory.duration - time < AT_END ? '' : place(view, 'nearest', 0, { x, y }, drawing);

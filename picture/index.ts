@@ -2,15 +2,14 @@ import type { Run } from '../engine/index.ts';
 import type { Hold, Level } from '../schema/index.ts';
 import { drawBackground } from './background.ts';
 import { drawCaption, outcomeText } from './caption.ts';
+import { drawCollected } from './collected.ts';
 import { drawContact } from './contact.ts';
 import { drawFan, drawFanSign } from './fan.ts';
 import { drawGap } from './gap.ts';
 import { drawGradients } from './gradients.ts';
 import { drawHeat, type Explored, heatSigns } from './heat.ts';
 import type { LegendEntry } from './legend.ts';
-import { drawTick } from './mineral.ts';
 import { drawObjects } from './objects.ts';
-import { place } from './place.ts';
 import { drawProof, type ProofOverlay, proofSigns } from './proof.ts';
 import { drawRanges } from './range.ts';
 import { drawAlienWays, drawEnd, drawPresses, drawSeconds, drawTethers, drawWay } from './run.ts';
@@ -18,7 +17,7 @@ import { drawSeveral, type NamedRun } from './several.ts';
 import type { Point } from './simplify.ts';
 import { drawStart, drawStartFigure } from './start.ts';
 import { THEMES, type Theme } from './theme.ts';
-import { frame, type View } from './view.ts';
+import { frame } from './view.ts';
 import { stretchesOf } from './way.ts';
 import { escapeXml, num } from './xml.ts';
 
@@ -60,11 +59,6 @@ const LEGIBLE_WIDTH = 1180;
 const FEWEST_UNITS = 260;
 
 const unitsFor = (width: number): number => Math.round(Math.max(FEWEST_UNITS, Math.min(UNITS, (width * UNITS) / LEGIBLE_WIDTH)));
-
-function drawCollected(view: View, theme: Theme, level: Level, run: Run): string {
-  const indices = [...new Set(run.minerals.map(({ index }) => index))];
-  return indices.map((i) => place(view, 'collected', i, level.minerals[i], drawTick(theme))).join('');
-}
 
 /**
  * A picture of a level as a standalone SVG document: its objects, and the run when one is given. The same input gives

@@ -1,13 +1,8 @@
-import type { Level } from '../schema/index.ts';
-import { drawAlien } from './alien.ts';
-import { drawAsteroid } from './asteroid.ts';
-import { drawBlackHole } from './black-hole.ts';
-import { drawHotAsteroid } from './hot-asteroid.ts';
-import { drawMineral } from './mineral.ts';
-import { drawNova } from './nova.ts';
-import { drawRepulsor } from './repulsor.ts';
+import { appearanceOfObject, isVariant, type Level, LISTED_KINDS, type ObjectKind, SINGLE_KINDS } from '../schema/index.ts';
+import { IN_PICTURE } from './kinds/index.ts';
 import { drawText, textWidth } from './text.ts';
 import type { Theme } from './theme.ts';
+import { thingsOf } from './things.ts';
 import { num } from './xml.ts';
 
 const ICON = 9;
@@ -19,6 +14,21 @@ export interface LegendEntry {
   readonly label: string;
   /** null: words alone */
   readonly icon: string | null;
+}
+
+/** A sign for those of a kind that the level has, and one for those of its variant. */
+function entriesOfKind(level: Level, theme: Theme, kind: ObjectKind): LegendEntry[] {
+  const { legend, draw } = IN_PICTURE[kind];
+  if (legend === null) return [];
+  const things = thingsOf(level, kind);
+  return [false, true].flatMap((varied): LegendEntry[] => {
+    const object = things.find((thing) => isVariant(kind, thing) === varied);
+    if (object === undefined) return [];
+    const { radius, factor } = legend;
+    const icon = radiusIcon(draw({ object, place: 0, radius, index: 0, theme }), radius);
+    const label = appearanceOfObject(kind, object).one;
+    return [{ label, icon: factor === undefined ? icon : `<g transform="scale(${num(factor).replace(/^0/, '')})">${icon}</g>` }];
+  });
 }
 
 const radiusIcon = (drawing: string, radius: number): string => `<g transform="scale(${num(ICON / radius)})">${drawing}</g>`;
@@ -38,14 +48,7 @@ function entriesOf(level: Level, theme: Theme, runs: 'none' | 'one' | 'several',
       },
     );
   }
-  if (level.asteroids.some((a) => !a.hot)) entries.push({ label: 'asteroid', icon: radiusIcon(drawAsteroid(16, 0, theme), 16) });
-  if (level.asteroids.some((a) => a.hot))
-    entries.push({ label: 'hot asteroid', icon: radiusIcon(drawHotAsteroid(16, 0, theme), 16) });
-  if (level.novae.length > 0) entries.push({ label: 'nova', icon: radiusIcon(drawNova(16, 0, theme), 16) });
-  if (level.repulsors.length > 0) entries.push({ label: 'repulsor', icon: radiusIcon(drawRepulsor(16, theme), 16) });
-  if (level.aliens.length > 0) entries.push({ label: 'alien', icon: radiusIcon(drawAlien(25, theme), 25) });
-  if (level.minerals.length > 0) entries.push({ label: 'mineral', icon: radiusIcon(drawMineral(7, theme), 7) });
-  entries.push({ label: 'black hole', icon: `<g transform="scale(.72)">${radiusIcon(drawBlackHole(16, theme), 16)}</g>` });
+  for (const kind of [...LISTED_KINDS, ...SINGLE_KINDS]) entries.push(...entriesOfKind(level, theme, kind));
   if (level.asteroids.length > 0) {
     entries.push({
       label: 'range',

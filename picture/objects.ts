@@ -1,16 +1,22 @@
-import type { Circle, Level } from '../schema/index.ts';
-import { drawAlien, drawSight } from './alien.ts';
-import { drawAsteroid } from './asteroid.ts';
-import { drawBlackHole } from './black-hole.ts';
-import { drawHotAsteroid } from './hot-asteroid.ts';
-import { drawMineral } from './mineral.ts';
-import { drawNova } from './nova.ts';
+import {
+  appearanceOfObject,
+  KINDS,
+  type Level,
+  LISTED_KINDS,
+  listOf,
+  OBJECT_KINDS,
+  type ObjectKind,
+  placesIn,
+} from '../schema/index.ts';
+import { IN_PICTURE, type Look } from './kinds/index.ts';
 import { place } from './place.ts';
-import { drawRepulsor } from './repulsor.ts';
-import { drawSpeck, SPECKS_FROM, type SpeckKind } from './speck.ts';
 import type { Theme } from './theme.ts';
+import { type Thing, thingsOf } from './things.ts';
 import type { View } from './view.ts';
 import { num } from './xml.ts';
+
+/** From this many objects on each is drawn as a speck: details would be too small to see, and the file too large to open. */
+const SPECKS_FROM = 1500;
 
 /** Nothing is drawn smaller than this: radius in units of the picture. */
 const LEAST = 4;
@@ -21,32 +27,41 @@ const drawRing = (radius: number, view: View, theme: Theme): string =>
 
 /** Everything in the level but the astronaut, from what lies at the back to what must never be hidden. */
 export function drawObjects(view: View, theme: Theme, level: Level): string {
-  const { repulsors, aliens, asteroids, novae, minerals } = level;
-  const crowded = repulsors.length + aliens.length + asteroids.length + novae.length + minerals.length >= SPECKS_FROM;
-  const parts: string[] = [];
-  const put = (
-    kind: SpeckKind,
-    index: number,
-    circle: Circle,
-    draw: (radius: number, index: number, theme: Theme) => string,
-  ): void => {
-    const least = LEAST / view.scale;
-    const drawing = crowded
-      ? drawSpeck(kind, circle.radius, theme)
-      : circle.radius < least
-        ? draw(least, index, theme) + drawRing(least, view, theme)
-        : draw(circle.radius, index, theme);
-    parts.push(place(view, kind, index, circle, drawing));
+  const crowded = LISTED_KINDS.reduce((sum, kind) => sum + level[listOf(kind)].length, 0) >= SPECKS_FROM;
+  const least = LEAST / view.scale;
+  const drawDisc = (kind: ObjectKind, look: Look<object>): string => {
+    const { draw } = IN_PICTURE[kind];
+    return look.radius < least ? draw({ ...look, radius: least }) + drawRing(least, view, theme) : draw(look);
   };
-  for (const [i, o] of repulsors.entries()) put('repulsor', i, o, (radius) => drawRepulsor(radius, theme));
-  if (!crowded) for (const [i, o] of aliens.entries()) parts.push(place(view, 'sight', i, o, drawSight(theme)));
-  parts.push(place(view, 'black-hole', 0, level.blackHole, drawBlackHole(level.blackHole.radius, theme)));
-  for (const [i, o] of asteroids.entries()) {
-    if (o.hot) put('hot-asteroid', i, o, drawHotAsteroid);
-    else put('asteroid', i, o, drawAsteroid);
+  const drawOne = (kind: ObjectKind, object: Thing, index: number, nth: number): string => {
+    const { draw, speck, between } = IN_PICTURE[kind];
+    const look = { object, place: nth, radius: object.radius ?? 0, index, theme };
+    if (KINDS[kind].list === null) return draw(look);
+    if (crowded) return speck(look);
+    return (nth === 0 ? (between?.(look) ?? '') : '') + drawDisc(kind, look);
+  };
+  const layers: { readonly depth: number; readonly draw: () => string }[] = [];
+  for (const kind of OBJECT_KINDS) {
+    const { depth, around } = IN_PICTURE[kind];
+    const put = (name: (object: Thing) => string, draw: (object: Thing, index: number, nth: number) => string): string =>
+      thingsOf(level, kind)
+        .flatMap((object, i) => placesIn(kind, object).map((at, nth) => place(view, name(object), i, at, draw(object, i, nth))))
+        .join('');
+    const nameOf = (object: Thing): string => appearanceOfObject(kind, object).one.replaceAll(' ', '-');
+    if (depth !== null) layers.push({ depth, draw: () => put(nameOf, (object, i, nth) => drawOne(kind, object, i, nth)) });
+    if (around === undefined || crowded) continue;
+    const { name, draw } = around;
+    layers.push({
+      depth: around.depth,
+      draw: () =>
+        put(
+          () => name,
+          () => draw(theme),
+        ),
+    });
   }
-  for (const [i, o] of novae.entries()) put('nova', i, o, drawNova);
-  for (const [i, o] of aliens.entries()) put('alien', i, o, (radius) => drawAlien(radius, theme));
-  for (const [i, o] of minerals.entries()) put('mineral', i, o, (radius) => drawMineral(radius, theme));
-  return parts.join('');
+  return layers
+    .sort((a, b) => a.depth - b.depth)
+    .map(({ draw }) => draw())
+    .join('');
 }

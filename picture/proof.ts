@@ -1,11 +1,7 @@
+import type { Place } from '../schema/index.ts';
 import type { Theme } from './theme.ts';
 import type { View } from './view.ts';
 import { num } from './xml.ts';
-
-interface Place {
-  readonly x: number;
-  readonly y: number;
-}
 
 type Role = 'blocked' | 'reach' | 'range' | 'thing' | 'barrier' | 'stretch';
 

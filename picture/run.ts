@@ -1,8 +1,8 @@
 import { ALIEN_SIGHT, type Run, STATE_SIZE } from '../engine/index.ts';
 import type { Level } from '../schema/index.ts';
-import { drawAlienWay } from './alien.ts';
-import { drawAstronaut } from './astronaut.ts';
+import { drawAlienWay } from './alien-way.ts';
 import { drawContact } from './contact.ts';
+import { drawAstronaut } from './kinds/index.ts';
 import { place } from './place.ts';
 import type { Point } from './simplify.ts';
 import { startLabelAt } from './start.ts';

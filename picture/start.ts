@@ -1,6 +1,6 @@
 import type { Run } from '../engine/index.ts';
 import type { Level } from '../schema/index.ts';
-import { drawAstronaut } from './astronaut.ts';
+import { drawAstronaut } from './kinds/index.ts';
 import { place } from './place.ts';
 import type { Point } from './simplify.ts';
 import { drawText } from './text.ts';

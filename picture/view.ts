@@ -1,4 +1,6 @@
-import type { Level } from '../schema/index.ts';
+import { type Level, OBJECT_KINDS, placesIn } from '../schema/index.ts';
+import { IN_PICTURE } from './kinds/index.ts';
+import { thingsOf } from './things.ts';
 
 /** The part of the level that the picture shows, and how level px become units of the picture (one scale for both axes). */
 export interface View {
@@ -14,6 +16,9 @@ export interface View {
 
 /** Room around what matters, level px. */
 const MARGIN = 36;
+
+/** Around the astronaut's centre, level px. */
+const AROUND_HER = 20;
 
 /** A level that is smaller than this is not blown up further, level px. */
 const SMALLEST = 420;
@@ -38,12 +43,14 @@ export function frame(level: Level, way: readonly (readonly [number, number])[],
     right = Math.max(right, x + r);
     bottom = Math.max(bottom, y + r);
   };
-  include(level.astronaut.x, level.astronaut.y, 20);
-  include(level.blackHole.x, level.blackHole.y, 1.9 * level.blackHole.radius);
-  for (const list of [level.asteroids, level.novae, level.repulsors, level.aliens, level.minerals]) {
-    for (const { x, y, radius } of list) include(x, y, radius);
+  for (const kind of OBJECT_KINDS) {
+    const { reach = 1 } = IN_PICTURE[kind];
+    for (const object of thingsOf(level, kind)) {
+      const around = object.radius === undefined ? AROUND_HER : reach * object.radius;
+      for (const { x, y } of placesIn(kind, object)) include(x, y, around);
+    }
   }
-  for (const [x, y] of way) include(x, y, 20);
+  for (const [x, y] of way) include(x, y, AROUND_HER);
 
   const centreX = (left + right) / 2;
   const centreY = (top + bottom) / 2;

@@ -1,6 +1,6 @@
-import { OBJECT_LISTS } from './level.ts';
+import { quote } from './format-value.ts';
+import { OBJECT_LISTS } from './kinds.ts';
 import { type Finding, MAX_FINDINGS, toWords } from './problem.ts';
-import { quote } from './say.ts';
 
 const listOf = (value: unknown): readonly unknown[] => (Array.isArray(value) ? value : []);
 

@@ -1,20 +1,25 @@
 import * as z from 'zod';
 import { closestName } from './closest-name.ts';
-import { LEVEL_VERSION, LIMITS, levelSchema, OBJECT_LISTS } from './level.ts';
+import { formatValue, quote } from './format-value.ts';
+import { KINDS, LISTED_KINDS, OBJECT_KINDS, OBJECT_LISTS, SINGLE_KINDS } from './kinds.ts';
+import { LEVEL_VERSION, levelSchema, OBJECT_SCHEMAS } from './level.ts';
+import { LIMITS } from './limits.ts';
 import { type Finding, MAX_FINDINGS, type Path, toWords } from './problem.ts';
-import { quote, sayValue } from './say.ts';
 
 const { shape } = levelSchema;
 const runSchema = shape.runs.unwrap().element;
 
 /** What the original game calls things: people who know it write these. */
 const NAMES_OF_THE_ORIGINAL: Readonly<Record<string, string>> = {
-  player: 'astronaut',
-  target: 'blackHole',
-  antiForceFields: 'repulsors',
-  goodies: 'minerals',
   maxDistance: 'range',
-  enemy: 'hot',
+  ...Object.fromEntries(
+    OBJECT_KINDS.flatMap((kind) => {
+      const { list, original } = KINDS[kind];
+      if (original === null) return [];
+      const fields = Object.entries(original.fields ?? {}).map(([name, there]) => [there, name]);
+      return [[original.key, list ?? kind], ...fields];
+    }),
+  ),
 };
 
 const EXPECTED: Readonly<Record<string, string>> = {
@@ -42,7 +47,7 @@ let compiled: Compiled | null = null;
 function parts(): Compiled {
   compiled ??= {
     root: z.compile(levelSchema),
-    elements: Object.fromEntries(OBJECT_LISTS.map((list) => [list, z.compile(shape[list].unwrap().element)])),
+    elements: Object.fromEntries(LISTED_KINDS.map((kind) => [KINDS[kind].list, z.compile(OBJECT_SCHEMAS[kind])])),
     run: z.compile(runSchema),
     hold: z.compile(runSchema.shape.holds.element),
   };
@@ -115,14 +120,14 @@ function missingKey(path: Path): Finding {
 }
 
 function wrongType(path: Path, expected: string, value: unknown): Finding {
-  if (Array.isArray(value) && path.length === 1 && (path[0] === 'astronaut' || path[0] === 'blackHole')) {
-    const what = path[0] === 'astronaut' ? 'astronaut' : 'black hole';
-    const hint = `Keep one of them, without the list around it: "${path[0]}": { "x": 0, "y": 0 }.`;
-    return found(path, 'one-per-level', `a level has exactly one ${what}, found ${sayValue(value)}`, hint);
+  const single = path.length === 1 ? SINGLE_KINDS.find((kind) => kind === path[0]) : undefined;
+  if (Array.isArray(value) && single !== undefined) {
+    const hint = `Keep one of them, without the list around it: "${single}": { "x": 0, "y": 0 }.`;
+    return found(path, 'one-per-level', `a level has exactly one ${KINDS[single].one}, found ${formatValue(value)}`, hint);
   }
   if (path.length === 0) {
     const hint = 'A level is one object in { }; gq import reads the list of levels of the original game.';
-    return found(path, 'wrong-type', `expected a level, an object in { }, found ${sayValue(value)}`, hint);
+    return found(path, 'wrong-type', `expected a level, an object in { }, found ${formatValue(value)}`, hint);
   }
   if (expected === 'int' && typeof value === 'number') {
     return found(path, 'not-whole', `expected a whole number, found ${value}`, `Write ${Math.round(value)}.`);
@@ -132,7 +137,7 @@ function wrongType(path: Path, expected: string, value: unknown): Finding {
   const isNumber = expected === 'number' || expected === 'int';
   if (isNumber && typeof value === 'string' && /^-?\d+(\.\d+)?$/.test(value)) hint = 'Remove the quotes.';
   else if (expected === 'boolean' && (value === 'true' || value === 'false')) hint = 'Remove the quotes.';
-  return found(path, 'wrong-type', `expected ${words}, found ${sayValue(value)}`, hint);
+  return found(path, 'wrong-type', `expected ${words}, found ${formatValue(value)}`, hint);
 }
 
 function outOfLimits(path: Path, issue: z.core.$ZodIssueTooBig | z.core.$ZodIssueTooSmall, value: unknown): Finding {
@@ -152,10 +157,10 @@ function toFinding(issue: z.core.$ZodIssue, path: Path, value: unknown): Finding
   if (issue.code === 'invalid_type') return wrongType(path, issue.expected, value);
   if (issue.code === 'too_big' || issue.code === 'too_small') return outOfLimits(path, issue, value);
   if (issue.code === 'invalid_format') {
-    const message = `expected 2 to 16 of the characters a-z and 0-9, found ${sayValue(value)}`;
+    const message = `expected 2 to 16 of the characters a-z and 0-9, found ${formatValue(value)}`;
     return found(path, 'bad-id', message, 'Correct it, or remove it: gq fmt writes a new one.');
   }
-  const message = `expected ${LEVEL_VERSION}, found ${sayValue(value)}`;
+  const message = `expected ${LEVEL_VERSION}, found ${formatValue(value)}`;
   return found(path, 'unsupported-version', message, `Write "version": ${LEVEL_VERSION}.`);
 }
 

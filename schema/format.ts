@@ -1,4 +1,6 @@
-import { type LevelFile, levelSchema, OBJECT_LISTS } from './level.ts';
+import { KINDS, OBJECT_KINDS } from './kinds.ts';
+import { type LevelFile, levelSchema, OBJECT_SCHEMAS } from './level.ts';
+import { RULE_NAMES } from './rules.ts';
 
 type Json = { readonly [key: string]: unknown };
 
@@ -8,10 +10,9 @@ const run = shape.runs.unwrap().element;
 /** The order of keys in a file is the order in the schema. */
 const KEYS = {
   level: Object.keys(shape),
-  astronaut: Object.keys(shape.astronaut.shape),
-  blackHole: Object.keys(shape.blackHole.shape),
+  rules: RULE_NAMES,
   runs: Object.keys(run.shape),
-  ...Object.fromEntries(OBJECT_LISTS.map((list) => [list, Object.keys(shape[list].unwrap().element.shape)])),
+  ...Object.fromEntries(OBJECT_KINDS.map((kind) => [KINDS[kind].list ?? kind, Object.keys(OBJECT_SCHEMAS[kind].shape)])),
 } as { readonly [part: string]: readonly string[] };
 
 /** Entries in canonical order: those with a place in `order` first, then the others as they come; none that is undefined. */

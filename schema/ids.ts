@@ -1,4 +1,5 @@
-import { type LevelFile, OBJECT_LISTS } from './level.ts';
+import { OBJECT_LISTS } from './kinds.ts';
+import type { LevelFile } from './level.ts';
 
 const LENGTH = 6;
 
@@ -34,10 +35,9 @@ export function withIds(file: LevelFile): LevelFile {
     return { ...object, id };
   };
   const named = { ...file };
-  if (file.asteroids) named.asteroids = file.asteroids.map((object) => name('asteroids', object));
-  if (file.novae) named.novae = file.novae.map((object) => name('novae', object));
-  if (file.repulsors) named.repulsors = file.repulsors.map((object) => name('repulsors', object));
-  if (file.aliens) named.aliens = file.aliens.map((object) => name('aliens', object));
-  if (file.minerals) named.minerals = file.minerals.map((object) => name('minerals', object));
+  for (const list of OBJECT_LISTS) {
+    const objects: readonly { id?: string | undefined }[] | undefined = file[list];
+    if (objects !== undefined) named[list] = objects.map((object) => name(list, object)) as never;
+  }
   return named;
 }

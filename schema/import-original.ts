@@ -1,8 +1,10 @@
+import { formatValue } from './format-value.ts';
 import { withIds } from './ids.ts';
-import { LEVEL_VERSION, type LevelFile, LIMITS } from './level.ts';
+import { fieldsOf, isRequired, KINDS, OBJECT_KINDS, type ObjectKind } from './kinds.ts';
+import { LEVEL_VERSION, type LevelFile } from './level.ts';
+import { LIMITS } from './limits.ts';
 import { type Finding, MAX_FINDINGS, type Path, type Problem, toWords } from './problem.ts';
 import { readJson, toProblems } from './read-json.ts';
-import { sayValue } from './say.ts';
 
 export interface ImportedLevel {
   /** `level-NN` by place in the list, from 0; `level-01` for a single object. */
@@ -55,7 +57,7 @@ class OriginalReader {
     const value = object[key];
     const at = [...path, key];
     if (typeof value !== 'number') {
-      this.find('wrong-type', at, `expected a number, found ${sayValue(value)}`, 'Write a number.');
+      this.find('wrong-type', at, `expected a number, found ${formatValue(value)}`, 'Write a number.');
     } else if (value < least || value > most) {
       this.find(
         'out-of-limits',
@@ -76,7 +78,7 @@ class OriginalReader {
     const size = typeof value === 'string' && /^\d+(\.\d+)?$/.test(value) ? Number(value) : value;
     const at = [...path, key];
     if (typeof size !== 'number') {
-      this.find('wrong-type', at, `expected a number or a text of digits, found ${sayValue(value)}`, 'Write a number.');
+      this.find('wrong-type', at, `expected a number or a text of digits, found ${formatValue(value)}`, 'Write a number.');
     } else if (size < LIMITS.leastRadius || size > LIMITS.radius) {
       const limits = `from ${LIMITS.leastRadius} to ${LIMITS.radius}`;
       this.find('out-of-limits', at, `expected a number ${limits}, found ${size}`, `Write a number ${limits}.`);
@@ -86,11 +88,12 @@ class OriginalReader {
     return undefined;
   }
 
-  place(object: Json, path: Path): { x: number; y: number } {
-    for (const key of ['x', 'y']) if (!Object.hasOwn(object, key)) this.missing(path, key);
-    const x = this.number(object, 'x', path, -LIMITS.coordinate, LIMITS.coordinate) ?? 0;
-    const y = this.number(object, 'y', path, -LIMITS.coordinate, LIMITS.coordinate) ?? 0;
-    return { x, y };
+  flag(object: Json, key: string, path: Path, hint: string): boolean {
+    const value = object[key];
+    if (Object.hasOwn(object, key) && typeof value !== 'boolean') {
+      this.find('wrong-type', [...path, key], `expected true or false, found ${formatValue(value)}`, hint);
+    }
+    return value === true;
   }
 
   one(level: Json, key: string, path: Path): Json | null {
@@ -103,7 +106,7 @@ class OriginalReader {
     this.find(
       'wrong-type',
       [...path, key],
-      `expected an object in { }, found ${sayValue(value)}`,
+      `expected an object in { }, found ${formatValue(value)}`,
       'Write an object with x and y.',
     );
     return null;
@@ -114,7 +117,7 @@ class OriginalReader {
     const value = level[key];
     const at = [...path, key];
     if (!Array.isArray(value)) {
-      this.find('wrong-type', at, `expected a list in [ ], found ${sayValue(value)}`, 'Write a list of objects.');
+      this.find('wrong-type', at, `expected a list in [ ], found ${formatValue(value)}`, 'Write a list of objects.');
       return undefined;
     }
     if (value.length > LIMITS.objects) {
@@ -129,7 +132,7 @@ class OriginalReader {
         this.find(
           'wrong-type',
           [...at, i],
-          `expected an object in { }, found ${sayValue(entry)}`,
+          `expected an object in { }, found ${formatValue(entry)}`,
           'Write an object with x and y.',
         );
     }
@@ -137,49 +140,62 @@ class OriginalReader {
   }
 }
 
-const LEVEL_KEYS = ['player', 'target', 'asteroids', 'novae', 'antiForceFields', 'aliens', 'goodies', 'maxDistance'];
-const CIRCLE_KEYS = ['x', 'y', 'radius'];
+/** The kinds that the original has, and what it calls them. */
+const KNOWN = OBJECT_KINDS.flatMap((kind) => {
+  const { list, original } = KINDS[kind];
+  return original === null ? [] : [{ kind, ours: list ?? kind, isOne: list === null, theirs: original.key }];
+});
+
+const LEVEL_KEYS = [...KNOWN.map(({ theirs }) => theirs), 'maxDistance'];
+
+/** Reads an object of a kind. What the original leaves out that a level file must have is a problem. */
+function readObject(reader: OriginalReader, kind: ObjectKind, object: Json, path: Path): Json {
+  const { places, radius, original, variant } = KINDS[kind];
+  const keyOf = (name: string): string => original?.fields?.[name] ?? name;
+  const isPlace = (name: string): boolean => places.flat().includes(name);
+  const fields = fieldsOf(kind);
+  const read: Record<string, unknown> = {};
+  const needs = (isWanted: (name: string) => boolean) => {
+    for (const [name, field] of fields) {
+      if (isWanted(name) && isRequired(field) && !Object.hasOwn(object, keyOf(name))) reader.missing(path, keyOf(name));
+    }
+  };
+  for (const [name, field] of fields) {
+    if (field.type !== 'flag') continue;
+    const hint = variant?.flag === name ? `Write true for a ${variant.one}.` : 'Write true or false.';
+    read[name] = reader.flag(object, keyOf(name), path, hint) ? true : undefined;
+  }
+  needs((name) => !isPlace(name));
+  reader.ignoreOthers(
+    object,
+    fields.map(([name]) => keyOf(name)),
+  );
+  needs(isPlace);
+  for (const [name, field] of fields) {
+    if (field.type === 'flag') continue;
+    const value =
+      name === radius
+        ? reader.size(object, keyOf(name), path)
+        : reader.number(object, keyOf(name), path, field.least, field.most);
+    // a value that is not what it should be has been reported: the level is not made
+    read[name] = value ?? (isRequired(field) ? field.least : undefined);
+  }
+  return Object.fromEntries(fields.map(([name]) => [name, read[name]]));
+}
 
 function readLevelObject(reader: OriginalReader, level: Json, path: Path, name: string, recoil: boolean): LevelFile {
   reader.ignoreOthers(level, LEVEL_KEYS);
-  const circle = (object: Json, at: Path, keys = CIRCLE_KEYS) => {
-    reader.ignoreOthers(object, keys);
-    return { ...reader.place(object, at), radius: reader.size(object, 'radius', at) };
-  };
-  const sized = (object: Json, at: Path, keys = CIRCLE_KEYS) => {
-    if (!Object.hasOwn(object, 'radius')) reader.missing(at, 'radius');
-    const { x, y, radius } = circle(object, at, keys);
-    return { x, y, radius: radius ?? 1 };
-  };
-  const asteroid = (object: Json, at: Path) => {
-    const { enemy } = object;
-    if (Object.hasOwn(object, 'enemy') && typeof enemy !== 'boolean') {
-      reader.find(
-        'wrong-type',
-        [...at, 'enemy'],
-        `expected true or false, found ${sayValue(enemy)}`,
-        'Write true for a hot asteroid.',
-      );
-    }
-    return { ...sized(object, at, [...CIRCLE_KEYS, 'enemy']), hot: enemy === true ? true : undefined };
-  };
-
-  const player = reader.one(level, 'player', path) ?? { x: 0, y: 0 };
-  const playerPath = [...path, 'player'];
-  reader.ignoreOthers(player, ['x', 'y', 'vx', 'vy']);
-  const speed = (key: string) => reader.number(player, key, playerPath, -LIMITS.velocity, LIMITS.velocity);
+  const objects = KNOWN.map(({ kind, ours, isOne, theirs }) => {
+    const read = (object: Json, at: Path) => readObject(reader, kind, object, at);
+    if (!isOne) return [ours, reader.list(level, theirs, path, read)];
+    return [ours, read(reader.one(level, theirs, path) ?? { x: 0, y: 0 }, [...path, theirs])];
+  });
   return {
     version: LEVEL_VERSION,
     name,
-    astronaut: { ...reader.place(player, playerPath), vx: speed('vx'), vy: speed('vy') },
-    blackHole: circle(reader.one(level, 'target', path) ?? { x: 0, y: 0 }, [...path, 'target']),
     range: reader.size(level, 'maxDistance', path),
     recoil: recoil ? true : undefined,
-    asteroids: reader.list(level, 'asteroids', path, asteroid),
-    novae: reader.list(level, 'novae', path, sized),
-    repulsors: reader.list(level, 'antiForceFields', path, sized),
-    aliens: reader.list(level, 'aliens', path, circle),
-    minerals: reader.list(level, 'goodies', path, circle),
+    ...(Object.fromEntries(objects) as Pick<LevelFile, 'astronaut' | 'blackHole'>),
   };
 }
 
@@ -205,7 +221,7 @@ export function importOriginal(source: Uint8Array | string, options: { readonly 
       reader.find(
         'wrong-type',
         path,
-        `expected ${expected}, found ${sayValue(entry)}`,
+        `expected ${expected}, found ${formatValue(entry)}`,
         'Write an object with player and target.',
       );
     } else if (Object.keys(entry).length === 0) {

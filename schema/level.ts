@@ -1,37 +1,35 @@
 import * as z from 'zod';
+import type { Field } from './kind.ts';
+import {
+  type FieldsOf,
+  fieldsOf,
+  KINDS,
+  LISTED_KINDS,
+  type ListedKind,
+  type ListOf,
+  OBJECT_KINDS,
+  type ObjectKind,
+  type ObjectList,
+  SINGLE_KINDS,
+  type SingleKind,
+  type ValueOf,
+} from './kinds.ts';
+import { LIMITS } from './limits.ts';
+import { type OwnRules, rulesSchema } from './rules.ts';
 
 /** The version of the level format that this toolkit writes. */
 export const LEVEL_VERSION = 1;
 
-/** Radii in px that a level may leave out. */
-export const DEFAULT_RADIUS = { blackHole: 18, alien: 25, mineral: 7 } as const;
-
 /** Farther than this from every asteroid she is lost, in px, when a level doesn't say. */
 export const DEFAULT_RANGE = 250;
 
-/** What numbers and lists of a level may be at most, and radii at least. */
-export const LIMITS = {
-  /** px, either sign */
-  coordinate: 1e9,
-  /** px */
-  radius: 1e6,
-  /** px, radii and the range: recoil goes with 1 / diameter, and what is smaller could only be hit by rounding */
-  leastRadius: 1e-3,
-  /** px/s per axis, either sign: the game's own speed limit */
-  velocity: 1000,
-  /** ticks of 1/60 s: an hour */
-  tick: 216_000,
-  /** objects in one list */
-  objects: 20_000,
-  runs: 1000,
-  /** holds in one run */
-  holds: 20_000,
-} as const;
-
-const x = z.number().min(-LIMITS.coordinate).max(LIMITS.coordinate).describe('Place in px, from left to right.');
-const y = z.number().min(-LIMITS.coordinate).max(LIMITS.coordinate).describe('Place in px, from top to bottom.');
-const velocity = z.number().min(-LIMITS.velocity).max(LIMITS.velocity);
-const radius = z.number().min(LIMITS.leastRadius).max(LIMITS.radius);
+type Plain<F> = F extends { readonly type: 'number' } ? z.ZodNumber : z.ZodBoolean;
+type FieldSchema<F> = F extends { readonly default: unknown } ? z.ZodOptional<Plain<F>> : Plain<F>;
+type Id = { id: z.ZodOptional<z.ZodString> };
+type Shape<K extends ObjectKind> = (K extends ListedKind ? Id : unknown) & {
+  -readonly [F in keyof FieldsOf<K>]: FieldSchema<FieldsOf<K>[F]>;
+};
+type ObjectSchema<K extends ObjectKind> = z.ZodObject<{ [F in keyof Shape<K>]: Shape<K>[F] & z.core.$ZodType }, z.core.$strict>;
 
 const id = z
   .string()
@@ -41,52 +39,32 @@ const id = z
     'Short random name of this object: it stays while the object is moved and edited. Unique in the level; `gq fmt` adds missing ones.',
   );
 
-const at = { id, x, y };
+function fieldSchema(field: Field): z.core.$ZodType {
+  const plain = field.type === 'number' ? z.number().min(field.least).max(field.most) : z.boolean();
+  return (field.default === undefined ? plain : plain.optional()).describe(field.about);
+}
 
-const astronaut = z
-  .strictObject({
-    x,
-    y,
-    vx: velocity.optional().describe('Speed to the right at the start, px/s; 0 when left out.'),
-    vy: velocity.optional().describe('Speed downwards at the start, px/s; 0 when left out.'),
-  })
-  .describe('Where she starts: the centre of a box of 20 x 32 px.');
+function objectSchema<K extends ObjectKind>(kind: K): ObjectSchema<K> {
+  const { list, about } = KINDS[kind];
+  const fields = fieldsOf(kind).map(([name, field]) => [name, fieldSchema(field)]);
+  return z.strictObject({ ...(list === null ? {} : { id }), ...Object.fromEntries(fields) }).describe(about) as never;
+}
 
-const blackHole = z
-  .strictObject({
-    x,
-    y,
-    radius: radius.optional().describe(`Radius in px; ${DEFAULT_RADIUS.blackHole} when left out.`),
-  })
-  .describe('Touching it completes the level.');
+/** What an object of each kind looks like in a file. */
+export const OBJECT_SCHEMAS = Object.fromEntries(OBJECT_KINDS.map((kind) => [kind, objectSchema(kind)])) as {
+  readonly [K in ObjectKind]: ObjectSchema<K>;
+};
 
-const asteroid = z
-  .strictObject({
-    ...at,
-    radius: radius.describe('Radius in px; the original uses 16 and 32.'),
-    hot: z.boolean().optional().describe('A hot asteroid pulls like a cold one, and kills on touch; false when left out.'),
-  })
-  .describe('Pulls her while it is the nearest asteroid and the gun is held.');
+const singles = Object.fromEntries(SINGLE_KINDS.map((kind) => [kind, OBJECT_SCHEMAS[kind]])) as {
+  [K in SingleKind]: ObjectSchema<K>;
+};
 
-const nova = z
-  .strictObject({ ...at, radius: radius.describe('Radius in px; the original uses 16 and 32.') })
-  .describe('A dwarf nova kills on touch; the gun never targets it.');
+const listSchema = (kind: ListedKind) =>
+  z.array(OBJECT_SCHEMAS[kind]).max(LIMITS.objects).optional().describe(KINDS[kind].aboutList);
 
-const repulsor = z
-  .strictObject({ ...at, radius: radius.describe('Radius in px; the original uses 32 and 48.') })
-  .describe(
-    'A field that pushes her away from its centre at 20 px/s2 while her centre is inside; where fields overlap, the first one.',
-  );
-
-const alien = z
-  .strictObject({ ...at, radius: radius.optional().describe(`Radius in px; ${DEFAULT_RADIUS.alien} when left out.`) })
-  .describe(
-    'Sleeps until her centre is nearer than 150 px, then accelerates towards her. Kills on touch; two that touch explode.',
-  );
-
-const mineral = z
-  .strictObject({ ...at, radius: radius.optional().describe(`Radius in px; ${DEFAULT_RADIUS.mineral} when left out.`) })
-  .describe('Collected on touch; not needed to complete the level.');
+const lists = Object.fromEntries(LISTED_KINDS.map((kind) => [KINDS[kind].list, listSchema(kind)])) as {
+  [K in ListedKind as ListOf<K>]: z.ZodOptional<z.ZodArray<ObjectSchema<K>>>;
+};
 
 const tick = z.int().min(0).max(LIMITS.tick);
 
@@ -109,32 +87,43 @@ export const levelSchema = z
     version: z.literal(LEVEL_VERSION).describe('Version of this format.'),
     name: z.string().min(1).max(120).describe('What players and reports call the level.'),
     description: z.string().max(2000).optional().describe('What the level teaches or asks for.'),
-    astronaut,
-    blackHole,
-    range: radius
+    ...singles,
+    range: z
+      .number()
+      .min(LIMITS.leastRadius)
+      .max(LIMITS.radius)
       .optional()
       .describe(`Farther than this from the centre of every asteroid she is lost, px; ${DEFAULT_RANGE} when left out.`),
     recoil: z.boolean().optional().describe('Whether the target of the gun is pulled towards her, too; false when left out.'),
-    asteroids: z.array(asteroid).max(LIMITS.objects).optional().describe('What the gun can target.'),
-    novae: z.array(nova).max(LIMITS.objects).optional().describe('Kill on touch; never a target.'),
-    repulsors: z.array(repulsor).max(LIMITS.objects).optional().describe('Fields that push her away.'),
-    aliens: z.array(alien).max(LIMITS.objects).optional().describe('Chase her when she comes near.'),
-    minerals: z.array(mineral).max(LIMITS.objects).optional().describe('To collect on the way; usually three.'),
+    rules: rulesSchema.optional(),
+    ...lists,
     runs: z.array(run).max(LIMITS.runs).optional().describe('Scripted runs; the first is the one that is shown.'),
   })
   .describe('A level of Gravity Quest. Keys that begin with x- are yours: they are kept and not checked.');
 
-/** The lists of objects in a level, in the order of a file. */
-export const OBJECT_LISTS = ['asteroids', 'novae', 'repulsors', 'aliens', 'minerals'] as const;
-
 /** A level as its file says it: what may be left out may be missing. */
 export type LevelFile = z.infer<typeof levelSchema>;
 
-export interface Circle {
-  readonly id: string | null;
+/** An object of a kind with every default filled in, as a level has it; the astronaut and the black hole have no id. */
+export type ObjectOf<K extends ObjectKind> = (K extends ListedKind ? { readonly id: string | null } : unknown) & {
+  readonly [F in keyof FieldsOf<K>]: ValueOf<FieldsOf<K>[F]>;
+};
+
+/** A place in a level, px. */
+export interface Place {
   readonly x: number;
   readonly y: number;
+}
+
+/** A disc in a level; `radius` in px. */
+export interface Disc extends Place {
   readonly radius: number;
+}
+
+/** An object of a level that is a disc. */
+export interface Circle extends Disc {
+  /** null: the file gives it none */
+  readonly id: string | null;
 }
 
 export interface Asteroid extends Circle {
@@ -149,18 +138,22 @@ export interface ScriptedRun {
   readonly holds: readonly Hold[];
 }
 
+type LevelObjects = { readonly [K in SingleKind]: ObjectOf<K> } & {
+  readonly [K in ListedKind as ListOf<K>]: readonly ObjectOf<K>[];
+};
+
 /** A valid level with every default filled in; lengths in px, speeds in px/s. */
-export interface Level {
+export interface Level extends LevelObjects {
   readonly name: string;
   readonly description: string;
-  readonly astronaut: { readonly x: number; readonly y: number; readonly vx: number; readonly vy: number };
-  readonly blackHole: { readonly x: number; readonly y: number; readonly radius: number };
   readonly range: number;
   readonly recoil: boolean;
-  readonly asteroids: readonly Asteroid[];
-  readonly novae: readonly Circle[];
-  readonly repulsors: readonly Circle[];
-  readonly aliens: readonly Circle[];
-  readonly minerals: readonly Circle[];
+  /** Numbers of the game that are another in this level. */
+  readonly rules?: OwnRules;
   readonly runs: readonly ScriptedRun[];
 }
+
+/** The lists of a level without any object: to begin with. */
+export const NO_OBJECTS = Object.fromEntries(LISTED_KINDS.map((kind) => [KINDS[kind].list, []])) as unknown as Readonly<
+  Pick<Level, ObjectList>
+>;

@@ -1,12 +1,12 @@
 import { checkMeaning } from './check-meaning.ts';
 import { checkShape } from './check-shape.ts';
 import { withoutExtensions } from './extensions.ts';
+import { formatValue } from './format-value.ts';
 import { LEVEL_VERSION, type Level, type LevelFile } from './level.ts';
 import { type JsonObject, MIGRATIONS, type Migration, migrate } from './migrate.ts';
 import type { Finding, Problem } from './problem.ts';
 import { readJson, toProblems } from './read-json.ts';
 import { resolveLevel } from './resolve.ts';
-import { sayValue } from './say.ts';
 import type { TextPlace } from './text-place.ts';
 
 /** A level file that was read. */
@@ -39,7 +39,7 @@ function olderVersion(value: unknown, migrations: readonly Migration[]): { from:
   if (version === LEVEL_VERSION) return null;
   const place = { path: ['version'], part: 'value' } as const;
   if (typeof version !== 'number' || !Number.isInteger(version) || version < 0) {
-    const message = `version: expected the version of the format, ${LEVEL_VERSION}, found ${sayValue(version)}`;
+    const message = `version: expected the version of the format, ${LEVEL_VERSION}, found ${formatValue(version)}`;
     return { code: 'unsupported-version', message, hint: `Write "version": ${LEVEL_VERSION}.`, ...place };
   }
   if (version > LEVEL_VERSION) {

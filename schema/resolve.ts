@@ -1,25 +1,46 @@
-import { DEFAULT_RADIUS, DEFAULT_RANGE, type Level, type LevelFile } from './level.ts';
+import { fieldsOf, KINDS, LISTED_KINDS, type ObjectKind, type ObjectList, SINGLE_KINDS, type SingleKind } from './kinds.ts';
+import { DEFAULT_RANGE, type Level, type LevelFile } from './level.ts';
+import { RULE_NAMES, RULES } from './rules.ts';
 
-type Placed = { id?: string | undefined; x: number; y: number; radius?: number | undefined };
+type Written = Readonly<Record<string, unknown>>;
 
-// + 0 turns -0 into 0: it is written as 0, and must not be another start than 0
-const circle = (o: Placed, radius: number) => ({ id: o.id ?? null, x: o.x + 0, y: o.y + 0, radius: o.radius ?? radius });
+/** An object with what it leaves out. */
+function resolveObject(kind: ObjectKind, object: Written): Written {
+  const resolved: Record<string, unknown> = KINDS[kind].list === null ? {} : { id: object.id ?? null };
+  for (const [name, field] of fieldsOf(kind)) {
+    const value = object[name] ?? field.default;
+    // + 0 turns -0 into 0: it is written as 0, and must not be another start than 0
+    resolved[name] = typeof value === 'number' ? value + 0 : value;
+  }
+  return resolved;
+}
+
+/** The rules that are not the game's own: a level that repeats those says nothing. */
+function ownRules({ rules }: LevelFile): Pick<Level, 'rules'> {
+  if (rules === undefined) return {};
+  const own = RULE_NAMES.flatMap((name) => {
+    const value = rules[name];
+    return value === undefined || value === RULES[name].default ? [] : [[name, value]];
+  });
+  return own.length === 0 ? {} : { rules: Object.fromEntries(own) };
+}
 
 /** Fills in every default that the file leaves out. Pure; `file` is not changed. */
 export function resolveLevel(file: LevelFile): Level {
-  const { astronaut } = file;
+  const written = file as Readonly<Record<string, unknown>>;
+  const singles = SINGLE_KINDS.map((kind) => [kind, resolveObject(kind, file[kind])]);
+  const lists = LISTED_KINDS.map((kind) => {
+    const list = KINDS[kind].list as string;
+    return [list, ((written[list] ?? []) as readonly Written[]).map((object) => resolveObject(kind, object))];
+  });
   return {
     name: file.name,
     description: file.description ?? '',
-    astronaut: { x: astronaut.x + 0, y: astronaut.y + 0, vx: (astronaut.vx ?? 0) + 0, vy: (astronaut.vy ?? 0) + 0 },
-    blackHole: { x: file.blackHole.x + 0, y: file.blackHole.y + 0, radius: file.blackHole.radius ?? DEFAULT_RADIUS.blackHole },
+    ...(Object.fromEntries(singles) as Pick<Level, SingleKind>),
     range: file.range ?? DEFAULT_RANGE,
     recoil: file.recoil ?? false,
-    asteroids: (file.asteroids ?? []).map((o) => ({ ...circle(o, o.radius), hot: o.hot ?? false })),
-    novae: (file.novae ?? []).map((o) => circle(o, o.radius)),
-    repulsors: (file.repulsors ?? []).map((o) => circle(o, o.radius)),
-    aliens: (file.aliens ?? []).map((o) => circle(o, DEFAULT_RADIUS.alien)),
-    minerals: (file.minerals ?? []).map((o) => circle(o, DEFAULT_RADIUS.mineral)),
+    ...ownRules(file),
+    ...(Object.fromEntries(lists) as Pick<Level, ObjectList>),
     runs: (file.runs ?? []).map((run) => ({
       name: run.name,
       holds: run.holds.map(([press, release]) => [press + 0, release] as const),

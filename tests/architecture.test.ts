@@ -5,6 +5,7 @@ import { tmpdir } from 'node:os';
 import { dirname, join, relative, sep } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { circlesIn, importGraph, passedFaces } from './architecture/import-graph.ts';
 import { importProblems, importsOf, purityProblems } from './architecture/inspect-source.ts';
 import { machineWords } from './architecture/machine-words.ts';
 import { ROOMS } from './architecture/rooms.ts';
@@ -52,6 +53,110 @@ describe.each(Object.entries(ROOMS).filter(([name]) => existsSync(join(root, nam
     if (room.pure) expect(config.compilerOptions.types).toEqual([]);
     if (room.pure) expect(config.compilerOptions.lib ?? ['es2023']).toEqual(['es2023']);
   });
+});
+
+describe('imports of files', () => {
+  const graph = importGraph([...Object.keys(ROOMS), 'bench', 'tests'].flatMap(sourcesOf));
+  const inRooms = new Map([...graph].filter(([path]) => path.split('/')[0] in ROOMS));
+  const problems = [...circlesIn(graph), ...passedFaces(inRooms)];
+
+  it('never go in a circle, and never past the face of a folder', () => {
+    expect(graph.size).toBeGreaterThan(500);
+    expect(problems).toEqual([]);
+  });
+});
+
+describe('the walls see a circle', () => {
+  const circles = (files: Record<string, string>) =>
+    circlesIn(importGraph(Object.entries(files).map(([path, text]) => ({ path, text }))));
+
+  it.each([
+    ['values', `import { b } from './b.ts';`],
+    ['types', `import type { B } from './b.ts';`],
+    ['a type among values', `import { type B, b } from './b.ts';`],
+    ['a type in its place', `export type A = import('./b.ts').B;`],
+    ['a re-export', `export * from './b.ts';`],
+    ['a re-exported type', `export type { B } from './b.ts';`],
+    ['an import on demand', `export const a = () => import('./b.ts');`],
+    ['an import for its effects', `import './b.ts';`],
+    ['the name of the built file', `import { b } from './b.js';`],
+    ["a bundler's query", `import b from './b.ts?url';`],
+  ])('by %s', (_, text) => {
+    expect(circles({ 'cli/a.ts': text, 'cli/b.ts': `import { a } from './a.ts';` })).toEqual([
+      'cli/a.ts -> cli/b.ts -> cli/a.ts',
+    ]);
+  });
+
+  it('of one file, of three, and between rooms, with the whole way around', () => {
+    expect(circles({ 'cli/a.ts': `import './a.ts';` })).toEqual(['cli/a.ts -> cli/a.ts']);
+    expect(
+      circles({
+        'cli/c.ts': `import './b/a.ts';`,
+        'cli/b/a.ts': `import '../../bench/d.ts';`,
+        'bench/d.ts': `import '../cli/c.ts';`,
+      }),
+    ).toEqual(['bench/d.ts -> cli/c.ts -> cli/b/a.ts -> bench/d.ts']);
+  });
+
+  it('in each of several knots, beside files that stand on them', () => {
+    const files = {
+      'cli/a.ts': `import './b.ts'; import './x.ts';`,
+      'cli/b.ts': `import './c.ts'; import './a.ts';`,
+      'cli/c.ts': `import './a.ts';`,
+      'cli/x.ts': `import './y.ts';`,
+      'cli/y.ts': `import './x.ts';`,
+      'cli/above.ts': `import './a.ts';`,
+    };
+    expect(circles(files)).toEqual([
+      'cli/a.ts -> cli/b.ts -> cli/a.ts',
+      'cli/a.ts -> cli/b.ts -> cli/c.ts -> cli/a.ts',
+      'cli/x.ts -> cli/y.ts -> cli/x.ts',
+    ]);
+  });
+
+  it('and none where ways only meet', () => {
+    expect(circles({ 'cli/a.ts': `import './b.ts'; import './c.ts';`, 'cli/b.ts': `import './c.ts';`, 'cli/c.ts': '' })).toEqual(
+      [],
+    );
+  });
+});
+
+describe('the walls see a face passed by', () => {
+  const faces = ['editor/canvas/index.ts', 'editor/canvas/layers/index.ts', 'editor/panels/solver/index.ts'];
+  const others = [
+    'editor/canvas/colours.ts',
+    'editor/canvas/layers/way.ts',
+    'editor/panels/solver/search.ts',
+    'editor/panels/bare/a.ts',
+  ];
+  const passed = (path: string, specifier: string) => {
+    const text = `import type { A } from '${specifier}';`;
+    const rest = [...faces, ...others].filter((other) => other !== path);
+    return passedFaces(importGraph([{ path, text }, ...rest.map((other) => ({ path: other, text: '' }))]));
+  };
+
+  it.each([
+    ['editor/panels/solver/search.ts', '../../canvas/colours.ts', 'editor/canvas/index.ts'],
+    ['editor/panels/solver/search.ts', '../../canvas/layers/way.ts', 'editor/canvas/index.ts'],
+    ['editor/panels/solver/search.ts', '../../canvas/layers/index.ts', 'editor/canvas/index.ts'],
+    ['editor/canvas/stage.ts', './layers/way.ts', 'editor/canvas/layers/index.ts'],
+    ['editor/canvas/pointer/pan.ts', '../layers/way.ts', 'editor/canvas/layers/index.ts'],
+    ['editor/panels/runs/a.ts', '../solver/search.ts', 'editor/panels/solver/index.ts'],
+    ['editor/panels/runs/a.ts', '../bare/a.ts', 'editor/panels/bare/index.ts'],
+    ['editor/main.tsx', './panels/solver/search.ts', 'editor/panels/solver/index.ts'],
+  ])('%s imports %s', (path, specifier, face) => {
+    expect(passed(path, specifier)).toEqual([expect.stringMatching(`: passes by ${face}$`)]);
+  });
+
+  it.each([
+    ['editor/panels/solver/search.ts', '../../canvas/index.ts'],
+    ['editor/panels/runs/a.ts', '../solver/index.ts'],
+    ['editor/canvas/stage.ts', './layers/index.ts'],
+    ['editor/canvas/stage.ts', './colours.ts'],
+    ['editor/canvas/layers/way.ts', '../colours.ts'],
+    ['editor/canvas/layers/deep/a.ts', '../way.ts'],
+    ['editor/main.tsx', './panels/solver/index.ts'],
+  ])('lets pass %s: %s', (path, specifier) => expect(passed(path, specifier)).toEqual([]));
 });
 
 describe('the walls see a breach', () => {

@@ -23,7 +23,7 @@ export const ROOMS: Readonly<Record<string, Room>> = {
   },
   'engine/contact': { sources: ['engine/contact'], tests: engine('contact', 'near-misses') },
   'engine/continuous': {
-    sources: ['engine/continuous'],
+    sources: ['motion', 'integrators', 'events', 'effects', 'continuous'].map((folder) => `engine/${folder}`),
     tests: ['tests/browsers/node.test.ts', ...engine('near-misses'), 'tests/engine', 'tests/hard-cases'],
   },
   'solver/robustness': {

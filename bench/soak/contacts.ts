@@ -10,7 +10,7 @@ import {
   simulate,
   TICK,
 } from '../../engine/index.ts';
-import type { Asteroid, Circle, Hold, Level } from '../../schema/index.ts';
+import { type Asteroid, type Circle, type Hold, type Level, NO_OBJECTS } from '../../schema/index.ts';
 import { seeded } from '../scenes/seeded.ts';
 
 /** Things with a guard of their own, made to be touched or missed by next to nothing. */
@@ -285,11 +285,9 @@ function fly(
     blackHole: FAR,
     range: Math.max(range, away + 10),
     recoil: motion === 'recoil',
+    ...NO_OBJECTS,
     asteroids,
-    novae: [],
     repulsors: motion === 'field' ? [field] : [],
-    aliens: [],
-    minerals: [],
     runs: [],
   };
   const run = simulate(compile(level, accuracy), holds, { maxTime: seconds });

@@ -1,4 +1,4 @@
-import type { Circle, Hold, Level } from '../../schema/index.ts';
+import { type Circle, type Hold, type Level, NO_OBJECTS } from '../../schema/index.ts';
 import { seeded } from '../scenes/seeded.ts';
 import type { RandomScene } from './random-scene.ts';
 
@@ -72,11 +72,11 @@ export function degenerateScene(seed: number): RandomScene {
     blackHole: { x: -3e6, y: 3e6, radius: 18 },
     range,
     recoil: chance(0.5),
+    ...NO_OBJECTS,
     asteroids,
     novae: chance(0.1) ? [circle(between(20, 100), between(20, 100), 16)] : [],
     repulsors,
     aliens: chance(0.15) ? [circle(...edge(direction(), pick(150, 150, 60, 149.9999)), 25)] : [],
-    minerals: [],
     runs: [],
   };
   const maxTime = 3;

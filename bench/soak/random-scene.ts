@@ -1,4 +1,4 @@
-import type { Circle, Hold, Level } from '../../schema/index.ts';
+import { type Circle, type Hold, type Level, NO_OBJECTS } from '../../schema/index.ts';
 import { seeded } from '../scenes/seeded.ts';
 
 export interface RandomScene {
@@ -68,6 +68,7 @@ export function randomScene(seed: number): RandomScene {
     blackHole: awayFromStart(() => circle(radius(18))),
     range,
     recoil: chance(0.4),
+    ...NO_OBJECTS,
     asteroids,
     novae: list(pick(1, 4), () => awayFromStart(() => circle(radius(16, 32)))),
     repulsors: list(pick(1, 2, 6), () => circle(radius(32, 48, 100))),

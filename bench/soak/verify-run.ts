@@ -1,4 +1,13 @@
-import { boxCircleGap, createSimulation, joinHolds, type Run, type Scene, STATE_SIZE, TICK } from '../../engine/index.ts';
+import {
+  boxCircleGap,
+  createSimulation,
+  DEFAULT_BOX,
+  joinHolds,
+  type Run,
+  type Scene,
+  STATE_SIZE,
+  TICK,
+} from '../../engine/index.ts';
 import type { Circle, Hold } from '../../schema/index.ts';
 
 /** How far to either side of a rim she may be while she slides along it, px. */
@@ -148,7 +157,7 @@ export function verifyRun(scene: Scene, holds: readonly Hold[], run: Run, slack:
     function overlap(what: string, i: number, cx: number, cy: number, r: number) {
       // at tick 0 the contact itself may be the first event
       if (near || tick === 0) return;
-      const gap = boxCircleGap(cx - x, cy - y, cos, sin, r);
+      const gap = boxCircleGap(DEFAULT_BOX, cx - x, cy - y, cos, sin, r);
       if (gap < -slack) complain(`${what} ${i} overlaps her by ${-gap} px ${at}`);
     }
 
@@ -202,7 +211,7 @@ function verifyEnd(scene: Scene, run: Run, slack: number, complain: (what: strin
     c = level.asteroids[index];
     if (!level.asteroids[index].hot) complain(`burned on cold asteroid ${index}`);
   }
-  const gap = boxCircleGap(c.x - x, c.y - y, cos, sin, c.radius);
+  const gap = boxCircleGap(DEFAULT_BOX, c.x - x, c.y - y, cos, sin, c.radius);
   if (gap > slack) complain(`ended on ${kind} ${index} at ${run.time} s, ${gap} px away from it`);
   // an end in mid-flight is the first touch; at the start, or as a new target turns the box, she may be deep inside
   const turned = run.time === 0 || run.events.some((e) => e.type === 'target' && run.time - e.time < 1e-9);

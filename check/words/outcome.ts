@@ -1,4 +1,5 @@
-import type { BodyKind, Outcome, Run, Touched } from '../../engine/index.ts';
+import type { Outcome, Run, Touched } from '../../engine/index.ts';
+import { KINDS, nameWhenTouched } from '../../schema/index.ts';
 
 /** How a run ended. */
 export interface RunEnd {
@@ -14,11 +15,9 @@ export interface RunEnd {
 /** The number of the first object of a kind: 0 where a file is spoken of, as in its lists; 1 where people count what they see. */
 export type FirstIndex = 0 | 1;
 
-const KIND: Record<BodyKind, string> = { blackHole: 'the black hole', nova: 'nova', asteroid: 'hot asteroid', alien: 'alien' };
-
 /** `nova 2`, `the black hole`. */
 export const bodyInWords = ({ kind, index }: Touched, first: FirstIndex = 0): string =>
-  kind === 'blackHole' ? KIND[kind] : `${KIND[kind]} ${first + index}`;
+  KINDS[kind].list === null ? `the ${KINDS[kind].one}` : `${nameWhenTouched(kind)} ${first + index}`;
 
 const touchedInWords = (touched: Touched | null, first: FirstIndex): string =>
   touched === null ? 'something' : bodyInWords(touched, first);

@@ -1,7 +1,7 @@
 import type { Accuracy } from '../../engine/index.ts';
 import type { Hold, RunReport, Verdict } from '../../schema/index.ts';
+import type { Limits } from '../search-options.ts';
 import type { ShownProblem } from '../shown-problem.ts';
-import type { Limits } from '../solve/settings.ts';
 
 /** What a line about a run says. */
 export type RunInBrief = Pick<RunReport, 'time' | 'minerals' | 'clearance'>;

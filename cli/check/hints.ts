@@ -1,5 +1,5 @@
 import type { Hints } from '../../check/index.ts';
-import { byHolds } from '../reporters/closest.ts';
+import { byHolds } from '../report-parts/index.ts';
 import { shellPath } from '../shown-path.ts';
 
 /** What to do about a problem of a level file on the command line. */

@@ -39,10 +39,10 @@ Examples:
 
 /** Ends by a signal alone. */
 async function edit(folder: string, options: EditOptions): Promise<void> {
-  const say = (text: string): void => void process.stderr.write(visible(text));
+  const print = (text: string): void => void process.stderr.write(visible(text));
   const onCrash = (error: unknown): void => {
     const stack = error instanceof Error ? error.stack : String(error);
-    say(`gq edit goes on, but this is a bug in gq, please report it:\n${stack}\n`);
+    print(`gq edit goes on, but this is a bug in gq, please report it:\n${stack}\n`);
   };
   // its loop is free but for short moments, and a file that is being written is finished
   catchSignals();
@@ -50,7 +50,7 @@ async function edit(folder: string, options: EditOptions): Promise<void> {
   // unlike other commands' reports this is needed before the end
   process.stdout.write(announcement(folder, server, options));
   if (options.open) {
-    openBrowser(server.address, (why) => say(`the browser could not be opened (${why}): open the address above yourself\n`));
+    openBrowser(server.address, (why) => print(`the browser could not be opened (${why}): open the address above yourself\n`));
   }
   await new Promise<never>(() => {});
 }

@@ -9,21 +9,33 @@ interface CommandEntry {
 
 /** Every command, in the order in which `gq --help` lists them. */
 export const COMMANDS: readonly CommandEntry[] = [
-  { name: 'check', summary: 'check that every level can be completed', load: () => import('./check.ts') },
-  { name: 'simulate', summary: 'play one run of a level and say in full what happens', load: () => import('./simulate.ts') },
-  { name: 'solve', summary: 'find a run that completes a level, or prove that there is none', load: () => import('./solve.ts') },
+  { name: 'check', summary: 'check that every level can be completed', load: () => import('./check/index.ts') },
+  {
+    name: 'simulate',
+    summary: 'play one run of a level and say in full what happens',
+    load: () => import('./simulate/index.ts'),
+  },
+  {
+    name: 'solve',
+    summary: 'find a run that completes a level, or prove that there is none',
+    load: () => import('./solve/index.ts'),
+  },
   {
     name: 'difficulty',
     summary: 'how hard levels are: success under timing noise, slack, shortcuts',
-    load: () => import('./difficulty.ts'),
+    load: () => import('./difficulty/index.ts'),
   },
-  { name: 'generate', summary: 'new levels from a seed, a size and a wanted difficulty', load: () => import('./generate.ts') },
+  {
+    name: 'generate',
+    summary: 'new levels from a seed, a size and a wanted difficulty',
+    load: () => import('./generate/index.ts'),
+  },
   { name: 'accuracy', summary: 'what accuracy costs in time, for one run of a level', load: () => import('./accuracy.ts') },
-  { name: 'inspect', summary: 'what a level calls for: effects, counts, warnings', load: () => import('./inspect.ts') },
+  { name: 'inspect', summary: 'what a level calls for: effects, counts, warnings', load: () => import('./inspect/index.ts') },
   { name: 'render', summary: 'draw a level and its run as SVG or PNG', load: () => import('./render.ts') },
-  { name: 'import', summary: "turn the original game's levels into level files", load: () => import('./import.ts') },
-  { name: 'fmt', summary: 'lay level files out canonically', load: () => import('./fmt.ts') },
+  { name: 'import', summary: "turn the original game's levels into level files", load: () => import('./import/index.ts') },
+  { name: 'fmt', summary: 'lay level files out canonically', load: () => import('./fmt/index.ts') },
   { name: 'schema', summary: 'print the JSON Schema of a level file', load: () => import('./schema.ts') },
-  { name: 'explain', summary: 'what a problem means, why it matters, how to fix it', load: () => import('./explain.ts') },
+  { name: 'explain', summary: 'what a problem means, why it matters, how to fix it', load: () => import('./explain/index.ts') },
   { name: 'edit', summary: 'edit levels in the browser, with the run and its verdict live', load: () => import('./edit.ts') },
 ];

@@ -22,10 +22,10 @@ import {
   viewProof,
   viewRun,
   viewSolved,
-} from '../render/views.ts';
+} from '../render/index.ts';
+import { expectMinerals, mineralsOption } from '../search-options.ts';
 import { namedPath, shellPath } from '../shown-path.ts';
-import { type Solved, solveLevel } from '../solve/solve-level.ts';
-import { expectMinerals, mineralsOption } from '../solve/solve-options.ts';
+import { type Solved, solveLevel } from '../solve/index.ts';
 import { visibleLine } from '../visible.ts';
 import { writeWhole } from '../write-file.ts';
 

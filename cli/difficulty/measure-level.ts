@@ -7,7 +7,7 @@ import { createSolver, measureDifficulty, type Success, successProbability, veri
 import { showProblems } from '../code-frames.ts';
 import { Failure } from '../failure.ts';
 import { readBytes } from '../read-bytes.ts';
-import { closestRunInWords } from '../reporters/closest.ts';
+import { closestRunInWords } from '../report-parts/index.ts';
 import type { MeasuredLevel, MeasureSettings, MeasureTask } from './measured-level.ts';
 
 /** Noises at which a curve is sampled, ms; success at 0 is certain. */

@@ -4,10 +4,11 @@ import type { EditEvent, LevelEntry, ListResponse } from '../../schema/index.ts'
 import { systemReason } from '../failure.ts';
 import { schemaReference } from '../schema-reference.ts';
 import { changesBetween } from './changes.ts';
-import { findLevel, findLevels, inOrderOfPlay, type LevelFileFound } from './level-files.ts';
+import { findLevel, findLevels, type LevelFileFound } from './level-files.ts';
 import type { EntryReader } from './read-entry.ts';
+import { SortedEntries } from './sorted-entries.ts';
 
-/** What everybody has been told of a folder, kept the same as the disk. */
+/** What has been reported of a folder to everybody, kept the same as the disk. */
 export interface KnownLevels {
   /** What is known now. */
   list(): ListResponse;
@@ -15,7 +16,7 @@ export interface KnownLevels {
   refresh(): Promise<ListResponse>;
   /** Looks at some files alone and announces what `by` has done to them; null: another program. */
   announce(ids: readonly string[], by: string | null): void;
-  /** Tells what goes on from now on. @returns how to end it */
+  /** Reports what goes on from now on. @returns how to end it */
   listen(listener: (event: EditEvent) => void): () => void;
   /** Something about the folder that a person should know from now on. */
   addTrouble(message: string): void;
@@ -23,11 +24,11 @@ export interface KnownLevels {
   end(): void;
 }
 
-/** So many files are read before anybody asks; of larger folders the rest is told as it is read. */
+/** So many files are read before anybody asks; of larger folders the rest is reported as it is read. */
 const READ_AT_ONCE = 500;
 
-/** Levels that are told together while a folder is read for the first time. */
-const TOLD_TOGETHER = 1000;
+/** Levels that are reported together while a folder is read for the first time. */
+const REPORTED_TOGETHER = 1000;
 
 /** How long the disk is read before others get their turn, ms. */
 const SLICE = 20;
@@ -35,88 +36,139 @@ const SLICE = 20;
 /** Of more files than this the whole folder is looked at. */
 const FEW = 20;
 
-export function createKnownLevels(root: string, shown: string, reader: EntryReader): KnownLevels {
-  const listeners = new Set<(event: EditEvent) => void>();
-  const troubles: string[] = [];
-  const folder = {
-    id: createHash('sha256').update(root).digest('hex').slice(0, 16),
-    path: shown,
-    $schema: schemaReference(root),
-  };
+/** Reads a folder and keeps up with it. @param shown the folder as a person named it */
+export const createKnownLevels = (root: string, shown: string, reader: EntryReader): KnownLevels =>
+  new FolderReports(root, shown, reader);
 
-  const first = findLevels(root);
-  const files = [...first.files.values()];
-  let folders = first.folders;
-  let lookTroubles = first.troubles;
-  /** In the order of play. */
-  let levels: LevelEntry[] = files.slice(0, READ_AT_ONCE).map((file) => reader.entry(file));
-  let unread = files.length - levels.length;
-  let isOver = false;
+class FolderReports implements KnownLevels {
+  private readonly listeners = new Set<(event: EditEvent) => void>();
+  private readonly troubles: string[] = [];
+  private readonly folder: ListResponse['folder'];
+  private readonly levels: SortedEntries;
+  private folders: readonly string[];
+  /** Of the last look. */
+  private lookTroubles: readonly string[];
+  /** Files of a large folder that are still to be read for the first time. */
+  private unread: number;
+  private isOver = false;
   /** Ids that were announced during a look at the whole folder, which may have seen them before that. */
-  let announced = new Set<string>();
+  private announced = new Set<string>();
+  /** The look that goes on, and the one after it. */
+  private current: Promise<void> = Promise.resolve();
+  private next: Promise<void> | null = null;
 
-  const tell = (event: EditEvent): void => {
-    for (const listener of listeners) {
+  constructor(
+    private readonly root: string,
+    shown: string,
+    private readonly reader: EntryReader,
+  ) {
+    const id = createHash('sha256').update(root).digest('hex').slice(0, 16);
+    this.folder = { id, path: shown, $schema: schemaReference(root) };
+    const { files: found, folders, troubles } = findLevels(root);
+    const files = [...found.values()];
+    this.folders = folders;
+    this.lookTroubles = troubles;
+    this.levels = new SortedEntries(files.slice(0, READ_AT_ONCE).map((file) => reader.entry(file)));
+    this.unread = files.length - this.levels.all.length;
+    if (this.unread === 0) return;
+    setImmediate()
+      .then(() => this.readRest(files.slice(READ_AT_ONCE)))
+      .catch((error) => this.addTrouble(`the folder could not be read to its end: ${systemReason(error)}`));
+  }
+
+  list(): ListResponse {
+    const { folder, folders, levels, troubles, lookTroubles, unread } = this;
+    return { folder, folders: [...folders], levels: [...levels.all], troubles: [...troubles, ...lookTroubles], unread };
+  }
+
+  // who asks while a look goes on gets the next one, which begins after the question
+  async refresh(): Promise<ListResponse> {
+    this.next ??= this.current.then(() => {
+      this.next = null;
+      const look = this.lookAtAll();
+      // one that fails is its asker's business, and not that of the next
+      this.current = look.catch(() => {});
+      return look;
+    });
+    await this.next;
+    return this.list();
+  }
+
+  announce(ids: readonly string[], by: string | null): void {
+    const { root, reader, levels } = this;
+    const all = ids.length > FEW ? findLevels(root).files : null;
+    const before: LevelEntry[] = [];
+    const after: LevelEntry[] = [];
+    for (const id of new Set(ids)) {
+      this.announced.add(id);
+      const old = levels.get(id);
+      if (old !== undefined) before.push(old);
+      const file = all === null ? findLevel(root, id) : all.get(id);
+      const entry = file === undefined ? undefined : reader.entry(file);
+      if (entry === undefined) levels.remove(id);
+      else {
+        after.push(entry);
+        levels.put(entry);
+      }
+    }
+    const rest = this.list();
+    for (const event of changesBetween({ ...rest, levels: before }, { ...rest, levels: after }, by)) this.report(event);
+  }
+
+  listen(listener: (event: EditEvent) => void): () => void {
+    this.listeners.add(listener);
+    return () => this.listeners.delete(listener);
+  }
+
+  addTrouble(message: string): void {
+    if (this.troubles.includes(message)) return;
+    this.troubles.push(message);
+    this.report({ type: 'list', list: this.list() });
+  }
+
+  end(): void {
+    this.isOver = true;
+  }
+
+  private report(event: EditEvent): void {
+    for (const listener of this.listeners) {
       try {
         listener(event);
       } catch {
         // who can't hear any more is nobody else's business, least of all of who has just written
-        listeners.delete(listener);
+        this.listeners.delete(listener);
       }
     }
-  };
-
-  const list = (): ListResponse => ({
-    folder,
-    folders: [...folders],
-    levels: [...levels],
-    troubles: [...troubles, ...lookTroubles],
-    unread,
-  });
-
-  /** Where an id is in the list, or belongs. */
-  const placeOf = (id: string): number => {
-    let [low, high] = [0, levels.length];
-    while (low < high) {
-      const middle = (low + high) >> 1;
-      if (inOrderOfPlay(levels[middle].id, id) < 0) low = middle + 1;
-      else high = middle;
-    }
-    return low;
-  };
-
-  const put = (entry: LevelEntry): void => {
-    const last = levels.at(-1);
-    const place = last === undefined || inOrderOfPlay(last.id, entry.id) < 0 ? levels.length : placeOf(entry.id);
-    levels.splice(place, levels[place]?.id === entry.id ? 1 : 0, entry);
-  };
+  }
 
   /** Reads what is left of a large folder, bit by bit. */
-  const readRest = async (rest: readonly LevelFileFound[]): Promise<void> => {
+  private async readRest(rest: readonly LevelFileFound[]): Promise<void> {
+    const { levels, reader } = this;
     let together: LevelEntry[] = [];
     let since = performance.now();
     for (const [i, file] of rest.entries()) {
-      if (isOver) return;
+      if (this.isOver) return;
       together.push(reader.entry(file));
-      if (together.length >= TOLD_TOGETHER || i === rest.length - 1) {
+      if (together.length >= REPORTED_TOGETHER || i === rest.length - 1) {
         // one that was made or changed meanwhile is known already
-        const news = together.filter(({ id }) => levels[placeOf(id)]?.id !== id);
-        for (const entry of news) put(entry);
-        unread = rest.length - 1 - i;
-        tell({ type: 'read', levels: news, unread });
+        const news = together.filter(({ id }) => levels.get(id) === undefined);
+        for (const entry of news) levels.put(entry);
+        this.unread = rest.length - 1 - i;
+        this.report({ type: 'read', levels: news, unread: this.unread });
         together = [];
       }
       if (performance.now() - since < SLICE) continue;
       await setImmediate();
       since = performance.now();
     }
-    await refresh();
-  };
+    await this.refresh();
+  }
 
-  const lookAtAll = async (): Promise<void> => {
-    if (unread > 0 || isOver) return;
-    announced = new Set();
-    const found = findLevels(root);
+  private async lookAtAll(): Promise<void> {
+    if (this.unread > 0 || this.isOver) return;
+    this.announced = new Set();
+    const { levels, reader, announced } = this;
+    const found = findLevels(this.root);
     const seen: LevelEntry[] = [];
     let since = performance.now();
     for (const file of found.files.values()) {
@@ -125,68 +177,12 @@ export function createKnownLevels(root: string, shown: string, reader: EntryRead
       await setImmediate();
       since = performance.now();
     }
-    const before = list();
-    const now = announced.size === 0 ? seen : seen.filter(({ id }) => !announced.has(id));
-    levels = now;
-    if (announced.size > 0) for (const entry of before.levels) if (announced.has(entry.id)) put(entry);
-    reader.keepOnly(levels);
-    folders = found.folders;
-    lookTroubles = found.troubles;
-    for (const event of changesBetween(before, list(), null)) tell(event);
-  };
-
-  let current: Promise<void> = Promise.resolve();
-  let next: Promise<void> | null = null;
-  // who asks while a look goes on is told of the next one, which begins after the question
-  const refresh = async (): Promise<ListResponse> => {
-    next ??= current.then(() => {
-      next = null;
-      const look = lookAtAll();
-      // one that fails is its asker's business, and not that of the next
-      current = look.catch(() => {});
-      return look;
-    });
-    await next;
-    return list();
-  };
-
-  const announce = (ids: readonly string[], by: string | null): void => {
-    const all = ids.length > FEW ? findLevels(root).files : null;
-    const before: LevelEntry[] = [];
-    const after: LevelEntry[] = [];
-    for (const id of new Set(ids)) {
-      announced.add(id);
-      const place = placeOf(id);
-      const old = levels[place]?.id === id ? levels[place] : undefined;
-      if (old !== undefined) before.push(old);
-      const file = all === null ? findLevel(root, id) : all.get(id);
-      const entry = file === undefined ? undefined : reader.entry(file);
-      if (entry !== undefined) after.push(entry);
-      if (entry !== undefined) put(entry);
-      else if (old !== undefined) levels.splice(place, 1);
-    }
-    const rest = list();
-    for (const event of changesBetween({ ...rest, levels: before }, { ...rest, levels: after }, by)) tell(event);
-  };
-
-  const listen = (listener: (event: EditEvent) => void): (() => void) => {
-    listeners.add(listener);
-    return () => listeners.delete(listener);
-  };
-
-  const addTrouble = (message: string): void => {
-    if (troubles.includes(message)) return;
-    troubles.push(message);
-    tell({ type: 'list', list: list() });
-  };
-
-  if (unread > 0) {
-    setImmediate()
-      .then(() => readRest(files.slice(READ_AT_ONCE)))
-      .catch((error) => addTrouble(`the folder could not be read to its end: ${systemReason(error)}`));
+    const before = this.list();
+    levels.replace(announced.size === 0 ? seen : seen.filter(({ id }) => !announced.has(id)));
+    if (announced.size > 0) for (const entry of before.levels) if (announced.has(entry.id)) levels.put(entry);
+    reader.keepOnly(levels.all);
+    this.folders = found.folders;
+    this.lookTroubles = found.troubles;
+    for (const event of changesBetween(before, this.list(), null)) this.report(event);
   }
-  const end = (): void => {
-    isOver = true;
-  };
-  return { list, refresh, announce, listen, addTrouble, end };
 }

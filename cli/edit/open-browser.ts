@@ -11,7 +11,7 @@ function opener(address: string): [command: string, args: string[]] {
 
 /**
  * Opens an address in the browser.
- * @param onFailure told why it could not be opened
+ * @param onFailure called with why it could not be opened
  */
 export function openBrowser(address: string, onFailure: (why: string) => void): void {
   const [command, args] = opener(address);

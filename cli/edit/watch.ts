@@ -55,7 +55,7 @@ export function watchFolder(root: string, known: KnownLevels): () => void {
     if (inode === undefined) return;
     try {
       const watcher = watch(path, { persistent: false, recursive: TELLS_OF_ALL }, (_, name) => {
-        // that the folder itself was moved is told under its own name
+        // that the folder itself was moved is reported under its own name
         heard(folder, name === basename(path) ? null : name);
       });
       watcher.on('error', fail);

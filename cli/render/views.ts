@@ -5,12 +5,12 @@ import type { RenderOptions } from '../../picture/index.ts';
 import type { Hold, Level } from '../../schema/index.ts';
 import { createRandom, createSearch, type Goal, proofPicture, type Search } from '../../solver/index.ts';
 import type { ChosenRun } from '../chosen-run.ts';
-import { percent } from '../reporters/robustness.ts';
-import type { Solved } from '../solve/solve-level.ts';
+import { percent } from '../report-parts/index.ts';
+import type { Solved } from '../solve/index.ts';
 
 /** What a picture shows, but for its size and colours. */
 export interface View extends Omit<RenderOptions, 'width' | 'theme'> {
-  /** What the person is told beside the picture: where it shows less than was asked for. */
+  /** What is reported to the person beside the picture: where it shows less than was asked for. */
   readonly remark?: string;
 }
 

@@ -1,4 +1,4 @@
-import type { Found } from './crew.ts';
+import type { Found } from './worker-pool.ts';
 
 /** What a search has so far, on a line. */
 export function progressText({ solutions, effort, closest }: Found, seconds: number): string {

@@ -17,14 +17,6 @@ export interface SolveSettings {
   readonly known: readonly (readonly Hold[])[];
 }
 
-/** When a search ends, at the latest. */
-export interface Limits {
-  /** s of wall time; null: as long as it takes */
-  readonly budget: number | null;
-  /** ticks simulated in all; null: no limit */
-  readonly effort: number | null;
-}
-
 /**
  * A search is made of so many independent ones, its lanes, each with random numbers of its own. However many threads share them,
  * what they find together is the same.

@@ -2,10 +2,10 @@ import { proveGoalImpossible } from '../../check/index.ts';
 import { compile, type Run, simulate, TICK } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import type { Closest, Effort, Proof, Robustness } from '../../solver/index.ts';
+import type { Limits } from '../search-options.ts';
 import { catchSignals, leaveSignals } from '../signals.ts';
-import type { Found } from './crew.ts';
-import { hireCrew } from './crew.ts';
-import type { Limits, SolveSettings } from './settings.ts';
+import type { SolveSettings } from './settings.ts';
+import { type Found, startWorkerPool } from './worker-pool.ts';
 
 /** A run that was found, replayed, with what it forgives. */
 export interface SolvedRun {
@@ -55,12 +55,12 @@ export async function solveLevel(settings: SolveSettings, { limits, jobs, onRoun
 
   async function searchInThreads(): Promise<Found & { readonly measured: readonly Robustness[] }> {
     catchSignals();
-    const crew = hireCrew(settings, jobs);
+    const pool = startWorkerPool(settings, jobs);
     try {
-      const found = await crew.search(limits, onRound);
-      return { ...found, measured: await crew.measure(found.solutions.map(({ holds }) => holds)) };
+      const found = await pool.search(limits, onRound);
+      return { ...found, measured: await pool.measure(found.solutions.map(({ holds }) => holds)) };
     } finally {
-      await crew.dismiss();
+      await pool.close();
       // a replay may take long
       await leaveSignals();
     }

@@ -13,7 +13,7 @@ export interface Thread {
 /** Starts a worker thread that searches. */
 export function startThread(workerData: WorkerData): Thread {
   const worker = new Worker(new URL('./worker.js', import.meta.url), { workerData });
-  // one that dies is told to whoever asks next
+  // one that died is reported to whoever asks next
   let failure: Error | null = null;
   worker.on('error', (error) => {
     failure = error instanceof Error ? error : new Error(String(error));

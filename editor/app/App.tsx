@@ -7,7 +7,7 @@ import { type Command, listenToKeys } from '../commands/index.ts';
 import { Dialogs } from '../dialogs/index.ts';
 import { errorInWords, problemsInWords } from '../files/index.ts';
 import { openListed, SamplesButton } from '../panels/levels/index.ts';
-import { HeatLegend, SolverWatch, solverDeskOf } from '../panels/solver/index.ts';
+import { HeatLegend, SolverWatch, solverSessionOf } from '../panels/solver/index.ts';
 import { PlayView, playCommands } from '../play/index.ts';
 import { Timeline } from '../timeline/index.ts';
 import { Button, keepFocus } from '../ui/index.ts';
@@ -102,7 +102,7 @@ function LevelScreen() {
   const level = useLevel();
   const key = useLevelKey();
   const mode = useSession((state) => state.mode);
-  const { overlay } = solverDeskOf(editor, level);
+  const { overlay } = solverSessionOf(editor, level);
   return (
     <>
       <TopBar />

@@ -4,7 +4,7 @@ import { useEffect, useState, useSyncExternalStore } from 'react';
 import { flushSync } from 'react-dom';
 import { type Command, keyLabel, needsOf } from '../commands/index.ts';
 import { IS_MAC, useEditor, useSession } from '../context/index.ts';
-import { findPlaces, type Place } from './palette-places.ts';
+import { type Destination, findDestinations } from './palette-destinations.ts';
 
 /** A line of the palette. */
 interface Entry {
@@ -32,7 +32,14 @@ function commandEntry(command: Command, run: (id: string) => void): Entry {
   return { key: id, title, group, aside, needs: needsOf(command), go: () => run(id) };
 }
 
-const placeEntry = ({ key, title, group, detail, go }: Place): Entry => ({ key, title, group, aside: detail, needs: null, go });
+const destinationEntry = ({ key, title, group, detail, go }: Destination): Entry => ({
+  key,
+  title,
+  group,
+  aside: detail,
+  needs: null,
+  go,
+});
 
 /**
  * Every command that can be done by its group, as long as nothing is typed; then commands, levels, runs and objects, the best
@@ -52,7 +59,7 @@ export function CommandPalette() {
   const entries = offered.map((command) => commandEntry(command, commands.run));
   const usable = entries.filter(({ needs }) => needs === null);
   const typed = query.trim();
-  const found = [...entries, ...(open ? findPlaces(editor, typed).map(placeEntry) : [])]
+  const found = [...entries, ...(open ? findDestinations(editor, typed).map(destinationEntry) : [])]
     .map((entry) => ({ entry, score: rank(entry, typed) }))
     .filter(({ score }) => score > LEAST_SCORE)
     .sort((a, b) => Number(a.entry.needs !== null) - Number(b.entry.needs !== null) || b.score - a.score)

@@ -2,7 +2,7 @@ import { useStore } from 'zustand';
 import { useDocument, useEditor, useProof, useSession } from '../context/index.ts';
 import { objectsOf } from '../document/index.ts';
 import { OtherAccuracy } from '../panels/accuracy/index.ts';
-import { useCalmProof } from '../panels/parts/index.ts';
+import { useThrottledProof } from '../panels/parts/index.ts';
 import { useProblemCount } from '../panels/problems/index.ts';
 import { endInWords, type LiveProof } from '../proof/index.ts';
 
@@ -12,7 +12,7 @@ const msOf = ({ ms }: LiveProof): string => ms.toFixed(1);
 
 /** What the last proof took; figures that change with every frame could not be read. */
 function ProofTime() {
-  return useCalmProof(msOf);
+  return useThrottledProof(msOf);
 }
 
 /** What the level has, how it is shown, and how the shown run ends. */

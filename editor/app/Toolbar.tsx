@@ -1,20 +1,18 @@
-import { Bug, Circle, CircleDashed, Flame, Gem, Hand, MousePointer2, Sun } from 'lucide-react';
-import type { ComponentType } from 'react';
-import { DRAGGED_TOOL } from '../canvas/index.ts';
+import { Hand, type LucideIcon, MousePointer2 } from 'lucide-react';
+import { appearanceOf, placedAs } from '../../schema/index.ts';
+import { DRAGGED_TOOL, signOf } from '../canvas/index.ts';
 import { useEditor, useSession } from '../context/index.ts';
+import { titled } from '../document/index.ts';
 import { TOOLS, type Tool } from '../session/index.ts';
 import { Button } from '../ui/index.ts';
 
-const LOOKS: Readonly<Record<Tool, { Icon: ComponentType<{ size: number }>; name: string; key: string }>> = {
-  select: { Icon: MousePointer2, name: 'Select', key: 'V' },
-  hand: { Icon: Hand, name: 'Move the view', key: 'G' },
-  asteroid: { Icon: Circle, name: 'Asteroid', key: 'A' },
-  hot: { Icon: Flame, name: 'Hot asteroid', key: 'H' },
-  nova: { Icon: Sun, name: 'Nova', key: 'N' },
-  repulsor: { Icon: CircleDashed, name: 'Repulsor', key: 'R' },
-  alien: { Icon: Bug, name: 'Alien', key: 'E' },
-  mineral: { Icon: Gem, name: 'Mineral', key: 'M' },
-};
+function lookOf(tool: Tool): { readonly Icon: LucideIcon; readonly name: string; readonly key: string | undefined } {
+  if (tool === 'select') return { Icon: MousePointer2, name: 'Select', key: 'V' };
+  if (tool === 'hand') return { Icon: Hand, name: 'Move the view', key: 'G' };
+  const { kind, flag } = placedAs(tool);
+  const { one, letter } = appearanceOf(tool);
+  return { Icon: signOf(kind, flag !== null).Icon, name: titled(one), key: letter?.toUpperCase() };
+}
 
 /** The tools, over the canvas: click one, or drag it to where the object shall be. */
 export function Toolbar() {
@@ -25,7 +23,7 @@ export function Toolbar() {
   return (
     <div className="toolbar" role="toolbar" aria-label="Tools">
       {TOOLS.map((name) => {
-        const { Icon, name: title, key } = LOOKS[name];
+        const { Icon, name: title, key } = lookOf(name);
         return (
           <Button
             key={name}

@@ -1,5 +1,6 @@
 import { createStore } from 'zustand/vanilla';
 import type { LevelFile } from '../../schema/index.ts';
+import { createAttempts } from '../attempts/index.ts';
 import { createCommands } from '../commands/index.ts';
 import type { Analysis, Editor, OpenLevel } from '../context/index.ts';
 import { createSelection, type ObjectKey } from '../document/index.ts';
@@ -15,7 +16,7 @@ import {
 import { createNotices } from '../notices/index.ts';
 import { openHeldBack } from '../panels/levels/index.ts';
 import { afterRest } from '../panels/parts/index.ts';
-import { attemptGhosts, createAttempts } from '../play/index.ts';
+import { attemptGhosts } from '../play/index.ts';
 import { createProofStore } from '../proof/index.ts';
 import { createSession } from '../session/index.ts';
 import { createSettings } from '../settings/index.ts';
@@ -54,7 +55,14 @@ function openParts(editor: Editor, opened: OpenedLevel): { level: OpenLevel; clo
       ghosts.setState([...others, ...attemptGhosts(all)], true);
     }),
   ];
-  session.setState({ run: null, tick: 0, hoverTick: null, rolling: false, mode: 'edit', accuracy: settings.getState().accuracy });
+  session.setState({
+    run: null,
+    tick: 0,
+    hoverTick: null,
+    isPlayingBack: false,
+    mode: 'edit',
+    accuracy: settings.getState().accuracy,
+  });
   const level: OpenLevel = {
     opened,
     document,
@@ -157,11 +165,11 @@ export async function createEditor(): Promise<Editor> {
   const workspace = createWorkspace(surroundings);
   const notices = createNotices();
   const { journal } = surroundings;
-  let toldLink = '';
+  let reportedLink = '';
   const tellLink = (link: Link) => {
     const text = link === 'up' ? '' : linkInWords(link, journal.state.getState().kind === 'working');
-    if (text === toldLink) return;
-    toldLink = text;
+    if (text === reportedLink) return;
+    reportedLink = text;
     if (text === '') notices.settle('server');
     else notices.show('warning', text, { topic: 'server' });
   };

@@ -1,11 +1,13 @@
 import { HALF_HEIGHT, HALF_WIDTH } from '../../engine/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
-import { type FoundObject, type ObjectKey, objectsOf, radiusOf } from '../document/index.ts';
-import { boxOf } from './extent.ts';
+import { type FoundObject, type ObjectKey, objectsOf, placesOf, radiusOf } from '../document/index.ts';
+import { boxesOf } from './extent.ts';
 import type { Box, Point } from './view.ts';
 
 export interface Hit {
   readonly key: ObjectKey;
+  /** Which of its places, for those that have several. */
+  readonly place: number;
   /** `rim`: where dragging changes the radius */
   readonly part: 'body' | 'rim';
 }
@@ -30,11 +32,10 @@ export function resizedByRim(file: LevelFile, selected: readonly ObjectKey[], re
   });
 }
 
-/** How far outside of the object a place is, px; negative inside. */
-function distanceOutside(found: FoundObject, { x, y }: Point): number {
-  const dx = x - found.object.x;
-  const dy = y - found.object.y;
-  const radius = radiusOf(found);
+/** How far outside of the object, where it is at one of its places, another place is, px; negative inside. */
+function distanceOutside(radius: number | null, at: Point, { x, y }: Point): number {
+  const dx = x - at.x;
+  const dy = y - at.y;
   if (radius !== null) return Math.hypot(dx, dy) - radius;
   return Math.max(Math.abs(dx) - HALF_WIDTH, Math.abs(dy) - HALF_HEIGHT);
 }
@@ -46,36 +47,43 @@ function distanceOutside(found: FoundObject, { x, y }: Point): number {
  */
 export function hitTest(file: LevelFile, place: Point, reach: number, selected: readonly ObjectKey[]): Hit | null {
   const resizable = new Set(resizedByRim(file, selected, reach).map(({ key }) => key));
-  let rim: { key: ObjectKey; gap: number } | null = null;
-  let body: { key: ObjectKey; size: number; outside: boolean } | null = null;
+  let rim: { hit: Hit; gap: number } | null = null;
+  let body: { hit: Hit; size: number; outside: boolean } | null = null;
   for (const found of objectsOf(file).values()) {
-    const outside = distanceOutside(found, place);
-    if (outside > reach) continue;
     const { key } = found;
     const radius = radiusOf(found);
-    // a small object must keep a middle to be moved by
-    const onRim = radius !== null && outside > -Math.min(reach, radius / 2);
-    if (onRim && resizable.has(key) && (rim === null || Math.abs(outside) < rim.gap)) rim = { key, gap: Math.abs(outside) };
     const size = radius ?? HALF_HEIGHT;
-    const better = body === null || (body.outside && outside <= 0) || (body.outside === outside > 0 && size <= body.size);
-    if (better) body = { key, size, outside: outside > 0 };
+    for (const [i, at] of placesOf(found).entries()) {
+      const outside = distanceOutside(radius, at, place);
+      if (outside > reach) continue;
+      // a small object must keep a middle to be moved by
+      const onRim = radius !== null && outside > -Math.min(reach, radius / 2);
+      const gap = Math.abs(outside);
+      if (onRim && resizable.has(key) && (rim === null || gap < rim.gap)) rim = { hit: { key, place: i, part: 'rim' }, gap };
+      const better = body === null || (body.outside && outside <= 0) || (body.outside === outside > 0 && size <= body.size);
+      if (better) body = { hit: { key, place: i, part: 'body' }, size, outside: outside > 0 };
+    }
   }
-  if (rim !== null) return { key: rim.key, part: 'rim' };
-  return body === null ? null : { key: body.key, part: 'body' };
+  return rim?.hit ?? body?.hit ?? null;
 }
 
 /** What a marquee catches: every object that lies in it wholly or in part. */
-export function objectsIn(file: LevelFile, { left, top, right, bottom }: Box): ObjectKey[] {
+export function objectsIn(file: LevelFile, marquee: Box): ObjectKey[] {
   const caught: ObjectKey[] = [];
   for (const found of objectsOf(file).values()) {
-    const box = boxOf(found);
-    if (box.right < left || box.left > right || box.bottom < top || box.top > bottom) continue;
     const radius = radiusOf(found);
-    const { x, y } = found.object;
-    // the corners of a circle's box are not the circle
-    const dx = x - Math.min(right, Math.max(left, x));
-    const dy = y - Math.min(bottom, Math.max(top, y));
-    if (radius === null || dx * dx + dy * dy <= radius * radius) caught.push(found.key);
+    if (boxesOf(found).some((box) => isCaught(box, radius, marquee))) caught.push(found.key);
   }
   return caught;
+}
+
+/** @param box around the object at one of its places */
+function isCaught(box: Box, radius: number | null, { left, top, right, bottom }: Box): boolean {
+  if (box.right < left || box.left > right || box.bottom < top || box.top > bottom) return false;
+  const x = (box.left + box.right) / 2;
+  const y = (box.top + box.bottom) / 2;
+  // the corners of a circle's box are not the circle
+  const dx = x - Math.min(right, Math.max(left, x));
+  const dy = y - Math.min(bottom, Math.max(top, y));
+  return radius === null || dx * dx + dy * dy <= radius * radius;
 }

@@ -1,6 +1,6 @@
 import { STATE_SIZE } from '../../engine/index.ts';
+import type { Pose } from '../context/index.ts';
 import type { LiveProof } from '../proof/index.ts';
-import type { Pose } from './pose.ts';
 
 /** The asteroid that the gun pulls at: the nearest, the first one on a tie; null where there is none. */
 function nearestAsteroid(proof: LiveProof, x: number, y: number, moved: Float64Array | null): { x: number; y: number } | null {

@@ -1,6 +1,6 @@
 import type { LevelFile } from '../../schema/index.ts';
 import { type ObjectKey, objectsOf } from '../document/index.ts';
-import { boxOf, extentOf } from './extent.ts';
+import { boxesOf, extentOf } from './extent.ts';
 import type { Box, Point } from './view.ts';
 
 /** A line that shows what something snapped to: at `at` px on one axis, from `from` to `to` on the other. */
@@ -49,15 +49,26 @@ export interface SnapTargets {
   readonly y: readonly Line[];
 }
 
-/**
- * Edges and middles of all objects that stay where they are.
- * @param areCopies whether copies of these objects move: then the objects themselves stay, too
- */
-export function snapTargets(file: LevelFile, moving: readonly ObjectKey[], areCopies = false): SnapTargets {
+export interface SnapParts {
+  /** Whether copies of the objects move: then the objects themselves stay, too. */
+  readonly areCopies?: boolean;
+  /** Index of the one place that moves of each object; all of them when left out. */
+  readonly only?: number | undefined;
+}
+
+/** Edges and middles of all that stays where it is. */
+export function snapTargets(
+  file: LevelFile,
+  moving: readonly ObjectKey[],
+  { areCopies = false, only }: SnapParts = {},
+): SnapTargets {
   const along: ReadonlySet<ObjectKey> = new Set(areCopies ? [] : moving);
-  const boxes = [...objectsOf(file).values()].filter(({ key }) => !along.has(key)).map(boxOf);
+  const boxes = [...objectsOf(file).values()].flatMap((found) => {
+    if (!along.has(found.key)) return boxesOf(found);
+    return only === undefined ? [] : boxesOf(found).filter((_, i) => i !== only);
+  });
   const sorted = (axis: 'x' | 'y') => boxes.flatMap((box) => linesOfBox(box, axis)).sort((a, b) => a.at - b.at);
-  return { own: extentOf(file, moving), x: sorted('x'), y: sorted('y') };
+  return { own: extentOf(file, moving, only), x: sorted('x'), y: sorted('y') };
 }
 
 /** The line nearest to a value, by halving: a drag of many among thousands asks often. */

@@ -1,17 +1,20 @@
 import { CANVAS, Game, Scale, Scene, WEBGL } from 'phaser';
 import type { LevelFile } from '../../schema/index.ts';
+import type { Ghost, Pose } from '../context/index.ts';
 import type { ObjectKey } from '../document/index.ts';
 import type { LiveProof } from '../proof/index.ts';
 import type { Layer } from '../session/index.ts';
 import type { CanvasState } from './canvas-state.ts';
 import { COLOURS, type Theme } from './colours.ts';
-import { AstronautLayer } from './layers/astronaut-layer.ts';
-import { ObjectLayer } from './layers/object-layer.ts';
-import { OverlayLayer } from './layers/overlay-layer.ts';
-import { SearchLayer, type SearchPicture } from './layers/search-layer.ts';
-import { SpaceScene } from './layers/space-scene.ts';
-import { type Ghost, WayLayer } from './layers/way-layer.ts';
-import type { Pose } from './pose.ts';
+import {
+  AstronautLayer,
+  ObjectLayer,
+  OverlayLayer,
+  SearchLayer,
+  type SearchPicture,
+  SpaceScene,
+  WayLayer,
+} from './layers/index.ts';
 import type { RendererName } from './renderer.ts';
 import { drawTextures } from './textures/index.ts';
 

@@ -1,16 +1,17 @@
 import type { StoreApi } from 'zustand/vanilla';
 import type { LevelFile } from '../../schema/index.ts';
-import type { Ghost, Pose } from '../canvas/index.ts';
+import type { Attempts } from '../attempts/index.ts';
 import type { Commands } from '../commands/index.ts';
 import type { EditedLevel, ObjectKey, SelectionStore } from '../document/index.ts';
 import type { OpenedLevel, OpeningMarks, Workspace } from '../files/index.ts';
 import type { Journal } from '../journal/index.ts';
 import type { Notices } from '../notices/index.ts';
-import type { Attempts } from '../play/index.ts';
 import type { ProofStore } from '../proof/index.ts';
 import type { SessionStore } from '../session/index.ts';
 import type { SettingsStore } from '../settings/index.ts';
 import type { Workers } from '../workers/index.ts';
+import type { Ghost } from './ghost.ts';
+import type { Pose } from './pose.ts';
 
 /** How robust a run was found to be. It holds for these holds alone: another run, or an edit, makes it old. */
 export interface Analysis {

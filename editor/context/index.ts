@@ -9,8 +9,10 @@ export {
   useSession,
 } from './context.ts';
 export type { Analysis, Editor, OpenLevel } from './editor.ts';
+export type { Ghost } from './ghost.ts';
 export { PerLevel, useLevelKey } from './PerLevel.tsx';
 export { usePageTheme } from './page-theme.ts';
 export { IS_MAC } from './platform.ts';
+export type { Pose } from './pose.ts';
 export { useTouch } from './use-touch.ts';
 export { useWhenIdle } from './use-when-idle.ts';

@@ -63,7 +63,7 @@ export async function openDatabase({ databases, name, stores, after }: DatabaseO
   const run = async <T>(mode: IDBTransactionMode, work: Work<T>, isChecked: boolean): Promise<T> => {
     const transaction = database.transaction(names, mode, { durability: 'strict' });
     const end = finished(transaction);
-    // the reason is told by the work or by the end, whichever comes first
+    // the reason is reported by the work or by the end, whichever comes first
     end.catch(() => undefined);
     let result: T;
     try {

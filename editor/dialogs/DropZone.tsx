@@ -2,7 +2,7 @@ import { FileDown } from 'lucide-react';
 import { useEffect, useState } from 'react';
 import { useEditor } from '../context/index.ts';
 import { folderOf } from '../panels/levels/index.ts';
-import { IMPORT_TOPIC, takeInFiles } from './take-in.ts';
+import { IMPORT_TOPIC, importFiles } from './import-files.ts';
 
 const hasFiles = (event: DragEvent): boolean => event.dataTransfer?.types.includes('Files') === true;
 
@@ -37,7 +37,7 @@ export function DropZone() {
       const folder = folderOf(editor.workspace.store.getState().opened?.id() ?? '');
       const { notices } = editor;
       notices.settle(IMPORT_TOPIC);
-      void takeInFiles(editor, folder, [...(event.dataTransfer?.files ?? [])], true).then(({ refusals }) => {
+      void importFiles(editor, folder, [...(event.dataTransfer?.files ?? [])], true).then(({ refusals }) => {
         if (refusals.length > 0) notices.show('error', refusals.join('\n'), { topic: IMPORT_TOPIC });
       });
     });

@@ -4,7 +4,7 @@ import { useEditor } from '../context/index.ts';
 import { FolderSelect, folderOf } from '../panels/levels/index.ts';
 import { chooseFiles } from '../share/index.ts';
 import { Button } from '../ui/index.ts';
-import { IMPORT_TOPIC, type TakenIn, takeIn, takeInFiles } from './take-in.ts';
+import { IMPORT_TOPIC, type ImportResult, importContents, importFiles } from './import-files.ts';
 
 /** Levels from files or text, of this toolkit or of the original game. */
 export function ImportTab({ onClose }: { readonly onClose: () => void }) {
@@ -15,7 +15,7 @@ export function ImportTab({ onClose }: { readonly onClose: () => void }) {
   const [busy, setBusy] = useState(false);
   const field = useId();
   const [refusals, setRefusals] = useState<readonly string[]>([]);
-  const take = async (act: () => Promise<TakenIn>) => {
+  const take = async (act: () => Promise<ImportResult>) => {
     setBusy(true);
     setRefusals([]);
     const { added, refusals: refused } = await act();
@@ -25,7 +25,7 @@ export function ImportTab({ onClose }: { readonly onClose: () => void }) {
   };
   const choose = async () => {
     const files = await chooseFiles();
-    if (files !== null) await take(() => takeInFiles(editor, folder, files, recoil));
+    if (files !== null) await take(() => importFiles(editor, folder, files, recoil));
   };
   // what was refused when it was dropped is an old story now
   useEffect(() => editor.notices.settle(IMPORT_TOPIC), [editor]);
@@ -75,7 +75,7 @@ export function ImportTab({ onClose }: { readonly onClose: () => void }) {
           hint="Add what the text says as new levels"
           look="outlined"
           disabled={busy || text.trim() === ''}
-          onClick={() => void take(() => takeIn(editor, folder, [{ name: 'pasted text', content: text }], recoil))}
+          onClick={() => void take(() => importContents(editor, folder, [{ name: 'pasted text', content: text }], recoil))}
         >
           Import the text
         </Button>

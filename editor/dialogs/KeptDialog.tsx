@@ -23,13 +23,13 @@ export function KeptDialog() {
   );
 }
 
-type Place = { readonly place: string; readonly time: number };
+type KeptLevel = { readonly place: string; readonly time: number };
 
 function Kept({ onClose }: { readonly onClose: () => void }) {
   const editor = useEditor();
   const { journal, workspace, notices } = editor;
   const list = useStore(workspace.store, (state) => state.list);
-  const [places, setPlaces] = useState<readonly Place[] | 'failed' | null>(null);
+  const [places, setPlaces] = useState<readonly KeptLevel[] | 'failed' | null>(null);
   const [sure, setSure] = useState<string | null>(null);
   useEffect(() => {
     let isGone = false;

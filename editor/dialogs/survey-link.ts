@@ -1,4 +1,5 @@
-import { type LevelFile, OBJECT_LISTS } from '../../schema/index.ts';
+import { KINDS, kindOfList, type LevelFile, OBJECT_LISTS } from '../../schema/index.ts';
+import { placesOf } from '../document/index.ts';
 
 /** What a level from a link is, in words, before anything is made of it. */
 export interface LinkSurvey {
@@ -14,20 +15,16 @@ const MANY = { objects: 2000, aliens: 200, runs: 50, holds: 2000 } as const;
 /** Beyond such places nobody sees what is there, px. */
 const FAR = 1e6;
 
-const NAMES: Readonly<Record<(typeof OBJECT_LISTS)[number], readonly [one: string, many: string]>> = {
-  asteroids: ['asteroid', 'asteroids'],
-  novae: ['nova', 'novae'],
-  repulsors: ['repulsor', 'repulsors'],
-  aliens: ['alien', 'aliens'],
-  minerals: ['mineral', 'minerals'],
-};
-
 const count = (number: number, [one, many]: readonly [string, string]): string =>
   `${number.toLocaleString('en')} ${number === 1 ? one : many}`;
 
 /** @param text the level's file */
 export function surveyLink(file: LevelFile, text: string): LinkSurvey {
-  const lists = OBJECT_LISTS.map((list) => ({ list, objects: file[list] ?? [] }));
+  const lists = OBJECT_LISTS.map((list) => {
+    const kind = kindOfList(list);
+    const objects: readonly { x: number; y: number }[] = file[list] ?? [];
+    return { kind, objects };
+  });
   const runs = file.runs ?? [];
   const holds = runs.reduce((sum, run) => sum + run.holds.length, 0);
   const all = lists.reduce((sum, { objects }) => sum + objects.length, 0);
@@ -35,11 +32,13 @@ export function surveyLink(file: LevelFile, text: string): LinkSurvey {
   const places = [
     file.astronaut,
     file.blackHole,
-    ...lists.flatMap(({ objects }): readonly { x: number; y: number }[] => objects),
+    ...lists.flatMap(({ kind, objects }) => objects.flatMap((object) => placesOf({ kind, object }))),
   ];
   const isFar = places.some(({ x, y }) => Math.max(Math.abs(x), Math.abs(y)) > FAR);
   const counts = [
-    ...lists.filter(({ objects }) => objects.length > 0).map(({ list, objects }) => count(objects.length, NAMES[list])),
+    ...lists
+      .filter(({ objects }) => objects.length > 0)
+      .map(({ kind, objects }) => count(objects.length, [KINDS[kind].one, KINDS[kind].many])),
     runs.length === 0 ? 'no run' : `${count(runs.length, ['run', 'runs'])} with ${count(holds, ['hold', 'holds'])}`,
   ];
   const warnings = [

@@ -1,6 +1,7 @@
 import { freeze, produce } from 'immer';
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import { type LevelFile, OBJECT_LISTS } from '../../schema/index.ts';
+import { History } from './history.ts';
 import { objectsOf } from './objects.ts';
 import { applyPatches, diffFiles, isSame, type Patch } from './patch.ts';
 import { type Refusal, settle } from './settle.ts';
@@ -79,12 +80,6 @@ export interface EditedLevel {
   onStep(listener: (event: DocumentEvent) => void): () => void;
 }
 
-interface Step {
-  readonly label: string;
-  readonly patches: readonly Patch[];
-  readonly inverse: readonly Patch[];
-}
-
 /** The last step while it may still grow. */
 interface Growing {
   readonly gesture: string;
@@ -112,9 +107,7 @@ export function createEditedLevel(file: LevelFile): EditedLevel {
   const first = settle(file, null);
   if (!first.ok) throw new RangeError(`not a valid level: ${first.refusal.message}`);
 
-  // grows at its end alone; `done` of them are done
-  const steps: Step[] = [];
-  let done = 0;
+  const history = new History();
   let revision = 0;
   let current = freeze(first.file, true);
   let growing: Growing | null = null;
@@ -122,30 +115,15 @@ export function createEditedLevel(file: LevelFile): EditedLevel {
   const live = new Set<(event: DocumentEvent) => void>();
   const settledListeners = new Set<(event: DocumentEvent) => void>();
 
-  const state = (): DocumentState => ({
-    file: current,
-    revision,
-    undoLabel: done > 0 ? steps[done - 1].label : null,
-    redoLabel: done < steps.length ? steps[done].label : null,
-    done,
-    steps: steps.length,
-  });
+  const state = (): DocumentState => {
+    const { undoLabel, redoLabel, done, length } = history;
+    return { file: current, revision, undoLabel, redoLabel, done, steps: length };
+  };
   const store = createStore<DocumentState>(state);
 
   /** @param known the patches that lead there; null: they are found when somebody asks, which nobody does while hundreds of objects are dragged */
   const show = (kind: DocumentEvent['kind'], label: string, file: LevelFile, known: readonly Patch[] | null): DocumentEvent => {
-    const before = current;
-    let patches = known;
-    const event: DocumentEvent = {
-      kind,
-      label,
-      before,
-      file,
-      get patches() {
-        patches ??= diffFiles(before, file);
-        return patches;
-      },
-    };
+    const event = eventOf(kind, label, current, file, known);
     current = freeze(file, true);
     revision++;
     store.setState(state(), true);
@@ -155,20 +133,19 @@ export function createEditedLevel(file: LevelFile): EditedLevel {
   const keep = (event: DocumentEvent) => {
     for (const listener of [...settledListeners]) listener(event);
   };
-  const record = (label: string, before: LevelFile, after: LevelFile, patches: readonly Patch[]) => {
-    steps.length = done;
-    steps.push({ label, patches, inverse: diffFiles(after, before) });
-    done++;
-  };
   const endGesture = () => {
     if (open === null) return;
     const { start, label } = open;
     open = null;
     const patches = diffFiles(start, current);
     if (patches.length === 0) return;
-    record(label, start, current, patches);
+    history.record(label, start, current, patches);
     store.setState(state(), true);
     keep({ kind: 'change', label, before: start, file: current, patches });
+  };
+  const seal = () => {
+    endGesture();
+    growing = null;
   };
 
   const put = (label: string, next: LevelFile, gesture: string | null): ChangeResult => {
@@ -177,13 +154,10 @@ export function createEditedLevel(file: LevelFile): EditedLevel {
     const before = current;
     const patches = diffFiles(before, settled.file);
     if (patches.length === 0) return { ok: true, added: [] };
-    const joins = gesture !== null && growing?.gesture === gesture && done === steps.length && done > 0;
-    if (joins) {
-      const base = (growing as Growing).before;
-      done--;
-      record(label, base, settled.file, diffFiles(base, settled.file));
+    if (gesture !== null && growing?.gesture === gesture && history.mayGrow) {
+      history.recordAgain(label, growing.before, settled.file);
     } else {
-      record(label, before, settled.file, patches);
+      history.record(label, before, settled.file, patches);
       growing = gesture === null ? null : { gesture, before };
     }
     keep(show('change', label, settled.file, patches));
@@ -191,14 +165,40 @@ export function createEditedLevel(file: LevelFile): EditedLevel {
   };
 
   const step = (kind: 'undo' | 'redo'): boolean => {
-    endGesture();
-    growing = null;
-    const { label, patches, inverse } = steps[kind === 'undo' ? done - 1 : done] ?? {};
-    if (label === undefined || patches === undefined || inverse === undefined) return false;
-    done += kind === 'undo' ? -1 : 1;
-    const applied = kind === 'undo' ? inverse : patches;
-    keep(show(kind, label, applyPatches(current, applied), applied));
+    seal();
+    const gone = history.go(kind);
+    if (gone === null) return false;
+    keep(show(kind, gone.label, applyPatches(current, gone.patches), gone.patches));
     return true;
+  };
+
+  const begin = (label: string): Gesture => {
+    seal();
+    const mine = { start: current, label };
+    open = mine;
+    return {
+      get isLive() {
+        return open === mine;
+      },
+      set(recipe) {
+        if (open !== mine) return { ok: true, added: [] };
+        const settled = settle(
+          produce(mine.start, (draft) => void recipe(draft)),
+          mine.start,
+        );
+        if (!settled.ok) return settled;
+        if (!isSame(current, settled.file)) show('change', label, settled.file, null);
+        return { ok: true, added: addedKeys(mine.start, settled.file) };
+      },
+      commit() {
+        if (open === mine) endGesture();
+      },
+      cancel() {
+        if (open !== mine) return;
+        open = null;
+        if (!isSame(current, mine.start)) show('change', label, mine.start, null);
+      },
+    };
   };
 
   return {
@@ -214,50 +214,18 @@ export function createEditedLevel(file: LevelFile): EditedLevel {
       );
     },
     replace(label, file) {
-      endGesture();
-      growing = null;
+      seal();
       return put(label, file, null);
     },
-    begin(label) {
-      endGesture();
-      growing = null;
-      const mine = { start: current, label };
-      open = mine;
-      return {
-        get isLive() {
-          return open === mine;
-        },
-        set(recipe) {
-          if (open !== mine) return { ok: true, added: [] };
-          const settled = settle(
-            produce(mine.start, (draft) => void recipe(draft)),
-            mine.start,
-          );
-          if (!settled.ok) return settled;
-          if (!isSame(current, settled.file)) show('change', label, settled.file, null);
-          return { ok: true, added: addedKeys(mine.start, settled.file) };
-        },
-        commit() {
-          if (open === mine) endGesture();
-        },
-        cancel() {
-          if (open !== mine) return;
-          open = null;
-          if (!isSame(current, mine.start)) show('change', label, mine.start, null);
-        },
-      };
-    },
-    seal() {
-      endGesture();
-      growing = null;
-    },
+    begin,
+    seal,
     undo: () => step('undo'),
     redo: () => step('redo'),
     goTo(wanted) {
-      while (done > wanted && step('undo'));
-      while (done < wanted && step('redo'));
+      while (history.done > wanted && step('undo'));
+      while (history.done < wanted && step('redo'));
     },
-    labels: () => steps.map(({ label }) => label),
+    labels: () => history.labels(),
     subscribe(listener) {
       live.add(listener);
       return () => live.delete(listener);
@@ -265,6 +233,27 @@ export function createEditedLevel(file: LevelFile): EditedLevel {
     onStep(listener) {
       settledListeners.add(listener);
       return () => settledListeners.delete(listener);
+    },
+  };
+}
+
+/** @param known the patches that lead there; null: they are found when somebody asks */
+function eventOf(
+  kind: DocumentEvent['kind'],
+  label: string,
+  before: LevelFile,
+  file: LevelFile,
+  known: readonly Patch[] | null,
+): DocumentEvent {
+  let patches = known;
+  return {
+    kind,
+    label,
+    before,
+    file,
+    get patches() {
+      patches ??= diffFiles(before, file);
+      return patches;
     },
   };
 }

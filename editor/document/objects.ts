@@ -1,15 +1,21 @@
 import { current, isDraft } from 'immer';
-import { type LevelFile, OBJECT_LISTS } from '../../schema/index.ts';
+import {
+  kindOfList,
+  type LevelFile,
+  OBJECT_LISTS,
+  type ObjectKind,
+  type ObjectList,
+  SINGLE_KINDS,
+  type SingleKind,
+} from '../../schema/index.ts';
 
-export type ObjectList = (typeof OBJECT_LISTS)[number];
-
-/** What an object is; a hot asteroid is an asteroid. */
-export type ObjectKind = 'astronaut' | 'blackHole' | 'asteroid' | 'nova' | 'repulsor' | 'alien' | 'mineral';
-
-/** Which object: its id, or one of the two that every level has once and that have none. No id begins with @. */
+/** Which object: its id, or the kind of one that every level has once and that has none. No id begins with @. */
 export type ObjectKey = string;
-export const ASTRONAUT: ObjectKey = '@astronaut';
-export const BLACK_HOLE: ObjectKey = '@blackHole';
+
+const keyOf = (kind: SingleKind): ObjectKey => `@${kind}`;
+
+export const ASTRONAUT = keyOf('astronaut');
+export const BLACK_HOLE = keyOf('blackHole');
 
 /** An object of a level with what all kinds have; `radius` is missing where a default stands for it, and on the astronaut. */
 export interface PlacedObject {
@@ -22,9 +28,9 @@ export interface PlacedObject {
 export interface FoundObject {
   readonly key: ObjectKey;
   readonly kind: ObjectKind;
-  /** null for the astronaut and the black hole */
+  /** null where a level has exactly one: the astronaut and the black hole */
   readonly list: ObjectList | null;
-  /** within its list; 0 for the two without a list */
+  /** within its list; 0 without one */
   readonly index: number;
   /** as the file says it; frozen */
   readonly object: PlacedObject;
@@ -32,37 +38,21 @@ export interface FoundObject {
   readonly pointer: string;
 }
 
-export const KIND_OF_LIST = {
-  asteroids: 'asteroid',
-  novae: 'nova',
-  repulsors: 'repulsor',
-  aliens: 'alien',
-  minerals: 'mineral',
-} as const satisfies Record<ObjectList, ObjectKind>;
-
-export const LIST_OF_KIND = {
-  asteroid: 'asteroids',
-  nova: 'novae',
-  repulsor: 'repulsors',
-  alien: 'aliens',
-  mineral: 'minerals',
-} as const satisfies Record<Exclude<ObjectKind, 'astronaut' | 'blackHole'>, ObjectList>;
-
 const known = new WeakMap<LevelFile, ReadonlyMap<ObjectKey, FoundObject>>();
 
-/** Every object of a file by its key: the astronaut, the black hole, then the lists in the order of the file. Made once a file. */
+/** Every object of a file by its key: those that a level has once, then the lists in the order of the file. Made once a file. */
 export function objectsOf(file: LevelFile): ReadonlyMap<ObjectKey, FoundObject> {
   const made = known.get(file);
   if (made !== undefined) return made;
   const objects = new Map<ObjectKey, FoundObject>();
-  const single = (key: ObjectKey, kind: 'astronaut' | 'blackHole') =>
+  for (const kind of SINGLE_KINDS) {
+    const key = keyOf(kind);
     objects.set(key, { key, kind, list: null, index: 0, object: file[kind], pointer: `/${kind}` });
-  single(ASTRONAUT, 'astronaut');
-  single(BLACK_HOLE, 'blackHole');
+  }
   for (const list of OBJECT_LISTS) {
     for (const [index, object] of (file[list] ?? []).entries()) {
       if (object.id === undefined) continue;
-      const found = { key: object.id, kind: KIND_OF_LIST[list], list, index, object, pointer: `/${list}/${index}` };
+      const found = { key: object.id, kind: kindOfList(list), list, index, object, pointer: `/${list}/${index}` };
       objects.set(object.id, found);
     }
   }
@@ -73,8 +63,8 @@ export function objectsOf(file: LevelFile): ReadonlyMap<ObjectKey, FoundObject> 
 /** The key of the object that a JSON pointer leads to or into; null when it leads to none: to go to a problem. */
 export function keyAt(file: LevelFile, pointer: string): ObjectKey | null {
   const [, part, index] = pointer.split('/');
-  if (part === 'astronaut') return ASTRONAUT;
-  if (part === 'blackHole') return BLACK_HOLE;
+  const single = SINGLE_KINDS.find((kind) => kind === part);
+  if (single !== undefined) return keyOf(single);
   const list = OBJECT_LISTS.find((name) => name === part);
   return list === undefined ? null : (file[list]?.[Number(index)]?.id ?? null);
 }
@@ -92,19 +82,25 @@ export function plainList(draft: LevelFile, list: ObjectList): readonly PlacedOb
 export function changeObjects(
   draft: LevelFile,
   keys: Iterable<ObjectKey>,
-  change: (object: PlacedObject, key: ObjectKey) => PlacedObject,
+  change: (object: PlacedObject, key: ObjectKey, kind: ObjectKind) => PlacedObject,
 ): void {
   const wanted = new Set(keys);
   const plain = <T extends object>(object: T): T => (isDraft(object) ? (current(object as never) as T) : object);
-  if (wanted.has(ASTRONAUT)) draft.astronaut = change(plain(draft.astronaut), ASTRONAUT);
-  if (wanted.has(BLACK_HOLE)) draft.blackHole = change(plain(draft.blackHole), BLACK_HOLE);
+  for (const kind of SINGLE_KINDS) {
+    const key = keyOf(kind);
+    if (!wanted.has(key)) continue;
+    const object = plain<PlacedObject>(draft[kind]);
+    const changed = change(object, key, kind);
+    if (changed !== object) draft[kind] = changed as never;
+  }
   for (const list of OBJECT_LISTS) {
     const objects = plainList(draft, list);
+    const kind = kindOfList(list);
     if (!objects.some(({ id }) => id !== undefined && wanted.has(id))) continue;
     // immer walks through what is not frozen, in search of drafts: a list of a thousand would take milliseconds
     draft[list] = Object.freeze(
       objects.map((object) =>
-        object.id !== undefined && wanted.has(object.id) ? Object.freeze(change(object, object.id)) : object,
+        object.id !== undefined && wanted.has(object.id) ? Object.freeze(change(object, object.id, kind)) : object,
       ),
     ) as never;
   }

@@ -1,16 +1,30 @@
+import { KINDS, kindOfList, LISTED_KINDS, OBJECT_LISTS, SINGLE_KINDS } from '../../schema/index.ts';
+
 /** What a level file's lists are of. */
 const ONE_OF: Readonly<Record<string, string>> = {
-  asteroids: 'asteroid',
-  novae: 'nova',
-  repulsors: 'repulsor',
-  aliens: 'alien',
-  minerals: 'mineral',
+  ...Object.fromEntries(OBJECT_LISTS.map((list) => [list, KINDS[kindOfList(list)].one])),
   runs: 'run',
 };
 
-/** A text in quotes, which is left alone; an entry of a list, with its kind before it or not, and what of it; or one of the two that are in no list. */
-const NAMES =
-  /"(?:[^"\\]|\\.)*"|(?:\b((?:hot )?asteroid|nova|alien) )?(?<![\w.\]])(asteroids|novae|repulsors|aliens|minerals|runs)\[(\d+)\]((?:\.[\w-]+|\[\d+\])*)|(?<![\w.\]])(astronaut|blackHole)((?:\.[\w-]+)+|(?=:))/g;
+/** What may stand before an entry of a list: what it is. */
+const WORDS = LISTED_KINDS.flatMap((kind) => {
+  const { one, variant } = KINDS[kind];
+  return variant === undefined ? [one] : [variant.one, one];
+}).join('|');
+const LISTS = Object.keys(ONE_OF).join('|');
+const SINGLES = SINGLE_KINDS.join('|');
+
+/** A text in quotes, which is left alone; an entry of a list, with its kind before it or not, and what of it; or one of those that are in no list. */
+const NAMES = new RegExp(
+  [
+    '"(?:[^"\\\\]|\\\\.)*"',
+    `(?:\\b(${WORDS}) )?(?<![\\w.\\]])(${LISTS})\\[(\\d+)\\]((?:\\.[\\w-]+|\\[\\d+\\])*)`,
+    `(?<![\\w.\\]])(${SINGLES})((?:\\.[\\w-]+)+|(?=:))`,
+  ].join('|'),
+  'g',
+);
+
+const ONE_OF_SINGLE: Readonly<Record<string, string>> = Object.fromEntries(SINGLE_KINDS.map((kind) => [kind, KINDS[kind].one]));
 
 /** `.holds[2][1]` is `, hold 3, release` */
 function partInWords(part: string): string {
@@ -30,7 +44,7 @@ export function inPageWords(message: string): string {
     NAMES,
     (all: string, kind?: string, list?: string, index?: string, part?: string, single?: string, partOfSingle?: string) => {
       if (list !== undefined) return `${kind ?? ONE_OF[list]} ${Number(index) + 1}${partInWords(part ?? '')}`;
-      if (single !== undefined) return `${single === 'blackHole' ? 'black hole' : single}${partInWords(partOfSingle ?? '')}`;
+      if (single !== undefined) return `${ONE_OF_SINGLE[single]}${partInWords(partOfSingle ?? '')}`;
       return all;
     },
   );

@@ -1,4 +1,19 @@
-import { type LevelFile, LIMITS, levelSchema, OBJECT_LISTS, withIds } from '../../schema/index.ts';
+import {
+  fieldsOf,
+  isRequired,
+  KINDS,
+  kindOfList,
+  type LevelFile,
+  LIMITS,
+  levelSchema,
+  OBJECT_KINDS,
+  OBJECT_LISTS,
+  OBJECT_SCHEMAS,
+  type ObjectKind,
+  type ObjectList,
+  SINGLE_KINDS,
+  withIds,
+} from '../../schema/index.ts';
 
 /** Why a change was not made, for the person who asked for it. */
 export interface Refusal {
@@ -11,23 +26,35 @@ export type Settled = { readonly ok: true; readonly file: LevelFile } | { readon
 type Json = { [key: string]: unknown };
 type Shape = { readonly [key: string]: { safeParse(value: unknown): { success: boolean } } };
 
+/** What an object of a file may have. */
+interface Fields {
+  readonly shape: Shape;
+  /** What its numbers may be. */
+  readonly limits: Readonly<Record<string, readonly [least: number, most: number]>>;
+  /** What it must have. */
+  readonly required: readonly string[];
+}
+
 const { shape } = levelSchema;
-const run = shape.runs.unwrap().element.shape;
 const ID = /^[a-z0-9]{2,16}$/;
 
-const coordinate = [-LIMITS.coordinate, LIMITS.coordinate] as const;
-const velocity = [-LIMITS.velocity, LIMITS.velocity] as const;
-const radius = [LIMITS.leastRadius, LIMITS.radius] as const;
+const LEVEL: Fields = { shape, limits: { range: [LIMITS.leastRadius, LIMITS.radius] }, required: [] };
+const RUN: Fields = { shape: shape.runs.unwrap().element.shape, limits: {}, required: [] };
 
-/** What the numbers of a level may be, by their key. */
-export const NUMBER_LIMITS: Readonly<Record<string, readonly [least: number, most: number]>> = {
-  x: coordinate,
-  y: coordinate,
-  vx: velocity,
-  vy: velocity,
-  radius,
-  range: radius,
-};
+function fieldsOfKind(kind: ObjectKind): Fields {
+  const fields = fieldsOf(kind);
+  return {
+    shape: OBJECT_SCHEMAS[kind].shape,
+    limits: Object.fromEntries(
+      fields.flatMap(([name, field]) => (field.type === 'number' ? [[name, [field.least, field.most]]] : [])),
+    ),
+    required: fields.flatMap(([name, field]) => (isRequired(field) ? [name] : [])),
+  };
+}
+
+const OF_KIND = Object.fromEntries(OBJECT_KINDS.map((kind) => [kind, fieldsOfKind(kind)])) as Readonly<
+  Record<ObjectKind, Fields>
+>;
 
 const TEXT_LIMITS: Readonly<Record<string, number>> = { description: 2000 };
 const NAME_LIMITS = { level: 120, run: 80 };
@@ -50,18 +77,18 @@ function cut(text: string, most: number): string {
 }
 
 /** What a field is to be; undefined leaves it out. */
-function settleField(key: string, value: unknown, fields: Shape, what: string): unknown {
+function settleField(key: string, value: unknown, fields: Fields, what: string): unknown {
   if (value === undefined || key.startsWith('x-')) return value;
-  if (!Object.hasOwn(fields, key)) refuse(`${what} has no ${key}`, 'Keys of your own begin with x-.');
-  if (typeof value === 'number' && Object.hasOwn(NUMBER_LIMITS, key)) {
+  if (!Object.hasOwn(fields.shape, key)) refuse(`${what} has no ${key}`, 'Keys of your own begin with x-.');
+  if (typeof value === 'number' && Object.hasOwn(fields.limits, key)) {
     if (Number.isNaN(value)) refuse(`${key} of ${what} would be no number`, 'Type a number.');
-    const [least, most] = NUMBER_LIMITS[key];
+    const [least, most] = fields.limits[key];
     // + 0 turns -0, which a file writes as 0, into 0
     return Math.min(most, Math.max(least, value)) + 0;
   }
   if (typeof value === 'string' && Object.hasOwn(TEXT_LIMITS, key)) return cut(value, TEXT_LIMITS[key]);
   if (key === 'id') return typeof value === 'string' && ID.test(value) ? value : undefined;
-  if (!fields[key].safeParse(value).success)
+  if (!fields.shape[key].safeParse(value).success)
     refuse(`${key} of ${what} can't be ${JSON.stringify(value)}`, 'Give it another value.');
   return value;
 }
@@ -70,7 +97,7 @@ function settleField(key: string, value: unknown, fields: Shape, what: string): 
  * @param old one that has been settled: a field that is the same in both is passed over
  * @returns the same object when nothing is to be mended
  */
-function settleFields<T extends object>(value: T, fields: Shape, what: string, old?: object): T {
+function settleFields<T extends object>(value: T, fields: Fields, what: string, old?: object): T {
   let mended: Json | null = null;
   const before = old as Json | undefined;
   for (const key of Object.keys(value)) {
@@ -82,10 +109,8 @@ function settleFields<T extends object>(value: T, fields: Shape, what: string, o
     if (settled === undefined) delete mended[key];
     else mended[key] = settled;
   }
-  for (const key of ['x', 'y', 'radius']) {
-    if (Object.hasOwn(fields, key) && !Object.hasOwn(mended ?? value, key) && !fields[key].safeParse(undefined).success) {
-      refuse(`${what} has no ${key}`, `Give it a ${key}.`);
-    }
+  for (const key of fields.required) {
+    if (!Object.hasOwn(mended ?? value, key)) refuse(`${what} has no ${key}`, `Give it a ${key}.`);
   }
   return (mended as T | null) ?? value;
 }
@@ -133,7 +158,7 @@ function settleName(name: unknown, most: number, what: string): string {
 function settleRun(value: RunFile): RunFile {
   const { name, holds, ...others } = value;
   const settled = { name: settleName(name, NAME_LIMITS.run, 'a run'), holds: settleHolds(holds) };
-  const rest = settleFields(others, run, 'a run');
+  const rest = settleFields(others, RUN, 'a run');
   return settled.name === name && settled.holds === holds && rest === others ? value : { ...rest, ...settled };
 }
 
@@ -155,7 +180,7 @@ function withoutSharedIds(file: LevelFile): LevelFile {
 }
 
 function settleIds(file: LevelFile, before: LevelFile | null): LevelFile {
-  const same = (list: (typeof OBJECT_LISTS)[number]) =>
+  const same = (list: ObjectList) =>
     before !== null &&
     (file[list] === before[list] ||
       (file[list]?.length === before[list]?.length &&
@@ -165,22 +190,22 @@ function settleIds(file: LevelFile, before: LevelFile | null): LevelFile {
 }
 
 function settleTop(file: LevelFile, before: LevelFile | null): LevelFile {
-  const lists: readonly string[] = [...OBJECT_LISTS, 'runs', 'astronaut', 'blackHole', 'name', 'version'];
+  const lists: readonly string[] = [...OBJECT_LISTS, ...SINGLE_KINDS, 'runs', 'name', 'version'];
   const own = Object.fromEntries(Object.entries(file).filter(([key]) => !lists.includes(key)));
-  const settled: LevelFile = { ...file, ...settleFields(own, shape, 'a level') };
+  const settled: LevelFile = { ...file, ...settleFields(own, LEVEL, 'a level') };
   for (const key of Object.keys(settled))
     if (settled[key as keyof LevelFile] === undefined) delete settled[key as keyof LevelFile];
   settled.name = settleName(file.name, NAME_LIMITS.level, 'a level');
   if (file.version !== 1) refuse('a level has version 1', 'Leave the version as it is.');
-  if (file.astronaut !== before?.astronaut)
-    settled.astronaut = settleFields(file.astronaut, shape.astronaut.shape, 'the astronaut');
-  if (file.blackHole !== before?.blackHole)
-    settled.blackHole = settleFields(file.blackHole, shape.blackHole.shape, 'the black hole');
+  for (const kind of SINGLE_KINDS) {
+    if (file[kind] !== before?.[kind])
+      settled[kind] = settleFields<object>(file[kind], OF_KIND[kind], `the ${KINDS[kind].one}`) as never;
+  }
   for (const list of OBJECT_LISTS) {
     const objects = file[list];
     if (objects === undefined) continue;
     if (objects.length > LIMITS.objects) refuse(`a level can have ${LIMITS.objects} ${list} at most`, 'Take some out.');
-    const fields = shape[list].unwrap().element.shape;
+    const fields = OF_KIND[kindOfList(list)];
     settled[list] = settleEach<object>(objects, before?.[list], (object, old) =>
       settleFields(object, fields, `one of the ${list}`, old),
     ) as never;

@@ -1,5 +1,5 @@
-import { type LevelFile, OBJECT_LISTS } from '../../schema/index.ts';
-import { isSame, KIND_OF_LIST } from '../document/index.ts';
+import { KINDS, kindOfList, type LevelFile, OBJECT_LISTS, type ObjectKind, SINGLE_KINDS } from '../../schema/index.ts';
+import { isSame } from '../document/index.ts';
 
 export type Side = 'mine' | 'theirs';
 
@@ -25,31 +25,48 @@ export interface Merged {
 
 type Json = { readonly [key: string]: unknown };
 
-/** Fields that mean something only together: a place is not to be mixed from two. */
-const TOGETHER: Readonly<Record<string, readonly string[]>> = { place: ['x', 'y'], velocity: ['vx', 'vy'] };
-const GROUP_OF: Readonly<Record<string, string>> = Object.fromEntries(
-  Object.entries(TOGETHER).flatMap(([group, keys]) => keys.map((key) => [key, group])),
-);
+/** Groups by the fields in them. */
+type Together = ReadonlyMap<string, string>;
+
+const ALONE: Together = new Map();
+
+/** Fields of a kind that mean something only together: a place is not to be mixed from two. */
+function togetherIn(kind: ObjectKind): Together {
+  const { places, vectors } = KINDS[kind];
+  const groups = [...places.map((pair, i) => [i === 0 ? 'place' : `place ${i + 1}`, pair] as const), ...Object.entries(vectors)];
+  return new Map(groups.flatMap(([group, pair]) => pair.map((field) => [field, group] as const)));
+}
 
 /** An object with its fields in groups; a group is a list of pairs. */
-function toGroups(object: Json): Map<string, unknown> {
+function toGroups(object: Json, together: Together): Map<string, unknown> {
   const groups = new Map<string, unknown>();
   for (const [key, value] of Object.entries(object)) {
     if (value === undefined) continue;
-    const group = GROUP_OF[key];
+    const group = together.get(key);
     if (group === undefined) groups.set(key, value);
     else groups.set(group, { ...(groups.get(group) as object | undefined), [key]: value });
   }
   return groups;
 }
 
-function fromGroups(groups: ReadonlyMap<string, unknown>): Json {
+function fromGroups(groups: ReadonlyMap<string, unknown>, together: Together): Json {
   const object: Record<string, unknown> = {};
+  const names = new Set(together.values());
   for (const [group, value] of groups) {
-    if (Object.hasOwn(TOGETHER, group)) Object.assign(object, value);
+    if (names.has(group)) Object.assign(object, value);
     else object[group] = value;
   }
   return object;
+}
+
+/** A list whose entries have names. */
+interface MergedList {
+  readonly list: string;
+  /** What is in it, in words: one. */
+  readonly kind: string;
+  /** Which field has the name. */
+  readonly nameKey: string;
+  readonly together: Together;
 }
 
 class Merge {
@@ -65,22 +82,21 @@ class Merge {
     return this.choices.get(key) === 'theirs' ? theirs : mine;
   }
 
-  fields(key: string, what: string, bases: readonly Json[], mine: Json, theirs: Json): Json {
-    const [m, t, ...b] = [mine, theirs, ...bases].map(toGroups);
+  fields(key: string, what: string, together: Together, bases: readonly Json[], mine: Json, theirs: Json): Json {
+    const [m, t, ...b] = [mine, theirs, ...bases].map((object) => toGroups(object, together));
     const merged = new Map<string, unknown>();
     for (const field of new Set([...m.keys(), ...t.keys()])) {
       const old = b.map((groups) => groups.get(field));
       const value = this.value(`${key}/${field}`, `${what}, ${field}`, old, m.get(field), t.get(field));
       if (value !== undefined) merged.set(field, value);
     }
-    return fromGroups(merged);
+    return fromGroups(merged, together);
   }
 
   /** A list whose entries have names: objects by id, runs by name. */
   list(
     key: string,
-    kind: string,
-    nameKey: string,
+    { kind, nameKey, together }: MergedList,
     bases: readonly (readonly Json[])[],
     mine: readonly Json[],
     theirs: readonly Json[],
@@ -94,7 +110,7 @@ class Merge {
       const what = `${kind} ${name}`;
       if (here !== undefined && there !== undefined) {
         const fields = old.map((entry) => entry ?? {});
-        merged.set(name, this.fields(`${key}/${name}`, what, fields, here, there));
+        merged.set(name, this.fields(`${key}/${name}`, what, together, fields, here, there));
         continue;
       }
       // added on one side, or taken out on the other
@@ -153,9 +169,12 @@ function followers(
   return after;
 }
 
-const LISTS = [
-  ...OBJECT_LISTS.map((list) => ({ list, kind: KIND_OF_LIST[list] as string, nameKey: 'id' })),
-  { list: 'runs', kind: 'run', nameKey: 'name' } as const,
+const LISTS: readonly MergedList[] = [
+  ...OBJECT_LISTS.map((list) => {
+    const kind = kindOfList(list);
+    return { list, kind: KINDS[kind].one, nameKey: 'id', together: togetherIn(kind) };
+  }),
+  { list: 'runs', kind: 'run', nameKey: 'name', together: ALONE },
 ];
 
 /**
@@ -179,16 +198,18 @@ export function mergeLevels(
   for (const key of new Set([...Object.keys(m), ...Object.keys(t)])) {
     if (lists.includes(key)) continue;
     const old = b.map((file) => file[key]);
+    const single = SINGLE_KINDS.find((kind) => kind === key);
     const value =
-      key === 'astronaut' || key === 'blackHole'
-        ? merge.fields(key, key === 'astronaut' ? 'astronaut' : 'black hole', old as Json[], m[key] as Json, t[key] as Json)
-        : merge.value(key, key, old, m[key], t[key]);
+      single === undefined
+        ? merge.value(key, key, old, m[key], t[key])
+        : merge.fields(key, KINDS[single].one, togetherIn(single), old as Json[], m[key] as Json, t[key] as Json);
     if (value !== undefined) merged[key] = value;
   }
-  for (const { list, kind, nameKey } of LISTS) {
+  for (const one of LISTS) {
+    const { list } = one;
     const [here, there, ...old] = [m, t, ...b].map((file) => file[list] as readonly Json[] | undefined);
     const before = old.map((entries) => entries ?? []);
-    const entries = merge.list(list, kind, nameKey, before, here ?? [], there ?? []);
+    const entries = merge.list(list, one, before, here ?? [], there ?? []);
     // an empty list and none are the same level, but not the same text
     const sides = isSame(old[0], here) ? [there] : isSame(old[0], there) ? [here] : [here, there];
     if (entries.length > 0 || sides.some((side) => side?.length === 0)) merged[list] = entries;

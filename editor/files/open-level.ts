@@ -3,11 +3,12 @@ import { formatLevel, type Problem } from '../../schema/index.ts';
 import { createEditedLevel, type EditedLevel, isSame } from '../document/index.ts';
 import type { Journal, Keeping, LevelJournal, Recovery } from '../journal/index.ts';
 import { readStored, readText } from './disk-text.ts';
+import type { DiskBase } from './known-disk.ts';
 import type { LevelStorage, StorageError } from './level-storage.ts';
 import { mergeLevels } from './merge.ts';
-import { createSaver, type DiskBase, type Saver } from './saver.ts';
-import type { Timers } from './timers.ts';
-import { type Channel, claimLevel, type Role, type WriterLock } from './writer-lock.ts';
+import { createSaver, type Saver } from './saver.ts';
+import { type Throttled, type Timers, throttled } from './timers.ts';
+import { type Channel, claimLevel, type Role, type Shown, type WriterLock } from './writer-lock.ts';
 
 /** What a page offers and a test replaces. */
 export interface Surroundings {
@@ -55,7 +56,7 @@ const placeOf = (folder: string, id: string): string => `${folder}/${id}`;
 /** After so long the journal is asked again for what an earlier page has left, ms. */
 const RETRY = 3000;
 
-/** So long after a step other tabs are told what the level is like, ms. */
+/** So long after a step other tabs hear what the level is like, ms. */
 const TELL_AFTER = 100;
 
 /** Until a page that has just opened a level knows whether it may write it. */
@@ -74,91 +75,148 @@ export async function openLevel(id: string, surroundings: Surroundings, remember
   // an id may have become another level's meanwhile: a history goes on only where its level is still what is there
   const fresh = createEditedLevel(reading.file);
   const level = remembered !== null && isSame(remembered.file(), fresh.file()) ? remembered : fresh;
-  return { ok: true, opened: await begin(id, surroundings, level, { file: level.file(), etag }, answer.value.readOnly) };
+  const opened = new LevelOnPage(id, surroundings, level, { file: level.file(), etag }, answer.value.readOnly);
+  await opened.decided;
+  return { ok: true, opened };
 }
 
-async function begin(
-  id: string,
-  { storage, journal, timers, folder, locks, channel }: Surroundings,
-  level: EditedLevel,
-  base: DiskBase,
-  unwritable: string | null,
-): Promise<OpenedLevel> {
-  let at = id;
-  let kept: LevelJournal | null = null;
-  const keeping = createStore<Keeping | null>(() => null);
-  let stopShowing = () => {};
-  let cancelRetry = () => {};
-  const keep = (journal: LevelJournal | null) => {
-    stopShowing();
-    cancelRetry();
-    kept?.close();
-    kept = journal;
-    const show = () => keeping.setState(kept?.keeping.getState() ?? null, true);
-    stopShowing = kept?.keeping.subscribe(show) ?? (() => {});
-    show();
-  };
-  let recovered: Recovery | null = null;
+class LevelOnPage implements OpenedLevel {
+  readonly saver: Saver;
+  readonly lock: WriterLock;
+  readonly keeping = createStore<Keeping | null>(() => null);
+  /** Resolves when it is known whether this page may write. */
+  readonly decided: Promise<void>;
+  recovered: Recovery | null = null;
+  /** What this page keeps of the level; null: another page does. */
+  private kept: LevelJournal | null = null;
   /** This page lost the level to another one before it could write its changes. */
-  let isStranded = false;
-  const saver = createSaver(id, level, {
-    storage,
-    timers,
-    base,
-    unwritable,
-    onDisk: (file, etag) => kept?.onDisk(file, etag),
-    onSent: (file) => kept?.onSent(file),
-  });
-  saver.setReadOnly(ASKING, true);
-  const lockOf = (of: string): string => `gravity-quest-editor ${placeOf(folder, of)}`;
-  const name = lockOf(id);
-  const lock = claimLevel({
-    locks,
-    channel: channel(name),
-    timers,
-    name,
-    beforeHandOver: () => {
-      tellNow();
-      return saver.flush();
-    },
-    onShown({ text, base }) {
-      const [theirs, disk] = [readText(text), readText(base.text)];
-      if (!theirs.ok || !disk.ok || isStranded || lock.store.getState() !== 'reader') return;
-      level.replace('Changed in another tab', theirs.file);
-      saver.restart({ file: disk.file, etag: base.etag });
-    },
-    shown: () => shown(),
-  });
-  const shown = () => {
-    const { file, etag } = saver.base();
-    return { text: formatLevel(level.settledFile()), base: { text: formatLevel(file), etag } };
-  };
-  let cancelTelling: (() => void) | null = null;
-  const tellNow = () => {
-    if (cancelTelling === null) return;
-    cancelTelling();
-    cancelTelling = null;
-    lock.tell(shown());
-  };
-  // a large level takes long to write out: what a person does must not wait for that
-  const tellSoon = () => {
-    cancelTelling ??= timers.after(TELL_AFTER, tellNow);
-  };
+  private isStranded = false;
+  /** What follows from the role of this page, once it is done. */
+  private settled: Promise<void> = Promise.resolve();
+  private stopShowing = () => {};
+  private cancelRetry = () => {};
+  private readonly telling: Throttled;
+  private readonly stops: readonly (() => void)[];
+
+  constructor(
+    private at: string,
+    private readonly surroundings: Surroundings,
+    readonly level: EditedLevel,
+    base: DiskBase,
+    unwritable: string | null,
+  ) {
+    const { storage, journal, timers, locks, channel } = surroundings;
+    this.saver = createSaver(at, level, {
+      storage,
+      timers,
+      base,
+      unwritable,
+      onDisk: (file, etag) => this.kept?.onDisk(file, etag),
+      onSent: (file) => this.kept?.onSent(file),
+    });
+    this.saver.setReadOnly(ASKING, true);
+    const name = this.lockOf(at);
+    this.lock = claimLevel({
+      locks,
+      channel: channel(name),
+      timers,
+      name,
+      beforeHandOver: () => {
+        this.telling.now();
+        return this.saver.flush();
+      },
+      onShown: (theirs) => this.show(theirs),
+      shown: () => this.shown(),
+    });
+    this.telling = throttled(TELL_AFTER, () => this.lock.tell(this.shown()), timers);
+    this.decided = this.followRole();
+    this.stops = [
+      // a large level takes long to write out: what a person does must not wait for that
+      level.onStep(() => this.telling.soon()),
+      // the database may have what an earlier page did not save
+      journal.onAdopted(() => {
+        if (this.kept !== null) this.settled = this.settled.then(() => this.takeUp());
+      }),
+    ];
+  }
+
+  id(): string {
+    return this.at;
+  }
+
+  moved(to: string, etag: string): void {
+    const { journal, folder, channel } = this.surroundings;
+    const from = this.at;
+    this.at = to;
+    this.saver.moved(to, etag);
+    const name = this.lockOf(to);
+    this.lock.moveTo(name, channel(name));
+    if (this.kept === null) return;
+    const next = journal.follow(placeOf(folder, to), this.level, this.saver.base());
+    this.keep(next);
+    void next.settled().then(() => journal.forget(placeOf(folder, from)));
+  }
+
+  async close(): Promise<void> {
+    this.level.seal();
+    this.telling.now();
+    await this.settled;
+    await this.saver.flush();
+    for (const stop of this.stops) stop();
+    this.saver.close();
+    await this.kept?.settled();
+    this.keep(null);
+    this.lock.close();
+  }
+
+  private lockOf(id: string): string {
+    return `gravity-quest-editor ${placeOf(this.surroundings.folder, id)}`;
+  }
+
+  /** What other tabs show of the level. */
+  private shown(): Shown {
+    const { file, etag } = this.saver.base();
+    return { text: formatLevel(this.level.settledFile()), base: { text: formatLevel(file), etag } };
+  }
+
+  /** Shows what the tab that writes has. */
+  private show({ text, base }: Shown): void {
+    const [theirs, disk] = [readText(text), readText(base.text)];
+    if (!theirs.ok || !disk.ok || this.isStranded || this.lock.store.getState() !== 'reader') return;
+    this.level.replace('Changed in another tab', theirs.file);
+    this.saver.restart({ file: disk.file, etag: base.etag });
+  }
+
+  /** @returns when the first role is known, and what follows from it is done */
+  private followRole(): Promise<void> {
+    return new Promise((resolve) => {
+      const decide = () => {
+        const role = this.lock.store.getState();
+        if (role === 'waiting') return;
+        this.settled = this.onRole(role);
+        void this.settled.then(resolve);
+      };
+      this.lock.store.subscribe(decide);
+      decide();
+    });
+  }
+
+  private onRole(role: Role): Promise<void> {
+    if (role === 'writer') return this.takeUp();
+    this.giveUp();
+    return Promise.resolve();
+  }
 
   /** From now on this page writes: with what whoever wrote before has left in the journal. */
-  const takeUp = async () => {
+  private async takeUp(): Promise<void> {
+    const { level, saver, lock } = this;
+    const { journal, folder } = this.surroundings;
     let left: Recovery | null;
     try {
-      left = await journal.recover(placeOf(folder, at));
+      left = await journal.recover(placeOf(folder, this.at));
     } catch {
       // to follow now would write over what an earlier page has left
-      if (lock.store.getState() !== 'writer') return;
-      keeping.setState('failing', true);
-      cancelRetry = timers.after(RETRY, () => {
-        if (kept === null) settled = onRole(lock.store.getState());
-      });
-      saver.setReadOnly(null);
-      saver.refresh();
+      if (lock.store.getState() === 'writer') this.writeUnkept();
       return;
     }
     if (lock.store.getState() !== 'writer') return;
@@ -169,69 +227,38 @@ async function begin(
       // the saver brings it together with what is there now
       saver.restart(left.base);
       level.replace('Recovered', file);
-      recovered ??= left;
+      this.recovered ??= left;
     }
-    isStranded = false;
-    keep(journal.follow(placeOf(folder, at), level, saver.base()));
+    this.isStranded = false;
+    this.keep(journal.follow(placeOf(folder, this.at), level, saver.base()));
     saver.setReadOnly(null);
     saver.refresh();
-  };
-  const giveUp = () => {
-    isStranded = kept !== null && saver.isUnsaved();
-    keep(null);
-    saver.setReadOnly('another tab has this level open', !isStranded);
-  };
-  const onRole = (role: Role) => (role === 'writer' ? takeUp() : Promise.resolve(giveUp()));
-  let settled: Promise<void> = Promise.resolve();
-  const decided = new Promise<void>((resolve) => {
-    const decide = () => {
-      const role = lock.store.getState();
-      if (role === 'waiting') return;
-      settled = onRole(role);
-      void settled.then(resolve);
-    };
-    lock.store.subscribe(decide);
-    decide();
-  });
-  const stops = [
-    level.onStep(tellSoon),
-    // the database may have what an earlier page did not save
-    journal.onAdopted(() => {
-      if (kept !== null) settled = settled.then(takeUp);
-    }),
-  ];
-  await decided;
+  }
 
-  return {
-    id: () => at,
-    level,
-    saver,
-    lock,
-    keeping,
-    get recovered() {
-      return recovered;
-    },
-    moved(to, etag) {
-      const from = at;
-      at = to;
-      saver.moved(to, etag);
-      const name = lockOf(to);
-      lock.moveTo(name, channel(name));
-      if (kept === null) return;
-      const next = journal.follow(placeOf(folder, to), level, saver.base());
-      keep(next);
-      void next.settled().then(() => journal.forget(placeOf(folder, from)));
-    },
-    async close() {
-      level.seal();
-      tellNow();
-      await settled;
-      await saver.flush();
-      for (const stop of stops) stop();
-      saver.close();
-      await kept?.settled();
-      keep(null);
-      lock.close();
-    },
-  };
+  /** Writes without a journal, and asks it again in a while. */
+  private writeUnkept(): void {
+    this.keeping.setState('failing', true);
+    this.cancelRetry = this.surroundings.timers.after(RETRY, () => {
+      if (this.kept === null) this.settled = this.onRole(this.lock.store.getState());
+    });
+    this.saver.setReadOnly(null);
+    this.saver.refresh();
+  }
+
+  /** Another page writes. */
+  private giveUp(): void {
+    this.isStranded = this.kept !== null && this.saver.isUnsaved();
+    this.keep(null);
+    this.saver.setReadOnly('another tab has this level open', !this.isStranded);
+  }
+
+  private keep(journal: LevelJournal | null): void {
+    this.stopShowing();
+    this.cancelRetry();
+    this.kept?.close();
+    this.kept = journal;
+    const show = () => this.keeping.setState(journal?.keeping.getState() ?? null, true);
+    this.stopShowing = journal?.keeping.subscribe(show) ?? (() => {});
+    show();
+  }
 }

@@ -1,19 +1,13 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import { formatLevel, type LevelFile, type ReadResponse } from '../../schema/index.ts';
-import { type EditedLevel, isSame } from '../document/index.ts';
-import { readStored } from './disk-text.ts';
+import type { EditedLevel } from '../document/index.ts';
+import { diskNews } from './disk-news.ts';
+import { type DiskBase, KnownDisk } from './known-disk.ts';
 import type { LevelStorage, StorageError } from './level-storage.ts';
 import { type Choices, mergeLevels } from './merge.ts';
 import type { SaveState } from './save-state.ts';
 import { atMost, type Timers } from './timers.ts';
-
-export interface DiskBase {
-  readonly file: LevelFile;
-  /** null: not on the disk */
-  readonly etag: string | null;
-  /** Sent to the disk since, without an answer: each of them may be what is there. None when left out. */
-  readonly sent?: readonly LevelFile[];
-}
+import { WritePacing } from './write-pacing.ts';
 
 /** Keeps the disk up to date with a level, and the level with the disk. */
 export interface Saver {
@@ -61,268 +55,290 @@ export interface SaverOptions {
 /** After these nobody knows whether the text has reached the disk: it may have, and been taken away at once. */
 const IN_DOUBT: readonly StorageError['code'][] = ['unreachable', 'unexpected', 'failed', 'unknown-level', 'unknown-folder'];
 
-/** After the last change, ms: in time for half a second with the write itself. */
-const PAUSE = 200;
-/** Changes without a pause are written after so long, ms. */
-const LONGEST_PAUSE = 2000;
 /** So long a save waits for the journal, ms: a browser whose database hangs saves all the same. */
 const PATIENCE = 1000;
-/** Waits between attempts, ms; the last is repeated. */
-const BACKOFF = [500, 1000, 2000, 5000, 10_000] as const;
 
 /** Follows a level and writes it after every change; at most one request is on its way. */
-export function createSaver(
-  id: string,
-  level: EditedLevel,
-  { storage, timers, base, unwritable = null, onDisk, onSent }: SaverOptions,
-): Saver {
-  let at = id;
-  let disk: DiskBase = base;
+export const createSaver = (id: string, level: EditedLevel, options: SaverOptions): Saver => new LevelSaver(id, level, options);
+
+/** What is on the disk and could not be brought together with the level: nothing is written meanwhile. */
+interface Blocked {
+  /** null: the file was deleted */
+  readonly theirs: ReadResponse | null;
+  /** null: it is no level */
+  readonly file: LevelFile | null;
+}
+
+class LevelSaver implements Saver {
+  readonly store: StoreApi<SaveState>;
+  private readonly storage: LevelStorage;
+  private readonly timers: Timers;
+  private readonly onSent: SaverOptions['onSent'];
+  private readonly disk: KnownDisk;
+  private readonly pacing: WritePacing;
+  private readonly stop: () => void;
   /** Why this page may not write. */
-  let readOnly: string | null = null;
+  private readOnly: string | null = null;
   /** Why nobody may, as far as is known; a write is tried all the same. */
-  let notWritable = unwritable;
-  let follows = false;
-  /** What is on the disk and could not be brought together with this: nothing is written meanwhile. */
-  let blocked: { readonly theirs: ReadResponse | null; readonly file: LevelFile | null } | null = null;
+  private unwritable: string | null;
+  /** The level shows what another page does. */
+  private isFollower = false;
+  private blocked: Blocked | null = null;
   /** The level takes over what is on the disk: no change of this page. */
-  let adopting = false;
-  /** Written by `keepMine`, whatever it is like. */
-  let forced = false;
-  let request: Promise<void> | null = null;
-  let requests = 0;
-  let attempts = 0;
-  let firstUnsaved: number | null = null;
-  let cancel = () => {};
-  let isClosed = false;
+  private isTaking = false;
+  private request: Promise<void> | null = null;
+  /** Writes begun. */
+  private requests = 0;
+  private isClosed = false;
 
-  const sent = () => disk.sent ?? [];
-  const differs = () => forced || sent().length > 0 || !isSame(level.settledFile(), disk.file) || disk.etag === null;
-  const store = createStore<SaveState>(() => (differs() ? { kind: 'unsaved' } : { kind: 'saved' }));
-  const show = (state: SaveState) => {
-    if (!isClosed) store.setState(state, true);
-  };
-  const showResting = () => {
-    if (readOnly !== null) show({ kind: 'readOnly', why: readOnly, unsaved: !follows && differs() });
-    else if (blocked !== null) return;
-    else if (differs()) show({ kind: 'unsaved' });
-    else show(notWritable === null ? { kind: 'saved' } : { kind: 'readOnly', why: notWritable, unsaved: false });
-  };
-  const nowOnDisk = (file: LevelFile, etag: string | null) => {
-    disk = { file, etag };
-    onDisk?.(file, etag);
-  };
-  const schedule = (wait: number) => {
-    cancel();
-    cancel = timers.after(wait, () => void send());
-  };
-  const changed = () => {
-    if (adopting) return;
-    if (readOnly !== null || blocked !== null) {
-      showResting();
+  constructor(
+    private id: string,
+    private readonly level: EditedLevel,
+    { storage, timers, base, unwritable = null, onDisk, onSent }: SaverOptions,
+  ) {
+    this.storage = storage;
+    this.timers = timers;
+    this.onSent = onSent;
+    this.unwritable = unwritable;
+    this.disk = new KnownDisk(level, base, onDisk);
+    this.pacing = new WritePacing(timers, () => void this.send());
+    this.store = createStore<SaveState>(() => (this.disk.differs() ? { kind: 'unsaved' } : { kind: 'saved' }));
+    this.stop = level.onStep(() => this.changed());
+    if (this.disk.differs()) this.changed();
+  }
+
+  isUnsaved(): boolean {
+    return this.disk.differs();
+  }
+
+  base(): DiskBase {
+    return this.disk.base;
+  }
+
+  refresh(etag?: string | null): void {
+    if (etag === undefined || etag !== this.disk.base.etag || this.blocked !== null) void this.look();
+  }
+
+  resolve(choices: Choices): void {
+    const { blocked, disk, level } = this;
+    if (blocked?.file == null || blocked.theirs === null) return;
+    level.seal();
+    const merged = mergeLevels(disk.base.file, level.settledFile(), blocked.file, choices, disk.sent);
+    if (!this.take('Merged with the disk', merged.file)) return;
+    disk.holds(blocked.file, blocked.theirs.etag);
+    this.goOn();
+  }
+
+  keepMine(): void {
+    const { blocked, disk, pacing } = this;
+    if (blocked === null) return;
+    // the next write is based on what is there now, so it stands
+    disk.overwrite(blocked.file ?? disk.base.file, blocked.theirs?.etag ?? null);
+    this.blocked = null;
+    pacing.beginAnew();
+    pacing.writeNow();
+  }
+
+  takeTheirs(): void {
+    const { blocked, disk, level } = this;
+    if (blocked?.file == null || blocked.theirs === null || !this.take('Taken from the disk', blocked.file)) return;
+    disk.holds(level.settledFile(), blocked.theirs.etag);
+    this.goOn();
+  }
+
+  async flush(): Promise<boolean> {
+    // what was changed while a request was on its way takes another one
+    for (let i = 0; i < 3 && (this.disk.differs() || this.request !== null); i++) await this.send();
+    return !this.disk.differs();
+  }
+
+  setReadOnly(why: string | null, follows = false): void {
+    this.readOnly = why;
+    this.isFollower = follows;
+    if (why !== null) this.pacing.cancel();
+    this.showResting();
+    if (why === null) this.changed();
+  }
+
+  restart(base: DiskBase): void {
+    this.disk.restart(base);
+    this.blocked = null;
+    this.changed();
+  }
+
+  retry(): void {
+    const { pacing } = this;
+    if (!pacing.isRetrying) return;
+    pacing.forgetFailures();
+    if (this.request === null) pacing.writeNow();
+  }
+
+  moved(id: string, etag: string): void {
+    this.id = id;
+    this.disk.moved(etag);
+  }
+
+  close(): void {
+    this.isClosed = true;
+    this.stop();
+    this.pacing.cancel();
+  }
+
+  private show(state: SaveState): void {
+    if (!this.isClosed) this.store.setState(state, true);
+  }
+
+  /** Shows the state in which nothing is on its way. */
+  private showResting(): void {
+    const { readOnly, unwritable, disk } = this;
+    if (readOnly !== null) this.show({ kind: 'readOnly', why: readOnly, unsaved: !this.isFollower && disk.differs() });
+    else if (this.blocked !== null) return;
+    else if (disk.differs()) this.show({ kind: 'unsaved' });
+    else this.show(unwritable === null ? { kind: 'saved' } : { kind: 'readOnly', why: unwritable, unsaved: false });
+  }
+
+  /** The level may have changed: sees to it that it is written. */
+  private changed(): void {
+    const { pacing } = this;
+    if (this.isTaking) return;
+    if (this.readOnly !== null || this.blocked !== null) {
+      this.showResting();
       return;
     }
-    if (!differs()) {
-      firstUnsaved = null;
-      if (request === null) {
-        attempts = 0;
-        cancel();
-        showResting();
-      }
+    if (!this.disk.differs()) {
+      pacing.noteUnchanged();
+      if (this.request !== null) return;
+      pacing.forgetFailures();
+      pacing.cancel();
+      this.showResting();
       return;
     }
-    firstUnsaved ??= timers.now();
-    if (request !== null) return;
+    pacing.noteChange();
     // while nobody answers a change is no reason to ask more often
-    if (attempts > 0) return;
-    show({ kind: 'unsaved' });
-    schedule(Math.max(0, Math.min(PAUSE, firstUnsaved + LONGEST_PAUSE - timers.now())));
-  };
+    if (this.request !== null || pacing.isRetrying) return;
+    this.show({ kind: 'unsaved' });
+    pacing.writeSoon();
+  }
 
-  const failed = (error: StorageError): void => {
-    if (error.code === 'conflict') incoming(error.current);
-    else if (error.code === 'unknown-level') incoming(null);
+  private send(): Promise<void> {
+    this.pacing.cancel();
+    const hasNothing = !this.disk.differs() && this.request === null;
+    if (this.isClosed || this.readOnly !== null || this.blocked !== null || hasNothing) return Promise.resolve();
+    this.request ??= this.write();
+    return this.request;
+  }
+
+  private async write(): Promise<void> {
+    const { disk, pacing } = this;
+    const file = this.level.settledFile();
+    this.requests++;
+    this.show({ kind: 'saving' });
+    pacing.noteUnchanged();
+    const notSent = disk.sends(file);
+    const noted = this.onSent?.(file);
+    if (noted !== undefined) await atMost(PATIENCE, noted, this.timers);
+    if (this.isClosed || this.readOnly !== null) {
+      notSent();
+      this.request = null;
+      return;
+    }
+    const answer = await this.storage.write(this.id, formatLevel(file), disk.base.etag);
+    this.request = null;
+    if (!answer.ok) {
+      if (!IN_DOUBT.includes(answer.error.code)) notSent();
+      this.failed(answer.error);
+      return;
+    }
+    pacing.forgetFailures();
+    this.unwritable = answer.value.readOnly;
+    disk.written(file, answer.value.etag);
+    this.showResting();
+    if (disk.differs()) this.changed();
+  }
+
+  private failed(error: StorageError): void {
+    if (error.code === 'conflict') this.hear(error.current);
+    else if (error.code === 'unknown-level') this.hear(null);
     else {
       const { code, message, hint } = error;
-      if (code === 'not-writable') show({ kind: 'readOnly', why: message, unsaved: true });
-      else show({ kind: code === 'unreachable' ? 'offline' : 'failing', message, hint });
-      schedule(BACKOFF[Math.min(attempts++, BACKOFF.length - 1)]);
+      if (code === 'not-writable') this.show({ kind: 'readOnly', why: message, unsaved: true });
+      else this.show({ kind: code === 'unreachable' ? 'offline' : 'failing', message, hint });
+      this.pacing.writeLater();
     }
-  };
-  const write = async () => {
-    const file = level.settledFile();
-    requests++;
-    show({ kind: 'saving' });
-    firstUnsaved = null;
-    const before = sent();
-    disk = { ...disk, sent: [...before.filter((other) => other !== file), file] };
-    const noted = onSent?.(file);
-    if (noted !== undefined) await atMost(PATIENCE, noted, timers);
-    if (isClosed || readOnly !== null) {
-      disk = { ...disk, sent: before };
-      request = null;
-      return;
-    }
-    const answer = await storage.write(at, formatLevel(file), disk.etag);
-    request = null;
-    if (!answer.ok) {
-      if (!IN_DOUBT.includes(answer.error.code)) disk = { ...disk, sent: before };
-      failed(answer.error);
-      return;
-    }
-    attempts = 0;
-    forced = false;
-    notWritable = answer.value.readOnly;
-    nowOnDisk(file, answer.value.etag);
-    showResting();
-    if (differs()) changed();
-  };
-  const send = (): Promise<void> => {
-    cancel();
-    if (isClosed || readOnly !== null || blocked !== null || (!differs() && request === null)) return Promise.resolve();
-    request ??= write();
-    return request;
-  };
-
-  const put = (label: string, file: LevelFile): boolean => {
-    adopting = true;
-    const { ok } = level.replace(label, file);
-    adopting = false;
-    return ok;
-  };
-  const goOn = () => {
-    blocked = null;
-    attempts = 0;
-    showResting();
-    changed();
-  };
-  function incoming(current: ReadResponse | null): void {
-    if (isClosed) return;
-    if (current !== null && current.etag === disk.etag) {
-      if (blocked !== null) goOn();
-      return;
-    }
-    if (current === null) {
-      blocked = { theirs: null, file: null };
-      show({ kind: 'deleted' });
-      return;
-    }
-    const reading = readStored(current);
-    if (!reading.ok) {
-      blocked = { theirs: current, file: null };
-      show({ kind: 'unreadable', problems: reading.problems });
-      return;
-    }
-    const theirs = reading.file;
-    // the server died, or the line broke, before it could answer
-    const own = sent().find((file) => isSame(file, theirs));
-    if (own !== undefined) {
-      nowOnDisk(own, current.etag);
-      goOn();
-      return;
-    }
-    // a drag that goes on is mine as far as it went
-    level.seal();
-    const mine = level.settledFile();
-    if (!differs()) {
-      put('Changed on disk', theirs);
-      nowOnDisk(level.settledFile(), current.etag);
-      goOn();
-      return;
-    }
-    const merged = mergeLevels(disk.file, mine, theirs, new Map(), sent());
-    // who may not write is asked once it may: the write will not fit what is there
-    if (merged.conflicts.length > 0 && readOnly !== null) return;
-    if (merged.conflicts.length > 0 || !put('Merged with the disk', merged.file)) {
-      blocked = { theirs: current, file: theirs };
-      show({ kind: 'conflict', conflicts: merged.conflicts });
-      return;
-    }
-    nowOnDisk(theirs, current.etag);
-    goOn();
   }
 
   /** Reads what is there; again when something was written meanwhile, since what was read may be older. */
-  const look = async () => {
+  private async look(): Promise<void> {
     for (;;) {
-      while (request !== null) await request;
-      const before = requests;
-      const answer = await storage.read(at);
-      if (isClosed) return;
-      if (before !== requests || request !== null) continue;
+      while (this.request !== null) await this.request;
+      const before = this.requests;
+      const answer = await this.storage.read(this.id);
+      if (this.isClosed) return;
+      if (before !== this.requests || this.request !== null) continue;
       if (answer.ok) {
-        notWritable = answer.value.readOnly;
-        if (attempts === 0 && request === null) showResting();
-        incoming(answer.value);
-      } else if (answer.error.code === 'unknown-level') incoming(null);
+        this.unwritable = answer.value.readOnly;
+        if (!this.pacing.isRetrying && this.request === null) this.showResting();
+        this.hear(answer.value);
+      } else if (answer.error.code === 'unknown-level') this.hear(null);
       return;
     }
-  };
-  function setReadOnly(why: string | null, isFollower = false): void {
-    readOnly = why;
-    follows = isFollower;
-    if (why !== null) cancel();
-    showResting();
-    if (why === null) changed();
   }
 
-  const stop = level.onStep(changed);
-  if (differs()) changed();
-  return {
-    store,
-    isUnsaved: differs,
-    refresh(etag) {
-      if (etag === undefined || etag !== disk.etag || blocked !== null) void look();
-    },
-    resolve(choices) {
-      if (blocked?.file == null || blocked.theirs === null) return;
-      const { file: theirs } = blocked;
-      level.seal();
-      const merged = mergeLevels(disk.file, level.settledFile(), theirs, choices, sent());
-      if (!put('Merged with the disk', merged.file)) return;
-      nowOnDisk(theirs, blocked.theirs.etag);
-      goOn();
-    },
-    keepMine() {
-      if (blocked === null) return;
-      // the next write is based on what is there now, so it stands
-      disk = { file: blocked.file ?? disk.file, etag: blocked.theirs?.etag ?? null };
-      blocked = null;
-      forced = true;
-      attempts = 0;
-      firstUnsaved = timers.now();
-      schedule(0);
-    },
-    takeTheirs() {
-      if (blocked?.file == null || blocked.theirs === null || !put('Taken from the disk', blocked.file)) return;
-      nowOnDisk(level.settledFile(), blocked.theirs.etag);
-      goOn();
-    },
-    async flush() {
-      // what was changed while a request was on its way takes another one
-      for (let i = 0; i < 3 && (differs() || request !== null); i++) await send();
-      return !differs();
-    },
-    setReadOnly,
-    base: () => disk,
-    restart(older) {
-      disk = older;
-      blocked = null;
-      changed();
-    },
-    retry() {
-      if (attempts === 0) return;
-      attempts = 0;
-      if (request === null) schedule(0);
-    },
-    moved(to, etag) {
-      at = to;
-      disk = { ...disk, etag };
-    },
-    close() {
-      isClosed = true;
-      stop();
-      cancel();
-    },
-  };
+  /** This is on the disk: brings it and the level together. @param current null: nothing is there */
+  private hear(current: ReadResponse | null): void {
+    if (this.isClosed) return;
+    const { level, disk } = this;
+    const news = diskNews(level, disk, current);
+    if (current === null || news.kind === 'deleted') {
+      this.block({ theirs: null, file: null }, { kind: 'deleted' });
+      return;
+    }
+    switch (news.kind) {
+      case 'known':
+        if (this.blocked !== null) this.goOn();
+        return;
+      case 'unreadable':
+        this.block({ theirs: current, file: null }, { kind: 'unreadable', problems: news.problems });
+        return;
+      case 'own':
+        disk.holds(news.file, current.etag);
+        break;
+      case 'changed':
+        this.take('Changed on disk', news.theirs);
+        disk.holds(level.settledFile(), current.etag);
+        break;
+      case 'both changed': {
+        const { theirs, merged } = news;
+        // who may not write is asked once it may: the write will not fit what is there
+        if (merged.conflicts.length > 0 && this.readOnly !== null) return;
+        if (merged.conflicts.length > 0 || !this.take('Merged with the disk', merged.file)) {
+          this.block({ theirs: current, file: theirs }, { kind: 'conflict', conflicts: merged.conflicts });
+          return;
+        }
+        disk.holds(theirs, current.etag);
+      }
+    }
+    this.goOn();
+  }
+
+  private block(blocked: Blocked, state: SaveState): void {
+    this.blocked = blocked;
+    this.show(state);
+  }
+
+  /** Nothing is in the way any more. */
+  private goOn(): void {
+    this.blocked = null;
+    this.pacing.forgetFailures();
+    this.showResting();
+    this.changed();
+  }
+
+  /** Puts a file from the disk in the place of the level. @returns whether the level takes it */
+  private take(label: string, file: LevelFile): boolean {
+    this.isTaking = true;
+    const { ok } = this.level.replace(label, file);
+    this.isTaking = false;
+    return ok;
+  }
 }

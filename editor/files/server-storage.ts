@@ -139,7 +139,7 @@ export function createServerStorage(options: ServerOptions): LevelStorage {
       return post(EDIT_API.ORDER, orderResponseSchema, body);
     },
     watch(onEvent, onLink) {
-      // nothing will be told to who has no token
+      // nothing is reported to who has no token
       if (token === '') return () => {};
       const own = (event: EditEvent) => 'by' in event && event.by === client;
       return followEvents({ ...options, timers }, (event) => !own(event) && onEvent(event), onLink);
@@ -155,13 +155,13 @@ function followEvents(
 ): () => void {
   let isOver = false;
   let attempts = 0;
-  let told: Link | null = null;
+  let reported: Link | null = null;
   let abort = new AbortController();
   let cancelWait = () => {};
 
   const tell = (now: Link) => {
-    if (now !== told && !isOver) onLink(now);
-    told = now;
+    if (now !== reported && !isOver) onLink(now);
+    reported = now;
   };
   /** Rejects or resolves when the stream ends. */
   const readAll = async (): Promise<void> => {
@@ -199,7 +199,7 @@ function followEvents(
       .catch(() => undefined)
       .then(() => {
         if (isOver) return;
-        if (told !== 'otherRun') tell('gone');
+        if (reported !== 'otherRun') tell('gone');
         cancelWait = timers.after(RETRIES[Math.min(attempts++, RETRIES.length - 1)], goOn);
       });
   };

@@ -16,6 +16,31 @@ export async function atMost(ms: number, promise: Promise<unknown>, timers: Time
   cancel();
 }
 
+/** A call that is worth making now and then, and not each time there is a reason. */
+export interface Throttled {
+  /** There is a reason: it is made after a while, if it is not made before. */
+  soon(): void;
+  /** Makes it now, if there was a reason. */
+  now(): void;
+}
+
+/** @param ms the most that a call waits */
+export function throttled(ms: number, call: () => void, timers: Timers): Throttled {
+  let cancel: (() => void) | null = null;
+  const now = () => {
+    if (cancel === null) return;
+    cancel();
+    cancel = null;
+    call();
+  };
+  return {
+    soon() {
+      cancel ??= timers.after(ms, now);
+    },
+    now,
+  };
+}
+
 /** The page's own. */
 export const pageTimers: Timers = {
   now: () => performance.now(),

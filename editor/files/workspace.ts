@@ -1,6 +1,7 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { DeleteResponse, EditEvent, LevelEntry, ListResponse, OrderResponse } from '../../schema/index.ts';
 import type { EditedLevel } from '../document/index.ts';
+import { inOrder, withEntry, withPart } from './level-list.ts';
 import type { Answer, LevelStorage, Link, StorageError } from './level-storage.ts';
 import { type OpenedLevel, type Opening, openLevel, type Surroundings } from './open-level.ts';
 
@@ -41,167 +42,194 @@ export interface Workspace {
 }
 
 /** The levels of a storage, one of them open. Histories of levels that were open are remembered as long as the page lives. */
-export function createWorkspace(surroundings: Omit<Surroundings, 'folder'>): Workspace {
-  const { storage } = surroundings;
-  const store = createStore<WorkspaceState>(() => ({ list: null, link: 'up', error: null, opened: null, refused: null }));
-  const remembered = new Map<string, EditedLevel>();
-  let stop = () => {};
-  /** Opening and closing follow one another. */
-  let last: Promise<unknown> = Promise.resolve();
+export const createWorkspace = (surroundings: Omit<Surroundings, 'folder'>): Workspace => new StorageWorkspace(surroundings);
 
-  const setLevels = (change: (levels: readonly LevelEntry[]) => LevelEntry[]) => {
-    const { list } = store.getState();
-    if (list !== null) store.setState({ list: { ...list, levels: change(list.levels) } });
-  };
-  /** With an entry in its place; where that is, the storage says for certain. */
-  const withEntry = (levels: readonly LevelEntry[], entry: LevelEntry, from: string): LevelEntry[] => {
-    const index = levels.findIndex(({ id }) => id === from);
-    return index < 0 ? [...levels, entry] : levels.map((other, i) => (i === index ? entry : other));
-  };
+/** A level that goes by another id. */
+interface Renamed {
+  readonly from: string;
+  readonly entry: LevelEntry;
+}
+
+class StorageWorkspace implements Workspace {
+  readonly store: StoreApi<WorkspaceState>;
+  readonly storage: LevelStorage;
+  private readonly remembered = new Map<string, EditedLevel>();
+  /** Ids that were reported since a list began: a long one comes in parts. */
+  private heard = new Set<string>();
+  /** Opening and closing follow one another. */
+  private last: Promise<unknown> = Promise.resolve();
+  private stop = () => {};
+
+  constructor(private readonly surroundings: Omit<Surroundings, 'folder'>) {
+    this.storage = surroundings.storage;
+    this.store = createStore<WorkspaceState>(() => ({ list: null, link: 'up', error: null, opened: null, refused: null }));
+  }
+
+  async start(): Promise<void> {
+    await this.refresh();
+    this.stop = this.storage.watch(
+      (event) => this.hear(event),
+      (link) => {
+        this.store.setState({ link });
+        if (link === 'up') this.store.getState().opened?.saver.retry();
+      },
+    );
+  }
+
+  open(id: string): Promise<Opening> {
+    return this.inTurn(async () => {
+      const { opened: old, list } = this.store.getState();
+      // a level can't be written by two at once; any other one stays on the screen until the next is there
+      if (old?.id() === id) await this.closeOpened();
+      const surroundings = { ...this.surroundings, folder: list?.folder.id ?? '' };
+      const opening = await openLevel(id, surroundings, this.remembered.get(id));
+      const leaving = this.store.getState().opened;
+      if (opening.ok) this.store.setState({ opened: opening.opened, refused: null });
+      else this.store.setState({ opened: null, refused: { id, opening } });
+      if (leaving !== null) await this.putAway(leaving);
+      return opening;
+    });
+  }
+
+  async refresh(): Promise<void> {
+    const answer = await this.storage.list();
+    this.store.setState(answer.ok ? { list: answer.value, error: null } : { error: answer.error });
+  }
+
+  async rename(entry: LevelEntry, to: string): Promise<Answer<LevelEntry>> {
+    const answer = await this.storage.rename(entry.id, to, await this.baseOf(entry));
+    if (answer.ok) this.follow([{ from: entry.id, entry: answer.value }]);
+    return this.listed(answer);
+  }
+
+  async duplicate(entry: LevelEntry, to: string): Promise<Answer<LevelEntry>> {
+    return this.listed(await this.storage.duplicate(entry.id, to, await this.baseOf(entry)));
+  }
+
+  async remove(entry: LevelEntry): Promise<Answer<DeleteResponse>> {
+    return this.listed(await this.storage.remove(entry.id, await this.baseOf(entry)));
+  }
+
+  async restore(trash: string, to?: string): Promise<Answer<LevelEntry>> {
+    return this.listed(await this.storage.restore(trash, to));
+  }
+
+  async order(folder: string, ids: readonly string[]): Promise<Answer<OrderResponse>> {
+    await this.store.getState().opened?.saver.flush();
+    this.setLevels((levels) => inOrder(levels, ids));
+    const answer = await this.storage.order(folder, ids);
+    if (answer.ok) {
+      const { renamed, levels } = answer.value;
+      this.follow(renamed.flatMap(({ from, to }) => levels.filter(({ id }) => id === to).map((entry) => ({ from, entry }))));
+    }
+    await this.refresh();
+    return answer;
+  }
+
+  leave(): Promise<void> {
+    return this.inTurn(() => this.closeOpened());
+  }
+
+  close(): Promise<void> {
+    return this.inTurn(async () => {
+      this.stop();
+      await this.closeOpened();
+    });
+  }
+
+  /** Something has happened to the folder. */
+  private hear(event: EditEvent): void {
+    const { list, opened } = this.store.getState();
+    switch (event.type) {
+      case 'list':
+        this.heard = new Set();
+        this.hearPart(event.list.levels, event.list);
+        break;
+      case 'read':
+        if (list !== null) this.hearPart(event.levels, { ...list, unread: event.unread });
+        break;
+      case 'changed': {
+        const isNew = list?.levels.every(({ id }) => id !== event.entry.id);
+        this.setLevels((levels) => withEntry(levels, event.entry, event.entry.id));
+        if (isNew) void this.refresh();
+        if (opened?.id() === event.entry.id) opened.saver.refresh(event.entry.etag);
+        break;
+      }
+      case 'removed':
+        this.setLevels((levels) => levels.filter(({ id }) => id !== event.id));
+        if (opened?.id() === event.id) opened.saver.refresh();
+        break;
+      case 'renamed':
+        this.follow([event]);
+        this.setLevels((levels) => withEntry(levels, event.entry, event.from));
+        void this.refresh();
+        break;
+    }
+  }
+
+  /** A part of a list, or all of it. @param next the list around it */
+  private hearPart(levels: readonly LevelEntry[], next: ListResponse): void {
+    const { heard, store } = this;
+    const { list, opened } = store.getState();
+    for (const { id } of levels) heard.add(id);
+    const isWhole = next.unread === 0;
+    store.setState({ list: { ...next, levels: withPart(list?.levels ?? [], levels, heard, isWhole) }, error: null });
+    if (opened === null) return;
+    const entry = levels.findLast(({ id }) => id === opened.id());
+    if (entry !== undefined) opened.saver.refresh(entry.etag);
+    // one that was not reported is looked for once all are
+    else if (isWhole && !heard.has(opened.id())) opened.saver.refresh();
+  }
+
+  private setLevels(change: (levels: readonly LevelEntry[]) => LevelEntry[]): void {
+    const { list } = this.store.getState();
+    if (list !== null) this.store.setState({ list: { ...list, levels: change(list.levels) } });
+  }
+
   /** Histories and the open level go by their new ids; all at once, since ids may change places. */
-  const follow = (renamed: readonly { readonly from: string; readonly entry: LevelEntry }[]) => {
+  private follow(renamed: readonly Renamed[]): void {
+    const { remembered } = this;
     const histories = renamed.map(({ from }) => remembered.get(from));
     for (const { from } of renamed) remembered.delete(from);
     for (const [i, { entry }] of renamed.entries()) {
       const edited = histories[i];
       if (edited !== undefined) remembered.set(entry.id, edited);
     }
-    const { opened } = store.getState();
+    const { opened } = this.store.getState();
     const now = renamed.find(({ from }) => from === opened?.id())?.entry;
     if (now?.etag != null) opened?.moved(now.id, now.etag);
-  };
-  /** Ids that were told since a list began: a long one comes in parts, and until the last one what was known stays on the screen. */
-  let heard = new Set<string>();
-  const hear = (levels: readonly LevelEntry[], next: ListResponse) => {
-    const { list, opened } = store.getState();
-    const told = new Map(levels.map((entry) => [entry.id, entry]));
-    for (const id of told.keys()) heard.add(id);
-    const isWhole = next.unread === 0;
-    if (isWhole && told.size === heard.size) store.setState({ list: { ...next, levels: [...levels] }, error: null });
-    else {
-      const before = list?.levels ?? [];
-      const kept = before.filter(({ id }) => !isWhole || heard.has(id)).map((entry) => told.get(entry.id) ?? entry);
-      const known = new Set(before.map(({ id }) => id));
-      store.setState({ list: { ...next, levels: [...kept, ...levels.filter(({ id }) => !known.has(id))] }, error: null });
-    }
-    // one that was not told of is looked for once all are
-    if (opened === null) return;
-    if (told.has(opened.id())) opened.saver.refresh(told.get(opened.id())?.etag);
-    else if (isWhole && !heard.has(opened.id())) opened.saver.refresh();
-  };
-  const refreshList = async () => {
-    const answer = await storage.list();
-    store.setState(answer.ok ? { list: answer.value, error: null } : { error: answer.error });
-  };
-  const onEvent = (event: EditEvent) => {
-    const { opened } = store.getState();
-    switch (event.type) {
-      case 'list':
-        heard = new Set();
-        hear(event.list.levels, event.list);
-        break;
-      case 'read': {
-        const { list } = store.getState();
-        if (list !== null) hear(event.levels, { ...list, unread: event.unread });
-        break;
-      }
-      case 'changed': {
-        const isNew = store.getState().list?.levels.every(({ id }) => id !== event.entry.id);
-        setLevels((levels) => withEntry(levels, event.entry, event.entry.id));
-        if (isNew) void refreshList();
-        if (opened?.id() === event.entry.id) opened.saver.refresh(event.entry.etag);
-        break;
-      }
-      case 'removed':
-        setLevels((levels) => levels.filter(({ id }) => id !== event.id));
-        if (opened?.id() === event.id) opened.saver.refresh();
-        break;
-      case 'renamed':
-        follow([event]);
-        setLevels((levels) => withEntry(levels, event.entry, event.from));
-        void refreshList();
-        break;
-    }
-  };
+  }
+
   /** The etag that a level has once what is unsaved is on the disk. */
-  const baseOf = async ({ id, etag }: LevelEntry): Promise<string> => {
-    const { opened } = store.getState();
+  private async baseOf({ id, etag }: LevelEntry): Promise<string> {
+    const { opened } = this.store.getState();
     if (opened?.id() !== id) return etag ?? '';
     await opened.saver.flush();
     return opened.saver.base().etag ?? '';
-  };
-  /** Storages don't tell a page what it did itself; and what was refused may rest on an old list. */
-  const listed = async <T>(answer: Answer<T>): Promise<Answer<T>> => {
-    if (answer.ok || ['conflict', 'unknown-level', 'list-changed'].includes(answer.error.code)) await refreshList();
-    return answer;
-  };
-  /** Writes what is unsaved; its history waits for the next time. */
-  const putAway = async (opened: OpenedLevel) => {
-    await opened.close();
-    remembered.set(opened.id(), opened.level);
-  };
-  const closeOpened = async () => {
-    const { opened } = store.getState();
-    if (opened === null) return;
-    store.setState({ opened: null });
-    await putAway(opened);
-  };
-  const inTurn = <T>(act: () => Promise<T>): Promise<T> => {
-    const turn = last.then(act, act);
-    last = turn;
-    return turn;
-  };
+  }
 
-  return {
-    store,
-    storage,
-    async start() {
-      await refreshList();
-      stop = storage.watch(onEvent, (link) => {
-        store.setState({ link });
-        if (link === 'up') store.getState().opened?.saver.retry();
-      });
-    },
-    open: (id) =>
-      inTurn(async () => {
-        const { opened: old, list } = store.getState();
-        // a level can't be written by two at once; any other one stays on the screen until the next is there
-        if (old?.id() === id) await closeOpened();
-        const opening = await openLevel(id, { ...surroundings, folder: list?.folder.id ?? '' }, remembered.get(id));
-        const leaving = store.getState().opened;
-        if (opening.ok) store.setState({ opened: opening.opened, refused: null });
-        else store.setState({ opened: null, refused: { id, opening } });
-        if (leaving !== null) await putAway(leaving);
-        return opening;
-      }),
-    refresh: refreshList,
-    async rename(entry, to) {
-      const answer = await storage.rename(entry.id, to, await baseOf(entry));
-      if (answer.ok) follow([{ from: entry.id, entry: answer.value }]);
-      return listed(answer);
-    },
-    duplicate: async (entry, to) => listed(await storage.duplicate(entry.id, to, await baseOf(entry))),
-    remove: async (entry) => listed(await storage.remove(entry.id, await baseOf(entry))),
-    restore: async (trash, to) => listed(await storage.restore(trash, to)),
-    async order(folder, ids) {
-      await store.getState().opened?.saver.flush();
-      setLevels((levels) => {
-        const inOrder = ids.flatMap((id) => levels.find((entry) => entry.id === id) ?? []);
-        return levels.map((entry) => (ids.includes(entry.id) ? (inOrder.shift() ?? entry) : entry));
-      });
-      const answer = await storage.order(folder, ids);
-      if (answer.ok) {
-        const { renamed, levels } = answer.value;
-        follow(renamed.flatMap(({ from, to }) => levels.filter(({ id }) => id === to).map((entry) => ({ from, entry }))));
-      }
-      await refreshList();
-      return answer;
-    },
-    leave: () => inTurn(closeOpened),
-    close: () =>
-      inTurn(async () => {
-        stop();
-        await closeOpened();
-      }),
-  };
+  /** Storages don't tell a page what it did itself; and what was refused may rest on an old list. */
+  private async listed<T>(answer: Answer<T>): Promise<Answer<T>> {
+    if (answer.ok || ['conflict', 'unknown-level', 'list-changed'].includes(answer.error.code)) await this.refresh();
+    return answer;
+  }
+
+  /** Writes what is unsaved; its history waits for the next time. */
+  private async putAway(opened: OpenedLevel): Promise<void> {
+    await opened.close();
+    this.remembered.set(opened.id(), opened.level);
+  }
+
+  private async closeOpened(): Promise<void> {
+    const { opened } = this.store.getState();
+    if (opened === null) return;
+    this.store.setState({ opened: null });
+    await this.putAway(opened);
+  }
+
+  private inTurn<T>(act: () => Promise<T>): Promise<T> {
+    const turn = this.last.then(act, act);
+    this.last = turn;
+    return turn;
+  }
 }

@@ -1,4 +1,6 @@
 export { openIndexedDbStore } from './indexed-db-store.ts';
-export { createJournal, type Journal, type Keeping, type LevelJournal, type Recovery } from './journal.ts';
+export { createJournal, type Journal } from './journal.ts';
 export type { JournalStore } from './journal-store.ts';
+export type { Keeping, LevelJournal } from './level-journal.ts';
 export { createMemoryStore } from './memory-store.ts';
+export type { Recovery } from './recovery.ts';

@@ -1,5 +1,5 @@
-import type { Ghost } from '../canvas/index.ts';
-import type { Attempt } from './attempts.ts';
+import type { Attempt } from '../attempts/index.ts';
+import type { Ghost } from '../context/index.ts';
 
 /** Attempts as the canvas shows them. */
 export function attemptGhosts(attempts: readonly Attempt[]): Ghost[] {

@@ -1,5 +1,4 @@
 export { attemptGhosts } from './attempt-ghosts.ts';
-export { type Attempt, type Attempts, attemptInWords, createAttempts } from './attempts.ts';
 export { keepAsRun, makeProof } from './keep-attempt.ts';
 export { PlayView } from './PlayView.tsx';
 export { playCommands } from './play-commands.ts';

@@ -1,7 +1,7 @@
 import { simulate } from '../../engine/index.ts';
+import type { Attempt } from '../attempts/index.ts';
 import type { Editor, OpenLevel } from '../context/index.ts';
 import { addRun, type ChangeResult, freeRunName, replaceHolds } from '../document/index.ts';
-import type { Attempt } from './attempts.ts';
 
 interface Parts {
   readonly editor: Pick<Editor, 'session' | 'notices'>;

@@ -11,7 +11,7 @@ import {
   TICK_RATE,
 } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
-import type { Pose } from '../canvas/index.ts';
+import type { Pose } from '../context/index.ts';
 
 /** After so many ticks `gq simulate` says timeout. */
 export const MAX_TICKS = Math.round(DEFAULT_MAX_TIME * TICK_RATE);

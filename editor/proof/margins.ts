@@ -1,4 +1,4 @@
-import { boxCircleGap, HALF_DIAGONAL, HALF_WIDTH, type Scene, STATE_SIZE } from '../../engine/index.ts';
+import { boxCircleGap, DEFAULT_BOX, HALF_DIAGONAL, HALF_WIDTH, type Scene, STATE_SIZE } from '../../engine/index.ts';
 import { type Hazard, Hazards } from './hazards.ts';
 import type { Way } from './march.ts';
 
@@ -100,7 +100,14 @@ export function marginsOf(scene: Scene, way: Way): Margins {
       speed[k] = Math.hypot(states[o + 2], states[o + 3]);
       for (const i of near) {
         if (!hazards.at(i, k, circle)) continue;
-        const found = boxCircleGap(circle[0] - states[o], circle[1] - states[o + 1], states[o + 4], states[o + 5], circle[2]);
+        const found = boxCircleGap(
+          DEFAULT_BOX,
+          circle[0] - states[o],
+          circle[1] - states[o + 1],
+          states[o + 4],
+          states[o + 5],
+          circle[2],
+        );
         if (found >= gap[k]) continue;
         gap[k] = found;
         whose[k] = i;

@@ -1,9 +1,10 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { AccuracyName } from '../../engine/index.ts';
+import { PLACEABLES, type Placeable } from '../../schema/index.ts';
 
 /** What a press on the canvas does: select and move, pan, or place an object of that kind. */
-export const TOOLS = ['select', 'hand', 'asteroid', 'hot', 'nova', 'repulsor', 'alien', 'mineral'] as const;
-export type Tool = (typeof TOOLS)[number];
+export type Tool = 'select' | 'hand' | Placeable;
+export const TOOLS: readonly Tool[] = ['select', 'hand', ...PLACEABLES];
 
 /** What may be drawn over the level. */
 export const LAYERS = ['ranges', 'margins', 'nearMisses', 'slackFan', 'ghosts', 'heatMap'] as const;
@@ -39,7 +40,7 @@ export interface Session {
   /** The tick under the pointer in the timeline, or null. */
   readonly hoverTick: number | null;
   /** Whether the timeline plays the run by itself. */
-  readonly rolling: boolean;
+  readonly isPlayingBack: boolean;
   readonly rate: Rate;
   readonly accuracy: AccuracyName;
   readonly layers: Readonly<Record<Layer, boolean>>;
@@ -61,7 +62,7 @@ export function createSession(accuracy: AccuracyName): SessionStore {
     run: null,
     tick: 0,
     hoverTick: null,
-    rolling: false,
+    isPlayingBack: false,
     rate: 1,
     accuracy,
     layers: { ranges: true, margins: true, nearMisses: true, slackFan: true, ghosts: true, heatMap: false },

@@ -1,4 +1,4 @@
-import { LEVEL_VERSION, type LevelFile, withIds } from '../../schema/index.ts';
+import { LEVEL_VERSION, type LevelFile, type Place, withIds } from '../../schema/index.ts';
 import { createRandom } from '../../solver/index.ts';
 
 /** A level to begin with. */
@@ -40,11 +40,6 @@ const firstSwing = (name: string): LevelFile => ({
   asteroids: [{ x: 500, y: 420, radius: 32 }],
   runs: [{ name: 'solution', holds: [[150, 435]] }],
 });
-
-interface Place {
-  readonly x: number;
-  readonly y: number;
-}
 
 /** The demo that the game began with: seven asteroids and three novae thrown anywhere, the astronaut in the middle. */
 function thrown(name: string, seed: number): LevelFile {

@@ -1,5 +1,5 @@
 import { memo } from 'react';
-import type { RunEvent } from '../../engine/index.ts';
+import { effectEventInWords, type RunEvent } from '../../engine/index.ts';
 import { type Scale, toX } from './scale.ts';
 
 interface EventMarksProps {
@@ -22,6 +22,8 @@ function wordsOf(event: RunEvent): readonly [short: string, long: string] | null
       return [`R${event.index + 1}`, `enters repulsor ${event.index + 1}`];
     case 'leave':
       return [`/R${event.index + 1}`, `leaves repulsor ${event.index + 1}`];
+    case 'effect':
+      return ['~', effectEventInWords(event)];
     case 'wake':
       return [`E${event.index + 1}!`, `alien ${event.index + 1} wakes`];
     case 'sleep':

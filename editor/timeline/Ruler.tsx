@@ -23,7 +23,7 @@ export const Ruler = memo(function Ruler({ scale, width, end }: RulerProps) {
 
   const scrub = (event: PointerEvent<HTMLDivElement>) => {
     const x = event.clientX - event.currentTarget.getBoundingClientRect().left;
-    session.setState({ tick: Math.min(end, Math.max(0, Math.round(toTick(scale, x)))), rolling: false, hoverTick: null });
+    session.setState({ tick: Math.min(end, Math.max(0, Math.round(toTick(scale, x)))), isPlayingBack: false, hoverTick: null });
   };
   const onKey = (event: KeyboardEvent<HTMLDivElement>) => {
     const by = { ArrowLeft: -1, ArrowRight: 1, PageDown: -60, PageUp: 60 }[event.key];
@@ -32,7 +32,7 @@ export const Ruler = memo(function Ruler({ scale, width, end }: RulerProps) {
     if (to === null) return;
     event.preventDefault();
     event.stopPropagation();
-    session.setState({ tick: Math.min(end, Math.max(0, to)), rolling: false });
+    session.setState({ tick: Math.min(end, Math.max(0, to)), isPlayingBack: false });
   };
   return (
     <div

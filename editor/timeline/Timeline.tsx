@@ -5,9 +5,9 @@ import type { LiveProof, Reach } from '../proof/index.ts';
 import { EventMarks } from './EventMarks.tsx';
 import { Graphs } from './Graphs.tsx';
 import { GunLane } from './GunLane.tsx';
+import { followPlayback } from './playback.ts';
 import { Ruler } from './Ruler.tsx';
 import { reachedBy } from './reached.ts';
-import { rollTimeline } from './roll.ts';
 import { runCommands } from './run-commands.ts';
 import { fitTicks, panScale, type Scale, toTick, toX, zoomScale } from './scale.ts';
 import { Transport } from './Transport.tsx';
@@ -99,7 +99,7 @@ export function Timeline() {
       element.removeEventListener('wheel', onWheel);
     };
   }, []);
-  useEffect(() => rollTimeline(session, () => now.current.end), [session]);
+  useEffect(() => followPlayback(session, () => now.current.end), [session]);
   useEffect(() => {
     const lastTick = () => now.current.end;
     // the shown moment stays where it is

@@ -27,14 +27,14 @@ interface TransportProps {
   readonly onExplain: (isExplained: boolean) => void;
 }
 
-/** Which run is shown, and where in it: step, roll, scrub. */
+/** Which run is shown, and where in it: step, play back, scrub. */
 export const Transport = memo(function Transport({ end, reached, isExplained, onExplain }: TransportProps) {
   const { session, commands } = useEditor();
   const runs = useDocument(({ file }) => file.runs);
   const shown = useProof((now) => now.run.name);
   const ends = useProof((now) => endInWords(now));
   const good = useProof((now) => now.run.outcome === 'completed');
-  const rolling = useSession((state) => state.rolling);
+  const isPlayingBack = useSession((state) => state.isPlayingBack);
   const rate = useSession((state) => state.rate);
   const holds = useProof((now) => now.run.holds);
   const summary = `${holdsInWords(holds, reached)}, ${ends}`;
@@ -56,10 +56,10 @@ export const Transport = memo(function Transport({ end, reached, isExplained, on
       <Button hint="To the start" shortcut="Home" icon={<ChevronFirst size={16} />} onClick={() => commands.run('run.first')} />
       <Button hint="A tick back" shortcut="," icon={<StepBack size={16} />} onClick={() => commands.run('run.back')} />
       <Button
-        hint={rolling ? 'Pause' : 'Show the run in time'}
+        hint={isPlayingBack ? 'Pause' : 'Show the run in time'}
         shortcut="K"
-        icon={rolling ? <Pause size={16} /> : <Play size={16} />}
-        onClick={() => commands.run('run.roll')}
+        icon={isPlayingBack ? <Pause size={16} /> : <Play size={16} />}
+        onClick={() => commands.run('run.playback')}
       />
       <Button hint="A tick on" shortcut="." icon={<StepForward size={16} />} onClick={() => commands.run('run.on')} />
       <Button hint="To the end" shortcut="End" icon={<ChevronLast size={16} />} onClick={() => commands.run('run.last')} />

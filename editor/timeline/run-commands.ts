@@ -12,7 +12,7 @@ export function runCommands(
   end: () => number,
 ): readonly Command[] {
   const shown = () => proof.proof().run.name;
-  const goTo = (tick: number) => session.setState({ tick: Math.min(end(), Math.max(0, Math.round(tick))), rolling: false });
+  const goTo = (tick: number) => session.setState({ tick: Math.min(end(), Math.max(0, Math.round(tick))), isPlayingBack: false });
   const step = (by: number) => goTo(session.getState().tick + by);
   const newRun = () => {
     const name = freeRunName(document.file(), 'solution');
@@ -27,13 +27,13 @@ export function runCommands(
   const needsHolds = () => (selection.store.getState().holds.length > 0 ? null : 'select a hold in the gun lane first');
   return [
     {
-      id: 'run.roll',
+      id: 'run.playback',
       title: 'Show the run in time',
       group: 'Run',
       keys: ['k'],
       run: () => {
-        const { rolling, tick } = session.getState();
-        session.setState({ rolling: !rolling, tick: !rolling && tick >= end() ? 0 : tick, hoverTick: null });
+        const { isPlayingBack, tick } = session.getState();
+        session.setState({ isPlayingBack: !isPlayingBack, tick: !isPlayingBack && tick >= end() ? 0 : tick, hoverTick: null });
       },
     },
     { id: 'run.back', title: 'A tick back', group: 'Run', keys: ['Comma'], run: () => step(-1) },

@@ -20,7 +20,7 @@ export type JobEnd<K extends JobKind> =
 export interface Job<K extends JobKind> {
   /** Never rejects. */
   readonly end: Promise<JobEnd<K>>;
-  /** Ends it at once: nothing is told after this. */
+  /** Ends it at once: nothing is reported after this. */
   cancel(): void;
 }
 

@@ -1,15 +1,5 @@
-import {
-  ALIEN_PULL,
-  ALIEN_SIGHT,
-  EXPLOSION_FRAMES,
-  GUN_PULL,
-  HALF_DIAGONAL,
-  REPULSOR_PUSH,
-  SPEED_LIMIT,
-  TICK,
-  TICK_RATE,
-} from '../constants.ts';
-import { boxOverlapsCircle, circlesOverlap } from '../contact/index.ts';
+import { EXPLOSION_FRAMES, TICK, TICK_RATE } from '../constants.ts';
+import { type Box, boxOverlapsCircle, circlesOverlap } from '../contact/index.ts';
 import type { Scene } from '../scene.ts';
 import type { WorkBudget } from '../work-budget.ts';
 import { COS, FRAME, ROUSED, SIN, VX, VY, X, Y } from './layout.ts';
@@ -31,17 +21,7 @@ const APART_FRAMES = 60;
 /** What rests farther than this from mattering is left out of account, px. */
 const NEAR = 8;
 
-// V8 folds constants of the same module; what is chosen between an imported one and a number becomes a box
-const DT = TICK;
-const PULL = ALIEN_PULL;
-const SIGHT = ALIEN_SIGHT;
-const CORNER = HALF_DIAGONAL;
-
-// after k frames from rest at acceleration a, something has come a k (k + 1) / 2 frames^2 far: so much faster than at first, px/s
-const HASTE = ((ALIEN_PULL + Math.max(GUN_PULL, REPULSOR_PUSH) + 1) * (AHEAD + 1) * TICK) / 2;
-const APART_HASTE = ((2 * ALIEN_PULL + 1) * (APART_FRAMES + 1) * TICK) / 2;
-/** What is no faster than this, both axes together, px/s, doesn't come to the speed limit within the frames foreseen. */
-const FAST = SPEED_LIMIT - (Math.max(GUN_PULL, REPULSOR_PUSH, ALIEN_PULL) * AHEAD + 1) * TICK;
+const DT = TICK; // V8 folds constants of the same module
 
 /** The aliens of a simulation, in its state from `offset` on. */
 export class Aliens {
@@ -55,6 +35,15 @@ export class Aliens {
   /** How many the last look ahead looked at. */
   looked = 0;
   private readonly r: Float64Array;
+  private readonly box: Box;
+  private readonly pull: number;
+  private readonly sight: number;
+  private readonly speedLimit: number;
+  // after k frames from rest at acceleration a, something has come a k (k + 1) / 2 frames^2 far: so much faster than at first, px/s
+  private readonly haste: number;
+  private readonly apartHaste: number;
+  /** What is no faster than this, both axes together, px/s, doesn't come to the speed limit within the frames foreseen. */
+  private readonly fast: number;
   // while she is nearer than this to there, px, all of them rest; derived from the state, and forgotten when it changes otherwise
   private calmX = 0;
   private calmY = 0;
@@ -81,6 +70,15 @@ export class Aliens {
   ) {
     this.count = scene.aliens.count;
     this.r = scene.aliens.r;
+    const { alienPull, alienSight, speedLimit } = scene.rules;
+    const hers = scene.strongest;
+    this.box = scene.box;
+    this.pull = alienPull;
+    this.sight = alienSight;
+    this.speedLimit = speedLimit;
+    this.haste = ((alienPull + hers + 1) * (AHEAD + 1) * TICK) / 2;
+    this.apartHaste = ((2 * alienPull + 1) * (APART_FRAMES + 1) * TICK) / 2;
+    this.fast = speedLimit - (Math.max(hers, alienPull) * AHEAD + 1) * TICK;
     this.end = offset + ALIEN * this.count;
     this.mobile = new Int32Array(this.count);
     this.isRestless = new Uint8Array(this.count);
@@ -93,7 +91,7 @@ export class Aliens {
       // adding 0 makes 0 of -0, as moving by 0 would
       s[o] = aliens.x[i] + 0;
       s[o + 1] = aliens.y[i] + 0;
-      if (circlesOverlap(s[X] - s[o], s[Y] - s[o + 1], SIGHT)) {
+      if (circlesOverlap(s[X] - s[o], s[Y] - s[o + 1], this.sight)) {
         s[o + 6] = AWAKE;
         s[ROUSED] = 1;
       }
@@ -137,7 +135,8 @@ export class Aliens {
 
   /** Looks how long nothing but chasing can happen: `ahead`, `room` and `moving` say so until the next frame is made. */
   lookAhead(cell: Neighbourhood): void {
-    const { s, r, count } = this;
+    const { s, r, count, sight, haste } = this;
+    const { halfDiagonal } = this.box;
     this.moving = 0;
     this.looked = 0;
     this.ahead = Number.POSITIVE_INFINITY;
@@ -167,13 +166,13 @@ export class Aliens {
       const dx = s[o] - x;
       const dy = s[o + 1] - y;
       const d = Math.sqrt(dx * dx + dy * dy);
-      const reach = CORNER + r[i];
+      const reach = halfDiagonal + r[i];
       const state = s[o + 6];
       const itsVX = s[o + 2];
       const itsVY = s[o + 3];
       if (itsVX === 0 && itsVY === 0 && s[o + 4] === 0 && s[o + 5] === 0) {
         const dead = state >= FUSE && frame >= state - FUSE;
-        const gap = d * (1 - 1e-9) - (dead || reach > SIGHT ? reach : SIGHT) - 1e-3;
+        const gap = d * (1 - 1e-9) - (dead || reach > sight ? reach : sight) - 1e-3;
         if (gap > NEAR) {
           room = Math.min(room, gap);
           continue;
@@ -186,7 +185,7 @@ export class Aliens {
       const hers = vx * dx + vy * dy;
       const its = -(itsVX * dx + itsVY * dy);
       const speed = ((hers > 0 ? hers : 0) + (its > 0 ? its : 0)) / d;
-      time = Math.min(time, (d - reach - 1e-2) / (speed + HASTE));
+      time = Math.min(time, (d - reach - 1e-2) / (speed + haste));
     }
     if (moving === 0) {
       this.calmX = x;
@@ -196,7 +195,7 @@ export class Aliens {
       this.calm = -1;
       this.moving = moving;
       // beyond, the speed limit may act at once
-      if (!(time > 0) || fastest > FAST) this.ahead = 0;
+      if (!(time > 0) || fastest > this.fast) this.ahead = 0;
       else this.ahead = Math.min(Math.floor(time * TICK_RATE), this.apart(frame) - frame);
     }
     this.room = room;
@@ -205,7 +204,7 @@ export class Aliens {
   /** The first frame in which two of them may touch. */
   private apart(frame: number): number {
     if (frame < this.apartUntil) return this.apartUntil;
-    const { s, r, count, restless } = this;
+    const { s, r, count, restless, apartHaste } = this;
     let time = APART_FRAMES * DT;
     this.budget.look((restless.length * count) >> 3);
     for (const i of restless) {
@@ -220,7 +219,7 @@ export class Aliens {
         const one = s[a + 2] * dx + s[a + 3] * dy;
         const other = -(s[b + 2] * dx + s[b + 3] * dy);
         const speed = ((one > 0 ? one : 0) + (other > 0 ? other : 0)) / d;
-        time = Math.min(time, (d - r[i] - r[j] - 1e-2) / (speed + APART_HASTE));
+        time = Math.min(time, (d - r[i] - r[j] - 1e-2) / (speed + apartHaste));
       }
     }
     this.apartUntil = time > 0 ? frame + Math.floor(time * TICK_RATE) : frame;
@@ -269,7 +268,7 @@ export class Aliens {
    * @param path her place at the start of each frame, x and y in turn
    */
   follow(path: Float64Array, from: number, frames: number): void {
-    const { s, mobile, moving } = this;
+    const { s, mobile, moving, pull, sight, speedLimit } = this;
     for (let k = 0; k < moving; k++) {
       const o = this.offset + ALIEN * mobile[k];
       let x = s[o];
@@ -284,18 +283,18 @@ export class Aliens {
       let awake = false;
       let roused = !(vx === 0 && vy === 0 && ax === 0 && ay === 0);
       for (let n = 0; n < frames; n++) {
-        vx = limitSpeed(vx + ax * DT);
-        vy = limitSpeed(vy + ay * DT);
+        vx = limitSpeed(vx + ax * DT, speedLimit);
+        vy = limitSpeed(vy + ay * DT, speedLimit);
         // they don't touch: the distance is not 0
         const dx = path[2 * n] - x;
         const dy = path[2 * n + 1] - y;
         const d = Math.sqrt(dx * dx + dy * dy);
         x += vx * DT;
         y += vy * DT;
-        awake = d < SIGHT && n < stop;
+        awake = d < sight && n < stop;
         if (awake) {
-          ax = (PULL * dx) / d;
-          ay = (PULL * dy) / d;
+          ax = (pull * dx) / d;
+          ay = (pull * dy) / d;
           roused = true;
         } else {
           vx = 0;
@@ -321,28 +320,28 @@ export class Aliens {
    * @returns index of the first that touched her before, or -1
    */
   move(frame: number, recorder: FrameRecorder | null): number {
-    const { s, r, count } = this;
+    const { s, r, count, box, pull, sight, speedLimit } = this;
     const x = s[X];
     const y = s[Y];
     let touching = -1;
     for (let i = 0; i < count; i++) {
       const o = this.offset + ALIEN * i;
-      const vx = limitSpeed(s[o + 2] + s[o + 4] * DT);
-      const vy = limitSpeed(s[o + 3] + s[o + 5] * DT);
+      const vx = limitSpeed(s[o + 2] + s[o + 4] * DT, speedLimit);
+      const vy = limitSpeed(s[o + 3] + s[o + 5] * DT, speedLimit);
       const dx = x - s[o];
       const dy = y - s[o + 1];
       const d = Math.sqrt(dx * dx + dy * dy);
-      if (touching < 0 && d < r[i] + CORNER + 1 && boxOverlapsCircle(-dx, -dy, s[COS], s[SIN], r[i])) touching = i;
+      if (touching < 0 && d < r[i] + box.halfDiagonal + 1 && boxOverlapsCircle(box, -dx, -dy, s[COS], s[SIN], r[i])) touching = i;
       const state = s[o + 6];
       const exploded = state >= FUSE;
-      const awake = d < SIGHT && !(exploded && frame >= state - FUSE);
+      const awake = d < sight && !(exploded && frame >= state - FUSE);
       s[o] += vx * DT;
       s[o + 1] += vy * DT;
       if (awake) {
         s[o + 2] = vx;
         s[o + 3] = vy;
-        s[o + 4] = d > 0 ? (PULL * dx) / d : PULL;
-        s[o + 5] = d > 0 ? (PULL * dy) / d : 0;
+        s[o + 4] = d > 0 ? (pull * dx) / d : pull;
+        s[o + 5] = d > 0 ? (pull * dy) / d : 0;
       } else {
         s[o + 2] = 0;
         s[o + 3] = 0;

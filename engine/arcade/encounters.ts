@@ -1,6 +1,7 @@
-import { GUN_PULL, REPULSOR_PUSH, TICK } from '../constants.ts';
+import { TICK } from '../constants.ts';
 import { boxOverlapsCircle, circlesOverlap } from '../contact/index.ts';
-import type { Simulation } from '../simulation.ts';
+import type { Frame } from '../frames/index.ts';
+import type { RunEvent, Simulation } from '../simulation.ts';
 import {
   ALIEN_TOUCH,
   ASTEROID,
@@ -30,8 +31,6 @@ import type { World } from './world.ts';
 
 // V8 folds constants of the same module, imported ones it loads
 const DT = TICK;
-const PULL = GUN_PULL;
-const PUSH = REPULSOR_PUSH;
 
 /** So many frames among things are made before it is looked again whether they are near. */
 const FRAMES_AMONG = 6;
@@ -39,11 +38,16 @@ const FRAMES_ALERT = 12;
 
 /** Frames in which everything in her neighbourhood is looked at, in the order of the original. */
 export class Encounters {
+  private readonly body: Frame;
+
   constructor(
     private readonly simulation: Simulation,
     private readonly world: World,
     private readonly recorder: FrameRecorder | null,
-  ) {}
+  ) {
+    const tell = recorder === null ? null : (event: RunEvent) => recorder.event(event);
+    this.body = { scene: world.scene, s: world.s, number: 0, x: 0, y: 0, ax: 0, ay: 0, tell };
+  }
 
   /**
    * Some frames among things; ends where she leaves the cell or the run ends.
@@ -68,8 +72,13 @@ export class Encounters {
       deadlyY,
       deadlyR,
       firstTarget,
+      box,
+      rules,
+      frameRules,
+      frameStates,
     } = this.world;
-    const { left, right, top, bottom, rivals, deadly } = cell;
+    const { pull, push, speedLimit } = rules;
+    const { left, right, top, bottom, rivals, deadly, discs } = cell;
     const near = cell.minerals;
     const fields = cell.repulsors;
     const rangeSquared = range * range;
@@ -85,8 +94,8 @@ export class Encounters {
     let sin = s[SIN];
     do {
       // velocities and displacements; positions stay those of the frame before until the end of the frame
-      vx = limitSpeed(vx + ax * DT);
-      vy = limitSpeed(vy + ay * DT);
+      vx = limitSpeed(vx + ax * DT, speedLimit);
+      vy = limitSpeed(vy + ay * DT, speedLimit);
       const moveX = vx * DT;
       const moveY = vy * DT;
 
@@ -113,11 +122,11 @@ export class Encounters {
         sin = d > 0 ? (places[o + 1] - y) / d : 0;
         s[COS] = cos;
         s[SIN] = sin;
-        const pull = PULL * (1 - d / range);
-        ax = pull * cos;
-        ay = pull * sin;
+        const strength = pull * (1 - d / range);
+        ax = strength * cos;
+        ay = strength * sin;
         if (recoil) {
-          const a = 1 / (2 * targetR[nearest]);
+          const a = rules.recoil / (2 * targetR[nearest]);
           s[o + 4] = -a * cos;
           s[o + 5] = -a * sin;
           rocks.stir(nearest);
@@ -142,7 +151,7 @@ export class Encounters {
           const moves = recoil && code >= firstTarget;
           const dx = (moves ? places[o] : deadlyX[code]) - x;
           const dy = (moves ? places[o + 1] : deadlyY[code]) - y;
-          if (!boxOverlapsCircle(dx, dy, cos, sin, deadlyR[code])) continue;
+          if (!boxOverlapsCircle(box, dx, dy, cos, sin, deadlyR[code])) continue;
           this.touch(code);
           break;
         }
@@ -162,13 +171,26 @@ export class Encounters {
         const dy = y - repulsorY[i];
         if (!circlesOverlap(dx, dy, repulsorR[i])) continue;
         const d = Math.sqrt(dx * dx + dy * dy);
-        ax = d > 0 ? (PUSH * dx) / d : PUSH;
-        ay = d > 0 ? (PUSH * dy) / d : 0;
+        ax = d > 0 ? (push * dx) / d : push;
+        ay = d > 0 ? (push * dy) / d : 0;
         field = i;
         break;
       }
       if (recorder !== null) recorder.field(frame, field);
 
+      if (frameRules.length > 0) {
+        const { body } = this;
+        body.number = frame;
+        body.x = x;
+        body.y = y;
+        body.ax = ax;
+        body.ay = ay;
+        for (let k = 0; k < frameRules.length; k++) frameRules[k].act(body, discs[k], frameStates[k]);
+        x = body.x;
+        y = body.y;
+        ax = body.ax;
+        ay = body.ay;
+      }
       if (s[OUTCOME] >= NOVA) {
         vx = 0;
         vy = 0;
@@ -222,12 +244,12 @@ export class Encounters {
   /** Of several minerals touched in one frame all are counted, but only the last is taken away: a slip of the original. */
   private collectMinerals(near: Int32Array): void {
     const { recorder } = this;
-    const { s, collected, mineralX, mineralY, mineralR } = this.world;
+    const { s, box, collected, mineralX, mineralY, mineralR } = this.world;
     let last = -1;
     for (let k = 0; k < near.length; k++) {
       const i = near[k];
       if (s[collected + i] !== 0) continue;
-      if (!boxOverlapsCircle(mineralX[i] - s[X], mineralY[i] - s[Y], s[COS], s[SIN], mineralR[i])) continue;
+      if (!boxOverlapsCircle(box, mineralX[i] - s[X], mineralY[i] - s[Y], s[COS], s[SIN], mineralR[i])) continue;
       s[MINERALS]++;
       last = i;
       if (recorder !== null) recorder.mineral(s[FRAME], i);

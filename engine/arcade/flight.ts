@@ -1,4 +1,4 @@
-import { GUN_PULL, TICK } from '../constants.ts';
+import { TICK } from '../constants.ts';
 import { AHEAD } from './aliens.ts';
 import { AX, AY, COS, FRAME, HEAD, MOVED, SIN, VX, VY, X, Y } from './layout.ts';
 import { limitSpeed } from './limit-speed.ts';
@@ -8,7 +8,6 @@ import type { World } from './world.ts';
 
 // V8 folds constants of the same module, imported ones it loads
 const DT = TICK;
-const PULL = GUN_PULL;
 
 /** Frames away from things: nothing but the gun acts while she stays in the bounds of her surroundings. */
 export class Flight {
@@ -50,7 +49,8 @@ export class Flight {
   /** Without the gun. */
   private coast(until: number, traced: boolean): void {
     const { path } = this;
-    const { s, rocks } = this.world;
+    const { s, rocks, rules } = this.world;
+    const { speedLimit } = rules;
     const { bounds } = this.around;
     const left = bounds[0];
     const right = bounds[1];
@@ -64,8 +64,8 @@ export class Flight {
       path[1] = s[Y];
     }
     // what the gun did in the frame before still counts in the first
-    let vx = limitSpeed(s[VX] + s[AX] * DT);
-    let vy = limitSpeed(s[VY] + s[AY] * DT);
+    let vx = limitSpeed(s[VX] + s[AX] * DT, speedLimit);
+    let vy = limitSpeed(s[VY] + s[AY] * DT, speedLimit);
     let x = s[X] + vx * DT;
     let y = s[Y] + vy * DT;
     let frame = from + 1;
@@ -98,14 +98,15 @@ export class Flight {
   /** With the gun, where there is one asteroid to be pulled to. */
   private pull(target: number, until: number, traced: boolean): void {
     const { path } = this;
-    const { s, range, targetR, recoil, rocks, places, placesFrom, placesStep } = this.world;
+    const { s, range, targetR, recoil, rocks, rules, places, placesFrom, placesStep } = this.world;
+    const { pull, speedLimit } = rules;
     const { bounds } = this.around;
     const left = bounds[0];
     const right = bounds[1];
     const top = bounds[2];
     const bottom = bounds[3];
     const o = placesFrom + placesStep * target;
-    const kick = -1 / (2 * targetR[target]);
+    const kick = -rules.recoil / (2 * targetR[target]);
     const from = s[FRAME];
     const limit = recoil ? Math.min(until, from + ROCK_FRAMES) : until;
     let rockX = places[o];
@@ -126,17 +127,17 @@ export class Flight {
         path[2 * (frame - from)] = x;
         path[2 * (frame - from) + 1] = y;
       }
-      vx = limitSpeed(vx + ax * DT);
-      vy = limitSpeed(vy + ay * DT);
+      vx = limitSpeed(vx + ax * DT, speedLimit);
+      vy = limitSpeed(vy + ay * DT, speedLimit);
       const dx = rockX - x;
       const dy = rockY - y;
       const d = Math.sqrt(dx * dx + dy * dy);
       // atan2(0, 0) is 0 in the original: at the very centre she turns to angle 0 and is pulled that way
       cos = d > 0 ? dx / d : 1;
       sin = d > 0 ? dy / d : 0;
-      const pull = PULL * (1 - d / range);
-      ax = pull * cos;
-      ay = pull * sin;
+      const strength = pull * (1 - d / range);
+      ax = strength * cos;
+      ay = strength * sin;
       if (recoil) {
         rockX += rockVX * DT;
         rockY += rockVY * DT;
@@ -171,7 +172,8 @@ export class Flight {
   /** With the gun where several asteroids may be the nearest, or with asteroids to let go. */
   private swing(rivals: Int32Array, until: number, held: boolean, traced: boolean): void {
     const { path } = this;
-    const { s, range, targetR, recoil, rocks, places, placesFrom, placesStep } = this.world;
+    const { s, range, targetR, recoil, rocks, rules, places, placesFrom, placesStep } = this.world;
+    const { pull, speedLimit } = rules;
     const { bounds } = this.around;
     const left = bounds[0];
     const right = bounds[1];
@@ -195,8 +197,8 @@ export class Flight {
         path[2 * (frame - from)] = x;
         path[2 * (frame - from) + 1] = y;
       }
-      vx = limitSpeed(vx + ax * DT);
-      vy = limitSpeed(vy + ay * DT);
+      vx = limitSpeed(vx + ax * DT, speedLimit);
+      vy = limitSpeed(vy + ay * DT, speedLimit);
       let nearest = rivals[0];
       let o = placesFrom + placesStep * nearest;
       let dx = places[o] - x;
@@ -220,16 +222,16 @@ export class Flight {
         // as in `pull`
         cos = d > 0 ? dx / d : 1;
         sin = d > 0 ? dy / d : 0;
-        const pull = PULL * (1 - d / range);
-        ax = pull * cos;
-        ay = pull * sin;
+        const strength = pull * (1 - d / range);
+        ax = strength * cos;
+        ay = strength * sin;
       } else {
         ax = 0;
         ay = 0;
       }
       if (recoil) {
         if (held) {
-          const a = 1 / (2 * targetR[nearest]);
+          const a = rules.recoil / (2 * targetR[nearest]);
           s[o + 4] = -a * cos;
           s[o + 5] = -a * sin;
           if (nearest !== stirred) rocks.stir(nearest);

@@ -1,5 +1,6 @@
-import { ALIEN_SIGHT, HALF_DIAGONAL } from '../constants.ts';
-import type { Circles, IndexedCircles, Scene } from '../scene.ts';
+import type { Circles } from '../circles.ts';
+import type { IndexedCircles } from '../indexed-circles.ts';
+import type { Scene } from '../scene.ts';
 
 /** Side of a cell, px. */
 const SIDE = 32;
@@ -31,6 +32,8 @@ interface Survey {
   readonly deadly: Int32Array;
   readonly minerals: Int32Array;
   readonly repulsors: Int32Array;
+  /** Discs of each of the frame rules. */
+  readonly discs: readonly Int32Array[];
   /** Nothing but the gun acts: no touch, no field, no end of the range. */
   readonly quiet: boolean;
   /** Aliens where the level has them neither see nor touch her. */
@@ -65,7 +68,11 @@ export class Neighbourhoods {
   private readonly cells: (Cell | null)[] = new Array(1 << (2 * BITS)).fill(null);
   private readonly drift: number;
 
-  constructor(private readonly scene: Scene) {
+  constructor(
+    private readonly scene: Scene,
+    /** Discs of each of the frame rules. */
+    private readonly discs: readonly Circles[],
+  ) {
     const { targets, coldCount, novae, minerals, repulsors, level } = scene;
     this.drift = level.recoil ? DRIFT : 0;
     const hot = all(targets.count).slice(coldCount);
@@ -78,6 +85,7 @@ export class Neighbourhoods {
       deadly: Int32Array.from([...all(1 + novae.count), ...hot.map((i) => 1 + novae.count + i)]),
       minerals: all(minerals.count),
       repulsors: all(repulsors.count),
+      discs: discs.map(({ count }) => all(count)),
       quiet: false,
       freeLeft: 0,
       freeRight: 0,
@@ -120,6 +128,7 @@ export class Neighbourhoods {
       deadly: here.deadly,
       minerals: here.minerals,
       repulsors: here.repulsors,
+      discs: here.discs,
       quiet: here.quiet,
       unseen: here.unseen,
       left: column * SIDE,
@@ -137,23 +146,27 @@ export class Neighbourhoods {
   private survey(x: number, y: number, half: number): Survey {
     const { scene, drift } = this;
     const { targets, coldCount, novae, minerals, repulsors, aliens, level } = scene;
+    const { halfDiagonal } = scene.box;
     const toCorner = half * DIAGONAL;
     const distance = (cx: number, cy: number) => Math.sqrt((cx - x) * (cx - x) + (cy - y) * (cy - y));
     // whether a distance from the centre may be below `reach` elsewhere in the square; the surplus is far above any rounding
     const within = (d: number, reach: number) => d <= (reach + toCorner + 1e-3) * (1 + 1e-9) + d * 1e-9;
     const touching = (circles: IndexedCircles, moves: number): number[] => {
-      const near = circlesAround(circles, x, y, toCorner + HALF_DIAGONAL + moves + 1);
-      return near.filter((i) => within(distance(circles.x[i], circles.y[i]), HALF_DIAGONAL + circles.r[i] + moves));
+      const near = circlesAround(circles, x, y, toCorner + halfDiagonal + moves + 1);
+      return near.filter((i) => within(distance(circles.x[i], circles.y[i]), halfDiagonal + circles.r[i] + moves));
     };
 
     const hole = level.blackHole;
-    const deadly = within(distance(hole.x, hole.y), HALF_DIAGONAL + hole.radius) ? [0] : [];
+    const deadly = within(distance(hole.x, hole.y), halfDiagonal + hole.radius) ? [0] : [];
     for (const i of touching(novae, 0)) deadly.push(1 + i);
     for (const i of touching(targets, drift)) if (i >= coldCount) deadly.push(1 + novae.count + i);
     const collectable = touching(minerals, 0);
     // she is within one or without it all over the square, or it matters
     const pushing = circlesAround(repulsors, x, y, toCorner + 1).filter((i) =>
       within(distance(repulsors.x[i], repulsors.y[i]), repulsors.r[i]),
+    );
+    const discs = this.discs.map((circles) =>
+      all(circles.count).filter((i) => within(distance(circles.x[i], circles.y[i]), circles.r[i])),
     );
     const closest = nearestDistance(targets, x, y, distance);
     const slack = 2 * (toCorner + drift);
@@ -166,14 +179,20 @@ export class Neighbourhoods {
     const inRange = closest !== null && !(closest * (1 + 1e-9) + toCorner + drift + 1e-3 >= level.range);
     let unseen = true;
     for (let i = 0; i < aliens.count && unseen; i++) {
-      unseen = !within(distance(aliens.x[i], aliens.y[i]), Math.max(ALIEN_SIGHT, HALF_DIAGONAL + aliens.r[i]));
+      unseen = !within(distance(aliens.x[i], aliens.y[i]), Math.max(scene.rules.alienSight, halfDiagonal + aliens.r[i]));
     }
     return {
       rivals: Int32Array.from(rivals),
       deadly: Int32Array.from(deadly),
       minerals: Int32Array.from(collectable),
       repulsors: Int32Array.from(pushing),
-      quiet: inRange && deadly.length === 0 && collectable.length === 0 && pushing.length === 0,
+      discs,
+      quiet:
+        inRange &&
+        deadly.length === 0 &&
+        collectable.length === 0 &&
+        pushing.length === 0 &&
+        discs.every(({ length }) => length === 0),
       unseen,
     };
   }

@@ -149,6 +149,10 @@ export class FrameRecorder implements Trajectory {
     this.events.push({ time: frame * TICK, type: 'explosion', aliens: [a, b] });
   }
 
+  event(event: RunEvent): void {
+    this.events.push(event);
+  }
+
   end(frame: number, type: Exclude<Outcome, 'timeout'>, kind: BodyKind | null, index: number): void {
     this.events.push({ time: frame * TICK, type, with: kind === null ? null : { kind, index } });
   }

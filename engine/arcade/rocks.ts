@@ -1,4 +1,4 @@
-import { SPEED_LIMIT, TICK } from '../constants.ts';
+import { TICK } from '../constants.ts';
 import type { Scene } from '../scene.ts';
 import { HEAD, MOVED, STRAYED } from './layout.ts';
 import { limitSpeed } from './limit-speed.ts';
@@ -34,6 +34,7 @@ export class Rocks {
   private readonly homeY: Float64Array;
   /** The strongest recoil in the level, px/s2, both axes together. */
   private readonly strongest: number;
+  private readonly speedLimit: number;
 
   constructor(
     private readonly s: Float64Array,
@@ -44,9 +45,10 @@ export class Rocks {
     this.end = this.list + count;
     this.homeX = scene.targets.x;
     this.homeY = scene.targets.y;
+    this.speedLimit = scene.rules.speedLimit;
     let smallest = Number.POSITIVE_INFINITY;
     for (let i = 0; i < count; i++) smallest = Math.min(smallest, scene.targets.r[i]);
-    this.strongest = 1 / smallest; // twice 1 / diameter: along both axes together it is at most sqrt(2) times that
+    this.strongest = scene.rules.recoil / smallest; // twice 1 / diameter: along both axes together it is at most sqrt(2) times that
   }
 
   layOut(s: Float64Array): void {
@@ -57,7 +59,7 @@ export class Rocks {
       // adding 0 makes 0 of -0, as moving by 0 would
       s[o] = targets.x[i] + 0;
       s[o + 1] = targets.y[i] + 0;
-      if (targets.r[i] * 2 * STRONG < 1) s[STRAYED] = 1;
+      if (targets.r[i] * 2 * STRONG < this.scene.rules.recoil) s[STRAYED] = 1;
     }
   }
 
@@ -87,7 +89,7 @@ export class Rocks {
   isFast(i: number): boolean {
     const { s } = this;
     const o = HEAD + ROCK * i;
-    return Math.abs(s[o + 2]) + Math.abs(s[o + 3]) + this.strongest * ROCK_FRAMES * DT > SPEED_LIMIT / 2;
+    return Math.abs(s[o + 2]) + Math.abs(s[o + 3]) + this.strongest * ROCK_FRAMES * DT > this.speedLimit / 2;
   }
 
   /**
@@ -95,7 +97,7 @@ export class Rocks {
    * @param but one that is left as it is, or -1
    */
   move(frames: number, but: number): void {
-    const { s, list } = this;
+    const { s, list, speedLimit } = this;
     const count = s[MOVED];
     for (let k = 0; k < count; k++) {
       const i = s[list + k];
@@ -118,8 +120,8 @@ export class Rocks {
         for (let n = 0; n < frames; n++) {
           x += vx * DT;
           y += vy * DT;
-          vx = limitSpeed(vx + ax);
-          vy = limitSpeed(vy + ay);
+          vx = limitSpeed(vx + ax, speedLimit);
+          vy = limitSpeed(vy + ay, speedLimit);
         }
       }
       s[o] = x;
@@ -132,7 +134,7 @@ export class Rocks {
 
   /** The end of one frame; {@link watchAll} is due after {@link ROCK_FRAMES} of them. */
   step(): void {
-    const { s, list } = this;
+    const { s, list, speedLimit } = this;
     const end = list + s[MOVED];
     for (let k = list; k < end; k++) {
       const o = HEAD + ROCK * s[k];
@@ -140,8 +142,8 @@ export class Rocks {
       const vy = s[o + 3];
       s[o] += vx * DT;
       s[o + 1] += vy * DT;
-      s[o + 2] = limitSpeed(vx + s[o + 4] * DT);
-      s[o + 3] = limitSpeed(vy + s[o + 5] * DT);
+      s[o + 2] = limitSpeed(vx + s[o + 4] * DT, speedLimit);
+      s[o + 3] = limitSpeed(vy + s[o + 5] * DT, speedLimit);
     }
   }
 

@@ -151,7 +151,7 @@ export class ArcadeSimulation implements Simulation {
       const cell = surroundings.here();
       const start = s[FRAME];
       if (hasAliens) aliens.lookAhead(cell);
-      if (recorder === null && aliens.ahead >= FEW_FRAMES && surroundings.isAway(cell, aliens.room)) {
+      if (recorder === null && aliens.ahead >= FEW_FRAMES && !this.world.isBusy && surroundings.isAway(cell, aliens.room)) {
         const frame = s[FRAME];
         const chased = aliens.moving > 0;
         flight.fly(chased ? Math.min(until, frame + aliens.ahead) : until, held, chased);

@@ -1,11 +1,8 @@
-import { HALF_DIAGONAL } from '../constants.ts';
+import type { Circles } from '../circles.ts';
 import { MOVED, STRAYED, X, Y } from './layout.ts';
 import { type Neighbourhood, Neighbourhoods } from './neighbourhoods.ts';
 import { ROCK_LEEWAY } from './rocks.ts';
 import type { World } from './world.ts';
-
-// V8 folds constants of the same module, imported ones it loads
-const CORNER = HALF_DIAGONAL;
 
 /** So far from all things she is out of them, px. */
 const AWAY = 1.5;
@@ -17,11 +14,13 @@ export class Surroundings {
   /** Targets that may be the nearest within them. */
   rivals: Int32Array = new Int32Array(0);
   private readonly nearest = new Int32Array(1);
+  private readonly discs: readonly Circles[];
   private readonly neighbourhoods: Neighbourhoods;
   private cell: Neighbourhood;
 
   constructor(private readonly world: World) {
-    this.neighbourhoods = new Neighbourhoods(world.scene);
+    this.discs = world.frameRules.map((rule) => rule.discs(world.scene));
+    this.neighbourhoods = new Neighbourhoods(world.scene, this.discs);
     this.cell = this.neighbourhoods.everything;
   }
 
@@ -102,7 +101,8 @@ export class Surroundings {
   /** How far she may move at least, along each axis, before anything in the neighbourhood can matter, px. */
   private gap(cell: Neighbourhood): number {
     const { s, range, recoil, rocks, places, placesFrom, placesStep, deadlyX, deadlyY, deadlyR, firstTarget } = this.world;
-    const { mineralX, mineralY, mineralR, collected, repulsorX, repulsorY, repulsorR } = this.world;
+    const { mineralX, mineralY, mineralR, collected, repulsorX, repulsorY, repulsorR, box } = this.world;
+    const { halfDiagonal } = box;
     const { rivals, deadly } = cell;
     if (rivals.length === 0) return 0;
     const leeway = s[STRAYED] === 0 ? ROCK_LEEWAY : rocks.leeway();
@@ -123,20 +123,28 @@ export class Surroundings {
       const o = placesFrom + placesStep * (code - firstTarget);
       const dx = Math.abs((moves ? places[o] : deadlyX[code]) - x);
       const dy = Math.abs((moves ? places[o + 1] : deadlyY[code]) - y);
-      gap = Math.min(gap, (dx > dy ? dx : dy) - CORNER - deadlyR[code] - leeway);
+      gap = Math.min(gap, (dx > dy ? dx : dy) - halfDiagonal - deadlyR[code] - leeway);
     }
     for (let k = 0; k < cell.minerals.length && gap >= AWAY; k++) {
       const i = cell.minerals[k];
       if (s[collected + i] !== 0) continue;
       const dx = Math.abs(mineralX[i] - x);
       const dy = Math.abs(mineralY[i] - y);
-      gap = Math.min(gap, (dx > dy ? dx : dy) - CORNER - mineralR[i]);
+      gap = Math.min(gap, (dx > dy ? dx : dy) - halfDiagonal - mineralR[i]);
     }
     for (let k = 0; k < cell.repulsors.length && gap >= AWAY; k++) {
       const i = cell.repulsors[k];
       const dx = Math.abs(repulsorX[i] - x);
       const dy = Math.abs(repulsorY[i] - y);
       gap = Math.min(gap, (dx > dy ? dx : dy) - repulsorR[i]);
+    }
+    for (let k = 0; k < cell.discs.length && gap >= AWAY; k++) {
+      const { x: discX, y: discY, r } = this.discs[k];
+      for (const i of cell.discs[k]) {
+        const dx = Math.abs(discX[i] - x);
+        const dy = Math.abs(discY[i] - y);
+        gap = Math.min(gap, (dx > dy ? dx : dy) - r[i]);
+      }
     }
     return gap;
   }

@@ -1,3 +1,7 @@
+import type { Rules } from '../../schema/index.ts';
+import type { Box } from '../contact/index.ts';
+import { effectsOf } from '../effects/index.ts';
+import type { FrameRule } from '../frames/index.ts';
 import type { Scene } from '../scene.ts';
 import { expectSnapshot } from '../snapshot.ts';
 import type { WorkBudget } from '../work-budget.ts';
@@ -15,6 +19,8 @@ const FEW = 48;
 export class World {
   readonly s: Float64Array;
   readonly recoil: boolean;
+  readonly rules: Rules;
+  readonly box: Box;
   readonly rocks: Rocks;
   readonly aliens: Aliens;
   readonly range: number;
@@ -37,6 +43,9 @@ export class World {
   readonly places: Float64Array;
   readonly placesFrom: number;
   readonly placesStep: number;
+  /** What effects beyond the original's do in a frame, and where in the state each has its own. */
+  readonly frameRules: readonly FrameRule[];
+  readonly frameStates: readonly number[];
   private readonly start: Float64Array;
 
   constructor(
@@ -46,7 +55,15 @@ export class World {
     const { level, targets, novae, repulsors, aliens, minerals } = scene;
     const { blackHole } = level;
     this.recoil = level.recoil;
-    const length = HEAD + (this.recoil ? (ROCK + 1) * targets.count : 0) + Aliens.length(aliens.count) + minerals.count;
+    this.rules = scene.rules;
+    this.box = scene.box;
+    this.frameRules = effectsOf(scene.effects).flatMap(({ frame }) => frame ?? []);
+    let length = HEAD + (this.recoil ? (ROCK + 1) * targets.count : 0) + Aliens.length(aliens.count) + minerals.count;
+    this.frameStates = this.frameRules.map((rule) => {
+      const at = length;
+      length += rule.stateLength?.(scene) ?? 0;
+      return at;
+    });
     this.s = new Float64Array(length);
     this.start = new Float64Array(length);
     this.rocks = new Rocks(this.s, scene);
@@ -81,11 +98,19 @@ export class World {
     s[COS] = 1;
     this.rocks.layOut(s);
     this.aliens.layOut(s);
+    for (const [k, rule] of this.frameRules.entries()) rule.layOut?.(this.scene, s, this.frameStates[k]);
     if (this.recoil) return;
     for (let i = 0; i < targets.count; i++) {
       this.places[2 * i] = targets.x[i];
       this.places[2 * i + 1] = targets.y[i];
     }
+  }
+
+  /** Whether an effect beyond the original's is to be asked wherever she is. */
+  get isBusy(): boolean {
+    const { frameRules, frameStates } = this;
+    for (let k = 0; k < frameRules.length; k++) if (frameRules[k].isBusy?.(this.scene, this.s, frameStates[k])) return true;
+    return false;
   }
 
   reset(): void {

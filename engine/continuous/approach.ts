@@ -1,12 +1,18 @@
 import type { ClearanceTracker } from '../clearance.ts';
-import { ALIEN_PULL, HALF_DIAGONAL } from '../constants.ts';
+import { alienTravel, gapAt, rockTravel, sweptTime } from '../events/index.ts';
+import {
+  ALERTNESS,
+  type Motion,
+  placeAlien,
+  placeAt,
+  placeCircle,
+  placeRock,
+  RECORDS,
+  relativeAt,
+  SERIES,
+  SLOTS,
+} from '../motion/index.ts';
 import type { BodyKind } from '../simulation.ts';
-import { placeAlien, placeCircle, placeRock, relativeAt, SERIES } from './circle.ts';
-import { gapAt, sweptTime } from './guards/contact.ts';
-import type { Motion } from './motion.ts';
-import { alienTravel, rockTravel } from './neighbourhood.ts';
-import { placeAt } from './places.ts';
-import { ALERTNESS, RECORDS, SLOTS } from './state.ts';
 
 const { BASE_X, BASE_Y, NEXT, ACCELERATION } = SLOTS;
 const { CHASER } = RECORDS;
@@ -39,10 +45,10 @@ export function approachHazards(m: Motion, start: number, length: number, tracke
   const vx = e[2] + (m.recoil ? e[6] : 0);
   const vy = e[3] + (m.recoil ? e[7] : 0);
   const travel = (Math.sqrt(vx * vx + vy * vy) + (s[ACCELERATION] + m.kappa) * length) * length;
-  const within = tracker.least + travel + HALF_DIAGONAL + 1e-6;
+  const within = tracker.least + travel + m.box.halfDiagonal + 1e-6;
   const consider = (kind: BodyKind, i: number, r: number, pull: number, moves: number) => {
     relativeAt(m, 0);
-    const far = Math.sqrt(e[4] * e[4] + e[5] * e[5]) - r - HALF_DIAGONAL - travel - moves;
+    const far = Math.sqrt(e[4] * e[4] + e[5] * e[5]) - r - m.box.halfDiagonal - travel - moves;
     if (far < tracker.least) approach(m, start, length, tracker, kind, i, r, pull);
   };
   const nova = (i: number) => {
@@ -62,7 +68,13 @@ export function approachHazards(m: Motion, start: number, length: number, tracke
   for (let i = 0; i < aliens.count; i++) {
     if (s[m.chasers + CHASER * i + 4] === GONE) continue;
     placeAlien(m, i);
-    consider('alien', i, aliens.r[i], m.circleMotion === SERIES ? ALIEN_PULL : 0, alienTravel(m, i, length));
+    consider(
+      'alien',
+      i,
+      aliens.r[i],
+      m.circleMotion === SERIES ? m.rules.alienPull : 0,
+      alienTravel(m, i, m.rules.alienPull, length),
+    );
   }
   s[NEXT] = next;
 }

@@ -1,7 +1,6 @@
-import type { Motion } from './motion.ts';
-import { nearest } from './nearest.ts';
-import { begin } from './piece.ts';
-import { SLOTS } from './state.ts';
+import { recordTarget } from '../effects/index.ts';
+import { type Motion, nearest, SLOTS } from '../motion/index.ts';
+import { begin } from './begin.ts';
 import { stop } from './stop.ts';
 
 const { START, HELD, TARGET, COVER, MOVES, CROSSED } = SLOTS;
@@ -20,9 +19,4 @@ export function button(m: Motion, held: boolean, time: number): void {
     if (held) recordTarget(m, time);
   }
   begin(m);
-}
-
-/** Tells the recorder which asteroid the gun holds from now on. */
-export function recordTarget(m: Motion, time: number): void {
-  m.recorder?.event({ time, type: 'target', index: m.scene.targets.index[m.s[TARGET]] });
 }

@@ -1,12 +1,21 @@
-import { ALIEN_PULL, SPEED_LIMIT } from '../constants.ts';
-import { CENTRAL, COAST, LINEAR, SLIDE } from './flow.ts';
-import { untilGrid } from './glide.ts';
-import { CONVERGENCE } from './integrator.ts';
-import { straighten } from './line.ts';
-import type { Motion } from './motion.ts';
-import { SMALLEST_ORBIT } from './piece.ts';
-import { expandSlide } from './slide.ts';
-import { ALERTNESS, MEETINGS, RECORDS, SLOTS } from './state.ts';
+import { untilGrid } from '../integrators/index.ts';
+import {
+  ALERTNESS,
+  actingForce,
+  awakeAt,
+  CENTRAL,
+  COAST,
+  expandSlide,
+  LINEAR,
+  MEETINGS,
+  type Motion,
+  RECORDS,
+  SLIDE,
+  SLOTS,
+  STEADY,
+  straighten,
+} from '../motion/index.ts';
+import { CONVERGENCE, SMALLEST_ORBIT } from '../tolerances.ts';
 
 const {
   START,
@@ -44,6 +53,12 @@ const CLOSEST_PASS = 1e-8;
 /** Longest piece of a rock that the gun holds in her centre while she is accelerated, s. */
 const LONGEST_STAY = 1 / 240;
 
+/** Longest piece of her who is held at the speed limit beside a steady force, s: when it lets go is looked for at its end. */
+const LONGEST_HELD = 1 / 240;
+
+/** Longest piece under a steady force alone, so that bounds over it stay tight, s. */
+const LONGEST_STEADY = 4;
+
 /** Longest piece of a rock that is dragged along a line, so that bounds over it stay tight, s. */
 const LONGEST_DRAG = 4;
 
@@ -67,21 +82,24 @@ export function expand(m: Motion): void {
   // fixed steps end on a grid of their own rate, which the ticks are a part of
   let h = Number.POSITIVE_INFINITY;
   const { rate } = m.scene.accuracy;
-  if ((kind !== COAST || awake > 0) && rate !== null) {
+  if (((kind !== COAST && kind !== STEADY) || awake > 0) && rate !== null) {
     h = untilGrid(s[START], rate);
   }
   s[DEGREE] = 1;
   s[ACCELERATION] = 0;
-  if (kind === COAST && m.crowded) {
+  if (m.flow.isSteady && (s[LIMIT_X] !== 0 || s[LIMIT_Y] !== 0)) h = Math.min(h, LONGEST_HELD);
+  if ((kind === COAST || kind === STEADY) && m.crowded) {
     // where an index finds the neighbours, a long path would find them all
     const speed = Math.sqrt(ux[1] * ux[1] + uy[1] * uy[1]);
     if (speed > 0) h = Math.min(h, CROWDED_REACH / speed);
   }
   if (kind === COAST && (s[LIMIT_X] !== 0 || s[LIMIT_Y] !== 0) && (s[FIELD] >= 0 || held)) {
     // at the limit through the very centre: out of it straight on
-    h = Math.min(h, SMALLEST_ORBIT / SPEED_LIMIT);
+    h = Math.min(h, SMALLEST_ORBIT / m.rules.speedLimit);
   }
-  if (kind === SLIDE) {
+  if (kind === STEADY) {
+    h = expandSteady(m, h);
+  } else if (kind === SLIDE) {
     s[DEGREE] = integrator.degree;
     h = expandSlide(m, h);
   } else if (kind !== COAST) {
@@ -100,6 +118,19 @@ export function expand(m: Motion): void {
     m.budget.look(LOOKS_A_CHASER * awake);
   }
   s[LENGTH_H] = h;
+}
+
+/** Nothing but a steady force acts, or she passes so near to the centre of another that its direction is none: a parabola, exactly. */
+function expandSteady(m: Motion, longest: number): number {
+  const { s, flow, ux, uy, px, py } = m;
+  s[DEGREE] = 2;
+  ux[2] = flow.freeX ? flow.steadyX / 2 : 0;
+  uy[2] = flow.freeY ? flow.steadyY / 2 : 0;
+  px[2] = py[2] = 0;
+  s[ACCELERATION] = flow.steadyStrength;
+  const speed = Math.sqrt(ux[1] * ux[1] + uy[1] * uy[1]);
+  const isPass = actingForce(m) !== null;
+  return Math.min(longest, isPass && speed > 0 ? SMALLEST_ORBIT / speed : LONGEST_STEADY);
 }
 
 /** On a line through the centre the target's recoil is constant. */
@@ -130,7 +161,7 @@ export function expandChasers(m: Motion, longest: number): number {
   // a fixed step depends on its length: it is known before the first is made, as it is after a restore
   let h = drags ? Math.min(longest, longestDrag(m)) : longest;
   const awake = s[AWAKE_COUNT];
-  for (let k = 0; k < awake; k++) h = expandChaser(m, m.crowd.awake[k], ALIEN_PULL, h);
+  for (let k = 0; k < awake; k++) h = expandChaser(m, awakeAt(m, k), m.rules.alienPull, h);
   if (drags) h = expandDragged(m, h);
   return h;
 }
@@ -198,7 +229,7 @@ export function restoreChasers(m: Motion): void {
   expandChasers(m, s[LENGTH_H]);
   if (s[OUTCOME] === 0) return;
   for (let k = 0; k < s[AWAKE_COUNT]; k++) {
-    const i = m.crowd.awake[k];
+    const i = awakeAt(m, k);
     chaserX[i].fill(0, 1);
     chaserY[i].fill(0, 1);
   }

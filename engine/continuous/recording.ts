@@ -1,13 +1,11 @@
 import { ChangeLog } from '../change-log.ts';
 import { type Clearance, ClearanceTracker } from '../clearance.ts';
+import { awakeAt, type Motion, packPiece, RECORDS, type Recorder, SLOTS } from '../motion/index.ts';
 import type { Scene } from '../scene.ts';
 import type { RunEvent } from '../simulation.ts';
 import type { Trajectory } from '../trajectory.ts';
 import { unlimited, type WorkBudget } from '../work-budget.ts';
-import type { Motion } from './motion.ts';
-import { packPiece } from './packed-piece.ts';
 import { ContinuousSimulation } from './simulation.ts';
-import { RECORDS, SLOTS } from './state.ts';
 
 const { START, AWAKE_COUNT } = SLOTS;
 const { CHASER, ROCK } = RECORDS;
@@ -19,7 +17,7 @@ const BYTES_A_PIECE = 128;
 const FIRST_LOOKS = 64;
 
 /** Keeps every piece and event of a run in continuous time. */
-export class PieceRecorder implements Trajectory {
+export class PieceRecorder implements Recorder, Trajectory {
   readonly events: RunEvent[] = [];
   /** Of each piece what {@link packPiece} keeps; what becomes of chasers and rocks is apart. */
   private states: Float64Array[] = [];
@@ -56,9 +54,11 @@ export class PieceRecorder implements Trajectory {
     if (rocks > chasers) {
       this.chasers ??= new ChangeLog(CHASER, s.subarray(chasers, rocks), budget);
       this.chasers.next();
-      for (let k = 0; k < s[AWAKE_COUNT]; k++) this.chasers.set(crowd.awake[k], s, chasers + CHASER * crowd.awake[k]);
-      for (const i of crowd.altered) this.chasers.set(i, s, chasers + CHASER * i);
-      crowd.altered.length = 0;
+      for (let k = 0; k < s[AWAKE_COUNT]; k++) this.chasers.set(awakeAt(motion, k), s, chasers + CHASER * awakeAt(motion, k));
+      if (crowd !== null) {
+        for (const i of crowd.altered) this.chasers.set(i, s, chasers + CHASER * i);
+        crowd.altered.length = 0;
+      }
       const { count } = this.scene.aliens;
       if (motion.recoils) this.chasers.set(count, s, chasers + CHASER * count);
     }

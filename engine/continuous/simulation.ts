@@ -1,22 +1,32 @@
 import type { ClearanceTracker } from '../clearance.ts';
 import { TICK_RATE } from '../constants.ts';
+import { effectsOf, partsOf } from '../effects/index.ts';
+import { integratorOf } from '../integrators/index.ts';
+import {
+  ALERTNESS,
+  alienPlaceAt,
+  directionAt,
+  MODES,
+  Motion,
+  RECORDS,
+  type Recorder,
+  readRocks,
+  rockAt,
+  SLOTS,
+  settleAt,
+  unpackPiece,
+} from '../motion/index.ts';
 import type { Scene } from '../scene.ts';
 import type { Ending, Mode, Simulation, Work } from '../simulation.ts';
 import { expectSnapshot } from '../snapshot.ts';
 import { unlimited, type WorkBudget, WorkLimitReached } from '../work-budget.ts';
 import { approachHazards } from './approach.ts';
+import { begin, setFlow } from './begin.ts';
 import { button } from './button.ts';
 import { endingOf } from './ending.ts';
 import { restoreChasers } from './expand.ts';
 import { fire } from './fire.ts';
 import { layOut } from './layout.ts';
-import { MODES, Motion } from './motion.ts';
-import { unpackPiece } from './packed-piece.ts';
-import { begin, setFlow } from './piece.ts';
-import { alienPlaceAt, directionAt, rockAt, settleAt } from './places.ts';
-import type { PieceRecorder } from './recording.ts';
-import { readRocks } from './rocks.ts';
-import { ALERTNESS, RECORDS, SLOTS } from './state.ts';
 
 const { START, FROM, NEXT, TICK_NOW, HELD, BASE_X, BASE_Y, OUTCOME, END_TIME, MINERALS, AWAKE_COUNT } = SLOTS;
 const { CHASER } = RECORDS;
@@ -38,21 +48,23 @@ export class ContinuousSimulation implements Simulation {
   private readonly startRest: Float64Array;
 
   /** @param budget what it may cost; used up, whatever asked for more gets a WorkLimitReached */
-  constructor(scene: Scene, recorder: PieceRecorder | null = null, budget: WorkBudget = unlimited()) {
-    const motion = new Motion(scene, recorder, budget);
+  constructor(scene: Scene, recorder: Recorder | null = null, budget: WorkBudget = unlimited()) {
+    const effects = effectsOf(scene.effects);
+    const motion = new Motion(scene, integratorOf(scene.accuracy), partsOf(effects), recorder, budget);
+    for (const effect of effects) effect.attach?.(motion);
     this.scene = scene;
     this.work = motion.work;
     this.motion = motion;
     this.start = motion.s.slice();
     try {
-      layOut(motion);
+      layOut(motion, effects);
       begin(motion);
     } catch (error) {
       if (!(error instanceof WorkLimitReached)) throw error;
       this.refusal = error;
     }
     this.start.set(motion.s);
-    motion.crowd.changed = false;
+    if (motion.crowd !== null) motion.crowd.changed = false;
     this.startHead = this.start.subarray(0, motion.chasers);
     this.startRest = this.start.subarray(motion.chasers + CHASER * scene.aliens.count);
   }
@@ -81,7 +93,7 @@ export class ContinuousSimulation implements Simulation {
     const { modeSeconds, work } = this.motion;
     const { motion, start } = this;
     const { s, crowd } = motion;
-    if (s[AWAKE_COUNT] === 0 && !crowd.changed) {
+    if (s[AWAKE_COUNT] === 0 && !crowd?.changed) {
       // all sleep where the level has them
       s.set(this.startHead);
       s.set(this.startRest, s.length - this.startRest.length);
@@ -110,7 +122,7 @@ export class ContinuousSimulation implements Simulation {
     motion.s.set(snapshot);
     if (motion.recoils) readRocks(motion);
     this.resume();
-    motion.crowd.changed = true;
+    if (motion.crowd !== null) motion.crowd.changed = true;
   }
 
   /**
@@ -127,12 +139,13 @@ export class ContinuousSimulation implements Simulation {
   /** The state has become another: what follows from it does, too. */
   private resume(): void {
     const { motion } = this;
-    if (this.scene.aliens.count > 0) {
-      motion.crowd.read();
-      motion.crowd.changed = false;
+    const { crowd } = motion;
+    if (crowd !== null) {
+      crowd.read();
+      crowd.changed = false;
     }
     // what moves may be elsewhere than where the list of neighbours has it
-    if (this.scene.aliens.count > 0 || motion.recoils) motion.near.skin = -1;
+    if (crowd !== null || motion.recoils) motion.near.skin = -1;
     setFlow(motion);
     restoreChasers(motion);
   }
@@ -153,7 +166,7 @@ export class ContinuousSimulation implements Simulation {
 
   get mayAliensHaveStirred(): boolean {
     const { s, crowd } = this.motion;
-    return crowd.changed || s[AWAKE_COUNT] > 0;
+    return crowd !== null && (crowd.changed || s[AWAKE_COUNT] > 0);
   }
 
   readAsteroids(out: Float64Array): void {

@@ -1,8 +1,15 @@
-import { movesAlong, straightenBody } from './line.ts';
-import type { Motion } from './motion.ts';
-import { directionAt, settleAt } from './places.ts';
-import { pairAt } from './polynomial.ts';
-import { ALERTNESS, RECORDS, SLOTS } from './state.ts';
+import {
+  ALERTNESS,
+  awakeAt,
+  directionAt,
+  type Motion,
+  movesAlong,
+  pairAt,
+  RECORDS,
+  SLOTS,
+  settleAt,
+  straightenBody,
+} from '../motion/index.ts';
 
 const { START, FROM, HELD, TARGET, FIELD, BASE, BASE_X, BASE_Y, COS, SIN, LAST_EVENT, AWAKE_COUNT } = SLOTS;
 const { CHASER, ROCK } = RECORDS;
@@ -17,7 +24,7 @@ export function stop(m: Motion, t: number, time: number): void {
   s[COS] = e[8];
   s[SIN] = e[9];
   const awake = s[AWAKE_COUNT];
-  for (let k = 0; k < awake; k++) settleChaser(m, m.crowd.awake[k], t);
+  for (let k = 0; k < awake; k++) settleChaser(m, awakeAt(m, k), t);
   const drag = m.chasers + CHASER * m.scene.aliens.count;
   if (m.recoils && s[drag + 4] === AWAKE) {
     settleChaser(m, m.scene.aliens.count, t);

@@ -1,10 +1,8 @@
-import type { Level } from '../../schema/index.ts';
-
-type ListName = 'asteroids' | 'novae' | 'repulsors' | 'aliens' | 'minerals';
+import type { Level, ObjectList } from '../../schema/index.ts';
 
 /** Called for where the level has at least one object in `list`. */
 export const whereAny =
-  (list: ListName, one: string) =>
+  (list: ObjectList, one: string) =>
   (level: Level): { called: boolean; because: string } => {
     const n = level[list].length;
     return n > 0 ? { called: true, because: `${n} ${n === 1 ? one : list}` } : { called: false, because: `no ${list}` };

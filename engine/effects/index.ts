@@ -1,16 +1,22 @@
-import type { Level } from '../../schema/index.ts';
-import { alienChase } from './alien-chase.ts';
-import { alienExplosion } from './alien-explosion.ts';
-import { blackHole, range, speedLimit } from './always.ts';
+import type { Level, Rules } from '../../schema/index.ts';
+import { layOutRules, putInOrder } from '../events/index.ts';
+import type { EventRule, Parts } from '../motion/index.ts';
+import type { ChosenEffect, EffectChoice } from '../scene.ts';
+import type { RunEvent } from '../simulation.ts';
+import { alienChase, alienExplosion, explode, fallAsleep, touchAlien, wake } from './aliens/index.ts';
+import { blackHole, touchBlackHole } from './black-hole/index.ts';
 import type { Effect } from './effect.ts';
-import { gun } from './gun.ts';
-import { hotAsteroids } from './hot-asteroids.ts';
-import { minerals } from './minerals.ts';
-import { novae } from './novae.ts';
-import { recoil } from './recoil.ts';
-import { repulsor } from './repulsor.ts';
+import { gun, meetTarget, passCentre, switchTarget } from './gun/index.ts';
+import { hotAsteroids, novae, touchHot, touchNova } from './hazards/index.ts';
+import { collect, minerals } from './minerals/index.ts';
+import { leaveRange, range } from './range/index.ts';
+import { recoil } from './recoil/index.ts';
+import { comeOffRim, enterField, leaveField, repulsor } from './repulsor/index.ts';
+import { freeAxis, holdAxis, speedLimit } from './speed-limit/index.ts';
 
+export { explosionsAtStart } from './aliens/index.ts';
 export type { Effect } from './effect.ts';
+export { recordTarget } from './gun/index.ts';
 
 /** Every effect of the game, in the order in which `gq inspect` lists them. */
 export const EFFECTS: readonly Effect[] = [
@@ -27,15 +33,33 @@ export const EFFECTS: readonly Effect[] = [
   range,
 ];
 
-export interface ChosenEffect {
-  readonly name: string;
-  readonly because: string;
-}
+/** Every kind of event, in the order in which they happen when they fall on the same instant. */
+const EVENTS_IN_ORDER: readonly EventRule[] = [
+  collect,
+  touchNova,
+  touchHot,
+  touchAlien,
+  touchBlackHole,
+  leaveRange,
+  passCentre,
+  meetTarget,
+  switchTarget,
+  enterField,
+  leaveField,
+  wake,
+  fallAsleep,
+  explode,
+  holdAxis,
+  freeAxis,
+  comeOffRim,
+];
+putInOrder(EVENTS_IN_ORDER);
 
-export interface EffectChoice {
-  readonly simulated: readonly ChosenEffect[];
-  readonly notCalledFor: readonly ChosenEffect[];
-}
+/** With these the neighbour list begins: the last digit of a tie between two of them can depend on which is looked at first. */
+const LISTED_FIRST: readonly EventRule[] = [touchNova, collect, enterField, touchBlackHole, touchAlien, touchHot, switchTarget];
+
+/** Those that accelerate her: of forces that act one instead of another the first that acts does. */
+const FORCES_IN_ORDER: readonly Effect[] = [repulsor, gun];
 
 /** Which effects a level calls for. */
 export function chooseEffects(level: Level): EffectChoice {
@@ -46,4 +70,58 @@ export function chooseEffects(level: Level): EffectChoice {
     (called ? simulated : notCalledFor).push({ name: effect.name, because });
   }
   return { simulated, notCalledFor };
+}
+
+/** The effects that are part of a scene. */
+export function effectsOf({ simulated }: EffectChoice): readonly Effect[] {
+  const names = new Set(simulated.map(({ name }) => name));
+  return EFFECTS.filter(({ name }) => names.has(name));
+}
+
+/** What these effects bring to a motion, laid out. */
+export function partsOf(effects: readonly Effect[]): Parts {
+  const hooks = <K extends 'moved' | 'beforePiece' | 'turn' | 'setRim' | 'repeat' | 'mayRepeat'>(name: K) =>
+    effects.flatMap((effect) => {
+      const hook = effect[name];
+      return hook === undefined ? [] : [hook];
+    });
+  const forces = FORCES_IN_ORDER.filter((effect) => effects.includes(effect)).flatMap(({ force }) => force ?? []);
+  return {
+    ...layOutRules(
+      EVENTS_IN_ORDER,
+      LISTED_FIRST,
+      effects.flatMap(({ events }) => events ?? []),
+    ),
+    central: forces.filter((force) => force.acts === 'instead'),
+    steady: forces.filter((force) => force.acts === 'beside'),
+    own: effects.flatMap(({ name, stateLength }) => (stateLength === undefined ? [] : [{ name, length: stateLength }])),
+    moved: hooks('moved'),
+    beforePiece: hooks('beforePiece'),
+    turn: hooks('turn'),
+    setRim: hooks('setRim'),
+    repeat: hooks('repeat'),
+    mayRepeat: hooks('mayRepeat'),
+  };
+}
+
+/**
+ * The most that all forces together can accelerate her, px/s2. Of those that act one instead of another the strongest counts, and
+ * those that act beside them add up.
+ */
+export function strongestOf(effects: readonly Effect[], level: Level, rules: Rules): number {
+  let instead = 0;
+  let beside = 0;
+  for (const { force } of effects) {
+    if (force === undefined) continue;
+    const strongest = force.strongest(level, rules);
+    if (force.acts === 'instead') instead = Math.max(instead, strongest);
+    else beside += strongest;
+  }
+  return instead + beside;
+}
+
+/** An effect's own event as a sentence without its subject, who is she. */
+export function effectEventInWords({ effect, what, index }: Extract<RunEvent, { type: 'effect' }>): string {
+  const tell = EFFECTS.find(({ name }) => name === effect)?.tells?.[what];
+  return tell === undefined ? `${effect} ${index}: ${what}` : tell(index);
 }

@@ -1,20 +1,16 @@
-import type { Level } from '../../schema/index.ts';
+import { type Level, OBJECT_LISTS, type ObjectList } from '../../schema/index.ts';
 import type { Place } from './geometry.ts';
 
-export const LISTS = ['asteroids', 'novae', 'repulsors', 'aliens', 'minerals'] as const;
-
 /** For each list of a level: the objects that lie exactly where an earlier one of the list lies, and that one's index. */
-export type Copies = Readonly<Record<(typeof LISTS)[number], ReadonlyMap<number, number>>>;
+export type Copies = Readonly<Record<ObjectList, ReadonlyMap<number, number>>>;
 
 const NONE: ReadonlyMap<number, number> = new Map();
 
-export const copiesOf = (level: Level): Copies => ({
-  asteroids: copiesIn(level.asteroids),
-  novae: copiesIn(level.novae),
-  repulsors: copiesIn(level.repulsors),
-  aliens: copiesIn(level.aliens),
-  minerals: copiesIn(level.minerals),
-});
+export const copiesOf = (level: Level): Copies =>
+  Object.fromEntries(OBJECT_LISTS.map((list) => [list, copiesIn(level[list])])) as Record<
+    ObjectList,
+    ReadonlyMap<number, number>
+  >;
 
 function copiesIn(list: readonly Place[]): ReadonlyMap<number, number> {
   if (list.length < 2) return NONE;

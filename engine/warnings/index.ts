@@ -1,4 +1,5 @@
-import type { Level } from '../../schema/index.ts';
+import { type Level, rulesOf } from '../../schema/index.ts';
+import { boxOf } from '../contact/index.ts';
 import type { Run } from '../simulate.ts';
 import { aliensExplodeAtStart } from './aliens-explode-at-start.ts';
 import { blackHoleCovered } from './black-hole-covered.ts';
@@ -54,7 +55,9 @@ export const MORE_WARNINGS = `there are more of these: only the first ${MAX_WARN
  * @returns in a fixed order; empty when all is well
  */
 export function findWarnings(level: Level, runs: readonly Run[] = []): Warning[] {
-  const subject = { level, runs, bodies: bodiesOf(level), reach: reachOf(level), copies: copiesOf(level) };
+  const rules = rulesOf(level);
+  const box = boxOf(rules);
+  const subject = { level, rules, box, runs, bodies: bodiesOf(level), reach: reachOf(level, rules), copies: copiesOf(level) };
   const warnings: Warning[] = [];
   for (const { explanation, find } of RULES) {
     const { code, severity } = explanation;

@@ -1,6 +1,7 @@
 import Flatbush from 'flatbush';
-import type { Asteroid, Level } from '../../schema/index.ts';
-import { DEFAULT_MAX_TIME, HALF_DIAGONAL, SPEED_LIMIT, TICK } from '../constants.ts';
+import type { Asteroid, Level, Rules } from '../../schema/index.ts';
+import { DEFAULT_MAX_TIME, TICK } from '../constants.ts';
+import { boxOf } from '../contact/index.ts';
 import { distance, type Place } from './geometry.ts';
 
 /** Where she can be at all: never farther than the range from an asteroid she can come to. */
@@ -20,25 +21,26 @@ const INDEX_FROM = 64;
 const MAX_COMPARISONS = 1_000_000;
 
 // `arcade` looks once a frame, so it lets her jump a gap of one frame's flight at the speed limit on both axes
-const FRAME_JUMP = SPEED_LIMIT * TICK * Math.sqrt(2);
+const frameJump = ({ speedLimit }: Rules): number => speedLimit * TICK * Math.sqrt(2);
 
 /**
- * How far recoil can carry an asteroid within the longest default run, px: a t2 / 2 with a = 1 / (2 radius).
+ * How far recoil can carry an asteroid within the longest default run, px: a t2 / 2 with a = recoil / (2 radius).
  * 0 without recoil.
  */
-function drift(level: Level): number {
+function drift(level: Level, { recoil }: Rules): number {
   if (!level.recoil) return 0;
   const smallest = level.asteroids.reduce((r, a) => Math.min(r, a.radius), Number.POSITIVE_INFINITY);
-  return (DEFAULT_MAX_TIME * DEFAULT_MAX_TIME) / (4 * smallest);
+  return (recoil * DEFAULT_MAX_TIME * DEFAULT_MAX_TIME) / (4 * smallest);
 }
 
 /** Finds the asteroids she can come to from the start, hopping from range to range; all of them if she starts in none. */
-export function reachOf(level: Level): Reach {
-  const slack = drift(level);
-  const reached = island(level, 2 * level.range + 2 * slack + FRAME_JUMP);
+export function reachOf(level: Level, rules: Rules): Reach {
+  const slack = drift(level, rules);
+  const { halfDiagonal } = boxOf(rules);
+  const reached = island(level, 2 * level.range + 2 * slack + frameJump(rules));
   let index: Flatbush | null = null;
   return {
-    limit: (radius) => level.range + radius + HALF_DIAGONAL + slack,
+    limit: (radius) => level.range + radius + halfDiagonal + slack,
     nearest(place) {
       if (reached.length >= INDEX_FROM) index ??= indexOf(level.asteroids, reached);
       const found =

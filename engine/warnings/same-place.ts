@@ -1,4 +1,4 @@
-import { LISTS } from './copies.ts';
+import { OBJECT_LISTS } from '../../schema/index.ts';
 import type { Rule } from './warning.ts';
 
 /** A copy that was never moved away. */
@@ -11,7 +11,7 @@ export const samePlace: Rule = {
     fix: 'Move the second one, or delete it.',
   },
   *find({ copies }) {
-    for (const list of LISTS) {
+    for (const list of OBJECT_LISTS) {
       for (const [i, first] of copies[list]) {
         yield {
           message: `${list}[${i}] has the same centre as ${list}[${first}]: 0 px apart`,

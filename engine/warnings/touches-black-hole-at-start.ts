@@ -8,15 +8,15 @@ export const touchesBlackHoleAtStart: Rule = {
     code: 'touches-black-hole-at-start',
     severity: 'warning',
     title: 'the level is completed as it begins',
-    why: 'The astronaut starts with her box of 20 x 32 px inside the black hole. Touching it completes the level, so there is nothing to play.',
+    why: 'The astronaut starts with her box inside the black hole. Touching it completes the level, so there is nothing to play.',
     fix: 'Move the astronaut or the black hole until there is a way to go between them.',
   },
-  *find({ level }) {
+  *find({ level, box }) {
     const { astronaut, blackHole } = level;
     const dx = blackHole.x - astronaut.x;
     const dy = blackHole.y - astronaut.y;
-    if (!boxOverlapsCircle(dx, dy, 1, 0, blackHole.radius)) return;
-    const depth = px(-boxCircleGap(dx, dy, 1, 0, blackHole.radius));
+    if (!boxOverlapsCircle(box, dx, dy, 1, 0, blackHole.radius)) return;
+    const depth = px(-boxCircleGap(box, dx, dy, 1, 0, blackHole.radius));
     yield {
       message: `the astronaut starts inside the black hole: her box reaches ${depth} into its radius of ${px(blackHole.radius)}`,
       hint: 'move the astronaut or the black hole away',

@@ -1,4 +1,5 @@
-import type { Level } from '../../schema/index.ts';
+import type { Level, Rules } from '../../schema/index.ts';
+import type { Box } from '../contact/index.ts';
 import type { Run } from '../simulate.ts';
 import type { Body } from './bodies.ts';
 import type { Copies } from './copies.ts';
@@ -28,6 +29,9 @@ export interface WarningExplanation {
 /** What the rules look at, and what several of them need. */
 export interface Subject {
   readonly level: Level;
+  /** The numbers of the game in this level. */
+  readonly rules: Rules;
+  readonly box: Box;
   /** Runs of the level that were simulated; may be empty. */
   readonly runs: readonly Run[];
   /** Everything solid. */

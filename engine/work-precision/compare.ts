@@ -1,6 +1,6 @@
 import type { Hold, Level } from '../../schema/index.ts';
 import type { Accuracy } from '../accuracy.ts';
-import { compile } from '../scene.ts';
+import { compile } from '../compile.ts';
 import { createSimulation } from '../simulate.ts';
 import type { Outcome } from '../simulation.ts';
 import { largestDistance, type Path, pathOf } from './path.ts';

@@ -1,7 +1,7 @@
 import type { Hold, Level } from '../../schema/index.ts';
 import type { Accuracy } from '../accuracy.ts';
+import { compile } from '../compile.ts';
 import { TICK } from '../constants.ts';
-import { compile } from '../scene.ts';
 import { createSimulation } from '../simulate.ts';
 import type { Outcome } from '../simulation.ts';
 import { TOLERANCES } from './methods.ts';

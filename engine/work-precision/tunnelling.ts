@@ -1,8 +1,8 @@
-import type { Level } from '../../schema/index.ts';
+import { type Level, NO_OBJECTS } from '../../schema/index.ts';
 import { ACCURACIES, type Accuracy } from '../accuracy.ts';
-import { HALF_DIAGONAL, HALF_HEIGHT, HALF_WIDTH, TICK_RATE } from '../constants.ts';
-import { boxOverlapsCircle } from '../contact/index.ts';
-import { compile } from '../scene.ts';
+import { compile } from '../compile.ts';
+import { TICK_RATE } from '../constants.ts';
+import { boxOverlapsCircle, DEFAULT_BOX } from '../contact/index.ts';
 import { createSimulation } from '../simulate.ts';
 
 export interface TunnellingOptions {
@@ -32,9 +32,9 @@ export function missedContacts(radius: number, speed: number, { rate, flights, r
   for (let i = 0; i < flights; i++) {
     const [dx, dy] = direction(random);
     // her box and the circle together are so wide across the way: a smaller offset is a contact for certain
-    const across = HALF_WIDTH * Math.abs(dy) + HALF_HEIGHT * Math.abs(dx) + radius;
+    const across = DEFAULT_BOX.halfWidth * Math.abs(dy) + DEFAULT_BOX.halfHeight * Math.abs(dx) + radius;
     const offset = (2 * random() - 1) * across;
-    const along = HALF_DIAGONAL + radius + 1 + (random() * speed) / rate;
+    const along = DEFAULT_BOX.halfDiagonal + radius + 1 + (random() * speed) / rate;
     const x = dx * along - dy * offset;
     const y = dy * along + dx * offset;
     if (!seenAtFrames(x, y, radius, (dx * speed) / rate, (dy * speed) / rate, along)) frame++;
@@ -55,7 +55,7 @@ function direction(random: () => number): readonly [x: number, y: number] {
 
 function seenAtFrames(x: number, y: number, radius: number, stepX: number, stepY: number, along: number): boolean {
   const frames = Math.ceil((2 * along) / Math.sqrt(stepX * stepX + stepY * stepY));
-  for (let k = 0; k <= frames; k++) if (boxOverlapsCircle(x - k * stepX, y - k * stepY, 1, 0, radius)) return true;
+  for (let k = 0; k <= frames; k++) if (boxOverlapsCircle(DEFAULT_BOX, x - k * stepX, y - k * stepY, 1, 0, radius)) return true;
   return false;
 }
 
@@ -69,11 +69,9 @@ function seenBySweep(x: number, y: number, radius: number, vx: number, vy: numbe
     blackHole: { x: 0, y: 1e6, radius: 1 },
     range: 1e6,
     recoil: false,
+    ...NO_OBJECTS,
     asteroids: [{ id: null, x: 1e5, y: 1e5, radius: 1, hot: false }],
     novae: [{ id: null, x, y, radius }],
-    repulsors: [],
-    aliens: [],
-    minerals: [],
     runs: [],
   };
   const simulation = createSimulation(compile(level, SWEPT));

@@ -1,6 +1,7 @@
-export { GRADE_WORDS, type Grade, type GradeWord } from './grade.ts';
+export { GRADE_WORDS, type Grade, type GradeWord, gradeOf } from './grade.ts';
 export { type Difficulty, type DifficultyOptions, type MineralsExtra, measureDifficulty } from './measure-difficulty.ts';
-export type { RandomPlay } from './random-play.ts';
+export { countOnePress, type OnePressCount } from './one-press.ts';
+export { playAtRandom, playGameAtRandom, type RandomPlay } from './random-play.ts';
 export { findShortcuts, type OnePress, type ShortcutOptions, type Shortcuts } from './shortcuts.ts';
-export type { SigmaAtHalf } from './sigma-at-half.ts';
+export { findSigmaAtHalf, type SigmaAtHalf } from './sigma-at-half.ts';
 export type { AsteroidUse, WithoutAsteroid } from './without-asteroid.ts';

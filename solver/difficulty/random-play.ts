@@ -2,7 +2,7 @@ import { createSimulation, type Scene, type Simulation } from '../../engine/inde
 import type { Hold } from '../../schema/index.ts';
 import { type Goal, mineralsNeeded } from '../goal.ts';
 import { createRandom, type Random } from '../random.ts';
-import { wilsonInterval } from '../robustness/wilson.ts';
+import { wilsonInterval } from '../robustness/index.ts';
 import { wins } from './wins.ts';
 
 /** How often somebody wins who presses at random. */

@@ -2,13 +2,13 @@ import type { Random } from '../random.ts';
 import { verifyRun } from '../verified-run.ts';
 import { finish } from './finish.ts';
 import type { Attempt } from './generated.ts';
+import type { GeneratorSpec } from './generator-spec.ts';
 import { closeShortcuts, harden, withoutUnused } from './harden.ts';
 import { type Layout, layOut } from './layout.ts';
 import { addNovae } from './novae.ts';
 import { findRoute } from './route.ts';
 import { ANY, findWays, gradeRun, sceneOf, scoutOnePress, sortByP40 } from './scouting.ts';
 import { tubeOf } from './tube.ts';
-import type { Wish } from './wish.ts';
 
 // what it takes to look for a route, about
 const ROUTE_EFFORT = 500_000;
@@ -19,33 +19,33 @@ const ROUNDS = 8;
 // what grading costs, in runs, about
 const GRADING = 1000;
 
-/** Tries once to make a level that fulfils a wish. */
-export function* attemptLevel(random: Random, wish: Wish, description: string): Attempt {
-  const empty = layOut(random, wish);
+/** Tries once to make a level that fulfils a spec. */
+export function* attemptLevel(random: Random, spec: GeneratorSpec, description: string): Attempt {
+  const empty = layOut(random, spec);
   if (empty === null) return null;
-  const route = findRoute(empty, wish, random);
+  const route = findRoute(empty, spec, random);
   yield ROUTE_EFFORT;
   if (route === null) return null;
   const intended = route.run;
   let layout: Layout = withoutUnused(route.layout, intended.holds);
 
-  const tube = tubeOf(sceneOf(layout), intended.holds, wish.tube, random);
-  layout = addNovae(layout, wish, tube, wish.novae, random);
+  const tube = tubeOf(sceneOf(layout), intended.holds, spec.tube, random);
+  layout = addNovae(layout, spec, tube, spec.novae, random);
   for (let round = 0; round < ROUNDS; round++) {
-    layout = closeShortcuts(layout, wish, tube, intended, random);
+    layout = closeShortcuts(layout, spec, tube, intended, random);
     const scene = sceneOf(layout);
     const found = yield* findWays(scene, ANY, random.next());
     const ways = sortByP40(scene, [...found, ...(verifyRun(scene, intended.holds) === null ? [] : [intended])]);
     if (ways.length === 0) return null;
     const grade = gradeRun(scene, ways[0], random.next());
     yield GRADING * ways[0].tick;
-    if (grade.value > wish.grade[1]) return null;
+    if (grade.value > spec.grade[1]) return null;
     const presses = scoutOnePress(scene, ways[0]);
-    if (grade.value >= wish.grade[0] && presses.count <= wish.onePress * presses.tried) {
-      const generated = yield* finish(layout, wish, ways, random, description);
+    if (grade.value >= spec.grade[0] && presses.count <= spec.onePress * presses.tried) {
+      const generated = yield* finish(layout, spec, ways, random, description);
       if (generated !== null) return generated;
     }
-    const harder = harden(layout, wish, intended, ways, random);
+    const harder = harden(layout, spec, intended, ways, random);
     if (harder === layout) return null;
     layout = harder;
   }

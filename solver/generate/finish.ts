@@ -4,13 +4,13 @@ import type { Random } from '../random.ts';
 import { measureRobustness } from '../robustness/index.ts';
 import { type Candidate, verifyRun } from '../verified-run.ts';
 import type { Attempt } from './generated.ts';
+import type { GeneratorSpec } from './generator-spec.ts';
 import type { Layout } from './layout.ts';
 import { toLevelFile } from './level-file.ts';
 import { placeMinerals } from './minerals.ts';
 import { nameLevel } from './name.ts';
 import { ALL, ANY, findWays, gradeRun, sceneOf } from './scouting.ts';
 import { wayOf } from './tube.ts';
-import type { Wish } from './wish.ts';
 
 const MINERALS = 3;
 
@@ -18,7 +18,13 @@ const MINERALS = 3;
 const MEASURING = 8000;
 
 /** Places the minerals, finds the run that collects them all, and checks all that is claimed. */
-export function* finish(layout: Layout, wish: Wish, ways: readonly Candidate[], random: Random, description: string): Attempt {
+export function* finish(
+  layout: Layout,
+  spec: GeneratorSpec,
+  ways: readonly Candidate[],
+  random: Random,
+  description: string,
+): Attempt {
   const [solution] = ways;
   const bare = sceneOf(layout);
   const precise = compile(bare.level);
@@ -26,16 +32,16 @@ export function* finish(layout: Layout, wish: Wish, ways: readonly Candidate[], 
   const robustness = measureRobustness(precise, solution.holds, ANY, { seed: 1 });
   const grade = gradeRun(precise, solution, 1);
   yield MEASURING * solution.tick;
-  if (grade.value < wish.grade[0] || grade.value > wish.grade[1]) return null;
+  if (grade.value < spec.grade[0] || grade.value > spec.grade[1]) return null;
   for (const { certifiedTicks, p40 } of [robustness, arcade]) {
-    if (certifiedTicks < wish.certifiedTicks || p40.p < wish.p40) return null;
+    if (certifiedTicks < spec.certifiedTicks || p40.p < spec.p40) return null;
   }
 
   // on several ways first, so that they have to be looked for; if no way takes in all, on the way to the black hole
   const several = Array.from({ length: MINERALS }, (_, i) => wayOf(bare, ways[i % ways.length].holds));
   const along = Array.from({ length: MINERALS }, () => wayOf(bare, solution.holds));
   for (const mineralWays of ways.length > 1 ? [several, along] : [along]) {
-    const full = placeMinerals(layout, wish, mineralWays, random);
+    const full = placeMinerals(layout, spec, mineralWays, random);
     if (full.minerals.length < MINERALS) continue;
     const collecting = yield* findWays(sceneOf(full), ALL, random.next());
     const onTheWay = verifyRun(sceneOf(full), solution.holds, ALL);

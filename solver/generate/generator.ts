@@ -1,7 +1,7 @@
 import { createRandom } from '../random.ts';
 import { attemptLevel } from './attempt.ts';
 import type { Attempt, Generated } from './generated.ts';
-import { type GeneratorOptions, wishOf } from './wish.ts';
+import { type GeneratorOptions, specOf } from './generator-spec.ts';
 
 /** A level in the making, to be advanced as long as one likes. */
 export interface LevelGenerator {
@@ -22,7 +22,7 @@ const OVERHEAD = 1000;
  * @throws RangeError for a size or a difficulty that can't be
  */
 export function createGenerator(options: GeneratorOptions): LevelGenerator {
-  const wish = wishOf(options);
+  const spec = specOf(options);
   const random = createRandom(options.seed);
   const description = `Generated from seed ${options.seed}.`;
   let attempts = 0;
@@ -42,7 +42,7 @@ export function createGenerator(options: GeneratorOptions): LevelGenerator {
         if (attempt === null) {
           attempts++;
           ticks += OVERHEAD;
-          attempt = attemptLevel(random.fork(), wish, description);
+          attempt = attemptLevel(random.fork(), spec, description);
         }
         const step = attempt.next();
         if (step.done !== true) {

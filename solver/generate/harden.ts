@@ -2,13 +2,13 @@ import { compile, findWarnings, simulate } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import type { Random } from '../random.ts';
 import { type Candidate, verifyRun } from '../verified-run.ts';
+import type { GeneratorSpec } from './generator-spec.ts';
 import type { Layout } from './layout.ts';
 import { toLevel } from './level-file.ts';
 import { narrowWay } from './narrow.ts';
 import { blockWay } from './novae.ts';
 import { luckyWays, sceneOf, scoutOnePress } from './scouting.ts';
 import { tubeOf, type Way, wayOf } from './tube.ts';
-import type { Wish } from './wish.ts';
 
 // ways of random play closed in a round
 const LUCKY = 3;
@@ -20,15 +20,21 @@ const NARROWINGS = 2;
  * Makes a level harder that is too easy: closes the ways that are easier than the intended one, and narrows that one down to the
  * least that has to stay open. The same level where nothing can be done.
  */
-export function harden(layout: Layout, wish: Wish, intended: Candidate, ways: readonly Candidate[], random: Random): Layout {
+export function harden(
+  layout: Layout,
+  spec: GeneratorSpec,
+  intended: Candidate,
+  ways: readonly Candidate[],
+  random: Random,
+): Layout {
   const scene = sceneOf(layout);
-  const open = tubeOf(scene, intended.holds, wish.certifiedTicks, random);
+  const open = tubeOf(scene, intended.holds, spec.certifiedTicks, random);
   const easier = ways.slice(0, Math.max(0, ways.indexOf(intended))).map(({ holds }) => wayOf(scene, holds));
   let harder = layout;
-  for (const way of [...easier, ...luckyWays(scene, LUCKY, random)]) harder = blockWay(harder, wish, open, way, random) ?? harder;
+  for (const way of [...easier, ...luckyWays(scene, LUCKY, random)]) harder = blockWay(harder, spec, open, way, random) ?? harder;
   // only where it is the easiest way there is does it help to make it harder
   if (easier.length > 0 && harder !== layout) return harder;
-  for (let i = 0; i < NARROWINGS; i++) harder = narrowWay(harder, wish, intended, open[0], random) ?? harder;
+  for (let i = 0; i < NARROWINGS; i++) harder = narrowWay(harder, spec, intended, open[0], random) ?? harder;
   return harder;
 }
 
@@ -45,13 +51,19 @@ export function withoutUnused(layout: Layout, holds: readonly Hold[]): Layout {
 }
 
 /** Puts novae onto ways of a single press, as long as too many of them win and there is room. */
-export function closeShortcuts(layout: Layout, wish: Wish, free: readonly Way[], run: Candidate, random: Random): Layout {
+export function closeShortcuts(
+  layout: Layout,
+  spec: GeneratorSpec,
+  free: readonly Way[],
+  run: Candidate,
+  random: Random,
+): Layout {
   let closed = layout;
   for (let i = 0; i < 3; i++) {
     const scene = sceneOf(closed);
     const { count, tried, example } = scoutOnePress(scene, run);
-    if (example === null || count <= wish.onePress * tried) break;
-    const next = blockWay(closed, wish, free, wayOf(scene, example), random);
+    if (example === null || count <= spec.onePress * tried) break;
+    const next = blockWay(closed, spec, free, wayOf(scene, example), random);
     if (next === null) break;
     closed = next;
   }

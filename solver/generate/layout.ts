@@ -1,14 +1,6 @@
+import type { Disc, Place } from '../../schema/index.ts';
 import type { Random } from '../random.ts';
-import type { Wish } from './wish.ts';
-
-export interface Place {
-  readonly x: number;
-  readonly y: number;
-}
-
-export interface Disc extends Place {
-  readonly radius: number;
-}
+import type { GeneratorSpec } from './generator-spec.ts';
 
 /** A level in the making: places are whole px. */
 export interface Layout {
@@ -48,10 +40,10 @@ export function bodiesOf(layout: Layout): Disc[] {
 }
 
 /** Whether a disc lies within the margins and keeps the gap to all others and to the start. */
-export function fits(layout: Layout, wish: Wish, disc: Disc, gap = GAP): boolean {
+export function fits(layout: Layout, spec: GeneratorSpec, disc: Disc, gap = GAP): boolean {
   const { x, y, radius } = disc;
   if (x < MARGIN + radius || y < MARGIN + radius) return false;
-  if (x > wish.width - MARGIN - radius || y > wish.height - MARGIN - radius) return false;
+  if (x > spec.width - MARGIN - radius || y > spec.height - MARGIN - radius) return false;
   if (distance(disc, layout.start) < START_FREE + radius) return false;
   return bodiesOf(layout).every((other) => distance(other, disc) >= other.radius + radius + gap);
 }
@@ -61,7 +53,7 @@ export function fits(layout: Layout, wish: Wish, disc: Disc, gap = GAP): boolean
  * The black hole, novae and minerals come later, when it is known where she flies.
  * @returns null when the chain did not fit
  */
-export function layOut(random: Random, wish: Wish): Layout | null {
+export function layOut(random: Random, spec: GeneratorSpec): Layout | null {
   const between = (least: number, most: number) => least + random.below(most - least + 1);
   const near = (around: Place, least: number, most: number): Place => {
     for (;;) {
@@ -73,15 +65,15 @@ export function layOut(random: Random, wish: Wish): Layout | null {
   // one level in three begins on the move
   const speed = random.below(3) === 0 ? START_SPEED : 0;
   const start = {
-    x: between(MARGIN + 30, wish.width - MARGIN - 30),
-    y: between(MARGIN + 30, wish.height - MARGIN - 30),
+    x: between(MARGIN + 30, spec.width - MARGIN - 30),
+    y: between(MARGIN + 30, spec.height - MARGIN - 30),
     vx: between(-speed, speed),
     vy: between(-speed, speed),
   };
   let layout: Layout = {
     start,
     blackHole: FAR_AWAY,
-    recoil: wish.ingredients.includes('recoil') && random.below(2) === 0,
+    recoil: spec.ingredients.includes('recoil') && random.below(2) === 0,
     asteroids: [],
     repulsors: [],
     aliens: [],
@@ -89,15 +81,15 @@ export function layOut(random: Random, wish: Wish): Layout | null {
     minerals: [],
   };
 
-  const count = between(...wish.asteroids);
+  const count = between(...spec.asteroids);
   let last: Place = start;
   for (let i = 0; i < count; i++) {
     const radius = random.below(2) === 0 ? 16 : 32;
-    const hot = i > 0 && wish.ingredients.includes('hot') && random.below(5) === 0;
+    const hot = i > 0 && spec.ingredients.includes('hot') && random.below(5) === 0;
     const place = tryOften(() => {
       const disc = { ...(i === 0 ? near(start, 100, 190) : near(last, 160, 270)), radius };
       const apart = layout.asteroids.every((other) => distance(other, disc) >= 140);
-      return apart && fits(layout, wish, disc) ? disc : null;
+      return apart && fits(layout, spec, disc) ? disc : null;
     });
     if (place === null) return null;
     layout = { ...layout, asteroids: [...layout.asteroids, { ...place, hot }] };
@@ -107,11 +99,11 @@ export function layOut(random: Random, wish: Wish): Layout | null {
   // where she comes by: what lies out of every asteroid's range is only scenery
   const inPlay = (): Place => near(layout.asteroids[random.below(layout.asteroids.length)], 50, 190);
   const some = (ingredient: 'repulsors' | 'aliens') =>
-    wish.ingredients.includes(ingredient) && random.below(3) === 0 ? between(1, Math.max(1, Math.round(count / 2))) : 0;
+    spec.ingredients.includes(ingredient) && random.below(3) === 0 ? between(1, Math.max(1, Math.round(count / 2))) : 0;
   for (let n = some('repulsors'); n > 0; n--) {
     const disc = tryOften(() => {
       const field = { ...inPlay(), radius: random.below(2) === 0 ? 32 : 48 };
-      return fits(layout, wish, field) ? field : null;
+      return fits(layout, spec, field) ? field : null;
     });
     if (disc !== null) layout = { ...layout, repulsors: [...layout.repulsors, disc] };
   }
@@ -119,7 +111,7 @@ export function layOut(random: Random, wish: Wish): Layout | null {
     const disc = tryOften(() => {
       const alien = { ...inPlay(), radius: 25 };
       const isAsleep = distance(alien, start) >= 175;
-      return isAsleep && fits(layout, wish, alien, 40) ? alien : null;
+      return isAsleep && fits(layout, spec, alien, 40) ? alien : null;
     });
     if (disc !== null) layout = { ...layout, aliens: [...layout.aliens, disc] };
   }

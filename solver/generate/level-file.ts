@@ -1,5 +1,5 @@
-import { type Hold, LEVEL_VERSION, type Level, type LevelFile, resolveLevel, withIds } from '../../schema/index.ts';
-import type { Disc, Layout } from './layout.ts';
+import { type Disc, type Hold, LEVEL_VERSION, type Level, type LevelFile, resolveLevel, withIds } from '../../schema/index.ts';
+import type { Layout } from './layout.ts';
 
 const circle = ({ x, y, radius }: Disc) => ({ x, y, radius });
 const place = ({ x, y }: Disc) => ({ x, y });

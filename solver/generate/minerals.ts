@@ -1,7 +1,8 @@
+import type { Disc } from '../../schema/index.ts';
 import type { Random } from '../random.ts';
-import { bodiesOf, type Disc, distance, type Layout, tryOften } from './layout.ts';
+import type { GeneratorSpec } from './generator-spec.ts';
+import { bodiesOf, distance, type Layout, tryOften } from './layout.ts';
 import type { Way } from './tube.ts';
-import type { Wish } from './wish.ts';
 
 const RADIUS = 7;
 
@@ -15,7 +16,7 @@ const GAP = 8;
 const BESIDE = 10;
 
 /** Puts a mineral on each of the ways, where there is room for it on that way. */
-export function placeMinerals(layout: Layout, wish: Wish, ways: readonly Way[], random: Random): Layout {
+export function placeMinerals(layout: Layout, spec: GeneratorSpec, ways: readonly Way[], random: Random): Layout {
   let grown = layout;
   for (const way of ways) {
     const mineral = tryOften(() => {
@@ -25,16 +26,16 @@ export function placeMinerals(layout: Layout, wish: Wish, ways: readonly Way[], 
         y: Math.round(at.y) + random.below(2 * BESIDE + 1) - BESIDE,
         radius: RADIUS,
       };
-      return hasRoom(grown, wish, disc) ? disc : null;
+      return hasRoom(grown, spec, disc) ? disc : null;
     });
     if (mineral !== null) grown = { ...grown, minerals: [...grown.minerals, mineral] };
   }
   return grown;
 }
 
-function hasRoom(layout: Layout, wish: Wish, disc: Disc): boolean {
+function hasRoom(layout: Layout, spec: GeneratorSpec, disc: Disc): boolean {
   const { x, y } = disc;
-  if (x < 20 || y < 20 || x > wish.width - 20 || y > wish.height - 20) return false;
+  if (x < 20 || y < 20 || x > spec.width - 20 || y > spec.height - 20) return false;
   if ([layout.start, ...layout.minerals].some((other) => distance(other, disc) < APART)) return false;
   return bodiesOf(layout).every((body) => distance(body, disc) >= body.radius + RADIUS + GAP);
 }

@@ -3,10 +3,10 @@ import type { Goal } from '../goal.ts';
 import type { Random } from '../random.ts';
 import { successProbability } from '../robustness/index.ts';
 import type { Candidate } from '../verified-run.ts';
+import type { GeneratorSpec } from './generator-spec.ts';
 import { fits, type Layout } from './layout.ts';
 import { toLevel } from './level-file.ts';
 import { distanceToWays, forgives, type Way } from './tube.ts';
-import type { Wish } from './wish.ts';
 
 const ANY: Goal = { minerals: 'any' };
 
@@ -27,7 +27,7 @@ const RESERVE = 0.06;
  * Adds the nova beside a run's way that costs the run most of its P(40 ms), without going below what is wanted or breaking the certificate.
  * @returns null where no place does that
  */
-export function narrowWay(layout: Layout, wish: Wish, run: Candidate, way: Way, random: Random): Layout | null {
+export function narrowWay(layout: Layout, spec: GeneratorSpec, run: Candidate, way: Way, random: Random): Layout | null {
   const p40 = (grown: Layout) =>
     successProbability(compile(toLevel(grown), 'arcade'), run.holds, ANY, 40, { samples: SAMPLES, seed: 1 }).p;
   const now = p40(layout);
@@ -38,12 +38,12 @@ export function narrowWay(layout: Layout, wish: Wish, run: Candidate, way: Way, 
     const at = way[random.below(way.length)];
     const nova = { x: Math.round(at.x) + offset(), y: Math.round(at.y) + offset(), radius: RADIUS };
     const away = distanceToWays([way], nova);
-    if (away < least || away > least + NEAR || !fits(layout, wish, nova)) continue;
+    if (away < least || away > least + NEAR || !fits(layout, spec, nova)) continue;
     const grown = { ...layout, novae: [...layout.novae, nova] };
     const p = p40(grown);
-    if (p < now - 0.01 && p >= wish.p40 + RESERVE) narrowed.push({ layout: grown, p });
+    if (p < now - 0.01 && p >= spec.p40 + RESERVE) narrowed.push({ layout: grown, p });
   }
   narrowed.sort((a, b) => a.p - b.p);
-  const isOpen = (grown: Layout) => forgives(compile(toLevel(grown), 'arcade'), run.holds, wish.certifiedTicks, random);
+  const isOpen = (grown: Layout) => forgives(compile(toLevel(grown), 'arcade'), run.holds, spec.certifiedTicks, random);
   return narrowed.find((grown) => isOpen(grown.layout))?.layout ?? null;
 }

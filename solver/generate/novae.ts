@@ -1,8 +1,9 @@
 import { HALF_DIAGONAL } from '../../engine/index.ts';
+import type { Disc, Place } from '../../schema/index.ts';
 import type { Random } from '../random.ts';
-import { type Disc, fits, type Layout, type Place, tryOften } from './layout.ts';
+import type { GeneratorSpec } from './generator-spec.ts';
+import { fits, type Layout, tryOften } from './layout.ts';
 import { distanceToWays, type Way } from './tube.ts';
-import type { Wish } from './wish.ts';
 
 const RADII = [16, 32] as const;
 
@@ -20,14 +21,14 @@ const OFFSETS = [
 /**
  * Adds up to `count` novae that leave all `free` ways open: two of three near a way, where they are seen to matter, the rest anywhere.
  */
-export function addNovae(layout: Layout, wish: Wish, free: readonly Way[], count: number, random: Random): Layout {
+export function addNovae(layout: Layout, spec: GeneratorSpec, free: readonly Way[], count: number, random: Random): Layout {
   let grown = layout;
   for (let i = 0; i < count; i++) {
     const radius = RADII[random.below(RADII.length)];
     const isNear = random.below(3) < 2;
     const nova = tryOften(() => {
-      const place = isNear ? beside(free[0], random) : { x: random.below(wish.width), y: random.below(wish.height) };
-      return freeNova(grown, wish, free, { ...place, radius });
+      const place = isNear ? beside(free[0], random) : { x: random.below(spec.width), y: random.below(spec.height) };
+      return freeNova(grown, spec, free, { ...place, radius });
     });
     if (nova !== null) grown = { ...grown, novae: [...grown.novae, nova] };
   }
@@ -35,20 +36,26 @@ export function addNovae(layout: Layout, wish: Wish, free: readonly Way[], count
 }
 
 /** Puts a nova onto a way that is too easy, where that leaves all `free` ways open; null where there is no such place. */
-export function blockWay(layout: Layout, wish: Wish, free: readonly Way[], shortcut: Way, random: Random): Layout | null {
+export function blockWay(
+  layout: Layout,
+  spec: GeneratorSpec,
+  free: readonly Way[],
+  shortcut: Way,
+  random: Random,
+): Layout | null {
   const places: Disc[] = [];
   for (const at of shortcut) {
     for (const [dx, dy] of OFFSETS) {
-      const nova = freeNova(layout, wish, free, { x: Math.round(at.x) + dx, y: Math.round(at.y) + dy, radius: RADII[0] });
+      const nova = freeNova(layout, spec, free, { x: Math.round(at.x) + dx, y: Math.round(at.y) + dy, radius: RADII[0] });
       if (nova !== null) places.push(nova);
     }
   }
   return places.length === 0 ? null : { ...layout, novae: [...layout.novae, places[random.below(places.length)]] };
 }
 
-function freeNova(layout: Layout, wish: Wish, free: readonly Way[], nova: Disc): Disc | null {
-  if (!fits(layout, wish, nova)) return null;
-  return distanceToWays(free, nova) >= nova.radius + HALF_DIAGONAL + wish.room ? nova : null;
+function freeNova(layout: Layout, spec: GeneratorSpec, free: readonly Way[], nova: Disc): Disc | null {
+  if (!fits(layout, spec, nova)) return null;
+  return distanceToWays(free, nova) >= nova.radius + HALF_DIAGONAL + spec.room ? nova : null;
 }
 
 /** A place some way off a random place on a way. */

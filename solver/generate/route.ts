@@ -1,14 +1,14 @@
 import { compile, createSimulation, playScript, type Simulation, STATE_SIZE, simulate, TICK } from '../../engine/index.ts';
-import type { Hold } from '../../schema/index.ts';
-import { countOnePress } from '../difficulty/one-press.ts';
+import type { Disc, Hold, Place } from '../../schema/index.ts';
+import { countOnePress } from '../difficulty/index.ts';
 import type { Goal } from '../goal.ts';
 import type { Random } from '../random.ts';
 import { successProbability } from '../robustness/index.ts';
 import { type Candidate, verifyRun } from '../verified-run.ts';
-import { type Disc, distance, fits, type Layout, type Place } from './layout.ts';
+import type { GeneratorSpec } from './generator-spec.ts';
+import { distance, fits, type Layout } from './layout.ts';
 import { toLevel } from './level-file.ts';
 import { distanceToWays, forgives, type Way, wayOf } from './tube.ts';
-import type { Wish } from './wish.ts';
 
 /** A way through a layout, and the layout with a black hole at its end. */
 export interface Route {
@@ -44,30 +44,30 @@ const BLACK_HOLE = 18;
  * Plays a layout without a black hole at random, and puts one at the end of a way that forgives neither too little nor too much.
  * From rest she falls on a straight line, where every press leads to the same place: ways that a single press finds don't count.
  */
-export function findRoute(layout: Layout, wish: Wish, random: Random): Route | null {
+export function findRoute(layout: Layout, spec: GeneratorSpec, random: Random): Route | null {
   const empty = createSimulation(compile(toLevel(layout), 'arcade'));
   let best: { readonly route: Route; readonly off: number } | null = null;
   for (let i = 0, passed = 0; i < SCRIPTS && passed < ROUTES; i++) {
-    const holds = randomHolds(wish, random);
-    const end = endOf(empty, layout, wish, holds, random);
+    const holds = randomHolds(spec, random);
+    const end = endOf(empty, layout, spec, holds, random);
     if (end === null) continue;
     const ended = { ...layout, blackHole: end };
     const scene = compile(toLevel(ended), 'arcade');
     const run = verifyRun(scene, holds);
     if (run === null || run.holds.length < holds.length || verifyRun(scene, []) !== null) continue;
     const { count, tried } = countOnePress(scene, ANY, run.tick + 1, run.tick + 600, STRIDE);
-    if (count > wish.onePress * tried) continue;
+    if (count > spec.onePress * tried) continue;
     const p40 = successProbability(scene, run.holds, ANY, 40, { samples: SAMPLES, seed: i }).p;
-    if (p40 < wish.p40 || !forgives(scene, run.holds, wish.certifiedTicks, random)) continue;
+    if (p40 < spec.p40 || !forgives(scene, run.holds, spec.certifiedTicks, random)) continue;
     passed++;
-    const off = Math.abs(p40 - wish.routeP40);
+    const off = Math.abs(p40 - spec.routeP40);
     if (best === null || off < best.off) best = { route: { layout: ended, run }, off };
   }
   return best?.route ?? null;
 }
 
-function randomHolds(wish: Wish, random: Random): Hold[] {
-  const [least, most] = wish.presses;
+function randomHolds(spec: GeneratorSpec, random: Random): Hold[] {
+  const [least, most] = spec.presses;
   const presses = least + random.below(most - least + 1);
   const holds: Hold[] = [];
   let tick = 10 + random.below(40);
@@ -75,21 +75,21 @@ function randomHolds(wish: Wish, random: Random): Hold[] {
     const press = tick;
     tick += 20 + random.below(140);
     holds.push([press, tick]);
-    tick += 10 + random.below(wish.coast);
+    tick += 10 + random.below(spec.coast);
   }
   return holds;
 }
 
 /** Where the black hole could stand at the end of a script's way; null where there is no room or she does not get there in good order. */
-function endOf(simulation: Simulation, layout: Layout, wish: Wish, holds: readonly Hold[], random: Random): Disc | null {
-  const tick = holds[holds.length - 1][1] + 20 + random.below(wish.coast);
+function endOf(simulation: Simulation, layout: Layout, spec: GeneratorSpec, holds: readonly Hold[], random: Random): Disc | null {
+  const tick = holds[holds.length - 1][1] + 20 + random.below(spec.coast);
   simulation.reset();
   playScript(simulation, holds, tick);
   if (simulation.ending !== null) return null;
   const state = new Float64Array(STATE_SIZE);
   simulation.readState(state);
   const end = { x: Math.round(state[0]), y: Math.round(state[1]), radius: BLACK_HOLE };
-  if (distance(end, layout.start) < FROM_START || !fits(layout, wish, end)) return null;
+  if (distance(end, layout.start) < FROM_START || !fits(layout, spec, end)) return null;
 
   const { scene } = simulation;
   const { events } = simulate(scene, holds, { maxTime: tick * TICK });
@@ -97,11 +97,11 @@ function endOf(simulation: Simulation, layout: Layout, wish: Wish, holds: readon
   const targets = new Set(events.flatMap((event) => (event.type === 'target' ? [event.index] : [])));
   if (targets.size < 2) return null;
   const way = wayOf(scene, holds, tick);
-  if (!way.every((place) => isInside(wish, place))) return null;
+  if (!way.every((place) => isInside(spec, place))) return null;
   // the last stretch does come near; what comes before must not, or she would be there early
   const before: Way = way.filter((place, i) => i < way.length / 2 || distance(place, end) > 2 * CLEAR_OF_END);
   return distanceToWays([before], end) < CLEAR_OF_END ? null : end;
 }
 
-const isInside = ({ width, height }: Wish, { x, y }: Place): boolean =>
+const isInside = ({ width, height }: GeneratorSpec, { x, y }: Place): boolean =>
   x > INSIDE && y > INSIDE && x < width - INSIDE && y < height - INSIDE;

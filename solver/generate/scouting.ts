@@ -1,8 +1,13 @@
 import { compile, createSimulation, type Scene } from '../../engine/index.ts';
-import { type Grade, gradeOf } from '../difficulty/grade.ts';
-import { countOnePress, type OnePressCount } from '../difficulty/one-press.ts';
-import { playAtRandom, playGameAtRandom } from '../difficulty/random-play.ts';
-import { findSigmaAtHalf } from '../difficulty/sigma-at-half.ts';
+import {
+  countOnePress,
+  findSigmaAtHalf,
+  type Grade,
+  gradeOf,
+  type OnePressCount,
+  playAtRandom,
+  playGameAtRandom,
+} from '../difficulty/index.ts';
 import type { Goal } from '../goal.ts';
 import type { Random } from '../random.ts';
 import { successProbability } from '../robustness/index.ts';

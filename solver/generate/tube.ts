@@ -1,8 +1,8 @@
 import { joinHolds, type Scene, STATE_SIZE, simulate, TICK } from '../../engine/index.ts';
-import type { Hold } from '../../schema/index.ts';
+import type { Hold, Place } from '../../schema/index.ts';
 import type { Random } from '../random.ts';
 import { DEFAULT_MAX_TICKS, verifyRun } from '../verified-run.ts';
-import { distance, type Place } from './layout.ts';
+import { distance } from './layout.ts';
 
 /** Places of her centre along a way, one for every few ticks. */
 export type Way = readonly Place[];

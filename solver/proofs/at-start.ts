@@ -1,4 +1,4 @@
-import { boxCircleGap } from '../../engine/index.ts';
+import { boxCircleGap, DEFAULT_BOX } from '../../engine/index.ts';
 import type { Circle } from '../../schema/index.ts';
 import type { About, Proof, ThingRef } from './proof.ts';
 import { distance, margin, surelyLess } from './rounding.ts';
@@ -59,7 +59,7 @@ function hazardAtStart({ level: { astronaut, novae, asteroids, aliens } }: Setti
       const dx = x - astronaut.x;
       const dy = y - astronaut.y;
       const slack = margin(dx, dy) + margin(radius, 0);
-      if (boxCircleGap(dx, dy, 1, 0, radius) > -slack) return [];
+      if (boxCircleGap(DEFAULT_BOX, dx, dy, 1, 0, radius) > -slack) return [];
       return [{ ref: { kind, index }, anyTurn: Math.sqrt(dx * dx + dy * dy) < radius + LEAST_HALF - slack }];
     });
   const hot = overlaps('asteroid', asteroids).filter(({ ref }) => asteroids[ref.index].hot);

@@ -1,4 +1,4 @@
-import { boxCircleGap, type WorkBudget } from '../../engine/index.ts';
+import { boxCircleGap, DEFAULT_BOX, type WorkBudget } from '../../engine/index.ts';
 import { type StandingCircle, standingCircles } from './blockers.ts';
 import type { About, Blocker, Proof } from './proof.ts';
 import { distance, surelyLess } from './rounding.ts';
@@ -77,7 +77,7 @@ class Cover {
     const middle = between(a, b);
     const chord = Math.max(chordOf(middle, a), chordOf(middle, b));
     const reach = half * 1.41422 + LEVER * chord * 1.000001;
-    const touch = boxCircleGap(this.goal.x - x, this.goal.y - y, middle.cos, middle.sin, this.goal.radius);
+    const touch = boxCircleGap(DEFAULT_BOX, this.goal.x - x, this.goal.y - y, middle.cos, middle.sin, this.goal.radius);
     if (surelyLess(reach, touch)) return true;
     this.budget.look(1 + this.hazards.length);
     let best = Number.POSITIVE_INFINITY;
@@ -101,7 +101,9 @@ class Cover {
   private gap({ x: hx, y: hy, radius }: StandingCircle, x: number, y: number, { cos, sin }: Turn): number {
     const dx = hx - x;
     const dy = hy - y;
-    return this.anyTurn ? Math.sqrt(dx * dx + dy * dy) - radius - LEAST_HALF : boxCircleGap(dx, dy, cos, sin, radius);
+    return this.anyTurn
+      ? Math.sqrt(dx * dx + dy * dy) - radius - LEAST_HALF
+      : boxCircleGap(DEFAULT_BOX, dx, dy, cos, sin, radius);
   }
 }
 

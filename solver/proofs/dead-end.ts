@@ -1,4 +1,5 @@
-import { boxCircleGap, GUN_PULL, HALF_DIAGONAL, SPEED_LIMIT } from '../../engine/index.ts';
+import { boxCircleGap, DEFAULT_BOX, HALF_DIAGONAL } from '../../engine/index.ts';
+import { speedAfter, UNBENT_SPEED } from './assumptions.ts';
 import type { StandingCircle } from './blockers.ts';
 import { between, convexHull, type Vertex } from './convex.ts';
 import type { DeadEnd, Direction } from './proof.ts';
@@ -76,7 +77,7 @@ export function findDeadEnd(
   ahead: Place,
   before: number,
 ): DeadEnd | null {
-  // recoil moves the border between two asteroids: she may be overtaken by it
+  // she may jump over the border between two asteroids; recoil would move it
   if (setting.level.recoil || setting.jump > 0) return null;
   const takers = takersAt(setting, apex, before);
   if (takers.length === 0) return null;
@@ -132,6 +133,7 @@ function takersAt({ level: { asteroids, astronaut } }: Setting, apex: Place, bef
 /** All that she may do beyond the apex; places in px from there, along the axis and across. */
 class March {
   private readonly range: number;
+  private readonly strongest: number;
   private readonly goal: Place & { readonly touch: number };
   private readonly circles: readonly StandingCircle[];
   private readonly asteroids: readonly Place[];
@@ -146,7 +148,7 @@ class March {
   readonly pieces: { readonly line: number; readonly before: Span; readonly after: Span }[] = [];
 
   constructor(
-    { level }: Setting,
+    { level, strongest }: Setting,
     goal: Thing,
     circles: readonly StandingCircle[],
     apex: Place,
@@ -159,6 +161,7 @@ class March {
     const fromApex = <T extends Place>(p: T): T => turned({ ...p, x: p.x - apex.x, y: p.y - apex.y });
     const fromStart = <T extends Place>(p: T): T => fromApex({ ...p, x: p.x - level.astronaut.x, y: p.y - level.astronaut.y });
     this.range = level.range;
+    this.strongest = strongest;
     this.goal = fromApex(goal);
     this.circles = circles.map(fromApex);
     this.asteroids = level.asteroids.map(fromStart);
@@ -195,7 +198,7 @@ class March {
     for (const { line, before, after } of this.pieces) {
       far = Math.max(far, line + 9 * STEP + Math.max(...[...before, ...after].map(Math.abs)));
     }
-    return 2 * GUN_PULL * (2 * this.range + 2 * far) > 0.98 * 0.98 * SPEED_LIMIT * SPEED_LIMIT;
+    return speedAfter(this.strongest, 2 * this.range + 2 * far) > UNBENT_SPEED;
   }
 
   /** Whether, with all slopes there were, she comes ever nearer to an asteroid than to the one before. */
@@ -367,7 +370,7 @@ function isStopped(circle: StandingCircle, ends: readonly Place[], from: Place, 
   const length = Math.sqrt(sum.x * sum.x + sum.y * sum.y);
   const middle = { x: sum.x / length, y: sum.y / length };
   const chord = Math.max(distance(middle, from), distance(middle, to));
-  const gaps = ends.map((p) => boxCircleGap(circle.x - p.x, circle.y - p.y, middle.x, middle.y, circle.radius));
+  const gaps = ends.map((p) => boxCircleGap(DEFAULT_BOX, circle.x - p.x, circle.y - p.y, middle.x, middle.y, circle.radius));
   const worst = Math.max(...gaps);
   if (worst < -DEEP - HALF_DIAGONAL * chord) return true;
   if (worst > -DEEP || chord < FINEST_TURN) return false;

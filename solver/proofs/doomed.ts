@@ -11,9 +11,12 @@ const GRIDS = [
   { cell: 4, bin: 8, frames: 4 },
 ] as const;
 
-/** What isn't over by then, or by so many boxes, will go on for long, s. */
+/** What isn't over by then, s, or by so many boxes, will go on for long: a certificate has no more, and stays below 1 MB as JSON. */
 const LONGEST = 8;
-export const MOST_BOXES = 10_000;
+const MOST_BOXES = 10_000;
+
+/** How far a fan is followed over a grid. */
+export const mostOf = ({ frames }: FanGrid) => ({ steps: Math.floor(LONGEST / (frames * TICK)), boxes: MOST_BOXES });
 
 /** Farther out, px, places of frames are rounded too coarsely. */
 const FAR_OUT = 1e6;
@@ -27,16 +30,16 @@ export function proveDoomed(setting: Setting, about: About, goal: Thing): Proof 
   if (vx === 0 && vy === 0 && !pushed) return null;
   const isFarOut = Math.max(Math.abs(level.astronaut.x), Math.abs(level.astronaut.y)) > FAR_OUT;
   for (const fineness of GRIDS) {
-    const grid: FanGrid = { ...fineness, axis: startAxis(setting), steps: Math.floor(LONGEST / (fineness.frames * TICK)) };
-    const { closed, steps, endedBy } = followFan(setting, about, goal, grid, MOST_BOXES);
+    const grid: FanGrid = { ...fineness, axis: startAxis(setting) };
+    const { closed, layers, endedBy } = followFan(setting, about, goal, grid, mostOf(grid));
     if (!closed) continue;
     return {
       code: 'doomed',
       about,
-      reason: reasonOf(about, steps * grid.frames * TICK, endedBy),
+      reason: reasonOf(about, layers.length * grid.frames * TICK, endedBy),
       covers: isFarOut ? CONTINUOUS : ALL_ACCURACIES,
       maxTime: level.recoil ? maxTime : null,
-      certificate: { kind: 'doomed', grid: { ...grid, steps } },
+      certificate: { kind: 'doomed', grid, layers },
     };
   }
   return null;

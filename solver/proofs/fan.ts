@@ -1,6 +1,7 @@
-import { GUN_PULL, REPULSOR_PUSH, SPEED_LIMIT, TICK } from '../../engine/index.ts';
+import { GUN_PULL, REPULSOR_PUSH, TICK } from '../../engine/index.ts';
+import { bendWithin, driftAfter, EASY_SPEED } from './assumptions.ts';
 import { standingCircles } from './blockers.ts';
-import type { About, Blocker, FanGrid } from './proof.ts';
+import type { About, Blocker, BoxNumbers, FanGrid } from './proof.ts';
 import { LEAST_HALF, type Setting, type Thing } from './setting.ts';
 
 /** Her places and velocities as a box: least and most of x, y, vx, vy; px and px/s, in the grid's own axes. */
@@ -14,17 +15,20 @@ interface Circle {
 
 const RANGE: Blocker = { kind: 'range' };
 
-/** Nothing accelerates her by more, px/s2. */
-const STRONGEST = GUN_PULL;
-
 /** What every bound is rounded outwards by in a step, px and px/s. */
 const SLACK = 1e-6;
+
+/** Bounds are whole millionths then, which are short to write down. */
+const PARTS = 1e6;
+const down = (v: number): number => Math.floor((v - SLACK) * PARTS) / PARTS;
+const up = (v: number): number => Math.ceil((v + SLACK) * PARTS) / PARTS;
 
 /** All that she may do from the start, as far as it was followed. */
 export interface FanResult {
   /** every run is over, and none came near the thing */
   readonly closed: boolean;
-  readonly steps: number;
+  /** the sets of runs that go on: at the start, and after each step that was taken in full */
+  readonly layers: readonly (readonly BoxNumbers[])[];
   /** what ended runs; `range`: the end of the range */
   readonly endedBy: readonly Blocker[];
   /** the squares she may come through: their lower left corners in the grid's own axes, px */
@@ -34,25 +38,31 @@ export interface FanResult {
 /**
  * Follows all that she may do from the start, step by step: a set of boxes in place and velocity that holds every run,
  * whatever is pressed. A box that lies in a hazard or out of range as a whole is over. Given up when a box comes near the
- * thing, or when there are more than `most`.
+ * thing, and after so many steps or boxes.
  */
-export function followFan(setting: Setting, about: About, goal: Thing, grid: FanGrid, most: number): FanResult {
+export function followFan(
+  setting: Setting,
+  about: About,
+  goal: Thing,
+  grid: FanGrid,
+  most: { readonly steps: number; readonly boxes: number },
+): FanResult {
   const fan = new Fan(setting, about, goal, grid);
+  const layers: BoxNumbers[][] = [];
   let layer = fan.start();
   let boxes = 0;
-  let steps = 0;
   let near = false;
-  while (layer.size > 0 && !near && boxes <= most && steps < grid.steps) {
+  while (layer.size > 0 && !near && boxes <= most.boxes && layers.length < most.steps) {
+    layers.push([...layer.values()].map((box) => [...box]));
     const next = new Map<number, Box>();
-    steps++;
     for (const box of layer.values()) {
-      near = !fan.advance(box, steps * grid.frames * TICK, next);
+      near = !fan.advance(box, layers.length * grid.frames * TICK, next);
       if (near) break;
     }
     boxes += next.size;
     layer = next;
   }
-  return { closed: !near && layer.size === 0, steps, endedBy: [...fan.endedBy], squares: [...fan.squares.values()] };
+  return { closed: !near && layer.size === 0, layers, endedBy: [...fan.endedBy], squares: [...fan.squares.values()] };
 }
 
 class Fan {
@@ -86,14 +96,12 @@ class Fan {
     const [ux, uy] = this.grid.axis;
     const v = { x: vx * ux + vy * uy, y: vy * ux - vx * uy };
     const layer = new Map<number, Box>();
-    this.put(layer, Float64Array.of(-SLACK, SLACK, -SLACK, SLACK, v.x - SLACK, v.x + SLACK, v.y - SLACK, v.y + SLACK), 0);
+    this.put(layer, Float64Array.of(down(0), up(0), down(0), up(0), down(v.x), up(v.x), down(v.y), up(v.y)), 0);
     return layer;
   }
 
-  /** How far recoil can have carried an asteroid after `time`, px. */
   private drift(i: number, time: number): number {
-    const { level } = this.setting;
-    return level.recoil ? (0.2525 * time * (time + TICK)) / level.asteroids[i].radius : 0;
+    return driftAfter(this.setting.level, i, time);
   }
 
   /** Everything that a box becomes in a step that ends at `time` is added to `next`; false when it comes near the thing. */
@@ -101,7 +109,7 @@ class Fan {
     const { step, a } = this;
     this.setting.budget.look(4 + 2 * this.asteroids.length + this.fields.length);
     // all places within the step
-    const bend = STRONGEST * step * (step + TICK) * 0.5 + SLACK;
+    const bend = bendWithin(this.setting.strongest, step * (step + TICK)) + SLACK;
     const xa = box[0] + Math.min(0, step * box[4]) - bend;
     const xb = box[1] + Math.max(0, step * box[5]) + bend;
     const ya = box[2] + Math.min(0, step * box[6]) - bend;
@@ -114,16 +122,16 @@ class Fan {
     const low = (v: number) => Math.min(v * less, v * more);
     const high = (v: number) => Math.max(v * less, v * more);
     const moved = Float64Array.of(
-      box[0] + box[4] * step + low(a[0]) - SLACK,
-      box[1] + box[5] * step + high(a[1]) + SLACK,
-      box[2] + box[6] * step + low(a[2]) - SLACK,
-      box[3] + box[7] * step + high(a[3]) + SLACK,
-      box[4] + a[0] * step - SLACK,
-      box[5] + a[1] * step + SLACK,
-      box[6] + a[2] * step - SLACK,
-      box[7] + a[3] * step + SLACK,
+      down(box[0] + box[4] * step + low(a[0])),
+      up(box[1] + box[5] * step + high(a[1])),
+      down(box[2] + box[6] * step + low(a[2])),
+      up(box[3] + box[7] * step + high(a[3])),
+      down(box[4] + a[0] * step),
+      up(box[5] + a[1] * step),
+      down(box[6] + a[2] * step),
+      up(box[7] + a[3] * step),
     );
-    if (Math.max(-moved[4], moved[5], -moved[6], moved[7]) > SPEED_LIMIT / 2) return false;
+    if (Math.max(-moved[4], moved[5], -moved[6], moved[7]) > EASY_SPEED) return false;
     this.put(next, moved, time);
     return true;
   }

@@ -1,6 +1,7 @@
-import { compile, createSimulation, GUN_PULL, SPEED_LIMIT, TICK, TICK_RATE, type WorkBudget } from '../../engine/index.ts';
+import { compile, createSimulation, TICK, TICK_RATE, type WorkBudget } from '../../engine/index.ts';
 import type { Level } from '../../schema/index.ts';
 import { createRandom } from '../random.ts';
+import { EASY_SPEED } from './assumptions.ts';
 import { startAxis, whatEnds } from './doomed.ts';
 import { followPipes } from './pipe.ts';
 import type { About, PipeGrid, Proof } from './proof.ts';
@@ -26,19 +27,19 @@ const HORIZONS = [
 /** Plays that are looked at first. */
 const PLAYS = 120;
 
-/** What isn't over by so many sets is given up. */
-export const MOST_PIPES = 2000;
+/** What isn't over by so many sets, or parts of sets, is given up: a certificate has no more. */
+export const MOST_PIPES = { sets: 2000, parts: 25_000 } as const;
 
 /**
  * Whatever she presses she runs into a hazard, an alien or out of range within seconds, and comes nowhere near the thing: like `doomed`, but with her box as it
  * is turned, with aliens, and with what ties place and velocity together, so that much less is taken for possible that isn't.
  */
 export function proveFlowpipe(setting: Setting, about: About, goal: Thing): Proof | null {
-  const { level, jump, maxTime } = setting;
+  const { level, jump, maxTime, strongest } = setting;
   const { vx, vy } = level.astronaut;
-  const fastest = Math.sqrt(vx * vx + vy * vy) + 2 * GUN_PULL * LONGEST;
+  const fastest = Math.sqrt(vx * vx + vy * vy) + 2 * strongest * LONGEST;
   // at rest she can wait as long as she likes
-  if (jump > 0 || (vx === 0 && vy === 0) || fastest > SPEED_LIMIT / 2) return null;
+  if (jump > 0 || (vx === 0 && vy === 0) || fastest > EASY_SPEED) return null;
   const last = longestPlay(level, setting.budget);
   if (last === null) return null;
   for (const [share, more] of HORIZONS) {
@@ -50,10 +51,10 @@ export function proveFlowpipe(setting: Setting, about: About, goal: Thing): Proo
       steps: Math.ceil(horizon / (FRAMES * TICK)),
       turns: TURNS,
     };
-    const { closed, hopeless, steps, endedBy } = followPipes(setting, about, goal, grid, MOST_PIPES);
+    const { closed, hopeless, layers, endedBy } = followPipes(setting, about, goal, grid, MOST_PIPES);
     if (hopeless) return null;
     if (!closed) continue;
-    const seconds = Math.ceil(steps * grid.frames * TICK * 10) / 10;
+    const seconds = Math.ceil(layers.length * grid.frames * TICK * 10) / 10;
     return {
       code: 'flowpipe',
       about,
@@ -62,7 +63,7 @@ export function proveFlowpipe(setting: Setting, about: About, goal: Thing): Proo
         `at ${whatEnds(endedBy)}, whatever is pressed: start slower, elsewhere or in another direction, or clear her way`,
       covers: CONTINUOUS,
       maxTime: level.recoil ? maxTime : null,
-      certificate: { kind: 'flowpipe', grid },
+      certificate: { kind: 'flowpipe', grid, layers },
     };
   }
   return null;

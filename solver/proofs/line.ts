@@ -1,4 +1,5 @@
-import { GUN_PULL, HALF_HEIGHT, HALF_WIDTH, SPEED_LIMIT, TICK } from '../../engine/index.ts';
+import { GUN_PULL, HALF_HEIGHT, HALF_WIDTH, TICK } from '../../engine/index.ts';
+import { speedAfter, UNBENT_SPEED } from './assumptions.ts';
 import { type StandingCircle, standingCircles } from './blockers.ts';
 import { findDeadEnd } from './dead-end.ts';
 import type { About, Blocker, Drift, LineEnd, Proof } from './proof.ts';
@@ -78,12 +79,12 @@ const isAlongAxis = ({ level: { asteroids, astronaut } }: Setting, { target }: L
  * drift is reckoned from her speed, so there the limit mustn't be reached at all.
  */
 function mayBend(setting: Setting, line: Line, { back, front }: Trap): boolean {
-  const { level, drift, jump } = setting;
+  const { level, drift, jump, strongest } = setting;
   if (!level.recoil && isAlongAxis(setting, line)) return false;
   const moved = drift[line.target];
   const out = Math.max(line.centre + moved - back.at, front.at - line.centre + moved) + 2 * TUBE;
   const far = back.by.kind === 'start' ? front.at + jump + 2 * TUBE : level.recoil ? out : swing(Math.min(out, level.range));
-  return !surelyLess(Math.sqrt(2 * GUN_PULL * far), 0.98 * SPEED_LIMIT);
+  return !surelyLess(speedAfter(strongest, far), UNBENT_SPEED);
 
   // energy that the pull gives from a turn to the centre
   function swing(turn: number): number {
@@ -99,11 +100,11 @@ const ROUNDING = 2e-16;
  * make greater by less than thrice on the way; momentum turns the way she lies from the asteroid, the faster the nearer she is.
  */
 function mayBeRoundedOff(setting: Setting, line: Line, { front }: Trap): boolean {
-  const { level, jump, maxTime } = setting;
+  const { level, jump, maxTime, strongest } = setting;
   if (jump === 0 || isAlongAxis(setting, line)) return false;
   const pull = GUN_PULL * (1 - (line.centre + 2 * TUBE) / level.range);
   if (level.recoil && pull < 1e-3) return true;
-  const own = 1.02 * Math.sqrt(2 * GUN_PULL * (front.at + jump)) + 1;
+  const own = 1.02 * speedAfter(strongest, front.at + jump) + 1;
   // with recoil all this is so between the two, and the asteroid may be pushed askew, too
   const rock = level.recoil ? (1.02 * own) / (2 * level.asteroids[line.target].radius * pull) : 0;
   const moved = level.recoil ? setting.drift[line.target] : 0;

@@ -2,7 +2,7 @@ import { HALF_DIAGONAL, HALF_WIDTH } from '../../engine/index.ts';
 import type { Level } from '../../schema/index.ts';
 import { standingCircles } from './blockers.ts';
 import { placesIn } from './dead-end.ts';
-import { MOST_BOXES } from './doomed.ts';
+import { mostOf } from './doomed.ts';
 import { followFan } from './fan.ts';
 import { MOST_PIPES } from './flowpipe.ts';
 import { followPipes } from './pipe.ts';
@@ -92,7 +92,7 @@ export function proofPicture(level: Level, { about, certificate, maxTime }: Proo
       const goal = thingOf(level, thing);
       const { squares, endedBy } =
         certificate.kind === 'doomed'
-          ? followFan(settingOf(level, maxTime, true), about, goal, certificate.grid, MOST_BOXES)
+          ? followFan(settingOf(level, maxTime, true), about, goal, certificate.grid, mostOf(certificate.grid))
           : followPipes(settingOf(level, maxTime, false), about, goal, certificate.grid, MOST_PIPES);
       const corner = (x: number, y: number) => ({
         x: level.astronaut.x + x * axis[0] - y * axis[1],

@@ -1,15 +1,7 @@
-import {
-  ALIEN_PULL,
-  ALIEN_SIGHT,
-  GUN_PULL,
-  HALF_DIAGONAL,
-  HALF_HEIGHT,
-  HALF_WIDTH,
-  REPULSOR_PUSH,
-  TICK,
-} from '../../engine/index.ts';
+import { ALIEN_SIGHT, GUN_PULL, HALF_DIAGONAL, HALF_HEIGHT, HALF_WIDTH, REPULSOR_PUSH, TICK } from '../../engine/index.ts';
+import { bendWithin, driftAfter, STRONGEST_CHASE } from './assumptions.ts';
 import { type ChaserDisc, chase, joinedChasers } from './chaser.ts';
-import type { About, Blocker, PipeGrid } from './proof.ts';
+import type { About, Blocker, Flowpipe, PipeGrid, PipePart, PipeStep, Strip, ThingRef } from './proof.ts';
 import type { Setting, Thing } from './setting.ts';
 
 /** Directions in which sets of places are bounded: eighths of a turn. That of index m + 4 is opposite to m. */
@@ -30,12 +22,18 @@ const opposite = (m: number): number => (m + SIDES / 2) % SIDES;
 /** What every bound is rounded outwards by, px. */
 const SLACK = 1e-6;
 
+/** A hazard counts from this depth on, px: discs of aliens and directions of her box are the checker's own, and differ in the last digits. */
+const DEEP = 1e-5;
+
+/** Strips begin at whole millionths of a px, which are short to write down. */
+const PARTS = 1e6;
+
 /** A set is cut where it is wider than so many cells. */
 const WIDE = 1.6;
 
 /** Bisections of the line up to which a hazard takes a part of a set, and what is worth taking, px. */
-const BISECTIONS = 7;
-const WORTH = 0.02;
+const BISECTIONS = 8;
+const WORTH = 0.001;
 
 /** A circle in the grid's own axes, px from the start. */
 interface Circle {
@@ -73,9 +71,10 @@ type Rectangle = readonly [number, number, number, number];
 export interface PipeResult {
   /** every run is over, and none came near the thing */
   readonly closed: boolean;
-  /** there were more sets than `most`, or one came near the thing: a longer horizon won't do either */
+  /** there were too many sets or parts of sets, or one came near the thing: a longer horizon won't do either */
   readonly hopeless: boolean;
-  readonly steps: number;
+  /** how each set goes on, for all steps that were taken in full */
+  readonly layers: Flowpipe['layers'];
   /** what ended runs */
   readonly endedBy: readonly Blocker[];
   /** the squares she may come through: their lower left corners in the grid's own axes, px */
@@ -87,21 +86,40 @@ export interface PipeResult {
  * all of these along its direction, those far ahead most. After each step what surely overlaps a hazard is cut off, with her box as it may be
  * turned: after a press it points at the target from where it was pressed last. Sets are cut along a grid over two of the moments, and joined in its cells.
  */
-export function followPipes(setting: Setting, about: About, goal: Thing, grid: PipeGrid, most: number): PipeResult {
+export function followPipes(
+  setting: Setting,
+  about: About,
+  goal: Thing,
+  grid: PipeGrid,
+  most: { readonly sets: number; readonly parts: number },
+): PipeResult {
   const fan = new PipeFan(setting, about, goal, grid);
-  let layer: Iterable<Pipe> = [fan.start()];
-  let pipes = 0;
-  for (let step = 1; step <= grid.steps; step++) {
-    const next = new Map<number, Pipe>();
-    for (const pipe of layer) {
-      if (!fan.advance(pipe, step, next)) return fan.result(false, true, step);
-      if (pipes + next.size > most) return fan.result(false, true, step);
+  const layers: (readonly [PipeStep, PipeStep])[][] = [];
+  let pipes = [fan.start()];
+  let sets = 0;
+  let parts = 0;
+  while (layers.length < grid.steps) {
+    const next: Layer = { pipes: [], inCells: new Map() };
+    const taken: (readonly [PipeStep, PipeStep])[] = [];
+    for (const pipe of pipes) {
+      const steps = fan.advance(pipe, layers.length + 1, next);
+      if (steps === null) return fan.result(false, true, layers);
+      parts += steps[0].parts.length + steps[1].parts.length;
+      if (sets + next.pipes.length > most.sets || parts > most.parts) return fan.result(false, true, layers);
+      taken.push(steps);
     }
-    pipes += next.size;
-    if (next.size === 0) return fan.result(true, false, step);
-    layer = next.values();
+    layers.push(taken);
+    pipes = next.pipes;
+    sets += pipes.length;
+    if (pipes.length === 0) return fan.result(true, false, layers);
   }
-  return fan.result(false, false, grid.steps);
+  return fan.result(false, false, layers);
+}
+
+/** The sets after a step, and which of them lies in which cell. */
+interface Layer {
+  readonly pipes: Pipe[];
+  readonly inCells: Map<number, number>;
 }
 
 class PipeFan {
@@ -115,7 +133,7 @@ class PipeFan {
   private readonly goal: Circle;
   private readonly rocks: readonly Circle[];
   private readonly fields: readonly Circle[];
-  private readonly still: readonly (Circle & { readonly of: Blocker; readonly asteroid: number })[];
+  private readonly still: readonly (Circle & { readonly of: ThingRef; readonly asteroid: number })[];
   private readonly endedBy = new Set<string>();
   private readonly enders: Blocker[] = [];
   private readonly squares = new Map<number, Point>();
@@ -153,8 +171,8 @@ class PipeFan {
     return { x: x * ux + y * uy, y: y * ux - x * uy };
   }
 
-  result(closed: boolean, hopeless: boolean, steps: number): PipeResult {
-    return { closed, hopeless, steps, endedBy: this.enders, squares: [...this.squares.values()] };
+  result(closed: boolean, hopeless: boolean, layers: Flowpipe['layers']): PipeResult {
+    return { closed, hopeless, layers, endedBy: this.enders, squares: [...this.squares.values()] };
   }
 
   start(): Pipe {
@@ -179,44 +197,45 @@ class PipeFan {
     };
   }
 
-  /** How far recoil can have carried an asteroid after `seconds`, px. */
   private drift(i: number, seconds: number): number {
-    const { level } = this.setting;
-    return level.recoil ? (0.2525 * seconds * (seconds + TICK)) / level.asteroids[i].radius : 0;
+    return driftAfter(this.setting.level, i, seconds);
   }
 
-  /** What a set becomes until the moment `to`, pressed and not, is added to `next`; false when it comes near the thing. */
-  advance({ far, turn, aliens }: Pipe, to: number, next: Map<number, Pipe>): boolean {
+  /** What a set becomes until the moment `to`, pressed and not, is added to `next`; null when it comes near the thing. */
+  advance({ far, turn, aliens }: Pipe, to: number, next: Layer): readonly [PipeStep, PipeStep] | null {
     const { step } = this;
     const things = this.still.length + 2 * this.rocks.length + this.fields.length + aliens.length;
     this.setting.budget.look(8 * this.grid.steps + things);
     const way = this.placesUntil(far, to);
-    if (nearestTo(this.goal, way) <= this.goal.r + SLACK) return false;
+    if (nearestTo(this.goal, way) <= this.goal.r + SLACK) return null;
     const isPushed = this.pushesWithin(way);
     const aimed = this.pullsWithin(way, to * step);
-    const pushed = far.slice();
+    const pressed = far.slice();
+    const free = isPushed === false ? far : far.slice();
     for (let moment = 0; moment <= this.grid.steps; moment++) {
       if (moment < to && moment !== this.early) continue;
       // the time left to the moment, added up over the step: what a push of 1 px/s2 moves the drift to it by
       const lever = step * (moment - to) * step + 0.5 * step * step;
       for (let m = 0; m < SIDES; m++) {
         const along = lever > 0 ? m : opposite(m);
-        const force =
-          isPushed === 'always' ? this.pushes[along] : Math.max(0, this.pulls[along], isPushed ? this.pushes[along] : 0);
-        pushed[moment * SIDES + m] += Math.abs(lever) * force + SLACK;
+        const push = isPushed === 'always' ? this.pushes[along] : Math.max(0, isPushed ? this.pushes[along] : 0);
+        const force = isPushed === 'always' ? push : Math.max(push, this.pulls[along]);
+        pressed[moment * SIDES + m] += Math.abs(lever) * force + SLACK;
+        if (isPushed) free[moment * SIDES + m] += Math.abs(lever) * push + SLACK;
       }
     }
-    const chasing = chase(aliens, way, step, ALIEN_PULL, ALIEN_SIGHT);
-    this.put(next, { far: pushed, turn: aimed, aliens: chasing }, to);
-    this.put(next, { far: isPushed ? pushed : far, turn, aliens: chasing }, to);
-    return true;
+    const chasing = chase(aliens, way, step, STRONGEST_CHASE, ALIEN_SIGHT);
+    return [
+      this.put(next, { far: pressed, turn: aimed, aliens: chasing }, to),
+      this.put(next, { far: free, turn, aliens: chasing }, to),
+    ];
   }
 
   /** All places up to a moment: the drift, and what any push can bend it by. */
   private placesUntil(far: Float64Array, to: number): Rectangle {
     const now = (to - 1) * SIDES;
     const then = to * SIDES;
-    const bend = 0.5 * GUN_PULL * this.step * this.step + 0.01;
+    const bend = bendWithin(this.setting.strongest, this.step * this.step) + 0.01;
     const most = (m: number) => Math.max(far[now + m], far[then + m]) + bend;
     return [-most(4), most(0), -most(6), most(2)];
   }
@@ -289,8 +308,8 @@ class PipeFan {
     return result;
   }
 
-  /** Cuts a set along the grid and adds what is not over to the layer, joined with what is there. */
-  private put(layer: Map<number, Pipe>, pipe: Pipe, moment: number): void {
+  /** Cuts a set along the grid and adds what is not over to the layer, joined with what is there; tells how. */
+  private put(layer: Layer, pipe: Pipe, moment: number): PipeStep {
     const { far, turn } = pipe;
     const { cell } = this.grid;
     const early = this.early * SIDES;
@@ -298,6 +317,7 @@ class PipeFan {
     const cuts = [early, early + 2, late, late + 2].map((at) => cutsOf(-far[at + 4], far[at], cell));
     const [cx, cy, dx, dy] = cuts;
     const turned = classOf(turn, this.grid.turns);
+    const parts: PipePart[] = [];
     for (let i = cx.first; i <= cx.last; i++) {
       for (let j = cy.first; j <= cy.last; j++) {
         for (let k = dx.first; k <= dx.last; k++) {
@@ -308,15 +328,23 @@ class PipeFan {
               [dx, k],
               [dy, l],
             ]);
-            if (part === null || this.isOver(part, pipe, moment)) continue;
+            const off: Strip[] = [];
+            if (part === null || this.isOver(part, pipe, moment, off)) {
+              parts.push({ off, to: null });
+              continue;
+            }
             this.visit(part, moment);
             const key = ((((i + 2048) * 4096 + (j + 2048)) * 4096 + (k + 2048)) * 4096 + (l + 2048)) * 8 + turned;
-            const there = layer.get(key);
-            layer.set(key, there === undefined ? { ...pipe, far: part } : joined(there, { ...pipe, far: part }));
+            const to = layer.inCells.get(key) ?? layer.pipes.length;
+            const there = layer.pipes[to];
+            layer.inCells.set(key, to);
+            layer.pipes[to] = there === undefined ? { ...pipe, far: part } : joined(there, { ...pipe, far: part });
+            parts.push({ off, to });
           }
         }
       }
     }
+    return { cuts: cuts.map(({ first, last }) => Array.from({ length: last - first }, (_, n) => (first + n + 1) * cell)), parts };
   }
 
   /** What of a set lies in a cell; null when nothing does. */
@@ -351,8 +379,8 @@ class PipeFan {
     return part;
   }
 
-  /** Takes off a set what surely overlaps a hazard at a moment; true when nothing is left, or all of it is out of range. */
-  private isOver(far: Float64Array, { turn, aliens }: Pipe, moment: number): boolean {
+  /** Takes off a set what surely overlaps a hazard at a moment, and adds the strips to `off`; true when nothing is left, or all of it is out of range. */
+  private isOver(far: Float64Array, { turn, aliens }: Pipe, moment: number, off: Strip[]): boolean {
     const seconds = moment * this.step;
     this.setting.budget.look(4 * this.still.length + 4 * aliens.length + this.rocks.length);
     const over = (of: Blocker): true => {
@@ -363,11 +391,11 @@ class PipeFan {
     };
     for (const hazard of this.still) {
       const r = hazard.r - (hazard.asteroid < 0 ? 0 : this.drift(hazard.asteroid, seconds));
-      if (r > 0 && takeOff(far, moment, hazard, r - SLACK, turn)) return over(hazard.of);
+      if (r > 0 && takeOff(far, moment, { ...hazard, r: r - DEEP }, hazard.of, turn, off)) return over(hazard.of);
     }
     for (const [index, alien] of aliens.entries()) {
-      if (!alien.doubtful && takeOff(far, moment, alien, alien.touch - alien.r - SLACK, turn))
-        return over({ kind: 'alien', index });
+      const of: ThingRef = { kind: 'alien', index };
+      if (!alien.doubtful && takeOff(far, moment, { ...alien, r: alien.touch - alien.r - DEEP }, of, turn, off)) return over(of);
     }
     const now = moment * SIDES;
     const here: Rectangle = [-far[now + 4], far[now], -far[now + 6], far[now + 2]];
@@ -401,8 +429,9 @@ function cutsOf(from: number, to: number, cell: number): Cuts {
 }
 
 /** Takes off what lies in a hazard, from one side, by her box as it is turned and by the circle in it; true when all of it does. */
-function takeOff(far: Float64Array, moment: number, hazard: Point, r: number, turn: Turn): boolean {
+function takeOff(far: Float64Array, moment: number, hazard: Circle, by: ThingRef, turn: Turn, off: Strip[]): boolean {
   const now = moment * SIDES;
+  const { r } = hazard;
   const reach = r + HALF_DIAGONAL;
   if (hazard.x > far[now] + reach || hazard.x < -far[now + 4] - reach) return false;
   if (hazard.y > far[now + 2] + reach || hazard.y < -far[now + 6] - reach) return false;
@@ -419,18 +448,28 @@ function takeOff(far: Float64Array, moment: number, hazard: Point, r: number, tu
     },
   ];
   for (const zone of rr > 0 ? zones : zones.slice(0, 1)) {
-    for (const first of [0, 1]) if (takeOffAlong(far, now, first, zone)) return true;
+    for (const first of [0, 1]) {
+      const strip = takeOffAlong(far, now, first, zone);
+      if (strip === null) continue;
+      off.push({ by, ...strip });
+      if (strip.at <= -far[now + opposite(strip.side)]) return true;
+    }
   }
   return false;
 }
 
-/** The same by the rectangle that holds the set, with its sides along a direction and across. */
-function takeOffAlong(far: Float64Array, now: number, first: number, zone: (x: number, y: number) => boolean): boolean {
+/** The same by the rectangle that holds the set, with its sides along a direction and across; what is taken off, all of it perhaps. */
+function takeOffAlong(
+  far: Float64Array,
+  now: number,
+  first: number,
+  zone: (x: number, y: number) => boolean,
+): Omit<Strip, 'by'> | null {
   const [ax, ay] = DIRECTIONS[first];
   const at = (s: number, q: number) => zone(s * ax - q * ay, s * ay + q * ax);
   const [right, up, left, down] = [now + first, now + first + 2, now + first + 4, now + first + 6];
   const corner = [at(far[right], far[up]), at(-far[left], far[up]), at(-far[left], -far[down]), at(far[right], -far[down])];
-  if (corner.every(Boolean)) return true;
+  if (corner.every(Boolean)) return { side: first, at: Math.floor(-far[left] * PARTS) / PARTS };
   const take = (side: number, across: number, isIn: (distance: number) => boolean) => {
     let inside = far[side];
     let outside = -far[across];
@@ -439,13 +478,16 @@ function takeOffAlong(far: Float64Array, now: number, first: number, zone: (x: n
       if (isIn(middle)) inside = middle;
       else outside = middle;
     }
-    if (far[side] - inside > WORTH) far[side] = inside + SLACK;
+    const begins = Math.ceil(inside * PARTS) / PARTS;
+    if (far[side] - begins <= WORTH) return null;
+    far[side] = begins + SLACK;
+    return { side: side - now, at: begins };
   };
-  if (corner[3] && corner[0]) take(right, left, (s) => at(s, far[up]) && at(s, -far[down]));
-  else if (corner[1] && corner[2]) take(left, right, (s) => at(-s, far[up]) && at(-s, -far[down]));
-  else if (corner[0] && corner[1]) take(up, down, (q) => at(far[right], q) && at(-far[left], q));
-  else if (corner[2] && corner[3]) take(down, up, (q) => at(far[right], -q) && at(-far[left], -q));
-  return false;
+  if (corner[3] && corner[0]) return take(right, left, (s) => at(s, far[up]) && at(s, -far[down]));
+  if (corner[0] && corner[1]) return take(up, down, (q) => at(far[right], q) && at(-far[left], q));
+  if (corner[1] && corner[2]) return take(left, right, (s) => at(-s, far[up]) && at(-s, -far[down]));
+  if (corner[2] && corner[3]) return take(down, up, (q) => at(far[right], -q) && at(-far[left], -q));
+  return null;
 }
 
 /** A set that holds two others. */

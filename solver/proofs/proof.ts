@@ -45,7 +45,7 @@ export interface Drift {
   readonly ahead: number;
 }
 
-/** How finely all that she may do is followed. */
+/** How finely all that she may do is followed, and along which axes. */
 export interface FanGrid {
   /** direction of its first axis, a unit vector; the second is a quarter turn from it, from x to y */
   readonly axis: readonly [number, number];
@@ -55,8 +55,17 @@ export interface FanGrid {
   readonly bin: number;
   /** length of a step, ticks of 1/60 s */
   readonly frames: number;
-  /** after so many steps everything is over */
-  readonly steps: number;
+}
+
+/** Places and velocities, least and most of each along the axes of a grid: x, x, y, y, vx, vx, vy, vy; px from the start and px/s. */
+export type BoxNumbers = readonly number[];
+
+/** Certificate of all that she may do until it is over. */
+export interface Doomed {
+  readonly kind: 'doomed';
+  readonly grid: FanGrid;
+  /** for the start, and for the end of each step but the last: boxes that hold every run that goes on; after the last step none does */
+  readonly layers: readonly (readonly BoxNumbers[])[];
 }
 
 /** How finely all that she may do is followed as sets bounded by where she would drift to. */
@@ -73,6 +82,36 @@ export interface PipeGrid {
   readonly turns: number;
 }
 
+/** A strip taken off a set, since a hazard overlaps her box in all of it: beyond `at` px in one of eight directions, eighths of a turn from the first axis. */
+export interface Strip {
+  readonly by: ThingRef;
+  readonly side: number;
+  readonly at: number;
+}
+
+/** What becomes of a part of a set: strips are taken off, and what is left goes into a set of the next step; null: nothing is left, or all is out of range. */
+export interface PipePart {
+  readonly off: readonly Strip[];
+  readonly to: number | null;
+}
+
+/**
+ * How a set goes on: where it is cut, px, by the places she drifts to at the two moments of the grid (x and y of the earlier, x and y of the later), and what
+ * becomes of each part; those along the last cuts come one after the other.
+ */
+export interface PipeStep {
+  readonly cuts: readonly (readonly number[])[];
+  readonly parts: readonly PipePart[];
+}
+
+/** Certificate of all that she may do until it is over, known by where she would drift to. */
+export interface Flowpipe {
+  readonly kind: 'flowpipe';
+  readonly grid: PipeGrid;
+  /** for each step, and each set there is then, how it goes on when she presses in it, and when she doesn't; the start is one set */
+  readonly layers: readonly (readonly (readonly [pressed: PipeStep, free: PipeStep])[])[];
+}
+
 /** The kinds of proof. */
 export type ProofCode =
   | 'nothing-in-range'
@@ -84,6 +123,9 @@ export type ProofCode =
   | 'covered'
   | 'flowpipe';
 
+/** The ways to prove: `dead-end` makes proofs of the kind `line-trap`. */
+export type Prover = ProofCode | 'dead-end';
+
 /**
  * What the checker in solver/verify needs to see that a proof holds: plain JSON, lengths in px.
  * - `nothing-in-range`: the level alone shows it
@@ -93,7 +135,8 @@ export type ProofCode =
  * - `line-trap`: the asteroid whose line she is bound to, the ends of the stretch that she can't leave, and with recoil how far the asteroid drifts
  *   while she swings between them
  * - `covered`: the level alone shows it
- * - `doomed`, `flowpipe`: how finely to follow all that she may do until everything is over
+ * - `doomed`: all that she may do, as sets after each step; after the last none is left
+ * - `flowpipe`: how to follow all that she may do: where to cut sets, and what ends which part of them, until none is left
  */
 export type Certificate =
   | { readonly kind: 'nothing-in-range' }
@@ -101,8 +144,8 @@ export type Certificate =
   | { readonly kind: 'out-of-range'; readonly asteroids: readonly number[] }
   | { readonly kind: 'enclosed'; readonly barrier: readonly BarrierEdge[] }
   | LineTrap
-  | { readonly kind: 'doomed'; readonly grid: FanGrid }
-  | { readonly kind: 'flowpipe'; readonly grid: PipeGrid }
+  | Doomed
+  | Flowpipe
   | { readonly kind: 'covered' };
 
 /** Certificate of a line trap. */

@@ -1,5 +1,6 @@
 import { type AccuracyName, unlimited, type WorkBudget, WorkLimitReached } from '../../engine/index.ts';
 import type { Level } from '../../schema/index.ts';
+import { whyNotTried } from './assumptions.ts';
 import { proveNothingInRange, proveStartsInHazard } from './at-start.ts';
 import { proveCovered } from './covered.ts';
 import { proveDoomed } from './doomed.ts';
@@ -7,7 +8,7 @@ import { proveEnclosed } from './enclosure.ts';
 import { proveFlowpipe } from './flowpipe.ts';
 import { proveOutOfRange } from './islands.ts';
 import { proveDeadEnds, proveLineTrap } from './line.ts';
-import type { About, Proof } from './proof.ts';
+import type { About, Proof, Prover } from './proof.ts';
 import { type Setting, settingOf, type Thing, thingOf } from './setting.ts';
 
 export interface ProveOptions {
@@ -22,10 +23,10 @@ export interface ProveOptions {
 type Kind = (setting: Setting, about: About, goal: Thing) => Proof | null;
 
 // those a designer understands at a glance first
-const CHEAP: readonly Kind[] = [proveNothingInRange, proveStartsInHazard, proveOutOfRange, proveLineTrap];
+const CHEAP: readonly Prover[] = ['nothing-in-range', 'starts-in-hazard', 'out-of-range', 'line-trap'];
 
 /** Cost milliseconds each. */
-const DEAR: readonly Kind[] = [proveCovered, proveEnclosed, proveDeadEnds];
+const DEAR: readonly Prover[] = ['covered', 'enclosed', 'dead-end'];
 
 /** For so many minerals the dear ones are tried. */
 const MOST_MINERALS = 64;
@@ -49,12 +50,12 @@ export const PROVERS = {
   'dead-end': proveDeadEnds,
   doomed: proveDoomed,
   flowpipe: proveFlowpipe,
-} as const satisfies Record<string, Kind>;
+} as const satisfies Record<Prover, Kind>;
 
 /** A proof by one of the ways alone, for who wants to know what that one would say; null where it finds none. */
-export function proveBy(prover: keyof typeof PROVERS, level: Level, about: About, options: ProveOptions = {}): Proof | null {
+export function proveBy(prover: Prover, level: Level, about: About, options: ProveOptions = {}): Proof | null {
   const goal = thingOf(level, about.kind === 'blackHole' ? level.blackHole : level.minerals[about.index]);
-  return prove(settingsOf(level, options), [PROVERS[prover]], about, goal, options);
+  return prove(settingsOf(level, options), [prover], about, goal, options);
 }
 
 /** A proof for each mineral that is proved to be out of reach in every run; of very many minerals only by what is cheap to prove. */
@@ -75,8 +76,7 @@ export function proveMineralsUnreachable(level: Level, options: ProveOptions = {
 /** What costs up to seconds, and only where she starts moving: first what holds for frames and for continuous time alike. */
 function proveSoonOver(settings: readonly Setting[], about: About, goal: Thing, options: ProveOptions): Proof | null {
   return (
-    prove(settings.slice(0, 1), [proveDoomed], about, goal, options) ??
-    prove(settings.slice(-1), [proveFlowpipe], about, goal, options)
+    prove(settings.slice(0, 1), ['doomed'], about, goal, options) ?? prove(settings.slice(-1), ['flowpipe'], about, goal, options)
   );
 }
 
@@ -89,14 +89,15 @@ function settingsOf(level: Level, { accuracy, maxTime, budget = unlimited() }: P
 
 function prove(
   settings: readonly Setting[],
-  kinds: readonly Kind[],
+  provers: readonly Prover[],
   about: About,
   goal: Thing,
   { accuracy }: ProveOptions,
 ): Proof | null {
   for (const setting of settings) {
-    for (const kind of kinds) {
-      const proof = withinBudget(kind, setting, about, goal);
+    for (const prover of provers) {
+      if (whyNotTried(prover, setting.effects) !== null) continue;
+      const proof = withinBudget(PROVERS[prover], setting, about, goal);
       if (proof !== null && (accuracy === undefined || proof.covers.includes(accuracy))) return proof;
     }
   }

@@ -1,15 +1,14 @@
 import {
   type AccuracyName,
   DEFAULT_MAX_TIME,
-  GUN_PULL,
   HALF_DIAGONAL,
   HALF_WIDTH,
-  SPEED_LIMIT,
   TICK,
   unlimited,
   type WorkBudget,
 } from '../../engine/index.ts';
 import type { Level } from '../../schema/index.ts';
+import { driftWithin, effectsOf, FASTEST_FRAME, speedAfter, strongestPush } from './assumptions.ts';
 import { reachableAsteroids } from './reachable.ts';
 
 /** A circle about (x, y), px from the start. */
@@ -31,6 +30,10 @@ export const ALL_ACCURACIES: readonly AccuracyName[] = ['arcade', ...CONTINUOUS]
 /** The numbers that proofs about a level share, places relative to her start. */
 export interface Setting {
   readonly level: Level;
+  /** the names of the effects that the level calls for */
+  readonly effects: readonly string[];
+  /** the most that anything can accelerate her, px/s2 */
+  readonly strongest: number;
   /** longest run, s */
   readonly maxTime: number;
   /**
@@ -49,14 +52,17 @@ export interface Setting {
 /** The numbers of a level for one of the two ways of playing. */
 export function settingOf(level: Level, maxTime: number | null, frames: boolean, budget: WorkBudget = unlimited()): Setting {
   const time = maxTime ?? DEFAULT_MAX_TIME;
-  // a hundredth more than a t2 / 2 with a = 1 / (2 radius); frames step a little farther than the flow
-  const most = 1.01 * (frames ? (time + TICK) * (time + 2 * TICK) : time * time);
-  const drift = level.asteroids.map(({ radius }) => (level.recoil ? most / (4 * radius) : 0));
-  const jump = frames ? frameJump(level, drift) : 0;
+  // frames step a little farther than the flow
+  const square = frames ? (time + TICK) * (time + 2 * TICK) : time * time;
+  const drift = level.asteroids.map((_, i) => driftWithin(level, i, square));
+  const strongest = strongestPush(level);
+  const jump = frames ? frameJump(level, drift, strongest) : 0;
   // dear in large levels, and of use to many proofs or to none
   let reached: readonly number[] | null = null;
   return {
     level,
+    effects: effectsOf(level),
+    strongest,
     maxTime: time,
     drift,
     jump,
@@ -68,10 +74,7 @@ export function settingOf(level: Level, maxTime: number | null, frames: boolean,
   };
 }
 
-/** Farthest flight of one frame at the speed limit on both axes, px. */
-const FASTEST_FRAME = SPEED_LIMIT * TICK * 1.4143;
-
-function frameJump({ asteroids, range, astronaut }: Level, drift: readonly number[]): number {
+function frameJump({ asteroids, range, astronaut }: Level, drift: readonly number[], strongest: number): number {
   let left = 0;
   let right = 0;
   let top = 0;
@@ -87,7 +90,7 @@ function frameJump({ asteroids, range, astronaut }: Level, drift: readonly numbe
   const down = bottom - top + 2 * FASTEST_FRAME;
   const way = Math.sqrt(across * across + down * down);
   const start = astronaut.vx * astronaut.vx + astronaut.vy * astronaut.vy;
-  return Math.min(FASTEST_FRAME, Math.sqrt(start + 2 * GUN_PULL * way) * TICK * 1.001);
+  return Math.min(FASTEST_FRAME, speedAfter(strongest, way, start) * TICK * 1.001);
 }
 
 /** The thing a proof is about, px from the start. */

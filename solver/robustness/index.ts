@@ -14,3 +14,4 @@ export {
 } from './success-probability.ts';
 export { drawShift, extremeNoise, normalBeyondHalf, type TickNoise, tickNoise, uniformOf } from './tick-noise.ts';
 export { createTrials, type Trials } from './trials.ts';
+export { wilsonInterval } from './wilson.ts';

@@ -1,4 +1,4 @@
-import { boxCircleGap, HALF_DIAGONAL, type Scene } from '../../engine/index.ts';
+import { boxCircleGap, DEFAULT_BOX, HALF_DIAGONAL, type Scene } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import type { NodeList } from './node-list.ts';
 import type { Closest } from './search.ts';
@@ -23,7 +23,7 @@ export class Approach {
     const dy = hole.y - state[1];
     const far = this.distance + hole.radius + HALF_DIAGONAL;
     if (dx * dx + dy * dy > far * far) return;
-    const distance = Math.max(0, boxCircleGap(dx, dy, state[4], state[5], hole.radius));
+    const distance = Math.max(0, boxCircleGap(DEFAULT_BOX, dx, dy, state[4], state[5], hole.radius));
     if (distance >= this.distance) return;
     this.distance = distance;
     this.node = node;

@@ -32,7 +32,7 @@ const HELD_ON = 400;
 const MEMORY = 8_000_000;
 
 /** A way so far: its edges, and where each execution is at its own, noisy time of the last one. */
-interface Way {
+interface NoisyWay {
   readonly edges: readonly number[];
   readonly states: readonly Float64Array[];
   /** Of the executions, those still under way or through. */
@@ -65,8 +65,8 @@ export class CloudSearch {
   private readonly edgeCost: number;
   private readonly mostWays: number;
   private ways = 0;
-  private readonly cells = new Map<string, Way>();
-  private readonly open: Way[] = [];
+  private readonly cells = new Map<string, NoisyWay>();
+  private readonly open: NoisyWay[] = [];
   private readonly state = new Float64Array(STATE_SIZE);
   private readonly aliens: Float64Array;
   private readonly heat: HeatMap;
@@ -136,7 +136,7 @@ export class CloudSearch {
     if (through > 0) this.found.push({ holds: toHolds(way.edges, tick), share: through / CLOUD });
   }
 
-  private select(): Way | null {
+  private select(): NoisyWay | null {
     const { open, random } = this;
     if (open.length === 0) return null;
     let best = random.below(open.length);
@@ -150,7 +150,7 @@ export class CloudSearch {
     return way;
   }
 
-  private promise(way: Way): number {
+  private promise(way: NoisyWay): number {
     return way.share - this.edgeCost * way.edges.length;
   }
 
@@ -173,7 +173,7 @@ export class CloudSearch {
   }
 
   /** Keeps the way that changes the button now, unless a better one is known to this place. */
-  private keep(way: Way, tick: number, share: number, held: boolean): void {
+  private keep(way: NoisyWay, tick: number, share: number, held: boolean): void {
     const { cloud, state } = this;
     let [x, y, vx, vy, square, alive] = [0, 0, 0, 0, 0, 0];
     for (const simulation of cloud) {
@@ -199,7 +199,7 @@ export class CloudSearch {
       known.outdone = true;
     }
     const states = cloud.map((simulation) => simulation.snapshot());
-    const next: Way = { edges: [...way.edges, tick], states, share, worth, outdone: false };
+    const next: NoisyWay = { edges: [...way.edges, tick], states, share, worth, outdone: false };
     this.cells.set(cell, next);
     this.open.push(next);
     this.ways++;

@@ -7,7 +7,7 @@ import type { Candidate } from '../verified-run.ts';
 /** Ticks a search simulates in one go: between two goes somebody may stop it. */
 const GO = 500;
 
-/** A search after the first gets so many times what the dearest success took, and this many ticks at least, before it is given up. */
+/** A search after the first gets so many times what the most expensive success took, and this many ticks at least, before it is given up. */
 const PATIENCE = 4;
 const LEAST_TICKS = 100_000;
 
@@ -20,7 +20,7 @@ export class Restarts {
   private readonly first: Search;
   private search: Search;
   private count = 0;
-  private dearest = 0;
+  private mostExpensive = 0;
   private readonly past = new HeatTally();
   private nearest: Closest | null = null;
   private runs = 0;
@@ -62,11 +62,11 @@ export class Restarts {
     search.advance(GO);
     const found = search.solutions[0];
     if (found === undefined) {
-      const limit = Math.max(LEAST_TICKS, PATIENCE * this.dearest);
-      if (this.dearest > 0 && search.effort.ticks > limit) this.restart();
+      const limit = Math.max(LEAST_TICKS, PATIENCE * this.mostExpensive);
+      if (this.mostExpensive > 0 && search.effort.ticks > limit) this.restart();
       return null;
     }
-    this.dearest = Math.max(this.dearest, search.effort.ticks);
+    this.mostExpensive = Math.max(this.mostExpensive, search.effort.ticks);
     this.restart();
     const cleaned = cleanRun(scene, found.holds, goal, { maxTicks });
     if (cleaned === null) return null;

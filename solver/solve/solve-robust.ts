@@ -1,29 +1,37 @@
 import type { Hold } from '../../schema/index.ts';
 import { createRandom, type Random } from '../random.ts';
-import { type Basin, climb, createBasin, holdsOf } from './basin.ts';
 import { changeRun } from './change-run.ts';
 import { CloudSearch } from './cloud-search.ts';
-import { type Desk, playable } from './desk.ts';
-import { centred, certifyElite, createElite, type Elite, polish, standing, toSolution } from './elite.ts';
+import { createLocalSearch, holdsOf, type LocalSearch, meanShiftStep } from './local-search.ts';
 import { isSameWay, mergeSolutions } from './merge-solutions.ts';
+import {
+  centred,
+  certifyCandidate,
+  createRobustCandidate,
+  polish,
+  type RobustCandidate,
+  standing,
+  toSolution,
+} from './robust-candidate.ts';
+import { playable, type SolverSession } from './solver-session.ts';
 
 /** New runs a round, from each source. Clouds bring the most: few, but runs that forgive from the start. */
 const FROM_SEARCH = 1;
 const FROM_CLOUD = 8;
 const FROM_CHANGES = 6;
 
-/** Executions a climbing step takes, stage after stage: half of the runs go on to the next. */
+/** Executions a mean-shift step takes, stage after stage: half of the runs go on to the next. */
 const STAGES = [12, 16, 24];
 const STEPS = 2;
 
-/** Runs of a round that may join the elite: new ones and changed ones race apart, or none would ever be new. */
+/** Runs of a round that may join the candidates: new ones and changed ones race apart, or none would ever be new. */
 const NEW_FINALISTS = 2;
 const CHANGED_FINALISTS = 1;
 
-/** Runs in the elite. */
+/** Candidates that are kept. */
 const KEPT = 6;
 
-/** Most noise a run climbs with, ms: more than it is judged by, so that it sees the walls around. */
+/** Most noise of a local search, ms: more than it is judged by, so that it sees the walls around. */
 const MOST_SIGMA = 60;
 
 /** Ticks a cloud may take in one round: more with every round, so that what is easy is soon there; and in all. */
@@ -43,22 +51,22 @@ const IDLE = 2;
 
 /**
  * Runs that forgive: rounds of many new runs, from plain searches, from clouds of noisy executions and from changes to the
- * best so far. They climb a little, the better half climbs on, and the last ones join the elite. Yields between small
- * pieces of work; ends when nothing can get better.
+ * best so far. Each takes a few mean-shift steps, the better half goes on (successive halving), and the last ones join the
+ * candidates. Yields between small pieces of work; ends when nothing can get better.
  */
 export class RobustWork {
-  private readonly desk: Desk;
+  private readonly session: SolverSession;
   private readonly random: Random;
-  private elites: Elite[] = [];
+  private candidates: RobustCandidate[] = [];
   private cloud: CloudSearch | null = null;
   private clouds = 0;
   private rounds = 0;
-  private basins = 0;
+  private localSearches = 0;
   private certificateTicks = 0;
 
-  constructor(desk: Desk) {
-    this.desk = desk;
-    this.random = createRandom(desk.seedOf(0));
+  constructor(session: SolverSession) {
+    this.session = session;
+    this.random = createRandom(session.seedOf(0));
   }
 
   *run(): Generator<void, void> {
@@ -76,12 +84,12 @@ export class RobustWork {
       const changed = this.change();
       yield* this.race(found, NEW_FINALISTS);
       yield* this.race(changed, CHANGED_FINALISTS);
-      for (const basin of [...found, ...changed]) {
+      for (const local of [...found, ...changed]) {
         for (let i = 0; i < 3; i++) {
-          climb(this.desk.trials, basin, 32, MOST_SIGMA);
+          meanShiftStep(this.session.trials, local, 32, MOST_SIGMA);
           yield;
         }
-        this.admit(holdsOf(basin.edges), basin.seed);
+        this.admit(holdsOf(local.edges), local.seed);
         yield;
       }
       yield* this.improve();
@@ -92,24 +100,24 @@ export class RobustWork {
 
   /** The runs to start from that meet the goal. */
   private known(): (readonly Hold[])[] {
-    return this.desk.known.flatMap((holds) => {
-      const run = playable(this.desk, holds);
+    return this.session.known.flatMap((holds) => {
+      const run = playable(this.session, holds);
       return run === null ? [] : [run.holds];
     });
   }
 
   private *search(): Generator<void, readonly Hold[] | null> {
-    const { restarts } = this.desk;
+    const { restarts } = this.session;
     while (!restarts.exhausted) {
       const run = restarts.next();
       yield;
-      if (run !== null) return playable(this.desk, run.holds)?.holds ?? run.holds;
+      if (run !== null) return playable(this.session, run.holds)?.holds ?? run.holds;
     }
     return null;
   }
 
   /** New runs, after those given. */
-  private *gather(runs: (readonly Hold[])[]): Generator<void, Basin[]> {
+  private *gather(runs: (readonly Hold[])[]): Generator<void, LocalSearch[]> {
     while (runs.length < FROM_SEARCH) {
       const holds = yield* this.search();
       if (holds === null) break;
@@ -117,39 +125,45 @@ export class RobustWork {
     }
     // a release less can only fail less, where she gets there without it
     for (const holds of [...runs]) {
-      const heldOn = playable(this.desk, withoutLastRelease(holds, this.desk.maxTicks));
+      const heldOn = playable(this.session, withoutLastRelease(holds, this.session.maxTicks));
       if (heldOn !== null) runs.push(heldOn.holds);
     }
     runs.push(...(yield* this.harvest()));
-    return runs.map((holds) => this.basin(holds));
+    return runs.map((holds) => this.localSearch(holds));
   }
 
-  private change(): Basin[] {
+  private change(): LocalSearch[] {
     const { random } = this;
-    const changeable = this.elites.filter(({ holds }) => holds.length > 0);
+    const changeable = this.candidates.filter(({ holds }) => holds.length > 0);
     if (changeable.length === 0) return [];
     return Array.from({ length: FROM_CHANGES }, () =>
-      this.basin(changeRun(changeable[random.below(changeable.length)].holds, random)),
+      this.localSearch(changeRun(changeable[random.below(changeable.length)].holds, random)),
     );
   }
 
-  private basin(holds: readonly Hold[]): Basin {
-    return createBasin(holds, this.desk.seedOf(++this.basins));
+  private localSearch(holds: readonly Hold[]): LocalSearch {
+    return createLocalSearch(holds, this.session.seedOf(++this.localSearches));
   }
 
   private *harvest(): Generator<void, (readonly Hold[])[]> {
-    const { desk } = this;
-    const best = this.elites.length > 0 ? this.elites[0].p : 0;
+    const { session } = this;
+    const best = this.candidates.length > 0 ? this.candidates[0].p : 0;
     if (this.cloud === null || this.cloud.exhausted || this.cloud.ticks > CLOUD_LIFE) {
-      this.cloud = new CloudSearch(desk.scene, desk.goal, desk.maxTicks, desk.seedOf(500_000 + this.clouds++), desk.cloudHeat);
+      this.cloud = new CloudSearch(
+        session.scene,
+        session.goal,
+        session.maxTicks,
+        session.seedOf(500_000 + this.clouds++),
+        session.cloudHeat,
+      );
     }
     const { cloud } = this;
     const until = cloud.ticks + Math.min(CLOUD_ROUND, CLOUD_FIRST_ROUND * ++this.rounds);
     while (cloud.ticks < until && !cloud.exhausted) {
       const { ticks, runs } = cloud;
       cloud.step(best - CLOUD_MARGIN);
-      desk.trials.ticks += cloud.ticks - ticks;
-      desk.trials.runs += cloud.runs - runs;
+      session.trials.ticks += cloud.ticks - ticks;
+      session.trials.runs += cloud.runs - runs;
       yield;
     }
     return cloud
@@ -158,13 +172,13 @@ export class RobustWork {
       .map(({ holds }) => holds);
   }
 
-  /** All climb a little, the better half climbs on, until no more than so many are left in the batch. */
-  private *race(batch: Basin[], finalists: number): Generator<void, void> {
+  /** All take a few steps, the better half goes on, until no more than so many are left in the batch: successive halving. */
+  private *race(batch: LocalSearch[], finalists: number): Generator<void, void> {
     for (let stage = 0; batch.length > finalists; stage++) {
       const samples = STAGES[Math.min(stage, STAGES.length - 1)];
-      for (const basin of batch) {
+      for (const local of batch) {
         for (let i = 0; i < STEPS; i++) {
-          climb(this.desk.trials, basin, samples, MOST_SIGMA);
+          meanShiftStep(this.session.trials, local, samples, MOST_SIGMA);
           yield;
         }
       }
@@ -174,55 +188,57 @@ export class RobustWork {
   }
 
   private admit(holds: readonly Hold[], seed: number): void {
-    const elite = createElite(this.desk, holds, seed);
-    if (elite !== null) this.keep(elite);
+    const candidate = createRobustCandidate(this.session, holds, seed);
+    if (candidate !== null) this.keep(candidate);
   }
 
-  private keep(elite: Elite): void {
-    this.elites.push(elite);
+  private keep(candidate: RobustCandidate): void {
+    this.candidates.push(candidate);
     this.sort();
   }
 
   /** Best first, of each way the best, no more than are kept. */
   private sort(): void {
-    const { elites } = this;
-    elites.sort((a, b) => standing(b) - standing(a) || a.holds.length - b.holds.length || a.candidate.tick - b.candidate.tick);
-    const different = elites.filter((elite, i) => !elites.slice(0, i).some(({ holds }) => isSameWay(holds, elite.holds)));
-    this.elites = different.slice(0, Math.max(KEPT, 2 * this.desk.count));
+    const { candidates } = this;
+    candidates.sort((a, b) => standing(b) - standing(a) || a.holds.length - b.holds.length || a.verified.tick - b.verified.tick);
+    const different = candidates.filter(
+      (candidate, i) => !candidates.slice(0, i).some(({ holds }) => isSameWay(holds, candidate.holds)),
+    );
+    this.candidates = different.slice(0, Math.max(KEPT, 2 * this.session.count));
   }
 
   private *improve(): Generator<void, void> {
-    const { desk } = this;
-    for (const elite of this.elites) {
-      if (elite.idle >= IDLE || elite.p === 1 || elite.p < this.elites[0].p - 0.25) continue;
-      polish(desk, elite);
+    const { session } = this;
+    for (const candidate of this.candidates) {
+      if (candidate.idle >= IDLE || candidate.p === 1 || candidate.p < this.candidates[0].p - 0.25) continue;
+      polish(session, candidate);
       yield;
     }
     this.sort();
-    for (const elite of this.elites.slice(0, desk.count)) {
-      if (elite.certificate !== 'unknown' || (elite.idle < IDLE && elite.p < 1)) continue;
-      const { ticks } = desk.trials;
-      const allowed = FIRST_CERTIFICATE + CERTIFICATE_SHARE * (ticks + desk.restarts.effort.ticks) - this.certificateTicks;
-      elite.certificate = yield* certifyElite(desk, elite, allowed);
-      const moved = elite.certificate === 'refuted' ? centred(desk, elite) : null;
+    for (const candidate of this.candidates.slice(0, session.count)) {
+      if (candidate.certificate !== 'unknown' || (candidate.idle < IDLE && candidate.p < 1)) continue;
+      const { ticks } = session.trials;
+      const allowed = FIRST_CERTIFICATE + CERTIFICATE_SHARE * (ticks + session.restarts.effort.ticks) - this.certificateTicks;
+      candidate.certificate = yield* certifyCandidate(session, candidate, allowed);
+      const moved = candidate.certificate === 'refuted' ? centred(session, candidate) : null;
       if (moved !== null) {
-        moved.certificate = yield* certifyElite(desk, moved, allowed);
+        moved.certificate = yield* certifyCandidate(session, moved, allowed);
         if (moved.certificate === 'proved') this.keep(moved);
       }
-      this.certificateTicks += desk.trials.ticks - ticks;
+      this.certificateTicks += session.trials.ticks - ticks;
     }
     this.sort();
   }
 
   private publish(): void {
-    const { desk } = this;
-    const solutions = this.elites.slice(0, Math.max(1, desk.count)).map((elite) => toSolution(desk, elite));
+    const { session } = this;
+    const solutions = this.candidates.slice(0, Math.max(1, session.count)).map((candidate) => toSolution(session, candidate));
     // what was published once stays until something is measured to be better
-    desk.solutions = mergeSolutions([desk.solutions, solutions], { count: desk.count });
+    session.solutions = mergeSolutions([session.solutions, solutions], { count: session.count });
   }
 
   private isPerfect(): boolean {
-    const { solutions, count } = this.desk;
+    const { solutions, count } = this.session;
     return solutions.length >= count && solutions.every(({ p40, certified }) => p40?.p === 1 && certified);
   }
 }

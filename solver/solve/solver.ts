@@ -3,10 +3,10 @@ import type { Hold } from '../../schema/index.ts';
 import type { Goal } from '../goal.ts';
 import { type Closest, type Effort, type Explored, HeatTally } from '../search/index.ts';
 import { DEFAULT_MAX_TICKS } from '../verified-run.ts';
-import { createDesk } from './desk.ts';
 import type { Objective, Solution } from './solution.ts';
 import { solvePlain } from './solve-plain.ts';
 import { RobustWork } from './solve-robust.ts';
+import { createSolverSession } from './solver-session.ts';
 
 export interface SolveOptions {
   /** any minerals when left out */
@@ -48,26 +48,26 @@ export interface Solver {
 export function createSolver(scene: Scene, options: SolveOptions = {}): Solver {
   const { seed = 0, lane = 0, objective = 'robust', count = 1, known = [] } = options;
   const { goal = { minerals: 'any' }, maxTicks = DEFAULT_MAX_TICKS } = options;
-  const desk = createDesk(scene, { goal, seed, lane, maxTicks, objective, count, known });
-  const work = objective === 'robust' ? new RobustWork(desk).run() : solvePlain(desk);
+  const session = createSolverSession(scene, { goal, seed, lane, maxTicks, objective, count, known });
+  const work = objective === 'robust' ? new RobustWork(session).run() : solvePlain(session);
   let asked = 0;
   let finished = false;
-  const spent = () => desk.trials.ticks + desk.restarts.effort.ticks;
+  const spent = () => session.trials.ticks + session.restarts.effort.ticks;
   return {
     get effort() {
-      return { runs: desk.trials.runs + desk.restarts.effort.runs, ticks: spent() };
+      return { runs: session.trials.runs + session.restarts.effort.runs, ticks: spent() };
     },
     get closest() {
-      return desk.restarts.closest;
+      return session.restarts.closest;
     },
     get explored() {
-      return new HeatTally().explored(desk.restarts.explored, desk.cloudHeat.explored());
+      return new HeatTally().explored(session.restarts.explored, session.cloudHeat.explored());
     },
     get best() {
-      return desk.solutions[0] ?? null;
+      return session.solutions[0] ?? null;
     },
     get solutions() {
-      return desk.solutions;
+      return session.solutions;
     },
     get finished() {
       return finished;

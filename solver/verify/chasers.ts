@@ -1,4 +1,5 @@
 import { ALIEN_PULL, ALIEN_SIGHT } from '../../engine/index.ts';
+import { MOST_CHASE } from './assumptions.ts';
 import { apart, type Point } from './rounded.ts';
 
 /** All places, or velocities, within a distance of a centre. */
@@ -32,7 +33,7 @@ const ORIGIN: Point = { x: 0, y: 0 };
 /** What becomes of aliens in some seconds in which she is anywhere in an area. */
 export function afterChase(chasers: readonly Chaser[], area: Area, seconds: number): readonly Chaser[] {
   const farthest = (c: Chaser) =>
-    c.at.within + (apart(c.speed.centre, ORIGIN) + c.speed.within) * seconds + (ALIEN_PULL * seconds * seconds) / 2 + ROUNDING;
+    c.at.within + (apart(c.speed.centre, ORIGIN) + c.speed.within) * seconds + (MOST_CHASE * seconds * seconds) / 2 + ROUNDING;
   // two that touch explode
   const mayMeet = (a: Chaser, b: Chaser) => apart(a.at.centre, b.at.centre) <= farthest(a) + farthest(b) + a.radius + b.radius;
   return chasers.map((chaser) => {
@@ -52,7 +53,7 @@ function moved(chaser: Chaser, { left, right, low, high }: Area, seconds: number
   const stands = speed.within === 0 && speed.centre.x === 0 && speed.centre.y === 0;
   if (stands && d - her.within - at.within > ALIEN_SIGHT + ROUNDING) return chaser;
   const blur = her.within + own;
-  const anyPull: Disc = { centre: ORIGIN, within: ALIEN_PULL };
+  const anyPull: Disc = { centre: ORIGIN, within: MOST_CHASE };
   const share = ALIEN_PULL / d;
   const towards: Disc = {
     centre: { x: share * (her.centre.x - at.centre.x), y: share * (her.centre.y - at.centre.y) },
@@ -61,7 +62,7 @@ function moved(chaser: Chaser, { left, right, low, high }: Area, seconds: number
   };
   const maySleep = d + blur >= ALIEN_SIGHT - ROUNDING;
   const pulled = 2 * blur > d ? anyPull : maySleep ? orNothing(towards) : towards;
-  const a = pulled.within > ALIEN_PULL ? anyPull : pulled;
+  const a = pulled.within > MOST_CHASE ? anyPull : pulled;
   const v = maySleep ? orNothing(speed) : speed;
   const after = (p: Disc, by: Disc, times: number): Disc => ({
     centre: { x: p.centre.x + by.centre.x * times, y: p.centre.y + by.centre.y * times },

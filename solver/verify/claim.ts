@@ -1,6 +1,7 @@
-import { DEFAULT_MAX_TIME, GUN_PULL, HALF_DIAGONAL, SPEED_LIMIT, TICK } from '../../engine/index.ts';
+import { DEFAULT_MAX_TIME, HALF_DIAGONAL, TICK } from '../../engine/index.ts';
 import type { Level } from '../../schema/index.ts';
 import type { About } from '../proofs/index.ts';
+import { driftIn, LONGEST_FRAME, mostPush } from './assumptions.ts';
 
 /**
  * What a certificate is checked against: places relative to her start (the start is 0, 0), and the few numbers on which
@@ -13,6 +14,8 @@ export interface Claim {
   readonly thing: { readonly x: number; readonly y: number; readonly radius: number };
   /** Her centre is nearer than this to the thing's centre whenever her box touches it, px. */
   readonly touch: number;
+  /** Nothing accelerates her by more, px/s2. */
+  readonly push: number;
   /**
    * Frames: she is looked at once a frame only (`arcade`), so that between two looks she may jump. Otherwise her way is
    * continuous and every contact on it is found.
@@ -36,7 +39,7 @@ export type Play = 'frames' | 'steps' | 'exact';
 /** The claim of a proof about a level, for one way of playing. */
 export function claimOf(level: Level, about: About, maxTime: number | null, play: Play): Claim {
   const frames = play === 'frames';
-  const { astronaut, range, recoil } = level;
+  const { astronaut, range } = level;
   const place = <T extends { readonly x: number; readonly y: number }>(thing: T): T => ({
     ...thing,
     x: thing.x - astronaut.x,
@@ -44,14 +47,16 @@ export function claimOf(level: Level, about: About, maxTime: number | null, play
   });
   const thing = place(about.kind === 'blackHole' ? level.blackHole : level.minerals[about.index]);
   const time = maxTime ?? DEFAULT_MAX_TIME;
-  // acceleration 1 / diameter, all the time: a t2 / 2; frames go as far as in a frame more, and the last may end after it
+  // frames go as far as in a frame more, and the last may end after it
   const longest = frames ? (time + TICK) * (time + 2 * TICK) : time * time;
-  const drift = (i: number): number => (recoil ? (1.01 * longest) / (4 * level.asteroids[i].radius) : 0);
+  const drift = (i: number): number => driftIn(level, i, longest);
+  const push = mostPush(level);
   return {
     level,
     about,
     thing,
     touch: thing.radius + HALF_DIAGONAL,
+    push,
     frames,
     steps: play === 'steps',
     seconds: maxTime,
@@ -61,20 +66,19 @@ export function claimOf(level: Level, about: About, maxTime: number | null, play
   };
 
   /**
-   * Nothing accelerates her by more than GUN_PULL. If she has the speed v at a place, then some time ago she was at least
-   * (v2 - v0^2) / (2 GUN_PULL) away from it, with v0 her speed at the start; and places in range are not farther from
+   * Nothing accelerates her by more than `push`. If she has the speed v at a place, then some time ago she was at least
+   * (v2 - v0^2) / (2 push) away from it, with v0 her speed at the start; and places in range are not farther from
    * each other than the diagonal of the box about all discs of the range (and a frame's flight beyond, at each end).
    */
   function frameJump(): number {
-    const fastest = 1.4143 * SPEED_LIMIT * TICK;
     const lows = level.asteroids.map((a, i) => ({ x: place(a).x - range - drift(i), y: place(a).y - range - drift(i) }));
     const highs = level.asteroids.map((a, i) => ({ x: place(a).x + range + drift(i), y: place(a).y + range + drift(i) }));
     const spread = (axis: 'x' | 'y') =>
       highs.reduce((most, p) => Math.max(most, p[axis]), 0) - lows.reduce((least, p) => Math.min(least, p[axis]), 0);
-    const width = spread('x') + 2 * fastest;
-    const height = spread('y') + 2 * fastest;
+    const width = spread('x') + 2 * LONGEST_FRAME;
+    const height = spread('y') + 2 * LONGEST_FRAME;
     const way = Math.sqrt(width * width + height * height);
-    const speed2 = astronaut.vx * astronaut.vx + astronaut.vy * astronaut.vy + 2 * GUN_PULL * way;
-    return Math.min(fastest, 1.001 * Math.sqrt(speed2) * TICK);
+    const speed2 = astronaut.vx * astronaut.vx + astronaut.vy * astronaut.vy + 2 * push * way;
+    return Math.min(LONGEST_FRAME, 1.001 * Math.sqrt(speed2) * TICK);
   }
 }

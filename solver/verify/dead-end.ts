@@ -1,7 +1,7 @@
-import { HALF_DIAGONAL, HALF_HEIGHT, HALF_WIDTH, SPEED_LIMIT } from '../../engine/index.ts';
+import { HALF_DIAGONAL, HALF_HEIGHT, HALF_WIDTH } from '../../engine/index.ts';
 import type { DeadEnd } from '../proofs/index.ts';
+import { speedAfter, UNLIMITED } from './assumptions.ts';
 import type { Claim } from './claim.ts';
-import { speedAfter } from './fall.ts';
 import { standingHazard } from './hazards.ts';
 import { apart, less, type Point } from './rounded.ts';
 
@@ -92,7 +92,7 @@ export function checkDeadEnd(claim: Claim, { axis, step }: DeadEnd, { apex, ahea
     for (const stage of stages) {
       // from rest no way between places of the line and of the dead end makes her faster than a fall as long as that
       for (const { place } of stage.ways) farthest = Math.max(farthest, Math.abs(place) + (n + 1 + STEEP) * step);
-      if (!less(speedAfter(length + 2 * farthest), 0.99 * SPEED_LIMIT)) return 'she may come to the speed limit';
+      if (!less(speedAfter(claim.push, length + 2 * farthest), UNLIMITED)) return 'she may come to the speed limit';
       if (++looked > MOST) return 'it takes too many stages to follow her';
       const after = follow(scene, stage, n * step, step);
       if (typeof after === 'string') return after;

@@ -1,5 +1,6 @@
-import { GUN_PULL, HALF_WIDTH, REPULSOR_PUSH, SPEED_LIMIT, TICK } from '../../engine/index.ts';
-import type { FanGrid } from '../proofs/index.ts';
+import { GUN_PULL, HALF_WIDTH, REPULSOR_PUSH, TICK } from '../../engine/index.ts';
+import type { BoxNumbers, Doomed, FanGrid } from '../proofs/index.ts';
+import { driftIn, FAR_FROM_LIMIT } from './assumptions.ts';
 import type { Claim } from './claim.ts';
 import { standingHazard } from './hazards.ts';
 import type { Point } from './rounded.ts';
@@ -24,8 +25,12 @@ const ROUNDING = 1e-7;
 /** `arcade` reckons in places as they are in the file: beyond this, px, frames add up to more than {@link ROUNDING}. */
 const FAR_OUT = 1e6;
 
-/** A certificate may ask for no more boxes than this. */
-const MOST_BOXES = 1_000_000;
+/** A certificate may have no more boxes than this, nor ask for more pieces of them. */
+const MOST_BOXES = 20_000;
+const MOST_PIECES = 1_000_000;
+
+/** No number of a box is larger, px and px/s, so that none of what is computed from it is infinite. */
+const LARGEST = 1e9;
 
 const add = (a: Interval, b: Interval): Interval => [a[0] + b[0] - ROUNDING, a[1] + b[1] + ROUNDING];
 const hull = (a: Interval, b: Interval): Interval => [Math.min(a[0], b[0]), Math.max(a[1], b[1])];
@@ -35,61 +40,61 @@ const times = (a: Interval, b: Interval): Interval => {
 };
 
 /**
- * Follows all that she may do, whatever is pressed, in steps of some ticks: a set of boxes that holds every run which isn't
- * over. It holds for every way of playing that pushes her within a step as the game could push her at the places of that step, once a
- * frame or continuously. No box may come near the thing, and after the steps that the certificate names none may be left.
+ * The sets of the certificate hold all that she may do, whatever is pressed: the first the start, and each all that a step of some ticks makes of the one
+ * before, but for what is over then; of the last all is. None of them comes near the thing in its step. A step holds for every way of playing that pushes
+ * her as the game could push her at the places of that step, once a frame or continuously.
  */
-export function checkDoomed(claim: Claim, grid: FanGrid): string | null {
+export function checkDoomed(claim: Claim, { grid, layers }: Doomed): string | null {
   if (!isGrid(grid)) return 'its grid is none';
+  if (!areLayers(layers)) return 'its sets are none';
   const { x, y } = claim.level.astronaut;
   if (claim.frames && Math.max(Math.abs(x), Math.abs(y)) > FAR_OUT) return 'with frames places so far out are too coarse';
   const scene = turnedScene(claim, grid.axis);
   const seconds = grid.frames * TICK;
-  let boxes: Box[] = [scene.start];
-  let made = 0;
-  for (let step = 1; step <= grid.steps; step++) {
-    const next = new Map<string, Box>();
-    for (const box of boxes) {
-      const way = placesWithin(box, seconds);
-      if (distances(scene.thing, way)[0] <= claim.touch + ROUNDING) return `she may touch it in step ${step}`;
-      const [ax, ay] = accelerations(scene, way, step * seconds);
-      const after = advance(box, ax, ay, seconds);
-      if (Math.max(-after.vx[0], after.vx[1], -after.vy[0], after.vy[1]) > SPEED_LIMIT / 2)
-        return 'she may come to the speed limit';
-      for (const x of cut(after.x, grid.cell)) {
-        for (const y of cut(after.y, grid.cell)) {
-          made++;
-          if (isOver(scene, { x: x.piece, y: y.piece }, step * seconds)) continue;
-          for (const vx of cut(after.vx, grid.bin)) {
-            for (const vy of cut(after.vy, grid.bin)) {
-              made++;
-              const key = `${x.index} ${y.index} ${vx.index} ${vy.index}`;
-              next.set(key, join({ x: x.piece, y: y.piece, vx: vx.piece, vy: vy.piece }, next.get(key)));
-            }
-          }
-          if (made > MOST_BOXES) return 'it takes too many boxes to follow her';
-        }
-      }
+  let after: Box[] = [scene.start];
+  let looked = 0;
+  for (let n = 0; n <= layers.length; n++) {
+    const boxes = (layers[n] ?? []).map(boxOf);
+    const inCells = new Map(boxes.map((box) => [cellOf(box, grid), box]));
+    for (const piece of pieces(after, grid)) {
+      if (++looked > MOST_PIECES) return 'it takes too many boxes to follow her';
+      const box = inCells.get(cellOf(piece, grid));
+      if (box !== undefined && holds(box, piece)) continue;
+      if (n === 0 || !isOver(scene, piece, n * seconds))
+        return n < layers.length
+          ? `its sets do not hold all that she may do by step ${n}`
+          : `some runs may go on after ${n} steps`;
     }
-    boxes = [...next.values()];
-    if (boxes.length === 0) return null;
+    after = [];
+    for (const box of boxes) {
+      const way = placesWithin(box, seconds, claim.push);
+      if (!(distances(scene.thing, way)[0] > claim.touch + ROUNDING)) return `she may touch it in step ${n + 1}`;
+      const moved = advance(box, ...accelerations(scene, way, (n + 1) * seconds), seconds);
+      if (!(Math.max(-moved.vx[0], moved.vx[1], -moved.vy[0], moved.vy[1]) <= FAR_FROM_LIMIT))
+        return 'she may come to the speed limit';
+      after.push(moved);
+    }
   }
-  return `some runs may go on after ${grid.steps} steps`;
+  return null;
 }
+
+const isFrom = (least: number, most: number, n: unknown): n is number => typeof n === 'number' && n >= least && n <= most;
 
 function isGrid(grid: FanGrid | undefined): grid is FanGrid {
   if (!Array.isArray(grid?.axis) || grid.axis.length !== 2) return false;
-  const [x, y] = grid.axis;
-  const isCount = (n: unknown, most: number) => typeof n === 'number' && Number.isInteger(n) && n >= 1 && n <= most;
-  const isSize = (n: unknown) => typeof n === 'number' && n >= 0.25 && n <= 1000;
-  return (
-    Math.abs(x * x + y * y - 1) < 1e-12 &&
-    isSize(grid.cell) &&
-    isSize(grid.bin) &&
-    isCount(grid.frames, 60) &&
-    isCount(grid.steps, 1000)
-  );
+  const { axis, cell, bin, frames } = grid;
+  const isUnit = Math.abs(axis[0] * axis[0] + axis[1] * axis[1] - 1) < 1e-12;
+  return isUnit && isFrom(0.25, 1000, cell) && isFrom(0.25, 1000, bin) && isFrom(1, 60, frames) && Number.isInteger(frames);
 }
+
+function areLayers(layers: Doomed['layers'] | undefined): layers is Doomed['layers'] {
+  if (!Array.isArray(layers) || !layers.every(Array.isArray)) return false;
+  const isBox = (box: BoxNumbers | undefined) =>
+    Array.isArray(box) && box.length === 8 && box.every((n, i) => isFrom(i % 2 === 0 ? -LARGEST : box[i - 1], LARGEST, n));
+  return layers.reduce((sum, { length }) => sum + length, 0) <= MOST_BOXES && layers.flat().every(isBox);
+}
+
+const boxOf = ([xa, xb, ya, yb, va, vb, wa, wb]: BoxNumbers): Box => ({ x: [xa, xb], y: [ya, yb], vx: [va, vb], vy: [wa, wb] });
 
 export interface TurnedScene {
   readonly start: Box;
@@ -123,14 +128,13 @@ export function turnedScene(claim: Claim, [ux, uy]: readonly [number, number]): 
     }),
     asteroids: level.asteroids.map((a) => ({ ...turn(place(a)), radius: level.range })),
     fields: level.repulsors.map((field) => ({ ...turn(place(field)), radius: field.radius })),
-    // acceleration 1 / diameter all the time, a hundredth more, and a frame more
-    drift: (i, seconds) => (level.recoil ? (1.01 * seconds * (seconds + TICK)) / (4 * level.asteroids[i].radius) : 0),
+    drift: (i, seconds) => driftIn(level, i, seconds * (seconds + TICK)),
   };
 }
 
 /** Every place of the next `seconds`: the straight way, and what any push can bend it by. */
-export function placesWithin({ x, y, vx, vy }: Box, seconds: number): Rectangle {
-  const bend = 0.5 * GUN_PULL * seconds * (seconds + TICK);
+export function placesWithin({ x, y, vx, vy }: Box, seconds: number, push: number): Rectangle {
+  const bend = 0.5 * push * seconds * (seconds + TICK);
   const along = (p: Interval, v: Interval) => add(add(p, times(v, [0, seconds])), [-bend, bend]);
   return { x: along(x, vx), y: along(y, vy) };
 }
@@ -208,17 +212,27 @@ function distances(p: Point, { x, y }: Rectangle): Interval {
   return [Math.sqrt(nearX * nearX + nearY * nearY), Math.sqrt(farX * farX + farY * farY)];
 }
 
-/** An interval cut at the multiples of `size`. */
-function cut([from, to]: Interval, size: number): { index: number; piece: Interval }[] {
-  const first = Math.floor(from / size);
-  const count = Math.min(Math.floor(to / size) - first + 1, MOST_BOXES);
-  return Array.from({ length: count }, (_, n) => {
-    const index = first + n;
-    return { index, piece: [Math.max(from, index * size), Math.min(to, (index + 1) * size)] };
-  });
+/** Boxes cut at the multiples of the grid's sizes. */
+function* pieces(boxes: readonly Box[], { cell, bin }: FanGrid): Generator<Box> {
+  for (const box of boxes) {
+    for (const x of cut(box.x, cell)) {
+      for (const y of cut(box.y, cell)) {
+        for (const vx of cut(box.vx, bin)) for (const vy of cut(box.vy, bin)) yield { x, y, vx, vy };
+      }
+    }
+  }
 }
 
-function join(a: Box, b: Box | undefined): Box {
-  if (b === undefined) return a;
-  return { x: hull(a.x, b.x), y: hull(a.y, b.y), vx: hull(a.vx, b.vx), vy: hull(a.vy, b.vy) };
+function* cut([from, to]: Interval, size: number): Generator<Interval> {
+  const last = Math.floor(to / size);
+  for (let n = Math.floor(from / size); n <= last; n++) yield [Math.max(from, n * size), Math.min(to, (n + 1) * size)];
 }
+
+/** The cell of the grid that the middle of a box lies in. */
+function cellOf({ x, y, vx, vy }: Box, { cell, bin }: FanGrid): string {
+  const at = ([from, to]: Interval, size: number) => Math.floor((from + to) / 2 / size);
+  return `${at(x, cell)} ${at(y, cell)} ${at(vx, bin)} ${at(vy, bin)}`;
+}
+
+const within = (a: Interval, b: Interval): boolean => a[0] <= b[0] && b[1] <= a[1];
+const holds = (a: Box, b: Box): boolean => within(a.x, b.x) && within(a.y, b.y) && within(a.vx, b.vx) && within(a.vy, b.vy);

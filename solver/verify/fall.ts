@@ -49,6 +49,3 @@ export function offLine(fall: Fall): { beside: number; slope: number } {
   // at the last look she may be as near as `last`
   return { beside, slope: slope + (beside + TICK * momentum) / last };
 }
-
-/** Lemma `speed`: nothing accelerates her by more than GUN_PULL, so on the way `far` in one direction she gains no more speed than this, px/s; from rest. */
-export const speedAfter = (far: number): number => Math.sqrt(2 * GUN_PULL * far);

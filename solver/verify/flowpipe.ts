@@ -1,14 +1,17 @@
-import { GUN_PULL, HALF_DIAGONAL, HALF_HEIGHT, HALF_WIDTH, REPULSOR_PUSH, SPEED_LIMIT, TICK } from '../../engine/index.ts';
-import type { PipeGrid } from '../proofs/index.ts';
+import { GUN_PULL, HALF_DIAGONAL, HALF_HEIGHT, HALF_WIDTH, REPULSOR_PUSH, TICK } from '../../engine/index.ts';
+import type { Flowpipe, PipeGrid, PipePart, PipeStep, Strip } from '../proofs/index.ts';
+import { driftIn, FAR_FROM_LIMIT } from './assumptions.ts';
 import { afterChase, type Chaser, eitherChaser } from './chasers.ts';
 import type { Claim } from './claim.ts';
-import { apart, type Point } from './rounded.ts';
+import { standingHazard } from './hazards.ts';
+import { apart, isIndex, type Point } from './rounded.ts';
 
 /** Rounding of a step is far below this, px. */
 const ROUNDING = 1e-7;
 
-/** A certificate may ask for no more pieces of sets than this. */
+/** A certificate may have no more parts of sets than this, nor larger numbers, px. */
 const MOST = 25_000;
+const LARGEST = 1e9;
 
 /** Eight directions around; that of n + 4 is opposite to n. */
 const AROUND = 8;
@@ -56,37 +59,51 @@ interface Bundle {
 
 /**
  * Follows all that she may do in continuous time, in steps of some ticks. States are known by the octagons in which a drift from now on would be at the times
- * between the steps: a push a(s) moves the drift to time t by the integral of (t - s) a(s). After each step that part of an octagon is cut off in which her
- * box surely overlaps a hazard. No drift and push of a step may come near the thing, and after the steps of the certificate no state may be left.
+ * between the steps: a push a(s) moves the drift to time t by the integral of (t - s) a(s). The certificate says where bundles are cut, which strips hazards take
+ * off, and which bundles are joined: all of that is tested, and nothing looked for. No drift and push of a step may come near the thing, and at the end no
+ * bundle may be left.
  */
-export function checkFlowpipe(claim: Claim, grid: PipeGrid): string | null {
+export function checkFlowpipe(claim: Claim, { grid, layers }: Flowpipe): string | null {
   if (claim.frames) return 'with frames she is pushed and looked at once a frame only';
   if (!isGrid(grid)) return 'its grid is none';
+  if (!Array.isArray(layers)) return 'its steps are none';
   const seconds = grid.frames * TICK;
   const { vx, vy } = claim.level.astronaut;
-  if (Math.sqrt(vx * vx + vy * vy) + GUN_PULL * seconds * grid.steps > SPEED_LIMIT / 2) return 'she may come to the speed limit';
+  if (Math.sqrt(vx * vx + vy * vy) + claim.push * seconds * grid.steps > FAR_FROM_LIMIT) return 'she may come to the speed limit';
   const scene = sceneOf(claim, grid);
-  let bundles: readonly Bundle[] = [scene.start];
+  let bundles: ReadonlyMap<number, Bundle> = new Map([[0, scene.start]]);
   let made = 0;
-  for (let step = 1; step <= grid.steps; step++) {
-    const next = new Map<string, Bundle>();
-    for (const bundle of bundles) {
-      const way = wayTo(bundle, step, seconds);
-      if (distances(scene.thing, way).least <= claim.touch + ROUNDING) return `she may touch it in step ${step}`;
-      for (const after of afterStep(scene, bundle, way, step)) {
-        for (const [key, piece] of pieces(scene, after, step)) {
-          if (++made > MOST) return 'it takes too many pieces to follow her';
-          const left = survivors(scene, piece, step);
+  for (let step = 1; bundles.size > 0; step++) {
+    const goOn = `some runs may go on after ${step - 1} steps`;
+    if (step > grid.steps) return goOn;
+    const ways = new Map([...bundles].map(([k, bundle]) => [k, wayTo(bundle, step, seconds, claim.push)]));
+    for (const way of ways.values()) {
+      if (!(distances(scene.thing, way).least > claim.touch + ROUNDING)) return `she may touch it in step ${step}`;
+    }
+    if (step > layers.length) return goOn;
+    const next = new Map<number, Bundle>();
+    for (const [k, bundle] of bundles) {
+      for (const [n, after] of afterStep(scene, bundle, ways.get(k) as Area, step).entries()) {
+        const pieces = piecesOf(scene, after, step, layers[step - 1]?.[k]?.[n]);
+        if (pieces === null) return `it does not say how a set goes on in step ${step}`;
+        made += pieces.length;
+        if (made > MOST) return 'it takes too many pieces to follow her';
+        for (const { piece, off, to } of pieces) {
+          const left = piece && withoutStrips(scene, piece, off, step);
           if (left === null) continue;
-          const there = next.get(key);
-          next.set(key, there === undefined ? left : either(there, left));
+          if (typeof left === 'string') return left;
+          if (to === null) {
+            if (!isLost(scene, left, step)) return `some of what it calls over goes on after step ${step}`;
+            continue;
+          }
+          const there = next.get(to);
+          next.set(to, there === undefined ? left : either(there, left));
         }
       }
     }
-    bundles = [...next.values()];
-    if (bundles.length === 0) return null;
+    bundles = next;
   }
-  return `some runs may go on after ${grid.steps} steps`;
+  return null;
 }
 
 function isGrid(grid: PipeGrid | undefined): grid is PipeGrid {
@@ -112,40 +129,32 @@ interface Scene {
   readonly thing: Point;
   readonly rocks: readonly Circle[];
   readonly fields: readonly Circle[];
-  /** circles that end the run, at a time */
-  hazards(seconds: number): readonly Circle[];
+  /** from the level's axes to the grid's */
+  turn(p: Point): Point;
   /** how far recoil has carried an asteroid at most */
   drift(asteroid: number, seconds: number): number;
-  /** The two times over whose octagons the grid lies. */
+  /** the two times by whose octagons bundles are cut */
   readonly times: readonly [number, number];
 }
 
 /** The level with the grid's first axis as x. */
 function sceneOf(claim: Claim, grid: PipeGrid): Scene {
-  const { level, place, about } = claim;
+  const { level, place } = claim;
   const [ux, uy] = grid.axis;
   const turn = ({ x, y }: Point): Point => ({ x: x * ux + y * uy, y: y * ux - x * uy });
   const circle = (c: Circle): Circle => ({ ...turn(place(c)), radius: c.radius });
   const v = turn({ x: level.astronaut.vx, y: level.astronaut.vy });
-  // acceleration 1 / diameter all the time, a hundredth more, and a frame more
-  const drift = (i: number, seconds: number) =>
-    level.recoil ? (1.01 * seconds * (seconds + TICK)) / (4 * level.asteroids[i].radius) : 0;
-  const rocks = level.asteroids.map(circle);
-  const standing = level.novae.map(circle);
-  if (about.kind === 'mineral') standing.push(circle(level.blackHole));
+  const drift = (i: number, seconds: number) => driftIn(level, i, seconds * (seconds + TICK));
   const octagon = (p: Point): Octagon => COMPASS.map((d) => dot(d, p) + ROUNDING);
   const seconds = grid.frames * TICK;
   return {
     claim,
     grid,
-    rocks,
+    turn,
+    rocks: level.asteroids.map(circle),
     drift,
     thing: turn(claim.thing),
     fields: level.repulsors.map(circle),
-    hazards: (time) => [
-      ...standing,
-      ...rocks.flatMap((rock, i) => (level.asteroids[i].hot ? [{ ...rock, radius: rock.radius - drift(i, time) }] : [])),
-    ],
     times: [Math.floor(grid.steps / 3), grid.steps],
     start: {
       atTimes: Array.from({ length: grid.steps + 1 }, (_, i) => octagon({ x: v.x * i * seconds, y: v.y * i * seconds })),
@@ -161,11 +170,11 @@ function sceneOf(claim: Claim, grid: PipeGrid): Scene {
 }
 
 /** Where she may be in a step: the drift between its two ends, and how far a push can take her from that. */
-function wayTo({ atTimes }: Bundle, step: number, seconds: number): Area {
+function wayTo({ atTimes }: Bundle, step: number, seconds: number, push: number): Area {
   const before = atTimes[step - 1] as Octagon;
   const after = atTimes[step] as Octagon;
   // and a hundredth of a px for the stages of a method that steps
-  const bend = (GUN_PULL * seconds * seconds) / 2 + 0.01;
+  const bend = (push * seconds * seconds) / 2 + 0.01;
   const most = (n: number) => Math.max(before[n], after[n]) + bend;
   return { left: -most(4), right: most(0), low: -most(6), high: most(2) };
 }
@@ -253,74 +262,87 @@ function fieldsAt({ fields }: Scene, way: Area): { push: readonly number[]; alwa
   return { push: pushes.reduce(most), always: near.some((field) => distances(field, way).most < field.radius - ROUNDING) };
 }
 
-/** A range of cells, and whether it is cut into them at all. */
-interface Cut {
-  readonly cells: readonly number[];
-  readonly isCut: boolean;
+/** A part of a bundle, null where there is none, and what is said of it. */
+type Piece = PipePart & { readonly piece: Bundle | null };
+
+/** A bundle cut by its places at two times, as the certificate says; null where it says nothing that makes sense. */
+function piecesOf({ times }: Scene, bundle: Bundle, step: number, said: PipeStep | undefined): Piece[] | null {
+  if (!Array.isArray(said?.cuts) || said.cuts.length !== 4 || !Array.isArray(said.parts)) return null;
+  const { cuts, parts } = said;
+  if (!cuts.every((lines) => Array.isArray(lines) && lines.every(isLength)) || !parts.every(isPart)) return null;
+  if (parts.length > MOST || cuts.reduce((count, lines) => count * (lines.length + 1), 1) !== parts.length) return null;
+  // from one line to the next, the first and the last without end: all that there is lies in one of them
+  const between = cuts.map((lines) =>
+    [...lines, Number.POSITIVE_INFINITY].map((to, n) => [n > 0 ? lines[n - 1] : Number.NEGATIVE_INFINITY, to]),
+  );
+  const cells = between.reduce<number[][][]>((all, some) => all.flatMap((one) => some.map((w) => [...one, w])), [[]]);
+  const isWhole = parts.length === 1;
+  return cells.map((cell, n) => ({ ...parts[n], piece: isWhole ? bundle : within(bundle, times, cell, step) }));
 }
 
-/** A bundle cut along the grid over the octagons of two times, where it is wide; what has one key may be joined. */
-function pieces({ grid, times }: Scene, bundle: Bundle, step: number): [key: string, piece: Bundle][] {
-  const { cell } = grid;
-  const cut = (from: number, to: number): Cut => {
-    if (to - from <= 1.6 * cell) return { cells: [Math.floor((from + to) / (2 * cell))], isCut: false };
-    const first = Math.floor(from / cell);
-    return { cells: Array.from({ length: Math.floor(to / cell) - first + 1 }, (_, n) => first + n), isCut: true };
-  };
-  const octagons = times.map((time) => bundle.atTimes[time] as Octagon);
-  const cuts = octagons.flatMap((octagon) => [cut(-octagon[4], octagon[0]), cut(-octagon[6], octagon[2])]);
-  const points = turnClass(bundle.aim.to, grid.turns);
-  const all = cuts.reduce<number[][]>((ways, { cells }) => ways.flatMap((way) => cells.map((c) => [...way, c])), [[]]);
-  return all.flatMap((cells): [string, Bundle][] => {
-    const key = `${cells.join(' ')} ${points}`;
-    if (cuts.every(({ isCut }) => !isCut)) return [[key, bundle]];
-    const limit = octagons.map((octagon, n) => {
-      const [across, down] = [2 * n, 2 * n + 1];
-      const upTo = (own: number, axis: number, line: number) => (cuts[axis].isCut ? Math.min(own, line) : own);
-      const right = upTo(octagon[0], across, (cells[across] + 1) * cell);
-      const left = upTo(octagon[4], across, -cells[across] * cell);
-      const high = upTo(octagon[2], down, (cells[down] + 1) * cell);
-      const low = upTo(octagon[6], down, -cells[down] * cell);
-      return COMPASS.map(({ x, y }) => (x > 0 ? x * right : -x * left) + (y > 0 ? y * high : -y * low));
-    });
-    const atTimes = bundle.atTimes.map((octagon, i) => {
-      if (octagon === null || (i < step && !times.includes(i))) return null;
-      // a drift is a straight line: its place at one time follows from those at two
-      const share = (times[1] - i) / (times[1] - times[0]);
-      const part = (weight: number, of: readonly number[], n: number) => (weight >= 0 ? weight * of[n] : -weight * of[back(n)]);
-      return octagon.map((far, n) => Math.min(far, part(share, limit[0], n) + part(1 - share, limit[1], n) + ROUNDING));
-    });
-    const isEmpty = atTimes.some((octagon) => octagon?.some((far, n) => far + octagon[back(n)] < -ROUNDING));
-    return isEmpty ? [] : [[key, { ...bundle, atTimes }]];
+const isLength = (n: unknown): n is number => typeof n === 'number' && Math.abs(n) <= LARGEST;
+
+const isPart = (part: PipePart | undefined): part is PipePart =>
+  Array.isArray(part?.off) &&
+  part.off.every((strip) => isIndex(strip?.side, COMPASS) && isLength(strip.at)) &&
+  (part.to === null || (Number.isInteger(part.to) && part.to >= 0));
+
+/** What of a bundle is between some lines at two times, along x and y at each; null when nothing is. */
+function within(bundle: Bundle, times: readonly number[], cell: readonly number[][], step: number): Bundle | null {
+  const limit = times.map((time, n) => {
+    const [right, , high, , left, , low] = bundle.atTimes[time] as Octagon;
+    const [[fromX, toX], [fromY, toY]] = cell.slice(2 * n);
+    const most = { x: Math.min(right, toX), y: Math.min(high, toY) };
+    const least = { x: Math.max(-left, fromX), y: Math.max(-low, fromY) };
+    return COMPASS.map(({ x, y }) => x * (x > 0 ? most.x : least.x) + y * (y > 0 ? most.y : least.y));
   });
+  const atTimes = bundle.atTimes.map((octagon, i) => {
+    if (octagon === null || (i < step && !times.includes(i))) return null;
+    // a drift is a straight line: its place at one time follows from those at two
+    const share = (times[1] - i) / (times[1] - times[0]);
+    const part = (weight: number, of: readonly number[], n: number) => (weight >= 0 ? weight * of[n] : -weight * of[back(n)]);
+    return octagon.map((far, n) => Math.min(far, part(share, limit[0], n) + part(1 - share, limit[1], n) + ROUNDING));
+  });
+  return atTimes.some((octagon) => octagon?.some((far, n) => far + octagon[back(n)] < -ROUNDING)) ? null : { ...bundle, atTimes };
 }
 
-/** What of a bundle is not over at the end of a step, or null. */
-function survivors(scene: Scene, bundle: Bundle, step: number): Bundle | null {
-  const seconds = step * scene.grid.frames * TICK;
+/** A bundle without strips in which hazards end the run, as they are at the end of a step; null when nothing is left, or why one of them goes on. */
+function withoutStrips(scene: Scene, bundle: Bundle, off: readonly Strip[], step: number): Bundle | string | null {
   let octagon = bundle.atTimes[step] as Octagon;
-  const deadly = [
-    ...scene.hazards(seconds),
-    ...bundle.chasers.flatMap(({ at, radius, isThere }) => (isThere ? [{ ...at.centre, radius: radius - at.within }] : [])),
-  ];
-  for (const hazard of deadly) {
-    const left = outOf(octagon, hazard, bundle.aim);
-    if (left === null) return null;
-    octagon = left;
+  for (const { by, side, at } of off) {
+    const hazard = hazardAt(scene, bundle, by, step * scene.grid.frames * TICK);
+    if (hazard === null) return 'it names a hazard that there is not';
+    const nearest = Math.max(at, -octagon[back(side)]);
+    const [a, b] = [COMPASS[side], COMPASS[(side + 2) % AROUND]];
+    const corners = [octagon[side], nearest].flatMap((far) =>
+      [octagon[(side + 2) % AROUND], -octagon[(side + 6) % AROUND]].map((next) => ({
+        x: a.x * far + b.x * next,
+        y: a.y * far + b.y * next,
+      })),
+    );
+    if (!overlapsAll(hazard, corners, bundle.aim)) return `a hazard may not stop her after step ${step}`;
+    if (at <= -octagon[back(side)]) return null;
+    octagon = octagon.map((far, n) => (n === side ? Math.min(far, at + ROUNDING) : far));
   }
-  const here: Area = { left: -octagon[4], right: octagon[0], low: -octagon[6], high: octagon[2] };
-  const { range } = scene.claim.level;
-  const isLost = scene.rocks.every((rock, i) => distances(rock, here).least > range + scene.drift(i, seconds) + ROUNDING);
-  return isLost ? null : { ...bundle, atTimes: bundle.atTimes.map((old, i) => (i === step ? octagon : old)) };
+  return { ...bundle, atTimes: bundle.atTimes.map((old, i) => (i === step ? octagon : old)) };
+}
+
+/** The circle that something deadly covers after so many seconds; null where it is nothing of that sort, or may be there no more. */
+function hazardAt({ claim, turn, drift }: Scene, { chasers }: Bundle, by: Strip['by'], seconds: number): Circle | null {
+  if (by?.kind === 'alien') {
+    if (!isIndex(by.index, chasers) || !chasers[by.index].isThere) return null;
+    const { at, radius } = chasers[by.index];
+    return { ...at.centre, radius: radius - at.within };
+  }
+  const hazard = standingHazard({ ...claim, drift: (i) => drift(i, seconds) }, by);
+  return hazard && { ...turn(hazard), radius: hazard.radius };
 }
 
 /**
- * An octagon without what is so near to a circle that her box must overlap it: by the circle in her box, and by the box as it is turned. Both times these places
- * are convex, so that they hold a rectangle of which they hold the corners.
+ * Whether her box overlaps a circle wherever she is between some corners: by the circle in her box, or by the box as it is turned. Both times these places are
+ * convex, so that they hold all that lies between corners that they hold.
  */
-function outOf(octagon: Octagon, { x, y, radius }: Circle, { to, off }: Aim): Octagon | null {
-  const reach = radius + HALF_DIAGONAL;
-  if (x > octagon[0] + reach || -x > octagon[4] + reach || y > octagon[2] + reach || -y > octagon[6] + reach) return octagon;
+function overlapsAll({ x, y, radius }: Circle, corners: readonly Point[], { to, off }: Aim): boolean {
   const inCircle = (p: Point) => apart(p, { x, y }) < radius + HALF_WIDTH - ROUNDING;
   const inBox = (p: Point) => {
     const way = { x: x - p.x, y: y - p.y };
@@ -330,44 +352,15 @@ function outOf(octagon: Octagon, { x, y, radius }: Circle, { to, off }: Aim): Oc
     };
     return apart(beyond, { x: 0, y: 0 }) + HALF_DIAGONAL * off < radius - ROUNDING;
   };
-  let left = octagon;
-  for (const isIn of [inCircle, inBox]) {
-    for (const first of [0, 1]) {
-      const result = withoutSide(left, first, isIn);
-      if (result === null) return null;
-      left = result;
-    }
-  }
-  return left;
+  return corners.every(inCircle) || corners.every(inBox);
 }
 
-/** The octagon without a strip along one side of the rectangle around it, turned by eighths; null when nothing is left. */
-function withoutSide(octagon: Octagon, first: number, isIn: (p: Point) => boolean): Octagon | null {
-  const sides = [0, 2, 4, 6].map((n) => (first + n) % AROUND);
-  // the corner between a side and the next, at given distances along them
-  const corner = (n: number, far: number, farNext: number): Point => {
-    const a = COMPASS[sides[n]];
-    const b = COMPASS[sides[(n + 1) % 4]];
-    return { x: a.x * far + b.x * farNext, y: a.y * far + b.y * farNext };
-  };
-  const corners = sides.map((side, n) => isIn(corner(n, octagon[side], octagon[sides[(n + 1) % 4]])));
-  if (corners.every(Boolean)) return null;
-  for (const [n, side] of sides.entries()) {
-    const before = (n + 3) % 4;
-    if (!corners[n] || !corners[before]) continue;
-    const next = octagon[sides[(n + 1) % 4]];
-    const previous = octagon[sides[before]];
-    const strip = (far: number) => isIn(corner(n, far, next)) && isIn(corner(before, previous, far));
-    let inside = octagon[side];
-    let outside = -octagon[back(side)];
-    for (let i = 0; i < 8; i++) {
-      const half = (inside + outside) / 2;
-      if (strip(half)) inside = half;
-      else outside = half;
-    }
-    return octagon.map((far, m) => (m === side ? Math.min(far, inside + ROUNDING) : far));
-  }
-  return octagon;
+/** Whether all of a bundle is out of range at the end of a step. */
+function isLost({ claim, grid, rocks, drift }: Scene, { atTimes }: Bundle, step: number): boolean {
+  const [right, , high, , left, , low] = atTimes[step] as Octagon;
+  const here: Area = { left: -left, right, low: -low, high };
+  const seconds = step * grid.frames * TICK;
+  return rocks.every((rock, i) => distances(rock, here).least > claim.level.range + drift(i, seconds) + ROUNDING);
 }
 
 /** A bundle that holds two others. */
@@ -390,13 +383,6 @@ function eitherAim(a: Aim, b: Aim): Aim {
   const size = apart(sum, { x: 0, y: 0 });
   const to = { x: sum.x / size, y: sum.y / size };
   return { to, off: Math.min(2, Math.max(apart(to, a.to) + a.off, apart(to, other) + b.off) + 1e-12) };
-}
-
-/** In which part of half a turn a direction lies: by where it meets the square about the origin with its corners on the axes. */
-function turnClass(d: Point, parts: number): number {
-  const p = d.y < 0 || (d.y === 0 && d.x < 0) ? { x: -d.x, y: -d.y } : d;
-  const along = (1 - p.x / (Math.abs(p.x) + p.y)) / 2;
-  return Math.min(parts - 1, Math.floor(along * parts));
 }
 
 const dot = (a: Point, b: Point): number => a.x * b.x + a.y * b.y;

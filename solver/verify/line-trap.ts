@@ -1,8 +1,9 @@
-import { GUN_PULL, HALF_HEIGHT, HALF_WIDTH, SPEED_LIMIT } from '../../engine/index.ts';
+import { GUN_PULL, HALF_HEIGHT, HALF_WIDTH } from '../../engine/index.ts';
 import type { Drift, LineEnd, LineTrap } from '../proofs/index.ts';
+import { speedAfter, UNLIMITED } from './assumptions.ts';
 import type { Claim } from './claim.ts';
 import { checkDeadEnd } from './dead-end.ts';
-import { offLine, speedAfter } from './fall.ts';
+import { offLine } from './fall.ts';
 import { standingHazard } from './hazards.ts';
 import { apart, isIndex, less, type Point } from './rounded.ts';
 
@@ -10,9 +11,6 @@ const START = { x: 0, y: 0 };
 
 /** She may be this far from the exact line, px, and turned by as much at the corners of her box: rounding is far below it. */
 const TUBE = 0.01;
-
-/** Of the speed limit, px/s; the rest is for what a step may gain. */
-const FASTEST = 0.99 * SPEED_LIMIT;
 
 /** Distances that differ by less are equal, px. */
 const TIE = 1e-6;
@@ -136,10 +134,10 @@ function mayBend(claim: Claim, line: Line, back: LineEnd, front: LineEnd): boole
   const { recoil, range, astronaut, asteroids } = claim.level;
   const { x, y } = asteroids[line.target];
   if (!recoil && (x === astronaut.x || y === astronaut.y)) return false;
-  if (back.by?.kind === 'start') return !less(speedAfter(front.at + claim.jump + TUBE), FASTEST);
+  if (back.by?.kind === 'start') return !less(speedAfter(claim.push, front.at + claim.jump + TUBE), UNLIMITED);
   const far = Math.max(line.farthest - back.at, front.at - line.nearest) + TUBE;
   const inRange = Math.min(far, range);
-  return !less(speedAfter(recoil ? far : inRange * (1 - inRange / (2 * range))), FASTEST);
+  return !less(speedAfter(claim.push, recoil ? far : inRange * (1 - inRange / (2 * range))), UNLIMITED);
 }
 
 /** She dies before she comes to the asteroid's centre, so that it only ever pulls her forward: she can't go back beyond the start. */
@@ -166,7 +164,7 @@ function checkRounding(claim: Claim, line: Line, end: number): string | null {
   const { x, y, radius } = asteroids[line.target];
   if (x === astronaut.x || y === astronaut.y) return null;
   if (claim.seconds === null) return 'with frames it needs to say for how long rounding may add up';
-  const speed = 1.01 * speedAfter(end + claim.jump) + 1;
+  const speed = 1.01 * speedAfter(claim.push, end + claim.jump) + 1;
   // the asteroid gains at most the share of her speed that its acceleration has of hers, see driftOnFall
   const pull = GUN_PULL * (1 - (line.centre + TUBE) / range);
   const kick = recoil ? 1 / (2 * radius) : 0;

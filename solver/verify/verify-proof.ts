@@ -1,6 +1,7 @@
 import { type AccuracyName, isAccuracyName } from '../../engine/index.ts';
 import type { Level } from '../../schema/index.ts';
 import type { Certificate, Proof } from '../proofs/index.ts';
+import { whyNotKnown } from './assumptions.ts';
 import { checkNothingInRange, checkStartsInHazard } from './at-start.ts';
 import { type Claim, claimOf, type Play } from './claim.ts';
 import { checkCovered } from './covered.ts';
@@ -38,6 +39,8 @@ export function verifyProof(level: Level, proof: Proof): Verification {
   if (maxTime === null && level.recoil && needsTime(certificate))
     return wrong('with recoil it needs to say how long a run may last');
   if (certificate?.kind !== code) return wrong('its certificate is of another kind');
+  const unknown = whyNotKnown(code, level);
+  if (unknown !== null) return wrong(unknown);
   for (const play of new Set(covers.map((name) => PLAYS[name]))) {
     const why = check(claimOf(level, about, maxTime, play), certificate);
     if (why !== null) return wrong(why);
@@ -62,12 +65,10 @@ function check(claim: Claim, certificate: Certificate): string | null {
     case 'line-trap':
       return checkLineTrap(claim, certificate);
     case 'doomed':
-      return checkDoomed(claim, certificate.grid);
+      return checkDoomed(claim, certificate);
     case 'flowpipe':
-      return checkFlowpipe(claim, certificate.grid);
+      return checkFlowpipe(claim, certificate);
     case 'covered':
       return checkCovered(claim);
-    default:
-      return 'its kind is unknown';
   }
 }

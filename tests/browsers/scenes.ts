@@ -1,7 +1,7 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { type Circle, type Hold, type Level, type LevelFile, resolveLevel } from '../../schema/index.ts';
+import { type Circle, type Hold, type Level, type LevelFile, NO_OBJECTS, resolveLevel } from '../../schema/index.ts';
 import { hardCases } from '../hard-cases/cases.ts';
 
 const levelsFolder = join(dirname(dirname(dirname(fileURLToPath(import.meta.url)))), 'levels');
@@ -61,6 +61,7 @@ function randomRun(seed: number): HashedRun {
     blackHole: { x: between(400, 600), y: between(-600, 600), radius: 18 },
     range: between(300, 900),
     recoil: next() < 0.5,
+    ...NO_OBJECTS,
     asteroids,
     novae: circles(some(2), [16, 32], 120),
     repulsors: circles(some(3), [32, 48], 80),

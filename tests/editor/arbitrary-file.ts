@@ -1,5 +1,16 @@
 import fc from 'fast-check';
-import { formatLevel, type LevelFile, readLevel, withIds } from '../../schema/index.ts';
+import {
+  fieldsOf,
+  formatLevel,
+  isRequired,
+  KINDS,
+  type LevelFile,
+  LISTED_KINDS,
+  type ObjectKind,
+  readLevel,
+  SINGLE_KINDS,
+  withIds,
+} from '../../schema/index.ts';
 
 const coordinate = fc.oneof(
   { weight: 4, arbitrary: fc.integer({ min: -500, max: 500 }) },
@@ -9,8 +20,24 @@ const radius = fc.oneof(fc.constantFrom(7, 16, 25, 32, 48), fc.double({ min: 1e-
 const optional = <T>(arbitrary: fc.Arbitrary<T>) => fc.option(arbitrary, { nil: undefined });
 const own = optional(fc.record({ note: fc.string(), list: fc.array(fc.integer(), { maxLength: 3 }) }));
 
-const list = <T extends object>(extra: { [K in keyof T]: fc.Arbitrary<T[K]> }) =>
-  optional(fc.array(fc.record({ x: coordinate, y: coordinate, ...extra, 'x-own': own }), { maxLength: 4 }));
+/** The fields of an object of a kind. */
+const fields = (kind: ObjectKind): Record<string, fc.Arbitrary<unknown>> => {
+  const { places, radius: radiusField } = KINDS[kind];
+  return Object.fromEntries(
+    fieldsOf(kind).map(([name, field]) => {
+      if (places.flat().includes(name)) return [name, coordinate];
+      const value: fc.Arbitrary<unknown> =
+        name === radiusField
+          ? radius
+          : field.type === 'flag'
+            ? fc.boolean()
+            : fc.integer({ min: Math.ceil(field.least), max: Math.floor(field.most) });
+      return [name, isRequired(field) ? value : optional(value)];
+    }),
+  );
+};
+
+const list = (kind: ObjectKind) => optional(fc.array(fc.record({ ...fields(kind), 'x-own': own }), { maxLength: 4 }));
 
 const holds = fc.array(
   fc.tuple(fc.nat(800), fc.integer({ min: 1, max: 120 })).map(([press, length]): [number, number] => [press, press + length]),
@@ -28,22 +55,17 @@ const file = fc.record({
   version: fc.constant(1 as const),
   name: fc.constantFrom('Level', 'Slingshot', '名前', 'a "b"'),
   description: optional(fc.string({ maxLength: 30 })),
-  astronaut: fc.record({ x: coordinate, y: coordinate, vx: optional(fc.integer({ min: -1000, max: 1000 })) }),
-  blackHole: fc.record({ x: coordinate, y: coordinate, radius: optional(radius) }),
+  ...Object.fromEntries(SINGLE_KINDS.map((kind) => [kind, fc.record(fields(kind))])),
   range: optional(radius),
   recoil: optional(fc.boolean()),
-  asteroids: list({ radius, hot: optional(fc.boolean()) }),
-  novae: list({ radius }),
-  repulsors: list({ radius }),
-  aliens: list({ radius: optional(radius) }),
-  minerals: list({ radius: optional(radius) }),
+  ...Object.fromEntries(LISTED_KINDS.map((kind) => [KINDS[kind].list, list(kind)])),
   runs,
   'x-mine': own,
 });
 
 /** Any valid level file with an id on every object, as the editor opens it: small, with x- keys, lists missing or empty. */
 export const arbitraryFile: fc.Arbitrary<LevelFile> = file.map((value) => {
-  const reading = readLevel(formatLevel(value as LevelFile));
+  const reading = readLevel(formatLevel(value as unknown as LevelFile));
   if (!reading.ok) throw new Error(reading.problems[0].message);
   return withIds(reading.document.file);
 });

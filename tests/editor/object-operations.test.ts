@@ -16,8 +16,8 @@ import {
   middleOf,
   moveObjects,
   objectsOf,
-  type PlacedKind,
   pasteObjects,
+  placesOf,
   type Recipe,
   radiusOf,
   readClipping,
@@ -27,30 +27,54 @@ import {
   setObjectProperty,
   setRadius,
 } from '../../editor/document/index.ts';
-import { formatLevel, type LevelFile, OBJECT_LISTS } from '../../schema/index.ts';
+import {
+  fieldsOf,
+  formatLevel,
+  isRequired,
+  KINDS,
+  kindOfList,
+  type LevelFile,
+  LISTED_KINDS,
+  type ListedKind,
+  listOf,
+  OBJECT_LISTS,
+  type ObjectList,
+  type Placeable,
+} from '../../schema/index.ts';
 
 const coordinate = fc.integer({ min: -200, max: 200 });
 const radius = fc.constantFrom(4, 16, 32);
-const circles = <T extends object>(more: { [K in keyof T]: fc.Arbitrary<T[K]> }) =>
-  fc.array(fc.record({ x: coordinate, y: coordinate, ...more }), { maxLength: 3 });
-const sized = circles({ radius });
-const sizable = circles({ radius: fc.option(radius, { nil: undefined }) });
+
+interface Listed {
+  x: number;
+  y: number;
+}
+
+/** Some objects of a kind, without what may be left out but for the radius. */
+const some = (kind: ListedKind): fc.Arbitrary<Listed[]> => {
+  const fields = fieldsOf(kind).flatMap(([name, field]): [string, fc.Arbitrary<unknown>][] => {
+    if (name === KINDS[kind].radius) return [[name, isRequired(field) ? radius : fc.option(radius, { nil: undefined })]];
+    return isRequired(field) ? [[name, coordinate]] : [];
+  });
+  return fc.array(fc.record(Object.fromEntries(fields)) as unknown as fc.Arbitrary<Listed>, { maxLength: 3 });
+};
+
+const lists = Object.fromEntries(LISTED_KINDS.map((kind) => [listOf(kind), some(kind)])) as Record<
+  ObjectList,
+  fc.Arbitrary<Listed[]>
+>;
 
 /** Small levels with whole numbers, an id on every object, some radii left to their defaults, and lists that are missing. */
 const smallFile: fc.Arbitrary<LevelFile> = fc
   .record({
     astronaut: fc.record({ x: coordinate, y: coordinate }),
     blackHole: fc.record({ x: coordinate, y: coordinate, radius: fc.option(radius, { nil: undefined }) }),
-    asteroids: sized,
-    novae: sized,
-    repulsors: sized,
-    aliens: sizable,
-    minerals: sizable,
+    ...lists,
   })
   .map((parts) => {
     const lists = OBJECT_LISTS.filter((list) => parts[list].length > 0).map((list) => [
       list,
-      parts[list].map((object, i) => ({ id: `${list.slice(0, 3)}${i}`, ...object })),
+      parts[list].map((object: object, i: number) => ({ id: `${list.slice(0, 3)}${i}`, ...object })),
     ]);
     return createEditedLevel({
       version: 1,
@@ -95,11 +119,31 @@ const usual: Partial<Record<string, number>> = { blackHole: 18, alien: 25, miner
 const half = ({ kind, object }: FoundObject, axis: 'x' | 'y'): number =>
   kind === 'astronaut' ? (axis === 'x' ? 10 : 16) : (object.radius ?? (usual[kind] as number));
 
+type Numbers = Record<string, number>;
+
+/** An object moved as a whole. */
+function moved({ kind, object }: Pick<FoundObject, 'kind' | 'object'>, dx: number, dy: number): FoundObject['object'] {
+  const numbers = object as unknown as Numbers;
+  const at = KINDS[kind].places.flatMap(([x, y]) => [
+    [x, numbers[x] + dx],
+    [y, numbers[y] + dy],
+  ]);
+  return { ...object, ...Object.fromEntries(at) };
+}
+
+/** The least and the most of what an object covers along an axis, around all of its places. */
+function ends(found: FoundObject, axis: 'x' | 'y'): [low: number, high: number] {
+  const along = KINDS[found.kind].places.map((pair) => (found.object as unknown as Numbers)[pair[axis === 'x' ? 0 : 1]]);
+  return [Math.min(...along) - half(found, axis), Math.max(...along) + half(found, axis)];
+}
+
+const middleAlong = (found: FoundObject, axis: 'x' | 'y'): number => (ends(found, axis)[0] + ends(found, axis)[1]) / 2;
+
 describe('objects', () => {
   it('are moved, the chosen ones alone', () => {
     fc.assert(
       fc.property(withKeys, coordinate, coordinate, ({ file, keys }, dx, dy) => {
-        const expected = changed(file, keys, ({ object }) => ({ ...object, x: object.x + dx, y: object.y + dy }));
+        const expected = changed(file, keys, (found) => moved(found, dx, dy));
         expect(fileAfter(file, moveObjects(keys, dx, dy))).toEqual(expected);
       }),
     );
@@ -130,11 +174,14 @@ describe('objects', () => {
     fc.assert(
       fc.property(withKeys, fc.constantFrom(...edges), ({ file, keys }, [edge, axis, side]) => {
         const objects = keys.map((key) => foundIn(file, key));
-        const lows = objects.map((found) => found.object[axis] - half(found, axis));
-        const highs = objects.map((found) => found.object[axis] + half(found, axis));
-        const [low, high] = [Math.min(...lows), Math.max(...highs)];
+        const low = Math.min(...objects.map((found) => ends(found, axis)[0]));
+        const high = Math.max(...objects.map((found) => ends(found, axis)[1]));
         const line = [low, (low + high) / 2, high][side + 1];
-        const expected = changed(file, keys, (found) => ({ ...found.object, [axis]: line - side * half(found, axis) }));
+        const expected = changed(file, keys, (found) => {
+          const [least, most] = ends(found, axis);
+          const by = line - [least, (least + most) / 2, most][side + 1];
+          return moved(found, axis === 'x' ? by : 0, axis === 'y' ? by : 0);
+        });
         expect(fileAfter(file, alignObjects(file, keys, edge))).toEqual(expected);
       }),
       { numRuns: 300 },
@@ -145,12 +192,13 @@ describe('objects', () => {
     fc.assert(
       fc.property(withKeys, fc.constantFrom<'x' | 'y'>('x', 'y'), ({ file, keys }, axis) => {
         const spread = fileAfter(file, distributeObjects(file, keys, axis));
-        const before = keys.map((key) => foundIn(file, key)).sort((a, b) => a.object[axis] - b.object[axis]);
-        const step = before.length < 3 ? 0 : ((before.at(-1)?.object[axis] ?? 0) - before[0].object[axis]) / (before.length - 1);
+        const before = keys.map((key) => foundIn(file, key)).sort((a, b) => middleAlong(a, axis) - middleAlong(b, axis));
+        const middles = before.map((found) => middleAlong(found, axis));
+        const step = (middles[middles.length - 1] - middles[0]) / (before.length - 1);
         const now = places(spread);
-        for (const [i, { key, object }] of before.entries()) {
-          const at = before.length < 3 ? object[axis] : before[0].object[axis] + i * step;
-          expect(now.get(key)?.[axis]).toBeCloseTo(at, 9);
+        for (const [i, { key }] of before.entries()) {
+          const at = before.length < 3 ? middles[i] : middles[0] + i * step;
+          expect(middleAlong(foundIn(spread, key), axis)).toBeCloseTo(at, 9);
         }
         const others = axis === 'x' ? 'y' : 'x';
         for (const [key, place] of places(file)) {
@@ -187,7 +235,7 @@ describe('objects', () => {
           const copies = now.slice(old.length);
           const expected = old.filter(({ id }) => keys.includes(id as string));
           expect(copies.map((copy) => ({ ...copy, id: null }))).toEqual(
-            expected.map((object) => ({ ...object, id: null, x: object.x + dx, y: object.y + dy })),
+            expected.map((object) => ({ ...moved({ kind: kindOfList(list), object }, dx, dy), id: null })),
           );
           added.push(...copies.map(({ id }) => id));
         }
@@ -215,10 +263,10 @@ describe('objects', () => {
           const now = pasted[list] ?? [];
           expect(now.slice(0, old.length)).toEqual(old);
           expect(now.slice(old.length).map((object) => ({ ...object, id: null }))).toEqual(
-            expected.map((object) => ({ ...object, id: null, x: object.x + dx, y: object.y + dy })),
+            expected.map((object) => ({ ...moved({ kind: kindOfList(list), object }, dx, dy), id: null })),
           );
         }
-        const all = copied.map((key) => foundIn(file, key).object);
+        const all = copied.flatMap((key) => placesOf(foundIn(file, key)));
         const middle = (values: number[]) => (Math.min(...values) + Math.max(...values)) / 2;
         expect(middleOf(reading.clipping)).toEqual({ x: middle(all.map(({ x }) => x)), y: middle(all.map(({ y }) => y)) });
       }),
@@ -320,7 +368,7 @@ describe('objects', () => {
   });
 
   it('are placed with the usual radius of their kind, or the given one, behind the others', () => {
-    const kinds: [PlacedKind, (typeof OBJECT_LISTS)[number], number | undefined][] = [
+    const kinds: [Placeable, (typeof OBJECT_LISTS)[number], number | undefined][] = [
       ['asteroid', 'asteroids', 16],
       ['hot', 'asteroids', 16],
       ['nova', 'novae', 16],
@@ -360,10 +408,9 @@ describe('objects', () => {
           { key: ASTRONAUT, kind: 'astronaut', list: null, index: 0, object: file.astronaut, pointer: '/astronaut' },
           { key: BLACK_HOLE, kind: 'blackHole', list: null, index: 0, object: file.blackHole, pointer: '/blackHole' },
         ]);
-        const kinds = ['asteroid', 'nova', 'repulsor', 'alien', 'mineral'];
         const expected = OBJECT_LISTS.flatMap((list, n) =>
           (file[list] ?? []).map((object, index) => ({
-            ...{ key: object.id, kind: kinds[n], list, index, object, pointer: `/${list}/${index}` },
+            ...{ key: object.id, kind: LISTED_KINDS[n], list, index, object, pointer: `/${list}/${index}` },
           })),
         );
         expect(objects.slice(2)).toEqual(expected);

@@ -9,7 +9,20 @@ import { fieldsOf, type Subject, sharedFields } from '../../editor/panels/inspec
 import { nearestPass, pullsOf, runFactsOf } from '../../editor/panels/inspector/run-facts.ts';
 import { createProver, type LiveProof } from '../../editor/proof/index.ts';
 import { compile, simulate, TICK } from '../../engine/index.ts';
-import { type LevelFile, LIMITS, levelSchema, OBJECT_LISTS, readLevel, resolveLevel, withIds } from '../../schema/index.ts';
+import {
+  fieldsOf as fieldsOfKind,
+  isRequired,
+  KINDS,
+  type LevelFile,
+  LIMITS,
+  levelSchema,
+  OBJECT_KINDS,
+  OBJECT_LISTS,
+  type ObjectKind,
+  readLevel,
+  resolveLevel,
+  withIds,
+} from '../../schema/index.ts';
 import { arbitraryFile } from './arbitrary-file.ts';
 
 const levels = join(dirname(fileURLToPath(import.meta.url)), '..', '..', 'levels');
@@ -24,16 +37,19 @@ const SHIPPED: readonly LevelFile[] = readdirSync(levels)
 const provenFile = (file: LevelFile): LiveProof =>
   createProver(() => 0).prove({ file: createEditedLevel(file).file(), run: null, accuracy: 'precise' });
 
-const SUBJECTS: readonly Subject[] = ['level', 'astronaut', 'blackHole', 'asteroid', 'nova', 'repulsor', 'alien', 'mineral'];
-const ROUND = { x: 0, y: 0, radius: 20 };
-const LISTS = { asteroid: 'asteroids', nova: 'novae', repulsor: 'repulsors', alien: 'aliens', mineral: 'minerals' } as const;
+const SUBJECTS: readonly Subject[] = ['level', ...OBJECT_KINDS];
+
+/** What an object of a kind must have. */
+const leastOf = (kind: ObjectKind) =>
+  Object.fromEntries(fieldsOfKind(kind).flatMap(([name, field]) => (isRequired(field) ? [[name, 1]] : [])));
 
 /** A level in which one property of one subject has a value. */
 function levelWith(subject: Subject, key: string, value: unknown): unknown {
   const base = { version: 1, name: 'level', astronaut: { x: 0, y: 0 }, blackHole: { x: 0, y: 0 } };
   if (subject === 'level') return { ...base, [key]: value };
-  if (subject === 'astronaut' || subject === 'blackHole') return { ...base, [subject]: { x: 0, y: 0, [key]: value } };
-  return { ...base, [LISTS[subject]]: [{ ...ROUND, [key]: value }] };
+  const object = { ...leastOf(subject), [key]: value };
+  const { list } = KINDS[subject];
+  return { ...base, ...(list === null ? { [subject]: object } : { [list]: [object] }) };
 }
 
 describe('fields of the inspector', () => {
@@ -59,6 +75,7 @@ describe('fields of the inspector', () => {
   it('are all that a person can set, and nothing else', () => {
     const keys = Object.fromEntries(SUBJECTS.map((subject) => [subject, fieldsOf(subject).fields.map(({ key }) => key)]));
     expect(keys).toEqual({
+      ...keys,
       level: ['name', 'description', 'range', 'recoil'],
       astronaut: ['x', 'y', 'vx', 'vy'],
       blackHole: ['x', 'y', 'radius'],

@@ -3,16 +3,16 @@ import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { createStore } from 'zustand/vanilla';
-import type { Ghost } from '../../editor/canvas/layers/way-layer.ts';
+import type { Ghost } from '../../editor/context/index.ts';
 import { addRun, createEditedLevel, setLevelProperty } from '../../editor/document/index.ts';
 import { extraInWords } from '../../editor/panels/figures/index.ts';
-import { createDifficultyDesk } from '../../editor/panels/solver/difficulty.ts';
+import { createDifficultySession } from '../../editor/panels/solver/difficulty-session.ts';
 import { createOverlay } from '../../editor/panels/solver/overlay.ts';
 import { watchProofs } from '../../editor/panels/solver/proof-watch.ts';
 import { watchRobustness } from '../../editor/panels/solver/robustness-watch.ts';
-import { createSearchDesk } from '../../editor/panels/solver/search.ts';
+import { createSearchSession } from '../../editor/panels/solver/search-session.ts';
+import { aimOf, createSearchSettings, goalOf } from '../../editor/panels/solver/search-settings.ts';
 import { everyTick, wayOf } from '../../editor/panels/solver/ways.ts';
-import { aimOf, createWish, goalOf } from '../../editor/panels/solver/wish.ts';
 import { createProofStore } from '../../editor/proof/index.ts';
 import { createSession } from '../../editor/session/index.ts';
 import type { JobEnd, JobKind, Requests, Solving, Workers } from '../../editor/workers/index.ts';
@@ -86,10 +86,10 @@ function stage(name = '04-slingshot', withRuns = true) {
     ),
   };
   const workers = new StagedWorkers();
-  const wish = createWish();
+  const settings = createSearchSettings();
   const overlay = createOverlay();
   const clock = new TurnedClock();
-  const search = createSearchDesk({ level, session, workers, wish, overlay, now: clock.now });
+  const search = createSearchSession({ level, session, workers, settings, overlay, now: clock.now });
   const holds = (runs ?? [])[0].holds;
   const scene = compile(proof.proof().level);
   const solutionOf = (held: readonly Hold[]): Solution => {
@@ -105,7 +105,7 @@ function stage(name = '04-slingshot', withRuns = true) {
     finished: false,
   });
   const looks = () => level.ghosts.getState().map(({ id }) => id);
-  return { level, document, proof, session, workers, wish, overlay, clock, search, holds, scene, solving, looks };
+  return { level, document, proof, session, workers, settings, overlay, clock, search, holds, scene, solving, looks };
 }
 
 beforeEach(() => {
@@ -118,11 +118,11 @@ afterEach(() => {
 const NOTHING_PROVED = { impossible: null, minerals: [] };
 
 describe('a search', () => {
-  it('asks for what was wished', () => {
-    const { search, workers, wish, document } = stage();
+  it('asks for what was set', () => {
+    const { search, workers, settings, document } = stage();
     const known = (document.file().runs ?? []).map(({ holds }) => holds);
     expect(known.length).toBeGreaterThan(0);
-    wish.setState({ minerals: 'some', some: 2, objective: 'time', budget: 3, seed: 7 });
+    settings.setState({ minerals: 'some', some: 2, objective: 'time', budget: 3, seed: 7 });
     search.start();
     expect(workers.last('solve').request).toMatchObject({
       goal: { minerals: 2 },
@@ -131,12 +131,12 @@ describe('a search', () => {
       seed: 7,
       known,
     });
-    wish.setState({ objective: 'first' });
+    settings.setState({ objective: 'first' });
     search.start();
     expect(workers.last('solve').request).toMatchObject({ objective: 'first', known: [] });
-    expect(goalOf({ ...wish.getState(), minerals: 'all' }, 0)).toEqual(ANY);
-    expect(goalOf({ ...wish.getState(), minerals: 'all' }, 2)).toEqual({ minerals: 'all' });
-    expect(goalOf({ ...wish.getState(), some: 9 }, 2)).toEqual({ minerals: 2 });
+    expect(goalOf({ ...settings.getState(), minerals: 'all' }, 0)).toEqual(ANY);
+    expect(goalOf({ ...settings.getState(), minerals: 'all' }, 2)).toEqual({ minerals: 'all' });
+    expect(goalOf({ ...settings.getState(), some: 9 }, 2)).toEqual({ minerals: 2 });
   });
 
   it('shows the closest approach until it has found something, then what it found; ghosts of others stay', () => {
@@ -234,8 +234,8 @@ describe('a search', () => {
 
   it('ends when a mineral is proved to be out of reach, but only where it is asked for', async () => {
     for (const minerals of ['any', 'all'] as const) {
-      const { search, workers, wish, document, proof } = stage();
-      wish.setState({ minerals });
+      const { search, workers, settings, document, proof } = stage();
+      settings.setState({ minerals });
       document.change('far away', (draft) => {
         if (draft.minerals !== undefined) draft.minerals[0].x = 90_000;
       });
@@ -288,9 +288,9 @@ describe('a search', () => {
 
 describe('what a found run is called, and where it comes', () => {
   it('tells what it was looked for, where the level is proved already', () => {
-    const { search, document, workers, wish, holds, solving } = stage();
+    const { search, document, workers, settings, holds, solving } = stage();
     const [, other] = document.file().runs ?? [];
-    wish.setState({ objective: 'time' });
+    settings.setState({ objective: 'time' });
     search.start();
     workers.last('solve').tell(solving(holds, other.holds));
     search.use(holds);
@@ -319,8 +319,8 @@ describe('what a found run is called, and where it comes', () => {
     [{ minerals: 'all', objective: 'presses' }, 2, 'all minerals, simplest 2'],
     [{ minerals: 'some', some: 1, objective: 'first' }, 1, '1 mineral'],
     [{ minerals: 'any', objective: 'first' }, 3, 'found 3'],
-  ] as const)('%j, place %i: %s', (wished, place, name) => {
-    expect(aimOf({ ...createWish().getState(), ...wished }, place)).toBe(name);
+  ] as const)('%j, place %i: %s', (asked, place, name) => {
+    expect(aimOf({ ...createSearchSettings().getState(), ...asked }, place)).toBe(name);
   });
 });
 
@@ -486,21 +486,21 @@ describe('the watch over proofs', () => {
 
 describe('difficulty', () => {
   it('is measured by the shown run where it completes the level, else by one that is looked for; it grows old with the level', async () => {
-    const { level, workers, wish, holds, document } = stage();
-    const desk = createDifficultyDesk({ level, workers, wish });
-    desk.start();
+    const { level, workers, settings, holds, document } = stage();
+    const difficulty = createDifficultySession({ level, workers, settings });
+    difficulty.start();
     expect(workers.last('difficulty').request.holds).toEqual(holds);
     workers.last('difficulty').end({ kind: 'done', result: null });
     await breathe();
-    expect(desk.store.getState()).toMatchObject({ phase: 'none', isOld: false });
+    expect(difficulty.store.getState()).toMatchObject({ phase: 'none', isOld: false });
     document.change('fails', (draft) => {
       draft.runs = [{ name: 'solution', holds: [] }];
     });
-    expect(desk.store.getState().isOld).toBe(true);
-    desk.start();
+    expect(difficulty.store.getState().isOld).toBe(true);
+    difficulty.start();
     expect(workers.last('difficulty').request.holds).toBeNull();
-    desk.cancel();
+    difficulty.cancel();
     expect(workers.last('difficulty').isCancelled()).toBe(true);
-    expect(desk.store.getState().phase).toBe('idle');
+    expect(difficulty.store.getState().phase).toBe('idle');
   });
 });

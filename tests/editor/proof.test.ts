@@ -14,6 +14,7 @@ import {
   boxCircleGap,
   compile,
   createSimulation,
+  DEFAULT_BOX,
   joinHolds,
   STATE_SIZE,
   simulate,
@@ -249,7 +250,7 @@ describe('margins', () => {
         const { gap } = proof.margins;
         for (let k = 0; k < way.count; k += 7) {
           const s = way.states.subarray(STATE_SIZE * k, STATE_SIZE * (k + 1));
-          const to = (x: number, y: number, r: number) => boxCircleGap(x - s[0], y - s[1], s[4], s[5], r);
+          const to = (x: number, y: number, r: number) => boxCircleGap(DEFAULT_BOX, x - s[0], y - s[1], s[4], s[5], r);
           const all = level.novae.map(({ x, y, radius }) => to(x, y, radius));
           for (const [i, { hot, radius, x, y }] of level.asteroids.entries()) {
             const [ax, ay] = way.asteroids.all(k).subarray(2 * i);

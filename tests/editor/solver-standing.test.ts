@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest';
-import type { SearchState } from '../../editor/panels/solver/search.ts';
+import { createSearchSettings } from '../../editor/panels/solver/search-settings.ts';
+import type { SearchState } from '../../editor/panels/solver/search-state.ts';
 import { askedInWords, standingOf } from '../../editor/panels/solver/standing.ts';
-import { createWish } from '../../editor/panels/solver/wish.ts';
 
-const wish = createWish().getState();
+const settings = createSearchSettings().getState();
 const NOBODY = { meets: null, completes: null };
 const COUNT = 3;
 
@@ -26,7 +26,7 @@ const state = (changes: Partial<SearchState>): SearchState => ({
   phase: 'done',
   message: null,
   ms: 10_000,
-  wish,
+  settings,
   solving: solving(42),
   found: [],
   impossible: null,
@@ -40,12 +40,12 @@ const say = (changes: Partial<SearchState>, own: Parameters<typeof standingOf>[1
   const { text, note } = standingOf(state(changes), own, COUNT, 5);
   return note === null ? text : `${text} | ${note}`;
 };
-const all = { ...wish, minerals: 'all' } as const;
-const some = { ...wish, minerals: 'some', some: 2 } as const;
+const all = { ...settings, minerals: 'all' } as const;
+const some = { ...settings, minerals: 'some', some: 2 } as const;
 
 describe('what the solver says', () => {
   it('names the minerals where some are asked for, and only there', () => {
-    expect([wish, some, all].map((one) => askedInWords(one, COUNT))).toEqual([
+    expect([settings, some, all].map((one) => askedInWords(one, COUNT))).toEqual([
       '',
       ' with at least 2 of 3 minerals',
       ' with all 3 minerals',
@@ -70,19 +70,19 @@ describe('what the solver says', () => {
     expect(say({}, { meets: 'solution', completes: 'solution' })).toBe(
       "The 10 s are over: no other run was found. The closest approach, shown on the canvas, was 42 px from the black hole at 1.00 s. The level's own run “solution” does it already.",
     );
-    expect(say({ wish: all, solving: solving(0) }, { meets: null, completes: 'solution' })).toBe(
+    expect(say({ settings: all, solving: solving(0) }, { meets: null, completes: 'solution' })).toBe(
       'The 10 s are over: no run into the black hole with all 3 minerals was found. That does not prove that there is none. It has reached the black hole, but not with all 3 minerals. The level is completable all the same: its run “solution” reaches the black hole.',
     );
     expect(say({ solving: solving(0) })).toContain('It has reached the black hole, but no run was ready');
     expect(say({ phase: 'running' })).toMatch(/^Looking for runs: none found yet\./);
-    expect(say({ isHopeless: true, wish: all }, { meets: null, completes: 'solution' })).toBe(
+    expect(say({ isHopeless: true, settings: all }, { meets: null, completes: 'solution' })).toBe(
       'Proved: no run completes the level with all 3 minerals. The level is completable all the same: its run “solution” reaches the black hole.',
     );
   });
 
   it('how many of those looked for were found', () => {
     expect(say({ phase: 'running', found: found(true) })).toBe('1 different way found so far | Looked for up to 5 ways.');
-    expect(say({ found: found(true, true), wish: some })).toBe(
+    expect(say({ found: found(true, true), settings: some })).toBe(
       '2 different ways found | Looked for up to 5 ways with at least 2 of 3 minerals. The 10 s are over. More time or another seed may find more.',
     );
     expect(say({ found: found(true), solving: solving(0, true) })).toBe(

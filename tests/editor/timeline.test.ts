@@ -1,8 +1,8 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
+import { createAttempts } from '../../editor/attempts/attempts.ts';
 import { createEditedLevel, moveObjects, replaceHolds } from '../../editor/document/index.ts';
-import { createAttempts } from '../../editor/play/attempts.ts';
 import { createProofStore } from '../../editor/proof/index.ts';
 import { gripAt } from '../../editor/timeline/grip.ts';
 import { holdsInWords, reachedBy } from '../../editor/timeline/reached.ts';

@@ -1,5 +1,5 @@
 import fc from 'fast-check';
-import type { Circle, Hold, Level } from '../../schema/index.ts';
+import { type Circle, type Hold, type Level, NO_OBJECTS } from '../../schema/index.ts';
 
 type Point = readonly [x: number, y: number];
 
@@ -47,7 +47,7 @@ const list = <T>(item: fc.Arbitrary<T>, most: number) => fc.array(item, { maxLen
 export const arbitraryLevel: fc.Arbitrary<Level> = fc.array(point, { minLength: 1, maxLength: 5 }).chain((shared) => {
   const place = fc.oneof({ weight: 1, arbitrary: fc.constantFrom(...shared) }, { weight: 2, arbitrary: point });
   const circle: fc.Arbitrary<Circle> = fc.tuple(place, radius).map(([[x, y], r]) => ({ id: null, x, y, radius: r }));
-  return fc.record({
+  const level = fc.record({
     name: fc.constant('arbitrary'),
     description: fc.constant(''),
     astronaut: fc.tuple(place, velocity, velocity).map(([[x, y], vx, vy]) => ({ x, y, vx, vy })),
@@ -68,31 +68,34 @@ export const arbitraryLevel: fc.Arbitrary<Level> = fc.array(point, { minLength: 
     minerals: list(circle, 5),
     runs: fc.constant([]),
   });
+  return level.map((objects): Level => ({ ...NO_OBJECTS, ...objects }));
 });
 
 /** A level in which a run can go on for a while: nothing deadly near her start, an asteroid in reach, ordinary sizes. */
-export const arbitraryPlayableLevel: fc.Arbitrary<Level> = fc.record({
-  name: fc.constant('playable'),
-  description: fc.constant(''),
-  astronaut: fc.record({ x: even(-20, 20), y: even(-20, 20), vx: even(-40, 40), vy: even(-40, 40) }),
-  blackHole: fc.constant({ x: 900, y: 900, radius: 18 }),
-  range: even(400, 2000),
-  recoil: fc.boolean(),
-  asteroids: fc.array(
-    fc
-      .tuple(even(-300, 300), even(-300, 300), fc.constantFrom(16, 32))
-      .map(([x, y, r]) => ({ id: null, x, y, radius: r, hot: Math.abs(x) + Math.abs(y) > 350 })),
-    { minLength: 1, maxLength: 5 },
-  ),
-  novae: list(away(16), 2),
-  repulsors: list(away(48), 3),
-  aliens: list(away(25), 4),
-  minerals: list(
-    fc.tuple(even(-80, 80), even(-80, 80)).map(([x, y]) => ({ id: null, x, y, radius: 7 })),
-    4,
-  ),
-  runs: fc.constant([]),
-});
+export const arbitraryPlayableLevel: fc.Arbitrary<Level> = fc
+  .record({
+    name: fc.constant('playable'),
+    description: fc.constant(''),
+    astronaut: fc.record({ x: even(-20, 20), y: even(-20, 20), vx: even(-40, 40), vy: even(-40, 40) }),
+    blackHole: fc.constant({ x: 900, y: 900, radius: 18 }),
+    range: even(400, 2000),
+    recoil: fc.boolean(),
+    asteroids: fc.array(
+      fc
+        .tuple(even(-300, 300), even(-300, 300), fc.constantFrom(16, 32))
+        .map(([x, y, r]) => ({ id: null, x, y, radius: r, hot: Math.abs(x) + Math.abs(y) > 350 })),
+      { minLength: 1, maxLength: 5 },
+    ),
+    novae: list(away(16), 2),
+    repulsors: list(away(48), 3),
+    aliens: list(away(25), 4),
+    minerals: list(
+      fc.tuple(even(-80, 80), even(-80, 80)).map(([x, y]) => ({ id: null, x, y, radius: 7 })),
+      4,
+    ),
+    runs: fc.constant([]),
+  })
+  .map((objects): Level => ({ ...NO_OBJECTS, ...objects }));
 
 function away(r: number): fc.Arbitrary<Circle> {
   return fc

@@ -2,6 +2,7 @@ import {
   ALIEN_PULL,
   ALIEN_SIGHT,
   boxOverlapsCircle,
+  DEFAULT_BOX,
   EXPLOSION_FRAMES,
   GUN_PULL,
   REPULSOR_PUSH,
@@ -63,7 +64,8 @@ export function plainFrames(level: Level, button: readonly boolean[]) {
     }
 
     if (outcome === null) {
-      const touches = (c: { x: number; y: number; radius: number }) => boxOverlapsCircle(c.x - x, c.y - y, cos, sin, c.radius);
+      const touches = (c: { x: number; y: number; radius: number }) =>
+        boxOverlapsCircle(DEFAULT_BOX, c.x - x, c.y - y, cos, sin, c.radius);
       if (touches(blackHole)) outcome = 'completed';
       else if ([...novae, ...rocks.slice(cold.length)].some(touches)) outcome = 'collided';
       const touched = minerals.flatMap((mineral, i) => (!collected[i] && touches(mineral) ? [i] : []));

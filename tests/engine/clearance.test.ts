@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { expect, it } from 'vitest';
 import { GRAZED_AT, graze } from '../../bench/soak/contacts.ts';
 import { randomScene } from '../../bench/soak/random-scene.ts';
-import { boxCircleGap, compile, type Run, STATE_SIZE, simulate } from '../../engine/index.ts';
+import { boxCircleGap, compile, DEFAULT_BOX, type Run, STATE_SIZE, simulate } from '../../engine/index.ts';
 import type { Level } from '../../schema/index.ts';
 import { plainLevel } from './plain-level.ts';
 
@@ -15,7 +15,7 @@ function nearestHazard(level: Level, run: Run, time: number): number {
   run.trajectory.aliensAt(time, aliens);
   run.trajectory.asteroidsAt(time, rocks);
   const [x, y, , , cos, sin] = state;
-  const gap = (cx: number, cy: number, r: number) => boxCircleGap(cx - x, cy - y, cos, sin, r);
+  const gap = (cx: number, cy: number, r: number) => boxCircleGap(DEFAULT_BOX, cx - x, cy - y, cos, sin, r);
   return Math.min(
     ...level.novae.map((o) => gap(o.x, o.y, o.radius)),
     ...level.asteroids.map((o, i) => (o.hot ? gap(rocks[2 * i], rocks[2 * i + 1], o.radius) : Number.POSITIVE_INFINITY)),

@@ -1,6 +1,14 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { boxCircleGap, boxOverlapsCircle, circlesOverlap, HALF_DIAGONAL, HALF_HEIGHT, HALF_WIDTH } from '../../engine/index.ts';
+import {
+  boxCircleGap,
+  boxOverlapsCircle,
+  circlesOverlap,
+  DEFAULT_BOX,
+  HALF_DIAGONAL,
+  HALF_HEIGHT,
+  HALF_WIDTH,
+} from '../../engine/index.ts';
 
 /** Directions with rational cos = c / n, sin = s / n. */
 const TRIANGLES = [
@@ -51,7 +59,7 @@ const boxCase = fc.record({
 const nearTouch = fc
   .tuple(sixtyFourths(60), sixtyFourths(60), direction, fc.integer({ min: -2, max: 2 }))
   .map(([dx, dy, turn, off]) => {
-    const gap = boxCircleGap(dx, dy, turn.c / turn.n, turn.s / turn.n, 0);
+    const gap = boxCircleGap(DEFAULT_BOX, dx, dy, turn.c / turn.n, turn.s / turn.n, 0);
     return { dx, dy, turn, r: Math.max(1, Math.round(gap * SCALE) + off) / SCALE };
   });
 
@@ -61,7 +69,7 @@ describe('box and circle', () => {
     fc.assert(
       fc.property(fc.oneof(boxCase, nearTouch), ({ dx, dy, turn, r }) => {
         const { difference, rr } = exactBoxCircle(dx, dy, turn, r);
-        const overlaps = boxOverlapsCircle(dx, dy, turn.c / turn.n, turn.s / turn.n, r);
+        const overlaps = boxOverlapsCircle(DEFAULT_BOX, dx, dy, turn.c / turn.n, turn.s / turn.n, r);
         // 53 bits of places up to 80 px, compared with a radius down to 1/64 px
         const undecidable = turn.n !== 1 && (difference < 0n ? -difference : difference) < (rr >> 36n) + 1n;
         if (difference === 0n) touching++;
@@ -73,17 +81,17 @@ describe('box and circle', () => {
   });
 
   it('touching is no contact', () => {
-    expect(boxOverlapsCircle(26, 0, 1, 0, 16)).toBe(false);
-    expect(boxOverlapsCircle(26 - 2 ** -40, 0, 1, 0, 16)).toBe(true);
-    expect(boxOverlapsCircle(0, 32, 1, 0, 16)).toBe(false);
-    expect(boxOverlapsCircle(0, 32 - 2 ** -40, 1, 0, 16)).toBe(true);
+    expect(boxOverlapsCircle(DEFAULT_BOX, 26, 0, 1, 0, 16)).toBe(false);
+    expect(boxOverlapsCircle(DEFAULT_BOX, 26 - 2 ** -40, 0, 1, 0, 16)).toBe(true);
+    expect(boxOverlapsCircle(DEFAULT_BOX, 0, 32, 1, 0, 16)).toBe(false);
+    expect(boxOverlapsCircle(DEFAULT_BOX, 0, 32 - 2 ** -40, 1, 0, 16)).toBe(true);
     // turned by a quarter the short side is up
-    expect(boxOverlapsCircle(0, 26, 0, 1, 16)).toBe(false);
-    expect(boxOverlapsCircle(0, 31, 1, 0, 16)).toBe(true);
-    expect(boxOverlapsCircle(0, 31, 0, 1, 16)).toBe(false);
+    expect(boxOverlapsCircle(DEFAULT_BOX, 0, 26, 0, 1, 16)).toBe(false);
+    expect(boxOverlapsCircle(DEFAULT_BOX, 0, 31, 1, 0, 16)).toBe(true);
+    expect(boxOverlapsCircle(DEFAULT_BOX, 0, 31, 0, 1, 16)).toBe(false);
     // a corner, at 3-4-5 from it
-    expect(boxOverlapsCircle(13, 20, 1, 0, 5)).toBe(false);
-    expect(boxOverlapsCircle(13, 20, 1, 0, 5 + 2 ** -40)).toBe(true);
+    expect(boxOverlapsCircle(DEFAULT_BOX, 13, 20, 1, 0, 5)).toBe(false);
+    expect(boxOverlapsCircle(DEFAULT_BOX, 13, 20, 1, 0, 5 + 2 ** -40)).toBe(true);
   });
 
   it('the quick reject bounds the box', () => {
@@ -100,8 +108,9 @@ describe('box and circle', () => {
   it('gap and overlap agree in sign', () => {
     fc.assert(
       fc.property(anyCase, ({ dx, dy, angle, r }) => {
-        const gap = boxCircleGap(dx, dy, Math.cos(angle), Math.sin(angle), r);
-        if (Math.abs(gap) > 1e-11) expect(boxOverlapsCircle(dx, dy, Math.cos(angle), Math.sin(angle), r)).toBe(gap < 0);
+        const gap = boxCircleGap(DEFAULT_BOX, dx, dy, Math.cos(angle), Math.sin(angle), r);
+        if (Math.abs(gap) > 1e-11)
+          expect(boxOverlapsCircle(DEFAULT_BOX, dx, dy, Math.cos(angle), Math.sin(angle), r)).toBe(gap < 0);
         expect(gap).toBeGreaterThanOrEqual(-r);
       }),
       { numRuns: 3000 },
@@ -121,7 +130,7 @@ describe('box and circle', () => {
           }
         }
         const spacing = Math.hypot(HALF_WIDTH, HALF_HEIGHT) / STEPS;
-        const gap = boxCircleGap(dx, dy, cos, sin, r) + r;
+        const gap = boxCircleGap(DEFAULT_BOX, dx, dy, cos, sin, r) + r;
         expect(nearest).toBeGreaterThanOrEqual(gap - 1e-9);
         expect(nearest).toBeLessThanOrEqual(gap + spacing + 1e-9);
       }),
@@ -140,11 +149,11 @@ describe('box and circle', () => {
           [dx, -dy, cos, -sin],
           [-dx, dy, -cos, sin],
         ] as const;
-        const gap = boxCircleGap(dx, dy, cos, sin, r);
-        const overlaps = boxOverlapsCircle(dx, dy, cos, sin, r);
+        const gap = boxCircleGap(DEFAULT_BOX, dx, dy, cos, sin, r);
+        const overlaps = boxOverlapsCircle(DEFAULT_BOX, dx, dy, cos, sin, r);
         for (const [x, y, c, s] of images) {
-          expect(boxCircleGap(x, y, c, s, r)).toBe(gap);
-          expect(boxOverlapsCircle(x, y, c, s, r)).toBe(overlaps);
+          expect(boxCircleGap(DEFAULT_BOX, x, y, c, s, r)).toBe(gap);
+          expect(boxOverlapsCircle(DEFAULT_BOX, x, y, c, s, r)).toBe(overlaps);
         }
       }),
       { numRuns: 1000 },
@@ -154,10 +163,10 @@ describe('box and circle', () => {
   it('turning box and circle together by a whole triangle changes nothing', () => {
     fc.assert(
       fc.property(boxCase, fc.constantFrom(...TRIANGLES), ({ dx, dy, turn, r }, [c, s, n]) => {
-        const before = boxCircleGap(dx, dy, turn.c / turn.n, turn.s / turn.n, r);
+        const before = boxCircleGap(DEFAULT_BOX, dx, dy, turn.c / turn.n, turn.s / turn.n, r);
         const cos = (turn.c * c - turn.s * s) / (turn.n * n);
         const sin = (turn.s * c + turn.c * s) / (turn.n * n);
-        expect(boxCircleGap((dx * c - dy * s) / n, (dy * c + dx * s) / n, cos, sin, r)).toBeCloseTo(before, 10);
+        expect(boxCircleGap(DEFAULT_BOX, (dx * c - dy * s) / n, (dy * c + dx * s) / n, cos, sin, r)).toBeCloseTo(before, 10);
       }),
       { numRuns: 1000 },
     );

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { expect, test } from 'vitest';
-import { crossing } from '../../engine/continuous/bracket.ts';
+import { crossing } from '../../engine/events/bracket.ts';
 
 /** Guards that fall below 0 at `root`, and nowhere else. */
 const SHAPES: Record<string, (root: number, scale: number) => (t: number) => number> = {

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { compile, type Run, SPEED_LIMIT, STATE_SIZE, simulate, TICK, WorkBudget } from '../../engine/index.ts';
-import type { Level } from '../../schema/index.ts';
+import { type Level, NO_OBJECTS } from '../../schema/index.ts';
 import { accuracyNames, levelsFor } from './accuracies.ts';
 import { arbitraryHolds } from './arbitrary-level.ts';
 
@@ -114,6 +114,7 @@ describe.each(accuracyNames)('any level at %s', (accuracy) => {
             recoil,
             astronaut: { ...at, vx, vy },
             blackHole: { ...hole, x: hole.x + 200, radius: 32 },
+            ...NO_OBJECTS,
             asteroids: asteroids.map((asteroid) => ({ ...asteroid, x: asteroid.x + off, hot: false })),
             novae: novae.map((nova) => ({ ...nova, x: nova.x + 120 })),
             repulsors,

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
 import { randomScene } from '../../bench/soak/random-scene.ts';
-import { safeStep, safeStretch } from '../../engine/continuous/march.ts';
+import { safeStep, safeStretch } from '../../engine/events/conservative-advancement.ts';
 import { compile, simulate, WorkBudget } from '../../engine/index.ts';
 import { continuousNames } from './accuracies.ts';
 

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { boxCircleGap, compile, findWarnings, HALF_DIAGONAL, simulate } from '../../engine/index.ts';
+import { boxCircleGap, compile, DEFAULT_BOX, findWarnings, HALF_DIAGONAL, simulate } from '../../engine/index.ts';
 import { type LevelFile, resolveLevel } from '../../schema/index.ts';
 import { continuousNames } from './accuracies.ts';
 
@@ -17,7 +17,7 @@ const level = (more: Partial<LevelFile>) =>
   });
 
 describe('the gap of her box and a circle', () => {
-  const at = (dx: number, dy: number) => boxCircleGap(dx, dy, 1, 0, 5);
+  const at = (dx: number, dy: number) => boxCircleGap(DEFAULT_BOX, dx, dy, 1, 0, 5);
 
   it('is that of the nearest side, or of the corner, from all around', () => {
     for (const [sx, sy] of [

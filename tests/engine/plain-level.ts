@@ -1,4 +1,4 @@
-import type { Asteroid, Circle, Level } from '../../schema/index.ts';
+import { type Asteroid, type Circle, type Level, NO_OBJECTS } from '../../schema/index.ts';
 
 type Place = Pick<Circle, 'x' | 'y' | 'radius'>;
 
@@ -27,6 +27,7 @@ export function plainLevel(parts: PlainLevel = {}): Level {
     blackHole: { x: -1e5, y: -1e5, radius: 18, ...parts.blackHole },
     range: parts.range ?? 1e6,
     recoil: parts.recoil ?? false,
+    ...NO_OBJECTS,
     asteroids: asteroids.map((o): Asteroid => ({ id: null, hot: false, ...o })),
     novae: named(parts.novae),
     repulsors: named(parts.repulsors),

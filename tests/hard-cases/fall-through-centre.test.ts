@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { compile, simulate } from '../../engine/index.ts';
-import type { Level } from '../../schema/index.ts';
+import { type Level, NO_OBJECTS } from '../../schema/index.ts';
 import { fallen } from './fall.ts';
 
 const RANGE = 250;
@@ -13,11 +13,8 @@ const level = (d0: number, sideways: number): Level => ({
   blackHole: { x: 0, y: 9000, radius: 18 },
   range: RANGE,
   recoil: false,
+  ...NO_OBJECTS,
   asteroids: [{ id: null, x: d0, y: 0, radius: 16, hot: false }],
-  novae: [],
-  repulsors: [],
-  aliens: [],
-  minerals: [],
   runs: [],
 });
 

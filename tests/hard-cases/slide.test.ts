@@ -5,6 +5,7 @@ import {
   boxCircleGap,
   compile,
   createSimulation,
+  DEFAULT_BOX,
   type Run,
   STATE_SIZE,
   simulate,
@@ -273,7 +274,7 @@ describe.each(continuousNames)('sliding on a rim, against the equation of the an
     const gap = (time: number) => {
       const { x, y, rock } = slideByAngle(bare, time, 'gun', 2e-4);
       const d = Math.hypot(rock[0] - x, rock[1] - y);
-      return boxCircleGap(-35 - x, 62 - y, (rock[0] - x) / d, (rock[1] - y) / d, 16);
+      return boxCircleGap(DEFAULT_BOX, -35 - x, 62 - y, (rock[0] - x) / d, (rock[1] - y) / d, 16);
     };
     let [before, behind] = [0, 2.5];
     expect(gap(before)).toBeGreaterThan(0);

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { readLevel } from '../../schema/index.ts';
-import { quote } from '../../schema/say.ts';
+import { quote } from '../../schema/format-value.ts';
+import { OBJECT_LISTS, readLevel } from '../../schema/index.ts';
 import { scanJson } from '../../schema/scan-json.ts';
 
 // What a person is told to do about each problem, and where.
@@ -213,8 +213,7 @@ describe('a text that is not JSON', () => {
 const small = (rest: string) => `{"version":1,"name":"a","astronaut":{"x":1,"y":2},"blackHole":{"x":1,"y":3}${rest}}`;
 const nova = (rest: string) => small(`,"novae":[{"x":1,"y":2,"radius":3${rest}}]`);
 const hold = (text: string) => small(`,"runs":[{"name":"a","holds":[${text}]}]`);
-const TOP =
-  '$schema, version, name, description, astronaut, blackHole, range, recoil, asteroids, novae, repulsors, aliens, minerals, runs';
+const TOP = `$schema, version, name, description, astronaut, blackHole, range, recoil, rules, ${OBJECT_LISTS.join(', ')}, runs`;
 
 /** What is no level, by what is to be done: the text, and what is said of it. */
 const PROBLEMS: Readonly<Record<string, readonly (readonly [source: string, message: string])[]>> = {

@@ -1,10 +1,18 @@
 import fc from 'fast-check';
-import { type LevelFile, LIMITS } from '../../schema/index.ts';
+import {
+  type Field,
+  fieldsOf,
+  isRequired,
+  KINDS,
+  type LevelFile,
+  LIMITS,
+  LISTED_KINDS,
+  OBJECT_LISTS,
+  type ObjectKind,
+  SINGLE_KINDS,
+} from '../../schema/index.ts';
 
-const within = (limit: number) => fc.double({ min: -limit, max: limit, noNaN: true });
-const radius = fc.double({ min: LIMITS.leastRadius, max: LIMITS.radius, noNaN: true });
 const id = fc.option(fc.stringMatching(/^[a-z0-9]{2,16}$/), { nil: undefined });
-const place = { id, x: within(LIMITS.coordinate), y: within(LIMITS.coordinate) };
 
 /** What stands under keys of one's own: anything. */
 const extension = fc.dictionary(
@@ -16,9 +24,19 @@ const extension = fc.dictionary(
 const withExtensions = <T extends object>(object: fc.Arbitrary<T>): fc.Arbitrary<T> =>
   fc.tuple(object, extension).map(([known, own]) => ({ ...known, ...own }));
 
-const sized = withExtensions(fc.record({ ...place, radius }, { requiredKeys: ['x', 'y', 'radius'] }));
-const sizable = withExtensions(fc.record({ ...place, radius }, { requiredKeys: ['x', 'y'] }));
-const asteroid = withExtensions(fc.record({ ...place, radius, hot: fc.boolean() }, { requiredKeys: ['x', 'y', 'radius'] }));
+const anyValue = (field: Field): fc.Arbitrary<unknown> =>
+  field.type === 'flag' ? fc.boolean() : fc.double({ min: field.least, max: field.most, noNaN: true });
+
+/** Any object of a kind. */
+const objectOf = (kind: ObjectKind) => {
+  const fields = Object.fromEntries(fieldsOf(kind).map(([name, field]) => [name, anyValue(field)]));
+  const requiredKeys = fieldsOf(kind).flatMap(([name, field]) => (isRequired(field) ? [name] : []));
+  return withExtensions(
+    fc.record({ ...(KINDS[kind].list === null ? {} : { id }), ...fields } as Record<string, fc.Arbitrary<unknown>>, {
+      requiredKeys,
+    }),
+  );
+};
 
 const hold = fc
   .tuple(fc.nat(LIMITS.tick - 1), fc.nat(LIMITS.tick))
@@ -37,30 +55,20 @@ const file = withExtensions(
       version: fc.constant(1 as const),
       name: fc.string({ minLength: 1, maxLength: 120, unit: 'binary' }).filter((name) => name.length <= 120),
       description: fc.string(),
-      astronaut: withExtensions(
-        fc.record(
-          { x: place.x, y: place.y, vx: within(LIMITS.velocity), vy: within(LIMITS.velocity) },
-          { requiredKeys: ['x', 'y'] },
-        ),
-      ),
-      blackHole: withExtensions(fc.record({ x: place.x, y: place.y, radius }, { requiredKeys: ['x', 'y'] })),
-      range: radius,
+      ...Object.fromEntries(SINGLE_KINDS.map((kind) => [kind, objectOf(kind)])),
+      range: fc.double({ min: LIMITS.leastRadius, max: LIMITS.radius, noNaN: true }),
       recoil: fc.boolean(),
-      asteroids: list(asteroid),
-      novae: list(sized),
-      repulsors: list(sized),
-      aliens: list(sizable),
-      minerals: list(sizable),
+      ...Object.fromEntries(LISTED_KINDS.map((kind) => [KINDS[kind].list, list(objectOf(kind))])),
       runs: fc.uniqueArray(run, { maxLength: 3, selector: ({ name }) => name }),
     },
-    { requiredKeys: ['version', 'name', 'astronaut', 'blackHole'] },
+    { requiredKeys: ['version', 'name', ...SINGLE_KINDS] as never },
   ),
 );
 
 function withoutRepeatedIds(level: LevelFile): LevelFile {
   const seen = new Set<string>();
-  for (const objects of [level.asteroids, level.novae, level.repulsors, level.aliens, level.minerals]) {
-    for (const object of objects ?? []) {
+  for (const list of OBJECT_LISTS) {
+    for (const object of level[list] ?? []) {
       if (object.id !== undefined && seen.has(object.id)) delete object.id;
       else if (object.id !== undefined) seen.add(object.id);
     }
@@ -69,4 +77,4 @@ function withoutRepeatedIds(level: LevelFile): LevelFile {
 }
 
 /** Any valid level file: any keys left out, any limits reached, keys of one's own everywhere. */
-export const arbitraryFile: fc.Arbitrary<LevelFile> = file.map((level) => withoutRepeatedIds(level as LevelFile));
+export const arbitraryFile: fc.Arbitrary<LevelFile> = file.map((level) => withoutRepeatedIds(level as unknown as LevelFile));

@@ -1,8 +1,8 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import { closestName, editDistance } from '../../schema/closest-name.ts';
+import { quote } from '../../schema/format-value.ts';
 import { codeFrame, levelSchema } from '../../schema/index.ts';
-import { quote } from '../../schema/say.ts';
 
 /** The distance by its definition, without a limit. */
 function plainDistance(a: string, b: string): number {

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { readLevel } from '../../schema/index.ts';
+import { NO_OBJECTS, readLevel } from '../../schema/index.ts';
 import { BASE, broken } from './base-level.ts';
 
 function read(source: string, options = {}) {
@@ -14,6 +14,7 @@ describe('reading a level', () => {
       '{"version":1,"name":"a","astronaut":{"x":1,"y":2},"blackHole":{"x":3,"y":4},"aliens":[{"x":5,"y":6}]}',
     );
     expect(level).toEqual({
+      ...NO_OBJECTS,
       name: 'a',
       description: '',
       astronaut: { x: 1, y: 2, vx: 0, vy: 0 },

@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { compile, findWarnings, simulate } from '../../engine/index.ts';
 import { type Circle, formatLevel, readLevel } from '../../schema/index.ts';
-import { wishOf } from '../../solver/generate/wish.ts';
+import { specOf } from '../../solver/generate/generator-spec.ts';
 import { certify, createGenerator, findShortcuts, type Generated, type GeneratorOptions, verifyRun } from '../../solver/index.ts';
 
 const ANY = { minerals: 'any' } as const;
@@ -27,7 +27,7 @@ const WISHES: readonly GeneratorOptions[] = [
 const LEVELS = WISHES.map((options) => ({ options, generated: generate(options) }));
 
 describe.each(LEVELS)('a level generated from $options', ({ options, generated }) => {
-  const wish = wishOf(options);
+  const spec = specOf(options);
   // everything is asked of the text as it would be written
   const text = formatLevel(generated.level);
   const reading = readLevel(text);
@@ -47,18 +47,18 @@ describe.each(LEVELS)('a level generated from $options', ({ options, generated }
 
   it.each(['precise', 'arcade'] as const)('forgives what it claims at %s', (accuracy) => {
     const claimed = accuracy === 'precise' ? generated.robustness : generated.arcade;
-    expect(claimed.certifiedTicks).toBeGreaterThanOrEqual(wish.certifiedTicks);
-    expect(claimed.p40.p).toBeGreaterThanOrEqual(wish.p40);
-    const certified = certify(compile(level, accuracy), solution.holds, ANY, { limit: wish.certifiedTicks });
-    expect(certified.ticks).toBe(wish.certifiedTicks);
+    expect(claimed.certifiedTicks).toBeGreaterThanOrEqual(spec.certifiedTicks);
+    expect(claimed.p40.p).toBeGreaterThanOrEqual(spec.p40);
+    const certified = certify(compile(level, accuracy), solution.holds, ANY, { limit: spec.certifiedTicks });
+    expect(certified.ticks).toBe(spec.certifiedTicks);
   });
 
   it('is as hard as wanted, and not won by most single presses', () => {
-    expect(generated.grade.value).toBeGreaterThanOrEqual(wish.grade[0]);
-    expect(generated.grade.value).toBeLessThanOrEqual(wish.grade[1]);
+    expect(generated.grade.value).toBeGreaterThanOrEqual(spec.grade[0]);
+    expect(generated.grade.value).toBeLessThanOrEqual(spec.grade[1]);
     const { onePress } = findShortcuts(compile(level, 'arcade'), ANY, { run: solution.holds, effort: 0 });
     // presses were counted in strides of three: the share of all of them may be a little larger
-    expect(onePress.count / onePress.tried).toBeLessThanOrEqual(wish.onePress + 0.01);
+    expect(onePress.count / onePress.tried).toBeLessThanOrEqual(spec.onePress + 0.01);
   });
 
   it('has nothing to warn of, and lies within its size', () => {
@@ -68,8 +68,8 @@ describe.each(LEVELS)('a level generated from $options', ({ options, generated }
     const bodies: Pick<Circle, 'x' | 'y' | 'radius'>[] = [level.blackHole, ...level.asteroids, ...level.novae, ...level.aliens];
     for (const { x, y, radius } of bodies) {
       expect(Math.min(x, y) - radius).toBeGreaterThanOrEqual(20);
-      expect(x + radius).toBeLessThanOrEqual(wish.width - 20);
-      expect(y + radius).toBeLessThanOrEqual(wish.height - 20);
+      expect(x + radius).toBeLessThanOrEqual(spec.width - 20);
+      expect(y + radius).toBeLessThanOrEqual(spec.height - 20);
     }
     for (const [i, a] of bodies.entries()) {
       for (const b of bodies.slice(i + 1)) {
@@ -104,7 +104,7 @@ describe('a generator', () => {
   it('asks for less forgiveness the harder a level is to be', () => {
     fc.assert(
       fc.property(fc.integer({ min: 10, max: 100 }), fc.integer({ min: 10, max: 100 }), (a, b) => {
-        const [easy, hard] = [Math.min(a, b), Math.max(a, b)].map((grade) => wishOf({ seed: 0, difficulty: grade / 10 }));
+        const [easy, hard] = [Math.min(a, b), Math.max(a, b)].map((grade) => specOf({ seed: 0, difficulty: grade / 10 }));
         expect(hard.p40).toBeLessThanOrEqual(easy.p40);
         expect(hard.onePress).toBeLessThanOrEqual(easy.onePress);
         expect(hard.certifiedTicks).toBeLessThanOrEqual(easy.certifiedTicks);

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { type AccuracyName, compile, createSimulation, GUN_PULL, TICK } from '../../engine/index.ts';
-import type { Level } from '../../schema/index.ts';
+import { type Level, NO_OBJECTS } from '../../schema/index.ts';
 import { swingDrift } from '../../solver/proofs/swing-drift.ts';
 import { claimOf } from '../../solver/verify/claim.ts';
 import { continuousNames } from '../engine/accuracies.ts';
@@ -24,11 +24,8 @@ const level = (asteroids: Level['asteroids'], more: Partial<Level> = {}): Level 
   blackHole: { x: 0, y: 1e7, radius: 18 },
   range: RANGE,
   recoil: false,
+  ...NO_OBJECTS,
   asteroids,
-  novae: [],
-  repulsors: [],
-  aliens: [],
-  minerals: [],
   runs: [],
   ...more,
 });

@@ -5,12 +5,13 @@ import {
   boxCircleGap,
   compile,
   createSimulation,
+  DEFAULT_BOX,
   GUN_PULL,
   HALF_DIAGONAL,
   simulate,
   TICK,
 } from '../../engine/index.ts';
-import type { Hold, Level } from '../../schema/index.ts';
+import { type Hold, type Level, NO_OBJECTS } from '../../schema/index.ts';
 import { afterChase, type Chaser } from '../../solver/verify/chasers.ts';
 import { claimOf, type Play } from '../../solver/verify/claim.ts';
 import { accelerations, advance, type Box, placesWithin, turnedScene } from '../../solver/verify/doomed.ts';
@@ -35,11 +36,7 @@ const EMPTY: Level = {
   blackHole: { x: 0, y: 1e7, radius: 18 },
   range: 250,
   recoil: false,
-  asteroids: [],
-  novae: [],
-  repulsors: [],
-  aliens: [],
-  minerals: [],
+  ...NO_OBJECTS,
   runs: [],
 };
 const rock = (x: number, y: number, radius: number) => ({ id: null, x, y, radius, hot: false });
@@ -86,7 +83,7 @@ describe('reach: how near a box must be to touch, and may be without', () => {
     fc.assert(
       fc.property(real(0, 40), real(0, 6.3), real(0, 6.3), real(0.001, 100), (gap, to, turn, radius) => {
         const d = radius + gap;
-        const g = boxCircleGap(d * Math.cos(to), d * Math.sin(to), Math.cos(turn), Math.sin(turn), radius);
+        const g = boxCircleGap(DEFAULT_BOX, d * Math.cos(to), d * Math.sin(to), Math.cos(turn), Math.sin(turn), radius);
         if (gap < 10 - 1e-9) expect(g).toBeLessThan(0);
         if (gap >= HALF_DIAGONAL) expect(g).toBeGreaterThanOrEqual(0);
         if (g < 0) farthest = Math.max(farthest, gap);
@@ -295,7 +292,8 @@ describe('pushes: after some ticks she is within what pushes from the places on 
     let steps = 0;
     fc.assert(
       fc.property(crowdedLevel, script, whole(2, 8), (level, plan, frames) => {
-        const scene = turnedScene(claimOf(level, HOLE, 60, PLAYS[accuracy]), [1, 0]);
+        const claim = claimOf(level, HOLE, 60, PLAYS[accuracy]);
+        const scene = turnedScene(claim, [1, 0]);
         const { all } = statesOf(level, accuracy, plan);
         const seconds = frames * TICK;
         // what a frame moves by is the velocity with the push that waits; the last look has none to tell it
@@ -308,7 +306,7 @@ describe('pushes: after some ticks she is within what pushes from the places on 
         for (let i = 0; i + frames + 1 < all.length; i += frames) {
           const from = at(i);
           const box: Box = { x: about(from.x), y: about(from.y), vx: about(from.vx), vy: about(from.vy) };
-          const way = placesWithin(box, seconds);
+          const way = placesWithin(box, seconds, claim.push);
           const [ax, ay] = accelerations(scene, way, (i + frames) * TICK);
           const after = advance(box, ax, ay, seconds);
           const to = at(i + frames);

@@ -1,5 +1,5 @@
 import fc from 'fast-check';
-import type { Circle, Hold, Level } from '../../schema/index.ts';
+import { type Circle, type Hold, type Level, NO_OBJECTS } from '../../schema/index.ts';
 
 const whole = (min: number, max: number) => fc.integer({ min, max });
 const circle = (reach: number, radii: readonly number[]): fc.Arbitrary<Circle> =>
@@ -12,26 +12,28 @@ const circle = (reach: number, radii: readonly number[]): fc.Arbitrary<Circle> =
  * start; with and without recoil, fields and aliens.
  */
 export const crowdedLevel: fc.Arbitrary<Level> = whole(60, 260).chain((reach) =>
-  fc.record({
-    name: fc.constant('crowded'),
-    description: fc.constant(''),
-    astronaut: fc.oneof(
-      fc.constant({ x: 0, y: 0, vx: 0, vy: 0 }),
-      fc.tuple(whole(-80, 80), whole(-80, 80)).map(([vx, vy]) => ({ x: 0, y: 0, vx, vy })),
-    ),
-    blackHole: circle(reach, [18, 10, 40]),
-    range: fc.oneof(fc.constant(250), whole(80, 300)),
-    recoil: fc.boolean(),
-    asteroids: fc.array(
-      fc.tuple(circle(reach, [16, 32]), fc.integer({ min: 0, max: 3 })).map(([c, n]) => ({ ...c, hot: n === 0 })),
-      { minLength: 1, maxLength: 4 },
-    ),
-    novae: fc.array(circle(reach, [16, 32]), { maxLength: 8 }),
-    repulsors: fc.oneof(fc.constant([]), fc.array(circle(reach, [32, 48]), { maxLength: 2 })),
-    aliens: fc.oneof(fc.constant([]), fc.array(circle(reach, [25]), { maxLength: 2 })),
-    minerals: fc.array(circle(reach, [7]), { maxLength: 5 }),
-    runs: fc.constant([]),
-  }),
+  fc
+    .record({
+      name: fc.constant('crowded'),
+      description: fc.constant(''),
+      astronaut: fc.oneof(
+        fc.constant({ x: 0, y: 0, vx: 0, vy: 0 }),
+        fc.tuple(whole(-80, 80), whole(-80, 80)).map(([vx, vy]) => ({ x: 0, y: 0, vx, vy })),
+      ),
+      blackHole: circle(reach, [18, 10, 40]),
+      range: fc.oneof(fc.constant(250), whole(80, 300)),
+      recoil: fc.boolean(),
+      asteroids: fc.array(
+        fc.tuple(circle(reach, [16, 32]), fc.integer({ min: 0, max: 3 })).map(([c, n]) => ({ ...c, hot: n === 0 })),
+        { minLength: 1, maxLength: 4 },
+      ),
+      novae: fc.array(circle(reach, [16, 32]), { maxLength: 8 }),
+      repulsors: fc.oneof(fc.constant([]), fc.array(circle(reach, [32, 48]), { maxLength: 2 })),
+      aliens: fc.oneof(fc.constant([]), fc.array(circle(reach, [25]), { maxLength: 2 })),
+      minerals: fc.array(circle(reach, [7]), { maxLength: 5 }),
+      runs: fc.constant([]),
+    })
+    .map((objects): Level => ({ ...NO_OBJECTS, ...objects })),
 );
 
 /** Some presses within 15 s. */

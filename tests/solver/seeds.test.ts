@@ -1,15 +1,15 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { compile } from '../../engine/index.ts';
-import { createDesk } from '../../solver/solve/desk.ts';
+import { createSolverSession } from '../../solver/solve/solver-session.ts';
 import { plainLevel } from '../engine/plain-level.ts';
 
 const scene = compile(plainLevel());
 const goal = { minerals: 'any' } as const;
 
 function seedOf(seed: number, lane: number): (n: number) => number {
-  const desk = createDesk(scene, { goal, seed, lane, maxTicks: 3600, objective: 'robust', count: 1, known: [] });
-  return desk.seedOf;
+  const session = createSolverSession(scene, { goal, seed, lane, maxTicks: 3600, objective: 'robust', count: 1, known: [] });
+  return session.seedOf;
 }
 
 /** As a whole number of any size. */

@@ -1,4 +1,4 @@
-import { type AccuracyName, boxCircleGap, compile, simulate, TICK_RATE } from '../../../engine/index.ts';
+import { type AccuracyName, boxCircleGap, compile, DEFAULT_BOX, simulate, TICK_RATE } from '../../../engine/index.ts';
 import type { Level } from '../../../schema/index.ts';
 import type { About } from '../../../solver/index.ts';
 import type { Play, Pose } from './plays.ts';
@@ -101,7 +101,7 @@ export function hugged(claim: FalseClaim, closely: boolean, random: () => number
     const far = around * Math.sqrt(random());
     const c = { x: from.x + far * Math.cos(turn), y: from.y + far * Math.sin(turn) };
     const gap = poses.reduce(
-      (least, p) => Math.min(least, boxCircleGap(c.x - p.x, c.y - p.y, p.cos, p.sin, 0)),
+      (least, p) => Math.min(least, boxCircleGap(DEFAULT_BOX, c.x - p.x, c.y - p.y, p.cos, p.sin, 0)),
       Number.POSITIVE_INFINITY,
     );
     const radius = gap - room;

@@ -1,4 +1,4 @@
-import type { Level } from '../../../schema/index.ts';
+import { type Level, NO_OBJECTS } from '../../../schema/index.ts';
 import type { PROVERS } from '../../../solver/index.ts';
 
 export type Prover = keyof typeof PROVERS;
@@ -43,11 +43,7 @@ const EMPTY: Level = {
   blackHole: AWAY,
   range: 250,
   recoil: false,
-  asteroids: [],
-  novae: [],
-  repulsors: [],
-  aliens: [],
-  minerals: [],
+  ...NO_OBJECTS,
   runs: [],
 };
 

@@ -1,6 +1,7 @@
 import type { Command } from '../../commands/index.ts';
 import type { Point } from '../view.ts';
-import type { Crosshair, Stride } from './crosshair.ts';
+import type { Crosshair } from './crosshair.ts';
+import type { Stride } from './crosshair-place.ts';
 
 /** What keys do on the canvas, for who hears it instead of seeing the cheat sheet. */
 export const CROSSHAIR_HELP =

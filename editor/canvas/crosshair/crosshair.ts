@@ -1,16 +1,9 @@
 import type { StoreApi } from 'zustand/vanilla';
-import type { LevelFile } from '../../../schema/index.ts';
-import { type ObjectKey, objectsOf } from '../../document/index.ts';
-import { hitTest, REACH } from '../hit-test.ts';
 import { CLICK_SLOP, type PointerContext, type PointerInput, type PointerListening } from '../pointer/index.ts';
-import { isInView, type Point, toScreen, withinView } from '../view.ts';
-import { changeInWords, placeInWords, selectionInWords, thingInWords } from './words.ts';
-
-/** How far an arrow moves it. */
-export type Stride = 'grid' | 'far' | 'fine';
-
-/** So many lines of the grid are a far stride: every eighth is drawn stronger. */
-const FAR = 8;
+import { type Point, toScreen, withinView } from '../view.ts';
+import { type Stride, startingPlace, stepped, under } from './crosshair-place.ts';
+import { CrosshairReports, type Moment } from './crosshair-reports.ts';
+import { placeInWords } from './words.ts';
 
 /** A pointer for the keyboard: a place on the canvas that arrows move and at which the tool in hand is used. It is there while the canvas has the focus. */
 export interface Crosshair {
@@ -23,7 +16,7 @@ export interface Crosshair {
   hide(): boolean;
   /**
    * @param to one step to the left or right, up or down
-   * @param isRepeated the key is held: what is there is told once it is let go
+   * @param isRepeated the key is held: what is there is reported once it is let go
    */
   move(to: Point, stride: Stride, isRepeated: boolean): void;
   /** Does what a click of the pointer does there; lets go of what is held. */
@@ -43,189 +36,176 @@ interface CrosshairParts {
   readonly said: StoreApi<string>;
 }
 
-/** The next line of the grid that way. */
-function nextLine(from: number, way: number, step: number): number {
-  if (way === 0) return from;
-  return way > 0 ? (Math.floor(from / step) + 1) * step : (Math.ceil(from / step) - 1) * step;
-}
+export const createCrosshair = (parts: CrosshairParts): Crosshair => new KeyboardPointer(parts);
 
-export function createCrosshair({ element, context, pointer, grid, said }: CrosshairParts): Crosshair {
-  const { document, selection, canvas, hovered } = context;
-  const stopping = new AbortController();
-  const options = { signal: stopping.signal };
-  let place: Point = { x: 0, y: 0 };
-  let wasUsed = false;
-  let isOut = false;
+class KeyboardPointer implements Crosshair {
+  private readonly element: HTMLElement;
+  private readonly context: PointerContext;
+  private readonly pointer: PointerListening;
+  private readonly grid: () => number;
+  private readonly reports: CrosshairReports;
+  private readonly stops: readonly (() => void)[];
+  private place: Point = { x: 0, y: 0 };
+  private wasUsed = false;
+  private isOut = false;
   /** Where the pointer rests meanwhile; a page that moves under it is no move of the pointer. */
-  let rest: Point | null = null;
+  private rest: Point | null = null;
   /** The level and the selection when the keys began to hold something. */
-  let held: { readonly file: LevelFile; readonly keys: readonly ObjectKey[]; readonly shift: boolean } | null = null;
-  let isUntold = false;
+  private held: (Moment & { readonly shift: boolean }) | null = null;
 
-  const hasFocus = () => window.document.activeElement === element;
-  const isShown = () => isOut && hasFocus();
-  const under = () =>
-    hitTest(document.file(), place, REACH.keys / context.view().zoom, context.tool() === 'select' ? selection.keys() : []);
-  const draw = () => {
-    const shown = isShown();
-    if (!shown && canvas.getState().crosshair === null) return;
-    canvas.setState({ crosshair: shown ? place : null });
-    hovered.setState(shown && !pointer.keys.isHolding() ? (under()?.key ?? null) : null, true);
-  };
-  const say = (text: string) => {
-    isUntold = false;
-    said.setState(text, true);
-  };
-  const thing = () => thingInWords(document.file(), under(), selection.keys());
-  const tell = () => {
-    const file = document.file();
-    const here = placeInWords(place);
-    if (held === null) say(`${here}, ${thing()}`);
-    else if (canvas.getState().marquee !== null) say(`${here}, ${selection.keys().length} selected`);
-    else say(changeInWords(held.file, file) ?? here);
-  };
-  const input = (shift: boolean): PointerInput => {
-    const view = context.view();
-    // it stands where it shall: nothing snaps away from there
-    return { screen: toScreen(view, place), place, shift, alt: false, mod: true, by: 'keys', button: 0 };
-  };
-  /** Says what came of it. */
-  const tellDone = ({ file, keys }: { readonly file: LevelFile; readonly keys: readonly ObjectKey[] }) =>
-    say(
-      changeInWords(file, document.file()) ??
-        `${selectionInWords(document.file(), keys, selection.keys())}. ${placeInWords(place)}`,
-    );
-  const release = (shift: boolean) => {
-    const before = held;
-    held = null;
-    pointer.keys.release(input(shift || before?.shift === true));
-    draw();
-    if (before !== null) tellDone(before);
-  };
-  /** The only object that is selected is where somebody goes on; else where the crosshair was; else the middle of what is seen. */
-  const start = (): Point => {
-    const view = context.view();
-    const [lone, ...others] = context.tool() === 'select' ? selection.keys() : [];
-    const object = others.length > 0 || lone === undefined ? undefined : objectsOf(document.file()).get(lone)?.object;
-    if (object !== undefined && isInView(view, object)) return { x: object.x, y: object.y };
-    if (wasUsed && isInView(view, place)) return place;
-    const round = (value: number) => Math.round(value / grid()) * grid();
-    return { x: round(view.x), y: round(view.y) };
-  };
-  const show = (why?: string) => {
-    if (!isOut) {
-      place = start();
-      wasUsed = true;
-      rest = null;
+  constructor({ element, context, pointer, grid, said }: CrosshairParts) {
+    this.element = element;
+    this.context = context;
+    this.pointer = pointer;
+    this.grid = grid;
+    this.reports = new CrosshairReports(context, said);
+    const draw = () => this.draw();
+    // an undo, another tool, the outline: what lies under it is another
+    this.stops = [this.listen(), context.selection.store.subscribe(draw), context.document.subscribe(draw)];
+  }
+
+  isShown(): boolean {
+    return this.isOut && this.hasFocus();
+  }
+
+  hasFocus(): boolean {
+    return window.document.activeElement === this.element;
+  }
+
+  show(why?: string): void {
+    const { context, reports } = this;
+    if (!this.isOut) {
+      this.place = startingPlace(context, this.grid(), this.wasUsed ? this.place : null);
+      this.wasUsed = true;
+      this.rest = null;
     }
-    isOut = true;
-    element.focus({ preventScroll: true });
-    if (!hasFocus()) return;
-    context.setView(withinView(context.view(), place));
-    draw();
-    if (why === undefined) tell();
-    else say(`${why}. ${placeInWords(place)}, ${thing()}`);
-  };
-  const putBack = () => {
-    held = null;
-    draw();
-    say(`Put back. ${placeInWords(place)}, ${thing()}`);
-  };
-  const hide = () => {
-    const was = isShown();
-    isOut = false;
-    draw();
-    if (was) say('');
+    this.isOut = true;
+    this.element.focus({ preventScroll: true });
+    if (!this.hasFocus()) return;
+    context.setView(withinView(context.view(), this.place));
+    this.draw();
+    if (why === undefined) reports.reportStep(this.place, this.held);
+    else reports.reportPlace(this.place, why);
+  }
+
+  hide(): boolean {
+    const was = this.isShown();
+    this.isOut = false;
+    this.draw();
+    if (was) this.reports.report('');
     return was;
-  };
+  }
 
-  element.addEventListener(
-    'focus',
-    () => {
-      if (isOut || context.tool() !== 'select') show();
-    },
-    options,
-  );
-  element.addEventListener(
-    'blur',
-    () => {
-      if (pointer.keys.isHolding()) release(false);
-      else say('');
-      draw();
-    },
-    options,
-  );
-  element.addEventListener('pointerdown', hide, options);
-  element.addEventListener(
-    'pointermove',
-    ({ clientX: x, clientY: y }) => {
-      if (!isShown() || pointer.keys.isHolding()) return;
-      rest ??= { x, y };
-      if (Math.hypot(x - rest.x, y - rest.y) > CLICK_SLOP.mouse) hide();
-    },
-    options,
-  );
-  window.addEventListener(
-    'keyup',
-    () => {
-      if (isUntold) tell();
-    },
-    options,
-  );
-  // an undo, another tool, the outline: what lies under it is another
-  const stops = [selection.store.subscribe(draw), document.subscribe(draw)];
+  move(to: Point, stride: Stride, isRepeated: boolean): void {
+    const { context, reports } = this;
+    if (!this.isShown()) this.show();
+    this.place = stepped(this.place, to, stride, this.grid());
+    context.setView(withinView(context.view(), this.place));
+    if (this.held !== null) this.pointer.keys.move(this.input(this.held.shift));
+    this.draw();
+    if (isRepeated) reports.isPending = true;
+    else reports.reportStep(this.place, this.held);
+  }
 
-  return {
-    isShown,
-    hasFocus,
-    show,
-    hide,
-    move(to, stride, isRepeated) {
-      if (!isShown()) show();
-      const step = stride === 'far' ? FAR * grid() : grid();
-      place =
-        stride === 'fine'
-          ? { x: place.x + to.x, y: place.y + to.y }
-          : { x: nextLine(place.x, to.x, step), y: nextLine(place.y, to.y, step) };
-      context.setView(withinView(context.view(), place));
-      if (held !== null) pointer.keys.move(input(held.shift));
-      draw();
-      if (isRepeated) isUntold = true;
-      else tell();
-    },
-    use(shift) {
-      if (pointer.keys.isHolding()) {
-        release(shift);
-        return;
-      }
-      if (context.tool() === 'hand') {
-        context.setView({ ...context.view(), x: place.x, y: place.y });
-        say(`The middle of the view is at ${placeInWords(place)}`);
-        return;
-      }
-      const before = { file: document.file(), keys: selection.keys() };
-      pointer.keys.press(input(shift), () => {});
-      pointer.keys.release(input(shift));
-      draw();
-      tellDone(before);
-    },
-    hold(shift) {
-      if (pointer.keys.isHolding()) {
-        release(shift);
-        return;
-      }
-      // the view is not dragged by what moves over it
-      if (context.tool() === 'hand') return;
-      const what = context.tool() === 'select' ? thing() : null;
-      held = { file: document.file(), keys: selection.keys(), shift };
-      pointer.keys.press(input(shift), putBack);
-      draw();
-      if (what === null) tell();
-      else say(what === 'empty' ? `Selecting from ${placeInWords(place)}` : `Holding ${what}`);
-    },
-    stop() {
-      for (const end of stops) end();
-      stopping.abort();
-    },
-  };
+  use(shift: boolean): void {
+    const { context, reports, pointer, place } = this;
+    if (pointer.keys.isHolding()) {
+      this.release(shift);
+      return;
+    }
+    if (context.tool() === 'hand') {
+      context.setView({ ...context.view(), x: place.x, y: place.y });
+      reports.report(`The middle of the view is at ${placeInWords(place)}`);
+      return;
+    }
+    const before = this.moment();
+    pointer.keys.press(this.input(shift), () => {});
+    pointer.keys.release(this.input(shift));
+    this.draw();
+    reports.reportDone(place, before);
+  }
+
+  hold(shift: boolean): void {
+    const { context, reports, pointer } = this;
+    if (pointer.keys.isHolding()) {
+      this.release(shift);
+      return;
+    }
+    // the view is not dragged by what moves over it
+    if (context.tool() === 'hand') return;
+    const what = context.tool() === 'select' ? reports.thing(this.place) : null;
+    this.held = { ...this.moment(), shift };
+    pointer.keys.press(this.input(shift), () => this.putBack());
+    this.draw();
+    if (what === null) reports.reportStep(this.place, this.held);
+    else reports.report(what === 'empty' ? `Selecting from ${placeInWords(this.place)}` : `Holding ${what}`);
+  }
+
+  stop(): void {
+    for (const end of this.stops) end();
+  }
+
+  /** @returns stops it */
+  private listen(): () => void {
+    const { element, pointer, context, reports } = this;
+    const stopping = new AbortController();
+    const options = { signal: stopping.signal };
+    const onFocus = () => {
+      if (this.isOut || context.tool() !== 'select') this.show();
+    };
+    const onBlur = () => {
+      if (pointer.keys.isHolding()) this.release(false);
+      else reports.report('');
+      this.draw();
+    };
+    const onPointerMove = ({ clientX: x, clientY: y }: PointerEvent) => {
+      if (!this.isShown() || pointer.keys.isHolding()) return;
+      this.rest ??= { x, y };
+      if (Math.hypot(x - this.rest.x, y - this.rest.y) > CLICK_SLOP.mouse) this.hide();
+    };
+    const onKeyUp = () => {
+      if (reports.isPending) reports.reportStep(this.place, this.held);
+    };
+    element.addEventListener('focus', onFocus, options);
+    element.addEventListener('blur', onBlur, options);
+    element.addEventListener('pointerdown', () => this.hide(), options);
+    element.addEventListener('pointermove', onPointerMove, options);
+    window.addEventListener('keyup', onKeyUp, options);
+    return () => stopping.abort();
+  }
+
+  private draw(): void {
+    const { canvas, hovered } = this.context;
+    const shown = this.isShown();
+    if (!shown && canvas.getState().crosshair === null) return;
+    canvas.setState({ crosshair: shown ? this.place : null });
+    const key = shown && !this.pointer.keys.isHolding() ? (under(this.context, this.place)?.key ?? null) : null;
+    hovered.setState(key, true);
+  }
+
+  private input(shift: boolean): PointerInput {
+    const { place } = this;
+    // it stands where it shall: nothing snaps away from there
+    return { screen: toScreen(this.context.view(), place), place, shift, alt: false, mod: true, by: 'keys', button: 0 };
+  }
+
+  private moment(): Moment {
+    const { document, selection } = this.context;
+    return { file: document.file(), keys: selection.keys() };
+  }
+
+  private release(shift: boolean): void {
+    const before = this.held;
+    this.held = null;
+    this.pointer.keys.release(this.input(shift || before?.shift === true));
+    this.draw();
+    if (before !== null) this.reports.reportDone(this.place, before);
+  }
+
+  /** What it held was taken back. */
+  private putBack(): void {
+    this.held = null;
+    this.draw();
+    this.reports.reportPlace(this.place, 'Put back');
+  }
 }

@@ -1,5 +1,5 @@
 import type { LevelFile } from '../../../schema/index.ts';
-import { type FoundObject, nameOf, type ObjectKey, objectsOf, radiusOf } from '../../document/index.ts';
+import { type FoundObject, nameOf, type ObjectKey, objectsOf, placesOf, radiusOf } from '../../document/index.ts';
 import type { Hit } from '../hit-test.ts';
 import type { Point } from '../view.ts';
 
@@ -35,9 +35,10 @@ export function changeInWords(before: LevelFile, after: LevelFile): string | nul
   const [first] = changed;
   const was = first === undefined ? undefined : old.get(first.key);
   if (was === undefined) return null;
-  const isMoved = first.object.x !== was.object.x || first.object.y !== was.object.y;
-  if (changed.length > 1) return `${changed.length} objects ${isMoved ? 'moved' : 'resized'}`;
-  return isMoved ? `${nameOf(first)} moved to ${placeInWords(first.object)}` : `${nameOf(first)}${withRadius(first)}`;
+  const then = placesOf(was);
+  const moved = placesOf(first).find(({ x, y }, i) => x !== then[i].x || y !== then[i].y);
+  if (changed.length > 1) return `${changed.length} objects ${moved === undefined ? 'resized' : 'moved'}`;
+  return moved === undefined ? `${nameOf(first)}${withRadius(first)}` : `${nameOf(first)} moved to ${placeInWords(moved)}`;
 }
 
 /** What a press of Enter or a marquee did to the selection. */

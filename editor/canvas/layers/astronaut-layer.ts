@@ -1,6 +1,6 @@
 import type { GameObjects, Scene } from 'phaser';
+import type { Pose } from '../../context/index.ts';
 import { type Colours, colourNumber } from '../colours.ts';
-import type { Pose } from '../pose.ts';
 import { TEXTURE_UNIT } from '../textures/index.ts';
 
 /** px of her texture's unit: half of her box's longer side */

@@ -1,5 +1,5 @@
+import type { Thing } from '../thing.ts';
 import type { Lens, Marks, Spot } from './marks.ts';
-import type { Thing } from './thing.ts';
 
 /** Half of the diagonal of a square, over half of its side. */
 const DIAGONAL = Math.SQRT2;

@@ -1,70 +1,46 @@
 import type { Scene } from 'phaser';
-import { DEFAULT_RADIUS, type LevelFile } from '../../../schema/index.ts';
-import { ASTRONAUT, type FoundObject, type ObjectKey, objectsOf, radiusOf } from '../../document/index.ts';
-import type { Pose } from '../pose.ts';
-import { ROCKS, TEXTURE_UNIT } from '../textures/index.ts';
-import type { Thing } from './thing.ts';
+import { KINDS, type LevelFile } from '../../../schema/index.ts';
+import type { Pose } from '../../context/index.ts';
+import { type FoundObject, type ObjectKey, objectsOf, placesOf, radiusOf } from '../../document/index.ts';
+import { type Figure, ON_CANVAS, type Part, put } from '../kinds/index.ts';
+import { TEXTURE_UNIT } from '../textures/index.ts';
+import type { Thing } from '../thing.ts';
 import { ThingLayer } from './thing-layer.ts';
 
-/** Turns of a black hole and of a nova, radians a second. */
-const SPIN = { 'black-hole': -0.5, nova: 0.12 } as const;
+/** Below everything but the grid and what lies on it. */
+const DEPTH = 1;
 
-/** A nova that is smaller than this, px of screen, does not turn: nobody would see it, and what stands still costs next to nothing. */
-const TURNS_FROM = 10;
-
-/** px of screen that a pupil moves by at least. */
-const GAZE = 0.25;
-
-/** Which is drawn above which. */
-const DEPTH = { repulsor: 1, blackHole: 2, glow: 3, asteroid: 4, nova: 5, mineral: 6, alien: 7, astronaut: 9 } as const;
-
-/** The unit circle of a texture covers more than what is touched, for those with a light around them. */
-const SIZE = { 'black-hole': 2, mineral: 1.8 } as const;
-
-/** An object on the canvas. */
-interface Shown {
-  readonly found: FoundObject;
-  readonly body: Thing;
-  readonly glow: Thing | null;
-  readonly pupil: Thing | null;
-  /** Where the pupil is from the middle, px. */
-  readonly gaze: { x: number; y: number };
+/** A figure with the images that were made for it. */
+interface Shown extends Figure {
+  readonly images: readonly Thing[];
 }
 
-/** A shape that stays with an asteroid as long as it lives: made from its id. */
-function rockOf(key: ObjectKey): number {
-  let sum = 0;
-  for (let i = 0; i < key.length; i++) sum = (sum * 31 + key.charCodeAt(i)) % 9973;
-  return sum % ROCKS;
+type Json = Readonly<Record<string, unknown>>;
+
+/** Whether an object is what it was but for its places. */
+function looksSame(found: FoundObject, old: FoundObject): boolean {
+  if (found.kind !== old.kind) return false;
+  const { fields, places } = KINDS[found.kind];
+  const [now, then] = [found.object, old.object] as unknown as [Json, Json];
+  return Object.keys(fields).every((name) => now[name] === then[name] || places.some((pair) => pair.includes(name)));
 }
-
-function textureOf(found: FoundObject): string {
-  const { kind, key } = found;
-  if (kind === 'asteroid') return `${isHot(found) ? 'hot' : 'rock'}-${rockOf(key)}`;
-  return kind === 'blackHole' ? 'black-hole' : kind;
-}
-
-const isHot = ({ object }: FoundObject): boolean => 'hot' in object && object.hot === true;
-
-/** Whether an object is what it was but for its place. */
-const looksSame = (found: FoundObject, old: FoundObject): boolean =>
-  found.kind === old.kind && isHot(found) === isHot(old) && found.object.radius === old.object.radius;
 
 /** The things of a level as sprites; only those that changed are touched. */
 export class ObjectLayer {
-  private readonly shown = new Map<ObjectKey, Shown>();
+  /** The figures of each object, one at each of its places. */
+  private readonly shown = new Map<ObjectKey, readonly Shown[]>();
   private readonly layer: ThingLayer;
   private file: LevelFile | null = null;
   /** Those that turn by themselves. */
   private turning: readonly Shown[] = [];
 
   constructor(scene: Scene) {
-    this.layer = new ThingLayer(scene).setDepth(DEPTH.repulsor);
+    this.layer = new ThingLayer(scene).setDepth(DEPTH);
   }
 
   /** Forgets all sprites: the textures are new. */
   clear(): void {
-    for (const one of this.shown.values()) this.destroy(one);
+    for (const figures of this.shown.values()) destroy(figures);
     this.shown.clear();
     this.layer.forget();
     this.turning = [];
@@ -75,52 +51,28 @@ export class ObjectLayer {
     if (file === this.file) return;
     this.file = file;
     const objects = objectsOf(file);
-    for (const [key, one] of this.shown) {
+    for (const [key, figures] of this.shown) {
       if (objects.has(key)) continue;
-      this.destroy(one);
+      destroy(figures);
       this.shown.delete(key);
     }
     for (const found of objects.values()) {
-      if (found.key === ASTRONAUT) continue;
       const old = this.shown.get(found.key);
-      if (old !== undefined && old.found.object === found.object && old.found.index === found.index) continue;
+      const was = old?.[0].found;
+      if (was !== undefined && was.object === found.object && was.index === found.index) continue;
       this.shown.set(found.key, this.place(found, old));
     }
-    this.turning = [...this.shown.values()].filter(({ found: { kind } }) => kind === 'blackHole' || kind === 'nova');
+    this.turning = this.figures().filter(({ found: { kind } }) => ON_CANVAS[kind].turn !== undefined);
   }
 
   /**
-   * Aliens and rocks where they are in a run, taken minerals faint; null: everything as the level has it.
+   * Everything as it is in a run; null: as the level has it.
    * @param zoom px of screen per px of the level
    */
   pose(pose: Pose | null, zoom: number): void {
-    for (const one of this.shown.values()) {
-      const { kind, index, object } = one.found;
-      if (kind === 'asteroid') {
-        const moved = pose !== null && pose.asteroids !== null && pose.asteroids.length > 2 * index;
-        this.move(one, moved ? pose.asteroids[2 * index] : object.x, moved ? pose.asteroids[2 * index + 1] : object.y);
-      } else if (kind === 'alien') {
-        const moved = pose !== null && pose.aliens !== null && pose.aliens.length > 3 * index;
-        const x = moved ? pose.aliens[3 * index] : object.x;
-        const y = moved ? pose.aliens[3 * index + 1] : object.y;
-        const radius = radiusOf(one.found) ?? DEFAULT_RADIUS.alien;
-        this.move(one, x, y);
-        one.body.setAlpha(moved && pose.aliens[3 * index + 2] === 0 ? 0.2 : 1);
-        // it looks at her
-        const dx = (pose?.x ?? x) - x;
-        const dy = (pose?.y ?? y) - y;
-        const away = Math.hypot(dx, dy);
-        const reach = away > 0 ? (0.16 * radius) / away : 0;
-        const { gaze } = one;
-        // less than that nobody would see, and what is dragged as it is costs next to nothing
-        if (zoom * Math.hypot(dx * reach - gaze.x, dy * reach - gaze.y) > GAZE) {
-          gaze.x = dx * reach;
-          gaze.y = dy * reach;
-        }
-        one.pupil?.setPosition(x + gaze.x, y - 0.05 * radius + gaze.y).setAlpha(one.body.alpha);
-      } else if (kind === 'mineral') {
-        one.body.setAlpha(pose?.collected.has(index) === true ? 0.18 : 1);
-      }
+    for (const figures of this.shown.values()) {
+      const { pose: show } = ON_CANVAS[figures[0].found.kind];
+      if (show !== undefined) for (const figure of figures) show(figure, pose, zoom);
     }
   }
 
@@ -129,46 +81,45 @@ export class ObjectLayer {
    * @param zoom px of screen per px of the level
    */
   animate(time: number, zoom: number): void {
-    for (const { found, body } of this.turning) {
-      if (found.kind === 'blackHole') body.setRotation(SPIN['black-hole'] * time);
-      else if (TEXTURE_UNIT * body.scale * zoom >= TURNS_FROM) {
-        body.setRotation(SPIN.nova * time + found.index);
-      }
-    }
+    for (const figure of this.turning) ON_CANVAS[figure.found.kind].turn?.(figure, time, zoom);
   }
 
-  private place(found: FoundObject, old: Shown | undefined): Shown {
-    if (old !== undefined && looksSame(found, old.found)) {
-      const shown = { ...old, found };
-      this.move(shown, found.object.x, found.object.y);
-      return shown;
-    }
-    const texture = textureOf(found);
-    const body = old?.body ?? this.layer.addThing(texture, DEPTH[found.kind]);
-    if (body.texture.key !== texture) body.setTexture(texture);
-    const hot = found.kind === 'nova' || texture.startsWith('hot');
-    const glow = hot ? (old?.glow ?? this.layer.addThing('glow', DEPTH.glow)) : null;
-    if (!hot) old?.glow?.destroy();
-    const pupil = found.kind === 'alien' ? (old?.pupil ?? this.layer.addThing('pupil', DEPTH.alien)) : null;
+  private figures(): Shown[] {
+    return [...this.shown.values()].flat();
+  }
+
+  private place(found: FoundObject, there: readonly Shown[] | undefined): readonly Shown[] {
+    const isOfKind = there?.[0].found.kind === found.kind;
+    // an id may come to stand for a thing of another kind
+    if (there !== undefined && !isOfKind) destroy(there);
+    const old = isOfKind ? there : undefined;
+    const first = old?.[0];
+    const parts = first !== undefined && looksSame(found, first.found) ? first.parts : ON_CANVAS[found.kind].parts(found);
     const radius = radiusOf(found) ?? 0;
-    const scale = radius / TEXTURE_UNIT;
-    body.setScale(scale * (texture in SIZE ? SIZE[texture as keyof typeof SIZE] : 1));
-    glow?.setScale(1.9 * scale);
-    pupil?.setScale(0.2 * scale);
-    const shown = { found, body, glow, pupil, gaze: old?.gaze ?? { x: 0, y: 0 } };
-    this.move(shown, found.object.x, found.object.y);
-    return shown;
+    return placesOf(found).map((at, i) => {
+      const was = old?.[i];
+      const images = was !== undefined && was.parts === parts ? was.images : this.dress(parts, radius, was?.images ?? []);
+      const away = images.map((_, k) => was?.away[k] ?? { x: 0, y: 0 });
+      const figure = { found, at, radius, parts, images, away };
+      put(figure, at.x, at.y);
+      return figure;
+    });
   }
 
-  private move({ body, glow, pupil, found, gaze }: Shown, x: number, y: number): void {
-    body.setPosition(x, y);
-    glow?.setPosition(x, y);
-    pupil?.setPosition(x + gaze.x, y - 0.05 * (radiusOf(found) ?? 0) + gaze.y);
+  /** Images of parts: those that are there already, made to look like them, and what is missing. */
+  private dress(parts: readonly Part[], radius: number, there: readonly Thing[]): readonly Thing[] {
+    for (const spare of there.slice(parts.length)) spare.destroy();
+    return parts.map(({ texture, depth, scale = 1, rotation }, i) => {
+      const image = there[i] ?? this.layer.addThing(texture, depth);
+      if (image.texture.key !== texture) image.setTexture(texture);
+      if (image.depth !== depth) image.setDepth(depth);
+      image.setScale((radius / TEXTURE_UNIT) * scale);
+      if (rotation !== undefined) image.setRotation(rotation);
+      return image;
+    });
   }
+}
 
-  private destroy({ body, glow, pupil }: Shown): void {
-    body.destroy();
-    glow?.destroy();
-    pupil?.destroy();
-  }
+function destroy(figures: readonly Shown[]): void {
+  for (const { images } of figures) for (const image of images) image.destroy();
 }

@@ -1,14 +1,14 @@
 import type { GameObjects, Scene } from 'phaser';
 import { HALF_WIDTH } from '../../../engine/index.ts';
-import { DEFAULT_RANGE, type LevelFile } from '../../../schema/index.ts';
-import { ASTRONAUT, type ObjectKey, objectsOf, radiusOf } from '../../document/index.ts';
+import { appearanceOfObject, DEFAULT_RANGE, type Disc, type LevelFile } from '../../../schema/index.ts';
+import { type ObjectKey, objectsOf, placesOf, radiusOf } from '../../document/index.ts';
 import type { Layer } from '../../session/index.ts';
 import type { CanvasState } from '../canvas-state.ts';
 import { type Colours, colourNumber } from '../colours.ts';
-import { boxOf } from '../extent.ts';
+import { boxesOf } from '../extent.ts';
 import { REACH, resizedByRim } from '../hit-test.ts';
 import { type Point, toLevel, type View } from '../view.ts';
-import { type Circle, Rings } from './rings.ts';
+import { Rings } from './rings.ts';
 
 /** Lines of the grid nearer to each other than this are left out, px of screen. */
 const GRID_LEAST = 7;
@@ -18,6 +18,16 @@ const GRID_STRONG = 8;
 const MOST_RANGES = 60;
 /** px of screen that a selection's outline stands off. */
 const OUTLINE = 3;
+/** Where on a rim its handles are. */
+const HANDLES = [
+  [1, 0],
+  [-1, 0],
+  [0, 1],
+  [0, -1],
+] as const;
+/** px of screen of a dash, and of the gap behind it, in the line between the places of one object */
+const DASH = 6;
+const MOST_DASHES = 200;
 
 export interface OverlayInput {
   readonly file: LevelFile;
@@ -60,6 +70,7 @@ export class OverlayLayer {
     above.clear();
     if (input.editing && input.grid !== null) this.grid(input.grid, input.canvas);
     if (input.layers.ranges) this.ranges(input);
+    this.links(input);
     this.rings(input);
     if (!input.editing) return;
     this.selection(input);
@@ -108,6 +119,28 @@ export class OverlayLayer {
     }
   }
 
+  /** A dashed line between the places of an object that has several, so that one sees what belongs together. */
+  private links({ file, canvas, selected, hovered }: OverlayInput): void {
+    const { zoom } = canvas.view;
+    for (const found of objectsOf(file).values()) {
+      const [first, ...others] = placesOf(found);
+      if (others.length === 0) continue;
+      const isMeant = found.key === hovered || selected.includes(found.key);
+      this.below.lineStyle(1.5 / zoom, colourNumber(this.colours.label), isMeant ? 0.8 : 0.35).beginPath();
+      for (const other of others) this.dashes(first, other, zoom);
+      this.below.strokePath();
+    }
+  }
+
+  private dashes(from: Point, to: Point, zoom: number): void {
+    const length = Math.hypot(to.x - from.x, to.y - from.y);
+    const count = Math.min(MOST_DASHES, Math.ceil((length * zoom) / (2 * DASH)));
+    for (let i = 0; i < count; i++) {
+      const at = (share: number) => [from.x + (to.x - from.x) * share, from.y + (to.y - from.y) * share] as const;
+      this.below.moveTo(...at(i / count)).lineTo(...at((i + 0.5) / count));
+    }
+  }
+
   /** Rings are made anew when what they are around changes. */
   private rings(input: OverlayInput): void {
     const last = this.ringed;
@@ -120,17 +153,17 @@ export class OverlayLayer {
     }
     this.ringed = input;
     const chosen: ReadonlySet<ObjectKey> = new Set(input.editing ? input.selected : []);
-    const around = { still: [] as Circle[], chosen: [] as Circle[], outlined: [] as Circle[] };
+    const around = { still: [] as Disc[], chosen: [] as Disc[], outlined: [] as Disc[] };
     for (const found of objectsOf(input.file).values()) {
       const radius = radiusOf(found);
       if (radius === null) continue;
-      const { x, y } = found.object;
       const isChosen = chosen.has(found.key);
-      if (isChosen) around.outlined.push({ x, y, radius });
-      const hot = found.kind === 'asteroid' && 'hot' in found.object && found.object.hot === true;
-      if (!input.layers.margins || (!hot && found.kind !== 'nova' && found.kind !== 'alien')) continue;
-      // how near her centre may come to what burns or bites, at the least turn of her box
-      around[isChosen ? 'chosen' : 'still'].push({ x, y, radius: radius + HALF_WIDTH });
+      const hasMargin = input.layers.margins && appearanceOfObject(found.kind, found.object).deadly;
+      for (const { x, y } of placesOf(found)) {
+        if (isChosen) around.outlined.push({ x, y, radius });
+        // how near her centre may come to what burns or bites, at the least turn of her box
+        if (hasMargin) around[isChosen ? 'chosen' : 'still'].push({ x, y, radius: radius + HALF_WIDTH });
+      }
     }
     const margin = { colour: colourNumber(this.colours.danger), alpha: 0.3, width: 1, off: 0 };
     this.margins.show(around.still, margin, zoom);
@@ -147,30 +180,30 @@ export class OverlayLayer {
       if (found === undefined) return;
       const off = OUTLINE / zoom;
       this.above.lineStyle(width / zoom, colourNumber(this.colours.select), alpha);
-      const radius = radiusOf(found);
-      if (radius !== null) {
-        this.above.strokeCircle(found.object.x, found.object.y, radius + off);
-        return;
+      const isRound = radiusOf(found) !== null;
+      for (const { left, top, right, bottom } of boxesOf(found)) {
+        const [x, y] = [(left + right) / 2, (top + bottom) / 2];
+        if (isRound) this.above.strokeCircle(x, y, (right - left) / 2 + off);
+        else this.above.strokeRect(left - off, top - off, right - left + 2 * off, bottom - top + 2 * off);
       }
-      const { left, top, right, bottom } = boxOf(found);
-      this.above.strokeRect(left - off, top - off, right - left + 2 * off, bottom - top + 2 * off);
     };
     if (hovered !== null && !selected.includes(hovered)) outline(hovered, 1.5, 0.6);
-    // those of circles are rings
-    if (selected.includes(ASTRONAUT)) outline(ASTRONAUT, 2, 1);
+    for (const key of selected) {
+      const found = objects.get(key);
+      // those of circles are rings
+      if (found !== undefined && radiusOf(found) === null) outline(key, 2, 1);
+    }
     const half = 3.5 / zoom;
     for (const found of resizedByRim(file, selected, REACH.mouse / zoom)) {
       const radius = radiusOf(found) ?? 0;
-      for (const [dx, dy] of [
-        [1, 0],
-        [-1, 0],
-        [0, 1],
-        [0, -1],
-      ] as const) {
-        const x = found.object.x + dx * radius;
-        const y = found.object.y + dy * radius;
-        this.above.fillStyle(0xffffff, 1).fillRect(x - half, y - half, 2 * half, 2 * half);
-        this.above.lineStyle(1.5 / zoom, colourNumber(this.colours.select), 1).strokeRect(x - half, y - half, 2 * half, 2 * half);
+      for (const place of placesOf(found)) {
+        for (const [dx, dy] of HANDLES) {
+          const x = place.x + dx * radius;
+          const y = place.y + dy * radius;
+          this.above.fillStyle(0xffffff, 1).fillRect(x - half, y - half, 2 * half, 2 * half);
+          this.above.lineStyle(1.5 / zoom, colourNumber(this.colours.select), 1);
+          this.above.strokeRect(x - half, y - half, 2 * half, 2 * half);
+        }
       }
     }
   }

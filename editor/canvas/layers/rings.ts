@@ -1,16 +1,10 @@
 import { type Cameras, GameObjects, type Renderer, type Scene, WEBGL } from 'phaser';
+import type { Disc } from '../../../schema/index.ts';
 import type { Lens, Marks, Spot } from './marks.ts';
 import { Plate, type Shift } from './plate.ts';
 
 type Canvas = Renderer.Canvas.CanvasRenderer;
 type Camera = Cameras.Scene2D.Camera;
-
-/** A circle of the level, px. */
-export interface Circle {
-  readonly x: number;
-  readonly y: number;
-  readonly radius: number;
-}
 
 /** How rings look, whatever the zoom. */
 export interface RingLook {
@@ -28,7 +22,7 @@ const ALIKE = 1e-6;
 
 class RingMarks implements Marks {
   constructor(
-    private readonly circles: readonly Circle[],
+    private readonly circles: readonly Disc[],
     private readonly shift: Shift,
     private readonly look: RingLook,
   ) {}
@@ -72,7 +66,7 @@ class RingMarks implements Marks {
 }
 
 /** How far all of some circles have gone, when they are the same ones; else null. */
-function shiftBetween(now: readonly Circle[], then: readonly Circle[]): Shift | null {
+function shiftBetween(now: readonly Disc[], then: readonly Disc[]): Shift | null {
   if (now.length !== then.length || now.length === 0) return null;
   const x = now[0].x - then[0].x;
   const y = now[0].y - then[0].y;
@@ -86,7 +80,7 @@ function shiftBetween(now: readonly Circle[], then: readonly Circle[]): Shift | 
 /** Rings of one look, thousands of them. Where a plain canvas is drawn on they are painted once and then laid where they are. */
 export class Rings extends GameObjects.Graphics {
   /** As they were painted last, and how far all of them have gone since. */
-  private circles: readonly Circle[] = [];
+  private circles: readonly Disc[] = [];
   private shift = NOWHERE;
   private look: RingLook = { colour: 0, alpha: 0, width: 0, off: 0 };
   /** For which Phaser has drawn them. */
@@ -101,7 +95,7 @@ export class Rings extends GameObjects.Graphics {
   }
 
   /** @param zoom px of screen per px of the level */
-  show(circles: readonly Circle[], look: RingLook, zoom: number): void {
+  show(circles: readonly Disc[], look: RingLook, zoom: number): void {
     const { alpha, colour, off, width } = this.look;
     const looksSame = look.alpha === alpha && look.colour === colour && look.off === off && look.width === width;
     const shift = looksSame ? shiftBetween(circles, this.circles) : null;

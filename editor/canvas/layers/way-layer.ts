@@ -1,17 +1,9 @@
 import type { GameObjects, Scene } from 'phaser';
 import { HALF_HEIGHT, HALF_WIDTH, STATE_SIZE } from '../../../engine/index.ts';
+import type { Ghost } from '../../context/index.ts';
 import { isWhole, type LiveProof } from '../../proof/index.ts';
 import type { Layer } from '../../session/index.ts';
 import { type Colours, colourNumber } from '../colours.ts';
-
-/** Another way to be shown beside that of the run: an attempt, a candidate. Places at every tick. */
-export interface Ghost {
-  readonly id: string;
-  readonly label: string;
-  /** x, y in px, two entries a tick */
-  readonly points: Float32Array;
-  readonly look: 'attempt' | 'candidate' | 'slack';
-}
 
 /** Ticks between the dots of a way. */
 const DOTS = 6;

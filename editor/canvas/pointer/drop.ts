@@ -1,13 +1,11 @@
-import { addObject, type PlacedKind } from '../../document/index.ts';
-import { TOOLS, type Tool } from '../../session/index.ts';
+import { appearanceOf, PLACEABLES } from '../../../schema/index.ts';
+import { addObject } from '../../document/index.ts';
 import { toLevel } from '../view.ts';
 import { placeFor } from './place-object.ts';
 import type { PointerContext } from './state.ts';
 
 /** What a tool that is dragged onto the canvas is carried as. */
 export const DRAGGED_TOOL = 'application/x-gq-tool';
-
-const isPlaced = (tool: Tool | undefined): tool is PlacedKind => tool !== undefined && tool !== 'select' && tool !== 'hand';
 
 /** Lets tools be dragged from the toolbar to where the object shall be. @returns stops it */
 export function listenToDrops(element: HTMLElement, context: PointerContext): () => void {
@@ -42,12 +40,12 @@ export function listenToDrops(element: HTMLElement, context: PointerContext): ()
     'drop',
     (event) => {
       const name = event.dataTransfer?.getData(DRAGGED_TOOL);
-      const tool = TOOLS.find((one) => one === name);
+      const tool = PLACEABLES.find((one) => one === name);
       context.canvas.setState({ placing: null });
-      if (!isPlaced(tool)) return;
+      if (tool === undefined) return;
       event.preventDefault();
       const { x, y } = placeOf(event);
-      const result = context.document.change(`Add ${tool === 'hot' ? 'hot asteroid' : tool}`, addObject(tool, x, y));
+      const result = context.document.change(`Add ${appearanceOf(tool).one}`, addObject(tool, x, y));
       if (result.ok) context.selection.select(result.added);
       else context.refused(result.refusal.message);
       element.focus({ preventScroll: true });

@@ -1,5 +1,5 @@
-import { duplicateObjects, type Gesture, moveObjects, type ObjectKey, objectsOf } from '../../document/index.ts';
-import { REACH } from '../hit-test.ts';
+import { duplicateObjects, type Gesture, moveObjects, objectsOf, placesOf } from '../../document/index.ts';
+import { type Hit, REACH } from '../hit-test.ts';
 import { type SnapTargets, snapMove, snapTargets } from '../snapping.ts';
 import type { PointerContext, PointerInput, PointerState } from './state.ts';
 
@@ -14,14 +14,18 @@ const NOT_COPIED = 'A level has one astronaut and one black hole: they can be mo
 
 /**
  * Dragging what is selected. While Alt is held the objects stay where they are, and copies of them are what moves and what is selected.
- * @param lead the object under the pointer
+ * Of a lone object that has several places, the one that is taken moves by itself.
+ * @param hit what is under the pointer
  */
-export function movingObjects(context: PointerContext, from: PointerInput, lead: ObjectKey): PointerState {
+export function movingObjects(context: PointerContext, from: PointerInput, { key: lead, place }: Hit): PointerState {
   const { document, selection, canvas } = context;
   const keys = selection.keys();
   const file = document.file();
   const objects = objectsOf(file);
-  const start = objects.get(lead)?.object ?? { x: from.place.x, y: from.place.y };
+  const found = objects.get(lead);
+  const places = found === undefined ? [] : placesOf(found);
+  const start = places[place] ?? { x: from.place.x, y: from.place.y };
+  const only = keys.length === 1 && places.length > 1 ? place : undefined;
   const copied = keys.filter((key) => objects.get(key)?.list !== null);
 
   const begin = (areCopies: boolean): Drag => {
@@ -30,7 +34,7 @@ export function movingObjects(context: PointerContext, from: PointerInput, lead:
     return {
       areCopies,
       gesture: document.begin(areCopies ? `Duplicate${what}` : `Move${what}`),
-      targets: snapTargets(file, moving, areCopies),
+      targets: snapTargets(file, moving, areCopies ? { areCopies } : { only }),
     };
   };
   let drag = begin(false);
@@ -44,7 +48,7 @@ export function movingObjects(context: PointerContext, from: PointerInput, lead:
   const show = (dx: number, dy: number) => {
     // a copy right on top of what it is a copy of would not be seen
     const isNothing = drag.areCopies && dx === 0 && dy === 0;
-    const recipe = drag.areCopies ? duplicateObjects(isNothing ? [] : copied, dx, dy) : moveObjects(keys, dx, dy);
+    const recipe = drag.areCopies ? duplicateObjects(isNothing ? [] : copied, dx, dy) : moveObjects(keys, dx, dy, only);
     const { isLive } = drag.gesture;
     const result = drag.gesture.set(recipe);
     if (!result.ok) context.refused(result.refusal.message);

@@ -1,4 +1,5 @@
-import { addObject, type ObjectKey, objectsOf, type PlacedKind } from '../../document/index.ts';
+import { appearanceOf, type Placeable } from '../../../schema/index.ts';
+import { addObject, type ObjectKey, objectsOf } from '../../document/index.ts';
 import type { Point } from '../view.ts';
 import { hasMoved, type PointerContext, type PointerInput, type PointerState } from './state.ts';
 
@@ -10,10 +11,10 @@ export function placeFor(context: PointerContext, { place, mod }: PointerInput):
 }
 
 /** A new object where the pointer went down; dragging gives it its radius. The tool stays in hand with Shift, else it is laid aside. */
-export function placingObject(context: PointerContext, from: PointerInput, kind: PlacedKind): PointerState {
+export function placingObject(context: PointerContext, from: PointerInput, kind: Placeable): PointerState {
   const { document, selection } = context;
   const at = placeFor(context, from);
-  const gesture = document.begin(`Add ${kind === 'hot' ? 'hot asteroid' : kind}`);
+  const gesture = document.begin(`Add ${appearanceOf(kind).one}`);
   let added: readonly ObjectKey[] = [];
   const set = (radius?: number) => {
     const result = gesture.set(addObject(kind, at.x, at.y, radius));

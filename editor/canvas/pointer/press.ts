@@ -8,7 +8,8 @@ import { resizingObjects } from './resize-objects.ts';
 import { hasMoved, type PointerContext, type PointerInput, type PointerState } from './state.ts';
 
 /** An object is pressed: a click selects it, a drag moves it and what is selected with it, or by its rim resizes it. */
-function pressedObject(context: PointerContext, from: PointerInput, { key, part }: Hit): PointerState {
+function pressedObject(context: PointerContext, from: PointerInput, hit: Hit): PointerState {
+  const { key, part } = hit;
   const { selection } = context;
   const wasSelected = selection.keys().includes(key);
   if (!wasSelected) {
@@ -20,7 +21,7 @@ function pressedObject(context: PointerContext, from: PointerInput, { key, part 
     cursor: part === 'rim' ? 'nwse-resize' : 'default',
     move(input) {
       if (!hasMoved(from, input)) return undefined;
-      return part === 'rim' ? resizingObjects(context, key) : movingObjects(context, from, key);
+      return part === 'rim' ? resizingObjects(context, hit) : movingObjects(context, from, hit);
     },
     up() {
       if (!wasSelected) return undefined;

@@ -1,8 +1,9 @@
-import { type ObjectKey, objectsOf, radiusOf, scaleRadius, setRadius } from '../../document/index.ts';
+import { objectsOf, placesOf, radiusOf, scaleRadius, setRadius } from '../../document/index.ts';
+import type { Hit } from '../hit-test.ts';
 import type { PointerContext, PointerState } from './state.ts';
 
 /** Dragging a rim: the object under the pointer gets the radius that reaches it, and all that is selected grows by the same factor. */
-export function resizingObjects(context: PointerContext, lead: ObjectKey): PointerState {
+export function resizingObjects(context: PointerContext, { key: lead, place }: Hit): PointerState {
   const { document, selection } = context;
   const file = document.file();
   const found = objectsOf(file).get(lead);
@@ -14,7 +15,8 @@ export function resizingObjects(context: PointerContext, lead: ObjectKey): Point
     cursor: 'nwse-resize',
     move(input) {
       if (found === undefined || before === null) return undefined;
-      const reached = Math.hypot(input.place.x - found.object.x, input.place.y - found.object.y);
+      const middle = placesOf(found)[place];
+      const reached = Math.hypot(input.place.x - middle.x, input.place.y - middle.y);
       const grid = input.mod || context.snapping().grid === null ? null : 1;
       const radius = Math.max(1, grid === null ? reached : Math.round(reached));
       const result = gesture.set(keys.length === 1 ? setRadius(keys, radius) : scaleRadius(file, keys, radius / before));

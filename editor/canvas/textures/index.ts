@@ -1,17 +1,14 @@
 import type { Textures } from 'phaser';
+import { type Brush, TEXTURE_UNIT } from '../brush.ts';
 import { COLOURS, type Theme } from '../colours.ts';
-import { drawAlien, drawAstronaut, drawMineral, drawPupil, drawSpark } from './beings.ts';
-import type { Brush } from './brush.ts';
-import { drawGlow, drawHotRock, drawRock } from './rock.ts';
-import { drawBlackHole, drawHaze, drawNova, drawRepulsor, drawStars } from './space.ts';
+import { ON_CANVAS } from '../kinds/index.ts';
+import { drawGlow, drawSpark } from './light.ts';
+import { drawHaze, drawStars } from './space.ts';
 
-/** Half of a texture's side, px: what the unit circle of its drawing is on it. */
-export const TEXTURE_UNIT = 64;
+export { TEXTURE_UNIT } from '../brush.ts';
+
 /** Side of a tile of stars, px. */
 export const STAR_TILE = 512;
-/** Asteroids come in so many shapes. */
-export const ROCKS = 4;
-
 /** Stars are laid as tiles, of which Phaser keeps copies: those of one theme are never drawn over. */
 export const starsOf = (theme: Theme, layer: 'far' | 'near'): string => `stars-${layer}-${theme}`;
 
@@ -46,18 +43,10 @@ export function drawTextures(textures: Textures.TextureManager, theme: Theme): v
       draw(brush);
     });
 
-  for (let i = 0; i < ROCKS; i++) {
-    object(`rock-${i}`, (brush) => drawRock(brush, colours, 7 + 13 * i));
-    object(`hot-${i}`, (brush) => drawHotRock(brush, colours, 5 + 17 * i));
+  for (const { textures } of Object.values(ON_CANVAS)) {
+    for (const [name, draw] of Object.entries(textures)) object(name, (brush) => draw(brush, colours, theme));
   }
   object('glow', (brush) => drawGlow(brush, colours.nova));
-  object('nova', (brush) => drawNova(brush, colours));
-  object('black-hole', (brush) => drawBlackHole(brush, colours));
-  object('repulsor', (brush) => drawRepulsor(brush, colours));
-  object('alien', (brush) => drawAlien(brush, colours));
-  object('pupil', drawPupil);
-  object('mineral', (brush) => drawMineral(brush, colours));
-  object('astronaut', (brush) => drawAstronaut(brush, colours));
   object('spark', drawSpark);
   object('haze', (brush) => drawHaze(brush, colours));
   if (textures.exists(starsOf(theme, 'far'))) return;

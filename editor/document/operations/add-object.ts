@@ -1,22 +1,33 @@
-import type { LevelFile } from '../../../schema/index.ts';
+import { fieldsOf, isRequired, KINDS, listOf, type Placeable, placedAs } from '../../../schema/index.ts';
 import type { Recipe } from '../document.ts';
-import { LIST_OF_KIND, plainList } from '../objects.ts';
+import { plainList } from '../objects.ts';
 
-/** What can be placed; a hot asteroid is an asteroid. */
-export type PlacedKind = keyof typeof LIST_OF_KIND | 'hot';
-
-/** Radii that new objects get where the format has no default, px: the original's smaller ones. */
-const NEW_RADIUS = { asteroid: 16, hot: 16, nova: 16, repulsor: 32 } as const;
-
-type Objects = NonNullable<LevelFile['asteroids']>[number];
+/** How far the second place of a new object is to the right of the first, in radii: beside it, with room to take each. */
+const BESIDE = 4;
 
 /** A new object at a place in px; its id comes from what it is and where. @param radius px; when left out the usual one of its kind */
-export function addObject(kind: PlacedKind, x: number, y: number, radius?: number): Recipe {
+export function addObject(placeable: Placeable, x: number, y: number, radius?: number): Recipe {
   return (draft) => {
-    const list = LIST_OF_KIND[kind === 'hot' ? 'asteroid' : kind];
-    const size = radius ?? (kind in NEW_RADIUS ? NEW_RADIUS[kind as keyof typeof NEW_RADIUS] : undefined);
-    const object = { x, y, ...(size === undefined ? {} : { radius: size }), ...(kind === 'hot' ? { hot: true } : {}) };
-    // all lists hold circles; the kinds whose radius may be missing are those that got none
-    draft[list] = [...plainList(draft, list), object] as Objects[];
+    const { kind, flag } = placedAs(placeable);
+    const { places, radius: radiusField } = KINDS[kind];
+    let size = 0;
+    const written: [name: string, value: number | boolean][] = [];
+    for (const [name, field] of fieldsOf(kind)) {
+      if (field.type === 'flag') {
+        if (name === flag) written.push([name, true]);
+        continue;
+      }
+      const usual = isRequired(field) ? field.initial : undefined;
+      const value = name === radiusField ? (radius ?? usual) : usual;
+      if (name === radiusField) size = value ?? field.default ?? 0;
+      if (value !== undefined || isRequired(field)) written.push([name, value ?? 0]);
+    }
+    const object = Object.fromEntries(written);
+    for (const [i, [atX, atY]] of places.entries()) {
+      object[atX] = x + BESIDE * size * i;
+      object[atY] = y;
+    }
+    const list = listOf(kind);
+    draft[list] = [...plainList(draft, list), object] as never;
   };
 }

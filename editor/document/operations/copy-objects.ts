@@ -1,6 +1,7 @@
-import { type LevelFile, OBJECT_LISTS } from '../../../schema/index.ts';
+import { kindOfList, type LevelFile, OBJECT_LISTS, type ObjectList } from '../../../schema/index.ts';
 import type { Recipe } from '../document.ts';
-import { type ObjectKey, type ObjectList, type PlacedObject, plainList } from '../objects.ts';
+import { type ObjectKey, type PlacedObject, plainList } from '../objects.ts';
+import { shifted } from '../places.ts';
 
 /** Objects on their way between levels: lists as a level file has them, without ids. */
 export type Clipping = { [list in ObjectList]?: PlacedObject[] };
@@ -26,7 +27,7 @@ export function duplicateObjects(keys: Iterable<ObjectKey>, dx: number, dy: numb
       const objects = plainList(draft, list);
       const copies = objects
         .filter(({ id }) => id !== undefined && wanted.has(id))
-        .map(({ id: _, ...rest }) => ({ ...rest, x: rest.x + dx, y: rest.y + dy }));
+        .map(({ id: _, ...rest }) => shifted(kindOfList(list), rest, dx, dy));
       if (copies.length > 0) draft[list] = [...objects, ...copies] as never;
     }
   };

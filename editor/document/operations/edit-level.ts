@@ -1,4 +1,4 @@
-import type { LevelFile } from '../../../schema/index.ts';
+import type { FieldName, LevelFile } from '../../../schema/index.ts';
 import type { Recipe } from '../document.ts';
 import { changeObjects, type ObjectKey, type PlacedObject } from '../objects.ts';
 
@@ -13,22 +13,8 @@ export function setLevelProperty<P extends LevelProperty>(property: P, value: Le
   };
 }
 
-/** Properties of objects that can be typed; not every kind has every one. */
-export interface ObjectProperties {
-  readonly x: number;
-  readonly y: number;
-  readonly vx: number;
-  readonly vy: number;
-  readonly radius: number;
-  readonly hot: boolean;
-}
-
 /** Sets a property of objects; undefined leaves it out. A property that one of the objects doesn't have is refused. */
-export function setObjectProperty<P extends keyof ObjectProperties>(
-  keys: Iterable<ObjectKey>,
-  property: P,
-  value: ObjectProperties[P] | undefined,
-): Recipe {
+export function setObjectProperty(keys: Iterable<ObjectKey>, property: FieldName, value: number | boolean | undefined): Recipe {
   return (draft) =>
     changeObjects(draft, keys, (object) => {
       const { [property as keyof typeof object]: _, ...others } = object;

@@ -1,9 +1,9 @@
-export { addObject, type PlacedKind } from './add-object.ts';
+export { addObject } from './add-object.ts';
 export { alignObjects, distributeObjects, type Edge } from './align-objects.ts';
 export { copyObjects, duplicateObjects } from './copy-objects.ts';
 export { deleteObjects } from './delete-objects.ts';
 export { addHold, deleteHolds, holdsOf, moveHold, splitHold, stretchHold } from './edit-holds.ts';
-export { type LevelProperty, type ObjectProperties, setLevelProperty, setObjectProperty } from './edit-level.ts';
+export { type LevelProperty, setLevelProperty, setObjectProperty } from './edit-level.ts';
 export { addRun, deleteRun, duplicateRun, freeRunName, renameRun, reorderRun, replaceHolds } from './edit-runs.ts';
 export { moveObjects } from './move-objects.ts';
 export { middleOf, pasteObjects, readClipping } from './paste-objects.ts';

@@ -1,7 +1,8 @@
-import { LEVEL_VERSION, OBJECT_LISTS, readLevel } from '../../../schema/index.ts';
+import { kindOfList, LEVEL_VERSION, OBJECT_LISTS, readLevel, SINGLE_KINDS } from '../../../schema/index.ts';
 import type { Recipe } from '../document.ts';
 import { type PlacedObject, plainList } from '../objects.ts';
 import { inPageWords } from '../page-words.ts';
+import { placesOf, shifted } from '../places.ts';
 import type { Refusal } from '../settle.ts';
 import type { Clipping } from './copy-objects.ts';
 
@@ -24,8 +25,9 @@ export function readClipping(text: string): ClippingReading {
   }
   if (typeof value !== 'object' || value === null || Array.isArray(value)) return { ok: false, refusal: NOTHING };
   const lists = Object.fromEntries(OBJECT_LISTS.map((list) => [list, (value as Record<string, unknown>)[list]]));
-  // the lists are checked as those of a level, so that problems are told in the same words
-  const level = { version: LEVEL_VERSION, name: 'clipboard', astronaut: { x: 0, y: 0 }, blackHole: { x: 0, y: 0 }, ...lists };
+  // the lists are checked as those of a level, so that problems are reported in the same words
+  const singles = Object.fromEntries(SINGLE_KINDS.map((kind) => [kind, { x: 0, y: 0 }]));
+  const level = { version: LEVEL_VERSION, name: 'clipboard', ...singles, ...lists };
   const reading = readLevel(JSON.stringify(level));
   if (!reading.ok) {
     const [{ message, hint }] = reading.problems;
@@ -44,7 +46,9 @@ export function readClipping(text: string): ClippingReading {
 
 /** The middle of the clipping's places, px. */
 export function middleOf(clipping: Clipping): { x: number; y: number } {
-  const all = OBJECT_LISTS.flatMap((list) => clipping[list] ?? []);
+  const all = OBJECT_LISTS.flatMap((list) =>
+    (clipping[list] ?? []).flatMap((object) => placesOf({ kind: kindOfList(list), object })),
+  );
   const middle = (values: readonly number[]) => (Math.min(...values) + Math.max(...values)) / 2;
   return { x: middle(all.map(({ x }) => x)), y: middle(all.map(({ y }) => y)) };
 }
@@ -53,7 +57,7 @@ export function middleOf(clipping: Clipping): { x: number; y: number } {
 export function pasteObjects(clipping: Clipping, dx = 0, dy = 0): Recipe {
   return (draft) => {
     for (const list of OBJECT_LISTS) {
-      const added = clipping[list]?.map((object) => ({ ...object, x: object.x + dx, y: object.y + dy }));
+      const added = clipping[list]?.map((object) => shifted(kindOfList(list), object, dx, dy));
       if (added !== undefined) draft[list] = [...plainList(draft, list), ...added] as never;
     }
   };

@@ -1,18 +1,25 @@
-import { DEFAULT_RADIUS, type LevelFile } from '../../../schema/index.ts';
+import { fieldsOf, KINDS, type LevelFile, OBJECT_KINDS, type ObjectKind } from '../../../schema/index.ts';
 import type { Recipe } from '../document.ts';
-import { ASTRONAUT, changeObjects, type FoundObject, type ObjectKey, objectsOf } from '../objects.ts';
+import { changeObjects, type FoundObject, type ObjectKey, objectsOf } from '../objects.ts';
+
+/** Radii that stand for those that a file leaves out, px; null where it can't leave them out. */
+const USUAL = Object.fromEntries(
+  OBJECT_KINDS.map((kind) => {
+    const field = fieldsOf(kind).find(([name]) => name === KINDS[kind].radius)?.[1];
+    return [kind, field?.type === 'number' ? (field.default ?? null) : null];
+  }),
+) as Readonly<Record<ObjectKind, number | null>>;
 
 /** The radius an object has in px, its default when the file leaves it out; null for the astronaut, who is a box. */
 export function radiusOf({ kind, object }: Pick<FoundObject, 'kind' | 'object'>): number | null {
-  if (kind === 'astronaut') return null;
-  if (object.radius !== undefined) return object.radius;
-  return kind === 'blackHole' || kind === 'alien' || kind === 'mineral' ? DEFAULT_RADIUS[kind] : null;
+  return KINDS[kind].radius === null ? null : (object.radius ?? USUAL[kind]);
 }
 
 /** Gives objects a radius, px; the astronaut has none and is passed over. */
 export function setRadius(keys: Iterable<ObjectKey>, radius: number): Recipe {
-  const sized = [...keys].filter((key) => key !== ASTRONAUT);
-  return (draft) => changeObjects(draft, sized, (object) => ({ ...object, radius }));
+  const wanted = [...keys];
+  return (draft) =>
+    changeObjects(draft, wanted, (object, _, kind) => (KINDS[kind].radius === null ? object : { ...object, radius }));
 }
 
 /**

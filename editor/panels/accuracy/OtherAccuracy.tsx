@@ -1,7 +1,7 @@
 import { type AccuracyName, compile, createSimulation, DEFAULT_MAX_TIME, TICK_RATE } from '../../../engine/index.ts';
 import { largestDistance, pathOf } from '../../../engine/work-precision/index.ts';
 import type { LiveProof } from '../../proof/index.ts';
-import { useRestingProof } from '../parts/index.ts';
+import { useDebouncedProof } from '../parts/index.ts';
 
 /** ms without a change before it is asked: two runs are played to their ends */
 const REST = 300;
@@ -24,7 +24,7 @@ const px = (distance: number): string => (distance >= 0.05 ? distance.toFixed(1)
 
 /** Whether another accuracy would say the same of the shown run, in a few words. */
 export function OtherAccuracy() {
-  const other = useRestingProof(otherOf, REST);
+  const other = useDebouncedProof(otherOf, REST);
   if (other === null) return null;
   const { name, distance, isSame } = other;
   return (

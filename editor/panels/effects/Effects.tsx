@@ -5,7 +5,7 @@ import { useLevel, useProof } from '../../context/index.ts';
 import { limitInWords } from '../../proof/index.ts';
 import { Button } from '../../ui/index.ts';
 import { type Fact, nextTurn, percent } from '../figures/index.ts';
-import { Facts, Section, useCalmProof } from '../parts/index.ts';
+import { Facts, Section, useThrottledProof } from '../parts/index.ts';
 import './effects.css';
 import { type SimulatedEffect, type Survey, surveyOf } from './survey.ts';
 import { type EffectTime, timeEffects } from './time-effects.ts';
@@ -86,7 +86,7 @@ function workFacts({ work, time }: Survey): Fact[] {
 
 /** What the level calls for and what it doesn't, and what each effect costs the shown run. */
 export function Effects() {
-  const survey = useCalmProof(surveyOf, WAIT);
+  const survey = useThrottledProof(surveyOf, WAIT);
   const limit = useProof((proof) => proof.limit);
   if (survey !== null) return <Surveyed survey={survey} />;
   return <p className="panel__body part__note">{limit === null ? 'Looking …' : limitInWords(limit)}</p>;

@@ -1,4 +1,5 @@
 import { EFFECTS, type Mode, type Work } from '../../../engine/index.ts';
+import type { Rules } from '../../../schema/index.ts';
 import type { LiveProof } from '../../proof/index.ts';
 import { costOf, type EffectCost } from './without.ts';
 
@@ -22,8 +23,7 @@ export interface Survey {
   readonly runName: string | null;
 }
 
-const SUMMARIES = new Map(EFFECTS.map(({ name, summary }) => [name, summary]));
-const summaryOf = (name: string): string => SUMMARIES.get(name) ?? '';
+const summaryOf = (name: string, rules: Rules): string => EFFECTS.find((effect) => effect.name === name)?.summary(rules) ?? '';
 
 let count = 0;
 const sceneNumbers = new WeakMap<object, number>();
@@ -44,10 +44,10 @@ export function surveyOf({ level, scene, accuracy, run, full, limit }: LiveProof
     simulated: simulated.map(({ name, because }) => ({
       name,
       because,
-      summary: summaryOf(name),
+      summary: summaryOf(name, scene.rules),
       cost: costOf(level, accuracy, run.holds, full, name),
     })),
-    notCalledFor: notCalledFor.map(({ name, because }) => ({ name, because, summary: summaryOf(name) })),
+    notCalledFor: notCalledFor.map(({ name, because }) => ({ name, because, summary: summaryOf(name, scene.rules) })),
     modes: full.modes,
     work: full.work,
     time: full.time,

@@ -1,18 +1,20 @@
 import { type AccuracyName, compile, type Run, simulate, type Work } from '../../../engine/index.ts';
-import type { Hold, Level } from '../../../schema/index.ts';
+import { type Hold, kindOfList, type Level, OBJECT_LISTS } from '../../../schema/index.ts';
 
-/** The level with one effect left out, by the effect's name; null for what no level can do without. */
+/** The level with one effect left out, by the effect's name. */
 const LEAVE_OUT: Readonly<Record<string, (level: Level) => Level>> = {
   recoil: (level) => ({ ...level, recoil: false }),
-  repulsor: (level) => ({ ...level, repulsors: [] }),
   'alien-chase': (level) => ({ ...level, aliens: [] }),
   'hot-asteroids': (level) => ({ ...level, asteroids: level.asteroids.map((asteroid) => ({ ...asteroid, hot: false })) }),
-  novae: (level) => ({ ...level, novae: [] }),
-  minerals: (level) => ({ ...level, minerals: [] }),
 };
 
-/** The level with one effect left out; null for what no level can do without. */
-export const withoutEffect = (level: Level, effect: string): Level | null => LEAVE_OUT[effect]?.(level) ?? null;
+/** The level with one effect left out; null for what no level can do without. An effect that is named like a kind, or its list, goes with the objects. */
+export function withoutEffect(level: Level, effect: string): Level | null {
+  const leaveOut = LEAVE_OUT[effect];
+  if (leaveOut !== undefined) return leaveOut(level);
+  const list = OBJECT_LISTS.find((one) => one === effect || kindOfList(one) === effect);
+  return list === undefined ? null : { ...level, [list]: [] };
+}
 
 /** What an effect costs in the shown run. */
 export type EffectCost =

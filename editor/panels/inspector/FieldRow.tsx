@@ -6,7 +6,6 @@ import { Button, NumberField } from '../../ui/index.ts';
 import { Segments } from '../parts/index.ts';
 import type { FieldValue } from './field-values.ts';
 import type { Field } from './fields.ts';
-import { labelOf } from './labels.ts';
 
 interface FieldRowProps {
   readonly field: Field;
@@ -23,9 +22,6 @@ interface FieldRowProps {
   readonly recipe: (key: string, value: Field['fallback']) => Recipe;
 }
 
-/** What the two ends of a switch are called. */
-const ENDS: Readonly<Record<string, readonly [off: string, on: string]>> = { hot: ['cold', 'hot'] };
-
 /** One property: typed, dragged or switched, with what is wrong about it beside it, and a way back to its default. */
 export const FieldRow = memo(function FieldRow({ field, value: shown, isDefault, whose, recipe }: FieldRowProps) {
   const { document } = useLevel();
@@ -33,8 +29,7 @@ export const FieldRow = memo(function FieldRow({ field, value: shown, isDefault,
   // about the value that it left as it was
   const [refused, setRefused] = useState<{ readonly why: string; readonly of: FieldValue['value'] } | null>(null);
   const refusal = refused !== null && refused.of === shown ? refused.why : null;
-  const { key, type, fallback } = field;
-  const label = labelOf(key);
+  const { key, label, type, fallback, ends } = field;
   const change = (value: Field['fallback'], gesture: string | null) => {
     const result = document.change(`Set ${label} ${whose}`, recipe(key, value), gesture === null ? {} : { gesture });
     setRefused(result.ok ? null : { why: `${result.refusal.message}. ${result.refusal.hint}`, of: shown });
@@ -60,8 +55,8 @@ export const FieldRow = memo(function FieldRow({ field, value: shown, isDefault,
           label={label}
           value={shown === null ? null : shown === true ? 'on' : 'off'}
           options={[
-            { value: 'off', title: ENDS[key]?.[0] ?? 'off', about: field.about },
-            { value: 'on', title: ENDS[key]?.[1] ?? 'on', about: field.about },
+            { value: 'off', title: ends[0], about: field.about },
+            { value: 'on', title: ends[1], about: field.about },
           ]}
           onChange={(next) => {
             const value = next === 'on';

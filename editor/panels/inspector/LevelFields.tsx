@@ -5,7 +5,7 @@ import { ASTRONAUT, BLACK_HOLE, type LevelProperty, type ObjectKey, setLevelProp
 import { endInWords, isWhole, type LiveProof } from '../../proof/index.ts';
 import { Button } from '../../ui/index.ts';
 import type { Fact } from '../figures/index.ts';
-import { Facts, Section, useCalmProof } from '../parts/index.ts';
+import { Facts, Section, useThrottledProof } from '../parts/index.ts';
 import { FieldRow } from './FieldRow.tsx';
 import { valueOfLevel } from './field-values.ts';
 import { type Field, fieldsOf } from './fields.ts';
@@ -34,7 +34,7 @@ const setProperty = (key: string, value: Field['fallback']) => setLevelProperty(
 export function LevelFields({ file }: { readonly file: LevelFile }) {
   const { commands } = useEditor();
   const { selection } = useLevel();
-  const run = useCalmProof(summaryOf);
+  const run = useThrottledProof(summaryOf);
   const place = ({ x, y }: { readonly x: number; readonly y: number }) => `${Math.round(x)}, ${Math.round(y)}`;
   const links: readonly (readonly [key: ObjectKey, name: string, where: string, icon: React.ReactNode])[] = [
     [ASTRONAUT, 'Astronaut', place(file.astronaut), <UserRound key="icon" size={14} />],

@@ -12,22 +12,13 @@ import {
   Trash2,
 } from 'lucide-react';
 import { memo, useCallback } from 'react';
+import { type FieldName, KINDS, type ObjectKind } from '../../../schema/index.ts';
 import { useEditor } from '../../context/index.ts';
-import {
-  type FoundObject,
-  KIND_NAMES,
-  nameOf,
-  type ObjectKey,
-  type ObjectKind,
-  type ObjectProperties,
-  objectsOf,
-  radiusOf,
-  setObjectProperty,
-} from '../../document/index.ts';
+import { type FoundObject, nameOf, type ObjectKey, objectsOf, radiusOf, setObjectProperty } from '../../document/index.ts';
 import type { LiveProof } from '../../proof/index.ts';
 import { Button } from '../../ui/index.ts';
 import { type Fact, plural } from '../figures/index.ts';
-import { Facts, Section, useCalmProof } from '../parts/index.ts';
+import { Facts, Section, useThrottledProof } from '../parts/index.ts';
 import { FieldRow } from './FieldRow.tsx';
 import { valueOfObjects } from './field-values.ts';
 import { aboutObject, type Field, sharedFields } from './fields.ts';
@@ -49,11 +40,11 @@ const ARRANGE = [
 function countsOf(objects: readonly FoundObject[]): string {
   const counts = new Map<ObjectKind, number>();
   for (const { kind } of objects) counts.set(kind, (counts.get(kind) ?? 0) + 1);
-  return [...counts].map(([kind, count]) => plural(count, KIND_NAMES[kind][0].toLowerCase(), KIND_NAMES[kind][1])).join(', ');
+  return [...counts].map(([kind, count]) => plural(count, KINDS[kind].one, KINDS[kind].many)).join(', ');
 }
 
 /** What can be done with what is selected. @param isFixed only what every level has once */
-const Deeds = memo(function Deeds({ isFixed }: { readonly isFixed: boolean }) {
+const Interactions = memo(function Interactions({ isFixed }: { readonly isFixed: boolean }) {
   const { commands } = useEditor();
   return (
     <span className="inspector__does">
@@ -105,7 +96,7 @@ function RunFacts({ objectKey }: { readonly objectKey: string }) {
   );
   return (
     <Section title="What the run does with it">
-      <Facts facts={useCalmProof(pick)} />
+      <Facts facts={useThrottledProof(pick)} />
     </Section>
   );
 }
@@ -119,7 +110,7 @@ interface ObjectFieldsProps {
 /** One object, or what several have in common. While hundreds of them are dragged hardly anything of it is drawn anew. */
 export function ObjectFields({ keys, objects }: ObjectFieldsProps) {
   const recipe = useCallback(
-    (key: string, value: Field['fallback']) => setObjectProperty(keys, key as keyof ObjectProperties, value as never),
+    (key: string, value: Field['fallback']) => setObjectProperty(keys, key as FieldName, value as number | boolean | undefined),
     [keys],
   );
   const [first] = objects;
@@ -128,7 +119,7 @@ export function ObjectFields({ keys, objects }: ObjectFieldsProps) {
   const whose = one ? `of ${nameOf(first).toLowerCase()}` : `of ${objects.length} objects`;
   return (
     <>
-      <Section title={one ? nameOf(first) : plural(objects.length, 'object')} aside={<Deeds isFixed={isFixed} />}>
+      <Section title={one ? nameOf(first) : plural(objects.length, 'object')} aside={<Interactions isFixed={isFixed} />}>
         <p className="part__note">{one ? aboutObject(first) : countsOf(objects)}</p>
         {sharedFields(objects.map(({ kind }) => kind)).map((field) => (
           <FieldRow key={field.key} field={field} {...valueOfObjects(objects, field)} whose={whose} recipe={recipe} />

@@ -1,19 +1,30 @@
-import { levelJsonSchema, resolveLevel } from '../../../schema/index.ts';
-import { type FoundObject, LIST_OF_KIND, type ObjectKind } from '../../document/index.ts';
+import {
+  appearanceOfObject,
+  fieldsOf as fieldsOfKind,
+  KINDS,
+  levelJsonSchema,
+  type ObjectKind,
+  resolveLevel,
+} from '../../../schema/index.ts';
+import type { FoundObject } from '../../document/index.ts';
 
-/** One property that can be typed, as the schema of levels has it. */
+/** One property that can be typed. */
 export interface Field {
   readonly key: string;
+  /** What it is called where it is typed. */
+  readonly label: string;
   readonly type: 'number' | 'text' | 'flag';
   /** Least and most of a number; letters of a text. */
   readonly least: number;
   readonly most: number;
-  /** What the schema says about it. */
+  /** What it means. */
   readonly about: string;
-  /** px, px/s; null where it has none */
+  /** px, px/s, px/s2; null where it has none */
   readonly unit: string | null;
   /** What stands for it when it is left out; undefined: it can't be. */
   readonly fallback: number | string | boolean | undefined;
+  /** What the two ends of a flag are called. */
+  readonly ends: readonly [off: string, on: string];
 }
 
 /** What the inspector shows at once. */
@@ -21,55 +32,32 @@ export type Subject = ObjectKind | 'level';
 
 interface JsonSchema {
   readonly type?: string;
-  readonly const?: unknown;
   readonly description?: string;
   readonly minimum?: number;
   readonly maximum?: number;
   readonly maxLength?: number;
   readonly properties?: Readonly<Record<string, JsonSchema>>;
-  readonly items?: JsonSchema;
+  readonly required?: readonly string[];
+}
+
+interface Fields {
+  readonly about: string;
+  readonly fields: readonly Field[];
 }
 
 const TYPES: Readonly<Record<string, Field['type']>> = { number: 'number', string: 'text', boolean: 'flag' };
 
-/** Set by the format or by the editor, not by people. */
-const NOT_TYPED: ReadonlySet<string> = new Set(['$schema', 'version', 'id']);
+/** Set by the format, not by people. */
+const NOT_TYPED: ReadonlySet<string> = new Set(['$schema', 'version']);
 
-function schemaOf(root: JsonSchema, subject: Subject): JsonSchema {
-  if (subject === 'level') return root;
-  if (subject === 'astronaut' || subject === 'blackHole') return root.properties?.[subject] ?? {};
-  return root.properties?.[LIST_OF_KIND[subject]]?.items ?? {};
-}
-
-/** What a level with one of everything is when it leaves out all it can: every default by where it stands. */
-function defaultsOf(subject: Subject): Readonly<Record<string, unknown>> {
+/** The fields of the level itself, as its schema has them. */
+function fieldsOfLevel(): Fields {
+  const schema = levelJsonSchema() as JsonSchema;
   const at = { x: 0, y: 0 };
-  const round = { ...at, radius: 1 };
-  const level = resolveLevel({
-    version: 1,
-    name: 'level',
-    astronaut: at,
-    blackHole: at,
-    asteroids: [round],
-    novae: [round],
-    repulsors: [round],
-    aliens: [at],
-    minerals: [at],
-  });
-  if (subject === 'level') return { ...level };
-  if (subject === 'astronaut' || subject === 'blackHole') return { ...level[subject] };
-  return { ...level[LIST_OF_KIND[subject]][0] };
-}
-
-const known = new Map<Subject, { readonly about: string; readonly fields: readonly Field[] }>();
-
-/** The fields of a kind of object, or of the level itself, in the order of the schema; and what the schema says of it. */
-export function fieldsOf(subject: Subject): { readonly about: string; readonly fields: readonly Field[] } {
-  const made = known.get(subject);
-  if (made !== undefined) return made;
-  const schema = schemaOf(levelJsonSchema() as JsonSchema, subject);
-  const required = (schema as { readonly required?: readonly string[] }).required ?? [];
-  const defaults = defaultsOf(subject);
+  // a level that leaves out all it can
+  const defaults = resolveLevel({ version: 1, name: 'level', astronaut: at, blackHole: at }) as unknown as Readonly<
+    Record<string, unknown>
+  >;
   const fields = Object.entries(schema.properties ?? {}).flatMap(([key, property]): Field[] => {
     const type = TYPES[property.type ?? ''];
     if (type === undefined || NOT_TYPED.has(key)) return [];
@@ -77,25 +65,50 @@ export function fieldsOf(subject: Subject): { readonly about: string; readonly f
     return [
       {
         key,
+        label: key === 'description' ? 'about' : key,
         type,
         least: property.minimum ?? 0,
         most: property.maximum ?? property.maxLength ?? Number.POSITIVE_INFINITY,
         about,
-        unit: type === 'number' ? (/px\/s|px/.exec(about)?.[0] ?? null) : null,
-        fallback: required.includes(key) ? undefined : (defaults[key] as Field['fallback']),
+        unit: type === 'number' ? 'px' : null,
+        fallback: schema.required?.includes(key) === true ? undefined : (defaults[key] as Field['fallback']),
+        ends: ['off', 'on'],
       },
     ];
   });
-  const answer = { about: schema.description ?? '', fields };
-  known.set(subject, answer);
-  return answer;
+  return { about: schema.description ?? '', fields };
 }
 
-const HOT = 'Pulls her as a cold one does while it is the nearest asteroid and the gun is held. Kills on touch.';
+const fieldsOfObjects = (kind: ObjectKind): Fields => ({
+  about: KINDS[kind].about,
+  fields: fieldsOfKind(kind).map(
+    ([key, field]): Field => ({
+      key,
+      label: field.label ?? key,
+      type: field.type,
+      least: field.type === 'number' ? field.least : 0,
+      most: field.type === 'number' ? field.most : Number.POSITIVE_INFINITY,
+      about: field.about,
+      unit: field.type === 'number' ? field.unit : null,
+      fallback: field.default,
+      ends: field.type === 'flag' ? field.ends : ['off', 'on'],
+    }),
+  ),
+});
+
+const known = new Map<Subject, Fields>();
+
+/** The fields of a kind of object, or of the level itself, in the order of a file; and what there is to say of it. */
+export function fieldsOf(subject: Subject): Fields {
+  const made = known.get(subject);
+  if (made !== undefined) return made;
+  const fields = subject === 'level' ? fieldsOfLevel() : fieldsOfObjects(subject);
+  known.set(subject, fields);
+  return fields;
+}
 
 /** What an object is and does to her. */
-export const aboutObject = ({ kind, object }: FoundObject): string =>
-  'hot' in object && object.hot === true ? HOT : fieldsOf(kind).about;
+export const aboutObject = ({ kind, object }: FoundObject): string => appearanceOfObject(kind, object).about;
 
 const shared = new Map<string, readonly Field[]>();
 

@@ -1,31 +1,34 @@
-import { boxCircleGap, type RunEvent, STATE_SIZE, TICK, TICK_RATE } from '../../../engine/index.ts';
-import type { FoundObject } from '../../document/index.ts';
+import { boxCircleGap, DEFAULT_BOX, type RunEvent, STATE_SIZE, TICK, TICK_RATE } from '../../../engine/index.ts';
+import { appearanceOfObject } from '../../../schema/index.ts';
+import { type FoundObject, placesOf } from '../../document/index.ts';
 import { endInWords, type LiveProof } from '../../proof/index.ts';
 import { type Fact, pixels, plural, seconds } from '../figures/index.ts';
 
 const tickOf = (time: number): number => Math.floor(time * TICK_RATE + 1e-9);
 const at = (time: number): string => `at ${seconds(time)}`;
 
-/** Where an object is at a tick, or null when it is no longer there. */
-type Place = (tick: number) => { readonly x: number; readonly y: number } | null;
+/** Where an object is at a tick; null when it is no longer there. */
+type Places = (tick: number) => readonly { readonly x: number; readonly y: number }[] | null;
 
-function placeOf({ run }: LiveProof, { kind, index, object }: FoundObject): Place {
+function placesIn({ run }: LiveProof, found: FoundObject): Places {
+  const { kind, index } = found;
   const { aliens, asteroids } = run.way;
   if (kind === 'alien') {
     const state = new Float64Array(3);
     return (tick) => {
       aliens.read(index, tick, state);
-      return state[2] === 0 ? null : { x: state[0], y: state[1] };
+      return state[2] === 0 ? null : [{ x: state[0], y: state[1] }];
     };
   }
   if (kind === 'asteroid' && asteroids.count > 0) {
     const state = new Float64Array(2);
     return (tick) => {
       asteroids.read(index, tick, state);
-      return { x: state[0], y: state[1] };
+      return [{ x: state[0], y: state[1] }];
     };
   }
-  return () => object;
+  const still = placesOf(found);
+  return () => still;
 }
 
 /**
@@ -35,14 +38,16 @@ function placeOf({ run }: LiveProof, { kind, index, object }: FoundObject): Plac
  */
 export function nearestPass(proof: LiveProof, found: FoundObject, radius: number): { gap: number; tick: number } | null {
   const { states, count } = proof.run.way;
-  const place = placeOf(proof, found);
+  const placesAt = placesIn(proof, found);
   let best: { gap: number; tick: number } | null = null;
   for (let tick = 0; tick < count; tick++) {
     const o = STATE_SIZE * tick;
-    const circle = place(tick);
-    if (circle === null) break;
-    const gap = boxCircleGap(circle.x - states[o], circle.y - states[o + 1], states[o + 4], states[o + 5], radius);
-    if (best === null || gap < best.gap) best = { gap, tick };
+    const places = placesAt(tick);
+    if (places === null) break;
+    for (const { x, y } of places) {
+      const gap = boxCircleGap(DEFAULT_BOX, x - states[o], y - states[o + 1], states[o + 4], states[o + 5], radius);
+      if (best === null || gap < best.gap) best = { gap, tick };
+    }
   }
   return best;
 }
@@ -113,7 +118,7 @@ function endFact({ run }: LiveProof, { kind, index }: FoundObject): Fact[] {
 
 /** What the shown run does with an object; the radius is the one it has, defaults filled in. */
 export function runFactsOf(proof: LiveProof, found: FoundObject, radius: number | null): readonly Fact[] {
-  const { kind, index } = found;
+  const { kind, index, object } = found;
   const { run, full, level } = proof;
   if (full === null) return [{ label: 'the run', value: endInWords(proof), tone: 'warn' }];
   const { events } = full;
@@ -146,7 +151,7 @@ export function runFactsOf(proof: LiveProof, found: FoundObject, radius: number 
       return [...end, awake, ...bursts, ...(end.length > 0 ? [] : passFact(proof, found, radius, true))];
     }
     default:
-      return end.length > 0 ? end : passFact(proof, found, radius, kind === 'nova');
+      return end.length > 0 ? end : passFact(proof, found, radius, appearanceOfObject(kind, object).deadly);
   }
 }
 

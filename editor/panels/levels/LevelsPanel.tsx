@@ -1,17 +1,19 @@
-import { ChevronRight, FilePlus2, Folder, Search, Trash2 } from 'lucide-react';
+import { FilePlus2, Trash2 } from 'lucide-react';
 import { type KeyboardEvent, useEffect, useMemo, useState } from 'react';
 import { useStore } from 'zustand';
 import type { LevelEntry } from '../../../schema/index.ts';
-import { useEditor } from '../../context/index.ts';
+import { type Editor, useEditor } from '../../context/index.ts';
 import { errorInWords } from '../../files/index.ts';
 import { Button, focusHome } from '../../ui/index.ts';
 import { type MenuEntry, Tree } from '../tree/index.ts';
+import { FolderLine } from './FolderLine.tsx';
 import { LevelLine } from './LevelLine.tsx';
+import { LevelSearch } from './LevelSearch.tsx';
 import { deleteLevel, duplicateLevel, folderOf, followSaves, openListed, orderLevels } from './level-files.ts';
 import { type LevelRow, levelRows } from './level-rows.ts';
 import './levels.css';
+import { NoLevels } from './NoLevels.tsx';
 import { RenameDialog } from './RenameDialog.tsx';
-import { SamplesButton } from './SamplesButton.tsx';
 import { TextDialog } from './TextDialog.tsx';
 
 /** px */
@@ -21,7 +23,7 @@ const NO_LEVELS = [] as const;
 /** The levels of the folder: how they look, whether they can be completed; open, rename, order, delete them. */
 export function LevelsPanel() {
   const editor = useEditor();
-  const { workspace, session, notices } = editor;
+  const { workspace, session } = editor;
   const list = useStore(workspace.store, (state) => state.list);
   const error = useStore(workspace.store, (state) => state.error);
   const open = useStore(editor.open);
@@ -44,24 +46,14 @@ export function LevelsPanel() {
     if (entry.status !== 'valid') setAsText(entry);
     else if (entry.id !== opened) void openListed(editor, entry.id);
   };
-  const move = ({ entry }: LevelRow, place: number) => {
-    if (entry === null) return;
-    const folder = folderOf(entry.id);
-    const ids = levels.filter(({ id }) => folderOf(id) === folder).map(({ id }) => id);
-    const from = ids.indexOf(entry.id);
-    ids.splice(from, 1);
-    ids.splice(place, 0, entry.id);
-    if (ids.indexOf(entry.id) !== from) void orderLevels(editor, folder, ids);
-  };
-  const copyPath = async (path: string) => {
-    try {
-      await navigator.clipboard.writeText(path);
-      notices.show('info', `Copied: ${path}`, { topic: 'clipboard' });
-    } catch {
-      notices.show('warning', `The browser does not let this page write to the clipboard. The path is ${path}`, {
-        topic: 'clipboard',
-      });
-    }
+  /** It is found: the next keys are for the level. */
+  const openFirst = (): boolean => {
+    const first = rows.find(({ entry }) => entry !== null);
+    if (first === undefined) return false;
+    setSearch('');
+    focusHome();
+    pick(first);
+    return true;
   };
   const onKey = (event: KeyboardEvent, { entry }: LevelRow): boolean => {
     if (entry === null) return false;
@@ -69,7 +61,7 @@ export function LevelsPanel() {
     if (event.key === 'F2') setRenamed(entry.id);
     else if (event.key === 'Delete' || event.key === 'Backspace') void deleteLevel(editor, entry);
     else if (mod && event.key.toLowerCase() === 'd') void duplicateLevel(editor, entry);
-    else if (mod && event.key.toLowerCase() === 'c') void copyPath(entry.file);
+    else if (mod && event.key.toLowerCase() === 'c') void copyPath(editor, entry.file);
     else return false;
     return true;
   };
@@ -89,39 +81,21 @@ export function LevelsPanel() {
       { title: 'Duplicate', disabled: entry.etag === null, run: () => void duplicateLevel(editor, entry) },
       { title: 'Delete', keys: 'Del', disabled: entry.etag === null, run: () => void deleteLevel(editor, entry) },
       null,
-      { title: 'Move up', keys: 'Alt ↑', disabled: fixed || place === 0, run: () => move(row, place - 1) },
-      { title: 'Move down', keys: 'Alt ↓', disabled: fixed || place >= last, run: () => move(row, place + 1) },
-      { title: 'Copy the path of the file', run: () => void copyPath(entry.file) },
+      { title: 'Move up', keys: 'Alt ↑', disabled: fixed || place === 0, run: () => moveTo(editor, levels, entry, place - 1) },
+      {
+        title: 'Move down',
+        keys: 'Alt ↓',
+        disabled: fixed || place >= last,
+        run: () => moveTo(editor, levels, entry, place + 1),
+      },
+      { title: 'Copy the path of the file', run: () => void copyPath(editor, entry.file) },
     ];
   };
 
   return (
     <section className="panel levels" aria-label="Levels">
       <div className="panel__head">
-        <label className="levels__search">
-          <Search size={13} aria-hidden />
-          <input
-            type="search"
-            className="field"
-            placeholder={levels.length === 1 ? 'Find in 1 level' : `Find in ${levels.length} levels`}
-            aria-label="Find a level"
-            value={search}
-            onChange={(event) => setSearch(event.target.value)}
-            onKeyDown={(event) => {
-              if (event.key === 'Escape' && search !== '') setSearch('');
-              else if (event.key === 'Escape') focusHome();
-              else if (event.key === 'Enter') {
-                const first = rows.find(({ entry }) => entry !== null);
-                if (first === undefined) return;
-                // it is found: the next keys are for the level
-                setSearch('');
-                focusHome();
-                pick(first);
-              } else return;
-              event.preventDefault();
-            }}
-          />
-        </label>
+        <LevelSearch count={levels.length} text={search} onChange={setSearch} onOpenFirst={openFirst} />
         <Button
           hint="New level"
           shortcut="Alt N"
@@ -152,20 +126,12 @@ export function LevelsPanel() {
           onToggle={({ title }) =>
             setFolded((now) => (now.has(title) ? new Set([...now].filter((other) => other !== title)) : new Set([...now, title])))
           }
-          onMove={move}
+          onMove={({ entry }, place) => moveTo(editor, levels, entry, place)}
           onKey={onKey}
           menu={menu}
           render={({ entry, title, expanded, count }) =>
             entry === null ? (
-              <>
-                <ChevronRight size={13} className={`levels__fold${expanded === true ? ' levels__fold--open' : ''}`} aria-hidden />
-                <Folder size={14} aria-hidden />
-                <span className="levels__name">{title}</span>
-                <span className="levels__count numbers">
-                  {count}
-                  <span className="unseen">{count === 1 ? ' level' : ' levels'}</span>
-                </span>
-              </>
+              <FolderLine title={title} isOpen={expanded === true} count={count} />
             ) : (
               <LevelLine entry={entry} title={title} open={open?.opened.id() === entry.id ? open : null} />
             )
@@ -176,23 +142,32 @@ export function LevelsPanel() {
       ) : levels.length > 0 ? (
         <p className="levels__empty">No level is called "{search}".</p>
       ) : (
-        <div className="levels__empty">
-          <p>No levels in {list.folder.path} yet.</p>
-          <Button hint="Start from a template" look="main" onClick={() => session.setState({ overlay: 'newLevel' })}>
-            New level
-          </Button>
-          <Button
-            hint="From a file, or of the original game"
-            look="outlined"
-            onClick={() => session.setState({ overlay: 'open' })}
-          >
-            Import levels
-          </Button>
-          <SamplesButton />
-        </div>
+        <NoLevels folder={list.folder.path} />
       )}
       {renamed !== null && <RenameDialog id={renamed} onClose={() => setRenamed(null)} />}
       {asText !== null && <TextDialog id={asText.id} fromDisk={asText.status !== 'valid'} onClose={() => setAsText(null)} />}
     </section>
   );
+}
+
+/** Moves a level to another place among those of its folder. */
+function moveTo(editor: Editor, levels: readonly LevelEntry[], entry: LevelEntry | null, place: number): void {
+  if (entry === null) return;
+  const folder = folderOf(entry.id);
+  const ids = levels.filter(({ id }) => folderOf(id) === folder).map(({ id }) => id);
+  const from = ids.indexOf(entry.id);
+  ids.splice(from, 1);
+  ids.splice(place, 0, entry.id);
+  if (ids.indexOf(entry.id) !== from) void orderLevels(editor, folder, ids);
+}
+
+async function copyPath({ notices }: Editor, path: string): Promise<void> {
+  try {
+    await navigator.clipboard.writeText(path);
+    notices.show('info', `Copied: ${path}`, { topic: 'clipboard' });
+  } catch {
+    notices.show('warning', `The browser does not let this page write to the clipboard. The path is ${path}`, {
+      topic: 'clipboard',
+    });
+  }
 }

@@ -72,7 +72,8 @@ export function tellError({ notices }: Editor, error: StorageError): void {
 
 const levelsOf = ({ workspace }: Editor): readonly LevelEntry[] => workspace.store.getState().list?.levels ?? [];
 
-function told<T>(editor: Editor, answer: Answer<T>): T | null {
+/** What was answered; where that is a refusal, null, and a notice says why. */
+function valueOrNotice<T>(editor: Editor, answer: Answer<T>): T | null {
   if (answer.ok) return answer.value;
   tellError(editor, answer.error);
   return null;
@@ -109,7 +110,7 @@ export async function openFirst(editor: Editor, last: string | null): Promise<vo
   if (first !== undefined) await openListed(editor, first.id);
 }
 
-/** Writes new levels and opens the first of them. @returns their ids; those that could not be written are told and left out */
+/** Writes new levels and opens the first of them. @returns their ids; those that could not be written are reported and left out */
 export async function addLevels(
   editor: Editor,
   folder: string,
@@ -147,7 +148,7 @@ export async function addSamples(editor: Editor, folder: string): Promise<void> 
 /** Makes a copy of a level, with a name and a number of its own, and opens it. */
 export async function duplicateLevel(editor: Editor, entry: LevelEntry): Promise<void> {
   const levels = levelsOf(editor);
-  const copy = told(editor, await editor.workspace.duplicate(entry, copyId(levels, entry.id)));
+  const copy = valueOrNotice(editor, await editor.workspace.duplicate(entry, copyId(levels, entry.id)));
   if (copy?.status !== 'valid' || copy.name === null) return;
   await renameTitle(editor, copy, copyName(levels, copy.name));
   await openListed(editor, copy.id);
@@ -188,7 +189,7 @@ export async function deleteLevel(editor: Editor, entry: LevelEntry): Promise<vo
   });
 }
 
-/** @returns where it is, and whether it was open; null when it was refused, which is told */
+/** @returns where it is, and whether it was open; null when it was refused, which is reported */
 async function putIntoTrash(editor: Editor, entry: LevelEntry): Promise<{ trash: string; wasOpen: boolean } | null> {
   const { workspace } = editor;
   const levels = levelsOf(editor);
@@ -198,7 +199,7 @@ async function putIntoTrash(editor: Editor, entry: LevelEntry): Promise<{ trash:
   const next = [...levels.slice(index + 1), ...levels.slice(0, Math.max(0, index)).reverse()].find(
     ({ status }) => status === 'valid',
   );
-  const done = told(editor, await workspace.remove(entry));
+  const done = valueOrNotice(editor, await workspace.remove(entry));
   if (done === null) return null;
   if (isOpen && next !== undefined) await openListed(editor, next.id);
   else if (isOpen) await workspace.leave();
@@ -215,7 +216,7 @@ export async function restoreLevel(editor: Editor, trash: string, open: boolean)
     if (id !== undefined)
       answer = await workspace.restore(trash, freeId(levelsOf(editor), folderOf(id), `${stemOf(id)}-restored`));
   }
-  const restored = told(editor, answer);
+  const restored = valueOrNotice(editor, answer);
   if (restored === null) return null;
   editor.notices.settle(`deleted ${trash}`);
   if (open && restored.status === 'valid') await openListed(editor, restored.id);
@@ -228,7 +229,7 @@ export async function orderLevels(editor: Editor, folder: string, ids: readonly 
   // what each of them is called now
   const names = new Map(before.map((id) => [id, id]));
   const order = async (wanted: readonly string[]): Promise<boolean> => {
-    const answer = told(
+    const answer = valueOrNotice(
       editor,
       await editor.workspace.order(
         folder,
@@ -267,7 +268,7 @@ export async function renameTitle(editor: Editor, { id }: LevelEntry, name: stri
   const text = formatLevel({ ...reading.document.file, name });
   const written = await storage.write(id, text, answer.value.etag);
   await editor.workspace.refresh();
-  return told(editor, written) !== null;
+  return valueOrNotice(editor, written) !== null;
 }
 
 /** Keeps the list up to date with what the open level's saver writes. @returns stops it */

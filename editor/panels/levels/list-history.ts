@@ -5,7 +5,7 @@ import type { EditedLevel } from '../../document/index.ts';
 /** Something that was done to the list of levels and not to what is in one. */
 export interface ListStep {
   readonly label: string;
-  /** @returns whether it was done; why not is told by whoever does it */
+  /** @returns whether it was done; why not is reported by whoever does it */
   readonly undo: () => Promise<boolean>;
   readonly redo: () => Promise<boolean>;
 }

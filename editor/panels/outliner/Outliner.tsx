@@ -1,23 +1,14 @@
-import { Bug, ChevronRight, Circle, CircleDashed, Flame, Gem, Orbit, PersonStanding, Sun, TriangleAlert } from 'lucide-react';
-import { type ComponentType, memo, useDeferredValue, useEffect, useMemo, useRef, useState } from 'react';
+import { ChevronRight, TriangleAlert } from 'lucide-react';
+import { memo, useDeferredValue, useEffect, useMemo, useRef, useState } from 'react';
 import { useStore } from 'zustand';
-import type { LevelFile } from '../../../schema/index.ts';
+import { isVariant, type LevelFile, type ObjectKind } from '../../../schema/index.ts';
+import { signOf } from '../../canvas/index.ts';
 import { useEditor, useLevel, useSelectedKeys, useWhenIdle } from '../../context/index.ts';
-import { type DocumentState, type ObjectKey, type ObjectKind, reorderObject } from '../../document/index.ts';
+import { type DocumentState, type ObjectKey, reorderObject } from '../../document/index.ts';
 import { leavesBetween, type MenuEntry, type Modifiers, MoreButton, Tree } from '../tree/index.ts';
 import { type ObjectRow, objectRows } from './object-rows.ts';
 import './outliner.css';
 import { useProblems } from './use-problems.ts';
-
-const ICONS: Readonly<Record<ObjectKind, ComponentType<{ size: number; className?: string }>>> = {
-  astronaut: PersonStanding,
-  blackHole: Orbit,
-  asteroid: Circle,
-  nova: Sun,
-  repulsor: CircleDashed,
-  alien: Bug,
-  mineral: Gem,
-};
 
 /** px */
 const rowHeight = () => 26;
@@ -129,8 +120,7 @@ const Outline = memo(function Outline({ file, keys }: { readonly file: LevelFile
 });
 
 function ObjectLine({ row, problems }: { row: ObjectRow; problems: readonly string[] | undefined }) {
-  const { title, kind, found, isHot, expanded, keys } = row;
-  const Icon = isHot ? Flame : ICONS[kind];
+  const { title, kind, found, expanded, keys } = row;
   if (found === null) {
     return (
       <>
@@ -140,9 +130,10 @@ function ObjectLine({ row, problems }: { row: ObjectRow; problems: readonly stri
       </>
     );
   }
+  const { Icon, tone } = signOf(kind, isVariant(kind, found.object));
   return (
     <>
-      <Icon size={14} className={`outliner__icon outliner__icon--${isHot ? 'hot' : kind}`} />
+      <Icon size={14} className={`outliner__icon outliner__icon--${tone}`} />
       <span className="outliner__name">{title}</span>
       {found.list !== null && <span className="outliner__id">{found.key}</span>}
       {problems !== undefined && (

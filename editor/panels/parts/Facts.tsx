@@ -17,7 +17,7 @@ export function Facts({ facts }: { readonly facts: readonly Fact[] }) {
                 type="button"
                 className="facts__moment"
                 title="Show this moment"
-                onClick={() => session.setState({ tick, rolling: false })}
+                onClick={() => session.setState({ tick, isPlayingBack: false })}
               >
                 {value}
               </button>

@@ -1,9 +1,9 @@
 import './parts.css';
 
 export { afterRest } from './after-rest.ts';
-export { useCalmProof } from './calm-proof.ts';
 export { Facts } from './Facts.tsx';
 export { Progress } from './Progress.tsx';
-export { useRestingProof } from './resting-proof.ts';
 export { Section } from './Section.tsx';
 export { Segments } from './Segments.tsx';
+export { useDebouncedProof } from './use-debounced-proof.ts';
+export { useThrottledProof } from './use-throttled-proof.ts';

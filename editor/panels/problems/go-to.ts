@@ -23,5 +23,5 @@ export function goToProblem({ session, commands }: Editor, { document, selection
   const ticks = hold === undefined ? undefined : file.runs?.find(({ name }) => name === run)?.holds[Number(hold)];
   if (ticks === undefined) return;
   selection.selectHolds(run, [Number(hold)]);
-  session.setState({ tick: ticks[0], rolling: false });
+  session.setState({ tick: ticks[0], isPlayingBack: false });
 }

@@ -4,8 +4,8 @@ import type { Problem } from '../../../schema/index.ts';
 import { useLevel } from '../../context/index.ts';
 import { problemsInWords, type SaveState } from '../../files/index.ts';
 import { type LiveProof, toldProblems } from '../../proof/index.ts';
-import { useRestingProof } from '../parts/index.ts';
-import { checkedOf, useSolverDesk } from '../solver/index.ts';
+import { useDebouncedProof } from '../parts/index.ts';
+import { checkedOf, useSolverSession } from '../solver/index.ts';
 import { keepSame } from './kept.ts';
 
 /** ms without a change before problems are looked for: that plays every run at two accuracies at least, which would cost a drag its frames */
@@ -30,8 +30,8 @@ function problemsOfFile(id: string, state: SaveState): readonly Problem[] {
 
 /** What is wrong with the level and what looks wrong, with what a worker has proved about it; the component follows it once the level rests. */
 export function useProblems(): readonly Problem[] {
-  const known = useRestingProof(knownOf, REST);
-  const { proofs, checks } = useSolverDesk();
+  const known = useDebouncedProof(knownOf, REST);
+  const { proofs, checks } = useSolverSession();
   const proved = useStore(proofs.store);
   const checked = useStore(checks.store);
   const { opened } = useLevel();

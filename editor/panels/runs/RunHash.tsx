@@ -3,7 +3,7 @@ import { useEditor, useProof } from '../../context/index.ts';
 import type { LiveProof } from '../../proof/index.ts';
 import { copyText } from '../../share/index.ts';
 import { Button } from '../../ui/index.ts';
-import { useCalmProof } from '../parts/index.ts';
+import { useThrottledProof } from '../parts/index.ts';
 
 /** ms between two looks: a hash covers every tick of the run */
 const WAIT = 300;
@@ -13,7 +13,7 @@ const hashOf = ({ full }: LiveProof): string => full?.hash ?? '(work limit)';
 /** The hash of the shown run: that of `gq simulate` at the same accuracy is the same, in any browser, when the page plays by the same bits. */
 export function RunHash() {
   const { notices } = useEditor();
-  const hash = useCalmProof(hashOf, WAIT);
+  const hash = useThrottledProof(hashOf, WAIT);
   const accuracy = useProof((proof) => proof.accuracy);
   return (
     <p className="runs__hash">

@@ -5,7 +5,7 @@ import type { Candidate, Difficulty, WithoutAsteroid } from '../../../solver/ind
 import { Button } from '../../ui/index.ts';
 import { extraInWords, type Fact, percent, plural, seconds } from '../figures/index.ts';
 import { Facts, Progress, Section } from '../parts/index.ts';
-import { useSolverDesk } from './use-desk.ts';
+import { useSolverSession } from './use-solver-session.ts';
 
 const USES: Readonly<Record<WithoutAsteroid['use'], string>> = {
   avoidable: 'can be left unused',
@@ -30,7 +30,7 @@ function factsOf({ sigmaAtHalf, smallestWindow, presses, length, randomPlay, min
 
 /** A way of winning that may not be meant, with a button that keeps it. */
 function Shortcut({ text, run, as }: { readonly text: string; readonly run: Candidate | null; readonly as: string }) {
-  const { search } = useSolverDesk();
+  const { search } = useSolverSession();
   return (
     <li className="shortcut">
       <span>{text}</span>
@@ -91,7 +91,7 @@ function Result({ result }: { readonly result: Difficulty }) {
 
 /** How hard the level is, when it is asked for. */
 export function DifficultyReport() {
-  const { difficulty } = useSolverDesk();
+  const { difficulty } = useSolverSession();
   const { phase, result, run, asked, isOld, message } = useStore(difficulty.store);
   return (
     <Section

@@ -2,12 +2,12 @@ import { useMemo } from 'react';
 import { useStore } from 'zustand';
 import { heatCaption, heatColour, heatShades, visitsInWords } from '../../../picture/index.ts';
 import { usePageTheme, useSession } from '../../context/index.ts';
-import { useSolverDesk } from './use-desk.ts';
+import { useSolverSession } from './use-solver-session.ts';
 import './solver.css';
 
 /** What the squares on the canvas count, and how strong how many visits are; nothing while they are not shown. */
 export function HeatLegend() {
-  const { overlay } = useSolverDesk();
+  const { overlay } = useSolverSession();
   const explored = useStore(overlay, ({ heat }) => heat);
   const isShown = useSession(({ layers }) => layers.heatMap);
   const theme = usePageTheme();

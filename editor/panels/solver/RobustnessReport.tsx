@@ -4,7 +4,7 @@ import type { EdgeSlack, Success } from '../../../solver/index.ts';
 import { useEditor, useLevel, useProof } from '../../context/index.ts';
 import { percent, plural } from '../figures/index.ts';
 import { Section } from '../parts/index.ts';
-import { useSolverDesk } from './use-desk.ts';
+import { useSolverSession } from './use-solver-session.ts';
 
 /** Slack is looked for up to so many ticks: what reaches it is called more. */
 const LIMIT = 60;
@@ -65,7 +65,7 @@ function SlackTable({ slack }: { readonly slack: readonly EdgeSlack[] }) {
                 onClick={() => {
                   if (name === null) return;
                   selection.selectHolds(name, [i]);
-                  session.setState({ tick: press, rolling: false });
+                  session.setState({ tick: press, isPlayingBack: false });
                 }}
               >
                 {press}–{release}
@@ -96,7 +96,7 @@ function SlackTable({ slack }: { readonly slack: readonly EdgeSlack[] }) {
 
 /** What the shown run forgives. */
 export function RobustnessReport() {
-  const { robustness } = useSolverDesk();
+  const { robustness } = useSolverSession();
   const { phase, slack, p40, full, withMinerals, message } = useStore(robustness.store);
   const name = useProof(({ run }) => run.name);
   const taken = useProof(({ run }) => run.minerals.length);

@@ -7,19 +7,21 @@ import { Button } from '../../ui/index.ts';
 import { about, percent, plural, seconds } from '../figures/index.ts';
 import { Progress } from '../parts/index.ts';
 import { useRunEnds } from '../runs/index.ts';
-import { COUNT, type Found, type SearchState } from './search.ts';
+import type { Found } from './found-runs.ts';
+import { RUNS_WANTED } from './search-jobs.ts';
+import { goalOf } from './search-settings.ts';
+import type { SearchState } from './search-state.ts';
 import { type OwnRuns, standingOf } from './standing.ts';
-import { useSolverDesk } from './use-desk.ts';
-import { goalOf } from './wish.ts';
+import { useSolverSession } from './use-solver-session.ts';
 
 const ICONS = { good: CircleCheck, warn: CircleHelp, bad: CircleX, plain: Info } as const;
 const NO_RUNS = [] as const;
 
 /** What the level's own runs show of what is asked. */
-function useOwnRuns({ wish }: SearchState, minerals: number): OwnRuns {
+function useOwnRuns({ settings }: SearchState, minerals: number): OwnRuns {
   const runs = useDocument(({ file }) => file.runs ?? NO_RUNS);
   const endOf = useRunEnds(runs);
-  const needed = wish === null ? 0 : mineralsNeeded(goalOf(wish, minerals), minerals);
+  const needed = settings === null ? 0 : mineralsNeeded(goalOf(settings, minerals), minerals);
   const completing = runs.filter(({ name }) => endOf(name)?.outcome === 'completed');
   return {
     meets: completing.find(({ name }) => (endOf(name)?.minerals ?? 0) >= needed)?.name ?? null,
@@ -28,7 +30,7 @@ function useOwnRuns({ wish }: SearchState, minerals: number): OwnRuns {
 }
 
 function FoundCard({ found, place, minerals }: { readonly found: Found; readonly place: number; readonly minerals: number }) {
-  const { search } = useSolverDesk();
+  const { search } = useSolverSession();
   const shown = useProof(({ run }) => run.name);
   const isShown = useProof(({ run }) => run.holds.join() === found.id);
   const { candidate, p40, certified, works, id } = found;
@@ -92,17 +94,17 @@ function FoundCard({ found, place, minerals }: { readonly found: Found; readonly
 /** How the search goes and what it has found. */
 export function SearchReport() {
   const { session } = useEditor();
-  const { search } = useSolverDesk();
+  const { search } = useSolverSession();
   const state = useStore(search.store);
   const heatMap = useSession(({ layers }) => layers.heatMap);
   const minerals = useDocument(({ file }) => file.minerals?.length ?? 0);
-  const { phase, solving, ms, wish, found, mineralProofs } = state;
-  const { tone, text, note } = standingOf(state, useOwnRuns(state, minerals), minerals, COUNT);
-  if (phase === 'idle' || wish === null) return null;
+  const { phase, solving, ms, settings, found, mineralProofs } = state;
+  const { tone, text, note } = standingOf(state, useOwnRuns(state, minerals), minerals, RUNS_WANTED);
+  if (phase === 'idle' || settings === null) return null;
   const Icon = ICONS[tone];
   return (
     <div className="report">
-      <Progress label="Time spent" isRunning={phase === 'running'} share={Math.min(1, ms / (1000 * wish.budget))} />
+      <Progress label="Time spent" isRunning={phase === 'running'} share={Math.min(1, ms / (1000 * settings.budget))} />
       <p className={tone === 'plain' ? 'standing' : `standing tone--${tone}`} role={tone === 'bad' ? 'alert' : 'status'}>
         <Icon size={15} aria-hidden /> {text}
       </p>
@@ -122,7 +124,7 @@ export function SearchReport() {
       {solving !== null && (
         <p className="part__note numbers">
           {about(solving.effort.runs)} stretches, {about(solving.effort.ticks)} ticks in {(ms / 1000).toFixed(1)} s, seed{' '}
-          {wish.seed}
+          {settings.seed}
           {phase === 'cancelled' && ', stopped by hand'}
         </p>
       )}

@@ -3,14 +3,14 @@ import { DifficultyReport } from './DifficultyReport.tsx';
 import { RobustnessReport } from './RobustnessReport.tsx';
 import { SearchReport } from './SearchReport.tsx';
 import './solver.css';
-import { WishForm } from './WishForm.tsx';
+import { SearchSettingsForm } from './SearchSettingsForm.tsx';
 
 /** Looks for runs, says what the shown one forgives and how hard the level is. */
 export function Solver() {
   return (
     <div className="panel__body solver">
       <Section title="Look for runs">
-        <WishForm />
+        <SearchSettingsForm />
         <SearchReport />
       </Section>
       <RobustnessReport />

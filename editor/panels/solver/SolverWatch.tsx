@@ -1,7 +1,7 @@
 import { useEffect } from 'react';
 import type { Command } from '../../commands/index.ts';
 import { useEditor, useLevel } from '../../context/index.ts';
-import { useSolverDesk } from './use-desk.ts';
+import { useSolverSession } from './use-solver-session.ts';
 
 /** Starts a search. */
 export const SOLVE_KEY = '$mod+Enter';
@@ -10,7 +10,7 @@ export const SOLVE_KEY = '$mod+Enter';
 export function SolverWatch() {
   const { commands } = useEditor();
   const { proof } = useLevel();
-  const { search, difficulty } = useSolverDesk();
+  const { search, difficulty } = useSolverSession();
   useEffect(() => {
     const best = () => search.store.getState().found.find(({ works }) => works);
     const needsFound = () => (best() === undefined ? 'solve first: no run was found yet' : null);

@@ -1,5 +1,5 @@
 import type { StoreApi } from 'zustand/vanilla';
-import type { Ghost } from '../../canvas/layers/way-layer.ts';
+import type { Ghost } from '../../context/index.ts';
 
 /** Where ways beside that of the run are put for the canvas. */
 export interface GhostShelf {

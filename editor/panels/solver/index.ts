@@ -1,8 +1,7 @@
 export { checkedOf } from './check-watch.ts';
-export { solverDeskOf } from './desk.ts';
-
 export { HeatLegend } from './HeatLegend.tsx';
 export { Solver } from './Solver.tsx';
 export { SolverWatch } from './SolverWatch.tsx';
-export { useSolverDesk } from './use-desk.ts';
+export { solverSessionOf } from './solver-session.ts';
+export { useSolverSession } from './use-solver-session.ts';
 export { useVerdict } from './use-verdict.ts';

@@ -1,14 +1,14 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { Scene } from '../../../engine/index.ts';
 import type { EdgeSlack, Goal, Robustness, Success } from '../../../solver/index.ts';
-import type { Ghost } from '../../canvas/layers/way-layer.ts';
+import type { Ghost } from '../../context/index.ts';
 import type { EditedLevel } from '../../document/index.ts';
 import { endInWords, isWhole, type ProofStore } from '../../proof/index.ts';
 import { FAN_TICKS, type FanWay, type Job, type Workers } from '../../workers/index.ts';
 import { plural } from '../figures/index.ts';
 import { type GhostShelf, putGhosts } from './ghost-shelf.ts';
-import { withoutRuns } from './search.ts';
 import { everyTick } from './ways.ts';
+import { withoutRuns } from './without-runs.ts';
 
 /** How much the shown run forgives, as far as it is known. */
 export interface RobustnessState {

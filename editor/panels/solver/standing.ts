@@ -2,8 +2,8 @@ import { closestInWords } from '../../../check/words/index.ts';
 import { mineralsNeeded } from '../../../solver/index.ts';
 import { inPageWords } from '../../document/index.ts';
 import { pixels, plural } from '../figures/index.ts';
-import type { SearchState } from './search.ts';
-import { goalOf, type Wish } from './wish.ts';
+import { goalOf, type SearchSettings } from './search-settings.ts';
+import type { SearchState } from './search-state.ts';
 
 /** How a search stands, for people. */
 export interface Standing {
@@ -22,8 +22,8 @@ export interface OwnRuns {
 }
 
 /** What is asked of a run besides the black hole: ` with all 3 minerals`; '' where minerals do not matter. @param count minerals in the level */
-export function askedInWords(wish: Wish, count: number): string {
-  const goal = goalOf(wish, count);
+export function askedInWords(settings: SearchSettings, count: number): string {
+  const goal = goalOf(settings, count);
   if (goal.minerals === 'any') return '';
   const needed = mineralsNeeded(goal, count);
   if (needed < count) return ` with at least ${needed} of ${count} minerals`;
@@ -49,10 +49,10 @@ function nearInWords({ solving }: SearchState, asked: string): string {
 }
 
 /** Why a search that is over is over, as the beginning of a sentence. */
-function endInWords({ phase, wish, ms, solving }: SearchState): string {
+function endInWords({ phase, settings, ms, solving }: SearchState): string {
   if (phase === 'cancelled') return `Stopped by hand after ${(ms / 1000).toFixed(1)} s`;
   if (solving?.finished === true) return 'Nothing is left to try';
-  return `The ${wish?.budget ?? 0} s are over`;
+  return `The ${settings?.budget ?? 0} s are over`;
 }
 
 /** @param wanted different ways that are looked for */
@@ -76,12 +76,13 @@ function foundInWords(state: SearchState, asked: string, wanted: number): Standi
  * @param wanted different ways that are looked for
  */
 export function standingOf(state: SearchState, own: OwnRuns, count: number, wanted: number): Standing {
-  const { phase, found, impossible, isHopeless, isOld, message, wish } = state;
-  const asked = wish === null ? '' : askedInWords(wish, count);
-  const say = (tone: Standing['tone'], text: string): Standing => ({ tone, text, note: null });
-  if (impossible !== null) return say('bad', `Proved impossible: ${inPageWords(impossible.reason)}.`);
-  if (isHopeless && found.length === 0) return say('bad', `Proved: no run completes the level${asked}.${ownInWords(own, asked)}`);
-  if (phase === 'failed') return say('bad', `The search broke down: ${message}. Start it again; the level is untouched.`);
+  const { phase, found, impossible, isHopeless, isOld, message, settings } = state;
+  const asked = settings === null ? '' : askedInWords(settings, count);
+  const withTone = (tone: Standing['tone'], text: string): Standing => ({ tone, text, note: null });
+  if (impossible !== null) return withTone('bad', `Proved impossible: ${inPageWords(impossible.reason)}.`);
+  if (isHopeless && found.length === 0)
+    return withTone('bad', `Proved: no run completes the level${asked}.${ownInWords(own, asked)}`);
+  if (phase === 'failed') return withTone('bad', `The search broke down: ${message}. Start it again; the level is untouched.`);
   const stopped = phase === 'stale' ? 'The level changed, so the search stopped. ' : '';
   if (found.length > 0) {
     const standing = foundInWords(state, asked, wanted);
@@ -89,12 +90,12 @@ export function standingOf(state: SearchState, own: OwnRuns, count: number, want
   }
   if (isOld) {
     const before = `The level has changed since it was searched; no run${asked} was found in it as it was. `;
-    return say('plain', `${stopped === '' ? before : stopped}Solve looks in the level as it is now.`);
+    return withTone('plain', `${stopped === '' ? before : stopped}Solve looks in the level as it is now.`);
   }
   const near = nearInWords(state, asked);
-  if (phase === 'running') return say('plain', `Looking for runs${asked}: none found yet.${near}${ownInWords(own, asked)}`);
+  if (phase === 'running') return withTone('plain', `Looking for runs${asked}: none found yet.${near}${ownInWords(own, asked)}`);
   const end = endInWords(state);
-  if (own.meets !== null) return say('plain', `${end}: no other run${asked} was found.${near}${ownInWords(own, asked)}`);
+  if (own.meets !== null) return withTone('plain', `${end}: no other run${asked} was found.${near}${ownInWords(own, asked)}`);
   const meaning = ' That does not prove that there is none.';
-  return say('warn', `${end}: no run into the black hole${asked} was found.${meaning}${near}${ownInWords(own, asked)}`);
+  return withTone('warn', `${end}: no run into the black hole${asked} was found.${meaning}${near}${ownInWords(own, asked)}`);
 }

@@ -4,7 +4,7 @@ import { type OpenLevel, useEditor } from '../../context/index.ts';
 import { inPageWords } from '../../document/index.ts';
 import { limitInWords, toldVerdict } from '../../proof/index.ts';
 import { checkedOf } from './check-watch.ts';
-import { solverDeskOf } from './desk.ts';
+import { solverSessionOf } from './solver-session.ts';
 
 interface Verdict {
   readonly verdict: LevelVerdict;
@@ -16,13 +16,13 @@ interface Verdict {
 
 /** The verdict of `gq check` on an open level, as far as it is known by now. */
 export function useVerdict(level: OpenLevel): Verdict {
-  const desk = solverDeskOf(useEditor(), level);
+  const solver = solverSessionOf(useEditor(), level);
   const own = useStore(level.proof.store, (proof) => proof.verdict);
   const limit = useStore(level.proof.store, (proof) => proof.limit);
   const file = useStore(level.proof.store, (proof) => proof.file);
   const accuracy = useStore(level.proof.store, (proof) => proof.accuracy);
-  const checked = checkedOf({ file, accuracy, limit }, useStore(desk.checks.store));
-  const impossible = useStore(desk.proofs.store, (proved) => proved.impossible);
+  const checked = checkedOf({ file, accuracy, limit }, useStore(solver.checks.store));
+  const impossible = useStore(solver.proofs.store, (proved) => proved.impossible);
   const verdict = toldVerdict({ verdict: own }, checked, { impossible });
   if (verdict === 'completable') return { verdict, reason: null, limit: null };
   if (impossible !== null) return { verdict, reason: inPageWords(impossible.reason), limit: null };

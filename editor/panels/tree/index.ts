@@ -1,4 +1,5 @@
 export { InlineName } from './InlineName.tsx';
 export { MoreButton } from './MoreButton.tsx';
-export { type Modifiers, Tree } from './Tree.tsx';
+export { Tree } from './Tree.tsx';
+export type { Modifiers } from './tree-props.ts';
 export { leavesBetween, type MenuEntry, type TreeRow } from './tree-rows.ts';

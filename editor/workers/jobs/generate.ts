@@ -5,12 +5,12 @@ import { createPacer, type Start } from '../work.ts';
 export const generate: Start<'generate'> = function* ({ options }, now) {
   const generator = createGenerator(options);
   const pace = createPacer(now);
-  let told = 0;
+  let reported = 0;
   while (generator.result === null) {
     pace((ticks) => generator.advance(ticks));
     const { attempts } = generator.effort;
-    yield attempts === told ? null : { attempts };
-    told = attempts;
+    yield attempts === reported ? null : { attempts };
+    reported = attempts;
   }
   const { level, grade } = generator.result;
   return { file: level, grade: grade.value };

@@ -18,12 +18,12 @@ const toSolving = ({ effort, closest, solutions, explored, finished }: Solver): 
 export function* search(solver: Solver, budget: number | null, now: () => number): Generator<Solving | null, Solving, void> {
   const start = now();
   const pace = createPacer(now);
-  let told = start - TELL;
+  let reported = start - TELL;
   let best = solver.best;
   while (!solver.finished && (budget === null || now() - start < budget)) {
     pace((ticks) => solver.advance(ticks));
-    const isNews = solver.best !== best || now() - told >= TELL;
-    if (isNews) told = now();
+    const isNews = solver.best !== best || now() - reported >= TELL;
+    if (isNews) reported = now();
     best = solver.best;
     yield isNews ? toSolving(solver) : null;
   }

@@ -1,6 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { type Fall, offLine, speedAfter } from '../../../solver/verify/fall.ts';
+import { speedAfter } from '../../../solver/verify/assumptions.ts';
+import { type Fall, offLine } from '../../../solver/verify/fall.ts';
 import { real } from '../../real.ts';
 import { PULL, TICK } from './near-miss.ts';
 
@@ -70,6 +71,6 @@ describe('how far rounding takes her off the line on which she falls', () => {
 it('no more speed than a constant pull gives, from rest', () => {
   for (const far of [0, 1, 78, 250]) {
     // v2 = 2 a s
-    expect(speedAfter(far) ** 2 / (2 * PULL)).toBeCloseTo(far, 10);
+    expect(speedAfter(PULL, far) ** 2 / (2 * PULL)).toBeCloseTo(far, 10);
   }
 });

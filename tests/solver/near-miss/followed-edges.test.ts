@@ -1,7 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { LevelFile } from '../../../schema/index.ts';
-import type { Certificate } from '../../../solver/index.ts';
-import { type Asked, at, hot, levelWith, ORIGIN, spot, whyNot } from './near-miss.ts';
+import { type Asked, at, doomedBy, flowpipeBy, hot, levelWith, ORIGIN, spot, whyNot } from './near-miss.ts';
 
 // Proofs that follow all she may do hold more than what she can do: what is true is told in followed.test.ts. Here it is measured where acceptance begins, and stated to some
 // hundredths: a bound that becomes looser or tighter, or a term that is lost, moves it. All is asked of scenes as they are drawn, and mirrored and turned.
@@ -448,7 +447,11 @@ describe.each(['doomed', 'flowpipe'] as const)('%s, measured', (kind: Kind) => {
     const sign = safe === 'above' ? 1 : -1;
     for (const [n, turn] of TURNS.entries()) {
       const steps = grid?.steps ?? 12;
-      const certificate = { kind, grid: { axis: [turn.c, turn.s], frames: 4, steps, ...SIZES[kind], ...grid } } as Certificate;
+      const axis = [turn.c, turn.s] as const;
+      const certificate =
+        kind === 'doomed'
+          ? doomedBy({ axis, frames: 4, ...SIZES.doomed, ...grid }, steps)
+          : flowpipeBy({ axis, frames: 4, ...SIZES.flowpipe, ...grid, steps });
       const why = (value: number) => whyNot(levelOf(of(value), turn), certificate, asked);
       const begins = [edge[kind] ?? 0].flat()[kind === 'flowpipe' && Array.isArray(edge.flowpipe) ? n : 0];
       expect(why(begins - sign * 0.01)).toContain(says ?? `some runs may go on after ${steps} steps`);

@@ -1,21 +1,22 @@
 import { describe, expect, it } from 'vitest';
 import type { Certificate } from '../../../solver/index.ts';
-import { at, FRAMES, levelWith, ORIGIN, whyNot } from './near-miss.ts';
+import { at, doomedBy, FRAMES, flowpipeBy, levelWith, ORIGIN, whyNot } from './near-miss.ts';
 
 // What a certificate that follows her may ask for. Where she moves so fast that she is out of range soon, all of it is quick.
 
-type Grid = Certificate & { kind: 'doomed' | 'flowpipe' };
-type Follow = (steps: number, more?: Partial<Grid['grid']>) => Certificate;
-const doomed: Follow = (steps, more) =>
-  ({ kind: 'doomed', grid: { axis: [1, 0], cell: 8, bin: 4, frames: 4, steps, ...more } }) as Certificate;
-const flowpipe: Follow = (steps, more) =>
-  ({ kind: 'flowpipe', grid: { axis: [1, 0], cell: 16, frames: 4, steps, turns: 4, ...more } }) as Certificate;
-
 const AWAY = levelWith({ astronaut: { ...ORIGIN, vx: -60, vy: 0 }, asteroids: [at(200, 0)] });
 
+const doomed = doomedBy({ axis: [1, 0], cell: 8, bin: 4, frames: 4 }, 30);
+const DOOMED = doomed(AWAY);
+// its sets may be none of another grid
+type Follow = (steps: number, more?: object) => Certificate;
+const withGrid: Follow = (_, more) => ({ ...DOOMED, grid: { ...DOOMED.grid, ...more } });
+const FLOWPIPE = flowpipeBy({ axis: [1, 0], cell: 16, frames: 4, steps: 30, turns: 4 })(AWAY);
+const withPipeGrid: Follow = (_, more) => ({ ...FLOWPIPE, grid: { ...FLOWPIPE.grid, ...more } });
+
 describe.each([
-  ['doomed', doomed],
-  ['flowpipe', flowpipe],
+  ['doomed', withGrid],
+  ['flowpipe', withPipeGrid],
 ] as const)('%s', (kind, follow) => {
   const isPipe = kind === 'flowpipe';
 
@@ -25,12 +26,11 @@ describe.each([
     expect(accepted({ cell: 0.25 })).not.toBe('its grid is none');
     expect(accepted({ cell: 1000 })).not.toBe('its grid is none');
     expect(accepted({ frames: 1, steps: 60 })).not.toBe('its grid is none');
-    expect(accepted({ frames: 60, steps: isPipe ? 3 : 1 })).not.toBe('its grid is none');
-    expect(accepted({ steps: isPipe ? 400 : 1000, frames: 4 })).not.toBe('its grid is none');
+    expect(accepted({ frames: 60, ...(isPipe && { steps: 3 }) })).not.toBe('its grid is none');
     const none: object[] = [
       ...[0.2499, 0, -8, 1000.1, Number.NaN, '8', null].map((cell) => ({ cell })),
       ...[0, 61, 1.5, '4', null].map((frames) => ({ frames })),
-      ...[0, isPipe ? 2 : -1, isPipe ? 401 : 1001, 2.5, '30'].map((steps) => ({ steps })),
+      ...(isPipe ? [0, 2, 401, 2.5, '30'].map((steps) => ({ steps })) : []),
       ...[undefined, null, [1], [1, 0, 0], [1, 1e-5], [0.6, 0.81], [Number.NaN, 0], '10', { 0: 1, 1: 0, length: 2 }].map(
         (axis) => ({ axis }),
       ),
@@ -38,6 +38,7 @@ describe.each([
     ];
     for (const more of none) expect(accepted(more), JSON.stringify(more)).toBe('its grid is none');
     if (isPipe) {
+      expect(accepted({ steps: 400 })).not.toBe('its grid is none');
       expect(accepted({ turns: 1 })).not.toBe('its grid is none');
       expect(accepted({ turns: 64 })).not.toBe('its grid is none');
     } else {
@@ -45,6 +46,48 @@ describe.each([
       expect(accepted({ bin: 1000 })).not.toBe('its grid is none');
     }
     expect(whyNot(AWAY, { ...follow(30), grid: undefined } as never)).toBe('its grid is none');
+  });
+});
+
+describe('the sets of doomed', () => {
+  const accepted = (layers: unknown) => whyNot(AWAY, { ...DOOMED, layers } as Certificate);
+  const [first, ...rest] = DOOMED.layers;
+  const withBox = (box: unknown) => accepted([[...first, box], ...rest]);
+  const far = [-9000, -8999, -9000, -8999, -1, 1, -1, 1];
+  const withNumber = (i: number, n: unknown) => withBox(far.map((old, k) => (k === i ? n : old)));
+
+  it('any box more is no harm', () => expect(withBox(far)).toBeNull());
+
+  it('boxes are eight numbers, each least before its most, none too large', () => {
+    const none = 'its sets are none';
+    for (const layers of [undefined, null, {}, 'all', [...DOOMED.layers, null], [...DOOMED.layers, {}]])
+      expect(accepted(layers), JSON.stringify(layers)).toBe(none);
+    for (const box of [undefined, null, {}, 8, [], far.slice(1), [...far, 0], { ...far, length: 8 }])
+      expect(withBox(box), JSON.stringify(box)).toBe(none);
+    for (let i = 0; i < 8; i++) {
+      const last = i % 2 === 1;
+      for (const n of [Number.NaN, 1 / 0, -1 / 0, null, undefined, `${far[i]}`, [far[i]], last ? 1.001e9 : -1.001e9])
+        expect(withNumber(i, n), `${i} ${n}`).toBe(none);
+      expect(withNumber(i, last ? far[i - 1] - 1e-9 : far[i + 1] + 1e-9)).toBe(none);
+    }
+    expect(withNumber(0, -1e9)).not.toBe(none);
+  });
+
+  it('no more of them than it may have', () => {
+    const count = DOOMED.layers.flat().length;
+    const more = (n: number) => accepted([[...first, ...Array.from({ length: n }, () => far)], ...rest]);
+    expect(more(20_000 - count)).toBeNull();
+    expect(more(20_001 - count)).toBe('its sets are none');
+  });
+
+  it('none at all hold nothing', () => {
+    expect(accepted([])).toBe('some runs may go on after 0 steps');
+    expect(accepted([[], []])).toBe('its sets do not hold all that she may do by step 0');
+    // frames ask for the black hole before hazards: that the run is over at once says nothing
+    const atOnce = levelWith({ astronaut: { ...ORIGIN, vx: -60, vy: 0 }, asteroids: [at(200, 0)], novae: [at(0, 0, 30)] });
+    const touching = { ...atOnce, blackHole: { ...atOnce.blackHole, ...ORIGIN } };
+    for (const level of [atOnce, touching])
+      expect(whyNot(level, { ...DOOMED, layers: [] }, { covers: FRAMES })).toBe('some runs may go on after 0 steps');
   });
 });
 
@@ -57,7 +100,7 @@ describe('with frames', () => {
       asteroids: [{ x: x + 200, y, radius: 16 }],
       blackHole: { x: x + 900, y },
     });
-    return whyNot(level, doomed(30), { covers: FRAMES });
+    return whyNot(level, doomed, { covers: FRAMES });
   };
   const coarse = 'with frames places so far out are too coarse';
 
@@ -77,6 +120,6 @@ describe('with frames', () => {
       asteroids: [{ x: 3e6 + 200, y: 3e6, radius: 16 }],
       blackHole: { x: 3e6 + 900, y: 3e6 },
     });
-    expect(whyNot(level, doomed(30))).toBeNull();
+    expect(whyNot(level, doomed)).toBeNull();
   });
 });

@@ -1,14 +1,17 @@
 import { describe, expect, it } from 'vitest';
 import { compile, simulate } from '../../../engine/index.ts';
 import type { Hold, Level, LevelFile } from '../../../schema/index.ts';
-import type { Certificate } from '../../../solver/index.ts';
+import type { FanGrid, Flowpipe, PipeGrid } from '../../../solver/index.ts';
 import {
   type Asked,
   at,
   BOX,
+  doomedBy,
   FRAMES,
+  flowpipeBy,
   hot,
   levelWith,
+  type Maker,
   type NearMiss,
   nearMisses,
   ORIGIN,
@@ -21,12 +24,9 @@ import {
 // Proofs that follow all she may do hold more than what she can do, so their slack is no rounding: it is measured, and stated to some hundredths.
 // What is false is known from playing, or from the energy of one pull.
 
-type Grid = Certificate & { kind: 'doomed' | 'flowpipe' };
-type Follow = (steps: number, more?: Partial<Grid['grid']>) => Certificate;
-const doomed: Follow = (steps, more) =>
-  ({ kind: 'doomed', grid: { axis: [1, 0], cell: 8, bin: 4, frames: 4, steps, ...more } }) as Certificate;
-const flowpipe: Follow = (steps, more) =>
-  ({ kind: 'flowpipe', grid: { axis: [1, 0], cell: 16, frames: 4, steps, turns: 4, ...more } }) as Certificate;
+type Follow = (steps: number, more?: Partial<FanGrid & PipeGrid>) => Maker;
+const doomed: Follow = (steps, more) => doomedBy({ axis: [1, 0], cell: 8, bin: 4, frames: 4, ...more }, steps);
+const flowpipe: Follow = (steps, more) => flowpipeBy({ axis: [1, 0], cell: 16, frames: 4, steps, turns: 4, ...more });
 
 const HELD: readonly Hold[] = [[0, 3600]];
 const moving = (vx: number, vy: number, more: Partial<LevelFile>): Level =>
@@ -217,10 +217,12 @@ describe('doomed alone', () => {
     expect(whyNot(turning(75), doomed(60), { covers: FRAMES })).toBe('some runs may go on after 60 steps');
   });
 
-  it('follows no more boxes than it may', () => {
-    expect(whyNot(moving(-60, 20, { asteroids: [at(50, 0)] }), doomed(1000, { cell: 0.25, bin: 0.25, frames: 1 }))).toBe(
-      'it takes too many boxes to follow her',
-    );
+  it('looks at no more pieces of boxes than it may', () => {
+    const level = moving(-60, 20, { asteroids: [at(50, 0)] });
+    const grid = { axis: [1, 0], cell: 0.25, bin: 0.25, frames: 1 } as const;
+    const { layers } = doomedBy(grid, 1)(level);
+    const lost = [-9000, -8000, -9000, -8000, -300, 300, -300, 300];
+    expect(whyNot(level, { kind: 'doomed', grid, layers: [[lost, ...layers[0]]] })).toBe('it takes too many boxes to follow her');
   });
 
   nearMisses({
@@ -288,7 +290,17 @@ describe('flowpipe alone', () => {
   });
 
   it('follows no more pieces than it may', () => {
-    expect(whyNot(moving(-60, 20, { asteroids: [at(50, 0)] }), flowpipe(12, { cell: 0.25, frames: 10 }))).toBe(
+    const level = moving(-60, 20, { asteroids: [at(50, 0)] });
+    const made = flowpipe(12)(level) as Flowpipe;
+    // 158 lines each across and down cut what is there into nothing 25,280 times, and one thing that goes on
+    const far = Array.from({ length: 158 }, (_, n) => 8000 + n);
+    const parts = Array.from({ length: 159 * 159 }, () => ({ off: [], to: 0 }));
+    const cut = { cuts: [far, far, [], []], parts };
+    expect(whyNot(level, { ...made, layers: [[[cut, cut]], ...made.layers.slice(1)] })).toBe(
+      'it does not say how a set goes on in step 1',
+    );
+    const half = { cuts: [far.slice(0, 100), far.slice(0, 124), [], []], parts: parts.slice(0, 101 * 125) };
+    expect(whyNot(level, { ...made, layers: [[[half, half]], ...made.layers.slice(1)] })).toBe(
       'it takes too many pieces to follow her',
     );
   });

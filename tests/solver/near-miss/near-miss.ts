@@ -1,7 +1,19 @@
 import { expect, it } from 'vitest';
 import type { AccuracyName } from '../../../engine/index.ts';
 import { type Level, type LevelFile, resolveLevel } from '../../../schema/index.ts';
-import { type About, type Certificate, type Proof, verifyProof } from '../../../solver/index.ts';
+import {
+  type About,
+  type Certificate,
+  type Doomed,
+  type FanGrid,
+  type Flowpipe,
+  type PipeGrid,
+  type Proof,
+  verifyProof,
+} from '../../../solver/index.ts';
+import { followFan } from '../../../solver/proofs/fan.ts';
+import { followPipes } from '../../../solver/proofs/pipe.ts';
+import { settingOf, thingOf } from '../../../solver/proofs/setting.ts';
 
 // The game's numbers as its rules give them, and not as the sources name them: the two are to agree.
 export const BOX = { halfWidth: 10, halfHeight: 16, halfDiagonal: Math.sqrt(10 * 10 + 16 * 16) };
@@ -30,20 +42,47 @@ export interface Asked {
 }
 
 export const CONTINUOUS: readonly AccuracyName[] = ['fast', 'standard', 'precise'];
+const HOLE: About = { kind: 'blackHole' };
 export const FRAMES: readonly AccuracyName[] = ['arcade'];
 
 export const proofWith = (certificate: Certificate, { covers = CONTINUOUS, about, maxTime = null }: Asked = {}): Proof => ({
   code: certificate.kind,
-  about: about ?? { kind: 'blackHole' },
+  about: about ?? HOLE,
   reason: '',
   covers,
   maxTime,
   certificate,
 });
 
+/** A certificate for a level, whether it holds or not. */
+export type Maker<C extends Certificate = Certificate> = (level: Level, asked?: Asked) => C;
+
+/**
+ * The sets of all she may do over a grid, as far as they can be followed in so many steps: where she may touch the thing, or goes on, they are as good as
+ * any, and the checker is to find it out.
+ */
+export const doomedBy =
+  (grid: FanGrid, steps: number): Maker<Doomed> =>
+  (level, { covers = CONTINUOUS, about = HOLE, maxTime = null } = {}) => {
+    const setting = settingOf(level, maxTime, covers.includes('arcade'));
+    const goal = thingOf(level, about.kind === 'mineral' ? level.minerals[about.index] : level.blackHole);
+    const { layers } = followFan(setting, about, goal, grid, { steps, boxes: 100_000 });
+    return { kind: 'doomed', grid, layers };
+  };
+
+/** The same as a flowpipe; the grid says how many steps. */
+export const flowpipeBy =
+  (grid: PipeGrid): Maker<Flowpipe> =>
+  (level, { about = HOLE, maxTime = null } = {}) => {
+    const goal = thingOf(level, about.kind === 'mineral' ? level.minerals[about.index] : level.blackHole);
+    const { layers } = followPipes(settingOf(level, maxTime, false), about, goal, grid, { sets: 25_000, parts: 25_000 });
+    return { kind: 'flowpipe', grid, layers };
+  };
+
 /** What the checker says: null, or why not. */
-export function whyNot(level: Level, certificate: Certificate, asked?: Asked): string | null {
-  const verdict = verifyProof(level, proofWith(certificate, asked));
+export function whyNot(level: Level, certificate: Certificate | Maker, asked?: Asked): string | null {
+  const made = typeof certificate === 'function' ? certificate(level, asked) : certificate;
+  const verdict = verifyProof(level, proofWith(made, asked));
   return verdict.ok ? null : verdict.why;
 }
 

@@ -1,0 +1,5 @@
+export { checkFiles } from './check-files.ts';
+export type { CheckedLevel, CheckSettings } from './checked-level.ts';
+export { CHECK_CODES } from './codes.ts';
+export { unreadableLevel } from './refused-level.ts';
+export { exitCodeOf, summarize } from './summary.ts';

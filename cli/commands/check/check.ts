@@ -1,0 +1,104 @@
+import { availableParallelism } from 'node:os';
+import process from 'node:process';
+import type { Command } from 'commander';
+import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../../accuracy-options.ts';
+import type { CheckedLevel, CheckSettings } from '../../check/index.ts';
+import { checkFiles, exitCodeOf, unreadableLevel } from '../../check/index.ts';
+import { colorsFor } from '../../colors.ts';
+import type { CommandResult } from '../../command.ts';
+import { Failure } from '../../failure.ts';
+import { findLevelFiles } from '../../files.ts';
+import { formatOption, jobsOption, maxTimeOption, maxWorkOption, wholeNumberOption } from '../../options.ts';
+import { createProgress } from '../../progress.ts';
+import { addSearchOptions, limitsOf, type SearchOptions } from '../../search-options.ts';
+import { checkGithub } from './github.ts';
+import { checkJson } from './json.ts';
+import { checkPretty } from './pretty.ts';
+
+/** Of more files than this minerals are not proved to be out of reach unless --solve takes its time anyway: a thousand levels have to be checked while somebody waits. */
+const FEW_FILES = 64;
+
+interface CheckOptions extends AccuracyOptions, SearchOptions {
+  readonly solve?: true;
+  readonly requireSlack?: number;
+  readonly maxTime: number;
+  readonly maxWork: number;
+  readonly format: 'pretty' | 'json' | 'github';
+  readonly jobs: number;
+}
+
+export function declare(command: Command, finish: (result: CommandResult) => void): void {
+  addSearchOptions(addAccuracyOptions(command), ' a level')
+    .description('Read, validate and replay every level, and say which can be completed.')
+    .argument('[path...]', 'level files, directories, or quoted patterns with * ** ?', ['levels'])
+    .option('--solve', 'search for a run where no scripted one completes a level, and warn of runs that forgive nothing')
+    .option(
+      '--require-slack <ticks>',
+      'every run that completes a level must forgive so many ticks: all shifts of all its presses and releases by up to so much succeed',
+      wholeNumberOption('a number of ticks', 0, 60),
+    )
+    .addOption(maxTimeOption())
+    .addOption(maxWorkOption())
+    .addOption(formatOption('pretty', 'json', 'github'))
+    .addOption(jobsOption(availableParallelism()))
+    .addHelpText(
+      'after',
+      `
+A directory stands for every *.level.json below it (hidden directories and node_modules left out); a file is read whatever
+its name. Verdicts: completable, broken (it has runs, none completes it), unproven (no run), impossible (proved: nobody can
+complete it), invalid, crashed. A level that costs more than --max-work is unproven: work is counted, and the same on every
+machine; the default lets the check of any file end within seconds. --budget, --effort and --seed are for --solve. That nobody can collect a mineral is proved with
+--solve, or when at most ${FEW_FILES} files are checked.
+
+Exit code: 2 when a path matches nothing (then nothing is checked), or when a file could not be read or gq failed on it
+(the other levels are reported all the same); else 1 when a level is anything but completable, or forgives less than
+--require-slack; else 0.
+
+Examples:
+  $ gq check                             every level under levels/
+  $ gq check levels extra/a.level.json   a directory and a file
+  $ gq check --solve --budget 30 drafts  look for runs, half a minute a level at most
+  $ gq check --require-slack 2           for CI: every scripted run can be played with 33 ms of error
+  $ gq check --format json | jq .summary
+  $ gq check --format github             annotations for a pull request`,
+    )
+    .action(async (paths: string[], options: CheckOptions) => finish(await check(paths, options)));
+}
+
+async function check(paths: readonly string[], options: CheckOptions): Promise<CommandResult> {
+  const search = searchOf(options);
+  const { files, unreadable } = await findLevelFiles(paths);
+  const settings: CheckSettings = {
+    accuracy: chooseAccuracy(options),
+    maxTime: options.maxTime,
+    maxWork: options.maxWork,
+    inFull: options.format === 'json',
+    search,
+    proveMinerals: options.solve === true || files.length <= FEW_FILES,
+    requireSlack: options.requireSlack ?? null,
+  };
+  const progress = createProgress('checked', files.length);
+  const reports: CheckedLevel[] = await checkFiles(files, settings, options.jobs, progress.update);
+  progress.clear();
+  for (const { path, reason } of unreadable) reports.push(unreadableLevel(path, `${path}: can't be looked into: ${reason}`));
+  return { output: report(reports, options.format), exitCode: exitCodeOf(reports) };
+}
+
+function searchOf(options: CheckOptions): CheckSettings['search'] {
+  const { solve, budget, effort, seed } = options;
+  if (solve) return { limits: limitsOf(options), seed };
+  const part = budget !== undefined ? '--budget' : effort !== undefined ? '--effort' : null;
+  if (part !== null) throw new Failure(`${part} says how long --solve searches: give --solve, too`);
+  return null;
+}
+
+function report(reports: readonly CheckedLevel[], format: CheckOptions['format']): string {
+  switch (format) {
+    case 'json':
+      return checkJson(reports);
+    case 'github':
+      return checkGithub(reports);
+    case 'pretty':
+      return checkPretty(reports, colorsFor(process.stdout));
+  }
+}

@@ -1,0 +1,46 @@
+import { bodyInWords, countMinerals, plural, VERDICT_MEANS } from '../../../check/words/index.ts';
+import type { Verdict } from '../../../schema/index.ts';
+import type { CheckedLevel } from '../../check/index.ts';
+import { summarize } from '../../check/index.ts';
+import type { Colors } from '../../colors.ts';
+import { alignColumns, showFileProblems } from '../../report-parts/index.ts';
+import { visibleLine } from '../../visible.ts';
+
+const WHAT_TO_DO: Record<Exclude<Verdict, 'completable'>, string> = {
+  broken: 'change the level or a run; gq simulate shows what happens',
+  unproven: 'gq solve looks for a run',
+  impossible: 'change the level',
+  invalid: 'mend what is said above',
+  crashed: 'please report it with the level',
+};
+
+/** What `check` found out, for a person: a line a level, its problems below it, and a summary. */
+export function checkPretty(reports: readonly CheckedLevel[], colors: Colors): string {
+  const lines = alignColumns(reports.map(row), [TIME_COLUMN]);
+  const paint = (verdict: Verdict): ((text: string) => string) =>
+    verdict === 'completable' ? colors.green : verdict === 'unproven' ? colors.yellow : colors.red;
+  let text = '';
+  for (const [i, { file, verdict, problems }] of reports.entries()) {
+    text += `${paint(verdict)(verdict)}${lines[i].slice(verdict.length)}\n${showFileProblems(file, problems, colors)}`;
+  }
+  const summary = summarize(reports);
+  const counts = Object.entries(summary).filter(([, count]) => count > 0);
+  text += `\n${colors.bold(plural(reports.length, 'level'))}: ${counts.map(([v, count]) => paint(v as Verdict)(`${count} ${v}`)).join(', ')}\n`;
+  for (const [verdict] of counts as [Verdict, number][]) {
+    if (verdict !== 'completable') text += `${verdict}: ${VERDICT_MEANS[verdict]}: ${WHAT_TO_DO[verdict]}\n`;
+  }
+  if (reports.some((report) => report.problems.length > 0)) text += 'gq explain CODE says more about a problem\n';
+  return text;
+}
+
+const TIME_COLUMN = 3;
+
+/** verdict, file, name, time, minerals, clearance */
+function row({ verdict, file, name, run, found, mineralCount }: CheckedLevel): string[] {
+  const cells = [verdict, visibleLine(file), verdict === 'invalid' || verdict === 'crashed' ? '' : visibleLine(name)];
+  if (verdict !== 'completable' || run === null) return cells;
+  const minerals = mineralCount === 0 ? 'no minerals' : `${countMinerals(run)} of ${plural(mineralCount, 'mineral')}`;
+  const near = run.clearance;
+  const clearance = near === null ? 'nothing deadly' : `${near.distance.toFixed(1)} px clear of ${bodyInWords(near)}`;
+  return [...cells, `${run.time.toFixed(2)} s`, minerals, found === null ? clearance : `${clearance}, by a run that was found`];
+}

@@ -1,0 +1,156 @@
+import { availableParallelism } from 'node:os';
+import process from 'node:process';
+import { type Command, Option } from 'commander';
+import { plural } from '../../../check/words/index.ts';
+import { type DifficultyPicture, drawDifficulty, type Ground } from '../../../picture/difficulty/index.ts';
+import type { Goal } from '../../../solver/index.ts';
+import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../../accuracy-options.ts';
+import { colorsFor } from '../../colors.ts';
+import type { CommandResult } from '../../command.ts';
+import { type MeasuredLevel, type MeasureSettings, measureLevels } from '../../difficulty/index.ts';
+import { Failure } from '../../failure.ts';
+import { findLevelFiles } from '../../files.ts';
+import { formatOption, jobsOption, maxTimeOption, seedOption, wholeNumberOption } from '../../options.ts';
+import { createProgress } from '../../progress.ts';
+import { mineralsOption } from '../../search-options.ts';
+import { visibleLine } from '../../visible.ts';
+import { writeWhole } from '../../write-file.ts';
+import { difficultyJson } from './json.ts';
+import { difficultyPretty } from './pretty.ts';
+
+/** Ticks simulated to find a run, where nothing else is said. */
+const DEFAULT_EFFORT = 5_000_000;
+
+interface Options extends AccuracyOptions {
+  readonly run?: string;
+  readonly search?: true;
+  readonly minerals: Goal['minerals'];
+  readonly effort: number;
+  readonly seed: number;
+  readonly svg?: string;
+  readonly theme: Ground;
+  readonly maxTime: number;
+  readonly jobs: number;
+  readonly format: 'pretty' | 'json';
+}
+
+export function declare(command: Command, finish: (result: CommandResult) => void): void {
+  addAccuracyOptions(command)
+    .description('How hard levels are: success under timing noise, slack, random play, shortcuts, and a grade.')
+    .argument('<path...>', 'level files, directories, or quoted patterns with * ** ?')
+    .option('--run <name>', 'the run to measure; else the first that completes the level, or one that a search finds')
+    .option('--search', "measure the run that forgives most of the level's own and those that a search finds")
+    .addOption(mineralsOption())
+    .option(
+      '--effort <ticks>',
+      'ticks of 1/60 s to simulate where a run has to be found',
+      wholeNumberOption('a number of ticks', 1, Number.MAX_SAFE_INTEGER),
+      DEFAULT_EFFORT,
+    )
+    .addOption(seedOption())
+    .option(
+      '--svg <file>',
+      'draw success over timing noise into FILE.svg, of one level with the window of each press and release',
+    )
+    .addOption(
+      new Option('--theme <theme>', 'colours of the picture; auto follows the viewer')
+        .choices(['auto', 'light', 'dark'])
+        .default('auto'),
+    )
+    .addOption(maxTimeOption())
+    .addOption(jobsOption(availableParallelism()))
+    .addOption(formatOption('pretty', 'json'))
+    .addHelpText(
+      'after',
+      `
+Noise: each press and release is off by an independent Gaussian error; people are off by 30 to 60 ms. The grade is an estimate,
+made from the other numbers and not fitted to players. Of a single level it is also said what all its minerals take beyond, and
+whether it can be completed without pressing, with one press, and without each asteroid that the run uses.
+
+Exit code: 0 when every level was measured; 1 when one has no run that can be, or is invalid; 2 when one could not be read.
+
+Examples:
+  $ gq difficulty levels                                  a table, the easiest first
+  $ gq difficulty levels/16-firewalk.level.json --svg firewalk.svg
+  $ gq difficulty levels/16-firewalk.level.json --run all-minerals --minerals all
+  $ gq difficulty levels --format json | jq '.levels[] | [.measured.grade.value, .name]'`,
+    )
+    .action(async (paths: string[], options: Options) => finish(await measure(paths, options)));
+}
+
+async function measure(paths: readonly string[], options: Options): Promise<CommandResult> {
+  const { svg, theme, format, jobs } = options;
+  if (svg !== undefined && !/\.svg$/i.test(svg)) throw new Failure(`--svg ${svg}: expected a name that ends in .svg`);
+  if (options.run !== undefined && options.search)
+    throw new Failure('--run and --search exclude each other: give one of the two');
+  const accuracy = chooseAccuracy(options);
+  const { files, unreadable } = await findLevelFiles(paths);
+  const settings: MeasureSettings = {
+    accuracy,
+    goal: { minerals: options.minerals },
+    run: options.run ?? null,
+    search: options.search === true,
+    effort: options.effort,
+    seed: options.seed,
+    maxTime: options.maxTime,
+    inFull: files.length === 1,
+    withCurve: svg !== undefined,
+  };
+  const progress = createProgress('measured', files.length);
+  const levels = await measureLevels(files, settings, jobs, progress.update);
+  progress.clear();
+  const code = Math.max(0, ...levels.map((level) => level.code), ...unreadable.map(() => 2)) as 0 | 1 | 2;
+  const messages = unreadable.map(({ path, reason }) => `error: ${visibleLine(path)}: can't be looked into: ${reason}\n`);
+  if (svg !== undefined) {
+    const picture = pictureOf(levels, accuracy.name);
+    if (picture === null) messages.push(`${visibleLine(svg)} was not written: nothing was measured\n`);
+    else {
+      await writeWhole(svg, drawDifficulty(picture, theme));
+      messages.push(`wrote ${visibleLine(svg)}\n`);
+    }
+  }
+  const output = format === 'json' ? difficultyJson(levels) : difficultyPretty(levels, colorsFor(process.stdout));
+  return { output, messages: messages.join(''), exitCode: code };
+}
+
+/** More curves than this in one picture can't be told apart. */
+const MOST_CURVES = 12;
+
+function pictureOf(levels: readonly MeasuredLevel[], accuracy: string): DifficultyPicture | null {
+  const measured = levels.flatMap(({ name, difficulty, curve, runName }) =>
+    difficulty === null ? [] : [{ name, difficulty, curve, runName }],
+  );
+  if (measured.length === 0) return null;
+  const curves = measured.slice(0, MOST_CURVES).map(({ name, difficulty: { sigmaAtHalf }, curve }) => ({
+    name,
+    points: curve,
+    half: sigmaAtHalf.ms <= curve[curve.length - 1].sigma ? sigmaAtHalf.ms : null,
+  }));
+  if (levels.length > 1) {
+    const left = measured.length > MOST_CURVES ? `, the first ${MOST_CURVES} of ${measured.length}` : '';
+    return {
+      title: 'How hard the levels are',
+      subtitle: [`${curves.length} levels${left}, ${accuracy}`],
+      curves,
+      edges: [],
+      limit: 0,
+    };
+  }
+  const [{ name, runName, difficulty }] = measured;
+  const { grade, robustness, presses, length } = difficulty;
+  const run = runName === null ? 'a run that a search found' : `run ${JSON.stringify(runName)}`;
+  return {
+    title: `How hard ${name} is: ${grade.word}, ${grade.value.toFixed(1)} of 10`,
+    subtitle: [
+      `${run}, ${accuracy}: ${length.toFixed(2)} s, ${plural(presses, 'press', 'presses')}`,
+      `every shift of all presses and releases by up to ${plural(robustness.certifiedTicks, 'tick')} succeeds; the grade is an estimate`,
+    ],
+    curves,
+    edges: robustness.slack.map(({ earlier, later }, i) => ({
+      label: `${i % 2 === 0 ? 'press' : 'release'} ${1 + (i >> 1)}`,
+      earlier,
+      later,
+    })),
+    limit: 60,
+  };
+}

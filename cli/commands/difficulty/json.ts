@@ -1,0 +1,49 @@
+import type { DifficultyReport, RunFoundReport } from '../../../schema/index.ts';
+import type { Candidate } from '../../../solver/index.ts';
+import type { MeasuredLevel } from '../../difficulty/index.ts';
+import { problemJson, robustnessJson } from '../../report-parts/index.ts';
+
+/** How hard levels are, for a program. */
+export function difficultyJson(levels: readonly MeasuredLevel[]): string {
+  const report: DifficultyReport = { levels: levels.map(levelJson) };
+  return `${JSON.stringify(report)}\n`;
+}
+
+function levelJson({ file, name, runName, difficulty, curve, why, problems }: MeasuredLevel): DifficultyReport['levels'][number] {
+  const shared = { file, name, problems: problems.map(problemJson) };
+  if (difficulty === null) return { ...shared, measured: null, why };
+  const { run, robustness, sigmaAtHalf, mineralsExtra, shortcuts, grade, randomPlay } = difficulty;
+  const { withoutPressing, onePress, withoutAsteroid } = shortcuts;
+  return {
+    ...shared,
+    measured: {
+      run: { name: runName, ...runJson(run) },
+      grade: { ...grade },
+      robustness: robustnessJson(robustness),
+      sigmaAtHalf: { ...sigmaAtHalf },
+      smallestWindow: difficulty.smallestWindow,
+      presses: difficulty.presses,
+      length: difficulty.length,
+      randomPlay: { ...randomPlay },
+      mineralsExtra: mineralsExtra === null ? null : { ...mineralsExtra, run: runJson(mineralsExtra.run) },
+      shortcuts: {
+        withoutPressing: withoutPressing === null ? null : runJson(withoutPressing),
+        onePress: { ...onePress, example: onePress.example === null ? null : runJson(onePress.example) },
+        withoutAsteroid: withoutAsteroid.map(({ asteroid, use, run: way }) => ({
+          asteroid,
+          use,
+          run: way === null ? null : runJson(way),
+        })),
+      },
+      curve: curve.map((success) => ({ ...success })),
+    },
+    why: null,
+  };
+}
+
+const runJson = ({ holds, time, tick, minerals }: Candidate): RunFoundReport => ({
+  holds: holds.map(([press, release]) => [press, release]),
+  time,
+  tick,
+  minerals: [...minerals],
+});

@@ -1,0 +1,105 @@
+import { holdsInWords, plural } from '../../../check/words/index.ts';
+import { TICK } from '../../../engine/index.ts';
+import type { Difficulty, GradeWord } from '../../../solver/index.ts';
+import type { Colors } from '../../colors.ts';
+import type { MeasuredLevel } from '../../difficulty/index.ts';
+import { alignColumns, percent, robustnessLines, showFileProblems } from '../../report-parts/index.ts';
+import { visible, visibleLine } from '../../visible.ts';
+
+/** How hard levels are, for a person: one in detail, several as a table, the easiest first. */
+export function difficultyPretty(levels: readonly MeasuredLevel[], colors: Colors): string {
+  const measured = levels.filter(hasDifficulty);
+  const text = levels.length === 1 && measured.length === 1 ? detail(measured[0], colors) : table(measured, colors);
+  const failures = levels.filter(({ difficulty }) => difficulty === null);
+  const reported = failures.map(({ file, why, problems }) =>
+    problems.length > 0
+      ? showFileProblems(file, problems, colors)
+      : `${visibleLine(file)}: ${colors.yellow('not measured')}: ${visibleLine(why)}\n`,
+  );
+  const grade = measured.length === 0 ? '' : 'the grade, 1 to 10, is an estimate made from the other numbers\n';
+  return `${text}${reported.join('')}${grade}`;
+}
+
+type Hard = MeasuredLevel & { readonly difficulty: Difficulty };
+
+const hasDifficulty = (level: MeasuredLevel): level is Hard => level.difficulty !== null;
+
+function table(levels: readonly Hard[], colors: Colors): string {
+  if (levels.length === 0) return '';
+  const sorted = [...levels].sort((a, b) => a.difficulty.grade.value - b.difficulty.grade.value);
+  const head = ['grade', '', 'P(40 ms)', 'half at', 'window', 'presses', 'length', 'random', 'level'];
+  const rows = sorted.map(({ file, difficulty }) => {
+    const { grade, robustness, sigmaAtHalf, smallestWindow, presses, length, randomPlay } = difficulty;
+    return [
+      grade.value.toFixed(1),
+      grade.word,
+      percent(robustness.p40.p),
+      sigmaInWords(sigmaAtHalf),
+      smallestWindow === null ? '' : windowInWords(smallestWindow),
+      String(presses),
+      `${length.toFixed(2)} s`,
+      percent(randomPlay.share),
+      visibleLine(file),
+    ];
+  });
+  const [first, ...lines] = alignColumns([head, ...rows], [0, 2, 3, 4, 5, 6, 7]);
+  const painted = lines.map((line, i) => paint(sorted[i].difficulty.grade.word, colors)(line));
+  return `${colors.bold(first)}\n${painted.join('\n')}\n\n`;
+}
+
+const sigmaInWords = ({ ms, capped }: Difficulty['sigmaAtHalf']): string => `${capped ? '> ' : ''}${ms.toFixed(0)} ms`;
+
+const windowInWords = (ticks: number): string => `${(1000 * ticks * TICK).toFixed(0)} ms`;
+
+const paint = (word: GradeWord, colors: Colors) =>
+  word === 'hard' || word === 'brutal' ? colors.red : word === 'medium' ? colors.yellow : colors.green;
+
+const USES = {
+  avoidable: 'can be left unused',
+  replaceable: 'can be left out of the level',
+  needed: 'is needed: without it the level is proved impossible',
+  unknown: 'is most likely needed: no way without it was found',
+} as const;
+
+function detail({ name, runName, difficulty }: Hard, colors: Colors): string {
+  const { run, grade, robustness, sigmaAtHalf, smallestWindow, presses, length, randomPlay, mineralsExtra, shortcuts } =
+    difficulty;
+  const { low, high, capped } = sigmaAtHalf;
+  const { withoutPressing, onePress, withoutAsteroid } = shortcuts;
+  const lines: [string, string][] = [
+    ['run', `${runName === null ? 'found by a search' : JSON.stringify(runName)}: ${holdsInWords(run.holds)}`],
+    ['length', `${length.toFixed(2)} s, ${plural(presses, 'press', 'presses')}`],
+    ...robustnessLines(robustness),
+    [
+      'half at',
+      `${sigmaInWords(sigmaAtHalf)} of timing noise every second attempt succeeds${capped ? '' : ` (${low.toFixed(0)} to ${high.toFixed(0)} ms)`}`,
+    ],
+  ];
+  if (smallestWindow !== null) lines.push(['window', `${windowInWords(smallestWindow)} for the tightest press or release`]);
+  lines.push(['random', `${percent(randomPlay.share)} of ${randomPlay.samples} random games win`]);
+  if (mineralsExtra !== null) lines.push(['minerals', mineralsInWords(mineralsExtra)]);
+  lines.push([
+    'no press',
+    withoutPressing === null ? 'does not complete it' : `completes it in ${withoutPressing.time.toFixed(2)} s`,
+  ]);
+  lines.push(['one press', onePressInWords(onePress)]);
+  for (const { asteroid, use, run: way } of withoutAsteroid) {
+    lines.push([`asteroid ${asteroid}`, `${USES[use]}${way === null ? '' : `: ${holdsInWords(way.holds)}`}`]);
+  }
+  const title = `${colors.bold(visibleLine(name))}: ${paint(grade.word, colors)(`${grade.word}, ${grade.value.toFixed(1)} of 10`)}`;
+  return `${title}\n${lines.map(([label, text]) => `${label.padEnd(12)}${visible(text)}\n`).join('')}\n`;
+}
+
+function mineralsInWords({ time, presses, p40 }: NonNullable<Difficulty['mineralsExtra']>): string {
+  const than = (value: number, size: string, less: string, more: string): string => `${size} ${value < 0 ? less : more}`;
+  const quick = than(time, `${Math.abs(time).toFixed(2)} s`, 'quicker', 'slower');
+  const many = than(presses, plural(Math.abs(presses), 'press', 'presses'), 'fewer', 'more');
+  const sure = than(p40, `${Math.abs(100 * p40).toFixed(1)} points`, 'less', 'more');
+  return `taking all of them is ${quick}, with ${many} and ${sure} of success at 40 ms`;
+}
+
+function onePressInWords({ count, tried, example }: Difficulty['shortcuts']['onePress']): string {
+  if (count === 0) return `never completes it, of ${tried} pairs of press and release`;
+  const way = example === null ? '' : `, as ${holdsInWords(example.holds)}`;
+  return `completes it in ${count} of ${tried} pairs of press and release (${percent(count / tried)})${way}`;
+}

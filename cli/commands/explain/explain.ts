@@ -1,0 +1,41 @@
+import process from 'node:process';
+import type { Command } from 'commander';
+import { WARNING_CODES } from '../../../engine/index.ts';
+import { CODES } from '../../../schema/index.ts';
+import { CHECK_CODES } from '../../check/index.ts';
+import { colorsFor } from '../../colors.ts';
+import type { CommandResult } from '../../command.ts';
+import { didYouMean } from '../../did-you-mean.ts';
+import { Failure } from '../../failure.ts';
+import { formatOption } from '../../options.ts';
+import { explainPretty, listCodes } from './pretty.ts';
+
+const ALL = [...CHECK_CODES, ...CODES, ...WARNING_CODES];
+
+export function declare(command: Command, finish: (result: CommandResult) => void): void {
+  command
+    .description('What a problem means, why it matters and how to fix it. Without a code: every code in a line.')
+    .argument('[code]', 'the code of a problem, as reports name it')
+    .addOption(formatOption('pretty', 'json'))
+    .addHelpText(
+      'after',
+      `
+Examples:
+  $ gq explain
+  $ gq explain unknown-key`,
+    )
+    .action((code: string | undefined, { format }: { format: 'pretty' | 'json' }) => finish(explain(code, format)));
+}
+
+function explain(code: string | undefined, format: 'pretty' | 'json'): CommandResult {
+  const colors = colorsFor(process.stdout);
+  if (code === undefined) {
+    return { output: format === 'json' ? `${JSON.stringify({ codes: ALL })}\n` : listCodes(ALL, colors), exitCode: 0 };
+  }
+  const found = ALL.find((entry) => entry.code === code);
+  if (found === undefined) {
+    const codes = ALL.map((entry) => entry.code);
+    throw new Failure(`no problem has the code ${JSON.stringify(code)}${didYouMean(code, codes)}; gq explain lists every code`);
+  }
+  return { output: format === 'json' ? `${JSON.stringify(found)}\n` : explainPretty(found, colors), exitCode: 0 };
+}

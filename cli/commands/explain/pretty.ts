@@ -1,0 +1,38 @@
+import type { CodeExplanation } from '../../../schema/index.ts';
+import type { Colors } from '../../colors.ts';
+import { alignColumns } from '../../report-parts/index.ts';
+
+const WIDTH = 100;
+
+/** One code in full, for a person. */
+export function explainPretty({ code, severity, title, why, fix, example }: CodeExplanation, colors: Colors): string {
+  const paint = severity === 'error' ? colors.red : colors.yellow;
+  let text = `${colors.bold(code)} (${paint(severity)}): ${title}\n\n${wrap(why)}\n\n${colors.bold('How to fix it')}\n${wrap(fix)}\n`;
+  if (example !== undefined) text += `\n${colors.bold('Example')}\n${example.replace(/^/gm, '  ')}\n`;
+  return text;
+}
+
+/** Every code in a line. */
+export function listCodes(codes: readonly CodeExplanation[], colors: Colors): string {
+  const lines = alignColumns(codes.map(({ code, severity, title }) => [code, severity, title]));
+  return `${lines.join('\n')}\n\n${colors.dim('gq explain CODE says more')}\n`;
+}
+
+function wrap(text: string): string {
+  return text
+    .split('\n')
+    .map((paragraph) => {
+      let line = '';
+      const lines: string[] = [];
+      for (const word of paragraph.split(' ')) {
+        if (line !== '' && line.length + 1 + word.length > WIDTH) {
+          lines.push(line);
+          line = word;
+        } else {
+          line = line === '' ? word : `${line} ${word}`;
+        }
+      }
+      return [...lines, line].join('\n');
+    })
+    .join('\n');
+}

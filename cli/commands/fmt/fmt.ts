@@ -1,0 +1,74 @@
+import process from 'node:process';
+import type { Command } from 'commander';
+import { formatLevel, readLevel, withIds } from '../../../schema/index.ts';
+import { showProblems } from '../../code-frames.ts';
+import { colorsFor } from '../../colors.ts';
+import type { CommandResult } from '../../command.ts';
+import { Failure } from '../../failure.ts';
+import { findLevelFiles } from '../../files.ts';
+import { formatOption } from '../../options.ts';
+import { readBytes } from '../../read-bytes.ts';
+import { hearSignals } from '../../signals.ts';
+import { visible, visibleLine } from '../../visible.ts';
+import { writeWhole } from '../../write-file.ts';
+import { type FormattedFile, fmtJson, fmtPretty } from './report.ts';
+
+interface FmtOptions {
+  readonly check?: true;
+  readonly format: 'pretty' | 'json';
+}
+
+export function declare(command: Command, finish: (result: CommandResult) => void): void {
+  command
+    .description(
+      'Give level files their one canonical layout, and ids to objects that have none. What they say stays the same; an invalid file is left alone.',
+    )
+    .argument('[path...]', 'level files, directories, or quoted patterns with * ** ?', ['levels'])
+    .option('--check', 'only report which files would change')
+    .addOption(formatOption('pretty', 'json'))
+    .addHelpText(
+      'after',
+      `
+Exit code: 0; 1 when a file is invalid or, with --check, would change; 2 when one could not be read or written.
+
+Examples:
+  $ gq fmt
+  $ gq fmt --check levels      for CI
+  $ gq fmt my.level.json`,
+    )
+    .action(async (paths: string[], options: FmtOptions) => finish(await fmt(paths, options)));
+}
+
+async function fmt(paths: readonly string[], options: FmtOptions): Promise<CommandResult> {
+  const { files, unreadable } = await findLevelFiles(paths);
+  const done: FormattedFile[] = [];
+  const failures = unreadable.map(({ path, reason }) => `error: ${visibleLine(path)}: can't be looked into: ${reason}\n`);
+  for (const file of files) {
+    await hearSignals();
+    try {
+      done.push(await formatFile(file, options.check === true));
+    } catch (error) {
+      if (!(error instanceof Failure)) throw error;
+      failures.push(`error: ${visible(error.message)}\n`);
+      done.push({ file, status: 'failed', problems: [] });
+    }
+  }
+  const output = options.format === 'json' ? fmtJson(done) : fmtPretty(done, colorsFor(process.stdout));
+  const clean = done.every(({ status }) => status === 'unchanged' || status === 'formatted');
+  // where a folder could not be looked into, and nothing else was found, there is nothing to count
+  return {
+    output: done.length === 0 && options.format === 'pretty' ? '' : output,
+    messages: failures.join(''),
+    exitCode: failures.length > 0 ? 2 : clean ? 0 : 1,
+  };
+}
+
+async function formatFile(file: string, onlyCheck: boolean): Promise<FormattedFile> {
+  const bytes = readBytes(file);
+  const read = readLevel(bytes, { byteOrderMark: 'skip' });
+  if (!read.ok) return { file, status: 'invalid', problems: showProblems(read.problems, read.text) };
+  const text = formatLevel(withIds(read.document.file));
+  if (Buffer.from(text).equals(bytes)) return { file, status: 'unchanged', problems: [] };
+  if (!onlyCheck) await writeWhole(file, text);
+  return { file, status: onlyCheck ? 'would change' : 'formatted', problems: [] };
+}

@@ -1,0 +1,34 @@
+import { plural } from '../../../check/words/index.ts';
+import type { Colors } from '../../colors.ts';
+import { problemJson, showFileProblems } from '../../report-parts/index.ts';
+import type { ShownProblem } from '../../shown-problem.ts';
+import { visibleLine } from '../../visible.ts';
+
+export interface FormattedFile {
+  readonly file: string;
+  /** failed: it could not be read or written, and is as it was. */
+  readonly status: 'unchanged' | 'formatted' | 'would change' | 'invalid' | 'failed';
+  readonly problems: readonly ShownProblem[];
+}
+
+/** What `fmt` did, for a program. */
+export function fmtJson(files: readonly FormattedFile[]): string {
+  const list = files.map(({ file, status, problems }) => ({ file, status, problems: problems.map(problemJson) }));
+  return `${JSON.stringify({ files: list })}\n`;
+}
+
+/** What `fmt` did, for a person: the files that were not as they should be, and a count. */
+export function fmtPretty(files: readonly FormattedFile[], colors: Colors): string {
+  let text = '';
+  for (const { file, status, problems } of files) {
+    // why one failed is reported on the side
+    if (status === 'unchanged' || status === 'failed') continue;
+    const paint = status === 'invalid' ? colors.red : colors.yellow;
+    text += `${paint(status)} ${visibleLine(file)}\n${showFileProblems(file, problems, colors)}`;
+  }
+  const counts = (['unchanged', 'formatted', 'would change', 'invalid', 'failed'] as const)
+    .map((status) => [status, files.filter((file) => file.status === status).length] as const)
+    .filter(([, count]) => count > 0)
+    .map(([status, count]) => `${count} ${status}`);
+  return `${text}${plural(files.length, 'file')}: ${counts.join(', ')}\n`;
+}

@@ -1,0 +1,160 @@
+import { availableParallelism } from 'node:os';
+import process from 'node:process';
+import { type Command, InvalidArgumentError } from 'commander';
+import type { GenerateReport } from '../../../schema/index.ts';
+import type { GeneratorOptions, Ingredient, WantedDifficulty, WantedSize } from '../../../solver/index.ts';
+import { colorsFor } from '../../colors.ts';
+import type { CommandResult } from '../../command.ts';
+import { Failure } from '../../failure.ts';
+import type { GenerateTask, MadeLevel } from '../../generate/index.ts';
+import { generatedPath, keepLevel, makeDirectory, makeLevels } from '../../generate/index.ts';
+import { formatOption, jobsOption, LARGEST_SEED, seedOption, wholeNumberOption } from '../../options.ts';
+import { createProgress } from '../../progress.ts';
+import { uncut } from '../../signals.ts';
+import { visibleLine } from '../../visible.ts';
+import { generateJson, generatePretty } from './report.ts';
+
+/** Ticks simulated for a level at most, where nothing else is said: minutes. */
+const DEFAULT_EFFORT = 500_000_000;
+
+const INGREDIENTS: readonly Ingredient[] = ['hot', 'repulsors', 'aliens', 'recoil'];
+
+interface Options {
+  readonly out: string;
+  readonly count: number;
+  readonly seed: number;
+  readonly size: WantedSize;
+  readonly difficulty: WantedDifficulty;
+  readonly ingredients?: readonly Ingredient[];
+  readonly effort: number;
+  readonly jobs: number;
+  readonly format: 'pretty' | 'json';
+}
+
+export function declare(command: Command, finish: (result: CommandResult) => void): void {
+  command
+    .description('New levels from a seed, a size and a wanted difficulty, each proved completable by runs that forgive.')
+    .requiredOption('--out <dir>', 'directory for the level files; made when missing')
+    .option('--count <n>', 'so many levels, each from a seed of its own', wholeNumberOption('a number of levels', 1, 10_000), 1)
+    .addOption(seedOption())
+    .option('--size <size>', 'small, medium, large, or WIDTHxHEIGHT in px', parseSize, 'medium')
+    .option('--difficulty <d>', 'easy, medium, hard, or a grade from 1 to 10', parseDifficulty, 'medium')
+    .option(
+      '--ingredients <list>',
+      `what may be in them beside asteroids, novae and minerals: ${INGREDIENTS.join(',')} or none (default: "hot,repulsors,aliens")`,
+      parseIngredients,
+    )
+    .option(
+      '--effort <ticks>',
+      'ticks of 1/60 s to simulate for each level at most',
+      wholeNumberOption('a number of ticks', 1, Number.MAX_SAFE_INTEGER),
+      DEFAULT_EFFORT,
+    )
+    .addOption(jobsOption(availableParallelism()))
+    .addOption(formatOption('pretty', 'json'))
+    .addHelpText(
+      'after',
+      `
+A level is kept only when its run "solution" forgives as much as the difficulty asks for, at accuracies precise and arcade, when a
+run "all-minerals" collects everything, and when neither no press nor hardly any single press completes it. The level of a seed is
+the same on every machine and for any --jobs: the files of seeds S, S + 1, ... are named after level and seed. No file that is
+there is overwritten. Ctrl-C ends the work; files that were written by then stay.
+
+Exit code: 0 when every level was made; 1 when nothing good enough came of a seed; 2 when one could not be written, or another
+file has its name; 130 and 143 after SIGINT and SIGTERM.
+
+Examples:
+  $ gq generate --out drafts
+  $ gq generate --out drafts --count 10 --seed 100 --difficulty hard --size large
+  $ gq generate --out drafts --difficulty 4.5 --size 900x500 --ingredients hot,recoil`,
+    )
+    .action(async (options: Options) => finish(await generate(options)));
+}
+
+async function generate(options: Options): Promise<CommandResult> {
+  const { out, count, seed, size, difficulty, ingredients, effort, jobs } = options;
+  // each can be made again by its own seed
+  if (seed + count - 1 > LARGEST_SEED)
+    throw new Failure(`--seed ${seed} --count ${count}: expected seeds up to ${LARGEST_SEED}, found up to ${seed + count - 1}`);
+  await uncut(() => makeDirectory(out));
+  const tasks = Array.from({ length: count }, (_, i): GenerateTask => {
+    const options: GeneratorOptions = { seed: seed + i, size, difficulty, ...(ingredients && { ingredients }) };
+    return { options, effort };
+  });
+  const done: GenerateReport['levels'][number][] = [];
+  const progress = createProgress('generated', count);
+  try {
+    await makeLevels(tasks, jobs, async (n, made) => {
+      progress.update(n);
+      // kept at once: what is done stays, whatever happens to the rest
+      await uncut(() => void done.push(keep(out, made)));
+    });
+  } finally {
+    progress.clear();
+  }
+  done.sort((a, b) => a.seed - b.seed);
+  const report: GenerateReport = {
+    asked: count,
+    levels: done,
+    rejected: done.reduce((sum, { attempts, status }) => sum + attempts - (status === 'nothing' ? 0 : 1), 0),
+  };
+  const output = options.format === 'json' ? generateJson(report) : generatePretty(report, colorsFor(process.stdout));
+  const taken = done.filter(({ status }) => status === 'in the way');
+  const messages = taken
+    .map(({ file }) => `error: ${visibleLine(file ?? '')}: another file is there and stays; give another --out or --seed\n`)
+    .join('');
+  const exitCode = taken.length > 0 ? 2 : done.some(({ status }) => status === 'nothing') ? 1 : 0;
+  return { output, messages, exitCode };
+}
+
+function keep(out: string, { seed, made, length, attempts, ticks }: MadeLevel): GenerateReport['levels'][number] {
+  const cost = { seed, attempts, ticks };
+  if (made === null) {
+    const nothing = { file: null, name: null, grade: null, p40: null, certifiedTicks: null, length: null, presses: null };
+    return { ...cost, status: 'nothing', ...nothing };
+  }
+  const { level, robustness, grade, holds } = made;
+  const file = generatedPath(out, level.name, seed);
+  return {
+    ...cost,
+    status: keepLevel(out, file, made),
+    file,
+    name: level.name,
+    grade: { ...grade },
+    p40: robustness.p40.p,
+    certifiedTicks: robustness.certifiedTicks,
+    length,
+    presses: holds.length,
+  };
+}
+
+const LEAST_SIDE = 360;
+const GREATEST_SIDE = 4000;
+
+function parseSize(text: string): WantedSize {
+  if (text === 'small' || text === 'medium' || text === 'large') return text;
+  const match = /^(\d+)x(\d+)$/.exec(text);
+  const [width, height] = match === null ? [0, 0] : [Number(match[1]), Number(match[2])];
+  const fits = (side: number): boolean => side >= LEAST_SIDE && side <= GREATEST_SIDE;
+  if (fits(width) && fits(height)) return { width, height };
+  throw new InvalidArgumentError(
+    `expected small, medium, large, or WIDTHxHEIGHT with sides of ${LEAST_SIDE} to ${GREATEST_SIDE} px`,
+  );
+}
+
+function parseDifficulty(text: string): WantedDifficulty {
+  if (text === 'easy' || text === 'medium' || text === 'hard') return text;
+  const grade = /^\d+(\.\d+)?$/.test(text) ? Number(text) : Number.NaN;
+  if (grade >= 1 && grade <= 10) return grade;
+  throw new InvalidArgumentError('expected easy, medium, hard, or a grade from 1 to 10');
+}
+
+function parseIngredients(text: string): readonly Ingredient[] {
+  if (text === 'none') return [];
+  const wanted = text.split(',').map((part) => part.trim());
+  const unknown = wanted.find((part) => !INGREDIENTS.includes(part as Ingredient));
+  if (unknown === undefined) return wanted as Ingredient[];
+  throw new InvalidArgumentError(
+    `expected some of ${INGREDIENTS.join(', ')}, with commas between, or none; found ${JSON.stringify(unknown)}`,
+  );
+}

@@ -1,0 +1,56 @@
+import process from 'node:process';
+import type { Command } from 'commander';
+import { compile, simulate, type Work } from '../../../engine/index.ts';
+import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../../accuracy-options.ts';
+import { colorsFor } from '../../colors.ts';
+import type { CommandResult } from '../../command.ts';
+import { countObjects, type Inspection } from '../../inspection.ts';
+import { openLevel, warningsOf } from '../../level-source.ts';
+import { formatOption, maxTimeOption } from '../../options.ts';
+import { inspectJson } from './json.ts';
+import { inspectPretty } from './pretty.ts';
+
+interface InspectOptions extends AccuracyOptions {
+  readonly maxTime: number;
+  readonly format: 'pretty' | 'json';
+}
+
+export function declare(command: Command, finish: (result: CommandResult) => void): void {
+  addAccuracyOptions(command)
+    .description('What a level calls for: the effects simulated for it and those not, with the reason; counts; warnings.')
+    .argument('<level>', 'a level file')
+    .addOption(maxTimeOption())
+    .addOption(formatOption('pretty', 'json'))
+    .addHelpText(
+      'after',
+      `
+Work and modes are those of the level's first run. Exit code: 0; 1 when the level is invalid; 2 when it could not be read.
+
+Examples:
+  $ gq inspect levels/01-first-pull.level.json
+  $ gq inspect levels/01-first-pull.level.json --format json | jq .effects.notCalledFor`,
+    )
+    .action((file: string, options: InspectOptions) => finish(inspect(file, options)));
+}
+
+function inspect(file: string, options: InspectOptions): CommandResult {
+  const accuracy = chooseAccuracy(options);
+  const opened = openLevel(file);
+  if (!('level' in opened)) return opened;
+  const { level } = opened;
+  const scene = compile(level, accuracy);
+  const runs = level.runs.map((script) => simulate(scene, script.holds, { maxTime: options.maxTime }));
+  const inspection: Inspection = {
+    file,
+    level: level.name,
+    effects: scene.effects,
+    counts: countObjects(level),
+    modes: runs[0]?.modes ?? [],
+    work: runs[0]?.work ?? NO_WORK,
+    problems: warningsOf(opened, runs),
+  };
+  const output = options.format === 'json' ? inspectJson(inspection) : inspectPretty(inspection, colorsFor(process.stdout));
+  return { output, exitCode: 0 };
+}
+
+const NO_WORK: Work = { pieces: 0, forceEvaluations: 0, guards: 0, roots: 0 };

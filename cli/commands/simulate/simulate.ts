@@ -1,0 +1,74 @@
+import process from 'node:process';
+import { type Command, Option } from 'commander';
+import { compile, simulate } from '../../../engine/index.ts';
+import type { Hold, Level } from '../../../schema/index.ts';
+import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../../accuracy-options.ts';
+import { chooseRun } from '../../chosen-run.ts';
+import { colorsFor } from '../../colors.ts';
+import type { CommandResult } from '../../command.ts';
+import { Failure } from '../../failure.ts';
+import { parseHolds } from '../../holds-option.ts';
+import { openLevel } from '../../level-source.ts';
+import { formatOption, maxTimeOption, numberOption } from '../../options.ts';
+import { reportRun } from '../../run-report.ts';
+import { simulatePretty } from './pretty.ts';
+
+const MAX_SAMPLES = 1_000_000;
+
+interface SimulateOptions extends AccuracyOptions {
+  readonly run?: string;
+  readonly holds?: readonly Hold[];
+  readonly maxTime: number;
+  readonly sample?: number;
+  readonly recoil?: 'on' | 'off';
+  readonly format: 'pretty' | 'json';
+}
+
+export function declare(command: Command, finish: (result: CommandResult) => void): void {
+  addAccuracyOptions(command)
+    .description('Play one run of a level and say in full what happens.')
+    .argument('<level>', 'a level file')
+    .option('--run <name>', 'a run of the level; its first when left out')
+    .option(
+      '--holds <holds>',
+      'ticks of 1/60 s in which the gun is held, [press, release): 12-96,130-188; none: she drifts',
+      parseHolds,
+    )
+    .addOption(maxTimeOption())
+    .option('--sample <hz>', 'give her state so many times a second', numberOption('samples a second', 0, 10_000))
+    .addOption(new Option('--recoil <on|off>', 'play with or without recoil, whatever the level says').choices(['on', 'off']))
+    .addOption(formatOption('pretty', 'json'))
+    .addHelpText(
+      'after',
+      `
+Exit code: 0 when the run was played, however it ended; 1 when the level is invalid; 2 when it could not be played.
+
+Examples:
+  $ gq simulate levels/01-first-pull.level.json
+  $ gq simulate levels/02-first-swing.level.json --run all-minerals --sample 10
+  $ gq simulate levels/01-first-pull.level.json --integrator rk4 --rate 240
+  $ gq simulate levels/01-first-pull.level.json --holds 12-96,130-188 --format json | jq .outcome`,
+    )
+    .action((file: string, options: SimulateOptions) => finish(play(file, options)));
+}
+
+function play(file: string, options: SimulateOptions): CommandResult {
+  const { sample, maxTime } = options;
+  const accuracy = chooseAccuracy(options);
+  if (sample !== undefined && sample * maxTime > MAX_SAMPLES) {
+    throw new Failure(
+      `--sample ${sample} over --max-time ${maxTime} may give more than ${MAX_SAMPLES} samples: lower one of the two`,
+    );
+  }
+  const opened = openLevel(file);
+  if (!('level' in opened)) return opened;
+  const level: Level = options.recoil === undefined ? opened.level : { ...opened.level, recoil: options.recoil === 'on' };
+  const { name, holds } = chooseRun(file, level, options);
+  const run = simulate(compile(level, accuracy), holds, { maxTime });
+  const report = reportRun(level, accuracy.name, holds, run, sample ?? null);
+  const output =
+    options.format === 'json'
+      ? `${JSON.stringify(report)}\n`
+      : simulatePretty(level, name, run, report, colorsFor(process.stdout));
+  return { output, exitCode: 0 };
+}

@@ -1,0 +1,35 @@
+import type { SolutionReport, SolveReport } from '../../../schema/index.ts';
+import type { Solution } from '../../../solver/index.ts';
+import { robustnessJson } from '../../report-parts/index.ts';
+import type { Solved, SolvedRun, SolveSettings } from '../../solve/index.ts';
+
+/** What `solve` found, for a program. */
+export function solveJson({ level, accuracy, seed, count }: SolveSettings, solved: Solved): string {
+  const { runs, closest, impossible } = solved;
+  const effort = { ...solved.effort, seconds: solved.seconds, seed };
+  const toReport = (found: SolvedRun | undefined): SolutionReport => ({
+    level: level.name,
+    accuracy: accuracy.name,
+    found: found !== undefined,
+    holds: found === undefined ? null : holdsOf(found),
+    outcome: found?.run.outcome ?? null,
+    time: found?.run.time ?? null,
+    tick: found?.run.tick ?? null,
+    minerals: [...(found?.run.minerals ?? [])],
+    effort,
+    robustness: found === undefined ? null : robustnessJson(found.robustness),
+    closest: closest === null ? null : { ...closest, holds: holdsOf(closest) },
+    impossible:
+      impossible === null
+        ? null
+        : { code: impossible.code, reason: impossible.reason, certificate: jsonOf(impossible.certificate) },
+    hash: found?.run.hash ?? null,
+  });
+  const report: SolveReport = { ...toReport(runs[0]) };
+  if (count > 1) report.solutions = runs.map(toReport);
+  return `${JSON.stringify(report)}\n`;
+}
+
+const holdsOf = ({ holds }: Pick<Solution, 'holds'>): [number, number][] => holds.map(([press, release]) => [press, release]);
+
+const jsonOf = (certificate: unknown) => certificate as NonNullable<SolutionReport['impossible']>['certificate'];

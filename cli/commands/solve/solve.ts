@@ -1,0 +1,149 @@
+import { availableParallelism } from 'node:os';
+import process from 'node:process';
+import type { Command } from 'commander';
+import { TICK_RATE } from '../../../engine/index.ts';
+import type { Level } from '../../../schema/index.ts';
+import type { Goal, Objective } from '../../../solver/index.ts';
+import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../../accuracy-options.ts';
+import { colorsFor } from '../../colors.ts';
+import type { CommandResult } from '../../command.ts';
+import { Failure } from '../../failure.ts';
+import { type OpenedFile, openLevel } from '../../level-source.ts';
+import { formatOption, jobsOption, maxTimeOption, wholeNumberOption } from '../../options.ts';
+import { createStatusLine } from '../../progress.ts';
+import {
+  addSearchOptions,
+  expectMinerals,
+  limitsOf,
+  mineralsOption,
+  objectiveOption,
+  type SearchOptions,
+} from '../../search-options.ts';
+import { uncut } from '../../signals.ts';
+import type { SolveSettings } from '../../solve/index.ts';
+import { addRuns, expectWritable, progressText, type Solved, solveLevel } from '../../solve/index.ts';
+import { visibleLine } from '../../visible.ts';
+import { solveJson } from './json.ts';
+import { solvePretty } from './pretty.ts';
+
+interface Options extends AccuracyOptions, SearchOptions {
+  readonly minerals: Goal['minerals'];
+  readonly objective: Objective;
+  readonly count: number;
+  readonly jobs: number;
+  readonly maxTime: number;
+  readonly write?: true;
+  readonly run?: string;
+  readonly format: 'pretty' | 'json';
+}
+
+export function declare(command: Command, finish: (result: CommandResult) => void): void {
+  addSearchOptions(addAccuracyOptions(command))
+    .description('Find a run that completes a level, and the one that forgives bad timing most; or prove that there is none.')
+    .argument('<level>', 'a level file')
+    .addOption(mineralsOption())
+    .addOption(objectiveOption())
+    .option('--count <n>', 'so many really different runs', wholeNumberOption('a number of runs', 1, 100), 1)
+    .option('--write', 'put the runs into the level file, behind those it has')
+    .option('--run <name>', 'with --write: the name of the run (default: "solution", or the next free one)')
+    .addOption(maxTimeOption())
+    .addOption(jobsOption(availableParallelism()))
+    .addOption(formatOption('pretty', 'json'))
+    .addHelpText(
+      'after',
+      `
+The search starts from those of the level's own runs that get there. Every run is replayed from the start before it is reported:
+gq simulate --holds gives the same hash. A search ends early when nothing can get better, and by --budget with the best so far.
+Ctrl-C ends it without a report, and nothing is written.
+
+Exit code: 0 when a run was found; 1 when none was, when it is proved that there is none, or when the level is invalid;
+2 when the level could not be read or written; 130 and 143 after SIGINT and SIGTERM.
+
+Examples:
+  $ gq solve levels/16-firewalk.level.json
+  $ gq solve levels/16-firewalk.level.json --minerals all --budget 30 --write
+  $ gq solve levels/16-firewalk.level.json --objective first --format json | jq .holds
+  $ gq solve levels/16-firewalk.level.json --effort 5000000 --seed 7   the same answer on every machine`,
+    )
+    .action(async (file: string, options: Options) => finish(await solve(file, options)));
+}
+
+async function solve(file: string, options: Options): Promise<CommandResult> {
+  const accuracy = chooseAccuracy(options);
+  const opened = openLevel(file);
+  if (!('level' in opened)) return opened;
+  const { level } = opened;
+  expectRunName(file, level, options);
+  expectMinerals(file, level, options.minerals);
+  if (options.write) expectWritable(file);
+  const settings: SolveSettings = {
+    level: { ...level, runs: [] },
+    accuracy,
+    goal: { minerals: options.minerals },
+    objective: options.objective,
+    seed: options.seed,
+    maxTicks: Math.round(options.maxTime * TICK_RATE),
+    count: options.count,
+    known: level.runs.map(({ holds }) => holds),
+  };
+  const solved = await search(settings, options);
+  const report =
+    options.format === 'json' ? solveJson(settings, solved) : solvePretty(settings, solved, colorsFor(process.stdout));
+  const found = solved.runs.length > 0;
+  const exitCode = found ? 0 : 1;
+  const count = solved.runs.length;
+  const fewer =
+    found && count < options.count
+      ? `found ${count} of ${options.count} really different runs: a larger --budget or another --seed may find more\n`
+      : '';
+  if (!options.write) return { output: report, messages: fewer, exitCode };
+  if (!found) return { output: report, messages: 'nothing was written: no run was found\n', exitCode };
+  try {
+    const messages = await uncut(() => write(file, opened, solved, options.run ?? null));
+    return { output: report, messages: fewer + messages, exitCode };
+  } catch (error) {
+    if (!(error instanceof Failure)) throw error;
+    // what was found is not lost
+    return { output: report, messages: `error: ${visibleLine(error.message)}\n`, exitCode: 2 };
+  }
+}
+
+async function search(settings: SolveSettings, options: Options): Promise<Solved> {
+  const line = createStatusLine();
+  const start = performance.now();
+  try {
+    return await solveLevel(settings, {
+      limits: limitsOf(options),
+      jobs: options.jobs,
+      onRound: (found) => line.show(progressText(found, (performance.now() - start) / 1000)),
+    });
+  } finally {
+    line.clear();
+  }
+}
+
+/** @returns what a person is told */
+function write(file: string, { bytes, document }: OpenedFile, { runs }: Solved, name: string | null): string {
+  const found = runs.map(({ holds }) => holds);
+  return addRuns(file, bytes, document.file, found, name)
+    .map((run) =>
+      run.status === 'written'
+        ? `wrote run ${JSON.stringify(run.name)} into ${file}\n`
+        : `${file} has this run already: ${JSON.stringify(run.name)}\n`,
+    )
+    .map((text) => `${visibleLine(text.trimEnd())}\n`)
+    .join('');
+}
+
+const LONGEST_NAME = 80;
+
+function expectRunName(file: string, { runs }: Level, { run, write }: Options): void {
+  if (run === undefined) return;
+  if (!write) throw new Failure('--run names the run that --write writes: give --write, too');
+  if (run.length === 0 || run.length > LONGEST_NAME) {
+    throw new Failure(`--run: expected a name of 1 to ${LONGEST_NAME} characters, found ${run.length}`);
+  }
+  if (runs.some(({ name }) => name === run)) {
+    throw new Failure(`${file}: a run is named ${JSON.stringify(run)} already: expected a name that is free`);
+  }
+}

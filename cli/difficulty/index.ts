@@ -1,0 +1,2 @@
+export { measureLevels } from './measure-levels.ts';
+export type { MeasuredLevel, MeasureSettings } from './measured-level.ts';

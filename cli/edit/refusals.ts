@@ -1,0 +1,63 @@
+import { realpathSync } from 'node:fs';
+import { dirname } from 'node:path';
+import { type LevelEntry, type ReadResponse, readLevel } from '../../schema/index.ts';
+import { Refusal, refusalOf } from './refusal.ts';
+
+/** Refuses a path whose folder is reached through a link, or has become one: it may be anywhere. */
+export function refuseWayOut(path: string): void {
+  const folder = dirname(path);
+  try {
+    if (realpathSync(folder) === folder) return;
+  } catch (error) {
+    throw refusalOf(error, path);
+  }
+  throw new Refusal(
+    'unknown-folder',
+    `${folder} is now reached through a link, which the editor doesn't follow`,
+    'Start gq edit anew.',
+  );
+}
+
+/** Refuses what is no valid level. */
+export function refuseInvalid(content: Uint8Array): void {
+  const read = readLevel(content);
+  if (read.ok) return;
+  const { problems } = read;
+  const many = problems.length === 1 ? 'a problem' : `${problems.length} problems`;
+  const message = `the text is not a valid level: it has ${many}`;
+  throw new Refusal('invalid-level', message, 'Fix what the problems say, then save again; the file is as it was.', { problems });
+}
+
+/** Refuses to change a file that may not be written. */
+export function refuseReadOnly({ file, readOnly }: LevelEntry): void {
+  if (readOnly === null) return;
+  throw new Refusal('not-writable', `${file}: ${readOnly}`, 'Allow writing to it, or save under another name.');
+}
+
+export function badName(name: string): Refusal {
+  const hint = 'Use up to 80 letters a-z, digits, spaces, _ and -, beginning with a letter or digit, without .level.json.';
+  return new Refusal('bad-name', `${quoted(name)} can't be the name of a level file on every system`, hint);
+}
+
+export const unknownLevel = (id: string, where: string): Refusal =>
+  new Refusal('unknown-level', `there is no level ${quoted(id)} ${where}`, 'Was it renamed or removed? Load the list again.');
+
+export const unknownFolder = (folder: string, shown: string): Refusal =>
+  new Refusal(
+    'unknown-folder',
+    `there is no folder ${quoted(folder)} in ${shown}`,
+    'Make the folder first, or take another one.',
+  );
+
+export const nameTaken = (file: string): Refusal =>
+  new Refusal('name-taken', `there is already something named ${file}`, 'Take another name.');
+
+export const alreadyThere = (file: string, current: ReadResponse | null): Refusal =>
+  current === null
+    ? nameTaken(file)
+    : new Refusal('conflict', `${file} is already there`, 'Take another name, or open the level that is there.', { current });
+
+/** A text from outside, short enough for a message. */
+function quoted(text: string): string {
+  return JSON.stringify(text.length > 80 ? `${text.slice(0, 80)}…` : text);
+}

@@ -1,0 +1,1 @@
+export { type Subject, type View, viewAllRuns, viewExploration, viewFan, viewProof, viewRun, viewSolved } from './views.ts';

@@ -1,0 +1,76 @@
+import { type Command, InvalidArgumentError, Option } from 'commander';
+import { plural } from '../check/words/index.ts';
+import type { Level } from '../schema/index.ts';
+import type { Goal, Objective } from '../solver/index.ts';
+import { Failure } from './failure.ts';
+import { numberOption, seedOption, wholeNumberOption } from './options.ts';
+
+/** s of wall time, where neither time nor effort is given */
+export const DEFAULT_BUDGET = 10;
+
+/** s: nobody waits longer than a day */
+const LONGEST_BUDGET = 86_400;
+
+const MOST_MINERALS = 20_000;
+
+/** When a search ends, at the latest. */
+export interface Limits {
+  /** s of wall time; null: as long as it takes */
+  readonly budget: number | null;
+  /** ticks simulated in all; null: no limit */
+  readonly effort: number | null;
+}
+
+/** What `addSearchOptions` leaves behind. */
+export interface SearchOptions {
+  readonly budget?: number;
+  readonly effort?: number;
+  readonly seed: number;
+}
+
+/** Declares how long to search, and from which seed. */
+export function addSearchOptions(command: Command, per = ''): Command {
+  return command
+    .option(
+      '--budget <seconds>',
+      `search no longer than this${per} (default: ${DEFAULT_BUDGET}, or as long as --effort takes)`,
+      numberOption('seconds', 0, LONGEST_BUDGET),
+    )
+    .option(
+      '--effort <ticks>',
+      `simulate no more ticks of 1/60 s than this${per}: the same answer on every machine`,
+      wholeNumberOption('a number of ticks', 1, Number.MAX_SAFE_INTEGER),
+    )
+    .addOption(seedOption());
+}
+
+/** The limits that the options ask for. */
+export const limitsOf = ({ budget, effort }: SearchOptions): Limits => ({
+  budget: budget ?? (effort === undefined ? DEFAULT_BUDGET : null),
+  effort: effort ?? null,
+});
+
+export const mineralsOption = (): Option =>
+  new Option('--minerals <any|all|n>', 'how many different minerals to collect on the way')
+    .argParser(parseMinerals)
+    .default('any');
+
+function parseMinerals(text: string): Goal['minerals'] {
+  if (text === 'any' || text === 'all') return text;
+  const count = Number(text);
+  if (/^\d+$/.test(text) && count <= MOST_MINERALS) return count;
+  throw new InvalidArgumentError('expected any, all or a whole number');
+}
+
+const OBJECTIVES: readonly Objective[] = ['robust', 'first', 'presses', 'time'];
+
+export const objectiveOption = (): Option =>
+  new Option('--objective <what>', 'what the best run is: the one that forgives most, any, fewest presses, shortest time')
+    .choices(OBJECTIVES)
+    .default('robust');
+
+/** @throws Failure when a level has fewer minerals than are wanted */
+export function expectMinerals(file: string, { minerals }: Level, wanted: Goal['minerals']): void {
+  if (typeof wanted !== 'number' || wanted <= minerals.length) return;
+  throw new Failure(`--minerals ${wanted}: ${file} has only ${plural(minerals.length, 'mineral')}`);
+}

@@ -1,0 +1,75 @@
+import type { Editor } from '../context/index.ts';
+import { openListed } from '../panels/levels/index.ts';
+import { objectRows } from '../panels/outliner/index.ts';
+
+/** Somewhere to go by its name: a level, a run or an object. */
+export interface Destination {
+  /** unique */
+  readonly key: string;
+  readonly group: 'Level' | 'Run' | 'Object';
+  readonly title: string;
+  /** What tells it from others of the same name. */
+  readonly detail: string;
+  readonly go: () => void;
+}
+
+/** So many of a group are listed at most: who sees more types another letter. */
+const MOST = 12;
+
+/** Destinations that every word of the query occurs in; none while nothing is typed. */
+export function findDestinations(editor: Editor, query: string): readonly Destination[] {
+  const words = query.toLowerCase().split(/\s+/).filter(Boolean);
+  if (words.length === 0) return [];
+  const matching = (destinations: readonly Destination[]) =>
+    destinations
+      .filter(({ group, title, detail }) => {
+        const text = `${group} ${title} ${detail}`.toLowerCase();
+        return words.every((word) => text.includes(word));
+      })
+      .slice(0, MOST);
+  return [levels, runs, objects].flatMap((list) => matching(list(editor)));
+}
+
+function levels(editor: Editor): Destination[] {
+  const { list, opened } = editor.workspace.store.getState();
+  return (list?.levels ?? [])
+    .filter(({ id, status }) => status === 'valid' && id !== opened?.id())
+    .map(({ id, name }) => ({
+      key: `level ${id}`,
+      group: 'Level',
+      title: name ?? id,
+      detail: id,
+      go: () => void openListed(editor, id),
+    }));
+}
+
+function runs({ open, session }: Editor): Destination[] {
+  return (open.getState()?.document.file().runs ?? []).map(({ name, holds }) => ({
+    key: `run ${name}`,
+    group: 'Run',
+    title: name,
+    detail: `${holds.length} ${holds.length === 1 ? 'hold' : 'holds'}`,
+    go: () => session.setState({ run: name }),
+  }));
+}
+
+function objects({ open, commands }: Editor): Destination[] {
+  const level = open.getState();
+  if (level === null) return [];
+  return objectRows(level.document.file(), new Set()).flatMap(({ found, title, key }): Destination[] => {
+    if (found === null) return [];
+    const { x, y } = found.object;
+    return [
+      {
+        key: `object ${key}`,
+        group: 'Object',
+        title,
+        detail: `${found.list === null ? '' : `${key}, `}at ${Math.round(x)}, ${Math.round(y)}`,
+        go: () => {
+          level.selection.select([key]);
+          commands.run('view.fit-selection');
+        },
+      },
+    ];
+  });
+}

@@ -1,0 +1,1 @@
+export { type Attempt, type Attempts, attemptInWords, createAttempts } from './attempts.ts';

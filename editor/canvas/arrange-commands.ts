@@ -1,0 +1,56 @@
+import type { Command } from '../commands/index.ts';
+import type { Editor, OpenLevel } from '../context/index.ts';
+import { alignObjects, distributeObjects, type Edge, moveObjects } from '../document/index.ts';
+import { arrowsWith, stepOf } from './crosshair/index.ts';
+import type { ObjectChanges } from './object-changes.ts';
+
+const ALIGNMENTS: readonly (readonly [edge: Edge, title: string])[] = [
+  ['left', 'Align left edges'],
+  ['centre', 'Align centres on an upright line'],
+  ['right', 'Align right edges'],
+  ['top', 'Align top edges'],
+  ['middle', 'Align centres on a level line'],
+  ['bottom', 'Align bottom edges'],
+];
+
+/** Nudge, align and distribute what is selected. */
+export function arrangeCommands(
+  { settings }: Editor,
+  { document, selection }: OpenLevel,
+  { needsSelected, change }: ObjectChanges,
+): readonly Command[] {
+  const nudge = (id: string, how: string, keys: readonly string[], size: () => number): Command => ({
+    id: `object.${id}`,
+    title: `Nudge what is selected by ${how}, while no crosshair is shown`,
+    group: 'Object',
+    keys,
+    needs: needsSelected(1),
+    hidden: true,
+    run(press) {
+      const { x, y } = stepOf(press);
+      change('Nudge', moveObjects(selection.keys(), x * size(), y * size()), `nudge ${selection.keys().join()}`);
+    },
+  });
+  return [
+    nudge('nudge', '1 px', arrowsWith(''), () => 1),
+    nudge('nudge-far', 'the grid', arrowsWith('Shift+'), () => settings.getState().grid),
+    ...ALIGNMENTS.map(
+      ([edge, title]): Command => ({
+        id: `object.align-${edge}`,
+        title,
+        group: 'Object',
+        needs: needsSelected(2),
+        run: () => change(title, alignObjects(document.file(), selection.keys(), edge)),
+      }),
+    ),
+    ...(['x', 'y'] as const).map(
+      (axis): Command => ({
+        id: `object.distribute-${axis}`,
+        title: axis === 'x' ? 'Distribute evenly across' : 'Distribute evenly downwards',
+        group: 'Object',
+        needs: needsSelected(3),
+        run: () => change('Distribute', distributeObjects(document.file(), selection.keys(), axis)),
+      }),
+    ),
+  ];
+}

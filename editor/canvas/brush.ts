@@ -1,0 +1,43 @@
+/** What textures are drawn with: a canvas whose middle is the origin and whose unit is half its size. */
+export type Brush = CanvasRenderingContext2D;
+
+/** Half of a texture's side, px: what the unit circle of its drawing is on it. */
+export const TEXTURE_UNIT = 64;
+
+/** A colour of the palette with an opacity, 0 to 1. */
+export function faint(css: string, opacity: number): string {
+  return `${css}${Math.round(255 * opacity)
+    .toString(16)
+    .padStart(2, '0')}`;
+}
+
+/** A disc that fades out towards its rim: colours by their distance from the middle, 0 to 1. */
+export function fadingDisc(brush: Brush, radius: number, stops: readonly (readonly [at: number, colour: string])[]): void {
+  const gradient = brush.createRadialGradient(0, 0, 0, 0, 0, radius);
+  for (const [at, colour] of stops) gradient.addColorStop(at, colour);
+  brush.fillStyle = gradient;
+  disc(brush, 0, 0, radius);
+}
+
+export function disc(brush: Brush, x: number, y: number, radius: number): void {
+  brush.beginPath();
+  brush.arc(x, y, radius, 0, 2 * Math.PI);
+  brush.fill();
+}
+
+export function ring(brush: Brush, radius: number, width: number, colour: string): void {
+  brush.strokeStyle = colour;
+  brush.lineWidth = width;
+  brush.beginPath();
+  brush.arc(0, 0, radius, 0, 2 * Math.PI);
+  brush.stroke();
+}
+
+/** A row of numbers from 0 to 1, the same each time: textures look the same on every start. */
+export function dice(seed: number): () => number {
+  let state = seed >>> 0;
+  return () => {
+    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+    return state / 2 ** 32;
+  };
+}

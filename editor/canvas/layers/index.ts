@@ -1,0 +1,6 @@
+export { AstronautLayer } from './astronaut-layer.ts';
+export { ObjectLayer } from './object-layer.ts';
+export { OverlayLayer } from './overlay-layer.ts';
+export { SearchLayer, type SearchPicture } from './search-layer.ts';
+export { SpaceScene } from './space-scene.ts';
+export { WayLayer } from './way-layer.ts';

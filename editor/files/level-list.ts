@@ -1,0 +1,31 @@
+import type { LevelEntry } from '../../schema/index.ts';
+
+/** With an entry in its place; where that is, the storage says for certain. @param from the id that it had */
+export function withEntry(levels: readonly LevelEntry[], entry: LevelEntry, from: string): LevelEntry[] {
+  const index = levels.findIndex(({ id }) => id === from);
+  return index < 0 ? [...levels, entry] : levels.map((other, i) => (i === index ? entry : other));
+}
+
+/**
+ * With a part of a list that comes in parts: until the last one what was known stays on the screen.
+ * @param heard ids of all parts so far, those of this one included
+ * @param isWhole whether this is the last part
+ */
+export function withPart(
+  known: readonly LevelEntry[],
+  part: readonly LevelEntry[],
+  heard: ReadonlySet<string>,
+  isWhole: boolean,
+): LevelEntry[] {
+  const reported = new Map(part.map((entry) => [entry.id, entry]));
+  if (isWhole && reported.size === heard.size) return [...part];
+  const kept = known.filter(({ id }) => !isWhole || heard.has(id)).map((entry) => reported.get(entry.id) ?? entry);
+  const before = new Set(known.map(({ id }) => id));
+  return [...kept, ...part.filter(({ id }) => !before.has(id))];
+}
+
+/** With some of the levels in another order, in the places that they have together. */
+export function inOrder(levels: readonly LevelEntry[], ids: readonly string[]): LevelEntry[] {
+  const ordered = ids.flatMap((id) => levels.find((entry) => entry.id === id) ?? []);
+  return levels.map((entry) => (ids.includes(entry.id) ? (ordered.shift() ?? entry) : entry));
+}

@@ -1,0 +1,39 @@
+import { CircleCheck, TriangleAlert } from 'lucide-react';
+import type { Problem } from '../../../schema/index.ts';
+import { inPageWords } from '../../document/index.ts';
+
+interface TextProblemsProps {
+  readonly problems: readonly Problem[];
+  /** Shows a place of the text. */
+  readonly onGoTo: (line: number, column: number) => void;
+}
+
+/** What is wrong with the text of a level, or that nothing is. */
+export function TextProblems({ problems, onGoTo }: TextProblemsProps) {
+  if (problems.length === 0) {
+    return (
+      <p className="astext__fine">
+        <CircleCheck size={14} aria-hidden /> A valid level.
+      </p>
+    );
+  }
+  return (
+    <ul className="astext__problems" aria-label="Problems">
+      {problems.map(({ code, pointer, line, column, message, hint }) => (
+        <li key={`${code} ${pointer} ${line} ${column}`}>
+          <button type="button" className="astext__problem" onClick={() => onGoTo(line ?? 1, column ?? 1)}>
+            <TriangleAlert size={13} aria-hidden />
+            {line !== null && (
+              <span className="astext__place">
+                {line}:{column}
+              </span>
+            )}
+            <span>
+              {inPageWords(message)} <span className="astext__hint">{inPageWords(hint)}</span>
+            </span>
+          </button>
+        </li>
+      ))}
+    </ul>
+  );
+}

@@ -1,0 +1,58 @@
+import { plural } from '../figures/index.ts';
+import { InlineName, MoreButton } from '../tree/index.ts';
+import { OutcomeSign, outcomeWord } from './OutcomeSign.tsx';
+import type { RunRow } from './run-row.ts';
+
+const LONGEST_NAME = 80;
+
+interface RunLineProps {
+  readonly row: RunRow;
+  /** How many the level has. */
+  readonly minerals: number;
+  /** Its name is being changed. */
+  readonly isRenamed: boolean;
+  /** Why a name can't be taken; null: it can. */
+  readonly problemOf: (name: string) => string | null;
+  readonly onRename: (to: string) => void;
+  readonly onRenamed: () => void;
+}
+
+/** One run in the list. */
+export function RunLine({ row, minerals, isRenamed, problemOf, onRename, onRenamed }: RunLineProps) {
+  return (
+    <>
+      <OutcomeSign outcome={row.summary?.outcome ?? null} />
+      {isRenamed ? (
+        <InlineName
+          label="Name of the run"
+          value={row.key}
+          longest={LONGEST_NAME}
+          problemOf={problemOf}
+          onDone={onRename}
+          onEnd={onRenamed}
+        />
+      ) : (
+        <span className="runs__text">
+          <span className="runs__line">
+            <span className="runs__name">{row.key}</span>
+            {row.place === 0 && (
+              <span className="runs__first" title="Pictures show the first run">
+                first
+              </span>
+            )}
+            {row.summary !== null && <span className="runs__time numbers">{row.summary.time.toFixed(2)} s</span>}
+          </span>
+          <span className="runs__facts numbers">{facts(row, minerals)}</span>
+        </span>
+      )}
+      <MoreButton />
+    </>
+  );
+}
+
+function facts({ summary, holds }: RunRow, minerals: number): string {
+  const held = holds === 0 ? 'no press' : plural(holds, 'hold');
+  if (summary === null) return held;
+  const taken = minerals === 0 ? [] : [`◆ ${summary.minerals}/${minerals}`];
+  return [outcomeWord(summary.outcome), ...taken, held].join(' · ');
+}

@@ -1,0 +1,91 @@
+import { Play, Square } from 'lucide-react';
+import { useStore } from 'zustand';
+import { LIMITS } from '../../../schema/index.ts';
+import { keyLabel } from '../../commands/index.ts';
+import { IS_MAC, useDocument } from '../../context/index.ts';
+import { Button, NumberField } from '../../ui/index.ts';
+import { Segments } from '../parts/index.ts';
+import { SOLVE_KEY } from './SolverWatch.tsx';
+import { useSolverSession } from './use-solver-session.ts';
+
+const OBJECTIVES = [
+  { value: 'robust', title: 'safest', about: 'the run that still succeeds when every press is a little off' },
+  { value: 'presses', title: 'simplest', about: 'the fewest presses' },
+  { value: 'time', title: 'quickest', about: 'the shortest time' },
+  { value: 'first', title: 'any', about: 'whatever is found first' },
+] as const;
+
+/** What to look for, and the button that does. */
+export function SearchSettingsForm() {
+  const { settings: store, search } = useSolverSession();
+  const settings = useStore(store);
+  const isRunning = useStore(search.store, ({ phase }) => phase === 'running');
+  const minerals = useDocument(({ file }) => file.minerals?.length ?? 0);
+  return (
+    <div className="search-settings">
+      <Segments
+        label="Best is"
+        value={settings.objective}
+        options={OBJECTIVES}
+        onChange={(objective) => store.setState({ objective })}
+      />
+      {minerals > 0 && (
+        <Segments
+          label="Minerals"
+          value={settings.minerals}
+          options={[
+            { value: 'any', title: 'any', about: 'minerals do not matter' },
+            { value: 'some', title: 'some', about: 'at least so many' },
+            { value: 'all', title: `all ${minerals}`, about: 'every one of them' },
+          ]}
+          onChange={(wanted) => store.setState({ minerals: wanted })}
+        />
+      )}
+      <div className="search-settings__numbers">
+        {minerals > 0 && settings.minerals === 'some' && (
+          <NumberField
+            label="At least"
+            value={Math.min(settings.some, minerals)}
+            min={1}
+            max={minerals}
+            whole
+            onChange={(some) => store.setState({ some })}
+          />
+        )}
+        <NumberField
+          label="Seconds"
+          about="How long to look, at most"
+          value={settings.budget}
+          min={1}
+          max={3600}
+          whole
+          onChange={(budget) => store.setState({ budget })}
+        />
+        <NumberField
+          label="Seed"
+          about="Another seed looks elsewhere first"
+          value={settings.seed}
+          min={0}
+          max={LIMITS.coordinate}
+          whole
+          onChange={(seed) => store.setState({ seed })}
+        />
+      </div>
+      {isRunning ? (
+        <Button hint="Stop; what was found stays" look="outlined" icon={<Square size={14} />} onClick={search.cancel}>
+          Cancel
+        </Button>
+      ) : (
+        <Button
+          hint="Look for runs"
+          shortcut={keyLabel(SOLVE_KEY, IS_MAC)}
+          look="main"
+          icon={<Play size={14} />}
+          onClick={search.start}
+        >
+          Solve
+        </Button>
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,94 @@
+import { createStore, type StoreApi } from 'zustand/vanilla';
+import type { Scene } from '../../../engine/index.ts';
+import { type Difficulty, mineralsNeeded } from '../../../solver/index.ts';
+import type { ProofStore } from '../../proof/index.ts';
+import type { Job, Workers } from '../../workers/index.ts';
+import { goalOf, type SearchSettingsStore } from './search-settings.ts';
+import { askedInWords } from './standing.ts';
+import { withoutRuns } from './without-runs.ts';
+
+export interface DifficultyState {
+  /** `none`: there is no run to measure. */
+  readonly phase: 'idle' | 'measuring' | 'done' | 'none' | 'failed';
+  readonly message: string | null;
+  readonly result: Difficulty | null;
+  /** Name of the run that was measured; null: one that was found. */
+  readonly run: string | null;
+  /** What was asked of the run besides the black hole: ` with all 3 minerals`; '' for nothing. */
+  readonly asked: string;
+  /** The level or the run has changed since. */
+  readonly isOld: boolean;
+}
+
+export interface DifficultySession {
+  readonly store: StoreApi<DifficultyState>;
+  start(): void;
+  cancel(): void;
+  close(): void;
+}
+
+interface DifficultyParts {
+  readonly level: { readonly proof: ProofStore };
+  readonly workers: Pick<Workers, 'start'>;
+  readonly settings: SearchSettingsStore;
+}
+
+/** How hard the level is, measured when it is asked for: by the shown run where it completes the level, else by one that is looked for. */
+export function createDifficultySession({ level: { proof }, workers, settings }: DifficultyParts): DifficultySession {
+  const store = createStore<DifficultyState>(() => ({
+    phase: 'idle',
+    message: null,
+    result: null,
+    run: null,
+    asked: '',
+    isOld: false,
+  }));
+  let job: Job<'difficulty'> | null = null;
+  let measured: { scene: Scene; holds: string } | null = null;
+  const stop = proof.store.subscribe(({ scene, run }) => {
+    if (measured === null || store.getState().isOld) return;
+    if (scene !== measured.scene || run.holds.join() !== measured.holds) store.setState({ isOld: true });
+  });
+  const cancel = () => {
+    job?.cancel();
+    job = null;
+  };
+  return {
+    store,
+    start() {
+      cancel();
+      const { level, accuracy, run, scene } = proof.proof();
+      const goal = goalOf(settings.getState(), level.minerals.length);
+      const asked = askedInWords(settings.getState(), level.minerals.length);
+      // only a run that does what is asked can be measured by it
+      const completes =
+        run.name !== null &&
+        run.outcome === 'completed' &&
+        new Set(run.minerals.map(({ index }) => index)).size >= mineralsNeeded(goal, level.minerals.length);
+      measured = { scene, holds: run.holds.join() };
+      store.setState({ phase: 'measuring', message: null, isOld: false, run: completes ? run.name : null, asked });
+      const budget = 1000 * settings.getState().budget;
+      const mine = workers.start('difficulty', {
+        level: withoutRuns(level),
+        accuracy,
+        holds: completes ? run.holds : null,
+        goal,
+        budget,
+      });
+      job = mine;
+      void mine.end.then((end) => {
+        if (job !== mine) return;
+        if (end.kind === 'failed') store.setState({ phase: 'failed', message: end.message });
+        else if (end.kind === 'done') store.setState({ phase: end.result === null ? 'none' : 'done', result: end.result });
+      });
+    },
+    cancel() {
+      cancel();
+      store.setState(({ result }) => ({ phase: result === null ? 'idle' : 'done' }));
+    },
+    close() {
+      stop();
+      cancel();
+    },
+  };
+}

@@ -1,0 +1,49 @@
+import type { Editor, OpenLevel } from '../../context/index.ts';
+import { pageTimers } from '../../files/index.ts';
+import { afterRest } from '../parts/index.ts';
+import { type CheckWatch, watchChecks } from './check-watch.ts';
+import { createDifficultySession, type DifficultySession } from './difficulty-session.ts';
+import { createOverlay, type OverlayStore } from './overlay.ts';
+import { type ProofWatch, watchProofs } from './proof-watch.ts';
+import { type RobustnessWatch, watchRobustness } from './robustness-watch.ts';
+import { createSearchSession, type SearchSession } from './search-session.ts';
+import { createSearchSettings, type SearchSettingsStore } from './search-settings.ts';
+
+/** All that is looked for and measured in one level, while it is open. */
+export interface SolverSession {
+  readonly settings: SearchSettingsStore;
+  readonly search: SearchSession;
+  readonly robustness: RobustnessWatch;
+  readonly difficulty: DifficultySession;
+  readonly proofs: ProofWatch;
+  readonly checks: CheckWatch;
+  readonly overlay: OverlayStore;
+}
+
+const sessions = new WeakMap<OpenLevel, SolverSession>();
+
+/** What is looked for and measured in an open level, set up when it is first asked for; it ends when another level is opened. */
+export function solverSessionOf({ workers, session, open }: Editor, level: OpenLevel): SolverSession {
+  const known = sessions.get(level);
+  if (known !== undefined) return known;
+  const settings = createSearchSettings();
+  const overlay = createOverlay();
+  const search = createSearchSession({ level, session, workers, settings, overlay, now: () => performance.now() });
+  const robustness = watchRobustness({ level, workers, after: pageTimers.after, afterRest });
+  const proofs = watchProofs({ level, workers, afterRest });
+  const checks = watchChecks({ level, workers, afterRest });
+  const difficulty = createDifficultySession({ level, workers, settings });
+  const solver: SolverSession = { settings, search, robustness, difficulty, proofs, checks, overlay };
+  sessions.set(level, solver);
+  const stop = open.subscribe((current) => {
+    if (current === level) return;
+    stop();
+    sessions.delete(level);
+    search.close();
+    robustness.close();
+    difficulty.close();
+    proofs.close();
+    checks.close();
+  });
+  return solver;
+}

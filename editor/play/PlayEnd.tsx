@@ -1,0 +1,47 @@
+import { Check, Plus, RotateCcw, X } from 'lucide-react';
+import { outcomeAsPredicate, type RunEnd } from '../../check/words/index.ts';
+import { useLevel } from '../context/index.ts';
+import { Button } from '../ui/index.ts';
+
+interface PlayEndProps {
+  readonly end: RunEnd;
+  readonly onRestart: () => void;
+  /** Puts what was played into the level. */
+  readonly onKeep: () => void;
+  readonly onLeave: () => void;
+}
+
+/** How a playtest ended, and what can be done with it. */
+export function PlayEnd({ end, onRestart, onKeep, onLeave }: PlayEndProps) {
+  const { range } = useLevel().proof.proof().level;
+  const won = end.outcome === 'completed';
+  return (
+    <div className={`play__end play__end--${won ? 'won' : 'lost'}`} role="status">
+      <strong>{won ? 'Through!' : 'Not this time'}</strong>
+      <span>She {outcomeAsPredicate(end, range)}.</span>
+      <span className="play__actions">
+        <Button
+          hint="Play again"
+          shortcut="R"
+          look={won ? 'outlined' : 'main'}
+          icon={<RotateCcw size={15} />}
+          onClick={onRestart}
+        >
+          Again
+        </Button>
+        <Button
+          hint={won ? 'Put this attempt into the level as its proof' : 'Put this attempt into the level as its last run'}
+          shortcut="Enter"
+          look={won ? 'main' : 'outlined'}
+          icon={won ? <Check size={15} /> : <Plus size={15} />}
+          onClick={onKeep}
+        >
+          {won ? 'Make this the proof' : 'Keep as a run'}
+        </Button>
+        <Button hint="Back to editing" shortcut="Esc" look="outlined" icon={<X size={15} />} onClick={onLeave}>
+          Edit
+        </Button>
+      </span>
+    </div>
+  );
+}

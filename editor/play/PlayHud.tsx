@@ -1,0 +1,61 @@
+import { RotateCcw, Route, X } from 'lucide-react';
+import { useStore } from 'zustand';
+import { useEditor, useLevel, useProof } from '../context/index.ts';
+import { Button } from '../ui/index.ts';
+import type { Readout } from './use-playtest.ts';
+
+interface PlayHudProps {
+  readonly readout: Readout | null;
+  /** How the gun is held, in words. */
+  readonly gun: string;
+  readonly touch: boolean;
+  readonly isOver: boolean;
+  readonly onRestart: () => void;
+  readonly onLeave: () => void;
+  /** Gives the focus back to what takes the gun's input. */
+  readonly toGun: () => void;
+}
+
+/** Time, speed and minerals while she flies, and what can be done meanwhile. */
+export function PlayHud({ readout, gun, touch, isOver, onRestart, onLeave, toGun }: PlayHudProps) {
+  const { settings } = useEditor();
+  const level = useLevel();
+  const isRunShown = useStore(settings, ({ runInPlay }) => runInPlay);
+  const hasRun = useProof(({ run }) => run.name !== null);
+  const { minerals: all } = level.proof.proof().level;
+  return (
+    <div className="play__hud">
+      <div className="play__readout numbers" aria-hidden>
+        <span>{((readout?.tick ?? 0) / 60).toFixed(2)} s</span>
+        <span>{Math.round(readout?.speed ?? 0)} px/s</span>
+        {all.length > 0 && (
+          <span>
+            minerals {readout?.minerals ?? 0}/{all.length}
+          </span>
+        )}
+        <span className="play__hint">{touch ? `${gun}: gun` : `${gun} or Space: gun · R again · Esc edit`}</span>
+      </div>
+      <div className="play__tools">
+        {hasRun && (
+          <Button
+            hint="Show the run's way"
+            shortcut="W"
+            icon={<Route size={15} />}
+            pressed={isRunShown}
+            onClick={() => {
+              settings.setState({ runInPlay: !isRunShown });
+              toGun();
+            }}
+          />
+        )}
+        {/* who has no keys */}
+        {touch && !isOver && (
+          <>
+            <Button hint="Play again" icon={<RotateCcw size={15} />} onClick={onRestart} />
+            <Button hint="Back to editing" icon={<X size={15} />} onClick={onLeave} />
+          </>
+        )}
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,104 @@
+import {
+  actingForce,
+  bendLine,
+  CENTRAL,
+  COAST,
+  findLine,
+  keepSteadyLine,
+  LINEAR,
+  LINES,
+  MEETINGS,
+  type Motion,
+  SLIDE,
+  SLOTS,
+  STEADY,
+  sideOf,
+  straighten,
+  TURNS,
+} from '../motion/index.ts';
+import { SMALLEST_ORBIT, SMALLEST_SWING } from '../tolerances.ts';
+import { expand } from './expand.ts';
+import { locate } from './locate.ts';
+
+const { HELD, KIND, TURN, SIDE, LINE_X, LINE_Y, LIMIT_X, LIMIT_Y, RIM, LINE, LINE_STEEP, LINE_SLOPE, MEETS } = SLOTS;
+const { NONE } = LINES;
+const { NOT } = MEETINGS;
+const { TURN_NOT, TURN_TO_TARGET } = TURNS;
+
+/** Chooses frame and flow at the start of a piece, expands it, and locates the first event. */
+export function begin(m: Motion): void {
+  const { s, ux, uy, parts } = m;
+  const { beforePiece, turn } = parts;
+  for (let k = 0; k < beforePiece.length; k++) beforePiece[k](m);
+  const force = actingForce(m);
+  force?.centre(m);
+  addSteadyForces(m);
+  const windy = m.flow.isSteady;
+  if (s[RIM] >= 0) {
+    s[KIND] = SLIDE;
+    s[LINE] = NONE;
+    s[MEETS] = NOT;
+    s[TURN] = s[HELD] === 1 ? TURN_TO_TARGET : TURN_NOT;
+    proceed(m);
+    return;
+  }
+  if (force !== null && s[LINE] === NONE) findLine(m);
+  if (s[LINE] !== NONE) bendLine(m);
+  if (windy && s[LINE] !== NONE) keepSteadyLine(m);
+  const onLine = s[LINE] !== NONE;
+  if (onLine) straighten(m, 1);
+
+  s[KIND] = windy ? STEADY : COAST;
+  s[TURN] = TURN_NOT;
+  s[MEETS] = NOT;
+  if (force !== null) {
+    const d = Math.sqrt(ux[0] * ux[0] + uy[0] * uy[0]);
+    const v = Math.sqrt(ux[1] * ux[1] + uy[1] * uy[1]);
+    const free = s[LIMIT_X] === 0 && s[LIMIT_Y] === 0;
+    if (force.swing(m, d, v) < (onLine && !m.recoil ? SMALLEST_SWING : SMALLEST_ORBIT)) {
+      for (let k = 0; k < 2; k++) ux[k] = uy[k] = 0;
+      s[KIND] = COAST;
+    } else if ((d > 0 || v > 0) && ((free && (onLine || !windy)) || d > SMALLEST_ORBIT)) {
+      const isLinear = free && onLine;
+      s[KIND] = isLinear ? LINEAR : CENTRAL;
+      if (isLinear) s[SIDE] = sideOf(m);
+    }
+  }
+  for (let k = 0; k < turn.length; k++) turn[k](m);
+  proceed(m);
+}
+
+/** Adds up the steady forces that act on her. */
+function addSteadyForces(m: Motion): void {
+  const { flow, parts } = m;
+  flow.steadyX = 0;
+  flow.steadyY = 0;
+  for (const force of parts.steady) force.add(m);
+}
+
+/** The next piece of the same flow. */
+export function proceed(m: Motion): void {
+  setFlow(m);
+  expand(m);
+  locate(m);
+}
+
+/** Sets the flow from the state: after a restore it must be what it was. */
+export function setFlow(m: Motion): void {
+  const { s, flow, parts, ux, uy } = m;
+  flow.kind = s[KIND];
+  flow.freeX = s[LIMIT_X] === 0;
+  flow.freeY = s[LIMIT_Y] === 0;
+  addSteadyForces(m);
+  if (flow.kind === SLIDE) {
+    for (const set of parts.setRim) set(m);
+    return;
+  }
+  actingForce(m)?.set(m);
+  if (flow.kind !== LINEAR) return;
+  flow.steep = s[LINE_STEEP] === 1;
+  flow.slope = s[LINE_SLOPE];
+  flow.outX = s[SIDE] * s[LINE_X];
+  flow.outY = s[SIDE] * s[LINE_Y];
+  flow.moveTo(ux[0], uy[0]);
+}

@@ -1,0 +1,302 @@
+import Flatbush from 'flatbush';
+import { ALERTNESS, type Crowd, type Motion, RECORDS, SLOTS } from '../../motion/index.ts';
+import { indexCircles, type SpatialIndex } from '../../spatial-index.ts';
+
+const { AWAKE_COUNT } = SLOTS;
+const { CHASER } = RECORDS;
+const { ASLEEP, AWAKE, GONE } = ALERTNESS;
+
+/** When more than this sleep elsewhere than the index has them, it is made anew. */
+const MOST_ASTRAY = 256;
+
+/** From so many that are awake on, an index made for the piece finds the near ones. */
+const MANY_AWAKE = 16;
+
+/** Surplus of distances at which something can't matter, far above any rounding, px. */
+const MARGIN = 1e-3;
+
+/** How much farther than asked sleepers are looked for, so that the next times nobody has to look, px. */
+const AHEAD = 256;
+
+/** Stands where a pair has no second. */
+export const NOBODY = -1;
+
+/** The same list with room for as many again. */
+function grown(list: Int32Array<ArrayBuffer>): Int32Array<ArrayBuffer> {
+  const longer = new Int32Array(2 * list.length);
+  longer.set(list);
+  return longer;
+}
+
+/**
+ * Who of the aliens is awake, and where the others sleep. All of it follows from the state and is made from it after a restore; so
+ * it is kept up to date only where an alien wakes, falls asleep or explodes, and sleepers cost nothing while she is away from them.
+ */
+export class AlienCrowd implements Crowd {
+  /** Indices of those that are awake, ascending; the state has how many. */
+  readonly awake: Int32Array;
+  /** Those that woke, fell asleep or exploded since this list was emptied; kept for a recorder. */
+  readonly altered: number[] = [];
+  /** Whether one of them may be another than at the start. */
+  changed = false;
+  /** No sleeper wakes or is touched while she is nearer than this to there, px; negative: not known. */
+  private calm = -1;
+  private calmX = 0;
+  private calmY = 0;
+  /** Where the index has them, px from the origin; null: there is no index. */
+  private index: SpatialIndex | null;
+  private indexedX: Float64Array;
+  private indexedY: Float64Array;
+  /** Sleepers that lie elsewhere. */
+  private astray: number[] = [];
+  /** Before this the list of explosions is over. */
+  private explosion = 0;
+  /** What {@link meetings} found. */
+  first = new Int32Array(MANY_AWAKE);
+  second = new Int32Array(MANY_AWAKE);
+  private met = 0;
+
+  constructor(private readonly m: Motion) {
+    const { aliens } = m.scene;
+    this.awake = new Int32Array(aliens.count);
+    this.index = aliens.spatial;
+    this.indexedX = this.index === null ? new Float64Array(0) : aliens.x.map((x) => x - m.originX);
+    this.indexedY = this.index === null ? new Float64Array(0) : aliens.y.map((y) => y - m.originY);
+  }
+
+  /** Where in the list of explosions the first is whose two sleep, overlapping; -1: nowhere. */
+  overlapAtStart(): number {
+    const { s, chasers, scene } = this.m;
+    const { explosions, r } = scene.aliens;
+    let isFirst = true;
+    for (let k = this.explosion; k < explosions.length; k += 2) {
+      const a = chasers + CHASER * explosions[k];
+      const b = chasers + CHASER * explosions[k + 1];
+      if (s[a + 4] === GONE || s[b + 4] === GONE) {
+        if (isFirst) this.explosion = k + 2;
+        continue;
+      }
+      isFirst = false;
+      if (s[a + 4] !== ASLEEP || s[b + 4] !== ASLEEP) continue;
+      const reach = r[explosions[k]] + r[explosions[k + 1]];
+      if ((s[a] - s[b]) * (s[a] - s[b]) + (s[a + 1] - s[b + 1]) * (s[a + 1] - s[b + 1]) < reach * reach) return k;
+    }
+    return -1;
+  }
+
+  /** Finds out from the state, which has become another. */
+  read(): void {
+    const { s, chasers, scene } = this.m;
+    let count = 0;
+    this.astray = [];
+    for (let i = 0; i < scene.aliens.count; i++) {
+      const o = chasers + CHASER * i;
+      if (s[o + 4] === AWAKE) this.awake[count++] = i;
+      else if (this.index !== null && s[o + 4] === ASLEEP && this.isAstray(i)) this.astray.push(i);
+    }
+    this.calm = -1;
+    this.explosion = 0;
+  }
+
+  wake(i: number): void {
+    const { s } = this.m;
+    const { awake } = this;
+    let k = s[AWAKE_COUNT]++;
+    for (; k > 0 && awake[k - 1] > i; k--) awake[k] = awake[k - 1];
+    awake[k] = i;
+    if (this.index !== null && this.isAstray(i)) this.astray = this.astray.filter((j) => j !== i);
+    this.become(i, AWAKE);
+  }
+
+  sleep(i: number): void {
+    this.dismiss(i);
+    this.become(i, ASLEEP);
+    this.calm = -1;
+    if (this.index === null || !this.isAstray(i)) return;
+    this.astray.push(i);
+    if (this.astray.length > MOST_ASTRAY) this.reindex();
+  }
+
+  explode(i: number): void {
+    if (this.m.s[this.m.chasers + CHASER * i + 4] === AWAKE) this.dismiss(i);
+    this.become(i, GONE);
+  }
+
+  private become(i: number, alertness: number): void {
+    const { s, chasers } = this.m;
+    s[chasers + CHASER * i + 4] = alertness;
+    this.changed = true;
+    if (this.m.recorder !== null) this.altered.push(i);
+  }
+
+  private dismiss(i: number): void {
+    const { s } = this.m;
+    const { awake } = this;
+    const count = --s[AWAKE_COUNT];
+    let k = awake.indexOf(i);
+    for (; k < count; k++) awake[k] = awake[k + 1];
+  }
+
+  private isAstray(i: number): boolean {
+    const { s, chasers } = this.m;
+    const o = chasers + CHASER * i;
+    return s[o] !== this.indexedX[i] || s[o + 1] !== this.indexedY[i];
+  }
+
+  private reindex(): void {
+    const { s, chasers, scene, originX, originY } = this.m;
+    const { aliens } = scene;
+    this.indexedX = aliens.x.map((_, i) => s[chasers + CHASER * i]);
+    this.indexedY = aliens.y.map((_, i) => s[chasers + CHASER * i + 1]);
+    this.index = indexCircles({
+      ...aliens,
+      x: this.indexedX.map((x) => x + originX),
+      y: this.indexedY.map((y) => y + originY),
+    });
+    this.astray = [];
+  }
+
+  /** Indices, ascending, of at least all sleepers of whose disc a part is nearer than `reach` to (x, y), px from the origin. */
+  private sleepersAround(x: number, y: number, reach: number): number[] {
+    const { s, chasers, scene, originX, originY } = this.m;
+    const { count } = scene.aliens;
+    const found: number[] = [];
+    if (this.index === null) {
+      for (let i = 0; i < count; i++) if (s[chasers + CHASER * i + 4] === ASLEEP) found.push(i);
+      return found;
+    }
+    for (const i of this.index.around(x + originX, y + originY, reach + MARGIN)) {
+      if (s[chasers + CHASER * i + 4] === ASLEEP && !this.isAstray(i)) found.push(i);
+    }
+    for (const i of this.astray) found.push(i);
+    this.m.budget.look(found.length >> 2);
+    return found.sort((a, b) => a - b);
+  }
+
+  /** Calls `visit` with every sleeper, ascending, that she may wake or touch before she is `within` px from (x, y), and its distance. */
+  eachSleeperNear(x: number, y: number, within: number, visit: (i: number, distance: number) => void): void {
+    const { s, chasers, scene } = this.m;
+    const gone = Math.sqrt((x - this.calmX) * (x - this.calmX) + (y - this.calmY) * (y - this.calmY));
+    if (this.calm - gone > within) return;
+    const { r } = scene.aliens;
+    const around = within + AHEAD;
+    let calm = this.index === null ? Number.POSITIVE_INFINITY : around;
+    for (const i of this.sleepersAround(x, y, around + Math.max(this.m.rules.alienSight, this.m.box.halfDiagonal) + MARGIN)) {
+      const o = chasers + CHASER * i;
+      const d = Math.sqrt((s[o] - x) * (s[o] - x) + (s[o + 1] - y) * (s[o + 1] - y));
+      calm = Math.min(calm, d - Math.max(this.m.rules.alienSight, r[i] + this.m.box.halfDiagonal));
+      visit(i, d);
+    }
+    this.calmX = x;
+    this.calmY = y;
+    this.calm = calm - MARGIN;
+  }
+
+  /**
+   * Finds at least all pairs of which one is awake and that may touch within `h` s from the start of the piece: `first` and `second`
+   * of each, by their first and then by their second; and after the pairs that it is the first of each that is awake, with NOBODY
+   * as the second. Which events are found first can depend on that order, and it is the one of looking at all pairs.
+   * @returns how many
+   */
+  meetings(h: number): number {
+    this.met = 0;
+    const { s, chasers, scene } = this.m;
+    const { count } = scene.aliens;
+    if (count > MANY_AWAKE) {
+      this.meetingsOfMany(h);
+      return this.met;
+    }
+    for (let i = 0; i < count; i++) {
+      const state = s[chasers + CHASER * i + 4];
+      if (state === GONE) continue;
+      for (let j = i + 1; j < count; j++) {
+        const other = s[chasers + CHASER * j + 4];
+        if (other === AWAKE || (state === AWAKE && other === ASLEEP)) this.meet(i, j);
+      }
+      if (state === AWAKE) this.meet(i, NOBODY);
+    }
+    return this.met;
+  }
+
+  private meet(i: number, j: number): void {
+    if (this.met === this.first.length) {
+      this.first = grown(this.first);
+      this.second = grown(this.second);
+    }
+    this.first[this.met] = i;
+    this.second[this.met++] = j;
+  }
+
+  private meetingsOfMany(h: number): void {
+    const { s, chasers, scene } = this.m;
+    const { aliens } = scene;
+    const count = s[AWAKE_COUNT];
+    const { awake } = this;
+    this.m.budget.look(4 * count);
+    const partners = this.partnersAmongAwake(h);
+    // those of which the sleeper comes first in the list
+    const before: [number, number][] = [];
+    const after: number[][] = [];
+    for (let k = 0; k < count; k++) {
+      const i = awake[k];
+      const o = chasers + CHASER * i;
+      const far = (Math.sqrt(s[o + 2] * s[o + 2] + s[o + 3] * s[o + 3]) + this.m.rules.alienPull * h) * h;
+      const later: number[] = [];
+      for (const j of this.sleepersAround(s[o], s[o + 1], far + aliens.r[i])) {
+        const q = chasers + CHASER * j;
+        const reach = far + aliens.r[i] + aliens.r[j] + MARGIN;
+        if (Math.abs(s[q] - s[o]) > reach || Math.abs(s[q + 1] - s[o + 1]) > reach) continue;
+        if (j < i) before.push([j, i]);
+        else later.push(j);
+      }
+      after.push(later);
+    }
+    before.sort((a, b) => a[0] - b[0] || a[1] - b[1]);
+    let next = 0;
+    for (let k = 0; k < count; k++) {
+      const i = awake[k];
+      for (; next < before.length && before[next][0] < i; next++) this.meet(before[next][0], before[next][1]);
+      const all = partners(k);
+      this.m.budget.look(2 + 3 * all.length);
+      for (const j of after[k]) all.push(j);
+      all.sort((a, b) => a - b);
+      for (const j of all) this.meet(i, j);
+      this.meet(i, NOBODY);
+    }
+    for (; next < before.length; next++) this.meet(before[next][0], before[next][1]);
+  }
+
+  /** For the k-th that is awake: those awake behind it in the list that it may touch within `h` s. */
+  private partnersAmongAwake(h: number): (k: number) => number[] {
+    const { s, chasers, scene } = this.m;
+    const { r } = scene.aliens;
+    const { awake } = this;
+    const count = s[AWAKE_COUNT];
+    if (count <= MANY_AWAKE) return (k) => Array.from(awake.subarray(k + 1, count));
+    let vx = 0;
+    let vy = 0;
+    for (let k = 0; k < count; k++) {
+      vx += s[chasers + CHASER * awake[k] + 2] / count;
+      vy += s[chasers + CHASER * awake[k] + 3] / count;
+    }
+    // each stays in a box, seen from one that moves as they do on the mean: straight on, and as far aside as the pull takes it
+    const boxes = new Float64Array(4 * count);
+    const index = new Flatbush(count);
+    for (let k = 0; k < count; k++) {
+      const o = chasers + CHASER * awake[k];
+      const dx = (s[o + 2] - vx) * h;
+      const dy = (s[o + 3] - vy) * h;
+      const room = r[awake[k]] + this.m.rules.alienPull * h * h + MARGIN;
+      boxes[4 * k] = s[o] + Math.min(0, dx) - room;
+      boxes[4 * k + 1] = s[o + 1] + Math.min(0, dy) - room;
+      boxes[4 * k + 2] = s[o] + Math.max(0, dx) + room;
+      boxes[4 * k + 3] = s[o + 1] + Math.max(0, dy) + room;
+      index.add(boxes[4 * k], boxes[4 * k + 1], boxes[4 * k + 2], boxes[4 * k + 3]);
+    }
+    index.finish();
+    return (k) =>
+      index
+        .search(boxes[4 * k], boxes[4 * k + 1], boxes[4 * k + 2], boxes[4 * k + 3], (other) => other > k)
+        .map((other) => awake[other]);
+  }
+}

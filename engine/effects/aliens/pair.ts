@@ -1,0 +1,110 @@
+import { alienTravel, lookNext, overlapBetween, PATIENCE, safeStep, safeStretch, smallestStride } from '../../events/index.ts';
+import {
+  ALERTNESS,
+  addProduct,
+  alienPlaceAt,
+  LONGEST_SERIES,
+  type Motion,
+  RECORDS,
+  SLOTS,
+  shift,
+  valueAt,
+} from '../../motion/index.ts';
+import { FLOOR, SURPLUS } from '../../tolerances.ts';
+
+const { LENGTH_H } = SLOTS;
+const { CHASER } = RECORDS;
+const { ASLEEP, AWAKE, GONE } = ALERTNESS;
+
+/** The cubic of a Runge-Kutta step may bend by this much more than the strongest pull, see {@link dragRungeKutta}. */
+const CUBIC_BENDS = 5 / 3;
+
+const dx = new Float64Array(LONGEST_SERIES);
+const dy = new Float64Array(LONGEST_SERIES);
+const guard = new Float64Array(2 * LONGEST_SERIES);
+
+/**
+ * When two aliens come to touch: safe steps, after PATIENCE looks by the coefficients of the guard, which is a polynomial.
+ * An overlap below FLOOR may be overlooked.
+ * @param from s from the start of the piece
+ * @returns s from there, too; -1: not before the piece ends
+ */
+export function pairTime(m: Motion, i: number, j: number, from: number): number {
+  const { s, scene, work } = m;
+  const a = m.chasers + CHASER * i;
+  const b = m.chasers + CHASER * j;
+  if (s[b + 4] === GONE) return -1;
+  const reach = scene.aliens.r[i] + scene.aliens.r[j];
+  const d = Math.sqrt((s[a] - s[b]) * (s[a] - s[b]) + (s[a + 1] - s[b + 1]) * (s[a + 1] - s[b + 1]));
+  const h = s[LENGTH_H];
+  if (d - alienTravel(m, i, m.rules.alienPull, h) - alienTravel(m, j, m.rules.alienPull, h) > reach + SURPLUS) return -1;
+  work.guards++;
+  const e = m.e;
+  const still = s[a + 4] === ASLEEP && s[b + 4] === ASLEEP;
+  const horizon = Math.min(m.horizon, h);
+  const pull = m.integrator.degree === 3 ? CUBIC_BENDS * m.rules.alienPull : m.rules.alienPull;
+  const small = smallestStride(h);
+  const floor = 2 * reach * FLOOR;
+  let t = from;
+  let before = t;
+  for (let n = 0; ; n++) {
+    m.budget.look(1);
+    alienPlaceAt(m, i, t, 0);
+    alienPlaceAt(m, j, t, 4);
+    const x = e[0] - e[4];
+    const y = e[1] - e[5];
+    const vx = e[2] - e[6];
+    const vy = e[3] - e[7];
+    const g = x * x + y * y - reach * reach;
+    if (g < 0) return t === from ? t : touchBetween(m, i, j, reach, before, t);
+    if (still) return -1;
+    // (d^2)'' = 2 v^2 + 2 d a >= -2 |d| |a| while d stays below `far`
+    const slope = 2 * (x * vx + y * vy);
+    const far = Math.sqrt(x * x + y * y) + (Math.sqrt(vx * vx + vy * vy) + 2 * pull * h) * h;
+    let step = safeStep(g + floor, slope, 4 * far * pull);
+    if (n >= PATIENCE && t + step < horizon) {
+      work.guards++;
+      step = Math.max(step, safeStretch(guard, pairSeries(m, i, j, reach, t), g + floor, slope, 0, horizon - t));
+    }
+    if (!(t + step < horizon)) return -1;
+    before = t;
+    t = lookNext(t, step, small, horizon);
+  }
+}
+
+/** When they begin to overlap, by the polynomial about `before`: close to a touch there it has more digits than distances have. */
+function touchBetween(m: Motion, i: number, j: number, reach: number, before: number, behind: number): number {
+  m.work.roots++;
+  const degree = pairSeries(m, i, j, reach, before);
+  return overlapBetween(before, behind, (t) => valueAt(guard, degree, t - before));
+}
+
+/** Into `guard` the coefficients of d^2 - reach^2 about `t`; returns their degree. */
+function pairSeries(m: Motion, i: number, j: number, reach: number, t: number): number {
+  const { degree } = m.integrator;
+  dx.fill(0);
+  dy.fill(0);
+  addAlien(m, i, 1);
+  addAlien(m, j, -1);
+  shift(dx, degree, t);
+  shift(dy, degree, t);
+  guard.fill(0);
+  addProduct(dx, degree, dx, degree, 1, guard);
+  addProduct(dy, degree, dy, degree, 1, guard);
+  guard[0] = dx[0] * dx[0] + dy[0] * dy[0] - reach * reach;
+  return 2 * degree;
+}
+
+function addAlien(m: Motion, i: number, sign: number): void {
+  const { s } = m;
+  const o = m.chasers + CHASER * i;
+  if (s[o + 4] !== AWAKE) {
+    dx[0] += sign * s[o];
+    dy[0] += sign * s[o + 1];
+    return;
+  }
+  for (let k = 0; k <= m.integrator.degree; k++) {
+    dx[k] += sign * m.chaserX[i][k];
+    dy[k] += sign * m.chaserY[i][k];
+  }
+}

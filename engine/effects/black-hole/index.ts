@@ -1,0 +1,1 @@
+export { blackHole, touchBlackHole } from './black-hole.ts';

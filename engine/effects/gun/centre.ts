@@ -1,0 +1,63 @@
+import { crossing, lookNext, safeStep } from '../../events/index.ts';
+import { lookAt, type Motion, pairAt, placeAt, SLOTS } from '../../motion/index.ts';
+
+const { SIDE, LINE_STEEP, DEGREE, LENGTH_H, ACCELERATION, MEETS } = SLOTS;
+
+/** How far she is from the centre, or the target from her, along the main axis of her line; its slope goes to e[11]. */
+type Way = (m: Motion, t: number) => number;
+
+/**
+ * When she comes through the centre on a straight line.
+ * @param from s from the start of the piece
+ * @returns s from there, too; -1: not before the piece ends
+ */
+export function centreTime(m: Motion, from: number): number {
+  return passTime(m, from, wayToCentre, m.s[ACCELERATION]);
+}
+
+/** When the target that she holds inside a field comes through her centre; as {@link centreTime}. */
+export function meetingTime(m: Motion, from: number): number {
+  return passTime(m, from, wayToTarget, m.s[ACCELERATION] + m.kappa);
+}
+
+function wayToCentre(m: Motion, t: number): number {
+  const { s, e } = m;
+  pairAt(m.ux, m.uy, s[DEGREE], t, e, 0);
+  e[11] = s[SIDE] * e[2 + s[LINE_STEEP]];
+  return s[SIDE] * e[s[LINE_STEEP]];
+}
+
+function wayToTarget(m: Motion, t: number): number {
+  const { s, e } = m;
+  placeAt(m, t);
+  lookAt(m, t);
+  const way = s[MEETS] * e[8 + s[LINE_STEEP]];
+  e[11] = s[MEETS] * e[10 + s[LINE_STEEP]];
+  return way;
+}
+
+/** First time a way falls below 0; `k` bounds its second derivative, px/s2. */
+function passTime(m: Motion, from: number, way: Way, k: number): number {
+  const { s, e, work } = m;
+  const horizon = Math.min(m.horizon, s[LENGTH_H]);
+  let t = from;
+  let before = from;
+  work.guards++;
+  for (let n = 0; ; n++) {
+    m.budget.look(1);
+    const g = way(m, t);
+    const slope = e[11];
+    if (n === 0 && g <= 0 && slope >= 0) {
+      // on the centre, on the way out
+    } else if (g < 0) {
+      if (n === 0) return t;
+      work.roots++;
+      return crossing(before, t, (time) => way(m, time));
+    }
+    if (t >= horizon) return -1;
+    const step = safeStep(Math.max(g, 0), slope, k);
+    if (!(t + step < horizon)) return -1;
+    before = t;
+    t = lookNext(t, step, s[LENGTH_H] * 1e-9, horizon);
+  }
+}

@@ -1,0 +1,3 @@
+export { meetTarget, passCentre, switchTarget } from './events.ts';
+export { gun } from './gun.ts';
+export { recordTarget } from './target.ts';

@@ -1,0 +1,70 @@
+import { beginLine, holdsTarget, LINEAR, LINES, MEETINGS, type Motion, RECORDS, SLOTS } from '../../motion/index.ts';
+import { SMALLEST_ORBIT } from '../../tolerances.ts';
+
+const { TARGET, KIND, BASE_X, BASE_Y, COS, SIN, SIDE, LINE_X, LINE_Y, LINE, LINE_STEEP, MEETS } = SLOTS;
+const { ROCK } = RECORDS;
+const { NONE } = LINES;
+const { AHEAD, BEHIND, TOGETHER } = MEETINGS;
+
+/**
+ * She is held inside a field: where the target is on the line that she is on, it is ahead of her or behind until they meet, which is
+ * an event. There the box flips, and so does the acceleration of a target that is dragged along. One that would swing about her by less than
+ * {@link SMALLEST_ORBIT} stays in her centre: it is accelerated as she is, by no more than it could be.
+ * @returns whether it is on the line; otherwise the box follows it
+ */
+export function holdOnLine(m: Motion): boolean {
+  const { s, ux, uy, recoil } = m;
+  const target = s[TARGET];
+  const o = m.rocks + ROCK * target;
+  const x = (recoil ? s[o] : m.targetX[target]) - s[BASE_X] - ux[0];
+  const y = (recoil ? s[o + 1] : m.targetY[target]) - s[BASE_Y] - uy[0];
+  const vx = (recoil ? s[o + 2] : 0) - ux[1];
+  const vy = (recoil ? s[o + 3] : 0) - uy[1];
+  // she rests in the centre of the field: any line through it is hers
+  const rests = ux[0] === 0 && uy[0] === 0 && ux[1] === 0 && uy[1] === 0;
+  if (rests && (s[LINE] === NONE || !holdsTarget(m, target))) {
+    if (x !== 0 || y !== 0) beginLine(m, x, y);
+    else if (vx !== 0 || vy !== 0) beginLine(m, vx, vy);
+  }
+  if (!holdsTarget(m, target)) return false;
+
+  const steep = s[LINE_STEEP] === 1;
+  const main = steep ? s[LINE_Y] : s[LINE_X];
+  const way = (steep ? y : x) / main;
+  const speed = (steep ? vy : vx) / main;
+  const push = s[KIND] === LINEAR ? s[SIDE] * m.rules.push : 0;
+  const strongest = Math.abs(push) + m.flow.steadyStrength;
+  const back = m.kappa - strongest;
+  const energy = (speed * speed) / 2 + (m.kappa + strongest) * Math.abs(way);
+  if (back > 0 ? energy < back * SMALLEST_ORBIT : way === 0 && speed === 0 && push === 0) {
+    s[MEETS] = TOGETHER;
+    if (!recoil) return true;
+    s[o] = s[BASE_X] + ux[0];
+    s[o + 1] = s[BASE_Y] + uy[0];
+    s[o + 2] = ux[1];
+    s[o + 3] = uy[1];
+    return true;
+  }
+  // what no force holds in her centre stays behind when the push takes her away
+  const side = way !== 0 ? way : speed !== 0 ? speed : -push;
+  s[MEETS] = side < 0 ? BEHIND : AHEAD;
+  s[COS] = s[MEETS] * s[LINE_X];
+  s[SIN] = s[MEETS] * s[LINE_Y];
+  return true;
+}
+
+/** The target is in her very centre: to the last bit, along the line. */
+export function putInCentre(m: Motion): void {
+  const { s, ux, uy, recoil } = m;
+  const target = s[TARGET];
+  const o = m.rocks + ROCK * target;
+  if (ux[0] === 0 && uy[0] === 0 && ux[1] === 0 && uy[1] === 0) {
+    // she rests in the centre of the field, where the smallest step aside would grow; at the speed limit she may pass it
+    s[o] = s[BASE_X];
+    s[o + 1] = s[BASE_Y];
+    return;
+  }
+  // the other coordinate follows from the line
+  if (s[LINE_STEEP] === 1) uy[0] = (recoil ? s[o + 1] : m.targetY[target]) - s[BASE_Y];
+  else ux[0] = (recoil ? s[o] : m.targetX[target]) - s[BASE_X];
+}

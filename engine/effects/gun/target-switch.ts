@@ -1,0 +1,182 @@
+import { crossing, lookNext, PATIENCE, safeStep, safeStretch, smallestStride } from '../../events/index.ts';
+import {
+  addProduct,
+  LONGEST_SERIES,
+  type Motion,
+  pairAt,
+  placeRock,
+  relativeAt,
+  relativeSeries,
+  SLOTS,
+  shift,
+  valueAt,
+} from '../../motion/index.ts';
+import { SURPLUS } from '../../tolerances.ts';
+
+const { START, TARGET, BASE_X, BASE_Y, DEGREE, LENGTH_H, ACCELERATION, SWITCH_TIME, SWITCHES } = SLOTS;
+
+/** A dip across the bisector of two asteroids shallower than this is within the error of the way: no change of target, px. */
+const TIE = 1e-11;
+
+/** The widest tie, px. */
+const WIDEST_TIE = 1e-4;
+
+/** So many changes of target in one instant may be: with each one more a tie is ten times as wide. */
+const MOST_SWITCHES = 4;
+
+/** The target changes at this time, s. */
+export function countSwitch(m: Motion, time: number): void {
+  const { s } = m;
+  s[SWITCHES] = time - s[SWITCH_TIME] <= m.sameInstant ? s[SWITCHES] + 1 : 1;
+  s[SWITCH_TIME] = time;
+}
+
+/**
+ * What counts as a tie, px. Where between fixed steps the way strays a little, each of two asteroids may seem to be nearer as soon as
+ * the other is the target; and where the speed limit holds her along one axis, then along the other, nothing takes her away from there.
+ */
+function tieOf(m: Motion): number {
+  const { s } = m;
+  if (s[SWITCHES] <= MOST_SWITCHES || s[START] - s[SWITCH_TIME] > m.sameInstant) return TIE;
+  // multiplied one by one: `**` may differ by a bit between JavaScript engines
+  let tie = TIE;
+  for (let n = MOST_SWITCHES; n < s[SWITCHES]; n++) tie = Math.min(WIDEST_TIE, 10 * tie);
+  return tie;
+}
+
+const ix = new Float64Array(LONGEST_SERIES);
+const iy = new Float64Array(LONGEST_SERIES);
+const tx = new Float64Array(LONGEST_SERIES);
+const ty = new Float64Array(LONGEST_SERIES);
+const guard = new Float64Array(2 * LONGEST_SERIES);
+
+/**
+ * First time at which asteroid `i` is nearer than the target: a march of safe steps, after PATIENCE looks by the coefficients of
+ * the guard, which is a polynomial. What it overlooks is a tie.
+ * @param from s from the start of the piece
+ * @param atZero both are as near, the target having just changed from this one
+ * @returns s from the start of the piece, too; -1: not before it ends
+ */
+export function switchTime(m: Motion, i: number, from: number, atZero: boolean): number {
+  const { s, e, work } = m;
+  const horizon = Math.min(m.horizon, s[LENGTH_H]);
+  const small = smallestStride(s[LENGTH_H]);
+  let t = from;
+  let before = t;
+  work.guards++;
+  for (let n = 0; ; n++) {
+    let g = switchGuard(m, i, t);
+    // shallower than what the way itself may err by it is a tie, and the target stays
+    if (g < -e[11]) {
+      if (n > 0) return switchBetween(m, i, before, t);
+      if (!atZero && (e[9] < 0 || g < -1e-9)) return t;
+    }
+    // within a tie the root may lie behind already
+    if (g < 0) g = 0;
+    else before = t;
+    if (t >= horizon) return -1;
+    // e[9]: slope, e[10]: how fast it may fall
+    const slope = e[9];
+    const above = g + e[11];
+    let step = safeStep(above, slope, e[10]);
+    if (n >= PATIENCE && t + step < horizon) {
+      work.guards++;
+      step = Math.max(step, safeStretch(guard, switchSeries(m, i, t), above, slope, 0, horizon - t));
+    }
+    if (!(t + step < horizon)) return -1;
+    t = lookNext(t, step, small, horizon);
+  }
+}
+
+/** The root by the polynomial about `before`: close to a tie there it has more digits than distances have. */
+function switchBetween(m: Motion, i: number, before: number, behind: number): number {
+  m.work.roots++;
+  const value = Math.max(0, switchGuard(m, i, before));
+  const degree = switchSeries(m, i, before);
+  guard[0] = value;
+  return crossing(before, behind, (t) => valueAt(guard, degree, t - before));
+}
+
+/** Into `guard` the coefficients of {@link switchGuard} about `t`; returns their degree. */
+function switchSeries(m: Motion, i: number, t: number): number {
+  const { s } = m;
+  if (!m.recoil) {
+    // both stand still, and the squares of her place fall out: 2 (target - i).u
+    const mx = m.targetX[i] - m.targetX[s[TARGET]];
+    const my = m.targetY[i] - m.targetY[s[TARGET]];
+    for (let k = 0; k <= s[DEGREE]; k++) guard[k] = -2 * (mx * m.ux[k] + my * m.uy[k]);
+    shift(guard, s[DEGREE], t);
+    return s[DEGREE];
+  }
+  placeRock(m, s[TARGET]);
+  const degree = relativeSeries(m, t, tx, ty);
+  placeRock(m, i);
+  const own = relativeSeries(m, t, ix, iy);
+  const highest = Math.max(degree, own);
+  for (let k = 0; k <= highest; k++) {
+    const x = ix[k];
+    const y = iy[k];
+    ix[k] = x - tx[k];
+    iy[k] = y - ty[k];
+    tx[k] += x;
+    ty[k] += y;
+  }
+  guard.fill(0);
+  addProduct(ix, highest, tx, highest, 1, guard);
+  addProduct(iy, highest, ty, highest, 1, guard);
+  return 2 * highest;
+}
+
+/**
+ * Squared distance to asteroid `i` minus that to the target, px2. Where both stand still it is linear in her place.
+ * e[9]: its slope; e[10]: a bound on how fast the slope can fall; e[11]: what the width of a tie makes of it.
+ */
+export function switchGuard(m: Motion, i: number, t: number): number {
+  const { s, e, budget } = m;
+  if (++budget.looks > budget.most) budget.end();
+  const target = s[TARGET];
+  const a = s[ACCELERATION];
+  const tie = tieOf(m);
+  if (!m.recoil) {
+    const ix = m.targetX[i] - s[BASE_X];
+    const iy = m.targetY[i] - s[BASE_Y];
+    const tx = m.targetX[target] - s[BASE_X];
+    const ty = m.targetY[target] - s[BASE_Y];
+    pairAt(m.ux, m.uy, s[DEGREE], t, e, 0);
+    const mx = ix - tx;
+    const my = iy - ty;
+    e[9] = -2 * (mx * e[2] + my * e[3]);
+    const apart = Math.sqrt(mx * mx + my * my);
+    e[10] = 2 * a * apart;
+    e[11] = 2 * tie * apart;
+    // (i - u)^2 - (t - u)^2 = (i - t).(i + t - 2 u)
+    return mx * (ix + tx - 2 * e[0]) + my * (iy + ty - 2 * e[1]);
+  }
+  placeRock(m, target);
+  relativeAt(m, t);
+  const tx = e[4];
+  const ty = e[5];
+  const tvx = e[6];
+  const tvy = e[7];
+  placeRock(m, i);
+  relativeAt(m, t);
+  const slope = 2 * (e[4] * e[6] + e[5] * e[7] - tx * tvx - ty * tvy);
+  const left = s[LENGTH_H] - t;
+  const pull = a + 2 * m.kappa;
+  const fast = Math.sqrt(tvx * tvx + tvy * tvy) + pull * left;
+  const far = Math.sqrt(e[4] * e[4] + e[5] * e[5]) + Math.sqrt(tx * tx + ty * ty) + 2 * fast * left;
+  const g = (e[4] - tx) * (e[4] + tx) + (e[5] - ty) * (e[5] + ty);
+  e[9] = slope;
+  e[10] = 2 * fast * fast + 2 * far * pull;
+  e[11] = 2 * tie * Math.sqrt((e[4] - tx) * (e[4] - tx) + (e[5] - ty) * (e[5] - ty));
+  return g;
+}
+
+/** For how long, at most `time` s, asteroid `i` doesn't become the nearest, whatever the flow does. */
+export function quietUntilSwitch(m: Motion, i: number, time: number): number {
+  const g = switchGuard(m, i, 0) - SURPLUS;
+  const mx = m.targetX[i] - m.targetX[m.s[TARGET]];
+  const my = m.targetY[i] - m.targetY[m.s[TARGET]];
+  const apart = Math.sqrt(mx * mx + my * my);
+  return g > 0 ? Math.min(time, safeStep(g, m.e[9], 2 * apart * m.strongest)) : 0;
+}

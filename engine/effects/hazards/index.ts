@@ -1,0 +1,2 @@
+export { hotAsteroids, touchHot } from './hot-asteroids.ts';
+export { novae, touchNova } from './novae.ts';

@@ -1,0 +1,28 @@
+import { contactTime, eventRule, listTouching, offer, quietOutside } from '../../events/index.ts';
+import { placeCircle } from '../../motion/index.ts';
+import { whereAny } from '../count.ts';
+import type { Effect } from '../effect.ts';
+
+export const touchNova = eventRule({
+  name: 'nova',
+  ends: { outcome: 'collided', touches: 'nova' },
+  list: (m) => listTouching(m, touchNova, m.scene.novae),
+  guard(m, i, from) {
+    const { x, y, r, index } = m.scene.novae;
+    placeCircle(m, x[i], y[i], m.originX, m.originY);
+    offer(m, contactTime(m, r[i], 0, from), touchNova.kind, index[i], 0);
+  },
+  quiet(m, i, time) {
+    const { x, y, r } = m.scene.novae;
+    return quietOutside(m, x[i] - m.originX, y[i] - m.originY, r[i] + m.touchMargin, time);
+  },
+  fire: (_m, index) => index,
+});
+
+export const novae: Effect = {
+  name: 'novae',
+  summary: () => 'burn on touch',
+  calledFor: whereAny('novae', 'nova'),
+  kills: true,
+  events: [touchNova],
+};

@@ -1,0 +1,1 @@
+export { collect, minerals } from './minerals.ts';

@@ -1,0 +1,1 @@
+export { leaveRange, range } from './range.ts';

@@ -1,0 +1,54 @@
+import { eventRule, offer, quietWithin, rimTime } from '../../events/index.ts';
+import { distanceSquared, GOES_ON, type Motion, nearest, placeRock, RECORDS, SLOTS } from '../../motion/index.ts';
+import { SURPLUS } from '../../tolerances.ts';
+import type { Effect } from '../effect.ts';
+
+const { COVER } = SLOTS;
+const { ROCK } = RECORDS;
+
+/** The asteroid that keeps her in range: when she leaves its range another may take over, or she is lost. */
+export const leaveRange = eventRule({
+  name: 'range',
+  ends: { outcome: 'lost', touches: null },
+  always(m, from) {
+    const { s, scene, path } = m;
+    const cover = s[COVER];
+    if (cover < 0) {
+      offer(m, from, leaveRange.kind, -1, 0);
+      return;
+    }
+    const { range } = scene.level;
+    const within = range - path.reach - SURPLUS;
+    const o = m.rocks + ROCK * cover;
+    const dx = (m.recoil ? s[o] : m.targetX[cover]) - path.x;
+    const dy = (m.recoil ? s[o + 1] : m.targetY[cover]) - path.y;
+    if (within > 0 && dx * dx + dy * dy < within * within) return;
+    placeRock(m, cover);
+    offer(m, rimTime(m, range, false, m.kappa, from, false), leaveRange.kind, cover, 0);
+  },
+  alwaysQuiet(m, time) {
+    const left = m.scene.level.range - Math.sqrt(distanceSquared(m, m.s[COVER])) - SURPLUS;
+    return quietWithin(m, left, -m.path.speed, time);
+  },
+  fire(m, cover) {
+    const other = nearest(m);
+    if (other < 0 || other === cover || isOutOfRange(m, other)) return 0;
+    m.s[COVER] = other;
+    return GOES_ON;
+  },
+});
+
+function isOutOfRange(m: Motion, target: number): boolean {
+  const { range } = m.scene.level;
+  return distanceSquared(m, target) > range * range;
+}
+
+export const range: Effect = {
+  name: 'range',
+  summary: () => 'farther than the range from every asteroid she is lost',
+  calledFor: () => ({ called: true, because: 'every level has one' }),
+  events: [leaveRange],
+  layOut(m) {
+    m.s[COVER] = nearest(m);
+  },
+};

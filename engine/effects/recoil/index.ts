@@ -1,0 +1,1 @@
+export { recoil } from './recoil.ts';

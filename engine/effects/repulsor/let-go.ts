@@ -1,0 +1,67 @@
+import { crossing, lookNext } from '../../events/index.ts';
+import { type Motion, SLOTS } from '../../motion/index.ts';
+import { weighAt } from './come-off.ts';
+
+const { LIMIT_X, LIMIT_Y, LENGTH_H, ACCELERATION } = SLOTS;
+
+/** An acceleration that turns round for a shorter time than this does not let go, s: it would make less than 1e-10 px/s. */
+const SHORTEST = 1e-6;
+
+const acceleration = new Float64Array(2);
+
+/**
+ * She slides along a rim, and the speed limit holds her along an axis: when it lets go, since what acts on her between two bounces
+ * would no longer drive her on along it. Where it is 0 she moves alike held or free, so it is looked at as if she were free.
+ * With s the share of the time that the force f outside acts and n the direction out it is s f + (1 - s) 20 n, where
+ * s = (20 + S) / (20 - P) <= 1, S = |v|^2 / radius and P = f.n <= 0; so it changes by no more than
+ * (|S'| + |P'|) / 20 (|f| + 20) + |f'| + 20 |n'|.
+ * @param axis 0: x, 1: y
+ * @param from s from the start of the piece
+ * @returns s from there, too; -1: not before the piece ends
+ */
+export function letGoTime(m: Motion, axis: number, from: number): number {
+  const { s, e, rim, work } = m;
+  const horizon = Math.min(m.horizon, s[LENGTH_H]);
+  const stride = Math.min(SHORTEST, s[LENGTH_H] / 64);
+  const a = s[ACCELERATION];
+  let t = from;
+  let before = from;
+  work.guards++;
+  for (;;) {
+    m.budget.look(1);
+    const drives = driveAt(m, axis, t);
+    if (drives < 0) return t === from ? t : goneBetween(m, axis, before, t);
+    if (t >= horizon) return -1;
+    const d = Math.sqrt(e[8] * e[8] + e[9] * e[9]);
+    const v = Math.sqrt(e[10] * e[10] + e[11] * e[11]);
+    // bounds on distance and speeds as in come-off.ts
+    const root = Math.sqrt((a + m.kappa) * d);
+    const cap = (0.25 * d) / (v + root);
+    const fast = v + 0.25 * root;
+    const own = Math.sqrt(e[2] * e[2] + e[3] * e[3]) + a * cap;
+    const turning = (Math.abs(rim.alpha) / (0.72 * d) + rim.beta) * fast;
+    const shares = (turning + (3 * a * own) / rim.radius) / m.rules.push;
+    const falls = shares * (a + m.rules.push) + turning + (m.rules.push * own) / rim.radius;
+    const step = Math.min(cap, falls > 0 ? drives / falls : Number.POSITIVE_INFINITY);
+    if (!(t + step < horizon)) return -1;
+    before = t;
+    t = lookNext(t, step, stride, horizon);
+  }
+}
+
+function goneBetween(m: Motion, axis: number, before: number, behind: number): number {
+  m.work.roots++;
+  return crossing(before, behind, (t) => driveAt(m, axis, t));
+}
+
+/** How she would be accelerated along the axis, in the direction of the limit, were she free, px/s2. */
+function driveAt(m: Motion, axis: number, t: number): number {
+  const { s, e, rim } = m;
+  const { freeX, freeY } = rim;
+  rim.freeX = rim.freeY = true;
+  weighAt(m, t);
+  rim.accelerate(e[0], e[1], acceleration, 0);
+  rim.freeX = freeX;
+  rim.freeY = freeY;
+  return s[axis === 0 ? LIMIT_X : LIMIT_Y] * acceleration[axis];
+}

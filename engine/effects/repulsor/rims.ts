@@ -1,0 +1,99 @@
+import { eventRule, justFired, listRims, offer, quietWithin, rimTime } from '../../events/index.ts';
+import { GOES_ON, type Motion, placeCircle, SLIDE, SLOTS } from '../../motion/index.ts';
+import { SURPLUS } from '../../tolerances.ts';
+import { comeOffTime } from './come-off.ts';
+import { actingField, countCrossing } from './fields.ts';
+import { beginsToSlide, holdsOnRim, rounding, tolerance } from './slide.ts';
+
+const { START, KIND, FIELD, BASE_X, BASE_Y, RIM, LAST_EVENT, LAST_A } = SLOTS;
+
+/** Her centre comes into a field. What is listed under this is about leaving it where she is inside. */
+export const enterField = eventRule({
+  name: 'enter',
+  list: (m) => listRims(m, enterField, m.scene.repulsors),
+  guard(m, i, from) {
+    const { s } = m;
+    const { x, y, r } = m.scene.repulsors;
+    const inside = s[m.inside + i] === 1;
+    const { kind } = inside ? leaveField : enterField;
+    if (s[RIM] === i) return;
+    placeCircle(m, x[i], y[i], m.originX, m.originY);
+    const rim = r[i] + (inside ? tolerance(m, i) : -tolerance(m, i));
+    offer(m, rimTime(m, rim, !inside, 0, from, justFired(m, kind, i)), kind, i, 0);
+  },
+  quiet(m, i, time) {
+    const { path } = m;
+    const { x, y, r } = m.scene.repulsors;
+    const dx = path.x + m.originX - x[i];
+    const dy = path.y + m.originY - y[i];
+    const d = Math.sqrt(dx * dx + dy * dy);
+    // at the rim the flag says which side counts, not the rounded distance
+    const inside = m.s[m.inside + i] === 1;
+    const gap = (inside ? r[i] - d : d - r[i]) - SURPLUS;
+    return quietWithin(m, gap, inside ? -path.speed : (dx * path.vx + dy * path.vy) / d, time);
+  },
+  fire: (m, i, _b, time) => cross(m, i, true, time),
+});
+
+/** Her centre leaves a field. */
+export const leaveField = eventRule({
+  name: 'leave',
+  fire: (m, i, _b, time) => cross(m, i, false, time),
+});
+
+function cross(m: Motion, i: number, entering: boolean, time: number): number {
+  const { s } = m;
+  countCrossing(m, time);
+  // sliding on the rim she counts as inside
+  s[m.inside + i] = 1;
+  if (beginsToSlide(m, i) && !entering) return GOES_ON;
+  s[m.inside + i] = entering ? 1 : 0;
+  s[FIELD] = actingField(m);
+  s[LAST_EVENT] = entering ? leaveField.kind : enterField.kind;
+  s[LAST_A] = i;
+  m.recorder?.event({ time, type: entering ? 'enter' : 'leave', index: m.scene.repulsors.index[i] });
+  return GOES_ON;
+}
+
+/** Sliding along the rim of a field, she comes off it. */
+export const comeOffRim = eventRule({
+  name: 'come off',
+  first(m, from) {
+    // what comes later than this is none of hers
+    if (m.s[KIND] === SLIDE) offer(m, comeOffTime(m, from), comeOffRim.kind, 0, 0);
+  },
+  fire(m) {
+    comeOff(m);
+    return GOES_ON;
+  },
+});
+
+/** At the start of a piece: she stays on the rim, or comes off it where nothing holds her any more. */
+export function followRim(m: Motion): void {
+  const { s } = m;
+  const field = s[RIM];
+  if (holdsOnRim(m, field)) return;
+  if (s[FIELD] === field) comeOff(m);
+  else s[RIM] = -1;
+}
+
+/** She leaves the field outwards. */
+function comeOff(m: Motion): void {
+  const { s, ux, uy, scene } = m;
+  const field = s[RIM];
+  const cx = scene.repulsors.x[field] - m.originX;
+  const cy = scene.repulsors.y[field] - m.originY;
+  const x = s[BASE_X] + ux[0] - cx;
+  const y = s[BASE_Y] + uy[0] - cy;
+  const r = Math.sqrt(x * x + y * y);
+  // clear of the rim by what rounding could take for another crossing
+  const wanted = (scene.repulsors.r[field] + rounding(m, field)) / r;
+  ux[0] += x * wanted - x;
+  uy[0] += y * wanted - y;
+  s[m.inside + field] = 0;
+  s[FIELD] = actingField(m);
+  s[RIM] = -1;
+  s[LAST_EVENT] = enterField.kind;
+  s[LAST_A] = field;
+  m.recorder?.event({ time: s[START], type: 'leave', index: scene.repulsors.index[field] });
+}

@@ -1,0 +1,139 @@
+import { type Motion, RECORDS, SLOTS } from '../../motion/index.ts';
+import { actingField } from './fields.ts';
+
+const { HELD, TARGET, BASE_X, BASE_Y, LIMIT_X, LIMIT_Y, RIM, OUTER, CHATTER } = SLOTS;
+const { ROCK } = RECORDS;
+
+/**
+ * Where the force outside a field drives her in and the push drives her out she bounces on its rim without end, and her bounces
+ * keep their height. At rest across the rim she slides along it. A bounce that takes less than this, out and in, counts as
+ * sliding, s: it is lower than 1e-6 px, and slower across the rim than 6e-3 px/s.
+ */
+const SHORTEST_BOUNCE = 1 / 2000;
+
+/** So near to the centre of the force outside it has no direction to be relied on, px. */
+const NO_DIRECTION = 1e-7;
+
+/** What rounding makes of a place on a rim, px, with room. */
+export function rounding(m: Motion, field: number): number {
+  const { s, scene } = m;
+  const { x, y, r } = scene.repulsors;
+  const far = Math.abs(x[field] - m.originX) + Math.abs(y[field] - m.originY) + Math.abs(s[BASE_X]) + Math.abs(s[BASE_Y]);
+  return 1e-13 + 1e-14 * (far + r[field]);
+}
+
+/** Rims nearer than this are one to her who slides, px. */
+const SAME_RIM = 1e-9;
+
+/** So many crossings in quick succession are a chatter; with each one more a rim is crossed twice as late. */
+const CHATTERS = 8;
+
+/** At most so late, px. */
+const LATEST = 1.28e-7;
+
+/**
+ * How far beyond a rim she is when it counts as crossed, px: 0 as a rule. While she slides along one rim, others that all but
+ * coincide with it are not to be crossed again and again; where she chatters between rims that meet, she is let swing wider
+ * until the crossings come no faster than anybody could wait for.
+ */
+export function tolerance(m: Motion, field: number): number {
+  const { s } = m;
+  if (s[RIM] < 0 && s[CHATTER] <= CHATTERS) return 0;
+  let far = SAME_RIM;
+  for (let n = CHATTERS; n < s[CHATTER]; n++) far = Math.min(LATEST, 2 * far);
+  return far + rounding(m, field);
+}
+
+/** Sets what acts on the rim she slides along, about its centre, from the state at the start of the piece. */
+export function setRim(m: Motion): void {
+  aim(m, m.s[RIM], m.s[OUTER]);
+}
+
+function aim(m: Motion, field: number, outer: number): void {
+  const { s, rim, scene } = m;
+  const { repulsors } = scene;
+  const cx = repulsors.x[field] - m.originX;
+  const cy = repulsors.y[field] - m.originY;
+  rim.radius = repulsors.r[field];
+  rim.push = m.rules.push;
+  rim.freeX = s[LIMIT_X] === 0;
+  rim.freeY = s[LIMIT_Y] === 0;
+  rim.qvx = rim.qvy = rim.kappa = 0;
+  if (outer >= 0) {
+    rim.alpha = m.rules.push;
+    rim.beta = 0;
+    rim.qx = repulsors.x[outer] - m.originX - cx;
+    rim.qy = repulsors.y[outer] - m.originY - cy;
+    return;
+  }
+  rim.alpha = -m.rules.pull;
+  rim.beta = m.rules.pull / scene.level.range;
+  const target = s[TARGET];
+  if (m.recoil) {
+    const o = m.rocks + ROCK * target;
+    rim.qx = s[o] - cx;
+    rim.qy = s[o + 1] - cy;
+    rim.qvx = s[o + 2];
+    rim.qvy = s[o + 3];
+    rim.kappa = m.kappa;
+  } else {
+    rim.qx = m.targetX[target] - cx;
+    rim.qy = m.targetY[target] - cy;
+  }
+}
+
+/** The first field around her beside this one; -1 where there is none. */
+function fieldBeside(m: Motion, field: number): number {
+  for (let i = 0; i < m.scene.repulsors.count; i++) if (i !== field && m.s[m.inside + i] === 1) return i;
+  return -1;
+}
+
+/**
+ * Whether something holds her on the rim of a field around her: it is the one that acts within, and from outside she is driven
+ * in more strongly than she flies out. Leaves the forces in `m.rim`.
+ */
+export function holdsOnRim(m: Motion, field: number): boolean {
+  const { s, rim, ux, uy, px, py, scene } = m;
+  // in a wind she bounces instead, see rimTolerance
+  if (actingField(m) !== field || m.flow.isSteady) return false;
+  const outer = fieldBeside(m, field);
+  if (outer < 0 && (s[HELD] === 0 || s[TARGET] < 0)) return false;
+  s[OUTER] = outer;
+  aim(m, field, outer);
+  const x = s[BASE_X] + ux[0] - (scene.repulsors.x[field] - m.originX);
+  const y = s[BASE_Y] + uy[0] - (scene.repulsors.y[field] - m.originY);
+  const wx = x - rim.qx;
+  const wy = y - rim.qy;
+  if (wx * wx + wy * wy < NO_DIRECTION * NO_DIRECTION) return false;
+  rim.weigh(x, y, ux[1] + px[1], uy[1] + py[1], wx, wy);
+  return rim.pressesIn > 0;
+}
+
+/**
+ * Whether she slides from now on, crossing the rim of a field that counts as around her. A bounce has a mean velocity along the
+ * rim, which is the one she goes on with.
+ */
+export function beginsToSlide(m: Motion, field: number): boolean {
+  const { s, rim, ux, uy, px, py, scene } = m;
+  const { repulsors } = scene;
+  const x = s[BASE_X] + ux[0] - (repulsors.x[field] - m.originX);
+  const y = s[BASE_Y] + uy[0] - (repulsors.y[field] - m.originY);
+  const r = Math.sqrt(x * x + y * y);
+  const across = (x * (ux[1] + px[1]) + y * (uy[1] + py[1])) / r;
+  // so fast across the rim a bounce takes too long, however she is pressed back
+  if (Math.abs(across) > (SHORTEST_BOUNCE * 5 * m.rules.push) / 2) return false;
+  if (!holdsOnRim(m, field)) return false;
+  const { pressesIn, pressesOut } = rim;
+  if (2 * Math.abs(across) * (1 / pressesIn + 1 / pressesOut) > SHORTEST_BOUNCE) return false;
+  if (rim.freeX && rim.freeY) {
+    const nx = x / r;
+    const ny = y / r;
+    const outside = rim.forceX * nx + rim.forceY * ny;
+    // she is ahead of the mean as she comes in, behind as she goes out, by half of what the force outside makes of its share
+    const gain = across / (pressesIn + pressesOut);
+    ux[1] += gain * (rim.forceX - outside * nx) - across * nx;
+    uy[1] += gain * (rim.forceY - outside * ny) - across * ny;
+  }
+  s[RIM] = field;
+  return true;
+}

@@ -1,0 +1,62 @@
+import { eventRule, justFired, offer } from '../../events/index.ts';
+import { GOES_ON, type Motion, SLOTS } from '../../motion/index.ts';
+import { freeTime, limitTime } from './guard.ts';
+
+const { LIMIT_X, LIMIT_Y, LENGTH_H, ACCELERATION, LAST_EVENT, LAST_A } = SLOTS;
+
+/**
+ * An axis of her velocity comes to the limit. Each is held there while the force would drive it on. Both guards are polynomials:
+ * the velocity along the axis, and, as a force towards or from the centre changes its sign along an axis where she passes the
+ * centre, her place along it.
+ */
+export const holdAxis = eventRule({
+  name: 'limit',
+  always(m, from) {
+    const { s, path } = m;
+    const fast = path.speed + (s[ACCELERATION] + m.kappa) * s[LENGTH_H] >= m.rules.speedLimit;
+    if (!fast && s[LIMIT_X] === 0 && s[LIMIT_Y] === 0) return;
+    for (let axis = 0; axis < 2; axis++) {
+      const held = s[axis === 0 ? LIMIT_X : LIMIT_Y];
+      if (held !== 0) {
+        offer(m, freeTime(m, axis, held, from), freeAxis.kind, axis, 0);
+        continue;
+      }
+      const released = justFired(m, holdAxis.kind, axis);
+      for (let sign = -1; sign <= 1; sign += 2) {
+        offer(m, limitTime(m, axis, sign, from, released), holdAxis.kind, axis, sign);
+      }
+    }
+  },
+  fire(m, axis, sign) {
+    m.s[axis === 0 ? LIMIT_X : LIMIT_Y] = sign;
+    holdLimits(m);
+    return GOES_ON;
+  },
+});
+
+/** The force drives an axis of her velocity back from the limit. */
+export const freeAxis = eventRule({
+  name: 'unlimit',
+  fire(m, axis) {
+    const { s } = m;
+    s[LAST_EVENT] = holdAxis.kind;
+    s[LAST_A] = axis;
+    s[axis === 0 ? LIMIT_X : LIMIT_Y] = 0;
+    return GOES_ON;
+  },
+});
+
+/** Keeps a limited axis at exactly the limit. */
+function holdLimits(m: Motion): void {
+  const { s, ux, uy, px, py } = m;
+  if (s[LIMIT_X] !== 0) ux[1] = s[LIMIT_X] * m.rules.speedLimit - px[1];
+  if (s[LIMIT_Y] !== 0) uy[1] = s[LIMIT_Y] * m.rules.speedLimit - py[1];
+}
+
+/** She may start at the limit. */
+export function limitStart(m: Motion): void {
+  const limit = (v: number) => (v >= m.rules.speedLimit ? 1 : v <= -m.rules.speedLimit ? -1 : 0);
+  m.s[LIMIT_X] = limit(m.ux[1]);
+  m.s[LIMIT_Y] = limit(m.uy[1]);
+  holdLimits(m);
+}

@@ -1,0 +1,2 @@
+export { freeAxis, holdAxis } from './events.ts';
+export { speedLimit } from './speed-limit.ts';

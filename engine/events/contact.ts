@@ -1,0 +1,246 @@
+import { type Box, boxCircleGap } from '../contact/index.ts';
+import { lookAt, type Motion, relativeAt, SLOTS, TURNS } from '../motion/index.ts';
+import { FLOOR } from '../tolerances.ts';
+import { overlapBetween } from './bracket.ts';
+import { lookNext, PATIENCE, safeStep, smallestStride } from './conservative-advancement.ts';
+import { fineGap } from './fine-gap.ts';
+import { grazeStep } from './graze.ts';
+
+const { START, TURN, COS, SIN, LIMIT_X, LIMIT_Y, LENGTH_H, ACCELERATION } = SLOTS;
+const { TURN_NOT, TURN_TO_BASE, TURN_TO_TARGET } = TURNS;
+
+/** What rounding may do to a gap, as a share of the distance and radius it comes from: a few units of their last digit. */
+const ROUNDING = 8.9e-16;
+
+/** A gap below this many times its rounding is computed in twice the digits. */
+const UNCERTAIN = 8;
+
+/** Where the box looked when its gap was last asked for: cos, sin. */
+const look = new Float64Array(2);
+
+/** The cubic of a Runge-Kutta step may bend by this much more than the strongest pull, see {@link dragRungeKutta}. */
+const CUBIC_BENDS = 5 / 3;
+
+/**
+ * First time at which a contact with the placed circle counts: when it happens, or is seen at a frame.
+ * @param r radius, px
+ * @param pull bound on the circle's own acceleration, px/s2
+ * @param from s from the start of the piece
+ * @returns s from there, too; -1: not before the piece ends
+ */
+export function contactTime(m: Motion, r: number, pull: number, from: number): number {
+  const { s, frameRate } = m;
+  let t = sweptTime(m, r, pull, from);
+  if (frameRate === 0) return t;
+  // a contact seen at a frame lies within an overlap; one that is over before the next frame is missed, as games do
+  let frame = Number.NEGATIVE_INFINITY;
+  while (t >= 0) {
+    frame = Math.max(frame + 1, Math.ceil((s[START] + t) * frameRate - 1e-7));
+    t = Math.max(0, frame / frameRate - s[START]);
+    if (t > Math.min(m.horizon, s[LENGTH_H])) return -1;
+    if (gapAt(m, t, r) < 0) return t;
+    t = sweptTime(m, r, pull, t);
+  }
+  return -1;
+}
+
+/**
+ * First time in [from, horizon] at which her box overlaps the placed circle, or -1. A march of safe steps: what it overlooks is
+ * an overlap of less than FLOOR = 1e-12 px, however large the circle, however fast she moves and turns.
+ *
+ * Two lower bounds of the gap ahead lead it, each proved here, and the longer step is taken. Now is time 0; D is the circle's
+ * centre minus hers, R(t) the turn of the box, q the box's point nearest to D in the frame of the box, n the unit vector
+ * from there to D (in that frame), N = R(0) n the same in the world; g is the gap now.
+ *
+ * 1. In the frame of the box the circle's centre is l = R^T D. The distance from a convex body is a convex function, and n
+ *    its gradient: gap(t) >= g + n.(l(t) - l(0)). l' = R^T D' - w J l, l'' = R^T D'' - 2 w J R^T D' - w' J l - w^2 l (J turns by
+ *    90 degrees, w is how fast the box turns), so the slope falls by no more than
+ *    k = |D''| + 2 |w| |D'| + (|w'| + w^2) |D|. It is tight where a side is nearest, for any radius.
+ * 2. The half plane N.x >= N.D(t) - r holds the circle. The box is the hull of its corners b, so
+ *    gap(t) >= min over b of N.D(t) - r - N.R(t) b. The second derivative of N.R(t) b is no more than (w^2 + |w'|) |b|, so each
+ *    of the four falls by no more than |D''| + (w^2 + |w'|) times half the diagonal: neither distance nor radius matters.
+ *
+ * For both, w, w', D' and D are bounded over the next `cap` seconds, and no step is longer. Let d = |c|, v = |c'| for the
+ * vector c along which the box looks, a bound on |c''| be A, and cap = d / (4 (v + sqrt(A d))). With x = v / (v + sqrt(A d))
+ * c moves by no more than v cap + A cap^2 / 2 = d (x / 4 + (1 - x)^2 / 32) <= d / 4, and |c'| stays below
+ * fast = v + A cap <= v + sqrt(A d) / 4. Hence |w| = |c x c'| / |c|^2 <= fast / (0.75 d), and
+ * |w'| = |c x c'' / |c|^2 - 2 w (c.c') / |c|^2| <= A / (0.75 d) + 2 (fast / (0.75 d))^2.
+ * Under a central force c x c'' = 0: |c x c'| stays what it is (a fixed step makes it vary by less than A cap^2 / (2 d) of it,
+ * a 30th), so that |w| <= 1.04 |c x c'| / (0.75 d)^2 and |w'| = 2 |w| |c.c'| / |c|^2 <= 2.08 |c x c'| fast / (0.75 d)^3.
+ *
+ * A march along second derivatives is slow where the gap stays near 0 for long. It never strides further for that:
+ * after PATIENCE looks {@link grazeStep} bounds the gap by the coefficients of the motion.
+ * @param r radius, px
+ * @param pull bound on the circle's own acceleration, px/s2
+ */
+export function sweptTime(m: Motion, r: number, pull: number, from: number): number {
+  const { s, e, work } = m;
+  const { halfWidth, halfHeight, halfDiagonal } = m.box;
+  work.guards++;
+  const horizon = Math.min(m.horizon, s[LENGTH_H]);
+  const turn = s[TURN];
+  const dragged = m.kappa + pull;
+  const relative = s[ACCELERATION] + (m.integrator.degree === 3 ? CUBIC_BENDS * dragged : dragged);
+  // the speed limit holds back a part of the force, and a steady one turns it aside: then it is none towards the centre
+  const central = turn === TURN_TO_BASE && s[LIMIT_X] === 0 && s[LIMIT_Y] === 0 && !m.flow.isSteady;
+  const small = smallestStride(s[LENGTH_H]);
+  let t = from;
+  let before = t;
+  for (let n = 0; ; n++) {
+    relativeAt(m, t);
+    const dx = e[4];
+    const dy = e[5];
+    const dvx = e[6];
+    const dvy = e[7];
+    let cos = s[COS];
+    let sin = s[SIN];
+    let omega = 0;
+    let k = relative;
+    let swing = 0;
+    let cap = Number.POSITIVE_INFINITY;
+    if (turn !== TURN_NOT) {
+      // the direction the box looks in, how fast it turns, and bounds on both ahead
+      let bx = -e[0];
+      let by = -e[1];
+      let bvx = -e[2];
+      let bvy = -e[3];
+      if (turn === TURN_TO_TARGET) {
+        lookAt(m, t);
+        bx = e[8];
+        by = e[9];
+        bvx = e[10];
+        bvy = e[11];
+      }
+      const d2 = bx * bx + by * by;
+      const d = Math.sqrt(d2);
+      if (d > 0) {
+        cos = bx / d;
+        sin = by / d;
+        const momentum = bx * bvy - by * bvx;
+        omega = momentum / d2;
+        const v = Math.sqrt(bvx * bvx + bvy * bvy);
+        const root = Math.sqrt(relative * d);
+        cap = (0.25 * d) / (v + root);
+        const fast = v + 0.25 * root;
+        const turning = central ? (2.5 * Math.abs(momentum)) / d2 : fast / (0.72 * d);
+        const bending = central ? (7 * Math.abs(momentum) * fast) / (d2 * d) : (1.4 * relative) / d + (4 * fast * fast) / d2;
+        const speed = Math.sqrt(dvx * dvx + dvy * dvy) + relative * cap;
+        const lever = Math.sqrt(dx * dx + dy * dy) + speed * cap;
+        swing = bending + turning * turning;
+        k += 2 * turning * speed + lever * swing;
+      } else if (bvx !== 0 || bvy !== 0) {
+        // in the very centre: the way she will look as soon as she has left it
+        const v = Math.sqrt(bvx * bvx + bvy * bvy);
+        cos = bvx / v;
+        sin = bvy / v;
+        cap = 0;
+      } else if (n === 0) {
+        // she looks nowhere, perhaps for a moment only
+        cap = 0;
+      }
+    }
+    const lx = dx * cos + dy * sin;
+    const ly = dy * cos - dx * sin;
+    const gx = Math.abs(lx) - halfWidth;
+    const gy = Math.abs(ly) - halfHeight;
+    const nx = gx > 0 ? gx : 0;
+    const ny = gy > 0 ? gy : 0;
+    const norm = nx > 0 ? (ny > 0 ? Math.sqrt(nx * nx + ny * ny) : nx) : ny;
+    let g = norm - r;
+    let rounding = roundingOfGap(m, r);
+    if (g < UNCERTAIN * rounding && g > -UNCERTAIN * rounding) {
+      g = fineGap(m, t, r, cos, sin);
+      rounding = 0;
+    }
+    if (g < 0) return t === from ? t : contactBetween(m, before, t, r, before === from);
+    // n, the nearest point, and the slope: n.R^T D' + w (n x q)
+    const ax = (lx < 0 ? -nx : nx) / norm;
+    const ay = (ly < 0 ? -ny : ny) / norm;
+    const qx = gx > 0 ? (lx < 0 ? -halfWidth : halfWidth) : lx;
+    const qy = gy > 0 ? (ly < 0 ? -halfHeight : halfHeight) : ly;
+    const along = ax * (dvx * cos + dvy * sin) + ay * (dvy * cos - dvx * sin);
+    const above = g + FLOOR - rounding;
+    let step = safeStep(above, along + omega * (ax * qy - ay * qx), k);
+    if (step < cap && swing > 0 && t + step < horizon) {
+      step = Math.max(step, cornerStep(m.box, above, ax, ay, qx, qy, along, omega, relative + halfDiagonal * swing));
+    }
+    if (n >= PATIENCE && step < cap && t + step < horizon) {
+      work.guards++;
+      step = Math.max(Math.min(step, cap), grazeStep(m, t, r, above, ax, ay, qx, qy, cos, sin, omega, swing, cap, horizon - t));
+    } else {
+      step = Math.min(step, cap);
+    }
+    if (!(t + step < horizon)) return -1;
+    before = t;
+    t = lookNext(t, step, small, horizon);
+  }
+}
+
+/** The second bound: the least safe step of the four corners. */
+function cornerStep(
+  { halfWidth, halfHeight }: Box,
+  above: number,
+  ax: number,
+  ay: number,
+  qx: number,
+  qy: number,
+  along: number,
+  omega: number,
+  k: number,
+): number {
+  let step = Number.POSITIVE_INFINITY;
+  for (let x = -halfWidth; x <= halfWidth; x += 2 * halfWidth) {
+    for (let y = -halfHeight; y <= halfHeight; y += 2 * halfHeight) {
+      step = Math.min(step, safeStep(above + ax * (qx - x) + ay * (qy - y), along + omega * (ax * y - ay * x), k));
+    }
+  }
+  return step;
+}
+
+/** Gap between her box and the placed circle after `t`, px. */
+export function gapAt(m: Motion, t: number, r: number): number {
+  const gap = plainGapAt(m, t, r);
+  const uncertain = UNCERTAIN * roundingOfGap(m, r);
+  return gap < uncertain && gap > -uncertain ? fineGap(m, t, r, look[0], look[1]) : gap;
+}
+
+/** The same, but for {@link roundingOfGap}. */
+function plainGapAt(m: Motion, t: number, r: number): number {
+  const { s, e } = m;
+  relativeAt(m, t);
+  let cos = s[COS];
+  let sin = s[SIN];
+  if (s[TURN] !== TURN_NOT) {
+    let bx = -e[0];
+    let by = -e[1];
+    if (s[TURN] === TURN_TO_TARGET) {
+      lookAt(m, t);
+      bx = e[8];
+      by = e[9];
+    }
+    const d = Math.sqrt(bx * bx + by * by);
+    if (d > 0) {
+      cos = bx / d;
+      sin = by / d;
+    }
+  }
+  look[0] = cos;
+  look[1] = sin;
+  return boxCircleGap(m.box, e[4], e[5], cos, sin, r);
+}
+
+/** What rounding may do to the gap to a circle that is as far from her as in e[4], e[5], px. */
+function roundingOfGap(m: Motion, r: number): number {
+  return ROUNDING * (Math.abs(m.e[4]) + Math.abs(m.e[5]) + r);
+}
+
+/**
+ * When she begins to overlap it; `before` itself where she touches there and moves on into it.
+ * @param touches she may touch at `before`
+ */
+function contactBetween(m: Motion, before: number, behind: number, r: number, touches: boolean): number {
+  m.work.roots++;
+  // twice the digits cost twenty times as much: only where plain ones err by more than may be overlooked anyway
+  const isPlain = !touches && 2 * roundingOfGap(m, r) < FLOOR;
+  return overlapBetween(before, behind, isPlain ? (t) => plainGapAt(m, t, r) : (t) => gapAt(m, t, r));
+}

@@ -1,0 +1,106 @@
+import { addProduct, LONGEST_SERIES, type Motion, relativeSeries, SLOTS, shift, TURNS } from '../motion/index.ts';
+import { FLOOR } from '../tolerances.ts';
+import { safeStretch } from './conservative-advancement.ts';
+
+const { TURN, DEGREE } = SLOTS;
+const { TURN_TO_BASE } = TURNS;
+
+const dx = new Float64Array(LONGEST_SERIES);
+const dy = new Float64Array(LONGEST_SERIES);
+const bx = new Float64Array(LONGEST_SERIES);
+const by = new Float64Array(LONGEST_SERIES);
+const along = new Float64Array(LONGEST_SERIES);
+const product = new Float64Array(2 * LONGEST_SERIES);
+
+/** A side is followed by its polynomial up to this radius, px: rounding of what is multiplied by it stays below 4e-11 px, which may then be overlooked twice. */
+const LARGEST_BESIDE = 1e4;
+
+/** What rounding does to the polynomial of a side, as a share of the radius and half side. */
+const SIDE_ROUNDING = 3.6e-15;
+
+/**
+ * A safe step of the march of contact where the gap stays near 0 for long: the coefficients of the motion know how the gap
+ * goes on, where a bound on the acceleration has to fear the worst. Names are those of contact.ts. N.D(t) is a polynomial. A
+ * box that doesn't turn is followed by gap(t) >= g + N.(D(t) - D(0)), one that turns by its four corners, with their turning
+ * bounded as there. Where a side is nearest and the box looks at the centre of the frame, along c, there is one bound more:
+ * the side's own direction divides box and circle while c.D / |c| - 10 px - r >= 0 (c x D and 16 px for the other sides). As
+ * |c| <= (c.c + b^2) / (2 b) for any b > 0, that follows from c.D - (10 px + r) (c.c + b^2) / (2 b) >= 0: a polynomial, and
+ * with b = |c(0)| exact but for the square of what |c| changes. She may circle about what she nearly touches: then all of it
+ * is constant.
+ * @param above gap from which to follow, px
+ * @param longest s
+ * @returns s, no more than `longest`
+ */
+export function grazeStep(
+  m: Motion,
+  t: number,
+  r: number,
+  above: number,
+  ax: number,
+  ay: number,
+  qx: number,
+  qy: number,
+  cos: number,
+  sin: number,
+  omega: number,
+  swing: number,
+  cap: number,
+  longest: number,
+): number {
+  const degree = relativeSeries(m, t, dx, dy);
+  const nx = ax * cos - ay * sin;
+  const ny = ax * sin + ay * cos;
+  for (let k = 0; k <= degree; k++) along[k] = nx * dx[k] + ny * dy[k];
+  const slope = along[1];
+  if (swing === 0) return safeStretch(along, degree, above, slope, 0, Math.min(cap, longest));
+
+  let step = Math.min(cap, longest);
+  const { halfWidth, halfHeight, halfDiagonal } = m.box;
+  for (let x = -halfWidth; x <= halfWidth; x += 2 * halfWidth) {
+    for (let y = -halfHeight; y <= halfHeight; y += 2 * halfHeight) {
+      const value = above + ax * (qx - x) + ay * (qy - y);
+      step = Math.min(step, safeStretch(along, degree, value, slope + omega * (ax * y - ay * x), halfDiagonal * swing, step));
+    }
+  }
+  const beside = ax === 0 || ay === 0;
+  return beside && r <= LARGEST_BESIDE && m.s[TURN] === TURN_TO_BASE
+    ? Math.max(step, besideStep(m, t, r, above, ax, ay, degree, longest))
+    : step;
+}
+
+/** The step along a side; D is in `dx`, `dy`. */
+function besideStep(
+  m: Motion,
+  t: number,
+  r: number,
+  above: number,
+  ax: number,
+  ay: number,
+  degree: number,
+  longest: number,
+): number {
+  const own = m.s[DEGREE];
+  for (let k = 0; k <= own; k++) {
+    bx[k] = -m.ux[k];
+    by[k] = -m.uy[k];
+  }
+  shift(bx, own, t);
+  shift(by, own, t);
+  const size = Math.sqrt(bx[0] * bx[0] + by[0] * by[0]);
+  const half = ay === 0 ? m.box.halfWidth : m.box.halfHeight;
+  const squares = -(half + r) / (2 * size);
+  product.fill(0);
+  if (ay === 0) {
+    addProduct(bx, own, dx, degree, ax, product);
+    addProduct(by, own, dy, degree, ax, product);
+  } else {
+    addProduct(bx, own, dy, degree, ay, product);
+    addProduct(by, own, dx, degree, -ay, product);
+  }
+  addProduct(bx, own, bx, own, squares, product);
+  addProduct(by, own, by, own, squares, product);
+  const rounding = SIDE_ROUNDING * (half + r);
+  // as in `above`, FLOOR is what may be overlooked; a large radius rounds to more
+  const value = (above + Math.max(0, rounding - FLOOR)) * size;
+  return safeStretch(product, own + degree, value, product[1], 0, longest);
+}

@@ -1,0 +1,19 @@
+export { crossing, overlapBetween } from './bracket.ts';
+export { isClear } from './clear.ts';
+export { lookNext, PATIENCE, safeStep, safeStretch, smallestStride } from './conservative-advancement.ts';
+export { contactTime, gapAt, sweptTime } from './contact.ts';
+export { justFired, offer } from './first-event.ts';
+export {
+  alienTravel,
+  distanceToNear,
+  eachTargetNear,
+  farthestRockTravel,
+  listRims,
+  listTouching,
+  refresh,
+  rockDistanceToNear,
+  rockTravel,
+} from './neighbourhood.ts';
+export { quietOutside, quietTime, quietWithin } from './quiet.ts';
+export { rimTime } from './rim.ts';
+export { eventRule, layOutRules, putInOrder } from './rule.ts';

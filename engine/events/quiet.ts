@@ -1,0 +1,55 @@
+import { type Motion, SLOTS } from '../motion/index.ts';
+import { safeStep } from './conservative-advancement.ts';
+import { refresh } from './neighbourhood.ts';
+
+const { BASE_X, BASE_Y, TARGET, AWAKE_COUNT } = SLOTS;
+
+/** Longest time that is looked ahead, s. */
+const LONGEST = 4;
+
+/**
+ * For how long no event can happen whatever the flow does, s: first strides towards every guard, with bounds that hold for any
+ * piece. 0 while somebody chases her.
+ */
+export function quietTime(m: Motion): number {
+  const { s, near, path, parts, ux, uy, strongest } = m;
+  if (s[AWAKE_COUNT] > 0) return 0;
+  const x = s[BASE_X] + ux[0];
+  const y = s[BASE_Y] + uy[0];
+  const v = Math.sqrt(ux[1] * ux[1] + uy[1] * uy[1]);
+  path.x = x;
+  path.y = y;
+  path.vx = ux[1];
+  path.vy = uy[1];
+  path.speed = v;
+  const reach = (v + strongest * LONGEST) * LONGEST;
+  // the list must hold for the whole stretch; a shorter one is better than making it anew too often
+  if (!near.covers(x, y, Math.min(reach, 16), s[TARGET])) refresh(m, x, y, 64);
+  const gone = Math.sqrt((x - near.x) * (x - near.x) + (y - near.y) * (y - near.y));
+  let time = Math.min(LONGEST, safeStep(Math.min(near.skin - gone, 1e6), -v, strongest));
+  for (let n = 0; n < near.count && time > 0; n++) {
+    if (near.slack[n] > gone + (v + strongest * time) * time) continue;
+    const rule = parts.byKind[near.kind[n]];
+    time = rule.quiet === null ? 0 : rule.quiet(m, near.index[n], time);
+  }
+  for (const rule of parts.alwaysQuiet) time = rule.alwaysQuiet === null ? 0 : rule.alwaysQuiet(m, time);
+  return time;
+}
+
+/** For how long, at most `time` s, her centre stays out of a circle; places relative to the origin, px. */
+export function quietOutside(m: Motion, cx: number, cy: number, r: number, time: number): number {
+  const { path } = m;
+  const dx = path.x - cx;
+  const dy = path.y - cy;
+  const d = Math.sqrt(dx * dx + dy * dy);
+  // the distance from a point is convex
+  return d > r ? Math.min(time, safeStep(d - r, (dx * path.vx + dy * path.vy) / d, m.strongest)) : 0;
+}
+
+/**
+ * For how long, at most `time` s, her centre doesn't come to a place or cross a rim that is `gap` px away now.
+ * @param slope how fast the gap changes now, px/s; minus her speed where that is all there is to know
+ */
+export function quietWithin(m: Motion, gap: number, slope: number, time: number): number {
+  return gap > 0 ? Math.min(time, safeStep(gap, slope, m.strongest)) : 0;
+}

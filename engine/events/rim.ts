@@ -1,0 +1,90 @@
+import { addProduct, LONGEST_SERIES, type Motion, relativeAt, relativeSeries, SLOTS, valueAt } from '../motion/index.ts';
+import { FLOOR } from '../tolerances.ts';
+import { crossing } from './bracket.ts';
+import { lookNext, PATIENCE, safeStep, safeStretch, smallestStride } from './conservative-advancement.ts';
+
+const { LENGTH_H, ACCELERATION } = SLOTS;
+
+/** What rounding does to a distance, as a share of it. */
+const ROUNDING = 8.9e-16;
+
+const dx = new Float64Array(LONGEST_SERIES);
+const dy = new Float64Array(LONGEST_SERIES);
+const guard = new Float64Array(2 * LONGEST_SERIES);
+
+/**
+ * First time at which her centre crosses the rim of the placed circle: a march of safe steps. The guard is a polynomial, and
+ * after PATIENCE looks its coefficients say how far it stays above 0, so that circling close to a rim costs little and nothing
+ * is strided over. A crossing by less than FLOOR, or by what rounding makes of the radius, may be overlooked.
+ * @param r its radius, px
+ * @param inward entering it; otherwise leaving
+ * @param pull bound on the circle's own acceleration, px/s2
+ * @param from s from the start of the piece
+ * @param atZero she stands on the rim, having just crossed it the other way
+ * @returns s from the start of the piece; -1: not before it ends
+ */
+export function rimTime(m: Motion, r: number, inward: boolean, pull: number, from: number, atZero: boolean): number {
+  const { s, e, work } = m;
+  const horizon = Math.min(m.horizon, s[LENGTH_H]);
+  const a = s[ACCELERATION] + m.kappa + pull;
+  const sign = inward ? 1 : -1;
+  const small = smallestStride(s[LENGTH_H]);
+  const floor = 2 * r * Math.max(FLOOR, ROUNDING * r);
+  let t = from;
+  let before = t;
+  work.guards++;
+  for (let n = 0; ; n++) {
+    relativeAt(m, t);
+    const d2 = e[4] * e[4] + e[5] * e[5];
+    const d = Math.sqrt(d2);
+    // (d - r)(d + r): the difference of squares would lose the digits of d - r
+    let g = sign * (d - r) * (d + r);
+    const slope = sign * 2 * (e[4] * e[6] + e[5] * e[7]);
+    if (g < 0) {
+      if (n > 0) return rimBetween(m, before, t, r, sign);
+      if (!atZero && g < -1e-12 * r * r) return t;
+      if (slope < 0 && !atZero) return t;
+      g = 0;
+    }
+    if (t >= horizon) return -1;
+    const left = horizon - t;
+    const v = Math.sqrt(e[6] * e[6] + e[7] * e[7]);
+    // g'' = sign (2 v^2 + 2 d.a); with a force the bound holds for `cap` only
+    let cap = left;
+    let k = inward ? 0 : 2 * v * v;
+    if (a > 0) {
+      cap = Math.min(left, v / a + Math.sqrt(d / a) + 1e-3);
+      const fast = v + a * cap;
+      k = 2 * (d + fast * cap) * a + (inward ? 0 : 2 * fast * fast);
+    }
+    let step = Math.min(cap, safeStep(g + floor, slope, k));
+    if (n >= PATIENCE && t + step < horizon) {
+      work.guards++;
+      const degree = rimSeries(m, t, g, sign);
+      step = Math.max(step, safeStretch(guard, degree, g + floor, slope, 0, left));
+    }
+    if (!(t + step < horizon)) return -1;
+    before = t;
+    t = lookNext(t, step, small, horizon);
+  }
+}
+
+/** Into `guard` the coefficients of sign (d^2 - r^2) about `t`, where it is `value`; returns their degree. */
+function rimSeries(m: Motion, t: number, value: number, sign: number): number {
+  const degree = relativeSeries(m, t, dx, dy);
+  guard.fill(0);
+  addProduct(dx, degree, dx, degree, sign, guard);
+  addProduct(dy, degree, dy, degree, sign, guard);
+  guard[0] = value;
+  return 2 * degree;
+}
+
+/** The root by the polynomial about `before`: close to where she stands on the rim it has more digits than distances have. */
+function rimBetween(m: Motion, before: number, behind: number, r: number, sign: number): number {
+  const { e } = m;
+  m.work.roots++;
+  relativeAt(m, before);
+  const d = Math.sqrt(e[4] * e[4] + e[5] * e[5]);
+  const degree = rimSeries(m, before, Math.max(0, sign * (d - r) * (d + r)), sign);
+  return crossing(before, behind, (t) => valueAt(guard, degree, t - before));
+}

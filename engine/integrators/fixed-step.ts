@@ -1,0 +1,45 @@
+import type { Flow, Glide, Integrator } from '../motion/index.ts';
+import type { DragStep } from './drag.ts';
+import { closePass } from './step-near.ts';
+
+/** Expands her motion over a step of `h` s: the coefficients from the second on. */
+type Step = (flow: Flow, x: Float64Array, y: Float64Array, h: number) => void;
+
+/** An integrator of fixed steps, of which a step, what it drags along, its end and many of them in a row are given. */
+export function fixedStep(
+  degree: number,
+  evaluations: number,
+  step: Step,
+  drag: DragStep,
+  settle: Integrator['settle'],
+  glide: Glide,
+): Integrator {
+  return {
+    degree,
+    evaluations,
+    expand(flow, x, y, longest, px, py, kappa) {
+      const h = closePass(flow, x, y, longest);
+      step(flow, x, y, h);
+      if (px !== null && py !== null) {
+        if (kappa > 0) drag(px, py, x, y, degree, kappa, false, h);
+        else for (let k = 2; k <= degree; k++) px[k] = py[k] = 0;
+      }
+      return h;
+    },
+    chase(qx, qy, ax, ay, kappa, h) {
+      drag(qx, qy, ax, ay, degree, kappa, true, h);
+      return h;
+    },
+    acceleration(_flow, x, y, h) {
+      const c3x = degree > 2 ? 6 * x[3] * h : 0;
+      const c3y = degree > 2 ? 6 * y[3] * h : 0;
+      const ax = 2 * x[2];
+      const ay = 2 * y[2];
+      const first = ax * ax + ay * ay;
+      const last = (ax + c3x) * (ax + c3x) + (ay + c3y) * (ay + c3y);
+      return Math.sqrt(Math.max(first, last));
+    },
+    settle,
+    glide,
+  };
+}

@@ -1,0 +1,57 @@
+import {
+  centralSeries,
+  chaserSeries,
+  type Integrator,
+  LINEAR,
+  linearSeries,
+  pairAt,
+  TAYLOR_DEGREE,
+  taylorStep,
+} from '../motion/index.ts';
+import { CONVERGENCE } from '../tolerances.ts';
+
+/** A Taylor piece in accelerated flow is cut here, so that bounds over it stay tight, s. */
+const LONGEST_TAYLOR = 4;
+
+/** The least time in which she can be at the centre of a force of strength `alpha`, s. */
+function timeToCentre(x: Float64Array, y: Float64Array, alpha: number): number {
+  const d = Math.sqrt(x[0] * x[0] + y[0] * y[0]);
+  const v2 = x[1] * x[1] + y[1] * y[1];
+  return (2 * d) / (Math.sqrt(v2) + Math.sqrt(v2 + 2 * alpha * d));
+}
+
+/**
+ * Taylor series of degree 16 with error control.
+ * @param tolerance error of a single piece, px
+ */
+export function taylor(tolerance: number): Integrator {
+  return {
+    degree: TAYLOR_DEGREE,
+    evaluations: 1,
+    expand(flow, x, y, longest, px, py, kappa) {
+      if (flow.kind === LINEAR) {
+        linearSeries(x, y, flow.ax, flow.ay, flow.beta);
+        return taylorStep(x, y, tolerance, Math.min(longest, LONGEST_TAYLOR));
+      }
+      centralSeries(x, y, flow, px, py, kappa);
+      const strength = Math.abs(flow.alpha) + flow.steadyStrength;
+      return taylorStep(x, y, tolerance, Math.min(longest, LONGEST_TAYLOR, CONVERGENCE * timeToCentre(x, y, strength)));
+    },
+    chase(qx, qy, ax, ay, kappa, h) {
+      chaserSeries(qx, qy, ax, ay, kappa);
+      return taylorStep(qx, qy, tolerance, Math.min(h, LONGEST_TAYLOR));
+    },
+    acceleration(flow, x, y, h) {
+      const steady = flow.steadyStrength;
+      const alpha = Math.abs(flow.alpha);
+      if (flow.alpha > 0) return alpha + steady;
+      // a pull weakens with distance while she is in range; `beta d` may win only beyond it
+      const d = Math.sqrt(x[0] * x[0] + y[0] * y[0]) + (Math.sqrt(x[1] * x[1] + y[1] * y[1]) + (alpha + steady) * h) * h;
+      return Math.max(alpha, flow.beta * d) + steady;
+    },
+    settle(_flow, x, y, t, out) {
+      pairAt(x, y, TAYLOR_DEGREE, t, out, 0);
+    },
+    glide: null,
+  };
+}

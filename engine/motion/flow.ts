@@ -1,0 +1,89 @@
+/** No force: a straight line. */
+export const COAST = 0;
+/** Towards or away from the centre of the frame, and a steady force w beside: u'' = alpha u / |u| + beta u + w. */
+export const CENTRAL = 1;
+/** The same on a line through the centre, where the direction is constant: u'' = a + beta (u - u0). */
+export const LINEAR = 2;
+/** Along the rim of a field, see {@link RimFlow}. */
+export const SLIDE = 3;
+
+/** A steady force alone: u'' = w. */
+export const STEADY = 4;
+
+/** The smooth motion between two events, in a frame whose origin is the centre of the force. */
+export class Flow {
+  kind = COAST;
+  /** px/s2 along u / |u|: negative pulls */
+  alpha = 0;
+  /** 1/s2 */
+  beta = 0;
+  /** LINEAR: the pull at the centre, px/s2. */
+  pull = 0;
+  /** LINEAR: range of the pull (px; 0 for a push), what acts beside it (px/s2), and the direction away from the centre. */
+  range = 0;
+  extra = 0;
+  outX = 0;
+  outY = 0;
+  /** LINEAR: how the line lies, see line.ts */
+  steep = false;
+  slope = 0;
+  /** LINEAR: acceleration and place at the start of the step */
+  ax = 0;
+  ay = 0;
+  x0 = 0;
+  y0 = 0;
+  /** What acts beside it, the same wherever she is, px/s2. */
+  steadyX = 0;
+  steadyY = 0;
+  /** false: the speed limit holds this axis */
+  freeX = true;
+  freeY = true;
+
+  /** Whether a steady force acts. */
+  get isSteady(): boolean {
+    return this.steadyX !== 0 || this.steadyY !== 0;
+  }
+
+  /** Of the steady force, px/s2. */
+  get steadyStrength(): number {
+    return Math.sqrt(this.steadyX * this.steadyX + this.steadyY * this.steadyY);
+  }
+
+  /** LINEAR: begins a step at (x, y). */
+  moveTo(x: number, y: number): void {
+    // written so that the pull is exactly 0 at the range
+    const pull = this.range > 0 ? this.pull * (1 - Math.sqrt(x * x + y * y) / this.range) : 0;
+    this.ax = (this.extra - pull) * this.outX;
+    this.ay = (this.extra - pull) * this.outY;
+    if (this.isSteady) {
+      this.ax += this.steadyX;
+      this.ay += this.steadyY;
+    }
+    this.x0 = x;
+    this.y0 = y;
+  }
+
+  /** Writes the acceleration at u = (x, y) into `out` at `at`. */
+  accelerate(x: number, y: number, out: Float64Array, at: number): void {
+    let ax = 0;
+    let ay = 0;
+    if (this.kind === CENTRAL) {
+      const d = Math.sqrt(x * x + y * y);
+      const f = (d > 0 ? this.alpha / d : 0) + this.beta;
+      ax = f * x;
+      ay = f * y;
+      if (this.isSteady) {
+        ax += this.steadyX;
+        ay += this.steadyY;
+      }
+    } else if (this.kind === LINEAR) {
+      ax = this.ax + this.beta * (x - this.x0);
+      ay = this.ay + this.beta * (y - this.y0);
+    } else if (this.kind === STEADY) {
+      ax = this.steadyX;
+      ay = this.steadyY;
+    }
+    out[at] = this.freeX ? ax : 0;
+    out[at + 1] = this.freeY ? ay : 0;
+  }
+}

@@ -1,0 +1,37 @@
+export { DRIFTS, IS_BASE, placeAlien, placeCircle, placeRock, relativeAt, relativeSeries, SERIES } from './circle.ts';
+export { CENTRAL, COAST, Flow, LINEAR, SLIDE, STEADY } from './flow.ts';
+export { rebase } from './frame.ts';
+export type { Glide, Integrator } from './integrator.ts';
+export {
+  beginLine,
+  bendLine,
+  findLine,
+  holdsTarget,
+  keepSteadyLine,
+  movesAlong,
+  ontoLine,
+  sideOf,
+  straighten,
+  straightenBody,
+} from './line.ts';
+export {
+  actingForce,
+  awakeAt,
+  type CentralForce,
+  type Crowd,
+  type EventRule,
+  GOES_ON,
+  MODES,
+  Motion,
+  type Parts,
+  type Recorder,
+  type SteadyForce,
+} from './motion.ts';
+export { distanceSquared, nearest } from './nearest.ts';
+export { packPiece, unpackPiece } from './packed-piece.ts';
+export { alienPlaceAt, directionAt, lookAt, placeAt, rockAt, settleAt } from './places.ts';
+export { addProduct, pairAt, shift, valueAt } from './polynomial.ts';
+export { centralSeries, chaserSeries, LONGEST_SERIES, linearSeries, TAYLOR_DEGREE, taylorStep } from './power-series.ts';
+export { expandSlide } from './rim-piece.ts';
+export { layOutRocks, readRocks, stir, targetsAround } from './rocks.ts';
+export { ALERTNESS, LINES, MEETINGS, PIECE_END, RECORDS, SLOTS, TURNS } from './state.ts';

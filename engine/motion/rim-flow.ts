@@ -1,0 +1,147 @@
+import { TAYLOR_DEGREE } from './power-series.ts';
+
+const N = TAYLOR_DEGREE;
+// scratch: power series of the place, of w = u - q, of what is made of them, and of q
+const qx = new Float64Array(N + 1);
+const qy = new Float64Array(N + 1);
+const wx = new Float64Array(N + 1);
+const wy = new Float64Array(N + 1);
+const squares = new Float64Array(N + 1);
+const inverse = new Float64Array(N + 1);
+const outX = new Float64Array(N + 1);
+const outY = new Float64Array(N + 1);
+const share = new Float64Array(N + 1);
+const denominator = new Float64Array(N + 1);
+
+/**
+ * Sliding along the rim of a field, in a frame about its centre. On either side of the rim a force drives her towards it:
+ * from within the push, f_in = 20 u / |u|, from outside f_out = alpha w / |w| + beta w with w = u - q. What is left of both is
+ * Filippov's mean, u'' = s f_out + (1 - s) f_in, with the share s that keeps her on the circle: u''.u = -|u'|^2.
+ */
+export class RimFlow {
+  /** px */
+  radius = 1;
+  /** What pushes her out from within, px/s2. */
+  push = 0;
+  /** Of the force outside, px/s2 and 1/s2. */
+  alpha = 0;
+  beta = 0;
+  /** The centre of the force outside and its velocity at the start of the piece, px, px/s. */
+  qx = 0;
+  qy = 0;
+  qvx = 0;
+  qvy = 0;
+  /** How that centre accelerates towards her, px/s2. */
+  kappa = 0;
+  /** false: the speed limit holds this axis */
+  freeX = true;
+  freeY = true;
+  /** The force outside that `weigh` found, px/s2. */
+  forceX = 0;
+  forceY = 0;
+  /** How it presses her onto the rim against the centrifugal force, and how push and centrifugal force do from within, px/s2. */
+  pressesIn = 0;
+  pressesOut = 0;
+  /** After `series` while both axes are free: coefficients of pressesIn along the way. */
+  readonly pressure = new Float64Array(N - 1);
+
+  /** Finds what acts at place u and velocity v when the force outside has its centre at u - w. */
+  weigh(x: number, y: number, vx: number, vy: number, wx: number, wy: number): void {
+    const r = Math.sqrt(x * x + y * y);
+    const nx = x / r;
+    const ny = y / r;
+    const d = Math.sqrt(wx * wx + wy * wy);
+    const f = (d > 0 ? this.alpha / d : 0) + this.beta;
+    this.forceX = f * wx;
+    this.forceY = f * wy;
+    const turning = (vx * vx + vy * vy) / r;
+    const outside = (this.freeX ? this.forceX * nx : 0) + (this.freeY ? this.forceY * ny : 0);
+    const within = (this.freeX ? nx * nx : 0) + (this.freeY ? ny * ny : 0);
+    this.pressesIn = -outside - turning;
+    this.pressesOut = this.push * within + turning;
+  }
+
+  /** The mean acceleration after `weigh` at the same place, into out[at..at + 1]; of a limited axis what the limit holds back. */
+  accelerate(x: number, y: number, out: Float64Array, at: number): void {
+    const r = Math.sqrt(x * x + y * y);
+    const s = this.pressesOut / (this.pressesOut + this.pressesIn);
+    out[at] = s * this.forceX + ((1 - s) * this.push * x) / r;
+    out[at + 1] = s * this.forceY + ((1 - s) * this.push * y) / r;
+  }
+
+  /**
+   * Power series of her place along the rim, of degree TAYLOR_DEGREE; on entry x[0..1], y[0..1] hold place and velocity.
+   * With S = |v|^2 / radius and P = f_out.u / radius the share is s = (20 + S) / (20 - P): Cauchy products and one quotient.
+   */
+  series(x: Float64Array, y: Float64Array): void {
+    qx[0] = this.qx;
+    qy[0] = this.qy;
+    qx[1] = this.qvx;
+    qy[1] = this.qvy;
+    if (!this.freeX || !this.freeY) {
+      if (!this.freeX && !this.freeY) for (let n = 2; n <= N; n++) x[n] = y[n] = 0;
+      else if (this.freeY) alongLimit(x, y);
+      else alongLimit(y, x);
+      return;
+    }
+    const { radius, alpha, beta, kappa } = this;
+    for (let n = 0; n <= N - 2; n++) {
+      wx[n] = x[n] - qx[n];
+      wy[n] = y[n] - qy[n];
+      let sum = 0;
+      for (let k = 0; k <= n; k++) sum += wx[k] * wx[n - k] + wy[k] * wy[n - k];
+      squares[n] = sum;
+      if (n === 0) {
+        inverse[0] = 1 / Math.sqrt(sum);
+      } else {
+        sum = 0;
+        for (let k = 1; k <= n; k++) sum += (0.5 * k - n) * squares[k] * inverse[n - k];
+        inverse[n] = sum / (n * squares[0]);
+      }
+      let towardsX = 0;
+      let towardsY = 0;
+      for (let k = 0; k <= n; k++) {
+        towardsX += inverse[n - k] * wx[k];
+        towardsY += inverse[n - k] * wy[k];
+      }
+      outX[n] = alpha * towardsX + beta * wx[n];
+      outY[n] = alpha * towardsY + beta * wy[n];
+      let turning = 0;
+      let pressing = 0;
+      for (let k = 0; k <= n; k++) {
+        const c = (k + 1) * (n - k + 1);
+        turning += c * (x[k + 1] * x[n - k + 1] + y[k + 1] * y[n - k + 1]);
+        pressing += outX[k] * x[n - k] + outY[k] * y[n - k];
+      }
+      const one = n === 0 ? this.push : 0;
+      denominator[n] = one - pressing / radius;
+      this.pressure[n] = -(pressing + turning) / radius;
+      let s = one + turning / radius;
+      for (let k = 1; k <= n; k++) s -= denominator[k] * share[n - k];
+      share[n] = s / denominator[0];
+      let ax = 0;
+      let ay = 0;
+      for (let k = 0; k <= n; k++) {
+        const push = (this.push / radius) * ((k === 0 ? 1 : 0) - share[k]);
+        ax += share[k] * outX[n - k] + push * x[n - k];
+        ay += share[k] * outY[n - k] + push * y[n - k];
+      }
+      const f = 1 / ((n + 1) * (n + 2));
+      x[n + 2] = ax * f;
+      y[n + 2] = ay * f;
+      qx[n + 2] = kappa * towardsX * f;
+      qy[n + 2] = kappa * towardsY * f;
+    }
+  }
+}
+
+/** On the rim with one axis held by the speed limit: a goes on evenly, and b^2 = radius^2 - a^2. */
+function alongLimit(a: Float64Array, b: Float64Array): void {
+  for (let n = 2; n <= N; n++) a[n] = 0;
+  b[1] = (-a[0] * a[1]) / b[0];
+  for (let n = 2; n <= N; n++) {
+    let sum = n === 2 ? -a[1] * a[1] : 0;
+    for (let k = 1; k < n; k++) sum -= b[k] * b[n - k];
+    b[n] = sum / (2 * b[0]);
+  }
+}

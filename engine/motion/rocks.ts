@@ -1,0 +1,51 @@
+import type { Motion } from './motion.ts';
+import { RECORDS, SLOTS } from './state.ts';
+
+const { BASE, TARGET, MOVES } = SLOTS;
+const { ROCK } = RECORDS;
+
+/** Puts the asteroids where the level has them. */
+export function layOutRocks(m: Motion): void {
+  for (let i = 0; i < m.scene.targets.count; i++) {
+    m.s[m.rocks + ROCK * i] = m.targetX[i];
+    m.s[m.rocks + ROCK * i + 1] = m.targetY[i];
+  }
+}
+
+/** Counts a rock that the gun holds among those that may move. */
+export function stir({ stirred }: Motion, i: number): void {
+  if (stirred.includes(i)) return;
+  stirred.push(i);
+  stirred.sort((a, b) => a - b);
+}
+
+/** Finds out from the state, which has become another, what has been stirred. */
+export function readRocks(m: Motion): void {
+  const { s, stirred, rocks, targetX, targetY } = m;
+  stirred.length = 0;
+  if (s[MOVES] !== 1) return;
+  for (let i = 0; i < targetX.length; i++) {
+    const o = rocks + ROCK * i;
+    const isAtHome = s[o] === targetX[i] && s[o + 1] === targetY[i] && s[o + 2] === 0 && s[o + 3] === 0;
+    if (!isAtHome || i === s[BASE] || i === s[TARGET]) stirred.push(i);
+  }
+}
+
+/** Indices, ascending, of at least all targets with a part nearer than `reach` to (x, y), px from the origin, wherever recoil has moved them. */
+export function targetsAround(m: Motion, x: number, y: number, reach: number): readonly number[] {
+  const { scene, stirred } = m;
+  const { spatial, count } = scene.targets;
+  if (spatial === null) return Array.from({ length: count }, (_, i) => i);
+  const found = spatial.around(x + m.originX, y + m.originY, reach);
+  if (!m.recoil) return found;
+  m.budget.look((found.length + stirred.length) >> 1);
+  const all: number[] = [];
+  let k = 0;
+  // both lists ascend
+  for (const i of Int32Array.from(found).sort()) {
+    while (k < stirred.length && stirred[k] < i) all.push(stirred[k++]);
+    if (stirred[k] !== i) all.push(i);
+  }
+  while (k < stirred.length) all.push(stirred[k++]);
+  return all;
+}

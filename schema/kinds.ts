@@ -1,0 +1,261 @@
+import type { Appearance, Field, FlagField, Kind, NumberField } from './kind.ts';
+import { LIMITS } from './limits.ts';
+
+const coordinate = (about: string) =>
+  ({ type: 'number', unit: 'px', least: -LIMITS.coordinate, most: LIMITS.coordinate, about }) as const;
+
+const at = {
+  x: coordinate('Place in px, from left to right.'),
+  y: coordinate('Place in px, from top to bottom.'),
+} as const;
+
+const velocity = (direction: string, label: string) =>
+  ({
+    type: 'number',
+    unit: 'px/s',
+    least: -LIMITS.velocity,
+    most: LIMITS.velocity,
+    default: 0,
+    about: `Speed ${direction} at the start, px/s; 0 when left out.`,
+    label,
+  }) as const;
+
+const size = { type: 'number', unit: 'px', least: LIMITS.leastRadius, most: LIMITS.radius } as const;
+
+/** A radius that a file must have. @param note what more there is to say */
+const radius = (initial: number, note: string) => ({ ...size, initial, about: `Radius in px; ${note}.` }) as const;
+
+const optionalRadius = <const R extends number>(usual: R) =>
+  ({ ...size, default: usual, about: `Radius in px; ${usual} when left out.` }) as const;
+
+/** Every kind of object, in the order of a file. Types of levels are made of it. */
+const TABLE = {
+  astronaut: {
+    one: 'astronaut',
+    many: 'astronauts',
+    list: null,
+    about: 'Where she starts: the centre of a box of 20 x 32 px.',
+    aboutList: '',
+    deadly: false,
+    letter: null,
+    fields: { ...at, vx: velocity('to the right', 'speed x'), vy: velocity('downwards', 'speed y') },
+    places: [['x', 'y']],
+    vectors: { velocity: ['vx', 'vy'] },
+    radius: null,
+    original: { key: 'player' },
+  },
+  blackHole: {
+    one: 'black hole',
+    many: 'black holes',
+    list: null,
+    about: 'Touching it completes the level.',
+    aboutList: '',
+    deadly: false,
+    letter: null,
+    fields: { ...at, radius: optionalRadius(18) },
+    places: [['x', 'y']],
+    vectors: {},
+    radius: 'radius',
+    original: { key: 'target' },
+  },
+  asteroid: {
+    one: 'asteroid',
+    many: 'asteroids',
+    counted: ['cold asteroid', 'cold asteroids'],
+    list: 'asteroids',
+    about: 'Pulls her while it is the nearest asteroid and the gun is held.',
+    aboutList: 'What the gun can target.',
+    deadly: false,
+    letter: 'a',
+    fields: {
+      ...at,
+      radius: radius(16, 'the original uses 16 and 32'),
+      hot: {
+        type: 'flag',
+        default: false,
+        about: 'A hot asteroid pulls like a cold one, and kills on touch; false when left out.',
+        ends: ['cold', 'hot'],
+      },
+    },
+    places: [['x', 'y']],
+    vectors: {},
+    radius: 'radius',
+    variant: {
+      flag: 'hot',
+      one: 'hot asteroid',
+      many: 'hot asteroids',
+      deadly: true,
+      about: 'Pulls her as a cold one does while it is the nearest asteroid and the gun is held. Kills on touch.',
+      letter: 'h',
+    },
+    original: { key: 'asteroids', fields: { hot: 'enemy' } },
+  },
+  nova: {
+    one: 'nova',
+    many: 'novae',
+    counted: ['dwarf nova', 'dwarf novae'],
+    list: 'novae',
+    about: 'A dwarf nova kills on touch; the gun never targets it.',
+    aboutList: 'Kill on touch; never a target.',
+    deadly: true,
+    letter: 'n',
+    fields: { ...at, radius: radius(16, 'the original uses 16 and 32') },
+    places: [['x', 'y']],
+    vectors: {},
+    radius: 'radius',
+    original: { key: 'novae' },
+  },
+  repulsor: {
+    one: 'repulsor',
+    many: 'repulsors',
+    counted: ['repulsor field', 'repulsor fields'],
+    list: 'repulsors',
+    about:
+      'A field that pushes her away from its centre at 20 px/s2 while her centre is inside; where fields overlap, the first one.',
+    aboutList: 'Fields that push her away.',
+    deadly: false,
+    letter: 'r',
+    fields: { ...at, radius: radius(32, 'the original uses 32 and 48') },
+    places: [['x', 'y']],
+    vectors: {},
+    radius: 'radius',
+    original: { key: 'antiForceFields' },
+  },
+  alien: {
+    one: 'alien',
+    many: 'aliens',
+    list: 'aliens',
+    about: 'Sleeps until her centre is nearer than 150 px, then accelerates towards her. Kills on touch; two that touch explode.',
+    aboutList: 'Chase her when she comes near.',
+    deadly: true,
+    letter: 'e',
+    fields: { ...at, radius: optionalRadius(25) },
+    places: [['x', 'y']],
+    vectors: {},
+    radius: 'radius',
+    original: { key: 'aliens' },
+  },
+  mineral: {
+    one: 'mineral',
+    many: 'minerals',
+    list: 'minerals',
+    about: 'Collected on touch; not needed to complete the level.',
+    aboutList: 'To collect on the way; usually three.',
+    deadly: false,
+    letter: 'm',
+    fields: { ...at, radius: optionalRadius(7) },
+    places: [['x', 'y']],
+    vectors: {},
+    radius: 'radius',
+    original: { key: 'goodies' },
+  },
+} as const satisfies Readonly<Record<string, Kind>>;
+
+type Table = typeof TABLE;
+
+/** A kind of object, by its name. */
+export type ObjectKind = keyof Table;
+
+/** The kinds of which a level has exactly one. */
+export type SingleKind = { [K in ObjectKind]: Table[K]['list'] extends null ? K : never }[ObjectKind];
+
+/** The kinds of which a level has a list. */
+export type ListedKind = Exclude<ObjectKind, SingleKind>;
+
+/** The list in a level file that holds a kind. */
+export type ListOf<K extends ListedKind> = Table[K]['list'] & string;
+export type ObjectList = ListOf<ListedKind>;
+
+/** The fields of a kind, without the id. */
+export type FieldsOf<K extends ObjectKind> = Table[K]['fields'];
+
+/** The names of all fields of all kinds. */
+export type FieldName = { [K in ObjectKind]: keyof FieldsOf<K> }[ObjectKind];
+
+/** The value of a field. */
+export type ValueOf<F> = F extends { readonly type: 'number' } ? number : boolean;
+
+/** Flags that make those of a kind another thing to people. */
+export type VariantFlag = {
+  [K in ObjectKind]: Table[K] extends { readonly variant: { readonly flag: infer F extends string } } ? F : never;
+}[ObjectKind];
+
+/** Every kind of object, in the order of a file: the one place that says what there is. */
+export const KINDS: Readonly<Record<ObjectKind, Kind>> = TABLE;
+
+export const OBJECT_KINDS = Object.keys(TABLE) as readonly ObjectKind[];
+export const SINGLE_KINDS = OBJECT_KINDS.filter((kind) => KINDS[kind].list === null) as readonly SingleKind[];
+export const LISTED_KINDS = OBJECT_KINDS.filter((kind) => KINDS[kind].list !== null) as readonly ListedKind[];
+
+/** The list of a kind. */
+export const listOf = <K extends ListedKind>(kind: K): ListOf<K> => TABLE[kind].list as ListOf<K>;
+
+/** The lists of objects in a level, in the order of a file. */
+export const OBJECT_LISTS: readonly ObjectList[] = LISTED_KINDS.map(listOf);
+
+const KIND_OF_LIST = Object.fromEntries(LISTED_KINDS.map((kind) => [listOf(kind), kind])) as Readonly<
+  Record<ObjectList, ListedKind>
+>;
+
+/** What a list holds. */
+export const kindOfList = (list: ObjectList): ListedKind => KIND_OF_LIST[list];
+
+/** What a tool of the editor places: a kind, or the variant of one by its flag. */
+export type Placeable = ListedKind | VariantFlag;
+
+/** Everything that can be placed, in the order of the tools: kinds in the order of a file, each with its variant behind it. */
+export const PLACEABLES: readonly Placeable[] = LISTED_KINDS.flatMap((kind): Placeable[] => {
+  const flag = KINDS[kind].variant?.flag as VariantFlag | undefined;
+  return flag === undefined ? [kind] : [kind, flag];
+});
+
+/** The kind of what is placed, and the flag that makes it a variant. */
+export function placedAs(placeable: Placeable): { readonly kind: ListedKind; readonly flag: VariantFlag | null } {
+  const owner = LISTED_KINDS.find((kind) => KINDS[kind].variant?.flag === placeable);
+  return owner === undefined ? { kind: placeable as ListedKind, flag: null } : { kind: owner, flag: placeable as VariantFlag };
+}
+
+/** What a placeable is to people. */
+export function appearanceOf(placeable: Placeable): Appearance {
+  const { kind, flag } = placedAs(placeable);
+  return appearanceIf(kind, flag !== null);
+}
+
+/** Whether an object is of its kind's variant. */
+export function isVariant(kind: ObjectKind, object: object): boolean {
+  const flag = KINDS[kind].variant?.flag;
+  return flag !== undefined && (object as Readonly<Record<string, unknown>>)[flag] === true;
+}
+
+const appearanceIf = (kind: ObjectKind, varied: boolean): Appearance =>
+  varied ? (KINDS[kind].variant ?? KINDS[kind]) : KINDS[kind];
+
+/** What an object is to people. @param object as a file or a level has it */
+export const appearanceOfObject = (kind: ObjectKind, object: object): Appearance => appearanceIf(kind, isVariant(kind, object));
+
+/** What is touched when something of a kind ends a run: `hot asteroid`, since cold ones end none. */
+export function nameWhenTouched(kind: ObjectKind): string {
+  const { deadly, variant, one } = KINDS[kind];
+  return !deadly && variant?.deadly === true ? variant.one : one;
+}
+
+/** Where an object is: for most kinds one place, for some several, the first of which is its own `x` and `y`. @param object as a file or a level has it */
+export function placesIn(
+  kind: ObjectKind,
+  object: { readonly x: number; readonly y: number },
+): readonly { readonly x: number; readonly y: number }[] {
+  const { places } = KINDS[kind];
+  if (places.length === 1) return [object];
+  const numbers = object as unknown as Readonly<Record<string, number>>;
+  return places.map(([x, y]) => ({ x: numbers[x], y: numbers[y] }));
+}
+
+/** The fields of a kind, with their names, in the order of a file. */
+export const fieldsOf = (kind: ObjectKind): readonly (readonly [name: string, field: Field])[] => FIELDS[kind];
+
+const FIELDS = Object.fromEntries(OBJECT_KINDS.map((kind) => [kind, Object.entries(KINDS[kind].fields)])) as unknown as Readonly<
+  Record<ObjectKind, readonly (readonly [string, Field])[]>
+>;
+
+/** Whether a file must have a field. */
+export const isRequired = (field: NumberField | FlagField): boolean => field.default === undefined;

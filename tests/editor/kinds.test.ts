@@ -1,0 +1,291 @@
+// The editor follows the table of kinds: each kind has a drawing, a tool, fields, a row in the outline, and every operation keeps it valid and whole.
+
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import type { Brush } from '../../editor/canvas/brush.ts';
+import { COLOURS } from '../../editor/canvas/colours.ts';
+import { extentOf } from '../../editor/canvas/extent.ts';
+import { hitTest, objectsIn } from '../../editor/canvas/hit-test.ts';
+import { type Figure, ON_CANVAS, put, signOf } from '../../editor/canvas/kinds/index.ts';
+import { snapTargets } from '../../editor/canvas/snapping.ts';
+import {
+  addObject,
+  alignObjects,
+  copyObjects,
+  createEditedLevel,
+  deleteObjects,
+  distributeObjects,
+  duplicateObjects,
+  type FoundObject,
+  moveObjects,
+  nameOf,
+  objectsOf,
+  pasteObjects,
+  placesOf,
+  type Recipe,
+  radiusOf,
+  readClipping,
+  reorderObject,
+  scaleRadius,
+  setObjectProperty,
+  setRadius,
+} from '../../editor/document/index.ts';
+import { mergeLevels } from '../../editor/files/merge.ts';
+import { fieldsOf } from '../../editor/panels/inspector/fields.ts';
+import { objectRows } from '../../editor/panels/outliner/object-rows.ts';
+import { TOOLS } from '../../editor/session/index.ts';
+import {
+  type FieldName,
+  fieldsOf as fieldsOfKind,
+  formatLevel,
+  KINDS,
+  type LevelFile,
+  LISTED_KINDS,
+  listOf,
+  OBJECT_KINDS,
+  PLACEABLES,
+  placedAs,
+  readLevel,
+} from '../../schema/index.ts';
+import { arbitraryFile } from './arbitrary-file.ts';
+
+const BARE: LevelFile = { version: 1, name: 'bare', astronaut: { x: -500, y: -500 }, blackHole: { x: 900, y: -500 } };
+
+/** Textures that kinds share. */
+const SHARED = ['glow'];
+
+const fileAfter = (file: LevelFile, recipe: Recipe): LevelFile => {
+  const level = createEditedLevel(file);
+  const result = level.change('act', recipe);
+  if (!result.ok) throw new Error(result.refusal.message);
+  return level.file();
+};
+
+/** A level with one of what can be placed, and that one. */
+const withOne = (placeable: (typeof PLACEABLES)[number]): { file: LevelFile; found: FoundObject } => {
+  const file = fileAfter(BARE, addObject(placeable, 40, 60));
+  const found = [...objectsOf(file).values()].find(({ list }) => list !== null);
+  if (found === undefined) throw new Error('nothing was placed');
+  return { file, found };
+};
+
+/** A brush that only counts what it fills and strokes. */
+function countingBrush(): { brush: Brush; drawn: () => number } {
+  let drawn = 0;
+  const set = new Map<string | symbol, unknown>();
+  const gradient = { addColorStop: () => {} };
+  const brush = new Proxy({} as Brush, {
+    get: (_, name) => {
+      if (set.has(name)) return set.get(name);
+      return () => {
+        if (name === 'fill' || name === 'stroke') drawn++;
+        return gradient;
+      };
+    },
+    set: (_, name, value) => {
+      set.set(name, value);
+      return true;
+    },
+  });
+  return { brush, drawn: () => drawn };
+}
+
+describe.each(OBJECT_KINDS)('%s on the canvas', (kind) => {
+  it('has textures of its own that draw something in both themes', () => {
+    for (const [name, draw] of Object.entries(ON_CANVAS[kind].textures)) {
+      const owners = OBJECT_KINDS.filter((one) => Object.hasOwn(ON_CANVAS[one].textures, name));
+      expect(owners).toEqual([kind]);
+      expect(SHARED).not.toContain(name);
+      for (const theme of ['dark', 'light'] as const) {
+        const { brush, drawn } = countingBrush();
+        draw(brush, COLOURS[theme], theme);
+        expect(drawn()).toBeGreaterThan(0);
+      }
+    }
+  });
+
+  it('has a sign', () => {
+    for (const isVariant of [false, true]) expect(signOf(kind, isVariant).Icon).toBeDefined();
+    expect(signOf(kind, true) === signOf(kind, false)).toBe(KINDS[kind].variant === undefined);
+  });
+
+  it('has the fields of the table in the inspector, with their units, limits and defaults', () => {
+    const { about, fields } = fieldsOf(kind);
+    expect(about).toBe(KINDS[kind].about);
+    expect(fields.map(({ key, about, fallback }) => [key, about, fallback])).toEqual(
+      fieldsOfKind(kind).map(([name, field]) => [name, field.about, field.default]),
+    );
+    for (const { key, type, unit, least, most } of fields) {
+      const field = KINDS[kind].fields[key];
+      expect(type).toBe(field.type);
+      if (field.type === 'number') expect([unit, least, most]).toEqual([field.unit, field.least, field.most]);
+    }
+  });
+});
+
+describe.each(PLACEABLES)('a new %s', (placeable) => {
+  const { kind, flag } = placedAs(placeable);
+  const { file, found } = withOne(placeable);
+  const radius = radiusOf(found) ?? 0;
+
+  it('is of its kind, valid, where it was put, and has a tool', () => {
+    expect(TOOLS).toContain(placeable);
+    expect(found).toMatchObject({ kind, list: listOf(kind), object: { x: 40, y: 60 } });
+    if (flag !== null) expect(found.object).toMatchObject({ [flag]: true });
+    expect(readLevel(formatLevel(file)).ok).toBe(true);
+  });
+
+  it('has its places beside each other, so that each can be taken', () => {
+    const places = placesOf(found);
+    expect(places).toHaveLength(KINDS[kind].places.length);
+    for (const [i, place] of places.entries()) {
+      expect(hitTest(file, place, 1, [])).toEqual({ key: found.key, place: i, part: 'body' });
+      const onRim = { x: place.x, y: place.y + radius };
+      expect(hitTest(file, onRim, 1, [found.key])).toEqual({ key: found.key, place: i, part: 'rim' });
+    }
+  });
+
+  it('is caught by a marquee around any of its places, and lies in the level’s extent with all of them', () => {
+    for (const { x, y } of placesOf(found)) {
+      expect(objectsIn(file, { left: x - 1, top: y - 1, right: x + 1, bottom: y + 1 })).toEqual([found.key]);
+      const box = extentOf(file, [found.key]);
+      expect(box?.left).toBeLessThanOrEqual(x - radius);
+      expect(box?.right).toBeGreaterThanOrEqual(x + radius);
+    }
+  });
+
+  it('is what others snap to at all of its places, and one of its places can snap to another', () => {
+    const others = snapTargets(file, []).x.map(({ at }) => at);
+    for (const { x } of placesOf(found)) expect(others).toEqual(expect.arrayContaining([x - radius, x, x + radius]));
+    const [, ...second] = placesOf(found);
+    for (const { x } of second) {
+      const targets = snapTargets(file, [found.key], { only: 0 });
+      expect(targets.x.map(({ at }) => at)).toContain(x);
+      expect(targets.own?.left).toBe(found.object.x - radius);
+      expect(targets.own?.right).toBe(found.object.x + radius);
+    }
+  });
+
+  it('is drawn of images whose textures there are, and put where it is', () => {
+    const parts = ON_CANVAS[kind].parts(found);
+    expect(parts.length).toBeGreaterThan(0);
+    for (const { texture } of parts) expect([...Object.keys(ON_CANVAS[kind].textures), ...SHARED]).toContain(texture);
+    const at = parts.map(() => ({ x: Number.NaN, y: Number.NaN }));
+    const images = at.map((place) => {
+      const image: Figure['images'][number] = {
+        alpha: 1,
+        scale: 1,
+        setAlpha: () => image as never,
+        setRotation: () => image as never,
+        setPosition: (x, y) => {
+          Object.assign(place, { x, y });
+          return image as never;
+        },
+      };
+      return image;
+    });
+    const figure: Figure = { found, at: found.object, radius, parts, images, away: parts.map(() => ({ x: 0, y: 0 })) };
+    put(figure, 40, 60);
+    for (const [i, { offset }] of parts.entries()) {
+      expect(at[i].x).toBeCloseTo(40 + (offset?.x ?? 0) * radius, 9);
+      expect(at[i].y).toBeCloseTo(60 + (offset?.y ?? 0) * radius, 9);
+    }
+    ON_CANVAS[kind].pose?.(figure, null, 1);
+    ON_CANVAS[kind].turn?.(figure, 1, 1);
+    for (const { x, y } of at) expect(Math.hypot(x - 40, y - 60)).toBeLessThan(2 * radius);
+  });
+
+  it('stands in the outline under its kind', () => {
+    const rows = objectRows(file, new Set());
+    const row = rows.find(({ key }) => key === found.key);
+    expect(row).toMatchObject({ title: nameOf(found), depth: 2 });
+    expect(nameOf(found).toLowerCase()).toBe(`${(flag === null ? KINDS[kind] : KINDS[kind].variant)?.one} 1`);
+    expect(rows.find((one) => one.depth === 1 && one.kind === kind)?.title.toLowerCase()).toBe(KINDS[kind].many);
+  });
+
+  it('is moved as a whole, or at one place alone', () => {
+    const before = placesOf(found);
+    const placesAfter = (recipe: Recipe) => {
+      const moved = objectsOf(fileAfter(file, recipe)).get(found.key);
+      if (moved === undefined) throw new Error('it is gone');
+      return placesOf(moved);
+    };
+    expect(placesAfter(moveObjects([found.key], 7, -3))).toMatchObject(before.map(({ x, y }) => ({ x: x + 7, y: y - 3 })));
+    for (const i of before.keys()) {
+      const expected = before.map(({ x, y }, k) => (k === i ? { x: x + 7, y: y - 3 } : { x, y }));
+      expect(placesAfter(moveObjects([found.key], 7, -3, i))).toMatchObject(expected);
+    }
+  });
+
+  it('keeps a place whole where two people moved it, whichever is chosen', () => {
+    for (const i of placesOf(found).keys()) {
+      const mine = fileAfter(file, moveObjects([found.key], 5, 0, i));
+      const theirs = fileAfter(file, moveObjects([found.key], 0, 5, i));
+      const { conflicts } = mergeLevels(file, mine, theirs);
+      expect(conflicts).toHaveLength(1);
+      const { file: merged } = mergeLevels(file, mine, theirs, new Map([[conflicts[0].key, 'theirs']]));
+      expect(merged).toEqual(theirs);
+    }
+    // what only one of them did is taken from each
+    const mine = fileAfter(file, moveObjects([found.key], 5, 5));
+    const theirs = fileAfter(file, setRadius([found.key], 99));
+    const both = mergeLevels(file, mine, theirs);
+    expect(both.conflicts).toEqual([]);
+    expect(both.file).toEqual(fileAfter(mine, setRadius([found.key], 99)));
+  });
+});
+
+describe('operations on a level of any kinds', () => {
+  const number = fc.oneof(fc.integer({ min: -300, max: 300 }), fc.double({ min: -1e12, max: 1e12, noNaN: true }));
+  const recipeFor = (file: LevelFile, key: string, other: string, a: number, b: number): Recipe[] => {
+    const keys = [key, other];
+    const found = objectsOf(file).get(key);
+    const names = found === undefined ? [] : fieldsOfKind(found.kind).filter(([, field]) => field.type === 'number');
+    return [
+      moveObjects(keys, a, b),
+      moveObjects(keys, a, b, 0),
+      duplicateObjects(keys, a, b),
+      alignObjects(file, keys, 'left'),
+      alignObjects(file, keys, 'middle'),
+      distributeObjects(file, objectsOf(file).keys(), 'x'),
+      setRadius(keys, a),
+      scaleRadius(file, keys, b),
+      reorderObject(key, 0),
+      deleteObjects(keys),
+      ...names.map(([name]) => setObjectProperty([key], name as FieldName, a)),
+      ...PLACEABLES.map((placeable) => addObject(placeable, a, b)),
+      ...PLACEABLES.map((placeable) => addObject(placeable, b, a, Math.abs(a))),
+    ];
+  };
+
+  it('leave a level that is read as it was written', () => {
+    fc.assert(
+      fc.property(arbitraryFile, fc.nat(), fc.nat(), fc.nat(), number, number, (file, i, k, n, a, b) => {
+        const keys = [...objectsOf(file).keys()];
+        const recipes = recipeFor(file, keys[i % keys.length], keys[k % keys.length], a, b);
+        const after = fileAfter(file, recipes[n % recipes.length]);
+        const reading = readLevel(formatLevel(after));
+        expect(reading.ok && reading.document.file).toEqual(after);
+      }),
+      { numRuns: 300 },
+    );
+  });
+
+  it('bring what is copied from one level into another with all its places', () => {
+    fc.assert(
+      fc.property(arbitraryFile, (file) => {
+        const text = copyObjects(file, objectsOf(file).keys());
+        if (text === null) return;
+        const reading = readClipping(text);
+        if (!reading.ok) throw new Error(reading.refusal.message);
+        const pasted = fileAfter(BARE, pasteObjects(reading.clipping));
+        for (const kind of LISTED_KINDS) {
+          const list = listOf(kind);
+          const placesIn = (one: LevelFile) =>
+            (one[list] ?? []).map((object: FoundObject['object']) => placesOf({ kind, object }).map(({ x, y }) => [x, y]));
+          expect(placesIn(pasted)).toEqual(placesIn(file));
+        }
+      }),
+    );
+  });
+});

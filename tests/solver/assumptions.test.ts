@@ -1,0 +1,87 @@
+import { afterEach, describe, expect, it } from 'vitest';
+import { compile, EFFECTS, type Effect } from '../../engine/index.ts';
+import { PROVERS, type Proof, proveBy, proveImpossible, proveMineralsUnreachable, verifyProof } from '../../solver/index.ts';
+import { effectsOf, whyNotTried } from '../../solver/proofs/assumptions.ts';
+import type { Prover } from '../../solver/proofs/proof.ts';
+import { ALSO, LEVELS } from './impossible-levels.ts';
+
+// A force that nobody told the proofs of: from one day to the next the game has it, and levels call for it. What was proved without it may be false now.
+
+const WIND: Effect = {
+  name: 'test-wind',
+  summary: () => 'pushes her somewhere',
+  calledFor: () => ({ called: true, because: 'the wind blows everywhere' }),
+};
+const game = EFFECTS as Effect[];
+const blow = () => game.push(WIND);
+
+afterEach(() => {
+  if (game.at(-1) === WIND) game.pop();
+});
+
+const HOLE = { kind: 'blackHole' } as const;
+const KINDS = Object.keys(PROVERS) as Prover[];
+const levelFor = (kind: Prover) => LEVELS[kind === 'dead-end' ? 'line-trap with a dead end' : kind];
+const certificateKind = (kind: Prover): Proof['code'] => (kind === 'dead-end' ? 'line-trap' : kind);
+
+describe.each(KINDS)('%s', (kind) => {
+  const level = levelFor(kind);
+
+  it('has a proof without the wind, and none with it; the checker refuses the old one', () => {
+    const proof = proveBy(kind, level, HOLE) as Proof;
+    expect(proof.code).toBe(certificateKind(kind));
+    expect(verifyProof(level, proof)).toEqual({ ok: true });
+    blow();
+    // a level calls for it as the engine sees it, and not as this test does
+    expect(compile(level).effects.simulated.map(({ name }) => name)).toContain('test-wind');
+    expect(proveBy(kind, level, HOLE)).toBeNull();
+    expect(verifyProof(level, proof)).toEqual({
+      ok: false,
+      why: 'the level calls for the effect test-wind, which a proof of this kind does not know',
+    });
+    game.pop();
+    expect(proveBy(kind, level, HOLE)).toEqual(proof);
+    expect(verifyProof(level, proof)).toEqual({ ok: true });
+  });
+
+  it('says why', () => {
+    expect(whyNotTried(kind, effectsOf(level))).toBeNull();
+    blow();
+    expect(whyNotTried(kind, effectsOf(level))).toBe(`the level calls for test-wind, which ${kind} does not understand`);
+  });
+});
+
+describe('no way around it', () => {
+  it.each(Object.keys(LEVELS))('%s: nothing else proves it either, nor that its minerals are out of reach', (name) => {
+    const level = LEVELS[name];
+    const lost = proveMineralsUnreachable(level);
+    expect(proveImpossible(level)?.code).toBe(ALSO[name]?.[0] ?? name);
+    blow();
+    expect(proveImpossible(level)).toBeNull();
+    expect(proveMineralsUnreachable(level)).toEqual([]);
+    expect(lost.filter((proof) => verifyProof(level, proof).ok)).toEqual([]);
+  });
+
+  it('an effect that a level does not call for is in nobody’s way', () => {
+    const level = LEVELS.enclosed;
+    game.push({ ...WIND, calledFor: () => ({ called: false, because: 'no wind' }) });
+    const proof = proveImpossible(level) as Proof;
+    game.pop();
+    expect(proof.code).toBe('enclosed');
+    expect(verifyProof(level, proof)).toEqual({ ok: true });
+  });
+});
+
+describe('what is declared', () => {
+  // an effect that changes its name is unknown to every kind: this says so before a level does
+  it.each(EFFECTS.map(({ name }) => name))('every kind understands %s, but for recoil in dead ends', (name) => {
+    const not = KINDS.filter((kind) => whyNotTried(kind, [name]) !== null);
+    expect(not).toEqual(name === 'recoil' ? ['dead-end'] : []);
+  });
+
+  it('a name that is none is understood by nobody', () => {
+    for (const kind of KINDS) {
+      for (const name of ['', 'gu', 'test-wind', 'constructor']) expect(whyNotTried(kind, [name])).not.toBeNull();
+    }
+  });
+});
