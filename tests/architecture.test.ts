@@ -179,6 +179,9 @@ describe('the walls see a breach', () => {
     ['editor/canvas/a.ts', `import { x } from '../app/index.ts';`, /editor\/app stands on it/],
     ['editor/panels/runs/a.tsx', `import type { X } from '../../app/platform.ts';`, /editor\/app stands on it/],
     ['picture/a.ts', `import { x } from '../solver/index.ts';`, /picture may not know solver/],
+    ['check/a.ts', `import { x } from '../picture/index.ts';`, /check may not know picture/],
+    ['solver/a.ts', `import { x } from '../check/index.ts';`, /solver may not know check/],
+    ['cli/check/a.ts', `import { x } from '../../check/verdict.ts';`, /not the face of its folder/],
     ['cli/a.ts', `import matter from 'matter-js';`, /not among the dependencies/],
     ['cli/a.ts', `import { y } from '@scope/name/deep';`, /@scope\/name is not among the dependencies/],
   ];
@@ -235,8 +238,8 @@ describe('purity sees a breach', () => {
 
 describe('lint sees a breach', () => {
   const bad: [path: string, text: string][] = [
-    ...['schema', 'engine', 'solver'].flatMap((room) => IMPURE.map((text): [string, string] => [room, text])),
-    ...['schema', 'engine', 'solver'].map((room): [string, string] => [room, `import a from 'node:fs'; export { a };`]),
+    ...['schema', 'engine', 'solver', 'check'].flatMap((room) => IMPURE.map((text): [string, string] => [room, text])),
+    ...['schema', 'engine', 'solver', 'check'].map((room): [string, string] => [room, `import a from 'node:fs'; export { a };`]),
     ...['schema', 'engine', 'cli'].map((room): [string, string] => [room, `import a from 'phaser'; export { a };`]),
     ['schema', `export * from '../engine/index.ts';`],
     ['engine', `export * from '../schema/level.ts';`],
@@ -244,6 +247,11 @@ describe('lint sees a breach', () => {
     ['engine', `export * from '../solver/index.ts';`],
     ['solver', `export * from '../engine/hash.ts';`],
     ['solver', `export * from '../cli/main.ts';`],
+    ['solver', `export * from '../check/index.ts';`],
+    ['check', `export * from '../solver/random.ts';`],
+    ['check', `export * from '../picture/index.ts';`],
+    ['check', `export * from '../cli/main.ts';`],
+    ['cli/commands', `export * from '../../check/verdict.ts';`],
     ['cli', `export * from '../engine/hash.ts';`],
     ['cli', `export * from '../tests/a.ts';`],
     ['cli', `export * from '../picture/text.ts';`],
@@ -252,12 +260,16 @@ describe('lint sees a breach', () => {
     ['picture', `export * from '../solver/index.ts';`],
     ['editor', `import a from 'node:fs'; export { a };`],
     ['editor', `export * from '../engine/hash.ts';`],
+    ['editor', `export * from '../check/verdict.ts';`],
     ['editor', `export * from '../cli/main.ts';`],
   ];
   const good: [path: string, text: string][] = [
-    ...['schema', 'engine', 'solver'].flatMap((room) => PURE.map((text): [string, string] => [room, text])),
+    ...['schema', 'engine', 'solver', 'check'].flatMap((room) => PURE.map((text): [string, string] => [room, text])),
     ['engine', `export * from '../schema/index.ts';`],
     ['solver', `export * from '../engine/index.ts';`],
+    ['check', `export * from '../solver/index.ts'; export * from '../engine/index.ts';`],
+    ['cli/commands', `export * from '../../check/words/index.ts'; export * from '../check/summary.ts';`],
+    ['editor', `export * from '../check/words/index.ts';`],
     ['cli', `import a from 'node:fs'; export { a }; export * from '../engine/index.ts';`],
     ['picture', 'export const a = Math.sin(1);'],
     ['editor', `import a from 'phaser'; export { a }; export * from '../solver/index.ts';`],

@@ -1,17 +1,29 @@
-import { compile, DEFAULT_MAX_WORK, type Run, simulate, WorkBudget, WorkLimitReached } from '../../engine/index.ts';
-import { type Level, type Problem, readLevel } from '../../schema/index.ts';
+import {
+  completingRuns,
+  examineRuns,
+  findingsOf,
+  mineralsToProve,
+  playRuns,
+  problemsOf,
+  proveGoalImpossible,
+  proveMineralsLost,
+  type Searched,
+  tightRuns,
+  verdictOfFindings,
+  withinWork,
+} from '../../check/index.ts';
+import { compile, DEFAULT_MAX_WORK, type Run, type Scene, simulate, TICK_RATE, WorkBudget } from '../../engine/index.ts';
+import { type Hold, readLevel } from '../../schema/index.ts';
+import type { Proof } from '../../solver/index.ts';
 import { showProblems } from '../code-frames.ts';
 import { Failure } from '../failure.ts';
-import { type OpenedLevel, placed, warningsOf } from '../level-source.ts';
+import { type OpenedLevel, placed } from '../level-source.ts';
 import { readBytes } from '../read-bytes.ts';
-import { plural } from '../report-parts/index.ts';
 import { reportRun } from '../run-report.ts';
-import { hangsOnAccuracy } from './accuracy-hang.ts';
 import type { CheckedLevel, CheckSettings, RunInBrief } from './checked-level.ts';
+import { commandHints } from './hints.ts';
 import { crashedLevel, refusedLevel, unreadableLevel } from './refused-level.ts';
-import { failedRun, mineralLost, workLimit } from './run-problems.ts';
-import { completingRuns, slackProblems } from './slack-problems.ts';
-import { judgeWithoutRun, mineralsLost, type PlayedRun } from './without-run.ts';
+import { searchLevel } from './search-level.ts';
 
 /** Reads and validates one level file and replays its scripted runs in order. Never throws: what goes wrong is a verdict. */
 export function checkLevel(file: string, settings: CheckSettings): CheckedLevel {
@@ -29,90 +41,86 @@ function judge(file: string, settings: CheckSettings): CheckedLevel {
   }
 }
 
-function replay(file: string, opened: OpenedLevel, settings: CheckSettings): CheckedLevel {
-  const { level, document } = opened;
-  const { accuracy, maxTime, inFull, maxWork = DEFAULT_MAX_WORK } = settings;
+function replay(file: string, { level, document }: OpenedLevel, settings: CheckSettings): CheckedLevel {
+  const { accuracy, maxTime, maxWork = DEFAULT_MAX_WORK, requireSlack, search } = settings;
   // a budget for each part of a check, so that none of them starves another
   const budget = new WorkBudget(maxWork);
-  const scene = compile(level, accuracy);
-  const scripted = level.runs.map(({ holds }, index) => simulate(scene, holds, { maxTime, budget, record: index === 0 }));
-  const first = scripted.findIndex((run) => run.outcome === 'completed');
-  const unplayed = scripted.findIndex((run) => run.stopped !== null);
   const proofs = new WorkBudget(maxWork / 2);
-  const beyond = first >= 0 ? null : judgeWithoutRun(file, scene, settings, unplayed < 0, proofs);
-  const found = beyond?.found ?? null;
-  const verdict = first >= 0 ? 'completable' : (beyond?.verdict ?? 'broken');
+  const scene = compile(level, accuracy);
+  const scripted = playRuns(scene, maxTime, budget);
+  const completing = scripted.findIndex(({ outcome }) => outcome === 'completed');
+  const { impossible, searched, found } = completing >= 0 ? NOT_NEEDED : withoutRun(scene, settings, proofs);
 
-  const problems: Problem[] = [];
-  const add = (problem: Omit<Problem, 'line' | 'column'>) => problems.push(placed(problem, document));
-  for (const problem of beyond?.problems ?? []) add(problem);
-  if (unplayed >= 0) {
-    const name = JSON.stringify(level.runs[unplayed].name);
-    const more = scripted.filter((run) => run.stopped !== null).length - 1;
-    const others = more > 0 ? `, and ${plural(more, 'run')} after it not at all` : '';
-    const what = `run ${name} was not played beyond tick ${scripted[unplayed].tick}${others}`;
-    add(workLimit({ what, pointer: `/runs/${unplayed}` }, budget, verdict === 'unproven'));
-  }
-  for (const [index, run] of scripted.entries()) {
-    if (run.outcome === 'completed' || run.stopped !== null) continue;
-    add(failedRun({ file, level, accuracy: accuracy.name, index, run, noneCompletes: verdict !== 'completable' }));
-  }
-  const others = new WorkBudget(maxWork / 2);
-  const hangs = unplayed >= 0 ? [] : withinWork(others, () => hangsOnAccuracy(file, level, scripted, accuracy, maxTime, others));
-  for (const problem of hangs ?? []) add(problem);
-  if (hangs === null)
-    add(workLimit({ what: 'whether its runs complete it at every accuracy was not looked at', pointer: '/runs' }, others, false));
-  const completing = completingRuns(level, scripted, found);
-  for (const problem of slackProblems(scene, completing, settings)) add(problem);
-  const lost = mineralsLost(level, scripted, found?.run ?? null, settings, proofs);
-  for (const mineral of lost) add(mineralLost(mineral));
-
-  const shown = found ?? chosen(level, scripted, Math.max(first, 0));
-  const proved = new Set(lost.map(({ index }) => `/minerals/${index}`));
-  // what is proved need not be warned of, too
-  const isOutdone = (code: string, pointer: string): boolean =>
-    code === beyond?.outdone || (/^mineral-(?:out-of-reach|covered)$/.test(code) && proved.has(pointer));
-  // a run that was stopped, or of which too much would be asked, is not told in full
-  const brief = shown === null || shown.run.stopped !== null ? null : withinWork(budget, () => inBrief(shown.run));
-  const report =
-    brief === null || shown === null || !inFull
-      ? null
-      : withinWork(budget, () => reportRun(level, accuracy.name, shown.holds, shown.run, null));
-  const looked = withinWork(budget, () => warningsOf(opened, played(found === null ? scripted : [...scripted, found.run])));
-  const warnings = looked ?? warningsOf(opened, []);
-  if (unplayed < 0 && budget.isUsedUp) {
-    add(workLimit({ what: 'what its runs come near to was not looked at', pointer: '/runs' }, budget, false));
-  }
+  const shown = found ?? chosen(level.runs, scripted, Math.max(completing, 0));
+  const { run, report } = inWords(level, shown, settings, budget);
+  const runs = examineRuns(level, scripted, { accuracy, maxTime, maxWork, budget, found: found?.run });
+  const isSlackAskedFor = requireSlack !== null || search !== null;
+  const asked = settings.proveMinerals ? mineralsToProve(level, runs.collected) : [];
+  const findings = findingsOf(runs, {
+    impossible,
+    searched,
+    // nobody waits for what nobody has asked for
+    tight: isSlackAskedFor ? tightRuns(scene, completingRuns(level, scripted, found?.holds ?? null), requireSlack) : [],
+    lost: proveMineralsLost(level, accuracy, asked, ticksOf(settings), proofs),
+  });
+  const problems = problemsOf(findings, commandHints(file)).map((problem) => placed(problem, document));
   return {
     file,
     name: level.name,
-    verdict,
-    run: brief,
+    verdict: verdictOfFindings(findings),
+    run,
     found: found?.holds ?? null,
     report,
     mineralCount: level.minerals.length,
-    problems: [
-      ...(problems.length > 0 ? showProblems(problems, document.text) : []),
-      ...warnings.filter(({ code, pointer }) => !isOutdone(code, pointer)),
-    ],
+    problems: problems.length > 0 ? showProblems(problems, document.text) : [],
     unreadable: false,
     ms: 0,
   };
 }
 
-const played = (runs: readonly Run[]): Run[] => runs.filter((run) => run.stopped === null);
-
-const inBrief = ({ time, minerals, clearance }: Run): RunInBrief => ({ time, minerals: [...minerals], clearance });
-
-/** What some work comes to; null where it takes more than is left. */
-function withinWork<T>(budget: WorkBudget, work: () => T): T | null {
-  try {
-    return budget.isUsedUp ? null : work();
-  } catch (error) {
-    if (error instanceof WorkLimitReached) return null;
-    throw error;
-  }
+/** A run and what came of it. */
+interface PlayedRun {
+  readonly holds: readonly Hold[];
+  readonly run: Run;
 }
 
-const chosen = ({ runs }: Level, played: readonly Run[], index: number): PlayedRun | null =>
+const ticksOf = ({ maxTime }: CheckSettings): number => Math.round(maxTime * TICK_RATE);
+
+interface WithoutRun {
+  readonly impossible: Proof | null;
+  readonly searched: Searched | null;
+  readonly found: PlayedRun | null;
+}
+
+const NOT_NEEDED: WithoutRun = { impossible: null, searched: null, found: null };
+
+/** What can be found out of a level that none of its own runs completes: proofs are always tried, a search is made when asked for. */
+function withoutRun(scene: Scene, settings: CheckSettings, budget: WorkBudget): WithoutRun {
+  const { accuracy, search, maxTime } = settings;
+  const impossible = proveGoalImpossible(scene.level, accuracy, { minerals: 'any' }, ticksOf(settings), budget);
+  if (impossible !== null || search === null) return { ...NOT_NEEDED, impossible };
+  const searched = searchLevel(scene, search, settings);
+  if (searched.found === null) return { ...NOT_NEEDED, searched };
+  const holds = searched.found;
+  const run = simulate(scene, holds, { maxTime });
+  if (run.outcome !== 'completed') throw new Error(`a run that was found does not complete the level: ${JSON.stringify(holds)}`);
+  return { impossible, searched, found: { holds, run } };
+}
+
+const chosen = (runs: readonly { readonly holds: readonly Hold[] }[], played: readonly Run[], index: number): PlayedRun | null =>
   runs.length === 0 ? null : { holds: runs[index].holds, run: played[index] };
+
+/** The run that is shown: in brief, and in full where that is asked for. One that was stopped, or of which too much would be asked, is not told. */
+function inWords(
+  level: OpenedLevel['level'],
+  shown: PlayedRun | null,
+  { accuracy, inFull }: CheckSettings,
+  budget: WorkBudget,
+): Pick<CheckedLevel, 'run' | 'report'> {
+  if (shown === null || shown.run.stopped !== null) return { run: null, report: null };
+  const brief = withinWork(budget, () => inBrief(shown.run));
+  if (brief === null || !inFull) return { run: brief, report: null };
+  return { run: brief, report: withinWork(budget, () => reportRun(level, accuracy.name, shown.holds, shown.run, null)) };
+}
+
+const inBrief = ({ time, minerals, clearance }: Run): RunInBrief => ({ time, minerals: [...minerals], clearance });

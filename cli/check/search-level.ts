@@ -1,13 +1,7 @@
+import type { Searched } from '../../check/index.ts';
 import { type Scene, TICK_RATE } from '../../engine/index.ts';
-import { type Closest, createSolver, type Effort, type Solution } from '../../solver/index.ts';
+import { createSolver } from '../../solver/index.ts';
 import type { CheckSettings, SearchSettings } from './checked-level.ts';
-
-/** What a search for a run came to. */
-export interface Searched {
-  readonly found: Solution | null;
-  readonly effort: Effort;
-  readonly closest: Closest | null;
-}
 
 /** Ticks simulated between two looks at the clock. */
 const SLICE = 50_000;
@@ -25,5 +19,5 @@ export function searchLevel(scene: Scene, { limits, seed }: SearchSettings, { ma
     solver.advance(Math.min(SLICE, most - solver.effort.ticks));
   }
   const { best, effort, closest } = solver;
-  return { found: best, effort: { ...effort }, closest };
+  return { found: best?.holds ?? null, effort: { ...effort }, closest };
 }

@@ -1,12 +1,13 @@
 import { basename } from 'node:path';
+import { proveGoalImpossible } from '../../check/index.ts';
+import { effortInWords } from '../../check/words/index.ts';
 import { compile, type Scene, TICK_RATE } from '../../engine/index.ts';
 import { type Level, readLevel } from '../../schema/index.ts';
 import { createSolver, measureDifficulty, type Success, successProbability, verifyRun } from '../../solver/index.ts';
 import { showProblems } from '../code-frames.ts';
 import { Failure } from '../failure.ts';
-import { proveGoalImpossible } from '../prove.ts';
 import { readBytes } from '../read-bytes.ts';
-import { closestInWords, effortInWords } from '../report-parts/index.ts';
+import { closestRunInWords } from '../report-parts/index.ts';
 import type { MeasuredLevel, MeasureSettings, MeasureTask } from './measured-level.ts';
 
 /** Noises at which a curve is sampled, ms; success at 0 is certain. */
@@ -78,7 +79,7 @@ function chooseRun(scene: Scene, { goal, run, search, effort, seed, accuracy }: 
   const solver = createSolver(scene, { goal, seed, maxTicks, objective: 'robust', known });
   solver.advance(effort);
   if (solver.best !== null) return { name: null, holds: solver.best.holds };
-  const near = solver.closest === null ? '' : `, the nearest ${closestInWords(solver.closest)}`;
+  const near = solver.closest === null ? '' : `, the nearest ${closestRunInWords(solver.closest)}`;
   return { why: `no run was found: ${effortInWords(solver.effort)}${near}` };
 }
 

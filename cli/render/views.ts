@@ -1,11 +1,11 @@
+import { proveGoalImpossible } from '../../check/index.ts';
+import { effortInWords, outcomeInWords, plural } from '../../check/words/index.ts';
 import { type Accuracy, compile, joinHolds, type Scene, simulate, TICK, TICK_RATE } from '../../engine/index.ts';
 import type { RenderOptions } from '../../picture/index.ts';
 import type { Hold, Level } from '../../schema/index.ts';
 import { createRandom, createSearch, type Goal, proofPicture, type Search } from '../../solver/index.ts';
 import type { ChosenRun } from '../chosen-run.ts';
-import { outcomeInWords } from '../outcome.ts';
-import { proveGoalImpossible } from '../prove.ts';
-import { effortInWords, percent, plural } from '../report-parts/index.ts';
+import { percent } from '../report-parts/index.ts';
 import type { Solved } from '../solve/index.ts';
 
 /** What a picture shows, but for its size and colours. */
@@ -32,7 +32,7 @@ export function viewAllRuns({ level, accuracy, maxTime }: Subject): View {
   const scene = compile(level, accuracy);
   const ways = level.runs.map(({ name, holds }) => {
     const run = simulate(scene, holds, { maxTime });
-    return { run, label: `${name}: ${outcomeInWords(run, level)}, ${plural(holds.length, 'press', 'presses')}` };
+    return { run, label: `${name}: ${outcomeInWords(run, level.range)}, ${plural(holds.length, 'press', 'presses')}` };
   });
   return { ways };
 }

@@ -1,8 +1,8 @@
+import { plural } from '../../check/words/index.ts';
 import { MORE_WARNINGS } from '../../engine/index.ts';
 import type { Colors } from '../colors.ts';
 import { MAX_SHOWN, type ShownProblem } from '../shown-problem.ts';
 import { visible, visibleLine } from '../visible.ts';
-import { plural } from './plural.ts';
 
 /** `file:line:col`, or the file alone where a problem is about all of it. */
 function place(file: string, { line, column }: ShownProblem): string {

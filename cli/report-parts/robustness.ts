@@ -1,7 +1,7 @@
+import { plural } from '../../check/words/index.ts';
 import { TICK } from '../../engine/index.ts';
 import type { RobustnessReport } from '../../schema/index.ts';
 import type { Robustness } from '../../solver/index.ts';
-import { plural } from './plural.ts';
 
 const SIGMAS = ['p30', 'p40', 'p60', 'p80'] as const;
 

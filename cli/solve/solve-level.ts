@@ -1,7 +1,7 @@
+import { proveGoalImpossible } from '../../check/index.ts';
 import { compile, type Run, simulate, TICK } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import type { Closest, Effort, Proof, Robustness } from '../../solver/index.ts';
-import { proveGoalImpossible } from '../prove.ts';
 import type { Limits } from '../search-options.ts';
 import { catchSignals, leaveSignals } from '../signals.ts';
 import type { SolveSettings } from './settings.ts';

@@ -1,5 +1,7 @@
 import { CircleCheck, CircleHelp, CircleX } from 'lucide-react';
 import { useStore } from 'zustand';
+import type { LevelVerdict } from '../../check/index.ts';
+import { VERDICT_MEANS } from '../../check/words/index.ts';
 import { useLevel, useProof } from '../context/index.ts';
 import { plural } from '../panels/figures/index.ts';
 import { useVerdict } from '../panels/solver/index.ts';
@@ -39,6 +41,14 @@ function Slack() {
   );
 }
 
+/** @param run that completes the level; null: only a worker knows which */
+const provenInWords = (run: string | null): string =>
+  run === null ? 'one of its runs reaches the black hole' : `the run "${run}" reaches the black hole`;
+
+/** @param reason what proves it */
+const meaningOf = (verdict: Exclude<LevelVerdict, 'completable'>, reason: string | null): string =>
+  reason === null ? VERDICT_MEANS[verdict] : `${VERDICT_MEANS[verdict]}: ${reason}`;
+
 /** The verdict that `gq check` would give on what is on the screen, at once. */
 export function VerdictBadge() {
   const { verdict, reason, limit } = useVerdict(useLevel());
@@ -48,14 +58,7 @@ export function VerdictBadge() {
   const shown = useProof((proof) => proof.run.name);
   const ends = useProof(endInWords);
   const { Icon, text } = LOOKS[verdict];
-  const why =
-    limit !== null
-      ? limit
-      : reason !== null
-        ? `nobody can complete it: ${reason}`
-        : provenBy === null
-          ? 'no run of the level reaches the black hole'
-          : `the run "${provenBy}" reaches the black hole`;
+  const why = limit ?? (verdict === 'completable' ? provenInWords(provenBy) : meaningOf(verdict, reason));
   return (
     <>
       <Hint text={`${why}. Shown: ${shown === null ? 'she drifts' : `"${shown}"`}, ${ends}`}>

@@ -1,7 +1,7 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
+import { outcomeAsPredicate, type RunEnd } from '../../check/words/index.ts';
 import { type AccuracyName, TICK } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
-import { outcomeInWords, type RunEnd } from '../proof/index.ts';
 
 /** One attempt of a person at a level. */
 export interface Attempt {
@@ -47,4 +47,4 @@ export function createAttempts(): Attempts {
 
 /** How an attempt ended, for a person: `collides with nova 3 at 3.22 s`, `was left at 3.20 s`. @param range of the level, px */
 export const attemptInWords = ({ end, tick }: Pick<Attempt, 'end' | 'tick'>, range: number): string =>
-  end === null ? `was left at ${(tick * TICK).toFixed(2)} s` : outcomeInWords(end, range);
+  end === null ? `was left at ${(tick * TICK).toFixed(2)} s` : outcomeAsPredicate(end, range);

@@ -1,6 +1,7 @@
 import { type StoreApi, useStore } from 'zustand';
+import { reasonInWords } from '../../check/words/index.ts';
 import { useEditor, useProof, useSession } from '../context/index.ts';
-import { isWhole, type LiveProof, reasonInWords } from '../proof/index.ts';
+import { isWhole, type LiveProof } from '../proof/index.ts';
 import type { CanvasState } from './canvas-state.ts';
 import { toScreen } from './view.ts';
 

@@ -1,6 +1,6 @@
 import { Check, Plus, RotateCcw, X } from 'lucide-react';
+import { outcomeAsPredicate, type RunEnd } from '../../check/words/index.ts';
 import { useLevel } from '../context/index.ts';
-import { outcomeInWords, type RunEnd } from '../proof/index.ts';
 import { Button } from '../ui/index.ts';
 
 interface PlayEndProps {
@@ -18,7 +18,7 @@ export function PlayEnd({ end, onRestart, onKeep, onLeave }: PlayEndProps) {
   return (
     <div className={`play__end play__end--${won ? 'won' : 'lost'}`} role="status">
       <strong>{won ? 'Through!' : 'Not this time'}</strong>
-      <span>She {outcomeInWords(end, range)}.</span>
+      <span>She {outcomeAsPredicate(end, range)}.</span>
       <span className="play__actions">
         <Button
           hint="Play again"

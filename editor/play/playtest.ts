@@ -1,3 +1,4 @@
+import type { RunEnd } from '../../check/words/index.ts';
 import {
   createSimulation,
   DEFAULT_MAX_TIME,
@@ -11,7 +12,6 @@ import {
 } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import type { Pose } from '../context/index.ts';
-import type { RunEnd } from '../proof/index.ts';
 
 /** After so many ticks `gq simulate` says timeout. */
 export const MAX_TICKS = Math.round(DEFAULT_MAX_TIME * TICK_RATE);

@@ -1,8 +1,9 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { AccuracyName } from '../../engine/index.ts';
 import { type EditedLevel, isSame } from '../document/index.ts';
+import type { LiveProof } from './answer.ts';
 import { AT_REST, WHILE_DRAGGED } from './patience.ts';
-import { createProver, type LiveProof } from './prover.ts';
+import { createProver } from './prover.ts';
 import { type Reach, reachOf } from './reach.ts';
 
 /** The proof of the open level, up to date after every change. */

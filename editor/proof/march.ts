@@ -9,7 +9,8 @@ import {
   WorkLimitReached,
 } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
-import { Tracks } from './tracks.ts';
+import { MarchRoom } from './march-room.ts';
+import type { Tracks } from './tracks.ts';
 
 /**
  * Where she was at every tick of a run, in arrays that are written anew by the next run: what is kept longer must be copied.
@@ -54,37 +55,6 @@ export function firstDifference(a: readonly Hold[], b: readonly Hold[]): number 
     if (a[i][1] !== b[i][1]) return Math.min(a[i][1], b[i][1]);
   }
   return Number.POSITIVE_INFINITY;
-}
-
-/** Arrays for ways and snapshots. Whoever marches scene after scene keeps them: a large level would fill megabytes anew with every move of the pointer. */
-export class MarchRoom {
-  states = new Float64Array(0);
-  held = new Uint8Array(0);
-  readonly aliens = new Tracks(3);
-  readonly asteroids = new Tracks(2);
-  readonly snapshots: Float64Array[] = [];
-  alienState = new Float64Array(0);
-  asteroidState = new Float64Array(0);
-
-  /** Makes it ready for a scene: what it held of another one is forgotten. */
-  prepare(aliens: number, asteroids: number): void {
-    this.aliens.clear(aliens);
-    this.asteroids.clear(asteroids);
-    this.alienState = new Float64Array(aliens * this.aliens.size);
-    this.asteroidState = new Float64Array(asteroids * this.asteroids.size);
-  }
-
-  /** Makes room for so many entries. */
-  grow(entries: number): void {
-    if (this.held.length >= entries) return;
-    const room = Math.max(entries, 2 * this.held.length, 1202);
-    const states = new Float64Array(STATE_SIZE * room);
-    states.set(this.states);
-    this.states = states;
-    const held = new Uint8Array(room);
-    held.set(this.held);
-    this.held = held;
-  }
 }
 
 /**

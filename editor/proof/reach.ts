@@ -1,4 +1,4 @@
-import type { LiveProof } from './prover.ts';
+import type { LiveProof } from './answer.ts';
 
 /** How far along time a run is shown. */
 export interface Reach {

@@ -1,5 +1,6 @@
+import type { LevelVerdict, LostMineral, RunFindings } from '../../check/index.ts';
 import type { AccuracyName, Outcome } from '../../engine/index.ts';
-import type { Hold, Level, LevelFile, Problem } from '../../schema/index.ts';
+import type { Hold, Level, LevelFile } from '../../schema/index.ts';
 import type {
   Closest,
   Difficulty,
@@ -40,9 +41,12 @@ export interface Requests {
   fan: Played & { readonly holds: readonly Hold[]; readonly goal: Goal };
   /** How hard the level is; by the best run that is found within the budget (ms) where none is given. */
   difficulty: Played & { readonly holds: readonly Hold[] | null; readonly goal: Goal; readonly budget: number };
-  /** Whether the black hole or a mineral can be proved to be out of reach. */
-  proofs: Played;
-  /** The verdict and the problems of a level, with all of its runs played. */
+  /**
+   * Whether the black hole or a mineral can be proved to be out of reach, for whatever runs. Minerals that some run collects are not asked about:
+   * `collected` names them; null: the level's runs are to be played for that.
+   */
+  proofs: Played & { readonly collected: readonly number[] | null };
+  /** What the runs of a level show, all of them played. */
   check: { readonly file: LevelFile; readonly accuracy: AccuracyName };
   /** What accuracy costs for this level and run. */
   accuracy: { readonly level: Level; readonly holds: readonly Hold[] };
@@ -97,16 +101,12 @@ export interface Results {
   /** null: no run was found to measure */
   difficulty: Difficulty | null;
   /** Confirmed by the separate checker; null and empty: nothing was proved. */
-  proofs: { readonly impossible: Proof | null; readonly minerals: readonly { readonly index: number; readonly proof: Proof }[] };
-  check: {
-    readonly verdict: 'completable' | 'broken' | 'unproven';
-    readonly provenBy: string | null;
-    readonly problems: readonly Problem[];
-  };
+  proofs: { readonly impossible: Proof | null; readonly minerals: readonly LostMineral[] };
+  check: RunFindings;
   accuracy: { readonly settings: readonly Setting[] };
   thumbnail: {
     readonly svg: string;
-    readonly verdict: 'completable' | 'broken' | 'unproven' | 'impossible' | 'invalid';
+    readonly verdict: LevelVerdict | 'invalid';
     readonly minerals: number;
   };
   /** `difficulty` is the grade, 1 to 10. */

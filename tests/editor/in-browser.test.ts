@@ -59,7 +59,7 @@ Object.assign(window, {
     const start = performance.now();
     job.cancel();
     const { kind } = await job.end;
-    const next = await workers.start('proofs', { level, accuracy: 'precise' }).end;
+    const next = await workers.start('proofs', { level, accuracy: 'precise', collected: [] }).end;
     return { kind, ms: performance.now() - start, next: next.kind, proved: next.result?.impossible?.code ?? next.message };
   },
 });

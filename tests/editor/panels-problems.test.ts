@@ -71,6 +71,9 @@ it('every code that can be told has an explanation', () => {
     'no-run',
     'run-does-not-complete',
     'verdict-hangs-on-accuracy',
+    'work-limit',
+    'file-unreadable',
+    'file-deleted',
   ]) {
     expect(explanationOf(code)?.title, code).toBeTruthy();
   }

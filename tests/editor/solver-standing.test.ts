@@ -63,12 +63,12 @@ describe('what the solver says', () => {
 
   it('that nothing was found, why it ended, what that means, and what the own runs show', () => {
     expect(say({})).toBe(
-      'The 10 s are over: no run into the black hole was found. That does not prove that there is none. The closest approach, shown on the canvas, was 42 px at 1.00 s.',
+      'The 10 s are over: no run into the black hole was found. That does not prove that there is none. The closest approach, shown on the canvas, was 42 px from the black hole at 1.00 s.',
     );
     expect(say({ phase: 'cancelled', ms: 2100, solving: null })).toMatch(/^Stopped by hand after 2.1 s: no run into/);
     expect(say({ solving: solving(null, true) })).toMatch(/^Nothing is left to try: no run into/);
     expect(say({}, { meets: 'solution', completes: 'solution' })).toBe(
-      "The 10 s are over: no other run was found. The closest approach, shown on the canvas, was 42 px at 1.00 s. The level's own run “solution” does it already.",
+      "The 10 s are over: no other run was found. The closest approach, shown on the canvas, was 42 px from the black hole at 1.00 s. The level's own run “solution” does it already.",
     );
     expect(say({ settings: all, solving: solving(0) }, { meets: null, completes: 'solution' })).toBe(
       'The 10 s are over: no run into the black hole with all 3 minerals was found. That does not prove that there is none. It has reached the black hole, but not with all 3 minerals. The level is completable all the same: its run “solution” reaches the black hole.',

@@ -119,9 +119,14 @@ describe('jobs', () => {
     const { result } = doJob('proofs', {
       level: { ...level, minerals: [...level.minerals.slice(0, 1), far] },
       accuracy: 'precise',
+      collected: [],
     });
     expect(result).toMatchObject({ impossible: null, minerals: [{ index: 1, proof: { about: { kind: 'mineral', index: 1 } } }] });
-    const gone = doJob('proofs', { level: { ...level, blackHole: { x: 9999, y, radius: 18 } }, accuracy: 'precise' });
+    const gone = doJob('proofs', {
+      level: { ...level, blackHole: { x: 9999, y, radius: 18 } },
+      accuracy: 'precise',
+      collected: null,
+    });
     expect(gone.result.impossible).not.toBeNull();
   });
 
@@ -261,7 +266,7 @@ describe('workers', () => {
     const { ports, clock, workers } = crew();
     const told: unknown[] = [];
     const [stuck, next] = [
-      workers.start('proofs', { level, accuracy: 'precise' }, (p) => told.push(p)),
+      workers.start('proofs', { level, accuracy: 'precise', collected: [] }, (p) => told.push(p)),
       workers.start('thumbnail', thumb),
     ];
     stuck.cancel();
@@ -271,7 +276,7 @@ describe('workers', () => {
     // it did tell something, so it was not stuck
     await clock.pass(100);
     expect(ports).toHaveLength(1);
-    const again = workers.start('proofs', { level, accuracy: 'precise' });
+    const again = workers.start('proofs', { level, accuracy: 'precise', collected: [] });
     again.cancel();
     await clock.pass(49);
     expect(ports[0].isOver).toBe(true);
@@ -283,8 +288,8 @@ describe('workers', () => {
 
   it('give up what takes longer than anybody waits, counted from when it is begun, and go on with the next', async () => {
     const { ports, clock, workers } = crew();
-    const first = workers.start('proofs', { level, accuracy: 'precise' });
-    const second = workers.start('proofs', { level, accuracy: 'precise' });
+    const first = workers.start('proofs', { level, accuracy: 'precise', collected: [] });
+    const second = workers.start('proofs', { level, accuracy: 'precise', collected: [] });
     const search = workers.start('generate', { options: { seed: 1 } });
     await clock.pass(19_000);
     expect(ports[0].isOver).toBe(false);

@@ -1,6 +1,6 @@
+import { plural } from '../../../check/words/index.ts';
 import type { CheckedLevel } from '../../check/index.ts';
 import { summarize } from '../../check/index.ts';
-import { plural } from '../../report-parts/index.ts';
 
 /** What `check` found out, as workflow commands that GitHub shows at the lines of a pull request, and a line of summary. */
 export function checkGithub(reports: readonly CheckedLevel[]): string {

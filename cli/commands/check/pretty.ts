@@ -1,17 +1,17 @@
+import { bodyInWords, countMinerals, plural, VERDICT_MEANS } from '../../../check/words/index.ts';
 import type { Verdict } from '../../../schema/index.ts';
 import type { CheckedLevel } from '../../check/index.ts';
 import { summarize } from '../../check/index.ts';
 import type { Colors } from '../../colors.ts';
-import { bodyInWords, collected } from '../../outcome.ts';
-import { alignColumns, plural, showFileProblems } from '../../report-parts/index.ts';
+import { alignColumns, showFileProblems } from '../../report-parts/index.ts';
 import { visibleLine } from '../../visible.ts';
 
 const WHAT_TO_DO: Record<Exclude<Verdict, 'completable'>, string> = {
-  broken: 'none of its runs completes it: change the level or a run; gq simulate shows what happens',
-  unproven: 'nothing shows that it can be completed: gq solve looks for a run',
-  impossible: 'proved that nobody can complete it: change the level',
-  invalid: 'the file is not a valid level: mend what is said above',
-  crashed: 'gq itself failed: please report it with the level',
+  broken: 'change the level or a run; gq simulate shows what happens',
+  unproven: 'gq solve looks for a run',
+  impossible: 'change the level',
+  invalid: 'mend what is said above',
+  crashed: 'please report it with the level',
 };
 
 /** What `check` found out, for a person: a line a level, its problems below it, and a summary. */
@@ -26,8 +26,8 @@ export function checkPretty(reports: readonly CheckedLevel[], colors: Colors): s
   const summary = summarize(reports);
   const counts = Object.entries(summary).filter(([, count]) => count > 0);
   text += `\n${colors.bold(plural(reports.length, 'level'))}: ${counts.map(([v, count]) => paint(v as Verdict)(`${count} ${v}`)).join(', ')}\n`;
-  for (const [verdict] of counts) {
-    if (verdict !== 'completable') text += `${verdict}: ${WHAT_TO_DO[verdict as Exclude<Verdict, 'completable'>]}\n`;
+  for (const [verdict] of counts as [Verdict, number][]) {
+    if (verdict !== 'completable') text += `${verdict}: ${VERDICT_MEANS[verdict]}: ${WHAT_TO_DO[verdict]}\n`;
   }
   if (reports.some((report) => report.problems.length > 0)) text += 'gq explain CODE says more about a problem\n';
   return text;
@@ -39,9 +39,8 @@ const TIME_COLUMN = 3;
 function row({ verdict, file, name, run, found, mineralCount }: CheckedLevel): string[] {
   const cells = [verdict, visibleLine(file), verdict === 'invalid' || verdict === 'crashed' ? '' : visibleLine(name)];
   if (verdict !== 'completable' || run === null) return cells;
-  const minerals = mineralCount === 0 ? 'no minerals' : `${collected(run)} of ${plural(mineralCount, 'mineral')}`;
+  const minerals = mineralCount === 0 ? 'no minerals' : `${countMinerals(run)} of ${plural(mineralCount, 'mineral')}`;
   const near = run.clearance;
-  const clearance =
-    near === null ? 'nothing deadly' : `${near.distance.toFixed(1)} px clear of ${bodyInWords(near.kind, near.index)}`;
+  const clearance = near === null ? 'nothing deadly' : `${near.distance.toFixed(1)} px clear of ${bodyInWords(near)}`;
   return [...cells, `${run.time.toFixed(2)} s`, minerals, found === null ? clearance : `${clearance}, by a run that was found`];
 }

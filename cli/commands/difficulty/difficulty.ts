@@ -1,6 +1,7 @@
 import { availableParallelism } from 'node:os';
 import process from 'node:process';
 import { type Command, Option } from 'commander';
+import { plural } from '../../../check/words/index.ts';
 import { type DifficultyPicture, drawDifficulty, type Ground } from '../../../picture/difficulty/index.ts';
 import type { Goal } from '../../../solver/index.ts';
 import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../../accuracy-options.ts';
@@ -11,7 +12,6 @@ import { Failure } from '../../failure.ts';
 import { findLevelFiles } from '../../files.ts';
 import { formatOption, jobsOption, maxTimeOption, seedOption, wholeNumberOption } from '../../options.ts';
 import { createProgress } from '../../progress.ts';
-import { plural } from '../../report-parts/index.ts';
 import { mineralsOption } from '../../search-options.ts';
 import { visibleLine } from '../../visible.ts';
 import { writeWhole } from '../../write-file.ts';

@@ -1,8 +1,9 @@
+import { holdsInWords, plural } from '../../../check/words/index.ts';
 import { TICK } from '../../../engine/index.ts';
 import type { Difficulty, GradeWord } from '../../../solver/index.ts';
 import type { Colors } from '../../colors.ts';
 import type { MeasuredLevel } from '../../difficulty/index.ts';
-import { alignColumns, holdsInWords, percent, plural, robustnessLines, showFileProblems } from '../../report-parts/index.ts';
+import { alignColumns, percent, robustnessLines, showFileProblems } from '../../report-parts/index.ts';
 import { visible, visibleLine } from '../../visible.ts';
 
 /** How hard levels are, for a person: one in detail, several as a table, the easiest first. */

@@ -1,5 +1,6 @@
+import { plural } from '../../../check/words/index.ts';
 import type { Colors } from '../../colors.ts';
-import { plural, problemJson, showFileProblems } from '../../report-parts/index.ts';
+import { problemJson, showFileProblems } from '../../report-parts/index.ts';
 import type { ShownProblem } from '../../shown-problem.ts';
 import { visibleLine } from '../../visible.ts';
 

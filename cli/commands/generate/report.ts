@@ -1,6 +1,7 @@
+import { plural } from '../../../check/words/index.ts';
 import type { GenerateReport } from '../../../schema/index.ts';
 import type { Colors } from '../../colors.ts';
-import { alignColumns, percent, plural } from '../../report-parts/index.ts';
+import { alignColumns, percent } from '../../report-parts/index.ts';
 import { visibleLine } from '../../visible.ts';
 
 /** What `generate` did, for a program. */

@@ -1,4 +1,4 @@
-import { plural } from '../../report-parts/index.ts';
+import { plural } from '../../../check/words/index.ts';
 import { visibleLine } from '../../visible.ts';
 
 export interface ImportedFile {

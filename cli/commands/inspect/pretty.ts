@@ -1,6 +1,7 @@
+import { plural } from '../../../check/words/index.ts';
 import type { Colors } from '../../colors.ts';
 import { COUNTED, type Inspection } from '../../inspection.ts';
-import { alignColumns, plural, showFileProblems } from '../../report-parts/index.ts';
+import { alignColumns, showFileProblems } from '../../report-parts/index.ts';
 import { visibleLine } from '../../visible.ts';
 
 /** What `inspect` found out, for a person. */

@@ -1,7 +1,7 @@
+import { bodyInWords, countMinerals, outcomeInWords } from '../../../check/words/index.ts';
 import { effectEventInWords, type Run, type RunEvent } from '../../../engine/index.ts';
 import type { Level, RunReport } from '../../../schema/index.ts';
 import type { Colors } from '../../colors.ts';
-import { bodyInWords, collected, outcomeInWords } from '../../outcome.ts';
 import { visibleLine } from '../../visible.ts';
 
 /** One run in full, for a person. */
@@ -11,13 +11,13 @@ export function simulatePretty(level: Level, runName: string, run: Run, report: 
   const near = run.clearance;
   const lines = [
     `${colors.bold(visibleLine(level.name))}, ${visibleLine(runName)}, ${report.accuracy}`,
-    paint(outcomeInWords(run, level)),
+    paint(outcomeInWords(run, level.range)),
     '',
     ...run.events.map((event) => `${event.time.toFixed(3).padStart(8)} s  ${eventInWords(event)}`),
     ...(run.events.length > 0 ? [''] : []),
     `holds      ${report.holds.length === 0 ? 'none' : report.holds.map(([press, release]) => `${press}-${release}`).join(',')}`,
-    `minerals   ${collected(run)} of ${level.minerals.length}`,
-    `clearance  ${near === null ? 'nothing deadly in the level' : `${near.distance.toFixed(3)} px to ${bodyInWords(near.kind, near.index)} at ${near.time.toFixed(3)} s`}`,
+    `minerals   ${countMinerals(run)} of ${level.minerals.length}`,
+    `clearance  ${near === null ? 'nothing deadly in the level' : `${near.distance.toFixed(3)} px to ${bodyInWords(near)} at ${near.time.toFixed(3)} s`}`,
     `final      x ${x.toFixed(3)}, y ${y.toFixed(3)} px; ${vx.toFixed(3)}, ${vy.toFixed(3)} px/s; angle ${angle.toFixed(4)} rad`,
     `hash       ${run.hash}`,
   ];
@@ -54,6 +54,6 @@ function eventInWords(event: RunEvent): string {
     case 'completed':
     case 'collided':
     case 'lost':
-      return event.with === null ? event.type : `${event.type}: touches ${bodyInWords(event.with.kind, event.with.index)}`;
+      return event.with === null ? event.type : `${event.type}: touches ${bodyInWords(event.with)}`;
   }
 }

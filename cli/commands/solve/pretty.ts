@@ -1,6 +1,6 @@
+import { countMinerals, effortInWords, holdsInWords, outcomeInWords } from '../../../check/words/index.ts';
 import type { Colors } from '../../colors.ts';
-import { collected, outcomeInWords } from '../../outcome.ts';
-import { closestInWords, effortInWords, holdsInWords, robustnessLines } from '../../report-parts/index.ts';
+import { closestRunInWords, robustnessLines } from '../../report-parts/index.ts';
 import type { Solved, SolvedRun, SolveSettings } from '../../solve/index.ts';
 import { visible, visibleLine } from '../../visible.ts';
 
@@ -18,12 +18,12 @@ export function solvePretty(settings: SolveSettings, solved: Solved, colors: Col
   const spent: [string, string] = ['effort', `${effortInWords(effort)}, ${solved.seconds.toFixed(1)} s, seed ${settings.seed}`];
   if (runs.length === 0) {
     const lines: [string, string][] = [spent];
-    if (closest !== null) lines.push(['closest', closestInWords(closest)]);
+    if (closest !== null) lines.push(['closest', closestRunInWords(closest)]);
     return `${head}\n${colors.yellow('no run found')}, which does not prove that there is none\n\n${rows(lines)}`;
   }
   const parts = runs.map((run, i) => {
     const title = runs.length === 1 ? '' : `${colors.bold(`${i + 1} of ${runs.length}`)}: `;
-    return `${title}${colors.green(outcomeInWords(run.run, level))}\n${rows(linesOf(settings, run))}`;
+    return `${title}${colors.green(outcomeInWords(run.run, level.range))}\n${rows(linesOf(settings, run))}`;
   });
   return `${head}\n${parts.join('\n')}\n${rows([spent])}`;
 }
@@ -31,7 +31,7 @@ export function solvePretty(settings: SolveSettings, solved: Solved, colors: Col
 function linesOf({ level }: SolveSettings, { holds, run, robustness }: SolvedRun): [string, string][] {
   return [
     ['holds', holdsInWords(holds)],
-    ['minerals', `${collected(run)} of ${level.minerals.length}`],
+    ['minerals', `${countMinerals(run)} of ${level.minerals.length}`],
     ...robustnessLines(robustness),
     ['hash', run.hash],
   ];

@@ -1,8 +1,8 @@
 import { Check, Gauge, Maximize2, Square, X } from 'lucide-react';
 import { useMemo, useState } from 'react';
+import { outcomeAsPredicate } from '../../../check/words/index.ts';
 import { ACCURACIES, type AccuracyName, DEFAULT_ACCURACY } from '../../../engine/index.ts';
 import { useEditor, usePageTheme, useProof, useSession } from '../../context/index.ts';
-import { outcomeInWords } from '../../proof/index.ts';
 import { Button, Dialog } from '../../ui/index.ts';
 import { pixels, playsAlike } from '../figures/index.ts';
 import { Progress, Section } from '../parts/index.ts';
@@ -58,7 +58,7 @@ function Choice({ name, result, cost, isCurrent }: ChoiceProps) {
           ) : (
             <X size={13} className="tone--bad" aria-label="another verdict:" />
           )}
-          <span>{outcomeInWords(result.end, range)}</span>
+          <span>{outcomeAsPredicate(result.end, range)}</span>
           <span className="accuracy__off">
             {name === 'precise'
               ? 'the measure'

@@ -1,7 +1,7 @@
+import type { RunEnd } from '../../../check/words/index.ts';
 import { ACCURACIES, type AccuracyName, compile, createSimulation, DEFAULT_MAX_TIME, TICK_RATE } from '../../../engine/index.ts';
 import { deviationOf, pathOf, playerOf, type Reference } from '../../../engine/work-precision/index.ts';
 import type { Hold, Level } from '../../../schema/index.ts';
-import type { RunEnd } from '../../proof/index.ts';
 import { type TurnsOptions, timeInTurns } from '../figures/index.ts';
 
 /** What a named setting makes of a run. */

@@ -1,7 +1,8 @@
 import { Timer } from 'lucide-react';
 import { useEffect, useRef, useState } from 'react';
+import { outcomeAsPredicate } from '../../../check/words/index.ts';
 import { useLevel, useProof } from '../../context/index.ts';
-import { limitInWords, outcomeInWords } from '../../proof/index.ts';
+import { limitInWords } from '../../proof/index.ts';
 import { Button } from '../../ui/index.ts';
 import { type Fact, nextTurn, percent } from '../figures/index.ts';
 import { Facts, Section, useThrottledProof } from '../parts/index.ts';
@@ -18,7 +19,7 @@ type Times = ReadonlyMap<string, EffectTime>;
 function countText({ name, cost }: SimulatedEffect, { work }: Survey, range: number): string {
   if (cost.kind === 'always')
     return name === 'alien-explosion' ? 'part of the aliens: see alien-chase' : 'no level can do without it';
-  if (cost.kind === 'other') return `without it another way: she ${outcomeInWords(cost.run, range)}`;
+  if (cost.kind === 'other') return `without it another way: she ${outcomeAsPredicate(cost.run, range)}`;
   const parts = (['guards', 'pieces', 'roots'] as const)
     .filter((what) => cost.saved[what] !== 0)
     .map((what) => `${cost.saved[what]} of ${work[what]} ${what}`);

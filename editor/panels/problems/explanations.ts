@@ -1,74 +1,51 @@
+import { type Advice, type CheckCode, explainCodes } from '../../../check/words/index.ts';
 import { WARNING_CODES } from '../../../engine/index.ts';
-import { CODES } from '../../../schema/index.ts';
+import { CODES, type CodeExplanation } from '../../../schema/index.ts';
 
-/** What a code means and what to do about it. */
-interface Explanation {
-  readonly code: string;
-  readonly title: string;
-  readonly why: string;
-  readonly fix: string;
-}
+/** What the page can tell of a level: it looks for no run unless it is asked to, and for slack elsewhere. */
+type PageCode = Exclude<
+  CheckCode,
+  'found-run' | 'no-run-found' | 'low-slack' | 'slack-below-required' | 'unreadable-file' | 'crashed'
+>;
 
-/** What only the live proof tells, in the words of somebody who sees the level. */
-const OF_THE_PROOF: readonly Explanation[] = [
-  {
-    code: 'no-run',
-    title: 'the level has no run',
-    why: 'Without a run that completes it nothing shows that a player can complete the level: it is unproven.',
-    fix: 'Play it and make an attempt the proof, let the solver find a run, or draw one in the gun lane.',
-  },
-  {
-    code: 'run-does-not-complete',
-    title: 'a run does not end in the black hole',
-    why: 'A run is the proof that a level can be completed. When none completes it, nobody knows a way through.',
-    fix: 'Move what is in the way, change the holds in the gun lane, or take the run out.',
-  },
-  {
-    code: 'verdict-hangs-on-accuracy',
-    title: 'the run completes the level at some accuracies and not at others',
-    why: 'She passes something so closely that how exactly the motion is simulated decides how the run ends. A player, whose hand is less exact, would hardly succeed that way.',
+/** What to do on the page about the problems that only checking a level can show. */
+const ADVICE: Readonly<Record<PageCode, Advice>> = {
+  'no-run': { fix: 'Play it and make an attempt the proof, let the solver find a run, or draw one in the gun lane.' },
+  'run-does-not-complete': { fix: 'Move what is in the way, change the holds in the gun lane, or take the run out.' },
+  'verdict-hangs-on-accuracy': {
     fix: 'See the near misses on the way and give her more room there. The accuracy panel has what each setting makes of it.',
   },
-];
+  'proved-impossible': { fix: 'Move what the reason names. Solve draws the proof on the canvas.' },
+  'mineral-never-collectable': { fix: 'Move the mineral, or what keeps her from it.' },
+  'work-limit': {
+    also: 'While a level is edited the page plays less of it; a worker plays the rest.',
+    fix: 'The message says what ran out. Take out what the level does not need, aliens above all, or the runs that prove nothing.',
+  },
+};
 
 /** What only a page knows that has the level open. */
-const OF_THE_FILE: readonly Explanation[] = [
+const OF_THE_FILE: readonly CodeExplanation[] = [
   {
     code: 'file-unreadable',
+    severity: 'error',
     title: 'the file on the disk is no valid level now',
     why: 'Another program has written something into the file that can not be read as a level. `gq check` would call it invalid. The page keeps the last good state and writes nothing over the file.',
     fix: 'Mend the file where the place says: once it can be read, the page goes on by itself. Or write what is on the screen over it.',
   },
   {
     code: 'file-deleted',
+    severity: 'error',
     title: 'the file was deleted or moved on the disk',
     why: 'The level is on the screen and kept in this browser, and has no file.',
     fix: 'Write it again, save it as a new level, or let it go.',
   },
 ];
 
-/** What a worker proves on the side. */
-const OF_PROOFS: readonly Explanation[] = [
-  {
-    code: 'proved-impossible',
-    title: 'nobody can complete the level',
-    why: 'It is proved that no way of pressing and releasing leads to the black hole. The proof holds for the game at this accuracy, rounding included, and a separate small checker has confirmed it.',
-    fix: 'Move what the reason names. Solve draws the proof on the canvas.',
-  },
-  {
-    code: 'mineral-never-collectable',
-    title: 'nobody can collect a mineral',
-    why: 'It is proved, as for the black hole, that no run touches this mineral: "all minerals" can never be achieved in this level.',
-    fix: 'Move the mineral, or what keeps her from it.',
-  },
-];
+const OF_THE_CHECK = explainCodes(ADVICE, { longestRun: 'a minute', mostWork: 'the limit of `gq check`' });
 
 const ALL = new Map(
-  [...CODES, ...WARNING_CODES, ...OF_THE_PROOF, ...OF_THE_FILE, ...OF_PROOFS].map((explanation) => [
-    explanation.code,
-    explanation,
-  ]),
+  [...CODES, ...WARNING_CODES, ...OF_THE_CHECK, ...OF_THE_FILE].map((explanation) => [explanation.code, explanation]),
 );
 
 /** What a code means; null for one that is not known. */
-export const explanationOf = (code: string): Explanation | null => ALL.get(code) ?? null;
+export const explanationOf = (code: string): CodeExplanation | null => ALL.get(code) ?? null;

@@ -3,22 +3,15 @@ import { useStore } from 'zustand';
 import type { Problem } from '../../../schema/index.ts';
 import { useLevel } from '../../context/index.ts';
 import { problemsInWords, type SaveState } from '../../files/index.ts';
-import { type LiveProof, withProofs } from '../../proof/index.ts';
+import { type LiveProof, toldProblems } from '../../proof/index.ts';
 import { useDebouncedProof } from '../parts/index.ts';
-import { type Checked, checkedOf, useSolverSession } from '../solver/index.ts';
+import { checkedOf, useSolverSession } from '../solver/index.ts';
 import { keepSame } from './kept.ts';
 
 /** ms without a change before problems are looked for: that plays every run at two accuracies at least, which would cost a drag its frames */
 const REST = 150;
 
-const knownOf = ({ problems, file, accuracy, limit }: LiveProof) => ({ problems, file, accuracy, limit });
-
-/** Those that a worker found where the page has left something out; where it gave up, too, it says why. */
-function foundIn(known: ReturnType<typeof knownOf>, checked: Checked | null): readonly Problem[] {
-  const worker = checkedOf(known, checked);
-  if (worker === null) return known.problems;
-  return worker.result?.problems ?? known.problems.map((problem) => ({ ...problem, message: worker.message }));
-}
+const knownOf = ({ findings, file, accuracy, limit }: LiveProof) => ({ findings, file, accuracy, limit });
 
 /** What is wrong with the file of the level, as it is on the disk; nothing where it can be read. */
 function problemsOfFile(id: string, state: SaveState): readonly Problem[] {
@@ -45,7 +38,7 @@ export function useProblems(): readonly Problem[] {
   const state = useStore(opened.saver.store);
   const last = useRef<readonly Problem[]>([]);
   return useMemo(() => {
-    const all = [...problemsOfFile(opened.id(), state), ...withProofs(foundIn(known, checked), proved)];
+    const all = [...problemsOfFile(opened.id(), state), ...toldProblems(known, checkedOf(known, checked), proved)];
     last.current = keepSame(last.current, all);
     return last.current;
   }, [known, proved, checked, opened, state]);

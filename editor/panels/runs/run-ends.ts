@@ -1,8 +1,9 @@
 import { useEffect, useMemo, useState } from 'react';
+import { countMinerals, type RunEnd } from '../../../check/words/index.ts';
 import { joinHolds, type Scene, simulate } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/index.ts';
 import { useLevel, useProof } from '../../context/index.ts';
-import { isWhole, type LiveProof, type RunEnd } from '../../proof/index.ts';
+import { isWhole, type LiveProof } from '../../proof/index.ts';
 
 /** How a run of the level ends. */
 export interface RunSummary extends RunEnd {
@@ -30,9 +31,9 @@ function playAll(
     const end = performance.now() + SLICE;
     while (waiting.length > 0 && performance.now() < end) {
       const holds = joinHolds(waiting.shift() ?? []);
-      const { outcome, with: touched, time, tick, minerals } = simulate(scene, holds);
-      const different = new Set(minerals.map(({ index }) => index)).size;
-      known.set(holds.join(), { outcome, with: touched, time, tick, minerals: different });
+      const run = simulate(scene, holds);
+      const { outcome, with: touched, time, tick } = run;
+      known.set(holds.join(), { outcome, with: touched, time, tick, minerals: countMinerals(run) });
     }
     onSome();
     if (waiting.length > 0) timer = setTimeout(go);

@@ -1,4 +1,4 @@
-import { outcomeInWords } from '../../proof/index.ts';
+import { outcomeAsPredicate } from '../../../check/words/index.ts';
 import type { TreeRow } from '../tree/index.ts';
 import type { RunSummary } from './run-ends.ts';
 
@@ -18,7 +18,7 @@ interface RunInList {
 export function runRows(runs: readonly RunInList[], endOf: (name: string) => RunSummary | null, range: number): RunRow[] {
   return runs.map(({ name, holds }, place) => {
     const summary = endOf(name);
-    const how = summary === null ? 'not played yet' : outcomeInWords(summary, range);
+    const how = summary === null ? 'not played yet' : outcomeAsPredicate(summary, range);
     return {
       key: name,
       depth: 1,

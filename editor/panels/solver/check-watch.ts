@@ -1,17 +1,14 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { AccuracyName } from '../../../engine/index.ts';
 import type { LevelFile } from '../../../schema/index.ts';
-import type { LiveProof } from '../../proof/index.ts';
-import type { Job, Results } from '../../workers/index.ts';
+import { type FoundByWorker, type LiveProof, toPlay } from '../../proof/index.ts';
+import type { Job } from '../../workers/index.ts';
 import type { WatchParts } from './proof-watch.ts';
 
 /** What a worker has found out about a level that the page does not play itself. */
-export interface Checked {
+export interface Checked extends FoundByWorker {
   readonly file: LevelFile;
   readonly accuracy: AccuracyName;
-  /** null: it gave up, too */
-  readonly result: Results['check'] | null;
-  readonly message: string;
 }
 
 export interface CheckWatch {
@@ -33,10 +30,11 @@ export function watchChecks({ level: { proof }, workers, afterRest }: WatchParts
     forget();
   };
   const ask = () => {
-    const { file, accuracy, limit } = proof.proof();
+    const question = toPlay(proof.proof());
     const known = store.getState();
-    if (limit === null || limit === 'unchecked' || (known?.file === file && known.accuracy === accuracy)) return;
-    const mine = workers.start('check', { file, accuracy });
+    if (question === null || (known?.file === question.file && known.accuracy === question.accuracy)) return;
+    const { file, accuracy } = question;
+    const mine = workers.start('check', question);
     job = mine;
     void mine.end.then((end) => {
       if (job !== mine || end.kind === 'cancelled') return;
@@ -44,9 +42,9 @@ export function watchChecks({ level: { proof }, workers, afterRest }: WatchParts
       store.setState({ file, accuracy, result, message }, true);
     });
   };
-  const look = ({ limit }: LiveProof) => {
+  const look = (now: LiveProof) => {
     drop();
-    if (limit !== null && limit !== 'unchecked') forget = afterRest(SETTLE, ask);
+    if (toPlay(now) !== null) forget = afterRest(SETTLE, ask);
   };
   look(proof.proof());
   const stop = proof.store.subscribe(look);

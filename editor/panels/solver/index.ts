@@ -1,4 +1,4 @@
-export { type Checked, checkedOf } from './check-watch.ts';
+export { checkedOf } from './check-watch.ts';
 export { HeatLegend } from './HeatLegend.tsx';
 export { Solver } from './Solver.tsx';
 export { SolverWatch } from './SolverWatch.tsx';

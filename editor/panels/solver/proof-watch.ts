@@ -1,7 +1,6 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
-import type { ProofStore, Proved } from '../../proof/index.ts';
+import { type ProofStore, type Proved, toProve } from '../../proof/index.ts';
 import type { Job, Workers } from '../../workers/index.ts';
-import { withoutRuns } from './without-runs.ts';
 
 export interface ProofWatch {
   /** What is proved of the level as it is; nothing while that is not known. */
@@ -37,10 +36,9 @@ export function watchProofs({ level: { proof }, workers, afterRest }: WatchParts
   };
   const prove = () => {
     forget = null;
-    const { level, accuracy, verdict, run, limit } = proof.proof();
-    if (limit === 'unchecked') return;
-    if (verdict === 'completable' && run.minerals.length === level.minerals.length) return;
-    const mine = workers.start('proofs', { level: withoutRuns(level), accuracy }, (proved) => {
+    const question = toProve(proof.proof());
+    if (question === null) return;
+    const mine = workers.start('proofs', question, (proved) => {
       if (job === mine) store.setState({ ...proved, gaveUp: null }, true);
     });
     job = mine;

@@ -49,7 +49,7 @@ export function startSearchJobs(
       if (!isOver) onFound(solving);
     },
   );
-  const prove = workers.start('proofs', played, (proved) => {
+  const prove = workers.start('proofs', { ...played, collected: [] }, (proved) => {
     if (!isOver) onProved(proved);
   });
   void solve.end.then((end) => {

@@ -1,7 +1,7 @@
-import { TICK } from '../../../engine/index.ts';
+import { closestInWords } from '../../../check/words/index.ts';
 import { mineralsNeeded } from '../../../solver/index.ts';
 import { inPageWords } from '../../document/index.ts';
-import { pixels, plural, seconds } from '../figures/index.ts';
+import { pixels, plural } from '../figures/index.ts';
 import { goalOf, type SearchSettings } from './search-settings.ts';
 import type { SearchState } from './search-state.ts';
 
@@ -42,8 +42,7 @@ function ownInWords({ meets, completes }: OwnRuns, asked: string): string {
 function nearInWords({ solving }: SearchState, asked: string): string {
   const closest = solving?.closest ?? null;
   if (closest === null) return '';
-  if (closest.distance > 0)
-    return ` The closest approach, shown on the canvas, was ${pixels(closest.distance)} at ${seconds(closest.tick * TICK)}.`;
+  if (closest.distance > 0) return ` The closest approach, shown on the canvas, was ${closestInWords(closest, pixels)}.`;
   return asked === ''
     ? ' It has reached the black hole, but no run was ready and replayed from the start by then.'
     : ` It has reached the black hole, but not${asked}.`;

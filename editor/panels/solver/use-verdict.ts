@@ -1,12 +1,13 @@
 import { useStore } from 'zustand';
+import type { LevelVerdict } from '../../../check/index.ts';
 import { type OpenLevel, useEditor } from '../../context/index.ts';
 import { inPageWords } from '../../document/index.ts';
-import { type LiveProof, limitInWords } from '../../proof/index.ts';
+import { limitInWords, toldVerdict } from '../../proof/index.ts';
 import { checkedOf } from './check-watch.ts';
 import { solverSessionOf } from './solver-session.ts';
 
 interface Verdict {
-  readonly verdict: LiveProof['verdict'] | 'impossible';
+  readonly verdict: LevelVerdict;
   /** What proves it impossible. */
   readonly reason: string | null;
   /** Why it is not known for certain; null where it is. */
@@ -21,10 +22,10 @@ export function useVerdict(level: OpenLevel): Verdict {
   const file = useStore(level.proof.store, (proof) => proof.file);
   const accuracy = useStore(level.proof.store, (proof) => proof.accuracy);
   const checked = checkedOf({ file, accuracy, limit }, useStore(solver.checks.store));
-  const proof = useStore(solver.proofs.store, ({ impossible }) => impossible);
-  const verdict = own === 'completable' ? own : (checked?.result?.verdict ?? own);
+  const impossible = useStore(solver.proofs.store, (proved) => proved.impossible);
+  const verdict = toldVerdict({ verdict: own }, checked, { impossible });
   if (verdict === 'completable') return { verdict, reason: null, limit: null };
-  if (proof !== null) return { verdict: 'impossible', reason: inPageWords(proof.reason), limit: null };
+  if (impossible !== null) return { verdict, reason: inPageWords(impossible.reason), limit: null };
   if (limit === null || checked?.result != null) return { verdict, reason: null, limit: null };
   const words = checked === null ? limitInWords(limit) : checked.message;
   return { verdict, reason: null, limit: words };

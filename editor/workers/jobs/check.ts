@@ -1,9 +1,15 @@
-import { createProver } from '../../proof/index.ts';
+import { examineRuns, playRuns } from '../../../check/index.ts';
+import { compile, WorkBudget } from '../../../engine/index.ts';
+import { resolveLevel } from '../../../schema/index.ts';
+import { asGqCheck } from '../../proof/index.ts';
 import type { Start } from '../work.ts';
 
-/** All that the page shows of a level, with every run played to its end: for levels that would keep the page too busy. */
+/** What the runs of a level show, played to their end as far as `gq check` plays them: for levels that would keep the page too busy. */
 export const check: Start<'check'> = function* ({ file, accuracy }) {
   yield null;
-  const { verdict, provenBy, problems } = createProver().prove({ file, run: null, accuracy });
-  return { verdict, provenBy, problems };
+  const level = resolveLevel(file);
+  const options = asGqCheck(accuracy, new WorkBudget());
+  const runs = playRuns(compile(level, accuracy), options.maxTime, options.budget);
+  yield null;
+  return examineRuns(level, runs, options);
 };

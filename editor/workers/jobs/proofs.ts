@@ -1,31 +1,22 @@
-import { proveImpossible, proveMineralsUnreachable, verifyProof } from '../../../solver/index.ts';
-import type { Results } from '../protocol.ts';
+import { mineralsToProve, playRuns, proveGoalImpossible, proveMineralsLost } from '../../../check/index.ts';
+import { ACCURACIES, compile, DEFAULT_MAX_TIME, DEFAULT_MAX_WORK, TICK_RATE, WorkBudget } from '../../../engine/index.ts';
+import type { Played } from '../protocol.ts';
 import type { Start } from '../work.ts';
 
-/** Minerals that are asked about: each takes a moment. */
-const MOST_MINERALS = 20;
+const MAX_TICKS = Math.round(DEFAULT_MAX_TIME * TICK_RATE);
 
-/** Proves what can't be reached. Nothing is given that the separate checker doesn't confirm. */
-export const proofs: Start<'proofs'> = function* ({ level, accuracy }) {
-  const proof = proveImpossible(level, { accuracy });
-  const impossible = proof !== null && verifyProof(level, proof).ok ? proof : null;
-  const minerals: { index: number; proof: Results['proofs']['minerals'][number]['proof'] }[] = [];
-  yield { impossible, minerals };
-  for (const index of [...level.minerals.keys()].slice(0, MOST_MINERALS)) {
-    // minerals are in nobody's way: without the others the level is the same
-    const only = { ...level, minerals: [level.minerals[index]] };
-    const [found] = proveMineralsUnreachable(only, { accuracy });
-    if (found !== undefined && verifyProof(only, found).ok) {
-      minerals.push({
-        index,
-        proof: {
-          ...found,
-          about: { kind: 'mineral', index },
-          reason: found.reason.replaceAll('minerals[0]', `minerals[${index}]`),
-        },
-      });
-    }
-    yield { impossible, minerals: [...minerals] };
-  }
-  return { impossible, minerals };
+/** Proves what can't be reached, with as much work as `gq check` allows. Nothing is given that the separate checker doesn't confirm. */
+export const proofs: Start<'proofs'> = function* ({ level, accuracy, collected }) {
+  const budget = new WorkBudget(DEFAULT_MAX_WORK / 2);
+  const setting = ACCURACIES[accuracy];
+  const impossible = proveGoalImpossible(level, setting, { minerals: 'any' }, MAX_TICKS, budget);
+  yield { impossible, minerals: [] };
+  const asked = mineralsToProve(level, collected ?? collectedIn({ level, accuracy }));
+  return { impossible, minerals: proveMineralsLost(level, setting, asked, MAX_TICKS, budget) };
 };
+
+/** Indices of the minerals that some run of the level collects. */
+const collectedIn = ({ level, accuracy }: Played): number[] =>
+  playRuns(compile(level, accuracy), DEFAULT_MAX_TIME, new WorkBudget()).flatMap(({ minerals }) =>
+    minerals.map(({ index }) => index),
+  );

@@ -1,28 +1,49 @@
-import { compile, simulate } from '../../../engine/index.ts';
+import { proveGoalImpossible, verdictOf, withinWork } from '../../../check/index.ts';
+import { countMinerals } from '../../../check/words/index.ts';
+import {
+  ACCURACIES,
+  compile,
+  DEFAULT_MAX_TIME,
+  DEFAULT_MAX_WORK,
+  type Run,
+  simulate,
+  TICK_RATE,
+  WorkBudget,
+} from '../../../engine/index.ts';
 import { renderSvg } from '../../../picture/index.ts';
 import { readLevel } from '../../../schema/index.ts';
-import { proveImpossible, verifyProof } from '../../../solver/index.ts';
 import type { Start } from '../work.ts';
 
-/** Draws a level file small, with a run that completes it where it has one. */
+const MAX_TICKS = Math.round(DEFAULT_MAX_TIME * TICK_RATE);
+
+/** Draws a level file small, with a run that completes it where it has one; its verdict is that of `gq check`. */
 export const thumbnail: Start<'thumbnail'> = function* ({ text, accuracy, width, theme }) {
   const reading = readLevel(text, { byteOrderMark: 'skip' });
   if (!reading.ok) return { svg: '', verdict: 'invalid', minerals: 0 };
   const { level } = reading;
   const scene = compile(level, accuracy);
-  let shown = level.runs.length === 0 ? undefined : simulate(scene, level.runs[0].holds);
-  for (const { holds } of level.runs.slice(1)) {
-    if (shown?.outcome === 'completed') break;
-    yield null;
-    const run = simulate(scene, holds);
-    if (run.outcome === 'completed') shown = run;
+  const budget = new WorkBudget(DEFAULT_MAX_WORK);
+  const runs: Run[] = [];
+  for (const { holds } of level.runs) {
+    if (runs.length > 0) yield null;
+    runs.push(simulate(scene, holds, { budget }));
+    if (runs.at(-1)?.outcome === 'completed') break;
   }
-  const isCompleted = shown?.outcome === 'completed';
-  if (!isCompleted) yield null;
-  const proof = isCompleted ? null : proveImpossible(level, { accuracy });
-  const isImpossible = proof !== null && verifyProof(level, proof).ok;
-  const otherwise = shown === undefined ? 'unproven' : 'broken';
-  const verdict = isCompleted ? 'completable' : isImpossible ? 'impossible' : otherwise;
-  const minerals = new Set(shown?.minerals.map(({ index }) => index)).size;
-  return { svg: renderSvg(level, { run: shown, width, theme, words: false }), verdict, minerals };
+  const completing = runs.find(({ outcome }) => outcome === 'completed');
+  if (completing === undefined) yield null;
+  const proofs = new WorkBudget(DEFAULT_MAX_WORK / 2);
+  const isImpossible =
+    completing === undefined && proveGoalImpossible(level, ACCURACIES[accuracy], { minerals: 'any' }, MAX_TICKS, proofs) !== null;
+  const verdict = verdictOf({
+    isCompleted: completing !== undefined,
+    isImpossible,
+    runs: level.runs.length,
+    areAllPlayed: runs.every(({ stopped }) => stopped === null),
+  });
+  const shown = completing ?? runs[0];
+  const looks = { width, theme, words: false };
+  // the way of a run that cost too much is not drawn
+  const svg =
+    shown === undefined || shown.stopped !== null ? null : withinWork(budget, () => renderSvg(level, { run: shown, ...looks }));
+  return { svg: svg ?? renderSvg(level, looks), verdict, minerals: shown === undefined ? 0 : countMinerals(shown) };
 };

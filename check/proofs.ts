@@ -38,6 +38,15 @@ export interface LostMineral {
   readonly proof: Proof;
 }
 
+/** Of more minerals than this it is not asked in one check whether they can be collected: each takes a moment. */
+const MOST_MINERALS = 20;
+
+/** The minerals of which a check tries to prove that nobody collects them: of those that no run does, the first few. */
+export function mineralsToProve({ minerals }: Pick<Level, 'minerals'>, collected: Iterable<number>): number[] {
+  const known = new Set(collected);
+  return [...minerals.keys()].filter((index) => !known.has(index)).slice(0, MOST_MINERALS);
+}
+
 /** Those of some minerals of which it can quickly be proved that no run collects them; confirmed by the separate checker. */
 export function proveMineralsLost(
   level: Level,

@@ -1,0 +1,59 @@
+import { OUTDONE_WARNINGS } from '../../solver/index.ts';
+import { completesItself, type Findings, type MoreFindings, verdictOfFindings } from '../findings.ts';
+import type { Hints } from './hints.ts';
+import { foundRun, noRun, noRunFound, provedImpossible } from './level-problems.ts';
+import { mineralLost } from './mineral-lost.ts';
+import type { CheckProblem, LevelProblem } from './problem.ts';
+import { failedRun, hangingRun, tightRun } from './run-problems.ts';
+import { accuraciesCut, nearnessCut, runsCut } from './work-limit.ts';
+
+export type { Hints } from './hints.ts';
+export type { LevelProblem } from './problem.ts';
+
+/**
+ * Everything that is wrong with a level and what looks wrong, in the order in which it is told: what decides the verdict, then its
+ * runs, then minerals, then warnings.
+ */
+export function problemsOf(findings: Findings, hints: Hints): LevelProblem[] {
+  const { accuracy, range, ends, hangs, cuts, tight, lost } = findings;
+  const verdict = verdictOfFindings(findings);
+  const isCompletable = verdict === 'completable';
+  return [
+    ...ofTheLevel(findings, hints),
+    ...(cuts.runs === null ? [] : [runsCut(ends, cuts.runs, verdict === 'unproven', hints)]),
+    ...ends.flatMap((run, index) =>
+      run.outcome === 'completed' || run.isStopped ? [] : [failedRun(run, index, { accuracy, range }, isCompletable, hints)],
+    ),
+    ...hangs.map((hang) => hangingRun(hang, range, hints)),
+    ...(cuts.accuracies === null ? [] : [accuraciesCut(cuts.accuracies, hints)]),
+    ...tight.map((run) => tightRun(run, hints.search?.tightRun ?? '')),
+    ...lost.map(mineralLost),
+    ...(cuts.nearness === null ? [] : [nearnessCut(cuts.nearness, hints)]),
+    ...stillToBeWarnedOf(findings),
+  ];
+}
+
+/** What is proved of a level of which nothing else is known yet. */
+export const proofProblems = ({ impossible, lost }: Pick<MoreFindings, 'impossible' | 'lost'>, hints: Hints): LevelProblem[] => [
+  ...(impossible === null ? [] : [provedImpossible(impossible, hints)]),
+  ...lost.map(mineralLost),
+];
+
+/** What decides the verdict where none of its own runs completes the level. */
+function ofTheLevel(findings: Findings, hints: Hints): CheckProblem[] {
+  const { ends, impossible, searched } = findings;
+  if (completesItself(findings)) return [];
+  if (impossible !== null) return [provedImpossible(impossible, hints)];
+  const hasRuns = ends.length > 0;
+  if (searched === null) return hasRuns ? [] : [noRun(hints)];
+  return [searched.found === null ? noRunFound(searched, hints.search) : foundRun(searched.found, hasRuns, hints.search)];
+}
+
+/** Warnings but for those that say less than what is proved. */
+function stillToBeWarnedOf({ warnings, impossible, lost }: Findings): LevelProblem[] {
+  const outdone = impossible === null ? undefined : OUTDONE_WARNINGS[impossible.code];
+  const proved = new Set(lost.map(({ index }) => `/minerals/${index}`));
+  const isGuess = ({ code, pointer }: LevelProblem): boolean =>
+    code === outdone || ((code === 'mineral-out-of-reach' || code === 'mineral-covered') && proved.has(pointer));
+  return warnings.filter((warning) => !isGuess(warning));
+}

@@ -1,0 +1,53 @@
+import type { Hold, Problem } from '../../schema/index.ts';
+import type { Proof, ProofCode } from '../../solver/index.ts';
+import type { Searched } from '../findings.ts';
+import { type CheckCode, closestInWords, effortInWords, holdsInWords } from '../words/index.ts';
+import type { Hints, SearchHints } from './hints.ts';
+import type { CheckProblem } from './problem.ts';
+
+/** Of a level without runs that was not searched. */
+export const noRun = ({ firstRun }: Hints): CheckProblem =>
+  aboutLevel('no-run', 'error', 'the level has no run, so nothing shows that it can be completed', firstRun);
+
+/** Of a level that a search completed where its own runs don't. */
+export function foundRun(holds: readonly Hold[], hasRuns: boolean, hints: SearchHints | undefined): CheckProblem {
+  const scripted = hasRuns ? 'none of its runs completes the level' : 'the level has no run';
+  return aboutLevel(
+    'found-run',
+    'warning',
+    `${scripted}; a search found one that does: ${holdsInWords(holds)}`,
+    `keep it, so that the next check need not search${hints?.keepFound ?? ''}`,
+  );
+}
+
+/** Of a level for which a search found nothing. */
+export function noRunFound({ effort, closest }: Searched, hints: SearchHints | undefined): CheckProblem {
+  const by = closest === null ? '' : (hints?.nearestRun(holdsInWords(closest.holds)) ?? '');
+  const near = closest === null ? '' : `; the nearest was ${closestInWords(closest)}${by}`;
+  return aboutLevel(
+    'no-run-found',
+    'error',
+    `a search found no run that completes the level, and no proof that there is none: ${effortInWords(effort)} simulated${near}`,
+    hints?.nothingFound ?? '',
+  );
+}
+
+/** Proofs that say what is wrong where the black hole is; the others, what is wrong where she starts. */
+const ABOUT_THE_END: ReadonlySet<ProofCode> = new Set(['out-of-range', 'covered']);
+
+/** Of a level that nobody can complete. */
+export const provedImpossible = ({ code, reason }: Proof, { seeProof }: Hints): CheckProblem => ({
+  code: 'proved-impossible',
+  severity: 'error',
+  message: `nobody can complete this level: ${reason}`,
+  hint: `proved (${code}), and confirmed by a separate checker${seeProof}`,
+  pointer: ABOUT_THE_END.has(code) ? '/blackHole' : '/astronaut',
+});
+
+const aboutLevel = (code: CheckCode, severity: Problem['severity'], message: string, hint: string): CheckProblem => ({
+  code,
+  severity,
+  message,
+  hint,
+  pointer: '',
+});

@@ -1,0 +1,11 @@
+import type { LostMineral } from '../proofs.ts';
+import type { CheckProblem } from './problem.ts';
+
+/** Of a mineral that nobody can collect. */
+export const mineralLost = ({ index, proof }: LostMineral): CheckProblem => ({
+  code: 'mineral-never-collectable',
+  severity: 'warning',
+  message: `nobody can collect minerals[${index}]: ${proof.reason}`,
+  hint: `proved (${proof.code}), and confirmed by a separate checker: move the mineral, or what keeps her from it`,
+  pointer: `/minerals/${index}`,
+});

@@ -1,0 +1,70 @@
+import type { AccuracyHang } from '../accuracy-hangs.ts';
+import type { ScriptEnd } from '../findings.ts';
+import { MOST_RUNS, type TightRun, wantedTicks } from '../tight-runs.ts';
+import { holdsInWords, outcomeInWords, plural } from '../words/index.ts';
+import type { Hints } from './hints.ts';
+import type { CheckProblem } from './problem.ts';
+
+/** How a run was played. */
+interface Played {
+  /** Name of the setting. */
+  readonly accuracy: string;
+  /** px, of the level */
+  readonly range: number;
+}
+
+/**
+ * Of a run that does not complete its level: an error when none does, a warning beside one that does.
+ * @param index of the run in the level's list
+ * @param isCompletable something else shows that the level can be completed
+ */
+export function failedRun(
+  run: ScriptEnd,
+  index: number,
+  { accuracy, range }: Played,
+  isCompletable: boolean,
+  hints: Hints,
+): CheckProblem {
+  const todo = isCompletable ? 'another run does: mend this one or take it out' : 'move what is in the way or change the run';
+  return {
+    code: 'run-does-not-complete',
+    severity: isCompletable ? 'warning' : 'error',
+    message: `run ${JSON.stringify(run.name)} does not complete the level under ${accuracy}: ${outcomeInWords(run, range, hints.first)}`,
+    hint: `${todo}${hints.seeRun(run.name)}`,
+    pointer: `/runs/${index}`,
+  };
+}
+
+/** Of a run that completes the level at some accuracies and not at others. @param range of the level, px */
+export function hangingRun({ index, name, ends }: AccuracyHang, range: number, hints: Hints): CheckProblem {
+  const good = ends.filter(({ end }) => end.outcome === 'completed').map(({ accuracy }) => accuracy);
+  const bad = ends
+    .filter(({ end }) => end.outcome !== 'completed')
+    .map(({ accuracy, end }) => `${accuracy} (${outcomeInWords(end, range, hints.first)})`);
+  return {
+    code: 'verdict-hangs-on-accuracy',
+    severity: 'warning',
+    message: `run ${JSON.stringify(name)} completes the level under ${good.join(', ')}, but not under ${bad.join(', ')}`,
+    hint: `it hangs by a hair: give it more room, or change the run${hints.seeAccuracies(name)}`,
+    pointer: `/runs/${index}`,
+  };
+}
+
+/** Of a run that forgives less than it should: an error where so much is required. */
+export function tightRun(run: TightRun, hint: string): CheckProblem {
+  const { name, ticks, required, pointer } = run;
+  const wanted = wantedTicks(required);
+  const message = run.isExhausted
+    ? `${name}: that all its presses and releases may be off by ${plural(wanted, 'tick')} was not proved with ${MOST_RUNS} runs; ${plural(ticks, 'tick')} was`
+    : `${name} may have its presses and releases off by ${plural(ticks, 'tick')}, not by ${plural(ticks + 1, 'tick')}${exampleOf(run)}`;
+  return {
+    code: required === null ? 'low-slack' : 'slack-below-required',
+    severity: required === null ? 'warning' : 'error',
+    message: required === null ? message : `${message}; ${wanted} required`,
+    hint,
+    pointer,
+  };
+}
+
+const exampleOf = ({ holds, counterexample }: TightRun): string =>
+  counterexample === null ? '' : `: ${holdsInWords(counterexample)} instead of ${holdsInWords(holds)} fails`;

@@ -1,0 +1,32 @@
+import type { Overrun, ScriptEnd } from '../findings.ts';
+import { plural } from '../words/index.ts';
+import type { Hints } from './hints.ts';
+import type { CheckProblem } from './problem.ts';
+
+/** Of runs that were not played to their end. @param isUnproven nothing else decides the verdict */
+export function runsCut(ends: readonly ScriptEnd[], by: Overrun, isUnproven: boolean, hints: Hints): CheckProblem {
+  const index = ends.findIndex(({ isStopped }) => isStopped);
+  const { name, tick } = ends[index];
+  const more = ends.filter(({ isStopped }) => isStopped).length - 1;
+  const others = more > 0 ? `, and ${plural(more, 'run')} after it not at all` : '';
+  const what = `run ${JSON.stringify(name)} was not played beyond tick ${tick}${others}`;
+  return { ...workLimit(what, `/runs/${index}`, by, hints), severity: isUnproven ? 'error' : 'warning' };
+}
+
+export const accuraciesCut = (by: Overrun, hints: Hints): CheckProblem =>
+  workLimit('whether its runs complete it at every accuracy was not looked at', '/runs', by, hints);
+
+export const nearnessCut = (by: Overrun, hints: Hints): CheckProblem =>
+  workLimit('what its runs come near to was not looked at', '/runs', by, hints);
+
+/** @param what was left out, as a sentence begins */
+function workLimit(what: string, pointer: string, { maxWork, of }: Overrun, { moreWork }: Hints): CheckProblem {
+  const ran = of === 'work' ? `more than the ${maxWork} pieces of motion allowed` : 'more memory for its recording than allowed';
+  return {
+    code: 'work-limit',
+    severity: 'warning',
+    message: `${what}: that takes ${ran}`,
+    hint: `take out what the level does not need${moreWork}`,
+    pointer,
+  };
+}

@@ -1,0 +1,14 @@
+export { type Advice, type CheckCode, explainCodes } from './codes.ts';
+export { closestInWords, effortInWords } from './effort.ts';
+export { holdsInWords } from './holds.ts';
+export {
+  bodyInWords,
+  countMinerals,
+  type FirstIndex,
+  outcomeAsPredicate,
+  outcomeInWords,
+  type RunEnd,
+  reasonInWords,
+} from './outcome.ts';
+export { plural } from './plural.ts';
+export { VERDICT_MEANS } from './verdict.ts';

@@ -1,0 +1,79 @@
+import type { Outcome, Run, Touched } from '../../engine/index.ts';
+import { KINDS, nameWhenTouched } from '../../schema/index.ts';
+
+/** How a run ended. */
+export interface RunEnd {
+  readonly outcome: Outcome;
+  /** What she touched; null: nothing. */
+  readonly with: Touched | null;
+  /** s from the start */
+  readonly time: number;
+  /** the tick of 1/60 s in which it ended */
+  readonly tick: number;
+}
+
+/** The number of the first object of a kind: 0 where a file is spoken of, as in its lists; 1 where people count what they see. */
+export type FirstIndex = 0 | 1;
+
+/** `nova 2`, `the black hole`. */
+export const bodyInWords = ({ kind, index }: Touched, first: FirstIndex = 0): string =>
+  KINDS[kind].list === null ? `the ${KINDS[kind].one}` : `${nameWhenTouched(kind)} ${first + index}`;
+
+const touchedInWords = (touched: Touched | null, first: FirstIndex): string =>
+  touched === null ? 'something' : bodyInWords(touched, first);
+
+/**
+ * How a run ended, as a report has it: `collided with nova 2 at 3.217 s (tick 193)`.
+ * @param range of the level, px
+ */
+export function outcomeInWords(end: RunEnd, range: number, first: FirstIndex = 0): string {
+  const when = `at ${end.time.toFixed(3)} s (tick ${end.tick})`;
+  switch (end.outcome) {
+    case 'completed':
+      return `completed ${when}`;
+    case 'collided':
+      return `collided with ${touchedInWords(end.with, first)} ${when}`;
+    case 'lost':
+      return `lost ${when}: farther than ${range} px from every asteroid`;
+    case 'timeout':
+      return `nothing ended it within ${Number(end.time.toFixed(3))} s`;
+  }
+}
+
+/**
+ * The same as what follows a subject, "she" or the name of a run, in a sentence to people who see the level: `collides with nova 3 at 3.22 s`.
+ * @param range of the level, px
+ */
+export function outcomeAsPredicate(end: RunEnd, range: number): string {
+  const when = `at ${end.time.toFixed(2)} s`;
+  switch (end.outcome) {
+    case 'completed':
+      return `reaches the black hole ${when}`;
+    case 'collided':
+      return `collides with ${touchedInWords(end.with, 1)} ${when}`;
+    case 'lost':
+      return `is lost ${when}, farther than ${range} px from every asteroid`;
+    case 'timeout':
+      return `goes on without an end for ${end.time} s`;
+  }
+}
+
+/**
+ * Why a run failed, in a few words for the place where it did: `hits nova 3`; null: it did not.
+ * @param range of the level, px
+ */
+export function reasonInWords(end: RunEnd, range: number): string | null {
+  switch (end.outcome) {
+    case 'completed':
+      return null;
+    case 'collided':
+      return `hits ${touchedInWords(end.with, 1)}`;
+    case 'lost':
+      return `lost: farther than ${range} px from every asteroid`;
+    case 'timeout':
+      return `still under way after ${end.time} s`;
+  }
+}
+
+/** How many different minerals a run collected; `arcade` may count one twice. */
+export const countMinerals = (run: Pick<Run, 'minerals'>): number => new Set(run.minerals.map(({ index }) => index)).size;

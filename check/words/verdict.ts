@@ -1,0 +1,10 @@
+import type { Verdict } from '../../schema/index.ts';
+
+/** What a verdict on a level means where it needs attention, as a sentence begins. */
+export const VERDICT_MEANS: Readonly<Record<Exclude<Verdict, 'completable'>, string>> = {
+  broken: 'none of its runs completes it',
+  unproven: 'nothing shows that it can be completed',
+  impossible: 'proved that nobody can complete it',
+  invalid: 'the file is not a valid level',
+  crashed: 'gq itself failed',
+};

@@ -1,0 +1,27 @@
+import type { AccuracyName } from '../../engine/index.ts';
+import type { Level, LevelFile } from '../../schema/index.ts';
+import type { LiveProof } from './answer.ts';
+
+/** What a worker is to prove of a level. */
+export interface ProofQuestion {
+  readonly level: Level;
+  readonly accuracy: AccuracyName;
+  /** Indices of the minerals that some run collects: these need no question. null: the page does not know. */
+  readonly collected: readonly number[] | null;
+}
+
+/** What a worker is to prove of the level; null: a run shows all there is, or nothing is to be looked at. */
+export function toProve(proof: LiveProof): ProofQuestion | null {
+  const { level, accuracy, verdict, run, limit } = proof;
+  if (limit === 'unchecked') return null;
+  if (verdict === 'completable' && run.minerals.length === level.minerals.length) return null;
+  return { level, accuracy, collected: proof.findings?.collected ?? null };
+}
+
+/** What a worker is to play since the page has left it out; null: nothing. */
+export const toPlay = ({
+  file,
+  accuracy,
+  limit,
+}: Pick<LiveProof, 'file' | 'accuracy' | 'limit'>): { readonly file: LevelFile; readonly accuracy: AccuracyName } | null =>
+  limit === null || limit === 'unchecked' ? null : { file, accuracy };

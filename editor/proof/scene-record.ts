@@ -1,0 +1,85 @@
+import type { RunEnd } from '../../check/words/index.ts';
+import {
+  type AccuracyName,
+  compile,
+  createSimulation,
+  DEFAULT_MAX_TIME,
+  type Ending,
+  playScript,
+  type Run,
+  type Scene,
+  simulate,
+  TICK,
+  TICK_RATE,
+  WorkBudget,
+  WorkLimitReached,
+} from '../../engine/index.ts';
+import { type Hold, type Level, type LevelFile, OBJECT_LISTS } from '../../schema/index.ts';
+import { March } from './march.ts';
+import type { MarchRoom } from './march-room.ts';
+
+/** Ticks between two looks at the clock. */
+const STRIDE = 60;
+
+export const MAX_TICKS = Math.round(DEFAULT_MAX_TIME * TICK_RATE);
+
+export const toEnd = (ending: Ending | null): RunEnd =>
+  ending ?? { outcome: 'timeout', with: null, time: MAX_TICKS * TICK, tick: MAX_TICKS };
+
+/** Whether two files have the same objects, so that they play alike. What they share is compared at once. */
+export function playsAlike(a: LevelFile, b: LevelFile): boolean {
+  if (a.range !== b.range || a.recoil !== b.recoil || a.astronaut !== b.astronaut || a.blackHole !== b.blackHole) return false;
+  return OBJECT_LISTS.every((list) => a[list] === b[list]);
+}
+
+/** What is known of one scene: runs by their holds. */
+export class SceneRecord {
+  readonly scene: Scene;
+  readonly march: March;
+  /** What is played for one answer. */
+  readonly budget: WorkBudget;
+  private readonly ends = new Map<string, RunEnd>();
+  private readonly fulls = new Map<string, Run>();
+
+  constructor(
+    readonly file: LevelFile,
+    level: Level,
+    readonly accuracy: AccuracyName,
+    room: MarchRoom,
+    /** pieces of motion for one answer */
+    readonly work: number,
+  ) {
+    this.scene = compile(level, accuracy);
+    this.budget = new WorkBudget(work, Number.POSITIVE_INFINITY);
+    this.march = new March(this.scene, MAX_TICKS, room, this.budget);
+  }
+
+  /** How a script ends; nothing else is recorded. @param holds sorted and disjoint @returns null: it was given up */
+  end(holds: readonly Hold[], isLate: () => boolean): RunEnd | null {
+    const key = holds.join();
+    const known = this.ends.get(key);
+    if (known !== undefined) return known;
+    try {
+      const simulation = createSimulation(this.scene, this.budget);
+      while (simulation.ending === null && simulation.tick < MAX_TICKS) {
+        if (isLate()) return null;
+        playScript(simulation, holds, Math.min(MAX_TICKS, simulation.tick + STRIDE));
+      }
+      const end = toEnd(simulation.ending);
+      this.ends.set(key, end);
+      return end;
+    } catch (error) {
+      if (error instanceof WorkLimitReached) return null;
+      throw error;
+    }
+  }
+
+  full(holds: readonly Hold[]): Run {
+    const key = holds.join();
+    const run = this.fulls.get(key) ?? simulate(this.scene, holds);
+    // dragging a hold asks for a new one each time
+    if (this.fulls.size > 64) this.fulls.clear();
+    this.fulls.set(key, run);
+    return run;
+  }
+}

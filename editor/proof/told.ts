@@ -1,0 +1,61 @@
+import {
+  findingsOf,
+  type LevelProblem,
+  type LevelVerdict,
+  type LostMineral,
+  onceProved,
+  problemsOf,
+  proofProblems,
+  type RunFindings,
+  unproved,
+  verdictOfFindings,
+} from '../../check/index.ts';
+import type { Problem } from '../../schema/index.ts';
+import type { Proof } from '../../solver/index.ts';
+import type { LiveProof } from './answer.ts';
+import { PAGE_HINTS } from './hints.ts';
+import { limitProblem, proofsGivenUp } from './left-out.ts';
+
+/** What a worker has proved of a level. */
+export interface Proved {
+  readonly impossible: Proof | null;
+  readonly minerals: readonly LostMineral[];
+  /** Why what is left was not looked for to the end; null: it was, or is going on. */
+  readonly gaveUp?: string | null;
+}
+
+/** What a worker has found out about a level that the page does not play itself. */
+export interface FoundByWorker {
+  /** null: it gave up, too */
+  readonly result: RunFindings | null;
+  /** Why it did. */
+  readonly message: string;
+}
+
+/** The verdict on a level as far as it is known. @param worker null: it was not asked, or is not done */
+export function toldVerdict(
+  { verdict: own }: Pick<LiveProof, 'verdict'>,
+  worker: FoundByWorker | null,
+  { impossible }: Pick<Proved, 'impossible'>,
+): LevelVerdict {
+  const played = worker === null || worker.result === null ? null : verdictOfFindings({ ...worker.result, ...unproved });
+  // a run that completes it is enough
+  return onceProved(own === 'completable' ? own : (played ?? own), impossible !== null);
+}
+
+/** The problems of a level as far as they are known; `line` and `column` are null. @param worker null: it was not asked, or is not done */
+export function toldProblems(
+  { findings: own, limit }: Pick<LiveProof, 'findings' | 'limit'>,
+  worker: FoundByWorker | null,
+  { impossible, minerals: lost, gaveUp = null }: Proved,
+): Problem[] {
+  const findings = own ?? worker?.result ?? null;
+  const told: LevelProblem[] = [];
+  if (findings !== null) told.push(...problemsOf(findingsOf(findings, { impossible, lost }), PAGE_HINTS));
+  else {
+    told.push(...proofProblems({ impossible, lost }, PAGE_HINTS));
+    if (limit !== null) told.push(limitProblem(limit, worker?.message ?? null));
+  }
+  if (gaveUp !== null && impossible === null) told.push(proofsGivenUp(gaveUp));
+  return told.map((problem) => ({ ...problem, line: null, column: null }));
+}

@@ -1,0 +1,135 @@
+import { describe, expect, it } from 'vitest';
+import { type Findings, problemsOf } from '../../check/index.ts';
+import type { CheckCode } from '../../check/words/index.ts';
+import { CHECK_CODES } from '../../cli/check/codes.ts';
+import { commandHints } from '../../cli/check/hints.ts';
+import { crashedLevel, unreadableLevel } from '../../cli/check/refused-level.ts';
+import { explanationOf } from '../../editor/panels/problems/explanations.ts';
+import { PAGE_HINTS } from '../../editor/proof/hints.ts';
+import { ACCURACIES, DEFAULT_MAX_TIME, WARNING_CODES } from '../../engine/index.ts';
+import { CODES, resolveLevel } from '../../schema/index.ts';
+import { proveImpossible, proveMineralsUnreachable } from '../../solver/index.ts';
+import { gq } from '../cli/gq.ts';
+
+const all = [...CHECK_CODES, ...CODES, ...WARNING_CODES];
+
+const far = resolveLevel({
+  version: 1,
+  name: 'far',
+  astronaut: { x: 0, y: 0 },
+  blackHole: { x: 9000, y: 0 },
+  asteroids: [{ x: 100, y: 0, radius: 16 }],
+  minerals: [{ x: 0, y: 9000 }],
+});
+const impossible = proveImpossible(far);
+const [unreachable] = proveMineralsUnreachable(far);
+
+const NOTHING: Findings = {
+  accuracy: ACCURACIES.precise.name,
+  range: 250,
+  ends: [],
+  collected: [],
+  hangs: [],
+  warnings: [],
+  cuts: { runs: null, accuracies: null, nearness: null },
+  impossible: null,
+  lost: [],
+  searched: null,
+  tight: [],
+};
+const DRIFT = { name: 'drift', outcome: 'timeout', with: null, time: DEFAULT_MAX_TIME, tick: 3600, isStopped: false } as const;
+const THROUGH = { ...DRIFT, name: 'through', outcome: 'completed', time: 2, tick: 120 } as const;
+const TIGHT = {
+  holds: [[1, 2]],
+  name: 'run "through"',
+  pointer: '/runs/0',
+  ticks: 0,
+  counterexample: [[1, 3]],
+  isExhausted: false,
+} as const;
+const EFFORT = { runs: 3, ticks: 400 };
+
+/** For each code that a check of a level can report: what has to be found for it. */
+const FOUND: Readonly<Record<Exclude<CheckCode, 'unreadable-file' | 'crashed'>, Partial<Findings>>> = {
+  'run-does-not-complete': { ends: [DRIFT] },
+  'no-run': {},
+  'found-run': { searched: { found: [[4, 9]], effort: EFFORT, closest: null } },
+  'no-run-found': { searched: { found: null, effort: EFFORT, closest: { distance: 12.34, tick: 30, holds: [[4, 9]] } } },
+  'proved-impossible': { impossible },
+  'mineral-never-collectable': { ends: [THROUGH], lost: [{ index: 0, proof: unreachable }] },
+  'low-slack': { ends: [THROUGH], tight: [{ ...TIGHT, required: null }] },
+  'slack-below-required': { ends: [THROUGH], tight: [{ ...TIGHT, required: 2 }] },
+  'verdict-hangs-on-accuracy': {
+    ends: [THROUGH],
+    hangs: [
+      {
+        index: 0,
+        name: 'through',
+        ends: [
+          { accuracy: 'precise', end: THROUGH },
+          { accuracy: 'arcade', end: DRIFT },
+        ],
+      },
+    ],
+  },
+  'work-limit': { ends: [{ ...DRIFT, isStopped: true }], cuts: { ...NOTHING.cuts, runs: { maxWork: 9, of: 'work' } } },
+};
+
+describe('every code that a check can report', () => {
+  it.each(Object.entries(FOUND))('%s is reported where it is found, alone, and is explained', (code, found) => {
+    const problems = problemsOf({ ...NOTHING, ...found }, commandHints('a b.level.json'));
+    expect(problems.map((problem) => problem.code)).toEqual([code]);
+    const explanation = all.find((entry) => entry.code === code);
+    expect(problems[0].severity).toBe(explanation?.severity);
+    expect(problems[0].message).not.toMatch(/undefined|\[object/);
+    expect(problems[0].hint).not.toBe('');
+  });
+
+  it('of files that are no levels are explained, too', () => {
+    const explained = all.map(({ code }) => code);
+    const [unreadable] = unreadableLevel('a.level.json', 'no such file').problems;
+    const [crashed] = crashedLevel('a.level.json', new Error('bug')).problems;
+    expect([unreadable.code, crashed.code]).toEqual(['unreadable-file', 'crashed']);
+    for (const { code } of [unreadable, crashed]) expect(explained).toContain(code);
+    // what is listed above is all that is explained: nothing is explained that nobody reports
+    expect(CHECK_CODES.map(({ code }) => code).sort()).toEqual([...Object.keys(FOUND), unreadable.code, crashed.code].sort());
+  });
+
+  it('is explained once, under a title that reads on after "code (error):"', () => {
+    expect(new Set(all.map(({ code }) => code)).size).toBe(all.length);
+    for (const { code, title, why, fix } of all) {
+      expect(code).toMatch(/^[a-z0-9]+(-[a-z0-9]+)*$/);
+      // begins small, but for a word that is always written so (NaN)
+      expect(title, code).toMatch(/^(?:[a-z]|\w+[A-Z]).*[^.]$/s);
+      expect(why, code).toMatch(/\.$/);
+      expect(fix, code).toMatch(/[.:`)]$/);
+    }
+  });
+
+  const oneLine = (text: string) => text.replaceAll(/\s+/g, ' ');
+
+  it.each(all)('$code is what gq explain shows', async ({ code, severity, title, why, fix }) => {
+    const [pretty, json] = await Promise.all([gq(['explain', code]), gq(['explain', code, '--format', 'json'])]);
+    expect([pretty.code, json.code]).toEqual([0, 0]);
+    expect(pretty.stdout.split('\n')[0]).toBe(`${code} (${severity}): ${title}`);
+    expect(oneLine(pretty.stdout)).toContain(oneLine(why));
+    expect(oneLine(pretty.stdout)).toContain(`How to fix it ${oneLine(fix)}`);
+    expect(JSON.parse(json.stdout)).toMatchObject({ code, severity, title, why, fix });
+  });
+});
+
+describe('the page', () => {
+  const told = Object.entries(FOUND).filter(([, { searched, tight }]) => searched === undefined && tight === undefined);
+
+  it.each(told)('explains %s, which it can tell, by the same reasons, and brings its own hints', (code, found) => {
+    const [there] = problemsOf({ ...NOTHING, ...found }, commandHints('a.level.json'));
+    const [here] = problemsOf({ ...NOTHING, ...found }, PAGE_HINTS);
+    expect({ ...here, hint: '' }).toEqual({ ...there, hint: '' });
+    expect(here.hint).not.toMatch(/\bgq\b|--/);
+    const byCommand = CHECK_CODES.find((entry) => entry.code === code);
+    const onPage = explanationOf(code);
+    expect([onPage?.title, onPage?.severity]).toEqual([byCommand?.title, byCommand?.severity]);
+    expect(onPage?.why.slice(0, 60)).toBe(byCommand?.why.slice(0, 60));
+    expect(onPage?.fix).not.toMatch(/\bgq\b|--/);
+  });
+});

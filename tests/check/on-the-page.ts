@@ -1,0 +1,70 @@
+import { inPageWords } from '../../editor/document/index.ts';
+import { readText } from '../../editor/files/index.ts';
+import {
+  createProver,
+  type FoundByWorker,
+  type LiveProof,
+  type Proved,
+  toldProblems,
+  toldVerdict,
+  toPlay,
+  toProve,
+} from '../../editor/proof/index.ts';
+import type { JobKind, Requests, Results } from '../../editor/workers/index.ts';
+import { JOBS } from '../../editor/workers/jobs/index.ts';
+import type { Start } from '../../editor/workers/work.ts';
+import type { AccuracyName } from '../../engine/index.ts';
+import type { Problem } from '../../schema/index.ts';
+
+/** What is said of a level, at either place: everything but hints. */
+export interface Said {
+  readonly verdict: string;
+  readonly problems: readonly Omit<Problem, 'hint'>[];
+}
+
+/** Does a job as a worker does, at once. */
+function work<K extends JobKind>(kind: K, request: Requests[K]): Results[K] {
+  const steps = (JOBS[kind] as Start<K>)(request, () => 0);
+  for (;;) {
+    const step = steps.next();
+    if (step.done === true) return step.value;
+  }
+}
+
+/** As it comes back from a worker. */
+const sent = <T>(message: T): T => structuredClone(message);
+
+const NOTHING: Proved = { impossible: null, minerals: [] };
+
+/** What a worker finds where the page has left something out; null: it has not. */
+function foundByWorker(proof: LiveProof): FoundByWorker | null {
+  const question = toPlay(proof);
+  return question === null ? null : { result: sent(work('check', question)), message: '' };
+}
+
+function proved(proof: LiveProof): Proved {
+  const question = toProve(proof);
+  return question === null ? NOTHING : sent(work('proofs', sent(question)));
+}
+
+const shown = ({ code, severity, message, pointer, line, column }: Problem): Said['problems'][number] => {
+  return { code, severity, message: inPageWords(message), pointer, line, column };
+};
+
+/**
+ * What the page says of a level file: its verdict in the top bar, and its list of problems in the words of the panel, once all workers are done.
+ * @param most pieces of motion that the page plays itself
+ */
+export function onThePage(source: string | Uint8Array, accuracy: AccuracyName, most?: number): Said {
+  const read = readText(source);
+  if (!read.ok) return { verdict: 'invalid', problems: read.problems.map(shown) };
+  // a clock that stands still: nothing is given up since this machine is slow
+  const proof = createProver(() => 0, most).prove({ file: read.file, run: null, accuracy, patience: 1 });
+  const worker = foundByWorker(proof);
+  const known = proved(proof);
+  return { verdict: toldVerdict(proof, worker, known), problems: toldProblems(proof, worker, known).map(shown) };
+}
+
+/** The verdict that the list of levels shows beside a file's picture. */
+export const inTheList = (text: string, accuracy: AccuracyName): string =>
+  work('thumbnail', { text, accuracy, width: 100, theme: 'dark' }).verdict;

@@ -1,0 +1,187 @@
+import { readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { HEAVY_LEVELS } from '../../bench/soak/heavy-levels.ts';
+import { inPageWords } from '../../editor/document/index.ts';
+import { ACCURACIES, type AccuracyName } from '../../engine/index.ts';
+import { checkReportSchema, type LevelReport } from '../../schema/index.ts';
+import { gq, makeFiles } from '../cli/gq.ts';
+import { BAD_LEVELS } from '../schema/fixtures/bad-levels.ts';
+import { inTheList, onThePage, type Said } from './on-the-page.ts';
+import { PROBLEM_LEVELS } from './problem-levels.ts';
+
+const root = join(import.meta.dirname, '..', '..');
+
+/** Where the two may say something else, and why: nothing but this may differ. */
+const EXCEPTIONS = {
+  'objects are counted from 1': {
+    why: 'the command line speaks of a file, whose lists begin with 0, the page of what is seen, where people begin with 1',
+    applies: () => true,
+    // what lists hold (`minerals[0]`) both have in the same form, and the panel translates it as it is shown
+    onThePage: ({ verdict, problems }: Said): Said => ({
+      verdict,
+      problems: problems.map((problem) => ({
+        ...problem,
+        message: inPageWords(problem.message).replace(
+          /\b(collided with (?:nova|hot asteroid|alien)) (\d+)/g,
+          (_, what: string, index: string) => `${what} ${Number(index) + 1}`,
+        ),
+      })),
+    }),
+  },
+  'a byte order mark is skipped': {
+    why: 'the page reads what other programs wrote and writes it anew without the mark; in a file that is checked it would stay',
+    applies: ({ problems }: Said) => problems.some(({ code }) => code === 'byte-order-mark'),
+  },
+  'what the page can play it plays to the end': {
+    why: 'the page records nothing of runs that are not shown, which takes less work than a check counts: it says what a check says that is allowed more',
+    applies: (name: string) => name === 'heavy: many holds',
+    maxWork: 1e8,
+  },
+} as const;
+
+interface LevelSource {
+  readonly name: string;
+  readonly source: string | Uint8Array;
+}
+
+const levelsIn = (folder: string): LevelSource[] =>
+  readdirSync(join(root, folder)).map((name) => ({ name: `${folder}/${name}`, source: readFileSync(join(root, folder, name)) }));
+
+const SOURCES: readonly LevelSource[] = [
+  ...levelsIn('levels'),
+  ...levelsIn('tests/cli/fixtures/levels'),
+  ...Object.entries(PROBLEM_LEVELS).map(([name, file]) => ({ name, source: JSON.stringify(file) })),
+];
+/** Whatever the accuracy, they are no levels. */
+const REFUSED: readonly LevelSource[] = BAD_LEVELS.map(({ name, source }) => ({ name: `refused: ${name}`, source }));
+/** What takes more work than `gq check` allows. */
+const HEAVY: readonly LevelSource[] = [
+  // the page leaves it to a worker, which gives up where the check does
+  { name: 'heavy: aliens', source: JSON.stringify({ ...HEAVY_LEVELS['awake-aliens'](0.1), blackHole: { x: 240, y: 0 } }) },
+  { name: 'heavy: aliens on the path', source: JSON.stringify(HEAVY_LEVELS['two-thousand-aliens-on-the-path'](0.3)) },
+  { name: 'heavy: many holds', source: JSON.stringify(HEAVY_LEVELS['many-holds'](0.3)) },
+];
+
+const fileOf = (index: number): string => `${String(index).padStart(4, '0')}.level.json`;
+const ALL = [...SOURCES, ...REFUSED, ...HEAVY];
+const files = makeFiles(Object.fromEntries(ALL.map(({ source }, i) => [fileOf(i), source])));
+afterAll(files.remove);
+
+/** What `gq check` says of each, in the order of the list. */
+async function onTheCommandLine(
+  list: readonly LevelSource[],
+  accuracy: AccuracyName,
+  more: readonly string[] = [],
+): Promise<Said[]> {
+  const names = list.map((source) => fileOf(ALL.indexOf(source)));
+  // so many files at once that minerals would not be proved: in parts
+  const said: Said[] = [];
+  for (let from = 0; from < names.length; from += 60) {
+    const part = names.slice(from, from + 60);
+    const args = ['check', ...part, '--accuracy', accuracy, '--format', 'json', '--jobs', '2', ...more];
+    const { stdout, stderr } = await gq(args, { cwd: files.directory });
+    expect(stderr).toBe('');
+    const { levels } = checkReportSchema.parse(JSON.parse(stdout));
+    expect(levels.map(({ file }) => file)).toEqual(part);
+    said.push(...levels.map(({ verdict, problems }: LevelReport) => ({ verdict, problems })));
+  }
+  return said;
+}
+
+/** A place in the text is known where a file is read; on the page a level that could be read has none. */
+const withoutPlaces = ({ verdict, problems }: Said): Said => ({
+  verdict,
+  problems: problems.map((problem) => ({ ...problem, line: null, column: null })),
+});
+
+const told = new Set<string>();
+
+function compare({ source }: LevelSource, accuracy: AccuracyName, byCommand: Said): void {
+  told.add(byCommand.verdict);
+  for (const { code, severity, pointer, message } of byCommand.problems) {
+    told.add(`${code} ${severity}`);
+    for (const [hit] of message.matchAll(/collided with (?:nova|hot asteroid|alien)/g)) told.add(hit);
+    if (code === 'proved-impossible') told.add(`${code} ${pointer}`);
+  }
+  const { 'objects are counted from 1': counting, 'a byte order mark is skipped': mark } = EXCEPTIONS;
+  const onPage = onThePage(source, accuracy);
+  if (mark.applies(byCommand)) {
+    expect(onPage.problems.map(({ code }) => code)).not.toContain('byte-order-mark');
+    return;
+  }
+  const expected = counting.onThePage(byCommand);
+  expect(onPage).toEqual(byCommand.verdict === 'invalid' ? expected : withoutPlaces(expected));
+}
+
+describe.each(Object.keys(ACCURACIES) as AccuracyName[])('the page and gq check say the same under %s of', (accuracy) => {
+  let said: Said[] = [];
+  beforeAll(async () => {
+    said = await onTheCommandLine(SOURCES, accuracy);
+  });
+
+  it.each(SOURCES.map((level, i) => [level.name, level, i] as const))('%s', (_, level, i) => {
+    compare(level, accuracy, said[i]);
+    const text = typeof level.source === 'string' ? level.source : new TextDecoder().decode(level.source);
+    expect(inTheList(text, accuracy)).toBe(said[i].verdict);
+  });
+});
+
+describe('the page and gq check say the same', () => {
+  it('of whatever is no level', async () => {
+    const said = await onTheCommandLine(REFUSED, 'precise');
+    for (const [i, level] of REFUSED.entries()) compare(level, 'precise', said[i]);
+  });
+
+  it('of what takes more work than is allowed', async () => {
+    const { applies, maxWork } = EXCEPTIONS['what the page can play it plays to the end'];
+    const said = await onTheCommandLine(HEAVY, 'precise');
+    for (const [i, level] of HEAVY.entries()) {
+      expect(said[i].problems.map(({ code }) => code)).toContain('work-limit');
+      const [allowedMore] = applies(level.name)
+        ? await onTheCommandLine([level], 'precise', ['--max-work', String(maxWork)])
+        : [];
+      compare(level, 'precise', allowedMore ?? said[i]);
+    }
+  });
+
+  it('of levels that a worker has to play', async () => {
+    const few = SOURCES.filter(({ name }) => /^levels\/0/.test(name) || !name.includes('/'));
+    const said = await onTheCommandLine(few, 'precise');
+    let left = 0;
+    for (const [i, { source }] of few.entries()) {
+      const expected = withoutPlaces(EXCEPTIONS['objects are counted from 1'].onThePage(said[i]));
+      expect(onThePage(source, 'precise', 3)).toEqual(expected);
+      left++;
+    }
+    expect(left).toBeGreaterThan(20);
+  });
+});
+
+// or the test would not be about them
+it('what is compared has every problem that the page can tell, and every verdict', () => {
+  for (const each of [
+    'no-run error',
+    'run-does-not-complete error',
+    'run-does-not-complete warning',
+    'proved-impossible /blackHole',
+    'proved-impossible /astronaut',
+    'mineral-never-collectable warning',
+    'verdict-hangs-on-accuracy warning',
+    'work-limit warning',
+    'work-limit error',
+    'same-place warning',
+    'holds-unsorted warning',
+    'unknown-key error',
+    'completable',
+    'broken',
+    'unproven',
+    'impossible',
+    'invalid',
+    'collided with nova',
+    'collided with hot asteroid',
+    'collided with alien',
+  ]) {
+    expect([...told], each).toContain(each);
+  }
+});
