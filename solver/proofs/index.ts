@@ -7,6 +7,7 @@ export type {
   BoxNumbers,
   Certificate,
   DeadEnd,
+  Direction,
   Doomed,
   Drift,
   FanGrid,

@@ -1,9 +1,10 @@
 import { GUN_PULL, HALF_WIDTH, REPULSOR_PUSH, TICK } from '../../engine/index.ts';
-import type { BoxNumbers, Doomed, FanGrid } from '../proofs/index.ts';
-import { driftIn, FAR_FROM_LIMIT } from './assumptions.ts';
+import type { BoxNumbers, Doomed, FanGrid, ThingRef } from '../proofs/index.ts';
+import { FAR_FROM_LIMIT } from './assumptions.ts';
 import type { Claim } from './claim.ts';
 import { standingHazard } from './hazards.ts';
 import type { Point } from './rounded.ts';
+import { type Circle, isAxis, isCount, isFrom, type TurnedScene, turnedScene } from './turned-scene.ts';
 
 /** All numbers from the first to the second. */
 type Interval = readonly [number, number];
@@ -17,7 +18,6 @@ export interface Box {
 }
 
 export type Rectangle = Pick<Box, 'x' | 'y'>;
-type Circle = Point & { readonly radius: number };
 
 /** Rounding of a step is far below this, px and px/s. */
 const ROUNDING = 1e-7;
@@ -51,7 +51,8 @@ export function checkDoomed(claim: Claim, { grid, layers }: Doomed): string | nu
   if (claim.frames && Math.max(Math.abs(x), Math.abs(y)) > FAR_OUT) return 'with frames places so far out are too coarse';
   const scene = turnedScene(claim, grid.axis);
   const seconds = grid.frames * TICK;
-  let after: Box[] = [scene.start];
+  const blocked = blockedDiscs(claim, scene);
+  let after: Box[] = [startOf(scene)];
   let looked = 0;
   for (let n = 0; n <= layers.length; n++) {
     const boxes = (layers[n] ?? []).map(boxOf);
@@ -60,7 +61,7 @@ export function checkDoomed(claim: Claim, { grid, layers }: Doomed): string | nu
       if (++looked > MOST_PIECES) return 'it takes too many boxes to follow her';
       const box = inCells.get(cellOf(piece, grid));
       if (box !== undefined && holds(box, piece)) continue;
-      if (n === 0 || !isOver(scene, piece, n * seconds))
+      if (n === 0 || !isOver(scene, blocked, piece, n * seconds))
         return n < layers.length
           ? `its sets do not hold all that she may do by step ${n}`
           : `some runs may go on after ${n} steps`;
@@ -78,14 +79,8 @@ export function checkDoomed(claim: Claim, { grid, layers }: Doomed): string | nu
   return null;
 }
 
-const isFrom = (least: number, most: number, n: unknown): n is number => typeof n === 'number' && n >= least && n <= most;
-
-function isGrid(grid: FanGrid | undefined): grid is FanGrid {
-  if (!Array.isArray(grid?.axis) || grid.axis.length !== 2) return false;
-  const { axis, cell, bin, frames } = grid;
-  const isUnit = Math.abs(axis[0] * axis[0] + axis[1] * axis[1] - 1) < 1e-12;
-  return isUnit && isFrom(0.25, 1000, cell) && isFrom(0.25, 1000, bin) && isFrom(1, 60, frames) && Number.isInteger(frames);
-}
+const isGrid = (grid: FanGrid | undefined): grid is FanGrid =>
+  isAxis(grid?.axis) && isFrom(0.25, 1000, grid?.cell) && isFrom(0.25, 1000, grid?.bin) && isCount(1, 60, grid?.frames);
 
 function areLayers(layers: Doomed['layers'] | undefined): layers is Doomed['layers'] {
   if (!Array.isArray(layers) || !layers.every(Array.isArray)) return false;
@@ -96,40 +91,27 @@ function areLayers(layers: Doomed['layers'] | undefined): layers is Doomed['laye
 
 const boxOf = ([xa, xb, ya, yb, va, vb, wa, wb]: BoxNumbers): Box => ({ x: [xa, xb], y: [ya, yb], vx: [va, vb], vy: [wa, wb] });
 
-export interface TurnedScene {
-  readonly start: Box;
-  readonly thing: Point;
-  readonly hazards: readonly Circle[];
-  /** radius: the range */
-  readonly asteroids: readonly Circle[];
-  readonly fields: readonly Circle[];
-  /** how far recoil has carried an asteroid at most after so many seconds, px */
-  drift(asteroid: number, seconds: number): number;
-}
+const aboutZero: Interval = [-ROUNDING, ROUNDING];
 
-/** The level with the grid's first axis as x. */
-export function turnedScene(claim: Claim, [ux, uy]: readonly [number, number]): TurnedScene {
-  const { level, place } = claim;
-  const turn = ({ x, y }: Point): Point => ({ x: x * ux + y * uy, y: y * ux - x * uy });
-  const v = turn({ x: level.astronaut.vx, y: level.astronaut.vy });
-  const about = (n: number): Interval => [n - ROUNDING, n + ROUNDING];
-  const refs = [
-    ...level.novae.map((_, index) => ({ kind: 'nova' as const, index })),
-    ...level.asteroids.map((_, index) => ({ kind: 'asteroid' as const, index })),
-    { kind: 'blackHole' as const, index: 0 },
+const startOf = ({ velocity }: TurnedScene): Box => ({
+  x: aboutZero,
+  y: aboutZero,
+  vx: [velocity.x - ROUNDING, velocity.x + ROUNDING],
+  vy: [velocity.y - ROUNDING, velocity.y + ROUNDING],
+});
+
+/** The discs in which her centre can't be: her box holds a circle of 10 px about its centre. */
+function blockedDiscs(claim: Claim, { turn }: TurnedScene): Circle[] {
+  const { novae, asteroids } = claim.level;
+  const refs: ThingRef[] = [
+    ...novae.map((_, index) => ({ kind: 'nova' as const, index })),
+    ...asteroids.map((_, index) => ({ kind: 'asteroid' as const, index })),
+    { kind: 'blackHole', index: 0 },
   ];
-  return {
-    start: { x: about(0), y: about(0), vx: about(v.x), vy: about(v.y) },
-    thing: turn(claim.thing),
-    // her box holds a circle of 10 px about its centre
-    hazards: refs.flatMap((ref) => {
-      const hazard = standingHazard(claim, ref);
-      return hazard === null || hazard.radius <= 0 ? [] : [{ ...turn(hazard), radius: hazard.radius + HALF_WIDTH }];
-    }),
-    asteroids: level.asteroids.map((a) => ({ ...turn(place(a)), radius: level.range })),
-    fields: level.repulsors.map((field) => ({ ...turn(place(field)), radius: field.radius })),
-    drift: (i, seconds) => driftIn(level, i, seconds * (seconds + TICK)),
-  };
+  return refs.flatMap((ref) => {
+    const hazard = standingHazard(claim, ref);
+    return hazard === null || hazard.radius <= 0 ? [] : [{ ...turn(hazard), radius: hazard.radius + HALF_WIDTH }];
+  });
 }
 
 /** Every place of the next `seconds`: the straight way, and what any push can bend it by. */
@@ -198,8 +180,8 @@ function central(
 }
 
 /** Whether every place of a rectangle ends the run: it lies in one hazard, or out of range of all asteroids. */
-function isOver({ hazards, asteroids, drift }: TurnedScene, places: Rectangle, seconds: number): boolean {
-  if (hazards.some((hazard) => distances(hazard, places)[1] < hazard.radius - ROUNDING)) return true;
+function isOver({ asteroids, drift }: TurnedScene, blocked: readonly Circle[], places: Rectangle, seconds: number): boolean {
+  if (blocked.some((disc) => distances(disc, places)[1] < disc.radius - ROUNDING)) return true;
   return asteroids.every((asteroid, i) => distances(asteroid, places)[0] > asteroid.radius + drift(i, seconds) + ROUNDING);
 }
 

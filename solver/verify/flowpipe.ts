@@ -1,10 +1,11 @@
 import { GUN_PULL, HALF_DIAGONAL, HALF_HEIGHT, HALF_WIDTH, REPULSOR_PUSH, TICK } from '../../engine/index.ts';
 import type { Flowpipe, PipeGrid, PipePart, PipeStep, Strip } from '../proofs/index.ts';
-import { driftIn, FAR_FROM_LIMIT } from './assumptions.ts';
+import { FAR_FROM_LIMIT } from './assumptions.ts';
 import { afterChase, type Chaser, eitherChaser } from './chasers.ts';
 import type { Claim } from './claim.ts';
 import { standingHazard } from './hazards.ts';
 import { apart, isIndex, type Point } from './rounded.ts';
+import { type Circle, isAxis, isCount, isFrom, type TurnedScene, turnedScene } from './turned-scene.ts';
 
 /** Rounding of a step is far below this, px. */
 const ROUNDING = 1e-7;
@@ -27,8 +28,6 @@ const COMPASS: readonly Point[] = [
   { x: HALF_ROOT, y: -HALF_ROOT },
 ];
 const back = (n: number): number => (n + 4) % AROUND;
-
-type Circle = Point & { readonly radius: number };
 
 /** All places with `left <= x <= right` and `low <= y <= high`. */
 interface Area {
@@ -70,8 +69,8 @@ export function checkFlowpipe(claim: Claim, { grid, layers }: Flowpipe): string 
   const seconds = grid.frames * TICK;
   const { vx, vy } = claim.level.astronaut;
   if (Math.sqrt(vx * vx + vy * vy) + claim.push * seconds * grid.steps > FAR_FROM_LIMIT) return 'she may come to the speed limit';
-  const scene = sceneOf(claim, grid);
-  let bundles: ReadonlyMap<number, Bundle> = new Map([[0, scene.start]]);
+  const scene: Scene = { ...turnedScene(claim, grid.axis), claim, seconds, times: [Math.floor(grid.steps / 3), grid.steps] };
+  let bundles: ReadonlyMap<number, Bundle> = new Map([[0, startOf(scene)]]);
   let made = 0;
   for (let step = 1; bundles.size > 0; step++) {
     const goOn = `some runs may go on after ${step - 1} steps`;
@@ -88,17 +87,8 @@ export function checkFlowpipe(claim: Claim, { grid, layers }: Flowpipe): string 
         if (pieces === null) return `it does not say how a set goes on in step ${step}`;
         made += pieces.length;
         if (made > MOST) return 'it takes too many pieces to follow her';
-        for (const { piece, off, to } of pieces) {
-          const left = piece && withoutStrips(scene, piece, off, step);
-          if (left === null) continue;
-          if (typeof left === 'string') return left;
-          if (to === null) {
-            if (!isLost(scene, left, step)) return `some of what it calls over goes on after step ${step}`;
-            continue;
-          }
-          const there = next.get(to);
-          next.set(to, there === undefined ? left : either(there, left));
-        }
+        const why = takeOver(scene, pieces, step, next);
+        if (why !== null) return why;
       }
     }
     bundles = next;
@@ -106,66 +96,49 @@ export function checkFlowpipe(claim: Claim, { grid, layers }: Flowpipe): string 
   return null;
 }
 
-function isGrid(grid: PipeGrid | undefined): grid is PipeGrid {
-  if (!Array.isArray(grid?.axis) || grid.axis.length !== 2) return false;
-  const [x, y] = grid.axis;
-  const isCount = (n: unknown, least: number, most: number) =>
-    typeof n === 'number' && Number.isInteger(n) && n >= least && n <= most;
-  return (
-    Math.abs(x * x + y * y - 1) < 1e-12 &&
-    typeof grid.cell === 'number' &&
-    grid.cell >= 0.25 &&
-    grid.cell <= 1000 &&
-    isCount(grid.frames, 1, 60) &&
-    isCount(grid.steps, 3, 400) &&
-    isCount(grid.turns, 1, 64)
-  );
+/** Joins what is left of the parts of a bundle to the bundles of the next step; why not, where some of it goes on that is said to be over. */
+function takeOver(scene: Scene, pieces: readonly Piece[], step: number, next: Map<number, Bundle>): string | null {
+  for (const { piece, off, to } of pieces) {
+    const left = piece && withoutStrips(scene, piece, off, step);
+    if (left === null) continue;
+    if (typeof left === 'string') return left;
+    if (to === null && !isLost(scene, left, step)) return `some of what it calls over goes on after step ${step}`;
+    if (to === null) continue;
+    const there = next.get(to);
+    next.set(to, there === undefined ? left : either(there, left));
+  }
+  return null;
 }
 
-interface Scene {
+const isGrid = (grid: PipeGrid | undefined): grid is PipeGrid =>
+  isAxis(grid?.axis) &&
+  isCount(1, 60, grid?.frames) &&
+  isCount(3, 400, grid?.steps) &&
+  // by these the certificate was made: a picture of it is made again
+  isFrom(0.25, 1000, grid?.cell) &&
+  isCount(1, 64, grid?.turns);
+
+interface Scene extends TurnedScene {
   readonly claim: Claim;
-  readonly grid: PipeGrid;
-  readonly start: Bundle;
-  readonly thing: Point;
-  readonly rocks: readonly Circle[];
-  readonly fields: readonly Circle[];
-  /** from the level's axes to the grid's */
-  turn(p: Point): Point;
-  /** how far recoil has carried an asteroid at most */
-  drift(asteroid: number, seconds: number): number;
+  /** length of a step, s */
+  readonly seconds: number;
   /** the two times by whose octagons bundles are cut */
   readonly times: readonly [number, number];
 }
 
-/** The level with the grid's first axis as x. */
-function sceneOf(claim: Claim, grid: PipeGrid): Scene {
-  const { level, place } = claim;
-  const [ux, uy] = grid.axis;
-  const turn = ({ x, y }: Point): Point => ({ x: x * ux + y * uy, y: y * ux - x * uy });
-  const circle = (c: Circle): Circle => ({ ...turn(place(c)), radius: c.radius });
-  const v = turn({ x: level.astronaut.vx, y: level.astronaut.vy });
-  const drift = (i: number, seconds: number) => driftIn(level, i, seconds * (seconds + TICK));
-  const octagon = (p: Point): Octagon => COMPASS.map((d) => dot(d, p) + ROUNDING);
-  const seconds = grid.frames * TICK;
+/** All she is at the start: one bundle. */
+function startOf({ claim, seconds, times, velocity, turn }: Scene): Bundle {
+  const octagonAt = (time: number): Octagon =>
+    COMPASS.map((d) => dot(d, { x: velocity.x * time * seconds, y: velocity.y * time * seconds }) + ROUNDING);
   return {
-    claim,
-    grid,
-    turn,
-    rocks: level.asteroids.map(circle),
-    drift,
-    thing: turn(claim.thing),
-    fields: level.repulsors.map(circle),
-    times: [Math.floor(grid.steps / 3), grid.steps],
-    start: {
-      atTimes: Array.from({ length: grid.steps + 1 }, (_, i) => octagon({ x: v.x * i * seconds, y: v.y * i * seconds })),
-      aim: { to: turn({ x: 1, y: 0 }), off: ROUNDING },
-      chasers: level.aliens.map((alien) => ({
-        at: { centre: turn(place(alien)), within: 0 },
-        speed: { centre: { x: 0, y: 0 }, within: 0 },
-        radius: alien.radius,
-        isThere: true,
-      })),
-    },
+    atTimes: Array.from({ length: times[1] + 1 }, (_, i) => octagonAt(i)),
+    aim: { to: turn({ x: 1, y: 0 }), off: ROUNDING },
+    chasers: claim.level.aliens.map((alien) => ({
+      at: { centre: turn(claim.place(alien)), within: 0 },
+      speed: { centre: { x: 0, y: 0 }, within: 0 },
+      radius: alien.radius,
+      isThere: true,
+    })),
   };
 }
 
@@ -181,7 +154,7 @@ function wayTo({ atTimes }: Bundle, step: number, seconds: number, push: number)
 
 /** What may become of a bundle: pressed at some time of the step, or not at all. */
 function afterStep(scene: Scene, bundle: Bundle, way: Area, step: number): Bundle[] {
-  const seconds = scene.grid.frames * TICK;
+  const { seconds } = scene;
   const { pull, aim } = gun(scene, way, step * seconds);
   const field = fieldsAt(scene, way);
   const chasers = afterChase(bundle.chasers, way, seconds);
@@ -204,7 +177,7 @@ function afterStep(scene: Scene, bundle: Bundle, way: Area, step: number): Bundl
 const most = (a: readonly number[], b: readonly number[]): number[] => a.map((far, n) => Math.max(far, b[n]));
 
 /** How far the gun can accelerate her in each direction, wherever she is on the way, and where her box points while it is held. */
-function gun({ claim, rocks, drift }: Scene, way: Area, seconds: number): { pull: readonly number[]; aim: Aim } {
+function gun({ claim, asteroids: rocks, drift }: Scene, way: Area, seconds: number): { pull: readonly number[]; aim: Aim } {
   const { range, recoil } = claim.level;
   const middle = middleOf(way);
   const nearest = rocks.reduce((best, rock) => (apart(rock, middle) < apart(best, middle) ? rock : best), rocks[0]);
@@ -280,7 +253,7 @@ function piecesOf({ times }: Scene, bundle: Bundle, step: number, said: PipeStep
   return cells.map((cell, n) => ({ ...parts[n], piece: isWhole ? bundle : within(bundle, times, cell, step) }));
 }
 
-const isLength = (n: unknown): n is number => typeof n === 'number' && Math.abs(n) <= LARGEST;
+const isLength = (n: unknown): n is number => isFrom(-LARGEST, LARGEST, n);
 
 const isPart = (part: PipePart | undefined): part is PipePart =>
   Array.isArray(part?.off) &&
@@ -310,7 +283,7 @@ function within(bundle: Bundle, times: readonly number[], cell: readonly number[
 function withoutStrips(scene: Scene, bundle: Bundle, off: readonly Strip[], step: number): Bundle | string | null {
   let octagon = bundle.atTimes[step] as Octagon;
   for (const { by, side, at } of off) {
-    const hazard = hazardAt(scene, bundle, by, step * scene.grid.frames * TICK);
+    const hazard = hazardAt(scene, bundle, by, step * scene.seconds);
     if (hazard === null) return 'it names a hazard that there is not';
     const nearest = Math.max(at, -octagon[back(side)]);
     const [a, b] = [COMPASS[side], COMPASS[(side + 2) % AROUND]];
@@ -356,11 +329,10 @@ function overlapsAll({ x, y, radius }: Circle, corners: readonly Point[], { to, 
 }
 
 /** Whether all of a bundle is out of range at the end of a step. */
-function isLost({ claim, grid, rocks, drift }: Scene, { atTimes }: Bundle, step: number): boolean {
+function isLost({ asteroids, drift, seconds }: Scene, { atTimes }: Bundle, step: number): boolean {
   const [right, , high, , left, , low] = atTimes[step] as Octagon;
   const here: Area = { left: -left, right, low: -low, high };
-  const seconds = step * grid.frames * TICK;
-  return rocks.every((rock, i) => distances(rock, here).least > claim.level.range + drift(i, seconds) + ROUNDING);
+  return asteroids.every((rock, i) => distances(rock, here).least > rock.radius + drift(i, step * seconds) + ROUNDING);
 }
 
 /** A bundle that holds two others. */

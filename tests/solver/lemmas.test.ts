@@ -14,8 +14,9 @@ import {
 import { type Hold, type Level, NO_OBJECTS } from '../../schema/index.ts';
 import { afterChase, type Chaser } from '../../solver/verify/chasers.ts';
 import { claimOf, type Play } from '../../solver/verify/claim.ts';
-import { accelerations, advance, type Box, placesWithin, turnedScene } from '../../solver/verify/doomed.ts';
+import { accelerations, advance, type Box, placesWithin } from '../../solver/verify/doomed.ts';
 import { offLine } from '../../solver/verify/fall.ts';
+import { turnedScene } from '../../solver/verify/turned-scene.ts';
 import { continuousNames } from '../engine/accuracies.ts';
 import { accuracyNames } from '../levels/shipped-pack.ts';
 import { real } from '../real.ts';
