@@ -66,7 +66,6 @@ export function attackLevel(prover: Prover, accuracy: AccuracyName, seed: number
   // the black hole is far away in what styles make
   const away: About = { kind: 'blackHole' };
   const twin = prove(level, away) ?? (prover === 'nothing-in-range' ? prove({ ...level, range: level.range / 2 }, away) : null);
-  const isDear = prover === 'doomed' || prover === 'flowpipe';
   const ask = (claim: FalseClaim, like: Proof | null) => {
     tally.claims++;
     const found = (by: Refutation['by'], proof: Proof, verified: boolean) =>
@@ -87,9 +86,7 @@ export function attackLevel(prover: Prover, accuracy: AccuracyName, seed: number
     const other: Proof = { ...like, about: claim.about, covers: [accuracy] };
     tally.foreign++;
     if (verifyProof(claim.level, other).ok) found('foreign', other, true);
-    // to follow all that she may do with a grid that is finer by chance takes seconds
-    const mutations = isDear && random() > 0.1 ? 0 : effort.mutations;
-    for (let n = 0; n < mutations; n++) {
+    for (let n = 0; n < effort.mutations; n++) {
       const changed = mutated(other, random);
       tally.mutated++;
       if (verifyProof(claim.level, changed).ok) found('mutated', changed, true);
