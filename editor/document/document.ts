@@ -2,6 +2,7 @@ import { freeze, produce } from 'immer';
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import { type LevelFile, OBJECT_LISTS } from '../../schema/index.ts';
 import { History } from './history.ts';
+import { createListeners } from './listeners.ts';
 import { objectsOf } from './objects.ts';
 import { applyPatches, diffFiles, isSame, type Patch } from './patch.ts';
 import { type Refusal, settle } from './settle.ts';
@@ -112,8 +113,8 @@ export function createEditedLevel(file: LevelFile): EditedLevel {
   let current = freeze(first.file, true);
   let growing: Growing | null = null;
   let open: { readonly start: LevelFile; readonly label: string } | null = null;
-  const live = new Set<(event: DocumentEvent) => void>();
-  const settledListeners = new Set<(event: DocumentEvent) => void>();
+  const live = createListeners<DocumentEvent>();
+  const steps = createListeners<DocumentEvent>();
 
   const state = (): DocumentState => {
     const { undoLabel, redoLabel, done, length } = history;
@@ -127,11 +128,8 @@ export function createEditedLevel(file: LevelFile): EditedLevel {
     current = freeze(file, true);
     revision++;
     store.setState(state(), true);
-    for (const listener of [...live]) listener(event);
+    live.call(event);
     return event;
-  };
-  const keep = (event: DocumentEvent) => {
-    for (const listener of [...settledListeners]) listener(event);
   };
   const endGesture = () => {
     if (open === null) return;
@@ -141,7 +139,7 @@ export function createEditedLevel(file: LevelFile): EditedLevel {
     if (patches.length === 0) return;
     history.record(label, start, current, patches);
     store.setState(state(), true);
-    keep({ kind: 'change', label, before: start, file: current, patches });
+    steps.call({ kind: 'change', label, before: start, file: current, patches });
   };
   const seal = () => {
     endGesture();
@@ -160,7 +158,7 @@ export function createEditedLevel(file: LevelFile): EditedLevel {
       history.record(label, before, settled.file, patches);
       growing = gesture === null ? null : { gesture, before };
     }
-    keep(show('change', label, settled.file, patches));
+    steps.call(show('change', label, settled.file, patches));
     return { ok: true, added: addedKeys(before, settled.file) };
   };
 
@@ -168,7 +166,7 @@ export function createEditedLevel(file: LevelFile): EditedLevel {
     seal();
     const gone = history.go(kind);
     if (gone === null) return false;
-    keep(show(kind, gone.label, applyPatches(current, gone.patches), gone.patches));
+    steps.call(show(kind, gone.label, applyPatches(current, gone.patches), gone.patches));
     return true;
   };
 
@@ -226,14 +224,8 @@ export function createEditedLevel(file: LevelFile): EditedLevel {
       while (history.done < wanted && step('redo'));
     },
     labels: () => history.labels(),
-    subscribe(listener) {
-      live.add(listener);
-      return () => live.delete(listener);
-    },
-    onStep(listener) {
-      settledListeners.add(listener);
-      return () => settledListeners.delete(listener);
-    },
+    subscribe: live.add,
+    onStep: steps.add,
   };
 }
 

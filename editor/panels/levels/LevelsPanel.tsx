@@ -2,14 +2,15 @@ import { FilePlus2, Trash2 } from 'lucide-react';
 import { type KeyboardEvent, useEffect, useMemo, useState } from 'react';
 import { useStore } from 'zustand';
 import type { LevelEntry } from '../../../schema/index.ts';
-import { type Editor, useEditor } from '../../context/index.ts';
+import { useEditor } from '../../context/index.ts';
 import { errorInWords } from '../../files/index.ts';
 import { Button, focusHome } from '../../ui/index.ts';
-import { type MenuEntry, Tree } from '../tree/index.ts';
+import { Tree } from '../tree/index.ts';
 import { FolderLine } from './FolderLine.tsx';
 import { LevelLine } from './LevelLine.tsx';
 import { LevelSearch } from './LevelSearch.tsx';
-import { deleteLevel, duplicateLevel, folderOf, followSaves, openListed, orderLevels } from './level-files.ts';
+import { deleteLevel, duplicateLevel, followSaves, openListed } from './level-files.ts';
+import { copyPath, levelMenu, moveTo } from './level-menu.ts';
 import { type LevelRow, levelRows } from './level-rows.ts';
 import './levels.css';
 import { NoLevels } from './NoLevels.tsx';
@@ -65,32 +66,8 @@ export function LevelsPanel() {
     else return false;
     return true;
   };
-  const menu = (row: LevelRow): readonly MenuEntry[] => {
-    const { entry, place } = row;
-    const newLevel = { title: 'New level…', keys: 'Alt N', run: () => session.setState({ overlay: 'newLevel' }) };
-    if (entry === null) return [newLevel];
-    const valid = entry.status === 'valid';
-    const fixed = row.list === null;
-    const last = rows.filter(({ list }) => list === row.list).length - 1;
-    return [
-      { title: 'Open', keys: 'Enter', disabled: !valid || entry.id === opened, run: () => pick(row) },
-      { title: 'Edit as text…', disabled: entry.status === 'unreadable', run: () => setAsText(entry) },
-      null,
-      newLevel,
-      { title: 'Rename…', keys: 'F2', disabled: entry.readOnly !== null, run: () => setRenamed(entry.id) },
-      { title: 'Duplicate', disabled: entry.etag === null, run: () => void duplicateLevel(editor, entry) },
-      { title: 'Delete', keys: 'Del', disabled: entry.etag === null, run: () => void deleteLevel(editor, entry) },
-      null,
-      { title: 'Move up', keys: 'Alt ↑', disabled: fixed || place === 0, run: () => moveTo(editor, levels, entry, place - 1) },
-      {
-        title: 'Move down',
-        keys: 'Alt ↓',
-        disabled: fixed || place >= last,
-        run: () => moveTo(editor, levels, entry, place + 1),
-      },
-      { title: 'Copy the path of the file', run: () => void copyPath(editor, entry.file) },
-    ];
-  };
+  const menu = (row: LevelRow) =>
+    levelMenu(editor, levels, row, { opened, onOpen: () => pick(row), onText: setAsText, onRename: setRenamed });
 
   return (
     <section className="panel levels" aria-label="Levels">
@@ -148,26 +125,4 @@ export function LevelsPanel() {
       {asText !== null && <TextDialog id={asText.id} fromDisk={asText.status !== 'valid'} onClose={() => setAsText(null)} />}
     </section>
   );
-}
-
-/** Moves a level to another place among those of its folder. */
-function moveTo(editor: Editor, levels: readonly LevelEntry[], entry: LevelEntry | null, place: number): void {
-  if (entry === null) return;
-  const folder = folderOf(entry.id);
-  const ids = levels.filter(({ id }) => folderOf(id) === folder).map(({ id }) => id);
-  const from = ids.indexOf(entry.id);
-  ids.splice(from, 1);
-  ids.splice(place, 0, entry.id);
-  if (ids.indexOf(entry.id) !== from) void orderLevels(editor, folder, ids);
-}
-
-async function copyPath({ notices }: Editor, path: string): Promise<void> {
-  try {
-    await navigator.clipboard.writeText(path);
-    notices.show('info', `Copied: ${path}`, { topic: 'clipboard' });
-  } catch {
-    notices.show('warning', `The browser does not let this page write to the clipboard. The path is ${path}`, {
-      topic: 'clipboard',
-    });
-  }
 }

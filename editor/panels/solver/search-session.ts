@@ -13,7 +13,7 @@ import { addFound, replaceByFound, SOLUTION } from './keep-found-run.ts';
 import type { OverlayStore } from './overlay.ts';
 import { type SearchJobs, startSearchJobs } from './search-jobs.ts';
 import { aimOf, goalOf, type SearchSettingsStore } from './search-settings.ts';
-import { IDLE, type SearchState } from './search-state.ts';
+import { afterChange, IDLE, type SearchState } from './search-state.ts';
 
 /** ms after a change of the level before found runs are tried in it */
 const SETTLE = 200;
@@ -104,16 +104,8 @@ export function createSearchSession({ level, session, workers, settings, overlay
     stopJobs();
     scene = changed;
     unseen = null;
-    const { found, phase } = store.getState();
-    store.setState({
-      found: triedIn(changed, goal, found),
-      impossible: null,
-      mineralProofs: [],
-      isHopeless: false,
-      isOld: true,
-      solving: null,
-      phase: phase === 'running' ? 'stale' : phase,
-    });
+    const state = store.getState();
+    store.setState(afterChange(state, triedIn(changed, goal, state.found)));
     overlay.setState({ heat: null, proof: null });
     drawGhosts();
   };

@@ -26,6 +26,17 @@ export interface SearchState {
   readonly hovered: string | null;
 }
 
+/** The level has changed since: nothing but the runs that were found says anything about it. @param found tried in the level as it is now */
+export const afterChange = ({ phase }: SearchState, found: readonly Found[]): Partial<SearchState> => ({
+  found,
+  impossible: null,
+  mineralProofs: [],
+  isHopeless: false,
+  isOld: true,
+  solving: null,
+  phase: phase === 'running' ? 'stale' : phase,
+});
+
 /** Before the first search. */
 export const IDLE: SearchState = {
   phase: 'idle',

@@ -1,0 +1,20 @@
+/** Who hears of events of one kind. */
+export interface Listeners<E> {
+  /** @returns takes it back */
+  add(listener: (event: E) => void): () => void;
+  /** Calls all that are there now. */
+  call(event: E): void;
+}
+
+export function createListeners<E>(): Listeners<E> {
+  const all = new Set<(event: E) => void>();
+  return {
+    add(listener) {
+      all.add(listener);
+      return () => all.delete(listener);
+    },
+    call(event) {
+      for (const listener of [...all]) listener(event);
+    },
+  };
+}

@@ -1,0 +1,98 @@
+import { LEVEL_ID_PART, type LevelEntry, type ListResponse, type ReadResponse, type TrashEntry } from '../../schema/index.ts';
+import { readText } from './disk-text.ts';
+import { type StorageError, storageError } from './level-storage.ts';
+
+/** A level as the browser keeps it. */
+export interface StoredLevel {
+  readonly text: string;
+  /** Grows with every write: the etag. */
+  readonly version: number;
+}
+
+/** All levels that the browser keeps. */
+export interface Shelf {
+  /** In the order of play; no object, which would put names that are numbers first. */
+  readonly levels: ReadonlyMap<string, StoredLevel>;
+  readonly trash: readonly (TrashEntry & { readonly text: string })[];
+  /** The last version given. */
+  readonly version: number;
+}
+
+/** Before anything was kept. */
+export const EMPTY: Shelf = { levels: new Map(), trash: [], version: 0 };
+
+const etagOf = ({ version }: StoredLevel): string => `"${version.toString(16).padStart(64, '0')}"`;
+
+/** A question to the shelf, or a change of it, that is refused. */
+export class Refused extends Error {
+  constructor(readonly error: StorageError) {
+    super(error.message);
+  }
+}
+
+/** What a list says of a level. */
+export function entryOf(id: string, level: StoredLevel): LevelEntry {
+  const reading = readText(level.text);
+  return {
+    id,
+    file: `${id}.level.json`,
+    etag: etagOf(level),
+    status: reading.ok ? 'valid' : 'invalid',
+    name: reading.ok ? reading.file.name : null,
+    problems: reading.ok ? [] : [...reading.problems],
+    readOnly: null,
+  };
+}
+
+/** All levels, as a storage lists them. */
+export const listOf = ({ levels }: Shelf): ListResponse => ({
+  folder: { id: 'this-browser', path: 'this browser', $schema: null },
+  folders: [''],
+  levels: [...levels].map(([id, level]) => entryOf(id, level)),
+  troubles: [],
+  unread: 0,
+});
+
+/** @throws Refused where there is none */
+export function mustExist(shelf: Shelf, id: string): StoredLevel {
+  const level = shelf.levels.get(id);
+  if (level !== undefined) return level;
+  throw new Refused(
+    storageError('unknown-level', `there is no level ${JSON.stringify(id)} in this browser`, 'it was deleted or renamed'),
+  );
+}
+
+/** @throws Refused where it is not what it was when it was read */
+export function mustFit(shelf: Shelf, id: string, base: string): StoredLevel {
+  const level = mustExist(shelf, id);
+  if (etagOf(level) === base) return level;
+  const current: ReadResponse = { ...entryOf(id, level), text: level.text };
+  throw new Refused(
+    storageError('conflict', `${id} has changed since it was read`, 'bring the two versions together', { current }),
+  );
+}
+
+/** @throws Refused where it is no name, or is taken */
+export function mustBeFree(shelf: Shelf, id: string): void {
+  if (!LEVEL_ID_PART.test(id)) {
+    throw new Refused(
+      storageError('bad-name', `a level can't be called ${JSON.stringify(id)}`, 'use letters, digits, - _ and spaces inside'),
+    );
+  }
+  if ([...shelf.levels.keys()].some((other) => other.toLowerCase() === id.toLowerCase())) {
+    throw new Refused(storageError('name-taken', `there is a level ${JSON.stringify(id)} already`, 'choose another name'));
+  }
+}
+
+/** The levels but one. */
+export const without = ({ levels }: Shelf, id: string) => new Map([...levels].filter(([name]) => name !== id));
+
+/** Puts a level into the shelf: in the place of `at`, or at the end. */
+export function withLevel(shelf: Shelf, id: string, text: string, at: string | null = null): Shelf {
+  const version = shelf.version + 1;
+  const level = { text, version };
+  const entries = [...shelf.levels];
+  const levels =
+    at === null ? [...entries, [id, level] as const] : entries.map((entry) => (entry[0] === at ? ([id, level] as const) : entry));
+  return { ...shelf, levels: new Map(levels), version };
+}

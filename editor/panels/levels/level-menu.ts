@@ -1,0 +1,65 @@
+import type { LevelEntry } from '../../../schema/index.ts';
+import type { Editor } from '../../context/index.ts';
+import type { MenuEntry } from '../tree/index.ts';
+import { deleteLevel, duplicateLevel, folderOf, orderLevels } from './level-files.ts';
+import type { LevelRow } from './level-rows.ts';
+
+interface MenuParts {
+  /** Id of the open level. */
+  readonly opened: string | null;
+  readonly onOpen: () => void;
+  /** It is to be edited as text. */
+  readonly onText: (entry: LevelEntry) => void;
+  /** It is to get another name. */
+  readonly onRename: (id: string) => void;
+}
+
+/** What can be done with a row of the list of levels. @param levels all there are */
+export function levelMenu(
+  editor: Editor,
+  levels: readonly LevelEntry[],
+  { entry, list, place }: LevelRow,
+  { opened, onOpen, onText, onRename }: MenuParts,
+): readonly MenuEntry[] {
+  const newLevel = { title: 'New level…', keys: 'Alt N', run: () => editor.session.setState({ overlay: 'newLevel' }) };
+  if (entry === null) return [newLevel];
+  const isFixed = list === null;
+  const last = levels.filter(({ id }) => folderOf(id) === folderOf(entry.id)).length - 1;
+  const move = (to: number) => () => moveTo(editor, levels, entry, to);
+  return [
+    { title: 'Open', keys: 'Enter', disabled: entry.status !== 'valid' || entry.id === opened, run: onOpen },
+    { title: 'Edit as text…', disabled: entry.status === 'unreadable', run: () => onText(entry) },
+    null,
+    newLevel,
+    { title: 'Rename…', keys: 'F2', disabled: entry.readOnly !== null, run: () => onRename(entry.id) },
+    { title: 'Duplicate', disabled: entry.etag === null, run: () => void duplicateLevel(editor, entry) },
+    { title: 'Delete', keys: 'Del', disabled: entry.etag === null, run: () => void deleteLevel(editor, entry) },
+    null,
+    { title: 'Move up', keys: 'Alt ↑', disabled: isFixed || place === 0, run: move(place - 1) },
+    { title: 'Move down', keys: 'Alt ↓', disabled: isFixed || place >= last, run: move(place + 1) },
+    { title: 'Copy the path of the file', run: () => void copyPath(editor, entry.file) },
+  ];
+}
+
+/** Moves a level to another place among those of its folder. */
+export function moveTo(editor: Editor, levels: readonly LevelEntry[], entry: LevelEntry | null, place: number): void {
+  if (entry === null) return;
+  const folder = folderOf(entry.id);
+  const ids = levels.filter(({ id }) => folderOf(id) === folder).map(({ id }) => id);
+  const from = ids.indexOf(entry.id);
+  ids.splice(from, 1);
+  ids.splice(place, 0, entry.id);
+  if (ids.indexOf(entry.id) !== from) void orderLevels(editor, folder, ids);
+}
+
+/** Puts the path of a file on the clipboard. */
+export async function copyPath({ notices }: Editor, path: string): Promise<void> {
+  try {
+    await navigator.clipboard.writeText(path);
+    notices.show('info', `Copied: ${path}`, { topic: 'clipboard' });
+  } catch {
+    notices.show('warning', `The browser does not let this page write to the clipboard. The path is ${path}`, {
+      topic: 'clipboard',
+    });
+  }
+}
