@@ -151,7 +151,8 @@ export function claimLevel(options: WriterLockOptions): WriterLock {
         const release = letGo ?? (() => {});
         letGoOfOld();
         letGoOfOld = release;
-        // whoever was quicker with the new name has nothing yet; and whoever waits for the old one is told of the new one first
+        // a page that holds the new name already has written nothing under it, so it is taken by force;
+        // pages that wait for the old name must hear of the new one before the old one is released
         request({ steal: true });
         timers.after(2 * PATIENCE, release);
         return;

@@ -10,7 +10,7 @@ export function followPlayback(session: SessionStore, end: () => number): () => 
   let last = 0;
   const onFrame = (now: number) => {
     const { isPlayingBack, tick, rate } = session.getState();
-    // asked for before the session is told: its subscriber must see that a frame is on its way
+    // asked for before the session changes: its subscriber must see that a frame is on its way
     frame = isPlayingBack ? requestAnimationFrame(onFrame) : 0;
     if (!isPlayingBack) return;
     const next = tick + ((now - last) / 1000) * 60 * rate;

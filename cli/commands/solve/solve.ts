@@ -122,7 +122,7 @@ async function search(settings: SolveSettings, options: Options): Promise<Solved
   }
 }
 
-/** @returns what a person is told */
+/** @returns what is reported to a person */
 function write(file: string, { bytes, document }: OpenedFile, { runs }: Solved, name: string | null): string {
   const found = runs.map(({ holds }) => holds);
   return addRuns(file, bytes, document.file, found, name)

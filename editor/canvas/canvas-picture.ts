@@ -1,0 +1,46 @@
+import type { StoreApi } from 'zustand/vanilla';
+import type { Editor, OpenLevel, Pose } from '../context/index.ts';
+import type { CanvasState } from './canvas-state.ts';
+import type { SearchPicture } from './layers/index.ts';
+import { poseAt } from './run-pose.ts';
+import type { Picture } from './stage.ts';
+
+/** What the stage shows of an open level, asked once a frame. @param search what searches have to show */
+export function pictureOf(
+  { settings, session }: Editor,
+  { document, selection, hovered, proof, ghosts, playtest }: OpenLevel,
+  canvas: StoreApi<CanvasState>,
+  search: Pick<StoreApi<SearchPicture>, 'getState'>,
+): () => Picture {
+  // the pose of a tick is made once, however many frames show it
+  let posed: { proof: object; tick: number; pose: Pose } | null = null;
+  const pose = (): Pose => {
+    const playing = playtest.getState();
+    if (playing !== null) return playing.pose();
+    const { tick, hoverTick } = session.getState();
+    const at = hoverTick ?? tick;
+    const now = proof.proof();
+    if (posed === null || posed.proof !== now || posed.tick !== at) posed = { proof: now, tick: at, pose: poseAt(now, at) };
+    return posed.pose;
+  };
+  return () => {
+    const { snapToGrid, grid } = settings.getState();
+    const { dataset } = window.document.documentElement;
+    return {
+      file: document.file(),
+      proof: proof.proof(),
+      canvas: canvas.getState(),
+      selected: selection.keys(),
+      hovered: hovered.getState(),
+      layers: session.getState().layers,
+      grid: snapToGrid ? grid : null,
+      ghosts: ghosts.getState(),
+      search: search.getState(),
+      pose: pose(),
+      editing: session.getState().mode === 'edit',
+      showsRun: session.getState().mode === 'edit' || settings.getState().runInPlay,
+      theme: dataset.theme === 'light' ? 'light' : 'dark',
+      calm: dataset.motion === 'less',
+    };
+  };
+}

@@ -1,0 +1,101 @@
+import type { StoreApi } from 'zustand/vanilla';
+import type { Editor, OpenLevel } from '../context/index.ts';
+import { canvasCommands } from './canvas-commands.ts';
+import { pictureOf } from './canvas-picture.ts';
+import type { CanvasState } from './canvas-state.ts';
+import { createCrosshair } from './crosshair/index.ts';
+import { extentOf } from './extent.ts';
+import type { SearchPicture } from './layers/index.ts';
+import { stageOf } from './page-stage.ts';
+import { listenToDrops, listenToPointer, type PointerContext } from './pointer/index.ts';
+import type { Stage } from './stage.ts';
+import { fitBox, type View } from './view.ts';
+
+interface MountParts {
+  readonly element: HTMLElement;
+  readonly editor: Editor;
+  readonly level: OpenLevel;
+  readonly canvas: StoreApi<CanvasState>;
+  /** What the crosshair reports. */
+  readonly said: StoreApi<string>;
+  /** What searches have to show. */
+  readonly search: Pick<StoreApi<SearchPicture>, 'getState'>;
+}
+
+/** Shows a level in an element and lets it be edited there. @returns takes it away */
+export function mountCanvas({ element, editor, level, canvas, said, search }: MountParts): () => void {
+  const { settings, session, notices } = editor;
+  const { document, selection, hovered } = level;
+  const setView = (view: View) => {
+    canvas.setState({ view });
+    session.setState({ zoom: view.zoom });
+  };
+  const stage = stageOf(editor);
+  const unmount = stage.mount(element, pictureOf(editor, level, canvas, search));
+  const { bringIntoView, stop: stopFitting } = fitView({ element, level, canvas, stage, setView });
+  const context: PointerContext = {
+    document,
+    selection,
+    canvas,
+    hovered,
+    view: () => canvas.getState().view,
+    setView,
+    tool: () => session.getState().tool,
+    setTool: (tool) => session.setState({ tool }),
+    snapping: () => {
+      const { snapToGrid, grid, snapToObjects } = settings.getState();
+      return { grid: snapToGrid ? grid : null, toObjects: snapToObjects };
+    },
+    refused: (message) => notices.show('warning', message, { topic: 'refused' }),
+  };
+  const pointer = listenToPointer(element, context, () => session.getState().mode === 'edit');
+  const stopDrops = listenToDrops(element, context);
+  const crosshair = createCrosshair({ element, context, pointer, grid: () => settings.getState().grid, said });
+  const forget = editor.commands.register(canvasCommands({ editor, level, canvas, setView, bringIntoView, pointer, crosshair }));
+  return () => {
+    forget();
+    stopDrops();
+    crosshair.stop();
+    pointer.stop();
+    stopFitting();
+    unmount();
+  };
+}
+
+interface FitParts {
+  readonly element: HTMLElement;
+  readonly level: OpenLevel;
+  readonly canvas: StoreApi<CanvasState>;
+  readonly stage: Stage;
+  readonly setView: (view: View) => void;
+}
+
+interface Fitting {
+  /** @param keys of objects; all of the level when left out */
+  readonly bringIntoView: (keys?: readonly string[]) => void;
+  readonly stop: () => void;
+}
+
+/** Keeps the view as large as the element, and all of the level in it until somebody moves it. */
+function fitView({ element, level, canvas, stage, setView }: FitParts): Fitting {
+  // the view that shows all of the level, until somebody moves it
+  let fitted: View | null = null;
+  const bringIntoView = (keys?: readonly string[]) => {
+    const box = extentOf(level.document.file(), keys);
+    if (box === null) return;
+    setView(fitBox(canvas.getState().view, box));
+    if (keys === undefined) fitted = canvas.getState().view;
+  };
+  let isShown = false;
+  const observer = new ResizeObserver(() => {
+    const { clientWidth: width, clientHeight: height } = element;
+    stage.resize(width, height);
+    const { view } = canvas.getState();
+    setView({ ...view, width, height });
+    // who sees all of the level goes on to do so when the page is turned or a panel opens
+    if (width > 1 && (!isShown || view === fitted)) bringIntoView();
+    isShown ||= width > 1;
+  });
+  observer.observe(element);
+  return { bringIntoView, stop: () => observer.disconnect() };
+}
