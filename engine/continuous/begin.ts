@@ -34,7 +34,7 @@ export function begin(m: Motion): void {
   const force = actingForce(m);
   force?.centre(m);
   addSteadyForces(m);
-  const windy = m.flow.isSteady;
+  const { isSteady } = m.flow;
   if (s[RIM] >= 0) {
     s[KIND] = SLIDE;
     s[LINE] = NONE;
@@ -45,14 +45,14 @@ export function begin(m: Motion): void {
   }
   if (force !== null && s[LINE] === NONE) findLine(m);
   if (s[LINE] !== NONE) bendLine(m);
-  if (windy && s[LINE] !== NONE) keepSteadyLine(m);
-  // out of the very centre, where she rests, a wind that is stronger blows her along itself
+  if (isSteady && s[LINE] !== NONE) keepSteadyLine(m);
+  // out of the very centre, where she rests, a steady force that is stronger drives her along itself
   const isStill = ux[0] === 0 && uy[0] === 0 && ux[1] === 0 && uy[1] === 0;
-  if (windy && force !== null && isStill && s[LINE] === NONE) beginLine(m, m.flow.steadyX, m.flow.steadyY);
+  if (isSteady && force !== null && isStill && s[LINE] === NONE) beginLine(m, m.flow.steadyX, m.flow.steadyY);
   const onLine = s[LINE] !== NONE;
   if (onLine) straighten(m, 1);
 
-  s[KIND] = windy ? STEADY : COAST;
+  s[KIND] = isSteady ? STEADY : COAST;
   s[TURN] = TURN_NOT;
   s[MEETS] = NOT;
   if (force !== null) {
@@ -62,7 +62,7 @@ export function begin(m: Motion): void {
     if (force.swing(m, d, v) < (onLine && !m.recoil ? SMALLEST_SWING : SMALLEST_ORBIT)) {
       for (let k = 0; k < 2; k++) ux[k] = uy[k] = 0;
       s[KIND] = COAST;
-    } else if ((d > 0 || v > 0 || (windy && onLine)) && ((free && (onLine || !windy)) || d > SMALLEST_ORBIT)) {
+    } else if ((d > 0 || v > 0 || (isSteady && onLine)) && ((free && (onLine || !isSteady)) || d > SMALLEST_ORBIT)) {
       const isLinear = free && onLine;
       s[KIND] = isLinear ? LINEAR : CENTRAL;
       if (isLinear) s[SIDE] = sideOf(m);

@@ -40,7 +40,7 @@ function goOn(m: Motion, until: number): void {
   s[LAST_EVENT] = 0;
   for (const repeat of parts.repeat) repeat(m);
   if (integrator.glide !== null && recorder === null) skipQuietSteps(m, until);
-  // along a rim it is looked at anew whether anything holds her there, in a wind whether she passes a centre
+  // along a rim it is looked at anew whether anything holds her there, under a steady force whether she passes a centre
   if (s[LIMIT_X] === 0 && s[LIMIT_Y] === 0 && s[RIM] < 0 && !m.flow.isSteady) proceed(m);
   else begin(m);
 }

@@ -2,6 +2,7 @@ import Flatbush from 'flatbush';
 import type { Asteroid, Level, Rules } from '../../schema/index.ts';
 import { DEFAULT_MAX_TIME, TICK } from '../constants.ts';
 import { boxOf } from '../contact/index.ts';
+import { EFFECTS } from '../effects/index.ts';
 import { distance, type Place } from './geometry.ts';
 
 /** Where she can be at all: never farther than the range from an asteroid she can come to. */
@@ -33,11 +34,15 @@ function drift(level: Level, { recoil }: Rules): number {
   return (recoil * DEFAULT_MAX_TIME * DEFAULT_MAX_TIME) / (4 * smallest);
 }
 
-/** Finds the asteroids she can come to from the start, hopping from range to range; all of them if she starts in none. */
+/**
+ * Finds the asteroids she can come to from the start, hopping from range to range; all of them if she starts in none, or if an effect
+ * may put her anywhere.
+ */
 export function reachOf(level: Level, rules: Rules): Reach {
   const slack = drift(level, rules);
   const { halfDiagonal } = boxOf(rules);
-  const reached = island(level, 2 * level.range + 2 * slack + frameJump(rules));
+  const jumps = EFFECTS.some((effect) => effect.jumps === true && effect.calledFor(level).called);
+  const reached = jumps ? [...level.asteroids.keys()] : island(level, 2 * level.range + 2 * slack + frameJump(rules));
   let index: Flatbush | null = null;
   return {
     limit: (radius) => level.range + radius + halfDiagonal + slack,

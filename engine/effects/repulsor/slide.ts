@@ -64,7 +64,7 @@ function fieldBeside(m: Motion, field: number): number {
  */
 export function holdsOnRim(m: Motion, field: number): boolean {
   const { s, rim, ux, uy, px, py, scene } = m;
-  // in a wind she bounces instead, see rimTolerance
+  // under a steady force she bounces instead, see rimTolerance
   if (actingField(m) !== field || m.flow.isSteady) return false;
   const outer = fieldBeside(m, field);
   if (outer < 0 && (s[HELD] === 0 || s[TARGET] < 0)) return false;
