@@ -6,7 +6,7 @@ import type { KindOnCanvas } from './kind-on-canvas.ts';
 /** Radians a second. */
 const SPIN = -0.5;
 
-/** The black hole: nothing in the middle, and arms of light that wind into it. */
+/** The black hole: nothing in the middle, and arms of light that turn into it. */
 function drawBlackHole(brush: Brush, colours: Colours): void {
   fadingDisc(brush, 1, [
     [0, faint(colours.holeRim, 0.9)],
