@@ -1,5 +1,4 @@
-import { GUN_PULL } from '../engine/index.ts';
-import type { Hold, Level } from '../schema/index.ts';
+import { DEFAULT_RULES, type Hold, type Level } from '../schema/index.ts';
 
 type State = [x: number, y: number, vx: number, vy: number];
 
@@ -31,7 +30,7 @@ export function referenceEnd(level: Level, holds: readonly Hold[], seconds: numb
   const flow = (s: State, target: number, out: State): void => {
     const dx = targets[target].x - s[0];
     const dy = targets[target].y - s[1];
-    const pull = GUN_PULL * (1 / Math.sqrt(dx * dx + dy * dy) - 1 / level.range);
+    const pull = DEFAULT_RULES.pull * (1 / Math.sqrt(dx * dx + dy * dy) - 1 / level.range);
     out[0] = s[2];
     out[1] = s[3];
     out[2] = pull * dx;

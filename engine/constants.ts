@@ -9,6 +9,17 @@ export const TICK_RATE = 60;
 /** Length of a tick, s. */
 export const TICK = 1 / TICK_RATE;
 
+/** `arcade` only: an exploded alien goes on chasing for this many frames (the original's animation). */
+export const EXPLOSION_FRAMES = 150;
+
+/** How long a run is simulated when nothing ends it, s. */
+export const DEFAULT_MAX_TIME = 60;
+
+/*
+ * The original game's rules, for the proofs and their checker alone, which refuse a level with rules of its own. Everybody else reads
+ * the rules of the scene or the level.
+ */
+
 /** Half the astronaut's box along its x axis (the axis that points at the target), px. */
 export const HALF_WIDTH = 10;
 
@@ -32,9 +43,3 @@ export const ALIEN_SIGHT = 150;
 
 /** Speed limit per axis, px/s. */
 export const SPEED_LIMIT = 1000;
-
-/** `arcade` only: an exploded alien goes on chasing for this many frames (the original's animation). */
-export const EXPLOSION_FRAMES = 150;
-
-/** How long a run is simulated when nothing ends it, s. */
-export const DEFAULT_MAX_TIME = 60;

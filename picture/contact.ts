@@ -1,5 +1,5 @@
-import { HALF_HEIGHT, HALF_WIDTH, type Run } from '../engine/index.ts';
-import { type Level, placesIn } from '../schema/index.ts';
+import { boxOf, type Run } from '../engine/index.ts';
+import { type Level, placesIn, rulesOf } from '../schema/index.ts';
 import type { Theme } from './theme.ts';
 import { thingsOf } from './things.ts';
 import type { View } from './view.ts';
@@ -29,8 +29,9 @@ function touchOf(level: Level, run: Run): { x: number; y: number } {
   const touched = touchedAt(level, run);
   const dx = touched.x - x;
   const dy = touched.y - y;
-  const along = Math.max(-HALF_WIDTH, Math.min(HALF_WIDTH, dx * cos + dy * sin));
-  const across = Math.max(-HALF_HEIGHT, Math.min(HALF_HEIGHT, dy * cos - dx * sin));
+  const { halfWidth, halfHeight } = boxOf(rulesOf(level));
+  const along = Math.max(-halfWidth, Math.min(halfWidth, dx * cos + dy * sin));
+  const across = Math.max(-halfHeight, Math.min(halfHeight, dy * cos - dx * sin));
   return { x: x + along * cos - across * sin, y: y + along * sin + across * cos };
 }
 

@@ -1,5 +1,5 @@
-import { boxCircleGap, DEFAULT_BOX, HALF_HEIGHT, HALF_WIDTH, type Run, STATE_SIZE } from '../engine/index.ts';
-import type { Level } from '../schema/index.ts';
+import { boxCircleGap, boxOf, type Run, STATE_SIZE } from '../engine/index.ts';
+import { type Level, rulesOf } from '../schema/index.ts';
 import { drawAstronaut } from './kinds/index.ts';
 import { place } from './place.ts';
 import { drawText, textWidth } from './text.ts';
@@ -16,19 +16,20 @@ export function drawGap(view: View, theme: Theme, level: Level, run: Run, time: 
   run.trajectory.at(time, state);
   const [x, y, , , cos, sin] = state;
   const { blackHole } = level;
+  const box = boxOf(rulesOf(level));
   const dx = blackHole.x - x;
   const dy = blackHole.y - y;
   // the point of her box that is nearest, and the one of the rim that faces it
-  const along = Math.max(-HALF_WIDTH, Math.min(HALF_WIDTH, dx * cos + dy * sin));
-  const across = Math.max(-HALF_HEIGHT, Math.min(HALF_HEIGHT, dy * cos - dx * sin));
+  const along = Math.max(-box.halfWidth, Math.min(box.halfWidth, dx * cos + dy * sin));
+  const across = Math.max(-box.halfHeight, Math.min(box.halfHeight, dy * cos - dx * sin));
   const nearX = x + along * cos - across * sin;
   const nearY = y + along * sin + across * cos;
   const far = Math.hypot(blackHole.x - nearX, blackHole.y - nearY) || 1;
   const rimX = blackHole.x - ((blackHole.x - nearX) * blackHole.radius) / far;
   const rimY = blackHole.y - ((blackHole.y - nearY) * blackHole.radius) / far;
-  const gap = Math.max(0, boxCircleGap(DEFAULT_BOX, dx, dy, cos, sin, blackHole.radius));
+  const gap = Math.max(0, boxCircleGap(box, dx, dy, cos, sin, blackHole.radius));
   const angle = num((Math.atan2(sin, cos) * 180) / Math.PI);
-  const drawing = `<g transform="rotate(${angle})">${drawAstronaut(theme, theme.good)}</g>`;
+  const drawing = `<g transform="rotate(${angle})">${drawAstronaut(theme, theme.good, box)}</g>`;
   const figure = run.trajectory.duration - time < AT_END ? '' : place(view, 'nearest', 0, { x, y }, drawing);
   const [ax, ay, bx, by] = [view.x(nearX), view.y(nearY), view.x(rimX), view.y(rimY)];
   const text = `${gap.toFixed(1)} px`;

@@ -1,4 +1,12 @@
-import { appearanceOfObject, isVariant, type Level, LISTED_KINDS, type ObjectKind, SINGLE_KINDS } from '../schema/index.ts';
+import {
+  appearanceOfObject,
+  isVariant,
+  type Level,
+  LISTED_KINDS,
+  type ObjectKind,
+  rulesOf,
+  SINGLE_KINDS,
+} from '../schema/index.ts';
 import { IN_PICTURE } from './kinds/index.ts';
 import { drawText, textWidth } from './text.ts';
 import type { Theme } from './theme.ts';
@@ -25,7 +33,7 @@ function entriesOfKind(level: Level, theme: Theme, kind: ObjectKind): LegendEntr
     const object = things.find((thing) => isVariant(kind, thing) === varied);
     if (object === undefined) return [];
     const { radius, factor } = legend;
-    const icon = radiusIcon(draw({ object, place: 0, radius, index: 0, theme }), radius);
+    const icon = radiusIcon(draw({ object, place: 0, radius, index: 0, theme, rules: rulesOf(level) }), radius);
     const label = appearanceOfObject(kind, object).one;
     return [{ label, icon: factor === undefined ? icon : `<g transform="scale(${num(factor).replace(/^0/, '')})">${icon}</g>` }];
   });

@@ -7,6 +7,7 @@ import {
   OBJECT_KINDS,
   type ObjectKind,
   placesIn,
+  rulesOf,
 } from '../schema/index.ts';
 import { IN_PICTURE, type Look } from './kinds/index.ts';
 import { place } from './place.ts';
@@ -29,13 +30,14 @@ const drawRing = (radius: number, view: View, theme: Theme): string =>
 export function drawObjects(view: View, theme: Theme, level: Level): string {
   const crowded = LISTED_KINDS.reduce((sum, kind) => sum + level[listOf(kind)].length, 0) >= SPECKS_FROM;
   const least = LEAST / view.scale;
+  const rules = rulesOf(level);
   const drawDisc = (kind: ObjectKind, look: Look<object>): string => {
     const { draw } = IN_PICTURE[kind];
     return look.radius < least ? draw({ ...look, radius: least }) + drawRing(least, view, theme) : draw(look);
   };
   const drawOne = (kind: ObjectKind, object: Thing, index: number, nth: number): string => {
     const { draw, speck, between } = IN_PICTURE[kind];
-    const look = { object, place: nth, radius: object.radius ?? 0, index, theme };
+    const look = { object, place: nth, radius: object.radius ?? 0, index, theme, rules };
     if (KINDS[kind].list === null) return draw(look);
     if (crowded) return speck(look);
     return (nth === 0 ? (between?.(look) ?? '') : '') + drawDisc(kind, look);
@@ -56,7 +58,7 @@ export function drawObjects(view: View, theme: Theme, level: Level): string {
       draw: () =>
         put(
           () => name,
-          () => draw(theme),
+          () => draw(theme, rules),
         ),
     });
   }

@@ -1,5 +1,5 @@
-import { ALIEN_SIGHT, type Run, STATE_SIZE } from '../engine/index.ts';
-import type { Level } from '../schema/index.ts';
+import { boxOf, type Run, STATE_SIZE } from '../engine/index.ts';
+import { type Level, rulesOf } from '../schema/index.ts';
 import { drawAlienWay } from './alien-way.ts';
 import { drawContact } from './contact.ts';
 import { drawAstronaut } from './kinds/index.ts';
@@ -98,9 +98,10 @@ export function drawPresses(view: View, theme: Theme, level: Level, run: Run): s
 /** Where aliens went, those that woke. */
 export function drawAlienWays(view: View, theme: Theme, level: Level, run: Run): string {
   const woke = new Set<number>();
+  const { alienSight } = rulesOf(level);
   // one that is awake from the start has no event that says so
   for (const [i, { x, y }] of level.aliens.entries()) {
-    if (Math.hypot(x - level.astronaut.x, y - level.astronaut.y) < ALIEN_SIGHT) woke.add(i);
+    if (Math.hypot(x - level.astronaut.x, y - level.astronaut.y) < alienSight) woke.add(i);
   }
   for (const event of run.events) {
     if (event.type === 'wake') woke.add(event.index);
@@ -120,6 +121,6 @@ export function drawEnd(view: View, theme: Theme, level: Level, run: Run): strin
   const { x, y, cos, sin } = run.final;
   const color = run.outcome === 'completed' ? theme.good : run.outcome === 'timeout' ? theme.coast : theme.bad;
   const angle = num((Math.atan2(sin, cos) * 180) / Math.PI);
-  const figure = `<g transform="rotate(${angle})">${drawAstronaut(theme, color)}</g>`;
+  const figure = `<g transform="rotate(${angle})">${drawAstronaut(theme, color, boxOf(rulesOf(level)))}</g>`;
   return place(view, 'astronaut-end', 0, { x, y }, figure) + drawContact(view, theme, level, run);
 }

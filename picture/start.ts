@@ -1,5 +1,5 @@
-import type { Run } from '../engine/index.ts';
-import type { Level } from '../schema/index.ts';
+import { boxOf, type Run } from '../engine/index.ts';
+import { type Level, rulesOf } from '../schema/index.ts';
 import { drawAstronaut } from './kinds/index.ts';
 import { place } from './place.ts';
 import type { Point } from './simplify.ts';
@@ -15,13 +15,13 @@ const SOON = 3;
 export function startLabelAt(view: View, level: Level, run: Run | undefined): Point {
   const { x, y } = level.astronaut;
   const leavesDown = run !== undefined && positionAt(run, SOON)[1] > y;
-  const off = 16 * view.scale + 9;
+  const off = boxOf(rulesOf(level)).halfHeight * view.scale + 9;
   return [view.x(x), view.y(y) + (leavesDown ? -off : off)];
 }
 
 /** The astronaut as she starts: upright in her box. */
 export const drawStartFigure = (view: View, theme: Theme, level: Level): string =>
-  place(view, 'astronaut', 0, level.astronaut, drawAstronaut(theme, theme.muted));
+  place(view, 'astronaut', 0, level.astronaut, drawAstronaut(theme, theme.muted, boxOf(rulesOf(level))));
 
 /** The astronaut as she starts, and the word beside her. */
 export function drawStart(view: View, theme: Theme, level: Level, run: Run | undefined): string {

@@ -1,4 +1,5 @@
-import { type Level, OBJECT_KINDS, placesIn } from '../schema/index.ts';
+import { boxOf } from '../engine/index.ts';
+import { type Level, OBJECT_KINDS, placesIn, rulesOf } from '../schema/index.ts';
 import { IN_PICTURE } from './kinds/index.ts';
 import { thingsOf } from './things.ts';
 
@@ -17,7 +18,7 @@ export interface View {
 /** Room around what matters, level px. */
 const MARGIN = 36;
 
-/** Around the astronaut's centre, level px. */
+/** Around the astronaut's centre, level px; more where her box needs it. */
 const AROUND_HER = 20;
 
 /** A level that is smaller than this is not blown up further, level px. */
@@ -43,14 +44,15 @@ export function frame(level: Level, way: readonly (readonly [number, number])[],
     right = Math.max(right, x + r);
     bottom = Math.max(bottom, y + r);
   };
+  const aroundHer = Math.max(AROUND_HER, boxOf(rulesOf(level)).halfDiagonal);
   for (const kind of OBJECT_KINDS) {
     const { reach = 1 } = IN_PICTURE[kind];
     for (const object of thingsOf(level, kind)) {
-      const around = object.radius === undefined ? AROUND_HER : reach * object.radius;
+      const around = object.radius === undefined ? aroundHer : reach * object.radius;
       for (const { x, y } of placesIn(kind, object)) include(x, y, around);
     }
   }
-  for (const [x, y] of way) include(x, y, AROUND_HER);
+  for (const [x, y] of way) include(x, y, aroundHer);
 
   const centreX = (left + right) / 2;
   const centreY = (top + bottom) / 2;

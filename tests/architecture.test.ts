@@ -66,6 +66,36 @@ describe('imports of files', () => {
   });
 });
 
+describe('rules are read from the level', () => {
+  // of a file's text without comments, the names that it uses
+  const usersOf = (names: RegExp, rooms: readonly string[]) =>
+    rooms
+      .flatMap(sourcesOf)
+      .filter(({ text }) => names.test(text.replace(/\/\*[\s\S]*?\*\/|\/\/.*/g, '')))
+      .map(({ path }) => path)
+      .sort();
+  const rooms = Object.keys(ROOMS);
+  // proofs and their checker refuse a level with rules of its own
+  const PROOFS = /^solver\/(proofs|verify)\//;
+
+  it('the original game’s are named where there is no level alone', () => {
+    const allowed = {
+      'engine/contact/box.ts': 'defines the box of the game’s own rules',
+      'engine/contact/index.ts': 'passes it on',
+      'engine/index.ts': 'passes it on',
+      'engine/work-precision/tunnelling.ts': 'a scene of its own, not of a level',
+      'schema/index.ts': 'passes them on',
+      'schema/rules.ts': 'defines them',
+    };
+    expect(usersOf(/\bDEFAULT_(RULES|BOX)\b/, rooms).filter((path) => !PROOFS.test(path))).toEqual(Object.keys(allowed));
+  });
+
+  it('and the constants that stood for them are left to the proofs', () => {
+    const constants = /\b(GUN_PULL|REPULSOR_PUSH|ALIEN_PULL|ALIEN_SIGHT|SPEED_LIMIT|HALF_(WIDTH|HEIGHT|DIAGONAL))\b/;
+    expect(usersOf(constants, rooms).filter((path) => !PROOFS.test(path))).toEqual(['engine/constants.ts']);
+  });
+});
+
 describe('the walls see a circle', () => {
   const circles = (files: Record<string, string>) =>
     circlesIn(importGraph(Object.entries(files).map(([path, text]) => ({ path, text }))));

@@ -1,5 +1,5 @@
 import loadBox2D from 'box2d3-wasm';
-import { HALF_HEIGHT, HALF_WIDTH } from '../../engine/index.ts';
+import { DEFAULT_BOX } from '../../engine/index.ts';
 import type { Level } from '../../schema/index.ts';
 import { Gun } from './gun.ts';
 import { type Peer, type PeerOutcome, type PeerWorld, requireSupported } from './peer.ts';
@@ -45,8 +45,8 @@ export const box2d3: Peer = {
     const boxDef = b2.b2DefaultShapeDef();
     boxDef.isSensor = true;
     boxDef.enableSensorEvents = true;
-    const width = HALF_WIDTH / PX_PER_METRE;
-    const height = HALF_HEIGHT / PX_PER_METRE;
+    const width = DEFAULT_BOX.halfWidth / PX_PER_METRE;
+    const height = DEFAULT_BOX.halfHeight / PX_PER_METRE;
     boxDef.density = 1 / (4 * width * height);
     b2.b2CreatePolygonShape(astronaut, boxDef, b2.b2MakeBox(width, height));
 

@@ -1,5 +1,4 @@
-import { GUN_PULL } from '../../engine/index.ts';
-import type { Level } from '../../schema/index.ts';
+import { DEFAULT_RULES, type Level } from '../../schema/index.ts';
 
 /**
  * The gun's rule for engines without one of their own: a loop over the asteroids each step. Acceleration in px/s2; where
@@ -40,7 +39,7 @@ export class Gun {
     this.ay = 0;
     if (!held || best === 0) return;
     const d = Math.sqrt(best);
-    const pull = GUN_PULL * (1 - d / this.range);
+    const pull = DEFAULT_RULES.pull * (1 - d / this.range);
     this.ax = (pull * (this.x[nearest] - x)) / d;
     this.ay = (pull * (this.y[nearest] - y)) / d;
     this.angle = Math.atan2(this.y[nearest] - y, this.x[nearest] - x);

@@ -1,5 +1,5 @@
 import Matter, { type Body } from 'matter-js';
-import { HALF_HEIGHT, HALF_WIDTH } from '../../engine/index.ts';
+import { DEFAULT_BOX } from '../../engine/index.ts';
 import type { Level } from '../../schema/index.ts';
 import { Gun } from './gun.ts';
 import { type Peer, type PeerOutcome, type PeerWorld, requireSupported } from './peer.ts';
@@ -18,7 +18,7 @@ export const matter: Peer = {
     requireSupported(level);
     const engine = Matter.Engine.create({ gravity: { x: 0, y: 0, scale: 0 }, enableSleeping: false });
     const { x, y, vx, vy } = level.astronaut;
-    const astronaut = Matter.Bodies.rectangle(x, y, 2 * HALF_WIDTH, 2 * HALF_HEIGHT, {
+    const astronaut = Matter.Bodies.rectangle(x, y, 2 * DEFAULT_BOX.halfWidth, 2 * DEFAULT_BOX.halfHeight, {
       isSensor: true,
       mass: 1,
       inertia: Number.POSITIVE_INFINITY,

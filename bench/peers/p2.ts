@@ -1,5 +1,5 @@
 import * as p2 from 'p2-es';
-import { HALF_HEIGHT, HALF_WIDTH } from '../../engine/index.ts';
+import { DEFAULT_BOX } from '../../engine/index.ts';
 import type { Level } from '../../schema/index.ts';
 import { Gun } from './gun.ts';
 import { type Peer, type PeerOutcome, type PeerWorld, requireSupported } from './peer.ts';
@@ -27,7 +27,7 @@ export const p2es: Peer = {
       damping: 0,
       angularDamping: 0,
     });
-    astronaut.addShape(new p2.Box({ width: 2 * HALF_WIDTH, height: 2 * HALF_HEIGHT, sensor: true }));
+    astronaut.addShape(new p2.Box({ width: 2 * DEFAULT_BOX.halfWidth, height: 2 * DEFAULT_BOX.halfHeight, sensor: true }));
     world.addBody(astronaut);
     const ends = new Map<p2.Body, PeerOutcome>();
     for (const circle of touchables(level)) {

@@ -1,7 +1,7 @@
 import { createRequire } from 'node:module';
 import type * as PhaserModule from 'phaser';
-import { GUN_PULL, HALF_HEIGHT, HALF_WIDTH, SPEED_LIMIT } from '../../engine/index.ts';
-import type { Level } from '../../schema/index.ts';
+import { DEFAULT_BOX } from '../../engine/index.ts';
+import { DEFAULT_RULES, type Level } from '../../schema/index.ts';
 import { type Peer, type PeerOutcome, type PeerWorld, requireSupported } from './peer.ts';
 import { touchables } from './touchables.ts';
 
@@ -80,11 +80,11 @@ export const phaserArcade: Peer = {
     world.useTree = false;
 
     const { x, y, vx, vy } = level.astronaut;
-    const astronaut = new Phaser.GameObjects.Zone(scene, x, y, 2 * HALF_WIDTH, 2 * HALF_HEIGHT);
+    const astronaut = new Phaser.GameObjects.Zone(scene, x, y, 2 * DEFAULT_BOX.halfWidth, 2 * DEFAULT_BOX.halfHeight);
     physics.add.existing(astronaut);
     const body = astronaut.body as PhaserModule.Physics.Arcade.Body;
     body.setVelocity(vx, vy);
-    body.setMaxVelocity(SPEED_LIMIT, SPEED_LIMIT);
+    body.setMaxVelocity(DEFAULT_RULES.speedLimit, DEFAULT_RULES.speedLimit);
 
     const zones = touchables(level).map((circle) => {
       const zone = new Phaser.GameObjects.Zone(scene, circle.x, circle.y, 2 * circle.radius, 2 * circle.radius);
@@ -115,7 +115,8 @@ export const phaserArcade: Peer = {
         if (target !== null) {
           const distance = Phaser.Math.Distance.BetweenPoints(astronaut, target);
           if (distance > level.range) outcome ??= 'lost';
-          if (held) astronaut.rotation = physics.accelerateToObject(astronaut, target, GUN_PULL * (1 - distance / level.range));
+          if (held)
+            astronaut.rotation = physics.accelerateToObject(astronaut, target, DEFAULT_RULES.pull * (1 - distance / level.range));
           else body.setAcceleration(0, 0);
         }
         world.singleStep();

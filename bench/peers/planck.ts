@@ -1,6 +1,6 @@
 import { Box, Circle, Settings, Vec2, World } from 'planck';
-import { HALF_HEIGHT, HALF_WIDTH, SPEED_LIMIT } from '../../engine/index.ts';
-import type { Level } from '../../schema/index.ts';
+import { DEFAULT_BOX } from '../../engine/index.ts';
+import { DEFAULT_RULES, type Level } from '../../schema/index.ts';
 import { Gun } from './gun.ts';
 import { type Peer, type PeerOutcome, type PeerWorld, requireSupported } from './peer.ts';
 import { touchables } from './touchables.ts';
@@ -15,7 +15,7 @@ export const planck: Peer = {
 
   async load() {
     // its default stops bodies at 2 m a step
-    Settings.maxTranslation = SPEED_LIMIT;
+    Settings.maxTranslation = DEFAULT_RULES.speedLimit;
   },
 
   create(level: Level, rate: number): PeerWorld {
@@ -29,8 +29,8 @@ export const planck: Peer = {
       linearDamping: 0,
       fixedRotation: true,
     });
-    const width = HALF_WIDTH / PX_PER_METRE;
-    const height = HALF_HEIGHT / PX_PER_METRE;
+    const width = DEFAULT_BOX.halfWidth / PX_PER_METRE;
+    const height = DEFAULT_BOX.halfHeight / PX_PER_METRE;
     astronaut.createFixture({ shape: new Box(width, height), density: 1 / (4 * width * height), isSensor: true });
     for (const circle of touchables(level)) {
       const body = world.createBody({ type: 'static', position: new Vec2(circle.x / PX_PER_METRE, circle.y / PX_PER_METRE) });

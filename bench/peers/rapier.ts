@@ -1,5 +1,5 @@
 import RAPIER from '@dimforge/rapier2d-deterministic-compat';
-import { HALF_HEIGHT, HALF_WIDTH } from '../../engine/index.ts';
+import { DEFAULT_BOX } from '../../engine/index.ts';
 import type { Level } from '../../schema/index.ts';
 import { Gun } from './gun.ts';
 import { type Peer, type PeerOutcome, type PeerWorld, requireSupported } from './peer.ts';
@@ -32,7 +32,7 @@ export const rapier: Peer = {
         .setCanSleep(false),
     );
     world.createCollider(
-      RAPIER.ColliderDesc.cuboid(HALF_WIDTH, HALF_HEIGHT)
+      RAPIER.ColliderDesc.cuboid(DEFAULT_BOX.halfWidth, DEFAULT_BOX.halfHeight)
         .setSensor(true)
         .setMass(1)
         .setActiveEvents(RAPIER.ActiveEvents.COLLISION_EVENTS),

@@ -1,5 +1,4 @@
-import { GUN_PULL } from '../../engine/index.ts';
-import { resolveLevel } from '../../schema/index.ts';
+import { DEFAULT_RULES, resolveLevel } from '../../schema/index.ts';
 import type { BenchScene } from './scene.ts';
 
 const RANGE = 250;
@@ -22,4 +21,5 @@ export const FALL: BenchScene = {
 };
 
 /** Distance to the asteroid's centre of {@link FALL} at `time` (s), px: d = M - (M - d0) cosh(t sqrt(A / M)), from d'' = -A (1 - d / M). */
-export const fallDistance = (time: number): number => RANGE - (RANGE - START) * Math.cosh(time * Math.sqrt(GUN_PULL / RANGE));
+export const fallDistance = (time: number): number =>
+  RANGE - (RANGE - START) * Math.cosh(time * Math.sqrt(DEFAULT_RULES.pull / RANGE));

@@ -3,8 +3,7 @@ import {
   type Accuracy,
   accuracyOf,
   compile,
-  HALF_HEIGHT,
-  HALF_WIDTH,
+  DEFAULT_BOX,
   type Run,
   STATE_SIZE,
   simulate,
@@ -101,7 +100,9 @@ export function graze(seed: number, accuracy: Accuracy): Graze | null {
   const step = 1e-4 * Math.min(1, until);
   if (run.events.some(({ time }) => Math.abs(time - nearest) < 2 * step)) return null;
   const byCentre = kind === 'repulsor' || kind === 'alien wakes' || kind === 'target';
-  const point: readonly [number, number] = byCentre ? [0, 0] : [pick([-1, 1]) * HALF_WIDTH, pick([-1, 1]) * HALF_HEIGHT];
+  const point: readonly [number, number] = byCentre
+    ? [0, 0]
+    : [pick([-1, 1]) * DEFAULT_BOX.halfWidth, pick([-1, 1]) * DEFAULT_BOX.halfHeight];
   const [ax, ay] = pointAt(nearest - step, point);
   const [x, y] = pointAt(nearest, point);
   const [bx, by] = pointAt(nearest + step, point);
@@ -146,8 +147,8 @@ export function graze(seed: number, accuracy: Accuracy): Graze | null {
 /** How far a point is from her box, px; 0 within it. */
 function fromBox([px, py, , , cos, sin]: Float64Array, x: number, y: number): number {
   const [dx, dy] = [x - px, y - py];
-  const gx = Math.max(0, Math.abs(dx * cos + dy * sin) - HALF_WIDTH);
-  const gy = Math.max(0, Math.abs(dy * cos - dx * sin) - HALF_HEIGHT);
+  const gx = Math.max(0, Math.abs(dx * cos + dy * sin) - DEFAULT_BOX.halfWidth);
+  const gy = Math.max(0, Math.abs(dy * cos - dx * sin) - DEFAULT_BOX.halfHeight);
   return Math.hypot(gx, gy);
 }
 

@@ -1,7 +1,7 @@
-import { HALF_HEIGHT, HALF_WIDTH } from '../../engine/index.ts';
+import type { Box as HerBox } from '../../engine/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
 import { type FoundObject, type ObjectKey, objectsOf, placesOf, radiusOf } from '../document/index.ts';
-import { boxesOf } from './extent.ts';
+import { boxesOf, herBoxIn } from './extent.ts';
 import type { Box, Point } from './view.ts';
 
 export interface Hit {
@@ -33,11 +33,11 @@ export function resizedByRim(file: LevelFile, selected: readonly ObjectKey[], re
 }
 
 /** How far outside of the object, where it is at one of its places, another place is, px; negative inside. */
-function distanceOutside(radius: number | null, at: Point, { x, y }: Point): number {
+function distanceOutside(radius: number | null, her: HerBox, at: Point, { x, y }: Point): number {
   const dx = x - at.x;
   const dy = y - at.y;
   if (radius !== null) return Math.hypot(dx, dy) - radius;
-  return Math.max(Math.abs(dx) - HALF_WIDTH, Math.abs(dy) - HALF_HEIGHT);
+  return Math.max(Math.abs(dx) - her.halfWidth, Math.abs(dy) - her.halfHeight);
 }
 
 /**
@@ -47,14 +47,15 @@ function distanceOutside(radius: number | null, at: Point, { x, y }: Point): num
  */
 export function hitTest(file: LevelFile, place: Point, reach: number, selected: readonly ObjectKey[]): Hit | null {
   const resizable = new Set(resizedByRim(file, selected, reach).map(({ key }) => key));
+  const her = herBoxIn(file);
   let rim: { hit: Hit; gap: number } | null = null;
   let body: { hit: Hit; size: number; outside: boolean } | null = null;
   for (const found of objectsOf(file).values()) {
     const { key } = found;
     const radius = radiusOf(found);
-    const size = radius ?? HALF_HEIGHT;
+    const size = radius ?? her.halfHeight;
     for (const [i, at] of placesOf(found).entries()) {
-      const outside = distanceOutside(radius, at, place);
+      const outside = distanceOutside(radius, her, at, place);
       if (outside > reach) continue;
       // a small object must keep a middle to be moved by
       const onRim = radius !== null && outside > -Math.min(reach, radius / 2);
@@ -72,7 +73,7 @@ export function objectsIn(file: LevelFile, marquee: Box): ObjectKey[] {
   const caught: ObjectKey[] = [];
   for (const found of objectsOf(file).values()) {
     const radius = radiusOf(found);
-    if (boxesOf(found).some((box) => isCaught(box, radius, marquee))) caught.push(found.key);
+    if (boxesOf(file, found).some((box) => isCaught(box, radius, marquee))) caught.push(found.key);
   }
   return caught;
 }

@@ -64,8 +64,8 @@ export function snapTargets(
 ): SnapTargets {
   const along: ReadonlySet<ObjectKey> = new Set(areCopies ? [] : moving);
   const boxes = [...objectsOf(file).values()].flatMap((found) => {
-    if (!along.has(found.key)) return boxesOf(found);
-    return only === undefined ? [] : boxesOf(found).filter((_, i) => i !== only);
+    if (!along.has(found.key)) return boxesOf(file, found);
+    return only === undefined ? [] : boxesOf(file, found).filter((_, i) => i !== only);
   });
   const sorted = (axis: 'x' | 'y') => boxes.flatMap((box) => linesOfBox(box, axis)).sort((a, b) => a.at - b.at);
   return { own: extentOf(file, moving, only), x: sorted('x'), y: sorted('y') };

@@ -6,6 +6,7 @@ import type { LiveProof } from '../proof/index.ts';
 import type { Layer } from '../session/index.ts';
 import type { CanvasState } from './canvas-state.ts';
 import { COLOURS, type Theme } from './colours.ts';
+import { herBoxIn } from './extent.ts';
 import {
   AstronautLayer,
   ObjectLayer,
@@ -94,7 +95,7 @@ class LevelScene extends Scene {
     if (zoomed || !same('file', 'pose')) objects.pose(picture.pose, view.zoom);
     const seconds = time / 1000;
     if (!picture.calm) objects.animate(seconds, view.zoom);
-    astronaut.show(picture.pose, picture.file.astronaut, seconds, picture.calm);
+    astronaut.show(picture.pose, picture.file.astronaut, herBoxIn(picture.file), seconds, picture.calm);
     this.last = picture;
   }
 

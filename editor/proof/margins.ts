@@ -1,4 +1,4 @@
-import { boxCircleGap, DEFAULT_BOX, HALF_DIAGONAL, HALF_WIDTH, type Scene, STATE_SIZE } from '../../engine/index.ts';
+import { boxCircleGap, type Scene, STATE_SIZE } from '../../engine/index.ts';
 import { type Hazard, Hazards } from './hazards.ts';
 import type { Way } from './march.ts';
 
@@ -19,7 +19,7 @@ export interface Margins {
   readonly nearMisses: readonly NearMiss[];
 }
 
-/** What is passed nearer than this is a near miss, px: the height of her box. */
+/** What is passed nearer than this is a near miss, px: the height of her box in the original game. */
 export const NEAR = 32;
 /** Within so many ticks the same hazard is missed once. */
 const ONE_PASS = 30;
@@ -64,11 +64,12 @@ function strayFrom(way: Way, from: number, to: number): number {
 }
 
 /** The hazards that can be the nearest somewhere in [from, to): those that move always, of the others what bounds allow. */
-function candidates(way: Way, from: number, to: number, still: Still, into: number[]): void {
+function candidates({ box }: Scene, way: Way, from: number, to: number, still: Still, into: number[]): void {
   into.length = 0;
   const stray = strayFrom(way, from, to);
   const x = way.states[STATE_SIZE * from];
   const y = way.states[STATE_SIZE * from + 1];
+  const leastHalf = Math.min(box.halfWidth, box.halfHeight);
   let bound = Number.POSITIVE_INFINITY;
   const { count, rims } = still;
   for (let k = 0; k < count; k++) {
@@ -76,9 +77,9 @@ function candidates(way: Way, from: number, to: number, still: Still, into: numb
     const dy = still.y[k] - y;
     const rim = Math.sqrt(dx * dx + dy * dy) - still.radius[k];
     rims[k] = rim;
-    bound = Math.min(bound, rim - HALF_WIDTH + stray);
+    bound = Math.min(bound, rim - leastHalf + stray);
   }
-  for (let k = 0; k < count; k++) if (rims[k] - HALF_DIAGONAL - stray <= bound) into.push(still.index[k]);
+  for (let k = 0; k < count; k++) if (rims[k] - box.halfDiagonal - stray <= bound) into.push(still.index[k]);
   into.push(...still.others);
 }
 
@@ -94,14 +95,14 @@ export function marginsOf(scene: Scene, way: Way): Margins {
   const near: number[] = [];
   for (let from = 0; from < count; from += STRETCH) {
     const to = Math.min(count, from + STRETCH);
-    if (hazards.count > 0) candidates(way, from, to, still, near);
+    if (hazards.count > 0) candidates(scene, way, from, to, still, near);
     for (let k = from; k < to; k++) {
       const o = STATE_SIZE * k;
       speed[k] = Math.hypot(states[o + 2], states[o + 3]);
       for (const i of near) {
         if (!hazards.at(i, k, circle)) continue;
         const found = boxCircleGap(
-          DEFAULT_BOX,
+          scene.box,
           circle[0] - states[o],
           circle[1] - states[o + 1],
           states[o + 4],

@@ -1,5 +1,4 @@
-import { ALIEN_SIGHT } from '../../engine/index.ts';
-import type { Circle } from '../../schema/index.ts';
+import type { Circle, Rules } from '../../schema/index.ts';
 import type { Theme } from '../theme.ts';
 import { num } from '../xml.ts';
 import type { KindInPicture } from './kind-in-picture.ts';
@@ -23,8 +22,8 @@ function drawAlien(radius: number, theme: Theme): string {
 }
 
 /** The ring within which it wakes, around its centre. */
-const drawSight = (theme: Theme): string =>
-  `<circle r="${ALIEN_SIGHT}" fill="${theme.alien}" fill-opacity=".035" stroke="${theme.alien}" stroke-opacity=".55" stroke-width="1.1" stroke-dasharray="9 4 2 4"/>`;
+const drawSight = (theme: Theme, { alienSight }: Rules): string =>
+  `<circle r="${num(alienSight)}" fill="${theme.alien}" fill-opacity=".035" stroke="${theme.alien}" stroke-opacity=".55" stroke-width="1.1" stroke-dasharray="9 4 2 4"/>`;
 
 export const alien: KindInPicture<Circle> = {
   depth: 6,

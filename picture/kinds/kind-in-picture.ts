@@ -1,3 +1,4 @@
+import type { Rules } from '../../schema/index.ts';
 import type { Theme } from '../theme.ts';
 
 /** One object to be drawn. */
@@ -11,6 +12,7 @@ export interface Look<Thing> {
   /** Within its list: so that no two look quite alike. */
   readonly index: number;
   readonly theme: Theme;
+  readonly rules: Rules;
 }
 
 /** How a kind of object is drawn in pictures: as SVG around its own centre, in px of the level. */
@@ -25,7 +27,7 @@ export interface KindInPicture<Thing = object> {
   /** How far a picture shows what is around its centre, in radii; 1 when left out. */
   readonly reach?: number;
   /** What lies around it, farther than its rim. */
-  readonly around?: { readonly depth: number; readonly name: string; draw(theme: Theme): string };
+  readonly around?: { readonly depth: number; readonly name: string; draw(theme: Theme, rules: Rules): string };
   /** The gradients that it is drawn with. */
   gradients?(theme: Theme): readonly string[];
   /** Its sign in the legend is its drawing at this radius, made as small as the others, and by a factor smaller where it has much around it; null: it needs no sign. */

@@ -1,4 +1,4 @@
-import { GUN_PULL, HALF_DIAGONAL, type Scene, type Simulation, STATE_SIZE, TICK } from '../../engine/index.ts';
+import { type Scene, type Simulation, STATE_SIZE, TICK } from '../../engine/index.ts';
 
 // px: more than any accuracy errs along a straight line, so that what touches is never ruled out
 const MARGIN = 0.5;
@@ -14,8 +14,8 @@ export interface CoastingFilter {
 /** The filter for a scene. Under `arcade` the gun's pull acts for one more frame after a release, so the line is a narrow cone. */
 export function coastingFilter(scene: Scene): CoastingFilter {
   const { blackHole } = scene.level;
-  const { repulsors } = scene;
-  const drift = scene.accuracy.integrator === 'arcade' ? GUN_PULL * TICK : 0;
+  const { repulsors, rules, box } = scene;
+  const drift = scene.accuracy.integrator === 'arcade' ? rules.pull * TICK : 0;
   const state = new Float64Array(STATE_SIZE);
   const meets = (x: number, y: number, reach: number): boolean => {
     const [px, py, vx, vy] = state;
@@ -24,7 +24,7 @@ export function coastingFilter(scene: Scene): CoastingFilter {
   return {
     mayReach(simulation) {
       simulation.readState(state);
-      if (meets(blackHole.x, blackHole.y, blackHole.radius + HALF_DIAGONAL)) return true;
+      if (meets(blackHole.x, blackHole.y, blackHole.radius + box.halfDiagonal)) return true;
       for (let i = 0; i < repulsors.count; i++) if (meets(repulsors.x[i], repulsors.y[i], repulsors.r[i])) return true;
       return false;
     },

@@ -1,3 +1,5 @@
+import type { OwnRules } from '../../schema/index.ts';
+
 /** How hard a generated level should be: in a word, or a grade from 1 to 10 that it should come within half a grade of. */
 export type WantedDifficulty = 'easy' | 'medium' | 'hard' | number;
 
@@ -16,6 +18,8 @@ export interface GeneratorOptions {
   readonly difficulty?: WantedDifficulty;
   /** What may be drawn; hot asteroids, repulsors and aliens when left out. */
   readonly ingredients?: readonly Ingredient[];
+  /** Rules under which it is played; the game's own when left out. */
+  readonly rules?: OwnRules;
 }
 
 /** What a level has to be, worked out from the options. Lengths in px. */
@@ -45,6 +49,8 @@ export interface GeneratorSpec {
   /** most single presses that win, as a share of all pairs of press and release */
   readonly onePress: number;
   readonly ingredients: readonly Ingredient[];
+  /** rules that are not the game's own; they go into the level */
+  readonly rules: OwnRules;
 }
 
 const SIZES = { small: [520, 420], medium: [800, 600], large: [1280, 800] } as const;
@@ -60,7 +66,7 @@ export const GREATEST_SIDE = 4000;
 /**
  * @throws RangeError for a size or a grade that can't be
  */
-export function specOf({ size = 'medium', difficulty = 'medium', ingredients }: GeneratorOptions): GeneratorSpec {
+export function specOf({ size = 'medium', difficulty = 'medium', ingredients, rules = {} }: GeneratorOptions): GeneratorSpec {
   const [width, height] = typeof size === 'string' ? SIZES[size] : [size.width, size.height];
   for (const [name, side] of Object.entries({ width, height })) {
     if (side >= LEAST_SIDE && side <= GREATEST_SIDE) continue;
@@ -90,5 +96,6 @@ export function specOf({ size = 'medium', difficulty = 'medium', ingredients }: 
     coast: Math.round(100 + 120 * hardness),
     onePress: 0.06 * (1 - hardness) + 0.002,
     ingredients: ingredients ?? ['hot', 'repulsors', 'aliens'],
+    rules,
   };
 }

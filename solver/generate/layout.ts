@@ -1,4 +1,5 @@
-import type { Disc, Place } from '../../schema/index.ts';
+import { boxOf } from '../../engine/index.ts';
+import { type Disc, type OwnRules, type Place, rulesOf } from '../../schema/index.ts';
 import type { Random } from '../random.ts';
 import type { GeneratorSpec } from './generator-spec.ts';
 
@@ -7,6 +8,7 @@ export interface Layout {
   readonly start: Place & { readonly vx: number; readonly vy: number };
   readonly blackHole: Disc;
   readonly recoil: boolean;
+  readonly rules: OwnRules;
   readonly asteroids: readonly (Disc & { readonly hot: boolean })[];
   readonly repulsors: readonly Disc[];
   readonly aliens: readonly Disc[];
@@ -20,8 +22,9 @@ export const GAP = 12;
 /** px between anything and the edge of the level. */
 const MARGIN = 50;
 
-/** px around the start that stay free: nobody should burn before the first press. */
+/** px around the start that stay free, and at least around her box: nobody should burn before the first press. */
 const START_FREE = 75;
+const BOX_FREE = 20;
 
 /** px/s on each axis, at most. */
 const START_SPEED = 50;
@@ -44,7 +47,8 @@ export function fits(layout: Layout, spec: GeneratorSpec, disc: Disc, gap = GAP)
   const { x, y, radius } = disc;
   if (x < MARGIN + radius || y < MARGIN + radius) return false;
   if (x > spec.width - MARGIN - radius || y > spec.height - MARGIN - radius) return false;
-  if (distance(disc, layout.start) < START_FREE + radius) return false;
+  const free = Math.max(START_FREE, boxOf(rulesOf(layout)).halfDiagonal + BOX_FREE);
+  if (distance(disc, layout.start) < free + radius) return false;
   return bodiesOf(layout).every((other) => distance(other, disc) >= other.radius + radius + gap);
 }
 
@@ -73,6 +77,7 @@ export function layOut(random: Random, spec: GeneratorSpec): Layout | null {
   let layout: Layout = {
     start,
     blackHole: FAR_AWAY,
+    rules: spec.rules,
     recoil: spec.ingredients.includes('recoil') && random.below(2) === 0,
     asteroids: [],
     repulsors: [],
@@ -110,7 +115,7 @@ export function layOut(random: Random, spec: GeneratorSpec): Layout | null {
   for (let n = some('aliens'); n > 0; n--) {
     const disc = tryOften(() => {
       const alien = { ...inPlay(), radius: 25 };
-      const isAsleep = distance(alien, start) >= 175;
+      const isAsleep = distance(alien, start) >= rulesOf(spec).alienSight + 25;
       return isAsleep && fits(layout, spec, alien, 40) ? alien : null;
     });
     if (disc !== null) layout = { ...layout, aliens: [...layout.aliens, disc] };

@@ -11,7 +11,7 @@ export function toLevelFile(
   description: string,
   runs: readonly { readonly name: string; readonly holds: readonly Hold[] }[],
 ): LevelFile {
-  const { start, blackHole, recoil, asteroids, novae, repulsors, aliens, minerals } = layout;
+  const { start, blackHole, recoil, rules, asteroids, novae, repulsors, aliens, minerals } = layout;
   return withIds({
     version: LEVEL_VERSION,
     name,
@@ -19,6 +19,7 @@ export function toLevelFile(
     astronaut: { x: start.x, y: start.y, ...((start.vx !== 0 || start.vy !== 0) && { vx: start.vx, vy: start.vy }) },
     blackHole: place(blackHole),
     ...(recoil && { recoil }),
+    ...(Object.keys(rules).length > 0 && { rules }),
     asteroids: asteroids.map(({ hot, ...rest }) => ({ ...circle(rest), ...(hot && { hot }) })),
     ...(novae.length > 0 && { novae: novae.map(circle) }),
     ...(repulsors.length > 0 && { repulsors: repulsors.map(circle) }),

@@ -1,4 +1,5 @@
-import { compile, HALF_DIAGONAL } from '../../engine/index.ts';
+import { boxOf, compile } from '../../engine/index.ts';
+import { rulesOf } from '../../schema/index.ts';
 import type { Goal } from '../goal.ts';
 import type { Random } from '../random.ts';
 import { successProbability } from '../robustness/index.ts';
@@ -31,7 +32,7 @@ export function narrowWay(layout: Layout, spec: GeneratorSpec, run: Candidate, w
   const p40 = (grown: Layout) =>
     successProbability(compile(toLevel(grown), 'arcade'), run.holds, ANY, 40, { samples: SAMPLES, seed: 1 }).p;
   const now = p40(layout);
-  const least = RADIUS + HALF_DIAGONAL + 1;
+  const least = RADIUS + boxOf(rulesOf(layout)).halfDiagonal + 1;
   const offset = () => random.below(2 * Math.ceil(least + NEAR) + 1) - Math.ceil(least + NEAR);
   const narrowed: { readonly layout: Layout; readonly p: number }[] = [];
   for (let i = 0; i < PLACES; i++) {

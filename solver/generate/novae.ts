@@ -1,5 +1,5 @@
-import { HALF_DIAGONAL } from '../../engine/index.ts';
-import type { Disc, Place } from '../../schema/index.ts';
+import { boxOf } from '../../engine/index.ts';
+import { type Disc, type Place, rulesOf } from '../../schema/index.ts';
 import type { Random } from '../random.ts';
 import type { GeneratorSpec } from './generator-spec.ts';
 import { fits, type Layout, tryOften } from './layout.ts';
@@ -7,16 +7,21 @@ import { distanceToWays, type Way } from './tube.ts';
 
 const RADII = [16, 32] as const;
 
-// px off a way at which the smallest nova is still touched, however her box is turned
-const BESIDE = 20;
+// px by which her box overlaps the smallest nova beside a way, at least
+const OVERLAP = 6;
 
-const OFFSETS = [
-  [0, 0],
-  [BESIDE, 0],
-  [-BESIDE, 0],
-  [0, BESIDE],
-  [0, -BESIDE],
-] as const;
+/** On a way, and so far off it that the smallest nova is still touched, however her box is turned: whole px. */
+function offsetsOf(layout: Layout): readonly (readonly [number, number])[] {
+  const { halfWidth, halfHeight } = boxOf(rulesOf(layout));
+  const beside = Math.floor(RADII[0] + Math.min(halfWidth, halfHeight)) - OVERLAP;
+  return [
+    [0, 0],
+    [beside, 0],
+    [-beside, 0],
+    [0, beside],
+    [0, -beside],
+  ];
+}
 
 /**
  * Adds up to `count` novae that leave all `free` ways open: two of three near a way, where they are seen to matter, the rest anywhere.
@@ -44,8 +49,9 @@ export function blockWay(
   random: Random,
 ): Layout | null {
   const places: Disc[] = [];
+  const offsets = offsetsOf(layout);
   for (const at of shortcut) {
-    for (const [dx, dy] of OFFSETS) {
+    for (const [dx, dy] of offsets) {
       const nova = freeNova(layout, spec, free, { x: Math.round(at.x) + dx, y: Math.round(at.y) + dy, radius: RADII[0] });
       if (nova !== null) places.push(nova);
     }
@@ -55,7 +61,7 @@ export function blockWay(
 
 function freeNova(layout: Layout, spec: GeneratorSpec, free: readonly Way[], nova: Disc): Disc | null {
   if (!fits(layout, spec, nova)) return null;
-  return distanceToWays(free, nova) >= nova.radius + HALF_DIAGONAL + spec.room ? nova : null;
+  return distanceToWays(free, nova) >= nova.radius + boxOf(rulesOf(layout)).halfDiagonal + spec.room ? nova : null;
 }
 
 /** A place some way off a random place on a way. */

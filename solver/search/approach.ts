@@ -1,4 +1,4 @@
-import { boxCircleGap, DEFAULT_BOX, HALF_DIAGONAL, type Scene } from '../../engine/index.ts';
+import { boxCircleGap, type Scene } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import type { NodeList } from './node-list.ts';
 import type { Closest } from './search.ts';
@@ -18,12 +18,13 @@ export class Approach {
 
   /** Looks at a state on a stretch from `node`. */
   look(state: Float64Array, node: number, tick: number, held: boolean): void {
-    const hole = this.scene.level.blackHole;
+    const { box, level } = this.scene;
+    const hole = level.blackHole;
     const dx = hole.x - state[0];
     const dy = hole.y - state[1];
-    const far = this.distance + hole.radius + HALF_DIAGONAL;
+    const far = this.distance + hole.radius + box.halfDiagonal;
     if (dx * dx + dy * dy > far * far) return;
-    const distance = Math.max(0, boxCircleGap(DEFAULT_BOX, dx, dy, state[4], state[5], hole.radius));
+    const distance = Math.max(0, boxCircleGap(box, dx, dy, state[4], state[5], hole.radius));
     if (distance >= this.distance) return;
     this.distance = distance;
     this.node = node;

@@ -1,4 +1,4 @@
-import { createSimulation, HALF_DIAGONAL, type Scene, type Simulation, STATE_SIZE, TICK_RATE } from '../../engine/index.ts';
+import { createSimulation, type Scene, type Simulation, STATE_SIZE, TICK_RATE } from '../../engine/index.ts';
 import { mineralsNeeded } from '../goal.ts';
 import { createRandom, type Random } from '../random.ts';
 import { type Candidate, createReplay, DEFAULT_MAX_TICKS } from '../verified-run.ts';
@@ -232,7 +232,7 @@ class CellSearch implements Search {
         const dy = hole.y - state[1];
         const dot = dx * state[2] + dy * state[3];
         const cross = dx * state[3] - dy * state[2];
-        const reach = HALF_DIAGONAL + hole.radius;
+        const reach = this.scene.box.halfDiagonal + hole.radius;
         if (dot > 0 && cross * cross < reach * reach * (state[2] * state[2] + state[3] * state[3])) {
           if (!hit) hit = this.probe(last);
         } else {
@@ -277,6 +277,7 @@ class CellSearch implements Search {
   /** The minerals (bit by index) that she would meet if she let go here. */
   private mineralsAhead(): number {
     const { simulation, state, line } = this;
+    const { halfDiagonal } = this.scene.box;
     const { x, y, r } = this.scene.minerals;
     const speedSquared = state[2] * state[2] + state[3] * state[3];
     let ahead = 0;
@@ -285,7 +286,7 @@ class CellSearch implements Search {
       const dx = x[i] - state[0];
       const dy = y[i] - state[1];
       const cross = dx * state[3] - dy * state[2];
-      const reach = HALF_DIAGONAL + r[i];
+      const reach = halfDiagonal + r[i];
       if (!(dx * state[2] + dy * state[3] > 0 && cross * cross < reach * reach * speedSquared)) continue;
       line.from(state);
       const distance = line.distanceTo(x[i], y[i], r[i]);

@@ -1,4 +1,4 @@
-import { HALF_HEIGHT, HALF_WIDTH, type Scene, TICK_RATE } from '../../engine/index.ts';
+import { type Scene, TICK_RATE } from '../../engine/index.ts';
 
 /** px that recoil or a frame's step may move things against what is computed here. */
 const SLACK = 0.25;
@@ -11,6 +11,7 @@ const SLACK = 0.25;
 export class LineOfFlight {
   private readonly scene: Scene;
   private readonly hotCount: number;
+  private readonly box: Scene['box'];
   private x = 0;
   private y = 0;
   private ux = 0;
@@ -20,6 +21,7 @@ export class LineOfFlight {
 
   constructor(scene: Scene) {
     this.scene = scene;
+    this.box = scene.box;
     this.hotCount = scene.targets.count - scene.coldCount;
   }
 
@@ -33,9 +35,10 @@ export class LineOfFlight {
     this.speed = speed;
     this.ux = speed > 0 ? vx / speed : 0;
     this.uy = speed > 0 ? vy / speed : 0;
-    const { ux, uy } = this;
+    const { ux, uy, box } = this;
     // how far the box reaches to either side of the line
-    this.halfWidth = HALF_WIDTH * Math.abs(ux * state[5] - uy * state[4]) + HALF_HEIGHT * Math.abs(ux * state[4] + uy * state[5]);
+    const across = Math.abs(ux * state[5] - uy * state[4]);
+    this.halfWidth = box.halfWidth * across + box.halfHeight * Math.abs(ux * state[4] + uy * state[5]);
   }
 
   /** px to fly until she touches a circle, or -1. */

@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { HALF_WIDTH } from '../../engine/index.ts';
+import { DEFAULT_BOX } from '../../engine/index.ts';
 import { command } from './commands.ts';
 import { straight } from './levels.ts';
 import { inChromium } from './stage.ts';
@@ -21,7 +21,7 @@ inChromium('layers over the level in Chromium', ({ on }) => {
         /** Within the range of the gun, and away from all else. */
         const inRange = { x: 448, y: 430 };
         /** As near as her centre may come to the nova. */
-        const onMargin = { x: 448 + 32 + HALF_WIDTH, y: 520 };
+        const onMargin = { x: 448 + 32 + DEFAULT_BOX.halfWidth, y: 520 };
         for (const [layer, place, other] of [
           ['range of the gun', inRange, null],
           ['margins of hazards', onMargin, inRange],

@@ -1,6 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { compile, createSimulation, GUN_PULL, REPULSOR_PUSH, SPEED_LIMIT, STATE_SIZE, TICK } from '../../engine/index.ts';
+import { compile, createSimulation, STATE_SIZE, TICK } from '../../engine/index.ts';
+import { DEFAULT_RULES } from '../../schema/index.ts';
 import { type PlainLevel, plainLevel } from './plain-level.ts';
 
 const number = (min: number, max: number) => fc.integer({ min: min * 64, max: max * 64 }).map((k) => k / 64);
@@ -29,8 +30,8 @@ describe('arcade, against the sums of semi-implicit Euler', () => {
     fc.assert(
       fc.property(number(1, 40), fc.integer({ min: 1, max: 300 }), (x, n) => {
         const state = stateAfter({ astronaut: { x }, repulsors: [{ x: 0, y: 0, radius: 1000 }] }, [[n, false]]);
-        expect(state.vx).toBeCloseTo(REPULSOR_PUSH * (n - 1) * TICK, 9);
-        expect(state.x).toBeCloseTo(x + (REPULSOR_PUSH * TICK * TICK * n * (n - 1)) / 2, 9);
+        expect(state.vx).toBeCloseTo(DEFAULT_RULES.push * (n - 1) * TICK, 9);
+        expect(state.x).toBeCloseTo(x + (DEFAULT_RULES.push * TICK * TICK * n * (n - 1)) / 2, 9);
         expect([state.y, state.vy]).toEqual([0, 0]);
       }),
     );
@@ -45,7 +46,7 @@ describe('arcade, against the sums of semi-implicit Euler', () => {
         let [d, v, a] = [distance, 0, 0];
         for (let k = 0; k < n; k++) {
           v += a * TICK;
-          a = GUN_PULL * (1 - d / range);
+          a = DEFAULT_RULES.pull * (1 - d / range);
           d -= v * TICK;
         }
         expect(distance - state.x).toBeCloseTo(d, 9);
@@ -57,7 +58,7 @@ describe('arcade, against the sums of semi-implicit Euler', () => {
 
   it('a press in frame f turns her in f, changes velocity in f + 1 and position at the end of f + 1', () => {
     const level = { asteroids: [{ x: 0, y: 100, radius: 16 }], range: 250 };
-    const pull = GUN_PULL * (1 - 100 / 250);
+    const pull = DEFAULT_RULES.pull * (1 - 100 / 250);
     expect(stateAfter(level, [[5, false]])).toMatchObject({ y: 0, vy: 0, cos: 1, sin: 0 });
     expect(
       stateAfter(level, [
@@ -84,7 +85,7 @@ describe('arcade, against the sums of semi-implicit Euler', () => {
   it('no component of the velocity passes the speed limit', () => {
     const level = { astronaut: { x: 50, vx: 990, vy: -999 }, repulsors: [{ x: 0, y: 0, radius: 1e6 }] };
     const state = stateAfter(level, [[300, false]]);
-    expect(state.vx).toBe(SPEED_LIMIT);
-    expect(state.vy).toBe(-SPEED_LIMIT);
+    expect(state.vx).toBe(DEFAULT_RULES.speedLimit);
+    expect(state.vy).toBe(-DEFAULT_RULES.speedLimit);
   });
 });

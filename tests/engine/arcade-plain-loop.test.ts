@@ -1,8 +1,9 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { compile, createSimulation, HALF_DIAGONAL, HALF_HEIGHT, HALF_WIDTH } from '../../engine/index.ts';
+import { compile, createSimulation, DEFAULT_BOX } from '../../engine/index.ts';
 import type { Level } from '../../schema/index.ts';
 import { arbitraryLevel, arbitraryPlayableLevel } from './arbitrary-level.ts';
+import { arbitraryRules } from './arbitrary-rules.ts';
 import { plainFrames } from './arcade-plain-loop.ts';
 
 // `arcade` leaves out what is too far to matter, frame by frame and cell by cell. Nothing may tell: not a bit of the state, on
@@ -72,15 +73,24 @@ describe('arcade has the bits of a loop that looks at everything in every frame'
     fc.assert(fc.property(level, plan, compareWithPlain), { numRuns: 400 });
   });
 
+  it.each([
+    ['any', arbitraryLevel],
+    ['playable', arbitraryPlayableLevel],
+    ['crowded', crowdedLevel],
+  ] as const)('on %s levels with rules of their own', (_, level) => {
+    const ruled = fc.record({ level, rules: arbitraryRules }).map((made) => ({ ...made.level, rules: made.rules }));
+    fc.assert(fc.property(ruled, plan, compareWithPlain), { numRuns: 300 });
+  });
+
   it('where an alien that starts from rest has less than 2 px to go', () => {
     // a corner of her box points at it: only there does the box reach as far as what is looked at beforehand
-    const corner = HALF_DIAGONAL + 25;
+    const corner = DEFAULT_BOX.halfDiagonal + 25;
     const gap = fc.integer({ min: 1, max: 200 }).map((k) => k / 100);
     const quarter = fc.tuple(fc.constantFrom(-1, 1), fc.constantFrom(-1, 1));
     fc.assert(
       fc.property(arbitraryPlayableLevel, gap, quarter, fc.integer({ min: 1, max: 60 }), (level, d, [sx, sy], ticks) => {
-        const x = (sx * HALF_WIDTH * (corner + d)) / HALF_DIAGONAL;
-        const y = (sy * HALF_HEIGHT * (corner + d)) / HALF_DIAGONAL;
+        const x = (sx * DEFAULT_BOX.halfWidth * (corner + d)) / DEFAULT_BOX.halfDiagonal;
+        const y = (sy * DEFAULT_BOX.halfHeight * (corner + d)) / DEFAULT_BOX.halfDiagonal;
         const blackHole = { x: 200, y: 0, radius: 20 };
         const asteroids = [{ id: null, x: 100, y: -100, radius: 16, hot: false }];
         const still = { ...level, astronaut: { x: 0, y: 0, vx: 0, vy: 0 }, blackHole, asteroids, range: 400 };

@@ -1,17 +1,5 @@
-import {
-  ALIEN_PULL,
-  ALIEN_SIGHT,
-  boxOverlapsCircle,
-  DEFAULT_BOX,
-  EXPLOSION_FRAMES,
-  GUN_PULL,
-  REPULSOR_PUSH,
-  SPEED_LIMIT,
-  TICK,
-} from '../../engine/index.ts';
-import type { Level } from '../../schema/index.ts';
-
-const limited = (v: number) => Math.min(SPEED_LIMIT, Math.max(-SPEED_LIMIT, v));
+import { boxOf, boxOverlapsCircle, EXPLOSION_FRAMES, TICK } from '../../engine/index.ts';
+import { type Level, rulesOf } from '../../schema/index.ts';
 
 /**
  * The original's frames with everything looked at in every frame, written for reading: what `arcade` must equal in every bit.
@@ -19,6 +7,9 @@ const limited = (v: number) => Math.min(SPEED_LIMIT, Math.max(-SPEED_LIMIT, v));
  */
 export function plainFrames(level: Level, button: readonly boolean[]) {
   const { astronaut, blackHole, range, recoil, novae, repulsors, minerals } = level;
+  const rules = rulesOf(level);
+  const box = boxOf(rules);
+  const limited = (v: number) => Math.min(rules.speedLimit, Math.max(-rules.speedLimit, v));
   const still = { vx: 0, vy: 0, ax: 0, ay: 0 };
   const cold = level.asteroids.filter(({ hot }) => !hot);
   const rocks = [...cold, ...level.asteroids.filter(({ hot }) => hot)].map((a) => ({ ...a, ...still }));
@@ -53,11 +44,11 @@ export function plainFrames(level: Level, button: readonly boolean[]) {
       const d = Math.sqrt(best);
       cos = d > 0 ? (nearest.x - x) / d : 1;
       sin = d > 0 ? (nearest.y - y) / d : 0;
-      const pull = GUN_PULL * (1 - d / range);
+      const pull = rules.pull * (1 - d / range);
       ax = pull * cos;
       ay = pull * sin;
-      nearest.ax = (-1 / (2 * nearest.radius)) * cos;
-      nearest.ay = (-1 / (2 * nearest.radius)) * sin;
+      nearest.ax = (-rules.recoil / (2 * nearest.radius)) * cos;
+      nearest.ay = (-rules.recoil / (2 * nearest.radius)) * sin;
     } else if (nearest !== undefined) {
       nearest.ax = 0;
       nearest.ay = 0;
@@ -65,7 +56,7 @@ export function plainFrames(level: Level, button: readonly boolean[]) {
 
     if (outcome === null) {
       const touches = (c: { x: number; y: number; radius: number }) =>
-        boxOverlapsCircle(DEFAULT_BOX, c.x - x, c.y - y, cos, sin, c.radius);
+        boxOverlapsCircle(box, c.x - x, c.y - y, cos, sin, c.radius);
       if (touches(blackHole)) outcome = 'completed';
       else if ([...novae, ...rocks.slice(cold.length)].some(touches)) outcome = 'collided';
       const touched = minerals.flatMap((mineral, i) => (!collected[i] && touches(mineral) ? [i] : []));
@@ -88,9 +79,9 @@ export function plainFrames(level: Level, button: readonly boolean[]) {
       const dx = x - alien.x;
       const dy = y - alien.y;
       const d = Math.sqrt(dx * dx + dy * dy);
-      if (d < ALIEN_SIGHT && !(alien.exploded && frame >= alien.chasesUntil)) {
-        alien.ax = d > 0 ? (ALIEN_PULL * dx) / d : ALIEN_PULL;
-        alien.ay = d > 0 ? (ALIEN_PULL * dy) / d : 0;
+      if (d < rules.alienSight && !(alien.exploded && frame >= alien.chasesUntil)) {
+        alien.ax = d > 0 ? (rules.alienPull * dx) / d : rules.alienPull;
+        alien.ay = d > 0 ? (rules.alienPull * dy) / d : 0;
       } else {
         Object.assign(alien, still);
       }
@@ -100,8 +91,8 @@ export function plainFrames(level: Level, button: readonly boolean[]) {
       const dx = x - field.x;
       const dy = y - field.y;
       const d = Math.sqrt(dx * dx + dy * dy);
-      ax = d > 0 ? (REPULSOR_PUSH * dx) / d : REPULSOR_PUSH;
-      ay = d > 0 ? (REPULSOR_PUSH * dy) / d : 0;
+      ax = d > 0 ? (rules.push * dx) / d : rules.push;
+      ay = d > 0 ? (rules.push * dy) / d : 0;
     }
     if (outcome === 'collided') {
       vx = 0;

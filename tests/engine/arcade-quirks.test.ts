@@ -1,13 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import {
-  ALIEN_SIGHT,
-  compile,
-  createSimulation,
-  EXPLOSION_FRAMES,
-  type Simulation,
-  STATE_SIZE,
-  simulate,
-} from '../../engine/index.ts';
+import { compile, createSimulation, EXPLOSION_FRAMES, type Simulation, STATE_SIZE, simulate } from '../../engine/index.ts';
+import { DEFAULT_RULES } from '../../schema/index.ts';
 import { type PlainLevel, plainLevel } from './plain-level.ts';
 
 const start = (level: PlainLevel): Simulation => createSimulation(compile(plainLevel(level), 'arcade'));
@@ -143,8 +136,8 @@ describe('boundaries', () => {
       simulation.advance(60, false);
       return aliensOf(simulation)[0] < x;
     };
-    expect(wakes(ALIEN_SIGHT)).toBe(false);
-    expect(wakes(ALIEN_SIGHT - 2 ** -40)).toBe(true);
+    expect(wakes(DEFAULT_RULES.alienSight)).toBe(false);
+    expect(wakes(DEFAULT_RULES.alienSight - 2 ** -40)).toBe(true);
 
     const simulation = start({ astronaut: { vx: -60 }, aliens: [{ x: 140, y: 0, radius: 25 }] });
     simulation.advance(30, false);

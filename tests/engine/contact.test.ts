@@ -1,14 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import {
-  boxCircleGap,
-  boxOverlapsCircle,
-  circlesOverlap,
-  DEFAULT_BOX,
-  HALF_DIAGONAL,
-  HALF_HEIGHT,
-  HALF_WIDTH,
-} from '../../engine/index.ts';
+import { boxCircleGap, boxOverlapsCircle, circlesOverlap, DEFAULT_BOX } from '../../engine/index.ts';
 
 /** Directions with rational cos = c / n, sin = s / n. */
 const TRIANGLES = [
@@ -42,8 +34,8 @@ function exactBoxCircle(dx: number, dy: number, { c, s, n }: { c: number; s: num
     const beyond = (along < 0n ? -along : along) - exact(half) * side;
     return beyond > 0n ? beyond : 0n;
   };
-  const gx = outside(x * cos + y * sin, HALF_WIDTH);
-  const gy = outside(y * cos - x * sin, HALF_HEIGHT);
+  const gx = outside(x * cos + y * sin, DEFAULT_BOX.halfWidth);
+  const gy = outside(y * cos - x * sin, DEFAULT_BOX.halfHeight);
   const rr = (exact(r) * side) ** 2n;
   return { difference: gx * gx + gy * gy - rr, rr };
 }
@@ -95,7 +87,7 @@ describe('box and circle', () => {
   });
 
   it('the quick reject bounds the box', () => {
-    expect(HALF_DIAGONAL ** 2).toBeGreaterThan(HALF_WIDTH ** 2 + HALF_HEIGHT ** 2);
+    expect(DEFAULT_BOX.halfDiagonal ** 2).toBeGreaterThan(DEFAULT_BOX.halfWidth ** 2 + DEFAULT_BOX.halfHeight ** 2);
   });
 
   const anyCase = fc.record({
@@ -125,11 +117,11 @@ describe('box and circle', () => {
         let nearest = Number.POSITIVE_INFINITY;
         for (let i = 0; i <= STEPS; i++) {
           for (let j = 0; j <= STEPS; j++) {
-            const [u, v] = [HALF_WIDTH * ((2 * i) / STEPS - 1), HALF_HEIGHT * ((2 * j) / STEPS - 1)];
+            const [u, v] = [DEFAULT_BOX.halfWidth * ((2 * i) / STEPS - 1), DEFAULT_BOX.halfHeight * ((2 * j) / STEPS - 1)];
             nearest = Math.min(nearest, Math.hypot(u * cos - v * sin - dx, u * sin + v * cos - dy));
           }
         }
-        const spacing = Math.hypot(HALF_WIDTH, HALF_HEIGHT) / STEPS;
+        const spacing = Math.hypot(DEFAULT_BOX.halfWidth, DEFAULT_BOX.halfHeight) / STEPS;
         const gap = boxCircleGap(DEFAULT_BOX, dx, dy, cos, sin, r) + r;
         expect(nearest).toBeGreaterThanOrEqual(gap - 1e-9);
         expect(nearest).toBeLessThanOrEqual(gap + spacing + 1e-9);

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { compile, type Run, SPEED_LIMIT, STATE_SIZE, simulate, TICK, WorkBudget } from '../../engine/index.ts';
-import { type Level, NO_OBJECTS } from '../../schema/index.ts';
+import { compile, type Run, STATE_SIZE, simulate, TICK, WorkBudget } from '../../engine/index.ts';
+import { DEFAULT_RULES, type Level, NO_OBJECTS } from '../../schema/index.ts';
 import { accuracyNames, levelsFor } from './accuracies.ts';
 import { arbitraryHolds } from './arbitrary-level.ts';
 
@@ -42,8 +42,8 @@ describe.each(accuracyNames)('any level at %s', (accuracy) => {
         expect(run.time).toBeLessThanOrEqual(LAST_TICK / 60);
         for (let i = 1; i < run.events.length; i++) expect(run.events[i].time).toBeGreaterThanOrEqual(run.events[i - 1].time);
         for (const event of run.events) expect(event.time).toBeLessThanOrEqual(run.time);
-        expect(Math.abs(run.final.vx)).toBeLessThanOrEqual(SPEED_LIMIT);
-        expect(Math.abs(run.final.vy)).toBeLessThanOrEqual(SPEED_LIMIT);
+        expect(Math.abs(run.final.vx)).toBeLessThanOrEqual(DEFAULT_RULES.speedLimit);
+        expect(Math.abs(run.final.vy)).toBeLessThanOrEqual(DEFAULT_RULES.speedLimit);
         expect(Math.hypot(run.final.cos, run.final.sin)).toBeCloseTo(1, 12);
       }),
       { numRuns: accuracy === 'arcade' ? 1500 : 300 },

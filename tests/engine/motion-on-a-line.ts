@@ -1,4 +1,5 @@
-import { GUN_PULL, REPULSOR_PUSH, TICK } from '../../engine/index.ts';
+import { TICK } from '../../engine/index.ts';
+import { DEFAULT_RULES } from '../../schema/index.ts';
 
 /** A scene with everything on one line: places along it, px, and her velocity, px/s. */
 export interface LineScene {
@@ -39,8 +40,8 @@ export function moveOnLine(scene: LineScene, ticks: number, held: (tick: number)
   const rates = (s: readonly number[]): number[] => {
     const d: number[] = [s[1], 0];
     for (let i = 0; i < asteroids.length; i++) d.push(s[3 + 2 * i], 0);
-    if (field() >= 0) d[1] = out * REPULSOR_PUSH;
-    else if (target >= 0) d[1] = side * GUN_PULL * (1 - (side * (rock(s, target) - s[0])) / range);
+    if (field() >= 0) d[1] = out * DEFAULT_RULES.push;
+    else if (target >= 0) d[1] = side * DEFAULT_RULES.pull * (1 - (side * (rock(s, target) - s[0])) / range);
     if (recoil && target >= 0) d[3 + 2 * target] = -side / (2 * asteroids[target].radius);
     return d;
   };

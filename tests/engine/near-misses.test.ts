@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { boxCircleGap, compile, DEFAULT_BOX, findWarnings, HALF_DIAGONAL, simulate } from '../../engine/index.ts';
+import { boxCircleGap, compile, DEFAULT_BOX, findWarnings, simulate } from '../../engine/index.ts';
 import { type LevelFile, resolveLevel } from '../../schema/index.ts';
 import { continuousNames } from './accuracies.ts';
 
@@ -145,7 +145,7 @@ describe('warnings of what is out of reach, with recoil', () => {
   });
 
   it('and a thing is farther by one', () => {
-    const reach = 250 + 18 + HALF_DIAGONAL + 15;
+    const reach = 250 + 18 + DEFAULT_BOX.halfDiagonal + 15;
     expect(warns(100, reach - 0.01)).toBe(false);
     expect(warns(100, reach + 0.01)).toBe(true);
   });

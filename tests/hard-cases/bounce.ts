@@ -1,5 +1,4 @@
-import { GUN_PULL, REPULSOR_PUSH } from '../../engine/index.ts';
-import type { Level } from '../../schema/index.ts';
+import { DEFAULT_RULES, type Level } from '../../schema/index.ts';
 
 type State = readonly [x: number, y: number, vx: number, vy: number];
 
@@ -14,10 +13,10 @@ export function bounceByBounce(level: Level, times: readonly number[], step = 5e
   const rate = ([x, y, vx, vy]: State, within: boolean): State => {
     if (within) {
       const r = Math.hypot(x, y);
-      return [vx, vy, (REPULSOR_PUSH * x) / r, (REPULSOR_PUSH * y) / r];
+      return [vx, vy, (DEFAULT_RULES.push * x) / r, (DEFAULT_RULES.push * y) / r];
     }
     const [dx, dy] = [ax - cx - x, ay - cy - y];
-    const f = GUN_PULL * (1 / Math.hypot(dx, dy) - 1 / level.range);
+    const f = DEFAULT_RULES.pull * (1 / Math.hypot(dx, dy) - 1 / level.range);
     return [vx, vy, f * dx, f * dy];
   };
   const plus = (q: State, h: number, d: State): State => [q[0] + h * d[0], q[1] + h * d[1], q[2] + h * d[2], q[3] + h * d[3]];

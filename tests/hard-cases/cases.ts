@@ -1,5 +1,5 @@
-import { GUN_PULL, type Outcome, type Touched } from '../../engine/index.ts';
-import type { Hold, Level } from '../../schema/index.ts';
+import type { Outcome, Touched } from '../../engine/index.ts';
+import { DEFAULT_RULES, type Hold, type Level } from '../../schema/index.ts';
 import { type PlainLevel, plainLevel } from '../engine/plain-level.ts';
 import { fallen } from './fall.ts';
 import { orbitByQuadrature } from './orbit-by-quadrature.ts';
@@ -517,8 +517,8 @@ const starts = (): HardCase[] => [
       outcome: 'timeout',
       places: upTo(2.5, 10).map((time) => {
         const drawn = 1 / 32;
-        const reach = (RANGE * (GUN_PULL + drawn)) / GUN_PULL;
-        const distance = reach - (reach - 100) * Math.cosh(time * Math.sqrt(GUN_PULL / RANGE));
+        const reach = (RANGE * (DEFAULT_RULES.pull + drawn)) / DEFAULT_RULES.pull;
+        const distance = reach - (reach - 100) * Math.cosh(time * Math.sqrt(DEFAULT_RULES.pull / RANGE));
         return { time, x: 100 - (drawn * time * time) / 2 - distance, y: 0 };
       }),
     },
@@ -537,11 +537,11 @@ const starts = (): HardCase[] => [
 ];
 
 const limits = (): HardCase[] => {
-  const rate = Math.sqrt(GUN_PULL / RANGE);
+  const rate = Math.sqrt(DEFAULT_RULES.pull / RANGE);
   // from the centre outwards at 1000 px/s up to the range
   const out = Math.atanh((RANGE * rate) / 1000) / rate;
   const wide = 1e6;
-  const slow = Math.sqrt(GUN_PULL / wide);
+  const slow = Math.sqrt(DEFAULT_RULES.pull / wide);
   const speedAt = (t: number) => (wide - 1e5) * slow * Math.sinh(slow * t) + 990 * Math.cosh(slow * t);
   let [low, high] = [0, 1];
   for (let i = 0; i < 60; i++) {
@@ -597,7 +597,7 @@ const holds = (): HardCase[] => [
       outcome: 'timeout',
       places: (() => {
         // on the line, tick by tick: the pull's closed form for a tick, then a tick of drift
-        const rate = Math.sqrt(GUN_PULL / RANGE);
+        const rate = Math.sqrt(DEFAULT_RULES.pull / RANGE);
         const [c, s] = [Math.cosh(rate / 60), Math.sinh(rate / 60)];
         let [u, v] = [RANGE - 100, 0];
         const places: { time: number; x: number; y: number }[] = [];

@@ -1,4 +1,4 @@
-import { GUN_PULL } from '../../engine/index.ts';
+import { DEFAULT_RULES } from '../../schema/index.ts';
 
 /**
  * Way fallen after `t` s from rest at distance d0, px: d(t) = M - (M - d0) cosh(t sqrt(A / M)) down to the centre, mirrored
@@ -6,7 +6,7 @@ import { GUN_PULL } from '../../engine/index.ts';
  * @param range M, px
  */
 export function fallen(d0: number, range: number, t: number): number {
-  const rate = Math.sqrt(GUN_PULL / range);
+  const rate = Math.sqrt(DEFAULT_RULES.pull / range);
   const quarter = Math.acosh(range / (range - d0)) / rate;
   const phase = t % (4 * quarter);
   const fromApex = Math.min(phase, 4 * quarter - phase);

@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { type AccuracyName, compile, GUN_PULL, STATE_SIZE, simulate } from '../../engine/index.ts';
+import { type AccuracyName, compile, STATE_SIZE, simulate } from '../../engine/index.ts';
+import { DEFAULT_RULES } from '../../schema/index.ts';
 import { plainLevel } from '../engine/plain-level.ts';
 
 const RANGE = 250;
@@ -20,7 +21,7 @@ describe.each(BOUNDS)('an hour of one orbit at %s', (accuracy, bound) => {
     const level = plainLevel({ range: RANGE, asteroids: [{ x: 100, y: 0, radius: 16 }], astronaut: { vy: across } });
     const run = simulate(compile(level, accuracy), [[0, 60 * HOUR]], { maxTime: HOUR });
     expect(run.outcome).toBe('timeout');
-    const energy0 = (across * across) / 2 + GUN_PULL * (100 - 10_000 / 500);
+    const energy0 = (across * across) / 2 + DEFAULT_RULES.pull * (100 - 10_000 / 500);
     const momentum0 = -100 * across;
     const state = new Float64Array(STATE_SIZE);
     let worst = 0;
@@ -28,7 +29,7 @@ describe.each(BOUNDS)('an hour of one orbit at %s', (accuracy, bound) => {
       run.trajectory.at(t, state);
       const [x, y, vx, vy] = state;
       const d = Math.hypot(x - 100, y);
-      const energy = (vx * vx + vy * vy) / 2 + GUN_PULL * (d - (d * d) / 500);
+      const energy = (vx * vx + vy * vy) / 2 + DEFAULT_RULES.pull * (d - (d * d) / 500);
       const momentum = (x - 100) * vy - y * vx;
       worst = Math.max(worst, Math.abs(energy / energy0 - 1), Math.abs(momentum / momentum0 - 1));
     }

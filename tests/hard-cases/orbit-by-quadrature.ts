@@ -1,4 +1,4 @@
-import { GUN_PULL } from '../../engine/index.ts';
+import { DEFAULT_RULES } from '../../schema/index.ts';
 
 /** An orbit about one asteroid between its nearest and its farthest distance. */
 export interface Orbit {
@@ -26,7 +26,7 @@ function simpson(f: (x: number) => number, from: number, to: number, n: number):
  * @param near, far distances, px; 0 < near < far
  */
 export function orbitByQuadrature(near: number, far: number, range: number): Orbit {
-  const a = GUN_PULL;
+  const a = DEFAULT_RULES.pull;
   const l = near * far * Math.sqrt((2 * a * (1 - (near + far) / (2 * range))) / (near + far));
   const bowl = (r: number, apsis: number) => 2 * a * (1 - (r + apsis) / (2 * range));
   const lift = (r: number, apsis: number) => (l / (r * apsis)) ** 2 * (r + apsis);

@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { degenerateScene } from '../../bench/soak/degenerate-scene.ts';
 import { checkPieces, dearestSecond } from '../../bench/soak/pieces.ts';
-import { compile, GUN_PULL, STATE_SIZE, simulate } from '../../engine/index.ts';
-import type { Hold } from '../../schema/index.ts';
+import { compile, STATE_SIZE, simulate } from '../../engine/index.ts';
+import { DEFAULT_RULES, type Hold } from '../../schema/index.ts';
 import { continuousNames } from '../engine/accuracies.ts';
 import { type PlainLevel, plainLevel } from '../engine/plain-level.ts';
 
@@ -90,7 +90,7 @@ describe.each([
 ])('a circle of %d px about a drawn asteroid of radius %d', (size, radius, within) => {
   it('is where it ought to be, orbit after orbit', () => {
     const kappa = 1 / (2 * radius);
-    const pull = GUN_PULL * (1 - size / 250) + kappa;
+    const pull = DEFAULT_RULES.pull * (1 - size / 250) + kappa;
     const rate = Math.sqrt(pull / size);
     const speed = size * rate;
     const level = plainLevel({

@@ -1,5 +1,4 @@
-import { GUN_PULL, REPULSOR_PUSH } from '../../engine/index.ts';
-import type { Level } from '../../schema/index.ts';
+import { DEFAULT_RULES, type Level } from '../../schema/index.ts';
 
 /** Where she is on the rim (px), how fast along it (px/s) and where the rock is that draws her, `time` s after she began to slide. */
 export interface Slid {
@@ -30,11 +29,11 @@ export function slideByAngle(level: Level, until: number, between: 'gun' | 'fiel
     const [c, s] = [Math.cos(angle), Math.sin(angle)];
     const [x, y] = [cx + radius * c, cy + radius * s];
     const d = Math.hypot(qx - x, qy - y);
-    let [fx, fy] = [qx - x, qy - y].map((w) => GUN_PULL * (1 / d - 1 / range) * w);
+    let [fx, fy] = [qx - x, qy - y].map((w) => DEFAULT_RULES.pull * (1 / d - 1 / range) * w);
     if (between === 'fields') {
       const other = level.repulsors[1];
       const apart = Math.hypot(x - other.x, y - other.y);
-      [fx, fy] = [x - other.x, y - other.y].map((w) => (REPULSOR_PUSH / apart) * w);
+      [fx, fy] = [x - other.x, y - other.y].map((w) => (DEFAULT_RULES.push / apart) * w);
     }
     const drawn = [x - qx, y - qy].map((w) => (kappa / d) * w);
     return { out: fx * c + fy * s, along: fy * c - fx * s, flies: radius * turn * turn, drawn };
@@ -42,7 +41,7 @@ export function slideByAngle(level: Level, until: number, between: 'gun' | 'fiel
   const presses = (q: State) => -forces(q).out - forces(q).flies;
   const rate = (q: State): State => {
     const { out, along, flies, drawn } = forces(q);
-    return [q[1], (((REPULSOR_PUSH + flies) / (REPULSOR_PUSH - out)) * along) / radius, q[4], q[5], drawn[0], drawn[1]];
+    return [q[1], (((DEFAULT_RULES.push + flies) / (DEFAULT_RULES.push - out)) * along) / radius, q[4], q[5], drawn[0], drawn[1]];
   };
   const plus = (q: State, h: number, d: State) => q.map((value, i) => value + h * d[i]) as unknown as State;
   const advanced = (q: State, h: number): State => {

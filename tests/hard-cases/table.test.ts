@@ -3,13 +3,13 @@ import {
   type AccuracyName,
   compile,
   createSimulation,
-  GUN_PULL,
   joinHolds,
   playScript,
   type Run,
   STATE_SIZE,
   simulate,
 } from '../../engine/index.ts';
+import { DEFAULT_RULES } from '../../schema/index.ts';
 import { accuracyNames } from '../engine/accuracies.ts';
 import { CASE_SECONDS, type HardCase, hardCases } from './cases.ts';
 
@@ -38,7 +38,7 @@ function invariants(level: HardCase['level'], asteroid: number, [x, y, vx, vy]: 
   const { range, asteroids } = level;
   const [dx, dy] = [x - asteroids[asteroid].x, y - asteroids[asteroid].y];
   const d = Math.hypot(dx, dy);
-  return [(vx * vx + vy * vy) / 2 + GUN_PULL * (d - (d * d) / (2 * range)), dx * vy - dy * vx];
+  return [(vx * vx + vy * vy) / 2 + DEFAULT_RULES.pull * (d - (d * d) / (2 * range)), dx * vy - dy * vx];
 }
 
 it('every case has a name of its own and says why it is hard', () => {

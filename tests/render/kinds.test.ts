@@ -5,6 +5,7 @@ import { renderSvg } from '../../picture/index.ts';
 import { IN_PICTURE } from '../../picture/kinds/index.ts';
 import { THEMES } from '../../picture/theme.ts';
 import {
+  DEFAULT_RULES,
   fieldsOf,
   isRequired,
   KINDS,
@@ -72,7 +73,7 @@ describe.each(LISTED_KINDS)('%s in pictures', (kind) => {
   });
 
   it('is a speck of a shape of its own where there are very many', () => {
-    const look = { object: levelWith(kind, 1)[listOf(kind)][0], place: 0, radius: 16, index: 0 };
+    const look = { object: levelWith(kind, 1)[listOf(kind)][0], place: 0, radius: 16, index: 0, rules: DEFAULT_RULES };
     const specks = LISTED_KINDS.map((other) => {
       const object = levelWith(other, 1)[listOf(other)][0];
       return IN_PICTURE[other].speck({ ...look, object, theme: THEMES.dark });

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { type AccuracyName, compile, createSimulation, GUN_PULL, TICK } from '../../engine/index.ts';
-import { type Level, NO_OBJECTS } from '../../schema/index.ts';
+import { type AccuracyName, compile, createSimulation, TICK } from '../../engine/index.ts';
+import { DEFAULT_RULES, type Level, NO_OBJECTS } from '../../schema/index.ts';
 import { swingDrift } from '../../solver/proofs/swing-drift.ts';
 import { claimOf } from '../../solver/verify/claim.ts';
 import { continuousNames } from '../engine/accuracies.ts';
@@ -108,7 +108,7 @@ describe('fall drift: on a fall the asteroid makes at most the share of her way 
       fc.property(real(30, 200), real(0, 6.3), fc.constantFrom(0.05, 1, 16), script, (d, turn, radius, lengths) => {
         const [ux, uy] = [Math.cos(turn), Math.sin(turn)];
         const of = level([rock(d * ux, d * uy, radius)], { recoil: true });
-        const share = 1 / (2 * radius * GUN_PULL * (1 - d / RANGE));
+        const share = 1 / (2 * radius * DEFAULT_RULES.pull * (1 - d / RANGE));
         for (const { s, rocks } of watch(of, accuracy, 1200, playing(lengths), () => 0)) {
           const left = (rocks[0] - s[0]) * ux + (rocks[1] - s[1]) * uy;
           if (left <= 0) break;

@@ -1,17 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import {
-  type AccuracyName,
-  boxCircleGap,
-  compile,
-  createSimulation,
-  DEFAULT_BOX,
-  GUN_PULL,
-  HALF_DIAGONAL,
-  simulate,
-  TICK,
-} from '../../engine/index.ts';
-import { type Hold, type Level, NO_OBJECTS } from '../../schema/index.ts';
+import { type AccuracyName, boxCircleGap, compile, createSimulation, DEFAULT_BOX, simulate, TICK } from '../../engine/index.ts';
+import { DEFAULT_RULES, type Hold, type Level, NO_OBJECTS } from '../../schema/index.ts';
 import { afterChase, type Chaser } from '../../solver/verify/chasers.ts';
 import { claimOf, type Play } from '../../solver/verify/claim.ts';
 import { accelerations, advance, type Box, placesWithin } from '../../solver/verify/doomed.ts';
@@ -86,7 +76,7 @@ describe('reach: how near a box must be to touch, and may be without', () => {
         const d = radius + gap;
         const g = boxCircleGap(DEFAULT_BOX, d * Math.cos(to), d * Math.sin(to), Math.cos(turn), Math.sin(turn), radius);
         if (gap < 10 - 1e-9) expect(g).toBeLessThan(0);
-        if (gap >= HALF_DIAGONAL) expect(g).toBeGreaterThanOrEqual(0);
+        if (gap >= DEFAULT_BOX.halfDiagonal) expect(g).toBeGreaterThanOrEqual(0);
         if (g < 0) farthest = Math.max(farthest, gap);
       }),
       { numRuns: 3000 },
@@ -135,7 +125,7 @@ describe('speed on a line: no faster than from rest at the far end to the centre
     fc.assert(
       fc.property(real(20, 245), real(0, 6.3), script, (d, turn, plan) => {
         const level = { ...EMPTY, asteroids: [rock(d * Math.cos(turn), d * Math.sin(turn), 16)] };
-        const most = Math.sqrt(2 * GUN_PULL * (250 - 125));
+        const most = Math.sqrt(2 * DEFAULT_RULES.pull * (250 - 125));
         for (const { s } of statesOf(level, accuracy, plan).all) {
           const v = Math.hypot(s[2], s[3]);
           if (v > 1.001 * most) expect.fail(`${v} px/s of ${most}`);
@@ -163,7 +153,7 @@ describe('speed: its square is no more than at the start and twice 39 px/s2 for 
           }
           const way = Math.hypot(high[0] - low[0], high[1] - low[1]);
           expect(s[2] ** 2 + s[3] ** 2).toBeLessThanOrEqual(
-            1.001 * (start + 2 * GUN_PULL * (way + 0.1 * Math.sqrt(start + 1))) + 1,
+            1.001 * (start + 2 * DEFAULT_RULES.pull * (way + 0.1 * Math.sqrt(start + 1))) + 1,
           );
         }
       }),

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { GUN_PULL } from '../../engine/index.ts';
+import { DEFAULT_RULES } from '../../schema/index.ts';
 import { type SwingStretch, swingDrift } from '../../solver/proofs/swing-drift.ts';
 
 const RANGE = 250;
@@ -28,7 +28,7 @@ function swing(centre: number, radius: number, player: Player, random: () => num
     const r = s - c;
     const side = Math.sign(r);
     if (player(side, Math.abs(r), (v - w) * r < 0, random())) {
-      v -= side * GUN_PULL * (1 - Math.abs(r) / RANGE) * STEP;
+      v -= side * DEFAULT_RULES.pull * (1 - Math.abs(r) / RANGE) * STEP;
       w += (side / (2 * radius)) * STEP;
     }
     s += v * STEP;

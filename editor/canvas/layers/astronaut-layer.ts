@@ -1,10 +1,17 @@
 import type { GameObjects, Scene } from 'phaser';
+import type { Box } from '../../../engine/index.ts';
+import type { Place } from '../../../schema/index.ts';
 import type { Pose } from '../../context/index.ts';
 import { type Colours, colourNumber } from '../colours.ts';
 import { TEXTURE_UNIT } from '../textures/index.ts';
 
-/** px of her texture's unit: half of her box's longer side */
-const UNIT = 16;
+/** px of half the box that her texture is drawn for */
+const DRAWN_WIDTH = 10;
+const DRAWN_HEIGHT = 16;
+
+/** Scale at which she fits into her box. */
+const scaleIn = ({ halfWidth, halfHeight }: Box): number =>
+  (Math.min(halfWidth / DRAWN_WIDTH, halfHeight / DRAWN_HEIGHT) * DRAWN_HEIGHT) / TEXTURE_UNIT;
 const SPARKS = 14;
 
 /** The astronaut and the beam of her gun. */
@@ -21,25 +28,23 @@ export class AstronautLayer {
   ) {
     this.beam = scene.add.graphics().setDepth(8);
     this.sparks = Array.from({ length: SPARKS }, () => scene.add.image(0, 0, 'spark').setDepth(8).setVisible(false));
-    this.start = scene.add
-      .image(0, 0, 'astronaut')
-      .setDepth(6.5)
-      .setScale(UNIT / TEXTURE_UNIT)
-      .setAlpha(0.35);
-    this.body = scene.add
-      .image(0, 0, 'astronaut')
-      .setDepth(9)
-      .setScale(UNIT / TEXTURE_UNIT);
+    this.start = scene.add.image(0, 0, 'astronaut').setDepth(6.5).setAlpha(0.35);
+    this.body = scene.add.image(0, 0, 'astronaut').setDepth(9);
   }
 
   /**
    * @param from where she starts, px
+   * @param box hers
    * @param time s, for the grains that run along the beam
    * @param calm whether the person wants little motion
    */
-  show({ x, y, cos, sin, beamTo }: Pose, from: { readonly x: number; readonly y: number }, time: number, calm: boolean): void {
-    this.body.setPosition(x, y).setRotation(Math.atan2(sin, cos));
-    this.start.setPosition(from.x, from.y).setVisible(from.x !== x || from.y !== y);
+  show({ x, y, cos, sin, beamTo }: Pose, from: Place, box: Box, time: number, calm: boolean): void {
+    const scale = scaleIn(box);
+    this.body.setScale(scale).setPosition(x, y).setRotation(Math.atan2(sin, cos));
+    this.start
+      .setScale(scale)
+      .setPosition(from.x, from.y)
+      .setVisible(from.x !== x || from.y !== y);
     this.beam.clear();
     for (const spark of this.sparks) spark.setVisible(beamTo !== null && !calm);
     if (beamTo === null) return;

@@ -1,11 +1,10 @@
 import type { GameObjects, Scene } from 'phaser';
-import { HALF_WIDTH } from '../../../engine/index.ts';
 import { appearanceOfObject, DEFAULT_RANGE, type Disc, type LevelFile } from '../../../schema/index.ts';
 import { type ObjectKey, objectsOf, placesOf, radiusOf } from '../../document/index.ts';
 import type { Layer } from '../../session/index.ts';
 import type { CanvasState } from '../canvas-state.ts';
 import { type Colours, colourNumber } from '../colours.ts';
-import { boxesOf } from '../extent.ts';
+import { boxesOf, herBoxIn } from '../extent.ts';
 import { REACH, resizedByRim } from '../hit-test.ts';
 import { type Point, toLevel, type View } from '../view.ts';
 import { Rings } from './rings.ts';
@@ -154,6 +153,8 @@ export class OverlayLayer {
     this.ringed = input;
     const chosen: ReadonlySet<ObjectKey> = new Set(input.editing ? input.selected : []);
     const around = { still: [] as Disc[], chosen: [] as Disc[], outlined: [] as Disc[] };
+    const { halfWidth, halfHeight } = herBoxIn(input.file);
+    const least = Math.min(halfWidth, halfHeight);
     for (const found of objectsOf(input.file).values()) {
       const radius = radiusOf(found);
       if (radius === null) continue;
@@ -162,7 +163,7 @@ export class OverlayLayer {
       for (const { x, y } of placesOf(found)) {
         if (isChosen) around.outlined.push({ x, y, radius });
         // how near her centre may come to what burns or bites, at the least turn of her box
-        if (hasMargin) around[isChosen ? 'chosen' : 'still'].push({ x, y, radius: radius + HALF_WIDTH });
+        if (hasMargin) around[isChosen ? 'chosen' : 'still'].push({ x, y, radius: radius + least });
       }
     }
     const margin = { colour: colourNumber(this.colours.danger), alpha: 0.3, width: 1, off: 0 };
@@ -181,7 +182,7 @@ export class OverlayLayer {
       const off = OUTLINE / zoom;
       this.above.lineStyle(width / zoom, colourNumber(this.colours.select), alpha);
       const isRound = radiusOf(found) !== null;
-      for (const { left, top, right, bottom } of boxesOf(found)) {
+      for (const { left, top, right, bottom } of boxesOf(file, found)) {
         const [x, y] = [(left + right) / 2, (top + bottom) / 2];
         if (isRound) this.above.strokeCircle(x, y, (right - left) / 2 + off);
         else this.above.strokeRect(left - off, top - off, right - left + 2 * off, bottom - top + 2 * off);

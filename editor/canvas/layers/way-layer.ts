@@ -1,5 +1,6 @@
 import type { GameObjects, Scene } from 'phaser';
-import { HALF_HEIGHT, HALF_WIDTH, STATE_SIZE } from '../../../engine/index.ts';
+import { boxOf, STATE_SIZE } from '../../../engine/index.ts';
+import { rulesOf } from '../../../schema/index.ts';
 import type { Ghost } from '../../context/index.ts';
 import { isWhole, type LiveProof } from '../../proof/index.ts';
 import type { Layer } from '../../session/index.ts';
@@ -117,6 +118,7 @@ export class WayLayer {
     const { outcome, way } = proof.run;
     if (outcome === 'timeout') return;
     const [x, y, , , cos, sin] = way.last;
+    const { halfWidth, halfHeight } = boxOf(rulesOf(proof.level));
     const good = outcome === 'completed';
     const colour = colourNumber(good ? this.colours.way : this.colours.danger);
     this.graphics.lineStyle(2 / zoom, colour, 1).beginPath();
@@ -126,8 +128,8 @@ export class WayLayer {
       [1, 1],
       [-1, 1],
     ]) {
-      const dx = across * HALF_WIDTH;
-      const dy = along * HALF_HEIGHT;
+      const dx = across * halfWidth;
+      const dy = along * halfHeight;
       this.graphics.lineTo(x + dx * cos - dy * sin, y + dx * sin + dy * cos);
     }
     this.graphics.closePath().strokePath();

@@ -1,5 +1,5 @@
-import { boxCircleGap, DEFAULT_BOX, type RunEvent, STATE_SIZE, TICK, TICK_RATE } from '../../../engine/index.ts';
-import { appearanceOfObject } from '../../../schema/index.ts';
+import { boxCircleGap, boxOf, type RunEvent, STATE_SIZE, TICK, TICK_RATE } from '../../../engine/index.ts';
+import { appearanceOfObject, rulesOf } from '../../../schema/index.ts';
 import { type FoundObject, placesOf } from '../../document/index.ts';
 import { endInWords, type LiveProof } from '../../proof/index.ts';
 import { type Fact, pixels, plural, seconds } from '../figures/index.ts';
@@ -38,6 +38,7 @@ function placesIn({ run }: LiveProof, found: FoundObject): Places {
  */
 export function nearestPass(proof: LiveProof, found: FoundObject, radius: number): { gap: number; tick: number } | null {
   const { states, count } = proof.run.way;
+  const box = boxOf(rulesOf(proof.level));
   const placesAt = placesIn(proof, found);
   let best: { gap: number; tick: number } | null = null;
   for (let tick = 0; tick < count; tick++) {
@@ -45,7 +46,7 @@ export function nearestPass(proof: LiveProof, found: FoundObject, radius: number
     const places = placesAt(tick);
     if (places === null) break;
     for (const { x, y } of places) {
-      const gap = boxCircleGap(DEFAULT_BOX, x - states[o], y - states[o + 1], states[o + 4], states[o + 5], radius);
+      const gap = boxCircleGap(box, x - states[o], y - states[o + 1], states[o + 4], states[o + 5], radius);
       if (best === null || gap < best.gap) best = { gap, tick };
     }
   }
