@@ -4,6 +4,7 @@ import { type Level, type LevelDocument, type Problem, readLevel } from '../sche
 import { showProblems } from './code-frames.ts';
 import { colorsFor } from './colors.ts';
 import type { CommandResult } from './command.ts';
+import { folderRules } from './folder-rules.ts';
 import { readBytes } from './read-bytes.ts';
 import { showFileProblems } from './report-parts/index.ts';
 import type { ShownProblem } from './shown-problem.ts';
@@ -19,13 +20,13 @@ export interface OpenedFile extends OpenedLevel {
 }
 
 /**
- * Reads the one level that a command is about.
+ * Reads the one level that a command is about, under the rules of the working directory.
  * @returns the level, or what the command is to leave behind when the file is not a valid level
- * @throws Failure when the file can't be read
+ * @throws Failure when the file, or the configuration, can't be read
  */
 export function openLevel(file: string): OpenedFile | CommandResult {
   const bytes = readBytes(file);
-  const read = readLevel(bytes);
+  const read = readLevel(bytes, { rules: folderRules() });
   if (read.ok) return { level: read.level, document: read.document, bytes };
   return { messages: showFileProblems(file, showProblems(read.problems, read.text), colorsFor(process.stderr)), exitCode: 1 };
 }

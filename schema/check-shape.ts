@@ -5,6 +5,7 @@ import { KINDS, LISTED_KINDS, OBJECT_KINDS, OBJECT_LISTS, SINGLE_KINDS } from '.
 import { LEVEL_VERSION, levelSchema, OBJECT_SCHEMAS } from './level.ts';
 import { LIMITS } from './limits.ts';
 import { type Finding, MAX_FINDINGS, type Path, toWords } from './problem.ts';
+import { rulesSchema } from './rules.ts';
 
 const { shape } = levelSchema;
 const runSchema = shape.runs.unwrap().element;
@@ -235,5 +236,16 @@ export function checkShape(value: unknown): Finding[] {
     }
   }
   if (Array.isArray(value.runs) && checkLength(value.runs, LIMITS.runs, ['runs'], findings)) checkRuns(value.runs, findings);
+  return findings;
+}
+
+/** Checks the key `rules` of a folder's configuration, a JSON value without x- keys, as a level's; other keys are not looked at. */
+export function checkFolderRules(value: unknown): Finding[] {
+  const findings: Finding[] = [];
+  if (!isObject(value)) {
+    const message = `expected the configuration of a folder, an object in { }, found ${formatValue(value)}`;
+    return [found([], 'wrong-type', message, 'Write { "rules": { } }.')];
+  }
+  if (value.rules !== undefined) checkPart(rulesSchema, value.rules, ['rules'], findings);
   return findings;
 }

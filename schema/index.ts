@@ -12,6 +12,7 @@ export * from './level.ts';
 export { LIMITS } from './limits.ts';
 export type { JsonObject, Migration } from './migrate.ts';
 export type { Problem } from './problem.ts';
+export { type FolderRulesReading, readFolderRules } from './read-folder-rules.ts';
 export { MAX_FILE_SIZE } from './read-json.ts';
 export { type LevelDocument, type LevelReading, type ReadLevelOptions, readLevel } from './read-level.ts';
 export * from './report.ts';

@@ -7,6 +7,7 @@ import { type JsonObject, MIGRATIONS, type Migration, migrate } from './migrate.
 import type { Finding, Problem } from './problem.ts';
 import { readJson, toProblems } from './read-json.ts';
 import { resolveLevel } from './resolve.ts';
+import type { OwnRules } from './rules.ts';
 import type { TextPlace } from './text-place.ts';
 
 /** A level file that was read. */
@@ -30,6 +31,8 @@ export interface ReadLevelOptions {
   readonly byteOrderMark?: 'refuse' | 'skip';
   /** How older versions become the current one; the format's own chain when left out. */
   readonly migrations?: readonly Migration[];
+  /** Rules that the folder sets, which hold where the level has none of its own; none when left out. */
+  readonly rules?: OwnRules;
 }
 
 /** The version a file says, when it is older and the chain reaches from it; a finding when it can't be read; null for the current one. */
@@ -75,5 +78,5 @@ export function readLevel(source: Uint8Array | string, options: ReadLevelOptions
 
   const file = value as LevelFile;
   const locate = (pointer: string) => locator.placeAt(locator.offsetOf(pointer, 'value'));
-  return { ok: true, level: resolveLevel(file), document: { text, file, migratedFrom, locate } };
+  return { ok: true, level: resolveLevel(file, options.rules), document: { text, file, migratedFrom, locate } };
 }

@@ -1,6 +1,6 @@
 import { fieldsOf, KINDS, LISTED_KINDS, type ObjectKind, type ObjectList, SINGLE_KINDS, type SingleKind } from './kinds.ts';
 import { DEFAULT_RANGE, type Level, type LevelFile } from './level.ts';
-import { RULE_NAMES, RULES } from './rules.ts';
+import { type OwnRules, RULE_NAMES, RULES } from './rules.ts';
 
 type Written = Readonly<Record<string, unknown>>;
 
@@ -15,18 +15,20 @@ function resolveObject(kind: ObjectKind, object: Written): Written {
   return resolved;
 }
 
-/** The rules that are not the game's own: a level that repeats those says nothing. */
-function ownRules({ rules }: LevelFile): Pick<Level, 'rules'> {
-  if (rules === undefined) return {};
+/** The rules that are not the game's own: a level that repeats those says nothing, but against its folder. */
+function ownRules({ rules }: LevelFile, folder: OwnRules): Pick<Level, 'rules'> {
   const own = RULE_NAMES.flatMap((name) => {
-    const value = rules[name];
+    const value = rules?.[name] ?? folder[name];
     return value === undefined || value === RULES[name].default ? [] : [[name, value]];
   });
   return own.length === 0 ? {} : { rules: Object.fromEntries(own) };
 }
 
-/** Fills in every default that the file leaves out. Pure; `file` is not changed. */
-export function resolveLevel(file: LevelFile): Level {
+/**
+ * Fills in every default that the file leaves out. Pure; `file` is not changed.
+ * @param folder rules that hold where the level has none of its own
+ */
+export function resolveLevel(file: LevelFile, folder: OwnRules = {}): Level {
   const written = file as Readonly<Record<string, unknown>>;
   const singles = SINGLE_KINDS.map((kind) => [kind, resolveObject(kind, file[kind])]);
   const lists = LISTED_KINDS.map((kind) => {
@@ -39,7 +41,7 @@ export function resolveLevel(file: LevelFile): Level {
     ...(Object.fromEntries(singles) as Pick<Level, SingleKind>),
     range: file.range ?? DEFAULT_RANGE,
     recoil: file.recoil ?? false,
-    ...ownRules(file),
+    ...ownRules(file, folder),
     ...(Object.fromEntries(lists) as Pick<Level, ObjectList>),
     runs: (file.runs ?? []).map((run) => ({
       name: run.name,

@@ -34,7 +34,7 @@ export function checkLevel(file: string, settings: CheckSettings): CheckedLevel 
 
 function judge(file: string, settings: CheckSettings): CheckedLevel {
   try {
-    const read = readLevel(readBytes(file));
+    const read = readLevel(readBytes(file), settings);
     return read.ok ? replay(file, read, settings) : refusedLevel(file, 'invalid', showProblems(read.problems, read.text));
   } catch (error) {
     return error instanceof Failure ? unreadableLevel(file, error.message) : crashedLevel(file, error);

@@ -1,5 +1,5 @@
 import type { Accuracy } from '../../engine/index.ts';
-import type { Hold, RunReport, Verdict } from '../../schema/index.ts';
+import type { Hold, OwnRules, RunReport, Verdict } from '../../schema/index.ts';
 import type { Limits } from '../search-options.ts';
 import type { ShownProblem } from '../shown-problem.ts';
 
@@ -42,6 +42,8 @@ export interface CheckSettings {
   readonly requireSlack: number | null;
   /** Work that a level may cost, pieces of motion; the engine's default when left out. */
   readonly maxWork?: number;
+  /** Rules that the folder sets; none when left out. */
+  readonly rules?: OwnRules;
 }
 
 /** How a level without a run that completes it is searched. */

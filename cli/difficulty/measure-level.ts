@@ -29,7 +29,7 @@ export function measureLevel({ file, settings }: MeasureTask): MeasuredLevel {
     if (error instanceof Failure) return { ...nothing, why: error.message, code: 2 };
     throw error;
   }
-  const read = readLevel(bytes);
+  const read = readLevel(bytes, settings);
   if (!read.ok) return { ...nothing, why: 'not a valid level', problems: showProblems(read.problems, read.text), code: 1 };
   return { ...nothing, name: read.level.name, ...measure(read.level, settings) };
 }

@@ -1,4 +1,5 @@
 import type { Accuracy } from '../../engine/index.ts';
+import type { OwnRules } from '../../schema/index.ts';
 import type { Difficulty, Goal, Success } from '../../solver/index.ts';
 import type { ShownProblem } from '../shown-problem.ts';
 
@@ -22,6 +23,8 @@ export interface MeasuredLevel {
 
 /** What is measured, and how. */
 export interface MeasureSettings {
+  /** Rules that the folder sets. */
+  readonly rules: OwnRules;
   readonly accuracy: Accuracy;
   readonly goal: Goal;
   /** The run to measure; null: the first that meets the goal. */

@@ -6,6 +6,7 @@ import type { CheckedLevel, CheckSettings } from '../../check/index.ts';
 import { checkFiles, exitCodeOf, unreadableLevel } from '../../check/index.ts';
 import { colorsFor } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
+import { findConfig } from '../../config-file.ts';
 import { Failure } from '../../failure.ts';
 import { findLevelFiles } from '../../files.ts';
 import { formatOption, jobsOption, maxTimeOption, maxWorkOption, wholeNumberOption } from '../../options.ts';
@@ -68,7 +69,10 @@ Examples:
 async function check(paths: readonly string[], options: CheckOptions): Promise<CommandResult> {
   const search = searchOf(options);
   const { files, unreadable } = await findLevelFiles(paths);
+  // schema comes with it, which is else left to the workers
+  const rules = findConfig() === null ? {} : (await import('../../folder-rules.ts')).folderRules();
   const settings: CheckSettings = {
+    rules,
     accuracy: chooseAccuracy(options),
     maxTime: options.maxTime,
     maxWork: options.maxWork,

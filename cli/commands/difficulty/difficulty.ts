@@ -10,6 +10,7 @@ import type { CommandResult } from '../../command.ts';
 import { type MeasuredLevel, type MeasureSettings, measureLevels } from '../../difficulty/index.ts';
 import { Failure } from '../../failure.ts';
 import { findLevelFiles } from '../../files.ts';
+import { folderRules } from '../../folder-rules.ts';
 import { formatOption, jobsOption, maxTimeOption, seedOption, wholeNumberOption } from '../../options.ts';
 import { createProgress } from '../../progress.ts';
 import { mineralsOption } from '../../search-options.ts';
@@ -86,6 +87,7 @@ async function measure(paths: readonly string[], options: Options): Promise<Comm
   const accuracy = chooseAccuracy(options);
   const { files, unreadable } = await findLevelFiles(paths);
   const settings: MeasureSettings = {
+    rules: folderRules(),
     accuracy,
     goal: { minerals: options.minerals },
     run: options.run ?? null,

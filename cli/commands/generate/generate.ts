@@ -6,6 +6,7 @@ import type { GeneratorOptions, Ingredient, WantedDifficulty, WantedSize } from 
 import { colorsFor } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
 import { Failure } from '../../failure.ts';
+import { folderRules } from '../../folder-rules.ts';
 import type { GenerateTask, MadeLevel } from '../../generate/index.ts';
 import { generatedPath, keepLevel, makeDirectory, makeLevels } from '../../generate/index.ts';
 import { formatOption, jobsOption, LARGEST_SEED, seedOption, wholeNumberOption } from '../../options.ts';
@@ -58,7 +59,7 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
 A level is kept only when its run "solution" forgives as much as the difficulty asks for, at accuracies precise and arcade, when a
 run "all-minerals" collects everything, and when neither no press nor hardly any single press completes it. The level of a seed is
 the same on every machine and for any --jobs: the files of seeds S, S + 1, ... are named after level and seed. No file that is
-there is overwritten. Ctrl-C ends the work; files that were written by then stay.
+there is overwritten. Rules that gq.config.json sets go into the files, so that they stay completable. Ctrl-C ends the work; files that were written by then stay.
 
 Exit code: 0 when every level was made; 1 when nothing good enough came of a seed; 2 when one could not be written, or another
 file has its name; 130 and 143 after SIGINT and SIGTERM.
@@ -76,9 +77,10 @@ async function generate(options: Options): Promise<CommandResult> {
   // each can be made again by its own seed
   if (seed + count - 1 > LARGEST_SEED)
     throw new Failure(`--seed ${seed} --count ${count}: expected seeds up to ${LARGEST_SEED}, found up to ${seed + count - 1}`);
+  const rules = folderRules();
   await uncut(() => makeDirectory(out));
   const tasks = Array.from({ length: count }, (_, i): GenerateTask => {
-    const options: GeneratorOptions = { seed: seed + i, size, difficulty, ...(ingredients && { ingredients }) };
+    const options: GeneratorOptions = { seed: seed + i, size, difficulty, rules, ...(ingredients && { ingredients }) };
     return { options, effort };
   });
   const done: GenerateReport['levels'][number][] = [];
