@@ -1,6 +1,6 @@
 import { type Box, boxCircleGap } from '../contact/index.ts';
 import { lookAt, type Motion, relativeAt, SLOTS, TURNS } from '../motion/index.ts';
-import { FLOOR } from '../tolerances.ts';
+import { CUBIC_BENDS, DISTANCE_ROUNDING, FLOOR } from '../tolerances.ts';
 import { overlapBetween } from './bracket.ts';
 import { lookNext, PATIENCE, safeStep, smallestStride } from './conservative-advancement.ts';
 import { fineGap } from './fine-gap.ts';
@@ -9,17 +9,11 @@ import { grazeStep } from './graze.ts';
 const { START, TURN, COS, SIN, LIMIT_X, LIMIT_Y, LENGTH_H, ACCELERATION } = SLOTS;
 const { TURN_NOT, TURN_TO_BASE, TURN_TO_TARGET } = TURNS;
 
-/** What rounding may do to a gap, as a share of the distance and radius it comes from: a few units of their last digit. */
-const ROUNDING = 8.9e-16;
-
 /** A gap below this many times its rounding is computed in twice the digits. */
 const UNCERTAIN = 8;
 
 /** Where the box looked when its gap was last asked for: cos, sin. */
 const look = new Float64Array(2);
-
-/** The cubic of a Runge-Kutta step may bend by this much more than the strongest pull, see {@link dragRungeKutta}. */
-const CUBIC_BENDS = 5 / 3;
 
 /**
  * First time at which a contact with the placed circle counts: when it happens, or is seen at a frame.
@@ -231,7 +225,7 @@ function plainGapAt(m: Motion, t: number, r: number): number {
 
 /** What rounding may do to the gap to a circle that is as far from her as in e[4], e[5], px. */
 function roundingOfGap(m: Motion, r: number): number {
-  return ROUNDING * (Math.abs(m.e[4]) + Math.abs(m.e[5]) + r);
+  return DISTANCE_ROUNDING * (Math.abs(m.e[4]) + Math.abs(m.e[5]) + r);
 }
 
 /**

@@ -1,12 +1,9 @@
 import { addProduct, LONGEST_SERIES, type Motion, relativeAt, relativeSeries, SLOTS, valueAt } from '../motion/index.ts';
-import { FLOOR } from '../tolerances.ts';
+import { DISTANCE_ROUNDING, FLOOR } from '../tolerances.ts';
 import { crossing } from './bracket.ts';
 import { lookNext, PATIENCE, safeStep, safeStretch, smallestStride } from './conservative-advancement.ts';
 
 const { LENGTH_H, ACCELERATION } = SLOTS;
-
-/** What rounding does to a distance, as a share of it. */
-const ROUNDING = 8.9e-16;
 
 const dx = new Float64Array(LONGEST_SERIES);
 const dy = new Float64Array(LONGEST_SERIES);
@@ -29,7 +26,7 @@ export function rimTime(m: Motion, r: number, inward: boolean, pull: number, fro
   const a = s[ACCELERATION] + m.kappa + pull;
   const sign = inward ? 1 : -1;
   const small = smallestStride(s[LENGTH_H]);
-  const floor = 2 * r * Math.max(FLOOR, ROUNDING * r);
+  const floor = 2 * r * Math.max(FLOOR, DISTANCE_ROUNDING * r);
   let t = from;
   let before = t;
   work.guards++;

@@ -1,3 +1,4 @@
+import { RADIAL, RADIAL_ROUNDING } from '../tolerances.ts';
 import type { Motion } from './motion.ts';
 import { LINES, RECORDS, SLOTS } from './state.ts';
 
@@ -12,15 +13,6 @@ const { NONE, LOOSE, FAST } = LINES;
  * or not: along its main axis (y or x) numbers are what they are, along the other one they are always `slope` times as much, with |slope| <= 1.
  * So neither the place nor the velocity across it can ever grow, and putting something onto it twice changes no bit.
  */
-
-/** A line that passes this near to a point passes through it, px: no run could show the difference but by turning the box in no time. */
-const RADIAL = 1e-12;
-
-/**
- * Likewise for each px of the numbers that a distance comes from, counted from where she starts: nine times the rounding of one of them.
- * Three points that were on a line before their coordinates were rounded to doubles are that near to one.
- */
-const ROUNDING = 1e-15;
 
 /** Puts a place and a velocity, out[at..at+3], onto the line through the origin. */
 export function ontoLine(steep: boolean, slope: number, out: Float64Array, at: number): void {
@@ -84,12 +76,12 @@ function isNear(m: Motion, x: number, y: number, vx: number, vy: number): boolea
   const steep = s[LINE_STEEP] === 1;
   const aside = steep ? dx - dy * slope : dy - dx * slope;
   const size = Math.abs(x) + Math.abs(y) + Math.abs(s[LINE_AT_X]) + Math.abs(s[LINE_AT_Y]);
-  return Math.abs(aside) <= RADIAL + ROUNDING * size && isAlong(steep, slope, vx, vy);
+  return Math.abs(aside) <= RADIAL + RADIAL_ROUNDING * size && isAlong(steep, slope, vx, vy);
 }
 
 function isAlong(steep: boolean, slope: number, vx: number, vy: number): boolean {
   const aside = steep ? vx - vy * slope : vy - vx * slope;
-  return Math.abs(aside) <= ROUNDING * (Math.abs(vx) + Math.abs(vy));
+  return Math.abs(aside) <= RADIAL_ROUNDING * (Math.abs(vx) + Math.abs(vy));
 }
 
 /** Another base: she stays on her line if that one is on it. */
@@ -117,7 +109,7 @@ export function findLine(m: Motion): void {
     return;
   }
   const size = Math.abs(s[BASE_X]) + Math.abs(s[BASE_Y]) + Math.abs(x) + Math.abs(y);
-  if (Math.abs(x * vy - y * vx) > (RADIAL + ROUNDING * size) * v) return;
+  if (Math.abs(x * vy - y * vx) > (RADIAL + RADIAL_ROUNDING * size) * v) return;
   // close to the centre the velocity knows the line better than the place does
   if (Math.abs(x) + Math.abs(y) > 1e-6) beginLine(m, x, y);
   else beginLine(m, vx, vy);

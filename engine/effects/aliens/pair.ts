@@ -10,14 +10,11 @@ import {
   shift,
   valueAt,
 } from '../../motion/index.ts';
-import { FLOOR, SURPLUS } from '../../tolerances.ts';
+import { CUBIC_BENDS, FLOOR, SURPLUS } from '../../tolerances.ts';
 
 const { LENGTH_H } = SLOTS;
 const { CHASER } = RECORDS;
 const { ASLEEP, AWAKE, GONE } = ALERTNESS;
-
-/** The cubic of a Runge-Kutta step may bend by this much more than the strongest pull, see {@link dragRungeKutta}. */
-const CUBIC_BENDS = 5 / 3;
 
 const dx = new Float64Array(LONGEST_SERIES);
 const dy = new Float64Array(LONGEST_SERIES);

@@ -11,15 +11,9 @@ import {
   shift,
   valueAt,
 } from '../../motion/index.ts';
-import { SURPLUS } from '../../tolerances.ts';
+import { SURPLUS, TIE, WIDEST_TIE } from '../../tolerances.ts';
 
 const { START, TARGET, BASE_X, BASE_Y, DEGREE, LENGTH_H, ACCELERATION, SWITCH_TIME, SWITCHES } = SLOTS;
-
-/** A dip across the bisector of two asteroids shallower than this is within the error of the way: no change of target, px. */
-const TIE = 1e-11;
-
-/** The widest tie, px. */
-const WIDEST_TIE = 1e-4;
 
 /** So many changes of target in one instant may be: with each one more a tie is ten times as wide. */
 const MOST_SWITCHES = 4;

@@ -1,10 +1,8 @@
 import { crossing, lookNext, PATIENCE, safeStretch } from '../../events/index.ts';
 import { lookAt, type Motion, placeAt, SLOTS, shift, TAYLOR_DEGREE } from '../../motion/index.ts';
+import { SHORTEST_LAPSE } from '../../tolerances.ts';
 
 const { LENGTH_H, ACCELERATION, OUTER } = SLOTS;
-
-/** A rim that lets go of her for a shorter time than this does not let go, s: she would be off it by less than 1e-16 px. */
-const SHORTEST = 1e-6;
 
 /** Once the series of the pressure leads, one that falls below 0 by less than this may be overlooked, px/s2. */
 const OVERLOOKED = 1e-10;
@@ -23,7 +21,7 @@ const about = new Float64Array(TAYLOR_DEGREE - 1);
 export function comeOffTime(m: Motion, from: number): number {
   const { s, e, rim, work } = m;
   const horizon = Math.min(m.horizon, s[LENGTH_H]);
-  const stride = Math.min(SHORTEST, s[LENGTH_H] / 64);
+  const stride = Math.min(SHORTEST_LAPSE, s[LENGTH_H] / 64);
   const a = s[ACCELERATION];
   const relative = a + m.kappa;
   let t = from;

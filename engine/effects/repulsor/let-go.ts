@@ -1,11 +1,9 @@
 import { crossing, lookNext } from '../../events/index.ts';
 import { type Motion, SLOTS } from '../../motion/index.ts';
+import { SHORTEST_LAPSE } from '../../tolerances.ts';
 import { weighAt } from './come-off.ts';
 
 const { LIMIT_X, LIMIT_Y, LENGTH_H, ACCELERATION } = SLOTS;
-
-/** An acceleration that turns round for a shorter time than this does not let go, s: it would make less than 1e-10 px/s. */
-const SHORTEST = 1e-6;
 
 const acceleration = new Float64Array(2);
 
@@ -22,7 +20,7 @@ const acceleration = new Float64Array(2);
 export function letGoTime(m: Motion, axis: number, from: number): number {
   const { s, e, rim, work } = m;
   const horizon = Math.min(m.horizon, s[LENGTH_H]);
-  const stride = Math.min(SHORTEST, s[LENGTH_H] / 64);
+  const stride = Math.min(SHORTEST_LAPSE, s[LENGTH_H] / 64);
   const a = s[ACCELERATION];
   let t = from;
   let before = from;

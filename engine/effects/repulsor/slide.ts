@@ -1,15 +1,9 @@
 import { type Motion, RECORDS, SLOTS } from '../../motion/index.ts';
+import { SHORTEST_BOUNCE } from '../../tolerances.ts';
 import { actingField } from './fields.ts';
 
 const { HELD, TARGET, BASE_X, BASE_Y, LIMIT_X, LIMIT_Y, RIM, OUTER } = SLOTS;
 const { ROCK } = RECORDS;
-
-/**
- * Where the force outside a field drives her in and the push drives her out she bounces on its rim without end, and her bounces
- * keep their height. At rest across the rim she slides along it. A bounce that takes less than this, out and in, counts as
- * sliding, s: it is lower than 1e-6 px, and slower across the rim than 6e-3 px/s.
- */
-const SHORTEST_BOUNCE = 1 / 2000;
 
 /** So near to the centre of the force outside it has no direction to be relied on, px. */
 const NO_DIRECTION = 1e-7;
@@ -80,7 +74,8 @@ export function holdsOnRim(m: Motion, field: number): boolean {
 }
 
 /**
- * Whether she slides from now on, crossing the rim of a field that counts as around her. A bounce has a mean velocity along the
+ * Whether she slides from now on, crossing the rim of a field that counts as around her. Where the force outside drives her in and the
+ * push drives her out she bounces on the rim without end, and her bounces keep their height; at rest across the rim she slides along it. A bounce has a mean velocity along the
  * rim, which is the one she goes on with.
  */
 export function beginsToSlide(m: Motion, field: number): boolean {

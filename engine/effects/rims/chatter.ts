@@ -1,9 +1,7 @@
 import { type Motion, SLOTS } from '../../motion/index.ts';
+import { LATEST_CROSSING, QUICK_CROSSING, SAME_RIM } from '../../tolerances.ts';
 
 const { BASE_X, BASE_Y, RIM, RIM_TIME, CHATTER } = SLOTS;
-
-/** Two crossings of rims nearer than this come in quick succession, s. */
-const QUICK = 1 / 4000;
 
 /** A chatter at most so many crossings ahead is kept in mind. */
 const MOST = 15;
@@ -15,14 +13,8 @@ export function roundingOnRim(m: Motion, x: number, y: number, r: number): numbe
   return 1e-13 + 1e-14 * (far + r);
 }
 
-/** Rims nearer than this are one to her who slides, px. */
-const SAME_RIM = 1e-9;
-
 /** So many crossings in quick succession are a chatter; with each one more a rim is crossed twice as late. */
 const CHATTERS = 8;
-
-/** At most so late, px. */
-const LATEST = 1.28e-7;
 
 /**
  * How far beyond a rim she is when it counts as crossed, px: 0 as a rule. While she slides along one rim, others that all but
@@ -33,13 +25,13 @@ export function rimTolerance(m: Motion, x: number, y: number, r: number): number
   const { s } = m;
   if (s[RIM] < 0 && s[CHATTER] <= CHATTERS) return 0;
   let far = SAME_RIM;
-  for (let n = CHATTERS; n < s[CHATTER]; n++) far = Math.min(LATEST, 2 * far);
+  for (let n = CHATTERS; n < s[CHATTER]; n++) far = Math.min(LATEST_CROSSING, 2 * far);
   return far + roundingOnRim(m, x, y, r);
 }
 
 /** Keeps count of crossings of rims in quick succession: where several rims meet she may be thrown to and fro without end. */
 export function countCrossing(m: Motion, time: number): void {
   const { s } = m;
-  s[CHATTER] = time - s[RIM_TIME] < QUICK ? Math.min(MOST, s[CHATTER] + 1) : Math.max(0, s[CHATTER] - 1);
+  s[CHATTER] = time - s[RIM_TIME] < QUICK_CROSSING ? Math.min(MOST, s[CHATTER] + 1) : Math.max(0, s[CHATTER] - 1);
   s[RIM_TIME] = time;
 }
