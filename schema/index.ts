@@ -19,3 +19,4 @@ export * from './report.ts';
 export { resolveLevel } from './resolve.ts';
 export { DEFAULT_RULES, type GameRule, type OwnRules, RULE_NAMES, RULES, type RuleName, type Rules, rulesOf } from './rules.ts';
 export type { TextPlace } from './text-place.ts';
+export { type TuneReport, tuneReportSchema } from './tune-report.ts';

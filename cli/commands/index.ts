@@ -25,6 +25,7 @@ export const COMMANDS: readonly CommandEntry[] = [
     summary: 'how hard levels are: success under timing noise, slack, shortcuts',
     load: () => import('./difficulty/index.ts'),
   },
+  { name: 'tune', summary: "what a change of the game's rules does to each level", load: () => import('./tune/index.ts') },
   {
     name: 'generate',
     summary: 'new levels from a seed, a size and a wanted difficulty',

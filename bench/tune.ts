@@ -1,0 +1,63 @@
+import { spawnSync } from 'node:child_process';
+import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import type { LevelFile } from '../schema/index.ts';
+import { atMost, compare, publish } from './harness.ts';
+
+const GQ = fileURLToPath(new URL('../cli/main.js', import.meta.url));
+const SHIPPED = fileURLToPath(new URL('../../levels/', import.meta.url));
+const LEVELS = 28;
+const VALUES = 41;
+
+/** Writes so many level files, made by turns from those shipped: the same ones again are moved by some px. */
+function writeLevels(directory: string): void {
+  const shipped = readdirSync(SHIPPED)
+    .filter((name) => name.endsWith('.level.json'))
+    .map((name) => JSON.parse(readFileSync(join(SHIPPED, name), 'utf8')) as LevelFile);
+  for (let i = 0; i < LEVELS; i++) {
+    const file = shipped[i % shipped.length];
+    const shift = 64 * Math.floor(i / shipped.length);
+    const move = <T extends { x: number }>(thing: T): T => ({ ...thing, x: thing.x + shift });
+    const moved = {
+      ...file,
+      astronaut: move(file.astronaut),
+      blackHole: move(file.blackHole),
+      asteroids: file.asteroids?.map(move),
+      novae: file.novae?.map(move),
+      repulsors: file.repulsors?.map(move),
+      aliens: file.aliens?.map(move),
+      minerals: file.minerals?.map(move),
+    };
+    writeFileSync(join(directory, `${String(i).padStart(2, '0')}.level.json`), JSON.stringify(moved));
+  }
+}
+
+/** Tunes the directory; @throws Error unless every level was replayed at every value. */
+function tune(directory: string): number {
+  const args = ['tune', directory, '--sweep', `pull=0.8x..1.2x:${VALUES}`, '--jobs', '2', '--format', 'json'];
+  const { stdout, stderr, status } = spawnSync(process.execPath, [GQ, ...args], { encoding: 'utf8', maxBuffer: 2 ** 28 });
+  if (status !== 0) throw new Error(`expected gq tune to exit with 0, it exited with ${status}: ${stderr.slice(0, 2000)}`);
+  const { levels } = JSON.parse(stdout) as { levels: { values: unknown[] }[] };
+  const replayed = levels.reduce((sum, { values }) => sum + values.length, 0);
+  if (replayed !== LEVELS * VALUES) throw new Error(`expected ${LEVELS * VALUES} results, found ${replayed}`);
+  return replayed;
+}
+
+const directory = mkdtempSync(join(tmpdir(), 'gq-bench-tune-'));
+try {
+  writeLevels(directory);
+  const name = 'gq tune --jobs 2';
+  const measured = compare([{ name, run: () => tune(directory) }], { rounds: 15, sampleMs: 0, warmUpMs: 0 });
+  const { median, q1, q3 } = measured.time(name);
+  publish({
+    title: `gq tune on ${LEVELS} levels at ${VALUES} values of the pull, thresholds included`,
+    columns: ['', 's', 'quartiles'],
+    rows: [[name, median / 1000, `${(q1 / 1000).toFixed(2)} - ${(q3 / 1000).toFixed(2)}`]],
+    claims: [atMost(`${LEVELS} levels at ${VALUES} values with --jobs 2, s`, median / 1000, 2)],
+    notes: [`Median of ${measured.rounds} runs, process start and JSON report included.`],
+  });
+} finally {
+  rmSync(directory, { recursive: true, force: true });
+}

@@ -1,0 +1,95 @@
+import { RULES } from '../../../schema/index.ts';
+import type { Colors } from '../../colors.ts';
+import { plural } from '../../report-parts/index.ts';
+import type { Change, RuleInterval, Sweep, TunedLevel, TunedState, TuneSettings } from '../../tune/index.ts';
+import { visibleLine } from '../../visible.ts';
+import { independentRules } from './independent-rules.ts';
+
+/** Columns of the matrix at most: with name and interval 80 characters. */
+const MOST_COLUMNS = 41;
+const NAME = 20;
+
+const SIGNS: Readonly<Record<TunedState, string>> = { kept: '#', other: 'o', unproven: '.', impossible: 'x' };
+const WORDS: Readonly<Record<TunedState, string>> = {
+  kept: 'its run completes it',
+  other: 'another run does',
+  unproven: 'unproven',
+  impossible: 'proved impossible',
+};
+const WORST: readonly TunedState[] = ['impossible', 'unproven', 'other', 'kept'];
+
+const brief = (value: number): string => String(Number(value.toPrecision(4)));
+const amount = (value: number, isRelative: boolean): string => `${brief(value)}${isRelative ? 'x' : ''}`;
+
+/** `37.1..>46.8`: beyond > and < nothing was tried. */
+function intervalText({ run }: TunedLevel, { low, high, isLowBound, isHighBound }: RuleInterval): string {
+  if (run === null) return 'no run';
+  if (low === null || high === null) return 'its run fails';
+  return `${isLowBound ? '' : '<'}${brief(low)}..${isHighBound ? '' : '>'}${brief(high)}`;
+}
+
+function nameText({ name }: TunedLevel): string {
+  const letters = [...visibleLine(name)];
+  return (letters.length > NAME ? `${letters.slice(0, NAME - 1).join('')}…` : letters.join('')).padEnd(NAME);
+}
+
+const changeText = ({ rule, amount: value, isRelative }: Change): string => `${rule}=${amount(value, isRelative)}`;
+
+/** One sign for each value; of more than fit, the worst of neighbours. */
+function matrixRow(states: readonly TunedState[]): string {
+  const columns = Math.min(MOST_COLUMNS, states.length);
+  return Array.from({ length: columns }, (_, c) => {
+    const from = Math.floor((c * states.length) / columns);
+    const to = Math.max(from + 1, Math.floor(((c + 1) * states.length) / columns));
+    const part = states.slice(from, to);
+    return SIGNS[WORST.find((state) => part.includes(state)) ?? 'kept'];
+  }).join('');
+}
+
+/** Marks the levels' own values where a scale of shares has room for them. */
+function withOwn(scale: string, from: number, to: number, columns: number, isRelative: boolean): string {
+  const at = Math.round(((1 - from) / (to - from)) * (columns - 1));
+  const isFree = scale.slice(Math.max(0, at - 1), at + 3) === '    ';
+  return isRelative && at > 0 && isFree ? `${scale.slice(0, at)}1x${scale.slice(at + 2)}` : scale;
+}
+
+function matrix(levels: readonly TunedLevel[], { rule, from, to, count, isRelative }: Sweep, colors: Colors): string[] {
+  const columns = Math.min(MOST_COLUMNS, count);
+  const [left, right] = [amount(from, isRelative), amount(to, isRelative)];
+  const scale = withOwn(left + right.padStart(Math.max(right.length + 1, columns - left.length)), from, to, columns, isRelative);
+  return [
+    colors.dim(`${'level'.padEnd(NAME)} ${scale} ${rule}, ${RULES[rule].unit}`),
+    ...levels.map((level) => {
+      const row = matrixRow(level.values.map(({ state }) => state)).padEnd(scale.length);
+      return `${nameText(level)} ${row} ${level.intervals.map((interval) => intervalText(level, interval)).join(' ')}`;
+    }),
+  ];
+}
+
+/** One line a level, and one more for each further rule. */
+function list(levels: readonly TunedLevel[]): string[] {
+  return levels.flatMap((level) => {
+    const state = (level.values[0] === undefined ? '' : WORDS[level.values[0].state]).padEnd(20);
+    return level.intervals.map((interval, i) => {
+      const before = i === 0 ? `${nameText(level)} ${state}` : ' '.repeat(NAME + 21);
+      return `${before} ${interval.rule} ${intervalText(level, interval)}`.trimEnd();
+    });
+  });
+}
+
+/** What changes of rules do, for a person: at most 80 characters a line. */
+export function tuneText(levels: readonly TunedLevel[], { accuracy, changes, sweep }: TuneSettings, colors: Colors): string {
+  const looked = levels.filter(({ code }) => code === 0);
+  const set = changes.map(changeText).join(' ');
+  const title = sweep === null ? `with ${set}` : `${sweep.rule} at ${sweep.count} values${set === '' ? '' : `, with ${set}`}`;
+  const kept = looked.filter(({ values }) => values.every(({ state }) => state === 'kept')).length;
+  const signs = (Object.keys(SIGNS) as TunedState[]).map((state) => `${SIGNS[state]} ${WORDS[state]}`).join('  ');
+  const lines = [
+    colors.bold(`${title}, accuracy ${accuracy.name}`),
+    ...(sweep === null ? list(looked) : [...matrix(looked, sweep, colors), colors.dim(signs)]),
+    `${kept} of ${plural(looked.length, 'level')} ${kept === 1 ? 'keeps its' : 'keep their'} run${sweep === null ? '' : ' at every value'}`,
+  ];
+  const independent = independentRules(looked);
+  if (independent.length > 0) lines.push(`no level depends on ${independent.join(', ')}`);
+  return `${lines.join('\n')}\n`;
+}

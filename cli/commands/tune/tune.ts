@@ -1,0 +1,131 @@
+import { availableParallelism } from 'node:os';
+import process from 'node:process';
+import { type Command, Option } from 'commander';
+import { drawTuning, type Ground } from '../../../picture/tune/index.ts';
+import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../../accuracy-options.ts';
+import { colorsFor } from '../../colors.ts';
+import type { CommandResult } from '../../command.ts';
+import { Failure } from '../../failure.ts';
+import { findLevelFiles } from '../../files.ts';
+import { folderRules } from '../../folder-rules.ts';
+import { formatOption, jobsOption, maxTimeOption, maxWorkOption } from '../../options.ts';
+import { createProgress } from '../../progress.ts';
+import { showFileProblems } from '../../report-parts/index.ts';
+import { addSearchOptions, limitsOf, type SearchOptions } from '../../search-options.ts';
+import {
+  amountsOf,
+  type Change,
+  parseChange,
+  parseSweep,
+  type Sweep,
+  type TunedLevel,
+  type TuneSettings,
+  tuneLevels,
+} from '../../tune/index.ts';
+import { visibleLine } from '../../visible.ts';
+import { writeWhole } from '../../write-file.ts';
+import { tuneJson } from './json.ts';
+import { tuneText } from './text.ts';
+
+interface Options extends AccuracyOptions, SearchOptions {
+  readonly set?: readonly Change[];
+  readonly sweep?: Sweep;
+  readonly solve?: true;
+  readonly svg?: string;
+  readonly theme: Ground;
+  readonly maxTime: number;
+  readonly maxWork: number;
+  readonly jobs: number;
+  readonly format: 'text' | 'json';
+}
+
+export function declare(command: Command, finish: (result: CommandResult) => void): void {
+  const described = addAccuracyOptions(command)
+    .description("What a change of the game's rules does to each level: whether its run survives, and where it would not.")
+    .argument('<path...>', 'level files, directories, or quoted patterns with * ** ?')
+    .option('--set <rule=value>', "a rule's value, or a share of each level's own like 1.1x; as often as wanted", parseChange)
+    .option('--sweep <rule=from..to:count>', 'values of one rule, evenly, like pull=0.8x..1.2x:41', parseSweep)
+    .option('--solve', "search where none of the level's runs is left, at every value");
+  addSearchOptions(described, ' for each level and value')
+    .option('--svg <file>', 'draw what becomes of the levels into FILE.svg')
+    .addOption(
+      new Option('--theme <theme>', 'colours of the picture; auto follows the viewer')
+        .choices(['auto', 'light', 'dark'])
+        .default('auto'),
+    )
+    .addOption(maxTimeOption())
+    .addOption(maxWorkOption())
+    .addOption(jobsOption(availableParallelism()))
+    .addOption(formatOption('text', 'json'))
+    .addHelpText(
+      'after',
+      `
+A level's run is the first that completes it. The interval behind each level is where that run goes on completing it while one rule
+changes: to a thousandth of the level's value, from value to value outwards; < and > say that it never failed. Without a sweep a rule
+is tried from half to twice the level's value. The levels whose run fails first come first.
+
+Exit code: 0 when every level was looked at; 1 when a file is not a valid level; 2 when it could not be done: bad option, nothing
+matched, unreadable file.
+
+Examples:
+  $ gq tune levels --set pull=1.1x
+  $ gq tune levels --sweep pull=0.8x..1.2x:41 --svg pull.svg
+  $ gq tune levels --set push=25 --sweep boxHeight=28..36:17 --solve --effort 200000`,
+    )
+    .action(async (paths: string[], options: Options) => finish(await tune(paths, options)));
+}
+
+async function tune(paths: readonly string[], options: Options): Promise<CommandResult> {
+  const { set: changes = [], sweep = null, svg } = options;
+  if (changes.length === 0 && sweep === null) {
+    throw new Failure('nothing is changed: give --set or --sweep, for example --set pull=1.1x');
+  }
+  if (sweep !== null && changes.some(({ rule }) => rule === sweep.rule)) {
+    throw new Failure(`--set ${sweep.rule} and --sweep ${sweep.rule} exclude each other: give one of the two`);
+  }
+  if (!options.solve && (options.budget !== undefined || options.effort !== undefined)) {
+    throw new Failure('--budget and --effort say how long --solve searches: give --solve, too');
+  }
+  if (svg !== undefined && !/\.svg$/i.test(svg)) throw new Failure(`--svg ${svg}: expected a name that ends in .svg`);
+  const settings: TuneSettings = {
+    accuracy: chooseAccuracy(options),
+    maxTime: options.maxTime,
+    maxWork: options.maxWork,
+    rules: folderRules(),
+    changes,
+    sweep,
+    search: options.solve ? { limits: limitsOf(options), seed: options.seed } : null,
+  };
+  const { files, unreadable } = await findLevelFiles(paths);
+  const progress = createProgress('tuned', files.length);
+  let levels: TunedLevel[];
+  try {
+    levels = await tuneLevels(files, settings, options.jobs, progress.update);
+  } finally {
+    progress.clear();
+  }
+  const colors = colorsFor(process.stderr);
+  const messages = [
+    ...unreadable.map(({ path, reason }) => `error: ${visibleLine(path)}: can't be looked into: ${reason}\n`),
+    ...levels.filter(({ code }) => code === 2).map(({ why }) => `error: ${visibleLine(why)}\n`),
+    ...levels.map(({ file, problems }) => showFileProblems(file, problems, colors)),
+  ];
+  if (svg !== undefined) {
+    await writeWhole(svg, drawTuning(pictureOf(levels, settings), options.theme));
+    messages.push(`wrote ${visibleLine(svg)}\n`);
+  }
+  const output = options.format === 'json' ? tuneJson(levels, settings) : tuneText(levels, settings, colorsFor(process.stdout));
+  const exitCode = Math.max(0, ...levels.map(({ code }) => code), ...unreadable.map(() => 2)) as 0 | 1 | 2;
+  return { output, messages: messages.join(''), exitCode };
+}
+
+function pictureOf(levels: readonly TunedLevel[], { sweep, changes, accuracy }: TuneSettings) {
+  const said = changes.map(({ rule, amount, isRelative }) => `${rule} ${amount}${isRelative ? 'x' : ''}`).join(', ');
+  const amounts = sweep === null ? [] : amountsOf(sweep);
+  return {
+    title: sweep === null ? `Levels with ${said}` : `Levels while ${sweep.rule} changes`,
+    subtitle: [accuracy.name, ...(sweep !== null && said !== '' ? [`with ${said}`] : []), 'the most fragile first'].join(', '),
+    marks: amounts.map((amount) => `${Number(amount.toPrecision(4))}${sweep?.isRelative ? 'x' : ''}`),
+    rows: levels.filter(({ code }) => code === 0).map(({ name, values }) => ({ name, states: values.map(({ state }) => state) })),
+  };
+}

@@ -1,0 +1,152 @@
+import { basename } from 'node:path';
+import { compile, type Scene, simulate, TICK_RATE, WorkBudget, WorkLimitReached } from '../../engine/index.ts';
+import {
+  type Hold,
+  type Level,
+  type OwnRules,
+  RULES,
+  type RuleName,
+  readLevel,
+  rulesOf,
+  type ScriptedRun,
+} from '../../schema/index.ts';
+import { createSolver } from '../../solver/index.ts';
+import { showProblems } from '../code-frames.ts';
+import { Failure } from '../failure.ts';
+import { proveGoalImpossible } from '../prove.ts';
+import { readBytes } from '../read-bytes.ts';
+import { intervalAround } from './interval.ts';
+import { amountsOf, type RuleValue } from './rule-options.ts';
+import type { RuleInterval, TunedLevel, TunedValue, TuneSettings, TuneTask } from './tuned-level.ts';
+
+/** Shares of a level's value at which a rule is tried where no sweep says others: from half to twice. */
+const TRIED = Array.from({ length: 31 }, (_, i) => 0.5 + i / 20);
+
+/** Ticks simulated between two looks at the clock. */
+const SLICE = 50_000;
+
+/** A value that a rule can't have in this level. */
+class OutOfRange extends Error {}
+
+/** Looks what changes of rules do to one level file. Throws only where gq itself fails. */
+export function tuneLevel({ file, settings }: TuneTask): TunedLevel {
+  const name = basename(file).replace(/(\.level)?\.json$/, '');
+  const nothing = { file, name, run: null, values: [], intervals: [], room: null, problems: [], why: '', code: 0 } as const;
+  try {
+    const read = readLevel(readBytes(file), settings);
+    if (!read.ok) return { ...nothing, problems: showProblems(read.problems, read.text), why: 'not a valid level', code: 1 };
+    return { ...nothing, name: read.level.name, ...tune(read.level, settings) };
+  } catch (error) {
+    if (error instanceof Failure) return { ...nothing, why: error.message, code: 2 };
+    if (error instanceof OutOfRange) return { ...nothing, why: `${file}: ${error.message}`, code: 2 };
+    throw error;
+  }
+}
+
+type Tuned = Pick<TunedLevel, 'run' | 'values' | 'intervals' | 'room'>;
+
+function tune(level: Level, settings: TuneSettings): Tuned {
+  const { sweep, changes } = settings;
+  const own = rulesOf(level);
+  const base = firstThatCompletes(level, {}, settings);
+  const changed = Object.fromEntries(changes.map((change) => [change.rule, valueIn(change.rule, change, own[change.rule])]));
+  const swept =
+    sweep === null
+      ? null
+      : amountsOf(sweep).map((amount) => valueIn(sweep.rule, { amount, isRelative: sweep.isRelative }, own[sweep.rule]));
+  const values: TunedValue[] =
+    sweep === null || swept === null
+      ? [judge(level, base, null, changed, settings)]
+      : swept.map((value) => judge(level, base, value, { ...changed, [sweep.rule]: value }, settings));
+  const known = new Map(values.map(({ value, state }) => [value, state === 'kept']));
+  const looked = sweep === null ? changes.map(({ rule }) => rule) : [sweep.rule];
+  const intervals = looked.map((rule): RuleInterval => {
+    const others = sweep === null ? {} : changed;
+    const tried = swept ?? TRIED.map((share) => share * own[rule]).filter((v) => v >= RULES[rule].least && v <= RULES[rule].most);
+    const rulesAt = (value: number) => ({ ...others, [rule]: value });
+    const works = (value: number): boolean =>
+      base !== null &&
+      ((swept === null ? undefined : known.get(value)) ??
+        completes(sceneWith(level, rulesAt(value), settings), base.holds, settings));
+    const interval = intervalAround(own[rule], tried, works);
+    const holds = (base ?? level.runs[0])?.holds ?? [];
+    const hashes = new Set(
+      [own[rule], tried[0], tried[tried.length - 1]].map((value) => hashOf(level, rulesAt(value), holds, settings)),
+    );
+    const nowhere = { low: null, high: null, isLowBound: false, isHighBound: false };
+    return { rule, own: own[rule], ...(interval ?? nowhere), matters: hashes.size > 1 };
+  });
+  return { run: base?.name ?? null, values, intervals, room: roomOf(intervals) };
+}
+
+/** The least share of its own value by which a rule may change; 0 where its run fails as it is. */
+function roomOf(intervals: readonly RuleInterval[]): number | null {
+  let room: number | null = null;
+  for (const { own, low, high, isLowBound, isHighBound } of intervals) {
+    const scale = own === 0 ? 1 : own;
+    const rooms =
+      low === null || high === null ? [0] : [...(isLowBound ? [own - low] : []), ...(isHighBound ? [high - own] : [])];
+    for (const r of rooms) room = room === null ? r / scale : Math.min(room, r / scale);
+  }
+  return room;
+}
+
+function valueIn(rule: RuleName, { amount, isRelative }: RuleValue, own: number): number {
+  const value = isRelative ? amount * own : amount;
+  const { least, most, unit } = RULES[rule];
+  if (value >= least && value <= most) return value;
+  throw new OutOfRange(`${rule}: ${amount}x of ${own} is ${value}; expected ${least} to ${most} ${unit}`);
+}
+
+const sceneWith = (level: Level, rules: OwnRules, { accuracy }: TuneSettings): Scene =>
+  compile({ ...level, rules: { ...level.rules, ...rules } }, accuracy);
+
+const completes = (scene: Scene, holds: readonly Hold[], { maxTime, maxWork }: TuneSettings): boolean =>
+  simulate(scene, holds, { maxTime, record: false, budget: new WorkBudget(maxWork) }).outcome === 'completed';
+
+function firstThatCompletes(level: Level, rules: OwnRules, settings: TuneSettings): ScriptedRun | null {
+  const scene = sceneWith(level, rules, settings);
+  return level.runs.find(({ holds }) => completes(scene, holds, settings)) ?? null;
+}
+
+/** Every bit of a run; null where that takes more work than is allowed. */
+function hashOf(level: Level, rules: OwnRules, holds: readonly Hold[], settings: TuneSettings): string | null {
+  const { maxTime, maxWork } = settings;
+  try {
+    return simulate(sceneWith(level, rules, settings), holds, { maxTime, budget: new WorkBudget(maxWork) }).hash;
+  } catch (error) {
+    if (error instanceof WorkLimitReached) return null;
+    throw error;
+  }
+}
+
+function judge(
+  level: Level,
+  base: ScriptedRun | null,
+  value: number | null,
+  rules: OwnRules,
+  settings: TuneSettings,
+): TunedValue {
+  const scene = sceneWith(level, rules, settings);
+  if (base !== null && completes(scene, base.holds, settings)) return { value, state: 'kept', holds: null };
+  const other = level.runs.find((run) => run !== base && completes(scene, run.holds, settings));
+  if (other !== undefined) return { value, state: 'other', holds: other.holds };
+  if (settings.search === null) return { value, state: 'unproven', holds: null };
+  const maxTicks = Math.round(settings.maxTime * TICK_RATE);
+  if (proveGoalImpossible(scene.level, settings.accuracy, { minerals: 'any' }, maxTicks) !== null) {
+    return { value, state: 'impossible', holds: null };
+  }
+  const found = search(scene, settings.search, maxTicks);
+  return { value, state: found === null ? 'unproven' : 'other', holds: found };
+}
+
+/** A run that completes a scene; null: none was found within the limits. */
+function search(scene: Scene, { limits, seed }: NonNullable<TuneSettings['search']>, maxTicks: number): readonly Hold[] | null {
+  const solver = createSolver(scene, { objective: 'first', seed, maxTicks });
+  const end = limits.budget === null ? Number.POSITIVE_INFINITY : performance.now() + 1000 * limits.budget;
+  const most = limits.effort ?? Number.POSITIVE_INFINITY;
+  while (!solver.finished && solver.effort.ticks < most && performance.now() < end) {
+    solver.advance(Math.min(SLICE, most - solver.effort.ticks));
+  }
+  return solver.best?.holds ?? null;
+}

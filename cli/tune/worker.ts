@@ -1,0 +1,1 @@
+export { tuneLevel as default } from './tune-level.ts';

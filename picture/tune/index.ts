@@ -1,0 +1,2 @@
+export type { Ground } from '../ink.ts';
+export { drawTuning } from './draw-tuning.ts';
