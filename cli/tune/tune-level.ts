@@ -1,4 +1,5 @@
 import { basename } from 'node:path';
+import { proveGoalImpossible } from '../../check/index.ts';
 import { compile, type Scene, simulate, TICK_RATE, WorkBudget, WorkLimitReached } from '../../engine/index.ts';
 import {
   type Hold,
@@ -13,7 +14,6 @@ import {
 import { createSolver } from '../../solver/index.ts';
 import { showProblems } from '../code-frames.ts';
 import { Failure } from '../failure.ts';
-import { proveGoalImpossible } from '../prove.ts';
 import { readBytes } from '../read-bytes.ts';
 import { intervalAround } from './interval.ts';
 import { amountsOf, type RuleValue } from './rule-options.ts';

@@ -1,6 +1,6 @@
+import { plural } from '../../../check/words/index.ts';
 import { RULES } from '../../../schema/index.ts';
 import type { Colors } from '../../colors.ts';
-import { plural } from '../../report-parts/index.ts';
 import type { Change, RuleInterval, Sweep, TunedLevel, TunedState, TuneSettings } from '../../tune/index.ts';
 import { visibleLine } from '../../visible.ts';
 import { independentRules } from './independent-rules.ts';
