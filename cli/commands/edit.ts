@@ -1,7 +1,9 @@
 import process from 'node:process';
 import type { Command } from 'commander';
+import type { OwnRules } from '../../schema/index.ts';
 import type { CommandResult } from '../command.ts';
 import { DEFAULT_PORT, type EditServer, openBrowser, PAGE, startServer } from '../edit/index.ts';
+import { folderRules } from '../folder-rules.ts';
 import { wholeNumberOption } from '../options.ts';
 import { catchSignals } from '../signals.ts';
 import { visible } from '../visible.ts';
@@ -27,7 +29,8 @@ export function declare(command: Command, _finish: (result: CommandResult) => vo
 Prints an address that works until the command ends (Ctrl-C); whoever has it can change the levels in the folder, nobody else can.
 Changes are saved as they are made, each file whole or not at all; deleted levels are kept in DIR/.gq-trash.
 
-Exit code: 130 on Ctrl-C; 2 when it could not start: no such folder, the port is taken.
+Exit code: 130 on Ctrl-C; 2 when it could not start: no such folder, the port is taken, gq.config.json is not
+valid.
 
 Examples:
   $ gq edit
@@ -46,17 +49,22 @@ async function edit(folder: string, options: EditOptions): Promise<void> {
   };
   // its loop is free but for short moments, and a file that is being written is finished
   catchSignals();
+  const rules = folderRules();
   const server = await startServer({ folder, port: options.port ?? null, page: PAGE, onCrash });
   // unlike other commands' reports this is needed before the end
-  process.stdout.write(announcement(folder, server, options));
+  process.stdout.write(announcement(folder, server, options, rules));
   if (options.open) {
     openBrowser(server.address, (why) => print(`the browser could not be opened (${why}): open the address above yourself\n`));
   }
   await new Promise<never>(() => {});
 }
 
-function announcement(folder: string, { address, port, portBefore }: EditServer, options: EditOptions): string {
+function announcement(folder: string, { address, port, portBefore }: EditServer, options: EditOptions, rules: OwnRules): string {
   const notes: string[] = [];
+  const set = Object.keys(rules);
+  if (set.length > 0) {
+    notes.push(`The editor plays levels by their own rules alone: ${set.join(', ')} of gq.config.json hold in other commands.`);
+  }
   const usual = portBefore ?? DEFAULT_PORT;
   const isOther = options.port === undefined && port !== usual;
   if (isOther) notes.push(`Port ${usual} is taken, perhaps by another gq edit: this one has ${port}.`);

@@ -78,6 +78,18 @@ describe('rules of gq.config.json', () => {
     expect(await hashOf('levels/plain.level.json')).not.toBe(await hashOf('levels/usual.level.json'));
   });
 
+  it('are named by gq edit, which plays levels without them', async () => {
+    const started = (args: readonly string[], folder: string) =>
+      gq(args, {
+        cwd: join(files.directory, folder),
+        during: (child) => child.stdout?.once('data', () => child.kill('SIGTERM')),
+      });
+    const { stdout, code } = await started(['edit', 'levels', '--port', '0'], '.');
+    expect(code).toBe(143);
+    expect(stdout).toContain('pull, boxHeight of gq.config.json hold in other commands');
+    expect((await started(['edit', '.', '--port', '0'], 'other')).stdout).not.toContain('gq.config.json');
+  });
+
   it.each([
     ['{ "rules": { "pul": 3 } }', ':1:14', 'did you mean "pull"?'],
     ['{\n  "rules": { "push": "20" }\n}', ':2:22', 'Remove the quotes'],
@@ -93,6 +105,7 @@ describe('rules of gq.config.json', () => {
         ['simulate', 'a.level.json'],
         ['difficulty', '.'],
         ['generate', '--out', 'made'],
+        ['edit', '.', '--port', '0'],
       ]) {
         const { code, stdout, stderr } = await gq(args, { cwd: wrong.directory });
         expect({ code, stdout }).toEqual({ code: 2, stdout: '' });
