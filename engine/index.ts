@@ -5,6 +5,7 @@ export { compile } from './compile.ts';
 export * from './constants.ts';
 export { type Box, boxCircleGap, boxOf, boxOverlapsCircle, circlesOverlap, DEFAULT_BOX } from './contact/index.ts';
 export { EFFECTS, type Effect, effectEventInWords } from './effects/index.ts';
+export { isJump } from './jumps.ts';
 export type { EffectChoice, Scene } from './scene.ts';
 export { joinHolds, playScript } from './script.ts';
 export { createSimulation, type Run, type SimulateOptions, type State, simulate } from './simulate.ts';

@@ -1,4 +1,4 @@
-import { type Run, STATE_SIZE, TICK, TICK_RATE } from '../engine/index.ts';
+import { isJump, type Run, STATE_SIZE, TICK, TICK_RATE } from '../engine/index.ts';
 import { type Point, simplify } from './simplify.ts';
 
 /** A stretch of a run with the gun held or not, as points in level px. */
@@ -33,7 +33,7 @@ export function heldTimes(run: Run): [from: number, to: number][] {
   return held;
 }
 
-/** The run as stretches in turn, without a gap: sampled at 60 Hz and at each press and release. */
+/** The run as stretches in turn, without a gap in time: sampled at 60 Hz and at each press and release, cut where she is moved all at once. */
 export function stretchesOf(run: Run): Stretch[] {
   const end = run.trajectory.duration;
   const stretches: Stretch[] = [];
@@ -41,7 +41,9 @@ export function stretchesOf(run: Run): Stretch[] {
   const add = (to: number, held: boolean): void => {
     const until = Math.min(to, end);
     if (until <= at) return;
-    stretches.push({ from: at, to: until, held, points: simplify(sample(run, at, until), TOLERANCE) });
+    for (const flight of sample(run, at, until)) {
+      stretches.push({ ...flight, held, points: simplify(flight.points, TOLERANCE) });
+    }
     at = until;
   };
   for (const [press, release] of heldTimes(run)) {
@@ -52,13 +54,31 @@ export function stretchesOf(run: Run): Stretch[] {
   return stretches;
 }
 
-function sample(run: Run, from: number, to: number): Point[] {
-  const points: Point[] = [positionAt(run, from)];
+type Flight = Pick<Stretch, 'from' | 'to'> & { readonly points: Point[] };
+
+function sample(run: Run, start: number, to: number): Flight[] {
+  const flights: Flight[] = [];
+  const states = new Float64Array(2 * STATE_SIZE);
+  let from = start;
+  let before = start;
+  let points: Point[] = [];
+  const look = (time: number): void => {
+    run.trajectory.at(time, states.subarray(STATE_SIZE));
+    if (points.length > 0 && isJump(states, 0, STATE_SIZE, time - before)) {
+      flights.push({ from, to: before, points });
+      from = before;
+      points = [];
+    }
+    points.push([states[STATE_SIZE], states[STATE_SIZE + 1]]);
+    states.copyWithin(0, STATE_SIZE);
+    before = time;
+  };
+  look(start);
   // a hair, so that a boundary which is a tick is not sampled twice
-  for (let tick = Math.floor(from * TICK_RATE + 1e-6) + 1; tick * TICK < to - 1e-9; tick++)
-    points.push(positionAt(run, tick * TICK));
-  points.push(positionAt(run, to));
-  return points;
+  for (let tick = Math.floor(start * TICK_RATE + 1e-6) + 1; tick * TICK < to - 1e-9; tick++) look(tick * TICK);
+  look(to);
+  flights.push({ from, to, points });
+  return flights;
 }
 
 /** An alien that moved less than this is drawn where the level has it, level px. */

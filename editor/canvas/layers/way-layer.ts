@@ -1,5 +1,5 @@
 import type { GameObjects, Scene } from 'phaser';
-import { boxOf, STATE_SIZE } from '../../../engine/index.ts';
+import { boxOf, isJump, STATE_SIZE, TICK } from '../../../engine/index.ts';
 import { rulesOf } from '../../../schema/index.ts';
 import type { Ghost } from '../../context/index.ts';
 import { isWhole, type LiveProof } from '../../proof/index.ts';
@@ -77,7 +77,10 @@ export class WayLayer {
       graphics.lineStyle((gun ? 3.2 : from >= doom ? 2 : 1.3) / zoom, colour, gun || from >= doom ? 0.95 : 0.7);
       graphics.beginPath();
       graphics.moveTo(...place(from));
-      for (let k = from + 1; k <= to; k++) graphics.lineTo(...place(k));
+      for (let k = from + 1; k <= to; k++) {
+        if (isJump(states, (k - 1) * STATE_SIZE, k * STATE_SIZE, TICK)) graphics.moveTo(...place(k));
+        else graphics.lineTo(...place(k));
+      }
       graphics.strokePath();
       from = to;
     }
