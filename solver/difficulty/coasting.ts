@@ -1,10 +1,11 @@
-import { type Scene, type Simulation, STATE_SIZE, TICK } from '../../engine/index.ts';
+import { type Circles, EFFECTS, type Scene, type Simulation, STATE_SIZE, TICK } from '../../engine/index.ts';
 
 // px: more than any accuracy errs along a straight line, so that what touches is never ruled out
 const MARGIN = 0.5;
 
 /**
- * Tells without simulating when coasting on can't reach the black hole: she flies a straight line as long as she meets no repulsor.
+ * Tells without simulating when coasting on can't reach the black hole: she flies a straight line as long as she meets no repulsor,
+ * and no disc in which an effect acts on her.
  * Conservative: `true` only means that it has to be tried.
  */
 export interface CoastingFilter {
@@ -14,7 +15,8 @@ export interface CoastingFilter {
 /** The filter for a scene. Under `arcade` the gun's pull acts for one more frame after a release, so the line is a narrow cone. */
 export function coastingFilter(scene: Scene): CoastingFilter {
   const { blackHole } = scene.level;
-  const { repulsors, rules, box } = scene;
+  const { rules, box } = scene;
+  const discs = turningDiscs(scene);
   const drift = scene.accuracy.integrator === 'arcade' ? rules.pull * TICK : 0;
   const state = new Float64Array(STATE_SIZE);
   const meets = (x: number, y: number, reach: number): boolean => {
@@ -25,10 +27,16 @@ export function coastingFilter(scene: Scene): CoastingFilter {
     mayReach(simulation) {
       simulation.readState(state);
       if (meets(blackHole.x, blackHole.y, blackHole.radius + box.halfDiagonal)) return true;
-      for (let i = 0; i < repulsors.count; i++) if (meets(repulsors.x[i], repulsors.y[i], repulsors.r[i])) return true;
+      for (const { count, x, y, r } of discs) for (let i = 0; i < count; i++) if (meets(x[i], y[i], r[i])) return true;
       return false;
     },
   };
+}
+
+/** Where something other than the gun may turn her, or put her elsewhere. */
+function turningDiscs(scene: Scene): Circles[] {
+  const frames = EFFECTS.flatMap((effect) => (effect.frame && effect.calledFor(scene.level).called ? [effect.frame] : []));
+  return [scene.repulsors, ...frames.map((frame) => frame.discs(scene))];
 }
 
 /** Whether |d + v t| <= reach + drift t for some t >= 0. */

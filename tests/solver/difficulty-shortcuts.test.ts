@@ -20,6 +20,8 @@ function bruteForce(scene: Scene, goal: Parameters<typeof verifyRun>[2], length:
   return count;
 }
 
+const near = fc.integer({ min: -150, max: 150 });
+
 /** A level that a single press often wins: she is on the move, the black hole is near, and something may turn her on the way. */
 const nearLevel: fc.Arbitrary<Level> = fc
   .record({
@@ -33,9 +35,11 @@ const nearLevel: fc.Arbitrary<Level> = fc
     field: fc.option(fc.tuple(fc.integer({ min: -150, max: 150 }), fc.integer({ min: -150, max: 150 }))),
     nova: fc.option(fc.tuple(fc.integer({ min: 40, max: 150 }), fc.integer({ min: 40, max: 150 }))),
     recoil: fc.boolean(),
+    wind: fc.option(fc.tuple(near, near, fc.integer({ min: -60, max: 60 }))),
+    mouths: fc.option(fc.tuple(near, near, near, near)),
   })
-  .map(({ vx, vy, hole, rocks, field, nova, recoil }) =>
-    plainLevel({
+  .map(({ vx, vy, hole, rocks, field, nova, recoil, wind, mouths }) => ({
+    ...plainLevel({
       astronaut: { vx, vy },
       blackHole: { x: hole[0], y: hole[1], radius: 40 },
       range: 300,
@@ -45,7 +49,9 @@ const nearLevel: fc.Arbitrary<Level> = fc
       novae: nova === null ? [] : [{ x: nova[0], y: nova[1], radius: 16 }],
       minerals: [{ x: hole[0] - 40, y: hole[1], radius: 30 }],
     }),
-  );
+    winds: wind === null ? [] : [{ id: null, x: wind[0], y: wind[1], radius: 60, ax: wind[2], ay: 20 }],
+    wormholes: mouths === null ? [] : [{ id: null, x: mouths[0], y: mouths[1], toX: mouths[2], toY: mouths[3], radius: 40 }],
+  }));
 
 describe('single presses', () => {
   const stride = fc.constantFrom(1, 1, 2, 5);
