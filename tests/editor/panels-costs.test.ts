@@ -25,6 +25,8 @@ const FILE: LevelFile = {
     { x: -160, y: 340 },
   ],
   minerals: [{ x: 60, y: 9 }],
+  winds: [{ x: -200, y: -200, radius: 40 }],
+  wormholes: [{ x: -300, y: -100, toX: -300, toY: 100, radius: 20 }],
 };
 const LEVEL: Level = resolveLevel(FILE);
 const HOLDS = [[10, 200]] as const;
@@ -36,7 +38,16 @@ describe('what an effect costs', () => {
         .effects.simulated.map(({ name }) => name)
         .sort();
     const left = EFFECTS.map(({ name }) => name).filter((name) => withoutEffect(LEVEL, name) !== null);
-    expect(left.sort()).toEqual(['alien-chase', 'hot-asteroids', 'minerals', 'novae', 'recoil', 'repulsor']);
+    expect(left.sort()).toEqual([
+      'alien-chase',
+      'hot-asteroids',
+      'minerals',
+      'novae',
+      'recoil',
+      'repulsor',
+      'winds',
+      'wormholes',
+    ]);
     for (const name of left) {
       const without = withoutEffect(LEVEL, name) as Level;
       const gone = name === 'alien-chase' ? [name, 'alien-explosion'] : [name];
