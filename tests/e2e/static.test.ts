@@ -156,7 +156,7 @@ else {
       await verdict(page, 'completable');
       await saved(page);
       await until(async () =>
-        expect(await page.getByRole('searchbox', { name: 'Find a level' }).getAttribute('placeholder')).toBe('Find in 18 levels'),
+        expect(await page.getByRole('searchbox', { name: 'Find a level' }).getAttribute('placeholder')).toBe('Find in 22 levels'),
       );
       expect(samples()).toHaveLength(1);
       await page.reload();

@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { type AccuracyName, compile, createSimulation, type RunEvent, simulate } from '../../engine/index.ts';
 import type { Level } from '../../schema/index.ts';
+import { proveImpossible } from '../../solver/index.ts';
 import { accuracyNames, holdsOf, play, shipped } from './shipped-pack.ts';
 
 // Each level has an idea; here its solution is held to it, so that a retouched level can't lose its point unseen.
@@ -45,6 +46,29 @@ describe.each(accuracyNames)('under %s', (accuracy) => {
     expect(targets.size).toBeGreaterThanOrEqual(3);
   });
 
+  it.each([
+    ['tailwind', 'winds', 'enter'],
+    ['headwind', 'winds', 'enter'],
+    ['short-cut', 'wormholes', 'jump'],
+    ['vault', 'wormholes', 'jump'],
+  ] as const)('%s: the solution needs its %s', (slug, things, what) => {
+    const { level } = shipped(slug);
+    expect(level[things]).not.toEqual([]);
+    const acted = eventsOf(level, 'effect', accuracy).filter((event) => event.effect === things && event.what === what);
+    expect(new Set(acted.map((event) => event.index)).size).toBe(level[things].length);
+    for (const run of level.runs) {
+      expect(simulate(compile({ ...level, [things]: [] }, accuracy), run.holds).outcome).not.toBe('completed');
+    }
+  });
+
+  it('headwind: who does not pull again is blown back', () => {
+    const { level } = shipped('headwind');
+    const [first] = holdsOf(level, 'solution');
+    const run = simulate(compile(level, accuracy), [first]);
+    expect(run.outcome).toBe('lost');
+    expect(run.final.vx).toBeLessThan(0);
+  });
+
   it('pebbles: without recoil the solution misses', () => {
     const { level } = shipped('pebbles');
     expect(level.recoil).toBe(true);
@@ -58,6 +82,11 @@ it('first-swing, running-start: she starts with a velocity', () => {
     const { vx, vy } = shipped(slug).level.astronaut;
     expect(vx * vx + vy * vy).toBeGreaterThan(0);
   }
+});
+
+it('vault: without the wormhole nobody gets in', () => {
+  const { level } = shipped('vault');
+  expect(proveImpossible({ ...level, wormholes: [] })?.code).toBe('enclosed');
 });
 
 it('detour: the quick way out takes no mineral', () => {
@@ -94,7 +123,7 @@ describe('a single press', () => {
   });
 
   // negative control: the count finds single presses where they are
-  it.each(['first-pull', 'first-swing', 'detour'])('%s: does', (slug) => {
+  it.each(['first-pull', 'first-swing', 'detour', 'tailwind', 'short-cut'])('%s: does', (slug) => {
     expect(singleHoldsThatComplete(shipped(slug).level)).toBeGreaterThan(0);
   });
 });

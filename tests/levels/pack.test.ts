@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { compile, findWarnings } from '../../engine/index.ts';
-import { formatLevel } from '../../schema/index.ts';
+import { formatLevel, OBJECT_LISTS } from '../../schema/index.ts';
 import { pack } from './shipped-pack.ts';
 
 // the files themselves: what a reader of the folder and of a diff may rely on
@@ -32,7 +32,7 @@ describe.each(pack)('$slug', ({ text, file, level }) => {
   });
 
   it('has an id for every object, none twice', () => {
-    const ids = [level.asteroids, level.novae, level.repulsors, level.aliens, level.minerals].flat().map((object) => object.id);
+    const ids = OBJECT_LISTS.flatMap((list) => level[list].map((object) => object.id));
     expect(ids).not.toContain(null);
     expect(new Set(ids).size).toBe(ids.length);
   });
