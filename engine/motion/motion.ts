@@ -20,6 +20,10 @@ const FIXED_STEP_ROOM = 1.05;
 /** Of a chaser that has not chased yet. */
 const NO_SERIES = new Float64Array(0);
 
+/** Whether a list of things is so long that an index finds the near ones. */
+const hasIndex = (list: unknown): boolean =>
+  typeof list === 'object' && list !== null && 'spatial' in list && list.spatial !== null;
+
 /** What can move her between two events. */
 export const MODES = ['coast', 'pull', 'pull on a line', 'push', 'push on a line', 'slide on a rim', 'steady force'] as const;
 
@@ -247,7 +251,7 @@ export class Motion {
     this.frameRate = scene.accuracy.contact === 'frame' ? (scene.accuracy.rate ?? TICK_RATE) : 0;
     const { level, targets, aliens, minerals, novae, repulsors } = scene;
     this.recoils = level.recoil && targets.count > 0;
-    this.crowded = [targets, novae, minerals, repulsors].some(({ spatial }) => spatial !== null);
+    this.crowded = [targets, novae, minerals, repulsors, ...Object.values(scene.own)].some(hasIndex);
     this.originX = level.astronaut.x;
     this.originY = level.astronaut.y;
     this.targetX = targets.x.map((x) => x - this.originX);

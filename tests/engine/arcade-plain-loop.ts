@@ -15,6 +15,13 @@ export function plainFrames(level: Level, button: readonly boolean[]) {
   const rocks = [...cold, ...level.asteroids.filter(({ hot }) => hot)].map((a) => ({ ...a, ...still }));
   const aliens = level.aliens.map((a) => ({ ...a, ...still, exploded: false, chasesUntil: 0 }));
   const collected = minerals.map(() => false);
+  /** The mouth of a wormhole that she is in. */
+  const mouthAround = (w: number, atX: number, atY: number): 'first' | 'second' | null => {
+    const { x: firstX, y: firstY, toX, toY, radius } = level.wormholes[w];
+    const inside = (cx: number, cy: number) => (atX - cx) * (atX - cx) + (atY - cy) * (atY - cy) < radius * radius;
+    return inside(firstX, firstY) ? 'first' : inside(toX, toY) ? 'second' : null;
+  };
+  const mouths = level.wormholes.map((_, w) => mouthAround(w, astronaut.x, astronaut.y));
   let { x, y, vx, vy } = astronaut;
   let ax = 0;
   let ay = 0;
@@ -93,6 +100,21 @@ export function plainFrames(level: Level, button: readonly boolean[]) {
       const d = Math.sqrt(dx * dx + dy * dy);
       ax = d > 0 ? (rules.push * dx) / d : rules.push;
       ay = d > 0 ? (rules.push * dy) / d : 0;
+    }
+    for (const wind of level.winds) {
+      if ((x - wind.x) * (x - wind.x) + (y - wind.y) * (y - wind.y) >= wind.radius * wind.radius) continue;
+      ax += wind.ax;
+      ay += wind.ay;
+    }
+    for (const [w, around] of mouths.entries()) if (around !== null) mouths[w] = mouthAround(w, x, y);
+    const entered = level.wormholes.findIndex((_, w) => mouths[w] === null && mouthAround(w, x, y) !== null);
+    if (entered >= 0) {
+      const { x: fromX, y: fromY, toX, toY } = level.wormholes[entered];
+      const isFirst = mouthAround(entered, x, y) === 'first';
+      x += isFirst ? toX - fromX : fromX - toX;
+      y += isFirst ? toY - fromY : fromY - toY;
+      for (const w of mouths.keys()) mouths[w] = mouthAround(w, x, y);
+      mouths[entered] = isFirst ? 'second' : 'first';
     }
     if (outcome === 'collided') {
       vx = 0;

@@ -62,6 +62,8 @@ describe.each(accuracyNames)('any level at %s', (accuracy) => {
         repulsors: level.repulsors.map(flip),
         aliens: level.aliens.map(flip),
         minerals: level.minerals.map(flip),
+        winds: level.winds.map((wind) => ({ ...flip(wind), ay: 0 - wind.ay })),
+        wormholes: level.wormholes.map((wormhole) => ({ ...flip(wormhole), toY: 0 - wormhole.toY })),
       };
     };
     fc.assert(

@@ -35,10 +35,10 @@ const some = (count: number, scene: (seed: number) => Scene): Scene[] => Array.f
 it('of the runs whose hashes are committed', () => {
   const scenes = hashedRuns().map(({ level, holds }) => ({ level, holds, maxTime: 60 }));
   expect(workOf(scenes, accuracyNames)).toEqual({
-    arcade: '285673 90593 1046985 0 1217178.375',
-    fast: '101398 105673 40291 1269 1769988',
-    precise: '11495 11010 10297 1358 221590',
-    standard: '101399 422716 40290 1269 1769996',
+    arcade: '290527 93293 1084653 0 1237667.875',
+    fast: '104378 108626 44161 1338 1822763',
+    precise: '11731 11219 11235 1436 227432',
+    standard: '104379 434528 44160 1338 1822547',
   });
 });
 
