@@ -123,6 +123,41 @@ describe.each(continuousNames)('winds and wormholes at %s', (accuracy) => {
     expect(told(events)).toEqual(['jump 0']);
   });
 
+  it('mouths in the same place, and mouths that touch, let her go', () => {
+    for (const toX of [100, 100 + 1e-9, 140, 60, 120]) {
+      const level: Level = {
+        ...plainLevel({ astronaut: { x: 0, y: 0, vx: 60, vy: 0 } }),
+        wormholes: [{ id: null, x: 100, y: 0, toX, toY: 0, radius: 20 }],
+      };
+      const { work, stopped, outcome } = simulate(compile(level, accuracy), [], { maxTime: 10, budget: new WorkBudget(2000) });
+      expect({ stopped, outcome, few: work.pieces < 200 }).toEqual({ stopped: null, outcome: 'timeout', few: true });
+    }
+  });
+
+  it('at the speed limit a wind does not hold her and let her go without end', () => {
+    for (const [vx, vy, ax, ay] of [
+      [0, 1000, 14, -4],
+      [1000, 412, 5, 20],
+      [1000, 1000, -20, 30],
+      [-1000, 300, 0, 100],
+    ]) {
+      const level: Level = {
+        ...plainLevel({ astronaut: { x: 0, y: 0, vx, vy }, range: 5000, asteroids: [{ x: 145, y: -170, radius: 16 }] }),
+        winds: [{ id: null, x: 0, y: 0, radius: 4000, ax, ay }],
+      };
+      const { work, stopped, trajectory } = simulate(compile(level, accuracy), [[0, 100_000]], {
+        maxTime: 3,
+        budget: new WorkBudget(8000),
+      });
+      expect({ stopped, few: work.pieces < 3000 }).toEqual({ stopped: null, few: true });
+      const state = new Float64Array(6);
+      for (let tick = 0; tick < 180; tick++) {
+        trajectory.at(tick / 60, state);
+        expect(Math.max(Math.abs(state[2]), Math.abs(state[3]))).toBeLessThan(1000 + 1e-6);
+      }
+    }
+  });
+
   it('she who starts in a mouth is not moved', () => {
     const level: Level = { ...plainLevel(), wormholes: [{ id: null, x: 3, y: 0, toX: 500, toY: 0, radius: 20 }] };
     expect(simulate(compile(level, accuracy), [], { maxTime: 2 }).final).toMatchObject({ x: 0, y: 0 });

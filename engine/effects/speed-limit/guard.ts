@@ -22,7 +22,13 @@ export function limitTime(m: Motion, axis: number, sign: number, from: number, r
   const driving = alpha > 0 ? sign : -sign;
   for (let t = from; ; ) {
     const time = firstBelow(m, velocityGuard(m, axis, sign), t, released && t === from);
-    if (time < 0 || (kind !== CENTRAL && kind !== LINEAR) || m.flow.isSteady) return time;
+    if (time < 0 || (kind !== CENTRAL && kind !== LINEAR)) return time;
+    if (m.flow.isSteady) {
+      if (sign * drive(m, axis, time) > 0) return time;
+      t = turnTime(m, time, (later) => -sign * drive(m, axis, later));
+      if (t < 0) return -1;
+      continue;
+    }
     if (valueAt(guard, placeGuard(m, axis, driving), time) > 0) return time;
     t = firstBelow(m, placeGuard(m, axis, -driving), time, false);
     if (t < 0) return -1;
@@ -43,20 +49,33 @@ export function freeTime(m: Motion, axis: number, held: number, from: number): n
  * alone, which the stepper keeps short.
  */
 function steadyFreeTime(m: Motion, axis: number, held: number, from: number): number {
-  const drives = (t: number): number => {
-    pairAt(m.ux, m.uy, m.s[DEGREE], t, there, 0);
-    force.kind = m.flow.kind;
-    force.alpha = m.flow.alpha;
-    force.beta = m.flow.beta;
-    force.steadyX = m.flow.steadyX;
-    force.steadyY = m.flow.steadyY;
-    force.accelerate(there[0], there[1], there, 0);
-    return held * there[axis];
-  };
   m.work.guards++;
-  if (drives(from) < 0) return from;
+  return turnTime(m, from, (t) => held * drive(m, axis, t));
+}
+
+/** When what is not negative at `from` falls below 0, where it does at the end of the piece; -1: it doesn't. */
+function turnTime(m: Motion, from: number, along: (t: number) => number): number {
+  if (along(from) < 0) return from;
   const end = Math.min(m.horizon, m.s[LENGTH_H]);
-  return drives(end) < 0 ? crossing(from, end, drives) : -1;
+  return along(end) < 0 ? crossing(from, end, along) : -1;
+}
+
+/** How the axis would be accelerated after `t`, were it free, px/s2. */
+function drive(m: Motion, axis: number, t: number): number {
+  const { flow } = m;
+  pairAt(m.ux, m.uy, m.s[DEGREE], t, there, 0);
+  // on a line both axes are free
+  if (flow.kind === LINEAR) {
+    flow.accelerate(there[0], there[1], there, 0);
+    return there[axis];
+  }
+  force.kind = flow.kind;
+  force.alpha = flow.alpha;
+  force.beta = flow.beta;
+  force.steadyX = flow.steadyX;
+  force.steadyY = flow.steadyY;
+  force.accelerate(there[0], there[1], there, 0);
+  return there[axis];
 }
 
 /** Into `guard`: sign u, px; returns its degree. */

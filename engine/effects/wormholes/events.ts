@@ -1,6 +1,7 @@
 import { eventRule, justFired, listRims, offer, quietWithin, rimTime } from '../../events/index.ts';
 import { GOES_ON, type Motion, moveBy, placeCircle, SLOTS } from '../../motion/index.ts';
 import { SURPLUS } from '../../tolerances.ts';
+import { roundingOnRim } from '../rims/index.ts';
 import { inMouth, OPEN, otherMouth, preparedMouths, stateAt } from './mouths.ts';
 
 const { BASE_X, BASE_Y, LAST_EVENT, LAST_A } = SLOTS;
@@ -56,22 +57,30 @@ export const leaveMouth = eventRule({
   name: 'mouth',
   fire(m, mouth) {
     const { s } = m;
-    const { x, y, r } = preparedMouths(m.scene);
     const exit = otherMouth(mouth);
-    const dx = placeX(m) - x[exit];
-    const dy = placeY(m) - y[exit];
-    s[slotOf(m, mouth)] = dx * dx + dy * dy < r[exit] * r[exit] ? inMouth(exit) : OPEN;
+    s[slotOf(m, mouth)] = goesOnIn(m, exit) ? inMouth(exit) : OPEN;
     s[LAST_EVENT] = enterMouth.kind;
     s[LAST_A] = mouth;
     return GOES_ON;
   },
 });
 
-const placeX = (m: Motion): number => m.originX + m.s[BASE_X] + m.ux[0];
-const placeY = (m: Motion): number => m.originY + m.s[BASE_Y] + m.uy[0];
+/** Whether she is in a mouth, and stays there: on its very rim it is her direction that says so. */
+function goesOnIn(m: Motion, mouth: number): boolean {
+  const { s, ux, uy, px, py } = m;
+  const { x, y, r } = preparedMouths(m.scene);
+  const dx = s[BASE_X] + ux[0] - (x[mouth] - m.originX);
+  const dy = s[BASE_Y] + uy[0] - (y[mouth] - m.originY);
+  const depth = r[mouth] - Math.sqrt(dx * dx + dy * dy);
+  if (Math.abs(depth) > roundingOnRim(m, x[mouth], y[mouth], r[mouth])) return depth > 0;
+  return dx * (ux[1] + px[1]) + dy * (uy[1] + py[1]) < 0;
+}
 
 /** She is somewhere without having come there by her own motion: no mouth that she is in now fires. */
 export function stayPut(m: Motion): void {
   const mouths = preparedMouths(m.scene);
-  for (let w = 0; 2 * w < mouths.count; w++) m.s[m.own.wormholes + w] = stateAt(mouths, w, placeX(m), placeY(m));
+  const { s, ux, uy, originX, originY } = m;
+  for (let w = 0; 2 * w < mouths.count; w++) {
+    s[m.own.wormholes + w] = stateAt(mouths, w, s[BASE_X] + ux[0], s[BASE_Y] + uy[0], originX, originY);
+  }
 }

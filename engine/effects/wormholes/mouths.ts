@@ -26,11 +26,12 @@ export const inMouth = (mouth: number): number => 1 + (mouth & 1);
 /**
  * What the state of a wormhole is for her who is at a place without having come there by her own motion: at the start, or by another
  * wormhole.
+ * @param originX, originY what the place is relative to, px
  */
-export function stateAt(mouths: IndexedCircles, wormhole: number, x: number, y: number): number {
+export function stateAt(mouths: IndexedCircles, wormhole: number, x: number, y: number, originX = 0, originY = 0): number {
   for (let mouth = 2 * wormhole; mouth <= 2 * wormhole + 1; mouth++) {
-    const dx = x - mouths.x[mouth];
-    const dy = y - mouths.y[mouth];
+    const dx = x - (mouths.x[mouth] - originX);
+    const dy = y - (mouths.y[mouth] - originY);
     if (dx * dx + dy * dy < mouths.r[mouth] * mouths.r[mouth]) return inMouth(mouth);
   }
   return OPEN;

@@ -1,0 +1,62 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { windyScene } from '../../bench/soak/windy-scene.ts';
+import { compile, createSimulation, EFFECTS, STATE_SIZE, simulate, TICK, WorkBudget } from '../../engine/index.ts';
+import { type Level, RULE_NAMES } from '../../schema/index.ts';
+import { accuracyNames } from './accuracies.ts';
+import { plainLevel } from './plain-level.ts';
+
+// What effects declare is what provers and warnings argue with: it must be true of what they do.
+
+describe('what an effect declares', () => {
+  it.each(EFFECTS)('$name: it kills where one of its events ends a run badly', ({ kills, events = [] }) => {
+    expect(kills === true).toBe(events.some(({ ends }) => ends?.outcome === 'collided'));
+  });
+
+  it('each rule is about one effect, or about her box', () => {
+    const rules = EFFECTS.flatMap(({ rules: own = [] }) => own);
+    expect([...rules, 'boxWidth', 'boxHeight'].sort()).toEqual([...RULE_NAMES].sort());
+  });
+
+  it('what can happen has an order of its own, from 1 on', () => {
+    const kinds = EFFECTS.flatMap(({ events = [] }) => events.map(({ kind }) => kind));
+    expect(kinds.sort((a, b) => a - b)).toEqual(kinds.map((_, i) => i + 1));
+  });
+});
+
+describe.each(accuracyNames)('at %s', (accuracy) => {
+  it('nothing accelerates her by more than the scene says', () => {
+    let fastest = 0;
+    fc.assert(
+      fc.property(fc.nat(1_000_000), (seed) => {
+        const { level, holds } = windyScene(seed);
+        const scene = compile(level, accuracy);
+        const { trajectory } = simulate(scene, holds, { maxTime: 4, budget: new WorkBudget(30_000) });
+        const states = [new Float64Array(STATE_SIZE), new Float64Array(STATE_SIZE)];
+        // a fixed step makes a little more of a force, and contacts of `arcade` end a run by stopping her
+        const most = 1.06 * scene.strongest * TICK + 1e-6;
+        for (let tick = 0; (tick + 1) * TICK < trajectory.duration - TICK; tick++) {
+          trajectory.at(tick * TICK, states[0]);
+          trajectory.at((tick + 1) * TICK, states[1]);
+          const gain = Math.hypot(states[1][2] - states[0][2], states[1][3] - states[0][3]);
+          fastest = Math.max(fastest, gain / (scene.strongest * TICK));
+          expect(gain).toBeLessThan(most);
+        }
+      }),
+      { numRuns: 100 },
+    );
+    // and the bound is none that could never be reached
+    expect(fastest).toBeGreaterThan(0.7);
+  });
+
+  it('an effect takes room in a simulation where a level calls for it, and nowhere else', () => {
+    const numbers = (level: Level) => createSimulation(compile(level, accuracy)).snapshot().length;
+    const plain = plainLevel();
+    const wind = { id: null, x: 500, y: 0, radius: 20, ax: 1, ay: 0 };
+    const wormhole = { id: null, x: 500, y: 0, toX: 700, toY: 0, radius: 20 };
+    // in continuous time winds are counted, too
+    const own = accuracy === 'arcade' ? 0 : 1;
+    expect(numbers({ ...plain, winds: [wind, wind] }) - numbers(plain)).toBe(own + 2);
+    expect(numbers({ ...plain, wormholes: [wormhole, wormhole] }) - numbers(plain)).toBe(2);
+  });
+});
