@@ -141,6 +141,8 @@ describe.each(continuousNames)('in continuous time, at %s', (accuracy) => {
         repulsors: repulsors.map(flip),
         aliens: aliens.map(flip),
         minerals: minerals.map(flip),
+        winds: level.winds.map((wind) => ({ ...flip(wind), ax: 0 - wind.ax })),
+        wormholes: level.wormholes.map((wormhole) => ({ ...flip(wormhole), toX: 0 - wormhole.toX })),
       };
     };
     fc.assert(
