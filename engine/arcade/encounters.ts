@@ -27,10 +27,11 @@ import { limitSpeed } from './limit-speed.ts';
 import type { Neighbourhood } from './neighbourhoods.ts';
 import type { FrameRecorder } from './recording.ts';
 import { ROCK } from './rocks.ts';
-import type { World } from './world.ts';
+import { NUMBERS, type World } from './world.ts';
 
 // V8 folds constants of the same module, imported ones it loads
 const DT = TICK;
+const { PULL, PUSH, RECOIL, LIMIT } = NUMBERS;
 
 /** So many frames among things are made before it is looked again whether they are near. */
 const FRAMES_AMONG = 6;
@@ -73,11 +74,14 @@ export class Encounters {
       deadlyR,
       firstTarget,
       box,
-      rules,
+      numbers,
       frameRules,
       frameStates,
     } = this.world;
-    const { pull, push, speedLimit } = rules;
+    const pull = numbers[PULL];
+    const push = numbers[PUSH];
+    const kickback = numbers[RECOIL];
+    const speedLimit = numbers[LIMIT];
     const { left, right, top, bottom, rivals, deadly, discs } = cell;
     const near = cell.minerals;
     const fields = cell.repulsors;
@@ -126,7 +130,7 @@ export class Encounters {
         ax = strength * cos;
         ay = strength * sin;
         if (recoil) {
-          const a = rules.recoil / (2 * targetR[nearest]);
+          const a = kickback / (2 * targetR[nearest]);
           s[o + 4] = -a * cos;
           s[o + 5] = -a * sin;
           rocks.stir(nearest);

@@ -4,10 +4,11 @@ import { AX, AY, COS, FRAME, HEAD, MOVED, SIN, VX, VY, X, Y } from './layout.ts'
 import { limitSpeed } from './limit-speed.ts';
 import { ROCK, ROCK_FRAMES } from './rocks.ts';
 import type { Surroundings } from './surroundings.ts';
-import type { World } from './world.ts';
+import { NUMBERS, type World } from './world.ts';
 
 // V8 folds constants of the same module, imported ones it loads
 const DT = TICK;
+const { PULL, RECOIL, LIMIT } = NUMBERS;
 
 /** Frames away from things: nothing but the gun acts while she stays in the bounds of her surroundings. */
 export class Flight {
@@ -49,8 +50,8 @@ export class Flight {
   /** Without the gun. */
   private coast(until: number, traced: boolean): void {
     const { path } = this;
-    const { s, rocks, rules } = this.world;
-    const { speedLimit } = rules;
+    const { s, rocks, numbers } = this.world;
+    const speedLimit = numbers[LIMIT];
     const { bounds } = this.around;
     const left = bounds[0];
     const right = bounds[1];
@@ -98,15 +99,17 @@ export class Flight {
   /** With the gun, where there is one asteroid to be pulled to. */
   private pull(target: number, until: number, traced: boolean): void {
     const { path } = this;
-    const { s, range, targetR, recoil, rocks, rules, places, placesFrom, placesStep } = this.world;
-    const { pull, speedLimit } = rules;
+    const { s, range, targetR, recoil, rocks, numbers, places, placesFrom, placesStep } = this.world;
+    const pull = numbers[PULL];
+    const kickback = numbers[RECOIL];
+    const speedLimit = numbers[LIMIT];
     const { bounds } = this.around;
     const left = bounds[0];
     const right = bounds[1];
     const top = bounds[2];
     const bottom = bounds[3];
     const o = placesFrom + placesStep * target;
-    const kick = -rules.recoil / (2 * targetR[target]);
+    const kick = -kickback / (2 * targetR[target]);
     const from = s[FRAME];
     const limit = recoil ? Math.min(until, from + ROCK_FRAMES) : until;
     let rockX = places[o];
@@ -172,8 +175,10 @@ export class Flight {
   /** With the gun where several asteroids may be the nearest, or with asteroids to let go. */
   private swing(rivals: Int32Array, until: number, held: boolean, traced: boolean): void {
     const { path } = this;
-    const { s, range, targetR, recoil, rocks, rules, places, placesFrom, placesStep } = this.world;
-    const { pull, speedLimit } = rules;
+    const { s, range, targetR, recoil, rocks, numbers, places, placesFrom, placesStep } = this.world;
+    const pull = numbers[PULL];
+    const kickback = numbers[RECOIL];
+    const speedLimit = numbers[LIMIT];
     const { bounds } = this.around;
     const left = bounds[0];
     const right = bounds[1];
@@ -231,7 +236,7 @@ export class Flight {
       }
       if (recoil) {
         if (held) {
-          const a = rules.recoil / (2 * targetR[nearest]);
+          const a = kickback / (2 * targetR[nearest]);
           s[o + 4] = -a * cos;
           s[o + 5] = -a * sin;
           if (nearest !== stirred) rocks.stir(nearest);

@@ -1,4 +1,3 @@
-import type { Rules } from '../../schema/index.ts';
 import type { Box } from '../contact/index.ts';
 import { effectsOf } from '../effects/index.ts';
 import type { FrameRule } from '../frames/index.ts';
@@ -8,6 +7,9 @@ import type { WorkBudget } from '../work-budget.ts';
 import { Aliens } from './aliens.ts';
 import { COS, HEAD, VX, VY, X, Y } from './layout.ts';
 import { ROCK, Rocks } from './rocks.ts';
+
+/** Places in {@link World.numbers}. */
+export const NUMBERS = { PULL: 0, PUSH: 1, RECOIL: 2, LIMIT: 3 } as const;
 
 /** Up to this many numbers are copied faster one by one. */
 const FEW = 48;
@@ -19,7 +21,8 @@ const FEW = 48;
 export class World {
   readonly s: Float64Array;
   readonly recoil: boolean;
-  readonly rules: Rules;
+  /** Pull, push, recoil and speed limit: in a typed array, for V8 reads doubles from it and from an object it reads boxes. */
+  readonly numbers: Float64Array;
   readonly box: Box;
   readonly rocks: Rocks;
   readonly aliens: Aliens;
@@ -55,7 +58,8 @@ export class World {
     const { level, targets, novae, repulsors, aliens, minerals } = scene;
     const { blackHole } = level;
     this.recoil = level.recoil;
-    this.rules = scene.rules;
+    const { pull, push, recoil, speedLimit } = scene.rules;
+    this.numbers = Float64Array.of(pull, push, recoil, speedLimit);
     this.box = scene.box;
     this.frameRules = effectsOf(scene.effects).flatMap(({ frame }) => frame ?? []);
     let length = HEAD + (this.recoil ? (ROCK + 1) * targets.count : 0) + Aliens.length(aliens.count) + minerals.count;
