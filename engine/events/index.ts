@@ -14,6 +14,6 @@ export {
   rockDistanceToNear,
   rockTravel,
 } from './neighbourhood.ts';
-export { quietOutside, quietTime, quietWithin } from './quiet.ts';
+export { quietAtRim, quietOutside, quietTime, quietWithin } from './quiet.ts';
 export { rimTime } from './rim.ts';
 export { eventRule, layOutRules, putInOrder } from './rule.ts';

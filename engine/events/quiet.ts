@@ -1,4 +1,6 @@
+import type { Circles } from '../circles.ts';
 import { type Motion, SLOTS } from '../motion/index.ts';
+import { SURPLUS } from '../tolerances.ts';
 import { safeStep } from './conservative-advancement.ts';
 import { refresh } from './neighbourhood.ts';
 
@@ -52,4 +54,17 @@ export function quietOutside(m: Motion, cx: number, cy: number, r: number, time:
  */
 export function quietWithin(m: Motion, gap: number, slope: number, time: number): number {
   return gap > 0 ? Math.min(time, safeStep(gap, slope, m.strongest)) : 0;
+}
+
+/**
+ * For how long, at most `time` s, her centre doesn't cross the rim of circle `i`, px in the level.
+ * @param inside on which side she counts: at the rim it is not the rounded distance that says so
+ */
+export function quietAtRim(m: Motion, { x, y, r }: Circles, i: number, inside: boolean, time: number): number {
+  const { path } = m;
+  const dx = path.x + m.originX - x[i];
+  const dy = path.y + m.originY - y[i];
+  const d = Math.sqrt(dx * dx + dy * dy);
+  const gap = (inside ? r[i] - d : d - r[i]) - SURPLUS;
+  return quietWithin(m, gap, inside ? -path.speed : (dx * path.vx + dy * path.vy) / d, time);
 }

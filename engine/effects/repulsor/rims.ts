@@ -1,6 +1,5 @@
-import { eventRule, justFired, listRims, offer, quietWithin, rimTime } from '../../events/index.ts';
+import { eventRule, justFired, listRims, offer, quietAtRim, rimTime } from '../../events/index.ts';
 import { GOES_ON, type Motion, placeCircle, SLIDE, SLOTS } from '../../motion/index.ts';
-import { SURPLUS } from '../../tolerances.ts';
 import { countCrossing, rimTolerance, roundingOnRim } from '../rims/index.ts';
 import { comeOffTime } from './come-off.ts';
 import { actingField } from './fields.ts';
@@ -23,17 +22,7 @@ export const enterField = eventRule({
     const rim = r[i] + (inside ? late : -late);
     offer(m, rimTime(m, rim, !inside, 0, from, justFired(m, kind, i)), kind, i, 0);
   },
-  quiet(m, i, time) {
-    const { path } = m;
-    const { x, y, r } = m.scene.repulsors;
-    const dx = path.x + m.originX - x[i];
-    const dy = path.y + m.originY - y[i];
-    const d = Math.sqrt(dx * dx + dy * dy);
-    // at the rim the flag says which side counts, not the rounded distance
-    const inside = m.s[m.inside + i] === 1;
-    const gap = (inside ? r[i] - d : d - r[i]) - SURPLUS;
-    return quietWithin(m, gap, inside ? -path.speed : (dx * path.vx + dy * path.vy) / d, time);
-  },
+  quiet: (m, i, time) => quietAtRim(m, m.scene.repulsors, i, m.s[m.inside + i] === 1, time),
   fire: (m, i, _b, time) => cross(m, i, true, time),
 });
 

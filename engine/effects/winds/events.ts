@@ -1,6 +1,5 @@
-import { eventRule, justFired, listRims, offer, quietWithin, rimTime } from '../../events/index.ts';
+import { eventRule, justFired, listRims, offer, quietAtRim, rimTime } from '../../events/index.ts';
 import { GOES_ON, type Motion, placeCircle, SLOTS, type SteadyForce } from '../../motion/index.ts';
-import { SURPLUS } from '../../tolerances.ts';
 import { countCrossing, rimTolerance } from '../rims/index.ts';
 import { preparedWinds, strongestWind } from './discs.ts';
 
@@ -48,16 +47,7 @@ export const enterWind = eventRule({
     const late = rimTolerance(m, x[i], y[i], r[i]);
     offer(m, rimTime(m, r[i] + (inside ? late : -late), !inside, 0, from, justFired(m, kind, i)), kind, i, 0);
   },
-  quiet(m, i, time) {
-    const { path } = m;
-    const { x, y, r } = preparedWinds(m.scene);
-    const dx = path.x + m.originX - x[i];
-    const dy = path.y + m.originY - y[i];
-    const d = Math.sqrt(dx * dx + dy * dy);
-    const inside = blows(m, i);
-    const gap = (inside ? r[i] - d : d - r[i]) - SURPLUS;
-    return quietWithin(m, gap, inside ? -path.speed : (dx * path.vx + dy * path.vy) / d, time);
-  },
+  quiet: (m, i, time) => quietAtRim(m, preparedWinds(m.scene), i, blows(m, i), time),
   fire: (m, i, _b, time) => cross(m, i, true, time),
 });
 

@@ -1,6 +1,5 @@
-import { eventRule, justFired, listRims, offer, quietWithin, rimTime } from '../../events/index.ts';
+import { eventRule, justFired, listRims, offer, quietAtRim, rimTime } from '../../events/index.ts';
 import { GOES_ON, type Motion, moveBy, placeCircle, SLOTS } from '../../motion/index.ts';
-import { SURPLUS } from '../../tolerances.ts';
 import { roundingOnRim } from '../rims/index.ts';
 import { inMouth, OPEN, otherMouth, preparedMouths, stateAt } from './mouths.ts';
 
@@ -30,14 +29,7 @@ export const enterMouth = eventRule({
   },
   quiet(m, mouth, time) {
     if (!matters(m, mouth)) return time;
-    const { path } = m;
-    const { x, y, r } = preparedMouths(m.scene);
-    const dx = path.x + m.originX - x[mouth];
-    const dy = path.y + m.originY - y[mouth];
-    const d = Math.sqrt(dx * dx + dy * dy);
-    const entering = m.s[slotOf(m, mouth)] === OPEN;
-    const gap = (entering ? d - r[mouth] : r[mouth] - d) - SURPLUS;
-    return quietWithin(m, gap, entering ? (dx * path.vx + dy * path.vy) / d : -path.speed, time);
+    return quietAtRim(m, preparedMouths(m.scene), mouth, m.s[slotOf(m, mouth)] !== OPEN, time);
   },
   fire(m, mouth, _b, time) {
     const { s } = m;
