@@ -40,7 +40,7 @@ export function begin(m: Motion): void {
     s[LINE] = NONE;
     s[MEETS] = NOT;
     s[TURN] = s[HELD] === 1 ? TURN_TO_TARGET : TURN_NOT;
-    proceed(m);
+    start(m);
     return;
   }
   if (force !== null && s[LINE] === NONE) findLine(m);
@@ -69,31 +69,44 @@ export function begin(m: Motion): void {
     }
   }
   for (let k = 0; k < turn.length; k++) turn[k](m);
-  proceed(m);
+  start(m);
+}
+
+/** The first piece of a flow. */
+function start(m: Motion): void {
+  setCentralForce(m);
+  expand(m);
+  locate(m);
 }
 
 /** Adds up the steady forces that act on her. */
 function addSteadyForces(m: Motion): void {
   const { flow, parts } = m;
-  flow.steadyX = 0;
-  flow.steadyY = 0;
-  for (const force of parts.steady) force.add(m);
+  const { steady } = parts;
+  if (steady.length === 0) return;
+  flow.setSteady(0, 0);
+  for (let k = 0; k < steady.length; k++) steady[k].add(m);
 }
 
 /** The next piece of the same flow. */
 export function proceed(m: Motion): void {
-  setFlow(m);
+  if (m.flow.kind === LINEAR) m.flow.moveTo(m.ux[0], m.uy[0]);
   expand(m);
   locate(m);
 }
 
 /** Sets the flow from the state: after a restore it must be what it was. */
 export function setFlow(m: Motion): void {
+  addSteadyForces(m);
+  setCentralForce(m);
+}
+
+/** The same but for the steady forces. */
+function setCentralForce(m: Motion): void {
   const { s, flow, parts, ux, uy } = m;
   flow.kind = s[KIND];
   flow.freeX = s[LIMIT_X] === 0;
   flow.freeY = s[LIMIT_Y] === 0;
-  addSteadyForces(m);
   if (flow.kind === SLIDE) {
     for (const set of parts.setRim) set(m);
     return;

@@ -17,7 +17,8 @@ export function locate(m: Motion): void {
   const vy = e[3] + (m.recoil ? e[7] : 0);
   const h = s[LENGTH_H];
   const speed = Math.sqrt(vx * vx + vy * vy);
-  const travel = s[ACCELERATION] > 0 ? (speed + (s[ACCELERATION] + m.kappa) * h) * h : speed > 0 ? speed * h : 0;
+  const bend = s[ACCELERATION] / 2 + m.kappa;
+  const travel = s[ACCELERATION] > 0 ? (speed + bend * h) * h : speed > 0 ? speed * h : 0;
   const rocks = m.recoil ? farthestRockTravel(m, h) : 0;
   const reach = travel + rocks;
 

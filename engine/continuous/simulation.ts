@@ -5,7 +5,6 @@ import { integratorOf } from '../integrators/index.ts';
 import {
   ALERTNESS,
   alienPlaceAt,
-  directionAt,
   MODES,
   Motion,
   RECORDS,
@@ -13,7 +12,7 @@ import {
   readRocks,
   rockAt,
   SLOTS,
-  settleAt,
+  settleAndTurnAt,
   unpackPiece,
 } from '../motion/index.ts';
 import type { Scene } from '../scene.ts';
@@ -177,12 +176,11 @@ export class ContinuousSimulation implements Simulation {
   stateAt(t: number, out: Float64Array): void {
     const { motion } = this;
     const { s, e, originX, originY } = motion;
-    settleAt(motion, t);
+    settleAndTurnAt(motion, t);
     out[0] = originX + (s[BASE_X] + e[4] + e[0]);
     out[1] = originY + (s[BASE_Y] + e[5] + e[1]);
     out[2] = e[2] + e[6];
     out[3] = e[3] + e[7];
-    directionAt(motion, t);
     out[4] = e[8];
     out[5] = e[9];
   }

@@ -1,13 +1,12 @@
 import {
   ALERTNESS,
   awakeAt,
-  directionAt,
   type Motion,
   movesAlong,
   pairAt,
   RECORDS,
   SLOTS,
-  settleAt,
+  settleAndTurnAt,
   straightenBody,
 } from '../motion/index.ts';
 
@@ -20,7 +19,7 @@ export function stop(m: Motion, t: number, time: number): void {
   const { s, e, ux, uy, px, py } = m;
   m.recorder?.piece(m, t);
   m.modeSeconds[m.mode] += t;
-  directionAt(m, t);
+  settleAndTurnAt(m, t);
   s[COS] = e[8];
   s[SIN] = e[9];
   const awake = s[AWAKE_COUNT];
@@ -33,7 +32,6 @@ export function stop(m: Motion, t: number, time: number): void {
     if (movesAlong(m, s[TARGET])) straightenBody(m, rock);
     s[drag + 4] = ASLEEP;
   }
-  settleAt(m, t);
   ux[0] = e[0];
   uy[0] = e[1];
   ux[1] = e[2];

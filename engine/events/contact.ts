@@ -86,6 +86,7 @@ export function sweptTime(m: Motion, r: number, pull: number, from: number): num
     const dy = e[5];
     const dvx = e[6];
     const dvy = e[7];
+    if (relative === 0 && passesBy(dx, dy, dvx, dvy, r + m.touchMargin)) return -1;
     let cos = s[COS];
     let sin = s[SIN];
     let omega = 0;
@@ -168,6 +169,12 @@ export function sweptTime(m: Motion, r: number, pull: number, from: number): num
     before = t;
     t = lookNext(t, step, small, horizon);
   }
+}
+
+/** Whether what moves straight on from (dx, dy) by (vx, vy) stays farther than `within` from the origin. */
+function passesBy(dx: number, dy: number, vx: number, vy: number, within: number): boolean {
+  const aside = dx * vy - dy * vx;
+  return aside * aside > within * within * (vx * vx + vy * vy);
 }
 
 /** The second bound: the least safe step of the four corners. */

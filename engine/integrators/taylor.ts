@@ -1,10 +1,10 @@
 import {
   centralSeries,
   chaserSeries,
+  drivenSeries,
   type Integrator,
   LINEAR,
   linearSeries,
-  pairAt,
   TAYLOR_DEGREE,
   taylorStep,
 } from '../motion/index.ts';
@@ -33,8 +33,10 @@ export function taylor(tolerance: number): Integrator {
         linearSeries(x, y, flow.ax, flow.ay, flow.beta);
         return taylorStep(x, y, tolerance, Math.min(longest, LONGEST_TAYLOR));
       }
-      centralSeries(x, y, flow, px, py, kappa);
-      const strength = Math.abs(flow.alpha) + flow.steadyStrength;
+      const { alpha, beta } = flow;
+      if (flow.freeX && flow.freeY && !flow.isSteady) centralSeries(x, y, alpha, beta, px, py, kappa);
+      else drivenSeries(x, y, flow, px, py, kappa);
+      const strength = Math.abs(alpha) + flow.steadyStrength;
       return taylorStep(x, y, tolerance, Math.min(longest, LONGEST_TAYLOR, CONVERGENCE * timeToCentre(x, y, strength)));
     },
     chase(qx, qy, ax, ay, kappa, h) {
@@ -49,9 +51,7 @@ export function taylor(tolerance: number): Integrator {
       const d = Math.sqrt(x[0] * x[0] + y[0] * y[0]) + (Math.sqrt(x[1] * x[1] + y[1] * y[1]) + (alpha + steady) * h) * h;
       return Math.max(alpha, flow.beta * d) + steady;
     },
-    settle(_flow, x, y, t, out) {
-      pairAt(x, y, TAYLOR_DEGREE, t, out, 0);
-    },
+    settle: null,
     glide: null,
   };
 }

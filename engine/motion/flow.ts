@@ -32,21 +32,20 @@ export class Flow {
   ay = 0;
   x0 = 0;
   y0 = 0;
-  /** What acts beside it, the same wherever she is, px/s2. */
+  /** What acts beside it, the same wherever she is, px/s2; whether anything does, and how strong. Set by {@link setSteady}. */
   steadyX = 0;
   steadyY = 0;
+  isSteady = false;
+  steadyStrength = 0;
   /** false: the speed limit holds this axis */
   freeX = true;
   freeY = true;
 
-  /** Whether a steady force acts. */
-  get isSteady(): boolean {
-    return this.steadyX !== 0 || this.steadyY !== 0;
-  }
-
-  /** Of the steady force, px/s2. */
-  get steadyStrength(): number {
-    return Math.sqrt(this.steadyX * this.steadyX + this.steadyY * this.steadyY);
+  setSteady(x: number, y: number): void {
+    this.steadyX = x;
+    this.steadyY = y;
+    this.isSteady = x !== 0 || y !== 0;
+    this.steadyStrength = Math.sqrt(x * x + y * y);
   }
 
   /** LINEAR: begins a step at (x, y). */

@@ -1,3 +1,5 @@
+export { centralSeries } from './central-series.ts';
+export { chaserSeries } from './chaser-series.ts';
 export { DRIFTS, IS_BASE, placeAlien, placeCircle, placeRock, relativeAt, relativeSeries, SERIES } from './circle.ts';
 export { CENTRAL, COAST, Flow, LINEAR, SLIDE, STEADY } from './flow.ts';
 export { rebase } from './frame.ts';
@@ -30,9 +32,9 @@ export {
 } from './motion.ts';
 export { distanceSquared, nearest } from './nearest.ts';
 export { packPiece, unpackPiece } from './packed-piece.ts';
-export { alienPlaceAt, directionAt, lookAt, placeAt, rockAt, settleAt } from './places.ts';
+export { alienPlaceAt, directionAt, lookAt, placeAt, rockAt, settleAndTurnAt } from './places.ts';
 export { addProduct, pairAt, shift, valueAt } from './polynomial.ts';
-export { centralSeries, chaserSeries, LONGEST_SERIES, linearSeries, TAYLOR_DEGREE, taylorStep } from './power-series.ts';
+export { drivenSeries, LONGEST_SERIES, linearSeries, TAYLOR_DEGREE, taylorStep } from './power-series.ts';
 export { expandSlide } from './rim-piece.ts';
 export { layOutRocks, readRocks, stir, targetsAround } from './rocks.ts';
 export { ALERTNESS, LINES, MEETINGS, PIECE_END, RECORDS, SLOTS, TURNS } from './state.ts';

@@ -36,8 +36,8 @@ export interface Integrator {
   chase(qx: Float64Array, qy: Float64Array, ax: Float64Array, ay: Float64Array, kappa: number, h: number): number;
   /** Bound on |u''| over the piece. */
   acceleration(flow: Flow, x: Float64Array, y: Float64Array, h: number): number;
-  /** Place and velocity after `t` of an expanded piece, into out[0..3]. */
-  settle(flow: Flow, x: Float64Array, y: Float64Array, t: number, out: Float64Array): void;
+  /** Place and velocity after `t` of an expanded piece, into out[0..3]; null where the piece itself says both. */
+  readonly settle: ((flow: Flow, x: Float64Array, y: Float64Array, t: number, out: Float64Array) => void) | null;
   /**
    * Makes whole steps of the grid of `rate` from `start` while they end by `end`: place and velocity in x[0..1], y[0..1]
    * become the bits that `expand` and `settle` would give, without the pieces. null where there are no fixed steps.

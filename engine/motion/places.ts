@@ -12,26 +12,40 @@ const { AWAKE } = ALERTNESS;
 const { NONE, FAST } = LINES;
 
 /** e[0..3]: u and its velocity after `t`; e[4..7]: the base's displacement and velocity. */
-export function settleAt(m: Motion, t: number): void {
+function settleAt(m: Motion, t: number): void {
   const { s, e } = m;
-  if (s[KIND] === COAST) pairAt(m.ux, m.uy, 1, t, e, 0);
-  else if (s[KIND] === STEADY) pairAt(m.ux, m.uy, 2, t, e, 0);
+  const { settle } = m.integrator;
+  if (settle === null || s[KIND] === COAST || s[KIND] === STEADY) pairAt(m.ux, m.uy, s[DEGREE], t, e, 0);
   else if (s[KIND] === SLIDE) settleSlide(m, t, e);
-  else m.integrator.settle(m.flow, m.ux, m.uy, t, e);
+  else settle(m.flow, m.ux, m.uy, t, e);
   if (m.recoil) pairAt(m.px, m.py, s[DEGREE], t, e, 4);
-  else e[4] = e[5] = e[6] = e[7] = 0;
+  keepBounds(m);
+}
+
+/** e[0..7] as {@link settleAt} has it, e[8..9] as {@link directionAt}: evaluated once where the piece itself says both. */
+export function settleAndTurnAt(m: Motion, t: number): void {
+  directionAt(m, t);
+  if (m.integrator.settle === null && m.s[TURN] !== TURN_NOT) keepBounds(m);
+  else settleAt(m, t);
+}
+
+/** What settled stays within the speed limit and on its line. */
+function keepBounds(m: Motion): void {
+  const { s, e, recoil } = m;
+  if (!recoil) e[4] = e[5] = e[6] = e[7] = 0;
+  const { speedLimit } = m.rules;
   // a fixed step may overshoot the speed limit by what its velocity errs
   const vx = e[2] + e[6];
   const vy = e[3] + e[7];
-  if (vx > m.rules.speedLimit || vx < -m.rules.speedLimit) e[2] = (vx > 0 ? m.rules.speedLimit : -m.rules.speedLimit) - e[6];
-  if (vy > m.rules.speedLimit || vy < -m.rules.speedLimit) e[3] = (vy > 0 ? m.rules.speedLimit : -m.rules.speedLimit) - e[7];
+  if (vx > speedLimit || vx < -speedLimit) e[2] = (vx > 0 ? speedLimit : -speedLimit) - e[6];
+  if (vy > speedLimit || vy < -speedLimit) e[3] = (vy > 0 ? speedLimit : -speedLimit) - e[7];
   if (s[LINE] === NONE) return;
   const steep = s[LINE_STEEP] === 1;
   ontoLine(steep, s[LINE_SLOPE], e, 0);
-  if (s[LINE] === FAST && m.recoil) ontoLine(steep, s[LINE_SLOPE], e, 4);
+  if (s[LINE] === FAST && recoil) ontoLine(steep, s[LINE_SLOPE], e, 4);
 }
 
-/** e[8], e[9]: direction of the box's x axis after `t`. */
+/** e[8], e[9]: direction of the box's x axis after `t`; where it turns, e[0..7] as {@link placeAt} has it. */
 export function directionAt(m: Motion, t: number): void {
   const { s, e } = m;
   e[8] = s[COS];

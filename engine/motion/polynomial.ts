@@ -13,6 +13,13 @@ export function valueAt(c: Float64Array, degree: number, t: number): number {
  * @param out receives x, y, x', y' from `at` on
  */
 export function pairAt(x: Float64Array, y: Float64Array, degree: number, t: number, out: Float64Array, at: number): void {
+  if (t === 0) {
+    out[at] = x[0];
+    out[at + 1] = y[0];
+    out[at + 2] = x[1];
+    out[at + 3] = y[1];
+    return;
+  }
   let vx = x[degree];
   let vy = y[degree];
   let dx = 0;

@@ -5,14 +5,12 @@ export const TAYLOR_DEGREE = 16;
 export const LONGEST_SERIES = TAYLOR_DEGREE + 1;
 
 const N = TAYLOR_DEGREE;
-// scratch: power series of s = x2 + y2, of w = s^(-1/2), and of what is multiplied with w
+// scratch: power series of s = x2 + y2 and of w = s^(-1/2)
 const s = new Float64Array(N + 1);
 const w = new Float64Array(N + 1);
-const dx = new Float64Array(N + 1);
-const dy = new Float64Array(N + 1);
 
 /** A force about the origin, see {@link Flow}. */
-export interface CentralFlow {
+export interface DrivenFlow {
   /** px/s2 */
   readonly alpha: number;
   /** 1/s2 */
@@ -27,16 +25,16 @@ export interface CentralFlow {
 }
 
 /**
- * Power series of u'' = alpha u / |u| + beta u + w: a pull or push of constant strength along u, one in proportion to it, and a
- * steady one.
+ * Power series of u'' = alpha u / |u| + beta u + w where a steady force w acts beside, or the speed limit holds an axis: then energy is
+ * not kept, and {@link centralSeries} does not hold.
  * Recurrences by Cauchy products, with s = u.u and w = s^(-1/2), from s w' = -s' w / 2 (Jorba and Zou 2005, prop. 1).
  * On entry x[0..1], y[0..1] hold place and velocity; on return all coefficients.
  * @param px, py when given, the series of a body with p'' = kappa u / |u| (the target's recoil); its [0..1] are kept
  */
-export function centralSeries(
+export function drivenSeries(
   x: Float64Array,
   y: Float64Array,
-  { alpha, beta, freeX, freeY, steadyX, steadyY, isSteady }: CentralFlow,
+  { alpha, beta, freeX, freeY, steadyX, steadyY, isSteady }: DrivenFlow,
   px: Float64Array | null,
   py: Float64Array | null,
   kappa: number,
@@ -87,43 +85,6 @@ export function linearSeries(x: Float64Array, y: Float64Array, ax: number, ay: n
     const f = beta / ((n + 1) * (n + 2));
     x[n + 2] = f * x[n];
     y[n + 2] = f * y[n];
-  }
-}
-
-/** px^2: a body this near to her touches her, so the run has ended; terms that divide by the distance would overflow. */
-const TOUCHING = 1e-12;
-
-/**
- * Power series of a body q that accelerates towards a moving place: q'' = kappa (a - q) / |a - q|.
- * On entry qx[0..1], qy[0..1] hold place and velocity.
- * @param ax, ay series of the place it chases
- * @param degree of `ax`, `ay`
- */
-export function chaserSeries(qx: Float64Array, qy: Float64Array, ax: Float64Array, ay: Float64Array, kappa: number): void {
-  let near = false;
-  for (let n = 0; n <= N - 2; n++) {
-    dx[n] = ax[n] - qx[n];
-    dy[n] = ay[n] - qy[n];
-    let sn = 0;
-    for (let k = 0; k <= n; k++) sn += dx[k] * dx[n - k] + dy[k] * dy[n - k];
-    s[n] = sn;
-    if (n === 0) {
-      near = sn < TOUCHING;
-      w[0] = near ? 0 : 1 / Math.sqrt(sn);
-    } else {
-      let wn = 0;
-      for (let k = 1; k <= n; k++) wn += (0.5 * k - n) * s[k] * w[n - k];
-      w[n] = near ? 0 : wn / (n * s[0]);
-    }
-    let wx = 0;
-    let wy = 0;
-    for (let k = 0; k <= n; k++) {
-      wx += w[n - k] * dx[k];
-      wy += w[n - k] * dy[k];
-    }
-    const f = kappa / ((n + 1) * (n + 2));
-    qx[n + 2] = f * wx;
-    qy[n + 2] = f * wy;
   }
 }
 

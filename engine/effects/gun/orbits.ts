@@ -4,7 +4,6 @@ import {
   CENTRAL,
   COAST,
   centralSeries,
-  Flow,
   type Motion,
   pairAt,
   RECORDS,
@@ -27,7 +26,6 @@ const MOST_PIECES = 400;
 const x = new Float64Array(TAYLOR_DEGREE + 1);
 const y = new Float64Array(TAYLOR_DEGREE + 1);
 const e = new Float64Array(4);
-const orbitFlow = new Flow();
 // from one pericentre to the next: time, and the turn as cosine and sine
 const turn = new Float64Array(3);
 const targetX = new Float64Array(TAYLOR_DEGREE + 1);
@@ -180,9 +178,7 @@ const LOOKS_A_PIECE = 3;
 /** Expands her orbit about the centre, and the way of a target that recoils at `kappa`; returns for how long they hold, s. */
 function expandOrbit(m: Motion, a: number, strength: number, beta: number, kappa: number): number {
   m.budget.look(LOOKS_A_PIECE);
-  orbitFlow.alpha = -strength;
-  orbitFlow.beta = beta;
-  centralSeries(x, y, orbitFlow, targetX, targetY, kappa);
+  centralSeries(x, y, -strength, beta, targetX, targetY, kappa);
   const d = Math.sqrt(x[0] * x[0] + y[0] * y[0]);
   const v2 = x[1] * x[1] + y[1] * y[1];
   const toCentre = (2 * d) / (Math.sqrt(v2) + Math.sqrt(v2 + 2 * strength * d));

@@ -72,8 +72,7 @@ function drive(m: Motion, axis: number, t: number): number {
   force.kind = flow.kind;
   force.alpha = flow.alpha;
   force.beta = flow.beta;
-  force.steadyX = flow.steadyX;
-  force.steadyY = flow.steadyY;
+  force.setSteady(flow.steadyX, flow.steadyY);
   force.accelerate(there[0], there[1], there, 0);
   return there[axis];
 }

@@ -26,12 +26,15 @@ export const wind: SteadyForce = {
     let left = m.s[m.own.winds];
     if (left === 0) return;
     const { ax, ay } = preparedWinds(m.scene);
+    let x = flow.steadyX;
+    let y = flow.steadyY;
     for (let i = 0; left > 0; i++) {
       if (!blows(m, i)) continue;
-      flow.steadyX += ax[i];
-      flow.steadyY += ay[i];
+      x += ax[i];
+      y += ay[i];
       left--;
     }
+    flow.setSteady(x, y);
   },
 };
 

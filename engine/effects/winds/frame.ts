@@ -1,5 +1,5 @@
 import { TICK } from '../../constants.ts';
-import type { FrameRule } from '../../frames/index.ts';
+import type { Frame, FrameRule } from '../../frames/index.ts';
 import { preparedWinds } from './discs.ts';
 
 /** Winds in frames: where her centre is inside one, its acceleration is added to whatever else acts. */
@@ -19,23 +19,25 @@ export const windFrame: FrameRule = {
   act(frame, near, at) {
     const { scene, s, x, y } = frame;
     const winds = preparedWinds(scene);
-    const tell = (what: string, index: number) =>
-      frame.tell?.({ time: frame.number * TICK, type: 'effect', effect: 'winds', what, index });
     for (let i = 0; i < winds.count; i++) {
       if (s[at + i] === 0 || isInside(winds, i, x, y)) continue;
       s[at + i] = 0;
-      tell('leave', i);
+      tell(frame, 'leave', i);
     }
-    for (const i of near) {
+    for (let k = 0; k < near.length; k++) {
+      const i = near[k];
       if (!isInside(winds, i, x, y)) continue;
       frame.ax += winds.ax[i];
       frame.ay += winds.ay[i];
       if (s[at + i] === 1) continue;
       s[at + i] = 1;
-      tell('enter', i);
+      tell(frame, 'enter', i);
     }
   },
 };
+
+const tell = (frame: Frame, what: string, index: number): void =>
+  frame.tell?.({ time: frame.number * TICK, type: 'effect', effect: 'winds', what, index });
 
 function isInside({ x, y, r }: ReturnType<typeof preparedWinds>, i: number, hersX: number, hersY: number): boolean {
   const dx = hersX - x[i];
