@@ -6,29 +6,13 @@ import { fileURLToPath } from 'node:url';
 import { DEFAULT_ACCURACY } from '../engine/index.ts';
 import type { LevelFile } from '../schema/index.ts';
 import { atMost, compare, optionValue, publish } from './harness.ts';
+import { movedLevel } from './moved-level.ts';
 
 const GQ = fileURLToPath(new URL('../cli/main.js', import.meta.url));
 /** The shipped levels, or those of a directory named after --levels. */
 const SHIPPED = optionValue('--levels') ?? fileURLToPath(new URL('../../levels/', import.meta.url));
 const ACCURACY = optionValue('--accuracy') ?? DEFAULT_ACCURACY;
 const FILES = 1000;
-
-/** The level moved by (dx, dy) px with its first run alone: another file with the same verdict. */
-function moved(file: LevelFile, dx: number, dy: number, name: string): LevelFile {
-  const place = <T extends { x: number; y: number }>(o: T): T => ({ ...o, x: o.x + dx, y: o.y + dy });
-  return {
-    ...file,
-    name,
-    astronaut: place(file.astronaut),
-    blackHole: place(file.blackHole),
-    asteroids: file.asteroids?.map(place),
-    novae: file.novae?.map(place),
-    repulsors: file.repulsors?.map(place),
-    aliens: file.aliens?.map(place),
-    minerals: file.minerals?.map(place),
-    runs: file.runs?.slice(0, 1),
-  };
-}
 
 /** Writes 1,000 level files, made by turns from those shipped that have a run, into `directory`. */
 function writeLevels(directory: string): void {
@@ -39,8 +23,9 @@ function writeLevels(directory: string): void {
   if (shipped.length === 0) throw new Error(`expected level files with a run in ${SHIPPED}, found none`);
   for (let i = 0; i < FILES; i++) {
     const name = `Moved ${i}`;
-    const file = moved(shipped[i % shipped.length], i, -2 * i, name);
-    writeFileSync(join(directory, `${String(i).padStart(4, '0')}.level.json`), `${JSON.stringify(file, null, 2)}\n`);
+    const file = shipped[i % shipped.length];
+    const moved = { ...movedLevel(file, i, -2 * i), name, runs: file.runs?.slice(0, 1) };
+    writeFileSync(join(directory, `${String(i).padStart(4, '0')}.level.json`), `${JSON.stringify(moved, null, 2)}\n`);
   }
 }
 

@@ -30,6 +30,15 @@ struct Circle {
   double x, y, r;
 };
 
+struct Wind {
+  Circle disc;
+  double ax, ay;
+};
+
+struct Wormhole {
+  Circle mouths[2];
+};
+
 struct Rock {
   double x, y, vx, vy, ax, ay, r;
 };
@@ -52,6 +61,8 @@ struct Scene {
   std::vector<Circle> rocks;  // cold ones, then hot ones
   size_t cold;
   std::vector<Circle> novae, repulsors, aliens, minerals;
+  std::vector<Wind> winds;
+  std::vector<Wormhole> wormholes;
   int maxFrames;
   std::vector<std::vector<Hold>> runs;
 };
@@ -64,7 +75,16 @@ struct State {
   std::vector<Rock> rocks;
   std::vector<Alien> aliens;
   std::vector<bool> collected;
+  std::vector<int> around;  // of each wormhole the mouth that she is in, or OPEN
 };
+
+constexpr int OPEN = -1;
+
+static bool inside(const Circle &c, double x, double y) { return (x - c.x) * (x - c.x) + (y - c.y) * (y - c.y) < c.r * c.r; }
+
+static int mouthAround(const Wormhole &hole, double x, double y) {
+  return inside(hole.mouths[0], x, y) ? 0 : inside(hole.mouths[1], x, y) ? 1 : OPEN;
+}
 
 static double limited(double v) { return v > SPEED_LIMIT ? SPEED_LIMIT : v < -SPEED_LIMIT ? -SPEED_LIMIT : v; }
 
@@ -96,6 +116,8 @@ static void start(const Scene &scene, State &s) {
   s.aliens.clear();
   for (const Circle &c : scene.aliens) s.aliens.push_back({c.x, c.y, 0, 0, 0, 0, 0, 0, c.r, false, 0});
   s.collected.assign(scene.minerals.size(), false);
+  s.around.clear();
+  for (const Wormhole &hole : scene.wormholes) s.around.push_back(mouthAround(hole, s.x, s.y));
 }
 
 static void check(const Scene &scene, State &s) {
@@ -133,6 +155,26 @@ static void check(const Scene &scene, State &s) {
       a.exploded = b.exploded = true;
       a.chasesUntil = b.chasesUntil = s.frame + EXPLOSION_FRAMES;
     }
+  }
+}
+
+// through the first open wormhole of which she is in a mouth
+static void jump(const Scene &scene, State &s) {
+  for (size_t w = 0; w < scene.wormholes.size(); w++) {
+    if (s.around[w] != OPEN) s.around[w] = mouthAround(scene.wormholes[w], s.x, s.y);
+  }
+  for (size_t w = 0; w < scene.wormholes.size(); w++) {
+    if (s.around[w] != OPEN) continue;
+    const Wormhole &hole = scene.wormholes[w];
+    const int from = mouthAround(hole, s.x, s.y);
+    if (from == OPEN) continue;
+    s.x += hole.mouths[1 - from].x - hole.mouths[from].x;
+    s.y += hole.mouths[1 - from].y - hole.mouths[from].y;
+    for (size_t other = 0; other < scene.wormholes.size(); other++) {
+      s.around[other] = mouthAround(scene.wormholes[other], s.x, s.y);
+    }
+    s.around[w] = 1 - from;
+    return;
   }
 }
 
@@ -212,6 +254,13 @@ static void step(const Scene &scene, State &s, bool held) {
     break;
   }
 
+  for (const Wind &wind : scene.winds) {
+    if (!inside(wind.disc, s.x, s.y)) continue;
+    s.ax += wind.ax;
+    s.ay += wind.ay;
+  }
+  jump(scene, s);
+
   if (s.outcome == BURNED) s.vx = s.vy = 0;
   s.x += moveX;
   s.y += moveY;
@@ -248,18 +297,22 @@ static double readNumber() {
 
 static int readCount() { return static_cast<int>(readNumber()); }
 
+static Circle readCircle() {
+  Circle c;
+  c.x = readNumber();
+  c.y = readNumber();
+  c.r = readNumber();
+  return c;
+}
+
 static std::vector<Circle> readCircles() {
   std::vector<Circle> circles(readCount());
-  for (Circle &c : circles) {
-    c.x = readNumber();
-    c.y = readNumber();
-    c.r = readNumber();
-  }
+  for (Circle &c : circles) c = readCircle();
   return circles;
 }
 
 // x y vx vy, black hole: x y r, range, recoil 0 or 1, lists of circles (count, then x y r of each): cold asteroids, hot ones,
-// novae, repulsors, aliens, minerals; frames at most, count of runs, of each run the count of holds, then press release of each
+// novae, repulsors, aliens, minerals; winds (count, then x y r ax ay of each), wormholes (count, then x y r of both mouths); frames at most, count of runs, of each run the count of holds, then press release of each
 static Scene readScene() {
   Scene scene;
   scene.x = readNumber();
@@ -278,6 +331,16 @@ static Scene readScene() {
   scene.repulsors = readCircles();
   scene.aliens = readCircles();
   scene.minerals = readCircles();
+  scene.winds.resize(readCount());
+  for (Wind &wind : scene.winds) {
+    wind.disc = readCircle();
+    wind.ax = readNumber();
+    wind.ay = readNumber();
+  }
+  scene.wormholes.resize(readCount());
+  for (Wormhole &hole : scene.wormholes) {
+    for (Circle &mouth : hole.mouths) mouth = readCircle();
+  }
   scene.maxFrames = readCount();
   scene.runs.resize(readCount());
   for (std::vector<Hold> &holds : scene.runs) {

@@ -36,12 +36,14 @@ const circles = (list: readonly Circle[]) => [list.length, ...list.flatMap(({ x,
 
 /** The text that `readScene` in `arcade.cpp` reads. */
 function sceneText({ level, runs }: NativeScene, maxFrames: number): string {
-  const { astronaut, blackHole, range, recoil, asteroids, novae, repulsors, aliens, minerals } = level;
+  const { astronaut, blackHole, range, recoil, asteroids, novae, repulsors, aliens, minerals, winds, wormholes } = level;
   const numbers = [
     ...[astronaut.x, astronaut.y, astronaut.vx, astronaut.vy, blackHole.x, blackHole.y, blackHole.radius, range, Number(recoil)],
     ...[asteroids.filter(({ hot }) => !hot), asteroids.filter(({ hot }) => hot), novae, repulsors, aliens, minerals].flatMap(
       circles,
     ),
+    ...[winds.length, ...winds.flatMap(({ x, y, radius, ax, ay }) => [x, y, radius, ax, ay])],
+    ...[wormholes.length, ...wormholes.flatMap(({ x, y, toX, toY, radius }) => [x, y, radius, toX, toY, radius])],
     ...[maxFrames, runs.length, ...runs.flatMap((holds) => [holds.length, ...holds.flat()])],
   ];
   return numbers.join(' ');
