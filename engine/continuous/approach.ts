@@ -32,7 +32,7 @@ const FINEST = 1e-8;
  * @param length how long she is on it, s
  */
 export function approachHazards(m: Motion, start: number, length: number, tracker: ClearanceTracker): void {
-  const { s, e, scene } = m;
+  const { s, her, base, toCircle, scene } = m;
   const { novae, targets, coldCount, aliens } = scene;
   // looking at where they are costs less than marching past them
   const standing = novae.spatial === null ? novae.count : 0;
@@ -40,15 +40,15 @@ export function approachHazards(m: Motion, start: number, length: number, tracke
   const next = s[NEXT];
   s[NEXT] = Math.min(next, length);
   placeAt(m, 0);
-  const x = m.originX + s[BASE_X] + e[0];
-  const y = m.originY + s[BASE_Y] + e[1];
-  const vx = e[2] + (m.recoil ? e[6] : 0);
-  const vy = e[3] + (m.recoil ? e[7] : 0);
+  const x = m.originX + s[BASE_X] + her[0];
+  const y = m.originY + s[BASE_Y] + her[1];
+  const vx = her[2] + (m.recoil ? base[2] : 0);
+  const vy = her[3] + (m.recoil ? base[3] : 0);
   const travel = (Math.sqrt(vx * vx + vy * vy) + (s[ACCELERATION] + m.kappa) * length) * length;
   const within = tracker.least + travel + m.box.halfDiagonal + 1e-6;
   const consider = (kind: BodyKind, i: number, r: number, pull: number, moves: number) => {
     relativeAt(m, 0);
-    const far = Math.sqrt(e[4] * e[4] + e[5] * e[5]) - r - m.box.halfDiagonal - travel - moves;
+    const far = Math.sqrt(toCircle[0] * toCircle[0] + toCircle[1] * toCircle[1]) - r - m.box.halfDiagonal - travel - moves;
     if (far < tracker.least) approach(m, start, length, tracker, kind, i, r, pull);
   };
   const nova = (i: number) => {

@@ -5,16 +5,16 @@ const { FROM, NEXT, EVENT, TARGET, BASE_X, BASE_Y, LENGTH_H, ACCELERATION } = SL
 
 /** Locates the first event in (FROM, LENGTH_H] of the piece; the natural end where nothing happens before. */
 export function locate(m: Motion): void {
-  const { s, e, near, path, parts } = m;
+  const { s, her, base, near, path, parts } = m;
   s[NEXT] = s[LENGTH_H];
   s[EVENT] = PIECE_END;
   const from = s[FROM];
   // the path stays within `reach` of its start
   placeAt(m, 0);
-  const x = s[BASE_X] + e[0];
-  const y = s[BASE_Y] + e[1];
-  const vx = e[2] + (m.recoil ? e[6] : 0);
-  const vy = e[3] + (m.recoil ? e[7] : 0);
+  const x = s[BASE_X] + her[0];
+  const y = s[BASE_Y] + her[1];
+  const vx = her[2] + (m.recoil ? base[2] : 0);
+  const vy = her[3] + (m.recoil ? base[3] : 0);
   const h = s[LENGTH_H];
   const speed = Math.sqrt(vx * vx + vy * vy);
   const bend = s[ACCELERATION] / 2 + m.kappa;

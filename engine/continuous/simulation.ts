@@ -31,6 +31,9 @@ const { START, FROM, NEXT, TICK_NOW, HELD, BASE_X, BASE_Y, OUTCOME, END_TIME, MI
 const { CHASER } = RECORDS;
 const { AWAKE, GONE } = ALERTNESS;
 
+// scratch: where a body is
+const body = new Float64Array(4);
+
 /**
  * The game in continuous time: a hybrid automaton. Between events every body moves on a polynomial piece; guards
  * (contacts, target changes, rims, ...) are located on the piece; the earliest event ends it and may change the flow.
@@ -175,28 +178,28 @@ export class ContinuousSimulation implements Simulation {
   /** As `readState`, `t` seconds after the piece began. */
   stateAt(t: number, out: Float64Array): void {
     const { motion } = this;
-    const { s, e, originX, originY } = motion;
+    const { s, her, base, facing, originX, originY } = motion;
     settleAndTurnAt(motion, t);
-    out[0] = originX + (s[BASE_X] + e[4] + e[0]);
-    out[1] = originY + (s[BASE_Y] + e[5] + e[1]);
-    out[2] = e[2] + e[6];
-    out[3] = e[3] + e[7];
-    out[4] = e[8];
-    out[5] = e[9];
+    out[0] = originX + (s[BASE_X] + base[0] + her[0]);
+    out[1] = originY + (s[BASE_Y] + base[1] + her[1]);
+    out[2] = her[2] + base[2];
+    out[3] = her[3] + base[3];
+    out[4] = facing[0];
+    out[5] = facing[1];
   }
 
   /** As `readAliens`, `t` seconds after the piece began. */
   aliensAt(t: number, out: Float64Array): void {
     const { motion } = this;
-    const { s, e, originX, originY, chasers } = motion;
+    const { s, originX, originY, chasers } = motion;
     const { count } = this.scene.aliens;
     for (let i = 0; i < count; i++) {
       const o = chasers + CHASER * i;
       // of many nearly all stand still
       if (s[o + 4] === AWAKE) {
-        alienPlaceAt(motion, i, t, 0);
-        out[3 * i] = originX + e[0];
-        out[3 * i + 1] = originY + e[1];
+        alienPlaceAt(motion, i, t, body);
+        out[3 * i] = originX + body[0];
+        out[3 * i + 1] = originY + body[1];
       } else {
         out[3 * i] = originX + s[o];
         out[3 * i + 1] = originY + s[o + 1];
@@ -210,9 +213,9 @@ export class ContinuousSimulation implements Simulation {
     const { motion } = this;
     const { targets } = this.scene;
     for (let i = 0; i < targets.count; i++) {
-      rockAt(motion, i, t);
-      out[2 * targets.index[i]] = motion.originX + motion.e[0];
-      out[2 * targets.index[i] + 1] = motion.originY + motion.e[1];
+      rockAt(motion, i, t, body);
+      out[2 * targets.index[i]] = motion.originX + body[0];
+      out[2 * targets.index[i] + 1] = motion.originY + body[1];
     }
   }
 

@@ -24,8 +24,8 @@ export function skipQuietSteps(m: Motion, until: number): void {
   s[START] = start;
   s[DEGREE] = 1;
   directionAt(m, 0);
-  s[COS] = m.e[8];
-  s[SIN] = m.e[9];
+  s[COS] = m.facing[0];
+  s[SIN] = m.facing[1];
   m.modeSeconds[m.mode] += start - from;
   work.pieces += steps;
   work.forceEvaluations += steps * integrator.evaluations;

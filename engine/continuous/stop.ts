@@ -16,12 +16,12 @@ const { ASLEEP, AWAKE } = ALERTNESS;
 
 /** Ends the piece after `t`: everything is put where it is then, and the next piece begins at `time`. */
 export function stop(m: Motion, t: number, time: number): void {
-  const { s, e, ux, uy, px, py } = m;
+  const { s, her, base, facing, ux, uy, px, py } = m;
   m.recorder?.piece(m, t);
   m.modeSeconds[m.mode] += t;
   settleAndTurnAt(m, t);
-  s[COS] = e[8];
-  s[SIN] = e[9];
+  s[COS] = facing[0];
+  s[SIN] = facing[1];
   const awake = s[AWAKE_COUNT];
   for (let k = 0; k < awake; k++) settleChaser(m, awakeAt(m, k), t);
   const drag = m.chasers + CHASER * m.scene.aliens.count;
@@ -32,10 +32,10 @@ export function stop(m: Motion, t: number, time: number): void {
     if (movesAlong(m, s[TARGET])) straightenBody(m, rock);
     s[drag + 4] = ASLEEP;
   }
-  ux[0] = e[0];
-  uy[0] = e[1];
-  ux[1] = e[2];
-  uy[1] = e[3];
+  ux[0] = her[0];
+  uy[0] = her[1];
+  ux[1] = her[2];
+  uy[1] = her[3];
   if (m.recoil) {
     const dragged = s[HELD] === 1 && s[FIELD] >= 0 ? s[TARGET] : -1;
     for (const i of m.stirred) {
@@ -45,18 +45,18 @@ export function stop(m: Motion, t: number, time: number): void {
       s[o + 1] += s[o + 3] * t;
       if (movesAlong(m, i)) straightenBody(m, o);
     }
-    s[BASE_X] += e[4];
-    s[BASE_Y] += e[5];
+    s[BASE_X] += base[0];
+    s[BASE_Y] += base[1];
     px[0] = 0;
     py[0] = 0;
-    px[1] = e[6];
-    py[1] = e[7];
+    px[1] = base[2];
+    py[1] = base[3];
     if (s[BASE] >= 0) {
       const o = m.rocks + ROCK * s[BASE];
       s[o] = s[BASE_X];
       s[o + 1] = s[BASE_Y];
-      s[o + 2] = e[6];
-      s[o + 3] = e[7];
+      s[o + 2] = base[2];
+      s[o + 3] = base[3];
       if (movesAlong(m, s[BASE])) {
         straightenBody(m, o);
         s[BASE_X] = s[o];

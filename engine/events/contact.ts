@@ -68,7 +68,7 @@ export function contactTime(m: Motion, r: number, pull: number, from: number): n
  * @param pull bound on the circle's own acceleration, px/s2
  */
 export function sweptTime(m: Motion, r: number, pull: number, from: number): number {
-  const { s, e, work } = m;
+  const { s, her, toCircle, toTarget, work } = m;
   const { halfWidth, halfHeight, halfDiagonal } = m.box;
   work.guards++;
   const horizon = Math.min(m.horizon, s[LENGTH_H]);
@@ -82,10 +82,10 @@ export function sweptTime(m: Motion, r: number, pull: number, from: number): num
   let before = t;
   for (let n = 0; ; n++) {
     relativeAt(m, t);
-    const dx = e[4];
-    const dy = e[5];
-    const dvx = e[6];
-    const dvy = e[7];
+    const dx = toCircle[0];
+    const dy = toCircle[1];
+    const dvx = toCircle[2];
+    const dvy = toCircle[3];
     if (relative === 0 && passesBy(dx, dy, dvx, dvy, r + m.touchMargin)) return -1;
     let cos = s[COS];
     let sin = s[SIN];
@@ -95,16 +95,16 @@ export function sweptTime(m: Motion, r: number, pull: number, from: number): num
     let cap = Number.POSITIVE_INFINITY;
     if (turn !== TURN_NOT) {
       // the direction the box looks in, how fast it turns, and bounds on both ahead
-      let bx = -e[0];
-      let by = -e[1];
-      let bvx = -e[2];
-      let bvy = -e[3];
+      let bx = -her[0];
+      let by = -her[1];
+      let bvx = -her[2];
+      let bvy = -her[3];
       if (turn === TURN_TO_TARGET) {
         lookAt(m, t);
-        bx = e[8];
-        by = e[9];
-        bvx = e[10];
-        bvy = e[11];
+        bx = toTarget[0];
+        by = toTarget[1];
+        bvx = toTarget[2];
+        bvy = toTarget[3];
       }
       const d2 = bx * bx + by * by;
       const d = Math.sqrt(d2);
@@ -207,17 +207,17 @@ export function gapAt(m: Motion, t: number, r: number): number {
 
 /** The same, but for {@link roundingOfGap}. */
 function plainGapAt(m: Motion, t: number, r: number): number {
-  const { s, e } = m;
+  const { s, her, toCircle, toTarget } = m;
   relativeAt(m, t);
   let cos = s[COS];
   let sin = s[SIN];
   if (s[TURN] !== TURN_NOT) {
-    let bx = -e[0];
-    let by = -e[1];
+    let bx = -her[0];
+    let by = -her[1];
     if (s[TURN] === TURN_TO_TARGET) {
       lookAt(m, t);
-      bx = e[8];
-      by = e[9];
+      bx = toTarget[0];
+      by = toTarget[1];
     }
     const d = Math.sqrt(bx * bx + by * by);
     if (d > 0) {
@@ -227,12 +227,12 @@ function plainGapAt(m: Motion, t: number, r: number): number {
   }
   look[0] = cos;
   look[1] = sin;
-  return boxCircleGap(m.box, e[4], e[5], cos, sin, r);
+  return boxCircleGap(m.box, toCircle[0], toCircle[1], cos, sin, r);
 }
 
-/** What rounding may do to the gap to a circle that is as far from her as in e[4], e[5], px. */
+/** What rounding may do to the gap to a circle that is as far from her as in `m.toCircle`, px. */
 function roundingOfGap(m: Motion, r: number): number {
-  return DISTANCE_ROUNDING * (Math.abs(m.e[4]) + Math.abs(m.e[5]) + r);
+  return DISTANCE_ROUNDING * (Math.abs(m.toCircle[0]) + Math.abs(m.toCircle[1]) + r);
 }
 
 /**

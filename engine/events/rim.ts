@@ -21,7 +21,7 @@ const guard = new Float64Array(2 * LONGEST_SERIES);
  * @returns s from the start of the piece; -1: not before it ends
  */
 export function rimTime(m: Motion, r: number, inward: boolean, pull: number, from: number, atZero: boolean): number {
-  const { s, e, work } = m;
+  const { s, toCircle, work } = m;
   const horizon = Math.min(m.horizon, s[LENGTH_H]);
   const a = s[ACCELERATION] + m.kappa + pull;
   const sign = inward ? 1 : -1;
@@ -32,11 +32,11 @@ export function rimTime(m: Motion, r: number, inward: boolean, pull: number, fro
   work.guards++;
   for (let n = 0; ; n++) {
     relativeAt(m, t);
-    const d2 = e[4] * e[4] + e[5] * e[5];
+    const d2 = toCircle[0] * toCircle[0] + toCircle[1] * toCircle[1];
     const d = Math.sqrt(d2);
     // (d - r)(d + r): the difference of squares would lose the digits of d - r
     let g = sign * (d - r) * (d + r);
-    const slope = sign * 2 * (e[4] * e[6] + e[5] * e[7]);
+    const slope = sign * 2 * (toCircle[0] * toCircle[2] + toCircle[1] * toCircle[3]);
     if (g < 0) {
       if (n > 0) return rimBetween(m, before, t, r, sign);
       if (!atZero && g < -1e-12 * r * r) return t;
@@ -45,7 +45,7 @@ export function rimTime(m: Motion, r: number, inward: boolean, pull: number, fro
     }
     if (t >= horizon) return -1;
     const left = horizon - t;
-    const v = Math.sqrt(e[6] * e[6] + e[7] * e[7]);
+    const v = Math.sqrt(toCircle[2] * toCircle[2] + toCircle[3] * toCircle[3]);
     // g'' = sign (2 v^2 + 2 d.a); with a force the bound holds for `cap` only
     let cap = left;
     let k = inward ? 0 : 2 * v * v;
@@ -78,10 +78,10 @@ function rimSeries(m: Motion, t: number, value: number, sign: number): number {
 
 /** The root by the polynomial about `before`: close to where she stands on the rim it has more digits than distances have. */
 function rimBetween(m: Motion, before: number, behind: number, r: number, sign: number): number {
-  const { e } = m;
+  const { toCircle } = m;
   m.work.roots++;
   relativeAt(m, before);
-  const d = Math.sqrt(e[4] * e[4] + e[5] * e[5]);
+  const d = Math.sqrt(toCircle[0] * toCircle[0] + toCircle[1] * toCircle[1]);
   const degree = rimSeries(m, before, Math.max(0, sign * (d - r) * (d + r)), sign);
   return crossing(before, behind, (t) => valueAt(guard, degree, t - before));
 }

@@ -63,44 +63,45 @@ export function placeAlien(m: Motion, i: number): void {
   m.circleSeries = i;
 }
 
-/** e[0..3]: u and its velocity; e[4..7]: the circle's centre minus hers, and its velocity, after `t` s; px, px/s. */
+/** Into `m.her` where she is after `t` s, into `m.toCircle` where the placed circle's centre is from her. */
 export function relativeAt(m: Motion, t: number): void {
-  const { s, e, budget } = m;
+  const { s, her, toCircle, budget } = m;
   if (++budget.looks > budget.most) budget.end();
   const degree = s[DEGREE];
-  pairAt(m.ux, m.uy, degree, t, e, 0);
+  pairAt(m.ux, m.uy, degree, t, her, 0);
   if (m.circleMotion === IS_BASE) {
-    e[4] = -e[0];
-    e[5] = -e[1];
-    e[6] = -e[2];
-    e[7] = -e[3];
+    toCircle[0] = -her[0];
+    toCircle[1] = -her[1];
+    toCircle[2] = -her[2];
+    toCircle[3] = -her[3];
     return;
   }
   if (m.circleMotion === SERIES) {
-    pairAt(m.chaserX[m.circleSeries], m.chaserY[m.circleSeries], m.integrator.degree, t, e, 4);
-    e[4] -= s[BASE_X];
-    e[5] -= s[BASE_Y];
+    pairAt(m.chaserX[m.circleSeries], m.chaserY[m.circleSeries], m.integrator.degree, t, toCircle, 0);
+    toCircle[0] -= s[BASE_X];
+    toCircle[1] -= s[BASE_Y];
   } else if (m.circleMotion === DRIFTS) {
-    e[4] = m.circleX + m.circleVX * t;
-    e[5] = m.circleY + m.circleVY * t;
-    e[6] = m.circleVX;
-    e[7] = m.circleVY;
+    toCircle[0] = m.circleX + m.circleVX * t;
+    toCircle[1] = m.circleY + m.circleVY * t;
+    toCircle[2] = m.circleVX;
+    toCircle[3] = m.circleVY;
   } else {
-    e[4] = m.circleX;
-    e[5] = m.circleY;
-    e[6] = 0;
-    e[7] = 0;
+    toCircle[0] = m.circleX;
+    toCircle[1] = m.circleY;
+    toCircle[2] = 0;
+    toCircle[3] = 0;
   }
-  e[4] -= e[0];
-  e[5] -= e[1];
-  e[6] -= e[2];
-  e[7] -= e[3];
+  toCircle[0] -= her[0];
+  toCircle[1] -= her[1];
+  toCircle[2] -= her[2];
+  toCircle[3] -= her[3];
   if (!m.recoil) return;
-  pairAt(m.px, m.py, degree, t, e, 8);
-  e[4] -= e[8];
-  e[5] -= e[9];
-  e[6] -= e[10];
-  e[7] -= e[11];
+  const { base } = m;
+  pairAt(m.px, m.py, degree, t, base, 0);
+  toCircle[0] -= base[0];
+  toCircle[1] -= base[1];
+  toCircle[2] -= base[2];
+  toCircle[3] -= base[3];
 }
 
 /**

@@ -213,8 +213,17 @@ export class Motion {
   readonly strongest: number;
   /** Whether an index finds some of the neighbours. */
   readonly crowded: boolean;
-  /** What the last look at the piece found: places, velocities, a direction; each function says where. */
-  readonly e = new Float64Array(12);
+  // what the last look at the piece found; px and px/s: x, y, x', y'
+  /** Her place u in the frame, and its velocity. */
+  readonly her = new Float64Array(4);
+  /** The displacement of the base, and its velocity. */
+  readonly base = new Float64Array(4);
+  /** The centre of the circle that guards look at minus her place, and the velocity of that. */
+  readonly toCircle = new Float64Array(4);
+  /** The same for the target; where she slides, for the centre of the force outside. */
+  readonly toTarget = new Float64Array(4);
+  /** The direction of the x axis of her box: cosine and sine. */
+  readonly facing = new Float64Array(2);
   readonly steps = new Int32Array(1);
   /** Her place relative to the origin: what chasers follow. */
   readonly wx: Float64Array;

@@ -11,18 +11,18 @@ const { CHASER, ROCK } = RECORDS;
 const { AWAKE } = ALERTNESS;
 const { NONE, FAST } = LINES;
 
-/** e[0..3]: u and its velocity after `t`; e[4..7]: the base's displacement and velocity. */
+/** Into `m.her` and `m.base` where she and the base are after `t`. */
 function settleAt(m: Motion, t: number): void {
-  const { s, e } = m;
+  const { s, her } = m;
   const { settle } = m.integrator;
-  if (settle === null || s[KIND] === COAST || s[KIND] === STEADY) pairAt(m.ux, m.uy, s[DEGREE], t, e, 0);
-  else if (s[KIND] === SLIDE) settleSlide(m, t, e);
-  else settle(m.flow, m.ux, m.uy, t, e);
-  if (m.recoil) pairAt(m.px, m.py, s[DEGREE], t, e, 4);
+  if (settle === null || s[KIND] === COAST || s[KIND] === STEADY) pairAt(m.ux, m.uy, s[DEGREE], t, her, 0);
+  else if (s[KIND] === SLIDE) settleSlide(m, t, her);
+  else settle(m.flow, m.ux, m.uy, t, her);
+  if (m.recoil) pairAt(m.px, m.py, s[DEGREE], t, m.base, 0);
   keepBounds(m);
 }
 
-/** e[0..7] as {@link settleAt} has it, e[8..9] as {@link directionAt}: evaluated once where the piece itself says both. */
+/** Where she and the base are after `t`, and how her box is turned, into `m.her`, `m.base`, `m.facing`. */
 export function settleAndTurnAt(m: Motion, t: number): void {
   directionAt(m, t);
   if (m.integrator.settle === null && m.s[TURN] !== TURN_NOT) keepBounds(m);
@@ -31,37 +31,37 @@ export function settleAndTurnAt(m: Motion, t: number): void {
 
 /** What settled stays within the speed limit and on its line. */
 function keepBounds(m: Motion): void {
-  const { s, e, recoil } = m;
-  if (!recoil) e[4] = e[5] = e[6] = e[7] = 0;
+  const { s, her, base, recoil } = m;
+  if (!recoil) base.fill(0);
   const { speedLimit } = m.rules;
   // a fixed step may overshoot the speed limit by what its velocity errs
-  const vx = e[2] + e[6];
-  const vy = e[3] + e[7];
-  if (vx > speedLimit || vx < -speedLimit) e[2] = (vx > 0 ? speedLimit : -speedLimit) - e[6];
-  if (vy > speedLimit || vy < -speedLimit) e[3] = (vy > 0 ? speedLimit : -speedLimit) - e[7];
+  const vx = her[2] + base[2];
+  const vy = her[3] + base[3];
+  if (vx > speedLimit || vx < -speedLimit) her[2] = (vx > 0 ? speedLimit : -speedLimit) - base[2];
+  if (vy > speedLimit || vy < -speedLimit) her[3] = (vy > 0 ? speedLimit : -speedLimit) - base[3];
   if (s[LINE] === NONE) return;
   const steep = s[LINE_STEEP] === 1;
-  ontoLine(steep, s[LINE_SLOPE], e, 0);
-  if (s[LINE] === FAST && recoil) ontoLine(steep, s[LINE_SLOPE], e, 4);
+  ontoLine(steep, s[LINE_SLOPE], her, 0);
+  if (s[LINE] === FAST && recoil) ontoLine(steep, s[LINE_SLOPE], base, 0);
 }
 
-/** e[8], e[9]: direction of the box's x axis after `t`; where it turns, e[0..7] as {@link placeAt} has it. */
+/** Into `m.facing` how her box is turned after `t`; where it turns, `m.her` and `m.base` as {@link placeAt} has them. */
 export function directionAt(m: Motion, t: number): void {
-  const { s, e } = m;
-  e[8] = s[COS];
-  e[9] = s[SIN];
+  const { s, her, facing, toTarget } = m;
+  facing[0] = s[COS];
+  facing[1] = s[SIN];
   if (s[TURN] === TURN_NOT) return;
   placeAt(m, t);
-  let dx = -e[0];
-  let dy = -e[1];
-  let dvx = -e[2];
-  let dvy = -e[3];
+  let dx = -her[0];
+  let dy = -her[1];
+  let dvx = -her[2];
+  let dvy = -her[3];
   if (s[TURN] === TURN_TO_TARGET) {
     lookAt(m, t);
-    dx = e[8];
-    dy = e[9];
-    dvx = e[10];
-    dvy = e[11];
+    dx = toTarget[0];
+    dy = toTarget[1];
+    dvx = toTarget[2];
+    dvy = toTarget[3];
   }
   let d = Math.sqrt(dx * dx + dy * dy);
   if (d === 0) {
@@ -70,70 +70,63 @@ export function directionAt(m: Motion, t: number): void {
     dy = dvy;
     d = Math.sqrt(dx * dx + dy * dy);
   }
-  e[8] = d > 0 ? dx / d : s[COS];
-  e[9] = d > 0 ? dy / d : s[SIN];
+  facing[0] = d > 0 ? dx / d : s[COS];
+  facing[1] = d > 0 ? dy / d : s[SIN];
 }
 
-/** e[0..3]: u and its velocity on the piece as it was located; e[4..7]: the base's displacement. */
+/** Into `m.her` and, where there is recoil, `m.base` where they are after `t` on the piece as it was located. */
 export function placeAt(m: Motion, t: number): void {
-  const { s, e } = m;
-  pairAt(m.ux, m.uy, s[DEGREE], t, e, 0);
-  if (m.recoil) pairAt(m.px, m.py, s[DEGREE], t, e, 4);
+  const { s } = m;
+  pairAt(m.ux, m.uy, s[DEGREE], t, m.her, 0);
+  if (m.recoil) pairAt(m.px, m.py, s[DEGREE], t, m.base, 0);
 }
 
-/** e[0..3]: place (relative to the origin) and velocity of a target after `t`. */
-export function rockAt(m: Motion, i: number, t: number): void {
-  const { s, e } = m;
+/** Place (relative to the origin) and velocity of a target after `t`, into out[0..3]. */
+export function rockAt(m: Motion, i: number, t: number, out: Float64Array): void {
+  const { s } = m;
   if (!m.recoil) {
-    e[0] = m.targetX[i];
-    e[1] = m.targetY[i];
-    e[2] = 0;
-    e[3] = 0;
+    out[0] = m.targetX[i];
+    out[1] = m.targetY[i];
+    out[2] = 0;
+    out[3] = 0;
     return;
   }
   const dragged = m.chaserX.length - 1;
   if (i === s[BASE]) {
-    pairAt(m.px, m.py, s[DEGREE], t, e, 0);
-    e[0] += s[BASE_X];
-    e[1] += s[BASE_Y];
+    pairAt(m.px, m.py, s[DEGREE], t, out, 0);
+    out[0] += s[BASE_X];
+    out[1] += s[BASE_Y];
   } else if (i === s[TARGET] && s[m.chasers + CHASER * dragged + 4] === AWAKE) {
-    pairAt(m.chaserX[dragged], m.chaserY[dragged], m.integrator.degree, t, e, 0);
+    pairAt(m.chaserX[dragged], m.chaserY[dragged], m.integrator.degree, t, out, 0);
   } else {
     const o = m.rocks + ROCK * i;
-    e[0] = s[o] + s[o + 2] * t;
-    e[1] = s[o + 1] + s[o + 3] * t;
-    e[2] = s[o + 2];
-    e[3] = s[o + 3];
+    out[0] = s[o] + s[o + 2] * t;
+    out[1] = s[o + 1] + s[o + 3] * t;
+    out[2] = s[o + 2];
+    out[3] = s[o + 3];
   }
 }
 
-/** e[8..11]: the target's place minus hers, and its velocity, after `t`; e[0..7] are kept. */
+/** Into `m.toTarget` where the target is from her after `t`; `m.her` says where she is. */
 export function lookAt(m: Motion, t: number): void {
-  const { s, e } = m;
-  const ux = e[0];
-  const uy = e[1];
-  const vx = e[2];
-  const vy = e[3];
-  rockAt(m, s[TARGET], t);
-  e[8] = e[0] - s[BASE_X] - ux;
-  e[9] = e[1] - s[BASE_Y] - uy;
-  e[10] = e[2] - vx;
-  e[11] = e[3] - vy;
-  e[0] = ux;
-  e[1] = uy;
-  e[2] = vx;
-  e[3] = vy;
+  const { s, her, toTarget } = m;
+  rockAt(m, s[TARGET], t, toTarget);
+  toTarget[0] = toTarget[0] - s[BASE_X] - her[0];
+  toTarget[1] = toTarget[1] - s[BASE_Y] - her[1];
+  toTarget[2] -= her[2];
+  toTarget[3] -= her[3];
 }
 
-export function alienPlaceAt(m: Motion, i: number, t: number, at: number): void {
-  const { s, e } = m;
+/** Place (relative to the origin) and velocity of an alien after `t`, into out[0..3]. */
+export function alienPlaceAt(m: Motion, i: number, t: number, out: Float64Array): void {
+  const { s } = m;
   const o = m.chasers + CHASER * i;
   if (s[o + 4] === AWAKE) {
-    pairAt(m.chaserX[i], m.chaserY[i], m.integrator.degree, t, e, at);
+    pairAt(m.chaserX[i], m.chaserY[i], m.integrator.degree, t, out, 0);
     return;
   }
-  e[at] = s[o];
-  e[at + 1] = s[o + 1];
-  e[at + 2] = 0;
-  e[at + 3] = 0;
+  out[0] = s[o];
+  out[1] = s[o + 1];
+  out[2] = 0;
+  out[3] = 0;
 }

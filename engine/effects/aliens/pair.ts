@@ -16,6 +16,10 @@ const { LENGTH_H } = SLOTS;
 const { CHASER } = RECORDS;
 const { ASLEEP, AWAKE, GONE } = ALERTNESS;
 
+// scratch: where both are
+const one = new Float64Array(4);
+const other = new Float64Array(4);
+// scratch: series
 const dx = new Float64Array(LONGEST_SERIES);
 const dy = new Float64Array(LONGEST_SERIES);
 const guard = new Float64Array(2 * LONGEST_SERIES);
@@ -36,7 +40,6 @@ export function pairTime(m: Motion, i: number, j: number, from: number): number 
   const h = s[LENGTH_H];
   if (d - alienTravel(m, i, m.rules.alienPull, h) - alienTravel(m, j, m.rules.alienPull, h) > reach + SURPLUS) return -1;
   work.guards++;
-  const e = m.e;
   const still = s[a + 4] === ASLEEP && s[b + 4] === ASLEEP;
   const horizon = Math.min(m.horizon, h);
   const pull = m.integrator.degree === 3 ? CUBIC_BENDS * m.rules.alienPull : m.rules.alienPull;
@@ -46,12 +49,12 @@ export function pairTime(m: Motion, i: number, j: number, from: number): number 
   let before = t;
   for (let n = 0; ; n++) {
     m.budget.look(1);
-    alienPlaceAt(m, i, t, 0);
-    alienPlaceAt(m, j, t, 4);
-    const x = e[0] - e[4];
-    const y = e[1] - e[5];
-    const vx = e[2] - e[6];
-    const vy = e[3] - e[7];
+    alienPlaceAt(m, i, t, one);
+    alienPlaceAt(m, j, t, other);
+    const x = one[0] - other[0];
+    const y = one[1] - other[1];
+    const vx = one[2] - other[2];
+    const vy = one[3] - other[3];
     const g = x * x + y * y - reach * reach;
     if (g < 0) return t === from ? t : touchBetween(m, i, j, reach, before, t);
     if (still) return -1;

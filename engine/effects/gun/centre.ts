@@ -3,8 +3,11 @@ import { lookAt, type Motion, pairAt, placeAt, SLOTS } from '../../motion/index.
 
 const { SIDE, LINE_STEEP, DEGREE, LENGTH_H, ACCELERATION, MEETS } = SLOTS;
 
-/** How far she is from the centre, or the target from her, along the main axis of her line; its slope goes to e[11]. */
+/** How far she is from the centre, or the target from her, along the main axis of her line; how fast that grows goes to {@link rate}. */
 type Way = (m: Motion, t: number) => number;
+
+// scratch, px/s; an array, since V8 boxes a number that a module keeps
+const rate = new Float64Array(1);
 
 /**
  * When she comes through the centre on a straight line.
@@ -21,24 +24,23 @@ export function meetingTime(m: Motion, from: number): number {
 }
 
 function wayToCentre(m: Motion, t: number): number {
-  const { s, e } = m;
-  pairAt(m.ux, m.uy, s[DEGREE], t, e, 0);
-  e[11] = s[SIDE] * e[2 + s[LINE_STEEP]];
-  return s[SIDE] * e[s[LINE_STEEP]];
+  const { s, her } = m;
+  pairAt(m.ux, m.uy, s[DEGREE], t, her, 0);
+  rate[0] = s[SIDE] * her[2 + s[LINE_STEEP]];
+  return s[SIDE] * her[s[LINE_STEEP]];
 }
 
 function wayToTarget(m: Motion, t: number): number {
-  const { s, e } = m;
+  const { s, toTarget } = m;
   placeAt(m, t);
   lookAt(m, t);
-  const way = s[MEETS] * e[8 + s[LINE_STEEP]];
-  e[11] = s[MEETS] * e[10 + s[LINE_STEEP]];
-  return way;
+  rate[0] = s[MEETS] * toTarget[2 + s[LINE_STEEP]];
+  return s[MEETS] * toTarget[s[LINE_STEEP]];
 }
 
 /** First time a way falls below 0; `k` bounds its second derivative, px/s2. */
 function passTime(m: Motion, from: number, way: Way, k: number): number {
-  const { s, e, work } = m;
+  const { s, work } = m;
   const horizon = Math.min(m.horizon, s[LENGTH_H]);
   let t = from;
   let before = from;
@@ -46,7 +48,7 @@ function passTime(m: Motion, from: number, way: Way, k: number): number {
   for (let n = 0; ; n++) {
     m.budget.look(1);
     const g = way(m, t);
-    const slope = e[11];
+    const slope = rate[0];
     if (n === 0 && g <= 0 && slope >= 0) {
       // on the centre, on the way out
     } else if (g < 0) {

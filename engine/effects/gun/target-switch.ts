@@ -38,6 +38,13 @@ function tieOf(m: Motion): number {
   return tie;
 }
 
+/** What {@link switchGuard} says beside its value. */
+const beside = new Float64Array(3);
+/** Its slope; how fast that can fall at most; what the width of a tie makes of it. */
+const SLOPE = 0;
+const FALL = 1;
+const TIED = 2;
+
 const ix = new Float64Array(LONGEST_SERIES);
 const iy = new Float64Array(LONGEST_SERIES);
 const tx = new Float64Array(LONGEST_SERIES);
@@ -52,7 +59,7 @@ const guard = new Float64Array(2 * LONGEST_SERIES);
  * @returns s from the start of the piece, too; -1: not before it ends
  */
 export function switchTime(m: Motion, i: number, from: number, atZero: boolean): number {
-  const { s, e, work } = m;
+  const { s, work } = m;
   const horizon = Math.min(m.horizon, s[LENGTH_H]);
   const small = smallestStride(s[LENGTH_H]);
   let t = from;
@@ -61,18 +68,17 @@ export function switchTime(m: Motion, i: number, from: number, atZero: boolean):
   for (let n = 0; ; n++) {
     let g = switchGuard(m, i, t);
     // shallower than what the way itself may err by it is a tie, and the target stays
-    if (g < -e[11]) {
+    if (g < -beside[TIED]) {
       if (n > 0) return switchBetween(m, i, before, t);
-      if (!atZero && (e[9] < 0 || g < -1e-9)) return t;
+      if (!atZero && (beside[SLOPE] < 0 || g < -1e-9)) return t;
     }
     // within a tie the root may lie behind already
     if (g < 0) g = 0;
     else before = t;
     if (t >= horizon) return -1;
-    // e[9]: slope, e[10]: how fast it may fall
-    const slope = e[9];
-    const above = g + e[11];
-    let step = safeStep(above, slope, e[10]);
+    const slope = beside[SLOPE];
+    const above = g + beside[TIED];
+    let step = safeStep(above, slope, beside[FALL]);
     if (n >= PATIENCE && t + step < horizon) {
       work.guards++;
       step = Math.max(step, safeStretch(guard, switchSeries(m, i, t), above, slope, 0, horizon - t));
@@ -123,10 +129,10 @@ function switchSeries(m: Motion, i: number, t: number): number {
 
 /**
  * Squared distance to asteroid `i` minus that to the target, px2. Where both stand still it is linear in her place.
- * e[9]: its slope; e[10]: a bound on how fast the slope can fall; e[11]: what the width of a tie makes of it.
+ * Its slope, a bound on how fast that can fall, and what the width of a tie makes of it go to {@link beside}.
  */
 export function switchGuard(m: Motion, i: number, t: number): number {
-  const { s, e, budget } = m;
+  const { s, her, toCircle, budget } = m;
   if (++budget.looks > budget.most) budget.end();
   const target = s[TARGET];
   const a = s[ACCELERATION];
@@ -136,33 +142,32 @@ export function switchGuard(m: Motion, i: number, t: number): number {
     const iy = m.targetY[i] - s[BASE_Y];
     const tx = m.targetX[target] - s[BASE_X];
     const ty = m.targetY[target] - s[BASE_Y];
-    pairAt(m.ux, m.uy, s[DEGREE], t, e, 0);
+    pairAt(m.ux, m.uy, s[DEGREE], t, her, 0);
     const mx = ix - tx;
     const my = iy - ty;
-    e[9] = -2 * (mx * e[2] + my * e[3]);
+    beside[SLOPE] = -2 * (mx * her[2] + my * her[3]);
     const apart = Math.sqrt(mx * mx + my * my);
-    e[10] = 2 * a * apart;
-    e[11] = 2 * tie * apart;
+    beside[FALL] = 2 * a * apart;
+    beside[TIED] = 2 * tie * apart;
     // (i - u)^2 - (t - u)^2 = (i - t).(i + t - 2 u)
-    return mx * (ix + tx - 2 * e[0]) + my * (iy + ty - 2 * e[1]);
+    return mx * (ix + tx - 2 * her[0]) + my * (iy + ty - 2 * her[1]);
   }
   placeRock(m, target);
   relativeAt(m, t);
-  const tx = e[4];
-  const ty = e[5];
-  const tvx = e[6];
-  const tvy = e[7];
+  const tx = toCircle[0];
+  const ty = toCircle[1];
+  const tvx = toCircle[2];
+  const tvy = toCircle[3];
   placeRock(m, i);
   relativeAt(m, t);
-  const slope = 2 * (e[4] * e[6] + e[5] * e[7] - tx * tvx - ty * tvy);
   const left = s[LENGTH_H] - t;
   const pull = a + 2 * m.kappa;
   const fast = Math.sqrt(tvx * tvx + tvy * tvy) + pull * left;
-  const far = Math.sqrt(e[4] * e[4] + e[5] * e[5]) + Math.sqrt(tx * tx + ty * ty) + 2 * fast * left;
-  const g = (e[4] - tx) * (e[4] + tx) + (e[5] - ty) * (e[5] + ty);
-  e[9] = slope;
-  e[10] = 2 * fast * fast + 2 * far * pull;
-  e[11] = 2 * tie * Math.sqrt((e[4] - tx) * (e[4] - tx) + (e[5] - ty) * (e[5] - ty));
+  const far = Math.sqrt(toCircle[0] * toCircle[0] + toCircle[1] * toCircle[1]) + Math.sqrt(tx * tx + ty * ty) + 2 * fast * left;
+  const g = (toCircle[0] - tx) * (toCircle[0] + tx) + (toCircle[1] - ty) * (toCircle[1] + ty);
+  beside[SLOPE] = 2 * (toCircle[0] * toCircle[2] + toCircle[1] * toCircle[3] - tx * tvx - ty * tvy);
+  beside[FALL] = 2 * fast * fast + 2 * far * pull;
+  beside[TIED] = 2 * tie * Math.sqrt((toCircle[0] - tx) * (toCircle[0] - tx) + (toCircle[1] - ty) * (toCircle[1] - ty));
   return g;
 }
 
@@ -172,5 +177,5 @@ export function quietUntilSwitch(m: Motion, i: number, time: number): number {
   const mx = m.targetX[i] - m.targetX[m.s[TARGET]];
   const my = m.targetY[i] - m.targetY[m.s[TARGET]];
   const apart = Math.sqrt(mx * mx + my * my);
-  return g > 0 ? Math.min(time, safeStep(g, m.e[9], 2 * apart * m.strongest)) : 0;
+  return g > 0 ? Math.min(time, safeStep(g, beside[SLOPE], 2 * apart * m.strongest)) : 0;
 }

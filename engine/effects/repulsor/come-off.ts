@@ -19,7 +19,7 @@ const about = new Float64Array(TAYLOR_DEGREE - 1);
  * @returns s from there, too; -1: not before the piece ends
  */
 export function comeOffTime(m: Motion, from: number): number {
-  const { s, e, rim, work } = m;
+  const { s, her, toTarget, rim, work } = m;
   const horizon = Math.min(m.horizon, s[LENGTH_H]);
   const stride = Math.min(SHORTEST_LAPSE, s[LENGTH_H] / 64);
   const a = s[ACCELERATION];
@@ -32,13 +32,13 @@ export function comeOffTime(m: Motion, from: number): number {
     const pressure = pressureAt(m, t);
     if (pressure < 0) return t === from ? t : offBetween(m, before, t);
     if (t >= horizon) return -1;
-    const d = Math.sqrt(e[8] * e[8] + e[9] * e[9]);
-    const v = Math.sqrt(e[10] * e[10] + e[11] * e[11]);
+    const d = Math.sqrt(toTarget[0] * toTarget[0] + toTarget[1] * toTarget[1]);
+    const v = Math.sqrt(toTarget[2] * toTarget[2] + toTarget[3] * toTarget[3]);
     const root = Math.sqrt(relative * d);
     // within the cap the distance stays above 0.72 d and speeds below these
     const cap = (0.25 * d) / (v + root);
     const fast = v + 0.25 * root;
-    const own = Math.sqrt(e[2] * e[2] + e[3] * e[3]) + a * cap;
+    const own = Math.sqrt(her[2] * her[2] + her[3] * her[3]) + a * cap;
     const turning = (Math.abs(rim.alpha) / (0.72 * d) + rim.beta) * fast;
     const falls = turning + (a * own + 2 * own * a) / rim.radius;
     let step = Math.min(cap, falls > 0 ? pressure / falls : Number.POSITIVE_INFINITY);
@@ -69,23 +69,23 @@ function offBetween(m: Motion, before: number, behind: number): number {
   return crossing(before, behind, (t) => pressureAt(m, t));
 }
 
-/** What presses her onto the rim after `t`, px/s2; e[0..3]: u and its velocity, e[8..11]: the centre of the force outside from there. */
+/** What presses her onto the rim after `t`, px/s2; looks as {@link weighAt} does. */
 function pressureAt(m: Motion, t: number): number {
   weighAt(m, t);
   return m.rim.pressesIn;
 }
 
-/** Finds into `m.rim` what acts on her after `t`; e[0..3]: u and its velocity, e[8..11]: the centre of the force outside from there. */
+/** Finds into `m.rim` what acts on her after `t`, into `m.her` where she is, into `m.toTarget` where the centre of the force outside is. */
 export function weighAt(m: Motion, t: number): void {
-  const { s, e, rim } = m;
+  const { s, her, toTarget, rim } = m;
   placeAt(m, t);
   if (s[OUTER] < 0) {
     lookAt(m, t);
   } else {
-    e[8] = rim.qx - e[0];
-    e[9] = rim.qy - e[1];
-    e[10] = -e[2];
-    e[11] = -e[3];
+    toTarget[0] = rim.qx - her[0];
+    toTarget[1] = rim.qy - her[1];
+    toTarget[2] = -her[2];
+    toTarget[3] = -her[3];
   }
-  rim.weigh(e[0], e[1], e[2], e[3], -e[8], -e[9]);
+  rim.weigh(her[0], her[1], her[2], her[3], -toTarget[0], -toTarget[1]);
 }

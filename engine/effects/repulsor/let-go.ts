@@ -18,7 +18,7 @@ const acceleration = new Float64Array(2);
  * @returns s from there, too; -1: not before the piece ends
  */
 export function letGoTime(m: Motion, axis: number, from: number): number {
-  const { s, e, rim, work } = m;
+  const { s, her, toTarget, rim, work } = m;
   const horizon = Math.min(m.horizon, s[LENGTH_H]);
   const stride = Math.min(SHORTEST_LAPSE, s[LENGTH_H] / 64);
   const a = s[ACCELERATION];
@@ -30,13 +30,13 @@ export function letGoTime(m: Motion, axis: number, from: number): number {
     const drives = driveAt(m, axis, t);
     if (drives < 0) return t === from ? t : goneBetween(m, axis, before, t);
     if (t >= horizon) return -1;
-    const d = Math.sqrt(e[8] * e[8] + e[9] * e[9]);
-    const v = Math.sqrt(e[10] * e[10] + e[11] * e[11]);
+    const d = Math.sqrt(toTarget[0] * toTarget[0] + toTarget[1] * toTarget[1]);
+    const v = Math.sqrt(toTarget[2] * toTarget[2] + toTarget[3] * toTarget[3]);
     // bounds on distance and speeds as in come-off.ts
     const root = Math.sqrt((a + m.kappa) * d);
     const cap = (0.25 * d) / (v + root);
     const fast = v + 0.25 * root;
-    const own = Math.sqrt(e[2] * e[2] + e[3] * e[3]) + a * cap;
+    const own = Math.sqrt(her[2] * her[2] + her[3] * her[3]) + a * cap;
     const turning = (Math.abs(rim.alpha) / (0.72 * d) + rim.beta) * fast;
     const shares = (turning + (3 * a * own) / rim.radius) / m.rules.push;
     const falls = shares * (a + m.rules.push) + turning + (m.rules.push * own) / rim.radius;
@@ -54,11 +54,11 @@ function goneBetween(m: Motion, axis: number, before: number, behind: number): n
 
 /** How she would be accelerated along the axis, in the direction of the limit, were she free, px/s2. */
 function driveAt(m: Motion, axis: number, t: number): number {
-  const { s, e, rim } = m;
+  const { s, her, rim } = m;
   const { freeX, freeY } = rim;
   rim.freeX = rim.freeY = true;
   weighAt(m, t);
-  rim.accelerate(e[0], e[1], acceleration, 0);
+  rim.accelerate(her[0], her[1], acceleration, 0);
   rim.freeX = freeX;
   rim.freeY = freeY;
   return s[axis === 0 ? LIMIT_X : LIMIT_Y] * acceleration[axis];
