@@ -1,6 +1,6 @@
-import { eventRule, justFired, listRims, offer, quietAtRim, rimTime } from '../../events/index.ts';
-import { GOES_ON, type Motion, placeCircle, SLIDE, SLOTS } from '../../motion/index.ts';
-import { countCrossing, rimTolerance, roundingOnRim } from '../rims/index.ts';
+import { eventRule, listRims, offer, quietAtRim } from '../../events/index.ts';
+import { GOES_ON, type Motion, SLIDE, SLOTS } from '../../motion/index.ts';
+import { countCrossing, offerCrossing, roundingOnRim } from '../rims/index.ts';
 import { comeOffTime } from './come-off.ts';
 import { actingField } from './fields.ts';
 import { beginsToSlide, holdsOnRim } from './slide.ts';
@@ -12,15 +12,8 @@ export const enterField = eventRule({
   name: 'enter',
   list: (m) => listRims(m, enterField, m.scene.repulsors),
   guard(m, i, from) {
-    const { s } = m;
-    const { x, y, r } = m.scene.repulsors;
-    const inside = s[m.inside + i] === 1;
-    const { kind } = inside ? leaveField : enterField;
-    if (s[RIM] === i) return;
-    placeCircle(m, x[i], y[i], m.originX, m.originY);
-    const late = rimTolerance(m, x[i], y[i], r[i]);
-    const rim = r[i] + (inside ? late : -late);
-    offer(m, rimTime(m, rim, !inside, 0, from, justFired(m, kind, i)), kind, i, 0);
+    if (m.s[RIM] === i) return;
+    offerCrossing(m, m.scene.repulsors, i, m.s[m.inside + i] === 1, enterField, leaveField, from);
   },
   quiet: (m, i, time) => quietAtRim(m, m.scene.repulsors, i, m.s[m.inside + i] === 1, time),
   fire: (m, i, _b, time) => cross(m, i, true, time),

@@ -1,6 +1,6 @@
-import { eventRule, justFired, listRims, offer, quietAtRim, rimTime } from '../../events/index.ts';
-import { GOES_ON, type Motion, placeCircle, SLOTS, type SteadyForce } from '../../motion/index.ts';
-import { countCrossing, rimTolerance } from '../rims/index.ts';
+import { eventRule, listRims, quietAtRim } from '../../events/index.ts';
+import { GOES_ON, type Motion, SLOTS, type SteadyForce } from '../../motion/index.ts';
+import { countCrossing, offerCrossing } from '../rims/index.ts';
 import { preparedWinds, strongestWind } from './discs.ts';
 
 const { BASE_X, BASE_Y, LAST_EVENT, LAST_A } = SLOTS;
@@ -42,14 +42,7 @@ export const wind: SteadyForce = {
 export const enterWind = eventRule({
   name: 'wind',
   list: (m) => listRims(m, enterWind, preparedWinds(m.scene)),
-  guard(m, i, from) {
-    const { x, y, r } = preparedWinds(m.scene);
-    const inside = blows(m, i);
-    const { kind } = inside ? leaveWind : enterWind;
-    placeCircle(m, x[i], y[i], m.originX, m.originY);
-    const late = rimTolerance(m, x[i], y[i], r[i]);
-    offer(m, rimTime(m, r[i] + (inside ? late : -late), !inside, 0, from, justFired(m, kind, i)), kind, i, 0);
-  },
+  guard: (m, i, from) => offerCrossing(m, preparedWinds(m.scene), i, blows(m, i), enterWind, leaveWind, from),
   quiet: (m, i, time) => quietAtRim(m, preparedWinds(m.scene), i, blows(m, i), time),
   fire: (m, i, _b, time) => cross(m, i, true, time),
 });
