@@ -123,8 +123,9 @@ publish({
     method.note,
   ]),
   claims: [
-    atMost(`cost of ${mine} / ${phaser.name}`, ratio(mine, phaser.name), 1 / 5),
-    atMost(`cost of ${mine} / ${p2.name}`, ratio(mine, p2.name), 0.2),
+    atMost(`cost of ${mine} / ${phaser.name}`, ratio(mine, phaser.name), 0.1),
+    atMost(`cost of ${mine} / ${p2.name}`, ratio(mine, p2.name), 0.1),
+    atMost(`cost of ${mine} / fast`, ratio(mine, 'fast'), 1),
     atMost(`orbit error of ${mine} / ${phaser.name}`, orbitError(mine) / orbitError(phaser.name), 1e-3),
     atMost(`orbit error of ${mine} / ${p2.name}`, orbitError(mine) / orbitError(p2.name), 1e-3),
   ],
