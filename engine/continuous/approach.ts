@@ -1,5 +1,5 @@
 import type { ClearanceTracker } from '../clearance.ts';
-import { alienTravel, gapAt, rockTravel, sweptTime } from '../events/index.ts';
+import { alienTravel, gapAt, ownTravel, rockTravel, sweptTime } from '../events/index.ts';
 import {
   ALERTNESS,
   type Motion,
@@ -14,7 +14,7 @@ import {
 } from '../motion/index.ts';
 import type { BodyKind } from '../simulation.ts';
 
-const { BASE_X, BASE_Y, NEXT, ACCELERATION } = SLOTS;
+const { BASE_X, BASE_Y, NEXT } = SLOTS;
 const { CHASER } = RECORDS;
 const { GONE } = ALERTNESS;
 
@@ -44,7 +44,7 @@ export function approachHazards(m: Motion, start: number, length: number, tracke
   const y = m.originY + s[BASE_Y] + her[1];
   const vx = her[2] + (m.recoil ? base[2] : 0);
   const vy = her[3] + (m.recoil ? base[3] : 0);
-  const travel = (Math.sqrt(vx * vx + vy * vy) + (s[ACCELERATION] + m.kappa) * length) * length;
+  const travel = ownTravel(m, Math.sqrt(vx * vx + vy * vy), length);
   const within = tracker.least + travel + m.box.halfDiagonal + 1e-6;
   const consider = (kind: BodyKind, i: number, r: number, pull: number, moves: number) => {
     relativeAt(m, 0);

@@ -1,7 +1,7 @@
-import { farthestRockTravel, refresh } from '../events/index.ts';
+import { farthestRockTravel, ownTravel, refresh } from '../events/index.ts';
 import { type Motion, PIECE_END, placeAt, SLOTS } from '../motion/index.ts';
 
-const { FROM, NEXT, EVENT, TARGET, BASE_X, BASE_Y, LENGTH_H, ACCELERATION } = SLOTS;
+const { FROM, NEXT, EVENT, TARGET, BASE_X, BASE_Y, LENGTH_H } = SLOTS;
 
 /** Locates the first event in (FROM, LENGTH_H] of the piece; the natural end where nothing happens before. */
 export function locate(m: Motion): void {
@@ -17,8 +17,7 @@ export function locate(m: Motion): void {
   const vy = her[3] + (m.recoil ? base[3] : 0);
   const h = s[LENGTH_H];
   const speed = Math.sqrt(vx * vx + vy * vy);
-  const bend = s[ACCELERATION] / 2 + m.kappa;
-  const travel = s[ACCELERATION] > 0 ? (speed + bend * h) * h : speed > 0 ? speed * h : 0;
+  const travel = ownTravel(m, speed, h);
   const rocks = m.recoil ? farthestRockTravel(m, h) : 0;
   const reach = travel + rocks;
 

@@ -10,6 +10,7 @@ export {
   farthestRockTravel,
   listRims,
   listTouching,
+  ownTravel,
   refresh,
   rockDistanceToNear,
   rockTravel,

@@ -2,7 +2,7 @@ import type { IndexedCircles } from '../indexed-circles.ts';
 import { ALERTNESS, type EventRule, type Motion, RECORDS, SLOTS, targetsAround } from '../motion/index.ts';
 import { SURPLUS } from '../tolerances.ts';
 
-const { TARGET } = SLOTS;
+const { TARGET, ACCELERATION } = SLOTS;
 const { CHASER, ROCK } = RECORDS;
 const { AWAKE } = ALERTNESS;
 
@@ -57,6 +57,16 @@ export function rockDistanceToNear(m: Motion, i: number): number {
   const dx = (m.recoil ? s[m.rocks + ROCK * i] : m.targetX[i]) - near.x;
   const dy = (m.recoil ? s[m.rocks + ROCK * i + 1] : m.targetY[i]) - near.y;
   return Math.sqrt(dx * dx + dy * dy);
+}
+
+/**
+ * Farthest she moves in `h` s of the present piece, px. What is farther away is not looked at: a contact that this leaves out is missed.
+ * @param speed hers at its start, px/s
+ */
+export function ownTravel(m: Motion, speed: number, h: number): number {
+  const bend = m.s[ACCELERATION] / 2 + m.kappa;
+  if (bend > 0) return (speed + bend * h) * h;
+  return speed > 0 ? speed * h : 0;
 }
 
 /** Farthest any drifting or recoiling rock moves in `h`, px. */
