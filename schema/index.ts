@@ -17,6 +17,16 @@ export { MAX_FILE_SIZE } from './read-json.ts';
 export { type LevelDocument, type LevelReading, type ReadLevelOptions, readLevel } from './read-level.ts';
 export * from './report.ts';
 export { resolveLevel } from './resolve.ts';
-export { DEFAULT_RULES, type GameRule, type OwnRules, RULE_NAMES, RULES, type RuleName, type Rules, rulesOf } from './rules.ts';
+export {
+  DEFAULT_RULES,
+  type GameRule,
+  type OwnRules,
+  RULE_NAMES,
+  RULES,
+  type RuleName,
+  type Rules,
+  rulesOf,
+  rulesSchema,
+} from './rules.ts';
 export type { TextPlace } from './text-place.ts';
 export { type TuneReport, tuneReportSchema } from './tune-report.ts';

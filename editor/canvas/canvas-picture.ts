@@ -1,4 +1,5 @@
 import type { StoreApi } from 'zustand/vanilla';
+import type { Box } from '../../engine/index.ts';
 import type { Editor, OpenLevel, Pose } from '../context/index.ts';
 import type { CanvasState } from './canvas-state.ts';
 import type { SearchPicture } from './layers/index.ts';
@@ -23,11 +24,18 @@ export function pictureOf(
     if (posed === null || posed.proof !== now || posed.tick !== at) posed = { proof: now, tick: at, pose: poseAt(now, at) };
     return posed.pose;
   };
+  let her = proof.proof().scene.box;
+  const box = (): Box => {
+    const now = proof.proof().scene.box;
+    if (now.halfWidth !== her.halfWidth || now.halfHeight !== her.halfHeight) her = now;
+    return her;
+  };
   return () => {
     const { snapToGrid, grid } = settings.getState();
     const { dataset } = window.document.documentElement;
     return {
       file: document.file(),
+      her: box(),
       proof: proof.proof(),
       canvas: canvas.getState(),
       selected: selection.keys(),

@@ -1,7 +1,7 @@
 import type { Box as HerBox } from '../../engine/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
 import { type FoundObject, type ObjectKey, objectsOf, placesOf, radiusOf } from '../document/index.ts';
-import { boxesOf, herBoxIn } from './extent.ts';
+import { boxesOf } from './extent.ts';
 import type { Box, Point } from './view.ts';
 
 export interface Hit {
@@ -43,11 +43,11 @@ function distanceOutside(radius: number | null, her: HerBox, at: Point, { x, y }
 /**
  * What is at a place of the level. A rim can be taken on selected objects alone; of several bodies the smallest wins, so that what
  * lies in a field can be reached.
+ * @param her the astronaut's box under the rules of the level
  * @param reach px of the level
  */
-export function hitTest(file: LevelFile, place: Point, reach: number, selected: readonly ObjectKey[]): Hit | null {
+export function hitTest(file: LevelFile, her: HerBox, place: Point, reach: number, selected: readonly ObjectKey[]): Hit | null {
   const resizable = new Set(resizedByRim(file, selected, reach).map(({ key }) => key));
-  const her = herBoxIn(file);
   let rim: { hit: Hit; gap: number } | null = null;
   let body: { hit: Hit; size: number; outside: boolean } | null = null;
   for (const found of objectsOf(file).values()) {
@@ -68,12 +68,12 @@ export function hitTest(file: LevelFile, place: Point, reach: number, selected: 
   return rim?.hit ?? body?.hit ?? null;
 }
 
-/** What a marquee catches: every object that lies in it wholly or in part. */
-export function objectsIn(file: LevelFile, marquee: Box): ObjectKey[] {
+/** What a marquee catches: every object that lies in it wholly or in part. @param her the astronaut's box under the rules of the level */
+export function objectsIn(file: LevelFile, her: HerBox, marquee: Box): ObjectKey[] {
   const caught: ObjectKey[] = [];
   for (const found of objectsOf(file).values()) {
     const radius = radiusOf(found);
-    if (boxesOf(file, found).some((box) => isCaught(box, radius, marquee))) caught.push(found.key);
+    if (boxesOf(her, found).some((box) => isCaught(box, radius, marquee))) caught.push(found.key);
   }
   return caught;
 }

@@ -35,6 +35,7 @@ export function mountCanvas({ element, editor, level, canvas, said, search }: Mo
   const { bringIntoView, stop: stopFitting } = fitView({ element, level, canvas, stage, setView });
   const context: PointerContext = {
     document,
+    her: () => level.proof.proof().scene.box,
     selection,
     canvas,
     hovered,
@@ -81,7 +82,7 @@ function fitView({ element, level, canvas, stage, setView }: FitParts): Fitting 
   // the view that shows all of the level, until somebody moves it
   let fitted: View | null = null;
   const bringIntoView = (keys?: readonly string[]) => {
-    const box = extentOf(level.document.file(), keys);
+    const box = extentOf(level.document.file(), level.proof.proof().scene.box, keys);
     if (box === null) return;
     setView(fitBox(canvas.getState().view, box));
     if (keys === undefined) fitted = canvas.getState().view;

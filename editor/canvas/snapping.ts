@@ -1,3 +1,4 @@
+import type { Box as HerBox } from '../../engine/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
 import { type ObjectKey, objectsOf } from '../document/index.ts';
 import { boxesOf, extentOf } from './extent.ts';
@@ -56,19 +57,20 @@ export interface SnapParts {
   readonly only?: number | undefined;
 }
 
-/** Edges and middles of all that stays where it is. */
+/** Edges and middles of all that stays where it is. @param her the astronaut's box under the rules of the level */
 export function snapTargets(
   file: LevelFile,
+  her: HerBox,
   moving: readonly ObjectKey[],
   { areCopies = false, only }: SnapParts = {},
 ): SnapTargets {
   const along: ReadonlySet<ObjectKey> = new Set(areCopies ? [] : moving);
   const boxes = [...objectsOf(file).values()].flatMap((found) => {
-    if (!along.has(found.key)) return boxesOf(file, found);
-    return only === undefined ? [] : boxesOf(file, found).filter((_, i) => i !== only);
+    if (!along.has(found.key)) return boxesOf(her, found);
+    return only === undefined ? [] : boxesOf(her, found).filter((_, i) => i !== only);
   });
   const sorted = (axis: 'x' | 'y') => boxes.flatMap((box) => linesOfBox(box, axis)).sort((a, b) => a.at - b.at);
-  return { own: extentOf(file, moving, only), x: sorted('x'), y: sorted('y') };
+  return { own: extentOf(file, her, moving, only), x: sorted('x'), y: sorted('y') };
 }
 
 /** The line nearest to a value, by halving: a drag of many among thousands asks often. */

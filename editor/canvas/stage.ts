@@ -1,4 +1,5 @@
 import { CANVAS, Game, Scale, Scene, WEBGL } from 'phaser';
+import type { Box } from '../../engine/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
 import type { Ghost, Pose } from '../context/index.ts';
 import type { ObjectKey } from '../document/index.ts';
@@ -6,7 +7,6 @@ import type { LiveProof } from '../proof/index.ts';
 import type { Layer } from '../session/index.ts';
 import type { CanvasState } from './canvas-state.ts';
 import { COLOURS, type Theme } from './colours.ts';
-import { herBoxIn } from './extent.ts';
 import {
   AstronautLayer,
   ObjectLayer,
@@ -22,6 +22,8 @@ import { drawTextures } from './textures/index.ts';
 /** Everything that a frame shows. Parts that are the same object as in the last frame are not drawn anew. */
 export interface Picture {
   readonly file: LevelFile;
+  /** The astronaut's box under the rules of the level; the same object while it is as large. */
+  readonly her: Box;
   readonly proof: LiveProof;
   readonly canvas: CanvasState;
   readonly selected: readonly ObjectKey[];
@@ -89,13 +91,13 @@ class LevelScene extends Scene {
     objects.show(picture.file);
     const zoomed = fresh || last.canvas.view.zoom !== view.zoom;
     const same = (...names: readonly (keyof Picture)[]) => !fresh && names.every((name) => last[name] === picture[name]);
-    if (!same('file', 'canvas', 'selected', 'hovered', 'layers', 'grid', 'editing')) overlay.show(picture);
+    if (!same('file', 'her', 'canvas', 'selected', 'hovered', 'layers', 'grid', 'editing')) overlay.show(picture);
     if (zoomed || !same('proof', 'ghosts', 'layers', 'showsRun')) way.show({ ...picture, zoom: view.zoom });
     if (zoomed || !same('search', 'layers')) search.show(picture.search, picture.layers.heatMap, view.zoom);
     if (zoomed || !same('file', 'pose')) objects.pose(picture.pose, view.zoom);
     const seconds = time / 1000;
     if (!picture.calm) objects.animate(seconds, view.zoom);
-    astronaut.show(picture.pose, picture.file.astronaut, herBoxIn(picture.file), seconds, picture.calm);
+    astronaut.show(picture.pose, picture.file.astronaut, picture.her, seconds, picture.calm);
     this.last = picture;
   }
 

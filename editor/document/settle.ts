@@ -11,6 +11,9 @@ import {
   OBJECT_SCHEMAS,
   type ObjectKind,
   type ObjectList,
+  RULE_NAMES,
+  RULES,
+  rulesSchema,
   SINGLE_KINDS,
   withIds,
 } from '../../schema/index.ts';
@@ -39,6 +42,11 @@ const { shape } = levelSchema;
 const ID = /^[a-z0-9]{2,16}$/;
 
 const LEVEL: Fields = { shape, limits: { range: [LIMITS.leastRadius, LIMITS.radius] }, required: [] };
+const OF_RULES: Fields = {
+  shape: rulesSchema.shape,
+  limits: Object.fromEntries(RULE_NAMES.map((name) => [name, [RULES[name].least, RULES[name].most]])),
+  required: [],
+};
 const RUN: Fields = { shape: shape.runs.unwrap().element.shape, limits: {}, required: [] };
 
 function fieldsOfKind(kind: ObjectKind): Fields {
@@ -190,7 +198,7 @@ function settleIds(file: LevelFile, before: LevelFile | null): LevelFile {
 }
 
 function settleTop(file: LevelFile, before: LevelFile | null): LevelFile {
-  const lists: readonly string[] = [...OBJECT_LISTS, ...SINGLE_KINDS, 'runs', 'name', 'version'];
+  const lists: readonly string[] = [...OBJECT_LISTS, ...SINGLE_KINDS, 'rules', 'runs', 'name', 'version'];
   const own = Object.fromEntries(Object.entries(file).filter(([key]) => !lists.includes(key)));
   const settled: LevelFile = { ...file, ...settleFields(own, LEVEL, 'a level') };
   for (const key of Object.keys(settled))
@@ -200,6 +208,11 @@ function settleTop(file: LevelFile, before: LevelFile | null): LevelFile {
   for (const kind of SINGLE_KINDS) {
     if (file[kind] !== before?.[kind])
       settled[kind] = settleFields<object>(file[kind], OF_KIND[kind], `the ${KINDS[kind].one}`) as never;
+  }
+  if (file.rules !== undefined && file.rules !== before?.rules) {
+    if (typeof file.rules !== 'object' || file.rules === null || Array.isArray(file.rules))
+      refuse(`rules of a level can't be ${JSON.stringify(file.rules)}`, 'Give them as numbers by their names.');
+    settled.rules = settleFields(file.rules, OF_RULES, 'the rules', before?.rules);
   }
   for (const list of OBJECT_LISTS) {
     const objects = file[list];

@@ -93,6 +93,20 @@ class Merge {
     return fromGroups(merged, together);
   }
 
+  /** Fields that a file may leave out altogether; none and an empty object say the same, but not as the same text. */
+  optionalFields(
+    key: string,
+    bases: readonly (Json | undefined)[],
+    mine: Json | undefined,
+    theirs: Json | undefined,
+  ): Json | undefined {
+    const before = bases.map((base) => base ?? {});
+    const merged = this.fields(key, key, ALONE, before, mine ?? {}, theirs ?? {});
+    if (Object.keys(merged).length > 0) return merged;
+    const sides = isSame(bases[0], mine) ? [theirs] : isSame(bases[0], theirs) ? [mine] : [mine, theirs];
+    return sides.some((side) => side !== undefined && Object.keys(side).length === 0) ? merged : undefined;
+  }
+
   /** A list whose entries have names: objects by id, runs by name. */
   list(
     key: string,
@@ -199,10 +213,13 @@ export function mergeLevels(
     if (lists.includes(key)) continue;
     const old = b.map((file) => file[key]);
     const single = SINGLE_KINDS.find((kind) => kind === key);
+    const fields = [old, m[key], t[key]] as [Json[], Json, Json];
     const value =
-      single === undefined
-        ? merge.value(key, key, old, m[key], t[key])
-        : merge.fields(key, KINDS[single].one, togetherIn(single), old as Json[], m[key] as Json, t[key] as Json);
+      single !== undefined
+        ? merge.fields(key, KINDS[single].one, togetherIn(single), ...fields)
+        : key === 'rules'
+          ? merge.optionalFields(key, ...fields)
+          : merge.value(key, key, old, m[key], t[key]);
     if (value !== undefined) merged[key] = value;
   }
   for (const one of LISTS) {

@@ -1,7 +1,7 @@
 import type { LevelVerdict, RunFindings } from '../../check/index.ts';
 import { outcomeAsPredicate, type RunEnd } from '../../check/words/index.ts';
 import type { AccuracyName, Run, Scene } from '../../engine/index.ts';
-import type { Hold, Level, LevelFile, Problem } from '../../schema/index.ts';
+import type { Hold, Level, LevelFile, OwnRules, Problem } from '../../schema/index.ts';
 import type { Marched, Way } from './march.ts';
 import type { Margins } from './margins.ts';
 import { type Limit, limitInWords } from './patience.ts';
@@ -9,6 +9,8 @@ import { type Limit, limitInWords } from './patience.ts';
 /** What is asked of a level while it is edited. */
 export interface Question {
   readonly file: LevelFile;
+  /** Rules that the folder sets, which hold where the level has none of its own; none when left out. */
+  readonly rules?: OwnRules;
   /** Name of the run that is shown; the first one when there is none of that name or it is null. */
   readonly run: string | null;
   readonly accuracy: AccuracyName;
@@ -32,6 +34,7 @@ export interface ShownRun extends RunEnd {
 /** Everything the editor shows about a level that is not in its file. Arrays in `run.way` are good until the next answer. */
 export interface LiveProof {
   readonly file: LevelFile;
+  /** With the rules of its folder where it has none of its own. */
   readonly level: Level;
   /** Of the same objects as `level`; its runs may be older ones. */
   readonly scene: Scene;

@@ -3,6 +3,7 @@ export { asGqCheck } from './as-gq-check.ts';
 export { createProofStore, type ProofStore } from './live-proof.ts';
 export { NEAR } from './margins.ts';
 export { limitInWords } from './patience.ts';
+export { type PlayedFile, playsAlike } from './plays-alike.ts';
 export { createProver } from './prover.ts';
 export { toPlay, toProve } from './questions.ts';
 export type { Reach } from './reach.ts';

@@ -1,5 +1,6 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { AccuracyName } from '../../engine/index.ts';
+import type { OwnRules } from '../../schema/index.ts';
 import { type EditedLevel, isSame } from '../document/index.ts';
 import type { LiveProof } from './answer.ts';
 import { AT_REST, WHILE_DRAGGED } from './patience.ts';
@@ -15,6 +16,8 @@ export interface ProofStore {
   /** Which run is shown; the first one when it is null or there is none of that name. */
   showRun(name: string | null): void;
   setAccuracy(accuracy: AccuracyName): void;
+  /** Rules that the folder sets from now on. */
+  setFolderRules(rules: OwnRules): void;
   /** Stops following the level. */
   close(): void;
 }
@@ -22,6 +25,8 @@ export interface ProofStore {
 export interface ProofOptions {
   /** Name of the run that is shown at first. */
   readonly run?: string | null;
+  /** Rules that the folder sets, which hold where the level has none of its own. */
+  readonly rules?: OwnRules;
   /** Whether the level is played at all. */
   readonly checked?: boolean;
   /** Calls back once the page has rested for so many ms: then an answer may take longer. @returns takes it back */
@@ -35,10 +40,10 @@ const REST = 120;
 export function createProofStore(
   level: EditedLevel,
   accuracy: AccuracyName,
-  { run = null, checked = true, afterRest }: ProofOptions = {},
+  { run = null, rules = {}, checked = true, afterRest }: ProofOptions = {},
 ): ProofStore {
   const prover = createProver();
-  let asked = { run, accuracy };
+  let asked = { run, accuracy, rules };
   let forget = () => {};
   // who never asks again has to wait for all of it
   const most = (patience: number) => (afterRest === undefined ? Number.POSITIVE_INFINITY : patience);
@@ -82,6 +87,10 @@ export function createProofStore(
     },
     setAccuracy(name) {
       asked = { ...asked, accuracy: name };
+      update();
+    },
+    setFolderRules(own) {
+      asked = { ...asked, rules: own };
       update();
     },
     close() {

@@ -1,6 +1,6 @@
 import { examineRuns, type RunFindings, verdictOf } from '../../check/index.ts';
 import { joinHolds, WorkBudget } from '../../engine/index.ts';
-import { type Level, type Problem, resolveLevel } from '../../schema/index.ts';
+import { type Level, type OwnRules, type Problem, resolveLevel } from '../../schema/index.ts';
 import type { LiveProof, Question } from './answer.ts';
 import { asGqCheck } from './as-gq-check.ts';
 import { findProvingRun } from './find-proving-run.ts';
@@ -15,6 +15,8 @@ export interface Prover {
   /** The same question gives the same object. */
   prove(question: Question): LiveProof;
 }
+
+const NO_RULES: OwnRules = {};
 
 const NOTHING_PROVED = { impossible: null, minerals: [] };
 
@@ -32,16 +34,17 @@ function findingsIn(known: SceneRecord, level: Level): RunFindings {
  */
 export function createProver(now: () => number = () => performance.now(), most = MOST_WORK): Prover {
   const scenes = createSceneKeeper();
-  let answer: (LiveProof & { readonly patience: number }) | null = null;
+  let answer: (LiveProof & { readonly rules: OwnRules; readonly patience: number }) | null = null;
   return {
-    prove({ file, run: wanted, accuracy, patience = Number.POSITIVE_INFINITY }) {
-      const isSame = answer !== null && answer.file === file && answer.accuracy === accuracy;
+    prove({ file, rules = NO_RULES, run: wanted, accuracy, patience = Number.POSITIVE_INFINITY }) {
+      const isSame = answer !== null && answer.file === file && answer.rules === rules && answer.accuracy === accuracy;
       if (answer !== null && isSame && (answer.limit === null || answer.patience >= patience)) {
         const asked = file.runs?.some(({ name }) => name === wanted) ? wanted : (file.runs?.[0]?.name ?? null);
         if (answer.run.name === asked) return answer;
       }
       const start = now();
-      const level = resolveLevel(file);
+      // the same one for another run or with more patience: who follows the level sees that it is
+      const level = answer?.file === file && answer.rules === rules ? answer.level : resolveLevel(file, rules);
       const isPatient = patience === Number.POSITIVE_INFINITY;
       const begun = patience === 0 ? null : scenes.played(file, level, accuracy, isPatient ? patience : most);
       const nothing: Limit | null = begun !== null ? null : patience === 0 ? 'unchecked' : 'everything';
@@ -63,6 +66,7 @@ export function createProver(now: () => number = () => performance.now(), most =
       let margins: Margins | null = null;
       answer = {
         file,
+        rules,
         level,
         scene: known.scene,
         accuracy,

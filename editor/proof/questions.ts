@@ -1,5 +1,5 @@
 import type { AccuracyName } from '../../engine/index.ts';
-import type { Level, LevelFile } from '../../schema/index.ts';
+import type { Level } from '../../schema/index.ts';
 import type { LiveProof } from './answer.ts';
 
 /** What a worker is to prove of a level. */
@@ -20,8 +20,8 @@ export function toProve(proof: LiveProof): ProofQuestion | null {
 
 /** What a worker is to play since the page has left it out; null: nothing. */
 export const toPlay = ({
-  file,
+  level,
   accuracy,
   limit,
-}: Pick<LiveProof, 'file' | 'accuracy' | 'limit'>): { readonly file: LevelFile; readonly accuracy: AccuracyName } | null =>
-  limit === null || limit === 'unchecked' ? null : { file, accuracy };
+}: Pick<LiveProof, 'level' | 'accuracy' | 'limit'>): { readonly level: Level; readonly accuracy: AccuracyName } | null =>
+  limit === null || limit === 'unchecked' ? null : { level, accuracy };

@@ -2,7 +2,8 @@ import { type AccuracyName, WorkLimitReached } from '../../engine/index.ts';
 import type { Level, LevelFile } from '../../schema/index.ts';
 import { MarchRoom } from './march-room.ts';
 import { bareOf } from './patience.ts';
-import { playsAlike, SceneRecord } from './scene-record.ts';
+import { playsAlike } from './plays-alike.ts';
+import { SceneRecord } from './scene-record.ts';
 
 /** Keeps what is known of the last scene for as long as levels play alike. */
 export interface SceneKeeper {
@@ -20,7 +21,7 @@ export function createSceneKeeper(): SceneKeeper {
   let still: SceneRecord | null = null;
   return {
     played(file, level, accuracy, work) {
-      if (played !== null && played.accuracy === accuracy && played.work >= work && playsAlike(played.file, file)) {
+      if (played !== null && played.accuracy === accuracy && played.work >= work && playsAlike(played, { file, level })) {
         played.budget.looks = 0;
         return played;
       }
@@ -34,7 +35,7 @@ export function createSceneKeeper(): SceneKeeper {
       return played;
     },
     still(file, level, accuracy) {
-      if (still === null || still.accuracy !== accuracy || !playsAlike(still.file, file)) {
+      if (still === null || still.accuracy !== accuracy || !playsAlike(still, { file, level })) {
         played = null;
         still = new SceneRecord(file, bareOf(level), accuracy, room, Number.POSITIVE_INFINITY);
       }

@@ -14,7 +14,7 @@ import {
   WorkBudget,
   WorkLimitReached,
 } from '../../engine/index.ts';
-import { type Hold, type Level, type LevelFile, OBJECT_LISTS } from '../../schema/index.ts';
+import type { Hold, Level, LevelFile } from '../../schema/index.ts';
 import { March } from './march.ts';
 import type { MarchRoom } from './march-room.ts';
 
@@ -25,12 +25,6 @@ export const MAX_TICKS = Math.round(DEFAULT_MAX_TIME * TICK_RATE);
 
 export const toEnd = (ending: Ending | null): RunEnd =>
   ending ?? { outcome: 'timeout', with: null, time: MAX_TICKS * TICK, tick: MAX_TICKS };
-
-/** Whether two files have the same objects, so that they play alike. What they share is compared at once. */
-export function playsAlike(a: LevelFile, b: LevelFile): boolean {
-  if (a.range !== b.range || a.recoil !== b.recoil || a.astronaut !== b.astronaut || a.blackHole !== b.blackHole) return false;
-  return OBJECT_LISTS.every((list) => a[list] === b[list]);
-}
 
 /** What is known of one scene: runs by their holds. */
 export class SceneRecord {
@@ -43,7 +37,7 @@ export class SceneRecord {
 
   constructor(
     readonly file: LevelFile,
-    level: Level,
+    readonly level: Level,
     readonly accuracy: AccuracyName,
     room: MarchRoom,
     /** pieces of motion for one answer */

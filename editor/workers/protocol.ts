@@ -1,6 +1,6 @@
 import type { LevelVerdict, LostMineral, RunFindings } from '../../check/index.ts';
 import type { AccuracyName, Outcome } from '../../engine/index.ts';
-import type { Hold, Level, LevelFile } from '../../schema/index.ts';
+import type { Hold, Level, LevelFile, OwnRules } from '../../schema/index.ts';
 import type {
   Closest,
   Difficulty,
@@ -47,11 +47,17 @@ export interface Requests {
    */
   proofs: Played & { readonly collected: readonly number[] | null };
   /** What the runs of a level show, all of them played. */
-  check: { readonly file: LevelFile; readonly accuracy: AccuracyName };
+  check: Played;
   /** What accuracy costs for this level and run. */
   accuracy: { readonly level: Level; readonly holds: readonly Hold[] };
-  /** A small picture of a level file, and its verdict. */
-  thumbnail: { readonly text: string; readonly accuracy: AccuracyName; readonly width: number; readonly theme: 'dark' | 'light' };
+  /** A small picture of a level file, and its verdict; `rules`: those that its folder sets, none when left out. */
+  thumbnail: {
+    readonly text: string;
+    readonly rules?: OwnRules;
+    readonly accuracy: AccuracyName;
+    readonly width: number;
+    readonly theme: 'dark' | 'light';
+  };
   /** A new level, completable. */
   generate: { readonly options: GeneratorOptions };
 }

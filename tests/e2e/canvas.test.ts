@@ -2,7 +2,8 @@ import { expect, it } from 'vitest';
 import { COLOURS } from '../../editor/canvas/colours.ts';
 import { extentOf } from '../../editor/canvas/extent.ts';
 import { fitBox } from '../../editor/canvas/view.ts';
-import type { LevelFile } from '../../schema/index.ts';
+import { boxOf } from '../../engine/index.ts';
+import { DEFAULT_RULES, type LevelFile } from '../../schema/index.ts';
 import { command, tool, verdict } from './commands.ts';
 import { garden, straight } from './levels.ts';
 import { countColour } from './screen-colours.ts';
@@ -273,7 +274,7 @@ inChromium('the canvas in Chromium', ({ on }) => {
       await until(async () => {
         const box = await page.getByRole('application', { name: 'Level canvas' }).boundingBox();
         const view = { x: 0, y: 0, zoom: 1, width: box?.width ?? 0, height: box?.height ?? 0 };
-        const { zoom } = fitBox(view, extentOf(file('01')) ?? { left: 0, top: 0, right: 0, bottom: 0 });
+        const { zoom } = fitBox(view, extentOf(file('01'), boxOf(DEFAULT_RULES)) ?? { left: 0, top: 0, right: 0, bottom: 0 });
         expect(zoom).toBeLessThan(0.9 * (before / 100));
         expect(await zoomShown()).toBe(Math.round(100 * zoom));
       });

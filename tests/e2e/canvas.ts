@@ -2,7 +2,8 @@ import type { Page } from 'playwright-core';
 import { expect } from 'vitest';
 import { extentOf } from '../../editor/canvas/extent.ts';
 import { fitBox, type Point, toScreen, type View } from '../../editor/canvas/view.ts';
-import type { LevelFile } from '../../schema/index.ts';
+import { boxOf } from '../../engine/index.ts';
+import { type LevelFile, rulesOf } from '../../schema/index.ts';
 import { until } from './until.ts';
 
 export interface Drag {
@@ -46,7 +47,7 @@ export function canvasOf(page: Page): Canvas {
     at,
     zoom: () => view.zoom,
     async fit(file) {
-      const all = extentOf(file);
+      const all = extentOf(file, boxOf(rulesOf(file)));
       if (all === null) throw new Error('a level has an astronaut at least');
       await element.focus();
       await page.keyboard.press('f');

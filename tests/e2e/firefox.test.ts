@@ -4,7 +4,8 @@ import puppeteer from 'puppeteer-core';
 import { describe, expect, it } from 'vitest';
 import { extentOf } from '../../editor/canvas/extent.ts';
 import { fitBox, type Point, toScreen } from '../../editor/canvas/view.ts';
-import type { LevelFile } from '../../schema/index.ts';
+import { boxOf } from '../../engine/index.ts';
+import { DEFAULT_RULES, type LevelFile } from '../../schema/index.ts';
 import { gq } from '../cli/gq.ts';
 import { declareMissing } from '../missing.ts';
 import { gqEdit } from '../server/command.ts';
@@ -35,7 +36,7 @@ async function journey(): Promise<void> {
     await page.focus(CANVAS);
     await page.keyboard.press('f');
     const box = await (await page.waitForSelector(CANVAS))?.boundingBox();
-    const extent = extentOf(file());
+    const extent = extentOf(file(), boxOf(DEFAULT_RULES));
     if (box == null || extent === null) throw new Error('nothing is to be seen');
     const view = fitBox({ x: 0, y: 0, zoom: 1, width: box.width, height: box.height }, extent);
     const at = (place: Point): [x: number, y: number] => {

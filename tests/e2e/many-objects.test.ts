@@ -2,7 +2,8 @@ import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { extentOf } from '../../editor/canvas/extent.ts';
 import { fitBox, type Point, toScreen } from '../../editor/canvas/view.ts';
-import type { LevelFile } from '../../schema/index.ts';
+import { boxOf } from '../../engine/index.ts';
+import { DEFAULT_RULES, type LevelFile } from '../../schema/index.ts';
 import { inChromium } from './stage.ts';
 import { until } from './until.ts';
 
@@ -86,7 +87,7 @@ inChromium('hundreds of objects in Chromium', ({ on }) => {
         await page.keyboard.press('Control+0');
         await until(async () => expect(await page.getByText('100 %', { exact: true }).count()).toBe(1));
         const box = await page.getByRole('application', { name: 'Level canvas' }).boundingBox();
-        const all = extentOf(crowd());
+        const all = extentOf(crowd(), boxOf(DEFAULT_RULES));
         if (box === null || all === null) throw new Error('the canvas is not seen');
         const view = { ...fitBox({ x: 0, y: 0, zoom: 1, width: box.width, height: box.height }, all), zoom: 1 };
         const at = (place: Point): Point => {

@@ -7,6 +7,8 @@ import {
   type LevelFile,
   LISTED_KINDS,
   type ObjectKind,
+  RULE_NAMES,
+  RULES,
   readLevel,
   SINGLE_KINDS,
   withIds,
@@ -51,6 +53,18 @@ const runs = optional(
   }),
 );
 
+const rules = optional(
+  fc.record({
+    ...Object.fromEntries(
+      RULE_NAMES.map((name) => [
+        name,
+        optional(fc.double({ min: RULES[name].least, max: RULES[name].most, noNaN: true }).map((x) => x + 0)),
+      ]),
+    ),
+    'x-own': own,
+  }),
+);
+
 const file = fc.record({
   version: fc.constant(1 as const),
   name: fc.constantFrom('Level', 'Slingshot', '名前', 'a "b"'),
@@ -58,6 +72,7 @@ const file = fc.record({
   ...Object.fromEntries(SINGLE_KINDS.map((kind) => [kind, fc.record(fields(kind))])),
   range: optional(radius),
   recoil: optional(fc.boolean()),
+  rules,
   ...Object.fromEntries(LISTED_KINDS.map((kind) => [KINDS[kind].list, list(kind)])),
   runs,
   'x-mine': own,

@@ -2,6 +2,8 @@ import { describe, expect, it } from 'vitest';
 import { playableLevel } from '../../bench/editor/playable-level.ts';
 import { hitTest, REACH } from '../../editor/canvas/hit-test.ts';
 import { objectsOf } from '../../editor/document/index.ts';
+import { boxOf } from '../../engine/index.ts';
+import { DEFAULT_RULES } from '../../schema/index.ts';
 
 /** 20 asteroids of 16 px in a row, 100 px apart. */
 const level = () => ({
@@ -13,7 +15,7 @@ const keys = (count: number) =>
   [...objectsOf(level()).values()].flatMap(({ key, kind }) => (kind === 'asteroid' ? [key] : [])).slice(0, count);
 
 const at = (x: number, zoom: number, selected: number) =>
-  hitTest(level(), { x, y: 500 }, REACH.mouse / zoom, keys(selected))?.part;
+  hitTest(level(), boxOf(DEFAULT_RULES), { x, y: 500 }, REACH.mouse / zoom, keys(selected))?.part;
 
 describe('what the pointer takes', () => {
   it('is the rim of a selected object, its middle, and nothing farther than it reaches', () => {

@@ -34,7 +34,9 @@ import { mergeLevels } from '../../editor/files/merge.ts';
 import { fieldsOf } from '../../editor/panels/inspector/fields.ts';
 import { objectRows } from '../../editor/panels/outliner/object-rows.ts';
 import { TOOLS } from '../../editor/session/index.ts';
+import { boxOf } from '../../engine/index.ts';
 import {
+  DEFAULT_RULES,
   type FieldName,
   fieldsOf as fieldsOfKind,
   formatLevel,
@@ -48,6 +50,8 @@ import {
   readLevel,
 } from '../../schema/index.ts';
 import { arbitraryFile } from './arbitrary-file.ts';
+
+const her = boxOf(DEFAULT_RULES);
 
 const BARE: LevelFile = { version: 1, name: 'bare', astronaut: { x: -500, y: -500 }, blackHole: { x: 900, y: -500 } };
 
@@ -139,27 +143,27 @@ describe.each(PLACEABLES)('a new %s', (placeable) => {
     const places = placesOf(found);
     expect(places).toHaveLength(KINDS[kind].places.length);
     for (const [i, place] of places.entries()) {
-      expect(hitTest(file, place, 1, [])).toEqual({ key: found.key, place: i, part: 'body' });
+      expect(hitTest(file, her, place, 1, [])).toEqual({ key: found.key, place: i, part: 'body' });
       const onRim = { x: place.x, y: place.y + radius };
-      expect(hitTest(file, onRim, 1, [found.key])).toEqual({ key: found.key, place: i, part: 'rim' });
+      expect(hitTest(file, her, onRim, 1, [found.key])).toEqual({ key: found.key, place: i, part: 'rim' });
     }
   });
 
   it('is caught by a marquee around any of its places, and lies in the level’s extent with all of them', () => {
     for (const { x, y } of placesOf(found)) {
-      expect(objectsIn(file, { left: x - 1, top: y - 1, right: x + 1, bottom: y + 1 })).toEqual([found.key]);
-      const box = extentOf(file, [found.key]);
+      expect(objectsIn(file, her, { left: x - 1, top: y - 1, right: x + 1, bottom: y + 1 })).toEqual([found.key]);
+      const box = extentOf(file, her, [found.key]);
       expect(box?.left).toBeLessThanOrEqual(x - radius);
       expect(box?.right).toBeGreaterThanOrEqual(x + radius);
     }
   });
 
   it('is what others snap to at all of its places, and one of its places can snap to another', () => {
-    const others = snapTargets(file, []).x.map(({ at }) => at);
+    const others = snapTargets(file, her, []).x.map(({ at }) => at);
     for (const { x } of placesOf(found)) expect(others).toEqual(expect.arrayContaining([x - radius, x, x + radius]));
     const [, ...second] = placesOf(found);
     for (const { x } of second) {
-      const targets = snapTargets(file, [found.key], { only: 0 });
+      const targets = snapTargets(file, her, [found.key], { only: 0 });
       expect(targets.x.map(({ at }) => at)).toContain(x);
       expect(targets.own?.left).toBe(found.object.x - radius);
       expect(targets.own?.right).toBe(found.object.x + radius);

@@ -39,5 +39,5 @@ export function startingPlace(context: PointerContext, grid: number, last: Point
 /** What lies under it; null: nothing does. */
 export function under(context: PointerContext, place: Point): Hit | null {
   const selected = context.tool() === 'select' ? context.selection.keys() : [];
-  return hitTest(context.document.file(), place, REACH.keys / context.view().zoom, selected);
+  return hitTest(context.document.file(), context.her(), place, REACH.keys / context.view().zoom, selected);
 }

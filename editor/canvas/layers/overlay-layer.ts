@@ -1,10 +1,11 @@
 import type { GameObjects, Scene } from 'phaser';
+import type { Box } from '../../../engine/index.ts';
 import { appearanceOfObject, DEFAULT_RANGE, type Disc, type LevelFile } from '../../../schema/index.ts';
 import { type ObjectKey, objectsOf, placesOf, radiusOf } from '../../document/index.ts';
 import type { Layer } from '../../session/index.ts';
 import type { CanvasState } from '../canvas-state.ts';
 import { type Colours, colourNumber } from '../colours.ts';
-import { boxesOf, herBoxIn } from '../extent.ts';
+import { boxesOf } from '../extent.ts';
 import { REACH, resizedByRim } from '../hit-test.ts';
 import { type Point, toLevel, type View } from '../view.ts';
 import { Rings } from './rings.ts';
@@ -30,6 +31,8 @@ const MOST_DASHES = 200;
 
 export interface OverlayInput {
   readonly file: LevelFile;
+  /** The astronaut's box under the rules of the level. */
+  readonly her: Box;
   readonly canvas: CanvasState;
   readonly selected: readonly ObjectKey[];
   /** The object that is pointed at, here or in a list. */
@@ -146,14 +149,14 @@ export class OverlayLayer {
     const { zoom } = input.canvas.view;
     const same = (...names: readonly (keyof OverlayInput)[]) =>
       last !== null && names.every((name) => last[name] === input[name]);
-    if (same('file', 'selected', 'layers', 'editing')) {
+    if (same('file', 'her', 'selected', 'layers', 'editing')) {
       for (const rings of [this.margins, this.chosenMargins, this.outlines]) rings.zoomTo(zoom);
       return;
     }
     this.ringed = input;
     const chosen: ReadonlySet<ObjectKey> = new Set(input.editing ? input.selected : []);
     const around = { still: [] as Disc[], chosen: [] as Disc[], outlined: [] as Disc[] };
-    const { halfWidth, halfHeight } = herBoxIn(input.file);
+    const { halfWidth, halfHeight } = input.her;
     const least = Math.min(halfWidth, halfHeight);
     for (const found of objectsOf(input.file).values()) {
       const radius = radiusOf(found);
@@ -173,7 +176,7 @@ export class OverlayLayer {
     this.outlines.show(around.outlined, outline, zoom);
   }
 
-  private selection({ file, canvas, selected, hovered }: OverlayInput): void {
+  private selection({ file, her, canvas, selected, hovered }: OverlayInput): void {
     const { zoom } = canvas.view;
     const objects = objectsOf(file);
     const outline = (key: ObjectKey, width: number, alpha: number) => {
@@ -182,7 +185,7 @@ export class OverlayLayer {
       const off = OUTLINE / zoom;
       this.above.lineStyle(width / zoom, colourNumber(this.colours.select), alpha);
       const isRound = radiusOf(found) !== null;
-      for (const { left, top, right, bottom } of boxesOf(file, found)) {
+      for (const { left, top, right, bottom } of boxesOf(her, found)) {
         const [x, y] = [(left + right) / 2, (top + bottom) / 2];
         if (isRound) this.above.strokeCircle(x, y, (right - left) / 2 + off);
         else this.above.strokeRect(left - off, top - off, right - left + 2 * off, bottom - top + 2 * off);

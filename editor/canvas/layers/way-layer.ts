@@ -1,6 +1,5 @@
 import type { GameObjects, Scene } from 'phaser';
-import { boxOf, isJump, STATE_SIZE, TICK } from '../../../engine/index.ts';
-import { rulesOf } from '../../../schema/index.ts';
+import { isJump, STATE_SIZE, TICK } from '../../../engine/index.ts';
 import type { Ghost } from '../../context/index.ts';
 import { isWhole, type LiveProof } from '../../proof/index.ts';
 import type { Layer } from '../../session/index.ts';
@@ -121,7 +120,7 @@ export class WayLayer {
     const { outcome, way } = proof.run;
     if (outcome === 'timeout') return;
     const [x, y, , , cos, sin] = way.last;
-    const { halfWidth, halfHeight } = boxOf(rulesOf(proof.level));
+    const { halfWidth, halfHeight } = proof.scene.box;
     const good = outcome === 'completed';
     const colour = colourNumber(good ? this.colours.way : this.colours.danger);
     this.graphics.lineStyle(2 / zoom, colour, 1).beginPath();

@@ -17,7 +17,7 @@ export function drawingMarquee(context: PointerContext, from: PointerInput): Poi
         bottom: Math.max(from.place.y, place.y),
       };
       canvas.setState({ marquee: box });
-      selection.select([...(shift ? before : []), ...objectsIn(document.file(), box)]);
+      selection.select([...(shift ? before : []), ...objectsIn(document.file(), context.her(), box)]);
       return undefined;
     },
     up() {

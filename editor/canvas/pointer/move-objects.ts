@@ -34,7 +34,7 @@ export function movingObjects(context: PointerContext, from: PointerInput, { key
     return {
       areCopies,
       gesture: document.begin(areCopies ? `Duplicate${what}` : `Move${what}`),
-      targets: snapTargets(file, moving, areCopies ? { areCopies } : { only }),
+      targets: snapTargets(file, context.her(), moving, areCopies ? { areCopies } : { only }),
     };
   };
   let drag = begin(false);

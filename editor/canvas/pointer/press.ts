@@ -56,7 +56,7 @@ export function pressed(context: PointerContext, input: PointerInput): PointerSt
   if (input.button !== 0 || tool === 'hand') return panning(context, input);
   if (tool !== 'select') return placingObject(context, input, tool);
   const reach = REACH[input.by] / context.view().zoom;
-  const hit = hitTest(context.document.file(), input.place, reach, context.selection.keys());
+  const hit = hitTest(context.document.file(), context.her(), input.place, reach, context.selection.keys());
   if (hit === null) return pressedSpace(context, input);
   return pressedObject(context, input, hit);
 }
@@ -66,7 +66,13 @@ export function hovered(context: PointerContext, input: PointerInput): { key: Ob
   const tool = context.tool();
   if (tool === 'hand') return { key: null, cursor: 'grab' };
   if (tool !== 'select') return { key: null, cursor: 'crosshair' };
-  const hit = hitTest(context.document.file(), input.place, REACH.mouse / context.view().zoom, context.selection.keys());
+  const hit = hitTest(
+    context.document.file(),
+    context.her(),
+    input.place,
+    REACH.mouse / context.view().zoom,
+    context.selection.keys(),
+  );
   if (hit === null) return { key: null, cursor: 'default' };
   return { key: hit.key, cursor: hit.part === 'rim' ? 'nwse-resize' : 'grab' };
 }

@@ -1,4 +1,5 @@
 import type { StoreApi } from 'zustand/vanilla';
+import type { Box as HerBox } from '../../../engine/index.ts';
 import type { EditedLevel, ObjectKey, SelectionStore } from '../../document/index.ts';
 import type { Tool } from '../../session/index.ts';
 import type { CanvasState } from '../canvas-state.ts';
@@ -26,6 +27,8 @@ export interface PointerInput {
 /** What the states of the pointer may use. */
 export interface PointerContext {
   readonly document: EditedLevel;
+  /** The astronaut's box under the rules of the level. */
+  her(): HerBox;
   readonly selection: SelectionStore;
   /** What the canvas shows for the pointer: marquee, guides. */
   readonly canvas: StoreApi<CanvasState>;

@@ -3,8 +3,9 @@ import { useMemo, useState } from 'react';
 import { outcomeAsPredicate } from '../../../check/words/index.ts';
 import { ACCURACIES, type AccuracyName, DEFAULT_ACCURACY } from '../../../engine/index.ts';
 import { useEditor, usePageTheme, useProof, useSession } from '../../context/index.ts';
+import { playsAlike } from '../../proof/index.ts';
 import { Button, Dialog } from '../../ui/index.ts';
-import { pixels, playsAlike } from '../figures/index.ts';
+import { pixels } from '../figures/index.ts';
 import { Progress, Section } from '../parts/index.ts';
 import './accuracy.css';
 import { drawSettings } from './diagram.ts';
@@ -109,9 +110,9 @@ export function AccuracyPanel() {
   const current = useSession(({ accuracy }) => accuracy);
   const { results, costs, isFresh } = useNamedResults();
   const { phase, message, measured, start, cancel } = useMeasured();
-  const file = useProof((proof) => proof.file);
+  const isAlike = useProof((proof) => measured !== null && playsAlike(measured.played, proof));
   const holds = useProof((proof) => proof.run.holds.join());
-  const isOld = measured !== null && (measured.holds !== holds || !playsAlike(measured.file, file));
+  const isOld = measured !== null && (measured.holds !== holds || !isAlike);
   return (
     <div className="panel__body accuracies">
       <Section

@@ -1,6 +1,6 @@
 import { useCallback, useEffect, useRef, useState } from 'react';
-import type { LevelFile } from '../../../schema/index.ts';
 import { useEditor, useLevel } from '../../context/index.ts';
+import type { PlayedFile } from '../../proof/index.ts';
 import type { Job, Setting } from '../../workers/index.ts';
 
 /** What every setting costs for one level and run. */
@@ -8,7 +8,7 @@ export interface MeasuredSettings {
   readonly settings: readonly Setting[];
   readonly level: string;
   readonly run: string | null;
-  readonly file: LevelFile;
+  readonly played: PlayedFile;
   readonly holds: string;
 }
 
@@ -38,7 +38,7 @@ export function useMeasured(): Measuring {
   const start = useCallback(() => {
     drop();
     const { level, run, file } = proof.proof();
-    const about = { level: level.name, run: run.name, file, holds: run.holds.join() };
+    const about = { level: level.name, run: run.name, played: { file, level }, holds: run.holds.join() };
     const mine = workers.start('accuracy', { level: { ...level, runs: [] }, holds: run.holds });
     job.current = mine;
     setState(({ measured }) => ({ phase: 'measuring', message: null, measured }));

@@ -1,7 +1,7 @@
 import { useEffect, useState } from 'react';
-import type { LevelFile } from '../../../schema/index.ts';
 import { useLevel } from '../../context/index.ts';
-import { nextTurn, playsAlike } from '../figures/index.ts';
+import { type PlayedFile, playsAlike } from '../../proof/index.ts';
+import { nextTurn } from '../figures/index.ts';
 import { type Costs, compareNamed, costsOfNamed, type NamedResult } from './named-results.ts';
 
 /** ms without a change before a run is compared anew */
@@ -23,7 +23,7 @@ export function useNamedResults(): NamedResults {
   const [state, setState] = useState<NamedResults>({ results: [], costs: null, isFresh: false });
   useEffect(() => {
     let timer: ReturnType<typeof setTimeout> | undefined;
-    let last: { file: LevelFile; holds: string } | null = null;
+    let last: (PlayedFile & { readonly holds: string }) | null = null;
     let abort = new AbortController();
     const measure = async () => {
       const { level, run } = proof.proof();
@@ -49,11 +49,11 @@ export function useNamedResults(): NamedResults {
       step();
     };
     const look = () => {
-      const { file, run } = proof.proof();
+      const { file, level, run } = proof.proof();
       const holds = run.holds.join();
-      if (last !== null && last.holds === holds && playsAlike(last.file, file)) return;
+      if (last !== null && last.holds === holds && playsAlike(last, { file, level })) return;
       const wait = last === null ? 0 : SETTLE;
-      last = { file, holds };
+      last = { file, level, holds };
       clearTimeout(timer);
       abort.abort();
       abort = new AbortController();

@@ -1,4 +1,3 @@
 export type { Fact } from './fact.ts';
-export { playsAlike } from './plays-alike.ts';
 export { nextTurn, type TurnsOptions, timeInTurns } from './time-in-turns.ts';
 export { about, extraInWords, percent, pixels, plural, seconds } from './words.ts';

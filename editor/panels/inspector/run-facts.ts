@@ -1,5 +1,5 @@
-import { boxCircleGap, boxOf, type RunEvent, STATE_SIZE, TICK, TICK_RATE } from '../../../engine/index.ts';
-import { appearanceOfObject, rulesOf } from '../../../schema/index.ts';
+import { boxCircleGap, type RunEvent, STATE_SIZE, TICK, TICK_RATE } from '../../../engine/index.ts';
+import { appearanceOfObject } from '../../../schema/index.ts';
 import { type FoundObject, placesOf } from '../../document/index.ts';
 import { endInWords, type LiveProof } from '../../proof/index.ts';
 import { type Fact, pixels, plural, seconds } from '../figures/index.ts';
@@ -38,7 +38,7 @@ function placesIn({ run }: LiveProof, found: FoundObject): Places {
  */
 export function nearestPass(proof: LiveProof, found: FoundObject, radius: number): { gap: number; tick: number } | null {
   const { states, count } = proof.run.way;
-  const box = boxOf(rulesOf(proof.level));
+  const { box } = proof.scene;
   const placesAt = placesIn(proof, found);
   let best: { gap: number; tick: number } | null = null;
   for (let tick = 0; tick < count; tick++) {

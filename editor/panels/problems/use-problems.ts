@@ -11,7 +11,7 @@ import { keepSame } from './kept.ts';
 /** ms without a change before problems are looked for: that plays every run at two accuracies at least, which would cost a drag its frames */
 const REST = 150;
 
-const knownOf = ({ findings, file, accuracy, limit }: LiveProof) => ({ findings, file, accuracy, limit });
+const knownOf = ({ findings, level, accuracy, limit }: LiveProof) => ({ findings, level, accuracy, limit });
 
 /** What is wrong with the file of the level, as it is on the disk; nothing where it can be read. */
 function problemsOfFile(id: string, state: SaveState): readonly Problem[] {

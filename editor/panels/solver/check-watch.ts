@@ -1,13 +1,13 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { AccuracyName } from '../../../engine/index.ts';
-import type { LevelFile } from '../../../schema/index.ts';
+import type { Level } from '../../../schema/index.ts';
 import { type FoundByWorker, type LiveProof, toPlay } from '../../proof/index.ts';
 import type { Job } from '../../workers/index.ts';
 import type { WatchParts } from './proof-watch.ts';
 
 /** What a worker has found out about a level that the page does not play itself. */
 export interface Checked extends FoundByWorker {
-  readonly file: LevelFile;
+  readonly level: Level;
   readonly accuracy: AccuracyName;
 }
 
@@ -32,14 +32,14 @@ export function watchChecks({ level: { proof }, workers, afterRest }: WatchParts
   const ask = () => {
     const question = toPlay(proof.proof());
     const known = store.getState();
-    if (question === null || (known?.file === question.file && known.accuracy === question.accuracy)) return;
-    const { file, accuracy } = question;
+    if (question === null || (known?.level === question.level && known.accuracy === question.accuracy)) return;
+    const { level, accuracy } = question;
     const mine = workers.start('check', question);
     job = mine;
     void mine.end.then((end) => {
       if (job !== mine || end.kind === 'cancelled') return;
       const [result, message] = end.kind === 'done' ? [end.result, ''] : [null, end.message];
-      store.setState({ file, accuracy, result, message }, true);
+      store.setState({ level, accuracy, result, message }, true);
     });
   };
   const look = (now: LiveProof) => {
@@ -58,5 +58,7 @@ export function watchChecks({ level: { proof }, workers, afterRest }: WatchParts
 }
 
 /** What is known of a level for which the page has left something out: null where it has not, or the worker is not done. */
-export const checkedOf = (proof: Pick<LiveProof, 'file' | 'accuracy' | 'limit'>, checked: Checked | null): Checked | null =>
-  proof.limit !== null && checked !== null && checked.file === proof.file && checked.accuracy === proof.accuracy ? checked : null;
+export const checkedOf = (proof: Pick<LiveProof, 'level' | 'accuracy' | 'limit'>, checked: Checked | null): Checked | null =>
+  proof.limit !== null && checked !== null && checked.level === proof.level && checked.accuracy === proof.accuracy
+    ? checked
+    : null;

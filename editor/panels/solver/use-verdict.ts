@@ -19,9 +19,9 @@ export function useVerdict(level: OpenLevel): Verdict {
   const solver = solverSessionOf(useEditor(), level);
   const own = useStore(level.proof.store, (proof) => proof.verdict);
   const limit = useStore(level.proof.store, (proof) => proof.limit);
-  const file = useStore(level.proof.store, (proof) => proof.file);
+  const played = useStore(level.proof.store, (proof) => proof.level);
   const accuracy = useStore(level.proof.store, (proof) => proof.accuracy);
-  const checked = checkedOf({ file, accuracy, limit }, useStore(solver.checks.store));
+  const checked = checkedOf({ level: played, accuracy, limit }, useStore(solver.checks.store));
   const impossible = useStore(solver.proofs.store, (proved) => proved.impossible);
   const verdict = toldVerdict({ verdict: own }, checked, { impossible });
   if (verdict === 'completable') return { verdict, reason: null, limit: null };

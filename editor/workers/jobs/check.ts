@@ -1,13 +1,11 @@
 import { examineRuns, playRuns } from '../../../check/index.ts';
 import { compile, WorkBudget } from '../../../engine/index.ts';
-import { resolveLevel } from '../../../schema/index.ts';
 import { asGqCheck } from '../../proof/index.ts';
 import type { Start } from '../work.ts';
 
 /** What the runs of a level show, played to their end as far as `gq check` plays them: for levels that would keep the page too busy. */
-export const check: Start<'check'> = function* ({ file, accuracy }) {
+export const check: Start<'check'> = function* ({ level, accuracy }) {
   yield null;
-  const level = resolveLevel(file);
   const options = asGqCheck(accuracy, new WorkBudget());
   const runs = playRuns(compile(level, accuracy), options.maxTime, options.budget);
   yield null;

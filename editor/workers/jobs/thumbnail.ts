@@ -17,8 +17,8 @@ import type { Start } from '../work.ts';
 const MAX_TICKS = Math.round(DEFAULT_MAX_TIME * TICK_RATE);
 
 /** Draws a level file small, with a run that completes it where it has one; its verdict is that of `gq check`. */
-export const thumbnail: Start<'thumbnail'> = function* ({ text, accuracy, width, theme }) {
-  const reading = readLevel(text, { byteOrderMark: 'skip' });
+export const thumbnail: Start<'thumbnail'> = function* ({ text, rules, accuracy, width, theme }) {
+  const reading = readLevel(text, { byteOrderMark: 'skip', rules });
   if (!reading.ok) return { svg: '', verdict: 'invalid', minerals: 0 };
   const { level } = reading;
   const scene = compile(level, accuracy);
