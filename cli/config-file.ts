@@ -2,7 +2,16 @@ import { existsSync } from 'node:fs';
 import { dirname, join, relative, resolve } from 'node:path';
 import process from 'node:process';
 
-const NAME = 'gq.config.json';
+export const CONFIG_NAME = 'gq.config.json';
+
+/** Folders in which the configuration of a folder is looked for, the nearest first. */
+export function configFolders(folder: string): string[] {
+  const folders: string[] = [];
+  for (let at = resolve(folder); ; at = dirname(at)) {
+    folders.push(at);
+    if (existsSync(join(at, '.git')) || dirname(at) === at) return folders;
+  }
+}
 
 /**
  * The configuration that holds in a folder: the nearest `gq.config.json` from there upwards to the root of the repository, the first
@@ -10,9 +19,8 @@ const NAME = 'gq.config.json';
  * @returns its path as it is shorter to read; null where there is none
  */
 export function findConfig(folder: string = process.cwd()): string | null {
-  for (let at = resolve(folder); ; at = dirname(at)) {
-    const path = join(at, NAME);
-    if (existsSync(path)) return relative('', path);
-    if (existsSync(join(at, '.git')) || dirname(at) === at) return null;
-  }
+  const path = configFolders(folder)
+    .map((at) => join(at, CONFIG_NAME))
+    .find((one) => existsSync(one));
+  return path === undefined ? null : relative('', path);
 }

@@ -1,4 +1,5 @@
 import * as z from 'zod';
+import { rulesSchema } from './rules.ts';
 
 /**
  * What the editor's page and `gq edit` say to each other: JSON over HTTP, on 127.0.0.1 alone.
@@ -82,6 +83,14 @@ export const levelEntrySchema = z.strictObject({
 });
 export type LevelEntry = z.infer<typeof levelEntrySchema>;
 
+/** Rules that hold for the levels of the folder where they have none of their own: `rules` of the `gq.config.json` that `gq check` would take, too. */
+export const folderRulesSchema = z.strictObject({
+  file: z.string().nullable().describe('The configuration, as a person names it; null: there is none.'),
+  own: rulesSchema.describe("Those that are not the game's own."),
+  problems: z.array(problem).describe('Why the configuration is not valid: `own` is then what it set when it was.'),
+});
+export type FolderRules = z.infer<typeof folderRulesSchema>;
+
 export const listResponseSchema = z.strictObject({
   folder: z.strictObject({
     id: z
@@ -92,6 +101,7 @@ export const listResponseSchema = z.strictObject({
   }),
   folders: z.array(z.string()).describe("'' and every folder below it that levels can be put into, with slashes."),
   levels: z.array(levelEntrySchema).describe('In the order of play: by path, numbers by their value.'),
+  rules: folderRulesSchema,
   troubles: z.array(z.string()).describe('What is wrong with the folder as a whole, for people; mostly nothing.'),
   unread: z.int().min(0).describe('Levels that are still to come, as events `read`; 0: these are all.'),
 });
@@ -155,6 +165,7 @@ export const editEventSchema = z.discriminatedUnion('type', [
     .describe('More of a list that came without them, since they are many, or are only now read.'),
   z.strictObject({ type: z.literal('changed'), entry: levelEntrySchema, by }).describe('New, or with another content.'),
   z.strictObject({ type: z.literal('removed'), id, by }),
+  z.strictObject({ type: z.literal('rules'), rules: folderRulesSchema }).describe('The configuration has changed.'),
   z.strictObject({ type: z.literal('renamed'), from: id, entry: levelEntrySchema, by }),
 ]);
 export type EditEvent = z.infer<typeof editEventSchema>;

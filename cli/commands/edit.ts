@@ -1,6 +1,5 @@
 import process from 'node:process';
 import type { Command } from 'commander';
-import type { OwnRules } from '../../schema/index.ts';
 import type { CommandResult } from '../command.ts';
 import { DEFAULT_PORT, type EditServer, openBrowser, PAGE, startServer } from '../edit/index.ts';
 import { folderRules } from '../folder-rules.ts';
@@ -27,6 +26,7 @@ export function declare(command: Command, _finish: (result: CommandResult) => vo
       'after',
       `
 Prints an address that works until the command ends (Ctrl-C); whoever has it can change the levels in the folder, nobody else can.
+Levels are played under the rules of gq.config.json, as by other commands, and the page follows it when it is changed.
 Changes are saved as they are made, each file whole or not at all; deleted levels are kept in DIR/.gq-trash.
 
 Exit code: 130 on Ctrl-C; 2 when it could not start: no such folder, the port is taken, gq.config.json is not
@@ -49,22 +49,19 @@ async function edit(folder: string, options: EditOptions): Promise<void> {
   };
   // its loop is free but for short moments, and a file that is being written is finished
   catchSignals();
-  const rules = folderRules();
-  const server = await startServer({ folder, port: options.port ?? null, page: PAGE, onCrash });
+  // a configuration that is not valid keeps it from starting; from then on the page says so
+  folderRules();
+  const server = await startServer({ folder, port: options.port ?? null, configFrom: process.cwd(), page: PAGE, onCrash });
   // unlike other commands' reports this is needed before the end
-  process.stdout.write(announcement(folder, server, options, rules));
+  process.stdout.write(announcement(folder, server, options));
   if (options.open) {
     openBrowser(server.address, (why) => print(`the browser could not be opened (${why}): open the address above yourself\n`));
   }
   await new Promise<never>(() => {});
 }
 
-function announcement(folder: string, { address, port, portBefore }: EditServer, options: EditOptions, rules: OwnRules): string {
+function announcement(folder: string, { address, port, portBefore }: EditServer, options: EditOptions): string {
   const notes: string[] = [];
-  const set = Object.keys(rules);
-  if (set.length > 0) {
-    notes.push(`The editor plays levels by their own rules alone: ${set.join(', ')} of gq.config.json hold in other commands.`);
-  }
   const usual = portBefore ?? DEFAULT_PORT;
   const isOther = options.port === undefined && port !== usual;
   if (isOther) notes.push(`Port ${usual} is taken, perhaps by another gq edit: this one has ${port}.`);

@@ -1,11 +1,12 @@
 import { createHash } from 'node:crypto';
 import { setImmediate } from 'node:timers/promises';
-import type { EditEvent, LevelEntry, ListResponse } from '../../schema/index.ts';
+import type { EditEvent, FolderRules, LevelEntry, ListResponse } from '../../schema/index.ts';
 import { systemReason } from '../failure.ts';
 import { schemaReference } from '../schema-reference.ts';
 import { changesBetween } from './changes.ts';
 import { findLevel, findLevels, type LevelFileFound } from './level-files.ts';
 import type { EntryReader } from './read-entry.ts';
+import { NO_CONFIG, type RulesOnDisk } from './rules-on-disk.ts';
 import { SortedEntries } from './sorted-entries.ts';
 
 /** What has been reported of a folder to everybody, kept the same as the disk. */
@@ -14,6 +15,8 @@ export interface KnownLevels {
   list(): ListResponse;
   /** Looks at the whole folder and announces what other programs have changed. @returns the list as it is then; what is known while it is read for the first time */
   refresh(): Promise<ListResponse>;
+  /** Looks at the configuration and announces it where it is another one. */
+  refreshRules(): void;
   /** Looks at some files alone and announces what `by` has done to them; null: another program. */
   announce(ids: readonly string[], by: string | null): void;
   /** Reports what goes on from now on. @returns how to end it */
@@ -36,9 +39,17 @@ const SLICE = 20;
 /** Of more files than this the whole folder is looked at. */
 const FEW = 20;
 
-/** Reads a folder and keeps up with it. @param shown the folder as a person named it */
-export const createKnownLevels = (root: string, shown: string, reader: EntryReader): KnownLevels =>
-  new FolderReports(root, shown, reader);
+/**
+ * Reads a folder and keeps up with it.
+ * @param shown the folder as a person named it
+ * @param rulesNow what its configuration sets; nothing when left out
+ */
+export const createKnownLevels = (
+  root: string,
+  shown: string,
+  reader: EntryReader,
+  rulesNow: RulesOnDisk = () => NO_CONFIG,
+): KnownLevels => new FolderReports(root, shown, reader, rulesNow);
 
 class FolderReports implements KnownLevels {
   private readonly listeners = new Set<(event: EditEvent) => void>();
@@ -46,6 +57,7 @@ class FolderReports implements KnownLevels {
   private readonly folder: ListResponse['folder'];
   private readonly levels: SortedEntries;
   private folders: readonly string[];
+  private rules: FolderRules;
   /** Of the last look. */
   private lookTroubles: readonly string[];
   /** Files of a large folder that are still to be read for the first time. */
@@ -61,12 +73,14 @@ class FolderReports implements KnownLevels {
     private readonly root: string,
     shown: string,
     private readonly reader: EntryReader,
+    private readonly rulesNow: RulesOnDisk,
   ) {
     const id = createHash('sha256').update(root).digest('hex').slice(0, 16);
     this.folder = { id, path: shown, $schema: schemaReference(root) };
     const { files: found, folders, troubles } = findLevels(root);
     const files = [...found.values()];
     this.folders = folders;
+    this.rules = rulesNow();
     this.lookTroubles = troubles;
     this.levels = new SortedEntries(files.slice(0, READ_AT_ONCE).map((file) => reader.entry(file)));
     this.unread = files.length - this.levels.all.length;
@@ -77,12 +91,13 @@ class FolderReports implements KnownLevels {
   }
 
   list(): ListResponse {
-    const { folder, folders, levels, troubles, lookTroubles, unread } = this;
-    return { folder, folders: [...folders], levels: [...levels.all], troubles: [...troubles, ...lookTroubles], unread };
+    const { folder, folders, levels, rules, troubles, lookTroubles, unread } = this;
+    return { folder, folders: [...folders], levels: [...levels.all], rules, troubles: [...troubles, ...lookTroubles], unread };
   }
 
   // who asks while a look goes on gets the next one, which begins after the question
   async refresh(): Promise<ListResponse> {
+    this.refreshRules();
     this.next ??= this.current.then(() => {
       this.next = null;
       const look = this.lookAtAll();
@@ -92,6 +107,13 @@ class FolderReports implements KnownLevels {
     });
     await this.next;
     return this.list();
+  }
+
+  refreshRules(): void {
+    const rules = this.rulesNow();
+    if (JSON.stringify(rules) === JSON.stringify(this.rules)) return;
+    this.rules = rules;
+    this.report({ type: 'rules', rules });
   }
 
   announce(ids: readonly string[], by: string | null): void {

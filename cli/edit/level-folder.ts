@@ -26,6 +26,7 @@ import {
   unknownLevel,
 } from './refusals.ts';
 import { namesInOrder } from './reorder.ts';
+import type { RulesOnDisk } from './rules-on-disk.ts';
 import { findTrash, moveToTrash } from './trash.ts';
 
 /** What a change rests on: the etag of the content that was seen, or that there was no such file. */
@@ -59,8 +60,10 @@ const ABANDONED_AFTER = 60_000;
 /**
  * @param root the folder's real path
  * @param shown the folder as a person named it
+ * @param rulesNow what its configuration sets; nothing when left out
  */
-export const openLevelFolder = (root: string, shown: string): LevelFolder => new FolderOnDisk(root, shown);
+export const openLevelFolder = (root: string, shown: string, rulesNow?: RulesOnDisk): LevelFolder =>
+  new FolderOnDisk(root, shown, rulesNow);
 
 class FolderOnDisk implements LevelFolder {
   readonly known: KnownLevels;
@@ -70,9 +73,10 @@ class FolderOnDisk implements LevelFolder {
   constructor(
     private readonly root: string,
     private readonly shown: string,
+    rulesNow?: RulesOnDisk,
   ) {
     this.reader = createEntryReader((id) => this.nameOf(id));
-    this.known = createKnownLevels(root, shown, this.reader);
+    this.known = createKnownLevels(root, shown, this.reader, rulesNow);
     this.collect();
     // what was left just now, too; nothing waits for that
     this.again = setTimeout(() => this.collect(), 2 * ABANDONED_AFTER).unref();

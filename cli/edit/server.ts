@@ -12,7 +12,9 @@ import { createApp } from './app.ts';
 import { keepPort, lastPort } from './last-port.ts';
 import { openLevelFolder } from './level-folder.ts';
 import { readPage } from './page-files.ts';
+import { rulesOnDisk } from './rules-on-disk.ts';
 import { watchFolder } from './watch.ts';
+import { watchConfig } from './watch-config.ts';
 
 /** A page keeps unsaved work under its address, port and all: the same port finds it again, so a folder keeps the one it had. */
 export const DEFAULT_PORT = 4747;
@@ -35,6 +37,8 @@ export interface EditServerOptions {
   readonly folder: string;
   /** 0: any, that of the last time if it is free; null: that of the last time, else `DEFAULT_PORT`, or the next that is free. */
   readonly port: number | null;
+  /** The folder from which `gq.config.json` is looked for, upwards. */
+  readonly configFrom: string;
   /** The folder of the built page. */
   readonly page: string;
   readonly onCrash: (error: unknown) => void;
@@ -44,10 +48,10 @@ export interface EditServerOptions {
  * Starts the editor's server on 127.0.0.1.
  * @throws Failure when the folder or the page is not what it should be, or the port is taken
  */
-export async function startServer({ folder, port, page, onCrash }: EditServerOptions): Promise<EditServer> {
+export async function startServer({ folder, port, configFrom, page, onCrash }: EditServerOptions): Promise<EditServer> {
   const root = realFolder(folder);
   const files = readPage(page);
-  const levels = openLevelFolder(root, folder);
+  const levels = openLevelFolder(root, folder, rulesOnDisk(configFrom));
   const token = randomBytes(32).toString('base64url');
   const app = createApp({
     api: createApi(levels),
@@ -69,10 +73,10 @@ export async function startServer({ folder, port, page, onCrash }: EditServerOpt
   const memory = port === 0 ? `${id}-any` : id;
   const before = lastPort(memory);
   await listen(server, port, before);
-  const endWatching = watchFolder(root, levels.known);
+  const watches = [watchFolder(root, levels.known), watchConfig(configFrom, levels.known)];
   const { port: listening } = server.address() as AddressInfo;
   const close = async (): Promise<void> => {
-    endWatching();
+    for (const end of watches) end();
     levels.end();
     server.closeAllConnections();
     await new Promise((resolve) => server.close(resolve));

@@ -1,6 +1,8 @@
 import { createContext, useContext } from 'react';
 import { useStore } from 'zustand';
+import type { FolderRules } from '../../schema/index.ts';
 import type { DocumentState, ObjectKey } from '../document/index.ts';
+import { folderRulesIn } from '../files/index.ts';
 import type { LiveProof } from '../proof/index.ts';
 import type { Session } from '../session/index.ts';
 import type { Editor, OpenLevel } from './editor.ts';
@@ -26,6 +28,9 @@ export function useLevel(): OpenLevel {
 export function useSession<T>(pick: (session: Session) => T): T {
   return useStore(useEditor().session, pick);
 }
+
+/** The rules that the configuration of the folder sets; the component follows them. */
+export const useFolderRules = (): FolderRules => useStore(useEditor().workspace.store, folderRulesIn);
 
 /** Part of the document; the component follows it. */
 export function useDocument<T>(pick: (state: DocumentState) => T): T {

@@ -3,6 +3,7 @@ export {
   LevelContext,
   useDocument,
   useEditor,
+  useFolderRules,
   useLevel,
   useProof,
   useSelectedKeys,

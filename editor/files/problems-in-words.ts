@@ -8,5 +8,6 @@ export function problemsInWords(file: string, problems: readonly Problem[]): str
   const { line, column, message, hint } = first;
   const place = line === null ? file : `${file}:${line}:${column}`;
   const more = problems.length > 1 ? ` (and ${problems.length - 1} more)` : '';
-  return `${place}: ${inPageWords(message)}${more}. ${inPageWords(hint)}`;
+  const said = `${inPageWords(message)}${more}`;
+  return `${place}: ${said}${said.endsWith('?') ? '' : '.'} ${inPageWords(hint)}`;
 }

@@ -1,5 +1,6 @@
 import { LEVEL_ID_PART, type LevelEntry, type ListResponse, type ReadResponse, type TrashEntry } from '../../schema/index.ts';
 import { readText } from './disk-text.ts';
+import { NO_FOLDER_RULES } from './folder-rules.ts';
 import { type StorageError, storageError } from './level-storage.ts';
 
 /** A level as the browser keeps it. */
@@ -48,6 +49,7 @@ export function entryOf(id: string, level: StoredLevel): LevelEntry {
 export const listOf = ({ levels }: Shelf): ListResponse => ({
   folder: { id: 'this-browser', path: 'this browser', $schema: null },
   folders: [''],
+  rules: NO_FOLDER_RULES,
   levels: [...levels].map(([id, level]) => entryOf(id, level)),
   troubles: [],
   unread: 0,

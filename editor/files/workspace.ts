@@ -1,6 +1,7 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { DeleteResponse, EditEvent, LevelEntry, ListResponse, OrderResponse } from '../../schema/index.ts';
 import type { EditedLevel } from '../document/index.ts';
+import { withKeptRules } from './folder-rules.ts';
 import { inOrder, withEntry, withPart } from './level-list.ts';
 import type { Answer, LevelStorage, Link, StorageError } from './level-storage.ts';
 import { type OpenedLevel, type Opening, openLevel, type Surroundings } from './open-level.ts';
@@ -93,7 +94,8 @@ class StorageWorkspace implements Workspace {
 
   async refresh(): Promise<void> {
     const answer = await this.storage.list();
-    this.store.setState(answer.ok ? { list: answer.value, error: null } : { error: answer.error });
+    if (answer.ok) this.setList(answer.value, { error: null });
+    else this.store.setState({ error: answer.error });
   }
 
   async rename(entry: LevelEntry, to: string): Promise<Answer<LevelEntry>> {
@@ -159,6 +161,9 @@ class StorageWorkspace implements Workspace {
         this.setLevels((levels) => levels.filter(({ id }) => id !== event.id));
         if (opened?.id() === event.id) opened.saver.refresh();
         break;
+      case 'rules':
+        if (list !== null) this.setList({ ...list, rules: event.rules });
+        break;
       case 'renamed':
         this.follow([event]);
         this.setLevels((levels) => withEntry(levels, event.entry, event.from));
@@ -173,12 +178,16 @@ class StorageWorkspace implements Workspace {
     const { list, opened } = store.getState();
     for (const { id } of levels) heard.add(id);
     const isWhole = next.unread === 0;
-    store.setState({ list: { ...next, levels: withPart(list?.levels ?? [], levels, heard, isWhole) }, error: null });
+    this.setList({ ...next, levels: withPart(list?.levels ?? [], levels, heard, isWhole) }, { error: null });
     if (opened === null) return;
     const entry = levels.findLast(({ id }) => id === opened.id());
     if (entry !== undefined) opened.saver.refresh(entry.etag);
     // one that was not reported is looked for once all are
     else if (isWhole && !heard.has(opened.id())) opened.saver.refresh();
+  }
+
+  private setList(list: ListResponse, more: Partial<WorkspaceState> = {}): void {
+    this.store.setState({ list: withKeptRules(list, this.store.getState().list), ...more });
   }
 
   private setLevels(change: (levels: readonly LevelEntry[]) => LevelEntry[]): void {

@@ -17,6 +17,7 @@ const listOf = (ids: readonly string[], unread: number): ListResponse => ({
   folder: { id: 'f', path: 'levels', $schema: null },
   folders: [''],
   levels: ids.map((id) => entry(id)),
+  rules: { file: null, own: {}, problems: [] },
   troubles: [],
   unread,
 });

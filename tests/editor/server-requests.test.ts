@@ -50,6 +50,7 @@ describe('requests', () => {
     folder: { id: 'f', path: 'levels', $schema: null },
     folders: [''],
     levels: [entry('a')],
+    rules: { file: null, own: {}, problems: [] },
     troubles: [],
     unread: 0,
   };

@@ -21,6 +21,7 @@ const folder = fc
       folder: { id: 'f', path: 'levels', $schema: null },
       folders: [''],
       levels: Object.entries(contents).map(([id, content]) => entry(id, content)),
+      rules: { file: null, own: {}, problems: [] },
       troubles,
       unread: 0,
     }),
@@ -30,7 +31,8 @@ const folder = fc
 function hear(known: Map<string, LevelEntry>, event: EditEvent): Map<string, LevelEntry> {
   const next = new Map(known);
   if (event.type === 'list') return new Map(event.list.levels.map((level) => [level.id, level]));
-  if (event.type === 'read') throw new Error('nothing of a folder is read later here');
+  if (event.type === 'read' || event.type === 'rules')
+    throw new Error('of a folder all is read by then, and its rules are no level');
   if (event.type === 'removed') {
     expect(next.delete(event.id)).toBe(true);
     return next;

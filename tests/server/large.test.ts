@@ -21,6 +21,7 @@ const listOf = (levels: LevelEntry[]): ListResponse => ({
   folder: { id: 'f', path: 'levels', $schema: null },
   folders: [''],
   levels,
+  rules: { file: null, own: {}, problems: [] },
   troubles: [],
   unread: 0,
 });

@@ -104,7 +104,13 @@ export const PAGE_FILES = { 'index.html': '<!doctype html><title>page</title>', 
 export async function serve(folder: string): Promise<EditServer & { page: Page; crashes: readonly unknown[] }> {
   const built = makeFolder(PAGE_FILES);
   const crashes: unknown[] = [];
-  const server = await startServer({ folder, port: 0, page: built.folder, onCrash: (error) => crashes.push(error) });
+  const server = await startServer({
+    folder,
+    port: 0,
+    configFrom: folder,
+    page: built.folder,
+    onCrash: (error) => crashes.push(error),
+  });
   built.remove();
   return { ...server, page: pageOf(server), crashes };
 }

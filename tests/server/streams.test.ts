@@ -13,6 +13,7 @@ const listOf = (...ids: string[]): ListResponse => ({
       ...{ id, file: `${id}.level.json`, etag: null, status: 'unreadable', name: null, problems: [], readOnly: null },
     }),
   ),
+  rules: { file: null, own: {}, problems: [] },
   troubles: [],
   unread: 0,
 });

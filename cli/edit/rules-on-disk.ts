@@ -1,0 +1,43 @@
+import { type FolderRules, type Problem, readFolderRules } from '../../schema/index.ts';
+import { findConfig } from '../config-file.ts';
+import { Failure } from '../failure.ts';
+import { readBytes } from '../read-bytes.ts';
+
+/** What the configuration sets now. */
+export type RulesOnDisk = () => FolderRules;
+
+export const NO_CONFIG: FolderRules = { file: null, own: {}, problems: [] };
+
+/**
+ * Looks for the rules that the configuration of a folder sets, anew at every call. While the configuration is not valid those hold that it set
+ * before.
+ * @param folder from where it is looked for, upwards
+ */
+export function rulesOnDisk(folder: string): RulesOnDisk {
+  let last = NO_CONFIG;
+  return () => {
+    const file = findConfig(folder);
+    last = file === null ? NO_CONFIG : { file, ...readRules(file, last.own) };
+    return last;
+  };
+}
+
+function readRules(file: string, before: FolderRules['own']): Omit<FolderRules, 'file'> {
+  try {
+    const read = readFolderRules(readBytes(file));
+    return read.ok ? { own: read.rules, problems: [] } : { own: before, problems: read.problems };
+  } catch (error) {
+    if (!(error instanceof Failure)) throw error;
+    return { own: before, problems: [unreadable(error.message)] };
+  }
+}
+
+const unreadable = (message: string): Problem => ({
+  code: 'unreadable-file',
+  severity: 'error',
+  message,
+  hint: 'Make the file readable.',
+  pointer: '',
+  line: null,
+  column: null,
+});
