@@ -20,8 +20,10 @@ import { Layout, type SidePanel } from './Layout.tsx';
 import { NoticeList } from './NoticeList.tsx';
 import { LEFT, LEVELS, PROBLEMS, RIGHT } from './parts.tsx';
 import { useRoom } from './room.ts';
+import { ruleCommands } from './rule-commands.ts';
 import { SettingsDialog } from './SettingsDialog.tsx';
 import { StatusBar } from './StatusBar.tsx';
+import { showPanel } from './show-panel.ts';
 import { Toolbar } from './Toolbar.tsx';
 import { TopBar } from './TopBar.tsx';
 import { useTheme } from './use-theme.ts';
@@ -63,13 +65,8 @@ function SideTabs({
 const ALL_PANELS = [LEVELS, ...LEFT, ...RIGHT, PROBLEMS];
 
 /** Brings panels to the front by their names. */
-function panelCommands({ session }: Editor): readonly Command[] {
-  const show = (id: string) => {
-    const { panels } = session.getState();
-    const left = LEFT.some((panel) => panel.id === id) ? id : panels.left;
-    const right = RIGHT.some((panel) => panel.id === id) ? id : panels.right;
-    session.setState({ panels: { left, right, phone: id } });
-  };
+function panelCommands(editor: Editor): readonly Command[] {
+  const show = (id: string) => showPanel(editor, id);
   return [
     ...ALL_PANELS.map(
       ({ id, title }): Command => ({
@@ -191,7 +188,12 @@ function Screen() {
   useTheme();
   useEffect(() => {
     const { commands, session } = editor;
-    const forget = commands.register([...appCommands(editor), ...playCommands(editor), ...panelCommands(editor)]);
+    const forget = commands.register([
+      ...appCommands(editor),
+      ...playCommands(editor),
+      ...panelCommands(editor),
+      ...ruleCommands(editor),
+    ]);
     const stops = [listenToKeys(window, commands, () => session.getState().mode), keepFocus(document)];
     return () => {
       forget();

@@ -7,6 +7,7 @@ import { createSelection, type ObjectKey } from '../document/index.ts';
 import {
   createOpeningMarks,
   createWorkspace,
+  folderRulesIn,
   type LevelStorage,
   type Link,
   type OpenedLevel,
@@ -21,6 +22,7 @@ import { createProofStore } from '../proof/index.ts';
 import { createSession } from '../session/index.ts';
 import { createSettings } from '../settings/index.ts';
 import { createWorkers, spawnPageWorker } from '../workers/index.ts';
+import { followConfiguration } from './follow-configuration.ts';
 
 /** The page's storage, or null where the browser refuses one. */
 function pageStorage(): Storage | null {
@@ -37,6 +39,7 @@ function openParts(editor: Editor, opened: OpenedLevel): { level: OpenLevel; clo
   const document = opened.level;
   const selection = createSelection(document);
   const proof = createProofStore(document, settings.getState().accuracy, {
+    rules: folderRulesIn(editor.workspace.store.getState()).own,
     checked: !editor.unchecked.has(opened.id()),
     afterRest,
   });
@@ -49,6 +52,10 @@ function openParts(editor: Editor, opened: OpenedLevel): { level: OpenLevel; clo
     }),
     settings.subscribe(({ accuracy }) => {
       if (accuracy !== session.getState().accuracy) session.setState({ accuracy });
+    }),
+    editor.workspace.store.subscribe((now, before) => {
+      const { own } = folderRulesIn(now);
+      if (own !== folderRulesIn(before).own) proof.setFolderRules(own);
     }),
     attempts.store.subscribe((all) => {
       const others = ghosts.getState().filter(({ look }) => look !== 'attempt');
@@ -226,6 +233,7 @@ export async function createEditor(): Promise<Editor> {
     last = { opened, close };
     editor.open.setState(parts.level, true);
   });
+  followConfiguration(editor);
   window.addEventListener('pagehide', editor.marks.leave);
   void lateLevels?.then((found) => offerLateLevels(editor, found));
   return editor;

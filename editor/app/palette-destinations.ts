@@ -1,12 +1,17 @@
+import { RULES } from '../../schema/index.ts';
 import type { Editor } from '../context/index.ts';
+import { titled } from '../document/index.ts';
+import { folderRulesIn } from '../files/index.ts';
+import { ruleLabel, ruleValues } from '../panels/inspector/index.ts';
 import { openListed } from '../panels/levels/index.ts';
 import { objectRows } from '../panels/outliner/index.ts';
+import { goToRule } from './rule-commands.ts';
 
-/** Somewhere to go by its name: a level, a run or an object. */
+/** Somewhere to go by its name: a level, a run, an object or a rule. */
 export interface Destination {
   /** unique */
   readonly key: string;
-  readonly group: 'Level' | 'Run' | 'Object';
+  readonly group: 'Level' | 'Run' | 'Object' | 'Rule';
   readonly title: string;
   /** What tells it from others of the same name. */
   readonly detail: string;
@@ -27,7 +32,7 @@ export function findDestinations(editor: Editor, query: string): readonly Destin
         return words.every((word) => text.includes(word));
       })
       .slice(0, MOST);
-  return [levels, runs, objects].flatMap((list) => matching(list(editor)));
+  return [levels, runs, objects, rules].flatMap((list) => matching(list(editor)));
 }
 
 function levels(editor: Editor): Destination[] {
@@ -41,6 +46,18 @@ function levels(editor: Editor): Destination[] {
       detail: id,
       go: () => void openListed(editor, id),
     }));
+}
+
+function rules(editor: Editor): Destination[] {
+  const file = editor.open.getState()?.document.file();
+  if (file === undefined) return [];
+  return ruleValues(file, folderRulesIn(editor.workspace.store.getState())).map(({ name, value }) => ({
+    key: `rule ${name}`,
+    group: 'Rule',
+    title: titled(ruleLabel(name)),
+    detail: `${value} ${RULES[name].unit}`,
+    go: () => goToRule(editor, name),
+  }));
 }
 
 function runs({ open, session }: Editor): Destination[] {

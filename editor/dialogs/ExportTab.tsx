@@ -1,8 +1,8 @@
 import { Braces, Copy, FileImage, Image } from 'lucide-react';
 import { useMemo, useState } from 'react';
 import { formatLevel } from '../../schema/index.ts';
-import { useEditor, useLevel, usePageTheme } from '../context/index.ts';
-import { copyText, type ExportedFile, keepFile, levelFile, pictureSvg, toPng } from '../share/index.ts';
+import { useDocument, useEditor, useFolderRules, useLevel, usePageTheme } from '../context/index.ts';
+import { copyText, type ExportedFile, keepFile, leavingFolder, levelFile, pictureSvg, toPng } from '../share/index.ts';
 import { Button, NumberField } from '../ui/index.ts';
 
 /** px */
@@ -11,7 +11,12 @@ const PREVIEW = 560;
 /** The open level as a file or a picture. */
 export function ExportTab() {
   const { notices } = useEditor();
-  const { document, opened, proof } = useLevel();
+  const { opened, proof } = useLevel();
+  const open = useDocument((state) => state.file);
+  const rules = useFolderRules();
+  const [withRules, setWithRules] = useState(true);
+  const whole = useMemo(() => leavingFolder(open, rules.own), [open, rules.own]);
+  const file = withRules ? whole : open;
   const shown = usePageTheme();
   const [theme, setTheme] = useState(shown);
   const [withRun, setWithRun] = useState(true);
@@ -37,12 +42,18 @@ export function ExportTab() {
       <section className="share__part" aria-label="Level file">
         <h3 className="share__title">Level file</h3>
         <p className="share__about">As gq check, gq render and this editor read it.</p>
+        {whole !== open && (
+          <label className="share__check">
+            <input type="checkbox" checked={withRules} onChange={(event) => setWithRules(event.target.checked)} />
+            with the rules of {rules.file} written into it, so that it plays the same elsewhere
+          </label>
+        )}
         <div className="share__buttons">
           <Button
             hint="Download the level"
             look="main"
             icon={<Braces size={15} />}
-            onClick={() => void keep(() => levelFile(opened.id(), document.file()))}
+            onClick={() => void keep(() => levelFile(opened.id(), file))}
           >
             {stem}.level.json
           </Button>
@@ -50,7 +61,7 @@ export function ExportTab() {
             hint="Copy the level as text"
             look="outlined"
             icon={<Copy size={15} />}
-            onClick={() => void copyText(notices, 'the level', formatLevel(document.file()))}
+            onClick={() => void copyText(notices, 'the level', formatLevel(file))}
           >
             Copy as text
           </Button>

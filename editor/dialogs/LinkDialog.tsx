@@ -1,9 +1,9 @@
 import { useEffect, useMemo, useState } from 'react';
 import { useStore } from 'zustand';
 import { formatLevel, type LevelFile } from '../../schema/index.ts';
-import { useEditor, usePageTheme } from '../context/index.ts';
+import { useEditor, useFolderRules, usePageTheme } from '../context/index.ts';
 import { addLevels } from '../panels/levels/index.ts';
-import { slugOf } from '../share/index.ts';
+import { enteringFolder, slugOf } from '../share/index.ts';
 import { Button, Dialog } from '../ui/index.ts';
 import { surveyLink } from './survey-link.ts';
 
@@ -35,7 +35,8 @@ function usePicture(text: string): { readonly url: string | null; readonly words
   const [shown, setShown] = useState<{ url: string | null; words: string }>({ url: null, words: 'being looked at …' });
   useEffect(() => {
     let url: string | null = null;
-    const job = workers.start('thumbnail', { text, accuracy, width: WIDTH, theme });
+    // where it comes from no folder set rules
+    const job = workers.start('thumbnail', { text, rules: {}, accuracy, width: WIDTH, theme });
     void job.end.then((end) => {
       if (end.kind === 'cancelled') return;
       if (end.kind !== 'done') {
@@ -58,14 +59,17 @@ function Asked({ file, onClose }: { readonly file: LevelFile; readonly onClose: 
   const text = useMemo(() => formatLevel(file), [file]);
   const { counts, size, warnings } = useMemo(() => surveyLink(file, text), [file, text]);
   const { url, words } = usePicture(text);
+  const rules = useFolderRules();
   const [busy, setBusy] = useState(false);
   const add = async () => {
     setBusy(true);
-    const added = await addLevels(editor, '', [{ stem: slugOf(file.name), file }]);
+    const kept = enteringFolder(file, rules.own);
+    const added = await addLevels(editor, '', [{ stem: slugOf(file.name), file: kept }]);
     setBusy(false);
     if (added.length === 0) return;
     onClose();
-    editor.notices.show('info', `"${file.name}" came with the link and is a level of yours now.`, { topic: 'link' });
+    const ruled = kept === file ? '' : ` It keeps the rules that it came with, whatever ${rules.file} sets.`;
+    editor.notices.show('info', `"${file.name}" came with the link and is a level of yours now.${ruled}`, { topic: 'link' });
   };
   return (
     <div className="form link">

@@ -1,13 +1,15 @@
 import { Copy } from 'lucide-react';
-import { useEffect, useState } from 'react';
-import { useDocument, useEditor } from '../context/index.ts';
-import { copyText, type Linking, linkTo } from '../share/index.ts';
+import { useEffect, useMemo, useState } from 'react';
+import { useDocument, useEditor, useFolderRules } from '../context/index.ts';
+import { copyText, type Linking, leavingFolder, linkTo } from '../share/index.ts';
 import { Button } from '../ui/index.ts';
 
 /** A link that carries the open level. */
 export function LinkTab() {
   const { notices, workspace } = useEditor();
-  const file = useDocument((state) => state.file);
+  const open = useDocument((state) => state.file);
+  const rules = useFolderRules();
+  const file = useMemo(() => leavingFolder(open, rules.own), [open, rules.own]);
   const [withRuns, setWithRuns] = useState(true);
   const [linking, setLinking] = useState<Linking | null>(null);
   useEffect(() => {
@@ -26,6 +28,7 @@ export function LinkTab() {
         Whoever opens this link gets a copy of the level as it is now. It is in the link itself, packed.
         {workspace.storage.kind === 'server' &&
           ' This editor runs on your machine alone, so the link works for you; on a page that others can reach it works for them.'}
+        {file !== open && ` The rules of ${rules.file} are written into it, so that it plays the same without that file.`}
       </p>
       <label className="share__check">
         <input type="checkbox" checked={withRuns} onChange={(event) => setWithRuns(event.target.checked)} />

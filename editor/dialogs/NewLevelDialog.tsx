@@ -1,7 +1,7 @@
 import { Dices } from 'lucide-react';
 import { useEffect, useId, useMemo, useRef, useState } from 'react';
 import { useStore } from 'zustand';
-import { useEditor, usePageTheme, useSession } from '../context/index.ts';
+import { useEditor, useFolderRules, usePageTheme, useSession } from '../context/index.ts';
 import { addLevels, FileNameFields, fileNameProblem, folderOf, nextNumber } from '../panels/levels/index.ts';
 import { slugOf } from '../share/index.ts';
 import { TEMPLATES, type Template } from '../templates/index.ts';
@@ -125,11 +125,12 @@ function TemplateCard({ template, seed, checked, onPick }: TemplateCardProps) {
   const { settings } = useEditor();
   const accuracy = useStore(settings, (state) => state.accuracy);
   const theme = usePageTheme();
+  const rules = useFolderRules().own;
   // templates that throw nothing are the same for every seed
   const shownSeed = template.usesSeed ? seed : 0;
   const picture = useMemo(
-    () => levelPicture(template.make(template.title, shownSeed), accuracy, theme, 480),
-    [template, shownSeed, accuracy, theme],
+    () => levelPicture(template.make(template.title, shownSeed), { rules, accuracy, theme, width: 480 }),
+    [template, shownSeed, rules, accuracy, theme],
   );
   return (
     <label className="newlevel__template">

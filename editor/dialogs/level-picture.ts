@@ -1,10 +1,19 @@
 import { type AccuracyName, compile, simulate } from '../../engine/index.ts';
 import { renderSvg } from '../../picture/index.ts';
-import { type LevelFile, resolveLevel } from '../../schema/index.ts';
+import { type LevelFile, type OwnRules, resolveLevel } from '../../schema/index.ts';
 
-/** Address of a picture of a level with its first run, as an SVG in itself. @param width px */
-export function levelPicture(file: LevelFile, accuracy: AccuracyName, theme: 'dark' | 'light', width: number): string {
-  const level = resolveLevel(file);
+interface PictureOptions {
+  /** Rules that the folder sets. */
+  readonly rules: OwnRules;
+  readonly accuracy: AccuracyName;
+  readonly theme: 'dark' | 'light';
+  /** px */
+  readonly width: number;
+}
+
+/** Address of a picture of a level with its first run, as an SVG in itself. */
+export function levelPicture(file: LevelFile, { rules, accuracy, theme, width }: PictureOptions): string {
+  const level = resolveLevel(file, rules);
   const run = level.runs.length === 0 ? undefined : simulate(compile(level, accuracy), level.runs[0].holds);
   return `data:image/svg+xml,${encodeURIComponent(renderSvg(level, { run, width, theme, words: false }))}`;
 }

@@ -27,6 +27,7 @@ export function surveyLink(file: LevelFile, text: string): LinkSurvey {
   });
   const runs = file.runs ?? [];
   const holds = runs.reduce((sum, run) => sum + run.holds.length, 0);
+  const rules = Object.keys(file.rules ?? {}).length;
   const all = lists.reduce((sum, { objects }) => sum + objects.length, 0);
   const aliens = file.aliens?.length ?? 0;
   const places = [
@@ -39,6 +40,7 @@ export function surveyLink(file: LevelFile, text: string): LinkSurvey {
     ...lists
       .filter(({ objects }) => objects.length > 0)
       .map(({ kind, objects }) => count(objects.length, [KINDS[kind].one, KINDS[kind].many])),
+    ...(rules === 0 ? [] : [count(rules, ['rule of its own', 'rules of its own'])]),
     runs.length === 0 ? 'no run' : `${count(runs.length, ['run', 'runs'])} with ${count(holds, ['hold', 'holds'])}`,
   ];
   const warnings = [

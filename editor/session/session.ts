@@ -1,6 +1,6 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { AccuracyName } from '../../engine/index.ts';
-import { PLACEABLES, type Placeable } from '../../schema/index.ts';
+import { PLACEABLES, type Placeable, type RuleName } from '../../schema/index.ts';
 
 /** What a press on the canvas does: select and move, pan, or place an object of that kind. */
 export type Tool = 'select' | 'hand' | Placeable;
@@ -47,6 +47,8 @@ export interface Session {
   readonly overlay: Overlay | null;
   /** Ids of the panels in front, one a place: of a wide screen's sides, and of a phone's (null: none). */
   readonly panels: { readonly left: string; readonly right: string; readonly phone: string | null };
+  /** A rule of the level that is to get the focus as soon as it is shown; null: none. */
+  readonly askedRule: RuleName | null;
   /** px on screen per px of the level, as the canvas shows it */
   readonly zoom: number;
 }
@@ -68,6 +70,7 @@ export function createSession(accuracy: AccuracyName): SessionStore {
     layers: { ranges: true, margins: true, nearMisses: true, slackFan: true, ghosts: true, heatMap: false },
     overlay: null,
     panels: { left: 'outline', right: 'inspector', phone: 'timeline' },
+    askedRule: null,
     zoom: 1,
   }));
 }

@@ -24,6 +24,8 @@ export interface StageOptions {
   readonly firstTime?: boolean;
   /** The level files may not be written. */
   readonly readOnly?: boolean;
+  /** Other files in the folder, by name. */
+  readonly others?: Readonly<Record<string, string>>;
   /** What the browser may complain of on its console. */
   readonly complaints?: RegExp;
   /** What is asked for in the page's address: `renderer=webgl`. */
@@ -111,10 +113,14 @@ export function inChromium(suite: string, declare: (browsers: Browsers) => void)
 
     declare({
       on:
-        (levels, play, { context: wanted = {}, firstTime = false, complaints: expected, readOnly = false, query = '' } = {}) =>
+        (
+          levels,
+          play,
+          { context: wanted = {}, firstTime = false, complaints: expected, readOnly = false, query = '', others = {} } = {},
+        ) =>
         async () => {
           const files = Object.entries(levels).map(([id, content]) => [`${id}.level.json`, textOf(content)] as const);
-          const { folder, remove } = makeFolder(Object.fromEntries(files));
+          const { folder, remove } = makeFolder({ ...others, ...Object.fromEntries(files) });
           if (readOnly) for (const [name] of files) chmodSync(join(folder, name), 0o444);
           // root may write everything: then the server is somebody who may not
           const user = readOnly && process.getuid?.() === 0 ? NOBODY : undefined;

@@ -9,6 +9,7 @@ import { Facts, Section, useThrottledProof } from '../parts/index.ts';
 import { FieldRow } from './FieldRow.tsx';
 import { valueOfLevel } from './field-values.ts';
 import { type Field, fieldsOf } from './fields.ts';
+import { RuleFields } from './RuleFields.tsx';
 import { wayFacts } from './run-facts.ts';
 
 interface RunSummary {
@@ -30,7 +31,7 @@ const summaryOf = (proof: LiveProof): RunSummary => ({
 
 const setProperty = (key: string, value: Field['fallback']) => setLevelProperty(key as LevelProperty, value as never);
 
-/** The level itself: its name, its rules, the two things every level has once, and how the shown run fares. */
+/** The level itself: its name and what else it says of itself, the two things every level has once, how the shown run fares, and the rules of the game in it. */
 export function LevelFields({ file }: { readonly file: LevelFile }) {
   const { commands } = useEditor();
   const { selection } = useLevel();
@@ -71,6 +72,7 @@ export function LevelFields({ file }: { readonly file: LevelFile }) {
         )}
         <Facts facts={run.facts} />
       </Section>
+      <RuleFields file={file} />
     </>
   );
 }

@@ -1,1 +1,2 @@
 export { Inspector } from './Inspector.tsx';
+export { ruleLabel, ruleValues } from './rule-values.ts';

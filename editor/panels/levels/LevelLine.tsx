@@ -1,8 +1,8 @@
 import { FileX, Lock } from 'lucide-react';
-import { useEffect } from 'react';
+import { useEffect, useMemo } from 'react';
 import { useStore } from 'zustand';
 import type { LevelEntry } from '../../../schema/index.ts';
-import { type OpenLevel, useEditor, usePageTheme } from '../../context/index.ts';
+import { type OpenLevel, useEditor, useFolderRules, usePageTheme } from '../../context/index.ts';
 import { inPageWords } from '../../document/index.ts';
 import { problemsInWords } from '../../files/index.ts';
 import { useVerdict } from '../solver/index.ts';
@@ -16,15 +16,17 @@ function useThumbnail(entry: LevelEntry): { readonly url: string | null; readonl
   const editor = useEditor();
   const theme = usePageTheme();
   const accuracy = useStore(editor.settings, (settings) => settings.accuracy);
+  const rules = useFolderRules().own;
+  const by = useMemo(() => ({ accuracy, rules }), [accuracy, rules]);
   const thumbnails = thumbnailsOf(editor);
-  const key = thumbnailKey(entry, theme, accuracy);
-  const url = useStore(thumbnails.store, (made) => pictureOf(made, entry, theme, accuracy));
-  const verdict = useStore(thumbnails.store, (made) => verdictOf(made, entry, accuracy));
+  const key = thumbnailKey(entry, theme, by);
+  const url = useStore(thumbnails.store, (made) => pictureOf(made, entry, theme, by));
+  const verdict = useStore(thumbnails.store, (made) => verdictOf(made, entry, by));
   useEffect(() => {
     if (entry.status !== 'valid' || key === null) return;
-    thumbnails.want(entry, theme, accuracy);
+    thumbnails.want(entry, theme, by);
     return () => thumbnails.drop(key);
-  }, [thumbnails, entry, theme, accuracy, key]);
+  }, [thumbnails, entry, theme, by, key]);
   return { url, verdict: entry.status === 'valid' ? (verdict ?? 'unknown') : entry.status };
 }
 

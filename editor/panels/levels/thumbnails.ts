@@ -1,6 +1,6 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { AccuracyName } from '../../../engine/index.ts';
-import type { LevelEntry } from '../../../schema/index.ts';
+import { type LevelEntry, type OwnRules, RULE_NAMES } from '../../../schema/index.ts';
 import type { Editor } from '../../context/index.ts';
 import type { Results } from '../../workers/index.ts';
 
@@ -26,7 +26,7 @@ export interface MadeThumbnails {
 export interface Thumbnails {
   readonly store: StoreApi<MadeThumbnails>;
   /** Makes it when it is not there; what was wanted last comes first. */
-  want(entry: LevelEntry, theme: Theme, accuracy: AccuracyName): void;
+  want(entry: LevelEntry, theme: Theme, by: PlayedBy): void;
   /** It is no longer seen: not made unless it has begun. */
   drop(key: string): void;
 }
@@ -36,29 +36,38 @@ const WIDTH = 144;
 /** Pictures kept; each takes some 30 kB. */
 const KEPT = 600;
 
+/** What a level is played by: that of its file apart. */
+export interface PlayedBy {
+  readonly accuracy: AccuracyName;
+  /** Rules that the folder sets. */
+  readonly rules: OwnRules;
+}
+
 /** What a thumbnail hangs on; null when the file can't be read. */
-export const thumbnailKey = ({ etag }: LevelEntry, theme: Theme, accuracy: AccuracyName): string | null =>
-  etag === null ? null : `${etag} ${theme} ${accuracy}`;
+export const thumbnailKey = ({ etag }: LevelEntry, theme: Theme, { accuracy, rules }: PlayedBy): string | null =>
+  etag === null ? null : `${etag} ${theme} ${accuracy} ${RULE_NAMES.map((name) => rules[name])}`;
 
 /** The picture of a level, as long as there is none of what its file says now the last one; null where there is none. */
-export function pictureOf(
-  { byKey, lastKey }: MadeThumbnails,
-  entry: LevelEntry,
-  theme: Theme,
-  accuracy: AccuracyName,
-): string | null {
-  const key = thumbnailKey(entry, theme, accuracy);
+export function pictureOf({ byKey, lastKey }: MadeThumbnails, entry: LevelEntry, theme: Theme, by: PlayedBy): string | null {
+  const key = thumbnailKey(entry, theme, by);
   const made = (key === null ? undefined : byKey.get(key)) ?? byKey.get(lastKey.get(entry.id) ?? '');
   return made?.url ?? null;
 }
 
 /** The verdict on what a level's file says now, whichever the theme it was drawn in; null until it is known. */
-export function verdictOf({ byKey }: MadeThumbnails, entry: LevelEntry, accuracy: AccuracyName): Verdict | null {
+export function verdictOf({ byKey }: MadeThumbnails, entry: LevelEntry, by: PlayedBy): Verdict | null {
   for (const theme of THEMES) {
-    const made = byKey.get(thumbnailKey(entry, theme, accuracy) ?? '');
+    const made = byKey.get(thumbnailKey(entry, theme, by) ?? '');
     if (made !== undefined) return made.verdict;
   }
   return null;
+}
+
+/** A thumbnail that is to be made. */
+interface Wanted {
+  readonly id: string;
+  readonly theme: Theme;
+  readonly by: PlayedBy;
 }
 
 const made = new WeakMap<Editor, Thumbnails>();
@@ -72,7 +81,7 @@ export function thumbnailsOf(editor: Editor): Thumbnails {
 
 function createThumbnails({ workspace, workers }: Editor): Thumbnails {
   const store = createStore<MadeThumbnails>(() => ({ byKey: new Map(), lastKey: new Map() }));
-  const waiting = new Map<string, { id: string; theme: Theme; accuracy: AccuracyName }>();
+  const waiting = new Map<string, Wanted>();
   let isBusy = false;
 
   const keep = (key: string, id: string, thumbnail: Thumbnail) => {
@@ -85,11 +94,11 @@ function createThumbnails({ workspace, workers }: Editor): Thumbnails {
     }
     store.setState({ byKey: all, lastKey: new Map(lastKey).set(id, key) });
   };
-  const make = async (key: string, { id, theme, accuracy }: { id: string; theme: Theme; accuracy: AccuracyName }) => {
+  const make = async (key: string, { id, theme, by }: Wanted) => {
     const answer = await workspace.storage.read(id);
     // a file that has changed meanwhile has another key, under which it is asked for again
     if (!answer.ok || answer.value.text === null || !key.startsWith(`${answer.value.etag} `)) return;
-    const end = await workers.start('thumbnail', { text: answer.value.text, accuracy, width: WIDTH, theme }).end;
+    const end = await workers.start('thumbnail', { text: answer.value.text, ...by, width: WIDTH, theme }).end;
     if (end.kind === 'gaveUp') keep(key, id, { url: null, verdict: 'unproven' });
     if (end.kind !== 'done') return;
     const { svg, verdict } = end.result;
@@ -109,10 +118,10 @@ function createThumbnails({ workspace, workers }: Editor): Thumbnails {
 
   return {
     store,
-    want(entry, theme, accuracy) {
-      const key = thumbnailKey(entry, theme, accuracy);
+    want(entry, theme, by) {
+      const key = thumbnailKey(entry, theme, by);
       if (key === null || store.getState().byKey.has(key) || waiting.has(key)) return;
-      waiting.set(key, { id: entry.id, theme, accuracy });
+      waiting.set(key, { id: entry.id, theme, by });
       void go();
     },
     drop: (key) => void waiting.delete(key),

@@ -1,0 +1,35 @@
+import { type FolderRules, RULE_NAMES, RULES } from '../../schema/index.ts';
+import type { Editor } from '../context/index.ts';
+import { folderRulesIn, problemsInWords } from '../files/index.ts';
+import { ruleLabel } from '../panels/inspector/index.ts';
+
+const TOPIC = 'configuration';
+
+/** What a configuration sets, for people: `pull 45 px/s2, box width 24 px`. */
+function rulesInWords(own: FolderRules['own']): string {
+  const set = RULE_NAMES.flatMap((name) =>
+    own[name] === undefined ? [] : `${ruleLabel(name)} ${own[name]} ${RULES[name].unit}`,
+  );
+  return set.length === 0 ? "the game's own rules" : set.join(', ');
+}
+
+/** Says when the configuration of the folder has changed, and for as long as it is not valid. */
+export function followConfiguration({ workspace, notices }: Editor): void {
+  const tell = (now: FolderRules, before: FolderRules | null) => {
+    if (now.problems.length > 0) {
+      const wrong = problemsInWords(now.file ?? 'gq.config.json', now.problems);
+      const meanwhile = `Until it is mended levels are played by ${rulesInWords(now.own)}, as before.`;
+      notices.show('error', `${wrong} ${meanwhile}`, { topic: TOPIC });
+      return;
+    }
+    notices.settle(TOPIC);
+    if (before === null || now.own === before.own) return;
+    const what = now.file === null ? 'gq.config.json is gone' : `${now.file} has changed`;
+    notices.show('info', `${what}: levels without rules of their own are played by ${rulesInWords(now.own)}.`, { topic: TOPIC });
+  };
+  workspace.store.subscribe((now, before) => {
+    const rules = folderRulesIn(now);
+    const known = before.list === null ? null : folderRulesIn(before);
+    if (rules !== known) tell(rules, known);
+  });
+}

@@ -1,0 +1,64 @@
+import { RotateCcw } from 'lucide-react';
+import { useEffect, useRef } from 'react';
+import type { LevelFile } from '../../../schema/index.ts';
+import { useEditor, useFolderRules, useSession } from '../../context/index.ts';
+import { problemsInWords } from '../../files/index.ts';
+import { Button } from '../../ui/index.ts';
+import { Section } from '../parts/index.ts';
+import { RuleRow } from './RuleRow.tsx';
+import { ruleValues } from './rule-values.ts';
+
+/** The numbers of the game as this level has them: its own, those of its folder, and the game's. */
+export function RuleFields({ file }: { readonly file: LevelFile }) {
+  const { commands, session } = useEditor();
+  const folder = useFolderRules();
+  const rules = ruleValues(file, folder);
+  const asked = useSession((state) => state.askedRule);
+  const list = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    if (asked === null) return;
+    session.setState({ askedRule: null });
+    const row = list.current?.querySelector(`[data-rule="${asked}"]`);
+    row?.scrollIntoView({ block: 'center' });
+    row?.querySelector<HTMLInputElement>('input[type="range"]')?.focus({ preventScroll: true });
+  }, [asked, session]);
+  useEffect(() => {
+    const panel = list.current?.closest('.panel__body');
+    if (panel == null) return;
+    // a rule that breaks the run brings up the list of problems: what is under the hand is not to go behind it
+    const observer = new ResizeObserver(() => {
+      const { activeElement } = panel.ownerDocument;
+      if (list.current?.contains(activeElement)) activeElement?.closest('.rule')?.scrollIntoView({ block: 'nearest' });
+    });
+    observer.observe(panel);
+    return () => observer.disconnect();
+  }, []);
+  const areSome = rules.some(({ isOwn }) => isOwn);
+  return (
+    <Section
+      title="Rules"
+      aside={
+        areSome && (
+          <Button
+            hint={`Back to ${folder.file === null ? "the game's own" : `those of ${folder.file} and the game`}`}
+            icon={<RotateCcw size={13} />}
+            onClick={() => commands.run('rules.reset')}
+          >
+            Reset all
+          </Button>
+        )
+      }
+    >
+      {folder.problems.length > 0 && (
+        <p className="tone--bad">
+          {problemsInWords(folder.file ?? 'gq.config.json', folder.problems)} What it set before holds until it is mended.
+        </p>
+      )}
+      <div ref={list} className="rules">
+        {rules.map((rule) => (
+          <RuleRow key={rule.name} {...rule} />
+        ))}
+      </div>
+    </Section>
+  );
+}

@@ -1,0 +1,61 @@
+import { RotateCcw } from 'lucide-react';
+import { memo, useCallback, useId } from 'react';
+import { RULES } from '../../../schema/index.ts';
+import { useLevel } from '../../context/index.ts';
+import { setRule } from '../../document/index.ts';
+import { Button, NumberField } from '../../ui/index.ts';
+import { RuleSlider } from './RuleSlider.tsx';
+import { stepOf } from './rule-scale.ts';
+import { originOf, type RuleValue, ruleLabel } from './rule-values.ts';
+
+/** One rule of the game in this level: slid, typed, and given back. */
+export const RuleRow = memo(function RuleRow({ name, value, isOwn, fallback, from }: RuleValue) {
+  const { document } = useLevel();
+  const id = useId();
+  const rule = RULES[name];
+  const label = ruleLabel(name);
+  const step = `Set ${label} of the level`;
+  const origin = originOf({ name, value, isOwn, fallback, from });
+  // what is as it would be without is not written
+  const recipe = useCallback((next: number) => setRule(name, next === fallback ? undefined : next), [name, fallback]);
+  return (
+    <fieldset className={isOwn ? 'rule rule--own' : 'rule'} aria-label={label} data-rule={name}>
+      <div className={isOwn ? 'row' : 'row row--default'}>
+        <NumberField
+          label={label}
+          value={value}
+          min={rule.least}
+          max={rule.most}
+          step={stepOf(rule)}
+          unit={rule.unit}
+          about={rule.about}
+          onChange={(next, gesture) => void document.change(step, recipe(next), gesture === null ? {} : { gesture })}
+          onGestureEnd={document.seal}
+        />
+        <span className="row__end">
+          <span className="row__unit">{rule.unit}</span>
+          {isOwn && (
+            <Button
+              hint={`Back to ${fallback}, ${from === null ? "the game's own" : `from ${from}`}`}
+              icon={<RotateCcw size={13} />}
+              className="row__reset"
+              aria-label={`Reset ${label}`}
+              onClick={() => void document.change(`Reset ${label} of the level`, setRule(name, undefined))}
+            />
+          )}
+        </span>
+      </div>
+      <div className="rule__range">
+        <span className="numbers">{rule.least}</span>
+        <RuleSlider {...{ rule, label, value, step, recipe }} describedBy={`${id}-about ${id}-origin`} />
+        <span className="numbers">{rule.most}</span>
+      </div>
+      <p id={`${id}-about`} className="part__note">
+        {rule.about}
+      </p>
+      <p id={`${id}-origin`} className="rule__origin" hidden={origin === null}>
+        {origin}
+      </p>
+    </fieldset>
+  );
+});

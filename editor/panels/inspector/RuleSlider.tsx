@@ -1,0 +1,92 @@
+import { type KeyboardEvent, type PointerEvent, useEffect, useId, useRef } from 'react';
+import type { GameRule } from '../../../schema/index.ts';
+import { useLevel } from '../../context/index.ts';
+import type { Gesture, Recipe } from '../../document/index.ts';
+import { positionOf, SLIDER_END, stepOf, valueAt, within } from './rule-scale.ts';
+
+/** How many steps a key goes. */
+const KEYS: Readonly<Record<string, number>> = {
+  ArrowRight: 1,
+  ArrowUp: 1,
+  ArrowLeft: -1,
+  ArrowDown: -1,
+  PageUp: 10,
+  PageDown: -10,
+};
+
+interface RuleSliderProps {
+  readonly rule: GameRule;
+  readonly label: string;
+  readonly value: number;
+  /** What a step of the history is called. */
+  readonly step: string;
+  /** Ids of what is said about it. */
+  readonly describedBy: string;
+  readonly recipe: (value: number) => Recipe;
+}
+
+/** A rule under the hand: the level follows while it is dragged, a drag is one step of the history, and Esc takes it back. */
+export function RuleSlider({ rule, label, value, step, describedBy, recipe }: RuleSliderProps) {
+  const { document } = useLevel();
+  const id = useId();
+  const drag = useRef<{ readonly gesture: Gesture; readonly stop: () => void } | null>(null);
+  const end = (how: 'commit' | 'cancel') => {
+    drag.current?.gesture[how]();
+    drag.current?.stop();
+    drag.current = null;
+  };
+  // what was dragged when it was taken from the page is kept
+  useEffect(
+    () => () => {
+      drag.current?.gesture.commit();
+      drag.current?.stop();
+    },
+    [],
+  );
+
+  const onPointerDown = ({ button, currentTarget: { ownerDocument } }: PointerEvent) => {
+    if (button !== 0) return;
+    end('commit');
+    // the button may be let go anywhere
+    const abort = new AbortController();
+    const { signal } = abort;
+    ownerDocument.addEventListener('pointerup', () => end('commit'), { signal, capture: true });
+    ownerDocument.addEventListener('pointercancel', () => end('cancel'), { signal, capture: true });
+    drag.current = { gesture: document.begin(step), stop: () => abort.abort() };
+  };
+  const change = (next: number) => void document.change(step, recipe(next), { gesture: `slide ${id}` });
+  const onKeyDown = (event: KeyboardEvent) => {
+    if (event.key === 'Escape' && drag.current !== null) {
+      event.stopPropagation();
+      // the hand still holds it: what it does from now on is nobody's
+      drag.current.gesture.cancel();
+      return;
+    }
+    const by = KEYS[event.key];
+    const edge = event.key === 'Home' ? rule.least : event.key === 'End' ? rule.most : null;
+    if ((by === undefined && edge === null) || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    change(edge ?? within(rule, value + by * stepOf(rule) * (event.shiftKey ? 10 : 1)));
+  };
+  return (
+    <input
+      type="range"
+      className="rule__slider"
+      aria-label={label}
+      aria-valuetext={`${value} ${rule.unit}`}
+      aria-describedby={describedBy}
+      min={0}
+      max={SLIDER_END}
+      step="any"
+      value={positionOf(rule, value)}
+      onPointerDown={onPointerDown}
+      onKeyDown={onKeyDown}
+      onChange={(event) => {
+        const next = valueAt(rule, Number(event.target.value));
+        if (drag.current === null) change(next);
+        else drag.current.gesture.set(recipe(next));
+      }}
+      onBlur={document.seal}
+    />
+  );
+}
