@@ -14,7 +14,7 @@ import type { JobKind, Requests, Results } from '../../editor/workers/index.ts';
 import { JOBS } from '../../editor/workers/jobs/index.ts';
 import type { Start } from '../../editor/workers/work.ts';
 import type { AccuracyName } from '../../engine/index.ts';
-import type { Problem } from '../../schema/index.ts';
+import type { OwnRules, Problem } from '../../schema/index.ts';
 
 /** What is said of a level, at either place: everything but hints. */
 export interface Said {
@@ -51,20 +51,26 @@ const shown = ({ code, severity, message, pointer, line, column }: Problem): Sai
   return { code, severity, message: inPageWords(message), pointer, line, column };
 };
 
+export interface OnThePage {
+  /** Rules that the folder sets. */
+  readonly rules?: OwnRules;
+  /** Pieces of motion that the page plays itself. */
+  readonly most?: number;
+}
+
 /**
  * What the page says of a level file: its verdict in the top bar, and its list of problems in the words of the panel, once all workers are done.
- * @param most pieces of motion that the page plays itself
  */
-export function onThePage(source: string | Uint8Array, accuracy: AccuracyName, most?: number): Said {
+export function onThePage(source: string | Uint8Array, accuracy: AccuracyName, { rules, most }: OnThePage = {}): Said {
   const read = readText(source);
   if (!read.ok) return { verdict: 'invalid', problems: read.problems.map(shown) };
   // a clock that stands still: nothing is given up since this machine is slow
-  const proof = createProver(() => 0, most).prove({ file: read.file, run: null, accuracy, patience: 1 });
+  const proof = createProver(() => 0, most).prove({ file: read.file, rules, run: null, accuracy, patience: 1 });
   const worker = foundByWorker(proof);
   const known = proved(proof);
   return { verdict: toldVerdict(proof, worker, known), problems: toldProblems(proof, worker, known).map(shown) };
 }
 
 /** The verdict that the list of levels shows beside a file's picture. */
-export const inTheList = (text: string, accuracy: AccuracyName): string =>
-  work('thumbnail', { text, accuracy, width: 100, theme: 'dark' }).verdict;
+export const inTheList = (text: string, accuracy: AccuracyName, rules?: OwnRules): string =>
+  work('thumbnail', { text, rules, accuracy, width: 100, theme: 'dark' }).verdict;

@@ -2,9 +2,10 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { HEAVY_LEVELS } from '../../bench/soak/heavy-levels.ts';
+import { rulesOnDisk } from '../../cli/edit/rules-on-disk.ts';
 import { inPageWords } from '../../editor/document/index.ts';
 import { ACCURACIES, type AccuracyName } from '../../engine/index.ts';
-import { checkReportSchema, type LevelReport } from '../../schema/index.ts';
+import { checkReportSchema, type LevelReport, type OwnRules } from '../../schema/index.ts';
 import { gq, makeFiles } from '../cli/gq.ts';
 import { BAD_LEVELS } from '../schema/fixtures/bad-levels.ts';
 import { inTheList, onThePage, type Said } from './on-the-page.ts';
@@ -65,14 +66,22 @@ const HEAVY: readonly LevelSource[] = [
 
 const fileOf = (index: number): string => `${String(index).padStart(4, '0')}.level.json`;
 const ALL = [...SOURCES, ...REFUSED, ...HEAVY];
-const files = makeFiles(Object.fromEntries(ALL.map(({ source }, i) => [fileOf(i), source])));
+const contents = Object.fromEntries(ALL.map(({ source }, i) => [fileOf(i), source]));
+const files = makeFiles(contents);
 afterAll(files.remove);
+/** The same levels in a folder that sets rules of every kind. */
+const CONFIG = {
+  rules: { pull: 44, recoil: 3, push: 26, alienPull: 11, alienSight: 190, speedLimit: 700, boxWidth: 26, boxHeight: 26 },
+};
+const ruled = makeFiles({ ...contents, 'gq.config.json': JSON.stringify(CONFIG) });
+afterAll(ruled.remove);
 
 /** What `gq check` says of each, in the order of the list. */
 async function onTheCommandLine(
   list: readonly LevelSource[],
   accuracy: AccuracyName,
   more: readonly string[] = [],
+  folder = files.directory,
 ): Promise<Said[]> {
   const names = list.map((source) => fileOf(ALL.indexOf(source)));
   // so many files at once that minerals would not be proved: in parts
@@ -80,7 +89,7 @@ async function onTheCommandLine(
   for (let from = 0; from < names.length; from += 60) {
     const part = names.slice(from, from + 60);
     const args = ['check', ...part, '--accuracy', accuracy, '--format', 'json', '--jobs', '2', ...more];
-    const { stdout, stderr } = await gq(args, { cwd: files.directory });
+    const { stdout, stderr } = await gq(args, { cwd: folder });
     expect(stderr).toBe('');
     const { levels } = checkReportSchema.parse(JSON.parse(stdout));
     expect(levels.map(({ file }) => file)).toEqual(part);
@@ -97,7 +106,7 @@ const withoutPlaces = ({ verdict, problems }: Said): Said => ({
 
 const told = new Set<string>();
 
-function compare({ source }: LevelSource, accuracy: AccuracyName, byCommand: Said): void {
+function compare({ source }: LevelSource, accuracy: AccuracyName, byCommand: Said, rules?: OwnRules): void {
   told.add(byCommand.verdict);
   for (const { code, severity, pointer, message } of byCommand.problems) {
     told.add(`${code} ${severity}`);
@@ -105,7 +114,7 @@ function compare({ source }: LevelSource, accuracy: AccuracyName, byCommand: Sai
     if (code === 'proved-impossible') told.add(`${code} ${pointer}`);
   }
   const { 'objects are counted from 1': counting, 'a byte order mark is skipped': mark } = EXCEPTIONS;
-  const onPage = onThePage(source, accuracy);
+  const onPage = onThePage(source, accuracy, { rules });
   if (mark.applies(byCommand)) {
     expect(onPage.problems.map(({ code }) => code)).not.toContain('byte-order-mark');
     return;
@@ -124,6 +133,23 @@ describe.each(Object.keys(ACCURACIES) as AccuracyName[])('the page and gq check 
     compare(level, accuracy, said[i]);
     const text = typeof level.source === 'string' ? level.source : new TextDecoder().decode(level.source);
     expect(inTheList(text, accuracy)).toBe(said[i].verdict);
+  });
+});
+
+describe('the page and gq check say the same in a folder whose configuration sets rules', () => {
+  it.each(['precise', 'arcade'] as const)('under %s', async (accuracy) => {
+    // as the server tells them to the page
+    const { own: rules, problems } = rulesOnDisk(ruled.directory)();
+    expect([rules, problems]).toEqual([CONFIG.rules, []]);
+    const said = await onTheCommandLine(SOURCES, accuracy, [], ruled.directory);
+    const without = await onTheCommandLine(SOURCES, accuracy);
+    for (const [i, level] of SOURCES.entries()) {
+      compare(level, accuracy, said[i], rules);
+      const text = typeof level.source === 'string' ? level.source : new TextDecoder().decode(level.source);
+      expect(inTheList(text, accuracy, rules), level.name).toBe(said[i].verdict);
+    }
+    // or they would not matter
+    expect(said.filter(({ verdict }, i) => verdict !== without[i].verdict).length).toBeGreaterThan(10);
   });
 });
 
@@ -151,7 +177,7 @@ describe('the page and gq check say the same', () => {
     let left = 0;
     for (const [i, { source }] of few.entries()) {
       const expected = withoutPlaces(EXCEPTIONS['objects are counted from 1'].onThePage(said[i]));
-      expect(onThePage(source, 'precise', 3)).toEqual(expected);
+      expect(onThePage(source, 'precise', { most: 3 })).toEqual(expected);
       left++;
     }
     expect(left).toBeGreaterThan(20);

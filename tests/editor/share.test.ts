@@ -7,9 +7,30 @@ import { surveyLink } from '../../editor/dialogs/survey-link.ts';
 import { applyPatches, createEditedLevel, diffFiles } from '../../editor/document/index.ts';
 import { mergeLevels } from '../../editor/files/index.ts';
 import { createProver } from '../../editor/proof/index.ts';
-import { importLevels, LONGEST_LINK, levelFile, levelOf, linkTo, pictureSvg, slugOf } from '../../editor/share/index.ts';
+import {
+  enteringFolder,
+  importLevels,
+  LONGEST_LINK,
+  leavingFolder,
+  levelFile,
+  levelOf,
+  linkTo,
+  pictureSvg,
+  slugOf,
+} from '../../editor/share/index.ts';
 import { TEMPLATES } from '../../editor/templates/index.ts';
-import { formatLevel, LEVEL_ID_PART, type LevelFile, readLevel, withIds } from '../../schema/index.ts';
+import {
+  formatLevel,
+  LEVEL_ID_PART,
+  type LevelFile,
+  type OwnRules,
+  RULE_NAMES,
+  RULES,
+  readLevel,
+  resolveLevel,
+  rulesOf,
+  withIds,
+} from '../../schema/index.ts';
 import { arbitraryFile } from './arbitrary-file.ts';
 
 const PAGE = 'https://example.org/editor/';
@@ -19,6 +40,37 @@ const fileOf = (text: string): LevelFile => {
   if (!reading.ok) throw new Error(reading.problems[0].message);
   return withIds(reading.document.file);
 };
+
+const arbitraryRules: fc.Arbitrary<OwnRules> = fc.record(
+  Object.fromEntries(
+    RULE_NAMES.map((name) => [name, fc.constantFrom(RULES[name].default, RULES[name].least, RULES[name].most, undefined)]),
+  ),
+);
+
+describe('a level that leaves a folder, or comes into one', () => {
+  it('plays by the same rules there as where it was, and only what the folder decides is written', () => {
+    fc.assert(
+      fc.property(arbitraryFile, arbitraryRules, (file, folder) => {
+        const left = leavingFolder(file, folder);
+        expect(rulesOf(resolveLevel(left))).toEqual(rulesOf(resolveLevel(file, folder)));
+        const come = enteringFolder(file, folder);
+        expect(rulesOf(resolveLevel(come, folder))).toEqual(rulesOf(resolveLevel(file)));
+        for (const moved of [left, come]) {
+          const reading = readLevel(formatLevel(moved));
+          expect(reading.ok && reading.document.file).toEqual(moved);
+          expect({ ...moved, rules: file.rules }).toEqual(file);
+          expect(moved.rules ?? {}).toMatchObject(file.rules ?? {});
+          for (const name of RULE_NAMES) if (folder[name] === undefined) expect(moved.rules?.[name]).toBe(file.rules?.[name]);
+        }
+        // once is enough, and where the folder sets nothing there is nothing to write
+        expect(leavingFolder(left, folder)).toBe(left);
+        expect(enteringFolder(come, folder)).toBe(come);
+        expect(leavingFolder(file, {})).toBe(file);
+        expect(enteringFolder(file, {})).toBe(file);
+      }),
+    );
+  });
+});
 
 describe('a link', () => {
   it('carries any small level there and back', async () => {

@@ -1,0 +1,247 @@
+// Rules in the editor: how they are settled, set, given back, merged, told, slid; and that the proof is of them.
+
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { createEditedLevel, resetRules, setRule } from '../../editor/document/index.ts';
+import { withKeptRules } from '../../editor/files/folder-rules.ts';
+import { mergeLevels } from '../../editor/files/index.ts';
+import { positionOf, SLIDER_END, stepOf, valueAt } from '../../editor/panels/inspector/rule-scale.ts';
+import { originOf, ruleLabel, ruleValues } from '../../editor/panels/inspector/rule-values.ts';
+import { createProofStore, createProver } from '../../editor/proof/index.ts';
+import { compile, simulate } from '../../engine/index.ts';
+import {
+  type FolderRules,
+  formatLevel,
+  type LevelFile,
+  type ListResponse,
+  type OwnRules,
+  RULE_NAMES,
+  RULES,
+  readLevel,
+  resolveLevel,
+  rulesOf,
+  rulesSchema,
+} from '../../schema/index.ts';
+
+/** At 39 px/s2 the run completes it, from 41 on it does not. */
+const SWING: LevelFile = {
+  version: 1,
+  name: 'First Swing',
+  astronaut: { x: 500, y: 760, vx: 0, vy: -60 },
+  blackHole: { x: 830, y: 510 },
+  asteroids: [{ id: 'bjzg', x: 600, y: 620, radius: 32 }],
+  runs: [{ name: 'solution', holds: [[150, 435]] }],
+};
+
+const name = fc.constantFrom(...RULE_NAMES);
+const value = fc.oneof(fc.double({ noNaN: true }), fc.integer({ min: -2000, max: 20_000 }));
+
+describe('rules of an open level', () => {
+  it('are brought within their limits, whatever they are set to, and leave a valid level', () => {
+    fc.assert(
+      fc.property(fc.array(fc.tuple(name, fc.option(value, { nil: undefined })), { maxLength: 6 }), (changes) => {
+        const level = createEditedLevel(SWING);
+        const expected: Record<string, number> = {};
+        for (const [rule, to] of changes) {
+          expect(level.change('Set', setRule(rule, to)).ok).toBe(true);
+          if (to === undefined) delete expected[rule];
+          else expected[rule] = Math.min(RULES[rule].most, Math.max(RULES[rule].least, to)) + 0;
+        }
+        expect(level.file().rules ?? {}).toEqual(expected);
+        expect('rules' in level.file()).toBe(Object.keys(expected).length > 0);
+        expect(readLevel(formatLevel(level.file())).ok).toBe(true);
+        // all of it is taken back
+        while (level.undo());
+        expect(level.file()).toEqual(createEditedLevel(SWING).file());
+      }),
+    );
+  });
+
+  it('that are no rules, or no numbers, are refused', () => {
+    for (const rules of [{ pul: 3 }, { pull: '3' }, { pull: Number.NaN }, [], 7, null]) {
+      const level = createEditedLevel(SWING);
+      const result = level.change('Set', (draft) => void Object.assign(draft, { rules }));
+      expect([rules, result.ok]).toEqual([rules, false]);
+    }
+  });
+
+  it('are given back all at once, but not what others keep beside them', () => {
+    const level = createEditedLevel({ ...SWING, rules: { pull: 45, push: 3, 'x-why': 'a test' } } as LevelFile);
+    level.change('Reset', resetRules);
+    expect(level.file().rules).toEqual({ 'x-why': 'a test' });
+    level.undo();
+    expect(level.file().rules).toMatchObject({ pull: 45, push: 3 });
+    const plain = createEditedLevel({ ...SWING, rules: { pull: 45 } });
+    plain.change('Reset', resetRules);
+    expect('rules' in plain.file()).toBe(false);
+  });
+
+  it('are merged one by one', () => {
+    const base = { ...SWING, rules: { pull: 45 } };
+    const mine = { ...SWING, rules: { pull: 45, push: 30 } };
+    const theirs = { ...SWING, rules: { pull: 50 } };
+    expect(mergeLevels(base, mine, theirs)).toEqual({ file: { ...SWING, rules: { pull: 50, push: 30 } }, conflicts: [] });
+    const other = { ...SWING, rules: { pull: 55 } };
+    expect(mergeLevels(base, theirs, other).conflicts).toMatchObject([{ key: 'rules/pull', base: 45, mine: 50, theirs: 55 }]);
+    expect(mergeLevels(base, SWING, base).file).toEqual(SWING);
+    expect(mergeLevels(SWING, SWING, { ...SWING, rules: {} }).file).toEqual({ ...SWING, rules: {} });
+  });
+});
+
+describe('the proof', () => {
+  const end = (file: LevelFile, folder: OwnRules = {}) => {
+    const run = simulate(compile(resolveLevel(file, folder), 'precise'), [[150, 435]]);
+    return { outcome: run.outcome, time: run.time };
+  };
+  const shown = (proof: ReturnType<typeof createProofStore>) => {
+    const { outcome, time } = proof.proof().run;
+    return { outcome, time };
+  };
+
+  it('follows a rule that is dragged, and goes back with it', () => {
+    const level = createEditedLevel(SWING);
+    const proof = createProofStore(level, 'precise');
+    expect(proof.proof().verdict).toBe('completable');
+    const gesture = level.begin('Set pull');
+    for (const pull of [40, 43, 46]) {
+      gesture.set(setRule('pull', pull));
+      expect(shown(proof)).toEqual(end({ ...SWING, rules: { pull } }));
+    }
+    expect(proof.proof().verdict).toBe('broken');
+    expect(level.settledFile().rules).toBeUndefined();
+    gesture.commit();
+    expect([level.labels(), level.file().rules]).toEqual([['Set pull'], { pull: 46 }]);
+    level.undo();
+    expect([proof.proof().verdict, shown(proof)]).toEqual(['completable', end(SWING)]);
+    proof.close();
+  });
+
+  it("is under the folder's rules where the level has none, and follows them", () => {
+    const level = createEditedLevel(SWING);
+    const proof = createProofStore(level, 'precise', { rules: { pull: 45 } });
+    expect([proof.proof().verdict, shown(proof)]).toEqual(['broken', end(SWING, { pull: 45 })]);
+    level.change('Set', setRule('pull', 39));
+    expect([proof.proof().verdict, proof.proof().scene.rules.pull]).toEqual(['completable', 39]);
+    level.undo();
+    expect(proof.proof().verdict).toBe('broken');
+    proof.setFolderRules({ boxWidth: 40 });
+    expect(proof.proof().verdict).toBe('completable');
+    expect(proof.proof().scene.box.halfWidth).toBe(20);
+    proof.close();
+  });
+
+  it('keeps its level while neither the file nor the rules change, and its scene while both play alike', () => {
+    const prover = createProver(() => 0);
+    const rules = { pull: 45 };
+    const question = { file: SWING, rules, run: null, accuracy: 'precise' } as const;
+    const first = prover.prove(question);
+    expect(prover.prove(question)).toBe(first);
+    expect(prover.prove({ ...question, run: 'other' }).level).toBe(first.level);
+    // the same numbers from elsewhere are the same scene
+    expect(prover.prove({ ...question, file: { ...SWING, rules }, rules: {} }).scene).toBe(first.scene);
+    expect(prover.prove({ ...question, rules: { pull: 46 } }).scene.rules.pull).toBe(46);
+  });
+});
+
+describe('the rules of a list', () => {
+  const list = (rules: FolderRules): ListResponse => ({
+    ...{ folder: { id: 'f', path: 'levels', $schema: null }, folders: [''], levels: [], troubles: [], unread: 0 },
+    rules,
+  });
+
+  it('are the same objects as before where they say the same: who follows them sees that nothing has changed', () => {
+    const before = list({ file: 'gq.config.json', own: { pull: 45 }, problems: [] });
+    const again = structuredClone(before);
+    expect(withKeptRules(again, before).rules).toBe(before.rules);
+    expect(withKeptRules(again, null)).toBe(again);
+    const problem = { code: 'a', severity: 'error', message: '', hint: '', pointer: '', line: 1, column: 1 } as const;
+    const wrong = withKeptRules(list({ ...again.rules, problems: [problem] }), before);
+    expect(wrong.rules.problems).toEqual([problem]);
+    expect(wrong.rules.own).toBe(before.rules.own);
+    expect(withKeptRules(list({ ...again.rules, own: { pull: 46 } }), before).rules.own).toEqual({ pull: 46 });
+  });
+});
+
+describe('a rule in the inspector', () => {
+  const FOLDER = { file: 'gq.config.json', own: { pull: 45 }, problems: [] };
+  const NONE = { file: null, own: {}, problems: [] };
+  const pullOf = (rules: OwnRules | undefined, folder: typeof FOLDER | typeof NONE) => {
+    const pull = ruleValues({ rules }, folder).find((rule) => rule.name === 'pull');
+    if (pull === undefined) throw new Error('there is no pull');
+    const { value, isOwn, fallback, from } = pull;
+    return { value, isOwn, fallback, from, says: originOf(pull) };
+  };
+
+  it('says what holds, what would hold without the level, and where that is from', () => {
+    expect(pullOf(undefined, NONE)).toEqual({ value: 39, isOwn: false, fallback: 39, from: null, says: null });
+    const says = "Set by this level; the game's own is 39.";
+    expect(pullOf({ pull: 30 }, NONE)).toEqual({ value: 30, isOwn: true, fallback: 39, from: null, says });
+    const from = 'gq.config.json';
+    const ofFolder = { fallback: 45, from };
+    expect(pullOf(undefined, FOLDER)).toEqual({
+      ...{ value: 45, isOwn: false, ...ofFolder },
+      says: "From gq.config.json; the game's own is 39.",
+    });
+    expect(pullOf({ pull: 39 }, FOLDER)).toEqual({
+      ...{ value: 39, isOwn: true, ...ofFolder },
+      says: 'Set by this level; gq.config.json has 45.',
+    });
+  });
+
+  it('has the value by which the level is played', () => {
+    const rules = fc.record(
+      Object.fromEntries(RULE_NAMES.map((rule) => [rule, fc.constantFrom(RULES[rule].most, RULES[rule].default, undefined)])),
+    ) as fc.Arbitrary<OwnRules>;
+    fc.assert(
+      fc.property(rules, rules, (own, folder) => {
+        const values = ruleValues({ rules: own }, { file: 'gq.config.json', own: folder, problems: [] });
+        const played = rulesOf(resolveLevel({ ...SWING, rules: own }, folder));
+        expect(Object.fromEntries(values.map((rule) => [rule.name, rule.value]))).toEqual(played);
+      }),
+    );
+  });
+
+  it('has a name of its own', () => {
+    expect(RULE_NAMES.map(ruleLabel)).toContain('speed limit');
+    // the level has a switch of that name
+    expect(ruleLabel('recoil')).toBe('recoil strength');
+    expect(new Set(RULE_NAMES.map(ruleLabel)).size).toBe(RULE_NAMES.length);
+  });
+});
+
+describe.each(RULE_NAMES)('the slider of %s', (rule) => {
+  const { least, most, default: usual } = RULES[rule];
+
+  it('has all values of the rule and no other, in order, and stands where its value is', () => {
+    expect([valueAt(RULES[rule], 0), valueAt(RULES[rule], SLIDER_END)]).toEqual([least, most]);
+    fc.assert(
+      fc.property(
+        fc.double({ min: 0, max: SLIDER_END, noNaN: true }),
+        fc.double({ min: 0, max: SLIDER_END, noNaN: true }),
+        (a, b) => {
+          const [one, other] = [valueAt(RULES[rule], Math.min(a, b)), valueAt(RULES[rule], Math.max(a, b))];
+          expect(one).toBeLessThanOrEqual(other);
+          expect(rulesSchema.safeParse({ [rule]: one }).success).toBe(true);
+          // a rounded value is its own neighbour
+          expect(valueAt(RULES[rule], positionOf(RULES[rule], one))).toBe(one);
+        },
+      ),
+    );
+    fc.assert(
+      fc.property(fc.double({ min: least, max: most, noNaN: true }), (exact) => {
+        const position = positionOf(RULES[rule], exact);
+        expect(position).toBeGreaterThanOrEqual(0);
+        expect(position).toBeLessThanOrEqual(SLIDER_END);
+        expect(Math.abs(valueAt(RULES[rule], position) - exact)).toBeLessThanOrEqual(Math.max(stepOf(RULES[rule]), exact / 100));
+      }),
+    );
+  });
+
+  it("has room about the game's own value, which can be found again, and steps that are small beside it", () => {
+    const at = positionOf(RULES[rule], usual);
+    expect(at).toBeGreaterThan(SLIDER_END / 4);
+    expect(valueAt(RULES[rule], at)).toBe(usual);
+    expect(stepOf(RULES[rule])).toBeLessThanOrEqual(usual / 20);
+    expect(stepOf(RULES[rule])).toBeGreaterThan(usual / 250);
+  });
+});

@@ -1,0 +1,112 @@
+// What the page hears of the rules that a folder's configuration sets.
+
+import { mkdirSync, renameSync, rmSync } from 'node:fs';
+import { join } from 'node:path';
+import process from 'node:process';
+import { afterEach, beforeEach, expect, it } from 'vitest';
+import { rulesOnDisk } from '../../cli/edit/rules-on-disk.ts';
+import { EDIT_API, type FolderRules, type ListResponse } from '../../schema/index.ts';
+import { levelText, makeFolder, put, serve } from './running.ts';
+
+const CONFIG = 'gq.config.json';
+let made: ReturnType<typeof makeFolder>;
+let server: Awaited<ReturnType<typeof serve>>;
+
+beforeEach(async () => {
+  // the levels are in a folder below, as they mostly are
+  made = makeFolder({ 'levels/a.level.json': levelText('A'), [CONFIG]: '{ "rules": { "pull": 45 } }' });
+  // what lies above it is of no interest
+  mkdirSync(join(made.folder, '.git'));
+  server = await serve(join(made.folder, 'levels'));
+});
+afterEach(async () => {
+  await server.close();
+  made.remove();
+  expect(server.crashes).toEqual([]);
+});
+
+const listed = async (): Promise<FolderRules> => ((await server.page.get(EDIT_API.LEVELS)).json() as ListResponse).rules;
+
+it('a list says what holds and where it is from, looked at anew', async () => {
+  expect(await listed()).toEqual({ file: expect.stringMatching(/gq\.config\.json$/), own: { pull: 45 }, problems: [] });
+  put(made.folder, CONFIG, '{ "rules": { "push": 3, "x-why": 1 }, "accuracy": "arcade" }');
+  expect(await listed()).toMatchObject({ own: { push: 3 }, problems: [] });
+  rmSync(join(made.folder, CONFIG));
+  expect(await listed()).toEqual({ file: null, own: {}, problems: [] });
+});
+
+it('what is wrong is told with its place; what was set before holds, until it is mended or gone', async () => {
+  put(made.folder, CONFIG, '{\n  "rules": { "pul": 3 }\n}');
+  const wrong = await listed();
+  expect(wrong.own).toEqual({ pull: 45 });
+  expect(wrong.problems).toMatchObject([{ line: 2, column: 14, message: expect.stringContaining('did you mean "pull"?') }]);
+  put(made.folder, CONFIG, '{ "rules": ');
+  expect(await listed()).toMatchObject({ own: { pull: 45 }, problems: [{ line: 1 }] });
+  put(made.folder, CONFIG, '{}');
+  expect(await listed()).toMatchObject({ own: {}, problems: [] });
+});
+
+it('one that can not be read is told, too', () => {
+  if (process.platform === 'win32') return;
+  const look = rulesOnDisk(made.folder);
+  expect(look().own).toEqual({ pull: 45 });
+  rmSync(join(made.folder, CONFIG));
+  mkdirSync(join(made.folder, CONFIG));
+  expect(look()).toMatchObject({
+    own: { pull: 45 },
+    problems: [{ message: expect.stringMatching(/can't be read: .*directory/) }],
+  });
+});
+
+/** What a page hears after the list. */
+async function listen(): Promise<{ next: () => Promise<FolderRules>; end: () => Promise<void> }> {
+  const { port, token } = server.page;
+  const abort = new AbortController();
+  const answer = await fetch(`http://127.0.0.1:${port}${EDIT_API.EVENTS}`, {
+    headers: { [EDIT_API.TOKEN_HEADER]: token },
+    signal: abort.signal,
+  });
+  const reader = (answer.body as ReadableStream<Uint8Array>).getReader();
+  const decoder = new TextDecoder();
+  let rest = '';
+  const next = async (): Promise<FolderRules> => {
+    for (;;) {
+      const blocks = rest.split('\n\n');
+      rest = blocks.pop() ?? '';
+      for (const [i, block] of blocks.entries()) {
+        if (!block.startsWith('data: ')) continue;
+        const event = JSON.parse(block.slice(6));
+        if (event.type !== 'rules') continue;
+        rest = [...blocks.slice(i + 1), rest].join('\n\n');
+        return event.rules;
+      }
+      const { value, done } = await reader.read();
+      if (done) throw new Error('the stream has ended');
+      rest += decoder.decode(value, { stream: true });
+    }
+  };
+  return {
+    next,
+    async end() {
+      abort.abort();
+      await reader.cancel().catch(() => undefined);
+    },
+  };
+}
+
+it('whoever listens hears of every change once: written, put in its place, gone, made again', async () => {
+  const { next, end } = await listen();
+  put(made.folder, CONFIG, '{ "rules": { "pull": 50 } }');
+  expect(await next()).toMatchObject({ own: { pull: 50 } });
+  put(made.folder, 'other.json', '{ "rules": { "pull": 60 } }');
+  renameSync(join(made.folder, 'other.json'), join(made.folder, CONFIG));
+  expect(await next()).toMatchObject({ own: { pull: 60 } });
+  // the same rules in other letters are no news; what is heard next is what comes after
+  put(made.folder, CONFIG, '{ "rules": {"pull":60} }');
+  await listed();
+  rmSync(join(made.folder, CONFIG));
+  expect(await next()).toEqual({ file: null, own: {}, problems: [] });
+  put(made.folder, CONFIG, '{ "rules": { "pull": 70, }');
+  expect(await next()).toMatchObject({ own: {}, problems: [expect.objectContaining({ line: 1 })] });
+  await end();
+});
