@@ -259,6 +259,55 @@ inChromium('rules in Chromium', ({ on }) => {
   );
 
   it(
+    'by a finger: a tap sets it, a finger that goes along it is one step, one that goes up scrolls the panel and changes nothing',
+    on(
+      { '01': swing() },
+      async ({ page, context, file, saved }) => {
+        await verdict(page, 'completable');
+        await command(page, 'Go to rules');
+        const devtools = await context.newCDPSession(page);
+        const places = async () => {
+          await until(async () => {
+            const one = await slider(page, 'pull').boundingBox();
+            await page.waitForTimeout(100);
+            expect(await slider(page, 'pull').boundingBox()).toEqual(one);
+          });
+          const box = await slider(page, 'pull').boundingBox();
+          if (box === null) throw new Error('the slider is not seen');
+          return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+        };
+        const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', x?: number, y?: number) =>
+          devtools.send('Input.dispatchTouchEvent', { type, touchPoints: x === undefined ? [] : [{ x, y: y ?? 0 }] });
+        const swipe = async (dx: number, dy: number) => {
+          const { x, y } = await places();
+          await touch('touchStart', x, y);
+          for (let i = 1; i <= 6; i++) await touch('touchMove', x + (dx * i) / 6, y + (dy * i) / 6);
+          await touch('touchEnd');
+        };
+        await swipe(0, -120);
+        await saved();
+        await reads(page, 'pull', '39');
+        expect(file('01').rules).toBeUndefined();
+
+        await swipe(60, 4);
+        await verdict(page, 'broken');
+        await until(() => expect(file('01').rules?.pull).toBeGreaterThan(41));
+        await page.getByRole('button', { name: /^Undo: Set pull/ }).tap();
+        await verdict(page, 'completable');
+        await reads(page, 'pull', '39');
+
+        const { x, y } = await places();
+        await page.touchscreen.tap(x + 60, y);
+        await verdict(page, 'broken');
+        await rule(page, 'pull').getByRole('button', { name: 'Reset pull' }).tap();
+        await verdict(page, 'completable');
+        await until(() => expect(file('01').rules).toBeUndefined());
+      },
+      { context: { viewport: { width: 360, height: 640 }, hasTouch: true, isMobile: true } },
+    ),
+  );
+
+  it(
     'her box on the canvas is that of the folder',
     on(
       { '01': swing() },

@@ -44,14 +44,17 @@ export function RuleSlider({ rule, label, value, step, describedBy, recipe }: Ru
     [],
   );
 
-  const onPointerDown = ({ button, currentTarget: { ownerDocument } }: PointerEvent) => {
+  const onPointerDown = ({ button, pointerId, currentTarget: { ownerDocument } }: PointerEvent) => {
     if (button !== 0) return;
     end('commit');
     // the button may be let go anywhere
     const abort = new AbortController();
     const { signal } = abort;
-    ownerDocument.addEventListener('pointerup', () => end('commit'), { signal, capture: true });
-    ownerDocument.addEventListener('pointercancel', () => end('cancel'), { signal, capture: true });
+    const listen = (type: 'pointerup' | 'pointercancel', how: 'commit' | 'cancel') =>
+      ownerDocument.addEventListener(type, (event) => event.pointerId === pointerId && end(how), { signal, capture: true });
+    listen('pointerup', 'commit');
+    // the finger scrolls the panel after all
+    listen('pointercancel', 'cancel');
     drag.current = { gesture: document.begin(step), stop: () => abort.abort() };
   };
   const change = (next: number) => void document.change(step, recipe(next), { gesture: `slide ${id}` });
