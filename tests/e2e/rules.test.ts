@@ -262,7 +262,7 @@ inChromium('rules in Chromium', ({ on }) => {
     'by a finger: a tap sets it, a finger that goes along it is one step, one that goes up scrolls the panel and changes nothing',
     on(
       { '01': swing() },
-      async ({ page, context, file, saved }) => {
+      async ({ page, context, file }) => {
         await verdict(page, 'completable');
         await command(page, 'Go to rules');
         const devtools = await context.newCDPSession(page);
@@ -278,18 +278,21 @@ inChromium('rules in Chromium', ({ on }) => {
         };
         const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', x?: number, y?: number) =>
           devtools.send('Input.dispatchTouchEvent', { type, touchPoints: x === undefined ? [] : [{ x, y: y ?? 0 }] });
-        const swipe = async (dx: number, dy: number) => {
-          const { x, y } = await places();
+        const swipe = async (from: number, dx: number, dy: number) => {
+          const middle = await places();
+          const [x, y] = [middle.x + from, middle.y];
           await touch('touchStart', x, y);
           for (let i = 1; i <= 6; i++) await touch('touchMove', x + (dx * i) / 6, y + (dy * i) / 6);
           await touch('touchEnd');
         };
-        await swipe(0, -120);
-        await saved();
+        const { y: before } = await places();
+        await swipe(60, 0, -120);
         await reads(page, 'pull', '39');
-        expect(file('01').rules).toBeUndefined();
+        expect((await places()).y).toBeLessThan(before);
+        await page.getByRole('button', { name: 'Nothing to undo' }).waitFor();
 
-        await swipe(60, 4);
+        await rule(page, 'pull').evaluate((one) => one.scrollIntoView({ block: 'center' }));
+        await swipe(0, 60, 4);
         await verdict(page, 'broken');
         await until(() => expect(file('01').rules?.pull).toBeGreaterThan(41));
         await page.getByRole('button', { name: /^Undo: Set pull/ }).tap();
