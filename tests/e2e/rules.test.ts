@@ -5,6 +5,7 @@ import type { Locator, Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { gq } from '../cli/gq.ts';
 import { put } from '../server/running.ts';
+import { complaintsAbout } from './axe.ts';
 import { command, verdict } from './commands.ts';
 import { inChromium } from './stage.ts';
 import { until } from './until.ts';
@@ -161,6 +162,11 @@ inChromium('rules in Chromium', ({ on }) => {
         await rule(page, 'pull').getByText('Set by this level; gq.config.json has 45.').waitFor();
         await until(() => expect(file('01').rules).toEqual({ pull: 39 }));
         if (shots !== undefined) await page.screenshot({ path: `${shots}/3-over-config.png` });
+        for (const colorScheme of ['dark', 'light'] as const) {
+          await page.emulateMedia({ colorScheme, reducedMotion: 'reduce' });
+          await until(async () => expect(await page.locator('html').getAttribute('data-theme')).toBe(colorScheme));
+          expect(await complaintsAbout(page, colorScheme, '.inspector')).toEqual([]);
+        }
         await rule(page, 'pull').getByRole('button', { name: 'Reset pull' }).click();
         await verdict(page, 'broken');
         await until(() => expect(file('01').rules).toBeUndefined());

@@ -1,0 +1,29 @@
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import type { Result } from 'axe-core';
+import type { Page } from 'playwright-core';
+
+const AXE = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+
+/** What is wrong with the page by the rules of WCAG 2.2 AA, and by that for names, which axe runs only when it is asked to. @param within a selector: a part of the page alone */
+export async function complaintsAbout(page: Page, where: string, within = 'html'): Promise<string[]> {
+  const violations = await page.evaluate(
+    async ([source, selector]) => {
+      // a script element would need leave of the page's content security policy
+      if (!('axe' in window)) new Function(source).call(window);
+      const { axe } = window as unknown as typeof window & { axe: typeof import('axe-core') };
+      const { violations: found } = await axe.run(selector, {
+        runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa'],
+        rules: { 'label-content-name-mismatch': { enabled: true } },
+      });
+      return found as Result[];
+    },
+    [AXE, within] as const,
+  );
+  return violations.flatMap(({ id, nodes }) =>
+    nodes
+      // where a hold begins and ends is a place in time: it can't be wider than the time it stands for
+      .filter(({ html }) => !(id === 'target-size' && html.includes('hold__edge')))
+      .map(({ html }) => `${where}: ${id}: ${html.slice(0, 200)}`),
+  );
+}
