@@ -1,10 +1,23 @@
-import { ACCURACIES, type AccuracyName, compile, createSimulation, joinHolds, playScript, TICK_RATE } from '../engine/index.ts';
+import {
+  ACCURACIES,
+  type AccuracyName,
+  compile,
+  createSimulation,
+  joinHolds,
+  playScript,
+  simulate,
+  TICK_RATE,
+} from '../engine/index.ts';
 import { type Hold, type LevelFile, resolveLevel } from '../schema/index.ts';
 import { atMost, type Claim, compare, optionValue, publish } from './harness.ts';
 import { ORBIT, ORBIT_FILE } from './scenes/index.ts';
 
-const TICKS = 60 * TICK_RATE;
+const SECONDS = 60;
+const TICKS = SECONDS * TICK_RATE;
 const INERT_LIMIT = 1.03;
+
+/** An effect that tells of events of its own acts in a scene where there are at least as many. */
+const ENOUGH_EVENTS = 5;
 
 interface Played {
   readonly level: LevelFile;
@@ -21,7 +34,7 @@ interface EffectCase {
   /** What `acting` is compared with, where that isn't `without`. */
   readonly actingWithout?: Played;
   /** Whether the effect did something, by the types of the run's events or her end; null: it acts by being there. */
-  readonly sign: 'wake' | 'enter' | 'explosion' | 'mineral' | null;
+  readonly sign: 'wake' | 'enter' | 'explosion' | 'mineral' | 'winds' | 'wormholes' | null;
 }
 
 const held = (level: LevelFile): Played => ({ level, holds: ORBIT.holds });
@@ -78,6 +91,22 @@ const CASES: readonly EffectCase[] = [
     inert: held({ ...ORBIT_FILE, repulsors: [{ x: 700, y: -700, radius: 48 }] }),
     acting: ring([150, 140, 130, 120, 110]).map((place) => held({ ...ORBIT_FILE, repulsors: [{ ...place, radius: 48 }] })),
     sign: 'enter',
+  },
+  {
+    effect: 'winds',
+    without: orbit,
+    inert: held({ ...ORBIT_FILE, winds: [{ x: 700, y: -700, radius: 48, ax: 0, ay: -20 }] }),
+    acting: ring([100, 90, 80]).map((place) => held({ ...ORBIT_FILE, winds: [{ ...place, radius: 48, ax: 2, ay: 0 }] })),
+    sign: 'winds',
+  },
+  {
+    effect: 'wormholes',
+    without: orbit,
+    inert: held({ ...ORBIT_FILE, wormholes: [{ x: 700, y: -700, toX: 900, toY: -700, radius: 16 }] }),
+    acting: ring([100, 90, 80]).map(({ x, y }) =>
+      held({ ...ORBIT_FILE, wormholes: [{ x, y, toX: x - 40, toY: y, radius: 12 }] }),
+    ),
+    sign: 'wormholes',
   },
   {
     effect: 'alien-chase',
@@ -145,8 +174,15 @@ function playable({ level, holds }: Played, accuracy: AccuracyName) {
   };
 }
 
-/** Plays a scene tick by tick and looks whether its effect showed. */
+/** Plays a scene and looks whether its effect showed, and she is still under way at the end. */
 function acts(played: Played, accuracy: AccuracyName, sign: EffectCase['sign']): boolean {
+  if (sign !== 'winds' && sign !== 'wormholes') return showsTickByTick(played, accuracy, sign);
+  const { events, outcome } = simulate(compile(resolveLevel(played.level), accuracy), played.holds, { maxTime: SECONDS });
+  const own = events.filter((event) => event.type === 'effect' && event.effect === sign);
+  return outcome === 'timeout' && own.length >= ENOUGH_EVENTS;
+}
+
+function showsTickByTick(played: Played, accuracy: AccuracyName, sign: EffectCase['sign']): boolean {
   const { simulation } = playable(played, accuracy);
   const { level } = simulation.scene;
   const aliens = new Float64Array(3 * level.aliens.length);
