@@ -1,16 +1,20 @@
 import { isMainThread, parentPort, Worker, workerData } from 'node:worker_threads';
 import { optionValue } from './harness.ts';
 import { attackProofs } from './soak/attack-proofs.ts';
+import { checkBySteps } from './soak/by-steps.ts';
 import { checkScene, type Finding } from './soak/check-scene.ts';
 import { checkGraze, GRAZED_AT, graze } from './soak/contacts.ts';
 import { degenerateScene } from './soak/degenerate-scene.ts';
 import { checkPieces } from './soak/pieces.ts';
 import { randomScene } from './soak/random-scene.ts';
+import { steppableScene, windyDegenerateScene, windyScene } from './soak/windy-scene.ts';
 
-/** What is looked at with a seed: `rules` in any scene, `pieces` in those where something may happen without end. */
+/** What is looked at with a seed: `rules` in any scene, `pieces` in those where something may happen without end; both with winds and wormholes, too. */
 const ATTACKS = {
   rules: { scene: randomScene, find: (seed: number) => checkScene(randomScene(seed), seed) },
+  'windy-rules': { scene: windyScene, find: (seed: number) => checkScene(windyScene(seed), seed) },
   pieces: { scene: degenerateScene, find: (seed: number) => checkPieces(degenerateScene(seed)) },
+  'windy-pieces': { scene: windyDegenerateScene, find: (seed: number) => checkPieces(windyDegenerateScene(seed)) },
 };
 type Attack = keyof typeof ATTACKS;
 
@@ -97,6 +101,27 @@ function attackContacts(from: number, seeds: number, until: number): void {
   if (counts.bug > 0 || counts.hit === 0) process.exitCode = 1;
 }
 
+/** Where another program of small steps has her must be where the engine does, seed after seed. */
+function attackBySteps(from: number, seeds: number, until: number): void {
+  const counts = { agrees: 0, vague: 0, bug: 0 };
+  let jumps = 0;
+  let crossings = 0;
+  let seed = from;
+  for (; seed < from + seeds && Date.now() < until; seed++) {
+    const finding = checkBySteps(steppableScene(seed));
+    counts[finding.what]++;
+    if (finding.what === 'bug') console.log(`bug  steppable scene ${seed}: ${finding.why}`);
+    if (finding.what !== 'agrees') continue;
+    jumps += finding.jumps;
+    crossings += finding.crossings;
+  }
+  console.log(
+    `\n${seed - from} scenes (${from} to ${seed - 1}): ${counts.agrees} agree, with ${jumps} jumps and ${crossings} rims of winds crossed, ` +
+      `${counts.vague} about which small steps say nothing, ${counts.bug} bugs`,
+  );
+  if (counts.bug > 0 || counts.agrees === 0) process.exitCode = 1;
+}
+
 /** Looks at scene after scene in a worker. */
 async function attackScenes(attack: Attack, from: number, scenes: number, seconds: number): Promise<void> {
   const began = Date.now();
@@ -107,12 +132,12 @@ async function attackScenes(attack: Attack, from: number, scenes: number, second
   });
   console.log(
     `\n${done - from} scenes (${from} to ${done - 1}) at three accuracies in ${((Date.now() - began) / 1000).toFixed(1)} s: ` +
-      `${counts.bug} bugs, ${counts.hangs} ${attack === 'rules' ? 'whose outcome hangs on their last digits' : 'in clusters of asteroids'}`,
+      `${counts.bug} bugs, ${counts.hangs} ${attack.endsWith('rules') ? 'whose outcome hangs on their last digits' : 'in clusters of asteroids'}`,
   );
   if (counts.bug > 0 || done === from) process.exitCode = 1;
 }
 
-const ALL_ATTACKS = [...(Object.keys(ATTACKS) as Attack[]), 'contacts', 'proofs'] as const;
+const ALL_ATTACKS = [...(Object.keys(ATTACKS) as Attack[]), 'small-steps', 'contacts', 'proofs'] as const;
 
 const isScenes = (attack: string): attack is Attack => Object.hasOwn(ATTACKS, attack);
 
@@ -135,6 +160,7 @@ async function main(): Promise<void> {
   for (const attack of named === null ? ALL_ATTACKS : [named]) {
     console.log(`\n== ${attack}`);
     if (isScenes(attack)) await attackScenes(attack, from, seeds, seconds);
+    else if (attack === 'small-steps') attackBySteps(from, seeds, Date.now() + 1000 * seconds);
     else if (attack === 'contacts') attackContacts(from, seeds, Date.now() + 1000 * seconds);
     else attackProofs(seconds);
   }

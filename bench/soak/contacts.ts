@@ -25,6 +25,8 @@ const KINDS = [
   'alien',
   'two aliens',
   'hot rock',
+  'wind',
+  'mouth',
 ] as const;
 export type GrazedKind = (typeof KINDS)[number];
 
@@ -38,7 +40,19 @@ export const GRAZED_AT: readonly Accuracy[] = [
   accuracyOf({ integrator: 'euler', rate: 60, tolerance: null, contact: 'swept' }),
 ];
 
-const MOTIONS = ['coast', 'orbit', 'fall', 'let go', 'two asteroids', 'recoil', 'field', 'fast', 'close pass'] as const;
+const MOTIONS = [
+  'coast',
+  'orbit',
+  'fall',
+  'let go',
+  'two asteroids',
+  'recoil',
+  'field',
+  'fast',
+  'close pass',
+  'wind',
+  'wormhole',
+] as const;
 
 /** A run that grazes one thing: what it does without that thing is its truth. */
 export interface Graze {
@@ -67,6 +81,9 @@ interface Path {
   readonly run: Run;
   readonly until: number;
 }
+
+/** Where a mouth leads to that she grazes, px on both axes. */
+const AWAY = 5e6;
 
 const FAR: Circle = { id: null, x: 1e7, y: 1e7, radius: 18 };
 const rock = (x: number, y: number): Asteroid => ({ id: null, x, y, radius: 16, hot: false });
@@ -99,7 +116,7 @@ export function graze(seed: number, accuracy: Accuracy): Graze | null {
   const nearest = between(0.02, 0.98) * until;
   const step = 1e-4 * Math.min(1, until);
   if (run.events.some(({ time }) => Math.abs(time - nearest) < 2 * step)) return null;
-  const byCentre = kind === 'repulsor' || kind === 'alien wakes' || kind === 'target';
+  const byCentre = kind === 'repulsor' || kind === 'alien wakes' || kind === 'target' || kind === 'wind' || kind === 'mouth';
   const point: readonly [number, number] = byCentre
     ? [0, 0]
     : [pick([-1, 1]) * DEFAULT_BOX.halfWidth, pick([-1, 1]) * DEFAULT_BOX.halfHeight];
@@ -238,6 +255,11 @@ function withThing(
   const circle: Circle = { id: null, x: x + (radius - depth) * nx, y: y + (radius - depth) * ny, radius };
   const byCentre = ([px, py]: Float64Array) => Math.hypot(circle.x - px, circle.y - py) - radius;
   if (kind === 'repulsor') return { level: { ...level, repulsors: [...level.repulsors, circle] }, gap: byCentre };
+  // what it does once she is in it is no part of the truth: a wind that is still, and a mouth that leads nowhere near
+  if (kind === 'wind') return { level: { ...level, winds: [...level.winds, { ...circle, ax: 0, ay: 0 }] }, gap: byCentre };
+  if (kind === 'mouth') {
+    return { level: { ...level, wormholes: [...level.wormholes, { ...circle, toX: AWAY, toY: AWAY }] }, gap: byCentre };
+  }
   // an alien touches her only when she is nearly on it
   if (kind === 'alien wakes') {
     return { level: { ...level, aliens: [{ ...circle, radius: 1 + 9 * share }] }, gap: byCentre };
@@ -275,6 +297,8 @@ function fly(
     speed = between(20, 80);
     heading = turn + Math.PI + 10 ** between(-5, -1);
   }
+  // dropped into a mouth by another wormhole she isn't moved
+  if (kind === 'mouth' && motion === 'wormhole') return null;
   // the line between two asteroids is one only where they stand still, and there are no more
   if (kind === 'target' && (motion === 'two asteroids' || motion === 'coast' || motion === 'recoil')) return null;
   const field: Circle = { id: null, x: between(-150, 150), y: between(-150, 150), radius: between(30, 150) };
@@ -289,6 +313,8 @@ function fly(
     ...NO_OBJECTS,
     asteroids,
     repulsors: motion === 'field' ? [field] : [],
+    winds: motion === 'wind' ? [{ ...field, ax: between(-60, 60), ay: between(-60, 60) }] : [],
+    wormholes: motion === 'wormhole' ? [{ ...field, toX: between(-150, 150), toY: between(-150, 150) }] : [],
     runs: [],
   };
   const run = simulate(compile(level, accuracy), holds, { maxTime: seconds });
@@ -340,6 +366,8 @@ function engineTime(g: Graze): number | null {
   if (g.kind === 'black hole') return run.outcome === 'completed' ? run.time : null;
   const field = g.level.repulsors.length - 1;
   const other = g.level.asteroids.length - 1;
+  const wind = g.level.winds.length - 1;
+  const wormhole = g.level.wormholes.length - 1;
   // an alien that is large enough to touch the other may touch her before
   if (g.kind === 'two aliens' && run.outcome === 'collided') return 0;
   const event = run.events.find(
@@ -348,6 +376,8 @@ function engineTime(g: Graze): number | null {
       (g.kind === 'mineral' && e.type === 'mineral') ||
       (g.kind === 'repulsor' && e.type === 'enter' && e.index === field) ||
       (g.kind === 'alien wakes' && e.type === 'wake') ||
+      (g.kind === 'wind' && e.type === 'effect' && e.effect === 'winds' && e.what === 'enter' && e.index === wind) ||
+      (g.kind === 'mouth' && e.type === 'effect' && e.effect === 'wormholes' && e.index === wormhole) ||
       (g.kind === 'target' && e.type === 'target' && e.index === other),
   );
   return event?.time ?? null;

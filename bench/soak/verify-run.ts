@@ -16,17 +16,28 @@ const SLIDES = 1e-6;
 /** Most complaints kept of one run. */
 const ENOUGH = 5;
 
+/** s before and after a jump at which she is looked at, and how far she may be from where it says, px and px/s. */
+const JUMP = 1e-9;
+const JUMP_SLACK = 1e-5;
+
+/** Which mouth of a wormhole she is in, so that it doesn't fire: 0 none, 1 the one at (x, y), 2 the other; null: not known. */
+type MouthState = 0 | 1 | 2 | null;
+
 interface Modes {
   readonly held: boolean;
   readonly target: number;
   readonly field: number;
+  /** All winds that blow on her together, px/s2. */
+  readonly wind: readonly [number, number];
   readonly awake: readonly boolean[];
 }
 
 /**
  * Holds a run in continuous time against the rules, using nothing of how it was found: at every tick the gun must pull
  * towards the nearest asteroid, the first field around her must be the one she is in, nothing may overlap her that should
- * have ended the run or been collected, and between events energy, angular momentum and straight lines must be kept.
+ * have ended the run or been collected, the winds around her and no others blow, no open wormhole lets her stay in a mouth, a jump
+ * moves her by the difference of the mouths and changes nothing else, and between events energy, angular momentum and straight lines,
+ * or parabolas in a wind, must be kept.
  * @param drift by how much, relatively, energy and angular momentum may change in a tick
  * @param slack how far a place may be beyond what a rule allows, px
  * @returns what is wrong, in words; empty when all is well
@@ -63,6 +74,8 @@ export function verifyRun(scene: Scene, holds: readonly Hold[], run: Run, slack:
   // of several that contain her the first acts
   let field = inside.indexOf(true);
   let target = -1;
+  const blowing = level.winds.map((w) => distance(w, level.astronaut.x, level.astronaut.y) < w.radius);
+  const mouths = level.wormholes.map((w): MouthState => mouthAt(w, level.astronaut.x, level.astronaut.y));
   let next = 0;
   const follow = (until: number) => {
     let happened = false;
@@ -76,6 +89,13 @@ export function verifyRun(scene: Scene, holds: readonly Hold[], run: Run, slack:
         if (inside[event.index] === enters) complain(`${event.type} ${event.index} at ${event.time} once more`);
         inside[event.index] = enters;
         field = inside.indexOf(true);
+      } else if (event.type === 'effect' && event.effect === 'winds') {
+        const enters = event.what === 'enter';
+        if (blowing[event.index] === enters) complain(`${event.what} wind ${event.index} at ${event.time} once more`);
+        blowing[event.index] = enters;
+      } else if (event.type === 'effect' && event.effect === 'wormholes') {
+        verifyJump(scene, run, event, target >= 0, slack, complain);
+        mouths.fill(null);
       } else if (event.type === 'wake') awake[event.index] = true;
       else if (event.type === 'sleep') awake[event.index] = false;
       else if (event.type === 'mineral') {
@@ -132,6 +152,20 @@ export function verifyRun(scene: Scene, holds: readonly Hold[], run: Run, slack:
       if (inside[i] && d > f.radius + slack + SLIDES) complain(`in field ${i} ${at}, ${d - f.radius} px outside it`);
       if (!inside[i] && d < f.radius - slack - SLIDES) complain(`not in field ${i} ${at}, ${f.radius - d} px inside`);
     }
+    for (const [i, w] of level.winds.entries()) {
+      if (near) break;
+      const outside = distance(w, x, y) - w.radius;
+      if (blowing[i] && outside > slack + SLIDES) complain(`in wind ${i} ${at}, ${outside} px outside it`);
+      if (!blowing[i] && outside < -slack - SLIDES) complain(`not in wind ${i} ${at}, ${-outside} px inside`);
+    }
+    for (const [i, w] of level.wormholes.entries()) {
+      if (near) break;
+      const there = mouthAt(w, x, y);
+      const depth = w.radius - Math.min(distance(w, x, y), distance({ ...w, x: w.toX, y: w.toY }, x, y));
+      if (mouths[i] === 0 && depth > slack + SLIDES) complain(`${depth} px in a mouth of open wormhole ${i} ${at}`);
+      // from one mouth into the other of its own she goes on, without a jump
+      else mouths[i] = there;
+    }
     for (const [i, a] of level.novae.entries()) overlap('nova', i, a.x, a.y, a.radius);
     for (const [i, a] of level.asteroids.entries()) {
       if (a.hot) overlap('hot asteroid', i, rocks[2 * i], rocks[2 * i + 1], a.radius);
@@ -161,15 +195,25 @@ export function verifyRun(scene: Scene, holds: readonly Hold[], run: Run, slack:
       if (gap < -slack) complain(`${what} ${i} overlaps her by ${-gap} px ${at}`);
     }
 
-    const modes: Modes = { held, target, field, awake: [...awake] };
+    const wind = [0, 0] as [number, number];
+    for (const [i, w] of level.winds.entries()) {
+      if (!blowing[i]) continue;
+      wind[0] += w.ax;
+      wind[1] += w.ay;
+    }
+    const modes: Modes = { held, target, field, wind, awake: [...awake] };
     if (before !== null && !happened && before.time > 0) keepsInvariants(before.state, state, before.modes);
     before = near ? null : { time, state: state.slice(), modes };
 
     function keepsInvariants(a: Float64Array, b: Float64Array, m: Modes) {
-      if (Math.max(Math.abs(a[2]), Math.abs(a[3]), Math.abs(b[2]), Math.abs(b[3])) > 1000 - 39 * TICK) return;
+      const [wx, wy] = m.wind;
+      const most = 1000 - (39 + Math.hypot(wx, wy)) * TICK;
+      if (Math.max(Math.abs(a[2]), Math.abs(a[3]), Math.abs(b[2]), Math.abs(b[3])) > most) return;
       const speed = Math.hypot(a[2], a[3]);
       if (!m.held && m.field < 0) {
-        const off = Math.hypot(b[2] - a[2], b[3] - a[3]) + Math.hypot(b[0] - a[0] - a[2] * TICK, b[1] - a[1] - a[3] * TICK);
+        const bent = Math.hypot(b[2] - a[2] - wx * TICK, b[3] - a[3] - wy * TICK);
+        const [fallX, fallY] = [(wx * TICK * TICK) / 2, (wy * TICK * TICK) / 2];
+        const off = bent + Math.hypot(b[0] - a[0] - a[2] * TICK - fallX, b[1] - a[1] - a[3] * TICK - fallY);
         if (off > 1e-12 * (1 + speed) + 1e-15 * scale(scene)) complain(`coasting ${at} bends by ${off}`);
         return;
       }
@@ -182,18 +226,52 @@ export function verifyRun(scene: Scene, holds: readonly Hold[], run: Run, slack:
       const rounding = 1e-15 * scale(scene);
       const bound = drift * (1 + size) + rounding * 100;
       if (Math.abs(eb - ea) > bound) complain(`energy ${at} jumps by ${eb - ea} of ${ea} (${JSON.stringify(m)})`);
+      // a wind turns her about any centre
+      if (wx !== 0 || wy !== 0) return;
       if (Math.abs(lb - la) > bound + rounding * (speed + 100)) complain(`angular momentum ${at} jumps by ${lb - la} of ${la}`);
       function invariants(q: Float64Array): [number, number, number] {
         const dx = q[0] - centre.x;
         const dy = q[1] - centre.y;
         const d = Math.hypot(dx, dy);
         const v2 = q[2] * q[2] + q[3] * q[3];
-        return [v2 / 2 + potential(d), dx * q[3] - dy * q[2], v2 + Math.abs(potential(d)) + d * Math.sqrt(v2)];
+        const all = potential(d) - wx * dx - wy * dy;
+        return [v2 / 2 + all, dx * q[3] - dy * q[2], v2 + Math.abs(potential(d)) + d * (Math.sqrt(v2) + Math.hypot(wx, wy))];
       }
     }
   }
   verifyEnd(scene, run, slack, complain);
   return complaints;
+}
+
+/** A jump begins on the rim of a mouth, ends as far from the other one, and her velocity is what it was. @param targets whether the gun has a target */
+function verifyJump(
+  { level }: Scene,
+  run: Run,
+  jump: Run['events'][number] & { readonly index: number },
+  targets: boolean,
+  slack: number,
+  complain: (what: string) => void,
+): void {
+  const isAlone = run.events.every((e) => e === jump || Math.abs(e.time - jump.time) > 2 * JUMP);
+  if (!isAlone || jump.time < JUMP || jump.time + JUMP > run.trajectory.duration) return;
+  const w = level.wormholes[jump.index];
+  const a = new Float64Array(STATE_SIZE);
+  const b = new Float64Array(STATE_SIZE);
+  run.trajectory.at(jump.time - JUMP, a);
+  run.trajectory.at(jump.time + JUMP, b);
+  const [dx, dy] = [b[0] - a[0], b[1] - a[1]];
+  const off = (sign: number) => Math.hypot(dx - sign * (w.toX - w.x), dy - sign * (w.toY - w.y));
+  const sign = off(1) < off(-1) ? 1 : -1;
+  const from = sign === 1 ? w : { ...w, x: w.toX, y: w.toY };
+  const rim = Math.abs(distance(from, a[0], a[1]) - w.radius);
+  const at = `through wormhole ${jump.index} at ${jump.time}`;
+  if (off(sign) > slack + JUMP_SLACK) complain(`${at} she is moved by ${dx}, ${dy}`);
+  if (rim > slack + JUMP_SLACK) complain(`${at} she was ${rim} px from the rim of the mouth`);
+  const change = Math.hypot(b[2] - a[2], b[3] - a[3]);
+  const turn = Math.hypot(b[4] - a[4], b[5] - a[5]);
+  if (change > JUMP_SLACK) complain(`${at} her velocity changes by ${change}`);
+  // towards a target she turns at once
+  if (!targets && turn > JUMP_SLACK) complain(`${at} she turns by ${turn}`);
 }
 
 function verifyEnd(scene: Scene, run: Run, slack: number, complain: (what: string) => void): void {
@@ -213,9 +291,18 @@ function verifyEnd(scene: Scene, run: Run, slack: number, complain: (what: strin
   }
   const gap = boxCircleGap(DEFAULT_BOX, c.x - x, c.y - y, cos, sin, c.radius);
   if (gap > slack) complain(`ended on ${kind} ${index} at ${run.time} s, ${gap} px away from it`);
-  // an end in mid-flight is the first touch; at the start, or as a new target turns the box, she may be deep inside
-  const turned = run.time === 0 || run.events.some((e) => e.type === 'target' && run.time - e.time < 1e-9);
-  if (gap < -slack && !turned) complain(`ended on ${kind} ${index} at ${run.time} s, ${-gap} px deep in it`);
+  // an end in mid-flight is the first touch; at the start, as a new target turns the box, or behind a wormhole, she may be deep inside
+  const sudden = run.time === 0 || run.events.some((e) => isSudden(e) && run.time - e.time < 1e-9);
+  if (gap < -slack && !sudden) complain(`ended on ${kind} ${index} at ${run.time} s, ${-gap} px deep in it`);
+}
+
+const isSudden = (event: Run['events'][number]): boolean =>
+  event.type === 'target' || (event.type === 'effect' && event.effect === 'wormholes');
+
+/** Which mouth her centre is in. */
+function mouthAt(w: Scene['level']['wormholes'][number], x: number, y: number): MouthState {
+  if (distance(w, x, y) < w.radius) return 1;
+  return distance({ ...w, x: w.toX, y: w.toY }, x, y) < w.radius ? 2 : 0;
 }
 
 /** Whether she is on the rim of a field and moves along it: then neither energy nor angular momentum is kept. */

@@ -1,11 +1,11 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { bySmallSteps } from '../../bench/soak/small-steps.ts';
 import { windyScene } from '../../bench/soak/windy-scene.ts';
 import { compile, type RunEvent, simulate, WorkBudget } from '../../engine/index.ts';
-import type { Level } from '../../schema/index.ts';
+import type { Hold, Level } from '../../schema/index.ts';
 import { accuracyNames, continuousNames } from './accuracies.ts';
 import { plainLevel } from './plain-level.ts';
-import { bySmallSteps } from './small-steps.ts';
 
 const even = (min: number, max: number) => fc.integer({ min: 0, max: 1_000_000 }).map((k) => min + ((max - min) * k) / 1e6);
 
@@ -77,11 +77,12 @@ describe.each(continuousNames)('winds and wormholes at %s', (accuracy) => {
             wormholes: [{ id: null, x: 110, y: turn - 20, toX: 320, toY: -60, radius: 24 }],
           };
           const scene = compile(level, accuracy);
-          const run = simulate(scene, held ? [[0, 100_000]] : [], { maxTime: 3 });
-          const truth = bySmallSteps(level, held, 3, 1 / 2000);
+          const holds: Hold[] = held ? [[0, 180]] : [];
+          const run = simulate(scene, holds, { maxTime: 3 });
+          const truth = bySmallSteps(level, holds, 3, 1 / 2000);
           jumps += told(run.events).filter((what) => what.startsWith('jump')).length;
           // where a rim is all but grazed a small error becomes a large one
-          const finer = bySmallSteps(level, held, 3, 1 / 2700);
+          const finer = bySmallSteps(level, holds, 3, 1 / 2700);
           const doubt = Math.hypot(finer.x - truth.x, finer.y - truth.y);
           fc.pre(doubt < 1e-8);
           expect(Math.hypot(run.final.x - truth.x, run.final.y - truth.y)).toBeLessThan(error);

@@ -1,4 +1,4 @@
-import { DEFAULT_RULES, type Level } from '../../schema/index.ts';
+import { DEFAULT_RULES, type Hold, type Level } from '../../schema/index.ts';
 
 export interface Moving {
   x: number;
@@ -10,12 +10,16 @@ export interface Moving {
 /** Which mouth of each wormhole she is in; 0: of none, it is open. */
 type Mouths = number[];
 
+/** Ticks a second, said once more: nothing here is the engine's. */
+const TICKS = 60;
+
 /**
  * The game by nothing but small steps: where she is after `time` s, by the classical Runge-Kutta method at `step` s, with rims
- * found by halving. An astronaut who is a point, the gun held or not all the time, asteroids that stand still, repulsors, winds and
- * wormholes. It shares no code with the engine.
+ * found by halving. An astronaut who is a point, asteroids that stand still, repulsors, winds and wormholes; no range and no speed
+ * limit. It shares no code with the engine.
+ * @param holds in order, none touching the next
  */
-export function bySmallSteps(level: Level, held: boolean, time: number, step: number): Moving {
+export function bySmallSteps(level: Level, holds: readonly Hold[], time: number, step: number): Moving {
   const { pull, push } = DEFAULT_RULES;
   const inside = (o: { x: number; y: number; radius: number }, x: number, y: number) => Math.hypot(x - o.x, y - o.y) < o.radius;
   // what acts is chosen once a step, so that no step sees a force jump
@@ -29,6 +33,7 @@ export function bySmallSteps(level: Level, held: boolean, time: number, step: nu
     field: level.repulsors.find((repulsor) => inside(repulsor, x, y)),
     rock: level.asteroids.reduce((a, b) => (Math.hypot(b.x - x, b.y - y) < Math.hypot(a.x - x, a.y - y) ? b : a)),
   });
+  let held = false;
   const same = (a: Acting, b: Acting) =>
     a.field === b.field &&
     (!held || a.rock === b.rock) &&
@@ -66,13 +71,21 @@ export function bySmallSteps(level: Level, held: boolean, time: number, step: nu
   const { x, y, vx, vy } = level.astronaut;
   let at: Moving = { x, y, vx, vy };
   const mouths: Mouths = level.wormholes.map((w) => mouthAt(w, x, y));
+  const changes = holds.flat().map((tick) => tick / TICKS);
   for (let t = 0; t < time; ) {
+    const coming = changes.findIndex((change) => change > t);
+    // of press, release, press ... an odd number is over: she holds it
+    held = (coming === -1 ? changes.length : coming) % 2 === 1;
+    const until = coming === -1 ? time : Math.min(time, changes[coming]);
     const acting = actingAt(at.x, at.y);
     const isQuiet = (to: Moving) =>
       same(acting, actingAt(to.x, to.y)) && level.wormholes.every((w, i) => mouthAt(w, to.x, to.y) === mouths[i]);
-    let h = Math.min(step, time - t);
+    let h = Math.min(step, until - t);
+    const isLast = h < step;
     let next = advance(acting, at, h);
+    let isWhole = true;
     if (!isQuiet(next)) {
+      isWhole = false;
       let low = 0;
       for (let n = 0; n < 60; n++) {
         const middle = (low + h) / 2;
@@ -81,7 +94,7 @@ export function bySmallSteps(level: Level, held: boolean, time: number, step: nu
       }
       next = advance(acting, at, h);
     }
-    t += h;
+    t = isWhole && isLast ? until : t + h;
     at = next;
     for (const [i, w] of level.wormholes.entries()) {
       const mouth = mouthAt(w, at.x, at.y);

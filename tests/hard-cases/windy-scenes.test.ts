@@ -1,0 +1,33 @@
+import { describe, expect, it } from 'vitest';
+import { checkBySteps } from '../../bench/soak/by-steps.ts';
+import { checkScene } from '../../bench/soak/check-scene.ts';
+import { checkPieces } from '../../bench/soak/pieces.ts';
+import { steppableScene, windyDegenerateScene, windyScene } from '../../bench/soak/windy-scene.ts';
+
+const seeds = (count: number) => Array.from({ length: count }, (_, seed) => seed);
+
+// a taste of bench/soak.ts, which looks at as many as one likes
+describe('scenes with winds and wormholes', () => {
+  it('keep every rule at every accuracy, whole or split, at two tolerances', () => {
+    expect(seeds(150).flatMap((seed) => checkScene(windyScene(seed), seed).filter(({ kind }) => kind === 'bug'))).toEqual([]);
+  });
+
+  it('take no pieces without end, where she starts on rims, in mouths and between forces in balance', () => {
+    expect(seeds(60).flatMap((seed) => checkPieces(windyDegenerateScene(seed)).filter(({ kind }) => kind === 'bug'))).toEqual([]);
+  });
+
+  it('end where another program of nothing but small steps ends', () => {
+    let [agreeing, jumps, crossings] = [0, 0, 0];
+    for (const seed of seeds(80)) {
+      const finding = checkBySteps(steppableScene(seed));
+      expect({ seed, finding }).not.toHaveProperty('finding.why');
+      if (finding.what !== 'agrees') continue;
+      agreeing++;
+      jumps += finding.jumps;
+      crossings += finding.crossings;
+    }
+    expect(agreeing).toBeGreaterThan(30);
+    expect(jumps).toBeGreaterThan(5);
+    expect(crossings).toBeGreaterThan(10);
+  });
+});
