@@ -20,8 +20,10 @@ export {
   createGenerator,
   type Generated,
   type GeneratorOptions,
+  INGREDIENTS,
   type Ingredient,
   type LevelGenerator,
+  USUAL_INGREDIENTS,
   type WantedDifficulty,
   type WantedSize,
 } from './generate/index.ts';

@@ -7,7 +7,11 @@ export type WantedDifficulty = 'easy' | 'medium' | 'hard' | number;
 export type WantedSize = 'small' | 'medium' | 'large' | { readonly width: number; readonly height: number };
 
 /** Things a generated level may contain besides asteroids, novae and minerals. */
-export type Ingredient = 'hot' | 'repulsors' | 'aliens' | 'recoil';
+export const INGREDIENTS = ['hot', 'repulsors', 'aliens', 'recoil', 'winds', 'wormholes'] as const;
+export type Ingredient = (typeof INGREDIENTS)[number];
+
+/** What may be drawn where nothing is said: what is added to this list changes the levels of all seeds. */
+export const USUAL_INGREDIENTS: readonly Ingredient[] = ['hot', 'repulsors', 'aliens'];
 
 export interface GeneratorOptions {
   /** Any finite number: the same seed and options give the same level. */
@@ -16,7 +20,7 @@ export interface GeneratorOptions {
   readonly size?: WantedSize;
   /** `medium` when left out. */
   readonly difficulty?: WantedDifficulty;
-  /** What may be drawn; hot asteroids, repulsors and aliens when left out. */
+  /** What may be drawn; {@link USUAL_INGREDIENTS} when left out. */
   readonly ingredients?: readonly Ingredient[];
   /** Rules under which it is played; the game's own when left out. */
   readonly rules?: OwnRules;
@@ -95,7 +99,7 @@ export function specOf({ size = 'medium', difficulty = 'medium', ingredients, ru
     routeP40: 0.97 - 0.4 * hardness,
     coast: Math.round(100 + 120 * hardness),
     onePress: 0.06 * (1 - hardness) + 0.002,
-    ingredients: ingredients ?? ['hot', 'repulsors', 'aliens'],
+    ingredients: ingredients ?? USUAL_INGREDIENTS,
     rules,
   };
 }

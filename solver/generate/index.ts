@@ -1,3 +1,10 @@
 export type { Generated } from './generated.ts';
 export { createGenerator, type LevelGenerator } from './generator.ts';
-export type { GeneratorOptions, Ingredient, WantedDifficulty, WantedSize } from './generator-spec.ts';
+export {
+  type GeneratorOptions,
+  INGREDIENTS,
+  type Ingredient,
+  USUAL_INGREDIENTS,
+  type WantedDifficulty,
+  type WantedSize,
+} from './generator-spec.ts';

@@ -14,7 +14,15 @@ export interface Layout {
   readonly aliens: readonly Disc[];
   readonly novae: readonly Disc[];
   readonly minerals: readonly Disc[];
+  readonly winds: readonly Wind[];
+  readonly wormholes: readonly Wormhole[];
 }
+
+/** A disc, and the acceleration in it, px/s2 in whole numbers. */
+export type Wind = Disc & { readonly ax: number; readonly ay: number };
+
+/** One mouth, and the place of the other. */
+export type Wormhole = Disc & { readonly toX: number; readonly toY: number };
 
 /** px: what is drawn nearer to each other looks like one thing. */
 export const GAP = 12;
@@ -29,6 +37,13 @@ const BOX_FREE = 20;
 /** px/s on each axis, at most. */
 const START_SPEED = 50;
 
+/** px/s2: the least that a wind blows, and the most on each axis. What is stronger than the gun close by leaves nothing to steer. */
+const BREEZE = 10;
+const GUST = 24;
+
+/** px between the centres of both mouths of a wormhole, at least. */
+const MOUTHS_APART = 160;
+
 const TRIES = 60;
 
 export const distance = (a: Place, b: Place): number => {
@@ -37,19 +52,30 @@ export const distance = (a: Place, b: Place): number => {
   return Math.sqrt(dx * dx + dy * dy);
 };
 
-/** Everything that is drawn solid, and repulsors, whose rims should be seen whole. */
+/** Both mouths of a wormhole. */
+const mouthsOf = ({ x, y, toX, toY, radius }: Wormhole): Disc[] => [
+  { x, y, radius },
+  { x: toX, y: toY, radius },
+];
+
+/** Everything that is drawn solid, and repulsors and mouths, whose rims should be seen whole. Winds blow over other things. */
 export function bodiesOf(layout: Layout): Disc[] {
-  return [layout.blackHole, ...layout.asteroids, ...layout.repulsors, ...layout.aliens, ...layout.novae];
+  const { blackHole, asteroids, repulsors, aliens, novae, wormholes } = layout;
+  return [blackHole, ...asteroids, ...repulsors, ...aliens, ...novae, ...wormholes.flatMap(mouthsOf)];
 }
 
 /** Whether a disc lies within the margins and keeps the gap to all others and to the start. */
 export function fits(layout: Layout, spec: GeneratorSpec, disc: Disc, gap = GAP): boolean {
-  const { x, y, radius } = disc;
+  if (!isOffEdgeAndStart(layout, spec, disc)) return false;
+  const { radius } = disc;
+  return bodiesOf(layout).every((other) => distance(other, disc) >= other.radius + radius + gap);
+}
+
+function isOffEdgeAndStart(layout: Layout, spec: GeneratorSpec, { x, y, radius }: Disc): boolean {
   if (x < MARGIN + radius || y < MARGIN + radius) return false;
   if (x > spec.width - MARGIN - radius || y > spec.height - MARGIN - radius) return false;
   const free = Math.max(START_FREE, boxOf(rulesOf(layout)).halfDiagonal + BOX_FREE);
-  if (distance(disc, layout.start) < free + radius) return false;
-  return bodiesOf(layout).every((other) => distance(other, disc) >= other.radius + radius + gap);
+  return distance({ x, y }, layout.start) >= free + radius;
 }
 
 /**
@@ -84,6 +110,8 @@ export function layOut(random: Random, spec: GeneratorSpec): Layout | null {
     aliens: [],
     novae: [],
     minerals: [],
+    winds: [],
+    wormholes: [],
   };
 
   const count = between(...spec.asteroids);
@@ -103,22 +131,42 @@ export function layOut(random: Random, spec: GeneratorSpec): Layout | null {
 
   // where she comes by: what lies out of every asteroid's range is only scenery
   const inPlay = (): Place => near(layout.asteroids[random.below(layout.asteroids.length)], 50, 190);
-  const some = (ingredient: 'repulsors' | 'aliens') =>
-    spec.ingredients.includes(ingredient) && random.below(3) === 0 ? between(1, Math.max(1, Math.round(count / 2))) : 0;
-  for (let n = some('repulsors'); n > 0; n--) {
+  const some = (ingredient: 'repulsors' | 'aliens' | 'winds' | 'wormholes', inThree: number) =>
+    spec.ingredients.includes(ingredient) && random.below(3) < inThree ? between(1, Math.max(1, Math.round(count / 2))) : 0;
+  for (let n = some('repulsors', 1); n > 0; n--) {
     const disc = tryOften(() => {
       const field = { ...inPlay(), radius: random.below(2) === 0 ? 32 : 48 };
       return fits(layout, spec, field) ? field : null;
     });
     if (disc !== null) layout = { ...layout, repulsors: [...layout.repulsors, disc] };
   }
-  for (let n = some('aliens'); n > 0; n--) {
+  for (let n = some('aliens', 1); n > 0; n--) {
     const disc = tryOften(() => {
       const alien = { ...inPlay(), radius: 25 };
       const isAsleep = distance(alien, start) >= rulesOf(spec).alienSight + 25;
       return isAsleep && fits(layout, spec, alien, 40) ? alien : null;
     });
     if (disc !== null) layout = { ...layout, aliens: [...layout.aliens, disc] };
+  }
+  // who asks for these, which nobody gets unasked, wants to see them
+  for (let n = some('wormholes', 2); n > 0; n--) {
+    const wormhole = tryOften(() => {
+      const radius = random.below(2) === 0 ? 24 : 32;
+      const [mouth, other] = [inPlay(), inPlay()];
+      if (distance(mouth, other) < MOUTHS_APART) return null;
+      const made = { ...mouth, toX: other.x, toY: other.y, radius };
+      return mouthsOf(made).every((disc) => fits(layout, spec, disc)) ? made : null;
+    });
+    if (wormhole !== null) layout = { ...layout, wormholes: [...layout.wormholes, wormhole] };
+  }
+  for (let n = some('winds', 2); n > 0; n--) {
+    const wind = tryOften(() => {
+      const made = { ...inPlay(), radius: random.below(2) === 0 ? 64 : 96, ax: between(-GUST, GUST), ay: between(-GUST, GUST) };
+      if (distance({ x: made.ax, y: made.ay }, { x: 0, y: 0 }) < BREEZE) return null;
+      const apart = layout.winds.every((other) => distance(other, made) >= other.radius + made.radius + GAP);
+      return apart && isOffEdgeAndStart(layout, spec, made) ? made : null;
+    });
+    if (wind !== null) layout = { ...layout, winds: [...layout.winds, wind] };
   }
   return layout;
 }

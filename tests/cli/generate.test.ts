@@ -62,6 +62,18 @@ describe('gq generate', () => {
     expect(check.stdout).not.toContain('warning');
   });
 
+  it('puts in winds and wormholes where they are asked for', async () => {
+    const options = '--size small --difficulty easy --ingredients winds,wormholes --effort 40000000';
+    const ended = await generate(`--out windy --seed 0 ${options} --format json`);
+    expect(ended).toMatchObject({ code: 0, stderr: '' });
+    const [name] = readdirSync(join(cwd, 'windy'));
+    const level = JSON.parse(inDirectory(join(cwd, 'windy'), name)) as LevelFile;
+    expect([level.winds?.length, level.wormholes?.length]).toEqual([1, 1]);
+    const check = await gq(['check', 'windy', '--require-slack', '1'], { cwd });
+    expect(check.code).toBe(0);
+    expect(check.stdout).not.toContain('warning');
+  });
+
   it('comes to the same for any number of threads', async () => {
     const ended = await Promise.all(
       ['1', '2'].map((jobs) => generate(`--out same --count 3 ${EASY} --effort 700000 --format json --jobs ${jobs}`)),
@@ -108,6 +120,10 @@ describe('gq generate', () => {
     ['--out x --size 100x100', 'with sides of 360 to 4000 px'],
     ['--out x --difficulty 11', 'expected easy, medium, hard, or a grade from 1 to 10'],
     ['--out x --ingredients hot,cold', 'found "cold"'],
+    [
+      '--out x --ingredients winds,wormhole',
+      'expected some of hot, repulsors, aliens, recoil, winds, wormholes, with commas between, or none; found "wormhole"',
+    ],
     ['--out kept/none/x', "the directory can't be made"],
   ])('%s: exit code 2, and what was expected', async (args, message) => {
     const { code, stdout, stderr } = await generate(args);

@@ -1,9 +1,12 @@
+import { createHash } from 'node:crypto';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { compile, findWarnings, simulate } from '../../engine/index.ts';
-import { type Circle, formatLevel, readLevel } from '../../schema/index.ts';
+import { type Circle, DEFAULT_RULES, formatLevel, OBJECT_LISTS, readLevel } from '../../schema/index.ts';
 import { specOf } from '../../solver/generate/generator-spec.ts';
+import { layOut } from '../../solver/generate/layout.ts';
 import { certify, createGenerator, findShortcuts, type Generated, type GeneratorOptions, verifyRun } from '../../solver/index.ts';
+import { createRandom } from '../../solver/random.ts';
 
 const ANY = { minerals: 'any' } as const;
 
@@ -22,6 +25,7 @@ const WISHES: readonly GeneratorOptions[] = [
   { seed: 3, size: 'small', difficulty: 'easy' },
   { seed: 1, size: 'medium', difficulty: 'easy' },
   { seed: 2, size: 'medium', difficulty: 'medium' },
+  { seed: 0, size: 'small', difficulty: 'easy', ingredients: ['winds', 'wormholes'] },
 ];
 
 const LEVELS = WISHES.map((options) => ({ options, generated: generate(options) }));
@@ -65,7 +69,17 @@ describe.each(LEVELS)('a level generated from $options', ({ options, generated }
     const scene = compile(level);
     const runs = level.runs.map(({ holds }) => simulate(scene, holds));
     expect(findWarnings(level, runs)).toEqual([]);
-    const bodies: Pick<Circle, 'x' | 'y' | 'radius'>[] = [level.blackHole, ...level.asteroids, ...level.novae, ...level.aliens];
+    const mouths = level.wormholes.flatMap(({ x, y, toX, toY, radius }) => [
+      { x, y, radius },
+      { x: toX, y: toY, radius },
+    ]);
+    const bodies: Pick<Circle, 'x' | 'y' | 'radius'>[] = [
+      level.blackHole,
+      ...level.asteroids,
+      ...level.novae,
+      ...level.aliens,
+      ...mouths,
+    ];
     for (const { x, y, radius } of bodies) {
       expect(Math.min(x, y) - radius).toBeGreaterThanOrEqual(20);
       expect(x + radius).toBeLessThanOrEqual(spec.width - 20);
@@ -79,7 +93,7 @@ describe.each(LEVELS)('a level generated from $options', ({ options, generated }
   });
 
   it('is ready to be written: ids on every object, and a name', () => {
-    const objects = [...level.asteroids, ...level.novae, ...level.repulsors, ...level.aliens, ...level.minerals];
+    const objects = OBJECT_LISTS.flatMap((list) => level[list]);
     expect(objects.every(({ id }) => id !== null)).toBe(true);
     expect(level.name).toMatch(/^[A-Z][a-z]+ [A-Z][a-z]+$/);
     expect(formatLevel(reading.document.file)).toBe(text);
@@ -91,6 +105,13 @@ describe('a generator', () => {
     const texts = LEVELS.map(({ generated }) => formatLevel(generated.level));
     expect(formatLevel(generate(WISHES[1], 50_000).level)).toBe(texts[1]);
     expect(new Set(texts).size).toBe(texts.length);
+  });
+
+  it('gives for a seed the level it gave before there were winds and wormholes', () => {
+    const digests = LEVELS.slice(0, 3).map(({ generated }) =>
+      createHash('sha256').update(formatLevel(generated.level)).digest('hex').slice(0, 16),
+    );
+    expect(digests).toEqual(['d1075594f33b9a0f', '10fe3da5714ec28c', 'b5d189d10a00a53e']);
   });
 
   it('refuses what can not be', () => {
@@ -119,6 +140,42 @@ describe('a generator', () => {
     expect(level.aliens).toBeUndefined();
     expect(level.repulsors).toBeUndefined();
     expect(level.recoil).toBeUndefined();
+    expect(level.winds).toBeUndefined();
+    expect(level.wormholes).toBeUndefined();
     expect(level.asteroids?.some(({ hot }) => hot)).toBe(false);
+  });
+
+  it('lays out winds and wormholes where they are asked for: in play, clear of the start and of what they would hide', () => {
+    const counts = { winds: 0, wormholes: 0 };
+    fc.assert(
+      fc.property(fc.nat(2 ** 32 - 1), fc.constantFrom('easy', 'medium', 'hard'), (seed, difficulty) => {
+        const spec = specOf({ seed, difficulty, ingredients: ['winds', 'wormholes', 'repulsors'] });
+        const layout = layOut(createRandom(seed), spec);
+        if (layout === null) return;
+        counts.winds += layout.winds.length;
+        counts.wormholes += layout.wormholes.length;
+        for (const { x, y, radius, ax, ay } of layout.winds) {
+          expect(Math.hypot(x - layout.start.x, y - layout.start.y)).toBeGreaterThan(radius + 32);
+          const strength = Math.hypot(ax, ay);
+          expect(strength).toBeGreaterThanOrEqual(10);
+          expect(strength).toBeLessThan(DEFAULT_RULES.pull);
+        }
+        for (const { x, y, toX, toY, radius } of layout.wormholes) {
+          expect(Math.hypot(toX - x, toY - y)).toBeGreaterThanOrEqual(160);
+          for (const mouth of [
+            { x, y },
+            { x: toX, y: toY },
+          ]) {
+            expect(Math.hypot(mouth.x - layout.start.x, mouth.y - layout.start.y)).toBeGreaterThan(radius + 32);
+            for (const other of [...layout.asteroids, ...layout.repulsors]) {
+              expect(Math.hypot(mouth.x - other.x, mouth.y - other.y)).toBeGreaterThanOrEqual(radius + other.radius + 12);
+            }
+          }
+        }
+      }),
+      { numRuns: 300 },
+    );
+    expect(counts.winds).toBeGreaterThan(100);
+    expect(counts.wormholes).toBeGreaterThan(100);
   });
 });

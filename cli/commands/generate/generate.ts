@@ -2,7 +2,14 @@ import { availableParallelism } from 'node:os';
 import process from 'node:process';
 import { type Command, InvalidArgumentError } from 'commander';
 import type { GenerateReport } from '../../../schema/index.ts';
-import type { GeneratorOptions, Ingredient, WantedDifficulty, WantedSize } from '../../../solver/index.ts';
+import {
+  type GeneratorOptions,
+  INGREDIENTS,
+  type Ingredient,
+  USUAL_INGREDIENTS,
+  type WantedDifficulty,
+  type WantedSize,
+} from '../../../solver/index.ts';
 import { colorsFor } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
 import { Failure } from '../../failure.ts';
@@ -17,8 +24,6 @@ import { generateJson, generatePretty } from './report.ts';
 
 /** Ticks simulated for a level at most, where nothing else is said: minutes. */
 const DEFAULT_EFFORT = 500_000_000;
-
-const INGREDIENTS: readonly Ingredient[] = ['hot', 'repulsors', 'aliens', 'recoil'];
 
 interface Options {
   readonly out: string;
@@ -42,7 +47,7 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     .option('--difficulty <d>', 'easy, medium, hard, or a grade from 1 to 10', parseDifficulty, 'medium')
     .option(
       '--ingredients <list>',
-      `what may be in them beside asteroids, novae and minerals: ${INGREDIENTS.join(',')} or none (default: "hot,repulsors,aliens")`,
+      `what may be in them beside asteroids, novae and minerals: ${INGREDIENTS.join(',')} or none (default: "${USUAL_INGREDIENTS.join(',')}")`,
       parseIngredients,
     )
     .option(
@@ -67,7 +72,8 @@ file has its name; 130 and 143 after SIGINT and SIGTERM.
 Examples:
   $ gq generate --out drafts
   $ gq generate --out drafts --count 10 --seed 100 --difficulty hard --size large
-  $ gq generate --out drafts --difficulty 4.5 --size 900x500 --ingredients hot,recoil`,
+  $ gq generate --out drafts --difficulty 4.5 --size 900x500 --ingredients hot,recoil
+  $ gq generate --out drafts --ingredients winds,wormholes`,
     )
     .action(async (options: Options) => finish(await generate(options)));
 }
