@@ -1,4 +1,4 @@
-import { STATE_SIZE } from '../../engine/index.ts';
+import { isJump, STATE_SIZE, TICK } from '../../engine/index.ts';
 import type { Pose } from '../context/index.ts';
 import type { LiveProof } from '../proof/index.ts';
 
@@ -28,7 +28,9 @@ export function poseAt(proof: LiveProof, tick: number): Pose {
   const { states, count, last, held } = way;
   const ended = tick >= count - 1;
   const k = Math.max(0, Math.min(count - 1, Math.floor(tick)));
-  const share = ended ? 0 : Math.max(0, tick - k);
+  const isStraight = !ended && !isJump(states, k * STATE_SIZE, (k + 1) * STATE_SIZE, TICK);
+  // where a wormhole moves her there is nothing between: she waits for the next tick
+  const share = isStraight ? Math.max(0, tick - k) : 0;
   const between = (i: number) =>
     states[k * STATE_SIZE + i] * (1 - share) + (share > 0 ? states[(k + 1) * STATE_SIZE + i] * share : 0);
   const state = ended ? last : null;

@@ -4,6 +4,7 @@ import type { Ghost } from '../../context/index.ts';
 import { isWhole, type LiveProof } from '../../proof/index.ts';
 import type { Layer } from '../../session/index.ts';
 import { type Colours, colourNumber } from '../colours.ts';
+import { linesOf } from './ghost-lines.ts';
 
 /** Ticks between the dots of a way. */
 const DOTS = 6;
@@ -52,7 +53,10 @@ export class WayLayer {
       const colour = look === 'slack' ? this.colours.slack : look === 'candidate' ? this.colours.select : this.colours.ghost;
       this.graphics.lineStyle((look === 'candidate' ? 1.6 : 1) / zoom, colourNumber(colour), look === 'slack' ? 0.22 : 0.6);
       this.graphics.beginPath();
-      for (let i = 0; i + 1 < points.length; i += 6) this.graphics.lineTo(points[i], points[i + 1]);
+      for (const line of linesOf(points)) {
+        this.graphics.moveTo(line[0], line[1]);
+        for (let i = 2; i < line.length; i += 2) this.graphics.lineTo(line[i], line[i + 1]);
+      }
       this.graphics.strokePath();
     }
   }
@@ -86,7 +90,7 @@ export class WayLayer {
     if (count > 0) {
       const isDoomed = doom < count;
       graphics.lineStyle((isDoomed ? 2 : 1.3) / zoom, isDoomed ? danger : coast, isDoomed ? 0.95 : 0.7);
-      graphics.lineBetween(...place(count - 1), last[0], last[1]);
+      if (!endsInJump(states, count, last)) graphics.lineBetween(...place(count - 1), last[0], last[1]);
     }
     for (let k = 0; k < count; k += DOTS) graphics.fillStyle(k >= doom ? danger : coast, 0.9).fillCircle(...place(k), 1.7 / zoom);
     // presses and releases
@@ -140,4 +144,12 @@ export class WayLayer {
     this.graphics.lineStyle(3 / zoom, colour, 1);
     this.graphics.lineBetween(x - arm, y - arm, x + arm, y + arm).lineBetween(x - arm, y + arm, x + arm, y - arm);
   }
+}
+
+/** Whether she is moved all at once between the last tick and the end of the run. */
+function endsInJump(states: Float64Array, count: number, last: Float64Array): boolean {
+  const both = new Float64Array(2 * STATE_SIZE);
+  both.set(states.subarray((count - 1) * STATE_SIZE, count * STATE_SIZE));
+  both.set(last.subarray(0, STATE_SIZE), STATE_SIZE);
+  return isJump(both, 0, STATE_SIZE, TICK) && isJump(both, 0, STATE_SIZE, 0);
 }

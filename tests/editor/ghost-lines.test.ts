@@ -1,0 +1,75 @@
+import { describe, expect, it } from 'vitest';
+import { randomScene } from '../../bench/soak/random-scene.ts';
+import { linesOf } from '../../editor/canvas/layers/ghost-lines.ts';
+import { poseAt } from '../../editor/canvas/run-pose.ts';
+import { everyTick, wayOf } from '../../editor/panels/solver/ways.ts';
+import { createProver } from '../../editor/proof/index.ts';
+import { compile, TICK } from '../../engine/index.ts';
+import type { LevelFile } from '../../schema/index.ts';
+import { accuracyNames } from '../engine/accuracies.ts';
+import { plainLevel } from '../engine/plain-level.ts';
+
+const through = (vx: number) => ({
+  ...plainLevel({ astronaut: { x: 0, y: 0, vx, vy: 0 } }),
+  wormholes: [{ id: null, x: 100, y: 0, toX: 400, toY: 300, radius: 20 }],
+});
+
+/** The longest stroke of some lines, px. */
+const longest = (lines: ReturnType<typeof linesOf>): number =>
+  Math.max(
+    0,
+    ...lines.flatMap((line) =>
+      Array.from({ length: line.length / 2 - 1 }, (_, i) =>
+        Math.hypot(line[2 * i + 2] - line[2 * i], line[2 * i + 3] - line[2 * i + 1]),
+      ),
+    ),
+  );
+
+describe.each(accuracyNames)('the lines of a ghost at %s', (accuracy) => {
+  it.each([20, 60, 300, 900])('are cut where a wormhole moves her at %d px/s', (vx) => {
+    const scene = compile(through(vx), accuracy);
+    const points = wayOf(scene, [], Math.round((200 / vx) * 60));
+    const lines = linesOf(points);
+    expect(lines).toHaveLength(2);
+    // three ticks are a stroke
+    expect(longest(lines)).toBeLessThan(3 * TICK * vx + 1e-3);
+    // of a way known every third tick, filled in
+    const rare = points.filter((_, i) => Math.floor(i / 2) % 3 === 0);
+    expect(linesOf(everyTick(rare, 3))).toHaveLength(2);
+  });
+
+  it('are one where nothing moves her at once, however she flies', () => {
+    for (let seed = 0; seed < 150; seed++) {
+      const { level, holds } = randomScene(seed);
+      const points = wayOf(compile(level, accuracy), holds, 300);
+      const lines = linesOf(points);
+      expect({ seed, lines: lines.length }).toEqual({ seed, lines: 1 });
+      // all of it is drawn, but for what is left of the last stroke
+      expect(lines[0].length).toBe(2 * Math.ceil(points.length / 6));
+    }
+  });
+});
+
+it('the run that is played back is never between the mouths', () => {
+  const file: LevelFile = {
+    version: 1,
+    name: 'Through',
+    astronaut: { x: 0, y: 0, vx: 60, vy: 0 },
+    blackHole: { x: 600, y: 300 },
+    asteroids: [{ x: 200, y: 200, radius: 16 }],
+    range: 1000,
+    wormholes: [{ x: 100, y: 0, toX: 400, toY: 300, radius: 20 }],
+  };
+  const proof = createProver().prove({ file, run: null, accuracy: 'precise' });
+  let before = poseAt(proof, 0);
+  let leaps = 0;
+  for (let tick = 0; tick < proof.run.way.count - 1; tick += 1 / 8) {
+    const pose = poseAt(proof, tick);
+    const step = Math.hypot(pose.x - before.x, pose.y - before.y);
+    // an eighth of a tick at 60 px/s; the leap waits for its tick
+    if (step > 400) leaps++;
+    else expect(step).toBeLessThan(0.2);
+    before = pose;
+  }
+  expect(leaps).toBe(1);
+});
