@@ -239,6 +239,37 @@ describe.each(PLACEABLES)('a new %s', (placeable) => {
   });
 });
 
+describe('a wind on the canvas', () => {
+  const signOfWind = (ax: number, ay: number) => {
+    const file = fileAfter(withOne('wind').file, (draft) => void Object.assign(draft.winds?.[0] ?? {}, { ax, ay }));
+    const [found] = [...objectsOf(file).values()].filter(({ kind }) => kind === 'wind');
+    const [, sign] = ON_CANVAS.wind.parts(found);
+    return sign;
+  };
+
+  it('points where it blows, the larger the stronger, and always so large that it is seen', () => {
+    fc.assert(
+      fc.property(
+        fc.double({ min: 0.01, max: 100, noNaN: true }),
+        fc.double({ min: -3.1, max: 3.1, noNaN: true }),
+        (by, turn) => {
+          const [ax, ay] = [by * Math.cos(turn), by * Math.sin(turn)];
+          const { texture, rotation, scale } = signOfWind(ax, ay);
+          expect(texture).toBe('streaks');
+          expect(rotation).toBeCloseTo(turn, 9);
+          expect(scale).toBeGreaterThanOrEqual(0.5);
+          expect(scale).toBeLessThan(1);
+          expect(signOfWind(2 * ax, 2 * ay).scale).toBeGreaterThanOrEqual(scale ?? 0);
+        },
+      ),
+    );
+  });
+
+  it('has another sign where it is still', () => {
+    expect(signOfWind(0, 0).texture).toBe('calm');
+  });
+});
+
 describe('operations on a level of any kinds', () => {
   const number = fc.oneof(fc.integer({ min: -300, max: 300 }), fc.double({ min: -1e12, max: 1e12, noNaN: true }));
   const recipeFor = (file: LevelFile, key: string, other: string, a: number, b: number): Recipe[] => {

@@ -4,6 +4,11 @@ import { type Brush, fadingDisc, faint, ring } from '../brush.ts';
 import type { Colours, Theme } from '../colours.ts';
 import type { KindOnCanvas } from './kind-on-canvas.ts';
 
+/** px/s2 from which on streaks are as large as can be, and their sizes, of the disc: the weakest are still seen. */
+const STRONG = 60;
+const LEAST_STREAKS = 0.5;
+const MOST_STREAKS = 0.95;
+
 const INK = { dark: '#8fd3ff', light: '#1c74b8' } as const;
 
 function drawDisc(brush: Brush, _: Colours, theme: Theme): void {
@@ -35,20 +40,26 @@ function drawStreaks(brush: Brush, _: Colours, theme: Theme): void {
   }
 }
 
+/** Where no wind blows, which isn't what an empty disc would say. */
+function drawCalm(brush: Brush, _: Colours, theme: Theme): void {
+  ring(brush, 0.5, 0.09, faint(INK[theme], 0.9));
+}
+
 const usual = (name: string): number => {
   const field = KINDS.wind.fields[name];
   return field.type === 'number' ? (field.default ?? 0) : 0;
 };
 
-/** A disc with streaks that point where the wind blows; the stronger, the larger they are. */
+/** A disc with streaks that point where the wind blows; the stronger, the larger they are. A small ring where none blows. */
 export const wind: KindOnCanvas = {
   sign: { Icon: Wind, tone: 'accent' },
-  textures: { wind: drawDisc, streaks: drawStreaks },
+  textures: { wind: drawDisc, streaks: drawStreaks, calm: drawCalm },
   parts({ object }) {
     const { ax = usual('ax'), ay = usual('ay') } = object as { ax?: number; ay?: number };
     const strength = Math.hypot(ax, ay);
     const disc = { texture: 'wind', depth: 1.5 };
-    if (strength === 0) return [disc];
-    return [disc, { texture: 'streaks', depth: 1.6, scale: 0.35 + Math.min(0.6, strength / 100), rotation: Math.atan2(ay, ax) }];
+    if (strength === 0) return [disc, { texture: 'calm', depth: 1.6, scale: 0.4 }];
+    const scale = LEAST_STREAKS + (MOST_STREAKS - LEAST_STREAKS) * Math.min(1, strength / STRONG);
+    return [disc, { texture: 'streaks', depth: 1.6, scale, rotation: Math.atan2(ay, ax) }];
   },
 };

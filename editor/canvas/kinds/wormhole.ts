@@ -3,13 +3,15 @@ import { type Brush, disc, faint, ring } from '../brush.ts';
 import type { Colours, Theme } from '../colours.ts';
 import type { KindOnCanvas } from './kind-on-canvas.ts';
 
-const INK = { dark: '#ff9de2', light: '#b0128a' } as const;
+/** Of the rim, which stands against space, and of what turns within, which stands against the dark of the mouth. */
+const RIM = { dark: '#ff9de2', light: '#b0128a' } as const;
+const SPIRAL = '#ff9de2';
 
 function drawMouth(brush: Brush, colours: Colours, theme: Theme): void {
-  brush.fillStyle = faint(colours.hole, 0.7);
+  brush.fillStyle = faint(colours.hole, 0.85);
   disc(brush, 0, 0, 1);
-  ring(brush, 0.96, 0.08, INK[theme]);
-  brush.strokeStyle = faint(INK[theme], 0.8);
+  ring(brush, 0.95, 0.1, RIM[theme]);
+  brush.strokeStyle = faint(SPIRAL, 0.85);
   brush.lineWidth = 0.06;
   brush.lineCap = 'round';
   brush.beginPath();

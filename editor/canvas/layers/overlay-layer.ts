@@ -44,6 +44,18 @@ export interface OverlayInput {
   readonly editing: boolean;
 }
 
+/** The ends of a line between two discs of one radius, from rim to rim; from centre to centre where they overlap. */
+function betweenRims(from: Point, to: Point, radius: number): [Point, Point] {
+  const [dx, dy] = [to.x - from.x, to.y - from.y];
+  const length = Math.hypot(dx, dy);
+  if (length <= 2 * radius) return [from, to];
+  const [outX, outY] = [(dx / length) * radius, (dy / length) * radius];
+  return [
+    { x: from.x + outX, y: from.y + outY },
+    { x: to.x - outX, y: to.y - outY },
+  ];
+}
+
 /** What helps while editing: grid, range of the gun, margins of hazards, selection, guides, marquee. Below and above the objects. */
 export class OverlayLayer {
   private readonly below: GameObjects.Graphics;
@@ -129,7 +141,7 @@ export class OverlayLayer {
       if (others.length === 0) continue;
       const isMeant = found.key === hovered || selected.includes(found.key);
       this.below.lineStyle(1.5 / zoom, colourNumber(this.colours.label), isMeant ? 0.8 : 0.35).beginPath();
-      for (const other of others) this.dashes(first, other, zoom);
+      for (const other of others) this.dashes(...betweenRims(first, other, radiusOf(found) ?? 0), zoom);
       this.below.strokePath();
     }
   }

@@ -146,10 +146,14 @@ export class WayLayer {
   }
 }
 
-/** Whether she is moved all at once between the last tick and the end of the run. */
+/** Whether she is moved all at once between the last tick and the end of the run, which is no longer than a tick behind it. */
 function endsInJump(states: Float64Array, count: number, last: Float64Array): boolean {
+  const from = (count - 1) * STATE_SIZE;
   const both = new Float64Array(2 * STATE_SIZE);
-  both.set(states.subarray((count - 1) * STATE_SIZE, count * STATE_SIZE));
+  both.set(states.subarray(from, from + STATE_SIZE));
   both.set(last.subarray(0, STATE_SIZE), STATE_SIZE);
-  return isJump(both, 0, STATE_SIZE, TICK) && isJump(both, 0, STATE_SIZE, 0);
+  const [vx, vy] = [(states[from + 2] + last[2]) / 2, (states[from + 3] + last[3]) / 2];
+  const along = (last[0] - states[from]) * vx + (last[1] - states[from + 1]) * vy;
+  const speed2 = vx * vx + vy * vy;
+  return isJump(both, 0, STATE_SIZE, speed2 > 0 ? Math.min(TICK, Math.max(0, along / speed2)) : 0);
 }
