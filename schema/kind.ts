@@ -1,9 +1,12 @@
 /** A property of an object that is a number. Without a `default` a file must have it. */
 export interface NumberField {
   readonly type: 'number';
-  readonly unit: 'px' | 'px/s' | 'px/s2';
+  /** null: a plain number */
+  readonly unit: 'px' | 'px/s' | 'px/s2' | null;
   readonly least: number;
   readonly most: number;
+  /** By how much a key, or a px of a drag, changes it where it is typed. */
+  readonly step: number;
   /** What stands for it where a file leaves it out. */
   readonly default?: number;
   /** What a new object gets where there is no default. Coordinates have none: they come from where the object is put. */

@@ -2,7 +2,7 @@ import type { Appearance, Field, FlagField, Kind, NumberField } from './kind.ts'
 import { LIMITS } from './limits.ts';
 
 const coordinate = (about: string) =>
-  ({ type: 'number', unit: 'px', least: -LIMITS.coordinate, most: LIMITS.coordinate, about }) as const;
+  ({ type: 'number', unit: 'px', least: -LIMITS.coordinate, most: LIMITS.coordinate, step: 1, about }) as const;
 
 const at = {
   x: coordinate('Place in px, from left to right.'),
@@ -15,12 +15,13 @@ const velocity = (direction: string, label: string) =>
     unit: 'px/s',
     least: -LIMITS.velocity,
     most: LIMITS.velocity,
+    step: 1,
     default: 0,
     about: `Speed ${direction} at the start, px/s; 0 when left out.`,
     label,
   }) as const;
 
-const size = { type: 'number', unit: 'px', least: LIMITS.leastRadius, most: LIMITS.radius } as const;
+const size = { type: 'number', unit: 'px', least: LIMITS.leastRadius, most: LIMITS.radius, step: 1 } as const;
 
 /** A radius that a file must have. @param note what more there is to say */
 const radius = (initial: number, note: string) => ({ ...size, initial, about: `Radius in px; ${note}.` }) as const;
@@ -37,6 +38,7 @@ const acceleration = <const A extends number>(usual: A, direction: string, label
     unit: 'px/s2',
     least: -STRONGEST,
     most: STRONGEST,
+    step: 1,
     default: usual,
     about: `Acceleration ${direction}, px/s2; ${usual} when left out.`,
     label,

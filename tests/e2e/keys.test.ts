@@ -1,5 +1,6 @@
 import type { Locator, Page } from 'playwright-core';
 import { expect, it } from 'vitest';
+import { appearanceOf, PLACEABLES } from '../../schema/index.ts';
 import { verdict } from './commands.ts';
 import { straight } from './levels.ts';
 import { inChromium } from './stage.ts';
@@ -9,6 +10,22 @@ const tab = (page: Page, name: string): Locator => page.getByRole('tab', { name 
 const isChosen = async (page: Page, name: string) => (await tab(page, name).getAttribute('aria-selected')) === 'true';
 
 inChromium('keys in Chromium', ({ on }) => {
+  it(
+    'each letter takes one tool, or does one thing: those of the kinds are among them',
+    on({ '01': straight() }, async ({ page }) => {
+      await verdict(page, 'completable');
+      await page.keyboard.press('?');
+      const sheet = page.getByRole('dialog', { name: 'Keys and gestures' });
+      await sheet.waitFor();
+      const keys = (await sheet.locator('kbd').allTextContents()).map((key) => key.toLowerCase());
+      const letters = keys.filter((key) => /^[a-z]$/.test(key));
+      expect(letters.filter((letter, i) => letters.indexOf(letter) !== i)).toEqual([]);
+      expect(letters).toEqual(expect.arrayContaining(PLACEABLES.map((placeable) => appearanceOf(placeable).letter)));
+      // tools and commands beside them
+      expect(letters.length).toBeGreaterThan(PLACEABLES.length + 5);
+    }),
+  );
+
   it(
     'keys with Ctrl or Alt do the same whatever has the focus, but for what a text does with them',
     on({ '01': straight(), '02': straight({ name: 'Second' }) }, async ({ page, file }) => {

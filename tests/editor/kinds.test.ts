@@ -31,10 +31,11 @@ import {
   setRadius,
 } from '../../editor/document/index.ts';
 import { mergeLevels } from '../../editor/files/merge.ts';
+import { withoutEffect } from '../../editor/panels/effects/without.ts';
 import { fieldsOf } from '../../editor/panels/inspector/fields.ts';
 import { objectRows } from '../../editor/panels/outliner/object-rows.ts';
 import { TOOLS } from '../../editor/session/index.ts';
-import { boxOf } from '../../engine/index.ts';
+import { boxOf, EFFECTS } from '../../engine/index.ts';
 import {
   DEFAULT_RULES,
   type FieldName,
@@ -48,6 +49,7 @@ import {
   PLACEABLES,
   placedAs,
   readLevel,
+  resolveLevel,
 } from '../../schema/index.ts';
 import { arbitraryFile } from './arbitrary-file.ts';
 
@@ -119,10 +121,10 @@ describe.each(OBJECT_KINDS)('%s on the canvas', (kind) => {
     expect(fields.map(({ key, about, fallback }) => [key, about, fallback])).toEqual(
       fieldsOfKind(kind).map(([name, field]) => [name, field.about, field.default]),
     );
-    for (const { key, type, unit, least, most } of fields) {
+    for (const { key, type, unit, least, most, step } of fields) {
       const field = KINDS[kind].fields[key];
       expect(type).toBe(field.type);
-      if (field.type === 'number') expect([unit, least, most]).toEqual([field.unit, field.least, field.most]);
+      if (field.type === 'number') expect([unit, least, most, step]).toEqual([field.unit, field.least, field.most, field.step]);
     }
   });
 });
@@ -236,6 +238,32 @@ describe.each(PLACEABLES)('a new %s', (placeable) => {
     const both = mergeLevels(file, mine, theirs);
     expect(both.conflicts).toEqual([]);
     expect(both.file).toEqual(fileAfter(mine, setRadius([found.key], 99)));
+  });
+});
+
+describe('effects, as the editor names them', () => {
+  // two of everything: a single alien meets no other
+  const file = [...PLACEABLES, ...PLACEABLES].reduce(
+    (made: LevelFile, placeable, i) => fileAfter(made, addObject(placeable, 300 * i, 0)),
+    { ...BARE, recoil: true },
+  );
+  const level = resolveLevel(file);
+
+  it.each(PLACEABLES)('%s: its effect can be left out, and takes all of them along', (placeable) => {
+    const { kind, flag } = placedAs(placeable);
+    const without = EFFECTS.flatMap(({ name }) => withoutEffect(level, name) ?? []);
+    const isThere = (list: readonly object[]) => list.some((object) => flag === null || (object as { [flag]?: boolean })[flag]);
+    expect(isThere(level[listOf(kind)])).toBe(true);
+    // no run is possible without asteroids
+    expect(without.some((one) => !isThere(one[listOf(kind)]))).toBe(placeable !== 'asteroid');
+  });
+
+  it('what is left out is no longer called for', () => {
+    for (const { name, calledFor } of EFFECTS) {
+      const without = withoutEffect(level, name);
+      expect(calledFor(level).called, name).toBe(true);
+      if (without !== null) expect(calledFor(without).called, name).toBe(false);
+    }
   });
 });
 

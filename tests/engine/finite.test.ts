@@ -4,6 +4,7 @@ import { compile, type Run, STATE_SIZE, simulate, TICK, WorkBudget } from '../..
 import { DEFAULT_RULES, type Level, NO_OBJECTS } from '../../schema/index.ts';
 import { accuracyNames, levelsFor } from './accuracies.ts';
 import { arbitraryHolds } from './arbitrary-level.ts';
+import { imageOf, upended } from './image.ts';
 
 const LAST_TICK = 240;
 
@@ -51,25 +52,10 @@ describe.each(accuracyNames)('any level at %s', (accuracy) => {
   });
 
   it('is the mirror image in the mirrored level, bit for bit', () => {
-    const mirrored = (level: Level): Level => {
-      const flip = <T extends { y: number }>(o: T): T => ({ ...o, y: 0 - o.y });
-      return {
-        ...level,
-        astronaut: { ...flip(level.astronaut), vy: 0 - level.astronaut.vy },
-        blackHole: flip(level.blackHole),
-        asteroids: level.asteroids.map(flip),
-        novae: level.novae.map(flip),
-        repulsors: level.repulsors.map(flip),
-        aliens: level.aliens.map(flip),
-        minerals: level.minerals.map(flip),
-        winds: level.winds.map((wind) => ({ ...flip(wind), ay: 0 - wind.ay })),
-        wormholes: level.wormholes.map((wormhole) => ({ ...flip(wormhole), toY: 0 - wormhole.toY })),
-      };
-    };
     fc.assert(
       fc.property(levelsFor(accuracy), arbitraryHolds(LAST_TICK), (level, holds) => {
         const run = simulate(compile(level, accuracy), holds, { maxTime: LAST_TICK / 60 });
-        const image = simulate(compile(mirrored(level), accuracy), holds, { maxTime: LAST_TICK / 60 });
+        const image = simulate(compile(imageOf(level, upended), accuracy), holds, { maxTime: LAST_TICK / 60 });
         const { x, y, vx, vy, cos, sin } = image.final;
         expect({ x, y: 0 - y, vx, vy: 0 - vy, cos, sin: 0 - sin }).toEqual({
           ...run.final,

@@ -15,6 +15,7 @@ import { DEFAULT_RULES, type Hold, type Level, type OwnRules, RULE_NAMES, resolv
 import { accuracyNames, continuousNames, levelsFor } from './accuracies.ts';
 import { arbitraryHolds, arbitraryPlayableLevel } from './arbitrary-level.ts';
 import { arbitraryRules, CORNERS } from './arbitrary-rules.ts';
+import { flipped, imageOf } from './image.ts';
 import { plainLevel } from './plain-level.ts';
 
 // Rules are data: whatever is true of the game's own numbers is true of any in their ranges.
@@ -129,27 +130,11 @@ describe.each(continuousNames)('in continuous time, at %s', (accuracy) => {
   });
 
   it('a scene and its mirror image play alike', () => {
-    const mirror = (level: Level): Level => {
-      const flip = <T extends { x: number }>(thing: T): T => ({ ...thing, x: 0 - thing.x });
-      const { asteroids, novae, repulsors, aliens, minerals } = level;
-      return {
-        ...level,
-        astronaut: { ...flip(level.astronaut), vx: 0 - level.astronaut.vx },
-        blackHole: flip(level.blackHole),
-        asteroids: asteroids.map(flip),
-        novae: novae.map(flip),
-        repulsors: repulsors.map(flip),
-        aliens: aliens.map(flip),
-        minerals: minerals.map(flip),
-        winds: level.winds.map((wind) => ({ ...flip(wind), ax: 0 - wind.ax })),
-        wormholes: level.wormholes.map((wormhole) => ({ ...flip(wormhole), toX: 0 - wormhole.toX })),
-      };
-    };
     fc.assert(
       fc.property(arbitraryPlayableLevel, arbitraryRules, arbitraryHolds(200), (level, rules, holds: Hold[]) => {
         const play = (of: Level) =>
           simulate(compile(withRules(of, rules), accuracy), holds, { maxTime: 4, budget: new WorkBudget(50_000) });
-        const [run, image] = [play(level), play(mirror(level))];
+        const [run, image] = [play(level), play(imageOf(level, flipped))];
         expect([image.outcome, image.with, image.time, image.events]).toEqual([run.outcome, run.with, run.time, run.events]);
         expect([0 - image.final.x, image.final.y + 0]).toEqual([run.final.x + 0, run.final.y + 0]);
       }),

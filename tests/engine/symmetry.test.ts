@@ -6,38 +6,10 @@ import { windyScene } from '../../bench/soak/windy-scene.ts';
 import { compile, type Run, simulate, WorkBudget } from '../../engine/index.ts';
 import type { Hold, Level } from '../../schema/index.ts';
 import { continuousNames } from './accuracies.ts';
+import { flipped, imageOf, swapped } from './image.ts';
 import { plainLevel } from './plain-level.ts';
 
 // Nothing in continuous time knows right from left, or one axis from the other: what a slip makes of one of them shows in the image.
-
-type Turn = (x: number, y: number) => { x: number; y: number };
-const flipped: Turn = (x, y) => ({ x: 0 - x, y });
-const swapped: Turn = (x, y) => ({ x: y, y: x });
-
-function imageOf(level: Level, turn: Turn): Level {
-  const moved = <T extends { x: number; y: number }>(thing: T): T => ({ ...thing, ...turn(thing.x, thing.y) });
-  const { x: vx, y: vy } = turn(level.astronaut.vx, level.astronaut.vy);
-  const turned = (ax: number, ay: number) => {
-    const { x, y } = turn(ax, ay);
-    return { ax: x, ay: y };
-  };
-  const there = (toX: number, toY: number) => {
-    const { x, y } = turn(toX, toY);
-    return { toX: x, toY: y };
-  };
-  return {
-    ...level,
-    astronaut: { ...moved(level.astronaut), vx, vy },
-    blackHole: moved(level.blackHole),
-    asteroids: level.asteroids.map(moved),
-    novae: level.novae.map(moved),
-    repulsors: level.repulsors.map(moved),
-    aliens: level.aliens.map(moved),
-    minerals: level.minerals.map(moved),
-    winds: level.winds.map((wind) => ({ ...moved(wind), ...turned(wind.ax, wind.ay) })),
-    wormholes: level.wormholes.map((wormhole) => ({ ...moved(wormhole), ...there(wormhole.toX, wormhole.toY) })),
-  };
-}
 
 const SEED = fc.nat(1_000_000);
 

@@ -45,6 +45,8 @@ describe.each(OBJECT_KINDS)('%s', (kind) => {
       expect(field.about, name).not.toBe('');
       if (field.type === 'flag') continue;
       expect(field.least, name).toBeLessThan(field.most);
+      expect(field.step, name).toBeGreaterThan(0);
+      expect(field.step, name).toBeLessThanOrEqual(field.most - field.least);
       for (const value of [field.default, field.initial]) {
         if (value === undefined) continue;
         expect(value, name).toBeGreaterThanOrEqual(field.least);

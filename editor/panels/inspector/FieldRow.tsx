@@ -44,6 +44,7 @@ export const FieldRow = memo(function FieldRow({ field, value: shown, isDefault,
           value={shown as number | null}
           min={field.least}
           max={field.most}
+          step={field.step}
           unit={field.unit ?? undefined}
           about={field.about}
           onChange={change}

@@ -17,6 +17,8 @@ export interface Field {
   /** Least and most of a number; letters of a text. */
   readonly least: number;
   readonly most: number;
+  /** By how much a key, or a px of a drag, changes a number. */
+  readonly step: number;
   /** What it means. */
   readonly about: string;
   /** px, px/s, px/s2; null where it has none */
@@ -69,6 +71,7 @@ function fieldsOfLevel(): Fields {
         type,
         least: property.minimum ?? 0,
         most: property.maximum ?? property.maxLength ?? Number.POSITIVE_INFINITY,
+        step: 1,
         about,
         unit: type === 'number' ? 'px' : null,
         fallback: schema.required?.includes(key) === true ? undefined : (defaults[key] as Field['fallback']),
@@ -88,6 +91,7 @@ const fieldsOfObjects = (kind: ObjectKind): Fields => ({
       type: field.type,
       least: field.type === 'number' ? field.least : 0,
       most: field.type === 'number' ? field.most : Number.POSITIVE_INFINITY,
+      step: field.type === 'number' ? field.step : 1,
       about: field.about,
       unit: field.type === 'number' ? field.unit : null,
       fallback: field.default,
@@ -134,6 +138,7 @@ function fieldsOfAll(kinds: readonly ObjectKind[]): readonly Field[] {
         about: all.every(({ about }) => about === field.about) ? field.about : '',
         least: Math.max(...all.map(({ least }) => least)),
         most: Math.min(...all.map(({ most }) => most)),
+        step: Math.min(...all.map(({ step }) => step)),
         fallback: all.every(({ fallback }) => fallback === field.fallback) ? field.fallback : undefined,
       },
     ];
