@@ -29,7 +29,7 @@ import {
 } from '../picture/accuracy/index.ts';
 import { type Hold, type Level, readLevel } from '../schema/index.ts';
 import { atMost, machine, optionValue, publish } from './harness.ts';
-import { buttonPerStep, loadPeers, type Peer, type PeerWorld } from './peers/index.ts';
+import { buttonPerStep, loadPeers, type Peer, type PeerWorld, unsupportedIn } from './peers/index.ts';
 import { seeded } from './scenes/seeded.ts';
 
 const PROJECT = fileURLToPath(new URL('../../', import.meta.url));
@@ -117,7 +117,7 @@ function peerPlayer(peer: Peer, rate: number, scripts: readonly Script[]): Playe
   };
 }
 
-const isDrivable = ({ level }: Script): boolean => level.aliens.length === 0 && level.repulsors.length === 0 && !level.recoil;
+const isDrivable = ({ level }: Script): boolean => unsupportedIn(level).length === 0;
 
 const summary = ({ deviations, cost }: Row) => {
   const errors = deviations.map(({ error }) => error);

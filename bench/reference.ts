@@ -9,7 +9,8 @@ type State = [x: number, y: number, vx: number, vy: number];
  * @throws RangeError for a level with more than asteroids, novae and minerals
  */
 export function referenceEnd(level: Level, holds: readonly Hold[], seconds: number, rate: number): Float64Array {
-  if (level.recoil || level.aliens.length > 0 || level.repulsors.length > 0) {
+  const other = [level.aliens, level.repulsors, level.winds, level.wormholes].some((list) => list.length > 0);
+  if (level.recoil || level.rules !== undefined || other) {
     throw new RangeError(`expected a level of asteroids, novae and minerals, found more in '${level.name}'`);
   }
   if (rate % 60 !== 0) throw new RangeError(`expected a rate that is a multiple of 60, found ${rate}`);

@@ -1,4 +1,4 @@
-import type { Hold, Level } from '../../schema/index.ts';
+import { type Hold, type Level, OBJECT_LISTS, type ObjectList } from '../../schema/index.ts';
 
 /** What a peer's own contact detection reported first: an overlap, or the rule's range. */
 export type PeerOutcome = 'completed' | 'collided' | 'lost' | null;
@@ -24,7 +24,7 @@ export interface Peer {
   load(): Promise<void>;
   /**
    * @param rate steps per second
-   * @throws RangeError for a level with parts that peers aren't driven through: aliens or recoil
+   * @throws RangeError for a level with parts that peers aren't driven through: see {@link unsupportedIn}
    */
   create(level: Level, rate: number): PeerWorld;
 }
@@ -38,16 +38,25 @@ export interface PeerRun {
   readonly outcomeTime: number | null;
 }
 
+/** What every peer is driven through, or what it may pass over. */
+const SUPPORTED: ReadonlySet<ObjectList> = new Set<ObjectList>(['asteroids', 'novae', 'minerals']);
+
+/** What of a level peers can't be driven through the same way: lists of objects, recoil, rules of its own. Empty: they can. */
+export function unsupportedIn(level: Level): string[] {
+  return [
+    ...OBJECT_LISTS.filter((list) => !SUPPORTED.has(list) && level[list].length > 0),
+    ...(level.recoil ? ['recoil'] : []),
+    ...(level.rules === undefined ? [] : ['rules of its own']),
+  ];
+}
+
 /** @throws RangeError for a level that the peers can't be driven through the same way */
 export function requireSupported(level: Level): void {
-  const found = [
-    level.aliens.length > 0 ? 'aliens' : '',
-    level.recoil ? 'recoil' : '',
-    level.repulsors.length > 0 ? 'repulsors' : '',
-  ];
-  const names = found.filter((name) => name !== '').join(', ');
-  if (names !== '')
-    throw new RangeError(`expected a level of asteroids, novae and minerals for a peer, found ${names} in '${level.name}'`);
+  const found = unsupportedIn(level);
+  if (found.length > 0)
+    throw new RangeError(
+      `expected a level of asteroids, novae and minerals for a peer, found ${found.join(', ')} in '${level.name}'`,
+    );
 }
 
 /** The button at every step: 1 while held. A step of another rate takes the button of the tick in which it begins. */

@@ -74,5 +74,7 @@ describe.each(PEERS.map((peer) => [peer.name, peer] as const))('%s', (_, peer) =
 
   it('refuses a level it cannot be driven through', () => {
     expect(() => peer.create({ ...FALL.level, recoil: true }, 60)).toThrow(/found recoil/);
+    const windy = { ...FALL.level, winds: [{ id: null, x: 0, y: 0, radius: 10, ax: 1, ay: 0 }], rules: { pull: 45 } };
+    expect(() => peer.create(windy, 60)).toThrow(/found winds, rules of its own/);
   });
 });
