@@ -1,4 +1,5 @@
 import type { OwnRules } from '../../schema/index.ts';
+import { PLACED_KINDS, type PlacedList } from './placed/index.ts';
 
 /** How hard a generated level should be: in a word, or a grade from 1 to 10 that it should come within half a grade of. */
 export type WantedDifficulty = 'easy' | 'medium' | 'hard' | number;
@@ -7,8 +8,15 @@ export type WantedDifficulty = 'easy' | 'medium' | 'hard' | number;
 export type WantedSize = 'small' | 'medium' | 'large' | { readonly width: number; readonly height: number };
 
 /** Things a generated level may contain besides asteroids, novae and minerals. */
-export const INGREDIENTS = ['hot', 'repulsors', 'aliens', 'recoil', 'winds', 'wormholes'] as const;
-export type Ingredient = (typeof INGREDIENTS)[number];
+export type Ingredient = 'hot' | 'repulsors' | 'aliens' | 'recoil' | PlacedList;
+
+export const INGREDIENTS: readonly Ingredient[] = [
+  'hot',
+  'repulsors',
+  'aliens',
+  'recoil',
+  ...PLACED_KINDS.map(({ list }) => list),
+];
 
 /** What may be drawn where nothing is said: what is added to this list changes the levels of all seeds. */
 export const USUAL_INGREDIENTS: readonly Ingredient[] = ['hot', 'repulsors', 'aliens'];

@@ -1,7 +1,8 @@
 import { boxOf } from '../../engine/index.ts';
-import { type Disc, type OwnRules, type Place, rulesOf } from '../../schema/index.ts';
+import { type Disc, type OwnRules, type Place, placesIn, rulesOf } from '../../schema/index.ts';
 import type { Random } from '../random.ts';
 import type { GeneratorSpec } from './generator-spec.ts';
+import { PLACED_KINDS, type PlacedList, type PlacedObject } from './placed/index.ts';
 
 /** A level in the making: places are whole px. */
 export interface Layout {
@@ -14,15 +15,9 @@ export interface Layout {
   readonly aliens: readonly Disc[];
   readonly novae: readonly Disc[];
   readonly minerals: readonly Disc[];
-  readonly winds: readonly Wind[];
-  readonly wormholes: readonly Wormhole[];
+  /** What was asked for beside those. */
+  readonly placed: Readonly<Record<PlacedList, readonly PlacedObject[]>>;
 }
-
-/** A disc, and the acceleration in it, px/s2 in whole numbers. */
-export type Wind = Disc & { readonly ax: number; readonly ay: number };
-
-/** One mouth, and the place of the other. */
-export type Wormhole = Disc & { readonly toX: number; readonly toY: number };
 
 /** px: what is drawn nearer to each other looks like one thing. */
 export const GAP = 12;
@@ -37,13 +32,6 @@ const BOX_FREE = 20;
 /** px/s on each axis, at most. */
 const START_SPEED = 50;
 
-/** px/s2: the least that a wind blows, and the most on each axis. What is stronger than the gun close by leaves nothing to steer. */
-const BREEZE = 10;
-const GUST = 24;
-
-/** px between the centres of both mouths of a wormhole, at least. */
-const MOUTHS_APART = 160;
-
 const TRIES = 60;
 
 export const distance = (a: Place, b: Place): number => {
@@ -52,26 +40,22 @@ export const distance = (a: Place, b: Place): number => {
   return Math.sqrt(dx * dx + dy * dy);
 };
 
-/** Both mouths of a wormhole. */
-const mouthsOf = ({ x, y, toX, toY, radius }: Wormhole): Disc[] => [
-  { x, y, radius },
-  { x: toX, y: toY, radius },
-];
-
-/** Everything that is drawn solid, and repulsors and mouths, whose rims should be seen whole. Winds blow over other things. */
-export function bodiesOf(layout: Layout): Disc[] {
-  const { blackHole, asteroids, repulsors, aliens, novae, wormholes } = layout;
-  return [blackHole, ...asteroids, ...repulsors, ...aliens, ...novae, ...wormholes.flatMap(mouthsOf)];
+/** Everything that is drawn solid, and repulsors, whose rims should be seen whole. */
+export function bodiesOf({ blackHole, asteroids, repulsors, aliens, novae, placed }: Layout): Disc[] {
+  const solid = PLACED_KINDS.filter(({ isSolid }) => isSolid).flatMap(({ kind, list }) =>
+    placed[list].flatMap((object) => placesIn(kind, object).map(({ x, y }) => ({ x, y, radius: object.radius }))),
+  );
+  return [blackHole, ...asteroids, ...repulsors, ...aliens, ...novae, ...solid];
 }
 
 /** Whether a disc lies within the margins and keeps the gap to all others and to the start. */
 export function fits(layout: Layout, spec: GeneratorSpec, disc: Disc, gap = GAP): boolean {
-  if (!isOffEdgeAndStart(layout, spec, disc)) return false;
-  const { radius } = disc;
-  return bodiesOf(layout).every((other) => distance(other, disc) >= other.radius + radius + gap);
+  if (!isClear(layout, spec, disc)) return false;
+  return bodiesOf(layout).every((other) => distance(other, disc) >= other.radius + disc.radius + gap);
 }
 
-function isOffEdgeAndStart(layout: Layout, spec: GeneratorSpec, { x, y, radius }: Disc): boolean {
+/** Whether a disc lies within the margins and keeps away from the start. */
+function isClear(layout: Layout, spec: GeneratorSpec, { x, y, radius }: Disc): boolean {
   if (x < MARGIN + radius || y < MARGIN + radius) return false;
   if (x > spec.width - MARGIN - radius || y > spec.height - MARGIN - radius) return false;
   const free = Math.max(START_FREE, boxOf(rulesOf(layout)).halfDiagonal + BOX_FREE);
@@ -110,8 +94,7 @@ export function layOut(random: Random, spec: GeneratorSpec): Layout | null {
     aliens: [],
     novae: [],
     minerals: [],
-    winds: [],
-    wormholes: [],
+    placed: Object.fromEntries(PLACED_KINDS.map(({ list }) => [list, []])) as unknown as Layout['placed'],
   };
 
   const count = between(...spec.asteroids);
@@ -131,7 +114,7 @@ export function layOut(random: Random, spec: GeneratorSpec): Layout | null {
 
   // where she comes by: what lies out of every asteroid's range is only scenery
   const inPlay = (): Place => near(layout.asteroids[random.below(layout.asteroids.length)], 50, 190);
-  const some = (ingredient: 'repulsors' | 'aliens' | 'winds' | 'wormholes', inThree: number) =>
+  const some = (ingredient: 'repulsors' | 'aliens' | PlacedList, inThree: number) =>
     spec.ingredients.includes(ingredient) && random.below(3) < inThree ? between(1, Math.max(1, Math.round(count / 2))) : 0;
   for (let n = some('repulsors', 1); n > 0; n--) {
     const disc = tryOften(() => {
@@ -148,25 +131,20 @@ export function layOut(random: Random, spec: GeneratorSpec): Layout | null {
     });
     if (disc !== null) layout = { ...layout, aliens: [...layout.aliens, disc] };
   }
-  // who asks for these, which nobody gets unasked, wants to see them
-  for (let n = some('wormholes', 2); n > 0; n--) {
-    const wormhole = tryOften(() => {
-      const radius = random.below(2) === 0 ? 24 : 32;
-      const [mouth, other] = [inPlay(), inPlay()];
-      if (distance(mouth, other) < MOUTHS_APART) return null;
-      const made = { ...mouth, toX: other.x, toY: other.y, radius };
-      return mouthsOf(made).every((disc) => fits(layout, spec, disc)) ? made : null;
-    });
-    if (wormhole !== null) layout = { ...layout, wormholes: [...layout.wormholes, wormhole] };
-  }
-  for (let n = some('winds', 2); n > 0; n--) {
-    const wind = tryOften(() => {
-      const made = { ...inPlay(), radius: random.below(2) === 0 ? 64 : 96, ax: between(-GUST, GUST), ay: between(-GUST, GUST) };
-      if (distance({ x: made.ax, y: made.ay }, { x: 0, y: 0 }) < BREEZE) return null;
-      const apart = layout.winds.every((other) => distance(other, made) >= other.radius + made.radius + GAP);
-      return apart && isOffEdgeAndStart(layout, spec, made) ? made : null;
-    });
-    if (wind !== null) layout = { ...layout, winds: [...layout.winds, wind] };
+  for (const { list, make } of PLACED_KINDS) {
+    // who asks for what nobody gets unasked wants to see it
+    for (let n = some(list, 2); n > 0; n--) {
+      const there = layout;
+      const ground = {
+        between,
+        inPlay,
+        isClear: (disc: Disc) => isClear(there, spec, disc),
+        isFree: (disc: Disc) => fits(there, spec, disc),
+        others: there.placed[list],
+      };
+      const object = tryOften((): PlacedObject | null => make(ground));
+      if (object !== null) layout = { ...layout, placed: { ...layout.placed, [list]: [...layout.placed[list], object] } };
+    }
   }
   return layout;
 }

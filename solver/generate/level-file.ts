@@ -1,9 +1,7 @@
 import { type Disc, type Hold, LEVEL_VERSION, type Level, type LevelFile, resolveLevel, withIds } from '../../schema/index.ts';
-import type { Layout, Wind, Wormhole } from './layout.ts';
+import type { Layout } from './layout.ts';
 
 const circle = ({ x, y, radius }: Disc) => ({ x, y, radius });
-const wind = ({ ax, ay, ...disc }: Wind) => ({ ...circle(disc), ax, ay });
-const wormhole = ({ x, y, toX, toY, radius }: Wormhole) => ({ x, y, toX, toY, radius });
 const place = ({ x, y }: Disc) => ({ x, y });
 
 /** A layout as a level file; lists without anything in them are left out, and so are the radii that are the format's defaults. */
@@ -13,7 +11,7 @@ export function toLevelFile(
   description: string,
   runs: readonly { readonly name: string; readonly holds: readonly Hold[] }[],
 ): LevelFile {
-  const { start, blackHole, recoil, rules, asteroids, novae, repulsors, aliens, minerals, winds, wormholes } = layout;
+  const { start, blackHole, recoil, rules, asteroids, novae, repulsors, aliens, minerals, placed } = layout;
   return withIds({
     version: LEVEL_VERSION,
     name,
@@ -27,8 +25,7 @@ export function toLevelFile(
     ...(repulsors.length > 0 && { repulsors: repulsors.map(circle) }),
     ...(aliens.length > 0 && { aliens: aliens.map(place) }),
     ...(minerals.length > 0 && { minerals: minerals.map(place) }),
-    ...(winds.length > 0 && { winds: winds.map(wind) }),
-    ...(wormholes.length > 0 && { wormholes: wormholes.map(wormhole) }),
+    ...Object.fromEntries(Object.entries(placed).filter(([, objects]) => objects.length > 0)),
     runs: runs.map((run) => ({
       name: run.name,
       holds: run.holds.map(([press, release]) => [press, release] as [number, number]),

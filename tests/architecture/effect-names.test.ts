@@ -29,6 +29,8 @@ const mayName = (kind: string): string[] => [
   'picture/kinds/index.ts',
   'schema/kinds.ts',
   'schema/level.schema.json',
+  'solver/generate/placed/index.ts',
+  `solver/generate/placed/${kind}.ts`,
 ];
 
 describe.each(['wind', 'wormhole'])('%s', (kind) => {

@@ -122,7 +122,7 @@ describe('gq generate', () => {
     ['--out x --ingredients hot,cold', 'found "cold"'],
     [
       '--out x --ingredients winds,wormhole',
-      'expected some of hot, repulsors, aliens, recoil, winds, wormholes, with commas between, or none; found "wormhole"',
+      'expected some of hot, repulsors, aliens, recoil, wormholes, winds, with commas between, or none; found "wormhole"',
     ],
     ['--out kept/none/x', "the directory can't be made"],
   ])('%s: exit code 2, and what was expected', async (args, message) => {

@@ -152,15 +152,15 @@ describe('a generator', () => {
         const spec = specOf({ seed, difficulty, ingredients: ['winds', 'wormholes', 'repulsors'] });
         const layout = layOut(createRandom(seed), spec);
         if (layout === null) return;
-        counts.winds += layout.winds.length;
-        counts.wormholes += layout.wormholes.length;
-        for (const { x, y, radius, ax, ay } of layout.winds) {
+        counts.winds += layout.placed.winds.length;
+        counts.wormholes += layout.placed.wormholes.length;
+        for (const { x, y, radius, ax, ay } of layout.placed.winds) {
           expect(Math.hypot(x - layout.start.x, y - layout.start.y)).toBeGreaterThan(radius + 32);
           const strength = Math.hypot(ax, ay);
           expect(strength).toBeGreaterThanOrEqual(10);
           expect(strength).toBeLessThan(DEFAULT_RULES.pull);
         }
-        for (const { x, y, toX, toY, radius } of layout.wormholes) {
+        for (const { x, y, toX, toY, radius } of layout.placed.wormholes) {
           expect(Math.hypot(toX - x, toY - y)).toBeGreaterThanOrEqual(160);
           for (const mouth of [
             { x, y },

@@ -72,8 +72,7 @@ file has its name; 130 and 143 after SIGINT and SIGTERM.
 Examples:
   $ gq generate --out drafts
   $ gq generate --out drafts --count 10 --seed 100 --difficulty hard --size large
-  $ gq generate --out drafts --difficulty 4.5 --size 900x500 --ingredients hot,recoil
-  $ gq generate --out drafts --ingredients winds,wormholes`,
+  $ gq generate --out drafts --difficulty 4.5 --size 900x500 --ingredients hot,recoil`,
     )
     .action(async (options: Options) => finish(await generate(options)));
 }

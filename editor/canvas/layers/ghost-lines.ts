@@ -12,7 +12,7 @@ export type Line = readonly number[];
 
 /**
  * The lines of a way of which nothing is known but places: cut where a step is like neither the one before nor the one behind it,
- * as none that she flies is. There a wormhole has moved her.
+ * as none that she flies is. There she was moved all at once.
  * @param points x, y in px, two entries a tick
  */
 export function linesOf(points: Float32Array): Line[] {
