@@ -75,12 +75,9 @@ describe('rules are read from the level', () => {
       .map(({ path }) => path)
       .sort();
   const rooms = Object.keys(ROOMS);
-  // proofs and their checker refuse a level with rules of its own
-  const PROOFS = /^solver\/(proofs|verify)\//;
 
   it('the original game’s are named where there is no level alone', () => {
     const allowed = {
-      'engine/constants.ts': 'what the proofs still read of them',
       'engine/contact/box.ts': 'defines the box of the game’s own rules',
       'engine/contact/index.ts': 'passes it on',
       'engine/index.ts': 'passes it on',
@@ -88,12 +85,7 @@ describe('rules are read from the level', () => {
       'schema/index.ts': 'passes them on',
       'schema/rules.ts': 'defines them',
     };
-    expect(usersOf(/\bDEFAULT_(RULES|BOX)\b/, rooms).filter((path) => !PROOFS.test(path))).toEqual(Object.keys(allowed));
-  });
-
-  it('and the constants that stood for them are left to the proofs', () => {
-    const constants = /\b(GUN_PULL|REPULSOR_PUSH|ALIEN_PULL|ALIEN_SIGHT|SPEED_LIMIT|HALF_(WIDTH|HEIGHT|DIAGONAL))\b/;
-    expect(usersOf(constants, rooms).filter((path) => !PROOFS.test(path))).toEqual(['engine/constants.ts']);
+    expect(usersOf(/\bDEFAULT_(RULES|BOX)\b/, rooms)).toEqual(Object.keys(allowed));
   });
 });
 

@@ -3,7 +3,7 @@ import { optionValue } from '../harness.ts';
 import { ALL_ACCURACIES, ALL_PROVERS, attackLevel, emptyTally, LARGE, type Prover } from './attack/index.ts';
 
 /**
- * Attacks every kind of proof at every accuracy with claims that are known to be false. Options of the command line: --claims N (of each; 10000), --claim-seconds S (for
+ * Attacks every kind of proof at every accuracy with claims that are known to be false, every other level with rules of its own. Options of the command line: --claims N (of each; 10000), --claim-seconds S (for
  * each; an equal part of `most` when left out), --prover NAME, --accuracy NAME, --from SEED, --out FILE (what was accepted, as JSON). The exit code becomes 1 when one is accepted.
  * @param most s, for all of them together
  */
@@ -16,7 +16,7 @@ export function attackProofs(most: number): void {
   const pairs = provers.flatMap((prover) => accuracies.filter((accuracy) => covers(prover, accuracy))).length;
   const seconds = Number(optionValue('--claim-seconds') ?? most / pairs);
   const accepted: unknown[] = [];
-  console.log('proof             accuracy  levels  claims  foreign  mutated  searched  accepted');
+  console.log('proof             accuracy  levels  claims  foreign  mutated    ruled  searched  accepted');
   for (const prover of provers) {
     for (const accuracy of accuracies) {
       if (!covers(prover, accuracy)) continue;
@@ -24,7 +24,15 @@ export function attackProofs(most: number): void {
       const until = Date.now() + 1000 * seconds;
       let seed = from;
       for (; tally.claims < claims && Date.now() < until; seed++) attackLevel(prover, accuracy, seed, LARGE, tally);
-      const numbers = [tally.levels, tally.claims, tally.foreign, tally.mutated, tally.searched, tally.accepted.length];
+      const numbers = [
+        tally.levels,
+        tally.claims,
+        tally.foreign,
+        tally.mutated,
+        tally.ruled,
+        tally.searched,
+        tally.accepted.length,
+      ];
       console.log(
         `${prover.padEnd(17)} ${accuracy.padEnd(8)} ${numbers.map((n) => String(n).padStart(7)).join(' ')}  (${seed - from} seeds)`,
       );

@@ -1,9 +1,9 @@
-import { ALIEN_PULL, EFFECTS, GUN_PULL, REPULSOR_PUSH, SPEED_LIMIT, TICK } from '../../engine/index.ts';
-import type { Level } from '../../schema/index.ts';
+import { EFFECTS, TICK } from '../../engine/index.ts';
+import type { Level, RuleName, Rules } from '../../schema/index.ts';
 import type { Prover } from './proof.ts';
 
 // What provers take for granted about the game. The checker has declarations of its own (solver/verify/assumptions.ts): what is
-// wrong in a list that both read would be wrong for both. All they have in common is the engine's names and constants.
+// wrong in a list that both read would be wrong for both. All they have in common is the engine's names and the table of rules.
 
 const FORCES = ['gun', 'recoil', 'repulsor', 'speed-limit'];
 const ALIENS = ['alien-chase', 'alien-explosion'];
@@ -27,10 +27,24 @@ const UNDERSTOOD: Readonly<Record<Prover, readonly string[]>> = {
   flowpipe: GAME,
 };
 
-/** The names of the effects that a level calls for; rules of its own count as one, which no way to prove understands. */
+/** The numbers of the game that bounds are made of. A level that sets any other is proved by nobody. */
+const RULES_READ: readonly RuleName[] = [
+  'pull',
+  'recoil',
+  'push',
+  'alienPull',
+  'alienSight',
+  'speedLimit',
+  'boxWidth',
+  'boxHeight',
+];
+
+/** What of the game a level has to do with: the names of the effects that it calls for, and of rules of its own that nobody reads. */
 export const effectsOf = (level: Level): readonly string[] => [
   ...EFFECTS.filter((effect) => effect.calledFor(level).called).map(({ name }) => name),
-  ...(level.rules === undefined ? [] : ['rules of its own']),
+  ...Object.keys(level.rules ?? {})
+    .filter((name) => !RULES_READ.includes(name as RuleName))
+    .map((name) => `the rule ${name}`),
 ];
 
 /** Why a way to prove says nothing where these effects act; null where it understands all of them. */
@@ -40,10 +54,8 @@ export function whyNotTried(prover: Prover, effects: readonly string[]): string 
 }
 
 /** The most that anything can accelerate her, px/s2: the gun and a field never act at once. */
-export const strongestPush = ({ repulsors }: Level): number => Math.max(GUN_PULL, repulsors.length > 0 ? REPULSOR_PUSH : 0);
-
-/** The most that anything can accelerate an alien, px/s2. */
-export const STRONGEST_CHASE = ALIEN_PULL;
+export const strongestPush = ({ repulsors }: Level, { pull, push }: Rules): number =>
+  Math.max(pull, repulsors.length > 0 ? push : 0);
 
 /**
  * The fastest she may be, px/s, after a way of so many px in one direction. Lemma `speed`.
@@ -55,22 +67,39 @@ export const speedAfter = (strongest: number, way: number, before = 0): number =
 /** Farther than this, px, no push takes her from her straight way in a time, s, that is given squared: a t2 / 2. */
 export const bendWithin = (strongest: number, square: number): number => strongest * square * 0.5;
 
+/** A level, and the game's numbers in it. */
+interface Game {
+  readonly level: Level;
+  readonly rules: Rules;
+}
+
 /**
- * The farthest that recoil can carry an asteroid, px: a t2 / 2 with a = 1 / diameter all the time, and a hundredth. Lemma `drift`.
+ * The farthest that recoil can carry an asteroid, px: a t2 / 2 with a = recoil / diameter all the time, and a hundredth. Lemma `drift`.
  * @param square the time squared, s2; frames make it a little longer
  */
-export const driftWithin = ({ recoil, asteroids }: Level, asteroid: number, square: number): number =>
-  recoil ? (1.01 * square) / (4 * asteroids[asteroid].radius) : 0;
+export const driftWithin = ({ level: { recoil, asteroids }, rules }: Game, asteroid: number, square: number): number =>
+  recoil ? (rules.recoil * 1.01 * square) / (4 * asteroids[asteroid].radius) : 0;
 
 /** The same after some seconds of play, whether by frames or not. */
-export const driftAfter = (level: Level, asteroid: number, seconds: number): number =>
-  driftWithin(level, asteroid, seconds * (seconds + TICK));
+export const driftAfter = (game: Game, asteroid: number, seconds: number): number =>
+  driftWithin(game, asteroid, seconds * (seconds + TICK));
 
-/** Slower than this, px/s, she doesn't come to the speed limit within a step, so that nothing bends her way. */
-export const UNBENT_SPEED = 0.98 * SPEED_LIMIT;
+/** Slower than this, px/s, what is accelerated by no more than `strongest`, px/s2, doesn't come to the speed limit within a step, so that nothing bends its way. */
+export const unbentSpeed = ({ speedLimit }: Rules, strongest: number): number =>
+  Math.min(0.98 * speedLimit, speedLimit - 2 * strongest * TICK);
 
-/** Slower than this, px/s, she may be followed for many steps at once without a thought of the speed limit. */
-export const EASY_SPEED = SPEED_LIMIT / 2;
+/** Slower than this, px/s, she may be followed for some steps at once without a thought of the speed limit. */
+export const easySpeed = ({ speedLimit }: Rules): number => speedLimit / 2;
+
+/**
+ * Whether she is far from the speed limit all through a step of so many seconds that she begins slower than {@link easySpeed} on two axes, and
+ * through the first.
+ */
+export function isEasyFor({ level, rules, strongest }: Game & { readonly strongest: number }, seconds: number): boolean {
+  const { vx, vy } = level.astronaut;
+  const gain = strongest * (seconds + TICK);
+  return Math.max(0.708 * rules.speedLimit, Math.sqrt(vx * vx + vy * vy)) + gain <= rules.speedLimit;
+}
 
 /** The farthest flight of one frame, px: at the speed limit on both axes. */
-export const FASTEST_FRAME = SPEED_LIMIT * TICK * 1.4143;
+export const fastestFrame = ({ speedLimit }: Rules): number => speedLimit * TICK * 1.4143;

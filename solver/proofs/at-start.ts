@@ -1,9 +1,9 @@
-import { boxCircleGap, DEFAULT_BOX } from '../../engine/index.ts';
+import { boxCircleGap } from '../../engine/index.ts';
 import type { Circle } from '../../schema/index.ts';
 import type { About, Proof, ThingRef } from './proof.ts';
 import { distance, margin, surelyLess } from './rounding.ts';
 import { px, subject, thing } from './say.ts';
-import { ALL_ACCURACIES, CONTINUOUS, LEAST_HALF, type Setting, type Thing } from './setting.ts';
+import { ALL_ACCURACIES, CONTINUOUS, type Setting, type Thing } from './setting.ts';
 
 const START = { x: 0, y: 0 };
 
@@ -53,14 +53,14 @@ interface HazardAtStart {
   readonly anyTurn: boolean;
 }
 
-function hazardAtStart({ level: { astronaut, novae, asteroids, aliens } }: Setting): HazardAtStart | null {
+function hazardAtStart({ level: { astronaut, novae, asteroids, aliens }, box, leastHalf }: Setting): HazardAtStart | null {
   const overlaps = (kind: ThingRef['kind'], list: readonly Circle[]): HazardAtStart[] =>
     list.flatMap(({ x, y, radius }, index) => {
       const dx = x - astronaut.x;
       const dy = y - astronaut.y;
       const slack = margin(dx, dy) + margin(radius, 0);
-      if (boxCircleGap(DEFAULT_BOX, dx, dy, 1, 0, radius) > -slack) return [];
-      return [{ ref: { kind, index }, anyTurn: Math.sqrt(dx * dx + dy * dy) < radius + LEAST_HALF - slack }];
+      if (boxCircleGap(box, dx, dy, 1, 0, radius) > -slack) return [];
+      return [{ ref: { kind, index }, anyTurn: Math.sqrt(dx * dx + dy * dy) < radius + leastHalf - slack }];
     });
   const hot = overlaps('asteroid', asteroids).filter(({ ref }) => asteroids[ref.index].hot);
   const all = [...overlaps('nova', novae), ...hot, ...overlaps('alien', aliens)];

@@ -1,5 +1,5 @@
 import type { About, Blocker } from './proof.ts';
-import { type Disc, LEAST_HALF, type Setting } from './setting.ts';
+import type { Disc, Setting } from './setting.ts';
 
 /** A circle that ends the run on touch, and covers this much all the time; px from the start. */
 export interface StandingCircle {
@@ -32,14 +32,14 @@ export function standingCircles({ level, drift }: Setting, about: About): Standi
 }
 
 /**
- * The discs in which her centre can't be. Her box holds a circle of 10 px about its centre, however it is turned: so each
- * hazard blocks its radius and 10 px more. Where she is looked at once a frame only, the straight way from one look to the
+ * The discs in which her centre can't be. Her box holds a circle about its centre as wide as its shorter side, however it is turned: so each
+ * hazard blocks its radius and half that side more. Where she is looked at once a frame only, the straight way from one look to the
  * next stays out of a somewhat smaller disc: a chord of length `jump` cuts that deep.
  */
 export function blockingDiscs(setting: Setting, about: About): BlockingDisc[] {
-  const { jump } = setting;
+  const { jump, leastHalf } = setting;
   return standingCircles(setting, about).flatMap(({ of, x, y, radius }) => {
-    const r = radius + LEAST_HALF;
+    const r = radius + leastHalf;
     return r > jump / 2 ? [{ of, x, y, r: Math.sqrt(r * r - (jump * jump) / 4) }] : [];
   });
 }

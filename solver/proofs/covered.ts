@@ -1,12 +1,9 @@
-import { boxCircleGap, DEFAULT_BOX, type WorkBudget } from '../../engine/index.ts';
+import { type Box, boxCircleGap, type WorkBudget } from '../../engine/index.ts';
 import { type StandingCircle, standingCircles } from './blockers.ts';
 import type { About, Blocker, Proof } from './proof.ts';
 import { distance, surelyLess } from './rounding.ts';
 import { px, subject, thing } from './say.ts';
-import { CONTINUOUS, LEAST_HALF, type Setting, type Thing } from './setting.ts';
-
-/** Half the box's diagonal: how far a corner moves when the box turns by a chord of 1, px. */
-const LEVER = 18.868;
+import { CONTINUOUS, type Setting, type Thing } from './setting.ts';
 
 /** Poses nearer to each other than this aren't told apart, px. */
 const FINEST = 0.1;
@@ -26,18 +23,18 @@ interface Turn {
  * into: there her centre must be where every turn of the box overlaps one.
  */
 export function proveCovered(setting: Setting, about: About, goal: Thing): Proof | null {
-  const { level, jump, maxTime } = setting;
+  const { level, jump, maxTime, rules, box } = setting;
   if (jump > 0 || !surelyLess(goal.touch, distance(goal, { x: 0, y: 0 }))) return null;
-  const near = standingCircles(setting, about).filter((c) => distance(c, goal) < goal.touch + c.radius + LEVER);
+  const near = standingCircles(setting, about).filter((c) => distance(c, goal) < goal.touch + c.radius + box.halfDiagonal);
   if (near.length === 0) return null;
-  const cover = new Cover(goal, near, about.kind === 'mineral', setting.budget);
+  const cover = new Cover(setting, goal, near, about.kind === 'mineral');
   if (!cover.isWhole()) return null;
   const names = [...cover.used].map((by) => (by.kind === 'range' ? '' : thing(by)));
   return {
     code: 'covered',
     about,
     reason:
-      `${subject(about)} is covered by ${names.join(', ')}: wherever her box of ${px(20)} by ${px(32)} touches it, it touches a hazard before: ` +
+      `${subject(about)} is covered by ${names.join(', ')}: wherever her box of ${px(rules.boxWidth)} by ${px(rules.boxHeight)} touches it, it touches a hazard before: ` +
       `move ${names.length > 1 ? 'one of them' : names[0]} away from it`,
     covers: CONTINUOUS,
     maxTime: level.recoil ? maxTime : null,
@@ -46,21 +43,21 @@ export function proveCovered(setting: Setting, about: About, goal: Thing): Proof
 }
 
 class Cover {
-  private readonly goal: Thing;
-  private readonly hazards: readonly StandingCircle[];
-  private readonly anyTurn: boolean;
+  private readonly box: Box;
+  private readonly leastHalf: number;
+  private readonly budget: WorkBudget;
   private poses = 0;
   readonly used = new Set<Blocker>();
 
   constructor(
-    goal: Thing,
-    hazards: readonly StandingCircle[],
-    anyTurn: boolean,
-    private readonly budget: WorkBudget,
+    { box, leastHalf, budget }: Setting,
+    private readonly goal: Thing,
+    private readonly hazards: readonly StandingCircle[],
+    private readonly anyTurn: boolean,
   ) {
-    this.goal = goal;
-    this.hazards = hazards;
-    this.anyTurn = anyTurn;
+    this.box = box;
+    this.leastHalf = leastHalf;
+    this.budget = budget;
   }
 
   /** Whether every pose that touches the thing overlaps a hazard. The box looks the same after half a turn. */
@@ -74,10 +71,12 @@ class Cover {
   /** Whether it holds for the places of a square about (x, y) and the turns from `a` to `b`. */
   private holds(x: number, y: number, half: number, a: Turn, b: Turn): boolean {
     if (++this.poses > MOST_POSES) return false;
+    // how far a corner moves when the box turns by a chord of 1
+    const lever = this.box.halfDiagonal;
     const middle = between(a, b);
     const chord = Math.max(chordOf(middle, a), chordOf(middle, b));
-    const reach = half * 1.41422 + LEVER * chord * 1.000001;
-    const touch = boxCircleGap(DEFAULT_BOX, this.goal.x - x, this.goal.y - y, middle.cos, middle.sin, this.goal.radius);
+    const reach = half * 1.41422 + lever * chord * 1.000001;
+    const touch = boxCircleGap(this.box, this.goal.x - x, this.goal.y - y, middle.cos, middle.sin, this.goal.radius);
     if (surelyLess(reach, touch)) return true;
     this.budget.look(1 + this.hazards.length);
     let best = Number.POSITIVE_INFINITY;
@@ -91,7 +90,7 @@ class Cover {
     }
     // the pose in the middle is a counterexample, or as good as one
     if ((touch < 0 && best >= 0) || reach < FINEST) return false;
-    if (half > LEVER * chord) {
+    if (half > lever * chord) {
       const h = half / 2;
       return [-h, h].every((dx) => [-h, h].every((dy) => this.holds(x + dx, y + dy, h, a, b)));
     }
@@ -102,8 +101,8 @@ class Cover {
     const dx = hx - x;
     const dy = hy - y;
     return this.anyTurn
-      ? Math.sqrt(dx * dx + dy * dy) - radius - LEAST_HALF
-      : boxCircleGap(DEFAULT_BOX, dx, dy, cos, sin, radius);
+      ? Math.sqrt(dx * dx + dy * dy) - radius - this.leastHalf
+      : boxCircleGap(this.box, dx, dy, cos, sin, radius);
   }
 }
 

@@ -1,10 +1,10 @@
-import { boxCircleGap, DEFAULT_BOX, HALF_DIAGONAL } from '../../engine/index.ts';
-import { speedAfter, UNBENT_SPEED } from './assumptions.ts';
+import { type Box, boxCircleGap } from '../../engine/index.ts';
+import { speedAfter, unbentSpeed } from './assumptions.ts';
 import type { StandingCircle } from './blockers.ts';
 import { between, convexHull, type Vertex } from './convex.ts';
 import type { DeadEnd, Direction } from './proof.ts';
 import { distance, margin, surelyLess } from './rounding.ts';
-import { LEAST_HALF, type Setting, type Thing } from './setting.ts';
+import type { Setting, Thing } from './setting.ts';
 
 /** From one line across to the next, px. */
 const STEP = 1;
@@ -134,6 +134,9 @@ function takersAt({ level: { asteroids, astronaut } }: Setting, apex: Place, bef
 class March {
   private readonly range: number;
   private readonly strongest: number;
+  private readonly unbent: number;
+  private readonly box: Box;
+  private readonly leastHalf: number;
   private readonly goal: Place & { readonly touch: number };
   private readonly circles: readonly StandingCircle[];
   private readonly asteroids: readonly Place[];
@@ -148,7 +151,7 @@ class March {
   readonly pieces: { readonly line: number; readonly before: Span; readonly after: Span }[] = [];
 
   constructor(
-    { level, strongest }: Setting,
+    { level, rules, strongest, box, leastHalf }: Setting,
     goal: Thing,
     circles: readonly StandingCircle[],
     apex: Place,
@@ -162,6 +165,9 @@ class March {
     const fromStart = <T extends Place>(p: T): T => fromApex({ ...p, x: p.x - level.astronaut.x, y: p.y - level.astronaut.y });
     this.range = level.range;
     this.strongest = strongest;
+    this.unbent = unbentSpeed(rules, strongest);
+    this.box = box;
+    this.leastHalf = leastHalf;
     this.goal = fromApex(goal);
     this.circles = circles.map(fromApex);
     this.asteroids = level.asteroids.map(fromStart);
@@ -198,7 +204,7 @@ class March {
     for (const { line, before, after } of this.pieces) {
       far = Math.max(far, line + 9 * STEP + Math.max(...[...before, ...after].map(Math.abs)));
     }
-    return speedAfter(this.strongest, 2 * this.range + 2 * far) > UNBENT_SPEED;
+    return speedAfter(this.strongest, 2 * this.range + 2 * far) > this.unbent;
   }
 
   /** Whether, with all slopes there were, she comes ever nearer to an asteroid than to the one before. */
@@ -269,7 +275,7 @@ class March {
     const [least, most] = spanOf(ways.map(({ x }) => x));
     const [first, last] = box.map(directionOf);
     const near = this.circles.filter(({ x, y, radius }) => {
-      const reach = radius + HALF_DIAGONAL;
+      const reach = radius + this.box.halfDiagonal;
       return Math.abs(x - line) < reach && y + reach > least && y - reach < most;
     });
     const left: [from: number, to: number][] = [];
@@ -280,12 +286,29 @@ class March {
         { x: line, y: from },
         { x: line, y: to },
       ];
-      if (near.some((circle) => isStopped(circle, ends, first, last)) || this.isLost(line, from, to)) continue;
+      if (near.some((circle) => this.isStopped(circle, ends, first, last)) || this.isLost(line, from, to)) continue;
       const before = left[left.length - 1];
       if (before?.[1] === from) before[1] = to;
       else left.push([from, to]);
     }
     return left.map(([from, to]) => ({ ways: from === least && to === most ? ways : between(ways, from, to), box }));
+  }
+
+  /** Whether a circle overlaps her box at all places between two, lying in any direction from one unit vector to another. */
+  private isStopped(circle: StandingCircle, ends: readonly Place[], from: Place, to: Place): boolean {
+    const { box } = this;
+    const far = Math.max(...ends.map((p) => distance(p, circle)));
+    if (far < circle.radius + this.leastHalf - DEEP) return true;
+    if (far > circle.radius + box.halfDiagonal) return false;
+    const sum = { x: from.x + to.x, y: from.y + to.y };
+    const length = Math.sqrt(sum.x * sum.x + sum.y * sum.y);
+    const middle = { x: sum.x / length, y: sum.y / length };
+    const chord = Math.max(distance(middle, from), distance(middle, to));
+    const gaps = ends.map((p) => boxCircleGap(box, circle.x - p.x, circle.y - p.y, middle.x, middle.y, circle.radius));
+    const worst = Math.max(...gaps);
+    if (worst < -DEEP - box.halfDiagonal * chord) return true;
+    if (worst > -DEEP || chord < FINEST_TURN) return false;
+    return this.isStopped(circle, ends, from, middle) && this.isStopped(circle, ends, middle, to);
   }
 
   private isLost(line: number, from: number, to: number): boolean {
@@ -359,22 +382,6 @@ function slopesAt(place: number, line: number, aside: number, pushes: readonly P
     }
   }
   return [least, most];
-}
-
-/** Whether a circle overlaps her box at all places between two, lying in any direction from one unit vector to another. */
-function isStopped(circle: StandingCircle, ends: readonly Place[], from: Place, to: Place): boolean {
-  const far = Math.max(...ends.map((p) => distance(p, circle)));
-  if (far < circle.radius + LEAST_HALF - DEEP) return true;
-  if (far > circle.radius + HALF_DIAGONAL) return false;
-  const sum = { x: from.x + to.x, y: from.y + to.y };
-  const length = Math.sqrt(sum.x * sum.x + sum.y * sum.y);
-  const middle = { x: sum.x / length, y: sum.y / length };
-  const chord = Math.max(distance(middle, from), distance(middle, to));
-  const gaps = ends.map((p) => boxCircleGap(DEFAULT_BOX, circle.x - p.x, circle.y - p.y, middle.x, middle.y, circle.radius));
-  const worst = Math.max(...gaps);
-  if (worst < -DEEP - HALF_DIAGONAL * chord) return true;
-  if (worst > -DEEP || chord < FINEST_TURN) return false;
-  return isStopped(circle, ends, from, middle) && isStopped(circle, ends, middle, to);
 }
 
 /** The unit vector of a slope. */

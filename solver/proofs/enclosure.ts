@@ -37,7 +37,7 @@ interface Plane {
  * into squares, finer only where a way through is still open; squares count as blocked when they are so as a whole, for one reason.
  */
 export function proveEnclosed(setting: Setting, about: About, goal: Thing): Proof | null {
-  const { level, jump, maxTime } = setting;
+  const { level, jump, maxTime, leastHalf } = setting;
   const near = { ...goal, r: goal.touch + jump };
   if (!surelyLess(near.r, distance(near, { x: 0, y: 0 }))) return null;
   const { reached } = setting;
@@ -59,7 +59,7 @@ export function proveEnclosed(setting: Setting, about: About, goal: Thing): Proo
   return {
     code: 'enclosed',
     about,
-    reason: reasonOf(about, barrier),
+    reason: reasonOf(about, barrier, 2 * leastHalf),
     covers: jump > 0 ? ALL_ACCURACIES : CONTINUOUS,
     maxTime: level.recoil ? maxTime : null,
     certificate: { kind: 'enclosed', barrier: barrier.map(place) },
@@ -262,7 +262,8 @@ function distanceToSegment(p: { x: number; y: number }, a: { x: number; y: numbe
 
 const MOST_NAMED = 8;
 
-function reasonOf(about: About, barrier: readonly BarrierEdge[]): string {
+/** @param width of the narrowest gap that her box can pass, px */
+function reasonOf(about: About, barrier: readonly BarrierEdge[], width: number): string {
   const names = new Set<string>();
   for (const { by } of barrier) names.add(by.kind === 'range' ? 'the end of the range' : thing(by));
   const list = [...names];
@@ -270,7 +271,7 @@ function reasonOf(about: About, barrier: readonly BarrierEdge[]): string {
   const last = named.pop();
   const what = named.length > 0 ? `${named.join(', ')} and ${last}` : `${last}`;
   return (
-    `${subject(about)} is closed off from the start by ${what}: between them is no gap of ${px(20)}, the least her box can pass: ` +
+    `${subject(about)} is closed off from the start by ${what}: between them is no gap of ${px(width)}, the least her box can pass: ` +
     'move or remove one of them'
   );
 }

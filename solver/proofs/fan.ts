@@ -1,8 +1,8 @@
-import { GUN_PULL, REPULSOR_PUSH, TICK } from '../../engine/index.ts';
-import { bendWithin, driftAfter, EASY_SPEED } from './assumptions.ts';
+import { TICK } from '../../engine/index.ts';
+import { bendWithin, driftAfter, easySpeed, isEasyFor } from './assumptions.ts';
 import { standingCircles } from './blockers.ts';
 import type { About, Blocker, BoxNumbers, FanGrid } from './proof.ts';
-import { LEAST_HALF, type Setting, type Thing } from './setting.ts';
+import type { Setting, Thing } from './setting.ts';
 
 /** Her places and velocities as a box: least and most of x, y, vx, vy; px and px/s, in the grid's own axes. */
 type Box = Float64Array;
@@ -62,7 +62,8 @@ export function followFan(
     boxes += next.size;
     layer = next;
   }
-  return { closed: !near && layer.size === 0, layers, endedBy: [...fan.endedBy], squares: [...fan.squares.values()] };
+  const closed = !near && layer.size === 0 && isEasyFor(setting, grid.frames * TICK);
+  return { closed, layers, endedBy: [...fan.endedBy], squares: [...fan.squares.values()] };
 }
 
 class Fan {
@@ -86,7 +87,7 @@ class Fan {
     const turned = ({ x, y }: { x: number; y: number }, r: number): Circle => ({ x: x * ux + y * uy, y: y * ux - x * uy, r });
     const place = ({ x, y }: { x: number; y: number }) => ({ x: x - level.astronaut.x, y: y - level.astronaut.y });
     this.goal = turned(goal, goal.touch);
-    this.hazards = standingCircles(setting, about).map((c) => ({ ...turned(c, c.radius + LEAST_HALF), of: c.of }));
+    this.hazards = standingCircles(setting, about).map((c) => ({ ...turned(c, c.radius + setting.leastHalf), of: c.of }));
     this.asteroids = level.asteroids.map((c) => turned(place(c), level.range));
     this.fields = level.repulsors.map((c) => turned(place(c), c.radius));
   }
@@ -101,7 +102,7 @@ class Fan {
   }
 
   private drift(i: number, time: number): number {
-    return driftAfter(this.setting.level, i, time);
+    return driftAfter(this.setting, i, time);
   }
 
   /** Everything that a box becomes in a step that ends at `time` is added to `next`; false when it comes near the thing. */
@@ -131,7 +132,7 @@ class Fan {
       down(box[6] + a[2] * step),
       up(box[7] + a[3] * step),
     );
-    if (Math.max(-moved[4], moved[5], -moved[6], moved[7]) > EASY_SPEED) return false;
+    if (Math.max(-moved[4], moved[5], -moved[6], moved[7]) > easySpeed(this.setting.rules)) return false;
     this.put(next, moved, time);
     return true;
   }
@@ -179,6 +180,7 @@ class Fan {
   /** Writes least and most acceleration within a rectangle to `a`, whatever is pressed. */
   private accelerations(xa: number, xb: number, ya: number, yb: number, time: number): void {
     const { a } = this;
+    const { pull, push } = this.setting.rules;
     a.fill(0);
     let inField = false;
     let first = true;
@@ -194,10 +196,10 @@ class Fan {
       if (near > field.r + SLACK) continue;
       const far = farthestFrom(field, xa, xb, ya, yb);
       if (far < field.r - SLACK) inField = true;
-      if (near < 1) include(-REPULSOR_PUSH, REPULSOR_PUSH, -REPULSOR_PUSH, REPULSOR_PUSH);
+      if (near < 1) include(-push, push, -push, push);
       else {
-        const g0 = REPULSOR_PUSH / far;
-        const g1 = REPULSOR_PUSH / near;
+        const g0 = push / far;
+        const g1 = push / near;
         include(
           least(xa - field.x, g0, g1),
           greatest(xb - field.x, g0, g1),
@@ -218,12 +220,12 @@ class Fan {
       const near = nearestTo(rock, xa, xb, ya, yb) - moved;
       if (near > reach + SLACK) continue;
       if (near < 1) {
-        include(-GUN_PULL, GUN_PULL, -GUN_PULL, GUN_PULL);
+        include(-pull, pull, -pull, pull);
         continue;
       }
-      // the pull is GUN_PULL (1 / d - 1 / range) times the way to the asteroid
-      const g0 = Math.max(0, GUN_PULL * (1 / (farthestFrom(rock, xa, xb, ya, yb) + moved) - 1 / range));
-      const g1 = Math.max(0, GUN_PULL * (1 / near - 1 / range));
+      // the pull is `pull` (1 / d - 1 / range) times the way to the asteroid
+      const g0 = Math.max(0, pull * (1 / (farthestFrom(rock, xa, xb, ya, yb) + moved) - 1 / range));
+      const g1 = Math.max(0, pull * (1 / near - 1 / range));
       include(
         least(rock.x - moved - xb, g0, g1),
         greatest(rock.x + moved - xa, g0, g1),

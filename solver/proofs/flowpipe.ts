@@ -1,7 +1,7 @@
 import { compile, createSimulation, TICK, TICK_RATE, type WorkBudget } from '../../engine/index.ts';
 import type { Level } from '../../schema/index.ts';
 import { createRandom } from '../random.ts';
-import { EASY_SPEED } from './assumptions.ts';
+import { easySpeed } from './assumptions.ts';
 import { startAxis, whatEnds } from './doomed.ts';
 import { followPipes } from './pipe.ts';
 import type { About, PipeGrid, Proof } from './proof.ts';
@@ -35,11 +35,11 @@ export const MOST_PIPES = { sets: 2000, parts: 25_000 } as const;
  * is turned, with aliens, and with what ties place and velocity together, so that much less is taken for possible that isn't.
  */
 export function proveFlowpipe(setting: Setting, about: About, goal: Thing): Proof | null {
-  const { level, jump, maxTime, strongest } = setting;
+  const { level, rules, jump, maxTime, strongest } = setting;
   const { vx, vy } = level.astronaut;
   const fastest = Math.sqrt(vx * vx + vy * vy) + 2 * strongest * LONGEST;
   // at rest she can wait as long as she likes
-  if (jump > 0 || (vx === 0 && vy === 0) || fastest > EASY_SPEED) return null;
+  if (jump > 0 || (vx === 0 && vy === 0) || fastest > easySpeed(rules)) return null;
   const last = longestPlay(level, setting.budget);
   if (last === null) return null;
   for (const [share, more] of HORIZONS) {

@@ -1,5 +1,5 @@
-import { GUN_PULL, HALF_HEIGHT, HALF_WIDTH, TICK } from '../../engine/index.ts';
-import { speedAfter, UNBENT_SPEED } from './assumptions.ts';
+import { type Box, TICK } from '../../engine/index.ts';
+import { speedAfter, unbentSpeed } from './assumptions.ts';
 import { type StandingCircle, standingCircles } from './blockers.ts';
 import { findDeadEnd } from './dead-end.ts';
 import type { About, Blocker, Drift, LineEnd, Proof } from './proof.ts';
@@ -79,12 +79,12 @@ const isAlongAxis = ({ level: { asteroids, astronaut } }: Setting, { target }: L
  * drift is reckoned from her speed, so there the limit mustn't be reached at all.
  */
 function mayBend(setting: Setting, line: Line, { back, front }: Trap): boolean {
-  const { level, drift, jump, strongest } = setting;
+  const { level, rules, drift, jump, strongest } = setting;
   if (!level.recoil && isAlongAxis(setting, line)) return false;
   const moved = drift[line.target];
   const out = Math.max(line.centre + moved - back.at, front.at - line.centre + moved) + 2 * TUBE;
   const far = back.by.kind === 'start' ? front.at + jump + 2 * TUBE : level.recoil ? out : swing(Math.min(out, level.range));
-  return !surelyLess(speedAfter(strongest, far), UNBENT_SPEED);
+  return !surelyLess(speedAfter(strongest, far), unbentSpeed(rules, strongest));
 
   // energy that the pull gives from a turn to the centre
   function swing(turn: number): number {
@@ -100,13 +100,16 @@ const ROUNDING = 2e-16;
  * make greater by less than thrice on the way; momentum turns the way she lies from the asteroid, the faster the nearer she is.
  */
 function mayBeRoundedOff(setting: Setting, line: Line, { front }: Trap): boolean {
-  const { level, jump, maxTime, strongest } = setting;
+  const { level, rules, box, jump, maxTime, strongest } = setting;
   if (jump === 0 || isAlongAxis(setting, line)) return false;
-  const pull = GUN_PULL * (1 - (line.centre + 2 * TUBE) / level.range);
+  const pull = rules.pull * (1 - (line.centre + 2 * TUBE) / level.range);
   if (level.recoil && pull < 1e-3) return true;
   const own = 1.02 * speedAfter(strongest, front.at + jump) + 1;
   // with recoil all this is so between the two, and the asteroid may be pushed askew, too
-  const rock = level.recoil ? (1.02 * own) / (2 * level.asteroids[line.target].radius * pull) : 0;
+  const kick = level.recoil ? rules.recoil / (2 * level.asteroids[line.target].radius) : 0;
+  const rock = level.recoil ? (1.02 * kick * own) / pull : 0;
+  // an asteroid at the speed limit of one axis leaves the line, too
+  if (rock > unbentSpeed(rules, kick)) return true;
   const moved = level.recoil ? setting.drift[line.target] : 0;
   const step = jump + rock * TICK;
   const last = line.centre - driftOnFall(setting, line, front.at + jump + 2 * TUBE) - front.at - 2 * TUBE - step;
@@ -116,11 +119,12 @@ function mayBeRoundedOff(setting: Setting, line: Line, { front }: Trap): boolean
   const rounding = level.recoil ? 2 * ROUNDING : ROUNDING;
   const coordinate = Math.abs(level.astronaut.x) + Math.abs(level.astronaut.y) + line.centre + moved + step;
   const place = 3 * rounding * coordinate;
-  const velocity = 3 * rounding * (speed + 3);
+  // a frame's acceleration is rounded as well
+  const velocity = 3 * rounding * (speed + Math.max(3, 0.075 * Math.max(rules.pull, kick)));
   const momentum = 3 * frames * (place * speed + velocity * line.centre);
   const turned = (frames * (TICK * momentum + 3 * place * (last + step))) / (last * (last + step));
   const aside = turned * (line.centre + moved);
-  return aside > TUBE / 6 || 20 * (turned + (aside + TICK * momentum) / last) > TUBE / 6;
+  return aside > TUBE / 6 || Math.max(20, box.halfDiagonal) * (turned + (aside + TICK * momentum) / last) > TUBE / 6;
 }
 
 function proofOf(setting: Setting, about: About, line: Line, trap: Trap): Proof {
@@ -151,11 +155,11 @@ interface Trap {
  * How far recoil can carry the target while she falls the way `to`, px. Whenever it is accelerated she is, too, and always forward, at least
  * as strongly as at the start: so its speed, and the way it makes, are to hers at most as the accelerations are.
  */
-function driftOnFall({ level, drift }: Setting, { target, centre }: Line, to: number): number {
+function driftOnFall({ level, rules, drift }: Setting, { target, centre }: Line, to: number): number {
   if (!level.recoil) return 0;
-  const weakest = GUN_PULL * (1 - (centre + TUBE) / level.range);
+  const weakest = rules.pull * (1 - (centre + TUBE) / level.range);
   if (weakest <= 0) return drift[target];
-  return Math.min(drift[target], (1.01 * to) / (2 * level.asteroids[target].radius * weakest));
+  return Math.min(drift[target], (rules.recoil * 1.01 * to) / (2 * level.asteroids[target].radius * weakest));
 }
 
 function lineOf({ level: { asteroids, astronaut } }: Setting): Line | null {
@@ -173,26 +177,29 @@ function lineOf({ level: { asteroids, astronaut } }: Setting): Line | null {
 }
 
 /** Where along the line her box, its short side along it, overlaps a circle even if both err by the tube; null where nowhere. */
-function stretchOf(line: Line, { x, y, radius, of }: StandingCircle): Stretch | null {
+function stretchOf({ halfWidth, halfHeight }: Box, line: Line, { x, y, radius, of }: StandingCircle): Stretch | null {
   const along = x * line.ux + y * line.uy;
-  const aside = Math.max(0, Math.abs(y * line.ux - x * line.uy) + 2 * TUBE - HALF_HEIGHT);
+  const aside = Math.max(0, Math.abs(y * line.ux - x * line.uy) + 2 * TUBE - halfHeight);
   if (aside >= radius) return null;
-  const half = HALF_WIDTH + Math.sqrt(radius * radius - aside * aside) - 2 * TUBE;
+  const half = halfWidth + Math.sqrt(radius * radius - aside * aside) - 2 * TUBE;
   return half > 0 ? { from: along - half, to: along + half, by: of } : null;
 }
 
 /** A hazard before she comes to the centre: she is only ever pulled towards it. */
 function oneWay(setting: Setting, line: Line, circles: readonly StandingCircle[]): Trap | null {
-  const { level, jump } = setting;
+  const { level, rules, box, jump } = setting;
   const target = level.asteroids[line.target];
   const ends: LineEnd[] = circles
-    .flatMap((circle) => stretchOf(line, circle) ?? [])
+    .flatMap((circle) => stretchOf(box, line, circle) ?? [])
     .filter(({ from, to }) => to > Math.max(0, from) + jump)
     .map(({ from, by }) => ({ at: Math.max(0, from), by }));
   if (target.hot) {
     // the target itself, if it burns: recoil only brings it nearer
-    const at = Math.max(0, line.centre - target.radius - HALF_WIDTH + 2 * TUBE);
-    if (jump < target.radius) ends.push({ at, by: { kind: 'asteroid', index: line.target } });
+    const at = Math.max(0, line.centre - target.radius - box.halfWidth + 2 * TUBE);
+    const kick = level.recoil ? rules.recoil / (2 * target.radius) : 0;
+    const met = jump > 0 ? 1.02 * TICK * (speedAfter(kick, line.centre) + kick * TICK) : 0;
+    const isMet = jump < target.radius && jump + met + 2 * TUBE < target.radius + box.halfWidth;
+    if (isMet) ends.push({ at, by: { kind: 'asteroid', index: line.target } });
   }
   const first = nearestEnd(ends, (end) => end.at >= 0, 1);
   if (first === null) return null;
@@ -204,14 +211,14 @@ function oneWay(setting: Setting, line: Line, circles: readonly StandingCircle[]
 const isSwing = ({ level }: Setting, { back }: Trap): boolean => level.recoil && back.by.kind !== 'start';
 
 /** How far recoil can carry the target while she swings between the ends. */
-function driftOnSwing({ level, drift, maxTime }: Setting, { target, centre }: Line, { back, front }: Trap): Drift {
+function driftOnSwing({ level, rules, drift, maxTime }: Setting, { target, centre }: Line, { back, front }: Trap): Drift {
   const stretch = { centre, back: back.at - TUBE, front: front.at + TUBE };
-  return swingDrift(level.asteroids[target].radius, level.range, stretch, maxTime, drift[target]);
+  return swingDrift(rules, level.asteroids[target].radius, level.range, stretch, maxTime, drift[target]);
 }
 
 /** Past the centre she may come back, and swing out farther than she started: both ends must stop her. */
-function bothWays({ level, drift }: Setting, line: Line, circles: readonly StandingCircle[]): Trap | null {
-  const stretches = circles.flatMap((circle) => stretchOf(line, circle) ?? []);
+function bothWays({ level, box, drift }: Setting, line: Line, circles: readonly StandingCircle[]): Trap | null {
+  const stretches = circles.flatMap((circle) => stretchOf(box, line, circle) ?? []);
   const reach = level.range + drift[line.target] + 2 * TUBE;
   const out: Blocker = { kind: 'range' };
   const front = nearestEnd(
@@ -265,7 +272,7 @@ function nearestEnd(ends: readonly LineEnd[], ahead: (end: LineEnd) => boolean, 
 
 /** Whether all along the stretch the target stays the nearest, no field acts, and no box touches the thing. */
 function holds(setting: Setting, line: Line, { back, front }: Trap, goal: Thing): boolean {
-  const { level, jump } = setting;
+  const { level, box, jump } = setting;
   const { asteroids, astronaut, repulsors } = level;
   // where a dead end begins, another is as near: up to there and no farther the line is looked at
   const from = back.at - (back.by.kind === 'dead-end' ? 0 : TUBE);
@@ -292,16 +299,16 @@ function holds(setting: Setting, line: Line, { back, front }: Trap, goal: Thing)
   const clear = repulsors.every((field) => surelyLess(field.radius + TUBE, distanceToStretch(line, from, to, place(field))));
   if (!clear) return false;
 
-  // her box before the first press stands upright; then its short side lies along the line
-  const upright = gapOf(goal.x, goal.y, 0, 0);
-  const along = gapOf(goal.x * line.ux + goal.y * line.uy, goal.y * line.ux - goal.x * line.uy, from, to);
+  // her box before the first press stands upright; then its x axis lies along the line
+  const upright = gapOf(box, goal.x, goal.y, 0, 0);
+  const along = gapOf(box, goal.x * line.ux + goal.y * line.uy, goal.y * line.ux - goal.x * line.uy, from, to);
   return surelyLess(goal.radius + 4 * TUBE, upright) && surelyLess(goal.radius + 4 * TUBE, along);
 }
 
-/** Distance from a place to the box swept from `from` to `to` along its short side, px. */
-function gapOf(along: number, aside: number, from: number, to: number): number {
-  const dx = Math.max(0, along - to - HALF_WIDTH, from - HALF_WIDTH - along);
-  const dy = Math.max(0, Math.abs(aside) - HALF_HEIGHT);
+/** Distance from a place to the box swept from `from` to `to` along its x axis, px. */
+function gapOf({ halfWidth, halfHeight }: Box, along: number, aside: number, from: number, to: number): number {
+  const dx = Math.max(0, along - to - halfWidth, from - halfWidth - along);
+  const dy = Math.max(0, Math.abs(aside) - halfHeight);
   return Math.sqrt(dx * dx + dy * dy);
 }
 

@@ -1,5 +1,5 @@
-import { HALF_DIAGONAL, HALF_WIDTH } from '../../engine/index.ts';
-import type { Level } from '../../schema/index.ts';
+import { boxOf } from '../../engine/index.ts';
+import { type Level, rulesOf } from '../../schema/index.ts';
 import { standingCircles } from './blockers.ts';
 import { placesIn } from './dead-end.ts';
 import { mostOf } from './doomed.ts';
@@ -29,7 +29,9 @@ export interface ProofPicture {
 /** The picture of a proof that `proveImpossible` or `proveMineralsUnreachable` gave for this level. */
 export function proofPicture(level: Level, { about, certificate, maxTime }: Proof): ProofPicture {
   const thing = about.kind === 'blackHole' ? level.blackHole : level.minerals[about.index];
-  const touch = { x: thing.x, y: thing.y, radius: thing.radius + HALF_DIAGONAL, role: 'thing' as const };
+  const box = boxOf(rulesOf(level));
+  const leastHalf = Math.min(box.halfWidth, box.halfHeight);
+  const touch = { x: thing.x, y: thing.y, radius: thing.radius + box.halfDiagonal, role: 'thing' as const };
   const ranges = (indices: readonly number[]) =>
     indices.map((i) => ({ x: level.asteroids[i].x, y: level.asteroids[i].y, radius: level.range, role: 'range' as const }));
   const blocked = (by: readonly { readonly kind: string; readonly index?: number }[], more: number) =>
@@ -54,7 +56,7 @@ export function proofPicture(level: Level, { about, certificate, maxTime }: Proo
           ...(atRange ? ranges([...level.asteroids.keys()]) : []),
           ...blocked(
             barrier.map(({ by }) => by),
-            HALF_WIDTH,
+            leastHalf,
           ),
           touch,
         ],
@@ -100,7 +102,7 @@ export function proofPicture(level: Level, { about, certificate, maxTime }: Proo
       });
       const square = ({ x, y }: Place) => [corner(x, y), corner(x + cell, y), corner(x + cell, y + cell), corner(x, y + cell)];
       return {
-        discs: [...blocked(endedBy, HALF_WIDTH), touch],
+        discs: [...blocked(endedBy, leastHalf), touch],
         lines: squares.map((at) => ({ points: square(at), closed: true, role: 'reach' })),
       };
     }

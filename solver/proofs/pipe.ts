@@ -1,5 +1,5 @@
-import { ALIEN_SIGHT, GUN_PULL, HALF_DIAGONAL, HALF_HEIGHT, HALF_WIDTH, REPULSOR_PUSH, TICK } from '../../engine/index.ts';
-import { bendWithin, driftAfter, STRONGEST_CHASE } from './assumptions.ts';
+import { type Box, TICK } from '../../engine/index.ts';
+import { bendWithin, driftAfter } from './assumptions.ts';
 import { type ChaserDisc, chase, joinedChasers } from './chaser.ts';
 import type { About, Blocker, Flowpipe, PipeGrid, PipePart, PipeStep, Strip, ThingRef } from './proof.ts';
 import type { Setting, Thing } from './setting.ts';
@@ -44,7 +44,7 @@ interface Circle {
 
 type Point = Pick<Circle, 'x' | 'y'>;
 
-/** How her box may be turned: by a direction of its short side, and how far from it another may be as a chord; 2: any. */
+/** How her box may be turned: by a direction of its x axis, and how far from it another may be as a chord; 2: any. */
 interface Turn {
   readonly x: number;
   readonly y: number;
@@ -198,7 +198,7 @@ class PipeFan {
   }
 
   private drift(i: number, seconds: number): number {
-    return driftAfter(this.setting.level, i, seconds);
+    return driftAfter(this.setting, i, seconds);
   }
 
   /** What a set becomes until the moment `to`, pressed and not, is added to `next`; null when it comes near the thing. */
@@ -224,7 +224,8 @@ class PipeFan {
         if (isPushed) free[moment * SIDES + m] += Math.abs(lever) * push + SLACK;
       }
     }
-    const chasing = chase(aliens, way, step, STRONGEST_CHASE, ALIEN_SIGHT);
+    const { alienPull, alienSight } = this.setting.rules;
+    const chasing = chase(aliens, way, step, alienPull, alienSight);
     return [
       this.put(next, { far: pressed, turn: aimed, aliens: chasing }, to),
       this.put(next, { far: free, turn, aliens: chasing }, to),
@@ -235,7 +236,9 @@ class PipeFan {
   private placesUntil(far: Float64Array, to: number): Rectangle {
     const now = (to - 1) * SIDES;
     const then = to * SIDES;
-    const bend = bendWithin(this.setting.strongest, this.step * this.step) + 0.01;
+    // and what a stage of a method that steps may be off the way
+    const { strongest } = this.setting;
+    const bend = bendWithin(strongest, this.step * this.step) + Math.max(0.01, 2.5e-4 * strongest);
     const most = (m: number) => Math.max(far[now + m], far[then + m]) + bend;
     return [-most(4), most(0), -most(6), most(2)];
   }
@@ -243,6 +246,7 @@ class PipeFan {
   /** Writes the farthest that the gun can accelerate her in each direction; returns how it may turn her box. */
   private pullsWithin(way: Rectangle, seconds: number): Turn {
     const { rocks, pulls } = this;
+    const { pull } = this.setting.rules;
     const { range, recoil } = this.setting.level;
     const middle = { x: (way[0] + way[1]) / 2, y: (way[2] + way[3]) / 2 };
     const around = length(way[1] - way[0], way[3] - way[2]) / 2;
@@ -264,13 +268,13 @@ class PipeFan {
       const d = length(dx, dy);
       const blur = around + moved + SLACK;
       if (d - blur < 4) {
-        pulls.fill(GUN_PULL);
+        pulls.fill(pull);
         turn = ANY_TURN;
         continue;
       }
       // the pull is `strength` times the way to the asteroid; it changes by no more than `steepest` a px
-      const strength = (at: number) => Math.max(0, GUN_PULL * (1 / at - 1 / range));
-      const steepest = GUN_PULL * Math.max(1 / (d - blur), 1 / range);
+      const strength = (at: number) => Math.max(0, pull * (1 / at - 1 / range));
+      const steepest = pull * Math.max(1 / (d - blur), 1 / range);
       const weak = strength(farthestFrom(rock, way) + moved);
       const strong = strength(near);
       for (const [m, [x, y]] of DIRECTIONS.entries()) {
@@ -288,6 +292,7 @@ class PipeFan {
   /** Writes the farthest that fields can push her in each direction; whether she may be, or is for certain, in one. */
   private pushesWithin(way: Rectangle): 'always' | boolean {
     const { pushes } = this;
+    const { push } = this.setting.rules;
     pushes.fill(Number.NEGATIVE_INFINITY);
     let result: 'always' | boolean = false;
     const middle = { x: (way[0] + way[1]) / 2, y: (way[2] + way[3]) / 2 };
@@ -300,9 +305,8 @@ class PipeFan {
       const dy = middle.y - field.y;
       const d = length(dx, dy);
       for (const [m, [x, y]] of DIRECTIONS.entries()) {
-        const about =
-          d - around < 2 ? REPULSOR_PUSH : (REPULSOR_PUSH * (x * dx + y * dy)) / d + (REPULSOR_PUSH / (d - around)) * around;
-        pushes[m] = Math.max(pushes[m], Math.min(REPULSOR_PUSH, about) + SLACK);
+        const about = d - around < 2 ? push : (push * (x * dx + y * dy)) / d + (push / (d - around)) * around;
+        pushes[m] = Math.max(pushes[m], Math.min(push, about) + SLACK);
       }
     }
     return result;
@@ -382,6 +386,7 @@ class PipeFan {
   /** Takes off a set what surely overlaps a hazard at a moment, and adds the strips to `off`; true when nothing is left, or all of it is out of range. */
   private isOver(far: Float64Array, { turn, aliens }: Pipe, moment: number, off: Strip[]): boolean {
     const seconds = moment * this.step;
+    const { box } = this.setting;
     this.setting.budget.look(4 * this.still.length + 4 * aliens.length + this.rocks.length);
     const over = (of: Blocker): true => {
       const name = of.kind === 'range' ? of.kind : `${of.kind} ${of.index}`;
@@ -391,11 +396,12 @@ class PipeFan {
     };
     for (const hazard of this.still) {
       const r = hazard.r - (hazard.asteroid < 0 ? 0 : this.drift(hazard.asteroid, seconds));
-      if (r > 0 && takeOff(far, moment, { ...hazard, r: r - DEEP }, hazard.of, turn, off)) return over(hazard.of);
+      if (r > 0 && takeOff(box, far, moment, { ...hazard, r: r - DEEP }, hazard.of, turn, off)) return over(hazard.of);
     }
     for (const [index, alien] of aliens.entries()) {
       const of: ThingRef = { kind: 'alien', index };
-      if (!alien.doubtful && takeOff(far, moment, { ...alien, r: alien.touch - alien.r - DEEP }, of, turn, off)) return over(of);
+      if (!alien.doubtful && takeOff(box, far, moment, { ...alien, r: alien.touch - alien.r - DEEP }, of, turn, off))
+        return over(of);
     }
     const now = moment * SIDES;
     const here: Rectangle = [-far[now + 4], far[now], -far[now + 6], far[now + 2]];
@@ -429,21 +435,29 @@ function cutsOf(from: number, to: number, cell: number): Cuts {
 }
 
 /** Takes off what lies in a hazard, from one side, by her box as it is turned and by the circle in it; true when all of it does. */
-function takeOff(far: Float64Array, moment: number, hazard: Circle, by: ThingRef, turn: Turn, off: Strip[]): boolean {
+function takeOff(
+  { halfWidth, halfHeight, halfDiagonal }: Box,
+  far: Float64Array,
+  moment: number,
+  hazard: Circle,
+  by: ThingRef,
+  turn: Turn,
+  off: Strip[],
+): boolean {
   const now = moment * SIDES;
   const { r } = hazard;
-  const reach = r + HALF_DIAGONAL;
+  const reach = r + halfDiagonal;
   if (hazard.x > far[now] + reach || hazard.x < -far[now + 4] - reach) return false;
   if (hazard.y > far[now + 2] + reach || hazard.y < -far[now + 6] - reach) return false;
   // both zones are convex: what has its corners in one has all of it in it
-  const rr = r - HALF_DIAGONAL * turn.chord;
+  const rr = r - halfDiagonal * turn.chord;
   const zones = [
-    (x: number, y: number) => length(hazard.x - x, hazard.y - y) < r + HALF_WIDTH,
+    (x: number, y: number) => length(hazard.x - x, hazard.y - y) < r + Math.min(halfWidth, halfHeight),
     (x: number, y: number) => {
       const dx = hazard.x - x;
       const dy = hazard.y - y;
-      const along = Math.max(0, Math.abs(dx * turn.x + dy * turn.y) - HALF_WIDTH);
-      const across = Math.max(0, Math.abs(dy * turn.x - dx * turn.y) - HALF_HEIGHT);
+      const along = Math.max(0, Math.abs(dx * turn.x + dy * turn.y) - halfWidth);
+      const across = Math.max(0, Math.abs(dy * turn.x - dx * turn.y) - halfHeight);
       return length(along, across) < rr;
     },
   ];

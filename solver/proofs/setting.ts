@@ -1,14 +1,6 @@
-import {
-  type AccuracyName,
-  DEFAULT_MAX_TIME,
-  HALF_DIAGONAL,
-  HALF_WIDTH,
-  TICK,
-  unlimited,
-  type WorkBudget,
-} from '../../engine/index.ts';
-import type { Level } from '../../schema/index.ts';
-import { driftWithin, effectsOf, FASTEST_FRAME, speedAfter, strongestPush } from './assumptions.ts';
+import { type AccuracyName, type Box, boxOf, DEFAULT_MAX_TIME, TICK, unlimited, type WorkBudget } from '../../engine/index.ts';
+import { type Level, type Rules, rulesOf } from '../../schema/index.ts';
+import { driftWithin, effectsOf, fastestFrame, speedAfter, strongestPush } from './assumptions.ts';
 import { reachableAsteroids } from './reachable.ts';
 
 /** A circle about (x, y), px from the start. */
@@ -32,6 +24,11 @@ export interface Setting {
   readonly level: Level;
   /** the names of the effects that the level calls for */
   readonly effects: readonly string[];
+  /** the game's numbers in this level */
+  readonly rules: Rules;
+  readonly box: Box;
+  /** her box touches a circle for certain when her centre is nearer to its centre than its radius and this, px */
+  readonly leastHalf: number;
   /** the most that anything can accelerate her, px/s2 */
   readonly strongest: number;
   /** longest run, s */
@@ -52,16 +49,21 @@ export interface Setting {
 /** The numbers of a level for one of the two ways of playing. */
 export function settingOf(level: Level, maxTime: number | null, frames: boolean, budget: WorkBudget = unlimited()): Setting {
   const time = maxTime ?? DEFAULT_MAX_TIME;
+  const rules = rulesOf(level);
+  const box = boxOf(rules);
   // frames step a little farther than the flow
   const square = frames ? (time + TICK) * (time + 2 * TICK) : time * time;
-  const drift = level.asteroids.map((_, i) => driftWithin(level, i, square));
-  const strongest = strongestPush(level);
-  const jump = frames ? frameJump(level, drift, strongest) : 0;
+  const drift = level.asteroids.map((_, i) => driftWithin({ level, rules }, i, square));
+  const strongest = strongestPush(level, rules);
+  const jump = frames ? frameJump(level, drift, strongest, fastestFrame(rules)) : 0;
   // dear in large levels, and of use to many proofs or to none
   let reached: readonly number[] | null = null;
   return {
     level,
     effects: effectsOf(level),
+    rules,
+    box,
+    leastHalf: Math.min(box.halfWidth, box.halfHeight),
     strongest,
     maxTime: time,
     drift,
@@ -74,7 +76,7 @@ export function settingOf(level: Level, maxTime: number | null, frames: boolean,
   };
 }
 
-function frameJump({ asteroids, range, astronaut }: Level, drift: readonly number[], strongest: number): number {
+function frameJump({ asteroids, range, astronaut }: Level, drift: readonly number[], strongest: number, fastest: number): number {
   let left = 0;
   let right = 0;
   let top = 0;
@@ -86,11 +88,11 @@ function frameJump({ asteroids, range, astronaut }: Level, drift: readonly numbe
     top = Math.min(top, y - astronaut.y - r);
     bottom = Math.max(bottom, y - astronaut.y + r);
   }
-  const across = right - left + 2 * FASTEST_FRAME;
-  const down = bottom - top + 2 * FASTEST_FRAME;
+  const across = right - left + 2 * fastest;
+  const down = bottom - top + 2 * fastest;
   const way = Math.sqrt(across * across + down * down);
   const start = astronaut.vx * astronaut.vx + astronaut.vy * astronaut.vy;
-  return Math.min(FASTEST_FRAME, speedAfter(strongest, way, start) * TICK * 1.001);
+  return Math.min(fastest, speedAfter(strongest, way, start) * TICK * 1.001);
 }
 
 /** The thing a proof is about, px from the start. */
@@ -103,9 +105,7 @@ export interface Thing {
 }
 
 /** A circle of the level as the thing a proof is about. */
-export function thingOf({ astronaut }: Level, { x, y, radius }: { x: number; y: number; radius: number }): Thing {
-  return { x: x - astronaut.x, y: y - astronaut.y, radius, touch: radius + HALF_DIAGONAL };
+export function thingOf(level: Level, { x, y, radius }: { x: number; y: number; radius: number }): Thing {
+  const { astronaut } = level;
+  return { x: x - astronaut.x, y: y - astronaut.y, radius, touch: radius + boxOf(rulesOf(level)).halfDiagonal };
 }
-
-/** Her box touches a circle for certain when her centre is nearer to its centre than its radius and this, px. */
-export const LEAST_HALF = HALF_WIDTH;

@@ -1,4 +1,4 @@
-import { GUN_PULL } from '../../engine/index.ts';
+import type { Rules } from '../../schema/index.ts';
 import type { Drift } from './proof.ts';
 
 /** What is added to the least drift that is never reached, a part and px: the checker's bound must come out below it. */
@@ -18,15 +18,16 @@ export interface SwingStretch {
 /**
  * How far recoil can carry an asteroid either way while she swings through it on a line and never leaves a stretch, px.
  *
- * While the gun is held she is accelerated by a = GUN_PULL (1 - d / range), the asteroid the other way by 1 / diameter. Were a the same
+ * While the gun is held she is accelerated by a = pull (1 - d / range), the asteroid the other way by recoil / diameter. Were a the same
  * everywhere, its speed would be a fixed share of hers and its way the same share of hers, which the stretch bounds: nothing would add up.
- * It gains speed ahead when she is ahead of it, where a is at least some A, and loses it when she is behind, where a is at most GUN_PULL. So the
- * share 2 / (A + GUN_PULL) per diameter leaves at most (GUN_PULL - A) / (GUN_PULL + A) of its acceleration unaccounted for, and only that adds
+ * It gains speed ahead when she is ahead of it, where a is at least some A, and loses it when she is behind, where a is at most the pull. So the
+ * share 2 / (A + pull), times recoil / diameter, leaves at most (pull - A) / (pull + A) of its acceleration unaccounted for, and only that adds
  * up, for as long as a run lasts. The other way likewise. The farther it drifts the smaller A may be; a drift from which follows a smaller one
  * is never reached.
  * @param most how far it is carried when it is pulled one way all the time, px
  */
 export function swingDrift(
+  { pull, recoil }: Rules,
   radius: number,
   range: number,
   { centre, back, front }: SwingStretch,
@@ -34,9 +35,9 @@ export function swingDrift(
   most: number,
 ): Drift {
   const follows = (far: number, way: number): number => {
-    const weakest = GUN_PULL * (1 - Math.min(far, range) / range);
-    const unpaid = (GUN_PULL - weakest) / (GUN_PULL + weakest);
-    return Math.min(most, (1.01 * ((unpaid * seconds * seconds) / 2 + (2 * way) / (GUN_PULL + weakest))) / (2 * radius));
+    const weakest = pull * (1 - Math.min(far, range) / range);
+    const unpaid = (pull - weakest) / (pull + weakest);
+    return Math.min(most, (recoil * 1.01 * ((unpaid * seconds * seconds) / 2 + (2 * way) / (pull + weakest))) / (2 * radius));
   };
   let drift: Drift = { back: 0, ahead: 0 };
   for (let round = 0; round < MOST_ROUNDS; round++) {

@@ -1,4 +1,3 @@
-import { HALF_HEIGHT, HALF_WIDTH } from '../../engine/index.ts';
 import type { ThingRef } from '../proofs/index.ts';
 import type { Claim } from './claim.ts';
 import { apart, isIndex, less } from './rounded.ts';
@@ -13,7 +12,7 @@ export function checkNothingInRange(claim: Claim): string | null {
 }
 
 /**
- * Her box at the start, its short side along x, overlaps a hazard. In continuous time that counts before anything else but
+ * Her box at the start, its x axis along x, overlaps a hazard. In continuous time that counts before anything else but
  * minerals. With frames, the first press may have turned the box, and the black hole is asked for before the hazards.
  */
 export function checkStartsInHazard(claim: Claim, hazard: ThingRef): string | null {
@@ -22,10 +21,10 @@ export function checkStartsInHazard(claim: Claim, hazard: ThingRef): string | nu
   if (list === undefined || !isIndex(hazard.index, list)) return 'it names a hazard that the level does not have';
   if (hazard.kind === 'asteroid' && !asteroids[hazard.index].hot) return 'the asteroid it names is cold';
   const { x, y, radius } = claim.place(list[hazard.index]);
-  const beyondX = Math.max(0, Math.abs(x) - HALF_WIDTH);
-  const beyondY = Math.max(0, Math.abs(y) - HALF_HEIGHT);
+  const beyondX = Math.max(0, Math.abs(x) - claim.box.halfWidth);
+  const beyondY = Math.max(0, Math.abs(y) - claim.box.halfHeight);
   if (!less(apart({ x: beyondX, y: beyondY }, START), radius)) return 'the hazard it names does not touch her at the start';
-  if (claim.frames && !less(apart({ x, y }, START), radius + HALF_WIDTH))
+  if (claim.frames && !less(apart({ x, y }, START), radius + claim.inner))
     return 'a box turned by a press may not touch the hazard';
   const mayTouch = !less(claim.touch, apart(claim.thing, START));
   return mayTouch && (claim.frames || claim.about.kind === 'mineral') ? 'she may touch it at the start' : null;

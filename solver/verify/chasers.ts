@@ -1,5 +1,4 @@
-import { ALIEN_PULL, ALIEN_SIGHT } from '../../engine/index.ts';
-import { MOST_CHASE } from './assumptions.ts';
+import type { Rules } from '../../schema/index.ts';
 import { apart, type Point } from './rounded.ts';
 
 /** All places, or velocities, within a distance of a centre. */
@@ -30,20 +29,29 @@ interface Area {
 const ROUNDING = 1e-7;
 const ORIGIN: Point = { x: 0, y: 0 };
 
-/** What becomes of aliens in some seconds in which she is anywhere in an area. */
-export function afterChase(chasers: readonly Chaser[], area: Area, seconds: number): readonly Chaser[] {
+/** What becomes of aliens in some seconds in which she is anywhere in an area, by a game's rules. */
+export function afterChase(rules: Rules, chasers: readonly Chaser[], area: Area, seconds: number): readonly Chaser[] {
   const farthest = (c: Chaser) =>
-    c.at.within + (apart(c.speed.centre, ORIGIN) + c.speed.within) * seconds + (MOST_CHASE * seconds * seconds) / 2 + ROUNDING;
+    c.at.within +
+    (apart(c.speed.centre, ORIGIN) + c.speed.within) * seconds +
+    (rules.alienPull * seconds * seconds) / 2 +
+    ROUNDING;
   // two that touch explode
   const mayMeet = (a: Chaser, b: Chaser) => apart(a.at.centre, b.at.centre) <= farthest(a) + farthest(b) + a.radius + b.radius;
   return chasers.map((chaser) => {
     const isThere = chaser.isThere && !chasers.some((other) => other !== chaser && mayMeet(chaser, other));
-    return { ...moved(chaser, area, seconds, farthest(chaser)), isThere };
+    return { ...moved(rules, chaser, area, seconds, farthest(chaser)), isThere };
   });
 }
 
 /** One that she is farther from than it sees stands still, and has stopped dead when it did not; otherwise it is drawn to her. */
-function moved(chaser: Chaser, { left, right, low, high }: Area, seconds: number, own: number): Chaser {
+function moved(
+  { alienPull, alienSight }: Rules,
+  chaser: Chaser,
+  { left, right, low, high }: Area,
+  seconds: number,
+  own: number,
+): Chaser {
   const her: Disc = {
     centre: { x: (left + right) / 2, y: (low + high) / 2 },
     within: apart({ x: left, y: low }, { x: right, y: high }) / 2,
@@ -51,18 +59,18 @@ function moved(chaser: Chaser, { left, right, low, high }: Area, seconds: number
   const { at, speed } = chaser;
   const d = apart(her.centre, at.centre);
   const stands = speed.within === 0 && speed.centre.x === 0 && speed.centre.y === 0;
-  if (stands && d - her.within - at.within > ALIEN_SIGHT + ROUNDING) return chaser;
+  if (stands && d - her.within - at.within > alienSight + ROUNDING) return chaser;
   const blur = her.within + own;
-  const anyPull: Disc = { centre: ORIGIN, within: MOST_CHASE };
-  const share = ALIEN_PULL / d;
+  const anyPull: Disc = { centre: ORIGIN, within: alienPull };
+  const share = alienPull / d;
   const towards: Disc = {
     centre: { x: share * (her.centre.x - at.centre.x), y: share * (her.centre.y - at.centre.y) },
     // the chord of an angle whose sine is at most a half is at most 1.04 times that sine
     within: 1.1 * share * blur,
   };
-  const maySleep = d + blur >= ALIEN_SIGHT - ROUNDING;
+  const maySleep = d + blur >= alienSight - ROUNDING;
   const pulled = 2 * blur > d ? anyPull : maySleep ? orNothing(towards) : towards;
-  const a = pulled.within > MOST_CHASE ? anyPull : pulled;
+  const a = pulled.within > alienPull ? anyPull : pulled;
   const v = maySleep ? orNothing(speed) : speed;
   const after = (p: Disc, by: Disc, times: number): Disc => ({
     centre: { x: p.centre.x + by.centre.x * times, y: p.centre.y + by.centre.y * times },

@@ -1,7 +1,7 @@
-import { DEFAULT_MAX_TIME, HALF_DIAGONAL, TICK } from '../../engine/index.ts';
-import type { Level } from '../../schema/index.ts';
+import { type Box, boxOf, DEFAULT_MAX_TIME, TICK } from '../../engine/index.ts';
+import { type Level, type Rules, rulesOf } from '../../schema/index.ts';
 import type { About } from '../proofs/index.ts';
-import { driftIn, LONGEST_FRAME, mostPush } from './assumptions.ts';
+import { driftIn, longestFrame, mostPush } from './assumptions.ts';
 
 /**
  * What a certificate is checked against: places relative to her start (the start is 0, 0), and the few numbers on which
@@ -9,6 +9,11 @@ import { driftIn, LONGEST_FRAME, mostPush } from './assumptions.ts';
  */
 export interface Claim {
   readonly level: Level;
+  /** The game's numbers in it. */
+  readonly rules: Rules;
+  readonly box: Box;
+  /** Her box holds a circle of this radius about its centre, px. */
+  readonly inner: number;
   readonly about: About;
   /** The thing that is said to be out of reach. */
   readonly thing: { readonly x: number; readonly y: number; readonly radius: number };
@@ -40,6 +45,8 @@ export type Play = 'frames' | 'steps' | 'exact';
 export function claimOf(level: Level, about: About, maxTime: number | null, play: Play): Claim {
   const frames = play === 'frames';
   const { astronaut, range } = level;
+  const rules = rulesOf(level);
+  const box = boxOf(rules);
   const place = <T extends { readonly x: number; readonly y: number }>(thing: T): T => ({
     ...thing,
     x: thing.x - astronaut.x,
@@ -48,14 +55,17 @@ export function claimOf(level: Level, about: About, maxTime: number | null, play
   const thing = place(about.kind === 'blackHole' ? level.blackHole : level.minerals[about.index]);
   const time = maxTime ?? DEFAULT_MAX_TIME;
   // frames go as far as in a frame more, and the last may end after it
-  const longest = frames ? (time + TICK) * (time + 2 * TICK) : time * time;
-  const drift = (i: number): number => driftIn(level, i, longest);
-  const push = mostPush(level);
+  const square = frames ? (time + TICK) * (time + 2 * TICK) : time * time;
+  const drift = (i: number): number => driftIn(level, rules, i, square);
+  const push = mostPush(level, rules);
   return {
     level,
+    rules,
+    box,
+    inner: Math.min(box.halfWidth, box.halfHeight),
     about,
     thing,
-    touch: thing.radius + HALF_DIAGONAL,
+    touch: thing.radius + box.halfDiagonal,
     push,
     frames,
     steps: play === 'steps',
@@ -75,10 +85,11 @@ export function claimOf(level: Level, about: About, maxTime: number | null, play
     const highs = level.asteroids.map((a, i) => ({ x: place(a).x + range + drift(i), y: place(a).y + range + drift(i) }));
     const spread = (axis: 'x' | 'y') =>
       highs.reduce((most, p) => Math.max(most, p[axis]), 0) - lows.reduce((least, p) => Math.min(least, p[axis]), 0);
-    const width = spread('x') + 2 * LONGEST_FRAME;
-    const height = spread('y') + 2 * LONGEST_FRAME;
+    const longest = longestFrame(rules);
+    const width = spread('x') + 2 * longest;
+    const height = spread('y') + 2 * longest;
     const way = Math.sqrt(width * width + height * height);
     const speed2 = astronaut.vx * astronaut.vx + astronaut.vy * astronaut.vy + 2 * push * way;
-    return Math.min(LONGEST_FRAME, 1.001 * Math.sqrt(speed2) * TICK);
+    return Math.min(longest, 1.001 * Math.sqrt(speed2) * TICK);
   }
 }

@@ -1,4 +1,4 @@
-import { HALF_DIAGONAL, HALF_HEIGHT, HALF_WIDTH } from '../../engine/index.ts';
+import type { Box } from '../../engine/index.ts';
 import type { Claim } from './claim.ts';
 import { standingHazard } from './hazards.ts';
 import { apart, less, type Point } from './rounded.ts';
@@ -10,7 +10,7 @@ const MOST = 400_000;
 
 type Circle = Point & { readonly radius: number };
 
-/** Places of a square, and directions of the box's short side from one to another, less than half a turn on. */
+/** Places of a square, and directions of the box's x axis from one to another, less than half a turn on. */
 interface Poses {
   readonly centre: Point;
   readonly half: number;
@@ -41,13 +41,13 @@ export function checkCovered(claim: Claim): string | null {
     const poses = waiting.pop() as Poses;
     const middle = unit({ x: poses.from.x + poses.to.x, y: poses.from.y + poses.to.y });
     const shift = poses.half * 1.4143;
-    const turn = HALF_DIAGONAL * 1.00001 * Math.max(apart(middle, poses.from), apart(middle, poses.to));
-    if (less(shift + turn, gap(poses.centre, middle, claim.thing))) continue;
+    const turn = claim.box.halfDiagonal * 1.00001 * Math.max(apart(middle, poses.from), apart(middle, poses.to));
+    if (less(shift + turn, gap(claim.box, poses.centre, middle, claim.thing))) continue;
     const isCovered = hazards.some((hazard) =>
       // a mineral counts even when a press turns her into a hazard in that instant: only where she can't be at all it is covered
       claim.about.kind === 'mineral'
-        ? less(apart(poses.centre, hazard) + shift, hazard.radius + HALF_WIDTH)
-        : less(gap(poses.centre, middle, hazard) + shift + turn, 0),
+        ? less(apart(poses.centre, hazard) + shift, hazard.radius + claim.inner)
+        : less(gap(claim.box, poses.centre, middle, hazard) + shift + turn, 0),
     );
     if (isCovered) continue;
     if (shift + turn < 0.05) return 'she may touch it and no hazard';
@@ -67,10 +67,10 @@ function quarters(poses: Poses): Poses[] {
 const unit = ({ x, y }: Point): Point => ({ x: x / Math.sqrt(x * x + y * y), y: y / Math.sqrt(x * x + y * y) });
 
 /** Gap between her box and a circle, px: negative where they overlap, but by no more than the radius. */
-function gap(centre: Point, side: Point, circle: Circle): number {
+function gap({ halfWidth, halfHeight }: Box, centre: Point, side: Point, circle: Circle): number {
   const dx = circle.x - centre.x;
   const dy = circle.y - centre.y;
-  const along = Math.max(0, Math.abs(dx * side.x + dy * side.y) - HALF_WIDTH);
-  const across = Math.max(0, Math.abs(dy * side.x - dx * side.y) - HALF_HEIGHT);
+  const along = Math.max(0, Math.abs(dx * side.x + dy * side.y) - halfWidth);
+  const across = Math.max(0, Math.abs(dy * side.x - dx * side.y) - halfHeight);
   return Math.sqrt(along * along + across * across) - circle.radius;
 }

@@ -1,6 +1,6 @@
-import { HALF_DIAGONAL, HALF_HEIGHT, HALF_WIDTH } from '../../engine/index.ts';
+import type { Box } from '../../engine/index.ts';
 import type { DeadEnd } from '../proofs/index.ts';
-import { speedAfter, UNLIMITED } from './assumptions.ts';
+import { speedAfter, unlimited } from './assumptions.ts';
 import type { Claim } from './claim.ts';
 import { standingHazard } from './hazards.ts';
 import { apart, less, type Point } from './rounded.ts';
@@ -92,7 +92,8 @@ export function checkDeadEnd(claim: Claim, { axis, step }: DeadEnd, { apex, ahea
     for (const stage of stages) {
       // from rest no way between places of the line and of the dead end makes her faster than a fall as long as that
       for (const { place } of stage.ways) farthest = Math.max(farthest, Math.abs(place) + (n + 1 + STEEP) * step);
-      if (!less(speedAfter(claim.push, length + 2 * farthest), UNLIMITED)) return 'she may come to the speed limit';
+      if (!less(speedAfter(claim.push, length + 2 * farthest), unlimited(claim.rules, claim.push)))
+        return 'she may come to the speed limit';
       if (++looked > MOST) return 'it takes too many stages to follow her';
       const after = follow(scene, stage, n * step, step);
       if (typeof after === 'string') return after;
@@ -107,6 +108,8 @@ export function checkDeadEnd(claim: Claim, { axis, step }: DeadEnd, { apex, ahea
 }
 
 interface Scene {
+  readonly box: Box;
+  readonly inner: number;
   readonly thing: Point;
   readonly touch: number;
   readonly range: number;
@@ -137,6 +140,8 @@ function sceneAlong(claim: Claim, [ux, uy]: readonly [number, number], apex: Poi
     { kind: 'blackHole' as const, index: 0 },
   ];
   return {
+    box: claim.box,
+    inner: claim.inner,
     thing: seen(claim.thing),
     touch: claim.touch,
     range: level.range,
@@ -252,10 +257,10 @@ function widened(ways: readonly Way[], x: number, step: number, swing: number, s
 /** What of a stage no hazard stops as she comes to x, nor the end of the range. */
 function survivors(scene: Scene, { ways, box }: Stage, x: number): Stage[] {
   const [low, high] = extent(ways.map(({ place }) => place));
-  const near = scene.hazards.filter((hazard) => Math.abs(hazard.x - x) <= hazard.radius + HALF_DIAGONAL);
+  const near = scene.hazards.filter((hazard) => Math.abs(hazard.x - x) <= hazard.radius + scene.box.halfDiagonal);
   const [from, to] = box.map((slope) => unit({ x: 1, y: slope }));
   const isStopped = (a: Point, b: Point): boolean => {
-    if (near.some((hazard) => stops(hazard, a, b, from, to))) return true;
+    if (near.some((hazard) => stops(scene, hazard, a, b, from, to))) return true;
     return scene.rocks.every((rock) => {
       const nearest = { x, y: Math.max(a.y, Math.min(b.y, rock.y)) };
       return less(scene.range + DEPTH, apart(rock, nearest));
@@ -279,24 +284,25 @@ function survivors(scene: Scene, { ways, box }: Stage, x: number): Stage[] {
 }
 
 /** Whether a hazard overlaps her box wherever she is between two places, lying in any direction from one unit vector to another. */
-function stops(hazard: Circle, a: Point, b: Point, from: Point, to: Point): boolean {
+function stops(scene: Scene, hazard: Circle, a: Point, b: Point, from: Point, to: Point): boolean {
+  const { halfDiagonal } = scene.box;
   const far = Math.max(apart(a, hazard), apart(b, hazard));
-  if (less(far, hazard.radius + HALF_WIDTH - DEPTH)) return true;
-  if (far > hazard.radius + HALF_DIAGONAL) return false;
+  if (less(far, hazard.radius + scene.inner - DEPTH)) return true;
+  if (far > hazard.radius + halfDiagonal) return false;
   const middle = unit({ x: from.x + to.x, y: from.y + to.y });
   const off = Math.max(apart(middle, from), apart(middle, to));
-  const worst = Math.max(gap(a, middle, hazard), gap(b, middle, hazard));
-  if (less(worst + HALF_DIAGONAL * off, -DEPTH)) return true;
+  const worst = Math.max(gap(scene.box, a, middle, hazard), gap(scene.box, b, middle, hazard));
+  if (less(worst + halfDiagonal * off, -DEPTH)) return true;
   if (worst > -DEPTH || off < FINEST_TURN) return false;
-  return stops(hazard, a, b, from, middle) && stops(hazard, a, b, middle, to);
+  return stops(scene, hazard, a, b, from, middle) && stops(scene, hazard, a, b, middle, to);
 }
 
 /** Gap between her box and a circle, px; negative where they overlap. */
-function gap(centre: Point, side: Point, circle: Circle): number {
+function gap({ halfWidth, halfHeight }: Box, centre: Point, side: Point, circle: Circle): number {
   const dx = circle.x - centre.x;
   const dy = circle.y - centre.y;
-  const along = Math.max(0, Math.abs(dx * side.x + dy * side.y) - HALF_WIDTH);
-  const across = Math.max(0, Math.abs(dy * side.x - dx * side.y) - HALF_HEIGHT);
+  const along = Math.max(0, Math.abs(dx * side.x + dy * side.y) - halfWidth);
+  const across = Math.max(0, Math.abs(dy * side.x - dx * side.y) - halfHeight);
   return Math.sqrt(along * along + across * across) - circle.radius;
 }
 

@@ -1,6 +1,7 @@
-import { GUN_PULL, HALF_WIDTH, REPULSOR_PUSH, TICK } from '../../engine/index.ts';
+import { TICK } from '../../engine/index.ts';
+import type { Rules } from '../../schema/index.ts';
 import type { BoxNumbers, Doomed, FanGrid, ThingRef } from '../proofs/index.ts';
-import { FAR_FROM_LIMIT } from './assumptions.ts';
+import { farFromLimit } from './assumptions.ts';
 import type { Claim } from './claim.ts';
 import { standingHazard } from './hazards.ts';
 import type { Point } from './rounded.ts';
@@ -47,10 +48,13 @@ const times = (a: Interval, b: Interval): Interval => {
 export function checkDoomed(claim: Claim, { grid, layers }: Doomed): string | null {
   if (!isGrid(grid)) return 'its grid is none';
   if (!areLayers(layers)) return 'its sets are none';
-  const { x, y } = claim.level.astronaut;
+  const { x, y, vx, vy } = claim.level.astronaut;
   if (claim.frames && Math.max(Math.abs(x), Math.abs(y)) > FAR_OUT) return 'with frames places so far out are too coarse';
   const scene = turnedScene(claim, grid.axis);
   const seconds = grid.frames * TICK;
+  // each step begins no faster than the first or, on two axes, far from the limit, and stays below it
+  const fastest = Math.max(Math.sqrt(vx * vx + vy * vy), 1.4143 * farFromLimit(claim.rules));
+  if (!(fastest + claim.push * (seconds + TICK) <= claim.rules.speedLimit)) return 'she may come to the speed limit in a step';
   const blocked = blockedDiscs(claim, scene);
   let after: Box[] = [startOf(scene)];
   let looked = 0;
@@ -70,8 +74,8 @@ export function checkDoomed(claim: Claim, { grid, layers }: Doomed): string | nu
     for (const box of boxes) {
       const way = placesWithin(box, seconds, claim.push);
       if (!(distances(scene.thing, way)[0] > claim.touch + ROUNDING)) return `she may touch it in step ${n + 1}`;
-      const moved = advance(box, ...accelerations(scene, way, (n + 1) * seconds), seconds);
-      if (!(Math.max(-moved.vx[0], moved.vx[1], -moved.vy[0], moved.vy[1]) <= FAR_FROM_LIMIT))
+      const moved = advance(box, ...accelerations(claim.rules, scene, way, (n + 1) * seconds), seconds);
+      if (!(Math.max(-moved.vx[0], moved.vx[1], -moved.vy[0], moved.vy[1]) <= farFromLimit(claim.rules)))
         return 'she may come to the speed limit';
       after.push(moved);
     }
@@ -100,7 +104,7 @@ const startOf = ({ velocity }: TurnedScene): Box => ({
   vy: [velocity.y - ROUNDING, velocity.y + ROUNDING],
 });
 
-/** The discs in which her centre can't be: her box holds a circle of 10 px about its centre. */
+/** The discs in which her centre can't be: her box holds a circle about its centre. */
 function blockedDiscs(claim: Claim, { turn }: TurnedScene): Circle[] {
   const { novae, asteroids } = claim.level;
   const refs: ThingRef[] = [
@@ -110,7 +114,7 @@ function blockedDiscs(claim: Claim, { turn }: TurnedScene): Circle[] {
   ];
   return refs.flatMap((ref) => {
     const hazard = standingHazard(claim, ref);
-    return hazard === null || hazard.radius <= 0 ? [] : [{ ...turn(hazard), radius: hazard.radius + HALF_WIDTH }];
+    return hazard === null || hazard.radius <= 0 ? [] : [{ ...turn(hazard), radius: hazard.radius + claim.inner }];
   });
 }
 
@@ -130,11 +134,16 @@ export function advance({ x, y, vx, vy }: Box, ax: Interval, ay: Interval, secon
 }
 
 /** Every acceleration at a place of the rectangle, with the gun on or off. */
-export function accelerations({ asteroids, fields, drift }: TurnedScene, way: Rectangle, seconds: number): [Interval, Interval] {
+export function accelerations(
+  rules: Rules,
+  { asteroids, fields, drift }: TurnedScene,
+  way: Rectangle,
+  seconds: number,
+): [Interval, Interval] {
   const pushes = fields.flatMap((field) => {
     const [near, far] = distances(field, way);
     if (near > field.radius + ROUNDING) return [];
-    const push = central(field, way, [near, far], (d) => -REPULSOR_PUSH / d, REPULSOR_PUSH, 0);
+    const push = central(field, way, [near, far], (d) => -rules.push / d, rules.push, 0);
     return [{ push, always: far < field.radius - ROUNDING }];
   });
   const all = pushes.map(({ push }) => push);
@@ -153,8 +162,8 @@ export function accelerations({ asteroids, fields, drift }: TurnedScene, way: Re
       const near = distances(asteroid, way)[0] - moved;
       const far = distances(asteroid, way)[1] + moved;
       if (near > reach + ROUNDING) continue;
-      const pull = (d: number) => Math.max(0, GUN_PULL / d - GUN_PULL / asteroid.radius);
-      all.push(central(asteroid, way, [near, far], pull, GUN_PULL, moved));
+      const pull = (d: number) => Math.max(0, rules.pull / d - rules.pull / asteroid.radius);
+      all.push(central(asteroid, way, [near, far], pull, rules.pull, moved));
     }
   }
   return [all.map(([ax]) => ax).reduce(hull), all.map(([, ay]) => ay).reduce(hull)];

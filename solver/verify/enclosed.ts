@@ -1,4 +1,3 @@
-import { HALF_WIDTH } from '../../engine/index.ts';
 import type { BarrierEdge, Blocker } from '../proofs/index.ts';
 import type { Claim } from './claim.ts';
 import { standingHazard } from './hazards.ts';
@@ -45,7 +44,7 @@ function checkOutside(claim: Claim, a: Point, b: Point): string | null {
 function checkHazard(claim: Claim, by: Blocker, a: Point, b: Point): string | null {
   const hazard = standingHazard(claim, by);
   if (hazard === null) return 'what it names is no hazard that stands still';
-  const r = hazard.radius + HALF_WIDTH;
+  const r = hazard.radius + claim.inner;
   if (!less(claim.jump / 2, r)) return 'she may jump over it';
   const radius = Math.sqrt(r * r - (claim.jump * claim.jump) / 4);
   return less(apart(a, hazard), radius) && less(apart(b, hazard), radius) ? null : 'it leaves the hazard it names';

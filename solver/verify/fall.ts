@@ -1,4 +1,4 @@
-import { GUN_PULL, TICK, TICK_RATE } from '../../engine/index.ts';
+import { TICK, TICK_RATE } from '../../engine/index.ts';
 
 /** What one operation on doubles may add, as a share of its result; a little more than 2^-53. */
 const ROUNDING = 1.2e-16;
@@ -13,6 +13,8 @@ export interface Fall {
   readonly jump: number;
   /** the largest number of a place */
   readonly coordinate: number;
+  /** the most that anything accelerates her or the asteroid, px/s2 */
+  readonly push: number;
   /** the fastest she can be */
   readonly speed: number;
   /** longest run */
@@ -33,7 +35,7 @@ export interface Fall {
  * line by no more than the slope, as a share of the way it may come.
  */
 export function offLine(fall: Fall): { beside: number; slope: number } {
-  const { centre, nearest, coordinate, seconds, rockSpeed, drift } = fall;
+  const { centre, nearest, coordinate, push, seconds, rockSpeed, drift } = fall;
   const speed = fall.speed + rockSpeed;
   const jump = fall.jump + rockSpeed * TICK;
   const last = nearest - jump;
@@ -42,7 +44,7 @@ export function offLine(fall: Fall): { beside: number; slope: number } {
   // a place: the product, the sum, both axes; a velocity likewise; and the pull: differences, root, quotient, products
   const bodies = rockSpeed > 0 ? 2 : 1;
   const place = 3 * bodies * ROUNDING * (coordinate + drift + jump);
-  const velocity = 3 * bodies * ROUNDING * (speed + 1) + 12 * bodies * ROUNDING * GUN_PULL * TICK;
+  const velocity = 3 * bodies * ROUNDING * (speed + 1) + 12 * bodies * ROUNDING * push * TICK;
   const momentum = 3 * frames * (place * speed + velocity * centre);
   const slope = frames * ((TICK * momentum) / (nearest * last) + (3 * place) / last);
   const beside = (centre + drift) * slope;

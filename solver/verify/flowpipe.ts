@@ -1,6 +1,6 @@
-import { GUN_PULL, HALF_DIAGONAL, HALF_HEIGHT, HALF_WIDTH, REPULSOR_PUSH, TICK } from '../../engine/index.ts';
+import { TICK } from '../../engine/index.ts';
 import type { Flowpipe, PipeGrid, PipePart, PipeStep, Strip } from '../proofs/index.ts';
-import { FAR_FROM_LIMIT } from './assumptions.ts';
+import { farFromLimit } from './assumptions.ts';
 import { afterChase, type Chaser, eitherChaser } from './chasers.ts';
 import type { Claim } from './claim.ts';
 import { standingHazard } from './hazards.ts';
@@ -37,7 +37,7 @@ interface Area {
   readonly high: number;
 }
 
-/** The short side of her box points along `to`, the other way, or within a chord of `off` of either; all directions are within 2. */
+/** The x axis of her box points along `to`, the other way, or within a chord of `off` of either; all directions are within 2. */
 interface Aim {
   readonly to: Point;
   readonly off: number;
@@ -68,7 +68,8 @@ export function checkFlowpipe(claim: Claim, { grid, layers }: Flowpipe): string 
   if (!Array.isArray(layers)) return 'its steps are none';
   const seconds = grid.frames * TICK;
   const { vx, vy } = claim.level.astronaut;
-  if (Math.sqrt(vx * vx + vy * vy) + claim.push * seconds * grid.steps > FAR_FROM_LIMIT) return 'she may come to the speed limit';
+  if (Math.sqrt(vx * vx + vy * vy) + claim.push * seconds * grid.steps > farFromLimit(claim.rules))
+    return 'she may come to the speed limit';
   const scene: Scene = { ...turnedScene(claim, grid.axis), claim, seconds, times: [Math.floor(grid.steps / 3), grid.steps] };
   let bundles: ReadonlyMap<number, Bundle> = new Map([[0, startOf(scene)]]);
   let made = 0;
@@ -146,8 +147,8 @@ function startOf({ claim, seconds, times, velocity, turn }: Scene): Bundle {
 function wayTo({ atTimes }: Bundle, step: number, seconds: number, push: number): Area {
   const before = atTimes[step - 1] as Octagon;
   const after = atTimes[step] as Octagon;
-  // and a hundredth of a px for the stages of a method that steps
-  const bend = (push * seconds * seconds) / 2 + 0.01;
+  // and what a stage of a method that steps may be off the way
+  const bend = (push * seconds * seconds) / 2 + Math.max(0.01, 2.5e-4 * push);
   const most = (n: number) => Math.max(before[n], after[n]) + bend;
   return { left: -most(4), right: most(0), low: -most(6), high: most(2) };
 }
@@ -157,7 +158,7 @@ function afterStep(scene: Scene, bundle: Bundle, way: Area, step: number): Bundl
   const { seconds } = scene;
   const { pull, aim } = gun(scene, way, step * seconds);
   const field = fieldsAt(scene, way);
-  const chasers = afterChase(bundle.chasers, way, seconds);
+  const chasers = afterChase(scene.claim.rules, bundle.chasers, way, seconds);
   const zero = COMPASS.map(() => 0);
   const free = field === null ? null : field.always ? field.push : most(field.push, zero);
   const pressed = field?.always === true ? field.push : most(most(pull, zero), free ?? zero);
@@ -179,6 +180,7 @@ const most = (a: readonly number[], b: readonly number[]): number[] => a.map((fa
 /** How far the gun can accelerate her in each direction, wherever she is on the way, and where her box points while it is held. */
 function gun({ claim, asteroids: rocks, drift }: Scene, way: Area, seconds: number): { pull: readonly number[]; aim: Aim } {
   const { range, recoil } = claim.level;
+  const strongest = claim.rules.pull;
   const middle = middleOf(way);
   const nearest = rocks.reduce((best, rock) => (apart(rock, middle) < apart(best, middle) ? rock : best), rocks[0]);
   const reach = rocks.reduce(
@@ -198,10 +200,10 @@ function gun({ claim, asteroids: rocks, drift }: Scene, way: Area, seconds: numb
     const way0 = { x: rock.x - middle.x, y: rock.y - middle.y };
     const d = apart(rock, middle);
     const blur = halfDiagonal(way) + moved + ROUNDING;
-    if (d - blur < 4) return { pull: COMPASS.map(() => GUN_PULL), aim: { to: { x: 1, y: 0 }, off: 2 } };
-    const perPx = (at: number) => Math.max(0, GUN_PULL / at - GUN_PULL / range);
-    // how much the pull changes with a px of her place: tangentially by what is left of GUN_PULL / d, radially by GUN_PULL / range
-    const slope = Math.max(GUN_PULL / (d - blur), GUN_PULL / range);
+    if (d - blur < 4) return { pull: COMPASS.map(() => strongest), aim: { to: { x: 1, y: 0 }, off: 2 } };
+    const perPx = (at: number) => Math.max(0, strongest / at - strongest / range);
+    // how much the pull changes with a px of her place: tangentially by what is left of pull / d, radially by pull / range
+    const slope = Math.max(strongest / (d - blur), strongest / range);
     pull = most(
       pull,
       COMPASS.map((direction) => {
@@ -219,17 +221,18 @@ function gun({ claim, asteroids: rocks, drift }: Scene, way: Area, seconds: numb
 }
 
 /** How far fields can push her in each direction; null out of all of them. */
-function fieldsAt({ fields }: Scene, way: Area): { push: readonly number[]; always: boolean } | null {
+function fieldsAt({ claim, fields }: Scene, way: Area): { push: readonly number[]; always: boolean } | null {
   const middle = middleOf(way);
   const blur = halfDiagonal(way) + ROUNDING;
+  const strongest = claim.rules.push;
   const near = fields.filter((field) => distances(field, way).least <= field.radius + ROUNDING);
   if (near.length === 0) return null;
   const pushes = near.map((field) => {
     const d = apart(field, middle);
     return COMPASS.map((direction) => {
-      if (d - blur < 2) return REPULSOR_PUSH;
-      const there = (REPULSOR_PUSH * dot(direction, { x: middle.x - field.x, y: middle.y - field.y })) / d;
-      return Math.min(REPULSOR_PUSH, there + (REPULSOR_PUSH * blur) / (d - blur)) + ROUNDING;
+      if (d - blur < 2) return strongest;
+      const there = (strongest * dot(direction, { x: middle.x - field.x, y: middle.y - field.y })) / d;
+      return Math.min(strongest, there + (strongest * blur) / (d - blur)) + ROUNDING;
     });
   });
   return { push: pushes.reduce(most), always: near.some((field) => distances(field, way).most < field.radius - ROUNDING) };
@@ -293,7 +296,7 @@ function withoutStrips(scene: Scene, bundle: Bundle, off: readonly Strip[], step
         y: a.y * far + b.y * next,
       })),
     );
-    if (!overlapsAll(hazard, corners, bundle.aim)) return `a hazard may not stop her after step ${step}`;
+    if (!overlapsAll(scene.claim, hazard, corners, bundle.aim)) return `a hazard may not stop her after step ${step}`;
     if (at <= -octagon[back(side)]) return null;
     octagon = octagon.map((far, n) => (n === side ? Math.min(far, at + ROUNDING) : far));
   }
@@ -315,15 +318,15 @@ function hazardAt({ claim, turn, drift }: Scene, { chasers }: Bundle, by: Strip[
  * Whether her box overlaps a circle wherever she is between some corners: by the circle in her box, or by the box as it is turned. Both times these places are
  * convex, so that they hold all that lies between corners that they hold.
  */
-function overlapsAll({ x, y, radius }: Circle, corners: readonly Point[], { to, off }: Aim): boolean {
-  const inCircle = (p: Point) => apart(p, { x, y }) < radius + HALF_WIDTH - ROUNDING;
+function overlapsAll({ box, inner }: Claim, { x, y, radius }: Circle, corners: readonly Point[], { to, off }: Aim): boolean {
+  const inCircle = (p: Point) => apart(p, { x, y }) < radius + inner - ROUNDING;
   const inBox = (p: Point) => {
     const way = { x: x - p.x, y: y - p.y };
     const beyond = {
-      x: Math.max(0, Math.abs(dot(way, to)) - HALF_WIDTH),
-      y: Math.max(0, Math.abs(way.y * to.x - way.x * to.y) - HALF_HEIGHT),
+      x: Math.max(0, Math.abs(dot(way, to)) - box.halfWidth),
+      y: Math.max(0, Math.abs(way.y * to.x - way.x * to.y) - box.halfHeight),
     };
-    return apart(beyond, { x: 0, y: 0 }) + HALF_DIAGONAL * off < radius - ROUNDING;
+    return apart(beyond, { x: 0, y: 0 }) + box.halfDiagonal * off < radius - ROUNDING;
   };
   return corners.every(inCircle) || corners.every(inBox);
 }

@@ -1,6 +1,6 @@
-import { GUN_PULL, HALF_HEIGHT, HALF_WIDTH } from '../../engine/index.ts';
+import { TICK } from '../../engine/index.ts';
 import type { Drift, LineEnd, LineTrap } from '../proofs/index.ts';
-import { speedAfter, UNLIMITED } from './assumptions.ts';
+import { speedAfter, unlimited } from './assumptions.ts';
 import type { Claim } from './claim.ts';
 import { checkDeadEnd } from './dead-end.ts';
 import { offLine } from './fall.ts';
@@ -76,27 +76,31 @@ export function checkLineTrap(claim: Claim, { target, back, front, drift }: Line
     if (!less(field.radius + TUBE, gap(line, claim.place(field), from, to, 0, 0)))
       return `repulsors[${i}] may push her on the stretch`;
   }
-  const upright = { x: Math.max(0, Math.abs(claim.thing.x) - HALF_WIDTH), y: Math.max(0, Math.abs(claim.thing.y) - HALF_HEIGHT) };
+  const { halfWidth, halfHeight } = claim.box;
+  const upright = { x: Math.max(0, Math.abs(claim.thing.x) - halfWidth), y: Math.max(0, Math.abs(claim.thing.y) - halfHeight) };
   if (!less(claim.thing.radius + TUBE, apart(upright, START))) return 'she may touch it at the start';
-  const swept = gap(line, claim.thing, from, to, HALF_WIDTH, HALF_HEIGHT);
+  const swept = gap(line, claim.thing, from, to, halfWidth, halfHeight);
   return less(claim.thing.radius + 2 * TUBE, swept) ? null : 'she may touch it on the stretch';
 }
 
 /**
- * Recoil accelerates the target by 1 / diameter, and only while the gun pulls her forward by no less than it does at the start: so it makes at most
+ * Recoil accelerates the target by recoil / diameter, and only while the gun pulls her forward by no less than it does at the start: so it makes at most
  * that share of her way, which is no longer than the stretch (and a hundredth for frames).
  */
 function driftOnFall(claim: Claim, target: number, centre: number, end: number): number {
   const { recoil, range, asteroids } = claim.level;
-  const pull = GUN_PULL * (1 - (centre + TUBE) / range);
+  const pull = claim.rules.pull * (1 - (centre + TUBE) / range);
   if (!recoil || !less(0, pull)) return claim.drift(target);
-  return Math.min(claim.drift(target), (1.01 * (end + claim.jump + TUBE)) / (2 * asteroids[target].radius * pull));
+  return Math.min(
+    claim.drift(target),
+    (claim.rules.recoil * 1.01 * (end + claim.jump + TUBE)) / (2 * asteroids[target].radius * pull),
+  );
 }
 
 /**
  * The drift that is claimed, where from it follows a smaller one, so that it is never reached; null where that can't be told. Ahead of the asteroid
- * she is accelerated by at least `weakest` when it is accelerated after her, by 1 / diameter; behind it by at most GUN_PULL, when it is the other way. With m the
- * mean of both, its velocity is -1 / (m diameter) of hers, and what at most (GUN_PULL - weakest) / (2 m) of its own acceleration adds up to: over
+ * she is accelerated by at least `weakest` when it is accelerated after her, by recoil / diameter; behind it by at most the pull, when it is the other way. With m the
+ * mean of both, its velocity is -recoil / (m diameter) of hers, and what at most (pull - weakest) / (2 m) of its own acceleration adds up to: over
  * time, that share of her way back, and of the bound for constant acceleration. For the drift towards the start ahead and behind change places.
  */
 function driftOnSwing(
@@ -110,14 +114,15 @@ function driftOnSwing(
   const { recoil, range, asteroids } = claim.level;
   if (!recoil) return { back: 0, ahead: 0 };
   if (!(Number.isFinite(drift?.back) && Number.isFinite(drift?.ahead))) return null;
+  const { pull, recoil: strength } = claim.rules;
   const most = claim.drift(target);
   const bound = { back: Math.max(0, drift?.back ?? 0), ahead: Math.max(0, drift?.ahead ?? 0) };
   const isNever = (claimed: number, far: number, way: number): boolean => {
     if (claimed >= most) return true;
-    const weakest = Math.max(0, GUN_PULL * (1 - (far + TUBE / 2) / range));
-    const mean = (GUN_PULL + weakest) / 2;
-    const share = (GUN_PULL - weakest) / (2 * mean);
-    return less(share * most + (1.01 * (way + TUBE / 2)) / (mean * 2 * asteroids[target].radius), claimed);
+    const weakest = Math.max(0, pull * (1 - (far + TUBE / 2) / range));
+    const mean = (pull + weakest) / 2;
+    const share = (pull - weakest) / (2 * mean);
+    return less(share * most + (strength * 1.01 * (way + TUBE / 2)) / (mean * 2 * asteroids[target].radius), claimed);
   };
   const holds =
     isNever(bound.ahead, front.at - centre + bound.back, -back.at) &&
@@ -134,10 +139,11 @@ function mayBend(claim: Claim, line: Line, back: LineEnd, front: LineEnd): boole
   const { recoil, range, astronaut, asteroids } = claim.level;
   const { x, y } = asteroids[line.target];
   if (!recoil && (x === astronaut.x || y === astronaut.y)) return false;
-  if (back.by?.kind === 'start') return !less(speedAfter(claim.push, front.at + claim.jump + TUBE), UNLIMITED);
+  if (back.by?.kind === 'start')
+    return !less(speedAfter(claim.push, front.at + claim.jump + TUBE), unlimited(claim.rules, claim.push));
   const far = Math.max(line.farthest - back.at, front.at - line.nearest) + TUBE;
   const inRange = Math.min(far, range);
-  return !less(speedAfter(claim.push, recoil ? far : inRange * (1 - inRange / (2 * range))), UNLIMITED);
+  return !less(speedAfter(claim.push, recoil ? far : inRange * (1 - inRange / (2 * range))), unlimited(claim.rules, claim.push));
 }
 
 /** She dies before she comes to the asteroid's centre, so that it only ever pulls her forward: she can't go back beyond the start. */
@@ -146,8 +152,13 @@ function checkOneWay(claim: Claim, line: Line, back: LineEnd, front: LineEnd): s
   if (front.by?.kind === 'asteroid' && front.by.index === line.target) {
     // recoil brings it towards her: she meets it here at the latest, and doesn't jump over half of it
     if (!claim.level.asteroids[line.target].hot) return 'the asteroid at its end is cold';
-    if (!less(line.centre - front.at + TUBE, line.radius + HALF_WIDTH)) return 'she may stop before she touches the asteroid';
+    if (!less(line.centre - front.at + TUBE, line.radius + claim.box.halfWidth))
+      return 'she may stop before she touches the asteroid';
     if (!less(claim.jump + TUBE, line.radius)) return 'she may jump over the asteroid';
+    // and so may it, the faster the longer it comes towards her: no farther than all the way
+    const kick = claim.level.recoil ? claim.rules.recoil / (2 * line.radius) : 0;
+    const met = claim.frames ? TICK * (1.01 * speedAfter(kick, line.centre) + kick * TICK) : 0;
+    if (!less(claim.jump + met + TUBE, line.radius + claim.box.halfWidth)) return 'the asteroid may jump over her';
     return checkRounding(claim, line, front.at);
   }
   if (!less(front.at + claim.jump + TUBE, line.nearest)) return 'she may come to the centre of the asteroid';
@@ -166,20 +177,27 @@ function checkRounding(claim: Claim, line: Line, end: number): string | null {
   if (claim.seconds === null) return 'with frames it needs to say for how long rounding may add up';
   const speed = 1.01 * speedAfter(claim.push, end + claim.jump) + 1;
   // the asteroid gains at most the share of her speed that its acceleration has of hers, see driftOnFall
-  const pull = GUN_PULL * (1 - (line.centre + TUBE) / range);
-  const kick = recoil ? 1 / (2 * radius) : 0;
+  const pull = claim.rules.pull * (1 - (line.centre + TUBE) / range);
+  const kick = recoil ? claim.rules.recoil / (2 * radius) : 0;
   if (recoil && !less(0, pull)) return 'with frames rounding may take her off the line';
+  const rockSpeed = (1.01 * kick * speed) / pull;
+  // the limit of one axis would take the asteroid off the line
+  if (recoil && !less(rockSpeed, unlimited(claim.rules, kick)))
+    return 'the asteroid may come to the speed limit, and off the line';
   const { beside, slope } = offLine({
     centre: line.centre,
     nearest: line.nearest - end - TUBE,
-    rockSpeed: (1.01 * kick * speed) / pull,
+    rockSpeed,
+    push: Math.max(claim.rules.pull, kick),
     drift: claim.drift(line.target),
     jump: claim.jump,
     coordinate: Math.abs(astronaut.x) + Math.abs(astronaut.y) + line.centre,
     speed,
     seconds: claim.seconds,
   });
-  return beside < TUBE / 4 && 20 * slope < TUBE / 4 ? null : 'with frames rounding may take her off the line';
+  return beside < TUBE / 4 && Math.max(20, claim.box.halfDiagonal) * slope < TUBE / 4
+    ? null
+    : 'with frames rounding may take her off the line';
 }
 
 /** Past the centre she may turn back, and gain speed by pulling on the way in only: nothing but what ends the run stops her. */
@@ -210,9 +228,9 @@ function checkHazard(claim: Claim, line: Line, { at, by }: LineEnd): string | nu
   const isThing = by?.kind !== 'start' && by?.kind !== 'range' && by?.kind !== 'dead-end';
   const hazard = isThing ? standingHazard(still, by) : null;
   if (hazard === null) return 'what it names at an end of the stretch is no hazard that stands still';
-  const dy = Math.max(0, line.aside(hazard) - HALF_HEIGHT + TUBE);
+  const dy = Math.max(0, line.aside(hazard) - claim.box.halfHeight + TUBE);
   for (const place of [at, at + claim.jump]) {
-    const dx = Math.max(0, Math.abs(line.along(hazard) - place) - HALF_WIDTH) + TUBE;
+    const dx = Math.max(0, Math.abs(line.along(hazard) - place) - claim.box.halfWidth) + TUBE;
     if (!less(apart({ x: dx, y: dy }, START), hazard.radius)) return 'the hazard at an end of the stretch may not stop her';
   }
   return null;

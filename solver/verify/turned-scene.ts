@@ -22,7 +22,7 @@ export interface TurnedScene {
 }
 
 /** The level with a direction as x. */
-export function turnedScene({ level, thing, place }: Claim, [ux, uy]: Direction): TurnedScene {
+export function turnedScene({ level, rules, thing, place }: Claim, [ux, uy]: Direction): TurnedScene {
   const turn = ({ x, y }: Point): Point => ({ x: x * ux + y * uy, y: y * ux - x * uy });
   return {
     thing: turn(thing),
@@ -30,7 +30,7 @@ export function turnedScene({ level, thing, place }: Claim, [ux, uy]: Direction)
     asteroids: level.asteroids.map((a) => ({ ...turn(place(a)), radius: level.range })),
     fields: level.repulsors.map((field) => ({ ...turn(place(field)), radius: field.radius })),
     turn,
-    drift: (i, seconds) => driftIn(level, i, seconds * (seconds + TICK)),
+    drift: (i, seconds) => driftIn(level, rules, i, seconds * (seconds + TICK)),
   };
 }
 

@@ -1,5 +1,6 @@
 import { afterEach, describe, expect, it } from 'vitest';
 import { compile, EFFECTS, type Effect } from '../../engine/index.ts';
+import { type Level, type OwnRules, RULE_NAMES, RULES } from '../../schema/index.ts';
 import { PROVERS, type Proof, proveBy, proveImpossible, proveMineralsUnreachable, verifyProof } from '../../solver/index.ts';
 import { effectsOf, whyNotTried } from '../../solver/proofs/assumptions.ts';
 import type { Prover } from '../../solver/proofs/proof.ts';
@@ -75,11 +76,34 @@ describe('no way around it', () => {
 /** No way to prove has been made to follow these. */
 const NOT_YET: readonly string[] = ['winds', 'wormholes'];
 
+describe('a rule that nobody told the proofs of', () => {
+  const withRule = (of: Level): Level => ({ ...of, rules: { drag: 0.1 } as OwnRules });
+
+  it.each(KINDS)('%s: has no proof with it; the checker refuses the old one', (kind) => {
+    const level = levelFor(kind);
+    const proof = proveBy(kind, level, HOLE) as Proof;
+    expect(whyNotTried(kind, effectsOf(withRule(level)))).toBe(
+      `the level calls for the rule drag, which ${kind} does not understand`,
+    );
+    expect(proveBy(kind, withRule(level), HOLE)).toBeNull();
+    expect(verifyProof(withRule(level), proof)).toEqual({
+      ok: false,
+      why: 'the level has a rule of its own, drag, which no proof knows',
+    });
+  });
+});
+
 describe('what is declared', () => {
   // an effect that changes its name is unknown to every kind: this says so before a level does
   it.each(EFFECTS.map(({ name }) => name))('each kind understands %s, or it is known that it does not', (name) => {
     const not = KINDS.filter((kind) => whyNotTried(kind, [name]) !== null);
     expect(not).toEqual(name === 'recoil' ? ['dead-end'] : NOT_YET.includes(name) ? KINDS : []);
+  });
+
+  it.each(RULE_NAMES)('bounds are made of the rule %s, and the checker’s, too', (name) => {
+    const level = { ...LEVELS.enclosed, rules: { [name]: RULES[name].default } };
+    expect(whyNotTried('enclosed', effectsOf(level))).toBeNull();
+    expect(verifyProof(level, proveBy('enclosed', level, HOLE) as Proof)).toEqual({ ok: true });
   });
 
   it('a name that is none is understood by nobody', () => {

@@ -63,7 +63,7 @@ describe('how far recoil carries an asteroid that she swings through', () => {
             luck < chances[(side > 0 ? 2 : 0) + (inwards ? 0 : 1)] && (side > 0 || far > from);
           for (const player of [mixed, greedy(from), greedy(Math.min(from, centre / 2))]) {
             const { drift, stretch } = swing(centre, radius, player, player === mixed ? random : () => 0);
-            const bound = swingDrift(radius, RANGE, stretch, SECONDS, always(radius));
+            const bound = swingDrift(DEFAULT_RULES, radius, RANGE, stretch, SECONDS, always(radius));
             expect(drift.back).toBeLessThan(bound.back);
             expect(drift.ahead).toBeLessThan(bound.ahead);
             most = { back: Math.max(most.back, drift.back / bound.back), ahead: Math.max(most.ahead, drift.ahead / bound.ahead) };
@@ -78,17 +78,17 @@ describe('how far recoil carries an asteroid that she swings through', () => {
   });
 
   it('is a small part of what an asteroid drifts that is pulled one way all the time', () => {
-    const { back, ahead } = swingDrift(16, RANGE, { centre: 30, back: -30, front: 90 }, SECONDS, always(16));
+    const { back, ahead } = swingDrift(DEFAULT_RULES, 16, RANGE, { centre: 30, back: -30, front: 90 }, SECONDS, always(16));
     expect(Math.max(back, ahead)).toBeLessThan(0.2 * always(16));
   });
 
   it('is smaller ahead where she comes less far ahead', () => {
-    const { back, ahead } = swingDrift(16, RANGE, { centre: 60, back: -30, front: 90 }, SECONDS, always(16));
+    const { back, ahead } = swingDrift(DEFAULT_RULES, 16, RANGE, { centre: 60, back: -30, front: 90 }, SECONDS, always(16));
     expect(ahead).toBeLessThan(0.5 * back);
   });
 
   it('is as for a constant pull where she may come to the end of the range', () => {
-    const { ahead } = swingDrift(16, RANGE, { centre: 60, back: -30, front: 60 + RANGE }, SECONDS, always(16));
+    const { ahead } = swingDrift(DEFAULT_RULES, 16, RANGE, { centre: 60, back: -30, front: 60 + RANGE }, SECONDS, always(16));
     expect(ahead).toBe(always(16));
   });
 });

@@ -1,5 +1,5 @@
-import { type AccuracyName, boxCircleGap, compile, DEFAULT_BOX, simulate, TICK_RATE } from '../../../engine/index.ts';
-import type { Level } from '../../../schema/index.ts';
+import { type AccuracyName, boxCircleGap, boxOf, compile, simulate, TICK_RATE } from '../../../engine/index.ts';
+import { type Level, rulesOf } from '../../../schema/index.ts';
 import type { About } from '../../../solver/index.ts';
 import type { Play, Pose } from './plays.ts';
 import { AWAY } from './styles.ts';
@@ -13,11 +13,12 @@ export interface FalseClaim {
   readonly play: Play;
 }
 
-const HALF_WIDTH = 10;
-const HALF_HEIGHT = 16;
+/** Her box in a level. */
+const boxIn = (level: Level) => boxOf(rulesOf(level));
 
 /** A circle that just overlaps a corner or an edge of her box in a pose, from outside. */
-export function thingAt({ x, y, cos, sin }: Pose, random: () => number): Circle {
+export function thingAt(level: Level, { x, y, cos, sin }: Pose, random: () => number): Circle {
+  const { halfWidth, halfHeight } = boxIn(level);
   const pick = (...of: number[]) => of[Math.floor(random() * of.length)];
   const radius = pick(0.5, 2, 7, 18);
   const depth = pick(1e-3, 0.02, 0.3);
@@ -26,20 +27,23 @@ export function thingAt({ x, y, cos, sin }: Pose, random: () => number): Circle 
   const turn = (random() * Math.PI) / 2;
   // the corner, or a place on one of its two edges
   const edge = random();
-  const along = edge < 0.2 ? HALF_WIDTH * random() : HALF_WIDTH;
-  const across = edge > 0.8 ? HALF_HEIGHT * random() : HALF_HEIGHT;
-  const outX = along < HALF_WIDTH ? 0 : across < HALF_HEIGHT ? 1 : Math.cos(turn);
-  const outY = across < HALF_HEIGHT ? 0 : along < HALF_WIDTH ? 1 : Math.sin(turn);
+  const along = edge < 0.2 ? halfWidth * random() : halfWidth;
+  const across = edge > 0.8 ? halfHeight * random() : halfHeight;
+  const outX = along < halfWidth ? 0 : across < halfHeight ? 1 : Math.cos(turn);
+  const outY = across < halfHeight ? 0 : along < halfWidth ? 1 : Math.sin(turn);
   const px = sideX * (along + outX * (radius - depth));
   const py = sideY * (across + outY * (radius - depth));
   return { id: null, x: x + px * cos - py * sin, y: y + px * sin + py * cos, radius };
 }
 
 /** A circle so near beside a centre that her box touches it as it passes, if it isn't along the way that it points. */
-export function thingBeside({ x, y }: Circle, { x: sx, y: sy }: { x: number; y: number }, random: () => number): Circle {
+export function thingBeside(level: Level, random: () => number): Circle {
+  const { x, y } = level.asteroids[0];
+  const { x: sx, y: sy } = level.astronaut;
+  const { halfHeight, halfDiagonal } = boxIn(level);
   const d = Math.hypot(x - sx, y - sy) || 1;
   const radius = random() < 0.5 ? 7 : 18;
-  const far = (random() < 0.5 ? -1 : 1) * (radius + 15.99 + 2.9 * random());
+  const far = (random() < 0.5 ? -1 : 1) * (radius + halfHeight - 0.01 + 1.01 * (halfDiagonal - halfHeight) * random());
   const off = 4 * (random() - 0.5);
   const [ux, uy] = [(x - sx) / d, (y - sy) / d];
   return { id: null, x: x + off * ux - far * uy, y: y + off * uy + far * ux, radius };
@@ -92,6 +96,7 @@ export function hugged(claim: FalseClaim, closely: boolean, random: () => number
   const { level, about, play } = claim;
   const thing = about.kind === 'blackHole' ? level.blackHole : level.minerals[about.index];
   const { poses } = play;
+  const box = boxIn(level);
   const novae: Circle[] = [];
   const room = random() < 0.5 ? 0.05 : 0.6;
   const around = closely ? thing.radius + 8 : random() < 0.6 ? 30 : 90;
@@ -101,7 +106,7 @@ export function hugged(claim: FalseClaim, closely: boolean, random: () => number
     const far = around * Math.sqrt(random());
     const c = { x: from.x + far * Math.cos(turn), y: from.y + far * Math.sin(turn) };
     const gap = poses.reduce(
-      (least, p) => Math.min(least, boxCircleGap(DEFAULT_BOX, c.x - p.x, c.y - p.y, p.cos, p.sin, 0)),
+      (least, p) => Math.min(least, boxCircleGap(box, c.x - p.x, c.y - p.y, p.cos, p.sin, 0)),
       Number.POSITIVE_INFINITY,
     );
     const radius = gap - room;

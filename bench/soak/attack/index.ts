@@ -4,6 +4,7 @@ import { type About, createSearch, PROVERS, type Proof, proveBy, verifyProof } f
 import { seeded } from '../../scenes/seeded.ts';
 import { type FalseClaim, hugged, isFalse, somePoses, thingAt, thingBeside, trueTouches, withoutThing } from './claims.ts';
 import { mutated } from './mutated.ts';
+import { otherRules, ownRules } from './own-rules.ts';
 import { type Play, playLevel, STYLES } from './plays.ts';
 import { levelFor, type Prover } from './styles.ts';
 
@@ -21,6 +22,8 @@ export interface Tally {
   foreign: number;
   /** the same with some number or name changed */
   mutated: number;
+  /** certificates made under other rules, given to the checker for a false claim */
+  ruled: number;
   /** claims proved, attacked by a search */
   searched: number;
   accepted: Refutation[];
@@ -28,7 +31,7 @@ export interface Tally {
 
 /** A false claim that was accepted: all that is needed to see it. */
 export interface Refutation {
-  readonly by: 'prover' | 'foreign' | 'mutated' | 'search';
+  readonly by: 'prover' | 'foreign' | 'mutated' | 'ruled' | 'search';
   readonly prover: Prover;
   readonly accuracy: AccuracyName;
   readonly seed: number;
@@ -40,7 +43,7 @@ export interface Refutation {
   readonly verified: boolean;
 }
 
-export const emptyTally = (): Tally => ({ levels: 0, claims: 0, foreign: 0, mutated: 0, searched: 0, accepted: [] });
+export const emptyTally = (): Tally => ({ levels: 0, claims: 0, foreign: 0, mutated: 0, ruled: 0, searched: 0, accepted: [] });
 
 /** How much is tried in one level. */
 export interface Effort {
@@ -57,15 +60,18 @@ export const LARGE: Effort = { plays: 4, posesPerPlay: 15, ticks: 900, mutations
 
 const MAX_TIME = 60;
 
-/** Attacks one level of the seed; counts are added to the tally. */
+/** Attacks one level of the seed, every other one with rules of its own; counts are added to the tally. */
 export function attackLevel(prover: Prover, accuracy: AccuracyName, seed: number, effort: Effort, tally: Tally): void {
   const random = seeded(seed * 977 + prover.length * 31 + accuracy.length);
-  const level = levelFor(prover, random);
+  const plain = levelFor(prover, random);
+  const chance = seeded(seed * 613 + 7);
+  const level = seed % 2 === 1 ? { ...plain, rules: ownRules(chance) } : plain;
   const options = { accuracy, maxTime: MAX_TIME };
   const prove = (of: Level, about: About) => proveBy(prover, of, about, options);
   // the black hole is far away in what styles make
   const away: About = { kind: 'blackHole' };
   const twin = prove(level, away) ?? (prover === 'nothing-in-range' ? prove({ ...level, range: level.range / 2 }, away) : null);
+  const ruledTwin = prove(otherRules(level, chance), away);
   const ask = (claim: FalseClaim, like: Proof | null) => {
     tally.claims++;
     const found = (by: Refutation['by'], proof: Proof, verified: boolean) =>
@@ -82,6 +88,13 @@ export function attackLevel(prover: Prover, accuracy: AccuracyName, seed: number
       });
     const proof = prove(claim.level, claim.about);
     if (proof !== null) found('prover', proof, verifyProof(claim.level, proof).ok);
+    // what is true under other rules is no reason here, be they another by a thousandth
+    for (const ruled of [ruledTwin, prove(otherRules(claim.level, chance), claim.about)]) {
+      if (ruled === null) continue;
+      tally.ruled++;
+      const other: Proof = { ...ruled, about: claim.about, covers: [accuracy] };
+      if (verifyProof(claim.level, other).ok) found('ruled', other, true);
+    }
     if (like === null) return;
     const other: Proof = { ...like, about: claim.about, covers: [accuracy] };
     tally.foreign++;
@@ -98,9 +111,9 @@ export function attackLevel(prover: Prover, accuracy: AccuracyName, seed: number
   for (let n = 0; n < effort.plays; n++) {
     const style = STYLES[Math.floor(random() * STYLES.length)];
     const play = playLevel(level, accuracy, style, random, effort.ticks);
-    const things = somePoses(play, random, effort.posesPerPlay).map((pose) => thingAt(pose, random));
+    const things = somePoses(play, random, effort.posesPerPlay).map((pose) => thingAt(level, pose, random));
     if (prover === 'line-trap') {
-      for (let k = 0; k < 4; k++) things.push(thingBeside(level.asteroids[0], level.astronaut, random));
+      for (let k = 0; k < 4; k++) things.push(thingBeside(level, random));
     }
     const claims = trueTouches(level, accuracy, play, things);
     if (twin !== null) for (const claim of claims) ask(claim, twin);
@@ -132,7 +145,7 @@ function attackWhatHolds(
   const play = playLevel(level, accuracy, STYLES[Math.floor(random() * STYLES.length)], random, ticks);
   const [pose] = somePoses(play, random, 1);
   if (pose === undefined) return;
-  const { radius } = thingAt(pose, random);
+  const { radius } = thingAt(level, pose, random);
   const turn = 6.2832 * random();
   const far = radius + 10 + 30 * random();
   const blackHole = { id: null, x: pose.x + far * Math.cos(turn), y: pose.y + far * Math.sin(turn), radius };

@@ -1,6 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { compile, createSimulation } from '../../../engine/index.ts';
+import { DEFAULT_RULES } from '../../../schema/index.ts';
 import { afterChase, type Chaser, eitherChaser } from '../../../solver/verify/chasers.ts';
 import { at, levelWith, type NearMiss, nearMisses, ORIGIN } from './near-miss.ts';
 
@@ -21,7 +22,7 @@ const alien = (
 const area = (left: number, right: number, low: number, high: number) => ({ left, right, low, high });
 const here = area(0, 0, 0, 0);
 const T = 4 / 60;
-const one = (chaser: Chaser, where = here, seconds = T): Chaser => afterChase([chaser], where, seconds)[0];
+const one = (chaser: Chaser, where = here, seconds = T): Chaser => afterChase(DEFAULT_RULES, [chaser], where, seconds)[0];
 const inside = (disc: { centre: { x: number; y: number }; within: number }, x: number, y: number): number =>
   Math.hypot(disc.centre.x - x, disc.centre.y - y) - disc.within;
 
@@ -130,7 +131,7 @@ describe('what becomes of an alien', () => {
   });
 
   const meet = (other: (d: number) => Chaser, truth: number, first = alien(0, 1000)): NearMiss => ({
-    why: (d) => (afterChase([first, other(d)], here, T).every(({ isThere }) => isThere) ? null : 'may explode'),
+    why: (d) => (afterChase(DEFAULT_RULES, [first, other(d)], here, T).every(({ isThere }) => isThere) ? null : 'may explode'),
     truth,
     safe: 'above',
     slack: [1e-7, 1e-6],
@@ -150,8 +151,8 @@ describe('what becomes of an alien', () => {
 
   it('one that may have exploded goes on as if it were there, and may explode another', () => {
     const perhaps = { ...alien(0, 1000), isThere: false };
-    const [there] = afterChase([alien(0, 1000)], here, T);
-    const [first, second] = afterChase([perhaps, alien(20, 1000)], here, T);
+    const [there] = afterChase(DEFAULT_RULES, [alien(0, 1000)], here, T);
+    const [first, second] = afterChase(DEFAULT_RULES, [perhaps, alien(20, 1000)], here, T);
     expect(first).toEqual({ ...there, isThere: false });
     expect(second.isThere).toBe(false);
     expect(one(perhaps)).toEqual({ ...one(alien(0, 1000)), isThere: false });
@@ -197,7 +198,7 @@ describe('what becomes of an alien', () => {
           }
           if (run.ending !== null) return;
           run.readAliens(places);
-          chasers = afterChase(chasers, way, ticks / 60);
+          chasers = afterChase(DEFAULT_RULES, chasers, way, ticks / 60);
           for (const [i, { at: disc, isThere }] of chasers.entries()) {
             const [x, y, alive] = [places[3 * i] - ORIGIN.x, places[3 * i + 1] - ORIGIN.y, places[3 * i + 2]];
             if (alive === 0) expect(isThere).toBe(false);

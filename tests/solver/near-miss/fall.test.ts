@@ -36,6 +36,7 @@ describe('how far rounding takes her off the line on which she falls', () => {
     nearest: real(12, 40),
     jump: real(0.1, 3),
     coordinate: real(200, 3000),
+    push: fc.constant(PULL),
     speed: real(40, 200),
     seconds: real(5, 80),
     rockSpeed: fc.oneof(fc.constant(0), real(1, 50)),
@@ -57,7 +58,7 @@ describe('how far rounding takes her off the line on which she falls', () => {
   });
 
   it('is not bounded where she may jump to within a pixel of the centre', () => {
-    const fall = { centre: 100, jump: 3, coordinate: 100, speed: 100, seconds: 10, rockSpeed: 0, drift: 0 };
+    const fall = { centre: 100, jump: 3, coordinate: 100, push: PULL, speed: 100, seconds: 10, rockSpeed: 0, drift: 0 };
     const none = { beside: Number.POSITIVE_INFINITY, slope: Number.POSITIVE_INFINITY };
     expect(offLine({ ...fall, nearest: 3.999 })).toEqual(none);
     expect(offLine({ ...fall, nearest: Number.NaN })).toEqual(none);

@@ -1,0 +1,121 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { ACCURACIES, type AccuracyName, compile, simulate } from '../../engine/index.ts';
+import { type Level, type OwnRules, RULE_NAMES, RULES, rulesOf } from '../../schema/index.ts';
+import { type About, type PROVERS, type Proof, proveBy, proveImpossible, verifyProof } from '../../solver/index.ts';
+import { mostPush } from '../../solver/verify/assumptions.ts';
+import { LEVELS } from './impossible-levels.ts';
+import { crowdedLevel, someHolds } from './proofs-crowded.ts';
+import { someRules } from './some-rules.ts';
+
+// Levels with rules of their own: proved where they are impossible, never where a run completes them, and a certificate is one for the rules it was made for.
+
+const HOLE: About = { kind: 'blackHole' };
+const accuracyNames = Object.keys(ACCURACIES) as AccuracyName[];
+
+/** The same level in other units of length. */
+function scaled(level: Level, k: number): Level {
+  const { pull, recoil, push, alienPull, alienSight, speedLimit, boxWidth, boxHeight } = rulesOf(level);
+  const all = <T extends object>(list: readonly T[]): T[] =>
+    list.map(
+      (one) =>
+        Object.fromEntries(Object.entries(one).map(([key, value]) => [key, typeof value === 'number' ? value * k : value])) as T,
+    );
+  const [astronaut] = all([level.astronaut]);
+  const [blackHole] = all([level.blackHole]);
+  return {
+    ...level,
+    astronaut,
+    blackHole,
+    range: level.range * k,
+    asteroids: all(level.asteroids),
+    novae: all(level.novae),
+    repulsors: all(level.repulsors),
+    aliens: all(level.aliens),
+    minerals: all(level.minerals),
+    rules: {
+      pull: pull * k,
+      recoil: recoil * k * k,
+      push: push * k,
+      alienPull: alienPull * k,
+      alienSight: alienSight * k,
+      speedLimit: speedLimit * k,
+      boxWidth: boxWidth * k,
+      boxHeight: boxHeight * k,
+    },
+  };
+}
+
+describe('the same level in other units is as impossible', () => {
+  it.each(Object.keys(LEVELS))('%s', (name) => {
+    const proof = proveImpossible(LEVELS[name]) as Proof;
+    for (const k of [0.5, 0.8]) {
+      const level = scaled(LEVELS[name], k);
+      const same = proveImpossible(level) as Proof;
+      expect(same).toMatchObject({ code: proof.code, covers: proof.covers, maxTime: proof.maxTime });
+      expect(verifyProof(level, same)).toEqual({ ok: true });
+      // a certificate in px of another size says nothing, where it says anything of places
+      if (['enclosed', 'doomed', 'flowpipe'].includes(proof.code)) expect(verifyProof(level, proof).ok).toBe(false);
+    }
+  });
+});
+
+describe('the original’s rules, said', () => {
+  const said = Object.fromEntries(RULE_NAMES.map((name) => [name, RULES[name].default])) as OwnRules;
+
+  it.each(Object.keys(LEVELS))('%s: the same proof', (name) => {
+    expect(proveImpossible({ ...LEVELS[name], rules: said })).toEqual(proveImpossible(LEVELS[name]));
+  });
+});
+
+describe('lemma: nothing pulls more than the strongest push, as the engine sees it', () => {
+  it('of prover and checker', () => {
+    fc.assert(
+      fc.property(crowdedLevel, someRules, (of, rules) => {
+        const level = { ...of, rules };
+        expect(mostPush(level, rulesOf(level))).toBeGreaterThanOrEqual(compile(level).strongest);
+      }),
+      { numRuns: 300 },
+    );
+  });
+});
+
+describe('a level that a run completes is never proved impossible, whatever its rules', () => {
+  it.each(accuracyNames)('%s', (accuracy) => {
+    let completed = 0;
+    let proved = 0;
+    fc.assert(
+      fc.property(crowdedLevel, someRules, someHolds, (of, rules, holds) => {
+        const level = { ...of, rules };
+        const run = simulate(compile(level, accuracy), holds, { maxTime: 30 });
+        const proof = proveImpossible(level, { accuracy, maxTime: 30 });
+        if (proof !== null) proved++;
+        if (run.outcome !== 'completed') return;
+        completed++;
+        expect(proof).toBeNull();
+      }),
+      { numRuns: 150 },
+    );
+    expect(completed).toBeGreaterThan(3);
+    expect(proved).toBeGreaterThan(20);
+  });
+});
+
+/** Certificates that carry sets tight enough for it: rules that are another by a thousandth, to the worse, are noticed. */
+const TIGHT: readonly [kind: keyof typeof PROVERS, rule: keyof OwnRules, factor: number][] = [
+  ['doomed', 'pull', 1.001],
+  ['flowpipe', 'speedLimit', 0.1],
+  ['flowpipe', 'pull', 1.3],
+  ['enclosed', 'boxWidth', 0.5],
+  ['starts-in-hazard', 'boxHeight', 0.2],
+];
+
+describe('a certificate is checked against the level that is given', () => {
+  it.each(TIGHT)('%s: %s times %d', (kind, rule, factor) => {
+    const level = LEVELS[kind];
+    const proof = proveBy(kind, level, HOLE) as Proof;
+    expect(verifyProof(level, proof).ok).toBe(true);
+    const other: Level = { ...level, rules: { [rule]: RULES[rule].default * factor } };
+    expect(verifyProof(other, proof).ok).toBe(false);
+  });
+});
