@@ -3,7 +3,7 @@ import { optionValue } from '../harness.ts';
 import { ALL_ACCURACIES, ALL_PROVERS, attackLevel, emptyTally, LARGE, type Prover } from './attack/index.ts';
 
 /**
- * Attacks every kind of proof at every accuracy with claims that are known to be false, every other level with rules of its own. Options of the command line: --claims N (of each; 10000), --claim-seconds S (for
+ * Attacks every kind of proof at every accuracy with claims that are known to be false, every other level with rules of its own, and half of each with winds and wormholes. Options of the command line: --claims N (of each; 10000), --claim-seconds S (for
  * each; an equal part of `most` when left out), --prover NAME, --accuracy NAME, --from SEED, --out FILE (what was accepted, as JSON). The exit code becomes 1 when one is accepted.
  * @param most s, for all of them together
  */

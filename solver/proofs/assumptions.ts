@@ -5,10 +5,11 @@ import type { Prover } from './proof.ts';
 // What provers take for granted about the game. The checker has declarations of its own (solver/verify/assumptions.ts): what is
 // wrong in a list that both read would be wrong for both. All they have in common is the engine's names and the table of rules.
 
-const FORCES = ['gun', 'recoil', 'repulsor', 'speed-limit'];
+const FORCES = ['gun', 'recoil', 'repulsor', 'winds', 'speed-limit'];
+const JUMPS = ['wormholes'];
 const ALIENS = ['alien-chase', 'alien-explosion'];
 const THINGS = ['novae', 'hot-asteroids', 'minerals', 'black-hole', 'range'];
-const GAME = [...FORCES, ...ALIENS, ...THINGS];
+const GAME = [...FORCES, ...JUMPS, ...ALIENS, ...THINGS];
 
 /**
  * The effects that each way to prove understands: whatever they do is followed, or shown not to matter. In a level that calls for
@@ -53,9 +54,9 @@ export function whyNotTried(prover: Prover, effects: readonly string[]): string 
   return other.length === 0 ? null : `the level calls for ${other.join(', ')}, which ${prover} does not understand`;
 }
 
-/** The most that anything can accelerate her, px/s2: the gun and a field never act at once. */
-export const strongestPush = ({ repulsors }: Level, { pull, push }: Rules): number =>
-  Math.max(pull, repulsors.length > 0 ? push : 0);
+/** The most that anything can accelerate her, px/s2: the gun and a field never act at once, and winds add to either. */
+export const strongestPush = ({ repulsors, winds }: Level, { pull, push }: Rules): number =>
+  Math.max(pull, repulsors.length > 0 ? push : 0) + winds.reduce((sum, { ax, ay }) => sum + Math.sqrt(ax * ax + ay * ay), 0);
 
 /**
  * The fastest she may be, px/s, after a way of so many px in one direction. Lemma `speed`.

@@ -25,6 +25,8 @@ interface Turn {
 export function proveCovered(setting: Setting, about: About, goal: Thing): Proof | null {
   const { level, jump, maxTime, rules, box } = setting;
   if (jump > 0 || !surelyLess(goal.touch, distance(goal, { x: 0, y: 0 }))) return null;
+  // she who comes out of a mouth may touch a mineral from where she can't be otherwise
+  if (about.kind === 'mineral' && level.wormholes.length > 0) return null;
   const near = standingCircles(setting, about).filter((c) => distance(c, goal) < goal.touch + c.radius + box.halfDiagonal);
   if (near.length === 0) return null;
   const cover = new Cover(setting, goal, near, about.kind === 'mineral');

@@ -3,6 +3,7 @@ import { speedAfter, unbentSpeed } from './assumptions.ts';
 import type { StandingCircle } from './blockers.ts';
 import { between, convexHull, type Vertex } from './convex.ts';
 import type { DeadEnd, Direction } from './proof.ts';
+import { type RimDisc, rimDiscs } from './rims.ts';
 import { distance, margin, surelyLess } from './rounding.ts';
 import type { Setting, Thing } from './setting.ts';
 
@@ -143,6 +144,7 @@ class March {
   private readonly before: number;
   private readonly takers: readonly number[];
   private readonly fields: readonly (Place & { readonly radius: number })[];
+  private readonly rims: readonly RimDisc[];
   private readonly ahead: Place;
   private comparisons = 0;
   /** all slopes of her way so far */
@@ -172,6 +174,7 @@ class March {
     this.circles = circles.map(fromApex);
     this.asteroids = level.asteroids.map(fromStart);
     this.fields = level.repulsors.map(fromStart);
+    this.rims = rimDiscs(level).map(fromStart);
     this.before = before;
     this.takers = takers;
     this.ahead = turned(ahead);
@@ -239,6 +242,11 @@ class March {
   private pushes(line: number, places: Span): Push[] | null {
     const end = line + STEP;
     const pushes: Push[] = [];
+    for (const rim of this.rims) {
+      const dx = Math.max(0, line - rim.x, rim.x - end);
+      const dy = Math.max(0, places[0] - rim.y, rim.y - places[1]);
+      if (!surelyLess(rim.radius + DEEP, Math.sqrt(dx * dx + dy * dy))) return null;
+    }
     for (const field of this.fields) {
       const dx = Math.max(0, line - field.x, field.x - end);
       const dy = Math.max(0, places[0] - field.y, field.y - places[1]);

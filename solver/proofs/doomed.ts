@@ -25,7 +25,7 @@ const FAR_OUT = 1e6;
 export function proveDoomed(setting: Setting, about: About, goal: Thing): Proof | null {
   const { level, maxTime } = setting;
   const { vx, vy } = level.astronaut;
-  const pushed = level.repulsors.some((field) => distance(field, level.astronaut) <= field.radius);
+  const pushed = [...level.repulsors, ...level.winds].some((field) => distance(field, level.astronaut) <= field.radius);
   // at rest she can wait as long as she likes
   if (vx === 0 && vy === 0 && !pushed) return null;
   const isFarOut = Math.max(Math.abs(level.astronaut.x), Math.abs(level.astronaut.y)) > FAR_OUT;

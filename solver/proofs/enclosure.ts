@@ -3,6 +3,7 @@ import { type BlockingDisc, blockingDiscs, rangeDiscs } from './blockers.ts';
 import { type OutlinePiece, outlinesOf } from './outline.ts';
 import type { About, BarrierEdge, Blocker, Proof } from './proof.ts';
 import { type Cell, type Judge, Quadtree } from './quadtree.ts';
+import { exitOf, mouthDiscs } from './rims.ts';
 import { distance, margin, surelyLess } from './rounding.ts';
 import { px, subject, thing } from './say.ts';
 import { ALL_ACCURACIES, CONTINUOUS, type Disc, type Setting, type Thing } from './setting.ts';
@@ -40,7 +41,7 @@ export function proveEnclosed(setting: Setting, about: About, goal: Thing): Proo
   const { level, jump, maxTime, leastHalf } = setting;
   const near = { ...goal, r: goal.touch + jump };
   if (!surelyLess(near.r, distance(near, { x: 0, y: 0 }))) return null;
-  const { reached } = setting;
+  const { asteroids: reached } = setting.reached;
   if (reached.length === 0) return null;
   const ranges = rangeDiscs(setting);
   const plane = planeAround(
@@ -54,7 +55,7 @@ export function proveEnclosed(setting: Setting, about: About, goal: Thing): Proo
   const inside = closeIn(tree, plane);
   if (inside === null) return null;
   const barrier = barrierOf(tree, inside, plane);
-  if (barrier === null) return null;
+  if (barrier === null || level.wormholes.some((_, i) => leadsThrough(setting, barrier, 2 * i))) return null;
   const place = ({ x, y, by }: BarrierEdge): BarrierEdge => ({ x: x + level.astronaut.x, y: y + level.astronaut.y, by });
   return {
     code: 'enclosed',
@@ -211,6 +212,18 @@ function barrierOf(tree: Quadtree, inside: readonly Cell[], plane: Plane): Barri
     return separates(fewer, plane.goal) ? fewer : edges;
   }
   return null;
+}
+
+/** Whether a mouth's wormhole leads to the other side of a barrier, or lies on it. */
+function leadsThrough({ level, jump }: Setting, barrier: readonly BarrierEdge[], mouth: number): boolean {
+  const { x, y } = level.astronaut;
+  const discs = mouthDiscs(level);
+  const [near, far] = [discs[mouth], discs[exitOf(mouth)]].map((disc) => ({ ...disc, x: disc.x - x, y: disc.y - y }));
+  if (isInside(barrier, near.x, near.y) !== isInside(barrier, far.x, far.y)) return true;
+  return barrier.some((a, i) => {
+    const b = barrier[(i + 1) % barrier.length];
+    return [near, far].some((disc) => !surelyLess(disc.radius + jump, distanceToSegment(disc, a, b)));
+  });
 }
 
 /** Whether the start and the thing lie on different sides of a closed line. */

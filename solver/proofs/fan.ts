@@ -2,6 +2,7 @@ import { TICK } from '../../engine/index.ts';
 import { bendWithin, driftAfter, easySpeed, isEasyFor } from './assumptions.ts';
 import { standingCircles } from './blockers.ts';
 import type { About, Blocker, BoxNumbers, FanGrid } from './proof.ts';
+import { mouthDiscs, RIM_SLACK } from './rims.ts';
 import type { Setting, Thing } from './setting.ts';
 
 /** Her places and velocities as a box: least and most of x, y, vx, vy; px and px/s, in the grid's own axes. */
@@ -74,6 +75,8 @@ class Fan {
   private readonly hazards: readonly (Circle & { readonly of: Blocker })[];
   private readonly asteroids: readonly Circle[];
   private readonly fields: readonly Circle[];
+  private readonly winds: readonly (Circle & { readonly a: readonly [number, number] })[];
+  private readonly mouths: readonly Circle[];
   private readonly a = new Float64Array(4);
   readonly endedBy = new Set<Blocker>();
   readonly squares = new Map<number, { x: number; y: number }>();
@@ -90,6 +93,11 @@ class Fan {
     this.hazards = standingCircles(setting, about).map((c) => ({ ...turned(c, c.radius + setting.leastHalf), of: c.of }));
     this.asteroids = level.asteroids.map((c) => turned(place(c), level.range));
     this.fields = level.repulsors.map((c) => turned(place(c), c.radius));
+    this.winds = level.winds.map((c) => {
+      const { x, y } = turned({ x: c.ax, y: c.ay }, 0);
+      return { ...turned(place(c), c.radius), a: [x, y] };
+    });
+    this.mouths = mouthDiscs(level).map((c) => turned(place(c), c.radius));
   }
 
   start(): Map<number, Box> {
@@ -116,7 +124,9 @@ class Fan {
     const ya = box[2] + Math.min(0, step * box[6]) - bend;
     const yb = box[3] + Math.max(0, step * box[7]) + bend;
     if (nearestTo(this.goal, xa, xb, ya, yb) <= this.goal.r + SLACK) return false;
+    for (const mouth of this.mouths) if (nearestTo(mouth, xa, xb, ya, yb) <= mouth.r + RIM_SLACK) return false;
     this.accelerations(xa, xb, ya, yb, time);
+    this.blow(xa, xb, ya, yb);
     // a t2 / 2; frames, which push either before or after they move, do half a frame's push less or more
     const less = 0.5 * step * (step - TICK);
     const more = 0.5 * step * (step + TICK);
@@ -175,6 +185,19 @@ class Fan {
     const lost = this.asteroids.every((rock, i) => nearestTo(rock, xa, xb, ya, yb) > rock.r + this.drift(i, time) + SLACK);
     if (lost) this.endedBy.add(RANGE);
     return lost;
+  }
+
+  /** Adds the winds that may blow within a rectangle, and those that do. */
+  private blow(xa: number, xb: number, ya: number, yb: number): void {
+    const { a } = this;
+    for (const wind of this.winds) {
+      if (nearestTo(wind, xa, xb, ya, yb) > wind.r + RIM_SLACK) continue;
+      const isIn = farthestFrom(wind, xa, xb, ya, yb) < wind.r - RIM_SLACK;
+      for (const [axis, strength] of wind.a.entries()) {
+        a[2 * axis] += isIn ? strength : Math.min(0, strength);
+        a[2 * axis + 1] += isIn ? strength : Math.max(0, strength);
+      }
+    }
   }
 
   /** Writes least and most acceleration within a rectangle to `a`, whatever is pressed. */

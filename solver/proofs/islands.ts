@@ -1,4 +1,5 @@
 import type { About, Proof } from './proof.ts';
+import { exitOf, mouthDiscs } from './rims.ts';
 import { distance, surelyLess } from './rounding.ts';
 import { px, subject } from './say.ts';
 import { ALL_ACCURACIES, CONTINUOUS, type Setting, type Thing } from './setting.ts';
@@ -8,7 +9,7 @@ export function proveOutOfRange(setting: Setting, about: About, goal: Thing): Pr
   const { level, drift, jump, maxTime } = setting;
   // touched in the instant in which she is lost, the black hole wins
   if (!surelyLess(goal.touch, distance(goal, { x: 0, y: 0 }))) return null;
-  const { reached } = setting;
+  const { asteroids: reached, mouths } = setting.reached;
   let nearest = -1;
   let least = Number.POSITIVE_INFINITY;
   for (const i of reached) {
@@ -19,6 +20,12 @@ export function proveOutOfRange(setting: Setting, about: About, goal: Thing): Pr
     if (d >= least) continue;
     least = d;
     nearest = i;
+  }
+  const discs = mouthDiscs(level);
+  for (const mouth of mouths) {
+    const { x, y, radius } = discs[exitOf(mouth)];
+    const exit = { x: x - level.astronaut.x, y: y - level.astronaut.y };
+    if (!surelyLess(radius + jump + goal.touch, distance(exit, goal))) return null;
   }
   const all = reached.length === level.asteroids.length;
   const limit = level.range + goal.touch;
@@ -33,6 +40,6 @@ export function proveOutOfRange(setting: Setting, about: About, goal: Thing): Pr
           `from at most ${px(goal.touch)}: move it or add an asteroid ${all ? '' : 'she can come to '}within ${px(limit)} of it`,
     covers: jump > 0 ? ALL_ACCURACIES : CONTINUOUS,
     maxTime: level.recoil ? maxTime : null,
-    certificate: { kind: 'out-of-range', asteroids: reached },
+    certificate: { kind: 'out-of-range', asteroids: reached, ...(discs.length > 0 ? { mouths } : {}) },
   };
 }

@@ -3,6 +3,7 @@ import { speedAfter, unbentSpeed } from './assumptions.ts';
 import { type StandingCircle, standingCircles } from './blockers.ts';
 import { findDeadEnd } from './dead-end.ts';
 import type { About, Blocker, Drift, LineEnd, Proof } from './proof.ts';
+import { rimDiscs } from './rims.ts';
 import { distance, surelyLess } from './rounding.ts';
 import { px, subject, thing } from './say.ts';
 import { ALL_ACCURACIES, CONTINUOUS, EXACT, type Setting, type Thing } from './setting.ts';
@@ -296,7 +297,9 @@ function holds(setting: Setting, line: Line, { back, front }: Trap, goal: Thing)
     );
   });
   if (!staysNearest) return false;
-  const clear = repulsors.every((field) => surelyLess(field.radius + TUBE, distanceToStretch(line, from, to, place(field))));
+  const clear = [...repulsors, ...rimDiscs(level)].every((field) =>
+    surelyLess(field.radius + TUBE, distanceToStretch(line, from, to, place(field))),
+  );
   if (!clear) return false;
 
   // her box before the first press stands upright; then its x axis lies along the line

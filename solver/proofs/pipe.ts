@@ -2,6 +2,7 @@ import { type Box, TICK } from '../../engine/index.ts';
 import { bendWithin, driftAfter } from './assumptions.ts';
 import { type ChaserDisc, chase, joinedChasers } from './chaser.ts';
 import type { About, Blocker, Flowpipe, PipeGrid, PipePart, PipeStep, Strip, ThingRef } from './proof.ts';
+import { RIM_SLACK, rimDiscs } from './rims.ts';
 import type { Setting, Thing } from './setting.ts';
 
 /** Directions in which sets of places are bounded: eighths of a turn. That of index m + 4 is opposite to m. */
@@ -133,6 +134,7 @@ class PipeFan {
   private readonly goal: Circle;
   private readonly rocks: readonly Circle[];
   private readonly fields: readonly Circle[];
+  private readonly rims: readonly Circle[];
   private readonly still: readonly (Circle & { readonly of: ThingRef; readonly asteroid: number })[];
   private readonly endedBy = new Set<string>();
   private readonly enders: Blocker[] = [];
@@ -155,6 +157,7 @@ class PipeFan {
     this.goal = { ...this.turned(goal), r: goal.touch };
     this.rocks = level.asteroids.map(circle);
     this.fields = level.repulsors.map(circle);
+    this.rims = rimDiscs(level).map(circle);
     this.still = [
       ...level.novae.map((c, index) => ({ ...circle(c), of: { kind: 'nova' as const, index }, asteroid: -1 })),
       ...level.asteroids.flatMap((c, index) =>
@@ -208,6 +211,7 @@ class PipeFan {
     this.setting.budget.look(8 * this.grid.steps + things);
     const way = this.placesUntil(far, to);
     if (nearestTo(this.goal, way) <= this.goal.r + SLACK) return null;
+    if (this.rims.some((rim) => nearestTo(rim, way) <= rim.r + RIM_SLACK)) return null;
     const isPushed = this.pushesWithin(way);
     const aimed = this.pullsWithin(way, to * step);
     const pressed = far.slice();

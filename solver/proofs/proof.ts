@@ -130,7 +130,7 @@ export type Prover = ProofCode | 'dead-end';
  * What the checker in solver/verify needs to see that a proof holds: plain JSON, lengths in px.
  * - `nothing-in-range`: the level alone shows it
  * - `starts-in-hazard`: the hazard her box overlaps at time 0
- * - `out-of-range`: every asteroid she can ever be in range of; all others lie beyond gaps she can't cross
+ * - `out-of-range`: every asteroid she can ever be in range of, and every mouth of a wormhole she can ever come into; all others lie beyond gaps she can't cross
  * - `enclosed`: a closed line between the start and the thing, each edge of which one hazard blocks, or the range
  * - `line-trap`: the asteroid whose line she is bound to, the ends of the stretch that she can't leave, and with recoil how far the asteroid drifts
  *   while she swings between them
@@ -141,7 +141,12 @@ export type Prover = ProofCode | 'dead-end';
 export type Certificate =
   | { readonly kind: 'nothing-in-range' }
   | { readonly kind: 'starts-in-hazard'; readonly hazard: ThingRef }
-  | { readonly kind: 'out-of-range'; readonly asteroids: readonly number[] }
+  | {
+      readonly kind: 'out-of-range';
+      readonly asteroids: readonly number[];
+      /** 2 i for the mouth of wormhole i at (x, y), 2 i + 1 for the other; left out where there is none */
+      readonly mouths?: readonly number[];
+    }
   | { readonly kind: 'enclosed'; readonly barrier: readonly BarrierEdge[] }
   | LineTrap
   | Doomed

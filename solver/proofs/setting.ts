@@ -1,7 +1,7 @@
 import { type AccuracyName, type Box, boxOf, DEFAULT_MAX_TIME, TICK, unlimited, type WorkBudget } from '../../engine/index.ts';
 import { type Level, type Rules, rulesOf } from '../../schema/index.ts';
 import { driftWithin, effectsOf, fastestFrame, speedAfter, strongestPush } from './assumptions.ts';
-import { reachableAsteroids } from './reachable.ts';
+import { type Reachable, reachable } from './reachable.ts';
 
 /** A circle about (x, y), px from the start. */
 export interface Disc {
@@ -35,13 +35,14 @@ export interface Setting {
   readonly maxTime: number;
   /**
    * How far she can jump between two looks at the range and at contacts, px: 0 in continuous time, a frame's flight in `arcade`.
-   * A bound, from the fastest she can be anywhere in range: speed 2 a s for the acceleration a and the way s from where she was.
+   * A bound, from the fastest she can be anywhere in range: speed 2 a s for the acceleration a and the way s from where she was. Through wormholes
+   * she may fall the same way again and again.
    */
   readonly jump: number;
   /** how far recoil can carry each asteroid, px; the bound a t2 / 2 for an asteroid that is pulled all the time */
   readonly drift: readonly number[];
-  /** the asteroids she can ever be in range of */
-  readonly reached: readonly number[];
+  /** what she can ever come to */
+  readonly reached: Reachable;
   /** what looking for proofs may cost */
   readonly budget: WorkBudget;
 }
@@ -57,7 +58,7 @@ export function settingOf(level: Level, maxTime: number | null, frames: boolean,
   const strongest = strongestPush(level, rules);
   const jump = frames ? frameJump(level, drift, strongest, fastestFrame(rules)) : 0;
   // dear in large levels, and of use to many proofs or to none
-  let reached: readonly number[] | null = null;
+  let reached: Reachable | null = null;
   return {
     level,
     effects: effectsOf(level),
@@ -70,13 +71,19 @@ export function settingOf(level: Level, maxTime: number | null, frames: boolean,
     jump,
     budget,
     get reached() {
-      reached ??= reachableAsteroids(level, drift, jump);
+      reached ??= reachable(level, drift, jump);
       return reached;
     },
   };
 }
 
-function frameJump({ asteroids, range, astronaut }: Level, drift: readonly number[], strongest: number, fastest: number): number {
+function frameJump(
+  { asteroids, range, astronaut, wormholes }: Level,
+  drift: readonly number[],
+  strongest: number,
+  fastest: number,
+): number {
+  if (wormholes.length > 0) return fastest;
   let left = 0;
   let right = 0;
   let top = 0;

@@ -6,7 +6,7 @@ import type { ProofCode } from '../proofs/index.ts';
 // effect has to teach the checker by itself, or it refuses every proof for a level that calls for the effect.
 
 /** How she and the asteroids are moved. */
-const MOVED_BY = ['gun', 'recoil', 'repulsor', 'speed-limit'] as const;
+const MOVED_BY = ['gun', 'recoil', 'repulsor', 'winds', 'wormholes', 'speed-limit'] as const;
 
 /** What ends a run or is collected, and moves by itself only as aliens do. */
 const MET = ['novae', 'hot-asteroids', 'black-hole', 'range', 'minerals', 'alien-chase', 'alien-explosion'] as const;
@@ -49,9 +49,12 @@ export function whyNotKnown(kind: unknown, level: Level): string | null {
     : `the level calls for the effect ${unknown.name}, which a proof of this kind does not know`;
 }
 
-/** Nothing accelerates her by more, px/s2: a field acts instead of the gun. */
+/** Nothing accelerates her by more, px/s2: a field acts instead of the gun, winds beside both and each other. */
 export const mostPush = (level: Level, { pull, push }: Rules): number =>
-  level.repulsors.length > 0 && push > pull ? push : pull;
+  level.winds.reduce(
+    (most, { ax, ay }) => most + Math.sqrt(ax * ax + ay * ay),
+    level.repulsors.length > 0 && push > pull ? push : pull,
+  );
 
 /** Lemma `speed`: on a way of `far` px in one direction she gains no more speed than this, px/s, from rest, where nothing accelerates her by more than `push`, px/s2. */
 export const speedAfter = (push: number, far: number): number => Math.sqrt(2 * push * far);

@@ -78,7 +78,8 @@ export function claimOf(level: Level, about: About, maxTime: number | null, play
   /**
    * Nothing accelerates her by more than `push`. If she has the speed v at a place, then some time ago she was at least
    * (v2 - v0^2) / (2 push) away from it, with v0 her speed at the start; and places in range are not farther from
-   * each other than the diagonal of the box about all discs of the range (and a frame's flight beyond, at each end).
+   * each other than the diagonal of the box about all discs of the range (and a frame's flight beyond, at each end). Through wormholes she may fall
+   * the same way again and again, up to the speed limit.
    */
   function frameJump(): number {
     const lows = level.asteroids.map((a, i) => ({ x: place(a).x - range - drift(i), y: place(a).y - range - drift(i) }));
@@ -86,6 +87,7 @@ export function claimOf(level: Level, about: About, maxTime: number | null, play
     const spread = (axis: 'x' | 'y') =>
       highs.reduce((most, p) => Math.max(most, p[axis]), 0) - lows.reduce((least, p) => Math.min(least, p[axis]), 0);
     const longest = longestFrame(rules);
+    if (level.wormholes.length > 0) return longest;
     const width = spread('x') + 2 * longest;
     const height = spread('y') + 2 * longest;
     const way = Math.sqrt(width * width + height * height);

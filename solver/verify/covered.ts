@@ -27,6 +27,8 @@ export function checkCovered(claim: Claim): string | null {
   // a frame that shows her in both completes the level
   if (claim.frames) return 'with frames the black hole comes before hazards';
   if (!less(claim.touch, apart(claim.thing, START))) return 'she may touch it at the start';
+  // who comes out of a mouth is at once where she otherwise can't be: there a mineral counts before a hazard
+  if (claim.about.kind === 'mineral' && claim.level.wormholes.length > 0) return 'a wormhole may take her to it';
   const { novae, asteroids } = claim.level;
   const hazards = [
     ...novae.map((_, index) => standingHazard(claim, { kind: 'nova', index })),

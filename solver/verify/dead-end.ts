@@ -3,6 +3,7 @@ import type { DeadEnd } from '../proofs/index.ts';
 import { speedAfter, unlimited } from './assumptions.ts';
 import type { Claim } from './claim.ts';
 import { standingHazard } from './hazards.ts';
+import { mouthsOf } from './mouths.ts';
 import { apart, less, type Point } from './rounded.ts';
 
 /** Hazards are asked for every so many px across. */
@@ -120,6 +121,8 @@ interface Scene {
   readonly pulling: readonly Point[];
   readonly fields: readonly Circle[];
   readonly hazards: readonly Circle[];
+  /** winds and mouths of wormholes, which none of this follows */
+  readonly strange: readonly Circle[];
 }
 
 /** The level seen from the apex: x along the axis, y across. */
@@ -150,6 +153,7 @@ function sceneAlong(claim: Claim, [ux, uy]: readonly [number, number], apex: Poi
     takers: rocks.filter((rock, i) => isOther(rock, i) && apart(rock, origin) <= apart(old, origin) + EQUAL),
     pulling: rocks.filter(isOther),
     fields: level.repulsors.map((field) => ({ ...seen(place(field)), radius: field.radius })),
+    strange: [...level.winds.map(place), ...mouthsOf(claim)].map((disc) => ({ ...seen(disc), radius: disc.radius })),
     hazards: refs.flatMap((ref) => {
       const hazard = standingHazard(claim, ref);
       return hazard === null ? [] : [{ ...seen(hazard), radius: hazard.radius }];
@@ -163,6 +167,11 @@ function follow(scene: Scene, { ways, box }: Stage, x: number, step: number): St
   const steepest = (list: readonly Way[]) => list.reduce((most, { slope }) => Math.max(most, Math.abs(slope)), 0);
   let swing = step * steepest(ways) + ROUNDING;
   for (;;) {
+    const mayEnter = ({ radius, ...c }: Circle) => {
+      const beside = { x: Math.max(0, x - c.x, c.x - x - step), y: Math.max(0, low - swing - c.y, c.y - high - swing) };
+      return !less(radius + DEPTH, apart(beside, { x: 0, y: 0 }));
+    };
+    if (scene.strange.some(mayEnter)) return 'a wind or a wormhole may take her off her way';
     const sources = sourcesWithin(scene, x, step, low - swing, high + swing);
     if (sources === null) return 'something may push her back along its axis';
     const after = widened(ways, x, step, swing, sources);

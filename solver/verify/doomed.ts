@@ -23,6 +23,9 @@ export type Rectangle = Pick<Box, 'x' | 'y'>;
 /** Rounding of a step is far below this, px and px/s. */
 const ROUNDING = 1e-7;
 
+/** She may cross a rim by so much late, px. */
+const ON_RIM = 1e-6;
+
 /** `arcade` reckons in places as they are in the file: beyond this, px, frames add up to more than {@link ROUNDING}. */
 const FAR_OUT = 1e6;
 
@@ -74,6 +77,8 @@ export function checkDoomed(claim: Claim, { grid, layers }: Doomed): string | nu
     for (const box of boxes) {
       const way = placesWithin(box, seconds, claim.push);
       if (!(distances(scene.thing, way)[0] > claim.touch + ROUNDING)) return `she may touch it in step ${n + 1}`;
+      const mayJump = scene.mouths.some((mouth) => !(distances(mouth, way)[0] > mouth.radius + ON_RIM));
+      if (mayJump) return `she may come to a wormhole in step ${n + 1}`;
       const moved = advance(box, ...accelerations(claim.rules, scene, way, (n + 1) * seconds), seconds);
       if (!(Math.max(-moved.vx[0], moved.vx[1], -moved.vy[0], moved.vy[1]) <= farFromLimit(claim.rules)))
         return 'she may come to the speed limit';
@@ -133,10 +138,10 @@ export function advance({ x, y, vx, vy }: Box, ax: Interval, ay: Interval, secon
   return { x: place(x, vx, ax), y: place(y, vy, ay), vx: velocity(vx, ax), vy: velocity(vy, ay) };
 }
 
-/** Every acceleration at a place of the rectangle, with the gun on or off. */
+/** Every acceleration at a place of the rectangle, with the gun on or off: winds blow beside all else. */
 export function accelerations(
   rules: Rules,
-  { asteroids, fields, drift }: TurnedScene,
+  { asteroids, fields, winds, drift }: TurnedScene,
   way: Rectangle,
   seconds: number,
 ): [Interval, Interval] {
@@ -166,7 +171,16 @@ export function accelerations(
       all.push(central(asteroid, way, [near, far], pull, rules.pull, moved));
     }
   }
-  return [all.map(([ax]) => ax).reduce(hull), all.map(([, ay]) => ay).reduce(hull)];
+  let [ax, ay] = [all.map(([x]) => x).reduce(hull), all.map(([, y]) => y).reduce(hull)];
+  for (const wind of winds) {
+    const [near, far] = distances(wind, way);
+    if (near > wind.radius + ON_RIM) continue;
+    const isIn = far < wind.radius - ON_RIM;
+    const blowing = (a: number): Interval => (isIn ? [a, a] : [Math.min(0, a), Math.max(0, a)]);
+    ax = add(ax, blowing(wind.ax));
+    ay = add(ay, blowing(wind.ay));
+  }
+  return [ax, ay];
 }
 
 /** A force towards a centre: `perPx(d)`, which falls or grows with d throughout, times the way to it. Next to it, any direction. */

@@ -1,6 +1,7 @@
 import type { BarrierEdge, Blocker } from '../proofs/index.ts';
 import type { Claim } from './claim.ts';
 import { standingHazard } from './hazards.ts';
+import { mouthsOf } from './mouths.ts';
 import { apart, less, type Point } from './rounded.ts';
 
 const START = { x: 0, y: 0 };
@@ -8,6 +9,7 @@ const START = { x: 0, y: 0 };
 /**
  * A closed line between the start and the thing. No point of it can be her centre's: each edge lies in the disc of one hazard
  * that stands still, or out of range as a whole. The thing lies on the other side, farther from the line than she can touch it from.
+ * A wormhole has both of its mouths on one side, so that it takes her from the start's side to the start's side.
  */
 export function checkEnclosed(claim: Claim, barrier: readonly BarrierEdge[]): string | null {
   if (!Array.isArray(barrier) || barrier.length < 3) return 'its barrier is no closed line';
@@ -25,6 +27,17 @@ export function checkEnclosed(claim: Claim, barrier: readonly BarrierEdge[]): st
     if (why !== null) return `edge ${i} of the barrier: ${why}`;
   }
   if (isInside(corners, START) === isInside(corners, claim.thing)) return 'the barrier does not lie between the start and it';
+  return checkMouths(claim, corners);
+}
+
+function checkMouths(claim: Claim, corners: readonly Point[]): string | null {
+  for (const mouth of mouthsOf(claim)) {
+    if (isInside(corners, mouth) !== isInside(corners, mouth.exit)) return 'a wormhole leads through the barrier';
+    // with frames she goes on from there before she is looked at
+    const reach = mouth.radius + claim.jump;
+    const isNear = (a: Point, i: number) => !less(reach, distanceToSegment(mouth, a, corners[(i + 1) % corners.length]));
+    if (corners.some(isNear)) return 'a mouth of a wormhole lies on the barrier';
+  }
   return null;
 }
 

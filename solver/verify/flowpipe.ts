@@ -10,6 +10,9 @@ import { type Circle, isAxis, isCount, isFrom, type TurnedScene, turnedScene } f
 /** Rounding of a step is far below this, px. */
 const ROUNDING = 1e-7;
 
+/** She may cross a rim by so much late, px. */
+const ON_RIM = 1e-6;
+
 /** A certificate may have no more parts of sets than this, nor larger numbers, px. */
 const MOST = 25_000;
 const LARGEST = 1e9;
@@ -79,6 +82,9 @@ export function checkFlowpipe(claim: Claim, { grid, layers }: Flowpipe): string 
     const ways = new Map([...bundles].map(([k, bundle]) => [k, wayTo(bundle, step, seconds, claim.push)]));
     for (const way of ways.values()) {
       if (!(distances(scene.thing, way).least > claim.touch + ROUNDING)) return `she may touch it in step ${step}`;
+      const mayEnter = (disc: Circle) => !(distances(disc, way).least > disc.radius + ON_RIM);
+      if (scene.winds.some(mayEnter)) return `a wind may blow on her in step ${step}`;
+      if (scene.mouths.some(mayEnter)) return `she may come to a wormhole in step ${step}`;
     }
     if (step > layers.length) return goOn;
     const next = new Map<number, Bundle>();

@@ -5,6 +5,7 @@ import type { Claim } from './claim.ts';
 import { checkDeadEnd } from './dead-end.ts';
 import { offLine } from './fall.ts';
 import { standingHazard } from './hazards.ts';
+import { mouthsOf } from './mouths.ts';
 import { apart, isIndex, less, type Point } from './rounded.ts';
 
 const START = { x: 0, y: 0 };
@@ -29,7 +30,7 @@ interface Line {
 
 /**
  * She rests at the start. The gun pulls her along the line to the nearest asteroid, and nothing takes her off this line as long as
- * no other asteroid is nearer and no field acts. Neither happens between the two ends of the stretch; she can't pass these;
+ * no other asteroid is nearer and no field, wind or wormhole acts. None of it happens between the two ends of the stretch; she can't pass these;
  * and no box on the stretch touches the thing.
  */
 export function checkLineTrap(claim: Claim, { target, back, front, drift }: LineTrap): string | null {
@@ -76,6 +77,12 @@ export function checkLineTrap(claim: Claim, { target, back, front, drift }: Line
     if (!less(field.radius + TUBE, gap(line, claim.place(field), from, to, 0, 0)))
       return `repulsors[${i}] may push her on the stretch`;
   }
+  for (const [i, wind] of claim.level.winds.entries()) {
+    if (!less(wind.radius + TUBE, gap(line, claim.place(wind), from, to, 0, 0)))
+      return `winds[${i}] may blow on her on the stretch`;
+  }
+  if (mouthsOf(claim).some((mouth) => !less(mouth.radius + TUBE, gap(line, mouth, from, to, 0, 0))))
+    return 'a wormhole may take her off the stretch';
   const { halfWidth, halfHeight } = claim.box;
   const upright = { x: Math.max(0, Math.abs(claim.thing.x) - halfWidth), y: Math.max(0, Math.abs(claim.thing.y) - halfHeight) };
   if (!less(claim.thing.radius + TUBE, apart(upright, START))) return 'she may touch it at the start';

@@ -1,18 +1,23 @@
 import type { Claim } from './claim.ts';
+import { mouthsOf } from './mouths.ts';
 import { apart, isIndex, less } from './rounded.ts';
 
 const START = { x: 0, y: 0 };
 
 /**
  * The asteroids listed are all that she can ever be in range of: no other is in range of the start, and none is so near to
- * one of them that she could pass from range to range. None of them is near enough to the thing.
+ * one of them that she could pass from range to range. None of them is near enough to the thing. With wormholes it lists the mouths, too, that she can
+ * ever come into, and what holds for a range holds for the disc in which she comes out: with frames, as far around as a frame goes.
  */
-export function checkOutOfRange(claim: Claim, listed: readonly number[]): string | null {
+export function checkOutOfRange(claim: Claim, listed: readonly number[], listedMouths: readonly number[] = []): string | null {
   const { asteroids, range } = claim.level;
   if (!Array.isArray(listed) || !listed.every((i) => isIndex(i, asteroids)))
     return 'it lists asteroids that the level does not have';
   // out of range of all, she would be lost at the start, but what she touches in that instant comes first
   if (!less(claim.touch, apart(claim.thing, START))) return 'she may touch it at the start';
+  const mouths = mouthsOf(claim);
+  if (!Array.isArray(listedMouths) || !listedMouths.every((i) => isIndex(i, mouths)))
+    return 'it lists mouths of wormholes that the level does not have';
   const inside = new Set(listed);
   const place = asteroids.map(claim.place);
   for (const [i, a] of place.entries()) {
@@ -26,6 +31,22 @@ export function checkOutOfRange(claim: Claim, listed: readonly number[]): string
       const gap = 2 * range + claim.drift(i) + claim.drift(j) + claim.jump;
       if (!less(gap, apart(a, place[j]))) return `asteroids[${i}] is not listed, and she may come to it from asteroids[${j}]`;
     }
+  }
+  const taken = new Set(listedMouths);
+  for (const [m, mouth] of mouths.entries()) {
+    // one that she starts in takes her nowhere before she has left it
+    const reach = mouth.radius + claim.jump;
+    const comesFrom = (i: number) => !less(range + claim.drift(i) + reach, apart(place[i], mouth));
+    const comesOut = (n: number) => !less(mouths[n].radius + claim.jump + reach, apart(mouths[n].exit, mouth));
+    if (!taken.has(m)) {
+      const from = listed.find(comesFrom);
+      if (from !== undefined) return `a mouth is not listed, and she may come to it from asteroids[${from}]`;
+      if (listedMouths.some(comesOut)) return 'a mouth is not listed, and she may come to it out of another';
+      continue;
+    }
+    if (!less(reach + claim.touch, apart(mouth.exit, claim.thing))) return 'she may touch it as she comes out of a mouth';
+    const missing = place.findIndex((a, i) => !inside.has(i) && !less(range + claim.drift(i) + reach, apart(a, mouth.exit)));
+    if (missing >= 0) return `asteroids[${missing}] is not listed, and she may come out of a mouth in range of it`;
   }
   return null;
 }

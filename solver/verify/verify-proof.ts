@@ -59,7 +59,7 @@ function check(claim: Claim, certificate: Certificate): string | null {
     case 'starts-in-hazard':
       return checkStartsInHazard(claim, certificate.hazard);
     case 'out-of-range':
-      return checkOutOfRange(claim, certificate.asteroids);
+      return checkOutOfRange(claim, certificate.asteroids, certificate.mouths);
     case 'enclosed':
       return checkEnclosed(claim, certificate.barrier);
     case 'line-trap':

@@ -73,9 +73,6 @@ describe('no way around it', () => {
   });
 });
 
-/** No way to prove has been made to follow these. */
-const NOT_YET: readonly string[] = ['winds', 'wormholes'];
-
 describe('a rule that nobody told the proofs of', () => {
   const withRule = (of: Level): Level => ({ ...of, rules: { drag: 0.1 } as OwnRules });
 
@@ -97,7 +94,7 @@ describe('what is declared', () => {
   // an effect that changes its name is unknown to every kind: this says so before a level does
   it.each(EFFECTS.map(({ name }) => name))('each kind understands %s, or it is known that it does not', (name) => {
     const not = KINDS.filter((kind) => whyNotTried(kind, [name]) !== null);
-    expect(not).toEqual(name === 'recoil' ? ['dead-end'] : NOT_YET.includes(name) ? KINDS : []);
+    expect(not).toEqual(name === 'recoil' ? ['dead-end'] : []);
   });
 
   it.each(RULE_NAMES)('bounds are made of the rule %s, and the checker’s, too', (name) => {

@@ -41,3 +41,21 @@ export const someHolds: fc.Arbitrary<Hold[]> = fc.array(
   fc.tuple(whole(0, 900), whole(1, 240)).map(([press, length]): Hold => [press, press + length]),
   { maxLength: 5 },
 );
+
+const strength = fc.oneof(fc.constant(0), whole(-100, 100));
+
+/** The same with winds and wormholes in it: over each other, over her and over everything else. */
+export const windyLevel: fc.Arbitrary<Level> = crowdedLevel.chain((level) =>
+  fc
+    .record({
+      winds: fc.array(
+        fc.tuple(circle(260, [20, 60, 150]), strength, strength).map(([c, ax, ay]) => ({ ...c, ax, ay })),
+        { maxLength: 3 },
+      ),
+      wormholes: fc.array(
+        fc.tuple(circle(260, [8, 24, 50]), whole(-260, 260), whole(-260, 260)).map(([c, toX, toY]) => ({ ...c, toX, toY })),
+        { maxLength: 2 },
+      ),
+    })
+    .map((more) => ({ ...level, ...more })),
+);

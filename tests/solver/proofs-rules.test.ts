@@ -5,7 +5,7 @@ import { type Level, type OwnRules, RULE_NAMES, RULES, rulesOf } from '../../sch
 import { type About, type PROVERS, type Proof, proveBy, proveImpossible, verifyProof } from '../../solver/index.ts';
 import { mostPush } from '../../solver/verify/assumptions.ts';
 import { LEVELS } from './impossible-levels.ts';
-import { crowdedLevel, someHolds } from './proofs-crowded.ts';
+import { crowdedLevel, someHolds, windyLevel } from './proofs-crowded.ts';
 import { someRules } from './some-rules.ts';
 
 // Levels with rules of their own: proved where they are impossible, never where a run completes them, and a certificate is one for the rules it was made for.
@@ -71,9 +71,9 @@ describe('the original’s rules, said', () => {
 describe('lemma: nothing pulls more than the strongest push, as the engine sees it', () => {
   it('of prover and checker', () => {
     fc.assert(
-      fc.property(crowdedLevel, someRules, (of, rules) => {
+      fc.property(windyLevel, someRules, (of, rules) => {
         const level = { ...of, rules };
-        expect(mostPush(level, rulesOf(level))).toBeGreaterThanOrEqual(compile(level).strongest);
+        expect(mostPush(level, rulesOf(level))).toBeGreaterThanOrEqual((1 - 1e-12) * compile(level).strongest);
       }),
       { numRuns: 300 },
     );
@@ -85,7 +85,7 @@ describe('a level that a run completes is never proved impossible, whatever its 
     let completed = 0;
     let proved = 0;
     fc.assert(
-      fc.property(crowdedLevel, someRules, someHolds, (of, rules, holds) => {
+      fc.property(fc.oneof(crowdedLevel, windyLevel), someRules, someHolds, (of, rules, holds) => {
         const level = { ...of, rules };
         const run = simulate(compile(level, accuracy), holds, { maxTime: 30 });
         const proof = proveImpossible(level, { accuracy, maxTime: 30 });

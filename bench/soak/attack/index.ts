@@ -7,6 +7,7 @@ import { mutated } from './mutated.ts';
 import { otherRules, ownRules } from './own-rules.ts';
 import { type Play, playLevel, STYLES } from './plays.ts';
 import { levelFor, type Prover } from './styles.ts';
+import { withWindsAndWormholes } from './winds-and-wormholes.ts';
 
 export type { Prover };
 export const ALL_PROVERS = Object.keys(PROVERS) as Prover[];
@@ -60,12 +61,13 @@ export const LARGE: Effort = { plays: 4, posesPerPlay: 15, ticks: 900, mutations
 
 const MAX_TIME = 60;
 
-/** Attacks one level of the seed, every other one with rules of its own; counts are added to the tally. */
+/** Attacks one level of the seed, every other one with rules of its own, and of both every other one with winds and wormholes; counts are added to the tally. */
 export function attackLevel(prover: Prover, accuracy: AccuracyName, seed: number, effort: Effort, tally: Tally): void {
   const random = seeded(seed * 977 + prover.length * 31 + accuracy.length);
   const plain = levelFor(prover, random);
   const chance = seeded(seed * 613 + 7);
-  const level = seed % 2 === 1 ? { ...plain, rules: ownRules(chance) } : plain;
+  const ruled = seed % 2 === 1 ? { ...plain, rules: ownRules(chance) } : plain;
+  const level = seed % 4 >= 2 ? withWindsAndWormholes(ruled, chance) : ruled;
   const options = { accuracy, maxTime: MAX_TIME };
   const prove = (of: Level, about: About) => proveBy(prover, of, about, options);
   // the black hole is far away in what styles make
@@ -89,10 +91,10 @@ export function attackLevel(prover: Prover, accuracy: AccuracyName, seed: number
     const proof = prove(claim.level, claim.about);
     if (proof !== null) found('prover', proof, verifyProof(claim.level, proof).ok);
     // what is true under other rules is no reason here, be they another by a thousandth
-    for (const ruled of [ruledTwin, prove(otherRules(claim.level, chance), claim.about)]) {
-      if (ruled === null) continue;
+    for (const otherwise of [ruledTwin, prove(otherRules(claim.level, chance), claim.about)]) {
+      if (otherwise === null) continue;
       tally.ruled++;
-      const other: Proof = { ...ruled, about: claim.about, covers: [accuracy] };
+      const other: Proof = { ...otherwise, about: claim.about, covers: [accuracy] };
       if (verifyProof(claim.level, other).ok) found('ruled', other, true);
     }
     if (like === null) return;
