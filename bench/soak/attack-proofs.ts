@@ -1,9 +1,18 @@
 import { writeFileSync } from 'node:fs';
 import { optionValue } from '../harness.ts';
-import { ALL_ACCURACIES, ALL_PROVERS, attackLevel, emptyTally, LARGE, type Prover } from './attack/index.ts';
+import {
+  ALL_ACCURACIES,
+  ALL_PROVERS,
+  attackLevel,
+  attackSolvable,
+  emptySolvable,
+  emptyTally,
+  LARGE,
+  type Prover,
+} from './attack/index.ts';
 
 /**
- * Attacks every kind of proof at every accuracy with claims that are known to be false, every other level with rules of its own, and half of each with winds and wormholes. Options of the command line: --claims N (of each; 10000), --claim-seconds S (for
+ * Attacks every kind of proof at every accuracy with claims that are known to be false, every other level with rules of its own, and half of each with winds and wormholes; then asks all of them about levels that runs complete. Options of the command line: --claims N (of each; 10000), --claim-seconds S (for
  * each; an equal part of `most` when left out), --prover NAME, --accuracy NAME, --from SEED, --out FILE (what was accepted, as JSON). The exit code becomes 1 when one is accepted.
  * @param most s, for all of them together
  */
@@ -13,7 +22,7 @@ export function attackProofs(most: number): void {
   const out = optionValue('--out');
   const provers = ALL_PROVERS.filter((name) => name === (optionValue('--prover') ?? name));
   const accuracies = ALL_ACCURACIES.filter((name) => name === (optionValue('--accuracy') ?? name));
-  const pairs = provers.flatMap((prover) => accuracies.filter((accuracy) => covers(prover, accuracy))).length;
+  const pairs = provers.flatMap((prover) => accuracies.filter((accuracy) => covers(prover, accuracy))).length + accuracies.length;
   const seconds = Number(optionValue('--claim-seconds') ?? most / pairs);
   const accepted: unknown[] = [];
   console.log('proof             accuracy  levels  claims  foreign  mutated    ruled  searched  accepted');
@@ -43,6 +52,16 @@ export function attackProofs(most: number): void {
       }
       accepted.push(...tally.accepted);
     }
+  }
+  console.log('\nany level         accuracy  levels  completed  collected  proved  twins  accepted');
+  for (const accuracy of accuracies) {
+    const tally = emptySolvable();
+    const until = Date.now() + 1000 * seconds;
+    for (let seed = from; Date.now() < until; seed++) attackSolvable(seed, accuracy, 2000, tally);
+    const numbers = [tally.levels, tally.completed, tally.collected, tally.proved, tally.twins, tally.accepted.length];
+    console.log(`${' '.repeat(17)} ${accuracy.padEnd(8)} ${numbers.map((n) => String(n).padStart(7)).join('  ')}`);
+    if (tally.accepted.length > 0) console.log(`  ACCEPTED: seeds ${tally.accepted.join(', ')}`);
+    accepted.push(...tally.accepted.map((seed) => ({ by: 'solvable', accuracy, seed })));
   }
   if (out !== null) writeFileSync(out, JSON.stringify(accepted, null, 1));
   if (accepted.length > 0) process.exitCode = 1;

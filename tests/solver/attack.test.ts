@@ -1,5 +1,14 @@
 import { describe, expect, it } from 'vitest';
-import { ALL_ACCURACIES, ALL_PROVERS, attackLevel, emptyTally, type Prover, SMALL } from '../../bench/soak/attack/index.ts';
+import {
+  ALL_ACCURACIES,
+  ALL_PROVERS,
+  attackLevel,
+  attackSolvable,
+  emptySolvable,
+  emptyTally,
+  type Prover,
+  SMALL,
+} from '../../bench/soak/attack/index.ts';
 
 /** Levels for each kind and accuracy: `npm run bench:soak` tries thousands of claims more. */
 const SEEDS: Readonly<Partial<Record<Prover, number>>> = {
@@ -34,5 +43,17 @@ describe.each(ALL_PROVERS)('claims known to be false: %s', (prover) => {
     expect(tally.levels).toBeGreaterThanOrEqual(levels);
     expect(tally.claims).toBeGreaterThanOrEqual(ENOUGH);
     expect(tally.foreign).toBeGreaterThanOrEqual(ENOUGH);
+  });
+});
+
+describe('levels that a script completes, under any rules, with winds and wormholes', () => {
+  it.each(ALL_ACCURACIES)('none is proved impossible, nor a certificate of its twin accepted: %s', (accuracy) => {
+    const tally = emptySolvable();
+    for (let seed = 0; seed < 250; seed++) attackSolvable(seed, accuracy, 0, tally);
+    expect(tally.accepted).toEqual([]);
+    // vacuous otherwise
+    expect(tally.completed).toBeGreaterThan(3);
+    expect(tally.collected).toBeGreaterThan(20);
+    expect(tally.proved).toBeGreaterThan(20);
   });
 });

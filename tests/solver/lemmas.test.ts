@@ -31,6 +31,9 @@ const EMPTY: Level = {
   range: 250,
   recoil: false,
   ...NO_OBJECTS,
+  // what she never comes to changes nothing
+  winds: [{ id: null, x: 0, y: -9000, radius: 60, ax: 3, ay: -20 }],
+  wormholes: [{ id: null, x: 0, y: -9000, toX: 500, toY: -9000, radius: 20 }],
   runs: [],
 };
 const rock = (x: number, y: number, radius: number) => ({ id: null, x, y, radius, hot: false });

@@ -1,5 +1,6 @@
 import fc from 'fast-check';
 import { type Circle, type Hold, type Level, NO_OBJECTS } from '../../schema/index.ts';
+import { someRules } from './some-rules.ts';
 
 const whole = (min: number, max: number) => fc.integer({ min, max });
 const circle = (reach: number, radii: readonly number[]): fc.Arbitrary<Circle> =>
@@ -58,4 +59,14 @@ export const windyLevel: fc.Arbitrary<Level> = crowdedLevel.chain((level) =>
       ),
     })
     .map((more) => ({ ...level, ...more })),
+);
+
+/** Any of them, under the original's rules or any other. */
+export const anyLevel: fc.Arbitrary<Level> = fc.oneof(
+  { weight: 2, arbitrary: crowdedLevel },
+  { weight: 1, arbitrary: windyLevel },
+  {
+    weight: 2,
+    arbitrary: fc.tuple(fc.oneof(crowdedLevel, windyLevel), someRules).map(([level, rules]) => ({ ...level, rules })),
+  },
 );

@@ -1,12 +1,12 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { type AccuracyName, compile, simulate } from '../../engine/index.ts';
-import type { Hold, Level } from '../../schema/index.ts';
+import { type Hold, type Level, RULE_NAMES, RULES, rulesOf } from '../../schema/index.ts';
 import { createSearch, type Proof, proveImpossible, proveMineralsUnreachable, verifyProof } from '../../solver/index.ts';
 import { accuracyNames, pack } from '../levels/shipped-pack.ts';
 import { importedLevels } from '../truth/imported-levels.ts';
 import { hasTruth } from '../truth/recordings.ts';
-import { crowdedLevel, someHolds } from './proofs-crowded.ts';
+import { anyLevel, someHolds } from './proofs-crowded.ts';
 
 /** What the proofs for an accuracy say can't be touched: `blackHole`, and the indices of minerals. */
 function unreachable(level: Level, accuracy: AccuracyName): (number | 'blackHole')[] {
@@ -30,7 +30,7 @@ describe('nothing that a run touches is proved to be out of reach', () => {
     let runsThatTouch = 0;
     let proofs = 0;
     fc.assert(
-      fc.property(crowdedLevel, fc.array(someHolds, { minLength: 6, maxLength: 6 }), (level, plays) => {
+      fc.property(anyLevel, fc.array(someHolds, { minLength: 6, maxLength: 6 }), (level, plays) => {
         const out = unreachable(level, accuracy);
         proofs += out.length;
         for (const holds of plays) {
@@ -50,7 +50,7 @@ describe('nothing that a run touches is proved to be out of reach', () => {
     let found = 0;
     let proved = 0;
     fc.assert(
-      fc.property(crowdedLevel, (level) => {
+      fc.property(anyLevel, (level) => {
         const search = createSearch(compile(level, accuracy), { seed: 1 });
         search.advance(20_000);
         const proof = proveImpossible(level, { accuracy });
@@ -85,7 +85,7 @@ describe('a proof of another level does not pass for a level that can be complet
   it('whatever is moved away', () => {
     let rejected = 0;
     fc.assert(
-      fc.property(crowdedLevel, fc.array(someHolds, { minLength: 8, maxLength: 8 }), fc.nat(), (level, plays, which) => {
+      fc.property(anyLevel, fc.array(someHolds, { minLength: 8, maxLength: 8 }), fc.nat(), (level, plays, which) => {
         const proof = proveImpossible(level, { accuracy: 'precise' });
         if (proof === null) return;
         const eased = ease(level, which);
@@ -111,6 +111,19 @@ function ease(level: Level, which: number): Level {
     () => ({ ...level, range: level.range * 3 }),
     () => ({ ...level, astronaut: { ...level.astronaut, vx: 20, vy: -30 } }),
     () => ({ ...level, novae: [], blackHole: nearer }),
+    () => ({ ...level, winds: others(level.winds), wormholes: others(level.wormholes) }),
+    () => ({ ...level, winds: [{ id: null, x: 0, y: 0, radius: 200, ax: (which % 90) - 45, ay: (which % 70) - 35 }] }),
+    () => ({ ...level, wormholes: [{ id: null, x: 0, y: 60, toX: level.blackHole.x, toY: level.blackHole.y + 30, radius: 50 }] }),
+    () => withRule(1.001),
+    () => withRule(0.999),
+    () => withRule(2),
+    () => withRule(0.5),
   ];
   return kinds[which % kinds.length]();
+
+  function withRule(factor: number): Level {
+    const name = RULE_NAMES[Math.floor(which / kinds.length) % RULE_NAMES.length];
+    const { least, most } = RULES[name];
+    return { ...level, rules: { ...level.rules, [name]: Math.min(most, Math.max(least, rulesOf(level)[name] * factor)) } };
+  }
 }
