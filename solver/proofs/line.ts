@@ -190,22 +190,23 @@ function stretchOf({ halfWidth, halfHeight }: Box, line: Line, { x, y, radius, o
 function oneWay(setting: Setting, line: Line, circles: readonly StandingCircle[]): Trap | null {
   const { level, rules, box, jump } = setting;
   const target = level.asteroids[line.target];
+  // recoil brings it nearer; by frames they may jump past each other
+  const kick = level.recoil ? rules.recoil / (2 * target.radius) : 0;
+  const met = jump > 0 ? 1.02 * TICK * (speedAfter(kick, line.centre) + kick * TICK) : 0;
+  const isMet = jump < target.radius && jump + met + 2 * TUBE < target.radius + box.halfWidth;
+  const isTarget = (by: LineEnd['by']) => by.kind === 'asteroid' && by.index === line.target;
   const ends: LineEnd[] = circles
     .flatMap((circle) => stretchOf(box, line, circle) ?? [])
-    .filter(({ from, to }) => to > Math.max(0, from) + jump)
+    .filter(({ from, to, by }) => to > Math.max(0, from) + jump && (isMet || !isTarget(by)))
     .map(({ from, by }) => ({ at: Math.max(0, from), by }));
-  if (target.hot) {
-    // the target itself, if it burns: recoil only brings it nearer
+  if (target.hot && isMet) {
+    // the target itself, if it burns
     const at = Math.max(0, line.centre - target.radius - box.halfWidth + 2 * TUBE);
-    const kick = level.recoil ? rules.recoil / (2 * target.radius) : 0;
-    const met = jump > 0 ? 1.02 * TICK * (speedAfter(kick, line.centre) + kick * TICK) : 0;
-    const isMet = jump < target.radius && jump + met + 2 * TUBE < target.radius + box.halfWidth;
-    if (isMet) ends.push({ at, by: { kind: 'asteroid', index: line.target } });
+    ends.push({ at, by: { kind: 'asteroid', index: line.target } });
   }
   const first = nearestEnd(ends, (end) => end.at >= 0, 1);
   if (first === null) return null;
-  const isTarget = first.by.kind === 'asteroid' && first.by.index === line.target;
-  const last = line.centre - (isTarget ? 0 : driftOnFall(setting, line, first.at + jump + TUBE)) - jump - 2 * TUBE;
+  const last = line.centre - (isTarget(first.by) ? 0 : driftOnFall(setting, line, first.at + jump + TUBE)) - jump - 2 * TUBE;
   return first.at < last ? { back: { at: 0, by: { kind: 'start' } }, front: first } : null;
 }
 
