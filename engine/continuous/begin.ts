@@ -21,7 +21,8 @@ import { SMALLEST_ORBIT, SMALLEST_SWING } from '../tolerances.ts';
 import { expand } from './expand.ts';
 import { locate } from './locate.ts';
 
-const { HELD, KIND, TURN, SIDE, LINE_X, LINE_Y, LIMIT_X, LIMIT_Y, RIM, LINE, LINE_STEEP, LINE_SLOPE, MEETS } = SLOTS;
+const { HELD, KIND, TURN, SIDE, LINE_X, LINE_Y, LIMIT_X, LIMIT_Y, RIM, LINE, LINE_STEEP, LINE_SLOPE, MEETS, STEADY_X, STEADY_Y } =
+  SLOTS;
 const { NONE } = LINES;
 const { NOT } = MEETINGS;
 const { TURN_NOT, TURN_TO_TARGET } = TURNS;
@@ -79,13 +80,15 @@ function start(m: Motion): void {
   locate(m);
 }
 
-/** Adds up the steady forces that act on her. */
+/** Adds up the steady forces that act on her, and keeps their sum in the state. */
 function addSteadyForces(m: Motion): void {
-  const { flow, parts } = m;
+  const { s, flow, parts } = m;
   const { steady } = parts;
   if (steady.length === 0) return;
   flow.setSteady(0, 0);
   for (let k = 0; k < steady.length; k++) steady[k].add(m);
+  s[STEADY_X] = flow.steadyX;
+  s[STEADY_Y] = flow.steadyY;
 }
 
 /** The next piece of the same flow. */
@@ -97,7 +100,7 @@ export function proceed(m: Motion): void {
 
 /** Sets the flow from the state: after a restore it must be what it was. */
 export function setFlow(m: Motion): void {
-  addSteadyForces(m);
+  m.flow.setSteady(m.s[STEADY_X], m.s[STEADY_Y]);
   setCentralForce(m);
 }
 

@@ -107,6 +107,7 @@ export function expand(m: Motion): void {
     const kappa = m.recoil && s[FIELD] < 0 ? m.kappa : 0;
     const drags = m.recoil && kind === CENTRAL;
     h = integrator.expand(flow, ux, uy, h, drags ? px : null, drags ? py : null, kappa);
+    if (drags) keepLimits(m);
     if (m.recoil && kind === LINEAR) recoilOnLine(m, kappa);
     if (kind === LINEAR) straighten(m, s[DEGREE]);
     s[ACCELERATION] = integrator.acceleration(flow, ux, uy, h);
@@ -131,6 +132,15 @@ function expandSteady(m: Motion, longest: number): number {
   const speed = Math.sqrt(ux[1] * ux[1] + uy[1] * uy[1]);
   const isPass = actingForce(m) !== null;
   return Math.min(longest, isPass && speed > 0 ? SMALLEST_ORBIT / speed : LONGEST_STEADY);
+}
+
+/** On an axis that the speed limit holds it is her own velocity that stays, whatever recoil does to the base. */
+function keepLimits(m: Motion): void {
+  const { s, ux, uy, px, py } = m;
+  for (let k = 2; k <= s[DEGREE]; k++) {
+    if (s[LIMIT_X] !== 0) ux[k] = -px[k];
+    if (s[LIMIT_Y] !== 0) uy[k] = -py[k];
+  }
 }
 
 /** On a line through the centre the target's recoil is constant. */

@@ -1,11 +1,11 @@
-import { COAST, SLIDE, STEADY } from './flow.ts';
+import { CENTRAL, COAST, SLIDE, STEADY } from './flow.ts';
 import { ontoLine } from './line.ts';
 import type { Motion } from './motion.ts';
 import { pairAt } from './polynomial.ts';
 import { settleSlide } from './rim-piece.ts';
 import { ALERTNESS, LINES, RECORDS, SLOTS, TURNS } from './state.ts';
 
-const { TARGET, BASE, BASE_X, BASE_Y, KIND, TURN, COS, SIN, DEGREE, LINE, LINE_STEEP, LINE_SLOPE } = SLOTS;
+const { TARGET, BASE, BASE_X, BASE_Y, KIND, TURN, COS, SIN, DEGREE, LIMIT_X, LIMIT_Y, LINE, LINE_STEEP, LINE_SLOPE } = SLOTS;
 const { TURN_NOT, TURN_TO_TARGET } = TURNS;
 const { CHASER, ROCK } = RECORDS;
 const { AWAKE } = ALERTNESS;
@@ -18,7 +18,10 @@ function settleAt(m: Motion, t: number): void {
   if (settle === null || s[KIND] === COAST || s[KIND] === STEADY) pairAt(m.ux, m.uy, s[DEGREE], t, her, 0);
   else if (s[KIND] === SLIDE) settleSlide(m, t, her);
   else settle(m.flow, m.ux, m.uy, t, her);
-  if (m.recoil) pairAt(m.px, m.py, s[DEGREE], t, m.base, 0);
+  if (m.recoil) {
+    pairAt(m.px, m.py, s[DEGREE], t, m.base, 0);
+    if (settle !== null && s[KIND] === CENTRAL) holdLimits(m, t);
+  }
   keepBounds(m);
 }
 
@@ -27,6 +30,20 @@ export function settleAndTurnAt(m: Motion, t: number): void {
   directionAt(m, t);
   if (m.integrator.settle === null && m.s[TURN] !== TURN_NOT) keepBounds(m);
   else settleAt(m, t);
+}
+
+/** A fixed step knows nothing of the base: what the speed limit holds goes on as it is, however recoil moves the base. */
+function holdLimits(m: Motion, t: number): void {
+  const { s, her, base } = m;
+  const { speedLimit } = m.rules;
+  if (s[LIMIT_X] !== 0) {
+    her[0] = m.ux[0] + (s[LIMIT_X] * speedLimit * t - base[0]);
+    her[2] = s[LIMIT_X] * speedLimit - base[2];
+  }
+  if (s[LIMIT_Y] !== 0) {
+    her[1] = m.uy[0] + (s[LIMIT_Y] * speedLimit * t - base[1]);
+    her[3] = s[LIMIT_Y] * speedLimit - base[3];
+  }
 }
 
 /** What settled stays within the speed limit and on its line. */

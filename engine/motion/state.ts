@@ -75,10 +75,13 @@ export const SLOTS = {
   /** When the target changed last, and how often it did in that instant. */
   SWITCH_TIME: 47,
   SWITCHES: 48,
+  /** The steady force that acts since the piece began, px/s2. */
+  STEADY_X: 49,
+  STEADY_Y: 50,
 } as const;
 
 /** Slots before the first chaser. */
-export const HEAD = 49;
+export const HEAD = 51;
 
 /** Not on a line; on one that goes where the base goes; on one that stands still or that the base moves along. */
 export const LINES = { NONE: 0, LOOSE: 1, FAST: 2 } as const;

@@ -187,3 +187,45 @@ describe.each(continuousNames)('let go at the limit she is not held again withou
     expect(run.final.vx).toBeGreaterThan(-1000);
   });
 });
+
+describe.each(continuousNames)('held at the limit while recoil moves the asteroid: %s', (accuracy) => {
+  it('she goes on as fast as the limit says, as in small steps of another program', () => {
+    const even = (min: number, max: number) => fc.integer({ min: 0, max: 1000 }).map((k) => min + ((max - min) * k) / 1000);
+    let held = 0;
+    fc.assert(
+      fc.property(even(20, 60), even(-40, 40), even(-8, 8), even(1, 400), (x, y, vy, recoil) => {
+        const rules = { speedLimit: 10, recoil };
+        const level = {
+          ...plainLevel({ astronaut: { x: 0, y: 0, vx: 0, vy }, asteroids: [{ x, y, radius: 16 }], range: 1000, recoil: true }),
+          rules,
+        };
+        const [hers, rock] = [
+          [0, 0, 0, vy],
+          [x, y, 0, 0],
+        ];
+        const limited = (v: number) => Math.min(10, Math.max(-10, v));
+        const [h, seconds] = [2e-5, 1.5];
+        for (let n = 0; n < seconds / h; n++) {
+          const [dx, dy] = [rock[0] - hers[0], rock[1] - hers[1]];
+          const d = Math.sqrt(dx * dx + dy * dy);
+          const pull = (39 * (1 - d / 1000)) / d;
+          const back = recoil / 32 / d;
+          hers[2] = limited(hers[2] + pull * dx * h);
+          hers[3] = limited(hers[3] + pull * dy * h);
+          rock[2] -= back * dx * h;
+          rock[3] -= back * dy * h;
+          for (const body of [hers, rock]) {
+            body[0] += body[2] * h;
+            body[1] += body[3] * h;
+          }
+          if (Math.abs(hers[2]) === 10) held++;
+        }
+        const { final } = simulate(compile(level, accuracy), [[0, 200]], { maxTime: seconds });
+        expect(Math.hypot(final.x - hers[0], final.y - hers[1])).toBeLessThan(0.05);
+        expect(Math.hypot(final.vx - hers[2], final.vy - hers[3])).toBeLessThan(0.05);
+      }),
+      { numRuns: 30 },
+    );
+    expect(held).toBeGreaterThan(1000);
+  });
+});

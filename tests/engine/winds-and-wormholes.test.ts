@@ -47,6 +47,54 @@ describe.each(continuousNames)('winds and wormholes at %s', (accuracy) => {
     );
   });
 
+  it('what is read between two ticks lies between them, long after she has left a wind', () => {
+    const level: Level = {
+      ...plainLevel({ astronaut: { x: 0, y: 0, vx: 60, vy: 0 }, asteroids: [{ x: 300, y: 200, radius: 16 }], range: 1000 }),
+      winds: [{ id: null, x: 0, y: 0, radius: 30, ax: 100, ay: 0 }],
+    };
+    const { trajectory } = simulate(compile(level, accuracy), [[0, 120]], { maxTime: 2 });
+    const [before, between, after] = [0, 1, 2].map(() => new Float64Array(6));
+    for (let tick = 40; tick < 119; tick++) {
+      trajectory.at(tick / 60, before);
+      trajectory.at((tick + 0.5) / 60, between);
+      trajectory.at((tick + 1) / 60, after);
+      // the mean, but for what the pull changes in a tick
+      for (const k of [2, 3]) expect(Math.abs(between[k] - (before[k] + after[k]) / 2)).toBeLessThan(5e-3);
+    }
+  });
+
+  it('is blown out of the very centre of a repulsor, whatever the gun holds', () => {
+    const level: Level = {
+      ...plainLevel({
+        astronaut: { x: 0, y: 0, vx: 0, vy: 0 },
+        asteroids: [{ x: 100, y: 0, radius: 16 }],
+        repulsors: [{ x: 0, y: 0, radius: 50 }],
+        range: 1000,
+      }),
+      winds: [{ id: null, x: 0, y: 0, radius: 400, ax: 0, ay: 10 }],
+    };
+    // the push and the wind, both along y: 30 t2 / 2
+    const { final } = simulate(compile(level, accuracy), [[0, 60]], { maxTime: 0.5 });
+    expect(final.x).toBe(0);
+    expect(Math.abs(final.y - 3.75)).toBeLessThan(1e-9);
+  });
+
+  it('two asteroids in one place, one of them held in a wind, are looked at in a bounded time', () => {
+    const level: Level = {
+      ...plainLevel({
+        astronaut: { x: 0, y: 0, vx: -19, vy: 0 },
+        asteroids: [
+          { x: 0, y: 0, radius: 32 },
+          { x: 0, y: 0, radius: 32 },
+        ],
+        range: 250,
+        recoil: true,
+      }),
+      winds: [{ id: null, x: 0, y: 0, radius: 100, ax: 0, ay: 20 }],
+    };
+    expect(simulate(compile(level, accuracy), [[0, 60]], { maxTime: 1, budget: new WorkBudget(2000) }).stopped).toBeNull();
+  });
+
   it('goes where small steps of another program go: gun, repulsor, winds and a wormhole together', () => {
     let jumps = 0;
     fc.assert(

@@ -20,8 +20,8 @@ export function holdOnLine(m: Motion): boolean {
   const y = (recoil ? s[o + 1] : m.targetY[target]) - s[BASE_Y] - uy[0];
   const vx = (recoil ? s[o + 2] : 0) - ux[1];
   const vy = (recoil ? s[o + 3] : 0) - uy[1];
-  // she rests in the centre of the field: any line through it is hers
-  const rests = ux[0] === 0 && uy[0] === 0 && ux[1] === 0 && uy[1] === 0;
+  // she rests in the centre of the field: any line through it is hers, unless a steady force drives her along one
+  const rests = !m.flow.isSteady && ux[0] === 0 && uy[0] === 0 && ux[1] === 0 && uy[1] === 0;
   if (rests && (s[LINE] === NONE || !holdsTarget(m, target))) {
     if (x !== 0 || y !== 0) beginLine(m, x, y);
     else if (vx !== 0 || vy !== 0) beginLine(m, vx, vy);

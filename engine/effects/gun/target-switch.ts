@@ -81,7 +81,9 @@ export function switchTime(m: Motion, i: number, from: number, atZero: boolean):
     let step = safeStep(above, slope, beside[FALL]);
     if (n >= PATIENCE && t + step < horizon) {
       work.guards++;
-      step = Math.max(step, safeStretch(guard, switchSeries(m, i, t), above, slope, 0, horizon - t));
+      // where both are in the same place the slope at `t` is rounding alone, and the coefficients know that it is none
+      const degree = switchSeries(m, i, t);
+      step = Math.max(step, safeStretch(guard, degree, above, guard[1], 0, horizon - t));
     }
     if (!(t + step < horizon)) return -1;
     t = lookNext(t, step, small, horizon);
@@ -167,7 +169,9 @@ export function switchGuard(m: Motion, i: number, t: number): number {
   const g = (toCircle[0] - tx) * (toCircle[0] + tx) + (toCircle[1] - ty) * (toCircle[1] + ty);
   beside[SLOPE] = 2 * (toCircle[0] * toCircle[2] + toCircle[1] * toCircle[3] - tx * tvx - ty * tvy);
   beside[FALL] = 2 * fast * fast + 2 * far * pull;
-  beside[TIED] = 2 * tie * Math.sqrt((toCircle[0] - tx) * (toCircle[0] - tx) + (toCircle[1] - ty) * (toCircle[1] - ty));
+  // nearer to each other than a tie is wide they are one, whatever rounding says
+  beside[TIED] =
+    2 * tie * Math.max(tie, Math.sqrt((toCircle[0] - tx) * (toCircle[0] - tx) + (toCircle[1] - ty) * (toCircle[1] - ty)));
   return g;
 }
 
