@@ -14,7 +14,7 @@ import { ORBIT, ORBIT_FILE } from './scenes/index.ts';
 
 const SECONDS = 60;
 const TICKS = SECONDS * TICK_RATE;
-const INERT_LIMIT = 1.03;
+const INERT_LIMIT = 1.08;
 
 /** An effect that tells of events of its own acts in a scene where there are at least as many. */
 const ENOUGH_EVENTS = 5;

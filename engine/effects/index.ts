@@ -86,8 +86,19 @@ export function effectsOf({ simulated }: EffectChoice): readonly Effect[] {
   return EFFECTS.filter(({ name }) => names.has(name));
 }
 
-/** What these effects bring to a motion, laid out. */
+const layouts = new Map<string, Parts>();
+
+/** What these effects bring to a motion, laid out; the same for every motion with the same effects. */
 export function partsOf(effects: readonly Effect[]): Parts {
+  const key = effects.map(({ name }) => name).join(' ');
+  const known = layouts.get(key);
+  if (known !== undefined) return known;
+  const parts = layOut(effects);
+  layouts.set(key, parts);
+  return parts;
+}
+
+function layOut(effects: readonly Effect[]): Parts {
   const hooks = <K extends 'moved' | 'beforePiece' | 'turn' | 'setRim' | 'repeat' | 'mayRepeat'>(name: K) =>
     effects.flatMap((effect) => {
       const hook = effect[name];
