@@ -1,7 +1,7 @@
 import { FileDown } from 'lucide-react';
 import { useEffect, useState } from 'react';
 import { useEditor } from '../context/index.ts';
-import { folderOf } from '../panels/levels/index.ts';
+import { folderOf } from '../files/index.ts';
 import { IMPORT_TOPIC, importFiles } from './import-files.ts';
 
 const hasFiles = (event: DragEvent): boolean => event.dataTransfer?.types.includes('Files') === true;

@@ -1,7 +1,8 @@
 import { CircleAlert, FolderOpen } from 'lucide-react';
 import { useEffect, useId, useState } from 'react';
 import { useEditor } from '../context/index.ts';
-import { FolderSelect, folderOf } from '../panels/levels/index.ts';
+import { folderOf } from '../files/index.ts';
+import { FolderSelect } from '../panels/levels/index.ts';
 import { chooseFiles } from '../share/index.ts';
 import { Button } from '../ui/index.ts';
 import { IMPORT_TOPIC, type ImportResult, importContents, importFiles } from './import-files.ts';

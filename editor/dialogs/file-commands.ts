@@ -1,6 +1,7 @@
 import type { Command } from '../commands/index.ts';
 import type { Editor } from '../context/index.ts';
-import { addSamples, deleteLevel, duplicateLevel, folderOf, openListed } from '../panels/levels/index.ts';
+import { folderOf } from '../files/index.ts';
+import { addSamples, deleteLevel, duplicateLevel, openListed } from '../panels/levels/index.ts';
 
 /** What can be done with the open level as a file. */
 export function fileCommands(editor: Editor): readonly Command[] {

@@ -1,5 +1,8 @@
 import type { LevelEntry } from '../../schema/index.ts';
 
+/** The folder that a level is in: `world` of `world/loop`, '' of `loop`. */
+export const folderOf = (id: string): string => id.slice(0, Math.max(0, id.lastIndexOf('/')));
+
 /** With an entry in its place; where that is, the storage says for certain. @param from the id that it had */
 export function withEntry(levels: readonly LevelEntry[], entry: LevelEntry, from: string): LevelEntry[] {
   const index = levels.findIndex(({ id }) => id === from);
@@ -26,6 +29,7 @@ export function withPart(
 
 /** With some of the levels in another order, in the places that they have together. */
 export function inOrder(levels: readonly LevelEntry[], ids: readonly string[]): LevelEntry[] {
+  const wanted = new Set(ids);
   const ordered = ids.flatMap((id) => levels.find((entry) => entry.id === id) ?? []);
-  return levels.map((entry) => (ids.includes(entry.id) ? (ordered.shift() ?? entry) : entry));
+  return levels.map((entry) => (wanted.has(entry.id) ? (ordered.shift() ?? entry) : entry));
 }

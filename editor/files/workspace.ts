@@ -2,7 +2,7 @@ import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { DeleteResponse, EditEvent, LevelEntry, ListResponse, OrderResponse } from '../../schema/index.ts';
 import type { EditedLevel } from '../document/index.ts';
 import { withKeptRules } from './folder-rules.ts';
-import { inOrder, withEntry, withPart } from './level-list.ts';
+import { folderOf, inOrder, withEntry, withPart } from './level-list.ts';
 import type { Answer, LevelStorage, Link, StorageError } from './level-storage.ts';
 import { type OpenedLevel, type Opening, openLevel, type Surroundings } from './open-level.ts';
 
@@ -26,6 +26,8 @@ export interface Workspace {
   start(): Promise<void>;
   /** Opens a level in place of the one that is open, whose changes are written first. */
   open(id: string): Promise<Opening>;
+  /** How often a level was asked for so far. An action that took its time sees by it whether the person has moved on. */
+  openings(): number;
   /** Asks for the list again. */
   refresh(): Promise<void>;
   /** Renames a level; the open one stays open. What is unsaved in it is written first, here and in what follows. */
@@ -35,7 +37,10 @@ export interface Workspace {
   remove(entry: LevelEntry): Promise<Answer<DeleteResponse>>;
   /** @param to its new id; its old one when left out */
   restore(trash: string, to?: string): Promise<Answer<LevelEntry>>;
-  /** Puts the levels of a folder into another order, on the screen at once; their files are renumbered. */
+  /**
+   * Puts the levels of a folder into another order, on the screen at once; their files are renumbered.
+   * Levels that the page did not know of yet keep their places, and those that are gone are left out.
+   */
   order(folder: string, ids: readonly string[]): Promise<Answer<OrderResponse>>;
   /** Closes the level that is open. */
   leave(): Promise<void>;
@@ -59,6 +64,7 @@ class StorageWorkspace implements Workspace {
   private heard = new Set<string>();
   /** Opening and closing follow one another. */
   private last: Promise<unknown> = Promise.resolve();
+  private asked = 0;
   private stop = () => {};
 
   constructor(private readonly surroundings: Omit<Surroundings, 'folder'>) {
@@ -77,7 +83,12 @@ class StorageWorkspace implements Workspace {
     );
   }
 
+  openings(): number {
+    return this.asked;
+  }
+
   open(id: string): Promise<Opening> {
+    this.asked++;
     return this.inTurn(async () => {
       const { opened: old, list } = this.store.getState();
       // a level can't be written by two at once; any other one stays on the screen until the next is there
@@ -119,7 +130,17 @@ class StorageWorkspace implements Workspace {
   async order(folder: string, ids: readonly string[]): Promise<Answer<OrderResponse>> {
     await this.store.getState().opened?.saver.flush();
     this.setLevels((levels) => inOrder(levels, ids));
-    const answer = await this.storage.order(folder, ids);
+    let answer = await this.storage.order(folder, ids);
+    if (!answer.ok && answer.error.code === 'list-changed') {
+      // the page's list was older than the folder
+      await this.refresh();
+      const levels = this.store.getState().list?.levels.filter(({ id }) => folderOf(id) === folder) ?? [];
+      this.setLevels((all) => inOrder(all, ids));
+      answer = await this.storage.order(
+        folder,
+        inOrder(levels, ids).map(({ id }) => id),
+      );
+    }
     if (answer.ok) {
       const { renamed, levels } = answer.value;
       this.follow(renamed.flatMap(({ from, to }) => levels.filter(({ id }) => id === to).map((entry) => ({ from, entry }))));

@@ -4,6 +4,7 @@ import { join } from 'node:path';
 import type { Locator, Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { gq } from '../cli/gq.ts';
+import { SWING } from '../editor/swing-level.ts';
 import { put } from '../server/running.ts';
 import { complaintsAbout } from './axe.ts';
 import { command, verdict } from './commands.ts';
@@ -12,16 +13,7 @@ import { until } from './until.ts';
 
 const shots = process.env.GQ_SHOTS;
 
-/** Her way hangs on the pull: at 39 px/s2 the run completes it, from 41 and below 37 it does not. */
-const swing = (changes: Readonly<Record<string, unknown>> = {}) => ({
-  version: 1,
-  name: 'First Swing',
-  astronaut: { x: 500, y: 760, vx: 0, vy: -60 },
-  blackHole: { x: 830, y: 510 },
-  asteroids: [{ id: 'bjzg', x: 600, y: 620, radius: 32 }],
-  runs: [{ name: 'solution', holds: [[150, 435]] }],
-  ...changes,
-});
+const swing = (changes: Readonly<Record<string, unknown>> = {}) => ({ ...SWING, ...changes });
 
 const BOX = { boxWidth: 120, boxHeight: 20 };
 const CONFIG = 'gq.config.json';

@@ -22,16 +22,7 @@ import {
   rulesOf,
   rulesSchema,
 } from '../../schema/index.ts';
-
-/** At 39 px/s2 the run completes it, from 41 on it does not. */
-const SWING: LevelFile = {
-  version: 1,
-  name: 'First Swing',
-  astronaut: { x: 500, y: 760, vx: 0, vy: -60 },
-  blackHole: { x: 830, y: 510 },
-  asteroids: [{ id: 'bjzg', x: 600, y: 620, radius: 32 }],
-  runs: [{ name: 'solution', holds: [[150, 435]] }],
-};
+import { SWING } from './swing-level.ts';
 
 const name = fc.constantFrom(...RULE_NAMES);
 const value = fc.oneof(fc.double({ noNaN: true }), fc.integer({ min: -2000, max: 20_000 }));

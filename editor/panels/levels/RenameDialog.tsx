@@ -1,9 +1,10 @@
 import { useId, useState } from 'react';
 import { useStore } from 'zustand';
 import { useEditor } from '../../context/index.ts';
+import { folderOf } from '../../files/index.ts';
 import { Button, Dialog } from '../../ui/index.ts';
 import { FileNameFields, fileNameProblem } from './FileNameFields.tsx';
-import { folderOf, inFolder, renameTitle, stemOf } from './level-files.ts';
+import { inFolder, renameTitle, stemOf } from './level-files.ts';
 
 /** Another name for a level, for its file, or both. */
 export function RenameDialog({ id, onClose }: { readonly id: string; readonly onClose: () => void }) {

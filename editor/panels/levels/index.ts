@@ -6,7 +6,6 @@ export {
   addSamples,
   deleteLevel,
   duplicateLevel,
-  folderOf,
   nextNumber,
   openFirst,
   openHeldBack,

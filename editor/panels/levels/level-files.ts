@@ -1,11 +1,8 @@
 import { formatLevel, type LevelEntry, type LevelFile, readLevel } from '../../../schema/index.ts';
 import type { Editor } from '../../context/index.ts';
-import { type Answer, errorInWords, type StorageError } from '../../files/index.ts';
+import { type Answer, errorInWords, folderOf, type StorageError } from '../../files/index.ts';
 import { loadSamples } from '../../templates/index.ts';
 import { type ListStep, listHistoryOf } from './list-history.ts';
-
-/** The folder of a level; '' for the outermost. */
-export const folderOf = (id: string): string => id.slice(0, Math.max(0, id.lastIndexOf('/')));
 
 /** The name of its file, without folder and ending. */
 export const stemOf = (id: string): string => id.slice(id.lastIndexOf('/') + 1);
@@ -94,6 +91,11 @@ export async function openListed(editor: Editor, id: string): Promise<void> {
   if (!opening.ok && opening.kind === 'failed') tellError(editor, opening.error);
 }
 
+/** Opens a level that an action has made or brought back. The person who opened another one meanwhile stays there. @param since `openings` when the action began */
+async function openAfter(editor: Editor, id: string, since: number): Promise<void> {
+  if (editor.workspace.openings() === since) await openListed(editor, id);
+}
+
 /** Opens a level of those that are held back. @param checked whether it is played and looked at as any other */
 export async function openHeldBack(editor: Editor, id: string, checked: boolean): Promise<void> {
   const { workspace, marks, unchecked } = editor;
@@ -116,6 +118,7 @@ export async function addLevels(
   folder: string,
   wanted: readonly { readonly stem: string; readonly file: LevelFile }[],
 ): Promise<readonly string[]> {
+  const since = editor.workspace.openings();
   const added: string[] = [];
   const schema = folder === '' ? editor.workspace.store.getState().list?.folder.$schema : null;
   for (const { stem, file } of wanted) {
@@ -127,7 +130,7 @@ export async function addLevels(
     else tellError(editor, answer.error);
   }
   await editor.workspace.refresh();
-  if (added.length > 0) await openListed(editor, added[0]);
+  if (added.length > 0) await openAfter(editor, added[0], since);
   return added;
 }
 
@@ -147,11 +150,12 @@ export async function addSamples(editor: Editor, folder: string): Promise<void> 
 
 /** Makes a copy of a level, with a name and a number of its own, and opens it. */
 export async function duplicateLevel(editor: Editor, entry: LevelEntry): Promise<void> {
+  const since = editor.workspace.openings();
   const levels = levelsOf(editor);
   const copy = valueOrNotice(editor, await editor.workspace.duplicate(entry, copyId(levels, entry.id)));
   if (copy?.status !== 'valid' || copy.name === null) return;
   await renameTitle(editor, copy, copyName(levels, copy.name));
-  await openListed(editor, copy.id);
+  await openAfter(editor, copy.id, since);
 }
 
 /** Puts a level into the trash, from where undo, the notice or the dialog of deleted levels brings it back. */
@@ -192,6 +196,7 @@ export async function deleteLevel(editor: Editor, entry: LevelEntry): Promise<vo
 /** @returns where it is, and whether it was open; null when it was refused, which is reported */
 async function putIntoTrash(editor: Editor, entry: LevelEntry): Promise<{ trash: string; wasOpen: boolean } | null> {
   const { workspace } = editor;
+  const since = workspace.openings();
   const levels = levelsOf(editor);
   const { opened } = workspace.store.getState();
   const isOpen = opened?.id() === entry.id;
@@ -201,14 +206,15 @@ async function putIntoTrash(editor: Editor, entry: LevelEntry): Promise<{ trash:
   );
   const done = valueOrNotice(editor, await workspace.remove(entry));
   if (done === null) return null;
-  if (isOpen && next !== undefined) await openListed(editor, next.id);
-  else if (isOpen) await workspace.leave();
+  if (isOpen && next !== undefined) await openAfter(editor, next.id, since);
+  else if (isOpen && workspace.openings() === since) await workspace.leave();
   return { trash: done.trashed.trash, wasOpen: isOpen };
 }
 
 /** Brings a level back from the trash; under another name when its own is taken. */
 export async function restoreLevel(editor: Editor, trash: string, open: boolean): Promise<LevelEntry | null> {
   const { workspace } = editor;
+  const since = workspace.openings();
   let answer = await workspace.restore(trash);
   if (!answer.ok && answer.error.code === 'name-taken') {
     const listed = await workspace.storage.trash();
@@ -219,7 +225,7 @@ export async function restoreLevel(editor: Editor, trash: string, open: boolean)
   const restored = valueOrNotice(editor, answer);
   if (restored === null) return null;
   editor.notices.settle(`deleted ${trash}`);
-  if (open && restored.status === 'valid') await openListed(editor, restored.id);
+  if (open && restored.status === 'valid') await openAfter(editor, restored.id, since);
   return restored;
 }
 

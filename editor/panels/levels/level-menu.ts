@@ -1,7 +1,8 @@
 import type { LevelEntry } from '../../../schema/index.ts';
 import type { Editor } from '../../context/index.ts';
+import { folderOf } from '../../files/index.ts';
 import type { MenuEntry } from '../tree/index.ts';
-import { deleteLevel, duplicateLevel, folderOf, orderLevels } from './level-files.ts';
+import { deleteLevel, duplicateLevel, orderLevels } from './level-files.ts';
 import type { LevelRow } from './level-rows.ts';
 
 interface MenuParts {

@@ -1,7 +1,8 @@
 import type { LevelEntry } from '../../../schema/index.ts';
+import { folderOf } from '../../files/index.ts';
 import { plural } from '../figures/index.ts';
 import type { TreeRow } from '../tree/index.ts';
-import { folderOf, stemOf } from './level-files.ts';
+import { stemOf } from './level-files.ts';
 
 export interface LevelRow extends TreeRow {
   /** null: the row of a folder */

@@ -1,0 +1,96 @@
+import { beforeEach, describe, expect, it } from 'vitest';
+import { createStore } from 'zustand/vanilla';
+import type { Editor, OpenLevel } from '../../editor/context/index.ts';
+import { createBrowserStorage, createOpeningMarks, createWorkspace, type Workspace } from '../../editor/files/index.ts';
+import { createJournal, createMemoryStore } from '../../editor/journal/index.ts';
+import { createNotices } from '../../editor/notices/index.ts';
+import {
+  addLevels,
+  deleteLevel,
+  duplicateLevel,
+  openListed,
+  orderLevels,
+  restoreLevel,
+} from '../../editor/panels/levels/level-files.ts';
+import { listHistoryOf } from '../../editor/panels/levels/list-history.ts';
+import { formatLevel, type LevelEntry, type LevelFile } from '../../schema/index.ts';
+import { breathe, createChannels, createKeyValues, createLine, LockKeeper, TurnedClock } from './stage.ts';
+
+const fileOf = (name: string): LevelFile => ({ version: 1, name, astronaut: { x: 0, y: 0 }, blackHole: { x: 300, y: 0 } });
+
+let editor: Editor;
+let workspace: Workspace;
+let line: ReturnType<typeof createLine>;
+
+beforeEach(async () => {
+  const disk = createBrowserStorage(createKeyValues(), null, () => 0);
+  for (const id of ['a', 'b', 'c']) await disk.write(id, formatLevel(fileOf(id)), null);
+  line = createLine(disk);
+  const timers = new TurnedClock();
+  workspace = createWorkspace({
+    ...{ storage: line, journal: createJournal(createMemoryStore(), () => 0), timers },
+    ...{ channel: createChannels(), locks: new LockKeeper().of('page') },
+  });
+  await workspace.start();
+  const parts: Partial<Editor> = {
+    ...{ workspace, notices: createNotices(), marks: createOpeningMarks(null) },
+    open: createStore<OpenLevel | null>(() => null),
+  };
+  editor = parts as Editor;
+  await openListed(editor, 'a');
+});
+
+const entry = (id: string) => workspace.store.getState().list?.levels.find((level) => level.id === id) as LevelEntry;
+const listed = () => workspace.store.getState().list?.levels.map(({ id }) => id);
+const shown = () => workspace.store.getState().opened?.id();
+const complaints = () => editor.notices.store.getState().filter(({ severity }) => severity !== 'info');
+
+describe('what an action made is opened', () => {
+  const removed = async (id: string): Promise<string> => {
+    await workspace.remove(entry(id));
+    const trash = await workspace.storage.trash();
+    return trash.ok ? trash.value[0].trash : '';
+  };
+  const cases: readonly [string, () => Promise<() => Promise<unknown>>, string][] = [
+    ['a copy', async () => () => duplicateLevel(editor, entry('a')), 'a-copy'],
+    ['a new level', async () => () => addLevels(editor, '', [{ stem: 'new', file: fileOf('new') }]), 'new'],
+    ['the level after a deleted one', async () => () => deleteLevel(editor, entry('a')), 'b'],
+    [
+      'a level that was brought back',
+      async () => {
+        const trash = await removed('b');
+        return () => restoreLevel(editor, trash, true);
+      },
+      'b',
+    ],
+  ];
+  for (const [what, prepare, id] of cases) {
+    it(what, async () => {
+      const act = await prepare();
+      await act();
+      expect(shown()).toBe(id);
+    });
+    it(`${what}: not when another level was opened meanwhile`, async () => {
+      const act = await prepare();
+      const acting = act();
+      await openListed(editor, 'c');
+      await acting;
+      expect(shown()).toBe('c');
+      expect(complaints()).toEqual([]);
+    });
+  }
+});
+
+describe('another order', () => {
+  it('is what was wanted where another program has added and removed levels that the page has not heard of', async () => {
+    await line.write('d', formatLevel(fileOf('d')), null);
+    await line.remove('c', entry('c').etag ?? '');
+    await orderLevels(editor, '', ['c', 'b', 'a']);
+    expect(complaints()).toEqual([]);
+    expect(listed()).toEqual(['b', 'a', 'd']);
+    listHistoryOf(editor).undo();
+    await breathe();
+    expect(listed()).toEqual(['a', 'b', 'd']);
+    expect(complaints()).toEqual([]);
+  });
+});
