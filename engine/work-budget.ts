@@ -10,15 +10,21 @@ export const DEFAULT_MAX_WORK = 400_000;
 /** What recordings of runs may take, bytes. */
 const DEFAULT_MAX_RECORDED = 128 * 1024 * 1024;
 
+const TOO_MUCH = {
+  work: (limit: number) => `more work than ${limit} pieces of motion`,
+  memory: (limit: number) => `more memory for recordings than ${limit} bytes`,
+  events: (limit: number) => `more than ${limit} events at one instant: the run does not go on`,
+};
+
 /** Thrown where a budget of work is used up. Who gave the budget catches it. */
 export class WorkLimitReached extends Error {
   constructor(
-    /** pieces of motion */
+    /** pieces of motion, bytes, or events at one instant */
     readonly limit: number,
     /** What there was too much of. */
-    readonly of: 'work' | 'memory',
+    readonly of: keyof typeof TOO_MUCH,
   ) {
-    super(of === 'work' ? `more work than ${limit} pieces of motion` : `more memory for recordings than ${limit} bytes`);
+    super(TOO_MUCH[of](limit));
     this.name = 'WorkLimitReached';
   }
 }

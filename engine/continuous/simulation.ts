@@ -31,6 +31,9 @@ const { START, FROM, NEXT, TICK_NOW, HELD, BASE_X, BASE_Y, OUTCOME, END_TIME, MI
 const { CHASER } = RECORDS;
 const { AWAKE, GONE } = ALERTNESS;
 
+/** More events than this at one instant mean that the run does not go on; a level's objects make a few hundred at most. */
+const MOST_AT_ONCE = 10_000;
+
 // scratch: where a body is
 const body = new Float64Array(4);
 
@@ -251,7 +254,7 @@ export class ContinuousSimulation implements Simulation {
     let still = 0;
     while (s[OUTCOME] === 0 && s[START] + s[NEXT] <= time) {
       still = s[NEXT] > s[FROM] ? 0 : still + 1;
-      if (still > 10_000) throw new Error(`more than 10,000 events at ${s[START] + s[NEXT]} s: the run does not go on`);
+      if (still > MOST_AT_ONCE) throw new WorkLimitReached(MOST_AT_ONCE, 'events');
       fire(motion, time);
     }
   }

@@ -11,7 +11,7 @@ import { NeighbourList } from './neighbour-list.ts';
 import { RimFlow } from './rim-flow.ts';
 import { HEAD, LINES, RECORDS, SLOTS } from './state.ts';
 
-const { START, NEXT, HELD, TARGET, FIELD, KIND, MOVES, LINE, RIM, CHATTER } = SLOTS;
+const { START, NEXT, HELD, TARGET, FIELD, KIND, MOVES, LINE, RIM } = SLOTS;
 const { CHASER, ROCK } = RECORDS;
 
 /** A fixed step may make this much more of a force than it is. */
@@ -348,7 +348,6 @@ export function moveBy(m: Motion, dx: number, dy: number, time: number): void {
   uy[0] += dy;
   s[LINE] = LINES.NONE;
   s[RIM] = -1;
-  s[CHATTER] = 0;
   near.skin = -1;
   for (const moved of m.parts.moved) moved(m, time);
 }

@@ -1,6 +1,6 @@
 import { eventRule, justFired, listRims, offer, quietAtRim, rimTime } from '../../events/index.ts';
 import { GOES_ON, type Motion, moveBy, placeCircle, SLOTS } from '../../motion/index.ts';
-import { roundingOnRim } from '../rims/index.ts';
+import { countCrossing, rimTolerance, roundingOnRim } from '../rims/index.ts';
 import { inMouth, OPEN, otherMouth, preparedMouths, stateAt } from './mouths.ts';
 
 const { BASE_X, BASE_Y, LAST_EVENT, LAST_A } = SLOTS;
@@ -25,7 +25,9 @@ export const enterMouth = eventRule({
     const entering = m.s[slotOf(m, mouth)] === OPEN;
     const { kind } = entering ? enterMouth : leaveMouth;
     placeCircle(m, x[mouth], y[mouth], m.originX, m.originY);
-    offer(m, rimTime(m, r[mouth], entering, 0, from, justFired(m, kind, mouth)), kind, mouth, 0);
+    // between mouths that all but coincide she would jump without end
+    const late = rimTolerance(m, x[mouth], y[mouth], r[mouth]);
+    offer(m, rimTime(m, r[mouth] + (entering ? -late : late), entering, 0, from, justFired(m, kind, mouth)), kind, mouth, 0);
   },
   quiet(m, mouth, time) {
     if (!matters(m, mouth)) return time;
@@ -35,6 +37,7 @@ export const enterMouth = eventRule({
     const { s } = m;
     const { x, y } = preparedMouths(m.scene);
     const exit = otherMouth(mouth);
+    countCrossing(m, time);
     m.recorder?.event({ time, type: 'effect', effect: 'wormholes', what: 'jump', index: mouth >> 1 });
     moveBy(m, x[exit] - x[mouth], y[exit] - y[mouth], time);
     s[slotOf(m, mouth)] = inMouth(exit);
@@ -47,8 +50,9 @@ export const enterMouth = eventRule({
 /** Her centre leaves the mouth that she is in: unless she is in the other one then, the wormhole is open again. */
 export const leaveMouth = eventRule({
   name: 'mouth',
-  fire(m, mouth) {
+  fire(m, mouth, _b, time) {
     const { s } = m;
+    countCrossing(m, time);
     const exit = otherMouth(mouth);
     s[slotOf(m, mouth)] = goesOnIn(m, exit) ? inMouth(exit) : OPEN;
     s[LAST_EVENT] = enterMouth.kind;
