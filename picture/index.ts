@@ -91,7 +91,7 @@ export function renderSvg(level: Level, options: RenderOptions = {}): string {
 
   const scene = [drawBackground(view, theme, level)];
   if (explored !== undefined) scene.push(drawHeat(view, theme, explored));
-  scene.push(drawRanges(view, theme, level), drawObjects(view, theme, level));
+  scene.push(drawRanges(view, theme, level), drawObjects(view, theme, level, width));
   if (proof !== undefined) scene.push(drawProof(view, theme, proof));
   if (fan !== undefined) scene.push(drawFan(view, theme, fan));
   if (ways.length > 0) {

@@ -16,8 +16,8 @@ import { type Thing, thingsOf } from './things.ts';
 import type { View } from './view.ts';
 import { num } from './xml.ts';
 
-/** From this many objects on each is drawn as a speck: details would be too small to see, and the file too large to open. */
-const SPECKS_FROM = 1500;
+/** From this many objects on, in a picture of this width, each is drawn as a speck: details would be too small to see, and the file too large to open. */
+const SPECKS_FROM = { objects: 1500, width: 960 };
 
 /** Nothing is drawn smaller than this: radius in units of the picture. */
 const LEAST = 4;
@@ -26,9 +26,13 @@ const LEAST = 4;
 const drawRing = (radius: number, view: View, theme: Theme): string =>
   `<circle r="${num(2 * radius)}" fill="none" stroke="${theme.text}" stroke-opacity=".6" stroke-width="${num(0.8 / view.scale)}"/>`;
 
-/** Everything in the level but the astronaut, from what lies at the back to what must never be hidden. */
-export function drawObjects(view: View, theme: Theme, level: Level): string {
-  const crowded = LISTED_KINDS.reduce((sum, kind) => sum + level[listOf(kind)].length, 0) >= SPECKS_FROM;
+/**
+ * Everything in the level but the astronaut, from what lies at the back to what must never be hidden.
+ * @param width px that the picture is shown with
+ */
+export function drawObjects(view: View, theme: Theme, level: Level, width: number): string {
+  const count = LISTED_KINDS.reduce((sum, kind) => sum + level[listOf(kind)].length, 0);
+  const crowded = count >= SPECKS_FROM.objects * Math.min(1, width / SPECKS_FROM.width);
   const least = LEAST / view.scale;
   const rules = rulesOf(level);
   const drawDisc = (kind: ObjectKind, look: Look<object>): string => {

@@ -45,6 +45,14 @@ describe('a picture shows what the level has', () => {
     expect([count(svg, 'asteroid'), count(svg, 'hot-asteroid'), count(svg, 'alien')]).toEqual([1000, 1000, 2]);
     expect(svg.length).toBeLessThan(2000 * 250);
   });
+
+  test('a small picture is crowded by fewer', () => {
+    const asteroids = Array.from({ length: 400 }, (_, i) => ({ x: 30 * (i % 20), y: 30 * Math.floor(i / 20), radius: 8 }));
+    const crowd = level({ ...FULL, asteroids });
+    const [small, large] = [144, 960].map((width) => renderSvg(crowd, { width, words: false }));
+    expect([count(small, 'asteroid'), count(large, 'asteroid')]).toEqual([400, 400]);
+    expect(small.length).toBeLessThan(large.length / 3);
+  });
 });
 
 describe('what is very small', () => {
