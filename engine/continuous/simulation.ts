@@ -1,3 +1,4 @@
+import { OBJECT_LISTS } from '../../schema/index.ts';
 import type { ClearanceTracker } from '../clearance.ts';
 import { TICK_RATE } from '../constants.ts';
 import { effectsOf, partsOf } from '../effects/index.ts';
@@ -27,12 +28,12 @@ import { restoreChasers } from './expand.ts';
 import { fire } from './fire.ts';
 import { layOut } from './layout.ts';
 
-const { START, FROM, NEXT, TICK_NOW, HELD, BASE_X, BASE_Y, OUTCOME, END_TIME, MINERALS, AWAKE_COUNT } = SLOTS;
+const { START, NEXT, TICK_NOW, HELD, BASE_X, BASE_Y, OUTCOME, END_TIME, MINERALS, AWAKE_COUNT } = SLOTS;
 const { CHASER } = RECORDS;
 const { AWAKE, GONE } = ALERTNESS;
 
-/** More events than this at one instant mean that the run does not go on; a level's objects make a few hundred at most. */
-const MOST_AT_ONCE = 10_000;
+/** More events than this at one instant mean that the run does not go on: all things of a level may take part in them, some of them several times. */
+const MOST_AT_ONCE = { inAnyLevel: 10_000, byEachObject: 4 };
 
 // scratch: where a body is
 const body = new Float64Array(4);
@@ -47,6 +48,7 @@ export class ContinuousSimulation implements Simulation {
   readonly work: Work;
   private readonly motion: Motion;
   private readonly start: Float64Array;
+  private readonly mostAtOnce: number;
   /** The budget is too small for what happens at the very start. */
   private readonly refusal: WorkLimitReached | null = null;
   private readonly startHead: Float64Array;
@@ -61,6 +63,8 @@ export class ContinuousSimulation implements Simulation {
     this.work = motion.work;
     this.motion = motion;
     this.start = motion.s.slice();
+    const objects = OBJECT_LISTS.reduce((sum, list) => sum + scene.level[list].length, 0);
+    this.mostAtOnce = MOST_AT_ONCE.inAnyLevel + MOST_AT_ONCE.byEachObject * objects;
     try {
       layOut(motion, effects);
       begin(motion);
@@ -251,10 +255,14 @@ export class ContinuousSimulation implements Simulation {
   private runUntil(time: number): void {
     const { motion } = this;
     const { s } = motion;
-    let still = 0;
+    let instant = Number.NEGATIVE_INFINITY;
+    let events = 0;
     while (s[OUTCOME] === 0 && s[START] + s[NEXT] <= time) {
-      still = s[NEXT] > s[FROM] ? 0 : still + 1;
-      if (still > MOST_AT_ONCE) throw new WorkLimitReached(MOST_AT_ONCE, 'events');
+      if (s[START] + s[NEXT] > instant + motion.sameInstant) {
+        instant = s[START] + s[NEXT];
+        events = 0;
+      }
+      if (++events > this.mostAtOnce) throw new WorkLimitReached(this.mostAtOnce, 'events');
       fire(motion, time);
     }
   }

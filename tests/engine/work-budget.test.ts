@@ -1,11 +1,12 @@
 import fc from 'fast-check';
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { HEAVY_LEVELS } from '../../bench/soak/heavy-levels.ts';
 import { randomScene } from '../../bench/soak/random-scene.ts';
 import {
   type AccuracyName,
   compile,
   createSimulation,
+  EFFECTS,
   playScript,
   simulate,
   WorkBudget,
@@ -53,6 +54,23 @@ describe('a budget of work', () => {
       // an eighth of what pieces cost
       expect(budget.spent).toBeGreaterThan(simulation.work.forceEvaluations / 8);
     }
+  });
+
+  it('a run in which events follow each other at one instant without end is cut, with or without a budget', () => {
+    const level = plainLevel({ astronaut: { vx: 60 }, repulsors: [{ x: 100, y: 0, radius: 40 }] });
+    const rule = EFFECTS.find(({ name }) => name === 'repulsor')?.events?.find(({ name }) => name === 'enter');
+    if (rule === undefined) throw new Error('no such rule');
+    // an effect at fault: its event changes nothing, so it is due again at once
+    const fault = vi.spyOn(rule, 'fire').mockReturnValue(-1);
+    try {
+      const scene = compile(level, 'precise');
+      expect(simulate(scene, [], { maxTime: 5 })).toMatchObject({ stopped: 'work-limit', outcome: 'timeout' });
+      expect(() => createSimulation(scene).advance(300, false)).toThrow(WorkLimitReached);
+      expect(() => createSimulation(scene).advance(300, false)).toThrow('events at one instant');
+    } finally {
+      fault.mockRestore();
+    }
+    expect(simulate(compile(level, 'precise'), [], { maxTime: 5 }).stopped).toBeNull();
   });
 
   it('is used up at the same place however the run is split', () => {
