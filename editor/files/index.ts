@@ -1,7 +1,7 @@
 export { createBrowserStorage, type KeyValues } from './browser-storage.ts';
 export { readStored, readText } from './disk-text.ts';
 export { folderRulesIn } from './folder-rules.ts';
-export { folderOf } from './level-list.ts';
+export { folderOf, idsIn } from './level-list.ts';
 export { type Answer, errorInWords, type LevelStorage, type Link, type StorageError } from './level-storage.ts';
 export { type Choices, type Conflict, mergeLevels, type Side } from './merge.ts';
 export type { OpenedLevel } from './open-level.ts';

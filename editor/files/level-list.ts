@@ -3,6 +3,10 @@ import type { LevelEntry } from '../../schema/index.ts';
 /** The folder that a level is in: `world` of `world/loop`, '' of `loop`. */
 export const folderOf = (id: string): string => id.slice(0, Math.max(0, id.lastIndexOf('/')));
 
+/** The ids of the levels in a folder, in their order. */
+export const idsIn = (levels: readonly { readonly id: string }[], folder: string): string[] =>
+  levels.flatMap(({ id }) => (folderOf(id) === folder ? [id] : []));
+
 /** With an entry in its place; where that is, the storage says for certain. @param from the id that it had */
 export function withEntry(levels: readonly LevelEntry[], entry: LevelEntry, from: string): LevelEntry[] {
   const index = levels.findIndex(({ id }) => id === from);

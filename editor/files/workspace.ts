@@ -2,7 +2,7 @@ import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { DeleteResponse, EditEvent, LevelEntry, ListResponse, OrderResponse } from '../../schema/index.ts';
 import type { EditedLevel } from '../document/index.ts';
 import { withKeptRules } from './folder-rules.ts';
-import { folderOf, inOrder, withEntry, withPart } from './level-list.ts';
+import { idsIn, inOrder, withEntry, withPart } from './level-list.ts';
 import type { Answer, LevelStorage, Link, StorageError } from './level-storage.ts';
 import { type OpenedLevel, type Opening, openLevel, type Surroundings } from './open-level.ts';
 
@@ -134,12 +134,8 @@ class StorageWorkspace implements Workspace {
     if (!answer.ok && answer.error.code === 'list-changed') {
       // the page's list was older than the folder
       await this.refresh();
-      const levels = this.store.getState().list?.levels.filter(({ id }) => folderOf(id) === folder) ?? [];
-      this.setLevels((all) => inOrder(all, ids));
-      answer = await this.storage.order(
-        folder,
-        inOrder(levels, ids).map(({ id }) => id),
-      );
+      this.setLevels((levels) => inOrder(levels, ids));
+      answer = await this.storage.order(folder, idsIn(this.store.getState().list?.levels ?? [], folder));
     }
     if (answer.ok) {
       const { renamed, levels } = answer.value;

@@ -1,6 +1,6 @@
 import { formatLevel, type LevelEntry, type LevelFile, readLevel } from '../../../schema/index.ts';
 import type { Editor } from '../../context/index.ts';
-import { type Answer, errorInWords, folderOf, type StorageError } from '../../files/index.ts';
+import { type Answer, errorInWords, folderOf, idsIn, type StorageError } from '../../files/index.ts';
 import { loadSamples } from '../../templates/index.ts';
 import { type ListStep, listHistoryOf } from './list-history.ts';
 
@@ -28,8 +28,7 @@ function numberAfter(stems: readonly string[]): string | null {
   return String(Math.max(...numbers.map(Number)) + 1).padStart(width, '0');
 }
 
-const stemsIn = (levels: readonly { readonly id: string }[], folder: string): string[] =>
-  levels.filter(({ id }) => folderOf(id) === folder).map(({ id }) => stemOf(id));
+const stemsIn = (levels: readonly { readonly id: string }[], folder: string): string[] => idsIn(levels, folder).map(stemOf);
 
 /** `07-` for the next level of a folder whose levels are numbered; '' where they are not. */
 export function nextNumber(levels: readonly { readonly id: string }[], folder: string): string {
@@ -206,8 +205,10 @@ async function putIntoTrash(editor: Editor, entry: LevelEntry): Promise<{ trash:
   );
   const done = valueOrNotice(editor, await workspace.remove(entry));
   if (done === null) return null;
-  if (isOpen && next !== undefined) await openAfter(editor, next.id, since);
-  else if (isOpen && workspace.openings() === since) await workspace.leave();
+  if (isOpen && workspace.openings() === since) {
+    if (next !== undefined) await openListed(editor, next.id);
+    else await workspace.leave();
+  }
   return { trash: done.trashed.trash, wasOpen: isOpen };
 }
 
@@ -231,7 +232,7 @@ export async function restoreLevel(editor: Editor, trash: string, open: boolean)
 
 /** Puts the levels of a folder into another order; their files are renumbered. It can be undone. */
 export async function orderLevels(editor: Editor, folder: string, ids: readonly string[]): Promise<void> {
-  const before = levelsOf(editor).flatMap(({ id }) => (folderOf(id) === folder ? [id] : []));
+  const before = idsIn(levelsOf(editor), folder);
   // what each of them is called now
   const names = new Map(before.map((id) => [id, id]));
   const order = async (wanted: readonly string[]): Promise<boolean> => {

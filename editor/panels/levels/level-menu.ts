@@ -1,6 +1,6 @@
 import type { LevelEntry } from '../../../schema/index.ts';
 import type { Editor } from '../../context/index.ts';
-import { folderOf } from '../../files/index.ts';
+import { folderOf, idsIn } from '../../files/index.ts';
 import type { MenuEntry } from '../tree/index.ts';
 import { deleteLevel, duplicateLevel, orderLevels } from './level-files.ts';
 import type { LevelRow } from './level-rows.ts';
@@ -25,7 +25,7 @@ export function levelMenu(
   const newLevel = { title: 'New level…', keys: 'Alt N', run: () => editor.session.setState({ overlay: 'newLevel' }) };
   if (entry === null) return [newLevel];
   const isFixed = list === null;
-  const last = levels.filter(({ id }) => folderOf(id) === folderOf(entry.id)).length - 1;
+  const last = idsIn(levels, folderOf(entry.id)).length - 1;
   const move = (to: number) => () => moveTo(editor, levels, entry, to);
   return [
     { title: 'Open', keys: 'Enter', disabled: entry.status !== 'valid' || entry.id === opened, run: onOpen },
@@ -46,7 +46,7 @@ export function levelMenu(
 export function moveTo(editor: Editor, levels: readonly LevelEntry[], entry: LevelEntry | null, place: number): void {
   if (entry === null) return;
   const folder = folderOf(entry.id);
-  const ids = levels.filter(({ id }) => folderOf(id) === folder).map(({ id }) => id);
+  const ids = idsIn(levels, folder);
   const from = ids.indexOf(entry.id);
   ids.splice(from, 1);
   ids.splice(place, 0, entry.id);

@@ -1,2 +1,2 @@
-export { countCrossing, rimTolerance, roundingOnRim } from './chatter.ts';
+export { countCrossing, roundingOnRim } from './chatter.ts';
 export { offerCrossing } from './cross.ts';

@@ -1,6 +1,6 @@
-import { eventRule, justFired, listRims, offer, quietAtRim, rimTime } from '../../events/index.ts';
-import { GOES_ON, type Motion, moveBy, placeCircle, SLOTS } from '../../motion/index.ts';
-import { countCrossing, rimTolerance, roundingOnRim } from '../rims/index.ts';
+import { eventRule, listRims, quietAtRim } from '../../events/index.ts';
+import { GOES_ON, type Motion, moveBy, SLOTS } from '../../motion/index.ts';
+import { countCrossing, offerCrossing, roundingOnRim } from '../rims/index.ts';
 import { inMouth, OPEN, otherMouth, preparedMouths, stateAt } from './mouths.ts';
 
 const { BASE_X, BASE_Y, LAST_EVENT, LAST_A } = SLOTS;
@@ -21,13 +21,7 @@ export const enterMouth = eventRule({
   isOver: (m, mouth) => !matters(m, mouth),
   guard(m, mouth, from) {
     if (!matters(m, mouth)) return;
-    const { x, y, r } = preparedMouths(m.scene);
-    const entering = m.s[slotOf(m, mouth)] === OPEN;
-    const { kind } = entering ? enterMouth : leaveMouth;
-    placeCircle(m, x[mouth], y[mouth], m.originX, m.originY);
-    // between mouths that all but coincide she would jump without end
-    const late = rimTolerance(m, x[mouth], y[mouth], r[mouth]);
-    offer(m, rimTime(m, r[mouth] + (entering ? -late : late), entering, 0, from, justFired(m, kind, mouth)), kind, mouth, 0);
+    offerCrossing(m, preparedMouths(m.scene), mouth, m.s[slotOf(m, mouth)] !== OPEN, enterMouth, leaveMouth, from);
   },
   quiet(m, mouth, time) {
     if (!matters(m, mouth)) return time;
