@@ -108,6 +108,10 @@ const ASIDE = 3;
 
 const UNFINISHED = /\.gq-edit-[0-9a-f]{16}\.tmp$/;
 
+/** What of a finished file is the same in every run: of measured costs, the head and that it goes on to its end. */
+const settled = (args: string, text: string): string =>
+  args.startsWith('accuracy') ? text.replace(/(<\/desc>)[^]*(<\/svg>\n?)$/, '$1$2') : text;
+
 describe.runIf(process.platform === 'linux')('a signal at any moment', () => {
   it.each(COMMANDS)('of gq %s', async (args) => {
     const whole = await run(args, null, []);
@@ -138,7 +142,7 @@ describe.runIf(process.platform === 'linux')('a signal at any moment', () => {
         }
         for (const name of finished) {
           expect(name).toMatch(/^work\//);
-          if (!args.startsWith('import')) expect(after[name]).toBe(whole.after[name]);
+          if (!args.startsWith('import')) expect(settled(args, after[name])).toBe(settled(args, whole.after[name]));
         }
         expect(Object.keys(after).filter((name) => UNFINISHED.test(name))).toEqual([]);
       }
