@@ -110,7 +110,7 @@ const UNFINISHED = /\.gq-edit-[0-9a-f]{16}\.tmp$/;
 
 /** What of a finished file is the same in every run: of measured costs, the head and that it goes on to its end. */
 const settled = (args: string, text: string): string =>
-  args.startsWith('accuracy') ? text.replace(/(<\/desc>)[^]*(<\/svg>\n?)$/, '$1$2') : text;
+  args.startsWith('accuracy') ? text.replace(/(<\/desc>)[\s\S]*(<\/svg>\n?)$/, '$1$2') : text;
 
 describe.runIf(process.platform === 'linux')('a signal at any moment', () => {
   it.each(COMMANDS)('of gq %s', async (args) => {
