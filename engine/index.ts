@@ -5,11 +5,13 @@ export { compile } from './compile.ts';
 export * from './constants.ts';
 export { type Box, boxCircleGap, boxOf, boxOverlapsCircle, circlesOverlap, DEFAULT_BOX } from './contact/index.ts';
 export { EFFECTS, type Effect, effectEventInWords } from './effects/index.ts';
+export type { IndexedCircles } from './indexed-circles.ts';
 export { isJump } from './jumps.ts';
-export type { EffectChoice, Scene } from './scene.ts';
+export type { Aliens, ChosenEffect, EffectChoice, Scene } from './scene.ts';
 export { joinHolds, playScript } from './script.ts';
 export { createSimulation, type Run, type SimulateOptions, type State, simulate } from './simulate.ts';
 export * from './simulation.ts';
+export type { SpatialIndex } from './spatial-index.ts';
 export type { Trajectory } from './trajectory.ts';
 export {
   findWarnings,

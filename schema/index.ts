@@ -6,7 +6,7 @@ export { formatLevel } from './format.ts';
 export { withIds } from './ids.ts';
 export { type ImportedLevel, type ImportReading, importOriginal } from './import-original.ts';
 export { formatLevelJsonSchema, levelJsonSchema } from './json-schema.ts';
-export type { Appearance, Field } from './kind.ts';
+export type { Appearance, Field, FlagField, Kind, NumberField, Pair } from './kind.ts';
 export * from './kinds.ts';
 export * from './level.ts';
 export { LIMITS } from './limits.ts';

@@ -32,13 +32,20 @@ export {
   type About,
   type BarrierEdge,
   type Blocker,
+  type BoxNumbers,
   type Certificate,
+  type DeadEnd,
+  type Direction,
   type Doomed,
+  type Drift,
   type FanGrid,
   type Flowpipe,
   type LineEnd,
+  type LineTrap,
   OUTDONE_WARNINGS,
   type PipeGrid,
+  type PipePart,
+  type PipeStep,
   PROVERS,
   type Proof,
   type ProofCode,
@@ -63,6 +70,7 @@ export {
   measureRobustness,
   measureRobustnessInSteps,
   type Robustness,
+  type RobustnessOptions,
   type SampleOptions,
   type Success,
   successInSteps,
@@ -70,5 +78,6 @@ export {
 } from './robustness/index.ts';
 export { type Closest, createSearch, type Effort, type Explored, type Search, type SearchOptions } from './search/index.ts';
 export { createSolver, mergeSolutions, type Objective, type Solution, type SolveOptions, type Solver } from './solve/index.ts';
+export type { Steps } from './steps.ts';
 export { type Candidate, createReplay, cutHolds, DEFAULT_MAX_TICKS, type Replay, verifyRun } from './verified-run.ts';
 export { type Verification, verifyProof } from './verify/index.ts';

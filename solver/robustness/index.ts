@@ -1,5 +1,5 @@
 export { BRIEF_CERTIFY_RUNS, type Certification, type CertifyOptions, certify } from './certify.ts';
-export { measureRobustness, measureRobustnessInSteps, type Robustness } from './robustness.ts';
+export { measureRobustness, measureRobustnessInSteps, type Robustness, type RobustnessOptions } from './robustness.ts';
 export { judgeAll } from './script-tree.ts';
 export { clustersOf, ShiftBox, shiftsUpTo } from './shift-box.ts';
 export { shiftHolds } from './shift-holds.ts';
