@@ -7,7 +7,7 @@ import puppeteer from 'puppeteer-core';
 import { describe, expect, it } from 'vitest';
 import { EDIT_API } from '../../schema/index.ts';
 import { declareMissing } from '../missing.ts';
-import { levelText, makeFolder, serve } from './running.ts';
+import { levelText, makeFolder, serve } from '../server/running.ts';
 
 // What real browsers send and let pass: the page itself gets through, a page of another server on this machine does not.
 

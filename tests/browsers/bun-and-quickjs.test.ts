@@ -3,8 +3,6 @@ import { existsSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
-import { chromium } from 'playwright-core';
-import puppeteer from 'puppeteer-core';
 import { getQuickJS } from 'quickjs-emscripten';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { declareMissing } from '../missing.ts';
@@ -16,73 +14,18 @@ const committed = committedTable();
 const runs = hashedRuns();
 const asked = questions(runs);
 
-const CHROMIUM = process.env.CHROMIUM ?? '/usr/bin/chromium';
-const FIREFOX = process.env.FIREFOX ?? '/usr/bin/firefox-esr';
 const BUN = join(dirname(createRequire(import.meta.url).resolve('bun/package.json')), 'bin', 'bun.exe');
 
 /** QuickJS interprets, some hundred times slower: of the seeded scenes it is asked about a part. */
 const QUICKJS_SHARE = 10;
 const forQuickJs = runs.filter((run, i) => !run.name.startsWith('scene ') || i % QUICKJS_SHARE === 0);
 
-/** Runs within a page that has the bundle. */
-const answersInPage = (list: typeof asked): string[] =>
-  list.map(([level, holds, accuracy]) =>
-    // biome-ignore lint/suspicious/noExplicitAny: the bundle's global
-    (globalThis as any).gravityQuest.hashOf(level, holds, accuracy),
-  );
-
-// in Node: tests/browsers/node.test.ts
+// in Node: tests/browsers/node.test.ts; in Chromium and Firefox: tests/e2e/hashes.test.ts
 describe('hashes of runs', () => {
   let bundle = '';
   beforeAll(async () => {
     bundle = await bundleEngine();
   });
-
-  if (existsSync(CHROMIUM)) {
-    it('in Chromium are the committed ones', async () => {
-      const browser = await chromium.launch({
-        executablePath: CHROMIUM,
-        headless: true,
-        args: [
-          ...[
-            '--headless',
-            '--no-sandbox',
-            '--disable-gpu',
-            '--disable-quic',
-            '--no-first-run',
-            '--disable-background-networking',
-          ],
-          ...['--disable-component-update', '--disable-sync'],
-        ],
-      });
-      try {
-        const page = await browser.newPage();
-        await page.addScriptTag({ content: bundle });
-        const answers = await page.evaluate(answersInPage, asked);
-        expect(tableOf(runs, answers)).toEqual(committed);
-      } finally {
-        await browser.close();
-      }
-    }, 120_000);
-  } else {
-    declareMissing('hashes in Chromium', `no browser at ${CHROMIUM}: install Chromium or name it in CHROMIUM`);
-  }
-
-  if (existsSync(FIREFOX)) {
-    it('in Firefox are the committed ones', async () => {
-      const browser = await puppeteer.launch({ browser: 'firefox', executablePath: FIREFOX, headless: true });
-      try {
-        const page = await browser.newPage();
-        await page.addScriptTag({ content: bundle });
-        const answers = await page.evaluate(answersInPage, asked);
-        expect(tableOf(runs, answers)).toEqual(committed);
-      } finally {
-        await browser.close();
-      }
-    }, 240_000);
-  } else {
-    declareMissing('hashes in Firefox', `no browser at ${FIREFOX}: install Firefox or name it in FIREFOX`);
-  }
 
   if (existsSync(BUN)) {
     it('in Bun (the engine of Safari) are the committed ones', () => {

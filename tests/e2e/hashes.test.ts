@@ -1,0 +1,62 @@
+import { existsSync } from 'node:fs';
+import { chromium } from 'playwright-core';
+import puppeteer from 'puppeteer-core';
+import { beforeAll, describe, expect, it } from 'vitest';
+import { bundleEngine } from '../browsers/bundle.ts';
+import { committedTable, questions, tableOf } from '../browsers/hash-table.ts';
+import { hashedRuns } from '../browsers/scenes.ts';
+import { declareMissing } from '../missing.ts';
+import { CHROMIUM, CHROMIUM_ARGS } from './stage.ts';
+
+const committed = committedTable();
+const runs = hashedRuns();
+const asked = questions(runs);
+
+const FIREFOX = process.env.FIREFOX ?? '/usr/bin/firefox-esr';
+
+/** Runs within a page that has the bundle. */
+const answersInPage = (list: typeof asked): string[] =>
+  list.map(([level, holds, accuracy]) =>
+    // biome-ignore lint/suspicious/noExplicitAny: the bundle's global
+    (globalThis as any).gravityQuest.hashOf(level, holds, accuracy),
+  );
+
+// in Node, Bun and QuickJS: tests/browsers
+describe('hashes of runs', () => {
+  let bundle = '';
+  beforeAll(async () => {
+    bundle = await bundleEngine();
+  });
+
+  if (existsSync(CHROMIUM)) {
+    it('in Chromium are the committed ones', async () => {
+      const browser = await chromium.launch({ executablePath: CHROMIUM, headless: true, args: CHROMIUM_ARGS });
+      try {
+        const page = await browser.newPage();
+        await page.addScriptTag({ content: bundle });
+        const answers = await page.evaluate(answersInPage, asked);
+        expect(tableOf(runs, answers)).toEqual(committed);
+      } finally {
+        await browser.close();
+      }
+    });
+  } else {
+    declareMissing('hashes in Chromium', `no browser at ${CHROMIUM}: install Chromium or name it in CHROMIUM`);
+  }
+
+  if (existsSync(FIREFOX)) {
+    it('in Firefox are the committed ones', async () => {
+      const browser = await puppeteer.launch({ browser: 'firefox', executablePath: FIREFOX, headless: true });
+      try {
+        const page = await browser.newPage();
+        await page.addScriptTag({ content: bundle });
+        const answers = await page.evaluate(answersInPage, asked);
+        expect(tableOf(runs, answers)).toEqual(committed);
+      } finally {
+        await browser.close();
+      }
+    });
+  } else {
+    declareMissing('hashes in Firefox', `no browser at ${FIREFOX}: install Firefox or name it in FIREFOX`);
+  }
+});
