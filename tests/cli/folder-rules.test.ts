@@ -1,6 +1,6 @@
 import { join } from 'node:path';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { fallThrough, gq, makeFiles } from './gq.ts';
+import { fallThrough, gq, gqProcess, makeFiles } from './gq.ts';
 
 // she falls through the asteroid with any pull, and sooner with a stronger one
 const level = (rules?: object) => fallThrough(rules === undefined ? {} : { rules });
@@ -79,7 +79,7 @@ describe('rules of gq.config.json', () => {
   });
 
   it('are nothing that gq edit has to say at its start: its page plays by them', async () => {
-    const { stdout, code } = await gq(['edit', 'levels', '--port', '0'], {
+    const { stdout, code } = await gqProcess(['edit', 'levels', '--port', '0'], {
       cwd: files.directory,
       during: (child) => child.stdout?.once('data', () => child.kill('SIGTERM')),
     });

@@ -5,13 +5,13 @@ import { afterAll, describe, expect, it } from 'vitest';
 import { generatedPath, keepLevel } from '../../cli/generate/keep-level.ts';
 import { formatLevel, generateReportSchema, type LevelFile } from '../../schema/index.ts';
 import type { Generated } from '../../solver/index.ts';
-import { fallThrough, gq, makeFiles } from './gq.ts';
+import { fallThrough, gq, gqProcess, makeFiles } from './gq.ts';
 import { inDirectory } from './levels.ts';
 
 const { directory: cwd, remove } = makeFiles({ 'kept/none': '' });
 afterAll(remove);
 
-const generate = (args: string, options = {}) => gq(['generate', ...args.split(' ')], { cwd, ...options });
+const generate = (args: string) => gq(['generate', ...args.split(' ')], { cwd });
 
 describe('a level that was made', () => {
   const level = JSON.parse(fallThrough({ name: 'Gentle Bend!' })) as LevelFile;
@@ -93,7 +93,8 @@ describe('gq generate', () => {
     'ends on a signal without a report; files that were written by then are whole',
     async () => {
       const ready = `process.on('newListener', (name) => name === 'SIGINT' && process._rawDebug('ready'));`;
-      const { code, stdout } = await generate('--out stopped --count 500 --difficulty hard --format json', {
+      const { code, stdout } = await gqProcess('generate --out stopped --count 500 --difficulty hard --format json'.split(' '), {
+        cwd,
         env: { NODE_OPTIONS: `--import=data:text/javascript,${encodeURIComponent(ready)}` },
         during: (child: import('node:child_process').ChildProcess) => {
           child.stderr?.once('data', () => void setTimeout(500).then(() => child.kill('SIGINT')));

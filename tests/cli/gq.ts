@@ -1,4 +1,4 @@
-import { type ChildProcess, spawn } from 'node:child_process';
+import { type ChildProcess, fork, spawn } from 'node:child_process';
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
@@ -8,6 +8,8 @@ import { fileURLToPath } from 'node:url';
 /** The command line as it is shipped; `npm test` builds it first. */
 export const MAIN = fileURLToPath(new URL('../../dist/cli/main.js', import.meta.url));
 
+const WARM = fileURLToPath(new URL('./warm-process.mjs', import.meta.url));
+
 export interface Ended {
   readonly code: number | null;
   readonly signal: NodeJS.Signals | null;
@@ -15,21 +17,75 @@ export interface Ended {
   readonly stderr: string;
 }
 
-export interface SpawnOptions {
+/** ms: only what hangs takes so long, however busy the machine */
+const TOO_LONG = 120_000;
+
+/** What a person has set for colours is no business of a test. */
+function quietEnvironment(): NodeJS.ProcessEnv {
+  const { FORCE_COLOR: _, ...rest } = process.env;
+  return { ...rest, NO_COLOR: '1' };
+}
+
+interface WarmProcess {
+  readonly child: ChildProcess;
+  readonly waiting: Map<number, { resolve(ended: Ended): void; reject(error: Error): void }>;
+  asked: number;
+}
+
+let warm: WarmProcess | null = null;
+
+function startWarmProcess(): WarmProcess {
+  const child = fork(WARM, { env: quietEnvironment(), execArgv: [], stdio: ['ignore', 'inherit', 'inherit', 'ipc'] });
+  const started: WarmProcess = { child, waiting: new Map(), asked: 0 };
+  child.on('message', ({ id, ended }: { id: number; ended: Ended }) => {
+    started.waiting.get(id)?.resolve(ended);
+    started.waiting.delete(id);
+  });
+  child.on('exit', (code, signal) => {
+    if (warm === started) warm = null;
+    for (const { reject } of started.waiting.values()) reject(new Error(`gq ended its process with ${signal ?? code}`));
+  });
+  // it ends with the process that has started it, and does not keep that one from ending
+  child.unref();
+  child.channel?.unref();
+  return started;
+}
+
+/**
+ * Runs gq to its end. The commands of a test file share a process, in which they run one after the other, so that only the first
+ * pays for the start. Tests about the process itself use `gqProcess`.
+ */
+export function gq(args: readonly string[], { cwd = process.cwd() }: { readonly cwd?: string } = {}): Promise<Ended> {
+  warm ??= startWarmProcess();
+  const { child, waiting } = warm;
+  const id = warm.asked++;
+  return new Promise<Ended>((resolve, reject) => {
+    const killer = setTimeout(() => child.kill('SIGKILL'), TOO_LONG);
+    waiting.set(id, {
+      resolve(ended) {
+        clearTimeout(killer);
+        resolve(ended);
+      },
+      reject(error) {
+        clearTimeout(killer);
+        reject(error);
+      },
+    });
+    child.send({ id, args, cwd });
+  });
+}
+
+export interface ProcessOptions {
   readonly cwd?: string;
   readonly env?: NodeJS.ProcessEnv;
   /** Called with the running process. */
   readonly during?: (child: ChildProcess) => void;
 }
 
-/** ms: only what hangs takes so long, however busy the machine */
-const TOO_LONG = 120_000;
-
-/** Runs gq to its end; one that hangs is killed, and ends with a signal. */
-export function gq(args: readonly string[], { cwd, env, during }: SpawnOptions = {}): Promise<Ended> {
+/** Runs gq to its end in a process of its own, as a shell does; one that hangs is killed, and ends with a signal. */
+export function gqProcess(args: readonly string[], { cwd, env, during }: ProcessOptions = {}): Promise<Ended> {
   return new Promise((resolve, reject) => {
-    const { FORCE_COLOR: _, ...quiet } = process.env;
-    const child = spawn(process.execPath, [MAIN, ...args], { cwd, env: { ...quiet, NO_COLOR: '1', ...env } });
+    const child = spawn(process.execPath, [MAIN, ...args], { cwd, env: { ...quietEnvironment(), ...env } });
     const stdout: Buffer[] = [];
     const stderr: Buffer[] = [];
     child.stdout.on('data', (data: Buffer) => stdout.push(data));

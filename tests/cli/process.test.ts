@@ -5,7 +5,7 @@ import process from 'node:process';
 import { setTimeout } from 'node:timers/promises';
 import { afterAll, describe, expect, it } from 'vitest';
 import { findLevelFiles } from '../../cli/files.ts';
-import { fallThrough, gq, MAIN, makeFiles } from './gq.ts';
+import { fallThrough, gq, gqProcess, MAIN, makeFiles } from './gq.ts';
 
 // drifting for an hour takes long enough to be interrupted
 const drift = fallThrough({
@@ -39,8 +39,8 @@ it('says its version, and help for every command, on stdout', async () => {
     'edit',
   ];
   const [short, long, root, ...helps] = await Promise.all([
-    gq(['-V']),
-    gq(['--version']),
+    gqProcess(['-V']),
+    gqProcess(['--version']),
     gq(['--help']),
     ...names.map((name) => gq([name, '--help'])),
     gq(['help', 'check']),
@@ -81,7 +81,7 @@ describe('a reader that goes away', () => {
 });
 
 it('writes a large report whole into a slow pipe', async () => {
-  const { code, stdout } = await gq(
+  const { code, stdout } = await gqProcess(
     ['simulate', 'good.level.json', '--accuracy', 'arcade', '--sample', '10000', '--format', 'json'],
     {
       cwd,
@@ -117,8 +117,8 @@ describe.runIf(process.platform === 'linux')('a signal', () => {
     const args = ['check', 'long', '--format', 'json', '--accuracy', 'arcade', '--max-time', '3600'];
     for (const jobs of ['1', '2']) {
       const [int, term] = await Promise.all([
-        gq([...args, '--jobs', jobs], { cwd, env, during: interrupt('SIGINT') }),
-        gq([...args, '--jobs', jobs], { cwd, env, during: interrupt('SIGTERM') }),
+        gqProcess([...args, '--jobs', jobs], { cwd, env, during: interrupt('SIGINT') }),
+        gqProcess([...args, '--jobs', jobs], { cwd, env, during: interrupt('SIGTERM') }),
       ]);
       expect(int).toEqual({ code: 130, signal: null, stdout: '', stderr: 'ready\n' });
       expect(term).toEqual({ code: 143, signal: null, stdout: '', stderr: 'ready\n' });
@@ -152,9 +152,9 @@ describe('colours', () => {
   it('are left out of pipes and with NO_COLOR, and forced by FORCE_COLOR', async () => {
     const env = { NO_COLOR: '', CI: 'true' };
     const [piped, forced, none] = await Promise.all([
-      gq(['check', 'good.level.json'], { cwd, env }),
-      gq(['check', 'good.level.json'], { cwd, env: { ...env, FORCE_COLOR: '1' } }),
-      gq(['check', 'good.level.json'], { cwd, env: { FORCE_COLOR: '1', NO_COLOR: '1' } }),
+      gqProcess(['check', 'good.level.json'], { cwd, env }),
+      gqProcess(['check', 'good.level.json'], { cwd, env: { ...env, FORCE_COLOR: '1' } }),
+      gqProcess(['check', 'good.level.json'], { cwd, env: { FORCE_COLOR: '1', NO_COLOR: '1' } }),
     ]);
     expect(piped.stdout).not.toContain('\u001b');
     expect(forced.stdout).toContain('\u001b[32mcompletable');

@@ -6,7 +6,7 @@ import { setTimeout } from 'node:timers/promises';
 import { afterAll, describe, expect, it } from 'vitest';
 import { formatLevel, readLevel, solveReportSchema } from '../../schema/index.ts';
 import { type Proof, verifyProof } from '../../solver/index.ts';
-import { fallThrough, gq, MAIN, makeFiles } from './gq.ts';
+import { fallThrough, gq, gqProcess, MAIN, makeFiles } from './gq.ts';
 import { inDirectory, narrowGap, shipped, withoutRuns, withoutTimes } from './levels.ts';
 
 /** Runs a command in a terminal. */
@@ -24,7 +24,7 @@ const files = makeFiles({
 const cwd = files.directory;
 afterAll(files.remove);
 
-const solve = (args: string, options = {}) => gq(['solve', ...args.split(' ')], { cwd, ...options });
+const solve = (args: string) => gq(['solve', ...args.split(' ')], { cwd });
 const report = ({ stdout }: { stdout: string }) => solveReportSchema.parse(JSON.parse(stdout));
 
 describe('a run that is found', () => {
@@ -223,7 +223,8 @@ describe.runIf(process.platform === 'linux')('a search that goes on', () => {
       ['SIGTERM', 143],
     ] as const) {
       writeFileSync(join(cwd, 'stop.level.json'), ENDLESS);
-      const ended = await solve('stop.level.json --budget 600 --write --format json', {
+      const ended = await gqProcess('solve stop.level.json --budget 600 --write --format json'.split(' '), {
+        cwd,
         env,
         during: (child: ChildProcess) => child.stderr?.once('data', () => void setTimeout(1500).then(() => child.kill(signal))),
       });
@@ -235,7 +236,8 @@ describe.runIf(process.platform === 'linux')('a search that goes on', () => {
   it('does not write into a file that has changed meanwhile; what was found is reported', async () => {
     writeFileSync(join(cwd, 'changed.level.json'), fallThrough({ runs: undefined }));
     const other = fallThrough();
-    const ended = await solve('changed.level.json --effort 400000 --write --format json', {
+    const ended = await gqProcess('solve changed.level.json --effort 400000 --write --format json'.split(' '), {
+      cwd,
       env,
       during: (child: ChildProcess) => child.stderr?.once('data', () => writeFileSync(join(cwd, 'changed.level.json'), other)),
     });
