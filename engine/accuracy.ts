@@ -1,21 +1,30 @@
-/** How motion is advanced between events. */
+/**
+ * How motion is advanced between events: in frames as the original game does (`arcade`), by semi-implicit Euler, by velocity
+ * Verlet, by 4th-order Runge-Kutta, or by Taylor series with error control.
+ */
 export type Integrator = 'arcade' | 'euler' | 'verlet' | 'rk4' | 'taylor';
 
-/** When contacts are tested: once a frame, as the original did, or along the whole way. */
+/** When contacts are tested: once per frame, as in the original game (`frame`), or along the whole path (`swept`). */
 export type ContactTest = 'frame' | 'swept';
 
-/** A full description of how a scene is simulated. */
+/**
+ * A complete description of how a scene is simulated. {@link ACCURACIES} has the named ones; {@link accuracyOf} names a custom
+ * setting.
+ */
 export interface Accuracy {
+  /** A key of {@link ACCURACIES}, or a description such as `rk4 120 Hz, frame`. */
   readonly name: string;
+  /** How motion is advanced between events. */
   readonly integrator: Integrator;
-  /** Steps per second of a fixed-step integrator; null for one with error control. */
+  /** Steps per second of a fixed-step integrator, Hz; null for one with error control. */
   readonly rate: number | null;
-  /** Position error a second an error-controlled integrator aims at, px; null for a fixed step. */
+  /** Position error per second that an integrator with error control aims at, px; null for a fixed-step integrator. */
   readonly tolerance: number | null;
+  /** When contacts are tested. */
   readonly contact: ContactTest;
 }
 
-/** The accuracies that have a name. */
+/** The accuracies that have a name. `arcade` plays the frames of the original game; `precise` is the default. */
 export const ACCURACIES = {
   arcade: { name: 'arcade', integrator: 'arcade', rate: 60, tolerance: null, contact: 'frame' },
   fast: { name: 'fast', integrator: 'verlet', rate: 60, tolerance: null, contact: 'swept' },
@@ -23,14 +32,21 @@ export const ACCURACIES = {
   precise: { name: 'precise', integrator: 'taylor', rate: null, tolerance: 1e-9, contact: 'swept' },
 } as const satisfies Record<string, Accuracy>;
 
+/** The name of an accuracy: `arcade`, `fast`, `standard` or `precise`. */
 export type AccuracyName = keyof typeof ACCURACIES;
 
-/** The accuracy used when none is named. */
+/** The name of the accuracy that is used when none is given. */
 export const DEFAULT_ACCURACY: AccuracyName = 'precise';
 
+/**
+ * Tells whether a text is the name of an accuracy.
+ *
+ * @param name - the text
+ * @returns whether {@link ACCURACIES} has an accuracy of this name
+ */
 export const isAccuracyName = (name: string): name is AccuracyName => Object.hasOwn(ACCURACIES, name);
 
-/** What a setting is called where it has no name of its own: `rk4 120 Hz, frame`. Swept contacts go without saying. */
+/** The name of a custom setting, for example `rk4 120 Hz, frame`. Swept contacts are not mentioned. */
 function nameOfSetting({ integrator, rate, tolerance, contact }: Omit<Accuracy, 'name'>): string {
   const size = rate === null ? `${tolerance?.toExponential()} px` : `${rate} Hz`;
   return `${integrator} ${size}${contact === 'frame' ? ', frame' : ''}`;
@@ -39,7 +55,12 @@ function nameOfSetting({ integrator, rate, tolerance, contact }: Omit<Accuracy, 
 const sameSetting = (a: Omit<Accuracy, 'name'>, b: Accuracy): boolean =>
   a.integrator === b.integrator && a.rate === b.rate && a.tolerance === b.tolerance && a.contact === b.contact;
 
-/** The accuracy with these settings: the named one where there is one, else called by its parts. */
+/**
+ * Makes an accuracy of its settings.
+ *
+ * @param setting - integrator, rate (Hz) or tolerance (px), and contact test
+ * @returns the named accuracy with these settings if there is one, otherwise one that is named after its settings
+ */
 export function accuracyOf(setting: Omit<Accuracy, 'name'>): Accuracy {
   const named = Object.values<Accuracy>(ACCURACIES).find((accuracy) => sameSetting(setting, accuracy));
   return named ?? { name: nameOfSetting(setting), ...setting };

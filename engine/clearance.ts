@@ -3,18 +3,21 @@ import type { Scene } from './scene.ts';
 import type { BodyKind } from './simulation.ts';
 
 /**
- * The nearest she came to something deadly: `distance` is the gap between her box and it, px. In continuous time she was there
- * at `time`, and never nearer by more than 1e-6 px; in `arcade` it is the least gap at any frame.
+ * The least distance between her collision box and a hazard during a run. In continuous time `distance` is at most 1e-6 px
+ * above the true minimum; under `arcade` it is the least distance at any frame.
  */
 export interface Clearance {
+  /** Distance from her collision box to the hazard's edge at `time`, px. Negative where they overlap. */
   readonly distance: number;
+  /** The kind of the hazard. */
   readonly kind: BodyKind;
+  /** Index within the level's own list of that kind, from 0. */
   readonly index: number;
-  /** s */
+  /** When she was there, s from the start. */
   readonly time: number;
 }
 
-/** Follows the smallest gap between her box and any hazard. */
+/** Keeps the smallest gap between her box and any hazard. */
 export class ClearanceTracker {
   best: Clearance | null = null;
 
@@ -26,9 +29,9 @@ export class ClearanceTracker {
   }
 
   /**
-   * Looks at a state.
-   * @param aliens x, y, alive of every alien
-   * @param asteroids x, y of every asteroid in the level's order
+   * Takes one state into account: time in s, her place in px, the box's direction as a unit vector.
+   * @param aliens - x, y, alive of every alien
+   * @param asteroids - x, y of every asteroid in the level's order
    */
   see(time: number, x: number, y: number, cos: number, sin: number, aliens: Float64Array, asteroids: Float64Array): void {
     const { box, novae, targets, coldCount, aliens: kinds } = this.scene;
@@ -45,7 +48,7 @@ export class ClearanceTracker {
     }
   }
 
-  /** Takes a gap if it is the smallest so far. */
+  /** Keeps a gap if it is the smallest so far. */
   take(time: number, distance: number, kind: BodyKind, index: number): void {
     if (distance < this.least) this.best = { distance, kind, index, time };
   }

@@ -5,7 +5,7 @@ import { chooseEffects, effectsOf, explosionsAtStart, strongestOf } from './effe
 import { circlesOf, indexed } from './indexed-circles.ts';
 import type { Scene } from './scene.ts';
 
-/** The places in a list of all circles but those that an earlier one is equal to. */
+/** The places in a list of all circles, without those that equal an earlier one. */
 function unlike(list: readonly Circle[]): number[] {
   const seen = new Set<string>();
   const kept: number[] = [];
@@ -18,9 +18,26 @@ function unlike(list: readonly Circle[]): number[] {
 }
 
 /**
- * Makes a valid level ready to simulate: chooses the effects it calls for and lays its objects out in typed arrays.
- * @param level a level from `schema`; the engine trusts its numbers to be finite and its radii positive
- * @param accuracy a name, or a full setting of one's own
+ * Prepares a level for simulation at one accuracy: chooses the effects that the level calls for and lays its objects out in
+ * typed arrays.
+ *
+ * @param level - a level that {@link readLevel} or {@link resolveLevel} gave; the engine trusts its numbers to be finite and
+ * its radii to be positive
+ * @param accuracy - the name of an accuracy, or a custom setting from {@link accuracyOf}; {@link DEFAULT_ACCURACY} when left
+ * out
+ * @returns the scene; it is never changed afterwards and may be shared by any number of simulations
+ *
+ * @example
+ * ```ts
+ * import { compile, simulate } from 'gravity-quest-toolkit';
+ * import { readLevel } from 'gravity-quest-toolkit/schema';
+ *
+ * const reading = readLevel(text);
+ * if (reading.ok) {
+ *   const scene = compile(reading.level, 'precise');
+ *   const run = simulate(scene, [[12, 96]]);
+ * }
+ * ```
  */
 export function compile(level: Level, accuracy: AccuracyName | Accuracy = DEFAULT_ACCURACY): Scene {
   const rules = rulesOf(level);

@@ -1,16 +1,19 @@
 /**
- * Numbers of the game that no level changes. Lengths in px, times in s, angles never: directions are unit vectors.
- * Changing one changes the game; every shipped run and hash must then be made anew.
+ * Numbers of the game that no level changes. Lengths are in px, times in s. There are no angles: directions are unit vectors.
+ * Changing one of these changes the game: every shipped run and every hash must then be made anew.
  */
 
-/** Ticks per second: the button is read at ticks, and `arcade` moves at them. */
+/** Ticks per second. The button is read at ticks, and `arcade` moves at them. */
 export const TICK_RATE = 60;
 
 /** Length of a tick, s. */
 export const TICK = 1 / TICK_RATE;
 
-/** `arcade` only: an exploded alien goes on chasing for this many frames (the original's animation). */
+/**
+ * Frames for which an exploded alien goes on chasing and killing. `arcade` only: it is the length of the original game's
+ * animation.
+ */
 export const EXPLOSION_FRAMES = 150;
 
-/** How long a run is simulated when nothing ends it, s. */
+/** How long a run is simulated when nothing ends it earlier, s. */
 export const DEFAULT_MAX_TIME = 60;

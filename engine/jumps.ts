@@ -1,9 +1,15 @@
-/** What no force makes of a way within a tick or two, px: more than that she didn't fly. */
+/** More than any force can change a path within a tick or two, px. */
 const LEAST = 2;
 
 /**
- * Whether she was moved all at once between two states, each x, y, vx, vy from its place on: no flight leads from one to the other.
- * @param seconds time between the two, at most some ticks
+ * Tells whether she was moved from one place to another at once between two states, as a wormhole does: no flight leads from
+ * the first to the second.
+ *
+ * @param states - states of the astronaut, each beginning with x, y (px), vx, vy (px/s)
+ * @param from - index in `states` at which the earlier state begins
+ * @param to - index in `states` at which the later state begins
+ * @param seconds - time between the two, s; at most a few ticks
+ * @returns true if the places differ by more than 2 px from what the velocities allow
  */
 export function isJump(states: Float64Array, from: number, to: number, seconds: number): boolean {
   const dx = states[to] - states[from] - ((states[from + 2] + states[to + 2]) / 2) * seconds;

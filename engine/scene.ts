@@ -3,44 +3,56 @@ import type { Accuracy } from './accuracy.ts';
 import type { Box } from './contact/index.ts';
 import type { IndexedCircles } from './indexed-circles.ts';
 
-/** The aliens as the level has them. */
+/** The aliens as they are placed in the level. */
 export interface Aliens extends IndexedCircles {
-  /** Pairs that overlap there, two indices each, in the order in which they explode. */
+  /** Pairs of aliens that overlap at the start, two indices each, in the order in which they explode. */
   readonly explosions: Int32Array;
 }
 
-/** An effect of the game, and why a level calls for it or doesn't. */
+/** An effect of the game, and why a level calls for it or does not. */
 export interface ChosenEffect {
   readonly name: string;
   readonly because: string;
 }
 
-/** What of the game is simulated in a scene, and what is left out. */
+/** Which effects are simulated in a scene and which are left out. */
 export interface EffectChoice {
+  /** The effects that the level calls for, in the order of {@link EFFECTS}. */
   readonly simulated: readonly ChosenEffect[];
+  /** The effects that the level does not call for, in the same order. */
   readonly notCalledFor: readonly ChosenEffect[];
 }
 
-/** A level made ready to simulate at one accuracy. Never written to after `compile`; share it freely. */
+/**
+ * A level prepared for simulation at one accuracy; {@link compile} makes it. It is never changed, so it may be shared freely.
+ */
 export interface Scene {
+  /** The level it was made of. */
   readonly level: Level;
-  /** The numbers of the game: the level's own, and the original's where it has none. */
+  /** The game's rules in this level: the level's own values, and the defaults for the others. */
   readonly rules: Rules;
+  /** The astronaut's collision box. */
   readonly box: Box;
-  /** The most that anything can accelerate her, px/s2: the one bound that everybody reads. */
+  /** Upper bound of her acceleration by all forces together, px/s². Every other bound is derived from it. */
   readonly strongest: number;
+  /** How the scene is simulated. */
   readonly accuracy: Accuracy;
-  /** What the level calls for and what it doesn't, with the reason. */
+  /** Which effects are simulated, which are not, and why. */
   readonly effects: EffectChoice;
-  /** Everything the gun can target: cold asteroids in level order, then hot ones (the order in which ties are broken). */
+  /**
+   * All asteroids: cold ones in the level's order, then hot ones. Between equally near targets the first in this order wins.
+   */
   readonly targets: IndexedCircles;
-  /** The first so many of `targets` are cold. */
+  /** How many of `targets` are cold; these come first. */
   readonly coldCount: number;
+  /** The novae, in the level's order. */
   readonly novae: IndexedCircles;
-  /** The first of equal ones alone: where they overlap the first wins, so the others never act. */
+  /** The repulsors, without those that equal an earlier one: where fields overlap the first acts, so copies never act. */
   readonly repulsors: IndexedCircles;
+  /** The aliens, in the level's order. */
   readonly aliens: Aliens;
+  /** The minerals, in the level's order. */
   readonly minerals: IndexedCircles;
-  /** What effects prepared for themselves, by their names. */
+  /** What effects made of the level for their own use, by the effect's name. */
   readonly own: Readonly<Record<string, unknown>>;
 }

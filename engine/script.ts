@@ -2,8 +2,11 @@ import type { Hold } from '../schema/index.ts';
 import type { Simulation } from './simulation.ts';
 
 /**
- * The holds in time order with those that overlap or touch joined: the button is one bit, so what is held twice is held.
- * @param holds half-open [press, release) intervals in ticks
+ * Sorts holds by time and joins those that overlap or touch. The button is one bit, so holding it twice is holding it once.
+ * Empty holds are dropped.
+ *
+ * @param holds - half-open intervals [press, release) in ticks of 1/60 s, in any order
+ * @returns new holds, sorted and disjoint
  */
 export function joinHolds(holds: readonly Hold[]): Hold[] {
   const sorted = holds.filter(([press, release]) => release > press).sort((a, b) => a[0] - b[0]);
@@ -17,8 +20,13 @@ export function joinHolds(holds: readonly Hold[]): Hold[] {
 }
 
 /**
- * Plays a script from where the simulation stands until the run ends or `maxTicks` is reached.
- * @param holds sorted and disjoint, as `joinHolds` gives them
+ * Plays holds on a simulation, from its current tick until the run ends or `maxTicks` is reached.
+ *
+ * @param simulation - the simulation; it is advanced
+ * @param holds - half-open intervals [press, release) in ticks from the start of the run, sorted and disjoint as {@link
+ * joinHolds} gives them
+ * @param maxTicks - the tick at which to stop, counted from the start of the run
+ * @throws {@link WorkLimitReached} when the simulation's budget is used up
  */
 export function playScript(simulation: Simulation, holds: readonly Hold[], maxTicks: number): void {
   for (const [press, release] of holds) {

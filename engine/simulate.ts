@@ -10,60 +10,94 @@ import { type Mode, type Outcome, type RunEvent, type Simulation, STATE_SIZE, ty
 import type { Trajectory } from './trajectory.ts';
 import { unlimited, type WorkBudget, WorkLimitReached } from './work-budget.ts';
 
-/** x, y in px, vx, vy in px/s; cos, sin: direction of the box's x axis, a unit vector. */
+/** The state of the astronaut at one moment. */
 export interface State {
+  /** x of her centre, px. */
   readonly x: number;
+  /** y of her centre, px, downwards. */
   readonly y: number;
+  /** Velocity to the right, px/s. */
   readonly vx: number;
+  /** Velocity downwards, px/s. */
   readonly vy: number;
+  /** x of the direction of the collision box's x axis, a unit vector. */
   readonly cos: number;
+  /** y of that direction. */
   readonly sin: number;
 }
 
+/** A complete run, as {@link simulate} gives it. */
 export interface Run {
+  /** How the run ended. */
   readonly outcome: Outcome;
+  /** The object she touched; null after `lost` and `timeout`. */
   readonly with: Touched | null;
-  /** s from the start */
+  /** When the run ended, s from the start. */
   readonly time: number;
   /** The 1/60 s tick that `time` falls in; under `arcade` the frame whose update raised the outcome. */
   readonly tick: number;
-  /** In the order they were collected. `arcade` may count one twice, as the original did. */
-  readonly minerals: readonly { readonly index: number; readonly time: number }[];
+  /** The minerals she collected, in that order. `arcade` may count one twice, as the original game did. */
+  readonly minerals: readonly {
+    /** Index within the level's minerals, from 0. */
+    readonly index: number;
+    /** When she collected it, s from the start. */
+    readonly time: number;
+  }[];
+  /** Everything that happened, in order of time. */
   readonly events: readonly RunEvent[];
-  /** null where the level has nothing deadly */
+  /** The least distance to a hazard; null if the level has none. Computed when first read. */
   readonly clearance: Clearance | null;
+  /** Her state at the end. */
   readonly final: State;
+  /** The motion of the whole run. */
   readonly trajectory: Trajectory;
+  /** What the run cost. */
   readonly work: Work;
   /** Share of the simulated time in each mode of motion. */
   readonly modes: readonly Mode[];
-  /** Over the state at every tick, every event and the final state, bit for bit; the same in every JavaScript engine. */
+  /**
+   * A checksum, 16 hexadecimal digits, of the state at every tick, every event and the final state, bit for bit. It is the same
+   * in every JavaScript engine. Computed when first read.
+   */
   readonly hash: string;
   /**
-   * The limit that ended the run before its time, or null. `work-limit`: the budget it was given is used up; how it would go on is
-   * not known, and `outcome` says no more than that it had not ended by `time`.
+   * `work-limit` if the run's budget was used up before the run ended, otherwise null. In that case `outcome` is `timeout` and
+   * only says that the run had not ended by `time`.
    */
   readonly stopped: 'work-limit' | null;
 }
 
+/** Options of {@link simulate}. */
 export interface SimulateOptions {
-  /** s of simulated time after which the run is a `timeout`; {@link DEFAULT_MAX_TIME} when left out */
+  /** Simulated time after which the run ends as a `timeout`, s; {@link DEFAULT_MAX_TIME} when left out. Rounded to ticks. */
   readonly maxTime?: number;
   /**
-   * What the run may cost, its recording and what is later asked of that; no limit when left out. Asked for more than is left, its
-   * clearance, hash and trajectory throw a WorkLimitReached.
+   * Limits the work of the run, of its recording, and of reading `clearance`, `hash` and `trajectory`; no limit when left out.
+   * Reading one of these throws {@link WorkLimitReached} when less is left than it takes.
    */
   readonly budget?: WorkBudget;
   /**
-   * false: nothing but events is kept. Clearance, hash and trajectory are there all the same: the run is played again for each, so take
-   * them once. For many runs of which few are looked at.
+   * Whether the path is kept; true when left out. With false only events are kept, and `clearance`, `hash` and `trajectory`
+   * each play the run again when they are read. Use it for many runs of which few are examined.
    */
   readonly record?: boolean;
 }
 
 /**
- * A simulation at the start of the scene, to be advanced by hand: a playtest, a search.
- * @param budget what it may cost; advanced when that is used up, it throws a WorkLimitReached. No limit when left out
+ * Creates a simulation at the start of a scene, which the caller advances: for a playtest or a search.
+ *
+ * @param scene - the scene
+ * @param budget - limits the work of the simulation; no limit when left out
+ * @returns the simulation
+ *
+ * @example
+ * ```ts
+ * const simulation = createSimulation(compile(level));
+ * simulation.advance(12, false);
+ * const before = simulation.snapshot();
+ * simulation.advance(84, true);
+ * if (simulation.ending?.outcome !== 'completed') simulation.restore(before);
+ * ```
  */
 export function createSimulation(scene: Scene, budget: WorkBudget = unlimited()): Simulation {
   return scene.accuracy.integrator === 'arcade'
@@ -72,8 +106,19 @@ export function createSimulation(scene: Scene, budget: WorkBudget = unlimited())
 }
 
 /**
- * Plays a script and says in full what happened.
- * @param holds half-open [press, release) intervals in ticks of 1/60 s; overlapping ones are joined
+ * Plays holds from the start of a scene and reports the run in full. A budget that is used up during the run does not throw;
+ * see {@link Run.stopped}.
+ *
+ * @param scene - the scene
+ * @param holds - half-open intervals [press, release) in ticks of 1/60 s; overlapping ones are joined
+ * @param options - time limit, budget and recording
+ * @returns the run
+ *
+ * @example
+ * ```ts
+ * const run = simulate(compile(level), [[12, 96], [130, 188]]);
+ * console.log(run.outcome, run.time, run.minerals.length);
+ * ```
  */
 export function simulate(scene: Scene, holds: readonly Hold[], options: SimulateOptions = {}): Run {
   const maxTicks = Math.round((options.maxTime ?? DEFAULT_MAX_TIME) * TICK_RATE);
@@ -86,7 +131,7 @@ export function simulate(scene: Scene, holds: readonly Hold[], options: Simulate
   const { events } = recorder;
   const state = new Float64Array(STATE_SIZE);
   simulation.readState(state);
-  // looked at by some, and dearer than the run itself: made when asked for
+  // // some callers need these, and they cost more than the run itself: computed on demand
   let clearance: Clearance | null | undefined;
   let hash: string | undefined;
   const again = (): Run => budget.lend(() => simulate(scene, holds, { ...options, record: true }));

@@ -1,11 +1,26 @@
-/** Where she was at every moment of a run. */
+/** The motion of a run, to be read at any time from its start to its end. */
 export interface Trajectory {
-  /** s */
+  /** Length of the run, s. */
   readonly duration: number;
-  /** Writes x, y (px), vx, vy (px/s), cos, sin of the box's x axis at `time` (s, clamped to the run) into `out`. */
+  /**
+   * Writes the state of the astronaut at a time: x, y (px), vx, vy (px/s), cos, sin of the angle of the collision box's x axis.
+   *
+   * @param time - s from the start; clamped to the run
+   * @param out - receives 6 doubles ({@link STATE_SIZE})
+   */
   at(time: number, out: Float64Array): void;
-  /** Writes x, y (px), alive (1 or 0) of every alien at `time` into `out`, 3 doubles each. */
+  /**
+   * Writes x, y (px) and alive (1, or 0 once exploded) of every alien at a time, in the level's order.
+   *
+   * @param time - s from the start; clamped to the run
+   * @param out - receives 3 doubles per alien
+   */
   aliensAt(time: number, out: Float64Array): void;
-  /** Writes x, y (px) of every asteroid, in the level's order, at `time` into `out`, 2 doubles each: recoil moves them. */
+  /**
+   * Writes x, y (px) of every asteroid at a time, in the level's order. Recoil moves asteroids.
+   *
+   * @param time - s from the start; clamped to the run
+   * @param out - receives 2 doubles per asteroid
+   */
   asteroidsAt(time: number, out: Float64Array): void;
 }

@@ -1,13 +1,13 @@
-/** Looks at where something is, of which guards are made, that cost about as much as a piece of motion. */
+/** Evaluations of a position, of which guards are made, that cost about as much as one piece of motion. */
 const LOOKS_A_PIECE = 16;
 
 /**
- * Work allowed where nothing else is said, pieces of motion: what a level may cost `gq check`. At a few microseconds each, the check
- * of any valid file ends within 10 s.
+ * Default work limit of `gq check` for a level, pieces of motion. One piece takes a few microseconds, so that the check of any
+ * valid file ends within 10 s.
  */
 export const DEFAULT_MAX_WORK = 400_000;
 
-/** What recordings of runs may take, bytes. */
+/** Default limit for recordings of runs, bytes. */
 const DEFAULT_MAX_RECORDED = 128 * 1024 * 1024;
 
 const TOO_MUCH = {
@@ -16,10 +16,14 @@ const TOO_MUCH = {
   events: (limit: number) => `more than ${limit} events at one instant: the run does not go on`,
 };
 
-/** Thrown where a budget of work is used up. Who gave the budget catches it. */
+/** Thrown when a {@link WorkBudget} is used up. The code that created the budget should catch it. */
 export class WorkLimitReached extends Error {
+  /**
+   * @param limit - the limit that was reached: pieces of motion, bytes, or events at one instant
+   * @param of - what there was too much of
+   */
   constructor(
-    /** pieces of motion, bytes, or events at one instant */
+    /** The limit that was reached: pieces of motion, bytes, or events at one instant. */
     readonly limit: number,
     /** What there was too much of. */
     readonly of: keyof typeof TOO_MUCH,
@@ -30,21 +34,33 @@ export class WorkLimitReached extends Error {
 }
 
 /**
- * How much work something may take: a run, or all that is done with a level. It is counted in pieces of motion, and what else takes
- * time as so many of them; not in seconds, so that it ends at the same point on every machine. One budget may be shared by several runs,
- * one after the other.
+ * A limit on the work of one run, or of everything that is done with a level. Work is counted in pieces of motion, other costs
+ * as an equivalent number of pieces. It is not counted in seconds, so a computation stops at the same point on every machine.
+ * Several runs may share a budget, one after the other.
+ *
+ * @example
+ * ```ts
+ * const budget = new WorkBudget(10_000);
+ * const run = simulate(scene, [[12, 96]], { budget });
+ * if (run.stopped === 'work-limit') console.log(`undecided after ${run.time} s`);
+ * ```
  */
 export class WorkBudget {
-  /** Looks so far; hot loops add to it themselves and call {@link check} when it is more than `most`. */
+  /**
+   * Looks spent so far; 16 looks count as one piece of motion. Hot loops add to it directly, and call {@link WorkBudget.end}
+   * when it exceeds `most`.
+   */
   looks = 0;
+  /** The limit in looks. */
   readonly most: number;
   private bytes = 0;
 
   /**
-   * @param maxWork pieces of motion
-   * @param maxRecorded bytes that recordings may take
+   * @param maxWork - pieces of motion allowed; {@link DEFAULT_MAX_WORK} when left out
+   * @param maxRecorded - bytes that recordings may take; 128 MiB when left out
    */
   constructor(
+    /** Pieces of motion allowed. */
     readonly maxWork: number = DEFAULT_MAX_WORK,
     private readonly maxRecorded: number = DEFAULT_MAX_RECORDED,
   ) {
@@ -56,32 +72,49 @@ export class WorkBudget {
     return Math.floor(this.looks / LOOKS_A_PIECE);
   }
 
-  /** Whether nothing is left. */
+  /** Whether nothing is left, of work or of memory for recordings. */
   get isUsedUp(): boolean {
     return this.looks > this.most || this.bytes > this.maxRecorded;
   }
 
   /**
-   * Counts so many looks.
-   * @throws WorkLimitReached when that is more than is left
+   * Spends looks.
+   *
+   * @param count - how many
+   * @throws {@link WorkLimitReached} when that is more than is left
    */
   look(count: number): void {
     this.looks += count;
     if (this.looks > this.most) this.end();
   }
 
-  /** Counts so many pieces of motion. @throws WorkLimitReached */
+  /**
+   * Spends pieces of motion.
+   *
+   * @param count - how many
+   * @throws {@link WorkLimitReached} when that is more than is left
+   */
   piece(count: number): void {
     this.look(LOOKS_A_PIECE * count);
   }
 
-  /** Counts bytes of a recording. @throws WorkLimitReached */
+  /**
+   * Spends bytes of a recording.
+   *
+   * @param bytes - how many
+   * @throws {@link WorkLimitReached} when that is more than is left
+   */
   record(bytes: number): void {
     this.bytes += bytes;
     if (this.bytes > this.maxRecorded) throw new WorkLimitReached(this.maxRecorded, 'memory');
   }
 
-  /** Does something whose recording is soon forgotten: its bytes count while it lasts. */
+  /**
+   * Runs a function whose recordings are soon discarded: their bytes are given back when it returns.
+   *
+   * @param work - the function
+   * @returns what the function returns
+   */
   lend<T>(work: () => T): T {
     const { bytes } = this;
     try {
@@ -91,11 +124,19 @@ export class WorkBudget {
     }
   }
 
-  /** @throws WorkLimitReached */
+  /**
+   * Reports that the work is used up.
+   *
+   * @throws {@link WorkLimitReached} always
+   */
   end(): never {
     throw new WorkLimitReached(this.maxWork, 'work');
   }
 }
 
-/** A budget without an end. */
+/**
+ * A budget without a limit.
+ *
+ * @returns a new budget
+ */
 export const unlimited = (): WorkBudget => new WorkBudget(Number.POSITIVE_INFINITY, Number.POSITIVE_INFINITY);

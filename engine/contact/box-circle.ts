@@ -1,11 +1,18 @@
 import type { Box } from './box.ts';
 
 /**
- * Whether the astronaut's box overlaps a circle: the circle's centre is turned into the box's frame, clamped to the
- * box, and the distance from the clamped point compared with r (equal is no contact). The original's `collidesRectCircle`.
- * @param dx, dy circle's centre minus the box's centre, px
- * @param cos, sin direction of the box's x axis, a unit vector
- * @param r radius of the circle, px
+ * Tells whether the collision box overlaps a circle. Touching is no overlap.
+ *
+ * The circle's centre is turned into the box's frame and clamped to the box; the distance from the clamped point is compared
+ * with the radius. This is `collidesRectCircle` of the original game.
+ *
+ * @param box - the collision box
+ * @param dx - x of the circle's centre minus x of the box's centre, px
+ * @param dy - y of the circle's centre minus y of the box's centre, px
+ * @param cos - x of the direction of the box's x axis, a unit vector
+ * @param sin - y of that direction
+ * @param r - radius of the circle, px
+ * @returns whether they overlap
  */
 export function boxOverlapsCircle(box: Box, dx: number, dy: number, cos: number, sin: number, r: number): boolean {
   const reach = box.halfDiagonal + r;
@@ -18,8 +25,15 @@ export function boxOverlapsCircle(box: Box, dx: number, dy: number, cos: number,
 }
 
 /**
- * Gap between the astronaut's box and a circle, px: negative by at most r when they overlap.
- * Arguments as in {@link boxOverlapsCircle}.
+ * The gap between the collision box and a circle.
+ *
+ * @param box - the collision box
+ * @param dx - x of the circle's centre minus x of the box's centre, px
+ * @param dy - y of the circle's centre minus y of the box's centre, px
+ * @param cos - x of the direction of the box's x axis, a unit vector
+ * @param sin - y of that direction
+ * @param r - radius of the circle, px
+ * @returns the distance between their edges, px; negative where they overlap, and at least -r
  */
 export function boxCircleGap(box: Box, dx: number, dy: number, cos: number, sin: number, r: number): number {
   const gx = Math.abs(dx * cos + dy * sin) - box.halfWidth;

@@ -1,14 +1,21 @@
 import { DEFAULT_RULES, type Rules } from '../../schema/index.ts';
 
-/** The astronaut's box, px: half its sides along its x axis (which points at the target) and across, and half its diagonal. */
+/** The astronaut's collision box. Its x axis points at the target. */
 export interface Box {
+  /** Half its side along its x axis, px. */
   readonly halfWidth: number;
+  /** Half its side across, px. */
   readonly halfHeight: number;
-  /** Rounded up. Any larger bound is right too, only slower. */
+  /** Half its diagonal, px, rounded up. It serves as a bound: a larger value would also be right, only slower. */
   readonly halfDiagonal: number;
 }
 
-/** The box that these rules give her. */
+/**
+ * The collision box under given rules.
+ *
+ * @param rules - the game's rules; `boxWidth` and `boxHeight` are used, px
+ * @returns the box
+ */
 export function boxOf({ boxWidth, boxHeight }: Rules): Box {
   const halfWidth = boxWidth / 2;
   const halfHeight = boxHeight / 2;

@@ -1,8 +1,10 @@
 /**
- * Whether two circles overlap: centre distance < r1 + r2 (touching from outside is no contact).
- * The original's `collidesCircleCircle`.
- * @param dx, dy centre of the second minus centre of the first, px
- * @param reach r1 + r2, px
+ * Tells whether two circles overlap. Touching from outside is no overlap. This is `collidesCircleCircle` of the original game.
+ *
+ * @param dx - x of the second centre minus x of the first, px
+ * @param dy - y of the second centre minus y of the first, px
+ * @param reach - sum of both radii, px
+ * @returns whether they overlap
  */
 export function circlesOverlap(dx: number, dy: number, reach: number): boolean {
   return dx * dx + dy * dy < reach * reach;

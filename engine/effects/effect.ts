@@ -3,45 +3,112 @@ import type { FrameRule } from '../frames/index.ts';
 import type { CentralForce, EventRule, Motion, SteadyForce } from '../motion/index.ts';
 import type { Scene } from '../scene.ts';
 
-/** A part of the game that a level may or may not call for. */
+/**
+ * A part of the game that is simulated only where a level calls for it. All members that take a `Motion` belong to the
+ * simulation in continuous time.
+ */
 export interface Effect {
+  /** Its name; where it has objects of its own, the name of their list in a level. */
   readonly name: string;
-  /** One line for a person: what it does under these rules. */
+  /**
+   * Describes what the effect does.
+   *
+   * @param rules - the game's rules
+   * @returns one line for people, with the numbers of these rules
+   */
   summary(rules: Rules): string;
-  /** Why this level calls for the effect, or why it doesn't. */
+  /**
+   * Decides whether a level calls for the effect.
+   *
+   * @param level - the level
+   * @returns `called`: whether the effect is simulated; `because`: why, in words
+   */
   calledFor(level: Level): { readonly called: boolean; readonly because: string };
-  /** The rules that are about it. */
+  /** The rules that belong to it. */
   readonly rules?: readonly RuleName[];
   /** How it accelerates her, if it does. */
   readonly force?: CentralForce | SteadyForce;
-  /** She may be somewhere else from one moment to the next. */
+  /** Set if it can move her from one place to another at once. */
   readonly jumps?: true;
-  /** Things of the level move. */
+  /** Set if it moves objects of the level. */
   readonly moves?: true;
-  /** Touching it ends the run badly. */
+  /** Set if touching it ends the run with `collided`. */
   readonly kills?: true;
 
-  /** Makes of the level what it needs while it is simulated: {@link Scene.own}. */
+  /**
+   * Derives from the level what the effect needs while it is simulated.
+   *
+   * @param level - the level
+   * @returns what {@link Scene.own} keeps under the effect's name
+   */
   prepare?(level: Level): unknown;
-  /** What its own events are called: `what` of the event, and a sentence without a subject, about thing `index`. */
+  /**
+   * The effect's own events: for each `what` of a {@link RunEvent} of type `effect`, a function that takes the index of the
+   * object, from 0, and returns a sentence without its subject.
+   */
   readonly tells?: Readonly<Record<string, (index: number) => string>>;
 
-  /** In `arcade`; left out where the frames of the original have it. */
+  /** What it does in frames of `arcade`; left out where the frames themselves include it. */
   readonly frame?: FrameRule;
 
-  // in continuous time, see Parts
-  /** Numbers of state that it needs for itself; they begin at `m.own[name]`. */
+  // // The rest is for continuous time; see `Parts`.
+  /**
+   * How many doubles of state it needs; they begin at `m.own[name]`.
+   *
+   * @param scene - the scene
+   * @returns the number of doubles
+   */
   stateLength?(scene: Scene): number;
+  /**
+   * Adjusts its state after another effect has moved her from one place to another.
+   *
+   * @param m - the motion
+   * @param time - when, s from the start of the run
+   */
   moved?(m: Motion, time: number): void;
-  /** What can happen by it. */
+  /** Its kinds of events. */
   readonly events?: readonly EventRule[];
-  /** Makes for a motion what is no part of its state. */
+  /**
+   * Creates data for a motion that is not part of its state.
+   *
+   * @param m - the motion
+   */
   attach?(m: Motion): void;
-  /** Puts its things where the level has them. */
+  /**
+   * Sets its state to that at the start of a run.
+   *
+   * @param m - the motion
+   */
   layOut?(m: Motion): void;
+  /**
+   * Called before the frame of reference and the flow of a new piece are chosen.
+   *
+   * @param m - the motion
+   */
   beforePiece?(m: Motion): void;
+  /**
+   * Called after they are chosen; sets how the collision box turns.
+   *
+   * @param m - the motion
+   */
   turn?(m: Motion): void;
+  /**
+   * Sets the rim that she slides on, from the state.
+   *
+   * @param m - the motion
+   */
   setRim?(m: Motion): void;
+  /**
+   * Called at the natural end of a piece; may skip time during which the motion repeats itself.
+   *
+   * @param m - the motion
+   */
   repeat?(m: Motion): void;
+  /**
+   * Tells whether the motion may soon repeat itself, so that no pieces are skipped by other means.
+   *
+   * @param m - the motion
+   * @returns whether it may
+   */
   mayRepeat?(m: Motion): boolean;
 }

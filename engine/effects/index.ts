@@ -37,7 +37,7 @@ export const EFFECTS: readonly Effect[] = [
   range,
 ];
 
-/** Every kind of event, in the order in which they happen when they fall on the same instant. */
+/** Every kind of event, in the order in which events at the same instant are handled. */
 const EVENTS_IN_ORDER: readonly EventRule[] = [
   collect,
   touchNova,
@@ -63,13 +63,16 @@ const EVENTS_IN_ORDER: readonly EventRule[] = [
 ];
 putInOrder(EVENTS_IN_ORDER);
 
-/** With these the neighbour list begins: the last digit of a tie between two of them can depend on which is looked at first. */
+/**
+ * The neighbour list begins with these. The order matters: the last digit of a tie between two of them can depend on which is
+ * examined first.
+ */
 const LISTED_FIRST: readonly EventRule[] = [touchNova, collect, enterField, touchBlackHole, touchAlien, touchHot, switchTarget];
 
-/** Those that accelerate her: of forces that act one instead of another the first that acts does. */
+/** The effects that accelerate her. Of the central forces only the first that is active acts. */
 const FORCES_IN_ORDER: readonly Effect[] = [repulsor, gun, winds];
 
-/** Which effects a level calls for. */
+/** Chooses the effects that a level calls for. */
 export function chooseEffects(level: Level): EffectChoice {
   const simulated: ChosenEffect[] = [];
   const notCalledFor: ChosenEffect[] = [];
@@ -88,7 +91,7 @@ export function effectsOf({ simulated }: EffectChoice): readonly Effect[] {
 
 const layouts = new Map<string, Parts>();
 
-/** What these effects bring to a motion, laid out; the same for every motion with the same effects. */
+/** What these effects contribute to a motion, laid out. Motions with the same effects share it. */
 export function partsOf(effects: readonly Effect[]): Parts {
   const key = effects.map(({ name }) => name).join(' ');
   const known = layouts.get(key);
@@ -124,8 +127,8 @@ function layOut(effects: readonly Effect[]): Parts {
 }
 
 /**
- * The most that all forces together can accelerate her, px/s2. Of those that act one instead of another the strongest counts, and
- * those that act beside them add up.
+ * Upper bound of her acceleration by all forces together, px/s². Only the strongest of the central forces counts, since one
+ * acts at a time; steady forces add up.
  */
 export function strongestOf(effects: readonly Effect[], level: Level, rules: Rules): number {
   let instead = 0;
@@ -139,7 +142,12 @@ export function strongestOf(effects: readonly Effect[], level: Level, rules: Rul
   return instead + beside;
 }
 
-/** An effect's own event as a sentence without its subject, who is she. */
+/**
+ * Puts an effect's own event into words.
+ *
+ * @param event - an event of type `effect`
+ * @returns a sentence without its subject, which is the astronaut: `goes through wormhole 0`
+ */
 export function effectEventInWords({ effect, what, index }: Extract<RunEvent, { type: 'effect' }>): string {
   const tell = EFFECTS.find(({ name }) => name === effect)?.tells?.[what];
   return tell === undefined ? `${effect} ${index}: ${what}` : tell(index);

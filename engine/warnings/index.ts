@@ -22,7 +22,7 @@ import type { Rule, Warning, WarningExplanation } from './warning.ts';
 
 export type { Warning, WarningExplanation } from './warning.ts';
 
-// in the order in which they are told: first what ends the level, then what is in its way, then what is untidy
+// in the order in which they are reported: what ends the level, then what obstructs it, then what is untidy
 const RULES: readonly Rule[] = [
   nothingInRangeAtStart,
   startsInHazard,
@@ -40,19 +40,21 @@ const RULES: readonly Rule[] = [
   unusedAsteroid,
 ];
 
-/** Every code that {@link findWarnings} can give, explained. */
+/** The explanations of all codes that {@link findWarnings} can give. */
 export const WARNING_CODES: readonly WarningExplanation[] = RULES.map((rule) => rule.explanation);
 
-/** A code is told so often in one level; one more warning says that there are others. */
+/** A level gets at most this many warnings of one code, plus one that says that there are more. */
 export const MAX_WARNINGS_PER_CODE = 20;
 
-/** The message of that one. */
+/** The message of that additional warning. */
 export const MORE_WARNINGS = `there are more of these: only the first ${MAX_WARNINGS_PER_CODE} are told`;
 
 /**
- * What a valid level's designer most likely didn't mean: found by looking, nothing is simulated.
- * @param runs runs of this level that were simulated; without them `unused-asteroid` is not looked for
- * @returns in a fixed order; empty when all is well
+ * Finds what the designer of a valid level most likely did not intend. It examines the level only; nothing is simulated.
+ *
+ * @param level - a valid level
+ * @param runs - simulated runs of this level; without any, `unused-asteroid` is not looked for
+ * @returns the warnings in a fixed order; empty if there are none
  */
 export function findWarnings(level: Level, runs: readonly Run[] = []): Warning[] {
   const rules = rulesOf(level);

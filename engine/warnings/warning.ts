@@ -5,9 +5,11 @@ import type { Body } from './bodies.ts';
 import type { Copies } from './copies.ts';
 import type { Reach } from './reach.ts';
 
-/** Something about a valid level that its designer most likely didn't mean. */
+/** Something in a valid level that its designer most likely did not intend. */
 export interface Warning {
+  /** The stable name of this kind of problem, as in `gq explain CODE`. */
   readonly code: string;
+  /** Always `warning`. */
   readonly severity: 'warning';
   /** What was found and what was expected, with the numbers. */
   readonly message: string;
@@ -17,22 +19,27 @@ export interface Warning {
   readonly pointer: string;
 }
 
-/** What a code means, for `gq explain`. */
+/** The explanation of a code, as `gq explain CODE` prints it. */
 export interface WarningExplanation {
+  /** The stable name of the kind of problem. */
   readonly code: string;
+  /** Always `warning`. */
   readonly severity: 'warning';
+  /** What the problem is, in one line. */
   readonly title: string;
+  /** Why it matters. */
   readonly why: string;
+  /** How to fix it. */
   readonly fix: string;
 }
 
-/** What the rules look at, and what several of them need. */
+/** What the rules examine: the level, and what several rules need of it. */
 export interface Subject {
   readonly level: Level;
-  /** The numbers of the game in this level. */
+  /** The game's rules in this level. */
   readonly rules: Rules;
   readonly box: Box;
-  /** Runs of the level that were simulated; may be empty. */
+  /** Simulated runs of the level; may be empty. */
   readonly runs: readonly Run[];
   /** Everything solid. */
   readonly bodies: readonly Body[];
@@ -40,14 +47,17 @@ export interface Subject {
   readonly copies: Copies;
 }
 
-/** A warning as a rule gives it: its code and severity are the rule's. */
+/** A warning without its code and severity, which the rule supplies. */
 export interface Finding {
   readonly message: string;
   readonly hint: string;
   readonly pointer: string;
 }
 
-/** One thing to look for. `find` is lazy, so that a level with thousands of the same mistake costs no more than it tells. */
+/**
+ * One kind of warning. `find` is lazy, so a level with thousands of equal mistakes costs no more than the warnings that are
+ * shown.
+ */
 export interface Rule {
   readonly explanation: WarningExplanation;
   find(subject: Subject): Iterable<Finding>;
