@@ -56,8 +56,8 @@ function checkRuns(level: unknown, into: Finding[]): void {
 }
 
 /**
- * Checks what the shape alone doesn't say: ids and run names are unique, every hold ends after it begins.
- * Takes any JSON value, and passes over what has the wrong shape.
+ * Checks what the shape alone does not say: ids and run names are unique, and every hold ends after it begins. Accepts any JSON
+ * value and skips what has the wrong shape.
  */
 export function checkMeaning(level: unknown): Finding[] {
   const findings: Finding[] = [];

@@ -10,7 +10,7 @@ import { rulesSchema } from './rules.ts';
 const { shape } = levelSchema;
 const runSchema = shape.runs.unwrap().element;
 
-/** What the original game calls things: people who know it write these. */
+/** Names from the original game, which people who know it may write. */
 const NAMES_OF_THE_ORIGINAL: Readonly<Record<string, string>> = {
   maxDistance: 'range',
   ...Object.fromEntries(
@@ -44,7 +44,9 @@ interface Compiled {
 
 let compiled: Compiled | null = null;
 
-/** The schemas of the parts, compiled by zod on first use: five times faster than interpreted, after some ms once. */
+/**
+ * The schemas of a level's parts. zod compiles them on first use: that takes a few ms once, and makes them five times faster.
+ */
 function parts(): Compiled {
   compiled ??= {
     root: z.compile(levelSchema),
@@ -67,7 +69,7 @@ function valueAt(value: unknown, path: Path): unknown {
   return current;
 }
 
-/** The keys that the object at this path may have. */
+/** The keys that the object at a path may have. */
 function keysAt(path: Path): string[] {
   let schema: z.core.$ZodType = levelSchema;
   const unwrap = () => {
@@ -165,7 +167,7 @@ function toFinding(issue: z.core.$ZodIssue, path: Path, value: unknown): Finding
   return found(path, 'unsupported-version', message, `Write "version": ${LEVEL_VERSION}.`);
 }
 
-/** Checks one part of a level, and says in words what zod finds. */
+/** Checks one part of a level and puts what zod finds into words. */
 function checkPart(schema: z.core.$ZodType, part: unknown, base: Path, into: Finding[]): void {
   const parsed = z.safeParse(schema, part);
   if (parsed.success) return;
@@ -187,7 +189,7 @@ function checkPart(schema: z.core.$ZodType, part: unknown, base: Path, into: Fin
     const inner = issue.path as Path;
     const path = [...base, ...inner];
     const words = toWords(path);
-    // one problem a value is enough: the first is the most basic one
+    // // one problem per value is enough: the first is the most basic one
     if (seen.has(words)) continue;
     seen.add(words);
     const value = valueAt(part, inner);
@@ -218,8 +220,8 @@ function checkRuns(runs: readonly unknown[], into: Finding[]): void {
 }
 
 /**
- * Checks a JSON value without x- keys against `levelSchema`: keys, types, limits.
- * Part by part, so that a file with millions of wrong entries costs no more than one with `MAX_FINDINGS`.
+ * Checks a JSON value without x- keys against `levelSchema`: keys, types, limits. It checks part by part, so that a file with
+ * millions of wrong entries costs no more than one with `MAX_FINDINGS`.
  */
 export function checkShape(value: unknown): Finding[] {
   const findings: Finding[] = [];
@@ -239,7 +241,10 @@ export function checkShape(value: unknown): Finding[] {
   return findings;
 }
 
-/** Checks the key `rules` of a folder's configuration, a JSON value without x- keys, as a level's; other keys are not looked at. */
+/**
+ * Checks the key `rules` of a folder's configuration, a JSON value without x- keys, like that of a level. Other keys are
+ * ignored.
+ */
 export function checkFolderRules(value: unknown): Finding[] {
   const findings: Finding[] = [];
   if (!isObject(value)) {

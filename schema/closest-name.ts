@@ -1,6 +1,7 @@
 /**
- * Optimal string alignment distance: the least number of letters inserted, deleted, replaced, or swapped with their neighbour.
- * Stops early with `limit` + 1 when it must be larger. Source: Damerau 1964, restricted edit distance.
+ * The optimal string alignment distance of two texts: the least number of letters that are inserted, deleted, replaced, or
+ * swapped with their neighbour. Stops early with `limit` + 1 when the distance must be larger. Source: Damerau 1964, restricted
+ * edit distance.
  */
 export function editDistance(a: string, b: string, limit: number): number {
   if (Math.abs(a.length - b.length) > limit) return limit + 1;
@@ -24,17 +25,23 @@ export function editDistance(a: string, b: string, limit: number): number {
   return Math.min(above[b.length], limit + 1);
 }
 
-/** The name among `known` that someone who wrote `name` most likely meant, or null when none is close. */
+/**
+ * Finds the name that someone most likely meant, for "did you mean".
+ *
+ * @param name - what was written
+ * @param known - the names that exist
+ * @returns the closest of `known`, ignoring case, or null when none is close
+ */
 export function closestName(name: string, known: readonly string[]): string | null {
   const written = name.toLowerCase();
   let best: string | null = null;
   let bestDistance = Number.POSITIVE_INFINITY;
   for (const candidate of known) {
     const shorter = Math.min(written.length, candidate.length);
-    // one slip in three letters is a slip, more is another word
+    // one mistake in three letters is a typing error, more is another word
     const limit = Math.max(1, Math.floor(shorter / 3));
     const distance = editDistance(written, candidate.toLowerCase(), limit);
-    // a name of one letter shares nothing with another after one replacement
+    // after one replacement, a name of one letter shares nothing with another
     if (distance > limit || distance >= candidate.length || distance >= bestDistance) continue;
     best = candidate;
     bestDistance = distance;

@@ -1,15 +1,22 @@
 const AROUND = 2;
 const WIDTH = 110;
 
-/** Characters that take no place or another's, or would steer a terminal: each becomes one visible one, so that the caret stays right. */
+/**
+ * Replaces characters that have no width, take the place of others, or would control a terminal, each by one visible character,
+ * so that the caret stays in the right column.
+ */
 function visible(text: string): string {
   return text.replaceAll('\t', ' ').replace(/[\p{Cc}\p{Cf}\p{Zl}\p{Zp}]/gu, '·');
 }
 
 /**
- * The lines around a place, numbered, with a caret below it. Long lines are cut to the part around the column.
- * @param line 1-based
- * @param column 1-based, in UTF-16 code units
+ * Quotes the lines around a place in a text, numbered, with a caret below the place. Long lines are cut to the part around the
+ * column.
+ *
+ * @param text - the whole text
+ * @param line - line of the place, from 1
+ * @param column - column of the place, from 1, in UTF-16 code units
+ * @returns up to five lines of the text and the line with the caret, separated by LF
  */
 export function codeFrame(text: string, line: number, column: number): string {
   const lines = text.split(/\r?\n/);

@@ -1,12 +1,16 @@
-/** What a problem's code means, for `gq explain`. */
+/** The explanation of a code, as `gq explain CODE` prints it. */
 export interface CodeExplanation {
+  /** The stable name of the kind of problem. */
   readonly code: string;
+  /** Whether it keeps a file from being used. */
   readonly severity: 'error' | 'warning';
+  /** What the problem is, in one line. */
   readonly title: string;
   /** Why it matters. */
   readonly why: string;
   /** How to fix it. */
   readonly fix: string;
+  /** An excerpt of a file before and after the fix. */
   readonly example?: string;
 }
 
@@ -193,10 +197,10 @@ const EXPLANATIONS = {
   },
 } as const satisfies Record<string, Explanation>;
 
-/** Every code that reading or importing a file can give. */
+/** The codes of all problems that reading or importing a file can give. */
 export type ProblemCode = keyof typeof EXPLANATIONS;
 
-/** An explanation of every code that reading or importing a file can give. */
+/** Explanations of the codes of all problems that reading or importing a file can give. */
 export const CODES: readonly CodeExplanation[] = Object.entries(EXPLANATIONS).map(([code, explanation]) => ({
   code,
   severity: 'error',

@@ -2,12 +2,12 @@ import * as z from 'zod';
 import { rulesSchema } from './rules.ts';
 
 /**
- * What the editor's page and `gq edit` say to each other: JSON over HTTP, on 127.0.0.1 alone.
+ * The protocol between the editor and the server of `gq edit`: JSON over HTTP, on 127.0.0.1 only.
  *
- * The address that `gq edit` prints ends in `#token=TOKEN`; every request below `/api/` sends it in the header `TOKEN_HEADER`.
- * Every answer that is not 2xx is an `ErrorResponse`.
+ * The address that `gq edit` prints ends in `#token=TOKEN`. Every request below `/api/` sends the token in the header
+ * `TOKEN_HEADER`. Every response with a status other than 2xx has an {@link ErrorResponse} as its body.
  *
- * | request                      | headers                          | body               | answer                        |
+ * | request                      | headers                          | body               | response                      |
  * | ---------------------------- | -------------------------------- | ------------------ | ----------------------------- |
  * | GET  LEVELS                  |                                  |                    | 200 `ListResponse`            |
  * | GET  LEVEL?id=ID             |                                  |                    | 200 `ReadResponse`            |
@@ -21,9 +21,12 @@ import { rulesSchema } from './rules.ts';
  * | POST ORDER                   |                                  | `OrderRequest`     | 200 `OrderResponse`           |
  * | GET  EVENTS                  |                                  |                    | 200 text/event-stream         |
  *
- * Bodies have `Content-Type: application/json` and nothing after it, and at most `MAX_BODY_SIZE` bytes. An ETAG is used as it was given,
- * quotes and all. `EVENTS` is to be read by `fetch`, since an EventSource can't send the token: each event is a line `data: ` with an
- * `EditEvent`, then an empty line; lines that begin with `:` come every `HEARTBEAT` seconds, so that silence means the server is gone.
+ * Bodies have exactly `Content-Type: application/json`, without parameters, and at most `MAX_BODY_SIZE` bytes. An ETAG is sent
+ * back exactly as it was received, quotes included.
+ *
+ * Read `EVENTS` with `fetch`, since an EventSource cannot send the token. Each event is a line `data: ` with an {@link
+ * EditEvent}, followed by an empty line. A line that begins with `:` comes every `HEARTBEAT` seconds, so silence means that the
+ * server is gone.
  */
 export const EDIT_API = {
   LEVELS: '/api/levels',
@@ -36,9 +39,9 @@ export const EDIT_API = {
   ORDER: '/api/order',
   EVENTS: '/api/events',
   TOKEN_HEADER: 'x-gq-token',
-  /** bytes */
+  /** Largest body of a request, bytes. */
   MAX_BODY_SIZE: 1024 * 1024,
-  /** s */
+  /** Time between two signs of life in `EVENTS`, s. */
   HEARTBEAT: 10,
 } as const;
 
@@ -53,7 +56,10 @@ const id = z
   .max(4096)
   .describe('Path of the file below the folder, with slashes, without .level.json: `07-slingshot`, `world-2/01-start`.');
 
-/** What a new file may be called, each part of its id: letters, digits, _ - and spaces, so that it is the same file on every system. */
+/**
+ * What each part of a new level's id must match: letters, digits, `_`, `-` and spaces, so that the file has the same name on
+ * every system.
+ */
 export const LEVEL_ID_PART = /^(?!(?:con|prn|aux|nul|com\d|lpt\d)$)[a-z0-9](?:[a-z0-9 _-]{0,78}[a-z0-9_-])?$/i;
 
 const client = z
@@ -71,7 +77,7 @@ const problem = z.strictObject({
   column: z.int().min(1).nullable(),
 });
 
-/** One file of the folder. */
+/** The zod schema of a level in the folder. */
 export const levelEntrySchema = z.strictObject({
   id,
   file: z.string().describe('Path of the file as `gq check` takes it, from where `gq edit` was started.'),
@@ -81,16 +87,22 @@ export const levelEntrySchema = z.strictObject({
   problems: z.array(problem).describe('Why it is not valid.'),
   readOnly: z.string().nullable().describe('Why the editor may not write to it, for people; null when it may.'),
 });
+/** A level in the folder. */
 export type LevelEntry = z.infer<typeof levelEntrySchema>;
 
-/** Rules that hold for the levels of the folder where they have none of their own: `rules` of the `gq.config.json` that `gq check` would take, too. */
+/**
+ * The zod schema of the folder's rules, which apply to levels without their own: `rules` of the `gq.config.json` that `gq
+ * check` would use, too.
+ */
 export const folderRulesSchema = z.strictObject({
   file: z.string().nullable().describe('The configuration, as a person names it; null: there is none.'),
   own: rulesSchema.describe("Those that are not the game's own."),
   problems: z.array(problem).describe('Why the configuration is not valid: `own` is then what it set when it was.'),
 });
+/** The folder's rules, which apply to levels without their own. */
 export type FolderRules = z.infer<typeof folderRulesSchema>;
 
+/** The zod schema of the response to `GET LEVELS`. */
 export const listResponseSchema = z.strictObject({
   folder: z.strictObject({
     id: z
@@ -105,59 +117,85 @@ export const listResponseSchema = z.strictObject({
   troubles: z.array(z.string()).describe('What is wrong with the folder as a whole, for people; mostly nothing.'),
   unread: z.int().min(0).describe('Levels that are still to come, as events `read`; 0: these are all.'),
 });
+/** The response to `GET LEVELS`: the folder and its levels. */
 export type ListResponse = z.infer<typeof listResponseSchema>;
 
+/** The zod schema of the response to `GET LEVEL`. */
 export const readResponseSchema = z.strictObject({
   ...levelEntrySchema.shape,
   text: z.string().nullable().describe('The file as it is, valid or not; null when it could not be read.'),
 });
+/** The response to `GET LEVEL`: a level with its text. */
 export type ReadResponse = z.infer<typeof readResponseSchema>;
 
-/** The whole new text of a level. It is stored as it is, and only when it is a valid level. */
+/** The zod schema of the body of `PUT LEVEL`: the whole new text. It is stored unchanged, and only if it is a valid level. */
 export const writeRequestSchema = z.strictObject({ text: z.string(), client });
+/** The body of `PUT LEVEL`. */
 export type WriteRequest = z.infer<typeof writeRequestSchema>;
 
+/** The zod schema of the response to every request that writes a level. */
 export const writeResponseSchema = z.strictObject({ entry: levelEntrySchema });
+/** The response to every request that writes a level. */
 export type WriteResponse = z.infer<typeof writeResponseSchema>;
 
-/** `to`: the new id, in a folder that exists; its last part is a name as `LEVEL_ID_PART` has it. The file's content stays. */
+/**
+ * The zod schema of the body of `POST RENAME` and `POST DUPLICATE`. `to` is the new id, in a folder that exists; its last part
+ * matches `LEVEL_ID_PART`. The content of the file stays.
+ */
 export const renameRequestSchema = z.strictObject({ id, to: id, client });
+/** The body of `POST RENAME` and `POST DUPLICATE`. */
 export type RenameRequest = z.infer<typeof renameRequestSchema>;
 
+/** The zod schema of the body of `POST DELETE`. */
 export const deleteRequestSchema = z.strictObject({ id, client });
+/** The body of `POST DELETE`. */
 export type DeleteRequest = z.infer<typeof deleteRequestSchema>;
 
-/** A level that was deleted: its file was moved below `.gq-trash`, where it stays until somebody removes it by hand. */
+/**
+ * The zod schema of a deleted level. Its file was moved below `.gq-trash` and stays there until somebody removes it by hand.
+ */
 export const trashEntrySchema = z.strictObject({
   trash: z.string().describe('What `RESTORE` takes.'),
   id: id.describe('Its id before it was deleted.'),
   deleted: z.string().describe('When, ISO 8601.'),
 });
+/** A deleted level. */
 export type TrashEntry = z.infer<typeof trashEntrySchema>;
 
+/** The zod schema of the response to `POST DELETE`. */
 export const deleteResponseSchema = z.strictObject({ trashed: trashEntrySchema });
+/** The response to `POST DELETE`. */
 export type DeleteResponse = z.infer<typeof deleteResponseSchema>;
 
+/** The zod schema of the response to `GET TRASH`. */
 export const trashResponseSchema = z.strictObject({ trash: z.array(trashEntrySchema).describe('The last one deleted first.') });
+/** The response to `GET TRASH`: the deleted levels. */
 export type TrashResponse = z.infer<typeof trashResponseSchema>;
 
-/** `to`: where it goes; its old id when left out. */
+/** The zod schema of the body of `POST RESTORE`. `to` is the id to restore it under; its old id when left out. */
 export const restoreRequestSchema = z.strictObject({ trash: z.string().min(1).max(4200), to: id.optional(), client });
+/** The body of `POST RESTORE`. */
 export type RestoreRequest = z.infer<typeof restoreRequestSchema>;
 
-/** Every level of one folder ('' for the outermost) in the wanted order. Files are renamed: `07-slingshot` becomes `03-slingshot`. */
+/**
+ * The zod schema of the body of `POST ORDER`: all levels of one folder ('' is the outermost) in the wanted order. The files are
+ * renamed: `07-slingshot` becomes `03-slingshot`.
+ */
 export const orderRequestSchema = z.strictObject({ folder: z.string().max(4096), ids: z.array(id).max(100_000), client });
+/** The body of `POST ORDER`. */
 export type OrderRequest = z.infer<typeof orderRequestSchema>;
 
+/** The zod schema of the response to `POST ORDER`. */
 export const orderResponseSchema = z.strictObject({
   renamed: z.array(z.strictObject({ from: id, to: id })),
   levels: z.array(levelEntrySchema).describe('All levels, as in `ListResponse`.'),
 });
+/** The response to `POST ORDER`. */
 export type OrderResponse = z.infer<typeof orderResponseSchema>;
 
 const by = client.nullable().describe('Who did it: null for another program.');
 
-/** What the server tells of its own accord. `list` comes first, and again when everything may be different. */
+/** The zod schema of what the server sends unasked. `list` comes first, and again whenever everything may have changed. */
 export const editEventSchema = z.discriminatedUnion('type', [
   z.strictObject({ type: z.literal('list'), list: listResponseSchema }),
   z
@@ -168,9 +206,10 @@ export const editEventSchema = z.discriminatedUnion('type', [
   z.strictObject({ type: z.literal('rules'), rules: folderRulesSchema }).describe('The configuration has changed.'),
   z.strictObject({ type: z.literal('renamed'), from: id, entry: levelEntrySchema, by }),
 ]);
+/** An event that the server sends unasked. */
 export type EditEvent = z.infer<typeof editEventSchema>;
 
-/** What an `ErrorResponse` can be about, with its status. */
+/** The codes of an {@link ErrorResponse}, each with its HTTP status. */
 export const EDIT_ERRORS = {
   'wrong-host': 403,
   'foreign-page': 403,
@@ -194,9 +233,10 @@ export const EDIT_ERRORS = {
   busy: 503,
   failed: 500,
 } as const;
+/** The code of an {@link ErrorResponse}. */
 export type EditErrorCode = keyof typeof EDIT_ERRORS;
 
-/** The answer to a request that was refused: nothing has changed on the disk. */
+/** The zod schema of the response to a refused request. Nothing has changed on the disk. */
 export const errorResponseSchema = z.strictObject({
   error: z.strictObject({
     code: z.enum(Object.keys(EDIT_ERRORS) as [EditErrorCode, ...EditErrorCode[]]),
@@ -209,4 +249,5 @@ export const errorResponseSchema = z.strictObject({
       .describe('`conflict`: what is on the disk instead of the base; null: there is no such file any more.'),
   }),
 });
+/** The response to a refused request. */
 export type ErrorResponse = z.infer<typeof errorResponseSchema>;

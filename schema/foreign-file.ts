@@ -1,4 +1,4 @@
-/** How files of other kinds begin: numbers are bytes, `null` is any byte. The first that fits counts. */
+/** First bytes of other kinds of files; null matches any byte. The first match counts. */
 const BEGINNINGS: readonly (readonly [kind: string, bytes: readonly (number | null)[]])[] = [
   ['a PNG picture', [0x89, 0x50, 0x4e, 0x47]],
   ['a JPEG picture', [0xff, 0xd8, 0xff]],
@@ -23,25 +23,26 @@ function letters(text: string): number[] {
   return [...text].map((letter) => letter.charCodeAt(0));
 }
 
-/** Texts that are no JSON, by how they begin, in small letters. */
+/** Texts that are not JSON, by how they begin, in lower case. */
 const MARKUP: readonly (readonly [kind: string, beginning: RegExp])[] = [
   ['an HTML page', /^(<!doctype html|<html[\s>])/],
   ['an SVG picture', /^<(.*<)?svg[\s>]/s],
   ['an XML file', /^<\?xml/],
 ];
 
-/** Bytes that are looked at. */
+/** Number of bytes that are examined. */
 const HEAD = 1024;
 
-/** In a text NUL means nothing; UTF-16, which is another mistake, has it in every other place. */
+/** NUL does not occur in text. UTF-16, a different mistake, has it in every other place. */
 function isBinary(head: Uint8Array): boolean {
   const at = head.indexOf(0);
   return at > 1 || (at >= 0 && head.length > 3 && head[at + 1] === 0);
 }
 
 /**
- * What a file is that is surely no JSON, by its first bytes: `a PNG picture`; null where it may be a text.
- * @param source the bytes of the file, or its text
+ * Recognizes a file that is certainly not JSON by its first bytes.
+ * @param source - the bytes of the file, or its text
+ * @returns a name such as `a PNG picture`; null where it may be a text
  */
 export function foreignKind(source: Uint8Array | string): string | null {
   const head = typeof source === 'string' ? source.slice(0, HEAD) : source.subarray(0, HEAD);

@@ -7,7 +7,7 @@ type Json = { readonly [key: string]: unknown };
 const { shape } = levelSchema;
 const run = shape.runs.unwrap().element;
 
-/** The order of keys in a file is the order in the schema. */
+/** The order of keys in a file is that of the schema. */
 const KEYS = {
   level: Object.keys(shape),
   rules: RULE_NAMES,
@@ -15,14 +15,14 @@ const KEYS = {
   ...Object.fromEntries(OBJECT_KINDS.map((kind) => [KINDS[kind].list ?? kind, Object.keys(OBJECT_SCHEMAS[kind].shape)])),
 } as { readonly [part: string]: readonly string[] };
 
-/** Entries in canonical order: those with a place in `order` first, then the others as they come; none that is undefined. */
+/** Entries in canonical order: the keys in `order` first, then the others as they come, without undefined values. */
 function entriesOf(object: Json, order: readonly string[]): [string, unknown][] {
   const known = order.filter((key) => Object.hasOwn(object, key)).map((key): [string, unknown] => [key, object[key]]);
   const others = Object.entries(object).filter(([key]) => !order.includes(key));
   return [...known, ...others].filter(([, value]) => value !== undefined);
 }
 
-/** A JSON value on one line; numbers in the shortest form that reads back the same. */
+/** A JSON value on one line. Numbers have the shortest form that reads back the same. */
 function inline(value: unknown, order: readonly string[] = []): string {
   if (typeof value === 'number' && !Number.isFinite(value)) throw new RangeError(`a level file can't hold the number ${value}`);
   if (typeof value !== 'object' || value === null) return JSON.stringify(value);
@@ -31,7 +31,7 @@ function inline(value: unknown, order: readonly string[] = []): string {
   return entries.length === 0 ? '{}' : `{ ${entries.join(', ')} }`;
 }
 
-/** `open`, one row a line, `close`; on one line when there is no row. */
+/** `open`, one row per line, `close`; on a single line when there are no rows. */
 function block(open: string, rows: readonly string[], close: string, indent: string): string {
   if (rows.length === 0) return open + close;
   return `${open}\n${rows.map((row) => `${indent}  ${row}`).join(',\n')}\n${indent}${close}`;
@@ -60,9 +60,19 @@ function formatMember(key: string, value: unknown): string {
 }
 
 /**
- * The canonical text of a level file: keys in the schema's order and x- keys after them, one object and one hold a line, LF, a new line at the end.
- * Lists keep their order, what is missing stays missing; -0 is written 0.
- * @throws RangeError for a number that JSON can't hold
+ * Writes a level file in the canonical layout: keys in the order of the schema and x- keys after them, one object or hold per
+ * line, LF, and a line end at the end of the file. Lists keep their order, what is missing stays missing, and -0 is written as
+ * 0.
+ *
+ * @param file - the content of the file
+ * @returns the text of the file
+ * @throws {RangeError} for NaN and infinite numbers, which JSON cannot hold
+ *
+ * @example
+ * ```ts
+ * const reading = readLevel(text);
+ * if (reading.ok) writeFileSync(path, formatLevel(withIds(reading.document.file)));
+ * ```
  */
 export function formatLevel(file: LevelFile): string {
   const rows = entriesOf(file, KEYS.level).map(([key, value]) => `${JSON.stringify(key)}: ${formatMember(key, value)}`);

@@ -3,7 +3,7 @@ import type { LevelFile } from './level.ts';
 
 const LENGTH = 6;
 
-/** 32-bit FNV-1a over UTF-16 units, with murmur3's final mixing so that like texts get unlike numbers. */
+/** 32-bit FNV-1a over UTF-16 units, with the final mixing of murmur3, so that similar texts get different numbers. */
 function hash(text: string, seed: number): number {
   let h = 0x811c9dc5 ^ seed;
   for (let i = 0; i < text.length; i++) h = Math.imul(h ^ text.charCodeAt(i), 0x01000193);
@@ -16,8 +16,11 @@ const idFor = (content: string, attempt: number): string =>
   hash(content, attempt).toString(36).padStart(LENGTH, '0').slice(-LENGTH);
 
 /**
- * A copy of the file in which every object has an id. Ids that exist stay. New ones come from the object's list, content and place alone,
+ * Gives every object of a level file an id. Existing ids stay. A new id depends only on the object's list, content and place,
  * so that two people who add objects in two branches get different ids, and the same file always gets the same ones.
+ *
+ * @param file - the level file; it is not changed
+ * @returns a copy in which every object has an id
  */
 export function withIds(file: LevelFile): LevelFile {
   const taken = new Set<string>();
@@ -26,7 +29,7 @@ export function withIds(file: LevelFile): LevelFile {
   const name = <T extends { id?: string | undefined }>(list: string, object: T): T => {
     if (object.id !== undefined) return object;
     const content = `${list}${JSON.stringify(object)}`;
-    // equal objects go on where the last one ended, or thousands of them would take millions of tries
+    // // equal objects continue with the attempt after the last one, or thousands of them would take millions of attempts
     let attempt = attempts.get(content) ?? 0;
     let id = idFor(content, attempt++);
     while (taken.has(id)) id = idFor(content, attempt++);

@@ -6,26 +6,38 @@ import { LIMITS } from './limits.ts';
 import { type Finding, MAX_FINDINGS, type Path, type Problem, toWords } from './problem.ts';
 import { readJson, toProblems } from './read-json.ts';
 
+/** A level of the original game, as a level file. */
 export interface ImportedLevel {
-  /** `level-NN` by place in the list, from 0; `level-01` for a single object. */
+  /** The file's name without `.level.json`: `level-NN` by the place in the list, from 0; `level-01` for a single object. */
   readonly slug: string;
+  /** The content of the file, with ids. */
   readonly file: LevelFile;
 }
 
+/** The outcome of {@link importOriginal}: with `ok` true the levels, otherwise the problems. */
 export type ImportReading =
   | {
+      /** All levels could be read. */
       readonly ok: true;
+      /** The levels, in the order of the file. */
       readonly levels: ImportedLevel[];
-      /** What was passed over, one line each: empty placeholders, keys that mean nothing here. */
+      /** What was ignored, one line each: empty placeholders, and keys without a meaning here. */
       readonly notes: string[];
     }
-  | { readonly ok: false; readonly problems: Problem[]; readonly text: string };
+  | {
+      /** The file could not be read. */
+      readonly ok: false;
+      /** What is wrong with it, in the order of the text; at least one. */
+      readonly problems: Problem[];
+      /** The text without a byte order mark; '' if the file is too large or not a text. */
+      readonly text: string;
+    };
 
 type Json = { readonly [key: string]: unknown };
 
 const isObject = (value: unknown): value is Json => typeof value === 'object' && value !== null && !Array.isArray(value);
 
-/** Reads values of the original's objects, and collects what is wrong and what is passed over. */
+/** Reads values of the original's objects, and collects what is wrong and what is ignored. */
 class OriginalReader {
   readonly findings: Finding[] = [];
   readonly ignored = new Map<string, number>();
@@ -51,7 +63,7 @@ class OriginalReader {
     });
   }
 
-  /** A number from `least` to `most`; undefined when the key is missing or its value is reported. */
+  /** A number from `least` to `most`; undefined if the key is missing, or its value wrong and reported. */
   number(object: Json, key: string, path: Path, least: number, most: number): number | undefined {
     if (!Object.hasOwn(object, key)) return undefined;
     const value = object[key];
@@ -148,7 +160,7 @@ const KNOWN = OBJECT_KINDS.flatMap((kind) => {
 
 const LEVEL_KEYS = [...KNOWN.map(({ theirs }) => theirs), 'maxDistance'];
 
-/** Reads an object of a kind. What the original leaves out that a level file must have is a problem. */
+/** Reads an object of a kind. What the original may leave out and a level file must have is a problem. */
 function readObject(reader: OriginalReader, kind: ObjectKind, object: Json, path: Path): Json {
   const { places, radius, original, variant } = KINDS[kind];
   const keyOf = (name: string): string => original?.fields?.[name] ?? name;
@@ -177,7 +189,7 @@ function readObject(reader: OriginalReader, kind: ObjectKind, object: Json, path
       name === radius
         ? reader.size(object, keyOf(name), path)
         : reader.number(object, keyOf(name), path, field.least, field.most);
-    // a value that is not what it should be has been reported: the level is not made
+    // // a wrong value has been reported, and then no level is made
     read[name] = value ?? (isRequired(field) ? field.least : undefined);
   }
   return Object.fromEntries(fields.map(([name]) => [name, read[name]]));
@@ -200,8 +212,11 @@ function readLevelObject(reader: OriginalReader, level: Json, path: Path, name: 
 }
 
 /**
- * Reads levels of the original game: a JSON list of its level objects, or one of them. Never throws for any input.
- * @param options.recoil whether the levels get recoil, which the original has
+ * Reads levels of the original game: a JSON list of its level objects, or a single one. Throws nothing for any content.
+ *
+ * @param source - the bytes of the file, or its text
+ * @param options - `recoil`: whether the levels have recoil, as in the original
+ * @returns the levels and notes on what was ignored, or every problem found
  */
 export function importOriginal(source: Uint8Array | string, options: { readonly recoil: boolean }): ImportReading {
   const json = readJson(source, 'skip');

@@ -1,4 +1,4 @@
-// UTF-16 units of the characters that mean something in JSON
+// // UTF-16 code units of the characters that have a meaning in JSON
 export const TAB = 9;
 export const LINE_FEED = 10;
 export const CARRIAGE_RETURN = 13;
@@ -27,11 +27,11 @@ export const isDigit = (c: number): boolean => c >= 48 && c <= 57;
 export const isHex = (c: number): boolean => isDigit(c) || (c >= 65 && c <= 70) || (c >= 97 && c <= 102);
 export const isSpace = (c: number): boolean => c === SPACE || c === LINE_FEED || c === CARRIAGE_RETURN || c === TAB;
 
-/** Whether a character may be part of a word that somebody left without quotes. */
+/** Whether a character may be part of a word that someone left without quotes. */
 const isWord = (c: number): boolean =>
   isDigit(c) || (c >= 65 && c <= 90) || (c >= 97 && c <= 122) || c === 95 || c === 36 || c > 127;
 
-/** The word that begins at an offset; '' where none does. */
+/** The word that begins at an offset; '' if none does. */
 export function wordAt(text: string, start: number): string {
   let end = start;
   while (end < text.length && isWord(text.charCodeAt(end))) end++;

@@ -6,7 +6,7 @@ import type { Finding } from './problem.ts';
 /** What may come next in a JSON text. */
 export type Expected = 'value' | 'value or ]' | 'key' | 'key or }' | 'colon' | 'after' | 'end';
 
-/** Something at an offset that keeps a text from being JSON. */
+/** A finding about an offset of a text that is not JSON. */
 export const failureAt = (code: Finding['code'], offset: number, message: string, hint: string): Finding => ({
   code,
   message,
@@ -18,7 +18,7 @@ export const failureAt = (code: Finding['code'], offset: number, message: string
 
 /** What is wrong with a text that ends where `expected` should be. */
 export function truncated(text: string, expected: string): Finding {
-  // where it ends for a reader
+  // // the end as a reader sees it, without trailing white space
   let end = text.length;
   while (end > 0 && isSpace(text.charCodeAt(end - 1))) end--;
   const message = `expected ${expected}, found the end of the file`;
@@ -37,9 +37,9 @@ interface Unexpected {
 }
 
 /**
- * What is wrong with the character at an offset, and what to do about it.
- * @param expected what should be there, in words
- * @param isInList whether the innermost open bracket is that of a list
+ * Describes what is wrong with the character at an offset, and what to do about it.
+ * @param expected - what should be there, in words
+ * @param isInList - whether the innermost open bracket is that of a list
  */
 export function unexpected(text: string, offset: number, expected: string, mode: Expected, isInList: boolean): Finding {
   if (offset >= text.length) return truncated(text, expected);

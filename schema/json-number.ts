@@ -47,19 +47,19 @@ function afterDigits(text: string, start: number): number {
   return i;
 }
 
-/** A minus with no digit after it. @param i the offset after the minus */
+/** A minus without a digit after it; `i` is the offset after the minus. */
 function noDigits(text: string, start: number, i: number): Finding {
   if (i < text.length && wordAt(text, i) === 'Infinity') return unexpected(text, start, 'a number', 'value', false);
   return missingDigit(text, i, 'the digits of a number', 'a digit after the minus', 'Write the digits of the number.');
 }
 
-/** @param more what would come next at the end of the text @param expected what would come next elsewhere */
+/** A digit is missing at `offset`. `more` says what should come next at the end of the text, `expected` elsewhere. */
 function missingDigit(text: string, offset: number, more: string, expected: string, hint: string): Finding {
   if (offset >= text.length) return truncated(text, more);
   return failureAt('invalid-json', offset, `expected ${expected}, found ${quote(text[offset])}`, hint);
 }
 
-/** @param next what follows the 0 */
+/** A number begins with a superfluous 0; `next` is the character after it. */
 function leadingZero(start: number, next: number): Finding {
   return isDigit(next)
     ? failureAt('invalid-json', start, "a number can't begin with 0 before other digits", 'Remove the zeros at its beginning.')

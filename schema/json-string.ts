@@ -38,7 +38,7 @@ function scanEscape(text: string, start: number): number | Finding {
   return failureAt('invalid-json', start, message, 'Write \\\\ for a backslash.');
 }
 
-/** @param start of the string @param offset of a character below the space in it */
+/** A control character at `offset`, in the string that begins at `start`. */
 function controlCharacter(text: string, start: number, offset: number): Finding {
   const c = text.charCodeAt(offset);
   if (c === LINE_FEED || c === CARRIAGE_RETURN) {

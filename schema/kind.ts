@@ -1,68 +1,86 @@
-/** A property of an object that is a number. Without a `default` a file must have it. */
+/** A field of an object that is a number. A field without `default` must be present in a file. */
 export interface NumberField {
+  /** Tells numbers from flags. */
   readonly type: 'number';
-  /** null: a plain number */
+  /** Unit of the value; null for a number without a unit. */
   readonly unit: 'px' | 'px/s' | 'px/s2' | null;
+  /** The smallest value allowed. */
   readonly least: number;
+  /** The largest value allowed. */
   readonly most: number;
-  /** By how much a key, or a px of a drag, changes it where it is typed. */
+  /** How much one key press, or one px of a drag, changes the value in the editor's inspector. */
   readonly step: number;
-  /** What stands for it where a file leaves it out. */
+  /** The value when a file leaves the field out. */
   readonly default?: number;
-  /** What a new object gets where there is no default. Coordinates have none: they come from where the object is put. */
+  /**
+   * The value of a new object where there is no default. Coordinates have neither: they come from where the object is placed.
+   */
   readonly initial?: number;
-  /** What it means, as the JSON Schema and the editor say it. */
+  /** What the field means, as the JSON Schema and the editor say it. */
   readonly about: string;
-  /** What it is called where it is typed; its key when left out. */
+  /** The label in the editor's inspector; the field's key when left out. */
   readonly label?: string;
 }
 
-/** A property of an object that is true or false. */
+/** A field of an object that is true or false. */
 export interface FlagField {
+  /** Tells flags from numbers. */
   readonly type: 'flag';
+  /** The value when a file leaves the field out. */
   readonly default: boolean;
+  /** What the field means, as the JSON Schema and the editor say it. */
   readonly about: string;
-  /** What its two ends are called. */
+  /** Words for false and for true. */
   readonly ends: readonly [off: string, on: string];
+  /** The label in the editor; the field's key when left out. */
   readonly label?: string;
 }
 
+/** A field of an object in a level. */
 export type Field = NumberField | FlagField;
 
-/** Two fields that are coordinates, or the parts of a vector, along x and y. */
+/** The keys of two fields that form a place or a vector. */
 export type Pair = readonly [x: string, y: string];
 
-/** What an object is to people: a kind as a whole, or those of a kind that a flag makes another thing. */
+/** How an object is presented to people: a kind as a whole, or the objects of a kind that a flag turns into something else. */
 export interface Appearance {
-  /** In words, lower case: one and many. */
+  /** The name of one object, lower case. */
   readonly one: string;
+  /** The name of several objects, lower case. */
   readonly many: string;
-  /** Where counts of everything stand side by side, and words have to tell alike things apart; `one` and `many` when left out. */
+  /** The names in lists of counts, where similar kinds must be told apart; `one` and `many` when left out. */
   readonly counted?: readonly [one: string, many: string];
-  /** Whether touching it ends a run badly. */
+  /** Whether touching it ends a run with `collided`. */
   readonly deadly: boolean;
-  /** What it does to her. */
+  /** What it does to the astronaut. */
   readonly about: string;
-  /** The key that takes the editor's tool for it; null where it can't be placed. */
+  /** The key that selects the editor's tool for it; null if it cannot be placed. */
   readonly letter: string | null;
 }
 
-/** One kind of object: all that schema, editor, pictures and reports have to know of it. What it does is the engine's. */
+/**
+ * A kind of object: everything that schema, editor, pictures and reports know of it. What it does in a run is up to the engine.
+ */
 export interface Kind extends Appearance {
-  /** The list in a level file that holds those of this kind, each with an id; null: a level has exactly one, under the name of the kind, without an id. */
+  /**
+   * The key of the list in a level file that holds objects of this kind, each with an id. null: a level has exactly one, under
+   * the kind's own name and without an id.
+   */
   readonly list: string | null;
   /** What the list is for. */
   readonly aboutList: string;
-  /** In the order of a file. */
+  /** Fields by key, in the order of a file. */
   readonly fields: Readonly<Record<string, Field>>;
-  /** Which fields are places, px. The first is where the object is; whatever moves an object moves all of them. */
+  /** The fields that are places, px. The first is where the object is; moving an object moves all of them. */
   readonly places: readonly [Pair, ...Pair[]];
-  /** Which fields are vectors, by what they are together. */
+  /** The fields that are vectors, by the name of the vector. */
   readonly vectors: Readonly<Record<string, Pair>>;
-  /** Which field is the radius of the disc around each of its places, px; null: it is none. */
+  /** The field that is the radius of the disc around each of the object's places, px; null if it has none. */
   readonly radius: 'radius' | null;
-  /** What those are to people whose `flag` is true. */
+  /** How objects of this kind are presented whose `flag` is true. */
   readonly variant?: Appearance & { readonly flag: string };
-  /** What the original game calls the kind, and fields of it that have another name there; null: it has none. */
+  /**
+   * What the original game calls the kind, and its fields that have another name there; null if the original does not have it.
+   */
   readonly original: { readonly key: string; readonly fields?: Readonly<Record<string, string>> } | null;
 }

@@ -23,13 +23,13 @@ const velocity = (direction: string, label: string) =>
 
 const size = { type: 'number', unit: 'px', least: LIMITS.leastRadius, most: LIMITS.radius, step: 1 } as const;
 
-/** A radius that a file must have. @param note what more there is to say */
+/** A radius that a file must have. `note` is appended to its description. */
 const radius = (initial: number, note: string) => ({ ...size, initial, about: `Radius in px; ${note}.` }) as const;
 
 const optionalRadius = <const R extends number>(usual: R) =>
   ({ ...size, default: usual, about: `Radius in px; ${usual} when left out.` }) as const;
 
-/** The strongest wind, px/s2 along each axis. */
+/** The strongest wind, px/s² along each axis. */
 const STRONGEST = 100;
 
 const acceleration = <const A extends number>(usual: A, direction: string, label: string) =>
@@ -44,7 +44,7 @@ const acceleration = <const A extends number>(usual: A, direction: string, label
     label,
   }) as const;
 
-/** Every kind of object, in the order of a file. Types of levels are made of it. */
+/** Every kind of object, in the order of a file. The types of levels are derived from it. */
 const TABLE = {
   astronaut: {
     one: 'astronaut',
@@ -210,7 +210,7 @@ const TABLE = {
 
 type Table = typeof TABLE;
 
-/** A kind of object, by its name. */
+/** The name of a kind of object. */
 export type ObjectKind = keyof Table;
 
 /** The kinds of which a level has exactly one. */
@@ -219,66 +219,99 @@ export type SingleKind = { [K in ObjectKind]: Table[K]['list'] extends null ? K 
 /** The kinds of which a level has a list. */
 export type ListedKind = Exclude<ObjectKind, SingleKind>;
 
-/** The list in a level file that holds a kind. */
+/** The key of the list that holds a kind in a level file. */
 export type ListOf<K extends ListedKind> = Table[K]['list'] & string;
+/** The keys of all lists of objects in a level file. */
 export type ObjectList = ListOf<ListedKind>;
 
-/** The fields of a kind, without the id. */
+/** The fields of a kind, without `id`. */
 export type FieldsOf<K extends ObjectKind> = Table[K]['fields'];
 
-/** The names of all fields of all kinds. */
+/** The keys of all fields of all kinds. */
 export type FieldName = { [K in ObjectKind]: keyof FieldsOf<K> }[ObjectKind];
 
-/** The value of a field. */
+/** The type of a field's value. */
 export type ValueOf<F> = F extends { readonly type: 'number' } ? number : boolean;
 
-/** Flags that make those of a kind another thing to people. */
+/** The flags that turn the objects of a kind into something else for people, such as `hot`. */
 export type VariantFlag = {
   [K in ObjectKind]: Table[K] extends { readonly variant: { readonly flag: infer F extends string } } ? F : never;
 }[ObjectKind];
 
-/** Every kind of object, in the order of a file: the one place that says what there is. */
+/** Every kind of object, in the order of a file. This table is the only list of the kinds. */
 export const KINDS: Readonly<Record<ObjectKind, Kind>> = TABLE;
 
+/** The names of all kinds, in the order of a file. */
 export const OBJECT_KINDS = Object.keys(TABLE) as readonly ObjectKind[];
+/** The names of the kinds of which a level has exactly one. */
 export const SINGLE_KINDS = OBJECT_KINDS.filter((kind) => KINDS[kind].list === null) as readonly SingleKind[];
+/** The names of the kinds of which a level has a list, in the order of a file. */
 export const LISTED_KINDS = OBJECT_KINDS.filter((kind) => KINDS[kind].list !== null) as readonly ListedKind[];
 
-/** The list of a kind. */
+/**
+ * The list of a kind.
+ *
+ * @param kind - the kind
+ * @returns the key of its list in a level file
+ */
 export const listOf = <K extends ListedKind>(kind: K): ListOf<K> => TABLE[kind].list as ListOf<K>;
 
-/** The lists of objects in a level, in the order of a file. */
+/** The keys of the lists of objects in a level, in the order of a file. */
 export const OBJECT_LISTS: readonly ObjectList[] = LISTED_KINDS.map(listOf);
 
 const KIND_OF_LIST = Object.fromEntries(LISTED_KINDS.map((kind) => [listOf(kind), kind])) as Readonly<
   Record<ObjectList, ListedKind>
 >;
 
-/** What a list holds. */
+/**
+ * The kind of a list.
+ *
+ * @param list - the key of a list in a level file
+ * @returns the kind of its objects
+ */
 export const kindOfList = (list: ObjectList): ListedKind => KIND_OF_LIST[list];
 
-/** What a tool of the editor places: a kind, or the variant of one by its flag. */
+/** What a tool of the editor places: a kind, or the variant of a kind, named by its flag. */
 export type Placeable = ListedKind | VariantFlag;
 
-/** Everything that can be placed, in the order of the tools: kinds in the order of a file, each with its variant behind it. */
+/**
+ * Everything that can be placed, in the order of the editor's tools: the kinds in the order of a file, each followed by its
+ * variant.
+ */
 export const PLACEABLES: readonly Placeable[] = LISTED_KINDS.flatMap((kind): Placeable[] => {
   const flag = KINDS[kind].variant?.flag as VariantFlag | undefined;
   return flag === undefined ? [kind] : [kind, flag];
 });
 
-/** The kind of what is placed, and the flag that makes it a variant. */
+/**
+ * What a tool of the editor places.
+ *
+ * @param placeable - the tool
+ * @returns the kind, and the flag that is true for the placed object, or null
+ */
 export function placedAs(placeable: Placeable): { readonly kind: ListedKind; readonly flag: VariantFlag | null } {
   const owner = LISTED_KINDS.find((kind) => KINDS[kind].variant?.flag === placeable);
   return owner === undefined ? { kind: placeable as ListedKind, flag: null } : { kind: owner, flag: placeable as VariantFlag };
 }
 
-/** What a placeable is to people. */
+/**
+ * How a placeable is presented to people.
+ *
+ * @param placeable - a kind or variant
+ * @returns its names and properties
+ */
 export function appearanceOf(placeable: Placeable): Appearance {
   const { kind, flag } = placedAs(placeable);
   return appearanceIf(kind, flag !== null);
 }
 
-/** Whether an object is of its kind's variant. */
+/**
+ * Tells whether an object is of its kind's variant.
+ *
+ * @param kind - the kind of the object
+ * @param object - the object, as in a file or in a level
+ * @returns whether the variant's flag is true; false if the kind has no variant
+ */
 export function isVariant(kind: ObjectKind, object: object): boolean {
   const flag = KINDS[kind].variant?.flag;
   return flag !== undefined && (object as Readonly<Record<string, unknown>>)[flag] === true;
@@ -287,16 +320,34 @@ export function isVariant(kind: ObjectKind, object: object): boolean {
 const appearanceIf = (kind: ObjectKind, varied: boolean): Appearance =>
   varied ? (KINDS[kind].variant ?? KINDS[kind]) : KINDS[kind];
 
-/** What an object is to people. @param object as a file or a level has it */
+/**
+ * How an object is presented to people.
+ *
+ * @param kind - the kind of the object
+ * @param object - the object, as in a file or in a level
+ * @returns its names and properties
+ */
 export const appearanceOfObject = (kind: ObjectKind, object: object): Appearance => appearanceIf(kind, isVariant(kind, object));
 
-/** What is touched when something of a kind ends a run: `hot asteroid`, since cold ones end none. */
+/**
+ * The name of what was touched when an object of a kind ends a run. For asteroids it is `hot asteroid`, since cold ones end no
+ * run.
+ *
+ * @param kind - the kind of the object
+ * @returns the name, lower case
+ */
 export function nameWhenTouched(kind: ObjectKind): string {
   const { deadly, variant, one } = KINDS[kind];
   return !deadly && variant?.deadly === true ? variant.one : one;
 }
 
-/** Where an object is: for most kinds one place, for some several, the first of which is its own `x` and `y`. @param object as a file or a level has it */
+/**
+ * The places of an object. Most kinds have one; a wormhole has two.
+ *
+ * @param kind - the kind of the object
+ * @param object - the object, as in a file or in a level
+ * @returns its places, px; the first is its own `x` and `y`
+ */
 export function placesIn(
   kind: ObjectKind,
   object: { readonly x: number; readonly y: number },
@@ -307,12 +358,22 @@ export function placesIn(
   return places.map(([x, y]) => ({ x: numbers[x], y: numbers[y] }));
 }
 
-/** The fields of a kind, with their names, in the order of a file. */
+/**
+ * The fields of a kind.
+ *
+ * @param kind - the kind
+ * @returns pairs of key and field, in the order of a file
+ */
 export const fieldsOf = (kind: ObjectKind): readonly (readonly [name: string, field: Field])[] => FIELDS[kind];
 
 const FIELDS = Object.fromEntries(OBJECT_KINDS.map((kind) => [kind, Object.entries(KINDS[kind].fields)])) as unknown as Readonly<
   Record<ObjectKind, readonly (readonly [string, Field])[]>
 >;
 
-/** Whether a file must have a field. */
+/**
+ * Tells whether a file must have a field.
+ *
+ * @param field - the field
+ * @returns true if the field has no default
+ */
 export const isRequired = (field: NumberField | FlagField): boolean => field.default === undefined;

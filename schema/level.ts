@@ -20,7 +20,7 @@ import { type OwnRules, rulesSchema } from './rules.ts';
 /** The version of the level format that this toolkit writes. */
 export const LEVEL_VERSION = 1;
 
-/** Farther than this from every asteroid she is lost, in px, when a level doesn't say. */
+/** The range of a level that does not set one: farther than this from the centre of every asteroid she is lost, px. */
 export const DEFAULT_RANGE = 250;
 
 type Plain<F> = F extends { readonly type: 'number' } ? z.ZodNumber : z.ZodBoolean;
@@ -50,7 +50,7 @@ function objectSchema<K extends ObjectKind>(kind: K): ObjectSchema<K> {
   return z.strictObject({ ...(list === null ? {} : { id }), ...Object.fromEntries(fields) }).describe(about) as never;
 }
 
-/** What an object of each kind looks like in a file. */
+/** The zod schema of each kind of object in a file. */
 export const OBJECT_SCHEMAS = Object.fromEntries(OBJECT_KINDS.map((kind) => [kind, objectSchema(kind)])) as {
   readonly [K in ObjectKind]: ObjectSchema<K>;
 };
@@ -68,7 +68,7 @@ const lists = Object.fromEntries(LISTED_KINDS.map((kind) => [KINDS[kind].list, l
 
 const tick = z.int().min(0).max(LIMITS.tick);
 
-/** [press, release): the gun is held from tick `press` up to, not including, tick `release` (1/60 s each). */
+/** A hold, as a pair of ticks. */
 const hold = z
   .tuple([tick, tick])
   .describe('[press, release): ticks of 1/60 s; the gun is held from press up to, not including, release.');
@@ -80,7 +80,7 @@ const run = z
   })
   .describe('What a player does: proof that the level can be completed, or that it fails as it should.');
 
-/** One level, as a file says it. Lists that are left out are empty. */
+/** The zod schema of a level file. Lists that are left out are empty. */
 export const levelSchema = z
   .strictObject({
     $schema: z.string().optional().describe('Where the JSON Schema of this format is, for editors.'),
@@ -101,40 +101,48 @@ export const levelSchema = z
   })
   .describe('A level of Gravity Quest. Keys that begin with x- are yours: they are kept and not checked.');
 
-/** A level as its file says it: what may be left out may be missing. */
+/** The content of a level file: what may be left out may be missing. */
 export type LevelFile = z.infer<typeof levelSchema>;
 
-/** An object of a kind with every default filled in, as a level has it; the astronaut and the black hole have no id. */
+/** An object of a kind with every default filled in, as a {@link Level} has it. Only kinds with a list have an `id`. */
 export type ObjectOf<K extends ObjectKind> = (K extends ListedKind ? { readonly id: string | null } : unknown) & {
   readonly [F in keyof FieldsOf<K>]: ValueOf<FieldsOf<K>[F]>;
 };
 
-/** A place in a level, px. */
+/** A place in a level. */
 export interface Place {
+  /** Distance to the right of the origin, px. */
   readonly x: number;
+  /** Distance below the origin, px. */
   readonly y: number;
 }
 
-/** A disc in a level; `radius` in px. */
+/** A disc in a level. */
 export interface Disc extends Place {
+  /** Radius, px. */
   readonly radius: number;
 }
 
 /** An object of a level that is a disc. */
 export interface Circle extends Disc {
-  /** null: the file gives it none */
+  /** The object's id; null if the file gives it none. */
   readonly id: string | null;
 }
 
+/** An asteroid of a level. */
 export interface Asteroid extends Circle {
+  /** Whether it is hot: deadly to touch. */
   readonly hot: boolean;
 }
 
-/** A half-open interval of ticks (1/60 s) in which the gun is held. */
+/** A hold: the gun is held from tick `press` up to, but not including, tick `release`. Ticks last 1/60 s. */
 export type Hold = readonly [press: number, release: number];
 
+/** A run that a level file contains. */
 export interface ScriptedRun {
+  /** Its name, unique in the level. */
   readonly name: string;
+  /** When the gun is held. */
   readonly holds: readonly Hold[];
 }
 
@@ -142,18 +150,27 @@ type LevelObjects = { readonly [K in SingleKind]: ObjectOf<K> } & {
   readonly [K in ListedKind as ListOf<K>]: readonly ObjectOf<K>[];
 };
 
-/** A valid level with every default filled in; lengths in px, speeds in px/s. */
+/**
+ * A valid level with every default filled in. It also has a property for each kind of object: `astronaut` and `blackHole`, and
+ * the lists `asteroids`, `novae`, `repulsors`, `aliens`, `minerals`, `winds` and `wormholes`. Lengths are in px, velocities in
+ * px/s, accelerations in px/s².
+ */
 export interface Level extends LevelObjects {
+  /** What players and reports call the level. */
   readonly name: string;
+  /** What the level teaches or asks for; '' if the file has none. */
   readonly description: string;
+  /** Farther than this from the centre of every asteroid she is lost, px. */
   readonly range: number;
+  /** Whether the gun also pulls its target towards her. */
   readonly recoil: boolean;
-  /** Numbers of the game that are another in this level. */
+  /** The rules that have another value in this level than in the original game; missing if there are none. */
   readonly rules?: OwnRules;
+  /** The runs in the file; the first one is shown by default. */
   readonly runs: readonly ScriptedRun[];
 }
 
-/** The lists of a level without any object: to begin with. */
+/** Empty lists of objects, to start a level from. */
 export const NO_OBJECTS = Object.fromEntries(LISTED_KINDS.map((kind) => [KINDS[kind].list, []])) as unknown as Readonly<
   Pick<Level, ObjectList>
 >;

@@ -1,18 +1,21 @@
-/** What numbers and lists of a level may be at most, and radii at least. */
+/** Limits of the numbers and lists in a level: largest values, and the smallest radius. */
 export const LIMITS = {
-  /** px, either sign */
+  /** Coordinates, px, either sign. */
   coordinate: 1e9,
-  /** px */
+  /** Radii and the range, px. */
   radius: 1e6,
-  /** px, radii and the range: recoil goes with 1 / diameter, and what is smaller could only be hit by rounding */
+  /**
+   * The smallest radius and range, px. Recoil is proportional to 1 / diameter, and only rounding could hit anything smaller.
+   */
   leastRadius: 1e-3,
-  /** px/s per axis, either sign: the game's own speed limit */
+  /** Velocities, px/s per axis, either sign: the game's own speed limit. */
   velocity: 1000,
-  /** ticks of 1/60 s: an hour */
+  /** Ticks of 1/60 s in holds: one hour. */
   tick: 216_000,
-  /** objects in one list */
+  /** Objects in one list. */
   objects: 20_000,
+  /** Runs in one level. */
   runs: 1000,
-  /** holds in one run */
+  /** Holds in one run. */
   holds: 20_000,
 } as const;

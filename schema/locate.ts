@@ -1,9 +1,15 @@
 import { fromPointer } from './problem.ts';
 import { createPlaceFinder, type TextPlace } from './text-place.ts';
 
-/** Finds places in the text of a JSON document. Reads the text on the first question, and only the containers on the way. */
+/**
+ * Finds places in the text of a JSON document. It reads the text at the first question, and then only the containers on the
+ * pointer's path.
+ */
 export interface Locator {
-  /** Offset of the value a JSON pointer names, or of its key; where the document has no such value, of the nearest one around it. */
+  /**
+   * Offset of the value that a JSON pointer names, or of its key; if there is no such value, of the nearest one that contains
+   * its place.
+   */
   offsetOf(pointer: string, part: 'value' | 'key'): number;
   placeAt(offset: number): TextPlace;
 }
@@ -27,7 +33,7 @@ function skipString(text: string, start: number): number {
   return i + 1;
 }
 
-/** The offset after the value at `start`; without recursion. */
+/** The offset after the value at `start`, without recursion. */
 function skipValue(text: string, start: number): number {
   let depth = 0;
   let i = start;
@@ -40,7 +46,7 @@ function skipValue(text: string, start: number): number {
     if (c === '{' || c === '[') depth++;
     else if (c === '}' || c === ']') depth--;
     i++;
-    // a number or a literal goes on until something that can't be part of it
+    // // a number or a literal extends up to a character that cannot be part of it
     if (depth === 0 && c !== '}' && c !== ']') {
       while (i < text.length && !',]} \n\r\t'.includes(text[i])) i++;
     }
@@ -48,7 +54,10 @@ function skipValue(text: string, start: number): number {
   return i;
 }
 
-/** The members of the container whose bracket is at `start`; none for other values. The last of two equal keys wins, as in `JSON.parse`. */
+/**
+ * The members of the container whose bracket is at `start`; none for other values. Of two equal keys the last wins, as in
+ * `JSON.parse`.
+ */
 function membersOf(text: string, start: number): Members {
   const members = new Map<string, Member>();
   const isList = text[start] === '[';
@@ -69,7 +78,7 @@ function membersOf(text: string, start: number): Members {
   return members;
 }
 
-/** @param text valid JSON */
+/** Makes a locator for a text, which must be valid JSON. */
 export function createLocator(text: string): Locator {
   const known = new Map<number, Members>();
   let placeAt: ((offset: number) => TextPlace) | null = null;

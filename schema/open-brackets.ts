@@ -1,20 +1,20 @@
 import { quote } from './format-value.ts';
 import { type Finding, MAX_FINDINGS, type Path } from './problem.ts';
 
-/** Brackets may be nested this deep; a level needs 4. */
+/** Brackets may be nested to this depth; a level needs 4. */
 export const MAX_DEPTH = 64;
 
-// from here on looking through a list of keys costs more than a set
+// // from this many keys on, searching a list costs more than a set
 const MANY_KEYS = 16;
 
-/** The brackets that are open at a place of a JSON text, with the keys of each object so far. */
+/** The brackets that are open at a place of a JSON text, with the keys that each object has so far. */
 export class OpenBrackets {
   depth = 0;
   /** Whether any key begins with x-. */
   hasExtensions = false;
-  /** Keys that stand more than once in their object. */
+  /** Keys that occur more than once in their object. */
   readonly repeated: Finding[] = [];
-  // an entry for each depth
+  // // one entry per depth
   private readonly isList: boolean[] = [];
   private readonly index: number[] = [];
   private readonly keys: string[][] = [];
@@ -25,7 +25,10 @@ export class OpenBrackets {
     return this.depth > 0 && this.isList[this.depth - 1];
   }
 
-  /** @returns whether one more may be open */
+  /**
+   * Opens a bracket.
+   * @returns false if it is nested too deeply
+   */
   open(isList: boolean): boolean {
     const { depth } = this;
     if (depth === MAX_DEPTH) return false;
@@ -41,12 +44,12 @@ export class OpenBrackets {
     this.depth--;
   }
 
-  /** The next item of the innermost list, or key of the innermost object, begins. */
+  /** Moves on to the next item of the innermost list, or the next key of the innermost object. */
   next(): void {
     this.index[this.depth - 1]++;
   }
 
-  /** Notes a key of the innermost object. @param offset of its opening quote */
+  /** Adds a key to the innermost object; `offset` is that of its opening quote. */
   addKey(key: string, offset: number): void {
     if (key.startsWith('x-')) this.hasExtensions = true;
     const d = this.depth - 1;
@@ -62,7 +65,7 @@ export class OpenBrackets {
     }
   }
 
-  /** The way to the key that was added last. */
+  /** The path of the key that was added last. */
   private path(): Path {
     return this.isList.slice(0, this.depth).map((isList, d) => (isList ? this.index[d] : this.keys[d][this.keys[d].length - 1]));
   }

@@ -1,49 +1,50 @@
 import type { ProblemCode } from './codes.ts';
 
-/** More problems than this are counted, not shown. */
+/** At most this many problems are shown; the others are only counted. */
 export const MAX_PROBLEMS = 20;
 
-/** Finding stops here: a file with so many problems is another kind of file. */
+/** The search for problems stops here: a file with so many is not a level file with mistakes. */
 export const MAX_FINDINGS = 1000;
 
-/** Something that keeps a file from being read, and what to do about it. */
+/** A problem in a file, and what to do about it. An error keeps the file from being read. */
 export interface Problem {
-  /** One of `CODES`. */
+  /** The stable name of this kind of problem: one of {@link CODES}. */
   readonly code: string;
+  /** Whether it keeps the file from being used. */
   readonly severity: 'error' | 'warning';
-  /** What was expected and what was found, one line, without the place. */
+  /** What was expected and what was found, in one line, without the place. */
   readonly message: string;
-  /** What to do, one line. */
+  /** What to do about it, in one line. */
   readonly hint: string;
-  /** JSON pointer of the value it is about; '' = the whole file. For a missing key: the object that lacks it. */
+  /** JSON pointer of the value concerned; '' is the whole file. For a missing key: the object that lacks it. */
   readonly pointer: string;
-  /** 1-based; null where there is no text to point into. */
+  /** Line in the file, from 1; null if there is no text to point into. */
   readonly line: number | null;
-  /** 1-based, in UTF-16 code units as editors count; null where there is no text to point into. */
+  /** Column in the line, from 1, in UTF-16 code units as editors count; null if there is no text to point into. */
   readonly column: number | null;
 }
 
-/** Keys and indices from the root of a JSON document to a value in it. */
+/** Keys and indices that lead from the root of a JSON document to a value in it. */
 export type Path = readonly (string | number)[];
 
-/** A problem before its place in the text is known. */
+/** A problem whose place in the text is not yet known. */
 export interface Finding {
   readonly code: ProblemCode;
   readonly message: string;
   readonly hint: string;
   readonly path: Path;
-  /** Whether to point at the value or at the key before it. */
+  /** Whether the place is that of the value or of the key before it. */
   readonly part: 'value' | 'key';
-  /** Where in the text, when the finder knows better than the path. */
+  /** Offset in the text, where the finder knows it more exactly than the path says. */
   readonly offset?: number;
 }
 
-/** JSON pointer (RFC 6901) of a path. */
+/** The JSON pointer (RFC 6901) of a path. */
 export function toPointer(path: Path): string {
   return path.map((step) => `/${String(step).replaceAll('~', '~0').replaceAll('/', '~1')}`).join('');
 }
 
-/** Keys and indices of a JSON pointer; indices stay text. */
+/** The keys and indices of a JSON pointer; indices stay text. */
 export function fromPointer(pointer: string): string[] {
   return pointer
     .split('/')

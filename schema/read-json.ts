@@ -5,10 +5,10 @@ import { scanJson } from './scan-json.ts';
 import { createPlaceFinder } from './text-place.ts';
 import { decodeUtf8 } from './utf8.ts';
 
-/** Files above this are not read, in bytes (for a text: in UTF-16 units). */
+/** Larger files are not read: bytes, or UTF-16 code units of a text. */
 export const MAX_FILE_SIZE = 8 * 1024 * 1024;
 
-/** A JSON document, or what keeps it from being one. `text` is without a byte order mark. */
+/** A JSON document, or what is wrong with it. `text` has no byte order mark. */
 export type JsonReading =
   | {
       readonly ok: true;
@@ -17,12 +17,12 @@ export type JsonReading =
       readonly locator: Locator;
       /** Whether any key begins with x-. */
       readonly hasExtensions: boolean;
-      /** What is wrong although the text could be read. */
+      /** Problems of a text that could be read all the same. */
       readonly findings: readonly Finding[];
     }
   | { readonly ok: false; readonly problems: Problem[]; readonly text: string };
 
-// a key of a megabyte must not end up in a report
+// // a key of a megabyte must not appear in a report
 const MAX_POINTER = 500;
 
 const MARK = '\ufeff';
@@ -55,13 +55,16 @@ function badByteFinding(bytes: Uint8Array, bad: { byte: number; at: number; offs
   };
 }
 
-/** The pointer of a path; where a key makes it endless, of the value around it. */
+/** The pointer of a path; if a key makes it too long, that of the value around it. */
 function readablePointer(path: Path): string {
   const pointer = toPointer(path);
   return pointer.length > MAX_POINTER ? readablePointer(path.slice(0, -1)) : pointer;
 }
 
-/** Findings with their places, in the order of the text; at most `MAX_PROBLEMS`, and one more that counts the rest. */
+/**
+ * Turns findings into problems with places, in the order of the text: at most `MAX_PROBLEMS`, and one more that counts the
+ * rest.
+ */
 export function toProblems(findings: readonly Finding[], locator: Locator): Problem[] {
   const placed = findings.map((finding) => {
     const offset = finding.offset ?? locator.offsetOf(toPointer(finding.path), finding.part);
@@ -87,16 +90,17 @@ export function toProblems(findings: readonly Finding[], locator: Locator): Prob
   return problems;
 }
 
-/** For a text that is not JSON, where only offsets have places. */
+/** Problems of a text that is not JSON, in which only offsets have places. */
 function toPlacedProblems(findings: readonly Finding[], text: string): JsonReading {
   const locator: Locator = { offsetOf: () => 0, placeAt: createPlaceFinder(text) };
   return { ok: false, problems: toProblems(findings, locator), text };
 }
 
 /**
- * Reads the text of a JSON file strictly: size, encoding, syntax, nesting, keys given twice, numbers beyond a double.
- * @param source the bytes of the file, or its text
- * @param byteOrderMark whether a byte order mark is a problem ('refuse') or passed over ('skip')
+ * Reads the text of a JSON file strictly: size, encoding, syntax, nesting, repeated keys, and numbers beyond the range of
+ * doubles.
+ * @param source - the bytes of the file, or its text
+ * @param byteOrderMark - whether a byte order mark is a problem (`refuse`) or skipped (`skip`)
  */
 export function readJson(source: Uint8Array | string, byteOrderMark: 'refuse' | 'skip'): JsonReading {
   if (source.length > MAX_FILE_SIZE) {

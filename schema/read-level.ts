@@ -10,32 +10,53 @@ import { resolveLevel } from './resolve.ts';
 import type { OwnRules } from './rules.ts';
 import type { TextPlace } from './text-place.ts';
 
-/** A level file that was read. */
+/** A level file that was read, with its text. */
 export interface LevelDocument {
-  /** As it was read, without a byte order mark. */
+  /** The text as it was read, without a byte order mark. */
   readonly text: string;
-  /** As written: what is left out is missing, x- keys are kept. Migrated when it was of an older version. */
+  /** The content as written: what is left out is missing, and x- keys are kept. Migrated if the file is of an older version. */
   readonly file: LevelFile;
-  /** The version in the text when it was an older one, else null. */
+  /** The version of the file if it is an older one, otherwise null. */
   readonly migratedFrom: number | null;
-  /** Where the value of a JSON pointer stands; where the text has no such value, the nearest one around it. */
+  /**
+   * Finds the place of a value.
+   *
+   * @param pointer - a JSON pointer
+   * @returns where the value begins in the text; if there is no such value, the nearest one that contains its place
+   */
   locate(pointer: string): TextPlace;
 }
 
+/** The outcome of {@link readLevel}: with `ok` true the level and its document, otherwise the problems. */
 export type LevelReading =
-  | { readonly ok: true; readonly level: Level; readonly document: LevelDocument }
-  | { readonly ok: false; readonly problems: Problem[]; readonly text: string };
+  | {
+      /** The file is a valid level. */
+      readonly ok: true;
+      /** The level with every default filled in. */
+      readonly level: Level;
+      /** The file as it was written. */
+      readonly document: LevelDocument;
+    }
+  | {
+      /** The file is not a valid level. */
+      readonly ok: false;
+      /** What is wrong with it, in the order of the text; at least one. */
+      readonly problems: Problem[];
+      /** The text without a byte order mark; '' if the file is too large or not a text. */
+      readonly text: string;
+    };
 
+/** Options of {@link readLevel}. */
 export interface ReadLevelOptions {
-  /** What to do about a byte order mark; 'refuse' when left out. */
+  /** Whether a byte order mark at the start is a problem or skipped; `refuse` when left out. */
   readonly byteOrderMark?: 'refuse' | 'skip';
-  /** How older versions become the current one; the format's own chain when left out. */
+  /** The migrations that bring older versions up to date; the format's own when left out. */
   readonly migrations?: readonly Migration[];
-  /** Rules that the folder sets, which hold where the level has none of its own; none when left out. */
+  /** Rules that the level's folder sets; they apply where the level has none of its own. None when left out. */
   readonly rules?: OwnRules;
 }
 
-/** The version a file says, when it is older and the chain reaches from it; a finding when it can't be read; null for the current one. */
+/** The version of a file if it is older and can be migrated; a finding if it cannot be read; null for the current version. */
 function olderVersion(value: unknown, migrations: readonly Migration[]): { from: number } | Finding | null {
   if (typeof value !== 'object' || value === null || Array.isArray(value) || !Object.hasOwn(value, 'version')) return null;
   const { version } = value as JsonObject;
@@ -58,8 +79,21 @@ function olderVersion(value: unknown, migrations: readonly Migration[]): { from:
 }
 
 /**
- * Reads a level file: encoding, syntax, version, shape, meaning. Never throws for any input.
- * @param source the bytes of the file, or its text
+ * Reads a level file: encoding, JSON syntax, version, shape and meaning. Throws nothing for any content.
+ *
+ * @param source - the bytes of the file, or its text
+ * @param options - byte order mark, migrations and rules of the folder
+ * @returns the level, or every problem found, each with its place
+ *
+ * @example
+ * ```ts
+ * import { readFileSync } from 'node:fs';
+ * import { readLevel } from 'gravity-quest-toolkit/schema';
+ *
+ * const reading = readLevel(readFileSync('levels/01-first-pull.level.json'));
+ * if (reading.ok) console.log(reading.level.asteroids.length);
+ * else for (const { line, column, message } of reading.problems) console.log(`${line}:${column} ${message}`);
+ * ```
  */
 export function readLevel(source: Uint8Array | string, options: ReadLevelOptions = {}): LevelReading {
   const json = readJson(source, options.byteOrderMark ?? 'refuse');

@@ -1,15 +1,16 @@
 import * as z from 'zod';
 
-/** The verdicts on a level; those after the first need attention. */
+/** The verdicts on a level. All but the first need attention. */
 export const VERDICTS = ['completable', 'broken', 'unproven', 'impossible', 'invalid', 'crashed'] as const;
 
+/** The verdict on a level. */
 export type Verdict = (typeof VERDICTS)[number];
 
 const time = z.number().min(0).describe('Seconds from the start.');
 const index = z.int().min(0).describe("Within the level's own list of that kind, from 0.");
 const kind = z.enum(['nova', 'asteroid', 'alien', 'blackHole']);
 
-/** What `simulate` prints as JSON: one run. */
+/** The zod schema of what `gq simulate` prints as JSON: one run. */
 export const runReportSchema = z.strictObject({
   level: z.string(),
   accuracy: z.string(),
@@ -31,7 +32,7 @@ export const runReportSchema = z.strictObject({
   hash: z.string().describe('Covers every sample, event and the final state bit for bit.'),
 });
 
-/** One run, as `simulate` prints it. */
+/** A run, as `gq simulate` prints it. */
 export type RunReport = z.infer<typeof runReportSchema>;
 
 const problem = z.strictObject({
@@ -52,22 +53,22 @@ const levelReport = z.strictObject({
   ms: z.number().min(0),
 });
 
-/** What `check` prints as JSON: one entry a level, and how many have which verdict. */
+/** The zod schema of what `gq check` prints as JSON: one entry per level, and how many levels have each verdict. */
 export const checkReportSchema = z.strictObject({
   levels: z.array(levelReport),
   summary: z.partialRecord(z.enum(VERDICTS), z.int().min(0)),
 });
 
-/** One level, as `check` reports it. */
+/** A level, as `gq check` reports it. */
 export type LevelReport = z.infer<typeof levelReport>;
 
-/** What `check` prints. */
+/** What `gq check` prints as JSON. */
 export type CheckReport = z.infer<typeof checkReportSchema>;
 
 const share = z.number().min(0).max(1);
 const interval = z.tuple([share, share]).describe('95 % interval (Wilson).');
 
-/** How much a run forgives. */
+/** The zod schema of a run's robustness in reports. */
 export const robustnessReportSchema = z.strictObject({
   p30: share.describe('Share of attempts that succeed when every press and release is off by Gaussian noise of 30 ms.'),
   p40: share,
@@ -85,7 +86,7 @@ export const robustnessReportSchema = z.strictObject({
   samples: z.int().min(0).describe('Attempts behind each share.'),
 });
 
-/** How much a run forgives, as reports have it. */
+/** How much imprecision a run tolerates, as reports give it. */
 export type RobustnessReport = z.infer<typeof robustnessReportSchema>;
 
 const effort = z.strictObject({
@@ -125,16 +126,16 @@ const solution = z.strictObject({
   hash: z.string().nullable().describe("The run's, as `simulate` gives it."),
 });
 
-/** What `solve` prints as JSON: the best run; with --count the others, too. */
+/** The zod schema of what `gq solve` prints as JSON: the best run, and with `--count` the others. */
 export const solveReportSchema = z.strictObject({
   ...solution.shape,
   solutions: z.array(solution).optional().describe('With --count above 1: all of them, best first.'),
 });
 
-/** What `solve` prints. */
+/** What `gq solve` prints as JSON. */
 export type SolveReport = z.infer<typeof solveReportSchema>;
 
-/** One run that `solve` found, or what it found instead. */
+/** One run that `gq solve` found, or what it found out instead. */
 export type SolutionReport = z.infer<typeof solution>;
 
 const runFound = z.strictObject({
@@ -144,7 +145,7 @@ const runFound = z.strictObject({
   minerals: z.array(index).describe('Different ones that it collects, sorted.'),
 });
 
-/** A run that meets its goal, in brief. */
+/** A run that reaches its goal, in brief. */
 export type RunFoundReport = z.infer<typeof runFound>;
 
 const measuredDifficulty = z.strictObject({
@@ -188,7 +189,7 @@ const measuredDifficulty = z.strictObject({
     .describe('Success at more noises, with --svg.'),
 });
 
-/** What `difficulty` prints as JSON. */
+/** The zod schema of what `gq difficulty` prints as JSON. */
 export const difficultyReportSchema = z.strictObject({
   levels: z.array(
     z.strictObject({
@@ -201,10 +202,10 @@ export const difficultyReportSchema = z.strictObject({
   ),
 });
 
-/** What `difficulty` prints. */
+/** What `gq difficulty` prints as JSON. */
 export type DifficultyReport = z.infer<typeof difficultyReportSchema>;
 
-/** What `generate` prints as JSON. */
+/** The zod schema of what `gq generate` prints as JSON. */
 export const generateReportSchema = z.strictObject({
   asked: z.int().min(1).describe('Levels asked for.'),
   levels: z.array(
@@ -227,5 +228,5 @@ export const generateReportSchema = z.strictObject({
   rejected: z.int().min(0).describe('Layouts that were thrown away.'),
 });
 
-/** What `generate` prints. */
+/** What `gq generate` prints as JSON. */
 export type GenerateReport = z.infer<typeof generateReportSchema>;

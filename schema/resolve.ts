@@ -4,18 +4,18 @@ import { type OwnRules, RULE_NAMES, RULES } from './rules.ts';
 
 type Written = Readonly<Record<string, unknown>>;
 
-/** An object with what it leaves out. */
+/** Fills in what an object leaves out. */
 function resolveObject(kind: ObjectKind, object: Written): Written {
   const resolved: Record<string, unknown> = KINDS[kind].list === null ? {} : { id: object.id ?? null };
   for (const [name, field] of fieldsOf(kind)) {
     const value = object[name] ?? field.default;
-    // + 0 turns -0 into 0: it is written as 0, and must not be another start than 0
+    // // + 0 turns -0 into 0: formatLevel writes it as 0, and it must not give another start than 0
     resolved[name] = typeof value === 'number' ? value + 0 : value;
   }
   return resolved;
 }
 
-/** The rules that are not the game's own: a level that repeats those says nothing, but against its folder. */
+/** The rules that differ from the original game's. A rule that repeats the original's value matters only against its folder. */
 function ownRules({ rules }: LevelFile, folder: OwnRules): Pick<Level, 'rules'> {
   const own = RULE_NAMES.flatMap((name) => {
     const value = rules?.[name] ?? folder[name];
@@ -25,8 +25,11 @@ function ownRules({ rules }: LevelFile, folder: OwnRules): Pick<Level, 'rules'> 
 }
 
 /**
- * Fills in every default that the file leaves out. Pure; `file` is not changed.
- * @param folder rules that hold where the level has none of its own
+ * Fills in every default that a level file leaves out. {@link readLevel} does so, too.
+ *
+ * @param file - the content of a valid file; it is not changed
+ * @param folder - rules of the level's folder, which apply where the level has none of its own
+ * @returns the complete level
  */
 export function resolveLevel(file: LevelFile, folder: OwnRules = {}): Level {
   const written = file as Readonly<Record<string, unknown>>;

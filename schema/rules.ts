@@ -1,17 +1,20 @@
 import * as z from 'zod';
 
-/** A number of the game that a level, or a folder of levels, may set. */
+/** A number of the game that a level, or the configuration of a folder, may set. */
 export interface GameRule {
+  /** The unit, as text. */
   readonly unit: string;
-  /** The original game's. */
+  /** The original game's value. */
   readonly default: number;
+  /** The smallest value allowed. */
   readonly least: number;
+  /** The largest value allowed. */
   readonly most: number;
-  /** What it does, for a person who designs levels. */
+  /** What it does, for designers of levels. */
   readonly about: string;
 }
 
-/** The game's rules as numbers, in the order in which they are told. */
+/** The game's rules, in the order in which they are listed. */
 export const RULES = {
   pull: {
     unit: 'px/s2',
@@ -41,20 +44,27 @@ export const RULES = {
   boxHeight: { unit: 'px', default: 32, least: 1, most: 200, about: 'Height of her box.' },
 } as const satisfies Readonly<Record<string, GameRule>>;
 
+/** The name of a rule. */
 export type RuleName = keyof typeof RULES;
 
 /** A value for each rule. */
 export type Rules = { readonly [name in RuleName]: number };
 
-/** Those rules that are not the game's own. */
+/** The rules that have another value than in the original game. */
 export type OwnRules = { readonly [name in RuleName]?: number };
 
+/** The names of all rules, in the order in which they are listed. */
 export const RULE_NAMES = Object.keys(RULES) as readonly RuleName[];
 
 /** The original game's rules. */
 export const DEFAULT_RULES = Object.fromEntries(RULE_NAMES.map((name) => [name, RULES[name].default])) as Rules;
 
-/** A level's rules: its own, and the game's where it has none. */
+/**
+ * The rules of a level.
+ *
+ * @param level - a level, or anything with `rules`
+ * @returns a value for each rule: the level's own, or the original game's
+ */
 export function rulesOf({ rules = {} }: { readonly rules?: OwnRules | undefined }): Rules {
   return Object.fromEntries(RULE_NAMES.map((name) => [name, rules[name] ?? RULES[name].default])) as Rules;
 }
@@ -62,7 +72,7 @@ export function rulesOf({ rules = {} }: { readonly rules?: OwnRules | undefined 
 const number = (rule: GameRule) =>
   z.number().min(rule.least).max(rule.most).optional().describe(`${rule.about} In ${rule.unit}; ${rule.default} when left out.`);
 
-/** Rules as a level file, or the configuration of a folder, says them. */
+/** The zod schema of `rules` in a level file or in the configuration of a folder. */
 export const rulesSchema = z
   .strictObject(
     Object.fromEntries(RULE_NAMES.map((name) => [name, number(RULES[name])])) as {

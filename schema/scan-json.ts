@@ -18,19 +18,20 @@ import { scanString } from './json-string.ts';
 import { MAX_DEPTH, OpenBrackets } from './open-brackets.ts';
 import type { Finding } from './problem.ts';
 
-/** What a scan finds out about a JSON text. */
+/** The result of scanning a JSON text. */
 export interface Scan {
-  /** The first thing that is not JSON or is nested too deep; null when `JSON.parse` can read the text. */
+  /** The first error in syntax or nesting; null if `JSON.parse` can read the text. */
   readonly failure: Finding | null;
-  /** Keys that stand more than once in their object; those after `failure` are unknown. */
+  /** Keys that occur more than once in their object; those after `failure` are not found. */
   readonly repeated: readonly Finding[];
   /** Whether any key begins with x-. */
   readonly hasExtensions: boolean;
 }
 
 /**
- * One pass over a JSON text (RFC 8259) without recursion: tells whether `JSON.parse` can read it, what is wrong if not, and what `JSON.parse`
- * would hide: keys given twice, nesting deeper than `MAX_DEPTH`, numbers that would become Infinity.
+ * Scans a JSON text (RFC 8259) once, without recursion. Finds out whether `JSON.parse` can read it and what is wrong if not,
+ * and also what `JSON.parse` would not report: repeated keys, nesting deeper than `MAX_DEPTH`, numbers that would become
+ * Infinity.
  */
 export function scanJson(text: string): Scan {
   const brackets = new OpenBrackets();
@@ -38,7 +39,7 @@ export function scanJson(text: string): Scan {
   return { failure, repeated: brackets.repeated, hasExtensions: brackets.hasExtensions };
 }
 
-/** @returns the first thing that is wrong; null where nothing is */
+/** @returns the first error, or null */
 function scan(text: string, brackets: OpenBrackets): Finding | null {
   let mode: Expected = 'value';
   let i = 0;
@@ -115,7 +116,7 @@ function scanScalar(text: string, offset: number, mode: 'value' | 'value or ]', 
   return unexpected(text, offset, mode === 'value' ? 'a value' : 'a value or "]"', mode, isInList);
 }
 
-/** The key that stands in `text[start, end)`, quotes included. */
+/** The key in `text[start, end)`, whose quotes are included. */
 function keyIn(text: string, start: number, end: number): string {
   const raw = text.slice(start + 1, end - 1);
   return raw.includes('\\') ? (JSON.parse(text.slice(start, end)) as string) : raw;

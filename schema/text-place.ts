@@ -1,10 +1,12 @@
-/** A place in a text, both 1-based; columns count UTF-16 code units, as editors do. */
+/** A place in a text. */
 export interface TextPlace {
+  /** Line, from 1. */
   readonly line: number;
+  /** Column, from 1, in UTF-16 code units as editors count. */
   readonly column: number;
 }
 
-/** Returns a function that turns offsets of `text` into places. Lines end with LF (a CR before it belongs to the line). */
+/** Returns a function that turns offsets in `text` into places. Lines end with LF; a CR before it belongs to the line. */
 export function createPlaceFinder(text: string): (offset: number) => TextPlace {
   const starts = [0];
   for (let i = text.indexOf('\n'); i >= 0; i = text.indexOf('\n', i + 1)) starts.push(i + 1);

@@ -4,7 +4,7 @@ import { RULE_NAMES } from './rules.ts';
 const rule = z.enum(RULE_NAMES as [string, ...string[]]);
 const isRelative = z.boolean().describe("Whether it is a share of each level's own value.");
 
-/** What `tune` prints as JSON. */
+/** The zod schema of what `gq tune` prints as JSON. */
 export const tuneReportSchema = z.strictObject({
   version: z.literal(1),
   accuracy: z.string(),
@@ -53,5 +53,5 @@ export const tuneReportSchema = z.strictObject({
   independent: z.array(rule).describe('Rules that were tried and that no level depends on.'),
 });
 
-/** What `tune` prints as JSON. */
+/** What `gq tune` prints as JSON. */
 export type TuneReport = z.infer<typeof tuneReportSchema>;

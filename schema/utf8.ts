@@ -1,24 +1,24 @@
 /** The text of some bytes, and the first byte that is not UTF-8. */
 export interface DecodedText {
-  /** Bytes that are not UTF-8 are U+FFFD here. */
+  /** The text; bytes that are not UTF-8 become U+FFFD. */
   readonly text: string;
-  /** `at` counts bytes, `offset` is the place in `text`. */
+  /** `at` counts bytes; `offset` is the place in `text`. */
   readonly bad: { readonly byte: number; readonly at: number; readonly offset: number } | null;
 }
 
-// more arguments than this overflow the stack of some engines
+// // more arguments than this overflow the stack of some engines
 const CHUNK = 8192;
 
 function unitsToText(units: Uint8Array | Uint16Array, length: number): string {
   let text = '';
   for (let i = 0; i < length; i += CHUNK) {
-    // apply takes any array-like, its type only arrays
+    // // apply accepts any array-like, but its type only accepts arrays
     text += String.fromCharCode.apply(null, units.subarray(i, Math.min(i + CHUNK, length)) as unknown as number[]);
   }
   return text;
 }
 
-/** The bytes of a sequence that follow its first byte, or -1 when no sequence begins with it. */
+/** The number of bytes that follow the first byte of a sequence, or -1 if no sequence begins with it. */
 function followers(byte: number): number {
   if (byte >= 0xc2 && byte <= 0xdf) return 1;
   if (byte >= 0xe0 && byte <= 0xef) return 2;
@@ -26,7 +26,10 @@ function followers(byte: number): number {
   return -1;
 }
 
-/** Code point of the sequence of `count` + 1 bytes at `i`, or -1 when it is cut short, overlong, a surrogate or above U+10FFFF. */
+/**
+ * The code point of the sequence of `count` + 1 bytes at `i`, or -1 if it is cut short, overlong, a surrogate or above
+ * U+10FFFF.
+ */
 function codePointAt(bytes: Uint8Array, i: number, count: number): number {
   if (count < 0 || i + count >= bytes.length) return -1;
   let point = bytes[i] & (0x3f >> count);
