@@ -1,3 +1,16 @@
+/**
+ * The solver finds runs, measures how robust they are, grades and generates levels, and proves that a level cannot be
+ * completed.
+ *
+ * It uses neither clock nor threads. Work that takes long is an object with an `advance(ticks)` method, or a generator whose
+ * name ends in `InSteps`; its cost is counted in simulated ticks (1/60 s), and the same total gives the same result however it
+ * is split.
+ *
+ * Every run that is reported has been replayed from the start by {@link verifyRun}, at the accuracy of the scene. Every proof
+ * that `gq` reports has been confirmed by {@link verifyProof}.
+ *
+ * @module
+ */
 export { type Cleaned, type CleanOptions, cleanRun } from './clean/index.ts';
 export {
   type AsteroidUse,

@@ -1,12 +1,28 @@
-/** A small seeded generator of pseudo-random numbers (sfc32, by C. Doty-Humphrey): the same seed gives the same numbers everywhere. */
+/**
+ * A seeded generator of pseudo-random numbers (sfc32, by C. Doty-Humphrey). The same seed gives the same numbers on every
+ * machine.
+ */
 export interface Random {
-  /** A whole number from 0 to 2^32 - 1. */
+  /**
+   * Draws a whole number.
+   * @returns a whole number from 0 to 2^32 - 1, all equally likely
+   */
   next(): number;
-  /** A number from 0 up to, not including, 1, in steps of 2^-32. */
+  /**
+   * Draws a fraction.
+   * @returns a number in [0, 1), a multiple of 2^-32
+   */
   unit(): number;
-  /** A whole number from 0 up to, not including, `n` (1 to 2^32). */
+  /**
+   * Draws a whole number below a bound.
+   * @param n the bound, a whole number from 1 to 2^32
+   * @returns a whole number from 0 to `n` - 1
+   */
   below(n: number): number;
-  /** A generator of its own that shares nothing with this one from here on. */
+  /**
+   * Creates an independent generator, and advances this one by three numbers.
+   * @returns a generator that shares no state with this one
+   */
   fork(): Random;
 }
 
@@ -20,7 +36,7 @@ class Sfc32 implements Random {
     this.a = a | 0;
     this.b = b | 0;
     this.c = c | 0;
-    // seeds that differ in one bit must have nothing in common by the first number given out
+    // Warm up, so that seeds that differ in one bit give unrelated first numbers.
     for (let i = 0; i < 12; i++) this.next();
   }
 
@@ -46,7 +62,11 @@ class Sfc32 implements Random {
   }
 }
 
-/** @param seed any finite number; all of its bits up to 2^53 count */
+/**
+ * Creates a generator.
+ * @param seed any finite number; all of its bits up to 2^53 count, and fractions count too
+ * @returns a generator at the start of its sequence
+ */
 export function createRandom(seed: number): Random {
   return new Sfc32(seed, Math.floor(seed / 4294967296), Math.round((seed - Math.floor(seed)) * 4294967296));
 }

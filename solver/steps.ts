@@ -1,7 +1,7 @@
-/** Something that takes long, in steps of a run or few: it knows no clock, so whoever takes the steps says when it rests. */
+/** A long computation that yields after every few runs, so that the caller can pause, cancel or show progress. */
 export type Steps<R> = Generator<null, R, void>;
 
-/** Takes all steps at once. */
+/** Runs a computation to its end without pausing. */
 export function finish<R>(steps: Steps<R>): R {
   for (;;) {
     const step = steps.next();

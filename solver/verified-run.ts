@@ -2,47 +2,58 @@ import { createSimulation, DEFAULT_MAX_TIME, joinHolds, playScript, type Scene, 
 import type { Hold } from '../schema/index.ts';
 import { type Goal, mineralsNeeded } from './goal.ts';
 
-/** A run that meets its goal: a replay from the start has shown it. */
+/** A run that meets its goal, confirmed by a replay from the start. */
 export interface Candidate {
-  /** [press, release) in ticks, sorted, disjoint, none after the end */
+  /** The holds as [press, release) in ticks: sorted, disjoint, and cut off at the end of the run. */
   readonly holds: readonly Hold[];
   /** The tick in which she reaches the black hole. */
   readonly tick: number;
-  /** When, s from the start. */
+  /** The time at which she reaches the black hole, s from the start. */
   readonly time: number;
-  /** Indices of the minerals collected on the way: different ones, sorted. */
+  /** Indices of the different minerals collected on the way, from 0 in the level's list, ascending. */
   readonly minerals: readonly number[];
 }
 
-/** Replays scripts of one scene from the start, one after the other: what `verifyRun` does, for many runs. */
+/** Replays many runs of one scene, one after the other. It judges as {@link verifyRun} does. */
 export interface Replay {
   /** Ticks simulated so far. */
   readonly ticks: number;
   /**
-   * The run when it meets the goal in time, else null.
-   * @param within ticks in which it must, where that is less than for all runs
+   * Replays one run from the start.
+   * @param holds [press, release) in ticks; they are sorted and joined where they overlap
+   * @param within the run must end within this many ticks; it has no effect above the limit given to {@link createReplay}
+   * @returns the run, or null when it does not meet the goal in time
    */
   play(holds: readonly Hold[], within?: number): Candidate | null;
 }
 
-/** How long a run may last where nothing else is said, ticks. */
+/** The longest a run may last by default, ticks: one minute. */
 export const DEFAULT_MAX_TICKS = DEFAULT_MAX_TIME * TICK_RATE;
 
-/** The holds without what comes after the tick in which the run ended. */
+/**
+ * Removes the part of a run that comes after its end.
+ * @param holds [press, release) in ticks, sorted and disjoint
+ * @param tick the tick in which the run ends
+ * @returns the holds up to and including that tick
+ */
 export function cutHolds(holds: readonly Hold[], tick: number): Hold[] {
   return holds.filter(([press]) => press <= tick).map(([press, release]) => [press, Math.min(release, tick + 1)]);
 }
 
 /**
- * Replays scripts as `simulate` does, with the same bits, but keeps no recording: several times as fast.
- * @param maxTicks how long a run may last
+ * Creates a judge for many runs of one scene. It simulates as `simulate` does, bit for bit, but records nothing, which makes it
+ * several times as fast.
+ * @param scene the compiled level
+ * @param goal what a run has to achieve
+ * @param maxTicks the longest a run may last, ticks
+ * @returns a judge that has not simulated anything yet
  */
 export function createReplay(scene: Scene, goal: Goal, maxTicks: number = DEFAULT_MAX_TICKS): Replay {
   const simulation = createSimulation(scene);
   const needed = mineralsNeeded(goal, scene.minerals.count);
   let ticks = 0;
 
-  /** Plays to the end; the indices of the minerals, or null when it misses the goal. */
+  /** Plays a run to its end. Returns the indices of its minerals, or null when it misses the goal. */
   const mineralsOf = (holds: readonly Hold[], within: number): number[] | null => {
     simulation.reset();
     playScript(simulation, holds, within);
@@ -50,7 +61,8 @@ export function createReplay(scene: Scene, goal: Goal, maxTicks: number = DEFAUL
     if (simulation.ending?.outcome !== 'completed') return null;
     const minerals: number[] = [];
     for (let i = 0; i < scene.minerals.count; i++) if (simulation.isCollected(i)) minerals.push(i);
-    // of minerals touched at once arcade counts all and takes one away: only its events know which she had
+    // When several minerals are touched in one frame, `arcade` counts all of them but removes only one. Only the recorded
+    // events say which minerals she has.
     const all = minerals.length === simulation.mineralCount ? minerals : countedMinerals(scene, holds, maxTicks);
     return all.length < needed ? null : all;
   };
@@ -65,7 +77,7 @@ export function createReplay(scene: Scene, goal: Goal, maxTicks: number = DEFAUL
       const ending = simulation.ending;
       if (minerals === null || ending === null) return null;
       const { tick, time } = ending;
-      // nothing is read after the last tick, so cutting there changes nothing
+      // The game reads no button after the last tick, so the cut changes nothing.
       return { holds: cutHolds(joined, tick), tick, time, minerals };
     },
   };
@@ -77,9 +89,21 @@ function countedMinerals(scene: Scene, holds: readonly Hold[], maxTicks: number)
 }
 
 /**
- * The one judge of runs: replays a script from the start, at the scene's accuracy. Every run the solver reports has passed it.
- * @param maxTicks how long the run may last
- * @returns null when it does not reach the black hole with the minerals the goal asks for
+ * Decides whether a run meets a goal: it replays the run from the start at the scene's accuracy. Every run that the solver
+ * reports has passed this function.
+ * @param scene the compiled level
+ * @param holds [press, release) in ticks; they are sorted and joined where they overlap
+ * @param goal what the run has to achieve; by default only the black hole
+ * @param maxTicks the longest the run may last, ticks
+ * @returns the run, or null when it does not reach the black hole in time with the minerals that the goal requires
+ * @example
+ * ```ts
+ * import { compile } from 'gravity-quest-toolkit';
+ * import { verifyRun } from 'gravity-quest-toolkit/solver';
+ *
+ * const run = verifyRun(compile(level), [[12, 96]], { minerals: 'all' });
+ * console.log(run === null ? 'misses the goal' : `completed after ${run.time} s`);
+ * ```
  */
 export function verifyRun(
   scene: Scene,

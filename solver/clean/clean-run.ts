@@ -5,29 +5,39 @@ import type { Effort } from '../search/index.ts';
 import { type Candidate, createReplay, DEFAULT_MAX_TICKS } from '../verified-run.ts';
 import { earlierFrom, edgesOf, holdsOf, joined, rounded, withoutHold } from './simpler-scripts.ts';
 
+/** Limits for {@link cleanRun}. */
 export interface CleanOptions {
-  /** replays it may take; 400 when left out */
+  /** The most replays it may take; 400 by default. */
   readonly maxRuns?: number;
-  /** how long the run may last, ticks; 3600 when left out */
+  /** The longest the run may last, ticks; 3600 by default. */
   readonly maxTicks?: number;
 }
 
-/** A run made simpler, and what that took. */
+/** A simplified run and what it cost to find it. */
 export interface Cleaned {
+  /** The simplified run. */
   readonly run: Candidate;
+  /** The replays it took and the ticks they simulated. */
   readonly effort: Effort;
 }
 
-/** Edges are rounded to multiples of half a second, or a tenth, where the run allows it, ticks. */
+/**
+ * Presses and releases are rounded to multiples of these where the run still succeeds, ticks: half a second, a tenth of a
+ * second.
+ */
 const GRIDS = [30, 6] as const;
 
-/** The most that a pause or hold is shortened by at once, ticks. */
+/** The most by which a pause or hold is shortened in one attempt, ticks. */
 const LONGEST_CUT = 256;
 
 /**
- * Makes a run that meets its goal simpler: presses that are not needed go, holds are joined, pauses and holds get shorter, edges
- * become round. Every step is verified by a replay. The result has no more presses than the run it came from, and ends no later.
- * @returns null when the run does not meet the goal to begin with
+ * Simplifies a run that meets its goal: it drops needless presses, joins holds, shortens pauses and holds, and rounds presses
+ * and releases. A replay confirms every change. The result has no more presses than the original and ends no later.
+ * @param scene the compiled level
+ * @param holds the original run, [press, release) in ticks
+ * @param goal what the run has to achieve, before and after
+ * @param options limits on the work and on the length of the run
+ * @returns the simplified run, or null when the original does not meet the goal
  */
 export function cleanRun(scene: Scene, holds: readonly Hold[], goal: Goal, options: CleanOptions = {}): Cleaned | null {
   const { maxRuns = 400, maxTicks = DEFAULT_MAX_TICKS } = options;
@@ -37,7 +47,7 @@ export function cleanRun(scene: Scene, holds: readonly Hold[], goal: Goal, optio
   let runs = 1;
   let best = original;
 
-  /** Takes a script over when it meets the goal by tick `by` with at most so many presses. */
+  /** Accepts the holds as the new best run if they meet the goal by tick `by` with at most this many presses. */
   const attempt = (script: readonly Hold[] | null, by: number, presses: number): boolean => {
     if (script === null || runs >= maxRuns) return false;
     runs++;
@@ -61,7 +71,7 @@ export function cleanRun(scene: Scene, holds: readonly Hold[], goal: Goal, optio
     for (let cut = LONGEST_CUT; cut >= 1; cut /= 2) {
       for (let i = 0; i < 2 * best.holds.length; i++) {
         const edges = edgesOf(best.holds);
-        // all that follows comes earlier, or this edge alone
+        // First move this edge and all later ones, then this edge alone.
         if (attempt(holdsOf(earlierFrom(edges, i, cut)), best.tick - 1, best.holds.length)) continue;
         attempt(holdsOf(edges.map((edge, k) => (k === i ? edge - cut : edge))), best.tick - 1, best.holds.length);
       }
@@ -73,7 +83,7 @@ export function cleanRun(scene: Scene, holds: readonly Hold[], goal: Goal, optio
     for (const grid of GRIDS) {
       for (let i = 0; i < 2 * best.holds.length; i++) {
         const edges = edgesOf(best.holds);
-        // what is round on a wider grid stays so
+        // An edge that is a multiple of a coarser grid stays where it is.
         if (GRIDS.some((wider) => wider >= grid && edges[i] % wider === 0)) continue;
         attempt(holdsOf(edges.map((edge, k) => (k === i ? rounded(edge, grid) : edge))), original.tick, best.holds.length);
       }

@@ -1,19 +1,19 @@
 import type { Hold } from '../../schema/index.ts';
 
-/** Without hold `i`. */
+/** Removes hold `i`. */
 export const withoutHold = (holds: readonly Hold[], i: number): Hold[] => holds.filter((_, k) => k !== i);
 
-/** Hold `i` goes on until the next one ends. */
+/** Extends hold `i` to the end of the next one. */
 export const joined = (holds: readonly Hold[], i: number): Hold[] => [
   ...holds.slice(0, i),
   [holds[i][0], holds[i + 1][1]],
   ...holds.slice(i + 2),
 ];
 
-/** The ticks at which the button changes, two a hold. */
+/** The ticks at which the button changes, two for each hold. */
 export const edgesOf = (holds: readonly Hold[]): number[] => holds.flat();
 
-/** Holds from edges; null where an edge comes before the one before it, or a hold or pause would vanish. */
+/** Converts edges back into holds; null where the edges are not strictly ascending, or one is negative. */
 export function holdsOf(edges: readonly number[]): Hold[] | null {
   const holds: Hold[] = [];
   for (let i = 0; i < edges.length; i += 2) {
@@ -23,7 +23,7 @@ export function holdsOf(edges: readonly number[]): Hold[] | null {
   return holds;
 }
 
-/** Everything from edge `i` on comes `ticks` earlier. */
+/** Moves edge `i` and all later ones earlier by this many ticks. */
 export const earlierFrom = (edges: readonly number[], i: number, ticks: number): number[] =>
   edges.map((edge, k) => (k >= i ? edge - ticks : edge));
 

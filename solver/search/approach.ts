@@ -3,7 +3,7 @@ import type { Hold } from '../../schema/index.ts';
 import type { NodeList } from './node-list.ts';
 import type { Closest } from './search.ts';
 
-/** Remembers the nearest that any stretch came to the black hole. */
+/** Records the closest approach to the black hole of all stretches. */
 export class Approach {
   private readonly scene: Scene;
   private distance = Number.POSITIVE_INFINITY;
@@ -16,7 +16,7 @@ export class Approach {
     this.scene = scene;
   }
 
-  /** Looks at a state on a stretch from `node`. */
+  /** Examines a state on a stretch from `node`. */
   look(state: Float64Array, node: number, tick: number, held: boolean): void {
     const { box, level } = this.scene;
     const hole = level.blackHole;
@@ -33,7 +33,10 @@ export class Approach {
     this.holds = null;
   }
 
-  /** Written out when asked for, since at first every look is nearer; must be asked before the nodes are thrown away. */
+  /**
+   * The closest approach. Its holds are derived on demand, because early in a search almost every state is a new minimum; ask
+   * before the nodes are discarded.
+   */
   closest(nodes: NodeList): Closest | null {
     if (this.node < 0) return null;
     this.holds ??= nodes.holdsTo(this.node, this.tick, this.held);

@@ -1,14 +1,14 @@
 import type { Scene, Simulation } from '../../engine/index.ts';
 
-/** Aliens whose places tell cells apart; where there are more, the first so many. */
+/** The places of this many aliens at most distinguish cells. */
 const ALIENS = 32;
 
 const mix = (h: number, k: number): number => Math.imul(h ^ k ^ (h >>> 15), 0x2c1b3c6d);
 const stir = (h: number, k: number): number => Math.imul(h ^ k ^ (h >>> 13), 0x297a2d39);
 
 /**
- * The cell a state lies in, as two 32-bit hashes: her place and velocity in steps of the cell's size, the places of aliens, and
- * the minerals she has.
+ * Computes the cell of a state as two 32-bit hashes of her place and velocity in units of the cell size, the places of the
+ * aliens, and the minerals she has.
  */
 export class CellKey {
   low = 0;
@@ -27,12 +27,12 @@ export class CellKey {
    * @param state as `readState` gives it
    * @param place side of a cell, px
    * @param speed side of a cell, px/s
-   * @param minerals a number that says which she has
+   * @param minerals a hash of the minerals she has
    */
   find(simulation: Simulation, state: Float64Array, place: number, speed: number, minerals: number): void {
     const x = Math.floor((state[0] - this.originX) / place);
     const y = Math.floor((state[1] - this.originY) / place);
-    // rest lies in the middle of a cell, not at the corner of four
+    // Shift by a half, so that rest lies in the middle of a cell and not at the corner of four.
     const vx = Math.floor(state[2] / speed + 0.5);
     const vy = Math.floor(state[3] / speed + 0.5);
     let low = mix(mix(mix(mix(minerals ^ 0x3c6ef372, x), y), vx), vy);

@@ -14,60 +14,68 @@ import { Reports } from './reports.ts';
 import type { Closest, Effort, Explored, Search, SearchOptions } from './search.ts';
 import { SnapshotPool } from './snapshot-pool.ts';
 
-// what has been tried from a node
+// What has been tried from a node.
 const PRESSED = 2;
 const COASTED = 4;
-// a run over this node that ends with the button held, or not, has been reported
+// Whether a run that ends in a stretch from this node, with the button held or not, has been reported.
 const REPORTED_HELD = 8;
 const REPORTED_FREE = 16;
 const TRIED = PRESSED | COASTED;
 
-/** Doubles that snapshots may take (96 MB) before the search starts afresh with other random numbers. */
+/** Doubles that all snapshots may take (96 MB). When they are full, the search restarts with other random numbers. */
 const MEMORY = 12_000_000;
 
-// The sizes below were chosen on random levels: half or twice as much costs a tenth to a fifth more ticks to a first run.
+// The sizes below were tuned on random levels: half or twice as much costs 10 to 20 % more ticks to the first run.
 
-/** Side of a cell at first, px and px/s; when everything has been tried cells shrink. */
+/** Side of a cell at first, px and px/s. Cells shrink by the factor when everything has been tried. */
 const CELL_PLACE = 32;
 const CELL_SPEED = 24;
 const SHRINK = 0.7;
 
-/** Ticks she may have to drift to what is aimed at; doubles when cells shrink. */
+/** The longest drift to an aim that is considered, ticks. It doubles when cells shrink. */
 const PATIENCE = 600;
 
-/** Longest stretch, ticks. Long holds are worth it: she swings to and fro, and each swing points elsewhere. */
+/** The longest stretches, ticks. Long holds pay off, because she swings to and fro and each swing points somewhere else. */
 const LONGEST_HOLD = 600;
 const LONGEST_COAST = 1200;
 
-/** Most ticks between two looks; fewer where she flies farther than this part of a cell. */
+/** The most ticks between two samples of a stretch; fewer where she would fly farther than `STEP` cells. */
 const HOLD_STRIDE = 16;
 const COAST_STRIDE = 120;
 const STEP = 1.1;
 
-/** So many looks in cells that are known end a stretch. */
+/** A stretch ends after this many samples in known cells. */
 const FAMILIAR_HOLD = 15;
 const FAMILIAR_COAST = 3;
 
-/** A cell is taken over by a way that is earlier by so many ticks and this part. */
+/** A path takes over a cell if its tick plus `EARLIER` is at most `EARLIER_PART` of the known path's tick. */
 const EARLIER = 60;
 const EARLIER_PART = 0.8;
 
-/** Nodes that are drawn to choose one. */
+/** How many nodes are drawn at random to choose one of them. */
 const CANDIDATES = 10;
 
-/** Share of stretches with the button held: it is there that runs are found. */
+/** Share of stretches with the button held: those are the ones that find runs. */
 const PRESS_SHARE = 0.85;
 
-/** Share of choices that go by minerals first, where the goal asks for some. */
+/** Share of choices that prefer nodes with more minerals, where the goal requires minerals. */
 const RICH_SHARE = 0.5;
 
-/** Ticks on the way that make a node half as good a choice as one at the start. */
+/** A node at this tick is half as good a choice as one at the start. */
 const FAR_TICKS = 300;
 
 /**
- * An archive of cells over place, velocity, aliens and minerals, each with a snapshot of a way to it. From the cells visited
- * least, stretches with the button held or not find new cells; wherever the button is held, the search looks whether letting
- * go there brings her into the black hole.
+ * Searches for runs by exploration, in the manner of Go-Explore (A. Ecoffet et al., 2019).
+ *
+ * - An archive divides the states (place, velocity, aliens, collected minerals) into cells. For each cell it keeps the earliest
+ *   path into it, with a snapshot of the engine, so that any path continues without replaying its beginning.
+ * - Each step picks a rarely visited cell, holds or releases the button for a while from its snapshot, and samples the states
+ *   on the way. Sampling follows her speed, so that no cell is jumped over. States in new cells are stored.
+ * - During every hold the search asks whether a release now would bring her into the black hole. It first tests a straight line
+ *   against circles ({@link LineOfFlight}) and simulates only what passes.
+ * - When everything has been tried, cells shrink and all nodes are tried again.
+ *
+ * The search may guess and cut corners, because {@link Reports} replays every run from the start before it is reported.
  */
 class CellSearch implements Search {
   readonly scene: Scene;
@@ -159,11 +167,11 @@ class CellSearch implements Search {
     this.simulation.readState(this.state);
     if (this.needed > this.scene.minerals.count) return;
     this.findCell();
-    // what happens by itself comes first
+    // Try first what happens without any press.
     this.toCoastFirst.push(this.store(-1, false, this.visit()));
   }
 
-  /** One stretch from one node; false when there is nothing to try. */
+  /** Simulates one stretch from one node. Returns false when there is nothing to try. */
   private step(): boolean {
     const { nodes } = this;
     if (nodes.count === 0) return false;
@@ -184,7 +192,7 @@ class CellSearch implements Search {
     return true;
   }
 
-  /** A node from which this has not been tried: of a few at random the one where she has been least. */
+  /** Picks a node from which this has not been tried: of a few at random, the one in the least visited square. */
   private select(held: boolean): number {
     const { nodes, heat } = this;
     const tried = held ? PRESSED : COASTED;
@@ -198,7 +206,7 @@ class CellSearch implements Search {
     return (held ? this.toPress : this.toCoast).take(this.random, CANDIDATES, score);
   }
 
-  /** Simulates from a node with the button held or not, and stores what it finds on the way. */
+  /** Simulates a stretch from a node with the button held or not, and stores the new states on the way. */
   private sweep(node: number, held: boolean): void {
     const { simulation, state, minerals, nodes, needed } = this;
     nodes.flags[node] |= held ? PRESSED : COASTED;
@@ -261,7 +269,7 @@ class CellSearch implements Search {
           this.toCoastFirst.push(stored);
         }
       }
-      // so slow that waiting shows nothing new: one look ahead is enough
+      // She is so slow that waiting longer shows nothing new.
       if (!held && stride === COAST_STRIDE) return;
     }
   }
@@ -274,7 +282,7 @@ class CellSearch implements Search {
     return stride < most ? stride : most;
   }
 
-  /** The minerals (bit by index) that she would meet if she let go here. */
+  /** The minerals (one bit per index) that she would meet if the button were released now. */
   private mineralsAhead(): number {
     const { simulation, state, line } = this;
     const { halfDiagonal } = this.scene.box;
@@ -295,7 +303,10 @@ class CellSearch implements Search {
     return ahead;
   }
 
-  /** Lets go at every tick since the last sample, `stride` ticks ago, between which the aim swept across the black hole. */
+  /**
+   * Tries a release at every tick since the last sample, `stride` ticks ago. The direction of flight has swept across the black
+   * hole in between.
+   */
   private probeBetween(last: number, stride: number): void {
     const { simulation, state, minerals } = this;
     const end = simulation.tick;
@@ -312,7 +323,7 @@ class CellSearch implements Search {
     minerals.read(simulation);
   }
 
-  /** Whether letting go here brings her into the black hole: looked at first, then tried. */
+  /** Whether a release now brings her into the black hole: predicted first, then simulated. */
   private probe(last: number): boolean {
     const { simulation, line, state, minerals } = this;
     const hole = this.scene.level.blackHole;
@@ -333,7 +344,9 @@ class CellSearch implements Search {
     return hit;
   }
 
-  /** Reports the run over a node that goes on to tick `until` with the button held or not; from each node once for either. */
+  /**
+   * Reports the run through a node that goes on to tick `until` with the button held or not. Each node reports once for either.
+   */
   private report(last: number, until: number, held: boolean): void {
     const { nodes, reports } = this;
     const reported = held ? REPORTED_HELD : REPORTED_FREE;
@@ -345,7 +358,7 @@ class CellSearch implements Search {
     this.ticks += reports.ticks - before;
   }
 
-  /** Everything has been tried: smaller cells, and all nodes once more. */
+  /** Everything has been tried: shrinks the cells and opens all nodes again. */
   private refine(): void {
     this.place *= SHRINK;
     this.speed *= SHRINK;
@@ -353,7 +366,7 @@ class CellSearch implements Search {
     this.cells.clear();
     this.toPress.clear();
     this.toCoast.clear();
-    // counts as work, so that a search without anywhere to go comes to its end, too
+    // This counts as work, so that a search with nowhere to go still ends.
     this.ticks++;
     const { nodes, cells, key } = this;
     for (let node = 0; node < nodes.count; node++) {
@@ -370,7 +383,7 @@ class CellSearch implements Search {
     }
   }
 
-  /** Notes where she is; returns the square. */
+  /** Counts a visit of the current place. Returns the number of its square. */
   private visit(): number {
     const { state, heat } = this;
     return heat.visit(state[0], state[1], this.minerals.hash);
@@ -380,7 +393,10 @@ class CellSearch implements Search {
     this.key.find(this.simulation, this.state, this.place, this.speed, this.minerals.hash);
   }
 
-  /** Whether she is in a new cell, or much earlier in a known one than before: then what was known of it is given up. */
+  /**
+   * Whether the state lies in a new cell, or reaches a known one much earlier than before. In the second case nothing more is
+   * tried from the old node.
+   */
   private isBetter(): boolean {
     this.findCell();
     const { nodes, cells, key } = this;
@@ -404,7 +420,21 @@ class CellSearch implements Search {
   }
 }
 
-/** A search for runs of a scene that meet a goal. Nothing is simulated before its first `advance`. */
+/**
+ * Creates a search for runs that meet a goal. It simulates nothing before the first call of `advance`.
+ * @param scene the compiled level
+ * @param options the goal, the seed and the longest run
+ * @returns a search at its start
+ * @example
+ * ```ts
+ * import { compile } from 'gravity-quest-toolkit';
+ * import { createSearch } from 'gravity-quest-toolkit/solver';
+ *
+ * const search = createSearch(compile(level), { goal: { minerals: 'all' } });
+ * while (search.solutions.length === 0 && search.effort.ticks < 2_000_000) search.advance(50_000);
+ * console.log(search.solutions[0]?.holds ?? search.closest);
+ * ```
+ */
 export function createSearch(scene: Scene, options: SearchOptions = {}): Search {
   return new CellSearch(scene, options);
 }

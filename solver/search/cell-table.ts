@@ -1,6 +1,9 @@
 const EMPTY = -1;
 
-/** Which node represents which cell: a hash table with open addressing over two 32-bit hashes of the cell. */
+/**
+ * Maps cells to the nodes that represent them: a hash table with open addressing, whose keys are the two 32-bit hashes of a
+ * cell.
+ */
 export class CellTable {
   private mask: number;
   private low: Int32Array;
@@ -15,14 +18,14 @@ export class CellTable {
     this.node = new Int32Array(capacity).fill(EMPTY);
   }
 
-  /** The place of the cell with these hashes, whether or not it is taken. Valid until the next `put`. */
+  /** The slot of the cell with these hashes, taken or not. It is valid until the next `put`. */
   find(low: number, high: number): number {
     let i = (low ^ (high >>> 7)) & this.mask;
     while (this.node[i] !== EMPTY && (this.low[i] !== low || this.high[i] !== high)) i = (i + 1) & this.mask;
     return i;
   }
 
-  /** The node at a place, or -1. */
+  /** The node in a slot, or -1. */
   at(place: number): number {
     return this.node[place];
   }

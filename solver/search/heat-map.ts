@@ -8,7 +8,7 @@ const hash = (x: number, y: number, layer: number): number => {
   return h ^ (h >>> 15);
 };
 
-/** Visits of several searches that start at the same place, put together. */
+/** Sums the visits of several searches that start at the same place. */
 export class HeatTally {
   private readonly cells = new Map<string, { x: number; y: number; visits: number }>();
 
@@ -21,7 +21,7 @@ export class HeatTally {
     }
   }
 
-  /** With those of some more that go on. */
+  /** The sum, with the visits of searches that are still going on added. */
   explored(...more: readonly Explored[]): Explored {
     const all = new HeatTally();
     all.add({ cellSize: SIZE, cells: [...this.cells.values()] });
@@ -31,11 +31,11 @@ export class HeatTally {
 }
 
 /**
- * How often each square of the level has been visited, with each set of minerals in hand (its layer) apart. Squares are counted
- * from where she starts and numbered as they are found.
+ * Counts the visits to each square of the level, separately for each set of collected minerals (the layer). Squares are aligned
+ * to the start, and numbered in the order in which they are found.
  */
 export class HeatMap {
-  /** visits of square `i` */
+  /** Visits of each square, by its number. */
   visits = new Int32Array(128);
   private count = 0;
   private x = new Int32Array(128);
@@ -51,14 +51,17 @@ export class HeatMap {
     this.originY = originY;
   }
 
-  /** Notes one visit of a place in px. @returns its square */
+  /**
+   * Counts one visit of a place in px.
+   * @returns the number of its square
+   */
   visit(px: number, py: number, layer: number): number {
     const square = this.squareAt(px, py, layer);
     this.visits[square]++;
     return square;
   }
 
-  /** The number of the square that holds a place in px. */
+  /** The number of the square that contains a place in px. */
   squareAt(px: number, py: number, layer: number): number {
     const x = Math.floor((px - this.originX) / SIZE);
     const y = Math.floor((py - this.originY) / SIZE);
@@ -88,7 +91,7 @@ export class HeatMap {
     return square;
   }
 
-  /** A number that says roughly where a square lies: the same for three by three of them. */
+  /** A number for the region of a square: equal for the nine squares of a three by three block. */
   districtOf(square: number): number {
     return Math.imul(Math.floor(this.x[square] / 3), 0x9e3779b1) ^ Math.imul(Math.floor(this.y[square] / 3), 0x85ebca6b);
   }

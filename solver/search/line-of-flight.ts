@@ -1,12 +1,12 @@
 import { type Scene, TICK_RATE } from '../../engine/index.ts';
 
-/** px that recoil or a frame's step may move things against what is computed here. */
+/** How far recoil or the step of a frame may move objects away from what is computed here, px. */
 const SLACK = 0.25;
 
 /**
- * Where she drifts when the gun is let go: on a straight line, with her box as it is turned. A box that moves on a line sweeps
- * a strip, so she touches a circle when its centre is nearer to the line than the strip's half width and the circle's radius.
- * Says nothing of aliens; a line through a repulsor counts as barred.
+ * Predicts the drift after a release: a straight line, on which her box keeps its angle. The moving box sweeps a strip, so she
+ * touches a circle exactly if its centre is nearer to the line than the strip's half width plus the circle's radius. Aliens are
+ * ignored, and a line through a repulsor counts as blocked.
  */
 export class LineOfFlight {
   private readonly scene: Scene;
@@ -25,7 +25,7 @@ export class LineOfFlight {
     this.hotCount = scene.targets.count - scene.coldCount;
   }
 
-  /** Sets off from a state as `Simulation.readState` gives it. */
+  /** Starts the line at a state as `Simulation.readState` gives it. */
   from(state: Float64Array): void {
     const vx = state[2];
     const vy = state[3];
@@ -36,12 +36,12 @@ export class LineOfFlight {
     this.ux = speed > 0 ? vx / speed : 0;
     this.uy = speed > 0 ? vy / speed : 0;
     const { ux, uy, box } = this;
-    // how far the box reaches to either side of the line
+    // How far the box extends to each side of the line.
     const across = Math.abs(ux * state[5] - uy * state[4]);
     this.halfWidth = box.halfWidth * across + box.halfHeight * Math.abs(ux * state[4] + uy * state[5]);
   }
 
-  /** px to fly until she touches a circle, or -1. */
+  /** Distance along the line until she touches a circle, px; -1 if she never does. */
   distanceTo(cx: number, cy: number, r: number): number {
     const dx = cx - this.x;
     const dy = cy - this.y;
@@ -55,12 +55,12 @@ export class LineOfFlight {
     return distance > 0 ? distance : 0;
   }
 
-  /** Ticks it takes to fly so many px. */
+  /** The ticks it takes to fly this many px. */
   ticksFor(distance: number): number {
     return (distance / this.speed) * TICK_RATE;
   }
 
-  /** Whether nothing is in the way of the next `distance` px, and an asteroid in range all along. */
+  /** Whether the next `distance` px are free of hazards and repulsors, with an asteroid in range all the way. */
   isClear(distance: number): boolean {
     const { novae, targets, coldCount, repulsors } = this.scene;
     for (let i = 0; i < novae.count; i++) if (this.isBarred(novae.x[i], novae.y[i], novae.r[i], distance)) return false;

@@ -1,30 +1,33 @@
 import type { Scene, Simulation } from '../../engine/index.ts';
 
-/** So many minerals at most are aimed at; where there are more, she meets enough of them by the way. */
+/** The search aims at this many minerals at most. In levels with more of them, enough are collected by chance. */
 const AIMED_AT = 24;
 
-/** Which minerals a simulation has collected, as far as the goal cares: different ones, where `arcade` may count one twice. */
+/**
+ * The minerals that a simulation has collected, where the goal requires any. Each counts once, although `arcade` may count one
+ * twice.
+ */
 export class MineralSet {
-  /** how many */
+  /** How many different minerals she has. */
   size = 0;
-  /** a number that says which */
+  /** A hash of which ones she has. */
   hash = 0;
   private readonly scene: Scene;
   private readonly cares: boolean;
   private counted = -1;
 
-  /** @param cares whether the goal asks for minerals at all */
+  /** @param cares whether the goal requires minerals at all */
   constructor(scene: Scene, cares: boolean) {
     this.scene = scene;
     this.cares = cares;
   }
 
-  /** The number of minerals worth aiming at, collected or not: the first so many of the level. */
+  /** How many minerals the search aims at, collected or not: the first ones in the level's list. */
   get aims(): number {
     return this.cares ? Math.min(this.scene.minerals.count, AIMED_AT) : 0;
   }
 
-  /** Reads them anew where the count has changed since the last reading. */
+  /** Reads the minerals again if the count has changed since the last reading. */
   update(simulation: Simulation): void {
     if (simulation.mineralCount !== this.counted) this.read(simulation);
   }

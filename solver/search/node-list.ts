@@ -6,16 +6,16 @@ const doubled = (array: Int32Array<ArrayBuffer>): Int32Array<ArrayBuffer> => {
   return larger;
 };
 
-/** The nodes of the tree of stretches: each the state at the end of a stretch with the button held or not. */
+/** The nodes of the search tree. Each is the state at the end of a stretch in which the button was either held or not. */
 export class NodeList {
   count = 0;
   parent = new Int32Array(256);
   tick = new Int32Array(256);
-  /** bit 0: the button on the way here; further bits: what has been tried from here */
+  /** Bit 0: whether the button was held on the way here. Other bits: what has been tried from here. */
   flags = new Int32Array(256);
-  /** the square of the heat map it lies in */
+  /** Number of the heat map's square that contains the state. */
   square = new Int32Array(256);
-  /** how many of the minerals that count she has */
+  /** How many different minerals she has, where the goal requires any. */
   minerals = new Int32Array(256);
 
   add(parent: number, tick: number, held: boolean, square: number, minerals: number): number {
@@ -35,7 +35,7 @@ export class NodeList {
     return node;
   }
 
-  /** Whether the button was held on the way to a node. */
+  /** Whether the button was held in the stretch that ends at a node. */
   isHeld(node: number): boolean {
     return (this.flags[node] & 1) === 1;
   }

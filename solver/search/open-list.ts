@@ -1,6 +1,6 @@
 import type { Random } from '../random.ts';
 
-/** Nodes from which something is still to be tried, in no order. */
+/** Nodes from which something has not been tried yet, in no order. */
 export class OpenList {
   private nodes = new Int32Array(256);
   private count = 0;
@@ -19,9 +19,10 @@ export class OpenList {
   }
 
   /**
-   * Takes out, of `candidates` nodes drawn at random, the one with the lowest score.
-   * @param score negative infinity would be taken at once, positive infinity throws the node away
-   * @returns -1 when there is none
+   * Draws `candidates` nodes at random, and removes and returns the one with the lowest score.
+   * @param score gives the score of a node; a node that scores positive infinity is dropped from the list and does not count as
+   * drawn
+   * @returns the node, or -1 when there is none
    */
   take(random: Random, candidates: number, score: (node: number) => number): number {
     let best = -1;
@@ -31,7 +32,7 @@ export class OpenList {
       const value = score(this.nodes[i]);
       if (value === Number.POSITIVE_INFINITY) {
         this.nodes[i] = this.nodes[--this.count];
-        // the last one has moved: where the best lies has to be found again
+        // Dropping a node moves the last one into its place: follow it if it is the best so far.
         if (best === this.count) best = i;
         continue;
       }

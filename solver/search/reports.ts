@@ -2,10 +2,10 @@ import type { Candidate, Replay } from '../verified-run.ts';
 import type { HeatMap } from './heat-map.ts';
 import type { NodeList } from './node-list.ts';
 
-/** So many runs that press and let go in about the same places are kept. */
+/** How many runs are kept that press and release in about the same places. */
 const ALIKE = 4;
 
-/** The runs found: each replayed from the start, and no more than a few of a kind. */
+/** The runs found. Each has been replayed from the start, and only a few similar ones are kept. */
 export class Reports {
   readonly solutions: Candidate[] = [];
   private readonly replay: Replay;
@@ -16,19 +16,19 @@ export class Reports {
     this.replay = replay;
   }
 
-  /** Ticks that replays have taken. */
+  /** Ticks simulated by the replays. */
   get ticks(): number {
     return this.replay.ticks;
   }
 
-  /** Adds the run over node `last` that goes on to tick `until` with the button held or not. */
+  /** Adds the run that passes through node `last` and goes on to tick `until` with the button held or not. */
   add(nodes: NodeList, heat: HeatMap, last: number, until: number, held: boolean): void {
     const family = familyOf(nodes, heat, last, held);
     const members = this.families.get(family) ?? 0;
     if (members >= ALIKE) return;
     const candidate = this.replay.play(nodes.holdsTo(last, until, held));
     if (candidate === null) return;
-    // ways by other cells may be the same holds
+    // Paths through different cells may have the same holds.
     const script = candidate.holds.join(' ');
     if (this.scripts.has(script)) return;
     this.scripts.add(script);
@@ -37,7 +37,7 @@ export class Reports {
   }
 }
 
-/** A number for runs that press and let go in about the same places. */
+/** A hash that is equal for runs that press and release in about the same places. */
 function familyOf(nodes: NodeList, heat: HeatMap, last: number, held: boolean): number {
   let family = held ? 1 : 2;
   let button = held;

@@ -3,50 +3,66 @@ import type { Hold } from '../../schema/index.ts';
 import type { Goal } from '../goal.ts';
 import type { Candidate } from '../verified-run.ts';
 
-/** What has been simulated so far. */
+/** The work done so far. It is the same on every machine. */
 export interface Effort {
-  /** stretches simulated in one go */
+  /** Stretches that were simulated without a break. */
   readonly runs: number;
-  /** ticks of 1/60 s */
+  /** Simulated ticks of 1/60 s. */
   readonly ticks: number;
 }
 
-/** The nearest that any run came to the black hole. */
+/** The closest approach: the smallest distance to the black hole that any run reached. */
 export interface Closest {
-  /** from her box to the black hole's rim, px; 0 where she reached it without meeting the goal */
+  /** From her collision box to the rim of the black hole, px; 0 where she reached it without meeting the goal. */
   readonly distance: number;
+  /** The tick at which she came so close. */
   readonly tick: number;
+  /** The holds that lead there, [press, release) in ticks. */
   readonly holds: readonly Hold[];
 }
 
-/** Where the search has been, for a heat map: squares of `cellSize` px, `x` and `y` their centres. */
+/** Where a search has been, for a heat map. */
 export interface Explored {
+  /** Side of a square, px. */
   readonly cellSize: number;
-  readonly cells: readonly { readonly x: number; readonly y: number; readonly visits: number }[];
+  /** The squares that were visited, in no order. */
+  readonly cells: readonly {
+    /** x of the centre, px. */
+    readonly x: number;
+    /** y of the centre, px. */
+    readonly y: number;
+    /** How often a simulated state fell into the square. */
+    readonly visits: number;
+  }[];
 }
 
+/** What {@link createSearch} looks for. */
 export interface SearchOptions {
-  /** any minerals when left out */
+  /** What a run has to achieve; by default only the black hole. */
   readonly goal?: Goal;
-  /** 0 when left out */
+  /** Seed of the random choices, any finite number; 0 by default. */
   readonly seed?: number;
-  /** how long a run may last, ticks; 3600 when left out */
+  /** The longest a run may last, ticks; 3600 by default. */
   readonly maxTicks?: number;
 }
 
-/** A search for runs that meet a goal, to be advanced as long as one likes. */
+/** A search for runs that meet a goal. The caller decides how long it goes on. */
 export interface Search {
+  /** The scene that is searched. */
   readonly scene: Scene;
+  /** The work done so far. */
   readonly effort: Effort;
-  /** null until something has been simulated */
+  /** The closest approach so far; null until something has been simulated. */
   readonly closest: Closest | null;
-  /** In the order found, each verified by a replay from the start. */
+  /** The runs found, in the order found. A replay from the start has confirmed each of them. */
   readonly solutions: readonly Candidate[];
+  /** Where the search has been so far. */
   readonly explored: Explored;
-  /** Nothing can be tried at all: the goal asks for more minerals than there are. */
+  /** True when there is nothing to try because the goal requires more minerals than the level has. */
   readonly exhausted: boolean;
   /**
-   * Simulates about so many more ticks. The same total gives the same result however it is split.
+   * Continues the search. The same total gives the same result however it is split into calls.
+   * @param ticks how many more ticks to simulate; the search may overshoot by one stretch
    * @returns how many new solutions it found
    */
   advance(ticks: number): number;

@@ -1,4 +1,7 @@
-/** Snapshots of one scene, numbered, in few large typed arrays: storing one allocates nothing once its place exists. */
+/**
+ * Stores numbered snapshots of one scene in a few large typed arrays, so that storing one allocates nothing once its slot
+ * exists.
+ */
 export class SnapshotPool {
   private readonly length: number;
   private readonly places: Float64Array[] = [];
@@ -8,7 +11,7 @@ export class SnapshotPool {
     this.length = length;
   }
 
-  /** Where snapshot `i` is kept; places are made in order, a block at a time. */
+  /** The slot of snapshot `i`. Slots are created in order, one block at a time. */
   at(i: number): Float64Array {
     while (i >= this.places.length) this.grow();
     return this.places[i];
@@ -16,7 +19,7 @@ export class SnapshotPool {
 
   private grow(): void {
     const { length } = this;
-    // small at first, so that a search of a millisecond does not spend it on memory
+    // The first blocks are small, because a search of a millisecond must not spend it on memory.
     const count = Math.max(1, Math.min(Math.max(16, this.places.length), Math.floor(131072 / length)));
     const block = new Float64Array(count * length);
     for (let k = 0; k < count; k++) this.places.push(block.subarray(k * length, (k + 1) * length));
