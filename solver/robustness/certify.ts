@@ -6,52 +6,79 @@ import { type BoxResult, type Cluster, clustersInSteps, ShiftBox, shiftsUpTo } f
 import { SLACK_LIMIT } from './slack.ts';
 import { createTrials, playFrom, type Trials } from './trials.ts';
 
-/** Runs tried when nothing else is said: enough for two ticks and three holds, or four of which the last lasts to the end. */
+/** Default limit on the runs tried: enough for two ticks with three holds, or with four of which the last lasts to the end. */
 const DEFAULT_CERTIFY_RUNS = 200_000;
 
-/** Runs tried where somebody waits for the certificate, or many levels are measured: a tick more is seldom worth ten times as many. */
+/**
+ * A lower limit for {@link CertifyOptions.maxRuns}, for callers that wait for the certificate or measure many levels: one more
+ * certified tick is seldom worth ten times as many runs.
+ */
 export const BRIEF_CERTIFY_RUNS = 20_000;
 
-/** Few enough for a step of some ms in a large level. */
+/** So few that one step takes a few milliseconds in a large level. */
 const RUNS_A_STEP = 8;
 
-/** By how much k grows from one box to the next: the boxes before the last cost little then. */
+/** Growth of k from one attempt to the next, so that the attempts before the last one cost little. */
 const GROWTH = 1.5;
 
+/** Limits for {@link certify}. */
 export interface CertifyOptions {
-  /** Ticks after which a run that goes on has failed; a minute when left out. */
+  /** A run fails when it lasts longer than this, ticks; 3600 by default. */
   readonly maxTicks?: number;
-  /** Runs tried at most; 200,000 when left out. */
+  /** The most runs to simulate; 200,000 by default. */
   readonly maxRuns?: number;
-  /** No more than this is proven, ticks; 60 when left out. */
+  /** The largest shift to certify, ticks; 60 by default. */
   readonly limit?: number;
 }
 
-/** What was proven by trying every combination. */
+/** The result of trying every combination of shifts. */
 export interface Certification {
-  /** The largest k proven: ALL combinations of shifts of every edge by up to k ticks meet the goal. */
+  /**
+   * Certified ticks: the largest k for which ALL combinations of shifts of all presses and releases by up to k ticks meet the
+   * goal.
+   */
   readonly ticks: number;
-  /** True when `maxRuns` ran out before k + 1 was decided. */
+  /** True when `maxRuns` was spent before k + 1 was decided. */
   readonly exhausted: boolean;
   /** Runs simulated. */
   readonly runs: number;
-  /** A run with shifts of up to k + 1 ticks (or none, when k is 0 and the run itself fails) that fails; null when none was found. */
+  /** A failing run with shifts of up to k + 1 ticks, or the run itself if it already fails; null when none was found. */
   readonly counterexample: Hold[] | null;
 }
 
 /**
- * Proves how far all edges can move together. Exact: every combination is simulated, with what combinations share
- * simulated once. Shifted edges are read as in `shiftHolds`, so holds that overlap join, and empty ones vanish.
+ * Certifies how far all presses and releases of a run may move at once. The result is exact: every combination of shifts is
+ * simulated.
+ *
+ * What combinations have in common is simulated once: they are tried depth first, and each goes on from a snapshot of the state
+ * at its last common edge. Extreme shifts come first, because they are the most likely to fail. Edges that shifts can bring out
+ * of order are shifted together. The game then reads the holds as in `shiftHolds`: overlapping holds join and empty ones
+ * vanish.
+ * @param scene the compiled level
+ * @param holds the run, [press, release) in ticks
+ * @param goal what every shifted run has to achieve
+ * @param options limits on the runs simulated, on their length and on k
+ * @returns the certified ticks, and a counterexample for one tick more if one was found
+ * @example
+ * ```ts
+ * import { compile } from 'gravity-quest-toolkit';
+ * import { certify } from 'gravity-quest-toolkit/solver';
+ *
+ * const { ticks, exhausted } = certify(compile(level), [[12, 96]], { minerals: 'any' }, { maxRuns: 20_000 });
+ * ```
  */
 export function certify(scene: Scene, holds: readonly Hold[], goal: Goal, options: CertifyOptions = {}): Certification {
   return certifyWith(createTrials(scene, goal, options.maxTicks), joinHolds(holds), options.maxRuns, options.limit);
 }
 
-/** {@link certify} on trials at hand. @param holds sorted and disjoint */
+/**
+ * {@link certify} with existing trials.
+ * @param holds sorted and disjoint
+ */
 export const certifyWith = (trials: Trials, holds: readonly Hold[], maxRuns?: number, limit?: number): Certification =>
   finish(certifyInSteps(trials, holds, maxRuns, limit));
 
-/** {@link certifyWith}, some runs a step. */
+/** {@link certifyWith}, a few runs per step. */
 export function* certifyInSteps(
   trials: Trials,
   holds: readonly Hold[],
@@ -67,13 +94,13 @@ export function* certifyInSteps(
   });
   trials.simulation.reset();
   if (!playFrom(trials, trials.simulation.snapshot(), holds)) return stop(0, [...holds], false);
-  // without an edge there is nothing to shift: proven for every k
+  // A run without edges has nothing to shift: it is certified for every k.
   if (holds.length === 0) return stop(limit, null, false);
   const leftOver = () => before + maxRuns - trials.runs;
 
-  /** @param whole do not begin what can't be finished */
+  /** @param whole do not start what `maxRuns` cannot finish */
   function* judge(k: number, whole: boolean): Steps<BoxResult> {
-    // all edges at their extremes fail most often and are few: they are tried before everything else
+    // All edges at their extremes are the few combinations that fail most often: try them before all others.
     for (const shifts of [[-k, k], shiftsUpTo(k)]) {
       const left = leftOver();
       const clusters = yield* clustersInSteps(holds, k, shifts, left);
@@ -90,11 +117,11 @@ export function* certifyInSteps(
   }
 
   let proved = 0;
-  // the smallest k that is known to fail, and the smallest that takes too many runs; beyond the limit as long as there is none
+  // The smallest k known to fail, and the smallest known to take too many runs; limit + 1 while there is none.
   let refuted = limit + 1;
   let tooMany = limit + 1;
   let failed: Hold[] | null = null;
-  // what holds for k holds for less: in growing steps as long as nothing stops it, then by halves
+  // What holds for k holds for every smaller one: grow k until something stops it, then bisect.
   while (proved + 1 < Math.min(refuted, tooMany)) {
     const bound = Math.min(refuted, tooMany);
     const k = bound > limit ? Math.min(limit, Math.max(proved + 1, Math.ceil(GROWTH * proved))) : (proved + bound) >> 1;
@@ -107,7 +134,7 @@ export function* certifyInSteps(
     }
   }
   if (proved + 1 < refuted) {
-    // what is left may still find one that fails
+    // The remaining runs may still find a counterexample.
     const result = yield* judge(proved + 1, false);
     if (result === 'proved') proved++;
     else if (result !== 'unfinished') {
@@ -119,5 +146,5 @@ export function* certifyInSteps(
   return stop(proved, isDecided ? failed : null, !isDecided);
 }
 
-/** At most so many runs are simulated for all combinations. */
+/** The most runs that all combinations can take. */
 const combinationsOf = (clusters: readonly Cluster[]): number => clusters.reduce((product, { ways }) => product * ways.length, 1);

@@ -8,27 +8,48 @@ import { countInSteps, DEFAULT_SAMPLES, type SampleOptions, type Success, toSucc
 import { tickNoise } from './tick-noise.ts';
 import { createTrials } from './trials.ts';
 
-/** How much a run forgives. */
+/** How robust a run is. */
 export interface Robustness {
-  /** Success under timing noise of 30, 40, 60 and 80 ms an edge. */
+  /** Success under timing noise with a standard deviation of 30 ms per edge. */
   readonly p30: Success;
+  /** Success under timing noise with a standard deviation of 40 ms per edge. */
   readonly p40: Success;
+  /** Success under timing noise with a standard deviation of 60 ms per edge. */
   readonly p60: Success;
+  /** Success under timing noise with a standard deviation of 80 ms per edge. */
   readonly p80: Success;
-  /** All combinations of shifts by up to so many ticks succeed. */
+  /** All combinations of shifts of all presses and releases by up to this many ticks meet the goal. */
   readonly certifiedTicks: number;
-  /** Whether some shift by one tick more is known to fail; false where there were too many to try. */
+  /** Whether a combination of shifts by one tick more is known to fail; false when there were too many to try. */
   readonly decided: boolean;
-  /** Two for each hold: press, release. */
+  /** Slack of each edge, two entries per hold: press, release. */
   readonly slack: readonly EdgeSlack[];
 }
 
+/** What {@link measureRobustness} may spend. */
 export interface RobustnessOptions extends SampleOptions {
-  /** How many runs the certificate may take; beyond them it may be lower than it could be. */
+  /**
+   * The most runs for the certificate; 200,000 by default. When they are spent, `certifiedTicks` may be lower than possible.
+   */
   readonly maxRuns?: number;
 }
 
-/** Slack, certificate and success under noise of a run, from the start of the scene. */
+/**
+ * Measures how robust a run is: its slack, its certified ticks and its success under timing noise.
+ * @param scene the compiled level
+ * @param holds the run, [press, release) in ticks; joined where they overlap
+ * @param goal what the run has to achieve
+ * @param options samples and seed of the noise, and the limit of the certificate
+ * @returns the measurements; for a run that misses the goal, slack and certified ticks are 0
+ * @example
+ * ```ts
+ * import { compile } from 'gravity-quest-toolkit';
+ * import { measureRobustness } from 'gravity-quest-toolkit/solver';
+ *
+ * const { p40, certifiedTicks, slack } = measureRobustness(compile(level), [[12, 96]], { minerals: 'any' });
+ * console.log(`${(100 * p40.p).toFixed(0)} % succeed at 40 ms; ${certifiedTicks} ticks are certified`);
+ * ```
+ */
 export const measureRobustness = (
   scene: Scene,
   holds: readonly Hold[],
@@ -36,7 +57,14 @@ export const measureRobustness = (
   options: RobustnessOptions = {},
 ): Robustness => finish(measureRobustnessInSteps(scene, holds, goal, options));
 
-/** {@link measureRobustness}, some runs a step. */
+/**
+ * {@link measureRobustness} in steps of a few runs, for callers that must stay responsive.
+ * @param scene the compiled level
+ * @param holds the run, [press, release) in ticks; joined where they overlap
+ * @param goal what the run has to achieve
+ * @param options samples and seed of the noise, and the limit of the certificate
+ * @returns a generator that yields between steps and returns the measurements
+ */
 export function* measureRobustnessInSteps(
   scene: Scene,
   holds: readonly Hold[],

@@ -2,22 +2,22 @@ import type { Hold } from '../../schema/index.ts';
 import { finish, type Steps } from '../steps.ts';
 import { advanceTo, isSuccess, type Trials } from './trials.ts';
 
-/** Few enough for a step of some ms in a large level. */
+/** So few that one step takes a few milliseconds in a large level. */
 const RUNS_A_STEP = 8;
 
 /**
- * Judges many runs at once: sorted by their edges, each goes on from the last state it shares with the one before.
- * A thousand runs that differ by small noise share their first swings, which are then simulated once.
+ * Judges many runs at once. Sorted by their edges, each run continues from the last state that it shares with the one before: a
+ * thousand runs that differ by a little noise share their first swings, which are then simulated once.
  * @param runs each sorted and disjoint
- * @returns whether each one meets the goal, in the order given
+ * @returns 1 for each run that meets the goal, else 0, in the order given
  */
 export const judgeAll = (trials: Trials, runs: readonly (readonly Hold[])[]): Uint8Array => finish(judgeInSteps(trials, runs));
 
-/** {@link judgeAll}, some runs a step. */
+/** {@link judgeAll}, a few runs per step. */
 export function* judgeInSteps(trials: Trials, runs: readonly (readonly Hold[])[]): Steps<Uint8Array> {
   const { simulation, maxTicks } = trials;
   const edges = runs.map((holds) => holds.flat());
-  // a run without a next edge waits for the end of time: it sorts behind those that have one
+  // A run without a next edge sorts behind those that have one.
   const edgeOf = (run: number, depth: number): number => Math.min(edges[run][depth] ?? maxTicks, maxTicks);
   const compare = (a: number, b: number): number => {
     const depth = Math.max(edges[a].length, edges[b].length);
@@ -30,10 +30,10 @@ export function* judgeInSteps(trials: Trials, runs: readonly (readonly Hold[])[]
   const order = [...runs.keys()].sort(compare);
 
   const succeeded = new Uint8Array(runs.length);
-  // states[d]: the state at the d-th edge of the run before, the button not yet moved
+  // states[d]: the state at edge d of the previous run, before the button changes.
   const states: Float64Array[] = [];
   let before = -1;
-  // the run before had ended by its edge of this depth: what comes later doesn't matter
+  // The previous run had ended by its edge of this depth, so its later edges do not matter.
   let settled = 0;
   let judged = 0;
   for (const run of order) {

@@ -3,34 +3,37 @@ import type { Hold } from '../../schema/index.ts';
 import { finish, type Steps } from '../steps.ts';
 import { advanceTo, isSuccess, type Trials } from './trials.ts';
 
-/** Few enough for a step of some ms. */
+/** So few that one step takes a few milliseconds. */
 const COMBINATIONS_A_STEP = 500;
 
-/** Stands for a press before, or a release after, all of a cluster. */
+/** Stands for a press before, or a release after, every edge of a cluster. */
 const FAR = 1e9;
 
 /**
- * Edges so close that shifts can bring them out of order: they are shifted together. Clusters are so far apart that the
- * button is surely in a known position between them.
+ * A group of edges that shifts can bring out of order, so that they are shifted together. Between two clusters the button is in
+ * a known state whatever the shifts.
  */
 export interface Cluster {
-  /** Whether the button is held before the first of these edges, whatever the shifts. */
+  /** Whether the button is held before the first of these edges. */
   readonly heldBefore: boolean;
-  /** What the game may read, each once: ticks at which the button changes, ascending. Extreme shifts come first. */
+  /**
+   * Every different way in which the game may read the shifted edges: ascending ticks at which the button changes. Extreme
+   * shifts come first.
+   */
   readonly ways: readonly (readonly number[])[];
 }
 
-/** What a {@link ShiftBox} has found: a run that fails, that there is none, or that there is more to try. */
+/** What a {@link ShiftBox} has found: a run that fails, that none fails, or that there is more to try. */
 export type BoxResult = readonly Hold[] | 'proved' | 'unfinished';
 
 /**
- * All combinations of shifts of every edge by up to k ticks, tried one after the other, and bit by bit if one likes.
- * Depth first: a combination goes on from the state that those with the same beginning have left.
+ * Tries all combinations of shifts of every edge by up to k ticks, as many per call as the caller allows. It works depth first:
+ * each combination continues from the state at the end of its common beginning with the one before.
  */
 export class ShiftBox {
   private readonly trials: Trials;
   private readonly clusters: readonly Cluster[];
-  /** Per depth: the state before the cluster, which way is next, and the way taken. */
+  /** For each depth: the state before the cluster, the index of the way to try next, and the way taken. */
   private readonly states: Float64Array[];
   private readonly next: number[] = [0];
   private readonly chosen: (readonly number[])[] = [];
@@ -44,7 +47,7 @@ export class ShiftBox {
     this.states = [trials.simulation.snapshot()];
   }
 
-  /** Tries until one fails, all have succeeded, or `maxRuns` more have been played. */
+  /** Continues until one run fails, all have succeeded, or `maxRuns` more have been played. */
   run(maxRuns: number): BoxResult {
     const { trials, clusters, states, next, chosen } = this;
     const { simulation, maxTicks } = trials;
@@ -66,21 +69,21 @@ export class ShiftBox {
       }
       chosen[depth] = way;
       chosen.length = depth + 1;
-      // one that has ended doesn't depend on the edges that are left
+      // A run that has ended does not depend on the remaining edges.
       if (simulation.ending === null && depth + 1 < clusters.length) {
         states[depth + 1] = simulation.snapshot(states[depth + 1]);
         next[depth + 1] = 0;
         this.depth++;
         continue;
       }
-      // the last edge of all is a release
+      // The last edge is always a release.
       advanceTo(trials, maxTicks, false);
       if (!isSuccess(trials, () => this.played())) return this.played();
     }
     return 'proved';
   }
 
-  /** The run played last. */
+  /** The run that was played last. */
   private played(): Hold[] {
     const ticks = this.chosen.flat();
     if (ticks.length % 2 === 1) ticks.push(this.trials.maxTicks);
@@ -90,7 +93,7 @@ export class ShiftBox {
   }
 }
 
-/** Shifts of up to k ticks, the likeliest to fail first. */
+/** All shifts of up to k ticks, the most likely to fail first. */
 export function shiftsUpTo(k: number): number[] {
   const shifts = [0];
   for (let by = 1; by <= k; by++) shifts.unshift(-by, by);
@@ -98,14 +101,17 @@ export function shiftsUpTo(k: number): number[] {
 }
 
 /**
- * What the game may read when every edge is shifted by one of `shifts`, up to k ticks either way.
+ * Lists what the game may read when every edge is shifted by one of `shifts`.
  * @param holds sorted and disjoint, at least one
- * @returns null when some edges are so close that more than `maxWays` combinations of theirs would have to be read
+ * @param k the largest shift either way, ticks
+ * @param shifts the shifts to combine, ticks
+ * @param maxWays the most combinations of one cluster
+ * @returns the clusters in order, or null when one of them has more than `maxWays` combinations
  */
 export const clustersOf = (holds: readonly Hold[], k: number, shifts: readonly number[], maxWays: number): Cluster[] | null =>
   finish(clustersInSteps(holds, k, shifts, maxWays));
 
-/** {@link clustersOf}, some combinations a step. */
+/** {@link clustersOf}, a few combinations per step. */
 export function* clustersInSteps(
   holds: readonly Hold[],
   k: number,
@@ -125,7 +131,9 @@ export function* clustersInSteps(
   return clusters;
 }
 
-/** Every way in which the game may read the edges from `first` to `last`; null when more than `maxWays` would be tried. */
+/**
+ * Every way in which the game may read the edges from `first` to `last`; null when there are more than `maxWays` combinations.
+ */
 function* waysOf(
   edges: readonly number[],
   first: number,

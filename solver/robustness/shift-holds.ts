@@ -2,9 +2,9 @@ import { joinHolds } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
 
 /**
- * What the game reads when every edge comes a few ticks earlier (negative) or later: ticks below 0 are 0, a hold whose
- * release doesn't come after its press vanishes, holds that overlap or touch join.
- * @param shifts ticks, two for each hold: press, release
+ * What the game reads when every edge is shifted: ticks below 0 become 0, holds whose release does not come after their press
+ * vanish, and holds that overlap or touch join.
+ * @param shifts ticks, negative for earlier; two per hold: press, release
  */
 export function shiftHolds(holds: readonly Hold[], shifts: ArrayLike<number>): Hold[] {
   return joinHolds(

@@ -5,28 +5,46 @@ import { finish, type Steps } from '../steps.ts';
 import { shiftHolds } from './shift-holds.ts';
 import { advanceTo, createTrials, playFrom, type Trials } from './trials.ts';
 
-/** Ticks by which one edge alone can come earlier or later, each tick up to there included, and the run still meets the goal. */
+/**
+ * Slack of one press or release: how far it can move alone while the run still meets the goal. Every tick in between succeeds,
+ * too.
+ */
 export interface EdgeSlack {
+  /** How much earlier it may come, ticks. */
   readonly earlier: number;
+  /** How much later it may come, ticks. */
   readonly later: number;
 }
 
-/** Farther than this no edge is moved, ticks: a second. */
+/** The largest shift that is tried, ticks: one second. */
 export const SLACK_LIMIT = 60;
 
 /**
- * How far each press and release can move alone. Exact: every single shift is simulated.
- * @param holds [press, release) in ticks; joined where they overlap, and the slack is of the joined ones
- * @returns two for each hold: press, release; all 0 for a run that doesn't meet the goal
+ * Measures how far each press and release can move alone. The result is exact: every single shift is simulated.
+ * @param scene the compiled level
+ * @param holds the run, [press, release) in ticks; joined where they overlap
+ * @param goal what the run has to achieve
+ * @param limit the largest shift to try, ticks; 60 by default
+ * @returns two entries per joined hold: press, release; all 0 for a run that misses the goal
  */
 export const findSlack = (scene: Scene, holds: readonly Hold[], goal: Goal, limit = SLACK_LIMIT): EdgeSlack[] =>
   finish(findSlackInSteps(scene, holds, goal, limit));
 
-/** {@link findSlack}, a run a step. */
+/**
+ * {@link findSlack} in steps of one run.
+ * @param scene the compiled level
+ * @param holds the run, [press, release) in ticks; joined where they overlap
+ * @param goal what the run has to achieve
+ * @param limit the largest shift to try, ticks; 60 by default
+ * @returns a generator that yields between steps and returns two entries per joined hold
+ */
 export const findSlackInSteps = (scene: Scene, holds: readonly Hold[], goal: Goal, limit = SLACK_LIMIT): Steps<EdgeSlack[]> =>
   slackOf(createTrials(scene, goal), joinHolds(holds), limit);
 
-/** {@link findSlack} on trials at hand, a run a step. @param holds sorted and disjoint */
+/**
+ * {@link findSlack} with existing trials, one run per step.
+ * @param holds sorted and disjoint
+ */
 export function* slackOf(trials: Trials, holds: readonly Hold[], limit: number): Steps<EdgeSlack[]> {
   const edges = holds.flat();
   const { simulation } = trials;
@@ -35,7 +53,7 @@ export function* slackOf(trials: Trials, holds: readonly Hold[], limit: number):
   if (!playFrom(trials, start, holds)) return edges.map(() => ({ earlier: 0, later: 0 }));
 
   const shifts = new Array<number>(edges.length).fill(0);
-  // runs that differ only from here on share what comes before
+  // Runs that differ only from here on continue from this state.
   let shared = start;
   function* largest(edge: number, direction: number): Steps<number> {
     for (let by = 1; by <= limit; by++) {
@@ -60,7 +78,7 @@ export function* slackOf(trials: Trials, holds: readonly Hold[], limit: number):
   return slack;
 }
 
-/** The state of a run at a tick, from a state of it that comes before. */
+/** The state of a run at a tick, computed from an earlier state of it. */
 function stateAt(trials: Trials, before: Float64Array, holds: readonly Hold[], tick: number): Float64Array {
   const { simulation } = trials;
   simulation.restore(before);

@@ -8,32 +8,40 @@ import { drawShift, type TickNoise, tickNoise, uniformOf } from './tick-noise.ts
 import { createTrials, type Trials } from './trials.ts';
 import { wilsonInterval } from './wilson.ts';
 
-/** How often a run succeeds when every edge comes at a slightly wrong time. */
+/** How often a run succeeds under timing noise. */
 export interface Success {
   /** Standard deviation of each edge's time, ms. */
   readonly sigma: number;
-  /** Share of the samples that met the goal. */
+  /** Success: the share of the samples that met the goal, 0 to 1. */
   readonly p: number;
-  /** Wilson's 95 % interval for the probability. */
+  /** Lower end of the 95 % confidence interval of the probability (Wilson's score interval), 0 to 1. */
   readonly low: number;
+  /** Upper end of the 95 % confidence interval, 0 to 1. */
   readonly high: number;
+  /** How many attempts were simulated. */
   readonly samples: number;
 }
 
+/** How timing noise is sampled. */
 export interface SampleOptions {
-  /** Executions tried; 1000 when left out. */
+  /** Attempts to simulate; 1000 by default. */
   readonly samples?: number;
-  /** 0 when left out. */
+  /** Seed of the noise, any whole number; 0 by default. */
   readonly seed?: number;
 }
 
-/** Executions tried when nothing else is said: p is then known within 3 %. */
+/** Attempts simulated by default: the probability is then known to within 3 %. */
 export const DEFAULT_SAMPLES = 1000;
 
 /**
- * The probability that a run meets the goal when every press and release is off by independent Gaussian noise, sampled.
- * The same seed lays the same noise on every run. Shifted edges are read as in `shiftHolds`.
- * @param sigma standard deviation, ms
+ * Estimates how often a run meets the goal when every press and release is off by independent Gaussian timing noise. The same
+ * seed puts the same noise on every run, so that runs can be compared. Shifted edges are read as in `shiftHolds`.
+ * @param scene the compiled level
+ * @param holds the run, [press, release) in ticks; joined where they overlap
+ * @param goal what the run has to achieve
+ * @param sigma standard deviation of the noise, ms
+ * @param options how many samples, and their seed
+ * @returns the share of successes and its confidence interval
  */
 export const successProbability = (
   scene: Scene,
@@ -43,7 +51,15 @@ export const successProbability = (
   options: SampleOptions = {},
 ): Success => finish(successInSteps(scene, holds, goal, sigma, options));
 
-/** {@link successProbability}, some runs a step. */
+/**
+ * {@link successProbability} in steps of a few runs.
+ * @param scene the compiled level
+ * @param holds the run, [press, release) in ticks; joined where they overlap
+ * @param goal what the run has to achieve
+ * @param sigma standard deviation of the noise, ms
+ * @param options how many samples, and their seed
+ * @returns a generator that yields between steps and returns the share of successes with its confidence interval
+ */
 export function* successInSteps(
   scene: Scene,
   holds: readonly Hold[],
@@ -55,12 +71,12 @@ export function* successInSteps(
   return toSuccess(sigma, count, samples);
 }
 
-/** A share of successes with its interval. */
+/** Converts a number of successes into a share with its confidence interval. */
 export function toSuccess(sigma: number, successes: number, samples: number): Success {
   return { sigma, p: successes / samples, ...wilsonInterval(successes, samples), samples };
 }
 
-/** How many of the executions `from` up to, not including, `to` meet the goal. */
+/** Counts the successes among the attempts `from` (inclusive) to `to` (exclusive). */
 export const countSuccesses = (
   trials: Trials,
   holds: readonly Hold[],
@@ -70,7 +86,7 @@ export const countSuccesses = (
   to: number,
 ): number => finish(countInSteps(trials, holds, noise, seed, from, to));
 
-/** {@link countSuccesses}, some runs a step. */
+/** {@link countSuccesses}, a few runs per step. */
 export function* countInSteps(
   trials: Trials,
   holds: readonly Hold[],

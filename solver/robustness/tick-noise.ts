@@ -1,6 +1,6 @@
 import { TICK_RATE } from '../../engine/index.ts';
 
-/** How far an edge may stray, in standard deviations; what lies beyond is rarer than 1 in 10^9. */
+/** The largest error of an edge, in standard deviations; a larger one is rarer than 1 in 10^9. */
 const REACH = 6.2;
 
 /** 2^32 */
@@ -10,8 +10,8 @@ const UINT32 = 4294967296;
 const DENSITY = 0.3989422804014327;
 
 /**
- * Standard normal distribution function less a half, by its Taylor series: x/1 + x^3/3 + x^5/(3*5) + ... times the
- * density (Abramowitz and Stegun 26.2.11). Of + - * / alone, so the same in every JavaScript engine.
+ * The standard normal distribution function minus 1/2, computed by its Taylor series: the density times x/1 + x^3/3 + x^5/(3*5)
+ * + ... (Abramowitz and Stegun 26.2.11). It uses only + - * /, and so gives the same bits in every JavaScript engine.
  * @param x between -7 and 7, where the error stays below 1e-14
  */
 export function normalBeyondHalf(x: number): number {
@@ -24,7 +24,7 @@ export function normalBeyondHalf(x: number): number {
   return DENSITY * expMinus((x * x) / 2) * sum;
 }
 
-/** e^-x for x of 0 to 30: the series of a small part, squared up. */
+/** Computes e^-x for x from 0 to 30: the series of x / 64, squared six times. */
 function expMinus(x: number): number {
   const part = x / 64;
   let term = 1;
@@ -38,18 +38,19 @@ function expMinus(x: number): number {
   return power;
 }
 
-/** How often an edge comes by how many ticks too late: the shifts from `-reach` to `reach` and how likely each is. */
+/** The distribution of an edge's error: the shifts from `-reach` to `reach` ticks and their probabilities. */
 export interface TickNoise {
+  /** The largest shift, ticks. */
   readonly reach: number;
-  /** `probability[shift + reach]` */
+  /** `probability[shift + reach]`, 0 to 1. */
   readonly probability: Float64Array;
-  /** `upTo[shift + reach]`: 2^32 times the probability of this shift or an earlier one */
+  /** `upTo[shift + reach]`: 2^32 times the probability of this shift or an earlier one. */
   readonly upTo: Float64Array;
 }
 
 /**
- * Gaussian timing noise as the game reads it: someone aims at the middle of a tick, and the tick in which the finger
- * comes down counts. Shift k has the probability of k - 1/2 to k + 1/2 ticks.
+ * Gaussian timing noise as the game reads it: a player aims at the middle of a tick, and the tick in which the finger comes
+ * down counts. A shift of k ticks has the probability of an error between k - 1/2 and k + 1/2 ticks.
  * @param sigma standard deviation, ms
  */
 export function tickNoise(sigma: number): TickNoise {
@@ -59,7 +60,7 @@ export function tickNoise(sigma: number): TickNoise {
   const probability = new Float64Array(size);
   const upTo = new Float64Array(size);
   if (reach === 0) probability[0] = 1;
-  // half of the bell is computed and mirrored: early and late are exactly alike
+  // Compute half of the distribution and mirror it, so that early and late are exactly alike.
   for (let k = 0; k <= reach && reach > 0; k++) {
     const from = k === 0 ? 0 : normalBeyondHalf((k - 0.5) / ticks);
     const to = k === reach ? 0.5 : normalBeyondHalf((k + 0.5) / ticks);
@@ -75,7 +76,7 @@ export function tickNoise(sigma: number): TickNoise {
   return { reach, probability, upTo };
 }
 
-/** Every edge `ticks` too early or too late, never in between: the hardest that a certificate of so many ticks allows. */
+/** Every edge is exactly `ticks` too early or too late: the hardest noise that a certificate of this many ticks covers. */
 export function extremeNoise(ticks: number): TickNoise {
   const probability = new Float64Array(2 * ticks + 1);
   probability[0] = 0.5;
@@ -85,7 +86,7 @@ export function extremeNoise(ticks: number): TickNoise {
   return { reach: ticks, probability, upTo };
 }
 
-/** The shift that a uniform 32-bit number stands for. */
+/** The shift for a uniform 32-bit number. */
 export function drawShift(noise: TickNoise, uint32: number): number {
   const { upTo, reach } = noise;
   let low = 0;
@@ -99,9 +100,9 @@ export function drawShift(noise: TickNoise, uint32: number): number {
 }
 
 /**
- * A uniform 32-bit number that depends on nothing but seed, sample and edge: the n-th execution of any run stumbles
- * alike, so that runs are compared under the same noise (common random numbers), whatever their number of edges.
- * The mixing steps are those of MurmurHash3's finalizer (A. Appleby).
+ * A uniform 32-bit number that depends only on seed, sample and edge. Attempt n of every run gets the same errors, so that runs
+ * are compared under the same noise (common random numbers), whatever their number of edges. The mixing steps are those of
+ * MurmurHash3's finalizer (A. Appleby).
  */
 export function uniformOf(seed: number, sample: number, edge: number): number {
   let h = mix(seed ^ 0x9e3779b9);

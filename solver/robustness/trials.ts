@@ -3,11 +3,11 @@ import type { Hold } from '../../schema/index.ts';
 import { type Goal, mineralsNeeded } from '../goal.ts';
 import { DEFAULT_MAX_TICKS, verifyRun } from '../verified-run.ts';
 
-/** Runs tried on one scene for one goal: a simulation to move about, the judge, and what it all cost. */
+/** What is needed to judge many runs of one scene for one goal: a simulation to reuse, and counters of the cost. */
 export interface Trials {
   readonly scene: Scene;
   readonly goal: Goal;
-  /** Ticks after which a run that goes on has failed. */
+  /** A run fails when it lasts longer than this, ticks. */
   readonly maxTicks: number;
   readonly simulation: Simulation;
   /** Runs judged so far. */
@@ -16,20 +16,20 @@ export interface Trials {
   ticks: number;
 }
 
-/** Trials at the start of the scene. */
+/** Creates trials at the start of the scene. */
 export function createTrials(scene: Scene, goal: Goal, maxTicks = DEFAULT_MAX_TICKS): Trials {
   return { scene, goal, maxTicks, simulation: createSimulation(scene), runs: 0, ticks: 0 };
 }
 
-/** Advances to `tick`, or to where the run ends before. */
+/** Advances the simulation to `tick`, or to the end of the run if that comes first. */
 export function advanceTo(trials: Trials, tick: number, held: boolean): void {
   const { simulation } = trials;
   if (simulation.ending === null && tick > simulation.tick) trials.ticks += simulation.advance(tick - simulation.tick, held);
 }
 
 /**
- * Whether the run the simulation has just played to its end meets the goal.
- * @param holds what was played, asked for only where the simulation alone can't tell
+ * Whether the run that the simulation has just played to its end meets the goal.
+ * @param holds gives the holds that were played; called only where the simulation alone cannot decide
  */
 export function isSuccess(trials: Trials, holds: () => readonly Hold[]): boolean {
   const { simulation, scene, goal, maxTicks } = trials;
@@ -42,14 +42,14 @@ export function isSuccess(trials: Trials, holds: () => readonly Hold[]): boolean
   let different = 0;
   for (let i = 0; i < count; i++) if (simulation.isCollected(i)) different++;
   if (different >= needed) return true;
-  // `arcade` takes away only the last of several minerals touched in one frame: the full record knows them all
+  // When several minerals are touched in one frame, `arcade` removes only the last of them. The full record knows them all.
   return verifyRun(scene, holds(), goal, maxTicks) !== null;
 }
 
 /**
- * Plays a run to its end from a state that it passes through, and judges it.
- * @param state a snapshot of the run before it ends
- * @param holds the whole run, sorted and disjoint; what comes before the snapshot is passed over
+ * Plays a run to its end from one of its states, and judges it.
+ * @param state a snapshot of the run before its end
+ * @param holds the whole run, sorted and disjoint; what comes before the snapshot is skipped
  */
 export function playFrom(trials: Trials, state: Float64Array, holds: readonly Hold[]): boolean {
   const { simulation, maxTicks } = trials;

@@ -1,9 +1,9 @@
-/** The 95 % quantile of the normal distribution, two-sided. */
+/** The two-sided 95 % quantile of the normal distribution. */
 const Z = 1.959963984540054;
 
 /**
- * Wilson's score interval at 95 % for a share of successes: honest near 0 and 1, where the usual one has no width
- * (E. B. Wilson, Probable inference, the law of succession, and statistical inference, 1927).
+ * Wilson's score interval at 95 % for a share of successes. Unlike the normal approximation it has a sensible width near 0 and
+ * 1 (E. B. Wilson, Probable inference, the law of succession, and statistical inference, 1927).
  */
 export function wilsonInterval(successes: number, samples: number): { low: number; high: number } {
   if (samples === 0) return { low: 0, high: 1 };

@@ -1,7 +1,10 @@
 import type { Hold } from '../../schema/index.ts';
 import type { Random } from '../random.ts';
 
-/** A run that is nearly another: one hold dropped, one added, a pause put in, the rest shifted, or everything shaken. */
+/**
+ * Makes a random variation of a run: drops a hold, shifts everything from one edge on, inserts a pause or a hold, cuts off the
+ * end, or shakes all edges.
+ */
 export function changeRun(holds: readonly Hold[], random: Random): Hold[] {
   const edges = holds.flat();
   const between = (low: number, high: number) => low + random.below(Math.max(1, high - low));
@@ -16,7 +19,7 @@ export function changeRun(holds: readonly Hold[], random: Random): Hold[] {
       break;
     }
     case 2: {
-      // two edges into a stretch: a pause in a hold, a hold in a pause
+      // Insert two edges into a stretch: a pause into a hold, or a hold into a pause.
       const place = random.below(edges.length);
       const low = place === 0 ? 0 : edges[place - 1];
       if (edges[place] - low <= 20) break;
@@ -25,7 +28,7 @@ export function changeRun(holds: readonly Hold[], random: Random): Hold[] {
       break;
     }
     case 3: {
-      // without what follows one of the holds, which then lasts
+      // Drop everything after one of the holds, and make that hold longer.
       const last = random.below(holds.length);
       edges.length = 2 * last + 2;
       edges[2 * last + 1] += 240;
@@ -39,7 +42,7 @@ export function changeRun(holds: readonly Hold[], random: Random): Hold[] {
   return inOrder(edges);
 }
 
-/** Edges that got out of order are pushed later. */
+/** Restores the order of edges by moving those that come too early. */
 function inOrder(edges: readonly number[]): Hold[] {
   const holds: Hold[] = [];
   let last = -1;

@@ -5,46 +5,52 @@ import { createRandom, type Random } from '../random.ts';
 import { drawShift, type TickNoise, tickNoise, uniformOf } from '../robustness/index.ts';
 import type { HeatMap } from '../search/index.ts';
 
-/** A run as the cloud sees it: the share of its noisy executions that met the goal. */
+/** A run that the search has found. */
 export interface CloudRun {
+  /** [press, release) in ticks. */
   readonly holds: readonly Hold[];
+  /** The share of its noisy attempts that met the goal, 0 to 1. */
   readonly share: number;
 }
 
-/** Executions that move together. The first is without noise; of the others two and two are each other's mirror image. */
+/** Attempts that are simulated together. The first has no noise; the others form pairs with opposite noise. */
 const CLOUD = 8;
 
-/** Noise of each edge, ms. Less than what runs are judged by: few executions must not all be unlucky. */
+/**
+ * Standard deviation of the noise of each edge, ms. It is less than the noise by which runs are judged, because so few attempts
+ * must not all be unlucky.
+ */
 const SIGMA = 30;
 
-/** What has lost more of its executions than this is given up. */
+/** A path that keeps a smaller share of its attempts is abandoned. */
 const LEAST_SHARE = 0.5;
 
-/** Ticks: between edges that are tried, shortest and longest stretch. */
+/** Ticks between the edges that are tried, and the shortest and longest stretch. */
 const STRIDE = 8;
 const SHORTEST = 6;
 const LONGEST = 330;
 
-/** A last hold that never needed to end lasts this much longer, ticks. */
+/** How long a last hold that need not end goes on, ticks. */
 const HELD_ON = 400;
 
-/** Doubles that snapshots may take. */
+/** Doubles that all snapshots may take. */
 const MEMORY = 8_000_000;
 
-/** A way so far: its edges, and where each execution is at its own, noisy time of the last one. */
+/** A partial path: its edges, and the state of each attempt at its own, noisy time of the last edge. */
 interface NoisyWay {
   readonly edges: readonly number[];
   readonly states: readonly Float64Array[];
-  /** Of the executions, those still under way or through. */
+  /** The share of attempts that are under way or have met the goal. */
   readonly share: number;
   readonly worth: number;
-  /** Another way got to the same place with less loss. */
+  /** Whether another path reached the same cell with less loss. */
   outdone: boolean;
 }
 
 /**
- * Searches for runs that forgive, instead of searching for runs and asking what they forgive: a small cloud of noisy
- * executions is led through the level, and of ways that lead to the same place the one that loses the fewest is kept.
+ * Searches directly for robust runs, instead of measuring the robustness of runs that were found without noise: the state of
+ * the search is a small cloud of noisy attempts. Of the paths that reach the same cell, the search keeps the one that loses the
+ * fewest attempts.
  */
 export class CloudSearch {
   /** Ticks simulated so far, and stretches. */
@@ -59,9 +65,9 @@ export class CloudSearch {
   private readonly cloud: readonly Simulation[];
   private readonly place: number;
   private readonly speed: number;
-  /** Ways out of which the most promising is followed. */
+  /** How many paths are drawn at random to follow the most promising of them. */
   private readonly tournament: number;
-  /** An edge costs as much as this share of executions lost, when it is chosen what to follow. */
+  /** The share of lost attempts that one edge is worth in the choice of a path. */
   private readonly edgeCost: number;
   private readonly mostWays: number;
   private ways = 0;
@@ -72,7 +78,7 @@ export class CloudSearch {
   private readonly heat: HeatMap;
   private found: CloudRun[] = [];
 
-  /** @param heat is told where the executions come by */
+  /** @param heat counts the places where attempts come by */
   constructor(scene: Scene, goal: Goal, maxTicks: number, seed: number, heat: HeatMap) {
     this.scene = scene;
     this.heat = heat;
@@ -80,7 +86,7 @@ export class CloudSearch {
     this.maxTicks = maxTicks;
     this.seed = seed;
     this.random = createRandom(seed);
-    // a coarse and a fine net, a greedy and a patient search catch different runs
+    // Coarse and fine cells, greedy and patient choices find different runs: vary them with the seed.
     this.place = 28 + 4 * this.random.below(10);
     this.speed = 18 + 2 * this.random.below(6);
     this.tournament = 3 + this.random.below(6);
@@ -94,19 +100,22 @@ export class CloudSearch {
     }
   }
 
-  /** Nothing is left to follow. */
+  /** True when there is nothing left to follow. */
   get exhausted(): boolean {
     return this.open.length === 0 || this.ways >= this.mostWays;
   }
 
-  /** The runs found since it was last asked, the most forgiving first. */
+  /** Removes and returns the runs found since the last call, the most robust first. */
   harvest(): CloudRun[] {
     const found = this.found.sort((a, b) => b.share - a.share || a.holds.length - b.holds.length);
     this.found = [];
     return found;
   }
 
-  /** Follows one way by one stretch, past every edge that may end it. @param share ways that have lost more are left */
+  /**
+   * Extends one path by one stretch, and stores it for every edge at which the stretch may end.
+   * @param share paths that keep a smaller share of their attempts are skipped
+   */
   step(share: number): void {
     const way = this.select();
     const least = Math.max(share, LEAST_SHARE);
@@ -154,7 +163,7 @@ export class CloudSearch {
     return way.share - this.edgeCost * way.edges.length;
   }
 
-  /** By how many ticks an execution misses an edge. */
+  /** The error of an attempt at an edge, ticks. */
   private shift(edge: number, execution: number): number {
     if (execution === 0) return 0;
     const late = drawShift(this.noise, uniformOf(this.seed, execution >> 1, edge));
@@ -172,7 +181,7 @@ export class CloudSearch {
     return count;
   }
 
-  /** Keeps the way that changes the button now, unless a better one is known to this place. */
+  /** Stores the path that changes the button now, unless a better one to this cell is known. */
   private keep(way: NoisyWay, tick: number, share: number, held: boolean): void {
     const { cloud, state } = this;
     let [x, y, vx, vy, square, alive] = [0, 0, 0, 0, 0, 0];
@@ -191,7 +200,7 @@ export class CloudSearch {
     y /= alive;
     const spread = Math.max(0, square / alive - x * x - y * y);
     const cell = this.cellOf(x, y, vx / alive, vy / alive, held);
-    // a cloud that is closer together will lose fewer later on
+    // A compact cloud will lose fewer attempts later on.
     const worth = share - 1e-5 * spread - 0.01 * way.edges.length;
     const known = this.cells.get(cell);
     if (known !== undefined) {

@@ -2,36 +2,38 @@ import type { Hold } from '../../schema/index.ts';
 import { normalBeyondHalf, type TickNoise, type Trials, tickNoise } from '../robustness/index.ts';
 import { sampleNoise } from './noisy-sample.ts';
 
-/** A local search from one run: its edges move to where noise does the least harm. */
+/** A local search that starts from one run and moves its edges to where timing noise does the least harm. */
 export interface LocalSearch {
-  /** Ticks, fractions included: press, release, press, ... */
+  /** Ticks with fractions: press, release, press, ... */
   edges: number[];
-  /** Where `edges` was when it last succeeded at all. */
+  /** The last `edges` with any success. */
   foothold: number[];
-  /** Standard deviation of the noise it is tried with, ms: as much as it can stand. */
+  /** Standard deviation of the noise, ms: as much as the run can stand. */
   sigma: number;
-  /** How much it forgives, ms: as wide as a single window would be that fails as rarely. 0 before it is known. */
+  /** How robust the run is: the half width of a single window that fails as rarely, ms; 0 before it is measured. */
   width: number;
-  /** Executions used up of the row of `seed`. */
+  /** How many attempts of the sequence of `seed` have been used. */
   used: number;
+  /** Seed of the noise. */
   readonly seed: number;
 }
 
-/** Noise that a newly found run is first tried with, ms. */
+/** Noise for a run that was just found, ms. */
 const FIRST_SIGMA = 20;
 
-/** Less noise than this hardly moves an edge by a tick, ms. */
+/** The least noise, ms; less of it hardly moves an edge by a tick. */
 const LEAST_SIGMA = 4;
 
-/** How far the edges follow the drift: 1 never makes a run worse, more is faster. */
+/** How far the edges follow the measured drift. A factor of 1 never makes a run worse, a larger one is faster. */
 const STRIDE = 1.5;
 
+/** Starts a local search at a run. */
 export function createLocalSearch(holds: readonly Hold[], seed: number): LocalSearch {
   const edges = holds.flat();
   return { edges, foothold: edges, sigma: FIRST_SIGMA, width: 0, used: 0, seed };
 }
 
-/** The edges as holds: whole ticks, each hold one tick at least and one apart from the next. */
+/** Rounds edges to whole ticks, and keeps holds at least one tick long and one tick apart. */
 export function holdsOf(edges: readonly number[]): Hold[] {
   const holds: Hold[] = [];
   let free = 0;
@@ -45,11 +47,11 @@ export function holdsOf(edges: readonly number[]): Hold[] {
 }
 
 /**
- * One step up. With Gaussian noise the mean of the executions that succeed is a better centre than the one they were
- * drawn around (the mean-shift step: an EM step for the success probability, which it never lowers), for all edges at
- * once and at the price of one sample. Noise grows as the run can stand it.
- * @param samples executions tried
- * @param most the most noise it is tried with, ms
+ * Takes one mean-shift step: it moves all edges to their mean over the attempts that succeed. Under Gaussian noise this is an
+ * EM step for the probability of success, which it never lowers, and one sample serves all edges at once. The noise grows as
+ * far as the run can stand it.
+ * @param samples attempts to simulate
+ * @param most the most noise to use, ms
  */
 export function meanShiftStep(trials: Trials, local: LocalSearch, samples: number, most: number): void {
   const { successes, tried, drift } = sampleNoise(
@@ -76,7 +78,7 @@ export function meanShiftStep(trials: Trials, local: LocalSearch, samples: numbe
   else if (share < 0.25) local.sigma = Math.max(LEAST_SIGMA, local.sigma / 1.5);
 }
 
-/** Edges after `steps` mean-shift steps under one kind of noise, each with executions of its own. */
+/** Takes `steps` mean-shift steps under fixed noise, each with new attempts. */
 export function shiftToMean(
   trials: Trials,
   holds: readonly Hold[],
@@ -93,9 +95,9 @@ export function shiftToMean(
   return holdsOf(edges);
 }
 
-/** Half the width of a single window, ms, that an edge with this noise would hit so often. */
+/** The half width of a single window that an edge with this noise would hit with this share, ms. */
 function windowOf(share: number, sigma: number, tried: number): number {
-  // what a sample of this size can't tell from always or never
+  // A sample of this size cannot tell these shares from never and always.
   const sure = 0.4 / tried;
   const p = Math.min(1 - sure, Math.max(sure, share));
   let low = 0;

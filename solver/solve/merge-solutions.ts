@@ -1,16 +1,24 @@
 import type { Hold } from '../../schema/index.ts';
 import type { Solution } from './solution.ts';
 
-/** Two runs are the same way through the level when they have as many holds and no edge differs by more, ticks. */
+/** Two runs count as the same way through a level if they have as many holds and no edge differs by more than this, ticks. */
 const SAME_WAY = 30;
 
 /**
- * The best of several lists of solutions of the same objective, best first, really different ones. The order of the
- * lists doesn't matter: ties are broken by the runs themselves.
+ * Merges lists of solutions of the same objective. The order of the lists does not matter, because ties are broken by the runs
+ * themselves.
+ * @param lists the solutions of each solver
+ * @param options how many solutions to keep
+ * @returns the best solutions, best first; runs that are nearly the same as a better one are left out
  */
 export function mergeSolutions(
   lists: readonly (readonly Solution[])[],
-  { count = 1 }: { readonly count?: number } = {},
+  {
+    count = 1,
+  }: {
+    /** The most solutions to return; 1 by default. */
+    readonly count?: number;
+  } = {},
 ): Solution[] {
   const merged: Solution[] = [];
   for (const solution of lists.flat().sort(compareSolutions)) {
@@ -20,7 +28,7 @@ export function mergeSolutions(
   return merged;
 }
 
-/** Better first: score, fewer presses, sooner, then the holds themselves. */
+/** Orders solutions, the better first: by score, number of presses, time, and finally the holds themselves. */
 export function compareSolutions(a: Solution, b: Solution): number {
   if (a.score !== b.score) return b.score - a.score;
   if (a.holds.length !== b.holds.length) return a.holds.length - b.holds.length;
@@ -33,7 +41,7 @@ export function compareSolutions(a: Solution, b: Solution): number {
   return 0;
 }
 
-/** Whether two runs are the same way through a level: as many holds, at about the same times. */
+/** Whether two runs have as many holds at about the same times. */
 export function isSameWay(a: readonly Hold[], b: readonly Hold[]): boolean {
   if (a.length !== b.length) return false;
   return a.every(([press, release], i) => near(press, b[i][0]) && (i === a.length - 1 || near(release, b[i][1])));

@@ -1,19 +1,24 @@
 import type { Hold } from '../../schema/index.ts';
 import { drawShift, judgeAll, shiftHolds, type TickNoise, type Trials, uniformOf } from '../robustness/index.ts';
 
-/** What noise did to a run. */
+/** What timing noise did to a run. */
 export interface NoisySample {
-  /** Executions that met the goal, of those tried. */
+  /** Attempts that met the goal. */
   readonly successes: number;
+  /** Attempts simulated. */
   readonly tried: number;
-  /** By how many ticks each edge was late in those, on average: towards where there is more room. All 0 without a success. */
+  /**
+   * The mean shift of each edge over the successful attempts, ticks; it points to where there is more room. All 0 without a
+   * success.
+   */
   readonly drift: Float64Array;
 }
 
 /**
- * Executes a run under noise, each execution followed by its mirror image (what came early comes late), so that noise
- * that happens to lean to one side isn't mistaken for room on the other.
- * @param from, to which executions of the endless row of this seed
+ * Simulates a run under timing noise. Each attempt is followed by its mirror image (early becomes late), so that noise that
+ * happens to lean to one side is not mistaken for room on the other.
+ * @param from the first attempt of the seed's endless sequence
+ * @param to one past the last attempt
  */
 export function sampleNoise(
   trials: Trials,

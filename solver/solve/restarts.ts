@@ -4,14 +4,14 @@ import type { Goal } from '../goal.ts';
 import { type Closest, createSearch, type Effort, type Explored, HeatTally, type Search } from '../search/index.ts';
 import type { Candidate } from '../verified-run.ts';
 
-/** Ticks a search simulates in one go: between two goes somebody may stop it. */
+/** Ticks that a search simulates per call, so that the caller can stop between calls. */
 const GO = 500;
 
-/** A search after the first gets so many times what the most expensive success took, and this many ticks at least, before it is given up. */
+/** A later search is abandoned after this many times the cost of the most expensive success, but not before `LEAST_TICKS`. */
 const PATIENCE = 4;
 const LEAST_TICKS = 100_000;
 
-/** Runs out of searches that start afresh with other seeds, so that each is found in its own way; cleaned. */
+/** Produces simplified runs from searches that restart with new seeds, so that the runs are independent of each other. */
 export class Restarts {
   private readonly scene: Scene;
   private readonly goal: Goal;
@@ -40,23 +40,26 @@ export class Restarts {
     return { runs: this.runs + runs, ticks: this.ticks + ticks };
   }
 
-  /** The nearest that any of them came. */
+  /** The closest approach of all searches. */
   get closest(): Closest | null {
     const now = this.search.closest;
     return now === null || (this.nearest !== null && this.nearest.distance <= now.distance) ? this.nearest : now;
   }
 
-  /** Where all of them have been. */
+  /** Where all searches have been. */
   get explored(): Explored {
     return this.past.explored(this.search.explored);
   }
 
-  /** Nothing can be found, however long it is sought. */
+  /** True when there is nothing to try, because the goal requires more minerals than the level has. */
   get exhausted(): boolean {
     return this.first.exhausted;
   }
 
-  /** Searches a little. @returns a run once one is found */
+  /**
+   * Continues the search for a while.
+   * @returns a run if one was found
+   */
   next(): Candidate | null {
     const { search, scene, goal, maxTicks } = this;
     search.advance(GO);

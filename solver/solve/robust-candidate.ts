@@ -14,37 +14,37 @@ import { shiftToMean } from './local-search.ts';
 import { robustScore, type Solution } from './solution.ts';
 import { playable, type SolverSession } from './solver-session.ts';
 
-/** Noise that runs are judged by, ms. */
+/** Noise by which runs are judged, ms. */
 export const SIGMA = 40;
 
-/** Shifts a certificate is sought for, ticks. */
+/** The shifts that a solution's certificate covers, ticks. */
 const CERTIFIED_TICKS = 2;
 
-/** Executions in which runs are compared; all runs stumble alike in them. */
+/** Attempts by which runs are compared, with the same noise for all runs. */
 const COMPARED = 192;
 const COMPARED_SEED = 1;
 
-/** Executions that tell what a run is worth in the end: others than it was moved and compared by. */
+/** Attempts that give the reported success. They differ from those by which the run was moved and compared. */
 const REPORTED = 1000;
 const REPORTED_SEED = 2;
 
-/** A polish that brings less than this is as good as none. */
+/** A polish must raise success by more than this to count. */
 const GAIN = 0.002;
 
-/** Runs of a certificate that are tried in one go. */
+/** Runs of a certificate that are simulated per call. */
 const GO = 1000;
 
-/** What is known about a certificate of a run. */
+/** The state of a run's certificate. */
 type Certificate = 'unknown' | 'proved' | 'refuted' | 'too expensive';
 
 /** One of the best runs so far. */
 export interface RobustCandidate {
   holds: Hold[];
-  /** Its replay from the start. */
+  /** The replay of the run from the start. */
   verified: Candidate;
-  /** Share of the compared executions that met the goal. */
+  /** Share of the compared attempts that met the goal. */
   p: number;
-  /** Executions used up in polishing, and polishes in a row that brought nothing. */
+  /** Attempts used for polishing, and the number of polishes in a row without a gain. */
   used: number;
   idle: number;
   certificate: Certificate;
@@ -54,7 +54,10 @@ export interface RobustCandidate {
 
 const noise = tickNoise(SIGMA);
 
-/** @returns null when the run itself fails */
+/**
+ * Measures a run.
+ * @returns null when the run itself fails
+ */
 export function createRobustCandidate(session: SolverSession, holds: readonly Hold[], seed: number): RobustCandidate | null {
   const run = playable(session, holds);
   if (run === null) return null;
@@ -64,7 +67,7 @@ export function createRobustCandidate(session: SolverSession, holds: readonly Ho
 const compared = (session: SolverSession, holds: readonly Hold[]): number =>
   countSuccesses(session.trials, holds, noise, COMPARED_SEED, 0, COMPARED) / COMPARED;
 
-/** Moves the edges to where noise does less harm, if they aren't there yet. */
+/** Moves the edges to where noise does less harm. */
 export function polish(session: SolverSession, candidate: RobustCandidate): void {
   const samples = 64;
   const steps = 3;
@@ -84,7 +87,10 @@ export function polish(session: SolverSession, candidate: RobustCandidate): void
   Object.assign(candidate, run, { p, idle: 0, certificate: 'unknown', reported: null });
 }
 
-/** The same way with its edges in the middle of where extreme shifts succeed; null when it forgives noise much less. */
+/**
+ * The same way through the level with its edges centred between the extreme shifts that succeed; null when success drops by
+ * more than 0.03.
+ */
 export function centred(session: SolverSession, candidate: RobustCandidate): RobustCandidate | null {
   const extreme = extremeNoise(CERTIFIED_TICKS);
   const holds = shiftToMean(session.trials, candidate.holds, extreme, { seed: candidate.seed, from: 0, samples: 64, steps: 8 });
@@ -93,8 +99,8 @@ export function centred(session: SolverSession, candidate: RobustCandidate): Rob
 }
 
 /**
- * Tries to prove that all shifts by two ticks succeed, as long as that takes no more than so many ticks of simulation.
- * Yields between goes.
+ * Tries to prove that all shifts by up to two ticks succeed. Yields between calls.
+ * @param mostTicks the most ticks to simulate, about; beyond them the certificate is too expensive
  */
 export function* certifyCandidate(
   session: SolverSession,
@@ -125,10 +131,10 @@ export function* certifyCandidate(
   return 'proved';
 }
 
-/** What runs are sorted by. */
+/** The score by which candidates are ordered. */
 export const standing = (candidate: RobustCandidate): number => robustScore(candidate.p, candidate.certificate === 'proved');
 
-/** What is said of it: its success in executions that played no part in choosing it. */
+/** The solution to report. Its success is measured on attempts that had no part in choosing it. */
 export function toSolution(session: SolverSession, candidate: RobustCandidate): Solution {
   candidate.reported ??= toSuccess(
     SIGMA,

@@ -1,26 +1,31 @@
 import type { Success } from '../robustness/index.ts';
 import type { Candidate } from '../verified-run.ts';
 
-/** What a good run is: one that forgives bad timing, few presses, a short time, or any at all. */
+/**
+ * What makes a run good: `robust` prefers success under timing noise, `presses` few presses, `time` a short run, and `first`
+ * takes any run.
+ */
 export type Objective = 'robust' | 'presses' | 'time' | 'first';
 
 /**
- * A run that meets its goal, with what it is worth. Under `robust` a hold that lasts to the end goes on for a while after
- * it, as a player would hold on: an execution that is a little late must not be let go too early.
+ * A run that meets its goal, with its score. Under `robust`, a hold that lasts to the end is extended a little beyond it, as a
+ * player would hold on: otherwise a slightly late attempt would release too early.
  */
 export interface Solution extends Candidate {
-  /** Larger is better; only solutions of the same objective compare. */
+  /** Larger is better. Only scores of the same objective can be compared. */
   readonly score: number;
   /**
-   * Success when every edge is off by 40 ms; null where the objective doesn't ask. Of many runs measured the best is kept,
-   * so it flatters a little: `successProbability` with a seed of one's own is a fresh measurement.
+   * Success under timing noise of 40 ms; null for other objectives than `robust`. The best of many measured runs is kept, so
+   * this estimate is slightly too high; call {@link successProbability} with a different seed for an unbiased one.
    */
   readonly p40: Success | null;
-  /** True when ALL shifts of every edge by up to two ticks were tried and succeed; false when not, or not tried. */
+  /**
+   * True when ALL shifts of every edge by up to two ticks were tried and succeed; false when some fail or not all were tried.
+   */
   readonly certified: boolean;
 }
 
-/** What a certificate is worth beside success under noise: as much as two executions in a hundred. */
+/** What a certificate adds to the score: as much as a success that is higher by 0.02. */
 const CERTIFICATE_WORTH = 0.02;
 
 /** The score of a run under `robust`. */

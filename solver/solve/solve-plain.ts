@@ -5,10 +5,12 @@ import { compareSolutions, mergeSolutions } from './merge-solutions.ts';
 import type { Solution } from './solution.ts';
 import { playable, type SolverSession } from './solver-session.ts';
 
-/** Changes tried on a run before the next is sought. */
+/** Variations tried on a run before the next one is sought. */
 const CHANGES = 60;
 
-/** Runs with the fewest presses, the shortest time, or whichever come first; those that are known come before all. Yields between small pieces of work. */
+/**
+ * Solves for the objectives `presses`, `time` and `first`, beginning with the known runs. Yields between small pieces of work.
+ */
 export function* solvePlain(session: SolverSession): Generator<void, void> {
   const { restarts, objective, count } = session;
   const random = createRandom(session.seedOf(0));
@@ -42,7 +44,7 @@ function toSolution({ objective }: SolverSession, candidate: Omit<Solution, 'sco
   return { ...candidate, score, p40: null, certified: false };
 }
 
-/** Whether nothing can get better: enough of whatever came first; a run without a press. */
+/** Whether nothing can get better: there are enough runs under `first`, or a run without a press under `presses`. */
 function isFinal({ objective, solutions, count }: SolverSession): boolean {
   if (objective === 'first') return solutions.length >= count;
   return objective === 'presses' && count === 1 && solutions.length === 1 && solutions[0].holds.length === 0;

@@ -15,44 +15,61 @@ import {
 } from './robust-candidate.ts';
 import { playable, type SolverSession } from './solver-session.ts';
 
-/** New runs a round, from each source. Clouds bring the most: few, but runs that forgive from the start. */
+/** New runs per round from each source. Clouds contribute the most, because what they find is robust from the start. */
 const FROM_SEARCH = 1;
 const FROM_CLOUD = 8;
 const FROM_CHANGES = 6;
 
-/** Executions a mean-shift step takes, stage after stage: half of the runs go on to the next. */
+/** Attempts per mean-shift step in each stage. Half of the runs go on to the next stage. */
 const STAGES = [12, 16, 24];
 const STEPS = 2;
 
-/** Runs of a round that may join the candidates: new ones and changed ones race apart, or none would ever be new. */
+/**
+ * Runs per round that may become candidates. New and changed runs compete separately, because new ones would always lose
+ * against changes to the best.
+ */
 const NEW_FINALISTS = 2;
 const CHANGED_FINALISTS = 1;
 
 /** Candidates that are kept. */
 const KEPT = 6;
 
-/** Most noise of a local search, ms: more than it is judged by, so that it sees the walls around. */
+/**
+ * The most noise of a local search, ms. It exceeds the noise that judges runs, so that the search sees the obstacles around.
+ */
 const MOST_SIGMA = 60;
 
-/** Ticks a cloud may take in one round: more with every round, so that what is easy is soon there; and in all. */
+/**
+ * Ticks for clouds: in the first round, at most in a later round (the limit grows with each round, so that easy levels are done
+ * soon), and in the life of one cloud.
+ */
 const CLOUD_FIRST_ROUND = 50_000;
 const CLOUD_ROUND = 800_000;
 const CLOUD_LIFE = 5_000_000;
 
-/** The cloud leaves ways that have lost so much more than the best run. */
+/** A cloud abandons paths whose share is lower than the best run's by more than this. */
 const CLOUD_MARGIN = 0.15;
 
-/** Share of all ticks that certificates may take, and what they may take at first. */
+/** Share of all ticks that certificates may take, and the ticks granted at first. */
 const CERTIFICATE_SHARE = 0.2;
 const FIRST_CERTIFICATE = 2_000_000;
 
-/** Polishes without gain after which a run stands where it is. */
+/** A run is no longer polished after this many polishes without a gain. */
 const IDLE = 2;
 
 /**
- * Runs that forgive: rounds of many new runs, from plain searches, from clouds of noisy executions and from changes to the
- * best so far. Each takes a few mean-shift steps, the better half goes on (successive halving), and the last ones join the
- * candidates. Yields between small pieces of work; ends when nothing can get better.
+ * Searches for robust runs, the ones with the highest success under timing noise.
+ *
+ * The work proceeds in rounds. Each collects new runs from three sources: restarted searches ({@link Restarts}), clouds of
+ * noisy attempts ({@link CloudSearch}), and random changes to the best runs so far; the first round begins with the level's own
+ * runs. Every new run takes a few mean-shift steps, which move its edges to the mean of the attempts that succeed and never
+ * lower the probability of success. After each stage the worse half drops out (successive halving). The survivors join the
+ * candidates, which are polished further.
+ *
+ * Candidates are compared on the same noise, and what is reported is measured on other noise, because the luckiest of many
+ * samples is not the best run. The best candidates get a certificate if it is not too expensive.
+ *
+ * The work yields between small pieces, and ends when nothing can get better.
  */
 export class RobustWork {
   private readonly session: SolverSession;
@@ -70,7 +87,7 @@ export class RobustWork {
   }
 
   *run(): Generator<void, void> {
-    // whatever comes first is shown at once
+    // Publish the first run at once.
     const pending = this.known();
     if (pending.length === 0) {
       const first = yield* this.search();
@@ -98,7 +115,7 @@ export class RobustWork {
     }
   }
 
-  /** The runs to start from that meet the goal. */
+  /** The given runs that meet the goal. */
   private known(): (readonly Hold[])[] {
     return this.session.known.flatMap((holds) => {
       const run = playable(this.session, holds);
@@ -116,14 +133,14 @@ export class RobustWork {
     return null;
   }
 
-  /** New runs, after those given. */
+  /** Collects new runs, beginning with the given ones. */
   private *gather(runs: (readonly Hold[])[]): Generator<void, LocalSearch[]> {
     while (runs.length < FROM_SEARCH) {
       const holds = yield* this.search();
       if (holds === null) break;
       runs.push(holds);
     }
-    // a release less can only fail less, where she gets there without it
+    // Where she arrives with the button held, the last release is not needed, and one edge less can fail less often.
     for (const holds of [...runs]) {
       const heldOn = playable(this.session, withoutLastRelease(holds, this.session.maxTicks));
       if (heldOn !== null) runs.push(heldOn.holds);
@@ -172,7 +189,10 @@ export class RobustWork {
       .map(({ holds }) => holds);
   }
 
-  /** All take a few steps, the better half goes on, until no more than so many are left in the batch: successive halving. */
+  /**
+   * Successive halving: all runs take a few steps and the better half goes on, until no more than `finalists` are left in the
+   * batch.
+   */
   private *race(batch: LocalSearch[], finalists: number): Generator<void, void> {
     for (let stage = 0; batch.length > finalists; stage++) {
       const samples = STAGES[Math.min(stage, STAGES.length - 1)];
@@ -197,7 +217,7 @@ export class RobustWork {
     this.sort();
   }
 
-  /** Best first, of each way the best, no more than are kept. */
+  /** Sorts the candidates, best first, and keeps only the best of similar runs and no more than are needed. */
   private sort(): void {
     const { candidates } = this;
     candidates.sort((a, b) => standing(b) - standing(a) || a.holds.length - b.holds.length || a.verified.tick - b.verified.tick);
@@ -233,7 +253,7 @@ export class RobustWork {
   private publish(): void {
     const { session } = this;
     const solutions = this.candidates.slice(0, Math.max(1, session.count)).map((candidate) => toSolution(session, candidate));
-    // what was published once stays until something is measured to be better
+    // A published solution stays until another one measures better.
     session.solutions = mergeSolutions([session.solutions, solutions], { count: session.count });
   }
 

@@ -7,26 +7,26 @@ import { type Candidate, verifyRun } from '../verified-run.ts';
 import { Restarts } from './restarts.ts';
 import type { Objective, Solution } from './solution.ts';
 
-/** What the ways of solving share: what is asked, what has been spent, what has been found. */
+/** The state that all parts of a solver share: the task, the work done and the solutions. */
 export interface SolverSession {
   readonly scene: Scene;
   readonly goal: Goal;
   readonly maxTicks: number;
   readonly objective: Objective;
   readonly count: number;
-  /** Runs to start from, as they were given. */
+  /** Runs to start from, as given. */
   readonly known: readonly (readonly Hold[])[];
-  /** A seed of its own for the n-th piece of work that needs one, n from 0 to 999,999. */
+  /** A distinct seed for the n-th piece of work that needs one, n from 0 to 999,999. */
   seedOf(n: number): number;
   readonly trials: Trials;
   readonly restarts: Restarts;
-  /** Where clouds of executions came by. */
+  /** Where clouds of noisy attempts have been. */
   readonly cloudHeat: HeatMap;
   /** Best first. */
   solutions: readonly Solution[];
 }
 
-/** What is asked of a {@link SolverSession}. */
+/** The task of a {@link SolverSession}. */
 export interface SolverTask {
   readonly goal: Goal;
   readonly seed: number;
@@ -37,14 +37,17 @@ export interface SolverTask {
   readonly known: readonly (readonly Hold[])[];
 }
 
-/** Seeds of one lane; lanes have nothing in common up to so many. */
+/** Seeds per lane. Lanes have no seed in common. */
 const SEEDS_OF_A_LANE = 1_000_000;
 const SEEDS_OF_A_SOLVER = 1000 * SEEDS_OF_A_LANE;
 
-/** 2^21: a whole number up to 2^53 is so many of these, less than 2^32, and a rest. */
+/** 2^21: a whole number up to 2^53 is a multiple of it, with a factor below 2^32, plus a remainder. */
 const LOW = 2_097_152;
 
-/** `seed * SEEDS_OF_A_SOLVER + lane * SEEDS_OF_A_LANE + n` modulo 2^53, exactly: rounded it would be the same for many n. */
+/**
+ * Computes `seed * SEEDS_OF_A_SOLVER + lane * SEEDS_OF_A_LANE + n` modulo 2^53 exactly; rounding would give the same seed for
+ * many n.
+ */
 function seedsOf(seed: number, lane: number): (n: number) => number {
   const high = Math.floor(seed / LOW);
   const low = (seed - high * LOW) * SEEDS_OF_A_SOLVER + lane * SEEDS_OF_A_LANE;
@@ -54,6 +57,7 @@ function seedsOf(seed: number, lane: number): (n: number) => number {
   };
 }
 
+/** Creates a session in which nothing has been simulated. */
 export function createSolverSession(scene: Scene, task: SolverTask): SolverSession {
   const { goal, maxTicks, seed, lane } = task;
   const seedOf = seedsOf(seed, lane);
@@ -68,12 +72,13 @@ export function createSolverSession(scene: Scene, task: SolverTask): SolverSessi
   };
 }
 
-/** Ticks that a last hold which lasts to the end goes on after it. */
+/** How long a last hold that lasts to the end goes on after it, ticks. */
 const HOLD_ON = 120;
 
 /**
- * The run as a player would do it: without what comes after the end, and holding on where she arrives held.
- * @returns null when the run doesn't meet the goal
+ * Converts a run into what a player would do: what comes after the end is cut off, and a button that is held at the end stays
+ * held for a while.
+ * @returns null when the run does not meet the goal
  */
 export function playable(session: SolverSession, holds: readonly Hold[]): { verified: Candidate; holds: Hold[] } | null {
   const verified = verifyRun(session.scene, holds, session.goal, session.maxTicks);

@@ -8,43 +8,67 @@ import { solvePlain } from './solve-plain.ts';
 import { RobustWork } from './solve-robust.ts';
 import { createSolverSession } from './solver-session.ts';
 
+/** What {@link createSolver} looks for. */
 export interface SolveOptions {
-  /** any minerals when left out */
+  /** What a run has to achieve; by default only the black hole. */
   readonly goal?: Goal;
-  /** a whole number; 0 when left out */
+  /** Seed of the random choices, a whole number; 0 by default. */
   readonly seed?: number;
   /**
-   * Solvers of the same seed and different lanes look for themselves, with random numbers of their own: a fixed number of
-   * lanes, each run for a fixed effort on however many workers, merged by `mergeSolutions`, give the same answer. 0 to 999.
+   * Number of this solver among several that share the work, 0 to 999; 0 by default. Solvers with the same seed and different
+   * lanes use independent random numbers. If a fixed number of lanes runs for a fixed effort each, and {@link mergeSolutions}
+   * merges their solutions, the result does not depend on the number of workers.
    */
   readonly lane?: number;
-  /** how long a run may last, ticks; a minute when left out */
+  /** The longest a run may last, ticks; 3600 by default. */
   readonly maxTicks?: number;
-  /** `robust` when left out */
+  /** What makes a run good; `robust` by default. */
   readonly objective?: Objective;
-  /** different solutions wanted; 1 when left out */
+  /** How many different solutions to return at most; 1 by default. */
   readonly count?: number;
-  /** runs to start from; those that don't meet the goal are passed over */
+  /** Runs to start from, each [press, release) in ticks. Those that miss the goal are skipped. */
   readonly known?: readonly (readonly Hold[])[];
 }
 
-/** A search for good runs, advanced bit by bit: it has its best so far at any time. */
+/** A search for good runs. It can be stopped at any time, and has its best solution so far. */
 export interface Solver {
+  /** The work done so far. */
   readonly effort: Effort;
-  /** The nearest that any run came to the black hole; null until something has been simulated. */
+  /** The closest approach so far; null until something has been simulated. */
   readonly closest: Closest | null;
-  /** Where searches of all kinds have been so far. */
+  /** Where all searches have been so far. */
   readonly explored: Explored;
+  /** The best solution so far; null if there is none. */
   readonly best: Solution | null;
-  /** Best first, really different ones, at most `count`. Each has been verified by a replay from the start. */
+  /**
+   * The best solutions so far, best first: at most `count`, no two of them nearly the same. A replay from the start has
+   * confirmed each of them.
+   */
   readonly solutions: readonly Solution[];
-  /** Nothing can get better, or nothing can be found. */
+  /** True when nothing can get better, or nothing can be found. */
   readonly finished: boolean;
-  /** Simulates about so many ticks more. The same total gives the same result however it is split. */
+  /**
+   * Continues the work. The same total gives the same result however it is split into calls.
+   * @param ticks how many more ticks to simulate; the solver may overshoot a little
+   */
   advance(ticks: number): void;
 }
 
-/** Solves a scene; nothing is simulated before the first `advance`. */
+/**
+ * Creates a solver for a scene. It simulates nothing before the first call of `advance`.
+ * @param scene the compiled level
+ * @param options the goal, the objective, the seed and the number of solutions
+ * @returns a solver at its start
+ * @example
+ * ```ts
+ * import { compile } from 'gravity-quest-toolkit';
+ * import { createSolver } from 'gravity-quest-toolkit/solver';
+ *
+ * const solver = createSolver(compile(level), { objective: 'robust' });
+ * while (!solver.finished && solver.effort.ticks < 5_000_000) solver.advance(50_000);
+ * if (solver.best !== null) console.log(solver.best.holds, solver.best.p40?.p);
+ * ```
+ */
 export function createSolver(scene: Scene, options: SolveOptions = {}): Solver {
   const { seed = 0, lane = 0, objective = 'robust', count = 1, known = [] } = options;
   const { goal = { minerals: 'any' }, maxTicks = DEFAULT_MAX_TICKS } = options;
