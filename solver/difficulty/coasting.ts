@@ -1,18 +1,21 @@
 import { type Circles, EFFECTS, type Scene, type Simulation, STATE_SIZE, TICK } from '../../engine/index.ts';
 
-// px: more than any accuracy errs along a straight line, so that what touches is never ruled out
+// px; more than the error of any accuracy along a straight line, so that a contact is never ruled out.
 const MARGIN = 0.5;
 
 /**
- * Tells without simulating when coasting on can't reach the black hole: she flies a straight line as long as she meets no repulsor,
- * and no disc in which an effect acts on her.
- * Conservative: `true` only means that it has to be tried.
+ * Tells without a simulation that drifting on cannot reach the black hole. She flies on a straight line until she meets a
+ * repulsor or a disc in which another effect acts on her.
  */
 export interface CoastingFilter {
+  /** Whether drifting on from the state of a simulation may reach the black hole. `false` is certain; `true` means that it has to be simulated. */
   mayReach(simulation: Simulation): boolean;
 }
 
-/** The filter for a scene. Under `arcade` the gun's pull acts for one more frame after a release, so the line is a narrow cone. */
+/**
+ * Creates the filter for a scene. In `arcade` the pull acts for one more frame after a release, so the line becomes a narrow
+ * cone.
+ */
 export function coastingFilter(scene: Scene): CoastingFilter {
   const { blackHole } = scene.level;
   const { rules, box } = scene;
@@ -33,7 +36,7 @@ export function coastingFilter(scene: Scene): CoastingFilter {
   };
 }
 
-/** Where something other than the gun may turn her, or put her elsewhere. */
+/** Discs in which something other than the gun may turn or move her. */
 function turningDiscs(scene: Scene): Circles[] {
   const frames = EFFECTS.flatMap((effect) => (effect.frame && effect.calledFor(scene.level).called ? [effect.frame] : []));
   return [scene.repulsors, ...frames.map((frame) => frame.discs(scene))];

@@ -1,26 +1,29 @@
-/** What the grade is made from. */
+/** What the grade is computed from. */
 export interface GradeInput {
-  /** chance to succeed with timing noise of 40 ms, 0 to 1 */
+  /** Success under timing noise of 40 ms, 0 to 1. */
   readonly p40: number;
-  /** noise at which every second attempt succeeds, ms; at most the cap it was looked for under */
+  /** The timing noise at which half of all attempts succeed, ms; at most {@link SIGMA_CAP}. */
   readonly sigmaAtHalf: number;
+  /** The number of presses. */
   readonly presses: number;
-  /** length of the run, s */
+  /** Length of the run, s. */
   readonly seconds: number;
-  /** share of random play that wins, 0 to 1 */
+  /** The share of random play that meets the goal, 0 to 1. */
   readonly randomShare: number;
 }
 
 /** An estimate of how hard a level is. */
 export interface Grade {
-  /** 1 to 10, one decimal */
+  /** The grade, from 1 to 10 with one decimal. */
   readonly value: number;
+  /** The grade in one word. */
   readonly word: GradeWord;
 }
 
+/** A grade in one word, from the easiest to the hardest. */
 export type GradeWord = 'gentle' | 'easy' | 'medium' | 'hard' | 'brutal';
 
-/** Each word goes from its value up to the next one's. */
+/** The least grade of each word, ascending. A word applies up to the next one's least grade. */
 export const GRADE_WORDS: readonly (readonly [from: number, word: GradeWord])[] = [
   [1, 'gentle'],
   [2, 'easy'],
@@ -29,23 +32,23 @@ export const GRADE_WORDS: readonly (readonly [from: number, word: GradeWord])[] 
   [8, 'brutal'],
 ];
 
-// parts of the grade, each from 0 to 1, in a sum of 1
+// Weights of the parts; their sum is 1.
 const WEIGHTS = { timing: 0.25, risk: 0.2, search: 0.25, presses: 0.15, length: 0.15 } as const;
 
-// sums that are grade 1 and grade 10: no level anybody would play comes nearer to 0 or to 1
+// The weighted sums of grade 1 and grade 10. No level that anybody would play comes nearer to 0 or 1.
 const LEAST = 0.1;
 const MOST = 0.85;
 
 /**
- * The grade: 1 + 9 (sum - 0.1) / 0.75, held within 1 and 10; the sum is
- * 0.25 timing + 0.20 risk + 0.25 search + 0.15 presses + 0.15 length, each from 0 to 1:
- * - timing: 60 / (60 + s), s the noise in ms at which every second attempt succeeds
- * - risk: 1 - P(40 ms)
- * - search: 0.01 / (0.01 + r), r the share of random play that wins: a half where one game in a hundred is won
+ * Computes the grade: 1 + 9 (sum - 0.1) / 0.75, clamped to 1 to 10. The sum is 0.25 timing + 0.20 risk + 0.25 search + 0.15
+ * presses + 0.15 length, and each part goes from 0 to 1:
+ * - timing: 60 / (60 + s), where s is the timing noise in ms at which half of all attempts succeed
+ * - risk: 1 - success at 40 ms
+ * - search: 0.01 / (0.01 + r), where r is the share of random play that wins; 1/2 where one game in a hundred wins
  * - presses: n / (n + 4)
  * - length: t / (t + 20), t in s
  *
- * An estimate, made from what is measurable in the best run known; it was not fitted to players.
+ * The grade is an estimate from what can be measured of the best known run. It was not fitted to players.
  */
 export function gradeOf(input: GradeInput): Grade {
   const timing = 60 / (60 + input.sigmaAtHalf);

@@ -16,14 +16,15 @@ import { playAtRandom, type RandomPlay } from './random-play.ts';
 import { findShortcuts, type Shortcuts } from './shortcuts.ts';
 import { findSigmaAtHalf, type SigmaAtHalf } from './sigma-at-half.ts';
 
-/** What collecting every mineral costs more than just getting through: best known run against best known run. */
+/** What collecting all minerals costs in addition: the best known run with all of them compared with the measured run. */
 export interface MineralsExtra {
-  /** The run with all minerals that was compared. */
+  /** The run with all minerals. */
   readonly run: Candidate;
-  /** s longer; negative when the run with all of them is quicker */
+  /** How much longer it takes, s; negative when it is quicker. */
   readonly time: number;
+  /** How many more presses it has. */
   readonly presses: number;
-  /** P(40 ms) with all minerals minus P(40 ms) without them */
+  /** Its success under timing noise of 40 ms minus that of the measured run, -1 to 1. */
   readonly p40: number;
 }
 
@@ -31,46 +32,73 @@ export interface MineralsExtra {
 export interface Difficulty {
   /** The run that was measured. */
   readonly run: Candidate;
+  /** How robust the run is. */
   readonly robustness: Robustness;
+  /** The timing noise at which half of all attempts succeed. */
   readonly sigmaAtHalf: SigmaAtHalf;
-  /** Ticks that the tightest press or release can move in all, earlier and later; null for a run without presses. */
+  /** How far the tightest press or release can move in total, earlier plus later, ticks; null for a run without presses. */
   readonly smallestWindow: number | null;
+  /** The number of presses. */
   readonly presses: number;
-  /** s */
+  /** Length of the run, s. */
   readonly length: number;
+  /** How often random play meets the goal. */
   readonly randomPlay: RandomPlay;
-  /** null when the level has no minerals or no run with all of them was found */
+  /**
+   * What collecting all minerals costs; null when the level has no minerals, the goal already requires them all, or no run with
+   * all of them was found.
+   */
   readonly mineralsExtra: MineralsExtra | null;
+  /** Simple runs that complete the level as well. */
   readonly shortcuts: Shortcuts;
-  /** An estimate: see `gradeOf`. */
+  /** The estimated grade. */
   readonly grade: Grade;
 }
 
+/** What {@link measureDifficulty} measures and what it may spend. */
 export interface DifficultyOptions {
+  /** What a run has to achieve; by default only the black hole. */
   readonly goal?: Goal;
-  /** Executions tried for each probability; 1000 when left out. */
+  /** Attempts to simulate for each probability; 1000 by default. */
   readonly samples?: number;
-  /** Random games; 2000 when left out. */
+  /** Random games to play; 2000 by default. */
   readonly games?: number;
+  /** Seed of all random choices; 0 by default. */
   readonly seed?: number;
+  /** The longest a run may last, ticks; 3600 by default. */
   readonly maxTicks?: number;
-  /** Ticks simulated to find the most robust run, when none is given, and likewise one with all minerals; {@link SOLVE_EFFORT} when left out. */
+  /**
+   * Ticks to spend on finding the most robust run when none is given, and again on one with all minerals; 5,000,000 by default.
+   */
   readonly effort?: number;
-  /** Ticks simulated to find a way without each asteroid; 0 asks about none. */
+  /** Ticks to spend on avoiding each asteroid that the run uses; 1,000,000 by default, 0 skips this question. */
   readonly asteroidEffort?: number;
-  /** Single presses are tried at multiples of so many ticks; 1, every tick, when left out. */
+  /** Single presses are tried at multiples of this many ticks; by default 1, every tick. */
   readonly onePressStride?: number;
 }
 
-/** Ticks simulated to find a run where nothing else is said. */
+/** Ticks to spend on finding a run by default. */
 export const SOLVE_EFFORT = 5_000_000;
 
 const ANY: Goal = { minerals: 'any' };
 
 /**
- * Measures how hard a level is, by a run: the given one, or the most robust one found.
- * @param holds the run to measure; null looks for one
- * @returns null when there is no run to measure: the one given does not meet the goal, or none was found within the effort
+ * Measures how hard a level is. It measures success under timing noise, the noise at which half of all attempts succeed, the
+ * slack of each edge, the share of random play that wins, and the simple runs that complete the level ({@link findShortcuts}),
+ * all of one run: the given one, or the most robust one that it finds. The grade is a formula over these numbers. The
+ * certificate of the run may take {@link BRIEF_CERTIFY_RUNS} runs, and says when that was too few.
+ * @param scene the compiled level
+ * @param holds the run to measure, [press, release) in ticks; null searches for one, beginning with the level's own runs
+ * @param options the goal, the seed and what to spend
+ * @returns the measurements, or null when the given run misses the goal or none was found within the effort
+ * @example
+ * ```ts
+ * import { compile } from 'gravity-quest-toolkit';
+ * import { measureDifficulty } from 'gravity-quest-toolkit/solver';
+ *
+ * const difficulty = measureDifficulty(compile(level), null, { effort: 2_000_000 });
+ * if (difficulty !== null) console.log(difficulty.grade.value, difficulty.grade.word);
+ * ```
  */
 export function measureDifficulty(
   scene: Scene,
@@ -119,7 +147,7 @@ interface Budget {
   readonly maxTicks: number;
 }
 
-/** The level's own runs are where the search starts. */
+/** Finds the most robust run. The search starts from the level's own runs. */
 function mostRobust(scene: Scene, goal: Goal, { effort, seed, maxTicks }: Budget): readonly Hold[] | null {
   const known = scene.level.runs.map(({ holds }) => holds);
   const solver = createSolver(scene, { goal, seed, maxTicks, objective: 'robust', known });

@@ -4,22 +4,22 @@ import { type Goal, mineralsNeeded } from '../goal.ts';
 import { type CoastingFilter, coastingFilter } from './coasting.ts';
 import { wins } from './wins.ts';
 
-/** What every possible single press does. */
+/** What all single presses achieve. */
 export interface OnePressCount {
-  /** pairs of press and release that meet the goal */
+  /** Pairs of press and release that meet the goal. */
   readonly count: number;
-  /** pairs tried: every 0 <= press < release <= length, in strides */
+  /** Pairs tried: every 0 <= press < release <= length at multiples of the stride. */
   readonly tried: number;
-  /** a winning pair in the middle of the longest row of neighbouring releases: the one easiest to play; null when none wins */
+  /** The winning pair that is easiest to play, from the middle of the longest row of winning releases; null when none wins. */
   readonly example: readonly Hold[] | null;
-  /** ticks simulated */
+  /** Ticks simulated. */
   readonly ticks: number;
 }
 
 /**
- * Tries every single press, exhaustively: 0 <= press < release <= `length` (ticks), then coasting on to `maxTicks`.
- * Shares what runs have in common: coasts once, goes off at each press, and looks from each release whether coasting wins.
- * @param stride only edges at multiples of it are tried: 1 is exhaustive, more is a sample
+ * Tries every single press: 0 <= press < release <= `length` (ticks), then drifting on to `maxTicks`. Runs with the same press
+ * share the simulation up to the release, and drifting is simulated only where {@link CoastingFilter} cannot rule it out.
+ * @param stride only multiples of this many ticks are tried: 1 is exhaustive, more is a sample
  */
 export function countOnePress(scene: Scene, goal: Goal, length: number, maxTicks: number, stride = 1): OnePressCount {
   const needed = mineralsNeeded(goal, scene.minerals.count);
@@ -37,7 +37,7 @@ export function countOnePress(scene: Scene, goal: Goal, length: number, maxTicks
 
   for (let press = 0; press < steps; press++) {
     if (coast.ending !== null) {
-      // the run is over before these presses: they change nothing
+      // The run ends before these presses, so they change nothing.
       const left = steps - press;
       if (wins(coast, needed)) {
         count += (left * (left + 1)) / 2;
@@ -70,7 +70,7 @@ export function countOnePress(scene: Scene, goal: Goal, length: number, maxTicks
       } else closeRow(release - 1);
     }
     if (held.ending !== null && wins(held, needed)) {
-      // she gets there while she holds: every later release is as good
+      // She arrives while the button is held, so every later release wins, too.
       count += steps - release + 1;
       row += steps - release + 1;
       release = steps + 1;
@@ -81,10 +81,13 @@ export function countOnePress(scene: Scene, goal: Goal, length: number, maxTicks
   return { count, tried: (steps * (steps + 1)) / 2, example, ticks };
 }
 
-// ticks: after so many a repulsor may have turned her away for good
+// Ticks after which the filter is asked again, because a repulsor may have turned her away for good.
 const LOOK_AGAIN = 60;
 
-/** Coasts until the end, or until it is sure that the black hole is not on the way. @returns ticks advanced */
+/**
+ * Drifts on until the run ends or the black hole is ruled out.
+ * @returns ticks advanced
+ */
 function coastOn(probe: Simulation, filter: CoastingFilter, maxTicks: number): number {
   const from = probe.tick;
   while (probe.ending === null && probe.tick < maxTicks && filter.mayReach(probe)) {

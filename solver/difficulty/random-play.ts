@@ -5,23 +5,25 @@ import { createRandom, type Random } from '../random.ts';
 import { wilsonInterval } from '../robustness/index.ts';
 import { wins } from './wins.ts';
 
-/** How often somebody wins who presses at random. */
+/** How often a player wins who presses at random. */
 export interface RandomPlay {
-  /** 0 to 1 */
+  /** The share of games that meet the goal, 0 to 1. */
   readonly share: number;
-  /** 95 % interval (Wilson) */
+  /** Lower end of the 95 % confidence interval (Wilson's score interval), 0 to 1. */
   readonly low: number;
+  /** Upper end of the 95 % confidence interval, 0 to 1. */
   readonly high: number;
+  /** How many games were played. */
   readonly samples: number;
 }
 
-/** A random player waits and holds for a whole number of ticks, each length from 1 to this equally likely (two seconds). */
+/** A random player waits and holds for 1 to this many ticks (two seconds), all lengths equally likely. */
 export const RANDOM_PLAY_LONGEST = 120;
 
 /**
- * Plays one game at random, from the start. Such a player begins with a pause or with a hold, equally likely; then pauses and holds take
- * turns, the length of each drawn evenly from 1 to {@link RANDOM_PLAY_LONGEST} ticks, until the run ends or `maxTicks` have passed.
- * @returns what was held
+ * Plays one random game from the start. It begins with a pause or a hold, equally likely. Pauses and holds alternate, each from
+ * 1 to {@link RANDOM_PLAY_LONGEST} ticks long, until the run ends or `maxTicks` have passed.
+ * @returns the holds that were played
  */
 export function playGameAtRandom(simulation: Simulation, random: Random, maxTicks: number): Hold[] {
   simulation.reset();
@@ -37,7 +39,7 @@ export function playGameAtRandom(simulation: Simulation, random: Random, maxTick
   return holds;
 }
 
-/** The share of random games that meet a goal. */
+/** Measures the share of random games that meet a goal. */
 export function playAtRandom(scene: Scene, goal: Goal, options: { samples: number; seed: number; maxTicks: number }): RandomPlay {
   const { samples, seed, maxTicks } = options;
   const needed = mineralsNeeded(goal, scene.minerals.count);

@@ -5,54 +5,64 @@ import { type Candidate, DEFAULT_MAX_TICKS, verifyRun } from '../verified-run.ts
 import { countOnePress } from './one-press.ts';
 import { findWithoutAsteroids, type WithoutAsteroid } from './without-asteroid.ts';
 
-/** What a single press can do. */
+/** What single presses achieve. */
 export interface OnePress {
   /** Pairs of press and release that meet the goal. */
   readonly count: number;
   /** Pairs tried: every 0 <= press < release <= `length` at multiples of `stride`. */
   readonly tried: number;
-  /** Presses and releases were tried up to this tick. */
+  /** The last tick at which a press or release was tried. */
   readonly length: number;
-  /** ticks; 1 is exhaustive */
+  /** Ticks between the presses tried; 1 is exhaustive. */
   readonly stride: number;
-  /** One that wins with room around it, or null. */
+  /** A run with a single press that wins and has room around it; null when none wins. */
   readonly example: Candidate | null;
 }
 
-/** Ways of winning that a designer should know of. */
+/** Simple runs that complete the level, of which its designer should know. */
 export interface Shortcuts {
-  /** The run of somebody who never presses, when it meets the goal. */
+  /** The run without any press, when it meets the goal; else null. */
   readonly withoutPressing: Candidate | null;
+  /** What single presses achieve. */
   readonly onePress: OnePress;
-  /** One for each asteroid that the given run targets; empty without a run. */
+  /** One entry for each asteroid that the given run uses; empty without a run. */
   readonly withoutAsteroid: readonly WithoutAsteroid[];
 }
 
+/** What {@link findShortcuts} looks for and what it may spend. */
 export interface ShortcutOptions {
-  /** The run as it is meant: its asteroids are asked about, and single presses are tried within its length. */
+  /**
+   * The intended run, [press, release) in ticks: its asteroids are questioned, and single presses are tried within its length.
+   */
   readonly run?: readonly Hold[] | null;
-  /** Single presses are tried up to this tick; when left out the run's length, or {@link ONE_PRESS_LENGTH} without a run. */
+  /** The last tick at which single presses are tried; by default the end of the run, or 1200 without a run. */
   readonly length?: number;
-  /** Single presses are tried at multiples of so many ticks; 1, every tick, when left out. */
+  /** Single presses are tried at multiples of this many ticks; by default 1, every tick. */
   readonly stride?: number;
-  /** Ticks simulated for each asteroid asked about; {@link ASTEROID_EFFORT} when left out, 0 asks about none. */
+  /** Ticks to spend on each asteroid; 1,000,000 by default, 0 skips this question. */
   readonly effort?: number;
+  /** Seed of the searches; 0 by default. */
   readonly seed?: number;
-  /** Ticks after which a run that goes on has failed. */
+  /** A run fails when it lasts longer than this, ticks; 3600 by default. */
   readonly maxTicks?: number;
 }
 
-/** Single presses are tried up to this tick where no run says how long the level is: 20 s. */
+/** The last tick at which single presses are tried when no run tells how long the level is: 20 s. */
 export const ONE_PRESS_LENGTH = 1200;
 
-/** Ticks simulated to find a way without an asteroid where nothing else is said. */
+/** Ticks to spend on avoiding an asteroid by default. */
 export const ASTEROID_EFFORT = 1_000_000;
 
 const ANY: Goal = { minerals: 'any' };
 
 /**
- * Looks for ways of winning that the designer may not have meant. Without pressing, and with one press at a stride of 1, is exhaustive;
- * without an asteroid is a search: what it finds is sure, what it doesn't find may still exist.
+ * Looks for simple runs that the designer may not have intended: without pressing, with a single press, and without an asteroid
+ * that the intended run uses. The first two are exhaustive (single presses at a stride of 1). The third is a search: what it
+ * finds is certain, what it does not find may still exist.
+ * @param scene the compiled level
+ * @param goal what a run has to achieve; by default only the black hole
+ * @param options the intended run, and what to spend
+ * @returns the shortcuts that were found
  */
 export function findShortcuts(scene: Scene, goal: Goal = ANY, options: ShortcutOptions = {}): Shortcuts {
   const { run = null, effort = ASTEROID_EFFORT, stride = 1, seed = 0, maxTicks = DEFAULT_MAX_TICKS } = options;

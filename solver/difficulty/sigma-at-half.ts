@@ -3,31 +3,35 @@ import type { Hold } from '../../schema/index.ts';
 import type { Goal } from '../goal.ts';
 import { type Success, successProbability } from '../robustness/index.ts';
 
-/** The timing noise at which every second attempt succeeds. */
+/** The timing noise at which half of all attempts succeed. */
 export interface SigmaAtHalf {
-  /** ms */
+  /** Standard deviation of the noise, ms. */
   readonly ms: number;
-  /** 95 % interval, ms: where Wilson's interval for P leaves 0.5 on either side */
+  /** Lower end of the 95 % confidence interval, ms: where the lower end of Wilson's interval of the success falls below 0.5. */
   readonly low: number;
+  /** Upper end of the 95 % confidence interval, ms: where the upper end of Wilson's interval falls below 0.5. */
   readonly high: number;
-  /** True when P is still at least 0.5 at {@link SIGMA_CAP}, which then is given as `ms`. */
+  /** True when success is still at least 0.5 at 500 ms, the most noise that is tried; `ms` is then 500. */
   readonly capped: boolean;
 }
 
-/** No more noise than this is tried, ms: half a second off is not playing any more. */
+/** The most noise that is tried, ms: nobody who is half a second off is still playing. */
 export const SIGMA_CAP = 500;
 
-/** Between two noises so near each other success runs straight, ms: a tick is 16.7, and a thousand executions leave doubt of ten. */
+/**
+ * Success is taken as linear between two noises as close as this, ms. A tick is 16.7 ms, and the error of a thousand attempts
+ * is about 10 ms.
+ */
 const STRAIGHT = 4;
 const ASIDE = 0.45 * STRAIGHT;
 
-/** Where nothing is known, this noise is tried first, ms, and then twice as much. */
+/** The first noise to try when nothing is known, ms. It is doubled until success falls below 0.5. */
 const FIRST = 60;
 
 /**
- * Looks for the noise at which P = 0.5. All noises are laid with the same seed, so P changes with sigma and not by chance.
- * Where P crosses 0.5 more than once, one of the crossings is found.
- * @param options `known`: successes measured before, with the same samples and seed
+ * Finds the noise at which success is 0.5. All noises use the same seed, so that success changes with the noise and not by
+ * chance. If success crosses 0.5 more than once, one of the crossings is found.
+ * @param options how attempts are sampled; `known` holds successes measured before with the same samples and seed
  */
 export function findSigmaAtHalf(
   scene: Scene,
@@ -46,7 +50,7 @@ export function findSigmaAtHalf(
   };
 }
 
-/** Success over noise, as far as it is known: what one question has measured serves the next. */
+/** Success as a function of noise, measured where it is needed and remembered. */
 class Curve {
   private readonly points: Success[];
 
@@ -69,8 +73,9 @@ class Curve {
   }
 
   /**
-   * The sigma at which a figure falls below 0.5; the cap where it is above to the end. It is looked for where a straight line
-   * through the ends of where it is known to be has it, a little aside, so that both ends close in; every third time in the middle.
+   * The noise at which a figure falls below 0.5, or the cap if it never does. The crossing is bracketed, and the next
+   * measurement lies a little beside where a straight line between both ends crosses 0.5 (regula falsi), so that both ends
+   * close in; every third one bisects.
    */
   crossing(figure: (success: Success) => number): number {
     const { points } = this;

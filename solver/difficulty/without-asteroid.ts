@@ -6,23 +6,28 @@ import { type Candidate, createSearch } from '../search/index.ts';
 import { verifyRun } from '../verified-run.ts';
 
 /**
- * Whether the level can be won without an asteroid that the given run uses:
- * - `avoidable`: a run of the level as it is wins and never targets this asteroid
- * - `replaceable`: no such run was found, but the level with the asteroid taken out is won
- * - `needed`: it is proved that without the asteroid the black hole can't be reached
- * - `unknown`: neither a run nor a proof was found; most likely it is needed
+ * Whether the level can be completed without an asteroid that the given run uses:
+ * - `avoidable`: a run of the unchanged level wins and never targets this asteroid
+ * - `replaceable`: no such run was found, but the level wins with the asteroid removed
+ * - `needed`: it is proved that the black hole cannot be reached without the asteroid
+ * - `unknown`: neither a run nor a proof was found; most likely the asteroid is needed
  */
 export type AsteroidUse = 'avoidable' | 'replaceable' | 'needed' | 'unknown';
 
+/** The answer for one asteroid. */
 export interface WithoutAsteroid {
-  /** index in the level's list of asteroids */
+  /** Index in the level's list of asteroids, from 0. */
   readonly asteroid: number;
+  /** Whether the level can be completed without it. */
   readonly use: AsteroidUse;
-  /** the run that shows it: of the level as it is when `avoidable`, of the level without the asteroid when `replaceable`; else null */
+  /**
+   * The run that shows it: of the unchanged level when `avoidable`, of the level without the asteroid when `replaceable`, else
+   * null.
+   */
   readonly run: Candidate | null;
 }
 
-/** Asteroids that the gun targets in a run, by index in the level's list, ascending. */
+/** The asteroids that the gun targets in a run: indices in the level's list, ascending. */
 export function targetsOf(scene: Scene, holds: readonly Hold[], maxTicks: number): number[] {
   const { events } = simulate(scene, holds, { maxTime: maxTicks * TICK });
   const used = new Set<number>();
@@ -31,8 +36,8 @@ export function targetsOf(scene: Scene, holds: readonly Hold[], maxTicks: number
 }
 
 /**
- * Asks for each asteroid that a run uses whether the level is won without it.
- * @param effort ticks to simulate for each asteroid, shared by the two searches
+ * Finds out for each asteroid that a run uses whether the level can be completed without it.
+ * @param options `effort`: ticks to simulate for each of the two searches
  */
 export function findWithoutAsteroids(
   scene: Scene,
@@ -43,7 +48,7 @@ export function findWithoutAsteroids(
   const { effort, seed, maxTicks } = options;
   const intended = targetsOf(scene, holds, maxTicks);
   if (intended.length === 0) return [];
-  // ways through the level as it is: each may do without one asteroid or another
+  // Runs of the unchanged level. Each may avoid one asteroid or another.
   const search = createSearch(scene, { goal, seed, maxTicks });
   search.advance(effort);
   const ways = search.solutions.map((run) => ({ run, targets: targetsOf(scene, run.holds, maxTicks) }));
@@ -70,7 +75,7 @@ const levelWithout = (level: Level, asteroid: number): Level => ({
   asteroids: level.asteroids.filter((_, i) => i !== asteroid),
 });
 
-/** Whether there is a proof for the accuracy the scene is played at; proofs know only accuracies with a name. */
+/** Whether a proof exists for the accuracy of the scene. There are no proofs for custom settings. */
 function isProvedImpossible({ level, accuracy }: Scene, maxTicks: number): boolean {
   if (!isAccuracyName(accuracy.name)) return false;
   return proveImpossible(level, { accuracy: accuracy.name, maxTime: maxTicks * TICK }) !== null;

@@ -10,16 +10,26 @@ import { findRoute } from './route.ts';
 import { ANY, findWays, gradeRun, sceneOf, scoutOnePress, sortByP40 } from './scouting.ts';
 import { tubeOf } from './tube.ts';
 
-// what it takes to look for a route, about
+// The cost of the search for a route, ticks, about.
 const ROUTE_EFFORT = 500_000;
 
-// how often a level that is too easy gets more novae
+// How often a level that is too easy gets more novae.
 const ROUNDS = 8;
 
-// what grading costs, in runs, about
+// The cost of grading, in runs, about.
 const GRADING = 1000;
 
-/** Tries once to make a level that fulfils a spec. */
+/**
+ * Makes one attempt at a level that fulfils a spec. The run comes first and the level is built around it:
+ *
+ * 1. Lay out asteroids at random, and find a run through them that ends where the black hole is then placed ({@link
+ *    findRoute}).
+ * 2. Add novae outside a tube around the run, which holds the run's slightly mistimed variations as well.
+ * 3. Put novae onto easier paths and onto those that random play finds, until the grade is as wanted ({@link harden}).
+ * 4. Add minerals, measure the finished level and check everything that is claimed of it ({@link finish}).
+ *
+ * A level that fails any of the promises is discarded.
+ */
 export function* attemptLevel(random: Random, spec: GeneratorSpec, description: string): Attempt {
   const empty = layOut(random, spec);
   if (empty === null) return null;

@@ -14,10 +14,10 @@ import { wayOf } from './tube.ts';
 
 const MINERALS = 3;
 
-// what measuring costs, in runs, about
+// The cost of the measurements, in runs, about.
 const MEASURING = 8000;
 
-/** Places the minerals, finds the run that collects them all, and checks all that is claimed. */
+/** Places the minerals, finds a run that collects them all, and checks everything that is claimed. */
 export function* finish(
   layout: Layout,
   spec: GeneratorSpec,
@@ -37,7 +37,8 @@ export function* finish(
     if (certifiedTicks < spec.certifiedTicks || p40.p < spec.p40) return null;
   }
 
-  // on several ways first, so that they have to be looked for; if no way takes in all, on the way to the black hole
+  // Put the minerals on several paths first, so that they have to be looked for. If no run collects them all, put them on the
+  // path to the black hole.
   const several = Array.from({ length: MINERALS }, (_, i) => wayOf(bare, ways[i % ways.length].holds));
   const along = Array.from({ length: MINERALS }, () => wayOf(bare, solution.holds));
   for (const mineralWays of ways.length > 1 ? [several, along] : [along]) {
@@ -57,7 +58,7 @@ export function* finish(
   return null;
 }
 
-/** Whether both runs of a finished file do what their names say, at both accuracies, and nothing is left to warn of. */
+/** Whether both runs of a finished file do what their names say at `precise` and `arcade`, and no warnings are left. */
 function holdsUp(file: LevelFile): boolean {
   const level = resolveLevel(file);
   const [solution, all] = level.runs;

@@ -2,18 +2,22 @@ import type { Hold, LevelFile } from '../../schema/index.ts';
 import type { Grade } from '../difficulty/index.ts';
 import type { Robustness } from '../robustness/index.ts';
 
-/** A generated level, with what it claims. */
+/** A generated level with its measurements. */
 export interface Generated {
-  /** With ids, and two runs: `solution`, and `all-minerals`. Ready for `formatLevel`. */
+  /** The level file with ids and two runs, `solution` and `all-minerals`, ready for `formatLevel`. */
   readonly level: LevelFile;
-  /** The run `solution`. */
+  /** The run `solution`, [press, release) in ticks. */
   readonly holds: readonly Hold[];
-  /** Of `solution`, at accuracy `precise`. */
+  /** How robust `solution` is at `precise`. */
   readonly robustness: Robustness;
-  /** Of `solution`, at accuracy `arcade`. */
+  /** How robust `solution` is at `arcade`. */
   readonly arcade: Robustness;
+  /** The grade of the level, measured at `precise`. */
   readonly grade: Grade;
 }
 
-/** An attempt at a level: gives the ticks simulated since the last time, and in the end a level, or null when it came to nothing. */
+/**
+ * An attempt at a level. It yields the ticks simulated since the last time, and returns a level, or null when the attempt
+ * failed.
+ */
 export type Attempt = Generator<number, Generated | null>;

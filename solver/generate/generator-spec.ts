@@ -1,15 +1,28 @@
 import type { OwnRules } from '../../schema/index.ts';
 import { PLACED_KINDS, type PlacedList } from './placed/index.ts';
 
-/** How hard a generated level should be: in a word, or a grade from 1 to 10 that it should come within half a grade of. */
+/** How hard a generated level should be: a word, or a grade from 1 to 10 that is met within 0.5. */
 export type WantedDifficulty = 'easy' | 'medium' | 'hard' | number;
 
-/** How large: in a word, or in px. */
-export type WantedSize = 'small' | 'medium' | 'large' | { readonly width: number; readonly height: number };
+/** How large a generated level should be: a word, or a size in px. The words mean 520 x 420, 800 x 600 and 1280 x 800 px. */
+export type WantedSize =
+  | 'small'
+  | 'medium'
+  | 'large'
+  | {
+      /** Width, 360 to 4000 px. */
+      readonly width: number;
+      /** Height, 360 to 4000 px. */
+      readonly height: number;
+    };
 
-/** Things a generated level may contain besides asteroids, novae and minerals. */
+/**
+ * What a generated level may contain besides cold asteroids, novae and minerals: hot asteroids (`hot`), a list of objects, or
+ * `recoil`.
+ */
 export type Ingredient = 'hot' | 'repulsors' | 'aliens' | 'recoil' | PlacedList;
 
+/** Every ingredient that a generated level may contain. */
 export const INGREDIENTS: readonly Ingredient[] = [
   'hot',
   'repulsors',
@@ -18,50 +31,51 @@ export const INGREDIENTS: readonly Ingredient[] = [
   ...PLACED_KINDS.map(({ list }) => list),
 ];
 
-/** What may be drawn where nothing is said: what is added to this list changes the levels of all seeds. */
+/** The ingredients that are used by default. An addition to this list changes the levels of all seeds. */
 export const USUAL_INGREDIENTS: readonly Ingredient[] = ['hot', 'repulsors', 'aliens'];
 
+/** What {@link createGenerator} should make. */
 export interface GeneratorOptions {
-  /** Any finite number: the same seed and options give the same level. */
+  /** Any finite number. The same seed and options give the same level. */
   readonly seed: number;
-  /** `medium` when left out. */
+  /** Size of the level; `medium` by default. */
   readonly size?: WantedSize;
-  /** `medium` when left out. */
+  /** How hard the level should be; `medium` by default. */
   readonly difficulty?: WantedDifficulty;
-  /** What may be drawn; {@link USUAL_INGREDIENTS} when left out. */
+  /** What the level may contain; {@link USUAL_INGREDIENTS} by default. */
   readonly ingredients?: readonly Ingredient[];
-  /** Rules under which it is played; the game's own when left out. */
+  /** Rules of the level; by default the game's own. */
   readonly rules?: OwnRules;
 }
 
-/** What a level has to be, worked out from the options. Lengths in px. */
+/** What a level has to fulfil, derived from the options. Lengths are in px. */
 export interface GeneratorSpec {
   readonly width: number;
   readonly height: number;
-  /** the grade lies in [least, most] */
+  /** The grade must lie in [least, most]. */
   readonly grade: readonly [least: number, most: number];
-  /** asteroids: least and most */
+  /** The number of asteroids: least and most. */
   readonly asteroids: readonly [number, number];
-  /** presses on the way the level is built around: least and most; more than 5 can't be certified in reasonable time */
+  /** The number of presses of the intended run: least and most. More than 5 cannot be certified in reasonable time. */
   readonly presses: readonly [number, number];
-  /** novae to begin with; more are added as long as the level is too easy */
+  /** Novae to begin with. More are added while the level is too easy. */
   readonly novae: number;
-  /** ticks by which every edge may be off on the ways that are kept free */
+  /** The tube around the intended run holds its variations with every edge shifted by up to this many ticks. */
   readonly tube: number;
-  /** px between her box at its widest and a nova beside those ways */
+  /** Room between her box at its widest and a nova beside the tube, px. */
   readonly room: number;
-  /** least certificate, ticks */
+  /** The least certified ticks. */
   readonly certifiedTicks: number;
-  /** least P(40 ms) */
+  /** The least success under timing noise of 40 ms. */
   readonly p40: number;
-  /** P(40 ms) that the way the level is built around should have before there are novae */
+  /** The success under timing noise of 40 ms that the intended run should have before novae are added. */
   readonly routeP40: number;
-  /** longest stretch without the gun on that way, ticks: the longer, the farther a small error leads */
+  /** The longest pause of the intended run, ticks: the longer the pause, the farther a small error leads. */
   readonly coast: number;
-  /** most single presses that win, as a share of all pairs of press and release */
+  /** The largest share of single presses that may win. */
   readonly onePress: number;
   readonly ingredients: readonly Ingredient[];
-  /** rules that are not the game's own; they go into the level */
+  /** Rules that differ from the game's own; they are written into the level. */
   readonly rules: OwnRules;
 }
 
@@ -69,14 +83,15 @@ const SIZES = { small: [520, 420], medium: [800, 600], large: [1280, 800] } as c
 
 const GRADES = { easy: [1.2, 3.4], medium: [3.5, 5.4], hard: [5.5, 9] } as const;
 
-/** Least side of a generated level, px: less holds no swing. */
+/** Least side of a generated level, px: a smaller one has no room for a swing. */
 export const LEAST_SIDE = 360;
 
 /** Greatest side, px: the chain of asteroids has to span it. */
 export const GREATEST_SIDE = 4000;
 
 /**
- * @throws RangeError for a size or a grade that can't be
+ * Derives what a level has to fulfil.
+ * @throws RangeError if the size or the grade is out of range
  */
 export function specOf({ size = 'medium', difficulty = 'medium', ingredients, rules = {} }: GeneratorOptions): GeneratorSpec {
   const [width, height] = typeof size === 'string' ? SIZES[size] : [size.width, size.height];
@@ -89,7 +104,7 @@ export function specOf({ size = 'medium', difficulty = 'medium', ingredients, ru
   }
   const grade = typeof difficulty === 'number' ? ([difficulty - 0.5, difficulty + 0.5] as const) : GRADES[difficulty];
   const middle = (grade[0] + grade[1]) / 2;
-  // 0 at grade 1, 1 at grade 7
+  // 0 at grade 1, 1 at grade 7 and above.
   const hardness = Math.min(1, Math.max(0, (middle - 1) / 6));
   const room = Math.sqrt(width * height) / 600;
   const asteroids = 1.5 + 2.5 * room * (0.5 + hardness);

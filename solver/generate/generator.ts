@@ -3,23 +3,42 @@ import { attemptLevel } from './attempt.ts';
 import type { Attempt, Generated } from './generated.ts';
 import { type GeneratorOptions, specOf } from './generator-spec.ts';
 
-/** A level in the making, to be advanced as long as one likes. */
+/** Generates one level. The caller decides how long it works. */
 export interface LevelGenerator {
-  /** Layouts begun and ticks simulated so far. */
-  readonly effort: { readonly attempts: number; readonly ticks: number };
-  /** null until a level fulfils everything that was asked for */
+  /** The work done so far. */
+  readonly effort: {
+    /** Layouts begun. */
+    readonly attempts: number;
+    /** Ticks simulated, plus 1000 for each attempt. */
+    readonly ticks: number;
+  };
+  /** The level; null until one fulfils everything that was asked for. */
   readonly result: Generated | null;
-  /** Works on for about so many simulated ticks, or until there is a result. The same seed gives the same level however it is split. */
+  /**
+   * Continues the work until there is a result or the ticks are spent. The same seed gives the same level however the work is
+   * split into calls.
+   * @param ticks how many more ticks to simulate; the generator may overshoot
+   */
   advance(ticks: number): void;
 }
 
-// what an attempt costs besides what it simulates, in ticks, so that attempts that fail at once come to an end, too
+// The cost of an attempt besides its simulations, ticks, so that attempts that fail at once also come to an end.
 const OVERHEAD = 1000;
 
 /**
- * Makes a level from a seed: lays out asteroids at random, finds a run, closes easier ways with novae until it is as hard as wanted,
- * adds minerals. A layout that comes to nothing is thrown away and the next one begun.
- * @throws RangeError for a size or a difficulty that can't be
+ * Creates a generator that makes a level from a seed. It lays out asteroids at random, finds a run, closes easier paths with
+ * novae until the level is as hard as wanted, and adds minerals. Layouts that fail are discarded, and the next one is begun.
+ * @param options the seed, and what the level should be like
+ * @returns a generator at its start
+ * @throws RangeError if the size or the difficulty is out of range
+ * @example
+ * ```ts
+ * import { createGenerator } from 'gravity-quest-toolkit/solver';
+ *
+ * const generator = createGenerator({ seed: 7, size: 'small', difficulty: 'easy' });
+ * while (generator.result === null) generator.advance(1_000_000);
+ * console.log(generator.result.level.name, generator.result.grade.value);
+ * ```
  */
 export function createGenerator(options: GeneratorOptions): LevelGenerator {
   const spec = specOf(options);

@@ -10,15 +10,15 @@ import { blockWay } from './novae.ts';
 import { luckyWays, sceneOf, scoutOnePress } from './scouting.ts';
 import { tubeOf, type Way, wayOf } from './tube.ts';
 
-// ways of random play closed in a round
+// Paths of random play that are closed per round.
 const LUCKY = 3;
 
-// novae added in a round to narrow a way
+// Novae that are added per round to narrow a path.
 const NARROWINGS = 2;
 
 /**
- * Makes a level harder that is too easy: closes the ways that are easier than the intended one, and narrows that one down to the
- * least that has to stay open. The same level where nothing can be done.
+ * Makes a level harder: closes the paths that are easier than the intended one, and narrows that one to the least that has to
+ * stay open. Returns the same layout when nothing can be done.
  */
 export function harden(
   layout: Layout,
@@ -32,13 +32,13 @@ export function harden(
   const easier = ways.slice(0, Math.max(0, ways.indexOf(intended))).map(({ holds }) => wayOf(scene, holds));
   let harder = layout;
   for (const way of [...easier, ...luckyWays(scene, LUCKY, random)]) harder = blockWay(harder, spec, open, way, random) ?? harder;
-  // only where it is the easiest way there is does it help to make it harder
+  // Narrowing the intended path helps only where it is the easiest one.
   if (easier.length > 0 && harder !== layout) return harder;
   for (let i = 0; i < NARROWINGS; i++) harder = narrowWay(harder, spec, intended, open[0], random) ?? harder;
   return harder;
 }
 
-/** Without the cold asteroids that a run neither targets nor needs to stay in range. */
+/** Removes the cold asteroids that a run neither targets nor needs to stay in range. */
 export function withoutUnused(layout: Layout, holds: readonly Hold[]): Layout {
   const level = toLevel(layout);
   const unused = new Set(
@@ -50,7 +50,7 @@ export function withoutUnused(layout: Layout, holds: readonly Hold[]): Layout {
   return verifyRun(sceneOf(lean), holds) === null ? layout : lean;
 }
 
-/** Puts novae onto ways of a single press, as long as too many of them win and there is room. */
+/** Puts novae on the paths of single presses while too many of them win and there is room. */
 export function closeShortcuts(
   layout: Layout,
   spec: GeneratorSpec,

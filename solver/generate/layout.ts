@@ -4,7 +4,7 @@ import type { Random } from '../random.ts';
 import type { GeneratorSpec } from './generator-spec.ts';
 import { PLACED_KINDS, type PlacedList, type PlacedObject } from './placed/index.ts';
 
-/** A level in the making: places are whole px. */
+/** A level under construction. All coordinates are whole px. */
 export interface Layout {
   readonly start: Place & { readonly vx: number; readonly vy: number };
   readonly blackHole: Disc;
@@ -15,21 +15,21 @@ export interface Layout {
   readonly aliens: readonly Disc[];
   readonly novae: readonly Disc[];
   readonly minerals: readonly Disc[];
-  /** What was asked for beside those. */
+  /** Objects of the kinds that are placed only on request. */
   readonly placed: Readonly<Record<PlacedList, readonly PlacedObject[]>>;
 }
 
-/** px: what is drawn nearer to each other looks like one thing. */
+/** px between two objects; closer ones look like one. */
 export const GAP = 12;
 
-/** px between anything and the edge of the level. */
+/** px between any object and the edge of the level. */
 const MARGIN = 50;
 
-/** px around the start that stay free, and at least around her box: nobody should burn before the first press. */
+/** px around the start that stay free, at least, and px around her box: nobody should die before the first press. */
 const START_FREE = 75;
 const BOX_FREE = 20;
 
-/** px/s on each axis, at most. */
+/** The largest initial speed on each axis, px/s. */
 const START_SPEED = 50;
 
 const TRIES = 60;
@@ -40,7 +40,7 @@ export const distance = (a: Place, b: Place): number => {
   return Math.sqrt(dx * dx + dy * dy);
 };
 
-/** Everything that is drawn solid, and repulsors, whose rims should be seen whole. */
+/** All objects that are drawn solid, and repulsors, whose rims should be visible as a whole. */
 export function bodiesOf({ blackHole, asteroids, repulsors, aliens, novae, placed }: Layout): Disc[] {
   const solid = PLACED_KINDS.filter(({ isSolid }) => isSolid).flatMap(({ kind, list }) =>
     placed[list].flatMap((object) => placesIn(kind, object).map(({ x, y }) => ({ x, y, radius: object.radius }))),
@@ -48,13 +48,13 @@ export function bodiesOf({ blackHole, asteroids, repulsors, aliens, novae, place
   return [blackHole, ...asteroids, ...repulsors, ...aliens, ...novae, ...solid];
 }
 
-/** Whether a disc lies within the margins and keeps the gap to all others and to the start. */
+/** Whether a disc lies within the margins and keeps its distance from all other objects and from the start. */
 export function fits(layout: Layout, spec: GeneratorSpec, disc: Disc, gap = GAP): boolean {
   if (!isClear(layout, spec, disc)) return false;
   return bodiesOf(layout).every((other) => distance(other, disc) >= other.radius + disc.radius + gap);
 }
 
-/** Whether a disc lies within the margins and keeps away from the start. */
+/** Whether a disc lies within the margins and keeps its distance from the start. */
 function isClear(layout: Layout, spec: GeneratorSpec, { x, y, radius }: Disc): boolean {
   if (x < MARGIN + radius || y < MARGIN + radius) return false;
   if (x > spec.width - MARGIN - radius || y > spec.height - MARGIN - radius) return false;
@@ -63,8 +63,8 @@ function isClear(layout: Layout, spec: GeneratorSpec, { x, y, radius }: Disc): b
 }
 
 /**
- * Lays out a chain of asteroids, each within reach of the one before, and what else moves her or comes after her.
- * The black hole, novae and minerals come later, when it is known where she flies.
+ * Lays out a chain of asteroids, each in range of the one before, and repulsors, aliens and other ingredients near them. The
+ * black hole, novae and minerals are added later, when her path is known.
  * @returns null when the chain did not fit
  */
 export function layOut(random: Random, spec: GeneratorSpec): Layout | null {
@@ -76,7 +76,7 @@ export function layOut(random: Random, spec: GeneratorSpec): Layout | null {
       if (d >= least && d <= most) return { x: around.x + place.x, y: around.y + place.y };
     }
   };
-  // one level in three begins on the move
+  // One level in three begins with a moving astronaut.
   const speed = random.below(3) === 0 ? START_SPEED : 0;
   const start = {
     x: between(MARGIN + 30, spec.width - MARGIN - 30),
@@ -112,7 +112,7 @@ export function layOut(random: Random, spec: GeneratorSpec): Layout | null {
     last = place;
   }
 
-  // where she comes by: what lies out of every asteroid's range is only scenery
+  // A place near an asteroid, where she may pass. Objects out of every asteroid's range would be mere decoration.
   const inPlay = (): Place => near(layout.asteroids[random.below(layout.asteroids.length)], 50, 190);
   const some = (ingredient: 'repulsors' | 'aliens' | PlacedList, inThree: number) =>
     spec.ingredients.includes(ingredient) && random.below(3) < inThree ? between(1, Math.max(1, Math.round(count / 2))) : 0;
@@ -132,7 +132,7 @@ export function layOut(random: Random, spec: GeneratorSpec): Layout | null {
     if (disc !== null) layout = { ...layout, aliens: [...layout.aliens, disc] };
   }
   for (const { list, make } of PLACED_KINDS) {
-    // who asks for what nobody gets unasked wants to see it
+    // These kinds are placed only on request, so they should appear more often.
     for (let n = some(list, 2); n > 0; n--) {
       const there = layout;
       const ground = {
@@ -149,10 +149,10 @@ export function layOut(random: Random, spec: GeneratorSpec): Layout | null {
   return layout;
 }
 
-// where the black hole is as long as it isn't anywhere: nobody gets there
+// Placeholder for the black hole before it is placed, where nobody can reach it.
 const FAR_AWAY: Disc = { x: 1e6, y: 1e6, radius: 18 };
 
-/** The first of many tries that gives something. */
+/** The first result of many tries. */
 export function tryOften<T>(attempt: () => T | null): T | null {
   for (let i = 0; i < TRIES; i++) {
     const result = attempt();

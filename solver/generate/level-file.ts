@@ -4,7 +4,7 @@ import type { Layout } from './layout.ts';
 const circle = ({ x, y, radius }: Disc) => ({ x, y, radius });
 const place = ({ x, y }: Disc) => ({ x, y });
 
-/** A layout as a level file; lists without anything in them are left out, and so are the radii that are the format's defaults. */
+/** Converts a layout into a level file. Empty lists are left out, and so are radii that are the format's defaults. */
 export function toLevelFile(
   layout: Layout,
   name: string,
@@ -33,5 +33,5 @@ export function toLevelFile(
   });
 }
 
-/** A layout as a level to simulate. */
+/** Converts a layout into a level to simulate. */
 export const toLevel = (layout: Layout): Level => resolveLevel(toLevelFile(layout, 'generated', '', []));

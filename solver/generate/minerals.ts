@@ -6,16 +6,16 @@ import type { Way } from './tube.ts';
 
 const RADIUS = 7;
 
-/** px between two minerals, and from one to the start: each is a thing of its own to get. */
+/** px between two minerals, and between a mineral and the start, so that each has to be collected on its own. */
 const APART = 60;
 
-// px between a mineral and what is drawn solid
+// px between a mineral and objects that are drawn solid.
 const GAP = 8;
 
-// px that a mineral may lie off the middle of the way on which she passes: half her box's width, so she touches it
+// px between a mineral and the path on which she passes, at most: half the width of her box, so that she touches it.
 const BESIDE = 10;
 
-/** Puts a mineral on each of the ways, where there is room for it on that way. */
+/** Places one mineral on each of the paths, if there is room. */
 export function placeMinerals(layout: Layout, spec: GeneratorSpec, ways: readonly Way[], random: Random): Layout {
   let grown = layout;
   for (const way of ways) {

@@ -14,6 +14,6 @@ const SECOND = [
   ...['Tether', 'Thread', 'Tide', 'Trail', 'Turn', 'Vault', 'Wake', 'Waltz', 'Way'],
 ] as const;
 
-/** A name for a level, out of two words. */
+/** A random name for a level, made of two words. */
 export const nameLevel = (random: Random): string =>
   `${FIRST[random.below(FIRST.length)]} ${SECOND[random.below(SECOND.length)]}`;

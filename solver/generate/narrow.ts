@@ -13,20 +13,21 @@ const ANY: Goal = { minerals: 'any' };
 
 const RADIUS = 16;
 
-// places tried for one nova
+// Places that are tried for one nova.
 const PLACES = 40;
 
 const SAMPLES = 100;
 
-// px from the way at which novae are tried, beyond what her box needs
+// px beyond what her box needs, within which novae are tried beside the path.
 const NEAR = 30;
 
-// P that a level must keep above what it has to have: it is measured anew, and more closely, in the end
+// How far success must stay above the wanted value, because it is measured again, and more precisely, in the end.
 const RESERVE = 0.06;
 
 /**
- * Adds the nova beside a run's way that costs the run most of its P(40 ms), without going below what is wanted or breaking the certificate.
- * @returns null where no place does that
+ * Adds one nova beside a run's path: the one that reduces success under timing noise of 40 ms most, without going below the
+ * wanted success or breaking the certificate.
+ * @returns the layout, or null when there is no such place
  */
 export function narrowWay(layout: Layout, spec: GeneratorSpec, run: Candidate, way: Way, random: Random): Layout | null {
   const p40 = (grown: Layout) =>

@@ -7,10 +7,10 @@ import { distanceToWays, type Way } from './tube.ts';
 
 const RADII = [16, 32] as const;
 
-// px by which her box overlaps the smallest nova beside a way, at least
+// px by which her box overlaps the smallest nova beside a path, at least.
 const OVERLAP = 6;
 
-/** On a way, and so far off it that the smallest nova is still touched, however her box is turned: whole px. */
+/** Offsets from a path, whole px: on it, and beside it where she still touches the smallest nova at any angle of her box. */
 function offsetsOf(layout: Layout): readonly (readonly [number, number])[] {
   const { halfWidth, halfHeight } = boxOf(rulesOf(layout));
   const beside = Math.floor(RADII[0] + Math.min(halfWidth, halfHeight)) - OVERLAP;
@@ -24,7 +24,7 @@ function offsetsOf(layout: Layout): readonly (readonly [number, number])[] {
 }
 
 /**
- * Adds up to `count` novae that leave all `free` ways open: two of three near a way, where they are seen to matter, the rest anywhere.
+ * Adds up to `count` novae that leave all `free` paths open: two of three near a path, where they matter, the others anywhere.
  */
 export function addNovae(layout: Layout, spec: GeneratorSpec, free: readonly Way[], count: number, random: Random): Layout {
   let grown = layout;
@@ -40,7 +40,7 @@ export function addNovae(layout: Layout, spec: GeneratorSpec, free: readonly Way
   return grown;
 }
 
-/** Puts a nova onto a way that is too easy, where that leaves all `free` ways open; null where there is no such place. */
+/** Puts a nova on a path that is too easy, if that leaves all `free` paths open; null where there is no such place. */
 export function blockWay(
   layout: Layout,
   spec: GeneratorSpec,
@@ -64,7 +64,7 @@ function freeNova(layout: Layout, spec: GeneratorSpec, free: readonly Way[], nov
   return distanceToWays(free, nova) >= nova.radius + boxOf(rulesOf(layout)).halfDiagonal + spec.room ? nova : null;
 }
 
-/** A place some way off a random place on a way. */
+/** A random place within 100 px of a random place on a path, on each axis. */
 function beside(way: Way, random: Random): Place {
   const at = way[random.below(way.length)];
   return { x: Math.round(at.x) + random.below(201) - 100, y: Math.round(at.y) + random.below(201) - 100 };

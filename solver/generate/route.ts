@@ -10,7 +10,7 @@ import { distance, fits, type Layout } from './layout.ts';
 import { toLevel } from './level-file.ts';
 import { distanceToWays, forgives, type Way, wayOf } from './tube.ts';
 
-/** A way through a layout, and the layout with a black hole at its end. */
+/** A layout whose black hole lies at the end of a run. */
 export interface Route {
   readonly layout: Layout;
   readonly run: Candidate;
@@ -18,31 +18,32 @@ export interface Route {
 
 const ANY: Goal = { minerals: 'any' };
 
-// scripts played before a layout is given up
+// Runs that are tried before a layout is discarded.
 const SCRIPTS = 1000;
 
-// ways that would do, of which the one nearest to the wanted P is kept
+// How many suitable runs are compared. The one whose success is nearest to the wanted value is kept.
 const ROUTES = 5;
 
 const SAMPLES = 60;
 
-// every tenth tick is enough to see that many single presses do it
+// Every tenth tick suffices to see whether many single presses win.
 const STRIDE = 10;
 
-// px between the black hole and the start
+// px between the black hole and the start, at least.
 const FROM_START = 160;
 
-// px within which the way must not pass where the black hole will be, before it gets there
+// px around the place of the black hole that her path must avoid before its end.
 const CLEAR_OF_END = 60;
 
-// px that she stays away from the edge
+// px between her path and the edge of the level, at least.
 const INSIDE = 25;
 
 const BLACK_HOLE = 18;
 
 /**
- * Plays a layout without a black hole at random, and puts one at the end of a way that forgives neither too little nor too much.
- * From rest she falls on a straight line, where every press leads to the same place: ways that a single press finds don't count.
+ * Plays random runs in a layout without a black hole, and puts the black hole at the end of one whose success is close to the
+ * wanted value. From rest she falls along a straight line, on which every press leads to the same place, so runs that a single
+ * press can replace do not count.
  */
 export function findRoute(layout: Layout, spec: GeneratorSpec, random: Random): Route | null {
   const empty = createSimulation(compile(toLevel(layout), 'arcade'));
@@ -80,7 +81,7 @@ function randomHolds(spec: GeneratorSpec, random: Random): Hold[] {
   return holds;
 }
 
-/** Where the black hole could stand at the end of a script's way; null where there is no room or she does not get there in good order. */
+/** The place for the black hole at the end of a run; null where there is no room, or where the run does not suit. */
 function endOf(simulation: Simulation, layout: Layout, spec: GeneratorSpec, holds: readonly Hold[], random: Random): Disc | null {
   const tick = holds[holds.length - 1][1] + 20 + random.below(spec.coast);
   simulation.reset();
@@ -93,12 +94,12 @@ function endOf(simulation: Simulation, layout: Layout, spec: GeneratorSpec, hold
 
   const { scene } = simulation;
   const { events } = simulate(scene, holds, { maxTime: tick * TICK });
-  // as long as one asteroid alone pulls, she stays on the line of her first fall
+  // While a single asteroid pulls, she stays on the line of her first fall.
   const targets = new Set(events.flatMap((event) => (event.type === 'target' ? [event.index] : [])));
   if (targets.size < 2) return null;
   const way = wayOf(scene, holds, tick);
   if (!way.every((place) => isInside(spec, place))) return null;
-  // the last stretch does come near; what comes before must not, or she would be there early
+  // Only the last stretch may come near the black hole; otherwise she would reach it too early.
   const before: Way = way.filter((place, i) => i < way.length / 2 || distance(place, end) > 2 * CLEAR_OF_END);
   return distanceToWays([before], end) < CLEAR_OF_END ? null : end;
 }

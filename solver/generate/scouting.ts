@@ -20,22 +20,25 @@ import { type Way, wayOf } from './tube.ts';
 export const ANY: Goal = { minerals: 'any' };
 export const ALL: Goal = { minerals: 'all' };
 
-// ticks simulated between two yields
+// Ticks simulated between two yields.
 const SLICE = 100_000;
 
-// ticks to find ways through a level, or one with all its minerals
+// Ticks to find runs through a level, or one that collects all minerals.
 const SOLVE_EFFORT = 800_000;
 
 const SAMPLES = 300;
 const GAMES = 400;
 
-// every third tick is enough to see which share of single presses wins
+// Every third tick suffices to estimate the share of single presses that win.
 const STRIDE = 3;
 
-/** The scene of a layout for scouting: frame by frame, which is quickest. What is claimed in the end is measured in continuous time, too. */
+/**
+ * The scene for quick measurements, at `arcade`, which is the fastest. What is claimed in the end is measured in continuous
+ * time as well.
+ */
 export const sceneOf = (layout: Layout): Scene => compile(toLevel(layout), 'arcade');
 
-/** Different runs that meet a goal, the most robust first, each of which wins at `precise`, too. */
+/** Finds different runs that meet a goal, the most robust first. Each also wins at `precise`. */
 export function* findWays(scene: Scene, goal: Goal, seed: number): Generator<number, Candidate[]> {
   const solver = createSolver(scene, { goal, seed, count: 4 });
   while (solver.effort.ticks < SOLVE_EFFORT && !solver.finished) {
@@ -47,14 +50,14 @@ export function* findWays(scene: Scene, goal: Goal, seed: number): Generator<num
   return solver.solutions.filter(({ holds }) => verifyRun(precise, holds, goal) !== null);
 }
 
-/** The most robust first. */
+/** Sorts runs by success under timing noise of 40 ms, the most robust first. */
 export function sortByP40(scene: Scene, runs: readonly Candidate[]): Candidate[] {
   const p40 = (run: Candidate) => successProbability(scene, run.holds, ANY, 40, { samples: SAMPLES, seed: 1 }).p;
   const valued = runs.map((run) => ({ run, p: p40(run) }));
   return valued.sort((a, b) => b.p - a.p).map(({ run }) => run);
 }
 
-/** How hard a level is, by its best run known. */
+/** The grade of a level by its best known run. */
 export function gradeRun(scene: Scene, run: Candidate, seed: number): Grade {
   const options = { samples: SAMPLES, seed };
   return gradeOf({
@@ -66,11 +69,11 @@ export function gradeRun(scene: Scene, run: Candidate, seed: number): Grade {
   });
 }
 
-/** What single presses within a run's length do, in strides. */
+/** What single presses within the length of a run achieve, sampled with a stride. */
 export const scoutOnePress = (scene: Scene, run: Candidate): OnePressCount =>
   countOnePress(scene, ANY, run.tick + 1, DEFAULT_MAX_TICKS, STRIDE);
 
-/** Ways by which random play got to the black hole, a few of them. */
+/** A few paths on which random play reached the black hole. */
 export function luckyWays(scene: Scene, most: number, random: Random): Way[] {
   const simulation = createSimulation(scene);
   const ways: Way[] = [];

@@ -4,17 +4,17 @@ import type { Random } from '../random.ts';
 import { DEFAULT_MAX_TICKS, verifyRun } from '../verified-run.ts';
 import { distance } from './layout.ts';
 
-/** Places of her centre along a way, one for every few ticks. */
+/** Places of her centre along a path, one every few ticks. */
 export type Way = readonly Place[];
 
-// ticks between two places of a way: she flies some 10 px in between
+// Ticks between two places of a path; she flies about 10 px in between.
 const EVERY = 4;
 
 const DETOURS = 24;
 
 const LOOKS = 100;
 
-/** Where a run leads, up to its end or for so many ticks. */
+/** The path of a run up to its end or the given tick. */
 export function wayOf(scene: Scene, holds: readonly Hold[], ticks: number = DEFAULT_MAX_TICKS): Way {
   const run = simulate(scene, holds, { maxTime: ticks * TICK });
   const state = new Float64Array(STATE_SIZE);
@@ -26,7 +26,10 @@ export function wayOf(scene: Scene, holds: readonly Hold[], ticks: number = DEFA
   return way;
 }
 
-/** The ways of a run and of the same run with every edge off by up to so many ticks, as far as those reach the black hole. */
+/**
+ * The paths of a run and of random variations of it, with every edge shifted by up to `ticks`, as far as they reach the black
+ * hole.
+ */
 export function tubeOf(scene: Scene, holds: readonly Hold[], ticks: number, random: Random): Way[] {
   const ways = [wayOf(scene, holds)];
   for (let i = 0; i < DETOURS; i++) {
@@ -37,8 +40,8 @@ export function tubeOf(scene: Scene, holds: readonly Hold[], ticks: number, rand
 }
 
 /**
- * Whether a run stands random shifts of every edge by so many ticks to one side or the other: a quick look before the exact certificate,
- * at the corners, where it breaks first.
+ * Whether a run survives random shifts of every edge by exactly `ticks` either way. This is a quick test before the exact
+ * certificate, at the corners, where runs fail first.
  */
 export function forgives(scene: Scene, holds: readonly Hold[], ticks: number, random: Random): boolean {
   for (let i = 0; i < LOOKS; i++) {
@@ -51,7 +54,7 @@ export function forgives(scene: Scene, holds: readonly Hold[], ticks: number, ra
 const shiftEach = (holds: readonly Hold[], off: () => number): Hold[] =>
   joinHolds(holds.map(([press, release]) => [Math.max(0, press + off()), Math.max(0, release + off())] as const));
 
-/** Distance from a place to the nearest of some ways, px; within half a step of a way. */
+/** Distance from a place to the nearest place of some paths, px. */
 export function distanceToWays(ways: readonly Way[], place: Place): number {
   let least = Number.POSITIVE_INFINITY;
   for (const way of ways) for (const at of way) least = Math.min(least, distance(at, place));

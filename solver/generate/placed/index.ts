@@ -3,7 +3,10 @@ import { wormhole } from './wormhole.ts';
 
 export type { PlacedObject } from './placed-kind.ts';
 
-/** Kinds that a level gets only where they are asked for, in the order in which they are placed. Another one is added at the end. */
+/**
+ * The kinds of objects that a level gets only on request, in the order in which they are placed. Add new kinds at the end, so
+ * that existing seeds keep their levels.
+ */
 export const PLACED_KINDS = [wormhole, wind] as const;
 
 export type PlacedList = (typeof PLACED_KINDS)[number]['list'];

@@ -1,34 +1,34 @@
 import type { Disc, ListedKind, ObjectList, Place } from '../../../schema/index.ts';
 
-/** An object as a file has it, all of whose fields are numbers. */
+/** An object as in a level file, with numbers as its only fields. */
 export type PlacedObject = Disc & Readonly<Record<string, number>>;
 
-/** Where an object may be put. */
+/** What a kind needs to know to place an object. */
 export interface Ground {
-  /** A whole number in [least, most]. */
+  /** A random whole number in [least, most]. */
   between(least: number, most: number): number;
-  /** A place where she comes by. */
+  /** A random place near an asteroid, where she may pass. */
   inPlay(): Place;
-  /** Whether a disc lies within the level and keeps away from the start. */
+  /** Whether a disc lies within the level and keeps its distance from the start. */
   isClear(disc: Disc): boolean;
-  /** Whether it also keeps the gap to all that is drawn solid. */
+  /** Whether it also keeps its distance from all objects that are drawn solid. */
   isFree(disc: Disc): boolean;
-  /** Those of the same kind that are there. */
+  /** The objects of the same kind placed so far. */
   readonly others: readonly PlacedObject[];
 }
 
-/** A kind of object that a level gets only where it is asked for. */
+/** A kind of object that a level gets only on request. */
 export interface PlacedKind {
   readonly kind: ListedKind;
-  /** Its list in a file, by which it is asked for. */
+  /** The name of its list in a level file, by which it is requested. */
   readonly list: ObjectList;
-  /** Whether others keep off it; what is not lies over them. */
+  /** Whether other objects keep their distance from it. Objects that are not solid may lie over others. */
   readonly isSolid: boolean;
-  /** A try to make one; null where it does not fit. */
+  /** Tries to make one object; null when it does not fit. */
   make(ground: Ground): PlacedObject | null;
 }
 
-/** px between things of one kind, at least. */
+/** px between two objects of one kind, at least. */
 export const APART = 12;
 
 export function distance(a: Place, b: Place): number {

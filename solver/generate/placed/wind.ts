@@ -1,10 +1,13 @@
 import { APART, distance, type PlacedKind } from './placed-kind.ts';
 
-/** px/s2: the least that one blows, and the most on each axis. What is stronger than the gun close by leaves nothing to steer. */
+/**
+ * The least strength of a wind, and the most on each axis, px/s². A wind stronger than the nearby gun would leave nothing to
+ * steer.
+ */
 const BREEZE = 10;
 const GUST = 24;
 
-/** Discs that lie over other things, but not over each other. */
+/** Winds may lie over other objects, but not over each other. */
 export const wind = {
   kind: 'wind',
   list: 'winds',

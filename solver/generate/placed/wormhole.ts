@@ -3,7 +3,7 @@ import { distance, type PlacedKind } from './placed-kind.ts';
 /** px between the centres of both mouths, at least. */
 const MOUTHS_APART = 160;
 
-/** Both mouths are in play, and keep off all else. */
+/** Both mouths lie where she may pass, and keep their distance from everything else. */
 export const wormhole = {
   kind: 'wormhole',
   list: 'wormholes',
