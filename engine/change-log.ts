@@ -1,23 +1,24 @@
 import type { WorkBudget } from './work-budget.ts';
 
-/** Bytes that a change takes: its numbers, and whose they are. */
+/** Bytes of one change: its numbers, and the index of its record. */
 const bytesOf = (width: number): number => 8 * (width + 1);
 
 /**
- * What becomes of many records of `width` numbers over a row of entries, of which each changes a few: changes are kept, and now and
- * then all of them, so that memory and the way to any entry stay in proportion to what changed.
+ * The history of many records of `width` numbers each, over a sequence of entries. Each entry changes a few records. The log
+ * keeps the changes, and now and then all records, so that both memory and the time to reach any entry are in proportion to
+ * what changed.
  */
 export class ChangeLog {
   private readonly now: Float64Array;
   private readonly whose: number[] = [];
   private readonly values: number[] = [];
-  /** Where in `whose` the changes of each entry begin. */
+  /** Index in `whose` at which the changes of each entry begin. */
   private readonly from: number[] = [];
   private readonly whole: { readonly entry: number; readonly at: number; readonly records: Float64Array }[] = [];
-  /** The entry that the array last given to {@link seek} has. */
+  /** The entry that the array last given to {@link seek} holds. */
   private at = -1;
 
-  /** @param records what they are before the first entry */
+  /** @param records - the records before the first entry */
   constructor(
     private readonly width: number,
     records: Float64Array,
@@ -27,14 +28,14 @@ export class ChangeLog {
     this.keepWhole();
   }
 
-  /** Begins an entry. */
+  /** Begins a new entry. */
   next(): void {
     const { whose, whole, now, width } = this;
     if (width * (whose.length - whole[whole.length - 1].at) > now.length) this.keepWhole();
     this.from.push(whose.length);
   }
 
-  /** In the present entry the record `i` is what `source` has from `o` on. */
+  /** Sets record `i` of the current entry to what `source` has from `o` on. */
   set(i: number, source: Float64Array, o: number): void {
     const { now, width, values } = this;
     let same = true;
@@ -53,7 +54,7 @@ export class ChangeLog {
     this.whole.push({ entry: this.from.length, at: this.whose.length, records: this.now.slice() });
   }
 
-  /** Makes of `into`, always the same array, the records as they are in an entry. */
+  /** Sets `into`, always the same array, to the records as they are in an entry. */
   seek(entry: number, into: Float64Array): void {
     const { whole, whose, values, width, from } = this;
     let low = 0;

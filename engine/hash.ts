@@ -1,11 +1,11 @@
 const number = new Float64Array(1);
 const halves = new Uint32Array(number.buffer);
-// which half of a double comes first is the processor's choice; the hash must not depend on it
+// // the processor decides which half of a double comes first; the hash must not depend on it
 const LOW = new Uint8Array(new Uint32Array([1]).buffer)[0] === 1 ? 0 : 1;
 
 /**
- * Hash of a sequence of doubles, bit for bit: two 32-bit lanes of multiply and xor (murmur3's constants and finish).
- * For telling runs apart and comparing engines, not for security.
+ * A hash of a sequence of doubles, bit for bit: two 32-bit lanes of multiplications and xors, with the constants and the finish
+ * of murmur3. It is made to tell runs apart and to compare JavaScript engines, not for security.
  */
 export class Hash {
   private a = 0x9747b28c;
@@ -28,7 +28,7 @@ export class Hash {
     for (let i = 0; i < text.length; i++) this.add(text.charCodeAt(i));
   }
 
-  /** 16 hexadecimal digits. */
+  /** The hash as 16 hexadecimal digits. */
   digest(): string {
     return finish(this.a ^ this.b) + finish(Math.imul(this.b, 0x9e3779b1) ^ this.a);
   }

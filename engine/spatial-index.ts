@@ -1,18 +1,18 @@
 import Flatbush from 'flatbush';
 import type { Circles } from './circles.ts';
 
-/** From so many circles on a list is searched through an index; below, plain loops are faster. */
+/** Lists of at least this many circles get an index; for shorter ones, plain loops are faster. */
 const INDEX_FROM = 128;
 
-/** Finds the circles of one list near a place without looking at all of them. Places in px, as the level has them. */
+/** Finds circles of one list near a place without examining all of them. Places are in px from the level's origin. */
 export interface SpatialIndex {
-  /** Indices of all circles that reach into the square of half-width `reach` around (x, y), in no order. */
+  /** Indices of all circles that overlap the square of half-width `reach` around (x, y), in no particular order. */
   around(x: number, y: number, reach: number): readonly number[];
-  /** A circle whose centre is among the nearest to (x, y). */
+  /** Index of a circle whose centre is one of the nearest to (x, y). */
   nearestCentre(x: number, y: number): number;
 }
 
-/** An index of a list that is worth one, or null. */
+/** Makes an index of a list; null if the list is too short to be worth one. */
 export function indexCircles(circles: Circles): SpatialIndex | null {
   if (circles.count < INDEX_FROM) return null;
   const boxes = new Flatbush(circles.count);

@@ -1,15 +1,18 @@
 /**
- * Power series of u'' = alpha u / |u| + beta u, to degree 16: a pull or push of constant strength along u, and one in proportion to it.
+ * Power series, to degree 16, of u'' = alpha u / |u| + beta u: a pull or push of constant strength along u, and one
+ * proportional to u.
  *
- * With d = |u| and s = u.u: energy is kept, so that s'' = 2 v.v + 2 u.u'' obeys s'' = 6 alpha d + 4 beta s + constant, and s follows from d
- * alone; d from d d = s; and z = u / d from d z = u. Each coefficient takes 2 n products where those of s, 1 / d and u / d as plain Cauchy
- * products (Jorba and Zou 2005, prop. 1) take 5 n. Written out, since no JavaScript engine unrolls loops as short as these: a third of the
- * time of the same in loops.
+ * Let d = |u| and s = u.u. Energy is conserved, so s'' = 2 v.v + 2 u.u'' satisfies s'' = 6 alpha d + 4 beta s + constant, and s
+ * follows from d alone. Then d follows from d d = s, and z = u / d from d z = u. Each coefficient takes 2 n products; s, 1 / d
+ * and u / d as plain Cauchy products (Jorba and Zou 2005, prop. 1) would take 5 n. The products are written out because no
+ * JavaScript engine unrolls loops this short; that saves two thirds of the time.
  *
- * On entry x[0..1], y[0..1] hold place (not the centre) and velocity, px and px/s; on return all coefficients.
- * @param alpha px/s2
- * @param beta 1/s2
- * @param px, py when given, coefficients from the second on of a body with p'' = kappa u / |u| (the target's recoil)
+ * On entry x[0..1], y[0..1] hold the place (not the centre) and the velocity, px and px/s. On return they hold all
+ * coefficients.
+ * @param alpha - px/s²
+ * @param beta - 1/s²
+ * @param px - if given, coefficients of a body with p'' = kappa u / |u| (the target's recoil); computed from the second on
+ * @param py - likewise
  */
 // biome-ignore format: a line for each coefficient
 export function centralSeries(

@@ -1,15 +1,16 @@
-/** px^2: a body this near to her touches her, so the run has ended; terms that divide by the distance would overflow. */
+/** A body this near to her touches her, so the run has ended, px². Terms that divide by the distance would overflow. */
 const TOUCHING = 1e-12;
 
 /**
- * Power series, to degree 16, of a body q that accelerates towards a moving place: q'' = kappa (a - q) / |a - q|.
+ * Power series, to degree 16, of a body q that accelerates towards a moving place a: q'' = kappa (a - q) / |a - q|.
  *
- * With e = a - q, s = e.e and d = |e|: d from d d = s, and z = e / d from d z = e, as in {@link centralSeries}; no energy is kept here, and
- * s is a product. Written out like that, too.
+ * Let e = a - q, s = e.e and d = |e|. Then d follows from d d = s, and z = e / d from d z = e, as in {@link centralSeries}.
+ * Energy is not conserved here, so s is a Cauchy product. The products are written out for the same reason.
  *
- * On entry qx[0..1], qy[0..1] hold place and velocity, px and px/s; on return all coefficients.
- * @param ax, ay coefficients of the place it chases, to degree 14 at least
- * @param kappa px/s2
+ * On entry qx[0..1], qy[0..1] hold place and velocity, px and px/s. On return they hold all coefficients.
+ * @param ax - coefficients of the place that it chases, to degree 14 at least
+ * @param ay - likewise
+ * @param kappa - px/s²
  */
 // biome-ignore format: a line for each coefficient
 export function chaserSeries(

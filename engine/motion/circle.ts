@@ -6,7 +6,7 @@ const { TARGET, BASE, BASE_X, BASE_Y, DEGREE } = SLOTS;
 const { CHASER, ROCK } = RECORDS;
 const { AWAKE } = ALERTNESS;
 
-// how the circle of a contact moves
+// // how the circle of a contact moves
 const STILL = 0;
 
 export const DRIFTS = 1;
@@ -16,9 +16,11 @@ export const SERIES = 2;
 export const IS_BASE = 3;
 
 /**
- * The circle that guards look at: one that stands still.
- * @param x, y its centre, px
- * @param offX, offY where the origin of the motion is in the coordinates of `x`, `y`, px
+ * Makes a circle that stands still the one that guards examine.
+ * @param x - x of its centre, px
+ * @param y - y of its centre, px
+ * @param offX - x of the motion's origin in the coordinates of `x` and `y`, px
+ * @param offY - y of that origin, px
  */
 export function placeCircle(m: Motion, x: number, y: number, offX: number, offY: number): void {
   m.circleFromX = x;
@@ -30,7 +32,7 @@ export function placeCircle(m: Motion, x: number, y: number, offX: number, offY:
   m.circleMotion = STILL;
 }
 
-/** The circle that guards look at is this target, wherever recoil takes it. */
+/** Makes a target the circle that guards examine, wherever recoil moves it. */
 export function placeRock(m: Motion, i: number): void {
   const { s } = m;
   if (!m.recoil) {
@@ -54,7 +56,7 @@ export function placeRock(m: Motion, i: number): void {
   m.circleVY = s[o + 3];
 }
 
-/** The circle that guards look at is this alien, on its chase if it is awake. */
+/** Makes an alien the circle that guards examine, on its chase if it is awake. */
 export function placeAlien(m: Motion, i: number): void {
   const o = m.chasers + CHASER * i;
   placeCircle(m, m.s[o], m.s[o + 1], 0, 0);
@@ -63,7 +65,7 @@ export function placeAlien(m: Motion, i: number): void {
   m.circleSeries = i;
 }
 
-/** Into `m.her` where she is after `t` s, into `m.toCircle` where the placed circle's centre is from her. */
+/** Writes her state after `t` s to `m.her`, and to `m.toCircle` the vector from her to the centre of the placed circle. */
 export function relativeAt(m: Motion, t: number): void {
   const { s, her, toCircle, budget } = m;
   if (++budget.looks > budget.most) budget.end();
@@ -105,8 +107,9 @@ export function relativeAt(m: Motion, t: number): void {
 }
 
 /**
- * The circle's centre minus hers as polynomials, coefficients about `t`.
- * @param x, y receive them; of {@link LONGEST_SERIES} numbers
+ * The circle's centre minus hers as polynomials with coefficients about `t`.
+ * @param x - receives the coefficients; at least {@link LONGEST_SERIES} numbers
+ * @param y - likewise
  * @returns their degree
  */
 export function relativeSeries(m: Motion, t: number, x: Float64Array, y: Float64Array): number {

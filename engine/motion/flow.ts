@@ -1,10 +1,10 @@
 /** No force: a straight line. */
 export const COAST = 0;
-/** Towards or away from the centre of the frame, and a steady force w beside: u'' = alpha u / |u| + beta u + w. */
+/** A force towards or away from the centre of the frame, and a steady force w: u'' = alpha u / |u| + beta u + w. */
 export const CENTRAL = 1;
 /** The same on a line through the centre, where the direction is constant: u'' = a + beta (u - u0). */
 export const LINEAR = 2;
-/** Along the rim of a field, see {@link RimFlow}. */
+/** Sliding along the rim of a field; see {@link RimFlow}. */
 export const SLIDE = 3;
 
 /** A steady force alone: u'' = w. */
@@ -13,31 +13,34 @@ export const STEADY = 4;
 /** The smooth motion between two events, in a frame whose origin is the centre of the force. */
 export class Flow {
   kind = COAST;
-  /** px/s2 along u / |u|: negative pulls */
+  /** Acceleration along u / |u|, px/s²; negative for a pull. */
   alpha = 0;
-  /** 1/s2 */
+  /** Acceleration per distance along u, 1/s². */
   beta = 0;
-  /** LINEAR: the pull at the centre, px/s2. */
+  /** LINEAR: the pull at the centre, px/s². */
   pull = 0;
-  /** LINEAR: range of the pull (px; 0 for a push), what acts beside it (px/s2), and the direction away from the centre. */
+  /**
+   * LINEAR: the range of the pull (px; 0 for a push), the steady force along the line (px/s²), and the direction away from the
+   * centre.
+   */
   range = 0;
   extra = 0;
   outX = 0;
   outY = 0;
-  /** LINEAR: how the line lies, see line.ts */
+  /** LINEAR: how the line lies; see `line.ts`. */
   steep = false;
   slope = 0;
-  /** LINEAR: acceleration and place at the start of the step */
+  /** LINEAR: acceleration and place at the start of the step. */
   ax = 0;
   ay = 0;
   x0 = 0;
   y0 = 0;
-  /** What acts beside it, the same wherever she is, px/s2; whether anything does, and how strong. Set by {@link setSteady}. */
+  /** The steady force that acts in addition, px/s²; whether there is any; and its strength. Set by {@link setSteady}. */
   steadyX = 0;
   steadyY = 0;
   isSteady = false;
   steadyStrength = 0;
-  /** false: the speed limit holds this axis */
+  /** False while the speed limit holds this axis. */
   freeX = true;
   freeY = true;
 
@@ -50,7 +53,7 @@ export class Flow {
 
   /** LINEAR: begins a step at (x, y). */
   moveTo(x: number, y: number): void {
-    // written so that the pull is exactly 0 at the range
+    // // written such that the pull is exactly 0 at the range
     const pull = this.range > 0 ? this.pull * (1 - Math.sqrt(x * x + y * y) / this.range) : 0;
     this.ax = (this.extra - pull) * this.outX;
     this.ay = (this.extra - pull) * this.outY;
@@ -62,7 +65,7 @@ export class Flow {
     this.y0 = y;
   }
 
-  /** Writes the acceleration at u = (x, y) into `out` at `at`. */
+  /** Writes the acceleration at u = (x, y) to `out` from index `at` on. */
   accelerate(x: number, y: number, out: Float64Array, at: number): void {
     let ax = 0;
     let ay = 0;

@@ -4,7 +4,7 @@ import { SLOTS } from './state.ts';
 
 const { BASE, BASE_X, BASE_Y } = SLOTS;
 
-/** Moves the origin of the frame to a point, or to a target with its velocity. */
+/** Moves the origin of the frame to a point, or to a target and its velocity. */
 export function rebase(m: Motion, base: number, x: number, y: number, vx: number, vy: number): void {
   const { s, ux, uy, px, py } = m;
   if (s[BASE] === base && s[BASE_X] === x && s[BASE_Y] === y) return;

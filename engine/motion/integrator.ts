@@ -1,6 +1,6 @@
 import type { Flow } from './flow.ts';
 
-/** Many whole steps in a row, see {@link Integrator.glide}; `count[0]` grows by the steps made. */
+/** Many whole steps in a row; see {@link Integrator.glide}. `count[0]` grows by the number of steps made. */
 export type Glide = (
   flow: Flow,
   x: Float64Array,
@@ -12,16 +12,17 @@ export type Glide = (
 ) => number;
 
 /**
- * A way to turn a flow into polynomial pieces. Series hold place and velocity in [0..1] on entry; lengths in s, px.
+ * A method that turns a flow into polynomial pieces. On entry, the first two coefficients of each series hold place and
+ * velocity. Lengths are in s and px.
  */
 export interface Integrator {
   readonly degree: number;
-  /** Force evaluations a piece costs, for the account of work. */
+  /** Force evaluations per piece, for the account of work. */
   readonly evaluations: number;
   /**
-   * Expands the astronaut's motion, and the recoiling base's where there is one.
-   * @param longest how far the piece may reach; Infinity when nothing says
-   * @returns the length for which the piece holds
+   * Expands the astronaut's motion, and that of the frame's base where recoil moves it.
+   * @param longest - the longest piece wanted, s; Infinity if there is no bound
+   * @returns the length for which the piece holds, s
    */
   expand(
     flow: Flow,
@@ -32,16 +33,20 @@ export interface Integrator {
     py: Float64Array | null,
     kappa: number,
   ): number;
-  /** Expands a body that accelerates at `kappa` towards the place (ax, ay); returns the length for which it holds. */
+  /**
+   * Expands a body that accelerates at `kappa` px/s² towards the place (ax, ay).
+   * @returns the length for which it holds, s
+   */
   chase(qx: Float64Array, qy: Float64Array, ax: Float64Array, ay: Float64Array, kappa: number, h: number): number;
-  /** Bound on |u''| over the piece. */
+  /** Upper bound of |u''| over the piece, px/s². */
   acceleration(flow: Flow, x: Float64Array, y: Float64Array, h: number): number;
-  /** Place and velocity after `t` of an expanded piece, into out[0..3]; null where the piece itself says both. */
+  /** Writes place and velocity after `t` of an expanded piece to out[0..3]; null if the polynomial itself gives both. */
   readonly settle: ((flow: Flow, x: Float64Array, y: Float64Array, t: number, out: Float64Array) => void) | null;
   /**
-   * Makes whole steps of the grid of `rate` from `start` while they end by `end`: place and velocity in x[0..1], y[0..1]
-   * become the bits that `expand` and `settle` would give, without the pieces. null where there are no fixed steps.
-   * @returns the time reached
+   * Makes whole steps of the grid of `rate` from `start` for as long as they end by `end`. Place and velocity in x[0..1],
+   * y[0..1] get the bits that `expand` and `settle` would give, but no pieces are made. null for integrators without fixed
+   * steps.
+   * @returns the time reached, s
    */
   readonly glide: Glide | null;
 }

@@ -8,13 +8,14 @@ const { ROCK } = RECORDS;
 const { NONE, LOOSE, FAST } = LINES;
 
 /**
- * That she moves on a line through the centre of the force is a fact the state carries, not something found in rounded numbers
- * again and again: nothing but a force from elsewhere, or the speed limit on one axis, can turn her off it. A line is steep
- * or not: along its main axis (y or x) numbers are what they are, along the other one they are always `slope` times as much, with |slope| <= 1.
- * So neither the place nor the velocity across it can ever grow, and putting something onto it twice changes no bit.
+ * Motion on a line through the centre of the force. That she is on such a line is part of the state; it is not derived from
+ * rounded coordinates again and again. Only a force that does not act along the line, or the speed limit on one axis, can turn
+ * her off it. A line is steep (its main axis is y) or not (x). The coordinate along the main axis is the motion; the other one
+ * is always `slope` times as much, with
+ * |slope| <= 1. So neither place nor velocity across the line can grow, and projecting onto the line twice changes no bit.
  */
 
-/** Puts a place and a velocity, out[at..at+3], onto the line through the origin. */
+/** Projects a place and a velocity, out[at..at+3], onto the line through the origin. */
 export function ontoLine(steep: boolean, slope: number, out: Float64Array, at: number): void {
   if (steep) {
     out[at] = out[at + 1] * slope;
@@ -25,7 +26,7 @@ export function ontoLine(steep: boolean, slope: number, out: Float64Array, at: n
   }
 }
 
-/** Puts her place and velocity, and what else there is of her piece, onto the line that she is on; likewise the base's way along it. */
+/** Projects her place and velocity and the rest of her piece onto her line, and the base's displacement along it. */
 export function straighten(m: Motion, degree: number): void {
   const { s, ux, uy, px, py } = m;
   const slope = s[LINE_SLOPE];
@@ -37,7 +38,7 @@ export function straighten(m: Motion, degree: number): void {
   for (let k = 0; k <= degree; k++) across[k] = along[k] * slope;
 }
 
-/** Puts a body that is on the line there again: place from the origin of the level and velocity, in s[at..at+3]. */
+/** Projects a body onto the line: place from the motion's origin and velocity, in s[at..at+3]. */
 export function straightenBody(m: Motion, at: number): void {
   const { s } = m;
   const slope = s[LINE_SLOPE];
@@ -50,12 +51,12 @@ export function straightenBody(m: Motion, at: number): void {
   }
 }
 
-/** Whether recoil moves this target along the line that she is on. */
+/** Whether recoil moves this target along her line. */
 export function movesAlong(m: Motion, target: number): boolean {
   return m.s[LINE] === FAST && m.s[m.lines + target] === m.s[LINE_COUNT];
 }
 
-/** Whether a target's centre is on the line that she is on, and stays there. */
+/** Whether a target's centre is on her line and stays on it. */
 export function holdsTarget(m: Motion, target: number): boolean {
   const { s } = m;
   if (s[LINE] !== FAST) return false;
@@ -67,7 +68,7 @@ export function holdsTarget(m: Motion, target: number): boolean {
   return true;
 }
 
-/** Whether a place (px from the origin of the level) and its velocity are on the line, as far as rounding can tell. */
+/** Whether a place (px from the motion's origin) and its velocity are on the line, as far as rounding can tell. */
 function isNear(m: Motion, x: number, y: number, vx: number, vy: number): boolean {
   const { s } = m;
   const slope = s[LINE_SLOPE];
@@ -84,7 +85,7 @@ function isAlong(steep: boolean, slope: number, vx: number, vy: number): boolean
   return Math.abs(aside) <= RADIAL_ROUNDING * (Math.abs(vx) + Math.abs(vy));
 }
 
-/** Another base: she stays on her line if that one is on it. */
+/** The frame gets another base: she stays on her line if the base is on it. */
 export function keepLine(m: Motion, base: number, x: number, y: number): void {
   const { s } = m;
   if (s[LINE] === NONE) return;
@@ -93,8 +94,8 @@ export function keepLine(m: Motion, base: number, x: number, y: number): void {
 }
 
 /**
- * Where a force begins to act: whether she is on a line through its centre. She is when she rests, or when her way leads through the
- * centre as far as rounding can tell.
+ * A force begins to act: finds out whether she is on a line through its centre. She is if she rests, or if her path leads
+ * through the centre as far as rounding can tell.
  */
 export function findLine(m: Motion): void {
   const { s, ux, uy } = m;
@@ -102,7 +103,7 @@ export function findLine(m: Motion): void {
   const y = uy[0];
   const vx = ux[1];
   const vy = uy[1];
-  // 0 too where its square underflows
+  // // also 0 where its square underflows
   const v = Math.sqrt(vx * vx + vy * vy);
   if (v === 0) {
     if (x !== 0 || y !== 0) beginLine(m, x, y);
@@ -110,12 +111,12 @@ export function findLine(m: Motion): void {
   }
   const size = Math.abs(s[BASE_X]) + Math.abs(s[BASE_Y]) + Math.abs(x) + Math.abs(y);
   if (Math.abs(x * vy - y * vx) > (RADIAL + RADIAL_ROUNDING * size) * v) return;
-  // close to the centre the velocity knows the line better than the place does
+  // // close to the centre, the velocity gives the line more exactly than the place
   if (Math.abs(x) + Math.abs(y) > 1e-6) beginLine(m, x, y);
   else beginLine(m, vx, vy);
 }
 
-/** She is on the line through the base in the direction (x, y). */
+/** Puts her on the line through the base in the direction (x, y). */
 export function beginLine(m: Motion, x: number, y: number): void {
   const { s, px, py } = m;
   const steep = Math.abs(y) > Math.abs(x);
@@ -132,7 +133,7 @@ export function beginLine(m: Motion, x: number, y: number): void {
   if (s[LINE] === FAST && s[BASE] >= 0 && m.recoil) s[m.lines + s[BASE]] = s[LINE_COUNT];
 }
 
-/** The speed limit holds one axis alone: it turns her off a line that lies across both. */
+/** The speed limit holds one axis alone: this turns her off a line that is oblique to both axes. */
 export function bendLine(m: Motion): void {
   const { s } = m;
   if (s[LIMIT_X] === 0 && s[LIMIT_Y] === 0) return;
@@ -140,13 +141,13 @@ export function bendLine(m: Motion): void {
   if (s[LINE] === LOOSE || (slope !== 0 && slope !== 1)) s[LINE] = NONE;
 }
 
-/** A steady force turns her off her line unless it acts along it. */
+/** A steady force turns her off her line, unless it acts along it. */
 export function keepSteadyLine(m: Motion): void {
   const { s, flow } = m;
   if (!isAlong(s[LINE_STEEP] === 1, s[LINE_SLOPE], flow.steadyX, flow.steadyY)) s[LINE] = NONE;
 }
 
-/** +1 or -1: on which side of the origin she is along the line, or goes to when she is in it. */
+/** On which side of the origin she is along the line, +1 or -1; in the origin, the side she is moving to. */
 export function sideOf(m: Motion): number {
   const steep = m.s[LINE_STEEP] === 1;
   const along = steep ? m.uy : m.ux;

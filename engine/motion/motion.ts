@@ -14,222 +14,236 @@ import { HEAD, LINES, RECORDS, SLOTS } from './state.ts';
 const { START, NEXT, HELD, TARGET, FIELD, KIND, MOVES, LINE, RIM } = SLOTS;
 const { CHASER, ROCK } = RECORDS;
 
-/** A fixed step may make this much more of a force than it is. */
+/** Factor by which a fixed step may overestimate a force. */
 const FIXED_STEP_ROOM = 1.05;
 
-/** Of a chaser that has not chased yet. */
+/** The series of a chaser that has not begun to chase. */
 const NO_SERIES = new Float64Array(0);
 
-/** Whether a list of things is so long that an index finds the near ones. */
+/** Whether a list of objects is so long that it has an index. */
 const hasIndex = (list: unknown): boolean =>
   typeof list === 'object' && list !== null && 'spatial' in list && list.spatial !== null;
 
-/** What can move her between two events. */
+/** The modes of motion between two events. */
 export const MODES = ['coast', 'pull', 'pull on a line', 'push', 'push on a line', 'slide on a rim', 'steady force'] as const;
 
-/** What keeps the pieces and events of a run. */
+/** Records the pieces and events of a run. */
 export interface Recorder {
-  /** Keeps the piece that the motion is on; it is left after `t` seconds. */
+  /** Records the motion's current piece, which is left after `t` seconds. */
   piece(motion: Motion, t: number): void;
   event(event: RunEvent): void;
 }
 
-/** How a run ends by an event: its outcome, and the kind of thing she touched. */
+/** How an event ends a run: the outcome, and the kind of object that was touched. */
 export interface EndOfRun {
   readonly outcome: Ending['outcome'];
   readonly touches: BodyKind | null;
 }
 
-/** What {@link EventRule.fire} returns where the run goes on. */
+/** What {@link EventRule.fire} returns if the run goes on. */
 export const GOES_ON = -1;
 
 /**
- * A kind of event: when it may happen, when it does, and what follows. Each belongs to an effect and is part of a motion only where
- * the level calls for that. Things are told apart by their index in the scene's list of them. Times in s after the start of the piece.
+ * A kind of event: when it may happen, when it does happen, and what follows. Each belongs to an effect and is part of a motion
+ * only if the level calls for that effect. Objects are identified by their index in the scene's list. Times are in s after the
+ * start of the piece.
  */
 export interface EventRule {
   readonly name: string;
-  /** Its place in the order of events that fall on the same instant, from 1; the smaller goes first. */
+  /** Its place in the order of events at the same instant, from 1; the smaller one goes first. */
   kind: number;
-  /** Not null: the run ends by it, if `fire` says so. */
+  /** Not null if it can end the run; `fire` decides. */
   readonly ends: EndOfRun | null;
-  /** The motion goes on as it is: the piece is not cut. */
+  /** The motion goes on unchanged, so the piece is not cut. */
   readonly passing: boolean;
-  /** She may be swinging on, and what is known of the period of her swing stays known. */
+  /** She may go on swinging, so what is known of her swing's period stays valid. */
   readonly keepsPeriod: boolean;
   /** Adds to the neighbour list what may happen before she is `m.near.skin` px away. */
   readonly list: ((m: Motion) => void) | null;
-  /** Offers when it happens to a thing of the neighbour list, after `from`. */
+  /** Offers the time at which it happens to an object of the neighbour list, after `from`. */
   readonly guard: ((m: Motion, i: number, from: number) => void) | null;
-  /** Whether a thing of the neighbour list doesn't matter any more. */
+  /** Whether an object of the neighbour list does not matter any more. */
   readonly isOver: ((m: Motion, i: number) => boolean) | null;
-  /** For how long, at most `time` s, it can't happen to a thing of the neighbour list, whatever the flow does; see `m.path`. */
+  /**
+   * For how long, at most `time` s, it cannot happen to an object of the neighbour list, whatever the flow does; see `m.path`.
+   */
   readonly quiet: ((m: Motion, i: number, time: number) => number) | null;
-  /** Offers what bounds the piece, before anything else is looked for. */
+  /** Offers a bound of the piece's length, before anything else is looked for. */
   readonly first: ((m: Motion, from: number) => void) | null;
-  /** Offers when it happens to things that are in no list, after `from`; `m.path` says where she goes. */
+  /** Offers the time at which it happens to objects that are in no list, after `from`; `m.path` says where she goes. */
   readonly always: ((m: Motion, from: number) => void) | null;
-  /** For how long, at most `time` s, it can't happen to those, whatever the flow does. */
+  /** For how long, at most `time` s, it cannot happen to those, whatever the flow does. */
   readonly alwaysQuiet: ((m: Motion, time: number) => number) | null;
-  /** What happens to thing `a`, with `b`, at `time` s from the start of the run; returns GOES_ON, or the index of what ended it. */
+  /**
+   * Carries out the event with object `a`, and `b` where there are two, at `time` s from the start of the run. Returns GOES_ON,
+   * or the index of the object that ended the run.
+   */
   readonly fire: (m: Motion, a: number, b: number, time: number) => number;
 }
 
-/** A force towards or away from a centre. Of several one acts at a time: the first in the order of the effects that does. */
+/** A force towards or away from a centre. Only one acts at a time: the first active one in the order of the effects. */
 export interface CentralForce {
   readonly acts: 'instead';
-  /** The most it can accelerate her, px/s2. */
+  /** Upper bound of its acceleration, px/s². */
   strongest(level: Level, rules: Rules): number;
   isActing(m: Motion): boolean;
-  /** Puts the origin of the frame into its centre. */
+  /** Moves the origin of the frame to its centre. */
   centre(m: Motion): void;
-  /** Sets strength and range of the flow; {@link Flow}. */
+  /** Sets strength and range of the {@link Flow}. */
   set(m: Motion): void;
-  /** How far from the centre she could get, at distance `d` (px) and speed `v` (px/s); Infinity where it doesn't hold her. */
+  /**
+   * How far from the centre she could get, at distance `d` (px) and speed `v` (px/s); Infinity if it does not hold her back.
+   */
   swing(m: Motion, d: number, v: number): number;
 }
 
-/** A force that is the same wherever she is while it acts, beside all others. */
+/** A force that is uniform while it acts, in addition to all others. */
 export interface SteadyForce {
   readonly acts: 'beside';
-  /** The most it can accelerate her, px/s2. */
+  /** Upper bound of its acceleration, px/s². */
   strongest(level: Level, rules: Rules): number;
-  /** Adds it to the flow, if it acts. */
+  /** Adds it to the flow if it acts. */
   add(m: Motion): void;
 }
 
 type Hook = (m: Motion) => void;
 
-/** What the chosen effects bring to a motion. */
+/** What the chosen effects contribute to a motion. */
 export interface Parts {
-  /** All kinds of events there are, by their `kind`. */
+  /** All kinds of events, by their `kind`. */
   readonly byKind: readonly EventRule[];
-  // those that can happen here, by how they are found
+  // // the kinds that can happen here, by the way they are found
   readonly list: readonly EventRule[];
   readonly first: readonly EventRule[];
   readonly always: readonly EventRule[];
   readonly alwaysQuiet: readonly EventRule[];
-  /** Numbers of state that effects need for themselves. */
+  /** Doubles of state that effects need for themselves. */
   readonly own: readonly { readonly name: string; length(scene: Scene): number }[];
   readonly central: readonly CentralForce[];
   readonly steady: readonly SteadyForce[];
-  /** She is somewhere else all at once: what depends on where she is follows. */
+  /** Called when she has been moved from one place to another: updates what depends on her place. */
   readonly moved: readonly ((m: Motion, time: number) => void)[];
-  /** Before the frame and flow of a new piece are chosen. */
+  /** Called before the frame and flow of a new piece are chosen. */
   readonly beforePiece: readonly Hook[];
-  /** After they are: says how her box turns. */
+  /** Called after they are chosen: sets how her box turns. */
   readonly turn: readonly Hook[];
-  /** Sets `m.rim` where she slides, from the state. */
+  /** Sets `m.rim` from the state while she slides. */
   readonly setRim: readonly Hook[];
-  /** Where a piece came to its natural end: may skip time in which all repeats itself. */
+  /** Called at the natural end of a piece: may skip time in which the motion repeats itself. */
   readonly repeat: readonly Hook[];
-  /** Whether all may repeat itself before long, so that no piece is to be glided over. */
+  /** Whether the motion may soon repeat itself, so that no pieces may be skipped by gliding. */
   readonly mayRepeat: readonly ((m: Motion) => boolean)[];
 }
 
-/** Where she goes from the start of the piece: place relative to the origin (px), velocity (px/s), and how far (px). */
+/**
+ * Her motion at the start of the piece: place relative to the origin (px), velocity (px/s), and bounds of how far she gets
+ * (px).
+ */
 export class Path {
   x = 0;
   y = 0;
   vx = 0;
   vy = 0;
   speed = 0;
-  /** Her own way at most; with what asteroids may move, too. */
+  /** Upper bound of her own displacement; `reach` adds what asteroids may move. */
   travel = 0;
   reach = 0;
 }
 
-/** Who of the aliens is awake, and where the others sleep. */
+/** Which aliens are awake, and where the others sleep. */
 export interface Crowd {
-  /** Indices of those that are awake, ascending; the state has how many. */
+  /** Indices of the aliens that are awake, ascending; the state has their number. */
   readonly awake: Int32Array;
-  /** Those that woke, fell asleep or exploded since this list was emptied; kept for a recorder. */
+  /** Aliens that woke, fell asleep or exploded since this list was emptied; for a recorder. */
   readonly altered: number[];
-  /** Whether one of them may be another than at the start. */
+  /** Whether any of them may differ from the start. */
   changed: boolean;
-  /** Finds out from the state, which has become another. */
+  /** Reads all this from the state, after it was replaced. */
   read(): void;
 }
 
 /**
- * A run in continuous time as it stands: the state, the piece it is on, and what every step of the method works with. One
- * record of one shape for all of them; what is done with it is in the functions of this folder.
+ * A run in continuous time: the state, the current piece, and the working memory of the method. It is one record of one shape;
+ * the functions of this folder work on it.
  *
- * Places are kept relative to where she starts, and hers relative to the centre of the force that acts (the frame's
- * base), so that neither a far-off origin nor a close pass costs digits.
+ * Places are kept relative to where she starts, and hers relative to the centre of the acting force (the base of the frame). So
+ * neither a distant origin nor a close pass costs digits.
  */
 export class Motion {
   readonly scene: Scene;
-  /** The numbers of the game in this scene. */
+  /** The game's rules in this scene. */
   readonly rules: Rules;
   readonly box: Box;
-  /** How far from a circle's rim her centre is at most when she touches it, px, with room. */
+  /** Upper bound of the distance from her centre to a circle's edge when she touches it, px. */
   readonly touchMargin: number;
   readonly recorder: Recorder | null;
   readonly flow = new Flow();
-  /** What acts where she slides along a rim. */
+  /** The forces that act while she slides along a rim. */
   readonly rim = new RimFlow();
   readonly near = new NeighbourList();
   /** Work done since the last reset. */
   readonly work = { pieces: 0, forceEvaluations: 0, guards: 0, roots: 0 };
   /** Time spent in each of MODES since the last reset, s. */
   readonly modeSeconds = new Float64Array(MODES.length);
-  /** The state, see {@link SLOTS}; the series below are views of its end. */
+  /** The state; see {@link SLOTS}. The series below are views of its end. */
   readonly s: Float64Array;
-  /** Her place in the frame, u: coefficients. */
+  /** Her place u in the frame: coefficients. */
   readonly ux: Float64Array;
   readonly uy: Float64Array;
-  /** The displacement of the base. */
+  /** The displacement of the base: coefficients. */
   readonly px: Float64Array;
   readonly py: Float64Array;
-  /** Places of those that chase, while they do: coefficients. They follow from the state and are no part of it. */
+  /** Places of the chasers while they chase: coefficients. They follow from the state and are no part of it. */
   readonly chaserX: Float64Array[] = [];
   readonly chaserY: Float64Array[] = [];
-  /** null where the level has no aliens. */
+  /** Null if the level has no aliens. */
   crowd: Crowd | null = null;
   readonly path = new Path();
-  /** Rocks that the gun has held, ascending: all others stay where the level has them. Follows from the state. */
+  /** Asteroids that the gun has held, ascending; all others are where the level places them. Follows from the state. */
   readonly stirred: number[] = [];
-  /** Where in the state chasers, rocks and the minerals' flags begin. */
+  /** Index in the state at which chasers, asteroids and the minerals' flags begin. */
   readonly chasers: number;
   readonly rocks: number;
   readonly minerals: number;
-  /** From here on a flag for each repulsor that contains her. */
+  /** Index of the first flag that says whether a repulsor contains her; one flag per repulsor. */
   readonly inside: number;
-  /** Where in the state that of each effect begins which has some of its own, by its name. */
+  /** Index in the state at which each effect's own doubles begin, by the effect's name. */
   readonly own: Readonly<Record<string, number>>;
-  /** From here on, for each target that moves, the line that it moves along. */
+  /** Index from which each target that moves has the number of the line that it moves along. */
   readonly lines: number;
-  /** Whether the level has recoil; nothing moves before the first press. */
+  /** Whether the level has recoil. Even then nothing moves before the first press. */
   readonly recoils: boolean;
   readonly originX: number;
   readonly originY: number;
   /** Places of the targets relative to the origin, px. */
   readonly targetX: Float64Array;
   readonly targetY: Float64Array;
-  /** Rate of the frames at which contacts are seen, or 0. */
+  /** Rate of the frames at which contacts are tested, Hz; 0 for swept contacts. */
   readonly frameRate: number;
-  /** Bound on any acceleration of hers, px/s2, with room for what a fixed step makes of it. */
+  /** Upper bound of her acceleration, px/s², with room for the error of fixed steps. */
   readonly strongest: number;
   /** Whether an index finds some of the neighbours. */
   readonly crowded: boolean;
   // what the last look at the piece found; px and px/s: x, y, x', y'
-  /** Her place u in the frame, and its velocity. */
+  /**
+   * Her place u in the frame and its velocity. This and the following arrays hold x, y, x', y' (px, px/s) of the time that was
+   * last evaluated.
+   */
   readonly her = new Float64Array(4);
-  /** The displacement of the base, and its velocity. */
+  /** The displacement of the base and its velocity. */
   readonly base = new Float64Array(4);
-  /** The centre of the circle that guards look at minus her place, and the velocity of that. */
+  /** The vector from her to the centre of the circle that guards examine, and its derivative. */
   readonly toCircle = new Float64Array(4);
-  /** The same for the target; where she slides, for the centre of the force outside. */
+  /** The same for the target; while she slides, for the centre of the force outside. */
   readonly toTarget = new Float64Array(4);
-  /** The direction of the x axis of her box: cosine and sine. */
+  /** The direction of the box's x axis: cosine and sine. */
   readonly facing = new Float64Array(2);
   readonly steps = new Int32Array(1);
-  /** Her place relative to the origin: what chasers follow. */
+  /** Her place relative to the origin, which chasers follow. */
   readonly wx: Float64Array;
   readonly wy: Float64Array;
 
-  // the circle a guard is about: where it was read, what was taken from that, and where it is relative to the base
+  // // the circle that a guard examines: its source, what was read from there, and where it is relative to the base
   circleFromX = 0;
   circleFromY = 0;
   circleOffX = 0;
@@ -241,9 +255,7 @@ export class Motion {
   circleMotion = 0;
   circleSeries = 0;
 
-  /**
-   * @param budget what looking for events may cost
-   */
+  /** @param budget - limits the work of looking for events */
   constructor(
     scene: Scene,
     readonly integrator: Integrator,
@@ -265,7 +277,7 @@ export class Motion {
     this.originY = level.astronaut.y;
     this.targetX = targets.x.map((x) => x - this.originX);
     this.targetY = targets.y.map((y) => y - this.originY);
-    // the rock she holds while in a field is dragged along like an alien: one chaser more
+    // // an asteroid that she holds while in a field is dragged along like an alien: one more chaser
     const chasers = aliens.count + (this.recoils ? 1 : 0);
     const length = this.integrator.degree + 1;
     this.chasers = HEAD;
@@ -297,16 +309,16 @@ export class Motion {
     this.wy = new Float64Array(length);
   }
 
-  /** Whether asteroids move: from the first press on where the level has recoil. */
+  /** Whether asteroids move: from the first press on if the level has recoil. */
   get recoil(): boolean {
     return this.s[MOVES] === 1;
   }
 
-  /** The acceleration of the target's recoil, px/s2; 0 where it has none. */
+  /** The acceleration of the target's recoil, px/s²; 0 if it has none. */
   get kappa(): number {
     const { s } = this;
     if (!this.recoil || s[HELD] === 0) return 0;
-    // at rest in its very centre there is no direction to recoil in
+    // // at rest in the very centre there is no direction to recoil in
     if (s[KIND] === COAST && s[FIELD] < 0) return 0;
     return this.rules.recoil / (2 * this.scene.targets.r[s[TARGET]]);
   }
@@ -318,30 +330,30 @@ export class Motion {
     return s[KIND] === STEADY ? MODES.length - 1 : s[KIND] + (s[FIELD] >= 0 ? 2 : 0);
   }
 
-  /** Events no farther apart than this are the same instant, s. */
+  /** Events at most this far apart are at the same instant, s. */
   get sameInstant(): number {
     return SAME_INSTANT * (1 + this.s[START]);
   }
 
-  /** Up to when an event can still be the first, s after the start of the piece. */
+  /** Latest time at which an event can still be the first, s after the start of the piece. */
   get horizon(): number {
     return this.s[NEXT] + this.sameInstant;
   }
 }
 
-/** The index of the k-th alien that is awake. */
+/** The index of the k-th awake alien. */
 export function awakeAt({ crowd }: Motion, k: number): number {
   return crowd === null ? -1 : crowd.awake[k];
 }
 
-/** The force that acts on her now, or null. */
+/** The central force that acts on her now, or null. */
 export function actingForce(m: Motion): CentralForce | null {
   const { central } = m.parts;
   for (let k = 0; k < central.length; k++) if (central[k].isActing(m)) return central[k];
   return null;
 }
 
-/** She is moved by (dx, dy), px, all at once, at `time` s from the start of the run; her velocity stays. */
+/** Moves her by (dx, dy), px, at once, at `time` s from the start of the run. Her velocity stays. */
 export function moveBy(m: Motion, dx: number, dy: number, time: number): void {
   const { s, ux, uy, near } = m;
   ux[0] += dx;

@@ -5,7 +5,7 @@ import { RECORDS, SLOTS } from './state.ts';
 const { BASE_X, BASE_Y } = SLOTS;
 const { ROCK } = RECORDS;
 
-/** Squared distance of a target at the start of the piece, exact in the frame's own digits. */
+/** Squared distance of a target at the start of the piece, computed in the frame's own coordinates to keep their digits. */
 export function distanceSquared(m: Motion, i: number): number {
   const { s } = m;
   const rx = m.recoil ? s[m.rocks + ROCK * i] : m.targetX[i];
@@ -15,14 +15,14 @@ export function distanceSquared(m: Motion, i: number): number {
   return dx * dx + dy * dy;
 }
 
-/** The nearest target; the first on a tie; -1 where there is none. */
+/** The nearest target; the first of several equally near ones; -1 if there is none. */
 export function nearest(m: Motion): number {
   const { s, scene, ux, uy, budget } = m;
   const { spatial, count } = scene.targets;
   let best = Number.POSITIVE_INFINITY;
   let nearest = -1;
   if (spatial !== null) {
-    // the index knows one of the nearest; which of them comes first is decided in our own digits
+    // // the index finds one of the nearest; our own coordinates decide which of them comes first
     const x = s[BASE_X] + ux[0];
     const y = s[BASE_Y] + uy[0];
     const known = spatial.nearestCentre(m.originX + s[BASE_X] + ux[0], m.originY + s[BASE_Y] + uy[0]);

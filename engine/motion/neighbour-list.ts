@@ -1,23 +1,23 @@
-/** Entries there is room for at first. */
+/** Initial capacity. */
 const FEW = 64;
 
 /**
- * Verlet's neighbour list: the things that can matter before she has moved by `skin` from where the list was made.
- * Each entry keeps the kind of event it is about, the index of the thing, and its slack: the distance she must move at least before it
- * can matter, px.
+ * Verlet's neighbour list: the objects that can matter before she has moved by `skin` px from where the list was made. Each
+ * entry has the kind of event, the index of the object, and its slack: the least distance she must move before the object can
+ * matter, px.
  */
 export class NeighbourList {
   count = 0;
   x = 0;
   y = 0;
   skin = -1;
-  /** The target the entries that depend on one were made for. */
+  /** The target for which the entries that depend on it were made. */
   target = -2;
   kind = new Int32Array(FEW);
   index = new Int32Array(FEW);
   slack = new Float64Array(FEW);
 
-  /** Whether the list still holds for all places within `reach` of (x, y). */
+  /** Whether the list holds for all places within `reach` of (x, y). */
   covers(x: number, y: number, reach: number, target: number): boolean {
     if (target !== this.target) return false;
     const dx = x - this.x;

@@ -3,7 +3,9 @@ import { HEAD, SLOTS } from './state.ts';
 
 const { DEGREE, MOVES } = SLOTS;
 
-/** The part of the state that says where she is on a piece: the slots at its head, and as many coefficients as the piece has. */
+/**
+ * Copies the part of the state that describes her on a piece: the slots at its head, and as many coefficients as the piece has.
+ */
 export function packPiece(m: Motion): Float64Array {
   const { s, ux, uy, px, py } = m;
   const length = s[DEGREE] + 1;
@@ -14,7 +16,7 @@ export function packPiece(m: Motion): Float64Array {
   return packed;
 }
 
-/** Puts into the state what {@link packPiece} took from it. */
+/** Restores to the state what {@link packPiece} copied. */
 export function unpackPiece(m: Motion, packed: Float64Array): void {
   const { s, ux, uy, px, py } = m;
   s.set(packed.subarray(0, HEAD));

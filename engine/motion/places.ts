@@ -11,7 +11,7 @@ const { CHASER, ROCK } = RECORDS;
 const { AWAKE } = ALERTNESS;
 const { NONE, FAST } = LINES;
 
-/** Into `m.her` and `m.base` where she and the base are after `t`. */
+/** Writes the states of her and the base after `t` to `m.her` and `m.base`. */
 function settleAt(m: Motion, t: number): void {
   const { s, her } = m;
   const { settle } = m.integrator;
@@ -25,14 +25,17 @@ function settleAt(m: Motion, t: number): void {
   keepBounds(m);
 }
 
-/** Where she and the base are after `t`, and how her box is turned, into `m.her`, `m.base`, `m.facing`. */
+/** Writes the states of her and the base after `t`, and her box's direction, to `m.her`, `m.base` and `m.facing`. */
 export function settleAndTurnAt(m: Motion, t: number): void {
   directionAt(m, t);
   if (m.integrator.settle === null && m.s[TURN] !== TURN_NOT) keepBounds(m);
   else settleAt(m, t);
 }
 
-/** A fixed step knows nothing of the base: what the speed limit holds goes on as it is, however recoil moves the base. */
+/**
+ * Fixed steps take no account of the base: an axis that the speed limit holds keeps its velocity, however recoil moves the
+ * base.
+ */
 function holdLimits(m: Motion, t: number): void {
   const { s, her, base } = m;
   const { speedLimit } = m.rules;
@@ -46,13 +49,13 @@ function holdLimits(m: Motion, t: number): void {
   }
 }
 
-/** What settled stays within the speed limit and on its line. */
+/** Keeps what {@link settleAt} found within the speed limit and on her line. */
 function keepBounds(m: Motion): void {
   const { s, her, base, recoil } = m;
-  // four stores: `fill` costs more than all else here
+  // // four stores: `fill` would cost more than everything else here
   if (!recoil) base[0] = base[1] = base[2] = base[3] = 0;
   const { speedLimit } = m.rules;
-  // a fixed step may overshoot the speed limit by what its velocity errs
+  // // a fixed step may exceed the speed limit by the error of its velocity
   const vx = her[2] + base[2];
   const vy = her[3] + base[3];
   if (vx > speedLimit || vx < -speedLimit) her[2] = (vx > 0 ? speedLimit : -speedLimit) - base[2];
@@ -63,7 +66,10 @@ function keepBounds(m: Motion): void {
   if (s[LINE] === FAST && recoil) ontoLine(steep, s[LINE_SLOPE], base, 0);
 }
 
-/** Into `m.facing` how her box is turned after `t`; where it turns, `m.her` and `m.base` as {@link placeAt} has them. */
+/**
+ * Writes her box's direction after `t` to `m.facing`; if the box turns, also `m.her` and `m.base` as {@link placeAt} gives
+ * them.
+ */
 export function directionAt(m: Motion, t: number): void {
   const { s, her, facing, toTarget } = m;
   facing[0] = s[COS];
@@ -83,7 +89,7 @@ export function directionAt(m: Motion, t: number): void {
   }
   let d = Math.sqrt(dx * dx + dy * dy);
   if (d === 0) {
-    // in the very centre: the way she will look as soon as she has left it
+    // // in the very centre: the direction that she has as soon as she has left it
     dx = dvx;
     dy = dvy;
     d = Math.sqrt(dx * dx + dy * dy);
@@ -92,14 +98,14 @@ export function directionAt(m: Motion, t: number): void {
   facing[1] = d > 0 ? dy / d : s[SIN];
 }
 
-/** Into `m.her` and, where there is recoil, `m.base` where they are after `t` on the piece as it was located. */
+/** Writes the states of her and, with recoil, of the base after `t` to `m.her` and `m.base`, as the polynomial gives them. */
 export function placeAt(m: Motion, t: number): void {
   const { s } = m;
   pairAt(m.ux, m.uy, s[DEGREE], t, m.her, 0);
   if (m.recoil) pairAt(m.px, m.py, s[DEGREE], t, m.base, 0);
 }
 
-/** Place (relative to the origin) and velocity of a target after `t`, into out[0..3]. */
+/** Writes place (relative to the origin) and velocity of a target after `t` to out[0..3]. */
 export function rockAt(m: Motion, i: number, t: number, out: Float64Array): void {
   const { s } = m;
   if (!m.recoil) {
@@ -125,7 +131,7 @@ export function rockAt(m: Motion, i: number, t: number, out: Float64Array): void
   }
 }
 
-/** Into `m.toTarget` where the target is from her after `t`; `m.her` says where she is. */
+/** Writes the vector from her to the target after `t` to `m.toTarget`; `m.her` must hold her place. */
 export function lookAt(m: Motion, t: number): void {
   const { s, her, toTarget } = m;
   rockAt(m, s[TARGET], t, toTarget);
@@ -135,7 +141,7 @@ export function lookAt(m: Motion, t: number): void {
   toTarget[3] -= her[3];
 }
 
-/** Place (relative to the origin) and velocity of an alien after `t`, into out[0..3]. */
+/** Writes place (relative to the origin) and velocity of an alien after `t` to out[0..3]. */
 export function alienPlaceAt(m: Motion, i: number, t: number, out: Float64Array): void {
   const { s } = m;
   const o = m.chasers + CHASER * i;

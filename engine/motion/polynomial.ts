@@ -1,6 +1,6 @@
 /**
- * Value of a polynomial by Horner's rule: c[0] + c[1] t + ... + c[degree] t^degree.
- * @param c coefficients, lowest first
+ * Evaluates a polynomial by Horner's rule: c[0] + c[1] t + ... + c[degree] t^degree.
+ * @param c - coefficients, lowest first
  */
 export function valueAt(c: Float64Array, degree: number, t: number): number {
   let v = c[degree];
@@ -9,8 +9,8 @@ export function valueAt(c: Float64Array, degree: number, t: number): number {
 }
 
 /**
- * Value and derivative of a pair of polynomials (x, y) in one pass.
- * @param out receives x, y, x', y' from `at` on
+ * Evaluates a pair of polynomials (x, y) and their derivatives in one pass.
+ * @param out - receives x, y, x', y' from index `at` on
  */
 export function pairAt(x: Float64Array, y: Float64Array, degree: number, t: number, out: Float64Array, at: number): void {
   if (t === 0) {
@@ -36,9 +36,7 @@ export function pairAt(x: Float64Array, y: Float64Array, degree: number, t: numb
   out[at + 3] = dy;
 }
 
-/**
- * Turns the coefficients about 0 into those about `t`: c[k] becomes the k-th derivative there over k!.
- */
+/** Changes coefficients about 0 into those about `t`: c[k] becomes the k-th derivative there divided by k!. */
 export function shift(c: Float64Array, degree: number, t: number): void {
   if (t === 0) return;
   for (let i = 0; i < degree; i++) {
@@ -46,7 +44,7 @@ export function shift(c: Float64Array, degree: number, t: number): void {
   }
 }
 
-/** Adds `factor` a b to `out`, whose degree is the sum of theirs. */
+/** Adds `factor` a b to `out`, whose degree is the sum of both degrees. */
 export function addProduct(
   a: Float64Array,
   degreeA: number,

@@ -1,21 +1,21 @@
-/** Degree of a Taylor piece; a power of two, so that its root is a chain of square roots. */
+/** Degree of a Taylor piece. A power of two, so that the root of this degree is a chain of square roots. */
 export const TAYLOR_DEGREE = 16;
 
-/** Numbers that hold any series. */
+/** Length of an array that holds any series. */
 export const LONGEST_SERIES = TAYLOR_DEGREE + 1;
 
 const N = TAYLOR_DEGREE;
-// scratch: power series of s = x2 + y2 and of w = s^(-1/2)
+// // working memory: power series of s = x2 + y2 and of w = s^(-1/2)
 const s = new Float64Array(N + 1);
 const w = new Float64Array(N + 1);
 
-/** A force about the origin, see {@link Flow}. */
+/** A force about the origin; see {@link Flow}. */
 export interface DrivenFlow {
   /** px/s2 */
   readonly alpha: number;
   /** 1/s2 */
   readonly beta: number;
-  /** false where the speed limit holds that axis: no acceleration along it */
+  /** False while the speed limit holds this axis: then there is no acceleration along it. */
   readonly freeX: boolean;
   readonly freeY: boolean;
   /** px/s2 */
@@ -25,11 +25,14 @@ export interface DrivenFlow {
 }
 
 /**
- * Power series of u'' = alpha u / |u| + beta u + w where a steady force w acts beside, or the speed limit holds an axis: then energy is
- * not kept, and {@link centralSeries} does not hold.
- * Recurrences by Cauchy products, with s = u.u and w = s^(-1/2), from s w' = -s' w / 2 (Jorba and Zou 2005, prop. 1).
- * On entry x[0..1], y[0..1] hold place and velocity; on return all coefficients.
- * @param px, py when given, the series of a body with p'' = kappa u / |u| (the target's recoil); its [0..1] are kept
+ * Power series of u'' = alpha u / |u| + beta u + w with a steady force w, or with an axis that the speed limit holds. Energy is
+ * not conserved then, so {@link centralSeries} does not apply.
+ *
+ * The recurrences are Cauchy products, with s = u.u and w = s^(-1/2), from s w' = -s' w / 2 (Jorba and Zou 2005, prop. 1). On
+ * entry x[0..1], y[0..1] hold place and velocity. On return they hold all coefficients.
+ * @param px - if given, the series of a body with p'' = kappa u / |u| (the target's recoil); its first two coefficients are
+ * kept
+ * @param py - likewise
  */
 export function drivenSeries(
   x: Float64Array,
@@ -74,9 +77,10 @@ export function drivenSeries(
 }
 
 /**
- * Power series of u'' = a + beta (u - u(0)): the motion along a line through the centre, where the direction of the pull
- * stays. An entire function: the pieces are long.
- * @param ax, ay acceleration at the start
+ * Power series of u'' = a + beta (u - u(0)): motion along a line through the centre, where the direction of the pull is
+ * constant. It is an entire function, so the pieces are long.
+ * @param ax - x of the acceleration at the start
+ * @param ay - y of the acceleration at the start
  */
 export function linearSeries(x: Float64Array, y: Float64Array, ax: number, ay: number, beta: number): void {
   x[2] = ax / 2;
@@ -91,11 +95,11 @@ export function linearSeries(x: Float64Array, y: Float64Array, ax: number, ay: n
 const sixteenthRoot = (q: number): number => Math.sqrt(Math.sqrt(Math.sqrt(Math.sqrt(q))));
 
 /**
- * The length for which a series is good: the last two terms stay below `tolerance`, and so do their rates, since an
- * error of velocity lasts (Jorba and Zou 2005, 3.2; near a centre, where pieces are short, the rates decide).
- * Only + - * / and square roots, so that every JavaScript engine takes the same step.
- * @param tolerance px, and px/s
- * @param longest returned when the terms vanish, s
+ * The length for which a series is accurate, s: the last two terms stay below `tolerance`, and so do their rates of change,
+ * since an error of velocity lasts (Jorba and Zou 2005, 3.2; near a centre, where pieces are short, the rates decide). It uses
+ * only + - * / and square roots, so that every JavaScript engine takes the same step.
+ * @param tolerance - px, and px/s
+ * @param longest - returned if the terms vanish, s
  */
 export function taylorStep(x: Float64Array, y: Float64Array, tolerance: number, longest: number): number {
   const last = Math.abs(x[N]) + Math.abs(y[N]);
@@ -103,7 +107,7 @@ export function taylorStep(x: Float64Array, y: Float64Array, tolerance: number, 
   let h = longest;
   if (last > 0) {
     const root = sixteenthRoot(tolerance / last);
-    // for rates the 15th root is wanted: root^(16/15), a little below root^(17/16)
+    // // for rates the 15th root is needed: root^(16/15), a little below root^(17/16)
     h = Math.min(h, root < 1 ? root * sixteenthRoot(root) : root);
   }
   for (let i = 0; i < 400; i++) {

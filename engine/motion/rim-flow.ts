@@ -1,7 +1,7 @@
 import { TAYLOR_DEGREE } from './power-series.ts';
 
 const N = TAYLOR_DEGREE;
-// scratch: power series of the place, of w = u - q, of what is made of them, and of q
+// // working memory: power series of the place u, of w = u - q, of what is derived from them, and of q
 const qx = new Float64Array(N + 1);
 const qy = new Float64Array(N + 1);
 const wx = new Float64Array(N + 1);
@@ -14,38 +14,41 @@ const share = new Float64Array(N + 1);
 const denominator = new Float64Array(N + 1);
 
 /**
- * Sliding along the rim of a field, in a frame about its centre. On either side of the rim a force drives her towards it:
- * from within the push, f_in = 20 u / |u|, from outside f_out = alpha w / |w| + beta w with w = u - q. What is left of both is
- * Filippov's mean, u'' = s f_out + (1 - s) f_in, with the share s that keeps her on the circle: u''.u = -|u'|^2.
+ * Sliding along the rim of a field, in a frame about the field's centre. On either side of the rim a force drives her towards
+ * it: inside, the push f_in = push u / |u|; outside, f_out = alpha w / |w| + beta w with w = u - q. The motion is Filippov's
+ * sliding mode: the mean u'' = s f_out + (1 - s) f_in, with the share s that keeps her on the circle, u''.u = -|u'|².
  */
 export class RimFlow {
-  /** px */
+  /** Radius of the field, px. */
   radius = 1;
-  /** What pushes her out from within, px/s2. */
+  /** The push outwards inside the field, px/s². */
   push = 0;
-  /** Of the force outside, px/s2 and 1/s2. */
+  /** Coefficients of the force outside, px/s² and 1/s². */
   alpha = 0;
   beta = 0;
-  /** The centre of the force outside and its velocity at the start of the piece, px, px/s. */
+  /** The centre of the force outside and its velocity at the start of the piece, px and px/s. */
   qx = 0;
   qy = 0;
   qvx = 0;
   qvy = 0;
-  /** How that centre accelerates towards her, px/s2. */
+  /** How that centre accelerates towards her, px/s². */
   kappa = 0;
-  /** false: the speed limit holds this axis */
+  /** False while the speed limit holds this axis. */
   freeX = true;
   freeY = true;
-  /** The force outside that `weigh` found, px/s2. */
+  /** The force outside that `weigh` found, px/s². */
   forceX = 0;
   forceY = 0;
-  /** How it presses her onto the rim against the centrifugal force, and how push and centrifugal force do from within, px/s2. */
+  /**
+   * How strongly that force presses her onto the rim against the centrifugal force, and how strongly push and centrifugal force
+   * press from inside, px/s².
+   */
   pressesIn = 0;
   pressesOut = 0;
-  /** After `series` while both axes are free: coefficients of pressesIn along the way. */
+  /** After `series`, while both axes are free: coefficients of pressesIn over time. */
   readonly pressure = new Float64Array(N - 1);
 
-  /** Finds what acts at place u and velocity v when the force outside has its centre at u - w. */
+  /** Finds what acts at place u and velocity v if the centre of the force outside is at u - w. */
   weigh(x: number, y: number, vx: number, vy: number, wx: number, wy: number): void {
     const r = Math.sqrt(x * x + y * y);
     const nx = x / r;
@@ -61,7 +64,10 @@ export class RimFlow {
     this.pressesOut = this.push * within + turning;
   }
 
-  /** The mean acceleration after `weigh` at the same place, into out[at..at + 1]; of a limited axis what the limit holds back. */
+  /**
+   * Writes the mean acceleration, after `weigh` at the same place, to out[at..at + 1]. For an axis at the speed limit it is
+   * what the limit holds back.
+   */
   accelerate(x: number, y: number, out: Float64Array, at: number): void {
     const r = Math.sqrt(x * x + y * y);
     const s = this.pressesOut / (this.pressesOut + this.pressesIn);
@@ -70,8 +76,8 @@ export class RimFlow {
   }
 
   /**
-   * Power series of her place along the rim, of degree TAYLOR_DEGREE; on entry x[0..1], y[0..1] hold place and velocity.
-   * With S = |v|^2 / radius and P = f_out.u / radius the share is s = (20 + S) / (20 - P): Cauchy products and one quotient.
+   * Power series of her place along the rim, of degree TAYLOR_DEGREE. On entry x[0..1], y[0..1] hold place and velocity. With S
+   * = |v|² / radius and P = f_out.u / radius the share is s = (push + S) / (push - P): Cauchy products and one quotient.
    */
   series(x: Float64Array, y: Float64Array): void {
     qx[0] = this.qx;
@@ -135,7 +141,7 @@ export class RimFlow {
   }
 }
 
-/** On the rim with one axis held by the speed limit: a goes on evenly, and b^2 = radius^2 - a^2. */
+/** On the rim with the speed limit holding one axis: a is linear in time, and b² = radius² - a². */
 function alongLimit(a: Float64Array, b: Float64Array): void {
   for (let n = 2; n <= N; n++) a[n] = 0;
   b[1] = (-a[0] * a[1]) / b[0];

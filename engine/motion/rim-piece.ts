@@ -13,7 +13,7 @@ const seriesX = new Float64Array(TAYLOR_DEGREE + 1);
 const seriesY = new Float64Array(TAYLOR_DEGREE + 1);
 const end = new Float64Array(4);
 
-/** Puts her exactly on the rim, moving along it. */
+/** Projects her onto the rim, with her velocity along it. */
 function ontoRim(m: Motion): void {
   const { rim, ux, uy } = m;
   const r = Math.sqrt(ux[0] * ux[0] + uy[0] * uy[0]);
@@ -33,8 +33,9 @@ function ontoRim(m: Motion): void {
 }
 
 /**
- * Expands her way along the rim: the series itself where pieces have its degree, else the polynomial that meets it at the end.
- * A slide is rare, so every accuracy takes it from the series; with fixed steps only what is between two of them is rougher.
+ * Expands her motion along the rim. If pieces have the degree of the series, the piece is the series itself; otherwise it is
+ * the polynomial that meets the series at its end. Slides are rare, so every accuracy takes them from the series; with fixed
+ * steps, only the path between two steps is less accurate.
  * @returns the length for which the piece holds, s
  */
 export function expandSlide(m: Motion, longest: number): number {
@@ -67,12 +68,16 @@ export function expandSlide(m: Motion, longest: number): number {
   return h;
 }
 
-/** Bound on the force outside, at most `d` px from its centre, px/s2. Where she slides, the push from the rim is no larger. */
+/**
+ * Upper bound of the force outside at most `d` px from its centre, px/s². While she slides, the push of the rim is no larger.
+ */
 function strongest(m: Motion, d: number): number {
   return Math.max(Math.abs(m.rim.alpha), m.rim.beta * d);
 }
 
-/** The polynomial of degree 2 or 3 that begins as the series does and meets its place at h, and its velocity where it can. */
+/**
+ * The polynomial of degree 2 or 3 that begins like the series and meets its place at h, and its velocity if the degree allows.
+ */
 function meet(c: Float64Array, series: Float64Array, degree: number, h: number): void {
   let bend = 0;
   let gain = 0;
@@ -88,7 +93,7 @@ function meet(c: Float64Array, series: Float64Array, degree: number, h: number):
   c[3] = (gain - 2 * bend) / (h * h);
 }
 
-/** Place and velocity after `t` of a piece along the rim, into out[0..3]. */
+/** Writes place and velocity after `t` of a piece along the rim to out[0..3]. */
 export function settleSlide(m: Motion, t: number, out: Float64Array): void {
   const { ux, uy } = m;
   if (m.integrator.degree === TAYLOR_DEGREE) {

@@ -4,7 +4,7 @@ import { RECORDS, SLOTS } from './state.ts';
 const { BASE, TARGET, MOVES } = SLOTS;
 const { ROCK } = RECORDS;
 
-/** Puts the asteroids where the level has them. */
+/** Places the asteroids where the level has them. */
 export function layOutRocks(m: Motion): void {
   for (let i = 0; i < m.scene.targets.count; i++) {
     m.s[m.rocks + ROCK * i] = m.targetX[i];
@@ -12,14 +12,14 @@ export function layOutRocks(m: Motion): void {
   }
 }
 
-/** Counts a rock that the gun holds among those that may move. */
+/** Adds an asteroid that the gun holds to those that may have moved. */
 export function stir({ stirred }: Motion, i: number): void {
   if (stirred.includes(i)) return;
   stirred.push(i);
   stirred.sort((a, b) => a - b);
 }
 
-/** Finds out from the state, which has become another, what has been stirred. */
+/** Finds from the state, after it was replaced, which asteroids may have moved. */
 export function readRocks(m: Motion): void {
   const { s, stirred, rocks, targetX, targetY } = m;
   stirred.length = 0;
@@ -31,7 +31,10 @@ export function readRocks(m: Motion): void {
   }
 }
 
-/** Indices, ascending, of at least all targets with a part nearer than `reach` to (x, y), px from the origin, wherever recoil has moved them. */
+/**
+ * Indices, ascending, of at least all targets that reach nearer than `reach` px to (x, y), px from the origin, wherever recoil
+ * has moved them.
+ */
 export function targetsAround(m: Motion, x: number, y: number, reach: number): readonly number[] {
   const { scene, stirred } = m;
   const { spatial, count } = scene.targets;
@@ -41,7 +44,7 @@ export function targetsAround(m: Motion, x: number, y: number, reach: number): r
   m.budget.look((found.length + stirred.length) >> 1);
   const all: number[] = [];
   let k = 0;
-  // both lists ascend
+  // // both lists ascend
   for (const i of Int32Array.from(found).sort()) {
     while (k < stirred.length && stirred[k] < i) all.push(stirred[k++]);
     if (stirred[k] !== i) all.push(i);
