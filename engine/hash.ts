@@ -1,6 +1,6 @@
 const number = new Float64Array(1);
 const halves = new Uint32Array(number.buffer);
-// // the processor decides which half of a double comes first; the hash must not depend on it
+// the processor decides which half of a double comes first; the hash must not depend on it
 const LOW = new Uint8Array(new Uint32Array([1]).buffer)[0] === 1 ? 0 : 1;
 
 /**

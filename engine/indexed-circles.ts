@@ -10,7 +10,7 @@ export interface IndexedCircles extends Circles {
 /** Adds an index to a list of circles where it is worth one. */
 export function indexed(circles: Circles): IndexedCircles {
   const { count, x, y, r, index } = circles;
-  // // written out: a spread would give every list a hidden class of its own, which slows property access down in V8
+  // written out: a spread would give every list a hidden class of its own, which slows property access down in V8
   return { count, x, y, r, index, spatial: indexCircles(circles) };
 }
 

@@ -131,7 +131,7 @@ export function simulate(scene: Scene, holds: readonly Hold[], options: Simulate
   const { events } = recorder;
   const state = new Float64Array(STATE_SIZE);
   simulation.readState(state);
-  // // some callers need these, and they cost more than the run itself: computed on demand
+  // some callers need these, and they cost more than the run itself: computed on demand
   let clearance: Clearance | null | undefined;
   let hash: string | undefined;
   const again = (): Run => budget.lend(() => simulate(scene, holds, { ...options, record: true }));

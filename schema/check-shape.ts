@@ -189,7 +189,7 @@ function checkPart(schema: z.core.$ZodType, part: unknown, base: Path, into: Fin
     const inner = issue.path as Path;
     const path = [...base, ...inner];
     const words = toWords(path);
-    // // one problem per value is enough: the first is the most basic one
+    // one problem per value is enough: the first is the most basic one
     if (seen.has(words)) continue;
     seen.add(words);
     const value = valueAt(part, inner);

@@ -6,6 +6,6 @@ export function withoutExtensions(value: unknown): unknown {
   if (Array.isArray(value)) return value.map(withoutExtensions);
   if (typeof value !== 'object' || value === null) return value;
   const kept = Object.entries(value).filter(([key]) => !key.startsWith(PREFIX));
-  // // fromEntries defines keys; an assignment to __proto__ would set the prototype
+  // fromEntries defines keys; an assignment to __proto__ would set the prototype
   return Object.fromEntries(kept.map(([key, inner]) => [key, withoutExtensions(inner)]));
 }

@@ -3,7 +3,7 @@ const LONGEST = 40;
 /** A text in double quotes for a message: escaped so that it cannot control a terminal, and cut if it is long. */
 export function quote(text: string): string {
   const shown = text.length > LONGEST ? `${text.slice(0, LONGEST)}…` : text;
-  // // control characters, line separators and direction marks, which JSON.stringify leaves unchanged
+  // control characters, line separators and direction marks, which JSON.stringify leaves unchanged
   return JSON.stringify(shown).replace(/[\p{Cc}\p{Cf}\p{Zl}\p{Zp}]/gu, (c) => `\\u{${c.codePointAt(0)?.toString(16)}}`);
 }
 

@@ -29,7 +29,7 @@ export function withIds(file: LevelFile): LevelFile {
   const name = <T extends { id?: string | undefined }>(list: string, object: T): T => {
     if (object.id !== undefined) return object;
     const content = `${list}${JSON.stringify(object)}`;
-    // // equal objects continue with the attempt after the last one, or thousands of them would take millions of attempts
+    // equal objects continue with the attempt after the last one, or thousands of them would take millions of attempts
     let attempt = attempts.get(content) ?? 0;
     let id = idFor(content, attempt++);
     while (taken.has(id)) id = idFor(content, attempt++);

@@ -189,7 +189,7 @@ function readObject(reader: OriginalReader, kind: ObjectKind, object: Json, path
       name === radius
         ? reader.size(object, keyOf(name), path)
         : reader.number(object, keyOf(name), path, field.least, field.most);
-    // // a wrong value has been reported, and then no level is made
+    // a wrong value has been reported, and then no level is made
     read[name] = value ?? (isRequired(field) ? field.least : undefined);
   }
   return Object.fromEntries(fields.map(([name]) => [name, read[name]]));

@@ -1,4 +1,4 @@
-// // UTF-16 code units of the characters that have a meaning in JSON
+// UTF-16 code units of the characters that have a meaning in JSON
 export const TAB = 9;
 export const LINE_FEED = 10;
 export const CARRIAGE_RETURN = 13;

@@ -18,7 +18,7 @@ export const failureAt = (code: Finding['code'], offset: number, message: string
 
 /** What is wrong with a text that ends where `expected` should be. */
 export function truncated(text: string, expected: string): Finding {
-  // // the end as a reader sees it, without trailing white space
+  // the end as a reader sees it, without trailing white space
   let end = text.length;
   while (end > 0 && isSpace(text.charCodeAt(end - 1))) end--;
   const message = `expected ${expected}, found the end of the file`;

@@ -46,7 +46,7 @@ function skipValue(text: string, start: number): number {
     if (c === '{' || c === '[') depth++;
     else if (c === '}' || c === ']') depth--;
     i++;
-    // // a number or a literal extends up to a character that cannot be part of it
+    // a number or a literal extends up to a character that cannot be part of it
     if (depth === 0 && c !== '}' && c !== ']') {
       while (i < text.length && !',]} \n\r\t'.includes(text[i])) i++;
     }

@@ -4,7 +4,7 @@ import { type Finding, MAX_FINDINGS, type Path } from './problem.ts';
 /** Brackets may be nested to this depth; a level needs 4. */
 export const MAX_DEPTH = 64;
 
-// // from this many keys on, searching a list costs more than a set
+// from this many keys on, searching a list costs more than a set
 const MANY_KEYS = 16;
 
 /** The brackets that are open at a place of a JSON text, with the keys that each object has so far. */
@@ -14,7 +14,7 @@ export class OpenBrackets {
   hasExtensions = false;
   /** Keys that occur more than once in their object. */
   readonly repeated: Finding[] = [];
-  // // one entry per depth
+  // one entry per depth
   private readonly isList: boolean[] = [];
   private readonly index: number[] = [];
   private readonly keys: string[][] = [];

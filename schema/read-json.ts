@@ -22,7 +22,7 @@ export type JsonReading =
     }
   | { readonly ok: false; readonly problems: Problem[]; readonly text: string };
 
-// // a key of a megabyte must not appear in a report
+// a key of a megabyte must not appear in a report
 const MAX_POINTER = 500;
 
 const MARK = '\ufeff';

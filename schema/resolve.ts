@@ -9,7 +9,7 @@ function resolveObject(kind: ObjectKind, object: Written): Written {
   const resolved: Record<string, unknown> = KINDS[kind].list === null ? {} : { id: object.id ?? null };
   for (const [name, field] of fieldsOf(kind)) {
     const value = object[name] ?? field.default;
-    // // + 0 turns -0 into 0: formatLevel writes it as 0, and it must not give another start than 0
+    // + 0 turns -0 into 0: formatLevel writes it as 0, and it must not give another start than 0
     resolved[name] = typeof value === 'number' ? value + 0 : value;
   }
   return resolved;

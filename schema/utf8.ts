@@ -6,13 +6,13 @@ export interface DecodedText {
   readonly bad: { readonly byte: number; readonly at: number; readonly offset: number } | null;
 }
 
-// // more arguments than this overflow the stack of some engines
+// more arguments than this overflow the stack of some engines
 const CHUNK = 8192;
 
 function unitsToText(units: Uint8Array | Uint16Array, length: number): string {
   let text = '';
   for (let i = 0; i < length; i += CHUNK) {
-    // // apply accepts any array-like, but its type only accepts arrays
+    // apply accepts any array-like, but its type only accepts arrays
     text += String.fromCharCode.apply(null, units.subarray(i, Math.min(i + CHUNK, length)) as unknown as number[]);
   }
   return text;

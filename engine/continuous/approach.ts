@@ -18,23 +18,26 @@ const { BASE_X, BASE_Y, NEXT } = SLOTS;
 const { CHASER } = RECORDS;
 const { GONE } = ALERTNESS;
 
-/** A clearance is reached, and nowhere is she nearer by more than this, px. */
+/** The clearance is attained, and she is never nearer by more than this, px. */
 const CLEARANCE_ERROR = 1e-6;
 
-/** Where looking closer at a dip ends, s: about its lowest point the gap changes with the square of this. */
+/**
+ * The search for the lowest point of a dip ends at this time difference, s. About the lowest point the gap changes with its
+ * square.
+ */
 const FINEST = 1e-8;
 
 /**
- * Finds whether she comes nearer to a hazard on the piece that `m` is on than `tracker` knows of: every hazard is marched past
- * as if it were larger by what is known, less CLEARANCE_ERROR, so that nothing nearer is missed; where that is touched she
- * comes nearer, and the bottom of that dip is what is known from there on.
- * @param start when the piece begins, s
- * @param length how long she is on it, s
+ * Finds out whether she comes nearer to a hazard on the motion's current piece than `tracker` knows. It marches past each
+ * hazard as if that were larger by the known clearance minus CLEARANCE_ERROR, so nothing nearer is missed. Where she touches
+ * the enlarged hazard she comes nearer, and the lowest point of that dip becomes the known clearance.
+ * @param start - when the piece begins, s
+ * @param length - how long she is on it, s
  */
 export function approachHazards(m: Motion, start: number, length: number, tracker: ClearanceTracker): void {
   const { s, her, base, toCircle, scene } = m;
   const { novae, targets, coldCount, aliens } = scene;
-  // looking at where they are costs less than marching past them
+  // distances at one time cost less than marches
   const standing = novae.spatial === null ? novae.count : 0;
   m.budget.look(1 + ((standing + targets.count - coldCount + aliens.count) >> 3));
   const next = s[NEXT];
@@ -79,7 +82,7 @@ export function approachHazards(m: Motion, start: number, length: number, tracke
   s[NEXT] = next;
 }
 
-/** The same with one hazard, the placed circle. */
+/** The same for one hazard, the placed circle. */
 function approach(
   m: Motion,
   start: number,
@@ -92,7 +95,7 @@ function approach(
 ): void {
   tracker.take(start, gapAt(m, 0, r), kind, index);
   for (let t = 0; length > 0; ) {
-    // nearer than its centre she can't come
+    // she cannot come nearer than its centre
     const reach = r + tracker.least - CLEARANCE_ERROR;
     if (reach <= 0) return;
     t = sweptTime(m, reach, pull, t);
@@ -102,7 +105,7 @@ function approach(
   }
 }
 
-/** Where a dip that begins at `t` is deepest, s: on as long as it goes down, then by golden section. */
+/** When a dip that begins at `t` is lowest, s: steps on while it goes down, then golden-section search. */
 function bottomOfDip(m: Motion, r: number, t: number, length: number): number {
   let a = t;
   let b = t;

@@ -47,7 +47,7 @@ export function begin(m: Motion): void {
   if (force !== null && s[LINE] === NONE) findLine(m);
   if (s[LINE] !== NONE) bendLine(m);
   if (isSteady && s[LINE] !== NONE) keepSteadyLine(m);
-  // out of the very centre, where she rests, a steady force that is stronger drives her along itself
+  // at rest in the very centre, a stronger steady force drives her out along its own direction
   const isStill = ux[0] === 0 && uy[0] === 0 && ux[1] === 0 && uy[1] === 0;
   if (isSteady && force !== null && isStill && s[LINE] === NONE) beginLine(m, m.flow.steadyX, m.flow.steadyY);
   const onLine = s[LINE] !== NONE;
@@ -73,14 +73,14 @@ export function begin(m: Motion): void {
   start(m);
 }
 
-/** The first piece of a flow. */
+/** Begins the first piece of a flow. */
 function start(m: Motion): void {
   setCentralForce(m);
   expand(m);
   locate(m);
 }
 
-/** Adds up the steady forces that act on her, and keeps their sum in the state. */
+/** Adds up the steady forces that act on her and keeps their sum in the state. */
 function addSteadyForces(m: Motion): void {
   const { s, flow, parts } = m;
   const { steady } = parts;
@@ -91,20 +91,20 @@ function addSteadyForces(m: Motion): void {
   s[STEADY_Y] = flow.steadyY;
 }
 
-/** The next piece of the same flow. */
+/** Begins the next piece of the same flow. */
 export function proceed(m: Motion): void {
   if (m.flow.kind === LINEAR) m.flow.moveTo(m.ux[0], m.uy[0]);
   expand(m);
   locate(m);
 }
 
-/** Sets the flow from the state: after a restore it must be what it was. */
+/** Sets the flow from the state. After a restore it must be the same as before. */
 export function setFlow(m: Motion): void {
   m.flow.setSteady(m.s[STEADY_X], m.s[STEADY_Y]);
   setCentralForce(m);
 }
 
-/** The same but for the steady forces. */
+/** The same without the steady forces. */
 function setCentralForce(m: Motion): void {
   const { s, flow, parts, ux, uy } = m;
   flow.kind = s[KIND];

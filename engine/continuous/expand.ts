@@ -41,25 +41,28 @@ const { CHASER, ROCK } = RECORDS;
 const { AWAKE } = ALERTNESS;
 const { NOT, AHEAD, BEHIND } = MEETINGS;
 
-/** Looks that take as long as the series of a chaser. */
+/** Number of evaluations that cost as much as the series of a chaser. */
 const LOOKS_A_CHASER = 8;
 
-/** Longest piece of a coast among so many things that an index finds the near ones, px. */
+/** Longest piece of a coast where an index finds the neighbours, px. */
 const CROWDED_REACH = 128;
 
-/** Shortest piece that a rock's close pass makes, s. */
+/** Shortest piece at a close pass of an asteroid, s. */
 const CLOSEST_PASS = 1e-8;
 
-/** Longest piece of a rock that the gun holds in her centre while she is accelerated, s. */
+/** Longest piece of an asteroid that the gun holds in her centre while she is accelerated, s. */
 const LONGEST_STAY = 1 / 240;
 
-/** Longest piece of her who is held at the speed limit beside a steady force, s: when it lets go is looked for at its end. */
+/**
+ * Longest piece while the speed limit holds her beside a steady force, s. At its end it is tested whether the limit still holds
+ * her.
+ */
 const LONGEST_HELD = 1 / 240;
 
-/** Longest piece under a steady force alone, so that bounds over it stay tight, s. */
+/** Longest piece under a steady force alone, s, so that bounds over it stay tight. */
 const LONGEST_STEADY = 4;
 
-/** Longest piece of a rock that is dragged along a line, so that bounds over it stay tight, s. */
+/** Longest piece of an asteroid that is dragged along a line, s, so that bounds over it stay tight. */
 const LONGEST_DRAG = 4;
 
 export function expand(m: Motion): void {
@@ -79,7 +82,7 @@ export function expand(m: Motion): void {
   work.pieces++;
   m.budget.piece(1);
 
-  // fixed steps end on a grid of their own rate, which the ticks are a part of
+  // fixed steps end on the grid of their own rate, which includes the ticks
   let h = Number.POSITIVE_INFINITY;
   const { rate } = m.scene.accuracy;
   if (((kind !== COAST && kind !== STEADY) || awake > 0) && rate !== null) {
@@ -94,7 +97,7 @@ export function expand(m: Motion): void {
     if (speed > 0) h = Math.min(h, CROWDED_REACH / speed);
   }
   if (kind === COAST && (s[LIMIT_X] !== 0 || s[LIMIT_Y] !== 0) && (s[FIELD] >= 0 || held)) {
-    // at the limit through the very centre: out of it straight on
+    // at the speed limit through the very centre: she leaves it straight on
     h = Math.min(h, SMALLEST_ORBIT / m.rules.speedLimit);
   }
   if (kind === STEADY) {
@@ -121,7 +124,7 @@ export function expand(m: Motion): void {
   s[LENGTH_H] = h;
 }
 
-/** Nothing but a steady force acts, or she passes so near to the centre of another that its direction is none: a parabola, exactly. */
+/** Only a steady force acts, or she passes so near to another force's centre that this has no direction: an exact parabola. */
 function expandSteady(m: Motion, longest: number): number {
   const { s, flow, ux, uy, px, py } = m;
   s[DEGREE] = 2;
@@ -134,7 +137,7 @@ function expandSteady(m: Motion, longest: number): number {
   return Math.min(longest, isPass && speed > 0 ? SMALLEST_ORBIT / speed : LONGEST_STEADY);
 }
 
-/** On an axis that the speed limit holds it is her own velocity that stays, whatever recoil does to the base. */
+/** On an axis that the speed limit holds, her own velocity stays, whatever recoil does to the base. */
 function keepLimits(m: Motion): void {
   const { s, ux, uy, px, py } = m;
   for (let k = 2; k <= s[DEGREE]; k++) {
@@ -153,9 +156,9 @@ function recoilOnLine(m: Motion, kappa: number): void {
 }
 
 /**
- * Expands aliens that are awake, and the rock she drags from within a field.
- * @param longest natural length of the piece, s
- * @returns the length for which all of them hold
+ * Expands the aliens that are awake, and the asteroid that she drags from within a field.
+ * @param longest - natural length of the piece, s
+ * @returns the length for which all of them hold, s
  */
 export function expandChasers(m: Motion, longest: number): number {
   const { s, ux, uy, px, py, wx, wy } = m;
@@ -168,7 +171,7 @@ export function expandChasers(m: Motion, longest: number): number {
   wx[0] += s[BASE_X];
   wy[0] += s[BASE_Y];
   const drags = m.recoils && s[m.chasers + CHASER * aliens + 4] === AWAKE;
-  // a fixed step depends on its length: it is known before the first is made, as it is after a restore
+  // a fixed step depends on its length, so the length is determined before the first step, as it is after a restore
   let h = drags ? Math.min(longest, longestDrag(m)) : longest;
   const awake = s[AWAKE_COUNT];
   for (let k = 0; k < awake; k++) h = expandChaser(m, awakeAt(m, k), m.rules.alienPull, h);
@@ -176,7 +179,7 @@ export function expandChasers(m: Motion, longest: number): number {
   return h;
 }
 
-/** How long a piece of the rock that she holds while she is in a field may be, s; its series begins. */
+/** Longest piece of the asteroid that she holds while she is in a field, s; begins its series. */
 function longestDrag(m: Motion): number {
   const aliens = m.scene.aliens.count;
   beginSeries(m, aliens);
@@ -185,7 +188,7 @@ function longestDrag(m: Motion): number {
   return untilMeeting(m, m.chaserX[aliens], m.chaserY[aliens]);
 }
 
-/** The rock that she holds while she is in a field. */
+/** Expands the asteroid that she holds while she is in a field. */
 function expandDragged(m: Motion, longest: number): number {
   const aliens = m.scene.aliens.count;
   if (m.s[MEETS] === NOT && !staysInHer(m)) return expandChaser(m, aliens, m.kappa, longest);
@@ -194,8 +197,8 @@ function expandDragged(m: Motion, longest: number): number {
 }
 
 /**
- * A rock that would swing through her by less than counts as a swing stays in her centre: where nothing accelerates her by more
- * than the gun accelerates it, the gun holds it there. Her series must be known.
+ * An asteroid that would swing through her by less than counts as a swing stays in her centre: where nothing accelerates her
+ * more than the gun accelerates the asteroid, the gun holds it there. Her series must be known.
  */
 function staysInHer(m: Motion): boolean {
   const { s, wx, wy } = m;
@@ -216,7 +219,7 @@ function expandChaser(m: Motion, i: number, pull: number, longest: number): numb
   return Math.min(longest, m.integrator.chase(m.chaserX[i], m.chaserY[i], m.wx, m.wy, pull, longest));
 }
 
-/** Place and velocity of a chaser into its series. */
+/** Copies place and velocity of a chaser to its series. */
 function beginSeries(m: Motion, i: number): void {
   const { s, chaserX, chaserY, wx } = m;
   const o = m.chasers + CHASER * i;
@@ -232,7 +235,7 @@ function beginSeries(m: Motion, i: number): void {
   qy[1] = s[o + 3];
 }
 
-/** After a restore: the series of those that chase, as they were when the piece began; where they are when the run is over. */
+/** After a restore: expands the chasers as they were when the piece began; if the run is over, copies where they are. */
 export function restoreChasers(m: Motion): void {
   const { s, chaserX, chaserY } = m;
   if (s[AWAKE_COUNT] === 0 && !m.recoils) return;
@@ -245,7 +248,7 @@ export function restoreChasers(m: Motion): void {
   }
 }
 
-/** On her line the rock is accelerated evenly until it meets her; one that stays in her centre goes where she goes. */
+/** On her line the asteroid is accelerated uniformly until it meets her; one that stays in her centre moves as she does. */
 function dragOnLine(m: Motion, qx: Float64Array, qy: Float64Array): void {
   const { s, wx, wy } = m;
   if (s[MEETS] !== AHEAD && s[MEETS] !== BEHIND) {
@@ -261,7 +264,8 @@ function dragOnLine(m: Motion, qx: Float64Array, qy: Float64Array): void {
 }
 
 /**
- * A rock that is dragged past her, beside her line: its series ends short of where it could meet her, as it does at the pass of a centre. One too close for the last terms to show it must not be stepped over. Aliens touch her before.
+ * An asteroid that is dragged past her, beside her line. Its series ends before it could meet her, as at the pass of a centre:
+ * a pass so close that the last terms do not show it must not be stepped over. Aliens touch her before that.
  */
 function untilMeeting(m: Motion, qx: Float64Array, qy: Float64Array): number {
   const { wx, wy } = m;

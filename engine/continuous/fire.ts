@@ -8,7 +8,7 @@ import { stop } from './stop.ts';
 const { START, FROM, NEXT, EVENT, EVENT_A, EVENT_B, LIMIT_X, LIMIT_Y, OUTCOME, TOUCHED, END_TIME, LAST_EVENT, CROSSED, RIM } =
   SLOTS;
 
-/** What happens at the event that was located. */
+/** Carries out the event that was located. */
 export function fire(m: Motion, until: number): void {
   const { s } = m;
   if (s[EVENT] === PIECE_END) {
@@ -33,14 +33,14 @@ export function fire(m: Motion, until: number): void {
   else end(m, rule.kind, touched, time);
 }
 
-/** The natural end of a piece: the next one of the same flow. */
+/** The natural end of a piece: begins the next one of the same flow. */
 function goOn(m: Motion, until: number): void {
   const { s, parts, integrator, recorder } = m;
   stop(m, s[NEXT], s[START] + s[NEXT]);
   s[LAST_EVENT] = 0;
   for (const repeat of parts.repeat) repeat(m);
   if (integrator.glide !== null && recorder === null) skipQuietSteps(m, until);
-  // along a rim it is looked at anew whether anything holds her there, under a steady force whether she passes a centre
+  // on a rim, what holds her there is determined anew; under a steady force, whether she passes a centre
   if (s[LIMIT_X] === 0 && s[LIMIT_Y] === 0 && s[RIM] < 0 && !m.flow.isSteady) proceed(m);
   else begin(m);
 }

@@ -3,7 +3,7 @@ import { type Motion, SLOTS } from '../motion/index.ts';
 
 const { TARGET, FIELD, COVER, BASE, COS, RIM } = SLOTS;
 
-/** Puts everything where the level has it. */
+/** Places everything where the level has it. */
 export function layOut(m: Motion, effects: readonly Effect[]): void {
   const { s } = m;
   const { astronaut } = m.scene.level;

@@ -3,7 +3,7 @@ import { type Motion, PIECE_END, placeAt, SLOTS } from '../motion/index.ts';
 
 const { FROM, NEXT, EVENT, TARGET, BASE_X, BASE_Y, LENGTH_H } = SLOTS;
 
-/** Locates the first event in (FROM, LENGTH_H] of the piece; the natural end where nothing happens before. */
+/** Locates the first event in (FROM, LENGTH_H] of the piece; the natural end if nothing happens before. */
 export function locate(m: Motion): void {
   const { s, her, base, near, path, parts } = m;
   s[NEXT] = s[LENGTH_H];

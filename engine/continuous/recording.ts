@@ -10,29 +10,29 @@ import { ContinuousSimulation } from './simulation.ts';
 const { START, AWAKE_COUNT } = SLOTS;
 const { CHASER, ROCK } = RECORDS;
 
-/** What keeping a piece takes beside its numbers, bytes. */
+/** Bytes that a recorded piece takes in addition to its numbers. */
 const BYTES_A_PIECE = 128;
 
-/** Pieces at whose beginning the clearance is looked for before it is looked for everywhere. */
+/** The clearance is first looked for at the beginnings of this many pieces, then everywhere. */
 const FIRST_LOOKS = 64;
 
-/** Keeps every piece and event of a run in continuous time. */
+/** Records every piece and event of a run in continuous time. */
 export class PieceRecorder implements Recorder, Trajectory {
   readonly events: RunEvent[] = [];
-  /** Of each piece what {@link packPiece} keeps; what becomes of chasers and rocks is apart. */
+  /** For each piece, what {@link packPiece} copies; chasers and asteroids are kept separately. */
   private states: Float64Array[] = [];
   private chasers: ChangeLog | null = null;
   private rocks: ChangeLog | null = null;
   private starts: number[] = [];
   private lengths: number[] = [];
   private end = 0;
-  /** Stands on the piece that was asked for last; made when the first is. */
+  /** A simulation on the piece that was last read; created at the first read. */
   private reader: ContinuousSimulation | null = null;
   private readerAt = -1;
 
   /**
-   * @param budget what the recording, and looking for the clearance, may cost
-   * @param keeps false: events only
+   * @param budget - limits the work and memory of the recording, and the work of computing the clearance
+   * @param keeps - false to keep events only
    */
   constructor(
     private readonly scene: Scene,
@@ -40,7 +40,7 @@ export class PieceRecorder implements Recorder, Trajectory {
     private readonly keeps = true,
   ) {}
 
-  /** Keeps the piece that the motion is on; it is left after `t` seconds. */
+  /** Records the motion's current piece, which is left after `t` seconds. */
   piece(motion: Motion, t: number): void {
     if (!this.keeps) return;
     const { s, crowd, budget, chasers, rocks, minerals, stirred } = motion;
@@ -95,7 +95,7 @@ export class PieceRecorder implements Recorder, Trajectory {
   /** The last piece that began by `time`. */
   private pieceAt(time: number): number {
     const { starts } = this;
-    // asked in order, as samples are, the answer is the same piece or the next
+    // reads in order, as for samples, find the same piece or the next
     let low = this.readerAt >= 0 && starts[this.readerAt] <= time ? this.readerAt : 0;
     let high = low + 1 < starts.length && starts[low + 1] > time ? low : starts.length - 1;
     while (low < high) {
@@ -106,7 +106,10 @@ export class PieceRecorder implements Recorder, Trajectory {
     return low;
   }
 
-  /** Between whole periods that were skipped she is shown where the last piece left her. */
+  /**
+   * Time since a piece began. Where whole periods were skipped after it, its end, so that she is shown where the piece left
+   * her.
+   */
   private sinceStart(piece: number, time: number): number {
     return Math.min(this.lengths[piece], Math.max(0, time - this.starts[piece]));
   }
@@ -128,13 +131,13 @@ export class PieceRecorder implements Recorder, Trajectory {
     const { scene, events } = this;
     if (scene.novae.count + scene.aliens.count + scene.targets.count - scene.coldCount === 0) return null;
     const near = new ClearanceTracker(scene);
-    // a few looks all along the run first: of what stays farther than the nearest of them the rest sees little
+    // first a few samples all along the run: they spare most of the search for hazards farther away than the nearest sample
     const stride = Math.ceil(this.starts.length / FIRST_LOOKS);
     for (let i = 0; i < this.starts.length; i += stride) this.open(i).approach(0, near);
     for (let i = 0; i < this.starts.length; i++) this.open(i).approach(this.lengths[i], near);
     const { best } = near;
     if (best === null || scene.accuracy.contact === 'frame') return best;
-    // rounding must not tell another story than the run: it ended with the contact, or there was none
+    // rounding must not contradict the run: it ended with the contact, or there was none
     const touched = events.at(-1)?.type === 'collided';
     return { ...best, distance: touched ? Math.min(0, best.distance) : Math.max(0, best.distance) };
   }

@@ -32,16 +32,19 @@ const { START, NEXT, TICK_NOW, HELD, BASE_X, BASE_Y, OUTCOME, END_TIME, MINERALS
 const { CHASER } = RECORDS;
 const { AWAKE, GONE } = ALERTNESS;
 
-/** More events than this at one instant mean that the run does not go on: all things of a level may take part in them, some of them several times. */
+/**
+ * More events than this at one instant mean that the run does not advance: all objects of a level may take part in an instant,
+ * some of them several times.
+ */
 const MOST_AT_ONCE = { inAnyLevel: 10_000, byEachObject: 4 };
 
-// scratch: where a body is
+// working memory: the place of a body
 const body = new Float64Array(4);
 
 /**
- * The game in continuous time: a hybrid automaton. Between events every body moves on a polynomial piece; guards
- * (contacts, target changes, rims, ...) are located on the piece; the earliest event ends it and may change the flow.
- * Pieces depend on what happened, not on how `advance` was called, so a run split anywhere gives the same bits.
+ * The game in continuous time, as a hybrid automaton. Between events every body moves on a polynomial piece. Guards (contacts,
+ * target changes, rims, ...) are located on the piece, and the earliest event ends it and may change the flow. Pieces depend on
+ * what happened, not on how `advance` was called, so a run that is split anywhere gives the same bits.
  */
 export class ContinuousSimulation implements Simulation {
   readonly scene: Scene;
@@ -49,12 +52,12 @@ export class ContinuousSimulation implements Simulation {
   private readonly motion: Motion;
   private readonly start: Float64Array;
   private readonly mostAtOnce: number;
-  /** The budget is too small for what happens at the very start. */
+  /** Set if the budget is too small even for the start of the run. */
   private readonly refusal: WorkLimitReached | null = null;
   private readonly startHead: Float64Array;
   private readonly startRest: Float64Array;
 
-  /** @param budget what it may cost; used up, whatever asked for more gets a WorkLimitReached */
+  /** @param budget - limits the work; once it is used up, every further advance throws a WorkLimitReached */
   constructor(scene: Scene, recorder: Recorder | null = null, budget: WorkBudget = unlimited()) {
     const effects = effectsOf(scene.effects);
     const motion = new Motion(scene, integratorOf(scene.accuracy), partsOf(effects), recorder, budget);
@@ -103,7 +106,7 @@ export class ContinuousSimulation implements Simulation {
     const { motion, start } = this;
     const { s, crowd } = motion;
     if (s[AWAKE_COUNT] === 0 && !crowd?.changed) {
-      // all sleep where the level has them
+      // all aliens sleep where the level has them
       s.set(this.startHead);
       s.set(this.startRest, s.length - this.startRest.length);
       if (motion.recoils) motion.near.skin = -1;
@@ -135,8 +138,8 @@ export class ContinuousSimulation implements Simulation {
   }
 
   /**
-   * Stands on a recorded piece, to be read and not to go on.
-   * @param others puts into chasers and rocks what they are then
+   * Puts the simulation on a recorded piece, to be read but not advanced.
+   * @param others - writes the chasers and asteroids of that time
    */
   resumePiece(packed: Float64Array, others: (chasers: Float64Array, rocks: Float64Array) => void): void {
     const { motion } = this;
@@ -145,7 +148,7 @@ export class ContinuousSimulation implements Simulation {
     this.resume();
   }
 
-  /** The state has become another: what follows from it does, too. */
+  /** Restores what follows from the state after this was replaced. */
   private resume(): void {
     const { motion } = this;
     const { crowd } = motion;
@@ -153,13 +156,13 @@ export class ContinuousSimulation implements Simulation {
       crowd.read();
       crowd.changed = false;
     }
-    // what moves may be elsewhere than where the list of neighbours has it
+    // moving objects may be elsewhere than in the neighbour list
     if (crowd !== null || motion.recoils) motion.near.skin = -1;
     setFlow(motion);
     restoreChasers(motion);
   }
 
-  /** Time since the piece began at which the simulation stands, s. */
+  /** Time from the beginning of the piece to the present, s. */
   private get sincePieceBegan(): number {
     const { s } = this.motion;
     return Math.max(0, (s[OUTCOME] === 0 ? s[TICK_NOW] / TICK_RATE : s[END_TIME]) - s[START]);
@@ -182,7 +185,7 @@ export class ContinuousSimulation implements Simulation {
     this.asteroidsAt(this.sincePieceBegan, out);
   }
 
-  /** As `readState`, `t` seconds after the piece began. */
+  /** Like `readState`, `t` seconds after the piece began. */
   stateAt(t: number, out: Float64Array): void {
     const { motion } = this;
     const { s, her, base, facing, originX, originY } = motion;
@@ -195,14 +198,14 @@ export class ContinuousSimulation implements Simulation {
     out[5] = facing[1];
   }
 
-  /** As `readAliens`, `t` seconds after the piece began. */
+  /** Like `readAliens`, `t` seconds after the piece began. */
   aliensAt(t: number, out: Float64Array): void {
     const { motion } = this;
     const { s, originX, originY, chasers } = motion;
     const { count } = this.scene.aliens;
     for (let i = 0; i < count; i++) {
       const o = chasers + CHASER * i;
-      // of many nearly all stand still
+      // nearly all of many aliens stand still
       if (s[o + 4] === AWAKE) {
         alienPlaceAt(motion, i, t, body);
         out[3 * i] = originX + body[0];
@@ -215,7 +218,7 @@ export class ContinuousSimulation implements Simulation {
     }
   }
 
-  /** As `readAsteroids`, `t` seconds after the piece began. */
+  /** Like `readAsteroids`, `t` seconds after the piece began. */
   asteroidsAt(t: number, out: Float64Array): void {
     const { motion } = this;
     const { targets } = this.scene;
@@ -226,7 +229,7 @@ export class ContinuousSimulation implements Simulation {
     }
   }
 
-  /** Shows `tracker` how near to hazards she comes on the piece that it stands on, within `length` seconds. */
+  /** Shows `tracker` how near to hazards she comes on the current piece within `length` seconds. */
   approach(length: number, tracker: ClearanceTracker): void {
     approachHazards(this.motion, this.motion.s[START], length, tracker);
   }
@@ -267,7 +270,7 @@ export class ContinuousSimulation implements Simulation {
     }
   }
 
-  /** Gives the piece that is still going on to the recorder: the run is over. */
+  /** Gives the unfinished piece at the end of a run to the recorder. */
   recordLast(): void {
     const { recorder } = this.motion;
     recorder?.piece(this.motion, this.sincePieceBegan);

@@ -4,14 +4,14 @@ import { COAST, directionAt, type Motion, SLIDE, SLOTS } from '../motion/index.t
 const { START, KIND, COS, SIN, DEGREE } = SLOTS;
 
 /**
- * Makes the fixed steps during which nothing can happen, up to `until`, without looking for events: those that she
- * needs at least to cover the distance to the nearest guard. Gives the bits that piece after piece would.
+ * Makes the fixed steps up to `until` during which nothing can happen, without looking for events: the number of steps she
+ * needs at least to reach the nearest guard. The bits are the same as piece after piece.
  */
 export function skipQuietSteps(m: Motion, until: number): void {
   const { s, ux, uy, flow, integrator, work } = m;
   const { rate } = m.scene.accuracy;
   if (integrator.glide === null || rate === null || m.recoil || s[KIND] === COAST || s[KIND] === SLIDE || flow.isSteady) return;
-  // orbits may be skipped at the end of any piece: none is to be glided over
+  // orbits may be skipped at the end of any piece, so no piece may be left out
   if (m.parts.mayRepeat.some((mayRepeat) => mayRepeat(m))) return;
   const v = Math.sqrt(ux[1] * ux[1] + uy[1] * uy[1]);
   if (v > m.rules.speedLimit / 2) return;

@@ -14,7 +14,7 @@ const { START, FROM, HELD, TARGET, FIELD, BASE, BASE_X, BASE_Y, COS, SIN, LAST_E
 const { CHASER, ROCK } = RECORDS;
 const { ASLEEP, AWAKE } = ALERTNESS;
 
-/** Ends the piece after `t`: everything is put where it is then, and the next piece begins at `time`. */
+/** Ends the piece after `t`: moves everything to where it is then; the next piece begins at `time`. */
 export function stop(m: Motion, t: number, time: number): void {
   const { s, her, base, facing, ux, uy, px, py } = m;
   m.recorder?.piece(m, t);
@@ -75,7 +75,7 @@ function settleChaser(m: Motion, i: number, t: number): void {
   const qy = m.chaserY[i];
   const o = m.chasers + CHASER * i;
   pairAt(qx, qy, m.integrator.degree, t, s, o);
-  // the series begins here too, for whoever looks before the next piece is made, if one is
+  // the series begins here too, in case it is read before the next piece is made
   qx[0] = s[o];
   qy[0] = s[o + 1];
 }

@@ -51,7 +51,7 @@ export interface Effect {
   /** What it does in frames of `arcade`; left out where the frames themselves include it. */
   readonly frame?: FrameRule;
 
-  // // The rest is for continuous time; see `Parts`.
+  // The rest is for continuous time; see `Parts`.
   /**
    * How many doubles of state it needs; they begin at `m.own[name]`.
    *

@@ -1,22 +1,22 @@
-/** Two times nearer than this are one, s. */
+/** Times nearer than this count as equal, s. */
 const SAME = 1e-19;
 
-/** What begins within this begins at once, s. */
+/** What begins within this time begins at once, s. */
 const AT_ONCE = 1e-18;
 
-/** Half a unit of the last digit of a time, as a share of it. */
+/** Relative rounding error of a time: half a unit in the last place. */
 const ROUNDING = 1.2e-16;
 
-/** After so many evaluations the bracket is to be an eighth of what it was; else it is halved. */
+/** After this many evaluations the bracket must have shrunk to an eighth; otherwise it is halved. */
 const PATIENCE = 3;
 
 /**
- * The moment a guard falls below 0 between a time at which it hasn't and one at which it has, to the last bit of the time:
- * regula falsi after Anderson and Björck (1973), halving where that is slow.
- * @param before s
- * @param behind s
- * @param guard its value at a time, s
- * @returns s; a time at which it is below 0
+ * The moment at which a guard falls below 0, to the last bit of the time: regula falsi after Anderson and Björck (1973), with
+ * halving where that is slow.
+ * @param before - a time at which the guard is not below 0, s
+ * @param behind - a later time at which it is, s
+ * @param guard - its value at a time, s
+ * @returns a time at which the guard is below 0, s
  */
 export function crossing(before: number, behind: number, guard: (t: number) => number): number {
   let a = before;
@@ -39,7 +39,7 @@ export function crossing(before: number, behind: number, guard: (t: number) => n
     if (!(t > a && t < b)) t = a + width / 2;
     if (!(t > a && t < b)) return b;
     const g = guard(t);
-    // the value at the end that stays is cut, so that the next line cuts on its side
+    // the value at the end that stays is reduced, so that the next secant ends on its side of the root
     if (g < 0) {
       if (side < 0) atA *= g > atB ? 1 - g / atB : 0.5;
       b = t;
@@ -54,7 +54,7 @@ export function crossing(before: number, behind: number, guard: (t: number) => n
   }
 }
 
-/** The same where two may touch at `before` already and move on into each other: then it is `before` itself. */
+/** The same where two bodies may touch at `before` already and move into each other: then the result is `before` itself. */
 export function overlapBetween(before: number, behind: number, gap: (t: number) => number): number {
   const t = crossing(before, behind, gap);
   return t - before < AT_ONCE ? before : t;

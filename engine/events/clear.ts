@@ -3,10 +3,10 @@ import { refresh } from './neighbourhood.ts';
 
 const { BASE_X, BASE_Y, TARGET, AWAKE_COUNT } = SLOTS;
 
-/** Farther than this it is not looked, px. */
+/** Objects farther away than this are not examined, px. */
 const FARTHEST = 150;
 
-/** Whether nothing but the pull of her target can matter for her before she is `far` px away, and the rocks have moved `rocks` px. */
+/** Whether nothing but the pull of her target can matter before she is `far` px away and asteroids have moved by `rocks` px. */
 export function isClear(m: Motion, far: number, rocks: number): boolean {
   const { s, near, parts, ux, uy } = m;
   if (s[AWAKE_COUNT] > 0 || far + rocks > FARTHEST) return false;

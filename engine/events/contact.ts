@@ -9,24 +9,24 @@ import { grazeStep } from './graze.ts';
 const { START, TURN, COS, SIN, LIMIT_X, LIMIT_Y, LENGTH_H, ACCELERATION } = SLOTS;
 const { TURN_NOT, TURN_TO_BASE, TURN_TO_TARGET } = TURNS;
 
-/** A gap below this many times its rounding is computed in twice the digits. */
+/** A gap below this many times its rounding error is computed in twice the digits. */
 const UNCERTAIN = 8;
 
-/** Where the box looked when its gap was last asked for: cos, sin. */
+/** Direction of the box when its gap was last computed: cos, sin. */
 const look = new Float64Array(2);
 
 /**
- * First time at which a contact with the placed circle counts: when it happens, or is seen at a frame.
- * @param r radius, px
- * @param pull bound on the circle's own acceleration, px/s2
- * @param from s from the start of the piece
- * @returns s from there, too; -1: not before the piece ends
+ * First time at which a contact with the placed circle counts: when it happens, or at the frame that sees it.
+ * @param r - radius, px
+ * @param pull - bound of the circle's own acceleration, px/s²
+ * @param from - where to begin, s after the start of the piece
+ * @returns s after the start of the piece; -1 if there is none before the piece ends
  */
 export function contactTime(m: Motion, r: number, pull: number, from: number): number {
   const { s, frameRate } = m;
   let t = sweptTime(m, r, pull, from);
   if (frameRate === 0) return t;
-  // a contact seen at a frame lies within an overlap; one that is over before the next frame is missed, as games do
+  // a frame sees a contact within an overlap; one that is over before the next frame is missed, as in games
   let frame = Number.NEGATIVE_INFINITY;
   while (t >= 0) {
     frame = Math.max(frame + 1, Math.ceil((s[START] + t) * frameRate - 1e-7));
@@ -39,33 +39,34 @@ export function contactTime(m: Motion, r: number, pull: number, from: number): n
 }
 
 /**
- * First time in [from, horizon] at which her box overlaps the placed circle, or -1. A march of safe steps: what it overlooks is
- * an overlap of less than FLOOR = 1e-12 px, however large the circle, however fast she moves and turns.
+ * First time in [from, horizon] at which her box overlaps the placed circle, or -1. It is found by a march of safe steps
+ * (conservative advancement), which can overlook only an overlap of less than FLOOR = 1e-12 px, however large the circle and
+ * however fast she moves and turns.
  *
- * Two lower bounds of the gap ahead lead it, each proved here, and the longer step is taken. Now is time 0; D is the circle's
- * centre minus hers, R(t) the turn of the box, q the box's point nearest to D in the frame of the box, n the unit vector
- * from there to D (in that frame), N = R(0) n the same in the world; g is the gap now.
+ * Two lower bounds of the gap ahead are used, each proved here; the longer step is taken. Let the present be time 0, D the
+ * circle's centre minus hers, R(t) the rotation of the box, q the point of the box nearest to D in the box's frame, n the unit
+ * vector from q to D in that frame, N = R(0) n the same vector in the world, and g the present gap.
  *
- * 1. In the frame of the box the circle's centre is l = R^T D. The distance from a convex body is a convex function, and n
- *    its gradient: gap(t) >= g + n.(l(t) - l(0)). l' = R^T D' - w J l, l'' = R^T D'' - 2 w J R^T D' - w' J l - w^2 l (J turns by
- *    90 degrees, w is how fast the box turns), so the slope falls by no more than
- *    k = |D''| + 2 |w| |D'| + (|w'| + w^2) |D|. It is tight where a side is nearest, for any radius.
- * 2. The half plane N.x >= N.D(t) - r holds the circle. The box is the hull of its corners b, so
- *    gap(t) >= min over b of N.D(t) - r - N.R(t) b. The second derivative of N.R(t) b is no more than (w^2 + |w'|) |b|, so each
- *    of the four falls by no more than |D''| + (w^2 + |w'|) times half the diagonal: neither distance nor radius matters.
+ * 1. In the box's frame the circle's centre is l = R^T D. The distance from a convex body is a convex function with gradient n,
+ *   so gap(t) >= g + n.(l(t) - l(0)). l' = R^T D' - w J l and l'' = R^T D'' - 2 w J R^T D' - w' J l - w^2 l, where J turns by
+ *   90 degrees and w is the angular velocity of the box. So the slope falls by at most k = |D''| + 2 |w| |D'| + (|w'| + w^2)
+ *   |D|. This bound is tight where a side is nearest, for any radius.
+ * 2. The half plane N.x >= N.D(t) - r contains the circle. The box is the convex hull of its corners b, so gap(t) >= min over b
+ *   of N.D(t) - r - N.R(t) b. The second derivative of N.R(t) b is at most (w^2 + |w'|) |b|, so the slope of each of the four
+ *   falls by at most |D''| + (w^2 + |w'|) times half the diagonal: neither distance nor radius matters.
  *
- * For both, w, w', D' and D are bounded over the next `cap` seconds, and no step is longer. Let d = |c|, v = |c'| for the
- * vector c along which the box looks, a bound on |c''| be A, and cap = d / (4 (v + sqrt(A d))). With x = v / (v + sqrt(A d))
- * c moves by no more than v cap + A cap^2 / 2 = d (x / 4 + (1 - x)^2 / 32) <= d / 4, and |c'| stays below
- * fast = v + A cap <= v + sqrt(A d) / 4. Hence |w| = |c x c'| / |c|^2 <= fast / (0.75 d), and
+ * Both need bounds of w, w', D' and D over the next `cap` seconds, and no step is longer than that. Let c be the vector in
+ * whose direction the box is turned, d = |c|, v = |c'|, A a bound of |c''|, and cap = d / (4 (v + sqrt(A d))). With x = v / (v
+ * + sqrt(A d)), c moves by at most v cap + A cap^2 / 2 = d (x / 4 + (1 - x)^2 / 32) <= d / 4, and |c'| stays below fast = v + A
+ * cap <= v + sqrt(A d) / 4. Hence |w| = |c x c'| / |c|^2 <= fast / (0.75 d), and
  * |w'| = |c x c'' / |c|^2 - 2 w (c.c') / |c|^2| <= A / (0.75 d) + 2 (fast / (0.75 d))^2.
- * Under a central force c x c'' = 0: |c x c'| stays what it is (a fixed step makes it vary by less than A cap^2 / (2 d) of it,
- * a 30th), so that |w| <= 1.04 |c x c'| / (0.75 d)^2 and |w'| = 2 |w| |c.c'| / |c|^2 <= 2.08 |c x c'| fast / (0.75 d)^3.
+ * Under a central force c x c'' = 0, so |c x c'| is constant (a fixed step makes it vary by less than A cap^2 / (2 d) of it, a
+ * 30th). Then |w| <= 1.04 |c x c'| / (0.75 d)^2 and |w'| = 2 |w| |c.c'| / |c|^2 <= 2.08 |c x c'| fast / (0.75 d)^3.
  *
- * A march along second derivatives is slow where the gap stays near 0 for long. It never strides further for that:
- * after PATIENCE looks {@link grazeStep} bounds the gap by the coefficients of the motion.
- * @param r radius, px
- * @param pull bound on the circle's own acceleration, px/s2
+ * A march by second derivatives is slow where the gap stays near 0 for long. After PATIENCE evaluations {@link grazeStep}
+ * therefore bounds the gap by the coefficients of the motion.
+ * @param r - radius, px
+ * @param pull - bound of the circle's own acceleration, px/s²
  */
 export function sweptTime(m: Motion, r: number, pull: number, from: number): number {
   const { s, her, toCircle, toTarget, work } = m;
@@ -75,7 +76,7 @@ export function sweptTime(m: Motion, r: number, pull: number, from: number): num
   const turn = s[TURN];
   const dragged = m.kappa + pull;
   const relative = s[ACCELERATION] + (m.integrator.degree === 3 ? CUBIC_BENDS * dragged : dragged);
-  // the speed limit holds back a part of the force, and a steady one turns it aside: then it is none towards the centre
+  // the force is central only if the speed limit holds back no part of it and no steady force turns it aside
   const central = turn === TURN_TO_BASE && s[LIMIT_X] === 0 && s[LIMIT_Y] === 0 && !m.flow.isSteady;
   const small = smallestStride(s[LENGTH_H]);
   let t = from;
@@ -94,7 +95,7 @@ export function sweptTime(m: Motion, r: number, pull: number, from: number): num
     let swing = 0;
     let cap = Number.POSITIVE_INFINITY;
     if (turn !== TURN_NOT) {
-      // the direction the box looks in, how fast it turns, and bounds on both ahead
+      // the direction of the box, how fast it turns, and bounds of both ahead
       let bx = -her[0];
       let by = -her[1];
       let bvx = -her[2];
@@ -124,13 +125,13 @@ export function sweptTime(m: Motion, r: number, pull: number, from: number): num
         swing = bending + turning * turning;
         k += 2 * turning * speed + lever * swing;
       } else if (bvx !== 0 || bvy !== 0) {
-        // in the very centre: the way she will look as soon as she has left it
+        // in the very centre: the direction that she has as soon as she has left it
         const v = Math.sqrt(bvx * bvx + bvy * bvy);
         cos = bvx / v;
         sin = bvy / v;
         cap = 0;
       } else if (n === 0) {
-        // she looks nowhere, perhaps for a moment only
+        // the box has no direction, perhaps only for a moment
         cap = 0;
       }
     }
@@ -171,7 +172,7 @@ export function sweptTime(m: Motion, r: number, pull: number, from: number): num
   }
 }
 
-/** Whether what moves straight on from (dx, dy) by (vx, vy) stays farther than `within` from the origin. */
+/** Whether uniform motion from (dx, dy) by (vx, vy) stays farther than `within` from the origin. */
 function passesBy(dx: number, dy: number, vx: number, vy: number, within: number): boolean {
   const aside = dx * vy - dy * vx;
   return aside * aside > within * within * (vx * vx + vy * vy);
@@ -205,7 +206,7 @@ export function gapAt(m: Motion, t: number, r: number): number {
   return gap < uncertain && gap > -uncertain ? fineGap(m, t, r, look[0], look[1]) : gap;
 }
 
-/** The same, but for {@link roundingOfGap}. */
+/** The same in plain doubles; its error is {@link roundingOfGap}. */
 function plainGapAt(m: Motion, t: number, r: number): number {
   const { s, her, toCircle, toTarget } = m;
   relativeAt(m, t);
@@ -230,18 +231,18 @@ function plainGapAt(m: Motion, t: number, r: number): number {
   return boxCircleGap(m.box, toCircle[0], toCircle[1], cos, sin, r);
 }
 
-/** What rounding may do to the gap to a circle that is as far from her as in `m.toCircle`, px. */
+/** Rounding error of the gap to a circle that is at `m.toCircle` from her, px. */
 function roundingOfGap(m: Motion, r: number): number {
   return DISTANCE_ROUNDING * (Math.abs(m.toCircle[0]) + Math.abs(m.toCircle[1]) + r);
 }
 
 /**
- * When she begins to overlap it; `before` itself where she touches there and moves on into it.
- * @param touches she may touch at `before`
+ * When she begins to overlap it; `before` itself if she touches there and moves into it.
+ * @param touches - whether she may touch at `before`
  */
 function contactBetween(m: Motion, before: number, behind: number, r: number, touches: boolean): number {
   m.work.roots++;
-  // twice the digits cost twenty times as much: only where plain ones err by more than may be overlooked anyway
+  // twice the digits cost twenty times as much: used only where the error of plain ones exceeds what may be overlooked
   const isPlain = !touches && 2 * roundingOfGap(m, r) < FLOOR;
   return overlapBetween(before, behind, isPlain ? (t) => plainGapAt(m, t, r) : (t) => gapAt(m, t, r));
 }

@@ -3,8 +3,8 @@ import { DRIFTS, IS_BASE, LINEAR, type Motion, SERIES, SLOTS, TURNS } from '../m
 const { HELD, FIELD, TARGET, BASE_X, BASE_Y, KIND, TURN, DEGREE } = SLOTS;
 const { TURN_NOT, TURN_TO_BASE } = TURNS;
 
-// Numbers of twice the digits: a sum of two doubles, the second below half a unit of the first's last digit (Dekker 1971).
-// What computes one returns the first and leaves the second here.
+// Numbers with twice the digits of a double: a sum of two doubles, the second at most half a unit in the last place of the
+// first (Dekker 1971). A function that computes one returns the first and leaves the second here.
 let low = 0;
 
 function sum(a: number, b: number): number {
@@ -59,7 +59,7 @@ function root(ah: number, al: number): number {
   return h;
 }
 
-/** a1 b1 + sign a2 b2, of numbers at `a` and `b` in `pairs`. */
+/** a1 b1 + sign a2 b2, of numbers at `a`, `b`, `c` and `d` in `pairs`. */
 function products(a: number, b: number, c: number, d: number, sign: number): number {
   const first = multiply(pairs[a], pairs[a + 1], pairs[b], pairs[b + 1]);
   const firstLow = low;
@@ -86,7 +86,7 @@ function gain(c: Float64Array, degree: number, t: number): number {
   return v;
 }
 
-/** Along one axis: the circle's centre minus hers. */
+/** The circle's centre minus hers, along one axis. */
 function relativeAlong(m: Motion, t: number, y: boolean): number {
   const { s } = m;
   const degree = s[DEGREE];
@@ -109,13 +109,13 @@ function relativeAlong(m: Motion, t: number, y: boolean): number {
   return m.circleMotion === DRIFTS ? add(h, low, (y ? m.circleVY : m.circleVX) * t, 0) : h;
 }
 
-/** Along one axis: from her to the centre of the frame. */
+/** The vector from her to the centre of the frame, along one axis. */
 function toBaseAlong(m: Motion, t: number, y: boolean): number {
   const u = y ? m.uy : m.ux;
   return sum(-u[0], -gain(u, m.s[DEGREE], t));
 }
 
-/** Where the box looks, not of length 1, in all digits where the state knows more than cos and sin. */
+/** The direction of the box, not of length 1, with all digits where the state has more than cos and sin. */
 function look(m: Motion, t: number, cos: number, sin: number): void {
   const { s } = m;
   if (s[TURN] === TURN_TO_BASE) {
@@ -129,7 +129,7 @@ function look(m: Motion, t: number, cos: number, sin: number): void {
     const yy = add(y, low, m.targetY[s[TARGET]], 0);
     keep(BY, add(yy, low, -s[BASE_Y], 0), low);
   } else if (s[TURN] === TURN_NOT && s[KIND] === LINEAR && s[HELD] === 1 && s[FIELD] < 0) {
-    // on a line the direction stays: cos and sin are where she was on it, rounded
+    // on a line the direction is constant: cos and sin are her place on it, rounded
     keep(BX, -m.ux[0], 0);
     keep(BY, -m.uy[0], 0);
   }
@@ -142,10 +142,11 @@ function look(m: Motion, t: number, cos: number, sin: number): void {
 }
 
 /**
- * The gap between her box and the placed circle after `t`, px, computed in twice the digits: where the gap is next to nothing
- * beside the radius or the distance its own digits are what counts. What is left of rounding is that of her way since
- * the piece began, a share of about 1e-16 of its length, so that at the start of a piece ties are exact.
- * @param cos, sin where the box looks, rounded
+ * The gap between her box and the placed circle after `t`, px, computed in twice the digits. Where the gap is tiny compared
+ * with the radius or the distance, these digits matter. What remains is the rounding of her path since the piece began, about
+ * 1e-16 of its length, so ties are exact at the start of a piece.
+ * @param cos - direction of the box, rounded
+ * @param sin - likewise
  */
 export function fineGap(m: Motion, t: number, r: number, cos: number, sin: number): number {
   keep(BX, 0, 0);
@@ -153,7 +154,7 @@ export function fineGap(m: Motion, t: number, r: number, cos: number, sin: numbe
   look(m, t, cos, sin);
   keep(DX, relativeAlong(m, t, false), low);
   keep(DY, relativeAlong(m, t, true), low);
-  // all lengths times |b|
+  // all lengths are multiplied by |b|
   const squared = products(BX, BX, BY, BY, 1);
   const q = root(squared, low);
   const ql = low;

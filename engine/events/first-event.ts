@@ -3,10 +3,11 @@ import { type Motion, SLOTS } from '../motion/index.ts';
 const { FROM, NEXT, EVENT, EVENT_A, EVENT_B, LAST_EVENT, LAST_A, LENGTH_H } = SLOTS;
 
 /**
- * Takes an event if it is earlier than the best so far, or of the same instant and goes first.
- * @param time s from the start of the piece; negative where there is none
- * @param kind its code, of which the smaller goes first
- * @param a what it happens to; `b` likewise
+ * Offers an event: it is kept if it is earlier than the best so far, or at the same instant and first in the order.
+ * @param time - s after the start of the piece; negative if there is no event
+ * @param kind - the kind of event; the smaller goes first
+ * @param a - index of the object concerned
+ * @param b - index of a second object
  */
 export function offer(m: Motion, time: number, kind: number, a: number, b: number): void {
   if (time < 0) return;
@@ -21,7 +22,7 @@ export function offer(m: Motion, time: number, kind: number, a: number, b: numbe
   s[EVENT_B] = b;
 }
 
-/** Whether this event has just happened to `a`, at the very start of the piece: its guard stands at 0 there. */
+/** Whether this event has just happened to `a`, at the very start of the piece. Then its guard is 0 there. */
 export function justFired(m: Motion, event: number, a: number): boolean {
   const { s } = m;
   return s[FROM] === 0 && s[LAST_EVENT] === event && s[LAST_A] === a;

@@ -12,24 +12,28 @@ const by = new Float64Array(LONGEST_SERIES);
 const along = new Float64Array(LONGEST_SERIES);
 const product = new Float64Array(2 * LONGEST_SERIES);
 
-/** A side is followed by its polynomial up to this radius, px: rounding of what is multiplied by it stays below 4e-11 px, which may then be overlooked twice. */
+/**
+ * Largest radius up to which a side is followed by its polynomial, px. Up to this radius the rounding of products with it stays
+ * below 4e-11 px, which may then be overlooked in addition.
+ */
 const LARGEST_BESIDE = 1e4;
 
-/** What rounding does to the polynomial of a side, as a share of the radius and half side. */
+/** Rounding error of a side's polynomial, relative to radius plus half side. */
 const SIDE_ROUNDING = 3.6e-15;
 
 /**
- * A safe step of the march of contact where the gap stays near 0 for long: the coefficients of the motion know how the gap
- * goes on, where a bound on the acceleration has to fear the worst. Names are those of contact.ts. N.D(t) is a polynomial. A
- * box that doesn't turn is followed by gap(t) >= g + N.(D(t) - D(0)), one that turns by its four corners, with their turning
- * bounded as there. Where a side is nearest and the box looks at the centre of the frame, along c, there is one bound more:
- * the side's own direction divides box and circle while c.D / |c| - 10 px - r >= 0 (c x D and 16 px for the other sides). As
- * |c| <= (c.c + b^2) / (2 b) for any b > 0, that follows from c.D - (10 px + r) (c.c + b^2) / (2 b) >= 0: a polynomial, and
- * with b = |c(0)| exact but for the square of what |c| changes. She may circle about what she nearly touches: then all of it
- * is constant.
- * @param above gap from which to follow, px
- * @param longest s
- * @returns s, no more than `longest`
+ * A safe step of the march in `contact.ts` for a gap that stays near 0 for long. It uses the coefficients of the motion, which
+ * say how the gap goes on, where a bound of the acceleration must assume the worst. Names are those of `contact.ts`.
+ *
+ * N.D(t) is a polynomial. For a box that does not turn, gap(t) >= g + N.(D(t) - D(0)). A box that turns is followed by its four
+ * corners, with their rotation bounded as there. If a side is nearest and the box is turned towards the centre of the frame,
+ * along c, there is a third bound. The side's own direction separates box and circle while c.D / |c| - 10 px - r >= 0 (c x D
+ * and 16 px for the other sides). Since |c| <= (c.c + b²) / (2 b) for any b > 0, this follows from
+ * c.D - (10 px + r) (c.c + b²) / (2 b) >= 0. That is a polynomial, and with b = |c(0)| it is exact up to the square of the
+ * change of |c|. If she circles about what she nearly touches, all of it is constant.
+ * @param above - gap from which to follow, px
+ * @param longest - longest step, s
+ * @returns s, at most `longest`
  */
 export function grazeStep(
   m: Motion,
@@ -68,7 +72,7 @@ export function grazeStep(
     : step;
 }
 
-/** The step along a side; D is in `dx`, `dy`. */
+/** The step along a side; `dx` and `dy` hold D. */
 function besideStep(
   m: Motion,
   t: number,
@@ -100,7 +104,7 @@ function besideStep(
   addProduct(bx, own, bx, own, squares, product);
   addProduct(by, own, by, own, squares, product);
   const rounding = SIDE_ROUNDING * (half + r);
-  // as in `above`, FLOOR is what may be overlooked; a large radius rounds to more
+  // as in `above`, up to FLOOR may be overlooked; a large radius has a larger rounding error
   const value = (above + Math.max(0, rounding - FLOOR)) * size;
   return safeStretch(product, own + degree, value, product[1], 0, longest);
 }

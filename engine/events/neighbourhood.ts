@@ -6,24 +6,24 @@ const { TARGET, ACCELERATION } = SLOTS;
 const { CHASER, ROCK } = RECORDS;
 const { AWAKE } = ALERTNESS;
 
-/** Makes the neighbour list anew around (x, y) for a path of length `reach`. */
+/** Makes the neighbour list anew around (x, y) for a path of length `reach`, px. */
 export function refresh(m: Motion, x: number, y: number, reach: number): void {
   const { near } = m;
   const { list } = m.parts;
-  // places of rocks change under recoil: then the list serves one piece
+  // recoil moves asteroids: then the list serves one piece
   near.restart(x, y, m.recoil ? reach : Math.max(2 * reach, 64), m.s[TARGET]);
   for (let k = 0; k < list.length; k++) list[k].list?.(m);
   m.budget.look(near.count >> 2);
 }
 
-/** Distance of a place, px in the level, from where the neighbour list is made. */
+/** Distance of a place (px in the level) from where the neighbour list is made, px. */
 export function distanceToNear(m: Motion, x: number, y: number): number {
   const dx = x - m.originX - m.near.x;
   const dy = y - m.originY - m.near.y;
   return Math.sqrt(dx * dx + dy * dy);
 }
 
-/** Calls `visit` with each of at least all circles of which a part is nearer than `within` px to where the neighbour list is made. */
+/** Calls `visit` with at least all circles that reach nearer than `within` px to where the neighbour list is made. */
 export function eachCircleNear(m: Motion, circles: IndexedCircles, within: number, visit: (i: number) => void): void {
   const { spatial } = circles;
   if (spatial === null) {
@@ -60,8 +60,9 @@ export function rockDistanceToNear(m: Motion, i: number): number {
 }
 
 /**
- * Farthest she moves in `h` s of the present piece, px. What is farther away is not looked at: a contact that this leaves out is missed.
- * @param speed hers at its start, px/s
+ * Upper bound of how far she moves in `h` s of the current piece, px. Objects farther away are not examined, so a bound that is
+ * too small would miss contacts.
+ * @param speed - her speed at the start of the piece, px/s
  */
 export function ownTravel(m: Motion, speed: number, h: number): number {
   const bend = m.s[ACCELERATION] / 2 + m.kappa;
@@ -69,7 +70,7 @@ export function ownTravel(m: Motion, speed: number, h: number): number {
   return speed > 0 ? speed * h : 0;
 }
 
-/** Farthest any drifting or recoiling rock moves in `h`, px. */
+/** Upper bound of how far any asteroid moves in `h` s, drifting or by recoil, px. */
 export function farthestRockTravel(m: Motion, h: number): number {
   const { s } = m;
   let fastest = 0;
@@ -82,7 +83,7 @@ export function farthestRockTravel(m: Motion, h: number): number {
   return v > 0 || a > 0 ? (v + a * h) * h : 0;
 }
 
-/** Farthest a target moves in `h`, px. */
+/** Upper bound of how far a target moves in `h` s, px. */
 export function rockTravel(m: Motion, i: number, h: number): number {
   const { s } = m;
   if (!m.recoil) return 0;
@@ -93,8 +94,8 @@ export function rockTravel(m: Motion, i: number, h: number): number {
 }
 
 /**
- * Farthest an alien moves in `h`, px.
- * @param pull its acceleration while it is awake, px/s2
+ * Upper bound of how far an alien moves in `h` s, px.
+ * @param pull - its acceleration while it is awake, px/s²
  */
 export function alienTravel(m: Motion, i: number, pull: number, h: number): number {
   const { s } = m;
@@ -104,8 +105,8 @@ export function alienTravel(m: Motion, i: number, pull: number, h: number): numb
 }
 
 /**
- * Calls `visit` with each of at least all targets of which a part is nearer than `within` px to where the neighbour list is made,
- * from the target `first` on.
+ * Calls `visit` with at least all targets, from index `first` on, that reach nearer than `within` px to where the neighbour
+ * list is made.
  */
 export function eachTargetNear(m: Motion, within: number, first: number, visit: (i: number) => void): void {
   const { targets } = m.scene;

@@ -6,12 +6,12 @@ import { refresh } from './neighbourhood.ts';
 
 const { BASE_X, BASE_Y, TARGET, AWAKE_COUNT } = SLOTS;
 
-/** Longest time that is looked ahead, s. */
+/** Longest time that is examined, s. */
 const LONGEST = 4;
 
 /**
- * For how long no event can happen whatever the flow does, s: first strides towards every guard, with bounds that hold for any
- * piece. 0 while somebody chases her.
+ * Quiet time: for how long no event can happen, s, whatever the flow does. It is the shortest first step towards any guard,
+ * with bounds that hold for every piece. 0 while an alien chases her.
  */
 export function quietTime(m: Motion): number {
   const { s, near, path, parts, ux, uy, strongest } = m;
@@ -25,7 +25,7 @@ export function quietTime(m: Motion): number {
   path.vy = uy[1];
   path.speed = v;
   const reach = (v + strongest * LONGEST) * LONGEST;
-  // the list must hold for the whole stretch; a shorter one is better than making it anew too often
+  // the list must hold for the whole stretch; a shorter stretch is better than making the list anew too often
   if (!near.covers(x, y, Math.min(reach, 16), s[TARGET])) refresh(m, x, y, 64);
   const gone = Math.sqrt((x - near.x) * (x - near.x) + (y - near.y) * (y - near.y));
   let time = Math.min(LONGEST, safeStep(Math.min(near.skin - gone, 1e6), -v, strongest));
@@ -38,7 +38,7 @@ export function quietTime(m: Motion): number {
   return time;
 }
 
-/** For how long, at most `time` s, her centre stays out of a circle; places relative to the origin, px. */
+/** For how long, at most `time` s, her centre stays outside a circle. Places are relative to the origin, px. */
 export function quietOutside(m: Motion, cx: number, cy: number, r: number, time: number): number {
   const { path } = m;
   const dx = path.x - cx;
@@ -49,16 +49,16 @@ export function quietOutside(m: Motion, cx: number, cy: number, r: number, time:
 }
 
 /**
- * For how long, at most `time` s, her centre doesn't come to a place or cross a rim that is `gap` px away now.
- * @param slope how fast the gap changes now, px/s; minus her speed where that is all there is to know
+ * For how long, at most `time` s, her centre cannot reach a place or cross a rim that is `gap` px away now.
+ * @param slope - rate of change of the gap now, px/s; minus her speed if nothing more is known
  */
 export function quietWithin(m: Motion, gap: number, slope: number, time: number): number {
   return gap > 0 ? Math.min(time, safeStep(gap, slope, m.strongest)) : 0;
 }
 
 /**
- * For how long, at most `time` s, her centre doesn't cross the rim of circle `i`, px in the level.
- * @param inside on which side she counts: at the rim it is not the rounded distance that says so
+ * For how long, at most `time` s, her centre cannot cross the rim of circle `i`, whose place is in px in the level.
+ * @param inside - the side on which she counts; at the rim, the rounded distance does not tell
  */
 export function quietAtRim(m: Motion, { x, y, r }: Circles, i: number, inside: boolean, time: number): number {
   const { path } = m;

@@ -10,15 +10,16 @@ const dy = new Float64Array(LONGEST_SERIES);
 const guard = new Float64Array(2 * LONGEST_SERIES);
 
 /**
- * First time at which her centre crosses the rim of the placed circle: a march of safe steps. The guard is a polynomial, and
- * after PATIENCE looks its coefficients say how far it stays above 0, so that circling close to a rim costs little and nothing
- * is strided over. A crossing by less than FLOOR, or by what rounding makes of the radius, may be overlooked.
- * @param r its radius, px
- * @param inward entering it; otherwise leaving
- * @param pull bound on the circle's own acceleration, px/s2
- * @param from s from the start of the piece
- * @param atZero she stands on the rim, having just crossed it the other way
- * @returns s from the start of the piece; -1: not before it ends
+ * First time at which her centre crosses the rim of the placed circle, found by a march of safe steps. The guard is a
+ * polynomial; after PATIENCE evaluations its coefficients say how far it stays above 0. So circling close to a rim costs
+ * little, and nothing is stepped over. A crossing that is shallower than FLOOR, or than the rounding of the radius, may be
+ * overlooked.
+ * @param r - its radius, px
+ * @param inward - true for entering, false for leaving
+ * @param pull - bound of the circle's own acceleration, px/s²
+ * @param from - where to begin, s after the start of the piece
+ * @param atZero - she is on the rim, having just crossed it the other way
+ * @returns s after the start of the piece; -1 if there is none before the piece ends
  */
 export function rimTime(m: Motion, r: number, inward: boolean, pull: number, from: number, atZero: boolean): number {
   const { s, toCircle, work } = m;
@@ -46,7 +47,7 @@ export function rimTime(m: Motion, r: number, inward: boolean, pull: number, fro
     if (t >= horizon) return -1;
     const left = horizon - t;
     const v = Math.sqrt(toCircle[2] * toCircle[2] + toCircle[3] * toCircle[3]);
-    // g'' = sign (2 v^2 + 2 d.a); with a force the bound holds for `cap` only
+    // g'' = sign (2 v^2 + 2 d.a); if a force acts, the bound holds for `cap` only
     let cap = left;
     let k = inward ? 0 : 2 * v * v;
     if (a > 0) {
@@ -66,7 +67,7 @@ export function rimTime(m: Motion, r: number, inward: boolean, pull: number, fro
   }
 }
 
-/** Into `guard` the coefficients of sign (d^2 - r^2) about `t`, where it is `value`; returns their degree. */
+/** Writes the coefficients of sign (d² - r²) about `t` to `guard`, where the guard has `value`; returns their degree. */
 function rimSeries(m: Motion, t: number, value: number, sign: number): number {
   const degree = relativeSeries(m, t, dx, dy);
   guard.fill(0);
@@ -76,7 +77,10 @@ function rimSeries(m: Motion, t: number, value: number, sign: number): number {
   return 2 * degree;
 }
 
-/** The root by the polynomial about `before`: close to where she stands on the rim it has more digits than distances have. */
+/**
+ * The root of the polynomial about `before`: close to the place on the rim where she is, it has more digits than distances
+ * have.
+ */
 function rimBetween(m: Motion, before: number, behind: number, r: number, sign: number): number {
   const { toCircle } = m;
   m.work.roots++;

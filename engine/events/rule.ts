@@ -1,8 +1,11 @@
 import type { EventRule, Parts } from '../motion/index.ts';
 
-/** A kind of event from what it has to say: {@link EventRule}. Its place in the order is given by {@link putInOrder}. */
+/**
+ * Makes a kind of event: an {@link EventRule} in which what is left out has a default. {@link putInOrder} sets its place in the
+ * order.
+ */
 export function eventRule(rule: Pick<EventRule, 'name' | 'fire'> & Partial<Omit<EventRule, 'kind'>>): EventRule {
-  // named one by one, so that all have one shape and V8 need not search
+  // written out, so that all have the same hidden class and V8 finds properties fast
   return {
     name: rule.name,
     kind: 0,
@@ -20,16 +23,16 @@ export function eventRule(rule: Pick<EventRule, 'name' | 'fire'> & Partial<Omit<
   };
 }
 
-/** Numbers kinds of events in the order in which they happen when they fall on the same instant. */
+/** Numbers kinds of events in the order in which events at the same instant happen. */
 export function putInOrder(rules: readonly EventRule[]): void {
   for (const [i, rule] of rules.entries()) rule.kind = i + 1;
 }
 
 /**
  * Lays out the kinds of events of the chosen effects.
- * @param all every kind there is, in order
- * @param listedFirst those with which the neighbour list begins, if they are chosen
- * @param chosen those that can happen
+ * @param all - every kind there is, in order
+ * @param listedFirst - those with which the neighbour list begins, if they are chosen
+ * @param chosen - those that can happen
  */
 export function layOutRules(
   all: readonly EventRule[],

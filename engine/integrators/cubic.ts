@@ -1,6 +1,6 @@
 /**
- * The cubic from what a step of length `h` adds to the straight line: no digits are lost.
- * @param gain what it adds to the place, x and y, and to the velocity, x and y
+ * The cubic of a step of length `h`, from what the step adds to straight motion. Working with the differences loses no digits.
+ * @param gain - what the step adds to the place, x and y, and to the velocity, x and y
  */
 export function cubicFrom(gain: Float64Array, x: Float64Array, y: Float64Array, h: number): void {
   const bendX = gain[0] / h;

@@ -1,11 +1,11 @@
 import { valueAt } from '../motion/index.ts';
 import { cubicFrom } from './cubic.ts';
 
-// scratch: accelerations at the stages, and what a step adds
+// working memory: accelerations at the stages, and what a step adds
 const a = new Float64Array(8);
 const gain = new Float64Array(4);
 
-/** How a body that another one drags along is advanced: q'' = kappa d / |d|, with d read from a known piece. */
+/** Advances a body that is dragged by another one: q'' = kappa d / |d|, with d read from a known piece. */
 export type DragStep = (
   qx: Float64Array,
   qy: Float64Array,
@@ -24,8 +24,8 @@ function drag(x: number, y: number, kappa: number, at: number): void {
 }
 
 /**
- * Runge-Kutta step of a body q with q'' = kappa d / |d|, where d = a(t) - q when it chases the place a,
- * and d = a(t) when a is already relative to it.
+ * Runge-Kutta step of a body q with q'' = kappa d / |d|. If it chases the place a, d = a(t) - q; otherwise a is already
+ * relative to the body, and d = a(t).
  */
 export const dragRungeKutta: DragStep = (qx, qy, ax, ay, degree, kappa, chase, h) => {
   const x0 = qx[0];
@@ -54,7 +54,7 @@ export const dragRungeKutta: DragStep = (qx, qy, ax, ay, degree, kappa, chase, h
   cubicFrom(gain, qx, qy, h);
 };
 
-/** The same with the acceleration at the start of the step, as a quadratic: for Euler and Verlet. */
+/** The same with constant acceleration, that at the start of the step: for Euler and Verlet. */
 export const dragQuadratic: DragStep = (qx, qy, ax, ay, _degree, kappa, chase) => {
   const own = chase ? 1 : 0;
   drag(ax[0] - own * qx[0], ay[0] - own * qy[0], kappa, 0);

@@ -3,7 +3,7 @@ import { dragQuadratic } from './drag.ts';
 import { fixedStep } from './fixed-step.ts';
 import { glideBy, type Whole } from './glide.ts';
 
-// scratch: an acceleration
+// working memory: an acceleration
 const a = new Float64Array(2);
 
 /** Semi-implicit Euler: v1 = v0 + a0 h, x = x0 + v1 t. */

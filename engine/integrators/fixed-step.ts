@@ -2,10 +2,13 @@ import type { Flow, Glide, Integrator } from '../motion/index.ts';
 import type { DragStep } from './drag.ts';
 import { closePass } from './step-near.ts';
 
-/** Expands her motion over a step of `h` s: the coefficients from the second on. */
+/** Expands her motion over a step of `h` s: writes the coefficients from the second on. */
 type Step = (flow: Flow, x: Float64Array, y: Float64Array, h: number) => void;
 
-/** An integrator of fixed steps, of which a step, what it drags along, its end and many of them in a row are given. */
+/**
+ * Makes an integrator with fixed steps from four functions: one step, a step of a dragged body, the end of a step, and many
+ * steps in a row.
+ */
 export function fixedStep(
   degree: number,
   evaluations: number,

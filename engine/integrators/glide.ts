@@ -3,10 +3,10 @@ import { closePass, untilGrid } from './step-near.ts';
 
 const end4 = new Float64Array(4);
 
-/** A whole step of `h` s: place and velocity at its end into out[0..3]. */
+/** A whole step of `h` s: writes place and velocity at its end to out[0..3]. */
 export type Whole = (flow: Flow, x: Float64Array, y: Float64Array, h: number, out: Float64Array) => void;
 
-/** The plain way: step after step. */
+/** Glides by making one step after the other. */
 export function glideBy(whole: Whole): Glide {
   return (flow, x, y, start, end, rate, count) => {
     let time = start;

@@ -8,7 +8,10 @@ import { verlet } from './verlet.ts';
 
 export { untilGrid } from './step-near.ts';
 
-/** The integrator an accuracy names. */
+/**
+ * The integrator of an accuracy.
+ * @throws {RangeError} if it is none in continuous time
+ */
 export function integratorOf(accuracy: Accuracy): Integrator {
   switch (accuracy.integrator) {
     case 'euler':

@@ -5,14 +5,14 @@ import { fixedStep } from './fixed-step.ts';
 import { glideBy } from './glide.ts';
 import { stepNear, untilGrid } from './step-near.ts';
 
-// scratch: accelerations at the stages, and what a step adds
+// working memory: accelerations at the stages, and what a step adds
 const a = new Float64Array(2);
 const gain = new Float64Array(4);
 const unused = new Float64Array(4);
 
 /**
- * Classical 4th-order Runge-Kutta for x'' = f(x): place and velocity after `h`, into out[0..3].
- * Leaves in `gain` what the step adds: the place beyond h v0, and the velocity.
+ * Classical 4th-order Runge-Kutta for x'' = f(x): writes place and velocity after `h` to out[0..3]. Leaves in `gain` what the
+ * step adds: to the place beyond h v0, and to the velocity.
  */
 function rungeKuttaEnd(flow: Flow, x: Float64Array, y: Float64Array, h: number, out: Float64Array): void {
   const x0 = x[0];
@@ -48,7 +48,7 @@ function rungeKuttaEnd(flow: Flow, x: Float64Array, y: Float64Array, h: number, 
   out[3] = vy + gvy;
 }
 
-/** The same step as the cubic that meets place and velocity at both ends. */
+/** The same step as a cubic that has the step's place and velocity at both ends. */
 function rungeKuttaStep(flow: Flow, x: Float64Array, y: Float64Array, h: number): void {
   rungeKuttaEnd(flow, x, y, h, unused);
   cubicFrom(gain, x, y, h);
@@ -56,7 +56,7 @@ function rungeKuttaStep(flow: Flow, x: Float64Array, y: Float64Array, h: number)
 
 const plainRungeKutta = glideBy(rungeKuttaEnd);
 
-/** Runge-Kutta about a centre, {@link rungeKuttaEnd} written out on local numbers. */
+/** Many Runge-Kutta steps about a centre: {@link rungeKuttaEnd} written out with local variables. */
 const glideRungeKutta: Glide = (flow, xs, ys, start, end, rate, count) => {
   if (flow.kind !== CENTRAL || !flow.freeX || !flow.freeY || flow.isSteady)
     return plainRungeKutta(flow, xs, ys, start, end, rate, count);

@@ -10,10 +10,10 @@ import {
 } from '../motion/index.ts';
 import { CONVERGENCE } from '../tolerances.ts';
 
-/** A Taylor piece in accelerated flow is cut here, so that bounds over it stay tight, s. */
+/** Longest Taylor piece in accelerated flow, s, so that bounds over it stay tight. */
 const LONGEST_TAYLOR = 4;
 
-/** The least time in which she can be at the centre of a force of strength `alpha`, s. */
+/** The least time in which she can reach the centre of a force of strength `alpha`, s. */
 function timeToCentre(x: Float64Array, y: Float64Array, alpha: number): number {
   const d = Math.sqrt(x[0] * x[0] + y[0] * y[0]);
   const v2 = x[1] * x[1] + y[1] * y[1];
@@ -22,7 +22,7 @@ function timeToCentre(x: Float64Array, y: Float64Array, alpha: number): number {
 
 /**
  * Taylor series of degree 16 with error control.
- * @param tolerance error of a single piece, px
+ * @param tolerance - error of a single piece, px
  */
 export function taylor(tolerance: number): Integrator {
   return {
@@ -47,7 +47,7 @@ export function taylor(tolerance: number): Integrator {
       const steady = flow.steadyStrength;
       const alpha = Math.abs(flow.alpha);
       if (flow.alpha > 0) return alpha + steady;
-      // a pull weakens with distance while she is in range; `beta d` may win only beyond it
+      // a pull weakens with distance while she is in range; `beta d` can be larger only beyond it
       const d = Math.sqrt(x[0] * x[0] + y[0] * y[0]) + (Math.sqrt(x[1] * x[1] + y[1] * y[1]) + (alpha + steady) * h) * h;
       return Math.max(alpha, flow.beta * d) + steady;
     },

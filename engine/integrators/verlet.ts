@@ -4,7 +4,7 @@ import { fixedStep } from './fixed-step.ts';
 import { glideBy } from './glide.ts';
 import { stepNear, untilGrid } from './step-near.ts';
 
-// scratch: accelerations at both ends
+// working memory: accelerations at both ends
 const a = new Float64Array(4);
 
 /** Velocity Verlet: x = x0 + v0 t + a0 t^2 / 2. */
@@ -14,7 +14,7 @@ function verletStep(flow: Flow, x: Float64Array, y: Float64Array): void {
   y[2] = a[1] / 2;
 }
 
-/** Place and velocity after `t` of a Verlet step: the velocity by the mean of the accelerations at both ends. */
+/** Place and velocity after `t` of a Verlet step; the velocity follows from the mean of the accelerations at both ends. */
 function verletEnd(flow: Flow, x: Float64Array, y: Float64Array, t: number, out: Float64Array): void {
   flow.accelerate(x[0], y[0], a, 0);
   out[0] = ((a[0] / 2) * t + x[1]) * t + x[0];
@@ -26,7 +26,7 @@ function verletEnd(flow: Flow, x: Float64Array, y: Float64Array, t: number, out:
 
 const plainVerlet = glideBy(verletEnd);
 
-/** Verlet about a centre: the acceleration at the end of a step is the one at the start of the next. */
+/** Many Verlet steps about a centre: the acceleration at the end of one step is that at the start of the next. */
 const glideVerlet: Glide = (flow, xs, ys, start, end, rate, count) => {
   if (flow.kind !== CENTRAL || !flow.freeX || !flow.freeY || flow.isSteady)
     return plainVerlet(flow, xs, ys, start, end, rate, count);

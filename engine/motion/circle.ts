@@ -6,7 +6,7 @@ const { TARGET, BASE, BASE_X, BASE_Y, DEGREE } = SLOTS;
 const { CHASER, ROCK } = RECORDS;
 const { AWAKE } = ALERTNESS;
 
-// // how the circle of a contact moves
+// how the circle of a contact moves
 const STILL = 0;
 
 export const DRIFTS = 1;

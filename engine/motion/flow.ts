@@ -53,7 +53,7 @@ export class Flow {
 
   /** LINEAR: begins a step at (x, y). */
   moveTo(x: number, y: number): void {
-    // // written such that the pull is exactly 0 at the range
+    // written such that the pull is exactly 0 at the range
     const pull = this.range > 0 ? this.pull * (1 - Math.sqrt(x * x + y * y) / this.range) : 0;
     this.ax = (this.extra - pull) * this.outX;
     this.ay = (this.extra - pull) * this.outY;

@@ -103,7 +103,7 @@ export function findLine(m: Motion): void {
   const y = uy[0];
   const vx = ux[1];
   const vy = uy[1];
-  // // also 0 where its square underflows
+  // also 0 where its square underflows
   const v = Math.sqrt(vx * vx + vy * vy);
   if (v === 0) {
     if (x !== 0 || y !== 0) beginLine(m, x, y);
@@ -111,7 +111,7 @@ export function findLine(m: Motion): void {
   }
   const size = Math.abs(s[BASE_X]) + Math.abs(s[BASE_Y]) + Math.abs(x) + Math.abs(y);
   if (Math.abs(x * vy - y * vx) > (RADIAL + RADIAL_ROUNDING * size) * v) return;
-  // // close to the centre, the velocity gives the line more exactly than the place
+  // close to the centre, the velocity gives the line more exactly than the place
   if (Math.abs(x) + Math.abs(y) > 1e-6) beginLine(m, x, y);
   else beginLine(m, vx, vy);
 }

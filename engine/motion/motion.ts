@@ -112,7 +112,7 @@ type Hook = (m: Motion) => void;
 export interface Parts {
   /** All kinds of events, by their `kind`. */
   readonly byKind: readonly EventRule[];
-  // // the kinds that can happen here, by the way they are found
+  // the kinds that can happen here, by the way they are found
   readonly list: readonly EventRule[];
   readonly first: readonly EventRule[];
   readonly always: readonly EventRule[];
@@ -243,7 +243,7 @@ export class Motion {
   readonly wx: Float64Array;
   readonly wy: Float64Array;
 
-  // // the circle that a guard examines: its source, what was read from there, and where it is relative to the base
+  // the circle that a guard examines: its source, what was read from there, and where it is relative to the base
   circleFromX = 0;
   circleFromY = 0;
   circleOffX = 0;
@@ -277,7 +277,7 @@ export class Motion {
     this.originY = level.astronaut.y;
     this.targetX = targets.x.map((x) => x - this.originX);
     this.targetY = targets.y.map((y) => y - this.originY);
-    // // an asteroid that she holds while in a field is dragged along like an alien: one more chaser
+    // an asteroid that she holds while in a field is dragged along like an alien: one more chaser
     const chasers = aliens.count + (this.recoils ? 1 : 0);
     const length = this.integrator.degree + 1;
     this.chasers = HEAD;
@@ -318,7 +318,7 @@ export class Motion {
   get kappa(): number {
     const { s } = this;
     if (!this.recoil || s[HELD] === 0) return 0;
-    // // at rest in the very centre there is no direction to recoil in
+    // at rest in the very centre there is no direction to recoil in
     if (s[KIND] === COAST && s[FIELD] < 0) return 0;
     return this.rules.recoil / (2 * this.scene.targets.r[s[TARGET]]);
   }

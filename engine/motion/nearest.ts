@@ -22,7 +22,7 @@ export function nearest(m: Motion): number {
   let best = Number.POSITIVE_INFINITY;
   let nearest = -1;
   if (spatial !== null) {
-    // // the index finds one of the nearest; our own coordinates decide which of them comes first
+    // the index finds one of the nearest; our own coordinates decide which of them comes first
     const x = s[BASE_X] + ux[0];
     const y = s[BASE_Y] + uy[0];
     const known = spatial.nearestCentre(m.originX + s[BASE_X] + ux[0], m.originY + s[BASE_Y] + uy[0]);

@@ -52,10 +52,10 @@ function holdLimits(m: Motion, t: number): void {
 /** Keeps what {@link settleAt} found within the speed limit and on her line. */
 function keepBounds(m: Motion): void {
   const { s, her, base, recoil } = m;
-  // // four stores: `fill` would cost more than everything else here
+  // four stores: `fill` would cost more than everything else here
   if (!recoil) base[0] = base[1] = base[2] = base[3] = 0;
   const { speedLimit } = m.rules;
-  // // a fixed step may exceed the speed limit by the error of its velocity
+  // a fixed step may exceed the speed limit by the error of its velocity
   const vx = her[2] + base[2];
   const vy = her[3] + base[3];
   if (vx > speedLimit || vx < -speedLimit) her[2] = (vx > 0 ? speedLimit : -speedLimit) - base[2];
@@ -89,7 +89,7 @@ export function directionAt(m: Motion, t: number): void {
   }
   let d = Math.sqrt(dx * dx + dy * dy);
   if (d === 0) {
-    // // in the very centre: the direction that she has as soon as she has left it
+    // in the very centre: the direction that she has as soon as she has left it
     dx = dvx;
     dy = dvy;
     d = Math.sqrt(dx * dx + dy * dy);

@@ -5,7 +5,7 @@ export const TAYLOR_DEGREE = 16;
 export const LONGEST_SERIES = TAYLOR_DEGREE + 1;
 
 const N = TAYLOR_DEGREE;
-// // working memory: power series of s = x2 + y2 and of w = s^(-1/2)
+// working memory: power series of s = x2 + y2 and of w = s^(-1/2)
 const s = new Float64Array(N + 1);
 const w = new Float64Array(N + 1);
 
@@ -107,7 +107,7 @@ export function taylorStep(x: Float64Array, y: Float64Array, tolerance: number, 
   let h = longest;
   if (last > 0) {
     const root = sixteenthRoot(tolerance / last);
-    // // for rates the 15th root is needed: root^(16/15), a little below root^(17/16)
+    // for rates the 15th root is needed: root^(16/15), a little below root^(17/16)
     h = Math.min(h, root < 1 ? root * sixteenthRoot(root) : root);
   }
   for (let i = 0; i < 400; i++) {

@@ -1,7 +1,7 @@
 import { TAYLOR_DEGREE } from './power-series.ts';
 
 const N = TAYLOR_DEGREE;
-// // working memory: power series of the place u, of w = u - q, of what is derived from them, and of q
+// working memory: power series of the place u, of w = u - q, of what is derived from them, and of q
 const qx = new Float64Array(N + 1);
 const qy = new Float64Array(N + 1);
 const wx = new Float64Array(N + 1);

@@ -44,7 +44,7 @@ export function targetsAround(m: Motion, x: number, y: number, reach: number): r
   m.budget.look((found.length + stirred.length) >> 1);
   const all: number[] = [];
   let k = 0;
-  // // both lists ascend
+  // both lists ascend
   for (const i of Int32Array.from(found).sort()) {
     while (k < stirred.length && stirred[k] < i) all.push(stirred[k++]);
     if (stirred[k] !== i) all.push(i);
