@@ -1,8 +1,8 @@
 import type { Scene } from './scene.ts';
 
 /**
- * How a run ends: `completed` (she touches the black hole), `collided` (she touches a nova, a hot asteroid or an alien), `lost` (she
- * is farther than the range from every asteroid) or `timeout` (none of these within the simulated time).
+ * How a run ends: `completed` (she touches the black hole), `collided` (she touches a nova, a hot asteroid or an alien), `lost`
+ * (she is farther than the range from every asteroid) or `timeout` (none of these within the simulated time).
  */
 export type Outcome = 'completed' | 'collided' | 'lost' | 'timeout';
 
@@ -113,8 +113,8 @@ export interface Work {
 /** A mode of motion and how much of the simulated time was spent in it. */
 export interface Mode {
   /**
-   * `coast`, `pull`, `pull on a line`, `push`, `push on a line`, `slide on a rim` or `steady force`; under `arcade` only `coast` and
-   * `pull`.
+   * `coast`, `pull`, `pull on a line`, `push`, `push on a line`, `slide on a rim` or `steady force`; under `arcade` only
+   * `coast` and `pull`.
    */
   readonly name: string;
   /** Share of the simulated time, above 0 and up to 1. */
@@ -122,13 +122,14 @@ export interface Mode {
 }
 
 /**
- * Doubles in one state of the astronaut: x, y (px, from the level's origin), vx, vy (px/s), and cos, sin of the angle of the collision
- * box's x axis.
+ * Doubles in one state of the astronaut: x, y (px, from the level's origin), vx, vy (px/s), and cos, sin of the angle of the
+ * collision box's x axis.
  */
 export const STATE_SIZE = 6;
 
 /**
- * A run in progress. The caller advances it by ticks and says whether the gun is held. Playtests, searches and {@link simulate} use it.
+ * A run in progress. The caller advances it by ticks and says whether the gun is held. Playtests, searches and {@link simulate}
+ * use it.
  *
  * Advancing in one call or in many gives the same bits. Nothing is allocated while it runs, unless the run is recorded.
  */

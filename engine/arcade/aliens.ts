@@ -7,58 +7,60 @@ import { limitSpeed } from './limit-speed.ts';
 import { liesWithin, type Neighbourhood } from './neighbourhoods.ts';
 import type { FrameRecorder } from './recording.ts';
 
-/** Per alien: place, velocity, acceleration, what it is up to. */
+/** Doubles per alien: place, velocity, acceleration, and what it is doing. */
 const ALIEN = 7;
 const ASLEEP = 0;
 const AWAKE = 1;
-// an exploded alien holds FUSE + the frame in which it stops chasing
+// the last double of an exploded alien is FUSE + the frame in which it stops chasing
 const FUSE = 2;
 
-/** So many frames at most are foreseen. */
+/** The lookahead covers at most this many frames. */
 export const AHEAD = 16;
-/** For so many ahead it is asked whether two can touch. */
+/** Whether two of them can touch is examined for this many frames ahead. */
 const APART_FRAMES = 60;
-/** What rests farther than this from mattering is left out of account, px. */
+/** Resting aliens that are farther than this from mattering are ignored, px. */
 const NEAR = 8;
 
 const DT = TICK; // V8 folds constants of the same module
 
 /** The aliens of a simulation, in its state from `offset` on. */
 export class Aliens {
-  /** Numbers of state for so many. */
+  /** Doubles of state for this many aliens. */
   static length(count: number): number {
     return ALIEN * count;
   }
 
   readonly end: number;
   readonly count: number;
-  /** How many the last look ahead looked at. */
+  /** How many aliens the last lookahead examined. */
   looked = 0;
   private readonly r: Float64Array;
   private readonly box: Box;
   private readonly pull: number;
   private readonly sight: number;
   private readonly speedLimit: number;
-  // after k frames from rest at acceleration a, something has come a k (k + 1) / 2 frames^2 far: so much faster than at first, px/s
+  // after k frames from rest at acceleration a, a body has moved by a k (k + 1) / 2 frames^2. From that, upper bounds of the mean
+  // speed of approach that an alien and she, and two aliens, gain within the lookahead, px/s
   private readonly haste: number;
   private readonly apartHaste: number;
-  /** What is no faster than this, both axes together, px/s, doesn't come to the speed limit within the frames foreseen. */
+  /** Aliens no faster than this, both axes together, px/s, do not reach the speed limit within the lookahead. */
   private readonly fast: number;
-  // while she is nearer than this to there, px, all of them rest; derived from the state, and forgotten when it changes otherwise
+  // while she is nearer than this to (calmX, calmY), px, all of them rest; derived from the state, and dropped when that is
+  // replaced
   private calmX = 0;
   private calmY = 0;
   private calm = -1;
-  /** Until this frame no two of them can touch; derived likewise. */
+  /** Before this frame no two of them can touch; derived likewise. */
   private apartUntil = -1;
-  /** Frames in which none of those that move can touch her or another. */
+  /** Frames in which no moving alien can touch her or another one. */
   ahead = Number.POSITIVE_INFINITY;
-  /** How far she may move before one of those that rest matters, px. */
+  /** How far she may move before a resting alien matters, px. */
   room = Number.POSITIVE_INFINITY;
-  /** How many move, or may do so soon: */
+  /** How many of them move or may soon do so. */
   moving = 0;
-  /** which. */
+  /** Their indices. */
   private readonly mobile: Int32Array;
-  /** Those that may have come to touch another since it was looked at last whether any two do. */
+  /** Aliens that may have begun to touch another one since touches were last examined. */
   private readonly restless: number[] = [];
   private readonly isRestless: Uint8Array;
 
@@ -88,7 +90,7 @@ export class Aliens {
     const { aliens } = this.scene;
     for (let i = 0; i < this.count; i++) {
       const o = this.offset + ALIEN * i;
-      // adding 0 makes 0 of -0, as moving by 0 would
+      // adding 0 turns -0 into 0, as moving by 0 would
       s[o] = aliens.x[i] + 0;
       s[o + 1] = aliens.y[i] + 0;
       if (circlesOverlap(s[X] - s[o], s[Y] - s[o + 1], this.sight)) {
@@ -99,7 +101,7 @@ export class Aliens {
     if (aliens.explosions.length > 0) s[ROUSED] = 1;
   }
 
-  /** The state has become another than the frames made it. */
+  /** Drops what was derived from the state, after this was replaced. */
   forget(): void {
     const { s, count, scene } = this;
     this.calm = -1;
@@ -112,7 +114,7 @@ export class Aliens {
     }
   }
 
-  /** This one may touch another from now on. */
+  /** Marks an alien that may touch another one from now on. */
   private disturb(i: number): void {
     if (this.isRestless[i] === 1) return;
     this.isRestless[i] = 1;
@@ -120,7 +122,7 @@ export class Aliens {
     this.apartUntil = -1;
   }
 
-  /** No two touch now. */
+  /** No two of them touch now. */
   private settle(): void {
     for (const i of this.restless) this.isRestless[i] = 0;
     this.restless.length = 0;
@@ -133,7 +135,9 @@ export class Aliens {
     return liesWithin(cell, this.calmX, this.calmY, this.calm);
   }
 
-  /** Looks how long nothing but chasing can happen: `ahead`, `room` and `moving` say so until the next frame is made. */
+  /**
+   * Finds out for how long nothing but chasing can happen. `ahead`, `room` and `moving` say so until the next frame is made.
+   */
   lookAhead(cell: Neighbourhood): void {
     const { s, r, count, sight, haste } = this;
     const { halfDiagonal } = this.box;
@@ -149,7 +153,7 @@ export class Aliens {
       if (this.room > NEAR) return;
     }
     const frame = s[FRAME];
-    // two that touch where the level has them explode in the first frame, though they rest
+    // two that touch at their places in the level explode in the first frame, though they rest
     if (frame === 0) {
       this.ahead = 0;
       return;
@@ -181,7 +185,7 @@ export class Aliens {
       this.mobile[moving++] = i;
       this.disturb(i);
       fastest = Math.max(fastest, Math.abs(itsVX) + Math.abs(itsVY));
-      // how fast they come nearer at most: it may stop at any time
+      // upper bound of how fast they approach each other: either may stop at any time
       const hers = vx * dx + vy * dy;
       const its = -(itsVX * dx + itsVY * dy);
       const speed = ((hers > 0 ? hers : 0) + (its > 0 ? its : 0)) / d;
@@ -194,7 +198,7 @@ export class Aliens {
     } else {
       this.calm = -1;
       this.moving = moving;
-      // beyond, the speed limit may act at once
+      // beyond that the speed limit may act at once
       if (!(time > 0) || fastest > this.fast) this.ahead = 0;
       else this.ahead = Math.min(Math.floor(time * TICK_RATE), this.apart(frame) - frame);
     }
@@ -226,7 +230,7 @@ export class Aliens {
     return this.apartUntil;
   }
 
-  /** Two that touch explode. */
+  /** Explodes pairs that touch. */
   explode(frame: number, recorder: FrameRecorder | null): void {
     if (frame === 0) {
       const { explosions } = this.scene.aliens;
@@ -243,12 +247,12 @@ export class Aliens {
       if (s[a + 6] >= FUSE) continue;
       for (let j = 0; j < count; j++) {
         const b = this.offset + ALIEN * j;
-        // two that are restless are told once
+        // a pair of restless ones is reported once
         if (s[b + 6] >= FUSE || j === i || (j < i && this.isRestless[j] === 1)) continue;
         if (circlesOverlap(s[a] - s[b], s[a + 1] - s[b + 1], r[i] + r[j])) touching.push(i < j ? [i, j] : [j, i]);
       }
     }
-    // in the order of the list: who has exploded explodes no more
+    // in the order of the list: an exploded one does not explode again
     touching.sort((one, other) => one[0] - other[0] || one[1] - other[1]);
     for (const [i, j] of touching) {
       if (s[this.offset + ALIEN * i + 6] < FUSE && s[this.offset + ALIEN * j + 6] < FUSE) this.ignite(frame, i, j, recorder);
@@ -264,8 +268,8 @@ export class Aliens {
   }
 
   /**
-   * The frames that {@link lookAhead} foresaw: those that move chase her.
-   * @param path her place at the start of each frame, x and y in turn
+   * Makes the frames that {@link lookAhead} examined: the moving ones chase her.
+   * @param path - her place at the start of each frame, x and y alternately
    */
   follow(path: Float64Array, from: number, frames: number): void {
     const { s, mobile, moving, pull, sight, speedLimit } = this;
@@ -285,7 +289,7 @@ export class Aliens {
       for (let n = 0; n < frames; n++) {
         vx = limitSpeed(vx + ax * DT, speedLimit);
         vy = limitSpeed(vy + ay * DT, speedLimit);
-        // they don't touch: the distance is not 0
+        // they do not touch, so the distance is not 0
         const dx = path[2 * n] - x;
         const dy = path[2 * n + 1] - y;
         const d = Math.sqrt(dx * dx + dy * dy);
@@ -315,8 +319,8 @@ export class Aliens {
   }
 
   /**
-   * Velocities, then accelerations for the next frame, then places. An exploded one goes on until its fuse is out, and one that
-   * stops still makes this frame's move: slips of the original.
+   * Updates velocities, then accelerations for the next frame, then places. An exploded alien goes on until its fuse has burned
+   * down, and one that stops still makes this frame's move, as in the original game.
    * @returns index of the first that touched her before, or -1
    */
   move(frame: number, recorder: FrameRecorder | null): number {

@@ -29,15 +29,15 @@ import type { FrameRecorder } from './recording.ts';
 import { ROCK } from './rocks.ts';
 import { NUMBERS, type World } from './world.ts';
 
-// V8 folds constants of the same module, imported ones it loads
+// V8 folds constants of the same module, but loads imported ones
 const DT = TICK;
 const { PULL, PUSH, RECOIL, LIMIT } = NUMBERS;
 
-/** So many frames among things are made before it is looked again whether they are near. */
+/** Frames among objects that are made before it is examined again whether objects are near. */
 const FRAMES_AMONG = 6;
 const FRAMES_ALERT = 12;
 
-/** Frames in which everything in her neighbourhood is looked at, in the order of the original. */
+/** Frames in which everything in her neighbourhood is examined, in the order of the original game. */
 export class Encounters {
   private readonly body: Frame;
 
@@ -51,8 +51,8 @@ export class Encounters {
   }
 
   /**
-   * Some frames among things; ends where she leaves the cell or the run ends.
-   * @param alert whether an alien matters
+   * Makes some frames among objects; stops where she leaves the cell or the run ends.
+   * @param alert - whether an alien matters
    */
   meet(cell: Neighbourhood, until: number, held: boolean, alert: boolean): void {
     const { recorder } = this;
@@ -97,13 +97,13 @@ export class Encounters {
     let cos = s[COS];
     let sin = s[SIN];
     do {
-      // velocities and displacements; positions stay those of the frame before until the end of the frame
+      // velocities and displacements; places stay those of the previous frame until the end of the frame
       vx = limitSpeed(vx + ax * DT, speedLimit);
       vy = limitSpeed(vy + ay * DT, speedLimit);
       const moveX = vx * DT;
       const moveY = vy * DT;
 
-      // the nearest asteroid; the first wins a tie
+      // the nearest asteroid; the first of equally near ones
       let best = Number.POSITIVE_INFINITY;
       let nearest = -1;
       for (let k = 0; k < rivals.length; k++) {
@@ -121,7 +121,7 @@ export class Encounters {
       if (held && nearest >= 0) {
         const o = placesFrom + placesStep * nearest;
         const d = Math.sqrt(best);
-        // atan2(0, 0) is 0 in the original: at the very centre she turns to angle 0 and is pulled that way
+        // atan2(0, 0) is 0 in the original: at the very centre she turns to angle 0 and is pulled in that direction
         cos = d > 0 ? (places[o] - x) / d : 1;
         sin = d > 0 ? (places[o + 1] - y) / d : 0;
         s[COS] = cos;
@@ -167,7 +167,7 @@ export class Encounters {
         if (alien >= 0 && going && s[OUTCOME] === 0) this.end(ALIEN_TOUCH, this.world.scene.aliens.index[alien]);
       }
 
-      // the first repulsor in the level's list that she is in pushes her
+      // the first repulsor in the level's list that contains her pushes her
       let field = -1;
       for (let k = 0; k < fields.length; k++) {
         const i = fields[k];
@@ -245,7 +245,7 @@ export class Encounters {
     else this.end(ASTEROID, scene.targets.index[code - firstTarget]);
   }
 
-  /** Of several minerals touched in one frame all are counted, but only the last is taken away: a slip of the original. */
+  /** Of several minerals touched in one frame all are counted, but only the last is removed, as in the original game. */
   private collectMinerals(near: Int32Array): void {
     const { recorder } = this;
     const { s, box, collected, mineralX, mineralY, mineralR } = this.world;

@@ -6,13 +6,13 @@ import { ROCK, ROCK_FRAMES } from './rocks.ts';
 import type { Surroundings } from './surroundings.ts';
 import { NUMBERS, type World } from './world.ts';
 
-// V8 folds constants of the same module, imported ones it loads
+// V8 folds constants of the same module, but loads imported ones
 const DT = TICK;
 const { PULL, RECOIL, LIMIT } = NUMBERS;
 
-/** Frames away from things: nothing but the gun acts while she stays in the bounds of her surroundings. */
+/** Frames away from objects: only the gun acts while she stays within the bounds of her surroundings. */
 export class Flight {
-  /** Where she was at the start of each frame, x and y in turn, when it was traced. */
+  /** Her place at the start of each frame, x and y alternately, if it was traced. */
   readonly path = new Float64Array(2 * AHEAD);
 
   constructor(
@@ -21,9 +21,9 @@ export class Flight {
   ) {}
 
   /**
-   * Frames until she leaves the bounds.
-   * @param until frame to stop at
-   * @param traced whether to keep her path, at most {@link AHEAD} frames of it
+   * Makes frames until she leaves the bounds.
+   * @param until - the frame to stop at
+   * @param traced - whether to keep her path, at most {@link AHEAD} frames of it
    */
   fly(until: number, held: boolean, traced: boolean): void {
     const { rivals } = this.around;
@@ -33,7 +33,10 @@ export class Flight {
     else this.swing(rivals, until, held, traced);
   }
 
-  /** The button is up: whether no asteroid that may be the nearest has an acceleration left to be cleared; where there is one alone it is. */
+  /**
+   * With the button up: whether no asteroid that may be the nearest has an acceleration left to be cleared. A single one has
+   * none.
+   */
   private lettingGoIsOver(rivals: Int32Array): boolean {
     const { s } = this.world;
     if (s[MOVED] === 0) return true;
@@ -47,7 +50,7 @@ export class Flight {
     return true;
   }
 
-  /** Without the gun. */
+  /** Frames without the gun. */
   private coast(until: number, traced: boolean): void {
     const { path } = this;
     const { s, rocks, numbers } = this.world;
@@ -64,14 +67,14 @@ export class Flight {
       path[0] = s[X];
       path[1] = s[Y];
     }
-    // what the gun did in the frame before still counts in the first
+    // what the gun did in the previous frame still counts in the first
     let vx = limitSpeed(s[VX] + s[AX] * DT, speedLimit);
     let vy = limitSpeed(s[VY] + s[AY] * DT, speedLimit);
     let x = s[X] + vx * DT;
     let y = s[Y] + vy * DT;
     let frame = from + 1;
     if (frame < limit && x >= left && x < right && y >= top && y < bottom) {
-      // adding no acceleration makes 0 of -0
+      // adding no acceleration turns -0 into 0
       vx += 0;
       vy += 0;
       const moveX = vx * DT;
@@ -96,7 +99,7 @@ export class Flight {
     if (moved) rocks.move(frame - from, -1);
   }
 
-  /** With the gun, where there is one asteroid to be pulled to. */
+  /** Frames with the gun and a single possible target. */
   private pull(target: number, until: number, traced: boolean): void {
     const { path } = this;
     const { s, range, targetR, recoil, rocks, numbers, places, placesFrom, placesStep } = this.world;
@@ -135,7 +138,7 @@ export class Flight {
       const dx = rockX - x;
       const dy = rockY - y;
       const d = Math.sqrt(dx * dx + dy * dy);
-      // atan2(0, 0) is 0 in the original: at the very centre she turns to angle 0 and is pulled that way
+      // atan2(0, 0) is 0 in the original: at the very centre she turns to angle 0 and is pulled in that direction
       cos = d > 0 ? dx / d : 1;
       sin = d > 0 ? dy / d : 0;
       const strength = pull * (1 - d / range);
@@ -172,7 +175,7 @@ export class Flight {
     rocks.move(frame - from, target);
   }
 
-  /** With the gun where several asteroids may be the nearest, or with asteroids to let go. */
+  /** Frames with the gun where several asteroids may be the nearest, or with asteroids whose acceleration is to be cleared. */
   private swing(rivals: Int32Array, until: number, held: boolean, traced: boolean): void {
     const { path } = this;
     const { s, range, targetR, recoil, rocks, numbers, places, placesFrom, placesStep } = this.world;

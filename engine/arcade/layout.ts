@@ -13,22 +13,22 @@ export const COS = 8;
 export const SIN = 9;
 export const OUTCOME = 10;
 export const TOUCHED = 11;
-/** Minerals counted. */
+/** Number of minerals counted. */
 export const MINERALS = 12;
-/** 1 from the moment an alien has been awake: until then all sleep where the level has them. */
+/** 1 once an alien has been awake; until then all of them sleep where the level has them. */
 export const ROUSED = 13;
-/** How many asteroids recoil has moved. */
+/** Number of asteroids that recoil has moved. */
 export const MOVED = 14;
-/** 1 from the moment an asteroid is farther from its place, or faster, than neighbourhoods allow for. */
+/** 1 once an asteroid is farther from its original place, or faster, than neighbourhoods allow for. */
 export const STRAYED = 15;
 export const HEAD = 16;
 
-// OUTCOME holds 0 while the run goes on, or one of these.
+// OUTCOME is 0 while the run goes on, then one of these.
 export const LOST = 1;
 export const BLACK_HOLE = 2;
 export const NOVA = 3;
 export const ASTEROID = 4;
 export const ALIEN_TOUCH = 5;
 
-/** What she touched, by outcome. */
+/** The kind of object touched, by outcome. */
 export const TOUCH_KIND: readonly (BodyKind | null)[] = [null, null, 'blackHole', 'nova', 'asteroid', 'alien'];

@@ -5,49 +5,49 @@ import type { Scene } from '../scene.ts';
 /** Side of a cell, px. */
 const SIDE = 32;
 
-/** A square's half diagonal over half its side, rounded up. */
+/** A square's half diagonal divided by half its side, rounded up. */
 const DIAGONAL = 1.4143;
 
-/** No place in a cell is farther from its centre, px. */
+/** No place in a cell is farther than this from its centre, px. */
 const REACH = (SIDE / 2) * DIAGONAL;
 
-/** It is tried whether around a quiet cell a square of half this side is as quiet, px. */
+/** Half sides of squares around a quiet cell that may be as quiet, px; the largest such square is used. */
 const FREE = [96, 64, 40];
 
-/** How far recoil may move an asteroid from its place before its neighbourhoods hold no longer, px. */
+/** How far recoil may move an asteroid from its original place before its neighbourhoods become invalid, px. */
 export const DRIFT = 16;
 
-/** Cells are kept on a torus of so many by so many: no two of them share a place in a level smaller than 2048 px. */
+/** Cells are kept on a torus of 2^BITS by 2^BITS: in a level smaller than 2048 px no two of them share a slot. */
 const BITS = 6;
 const MASK = (1 << BITS) - 1;
 
 /**
- * What can matter to her anywhere in a square, in the order in which the original looks at it; all else is farther than
- * rounding could bridge, so that leaving it out changes no bit.
+ * What can matter to her anywhere in a square, in the order in which the original game examines it. Everything else is farther
+ * away than rounding could bridge, so leaving it out changes no bit.
  */
 interface Survey {
   /** Targets that may be the nearest, ascending. */
   readonly rivals: Int32Array;
-  /** What touches end the run at: 0 the black hole, then novae from 1, then targets from 1 + novae; ascending. */
+  /** Codes of what ends the run by touch: 0 is the black hole, novae begin at 1, targets at 1 + novae; ascending. */
   readonly deadly: Int32Array;
   readonly minerals: Int32Array;
   readonly repulsors: Int32Array;
-  /** Discs of each of the frame rules. */
+  /** Discs of each frame rule. */
   readonly discs: readonly Int32Array[];
-  /** Nothing but the gun acts: no touch, no field, no end of the range. */
+  /** Only the gun acts: nothing can be touched, there is no field, and the range does not end. */
   readonly quiet: boolean;
-  /** Aliens where the level has them neither see nor touch her. */
+  /** Aliens at their places in the level neither see nor touch her. */
   readonly unseen: boolean;
 }
 
 /** A square cell and what can matter anywhere in it. */
 export interface Neighbourhood extends Survey {
-  /** Bounds of the cell, px: from the first inclusive to the second exclusive. */
+  /** Bounds of the cell, px: from `left` and `top` inclusive to `right` and `bottom` exclusive. */
   readonly left: number;
   readonly right: number;
   readonly top: number;
   readonly bottom: number;
-  /** Bounds of a part of the plane around a quiet cell in which that holds, with these rivals and as to `unseen`, px. */
+  /** Bounds of a larger area around a quiet cell in which it is as quiet, with the same rivals and the same `unseen`, px. */
   readonly freeLeft: number;
   readonly freeRight: number;
   readonly freeTop: number;
@@ -61,16 +61,16 @@ interface Cell extends Neighbourhood {
 
 const all = (count: number): Int32Array => Int32Array.from({ length: count }, (_, i) => i);
 
-/** Neighbourhoods of a scene, made when she first comes there. They depend on the level alone, so every run shares them. */
+/** Neighbourhoods of a scene, each made when she first comes there. They depend on the level alone, so all runs share them. */
 export class Neighbourhoods {
-  /** Where nothing is left out: for places and moments that the cells know nothing of. */
+  /** A neighbourhood that leaves nothing out, for places and times that the cells do not cover. */
   readonly everything: Neighbourhood;
   private readonly cells: (Cell | null)[] = new Array(1 << (2 * BITS)).fill(null);
   private readonly drift: number;
 
   constructor(
     private readonly scene: Scene,
-    /** Discs of each of the frame rules. */
+    /** Discs of each frame rule. */
     private readonly discs: readonly Circles[],
   ) {
     const { targets, coldCount, novae, minerals, repulsors, level } = scene;
@@ -120,7 +120,7 @@ export class Neighbourhoods {
         break;
       }
     }
-    // named one by one: V8 gives copies with `...` shapes of their own, and every access then searches
+    // written out: V8 gives copies made with `...` hidden classes of their own, which makes every access slow
     return {
       column,
       row,
@@ -142,14 +142,14 @@ export class Neighbourhoods {
     };
   }
 
-  /** What can matter to her in the square of half the side `half` around (x, y), px. */
+  /** What can matter to her in the square around (x, y) with half side `half`, px. */
   private survey(x: number, y: number, half: number): Survey {
     const { scene, drift } = this;
     const { targets, coldCount, novae, minerals, repulsors, aliens, level } = scene;
     const { halfDiagonal } = scene.box;
     const toCorner = half * DIAGONAL;
     const distance = (cx: number, cy: number) => Math.sqrt((cx - x) * (cx - x) + (cy - y) * (cy - y));
-    // whether a distance from the centre may be below `reach` elsewhere in the square; the surplus is far above any rounding
+    // whether a distance from the centre may be below `reach` somewhere in the square; the margin is far above any rounding
     const within = (d: number, reach: number) => d <= (reach + toCorner + 1e-3) * (1 + 1e-9) + d * 1e-9;
     const touching = (circles: IndexedCircles, moves: number): number[] => {
       const near = circlesAround(circles, x, y, toCorner + halfDiagonal + moves + 1);
@@ -161,7 +161,7 @@ export class Neighbourhoods {
     for (const i of touching(novae, 0)) deadly.push(1 + i);
     for (const i of touching(targets, drift)) if (i >= coldCount) deadly.push(1 + novae.count + i);
     const collectable = touching(minerals, 0);
-    // she is within one or without it all over the square, or it matters
+    // a field matters unless the whole square is inside it or outside
     const pushing = circlesAround(repulsors, x, y, toCorner + 1).filter((i) =>
       within(distance(repulsors.x[i], repulsors.y[i]), repulsors.r[i]),
     );
@@ -198,7 +198,7 @@ export class Neighbourhoods {
   }
 }
 
-/** Whether her whole cell lies within `radius` of (x, y), px; false rather than true where rounding could tell. */
+/** Whether the whole cell lies within `radius` of (x, y), px; false where rounding could decide. */
 export function liesWithin({ left, right, top, bottom }: Neighbourhood, x: number, y: number, radius: number): boolean {
   const dx = (left + right) / 2 - x;
   const dy = (top + bottom) / 2 - y;
@@ -206,7 +206,7 @@ export function liesWithin({ left, right, top, bottom }: Neighbourhood, x: numbe
   return inner > 0 && dx * dx + dy * dy < inner * inner;
 }
 
-/** Indices, ascending, of at least all circles that come nearer than `reach` to a place. */
+/** Indices, ascending, of at least all circles that come nearer than `reach` px to a place. */
 function circlesAround(circles: IndexedCircles, x: number, y: number, reach: number): number[] {
   if (circles.spatial === null) return Array.from({ length: circles.count }, (_, i) => i);
   return [...circles.spatial.around(x, y, reach)].sort((a, b) => a - b);

@@ -6,7 +6,7 @@ import { type BodyKind, type Outcome, type RunEvent, type Simulation, STATE_SIZE
 import type { Trajectory } from '../trajectory.ts';
 import type { WorkBudget } from '../work-budget.ts';
 
-/** Keeps every frame and event of an `arcade` run. Row f is the state after frame f and stands for time f / 60 s. */
+/** Records every frame and event of an `arcade` run. Row f is the state after frame f and stands for time f / 60 s. */
 export class FrameRecorder implements Trajectory {
   readonly events: RunEvent[] = [];
   private rows: Float64Array;
@@ -15,7 +15,7 @@ export class FrameRecorder implements Trajectory {
   private lastNearest = -1;
   private lastField = -1;
   private readonly state = new Float64Array(STATE_SIZE);
-  // what becomes of the others, apart: of many few move
+  // the history of the other objects is kept separately: few of many move
   private alienLog: ChangeLog | null = null;
   private asteroidLog: ChangeLog | null = null;
   private readonly aliens: Float64Array;
@@ -23,8 +23,8 @@ export class FrameRecorder implements Trajectory {
   private readonly asteroidsMove: boolean;
 
   /**
-   * @param budget what the recording, and looking for the clearance, may cost
-   * @param keeps false: events only
+   * @param budget - limits the work and memory of the recording, and the work of computing the clearance
+   * @param keeps - false to keep events only
    */
   constructor(
     private readonly scene: Scene,
@@ -80,7 +80,7 @@ export class FrameRecorder implements Trajectory {
   }
 
   private rowAt(time: number): number {
-    // the sum keeps k / 60 * 60 from falling below k
+    // the addend keeps k / 60 * 60 from falling below k
     return Math.min(this.count - 1, Math.max(0, Math.floor(time * TICK_RATE + 1e-6)));
   }
 
@@ -88,7 +88,7 @@ export class FrameRecorder implements Trajectory {
     for (let i = 0; i < STATE_SIZE; i++) out[i] = this.rows[STATE_SIZE * row + i];
   }
 
-  /** Keeps the state of a simulation at the end of a frame. */
+  /** Records the state of a simulation at the end of a frame. */
   row(simulation: Simulation): void {
     if (!this.keeps) return;
     const { state, aliens, asteroids, budget } = this;

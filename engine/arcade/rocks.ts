@@ -4,18 +4,18 @@ import { HEAD, MOVED, STRAYED } from './layout.ts';
 import { limitSpeed } from './limit-speed.ts';
 import { DRIFT } from './neighbourhoods.ts';
 
-/** Per asteroid: place, velocity in the next frame, acceleration. */
+/** Doubles per asteroid: place, velocity in the next frame, acceleration. */
 export const ROCK = 6;
 
-/** Frames that may pass before {@link Rocks.move} looks again whether an asteroid strays. */
+/** Frames that may pass before {@link Rocks.move} checks again whether an asteroid has strayed. */
 export const ROCK_FRAMES = 32;
 
-/** No asteroid that doesn't stray moves farther in {@link ROCK_FRAMES} frames, px. */
+/** An asteroid that has not strayed moves at most this far in {@link ROCK_FRAMES} frames, px. */
 export const ROCK_LEEWAY = 3;
 
 /**
- * An asteroid strays from so far, px, or so fast, px/s: within {@link ROCK_FRAMES} frames more it can't come {@link DRIFT} px
- * far, for recoil is weaker than `STRONG`.
+ * An asteroid has strayed from this distance (px) or speed (px/s) on. Below both it cannot get {@link DRIFT} px away within
+ * {@link ROCK_FRAMES} more frames, since recoil is weaker than `STRONG`.
  */
 const STRAY = DRIFT - ROCK_LEEWAY;
 const FAST = 4;
@@ -23,16 +23,16 @@ const STRONG = 4;
 
 const DT = TICK; // V8 folds constants of the same module
 
-/** Asteroids under recoil: those that have been pulled once move, each on its own. */
+/** Asteroids under recoil. Those that have been pulled once move, each on its own. */
 export class Rocks {
-  /** Where the indices of those that move are kept. */
+  /** Index in the state of the list of those that move. */
   private readonly list: number;
-  /** Where the state goes on behind the asteroids. */
+  /** Index in the state behind the asteroids. */
   readonly end: number;
-  // where the level has them, px
+  // their original places, px
   private readonly homeX: Float64Array;
   private readonly homeY: Float64Array;
-  /** The strongest recoil in the level, px/s2, both axes together. */
+  /** Upper bound of recoil in the level, px/s², both axes together. */
   private readonly strongest: number;
   private readonly speedLimit: number;
 
@@ -48,7 +48,7 @@ export class Rocks {
     this.speedLimit = scene.rules.speedLimit;
     let smallest = Number.POSITIVE_INFINITY;
     for (let i = 0; i < count; i++) smallest = Math.min(smallest, scene.targets.r[i]);
-    this.strongest = scene.rules.recoil / smallest; // twice 1 / diameter: along both axes together it is at most sqrt(2) times that
+    this.strongest = scene.rules.recoil / smallest; // twice 1 / diameter: both axes together are at most sqrt(2) times that
   }
 
   layOut(s: Float64Array): void {
@@ -56,14 +56,14 @@ export class Rocks {
     if (!this.scene.level.recoil) return;
     for (let i = 0; i < targets.count; i++) {
       const o = HEAD + ROCK * i;
-      // adding 0 makes 0 of -0, as moving by 0 would
+      // adding 0 turns -0 into 0, as moving by 0 would
       s[o] = targets.x[i] + 0;
       s[o + 1] = targets.y[i] + 0;
       if (targets.r[i] * 2 * STRONG < this.scene.rules.recoil) s[STRAYED] = 1;
     }
   }
 
-  /** Counts an asteroid among those that move. */
+  /** Adds an asteroid to those that move. */
   stir(i: number): void {
     const { s, list } = this;
     const count = s[MOVED];
@@ -72,7 +72,7 @@ export class Rocks {
     s[MOVED] = count + 1;
   }
 
-  /** How far any of them may move in {@link ROCK_FRAMES} frames, px, now that one strays. */
+  /** How far any of them may move in {@link ROCK_FRAMES} frames, px, once one has strayed. */
   leeway(): number {
     const { s, list } = this;
     const time = ROCK_FRAMES * DT;
@@ -85,7 +85,7 @@ export class Rocks {
     return (fastest + this.strongest * time) * time + 1e-3;
   }
 
-  /** Whether this one may come to the speed limit within {@link ROCK_FRAMES} frames. */
+  /** Whether an asteroid may reach the speed limit within {@link ROCK_FRAMES} frames. */
   isFast(i: number): boolean {
     const { s } = this;
     const o = HEAD + ROCK * i;
@@ -93,8 +93,8 @@ export class Rocks {
   }
 
   /**
-   * The end of so many frames, at most {@link ROCK_FRAMES}, in which no acceleration changes.
-   * @param but one that is left as it is, or -1
+   * Makes the moves of at most {@link ROCK_FRAMES} frames in which no acceleration changes.
+   * @param but - an asteroid that is not moved, or -1
    */
   move(frames: number, but: number): void {
     const { s, list, speedLimit } = this;
@@ -132,7 +132,7 @@ export class Rocks {
     }
   }
 
-  /** The end of one frame; {@link watchAll} is due after {@link ROCK_FRAMES} of them. */
+  /** Makes the moves of one frame; {@link watchAll} is due after {@link ROCK_FRAMES} of them. */
   step(): void {
     const { s, list, speedLimit } = this;
     const end = list + s[MOVED];
@@ -147,14 +147,14 @@ export class Rocks {
     }
   }
 
-  /** Whether an asteroid strays. */
+  /** Checks whether any asteroid has strayed. */
   watchAll(): void {
     const { s, list } = this;
     const end = list + s[MOVED];
     for (let k = list; k < end; k++) this.watch(s[k]);
   }
 
-  /** Whether this one strays. */
+  /** Checks whether an asteroid has strayed. */
   watch(i: number): void {
     const { s, homeX, homeY } = this;
     const o = HEAD + ROCK * i;

@@ -29,11 +29,11 @@ import { World } from './world.ts';
 const FEW_FRAMES = 3;
 
 /**
- * The original game frame by frame, at 60 Hz, quirks included (accuracy `arcade`): semi-implicit Euler whose checks
- * see the positions of the frame before. Within a frame: velocities, then the gun and the checks on the old positions
- * (lost, completed, burned: the first counts), then aliens and repulsors set accelerations, then everything moves.
+ * The original game frame by frame, at 60 Hz, quirks included (accuracy `arcade`): semi-implicit Euler whose checks use the
+ * places of the previous frame. Within a frame, velocities come first, then the gun and the checks on the old places (lost,
+ * completed, burned: the first counts), then aliens and repulsors set accelerations, then everything moves.
  *
- * In each frame only what is near enough to matter is looked at (`neighbourhoods.ts`), with the bits of looking at everything.
+ * Each frame examines only what is near enough to matter (`neighbourhoods.ts`); the bits are those of examining everything.
  */
 export class ArcadeSimulation implements Simulation {
   readonly scene: Scene;
@@ -122,7 +122,7 @@ export class ArcadeSimulation implements Simulation {
     this.world.aliens.read(out);
   }
 
-  /** Nobody keeps count of them here. */
+  /** They are not counted here, so any alien may have stirred. */
   get mayAliensHaveStirred(): boolean {
     return this.hasAliens;
   }

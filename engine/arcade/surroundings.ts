@@ -4,14 +4,14 @@ import { type Neighbourhood, Neighbourhoods } from './neighbourhoods.ts';
 import { ROCK_LEEWAY } from './rocks.ts';
 import type { World } from './world.ts';
 
-/** So far from all things she is out of them, px. */
+/** This far from every object nothing matters to her, px. */
 const AWAY = 1.5;
 
-/** What is around her, and how far from here nothing but the gun acts. */
+/** What is around her, and how far nothing but the gun acts. */
 export class Surroundings {
-  /** Left, right, top and bottom of where nothing but the gun acts, px. */
+  /** Left, right, top and bottom of the area in which only the gun acts, px. */
   readonly bounds = new Float64Array(4);
-  /** Targets that may be the nearest within them. */
+  /** Targets that may be the nearest within the area. */
   rivals: Int32Array = new Int32Array(0);
   private readonly nearest = new Int32Array(1);
   private readonly discs: readonly Circles[];
@@ -24,7 +24,7 @@ export class Surroundings {
     this.cell = this.neighbourhoods.everything;
   }
 
-  /** The neighbourhood she is in. */
+  /** The neighbourhood of her place. */
   here(): Neighbourhood {
     const { cell } = this;
     const { s } = this.world;
@@ -37,8 +37,8 @@ export class Surroundings {
   }
 
   /**
-   * Whether nothing but the gun acts for a while: then `bounds` and `rivals` say where, and towards what.
-   * @param room how far she may move for other reasons, px
+   * Whether only the gun acts for a while. If so, `bounds` and `rivals` say where, and towards what.
+   * @param room - how far she may move for other reasons, px
    */
   isAway(cell: Neighbourhood, room: number): boolean {
     const { bounds } = this;
@@ -76,7 +76,7 @@ export class Surroundings {
     return true;
   }
 
-  /** How far she may move at least, along each axis, before another asteroid is the nearest, px; `nearest` is that one. */
+  /** How far she can move along each axis before another asteroid than `nearest` can be the nearest, px. */
   private lead(rivals: Int32Array): number {
     const { s, places, placesFrom, placesStep, rocks } = this.world;
     let best = Number.POSITIVE_INFINITY;
@@ -98,7 +98,7 @@ export class Surroundings {
     return ((Math.sqrt(second) * (1 - 1e-9) - Math.sqrt(best) * (1 + 1e-9)) / 2 - leeway) * 0.7 - 1e-3;
   }
 
-  /** How far she may move at least, along each axis, before anything in the neighbourhood can matter, px. */
+  /** How far she can move along each axis before anything in the neighbourhood can matter, px. */
   private gap(cell: Neighbourhood): number {
     const { s, range, recoil, rocks, places, placesFrom, placesStep, deadlyX, deadlyY, deadlyR, firstTarget } = this.world;
     const { mineralX, mineralY, mineralR, collected, repulsorX, repulsorY, repulsorR, box } = this.world;
@@ -108,7 +108,7 @@ export class Surroundings {
     const leeway = s[STRAYED] === 0 ? ROCK_LEEWAY : rocks.leeway();
     const x = s[X];
     const y = s[Y];
-    // the range is a matter of distance
+    // the range depends on the distance
     let best = Number.POSITIVE_INFINITY;
     for (let k = 0; k < rivals.length; k++) {
       const o = placesFrom + placesStep * rivals[k];

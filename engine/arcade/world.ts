@@ -8,20 +8,23 @@ import { Aliens } from './aliens.ts';
 import { COS, HEAD, VX, VY, X, Y } from './layout.ts';
 import { ROCK, Rocks } from './rocks.ts';
 
-/** Places in {@link World.numbers}. */
+/** Indices in {@link World.numbers}. */
 export const NUMBERS = { PULL: 0, PUSH: 1, RECOIL: 2, LIMIT: 3 } as const;
 
-/** Up to this many numbers are copied faster one by one. */
+/** Up to this many doubles are copied faster one by one. */
 const FEW = 48;
 
 /**
- * What the parts of an `arcade` simulation share: its state, and what they look at in every frame. That is copied out of the
- * scene, for levels are objects of many shapes, and code that has met a few of them runs slower with every one.
+ * What the parts of an `arcade` simulation share: its state, and what they read in every frame. The latter is copied from the
+ * scene, because levels are objects of many shapes, and code that has met several of them becomes slower with each one.
  */
 export class World {
   readonly s: Float64Array;
   readonly recoil: boolean;
-  /** Pull, push, recoil and speed limit: in a typed array, for V8 reads doubles from it and from an object it reads boxes. */
+  /**
+   * Pull, push, recoil and speed limit. In a typed array, because V8 reads doubles from it directly, but boxed ones from an
+   * object.
+   */
   readonly numbers: Float64Array;
   readonly box: Box;
   readonly rocks: Rocks;
@@ -34,19 +37,19 @@ export class World {
   readonly repulsorX: Float64Array;
   readonly repulsorY: Float64Array;
   readonly repulsorR: Float64Array;
-  /** Where the flags of collected minerals are kept. */
+  /** Index in the state of the flags of collected minerals. */
   readonly collected: number;
-  // what ends the run by touch, by its code in a neighbourhood; asteroids that move are elsewhere
+  // what ends the run by touch, by its code in a neighbourhood; moving asteroids are kept elsewhere
   readonly deadlyX: Float64Array;
   readonly deadlyY: Float64Array;
   readonly deadlyR: Float64Array;
   /** Code of the first target. */
   readonly firstTarget: number;
-  /** The targets' places, x and y in turn from `placesFrom` on, `placesStep` apart: the state's where they move. */
+  /** The targets' places, x and y alternately from `placesFrom` on, `placesStep` apart; in the state if they move. */
   readonly places: Float64Array;
   readonly placesFrom: number;
   readonly placesStep: number;
-  /** What effects beyond the original's do in a frame, and where in the state each has its own. */
+  /** Frame rules of effects that the original game does not have, and the index in the state of each one's doubles. */
   readonly frameRules: readonly FrameRule[];
   readonly frameStates: readonly number[];
   private readonly start: Float64Array;
@@ -110,7 +113,7 @@ export class World {
     }
   }
 
-  /** Whether an effect beyond the original's is to be asked wherever she is. */
+  /** Whether such an effect must be called wherever she is. */
   get isBusy(): boolean {
     const { frameRules, frameStates } = this;
     for (let k = 0; k < frameRules.length; k++) if (frameRules[k].isBusy?.(this.scene, this.s, frameStates[k])) return true;

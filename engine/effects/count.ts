@@ -1,6 +1,6 @@
 import type { Level, ObjectList } from '../../schema/index.ts';
 
-/** Called for where the level has at least one object in `list`. */
+/** Calls for an effect where the level has at least one object in `list`. */
 export const whereAny =
   (list: ObjectList, one: string) =>
   (level: Level): { called: boolean; because: string } => {

@@ -35,8 +35,8 @@ function drift(level: Level, { recoil }: Rules): number {
 }
 
 /**
- * Finds the asteroids she can come to from the start, hopping from range to range; all of them if she starts in none, or if an effect
- * may put her anywhere.
+ * Finds the asteroids she can come to from the start, hopping from range to range; all of them if she starts in none, or if an
+ * effect may put her anywhere.
  */
 export function reachOf(level: Level, rules: Rules): Reach {
   const slack = drift(level, rules);

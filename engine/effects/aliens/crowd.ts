@@ -6,22 +6,22 @@ const { AWAKE_COUNT } = SLOTS;
 const { CHASER } = RECORDS;
 const { ASLEEP, AWAKE, GONE } = ALERTNESS;
 
-/** When more than this sleep elsewhere than the index has them, it is made anew. */
+/** When more sleepers than this are elsewhere than in the index, the index is made anew. */
 const MOST_ASTRAY = 256;
 
-/** From so many that are awake on, an index made for the piece finds the near ones. */
+/** From this many awake aliens on, an index made for the piece finds the near ones. */
 const MANY_AWAKE = 16;
 
-/** Surplus of distances at which something can't matter, far above any rounding, px. */
+/** Margin of distances at which something cannot matter, px; far above any rounding. */
 const MARGIN = 1e-3;
 
-/** How much farther than asked sleepers are looked for, so that the next times nobody has to look, px. */
+/** How much farther than asked sleepers are looked for, px, so that the next calls need not search. */
 const AHEAD = 256;
 
-/** Stands where a pair has no second. */
+/** Takes the place of a second alien where there is none. */
 export const NOBODY = -1;
 
-/** The same list with room for as many again. */
+/** A copy of a list with twice the room. */
 function grown(list: Int32Array<ArrayBuffer>): Int32Array<ArrayBuffer> {
   const longer = new Int32Array(2 * list.length);
   longer.set(list);
@@ -29,29 +29,29 @@ function grown(list: Int32Array<ArrayBuffer>): Int32Array<ArrayBuffer> {
 }
 
 /**
- * Who of the aliens is awake, and where the others sleep. All of it follows from the state and is made from it after a restore; so
- * it is kept up to date only where an alien wakes, falls asleep or explodes, and sleepers cost nothing while she is away from them.
+ * Which aliens are awake, and where the others sleep. All of it follows from the state and is derived from it after a restore.
+ * It changes only when an alien wakes, falls asleep or explodes, so sleepers cost nothing while she is away from them.
  */
 export class AlienCrowd implements Crowd {
-  /** Indices of those that are awake, ascending; the state has how many. */
+  /** Indices of the aliens that are awake, ascending; the state has their number. */
   readonly awake: Int32Array;
-  /** Those that woke, fell asleep or exploded since this list was emptied; kept for a recorder. */
+  /** Aliens that woke, fell asleep or exploded since this list was emptied; for a recorder. */
   readonly altered: number[] = [];
-  /** Whether one of them may be another than at the start. */
+  /** Whether any of them may differ from the start. */
   changed = false;
-  /** No sleeper wakes or is touched while she is nearer than this to there, px; negative: not known. */
+  /** While she is nearer than this to (calmX, calmY), no sleeper wakes or is touched, px; negative if unknown. */
   private calm = -1;
   private calmX = 0;
   private calmY = 0;
-  /** Where the index has them, px from the origin; null: there is no index. */
+  /** The index of places, px from the origin, and the places it was made of; null if there is no index. */
   private index: SpatialIndex | null;
   private indexedX: Float64Array;
   private indexedY: Float64Array;
-  /** Sleepers that lie elsewhere. */
+  /** Sleepers that are elsewhere than in the index. */
   private astray: number[] = [];
-  /** Before this the list of explosions is over. */
+  /** Entries of the list of explosions before this index are done. */
   private explosion = 0;
-  /** What {@link meetings} found. */
+  /** The pairs that {@link meetings} found. */
   first = new Int32Array(MANY_AWAKE);
   second = new Int32Array(MANY_AWAKE);
   private met = 0;
@@ -64,7 +64,7 @@ export class AlienCrowd implements Crowd {
     this.indexedY = this.index === null ? new Float64Array(0) : aliens.y.map((y) => y - m.originY);
   }
 
-  /** Where in the list of explosions the first is whose two sleep, overlapping; -1: nowhere. */
+  /** Index in the list of explosions of the first pair that sleeps, overlapping; -1 if there is none. */
   overlapAtStart(): number {
     const { s, chasers, scene } = this.m;
     const { explosions, r } = scene.aliens;
@@ -84,7 +84,7 @@ export class AlienCrowd implements Crowd {
     return -1;
   }
 
-  /** Finds out from the state, which has become another. */
+  /** Derives everything from the state, after it was replaced. */
   read(): void {
     const { s, chasers, scene } = this.m;
     let count = 0;
@@ -156,7 +156,7 @@ export class AlienCrowd implements Crowd {
     this.astray = [];
   }
 
-  /** Indices, ascending, of at least all sleepers of whose disc a part is nearer than `reach` to (x, y), px from the origin. */
+  /** Indices, ascending, of at least all sleepers whose disc reaches nearer than `reach` px to (x, y), px from the origin. */
   private sleepersAround(x: number, y: number, reach: number): number[] {
     const { s, chasers, scene, originX, originY } = this.m;
     const { count } = scene.aliens;
@@ -173,7 +173,10 @@ export class AlienCrowd implements Crowd {
     return found.sort((a, b) => a - b);
   }
 
-  /** Calls `visit` with every sleeper, ascending, that she may wake or touch before she is `within` px from (x, y), and its distance. */
+  /**
+   * Calls `visit` with every sleeper, ascending, that she may wake or touch before she is `within` px from (x, y), and with its
+   * distance.
+   */
   eachSleeperNear(x: number, y: number, within: number, visit: (i: number, distance: number) => void): void {
     const { s, chasers, scene } = this.m;
     const gone = Math.sqrt((x - this.calmX) * (x - this.calmX) + (y - this.calmY) * (y - this.calmY));
@@ -193,10 +196,11 @@ export class AlienCrowd implements Crowd {
   }
 
   /**
-   * Finds at least all pairs of which one is awake and that may touch within `h` s from the start of the piece: `first` and `second`
-   * of each, by their first and then by their second; and after the pairs that it is the first of each that is awake, with NOBODY
-   * as the second. Which events are found first can depend on that order, and it is the one of looking at all pairs.
-   * @returns how many
+   * Finds at least all pairs with an awake alien that may touch within `h` s from the start of the piece. Writes `first` and
+   * `second` of each, sorted by the first and then by the second. After the pairs of an awake first alien comes an entry for
+   * that alien itself, with NOBODY as the second. Which events are found first can depend on this order; it is that of
+   * examining all pairs.
+   * @returns the number of entries
    */
   meetings(h: number): number {
     this.met = 0;
@@ -234,7 +238,7 @@ export class AlienCrowd implements Crowd {
     const { awake } = this;
     this.m.budget.look(4 * count);
     const partners = this.partnersAmongAwake(h);
-    // those of which the sleeper comes first in the list
+    // those whose sleeper comes first in the list
     const before: [number, number][] = [];
     const after: number[][] = [];
     for (let k = 0; k < count; k++) {
@@ -266,7 +270,7 @@ export class AlienCrowd implements Crowd {
     for (; next < before.length; next++) this.meet(before[next][0], before[next][1]);
   }
 
-  /** For the k-th that is awake: those awake behind it in the list that it may touch within `h` s. */
+  /** For the k-th awake alien: the awake ones after it in the list that it may touch within `h` s. */
   private partnersAmongAwake(h: number): (k: number) => number[] {
     const { s, chasers, scene } = this.m;
     const { r } = scene.aliens;
@@ -279,7 +283,7 @@ export class AlienCrowd implements Crowd {
       vx += s[chasers + CHASER * awake[k] + 2] / count;
       vy += s[chasers + CHASER * awake[k] + 3] / count;
     }
-    // each stays in a box, seen from one that moves as they do on the mean: straight on, and as far aside as the pull takes it
+    // relative to a point with their mean velocity, each stays in a box: straight motion, and as far aside as the pull takes it
     const boxes = new Float64Array(4 * count);
     const index = new Flatbush(count);
     for (let k = 0; k < count; k++) {

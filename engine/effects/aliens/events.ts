@@ -7,13 +7,13 @@ import { pairTime } from './pair.ts';
 const { START, NEXT, EVENT, LENGTH_H, AWAKE_COUNT, LAST_EVENT, LAST_A } = SLOTS;
 const { CHASER } = RECORDS;
 
-/** What overlaps at the start is over by then, s. */
+/** What overlaps at the start has exploded by this time, s. */
 const AT_THE_START = 1e-9;
 
 /** The crowd that `attach` made. */
 const crowdOf = (m: Motion): AlienCrowd => m.crowd as AlienCrowd;
 
-/** She touches an alien. Those asleep are in the neighbour list, under this and under {@link wake}. */
+/** She touches an alien. Sleeping ones are in the neighbour list, under this event and under {@link wake}. */
 export const touchAlien = eventRule({
   name: 'alien',
   ends: { outcome: 'collided', touches: 'alien' },
@@ -54,7 +54,7 @@ export const wake = eventRule({
   fire: (m, i, _b, time) => become(m, i, true, time),
 });
 
-/** An alien that is awake loses sight of her. */
+/** An awake alien loses sight of her. */
 export const fallAsleep = eventRule({
   name: 'sleep',
   fire: (m, i, _b, time) => become(m, i, false, time),
@@ -101,7 +101,7 @@ function offerPair(m: Motion, i: number, j: number, from: number): void {
   offer(m, pairTime(m, i, j, from), explode.kind, i, j);
 }
 
-/** Aliens that are awake, and pairs with one of them; at the start those that overlap, too. */
+/** Offers events of awake aliens and of pairs with one of them; at the start also of pairs that overlap. */
 function offerAwake(m: Motion, from: number): void {
   const { s, path } = m;
   const { aliens } = m.scene;
@@ -109,7 +109,7 @@ function offerAwake(m: Motion, from: number): void {
   if (s[AWAKE_COUNT] === 0 && (s[START] >= AT_THE_START || explosions.length === 0)) return;
   const crowd = crowdOf(m);
   const h = s[LENGTH_H];
-  // the first two that overlap where the level has them, asleep; one that is awake is told with its pairs
+  // the first two that overlap at their places in the level, asleep; an awake one is handled with its pairs
   let overlap = explosions.length > 0 ? crowd.overlapAtStart() : -1;
   const count = s[AWAKE_COUNT] > 0 ? crowd.meetings(h) : 0;
   for (let k = 0; k < count; k++) {
@@ -120,7 +120,7 @@ function offerAwake(m: Motion, from: number): void {
       overlap = -1;
     }
     if (j !== NOBODY) {
-      // two that touch at once are found: other pairs come later
+      // once two that touch at once are found, all other pairs come later
       if (s[EVENT] > explode.kind || s[NEXT] - m.sameInstant > from) offerPair(m, i, j, from);
       continue;
     }
@@ -133,7 +133,7 @@ function offerAwake(m: Motion, from: number): void {
   if (overlap >= 0) offerPair(m, explosions[overlap], explosions[overlap + 1], from);
 }
 
-/** Puts the aliens where the level has them; those that see her are awake. */
+/** Places the aliens where the level has them; those that see her are awake. */
 export function layOutAliens(m: Motion): void {
   const { s, scene } = m;
   const { aliens } = scene;

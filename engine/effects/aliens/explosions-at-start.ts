@@ -1,12 +1,13 @@
 import type { IndexedCircles } from '../../indexed-circles.ts';
 
-/** So many that follow in the list are looked at before the index is asked: heaps are over sooner. */
+/** This many followers in the list are examined before the index is used: dense heaps are done sooner that way. */
 const NEXT_IN_LIST = 32;
 
 /**
- * Aliens that overlap where the level has them explode at time 0, two by two: the first in the list that overlaps another one, with
- * the first of those, and so on.
- * @param originX, originY what places are relative to when they are compared, px: the last digit can depend on it
+ * Finds the aliens that overlap at their places in the level. They explode at time 0, two by two: the first in the list that
+ * overlaps another one, with the first of those, and so on.
+ * @param originX - x of the origin that places are relative to when they are compared, px; the last digit can depend on it
+ * @param originY - y of that origin, px
  * @returns two indices for each pair, in that order
  */
 export function explosionsAtStart(aliens: IndexedCircles, originX: number, originY: number): Int32Array {

@@ -16,19 +16,19 @@ const { LENGTH_H } = SLOTS;
 const { CHASER } = RECORDS;
 const { ASLEEP, AWAKE, GONE } = ALERTNESS;
 
-// scratch: where both are
+// working memory: the places of both
 const one = new Float64Array(4);
 const other = new Float64Array(4);
-// scratch: series
+// working memory: series
 const dx = new Float64Array(LONGEST_SERIES);
 const dy = new Float64Array(LONGEST_SERIES);
 const guard = new Float64Array(2 * LONGEST_SERIES);
 
 /**
- * When two aliens come to touch: safe steps, after PATIENCE looks by the coefficients of the guard, which is a polynomial.
- * An overlap below FLOOR may be overlooked.
- * @param from s from the start of the piece
- * @returns s from there, too; -1: not before the piece ends
+ * When two aliens begin to touch: safe steps, which after PATIENCE evaluations continue by the coefficients of the guard, a
+ * polynomial. An overlap below FLOOR may be overlooked.
+ * @param from - where to begin, s after the start of the piece
+ * @returns s after the start of the piece; -1 if not before the piece ends
  */
 export function pairTime(m: Motion, i: number, j: number, from: number): number {
   const { s, scene, work } = m;
@@ -72,14 +72,14 @@ export function pairTime(m: Motion, i: number, j: number, from: number): number 
   }
 }
 
-/** When they begin to overlap, by the polynomial about `before`: close to a touch there it has more digits than distances have. */
+/** When they begin to overlap, by the polynomial about `before`: close to a touch it has more digits than distances have. */
 function touchBetween(m: Motion, i: number, j: number, reach: number, before: number, behind: number): number {
   m.work.roots++;
   const degree = pairSeries(m, i, j, reach, before);
   return overlapBetween(before, behind, (t) => valueAt(guard, degree, t - before));
 }
 
-/** Into `guard` the coefficients of d^2 - reach^2 about `t`; returns their degree. */
+/** Writes the coefficients of d² - reach² about `t` to `guard`; returns their degree. */
 function pairSeries(m: Motion, i: number, j: number, reach: number, t: number): number {
   const { degree } = m.integrator;
   dx.fill(0);

@@ -3,22 +3,25 @@ import { lookAt, type Motion, pairAt, placeAt, SLOTS } from '../../motion/index.
 
 const { SIDE, LINE_STEEP, DEGREE, LENGTH_H, ACCELERATION, MEETS } = SLOTS;
 
-/** How far she is from the centre, or the target from her, along the main axis of her line; how fast that grows goes to {@link rate}. */
+/**
+ * Her signed distance from the centre, or the target's from her, along the main axis of her line. Writes its derivative to
+ * {@link rate}.
+ */
 type Way = (m: Motion, t: number) => number;
 
-// scratch, px/s; an array, since V8 boxes a number that a module keeps
+// working memory, px/s; an array, since V8 boxes numbers in module variables
 const rate = new Float64Array(1);
 
 /**
- * When she comes through the centre on a straight line.
- * @param from s from the start of the piece
- * @returns s from there, too; -1: not before the piece ends
+ * When she passes the centre on a straight line.
+ * @param from - where to begin, s after the start of the piece
+ * @returns s after the start of the piece; -1 if not before the piece ends
  */
 export function centreTime(m: Motion, from: number): number {
   return passTime(m, from, wayToCentre, m.s[ACCELERATION]);
 }
 
-/** When the target that she holds inside a field comes through her centre; as {@link centreTime}. */
+/** When the target that she holds inside a field passes her centre; like {@link centreTime}. */
 export function meetingTime(m: Motion, from: number): number {
   return passTime(m, from, wayToTarget, m.s[ACCELERATION] + m.kappa);
 }
@@ -38,7 +41,7 @@ function wayToTarget(m: Motion, t: number): number {
   return s[MEETS] * toTarget[s[LINE_STEEP]];
 }
 
-/** First time a way falls below 0; `k` bounds its second derivative, px/s2. */
+/** First time at which a distance falls below 0; `k` bounds its second derivative, px/s². */
 function passTime(m: Motion, from: number, way: Way, k: number): number {
   const { s, work } = m;
   const horizon = Math.min(m.horizon, s[LENGTH_H]);
@@ -50,7 +53,7 @@ function passTime(m: Motion, from: number, way: Way, k: number): number {
     const g = way(m, t);
     const slope = rate[0];
     if (n === 0 && g <= 0 && slope >= 0) {
-      // on the centre, on the way out
+      // at the centre, moving away
     } else if (g < 0) {
       if (n === 0) return t;
       work.roots++;

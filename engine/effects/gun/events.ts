@@ -10,7 +10,7 @@ import { countSwitch, quietUntilSwitch, switchTime } from './target-switch.ts';
 const { TARGET, COVER, KIND, MEETS, LAST_EVENT, LAST_A } = SLOTS;
 const { NOT, AHEAD, BEHIND } = MEETINGS;
 
-/** On a line she passes the centre of the force: there its direction jumps. */
+/** On a line she passes the centre of the force, where the direction of the force flips. */
 export const passCentre = eventRule({
   name: 'centre',
   keepsPeriod: true,
@@ -30,7 +30,7 @@ export const passCentre = eventRule({
   },
 });
 
-/** Held inside a field, she meets a target that is on the line that she is on. */
+/** Held inside a field, she meets a target that is on her line. */
 export const meetTarget = eventRule({
   name: 'meeting',
   always(m, from) {
@@ -47,7 +47,7 @@ export const meetTarget = eventRule({
   },
 });
 
-/** Of several asteroids in the same place that stand still the first stays the target. */
+/** Whether asteroid `i` stands still in the same place as the target: then the first of them stays the target. */
 function isInSamePlace(m: Motion, i: number): boolean {
   const target = m.s[TARGET];
   return !m.recoil && m.targetX[i] === m.targetX[target] && m.targetY[i] === m.targetY[target];

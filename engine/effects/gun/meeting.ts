@@ -7,10 +7,11 @@ const { NONE } = LINES;
 const { AHEAD, BEHIND, TOGETHER } = MEETINGS;
 
 /**
- * She is held inside a field: where the target is on the line that she is on, it is ahead of her or behind until they meet, which is
- * an event. There the box flips, and so does the acceleration of a target that is dragged along. One that would swing about her by less than
- * {@link SMALLEST_ORBIT} stays in her centre: it is accelerated as she is, by no more than it could be.
- * @returns whether it is on the line; otherwise the box follows it
+ * She is held inside a field. If the target is on her line, it is ahead of her or behind her until they meet, which is an
+ * event: there the box flips, and so does the acceleration of a target that is dragged along. A target that would swing about
+ * her by less than {@link SMALLEST_ORBIT} stays in her centre: it is accelerated as she is, which the gun is strong enough to
+ * do.
+ * @returns whether it is on the line; if not, the box follows it
  */
 export function holdOnLine(m: Motion): boolean {
   const { s, ux, uy, recoil } = m;
@@ -20,7 +21,7 @@ export function holdOnLine(m: Motion): boolean {
   const y = (recoil ? s[o + 1] : m.targetY[target]) - s[BASE_Y] - uy[0];
   const vx = (recoil ? s[o + 2] : 0) - ux[1];
   const vy = (recoil ? s[o + 3] : 0) - uy[1];
-  // she rests in the centre of the field: any line through it is hers, unless a steady force drives her along one
+  // at rest in the centre of the field any line through it is hers, unless a steady force drives her along one
   const rests = !m.flow.isSteady && ux[0] === 0 && uy[0] === 0 && ux[1] === 0 && uy[1] === 0;
   if (rests && (s[LINE] === NONE || !holdsTarget(m, target))) {
     if (x !== 0 || y !== 0) beginLine(m, x, y);
@@ -30,13 +31,13 @@ export function holdOnLine(m: Motion): boolean {
 
   const steep = s[LINE_STEEP] === 1;
   const main = steep ? s[LINE_Y] : s[LINE_X];
-  const way = (steep ? y : x) / main;
+  const along = (steep ? y : x) / main;
   const speed = (steep ? vy : vx) / main;
   const push = s[KIND] === LINEAR ? s[SIDE] * m.rules.push : 0;
   const strongest = Math.abs(push) + m.flow.steadyStrength;
   const back = m.kappa - strongest;
-  const energy = (speed * speed) / 2 + (m.kappa + strongest) * Math.abs(way);
-  if (back > 0 ? energy < back * SMALLEST_ORBIT : way === 0 && speed === 0 && push === 0) {
+  const energy = (speed * speed) / 2 + (m.kappa + strongest) * Math.abs(along);
+  if (back > 0 ? energy < back * SMALLEST_ORBIT : along === 0 && speed === 0 && push === 0) {
     s[MEETS] = TOGETHER;
     if (!recoil) return true;
     s[o] = s[BASE_X] + ux[0];
@@ -46,20 +47,20 @@ export function holdOnLine(m: Motion): boolean {
     return true;
   }
   // what no force holds in her centre stays behind when the push takes her away
-  const side = way !== 0 ? way : speed !== 0 ? speed : -push;
+  const side = along !== 0 ? along : speed !== 0 ? speed : -push;
   s[MEETS] = side < 0 ? BEHIND : AHEAD;
   s[COS] = s[MEETS] * s[LINE_X];
   s[SIN] = s[MEETS] * s[LINE_Y];
   return true;
 }
 
-/** The target is in her very centre: to the last bit, along the line. */
+/** Puts the target into her very centre, exact to the last bit along the line. */
 export function putInCentre(m: Motion): void {
   const { s, ux, uy, recoil } = m;
   const target = s[TARGET];
   const o = m.rocks + ROCK * target;
   if (ux[0] === 0 && uy[0] === 0 && ux[1] === 0 && uy[1] === 0) {
-    // she rests in the centre of the field, where the smallest step aside would grow; at the speed limit she may pass it
+    // at rest in the centre of the field the smallest displacement would grow; at the speed limit she may pass the centre
     s[o] = s[BASE_X];
     s[o + 1] = s[BASE_Y];
     return;

@@ -17,47 +17,51 @@ const { START, FIELD, BASE, BASE_X, BASE_Y, KIND, TURN, DEGREE, LIMIT_X, LIMIT_Y
 const { TURN_NOT } = TURNS;
 const { ROCK } = RECORDS;
 
-/** Orbits of a width w are skipped where sqrt(w / pull) is below this, s: one takes 2.8 to 3.7 times that from pericentre to pericentre. */
+/**
+ * Orbits of width w are skipped where sqrt(w / pull) is below this, s. From pericentre to pericentre an orbit takes 2.8 to 3.7
+ * times that.
+ */
 const SHORTEST = TICK / 8;
 
-/** Most pieces of one look for the period: a flat orbit takes some dozens. */
+/** Most pieces of one search for the period; a flat orbit takes some dozens. */
 const MOST_PIECES = 400;
 
 const x = new Float64Array(TAYLOR_DEGREE + 1);
 const y = new Float64Array(TAYLOR_DEGREE + 1);
 const e = new Float64Array(4);
-// from one pericentre to the next: time, and the turn as cosine and sine
+// from one pericentre to the next: time, and the rotation as cosine and sine
 const turn = new Float64Array(3);
 const targetX = new Float64Array(TAYLOR_DEGREE + 1);
 const targetY = new Float64Array(TAYLOR_DEGREE + 1);
-// what an orbit adds to the target's way and velocity
+// what an orbit adds to the target's displacement and velocity
 const orbit = new Float64Array(4);
 
-/** How far from the centre of her target an orbit gets at most, px: the pull is all but constant so near to it. */
+/** Upper bound of an orbit's distance from the centre of her target, px. So near to it the pull is almost constant. */
 function width(m: Motion, strength: number): number {
   const { ux, uy } = m;
   return Math.sqrt(ux[0] * ux[0] + uy[0] * uy[0]) + (ux[1] * ux[1] + uy[1] * uy[1]) / (2 * strength);
 }
 
-/** Whether she circles her target so closely that orbits are skipped, or, with `room`, that they may be before long. */
+/** Whether she circles her target so closely that orbits are skipped; with `room`, whether this may be so soon. */
 export function isTiny(m: Motion, room = 1): boolean {
   const { s, ux, uy } = m;
-  // seldom more than the first of these is asked
+  // seldom more than the first of these is evaluated
   if (ux[0] * ux[0] + uy[0] * uy[0] > 1e-4 || s[KIND] !== CENTRAL || s[FIELD] >= 0 || m.flow.isSteady) return false;
   const strength = m.rules.pull + m.kappa;
   return width(m, strength) < room * strength * SHORTEST * SHORTEST;
 }
 
-/** How long it is to the next tick, s; at a tick 0, since the button may yet change at it. */
+/** Time to the next tick, s; at a tick 0, since the button may still change at it. */
 export function untilTick(time: number): number {
   const n = Math.floor(time * TICK_RATE + 1e-9);
   return (time > n / TICK_RATE ? n + 1 : n) / TICK_RATE - time;
 }
 
 /**
- * She circles the very centre of her target many times a tick. From one pericentre to the next every orbit is the one before,
- * turned by the same angle; so whole ones are skipped, up to the next tick, and the turn is taken to their number's power. With
- * recoil the target moves as she does, and both of them evenly as a whole. Goes by the series at every accuracy.
+ * She circles the very centre of her target many times per tick. From one pericentre to the next, every orbit is the previous
+ * one rotated by the same angle. So whole orbits are skipped up to the next tick, and the rotation is raised to the power of
+ * their number. With recoil the target moves as she does, and the centre of both moves uniformly. The series is used at every
+ * accuracy.
  */
 export function skipOrbits(m: Motion): void {
   const { s, ux, uy, px, py } = m;
@@ -80,7 +84,8 @@ export function skipOrbits(m: Motion): void {
   const [c, q] = [turn[1], turn[2]];
   const [cos, sin] = power(c, q, count);
   if (m.recoil) {
-    // the first orbit adds g to her target's velocity and h to its way, the k-th both turned k times: sums of powers of the turn
+    // the first orbit adds g to the target's velocity and h to its place, the k-th both rotated k times: sums of powers of the
+    // rotation
     throughOrbit(m, period, a, strength);
     const [hx, hy, gx, gy] = orbit;
     const off = (1 - c) * (1 - c) + q * q;
@@ -114,14 +119,14 @@ function power(c: number, q: number, n: number): [number, number] {
 }
 
 /**
- * She swings on a line through the centre of her target, which recoils: moves both on by `time` s, a number of whole periods of
+ * She swings on a line through the centre of her target, which recoils: advances both by `time` s, a whole number of periods of
  * `period` s, unless something could happen meanwhile.
  * @returns whether it did
  */
 export function driftsBy(m: Motion, time: number, period: number): boolean {
   const { ux, uy, px, py, kappa } = m;
   const v = Math.sqrt(ux[1] * ux[1] + uy[1] * uy[1]);
-  // drawn to one side for half a period and to the other for the next
+  // pulled to one side for half a period and to the other for the next half
   const gain = v > 0 ? (kappa * period) / (4 * v) : 0;
   const vx = px[1] + gain * ux[1];
   const vy = py[1] + gain * uy[1];
@@ -133,7 +138,9 @@ export function driftsBy(m: Motion, time: number, period: number): boolean {
   return true;
 }
 
-/** Moves her target by (dx, dy), and her with it, to where it has the velocity (vx, vy); the other rocks go on for `time` s. */
+/**
+ * Moves her target by (dx, dy), and her with it, to where it has the velocity (vx, vy); the other asteroids drift for `time` s.
+ */
 function drift(m: Motion, dx: number, dy: number, vx: number, vy: number, time: number): void {
   const { s, px, py } = m;
   s[BASE_X] += dx;
@@ -155,7 +162,7 @@ function drift(m: Motion, dx: number, dy: number, vx: number, vy: number, time: 
   m.near.skin = -1;
 }
 
-/** For whoever looks between two ticks: she in the middle of her orbit, moving with it. */
+/** Records, for reads between two ticks, that she is in the middle of her orbit and moves with it. */
 function recordMean(m: Motion, vx: number, vy: number, length: number): void {
   const { s, ux, uy, px, py, recorder } = m;
   if (recorder === null) return;
@@ -172,10 +179,12 @@ function recordMean(m: Motion, vx: number, vy: number, length: number): void {
   s.set(kept);
 }
 
-/** Looks that take as long as a piece of an orbit. */
+/** Number of evaluations that cost as much as a piece of an orbit. */
 const LOOKS_A_PIECE = 3;
 
-/** Expands her orbit about the centre, and the way of a target that recoils at `kappa`; returns for how long they hold, s. */
+/**
+ * Expands her orbit about the centre, and the motion of a target that recoils at `kappa`; returns for how long they hold, s.
+ */
 function expandOrbit(m: Motion, a: number, strength: number, beta: number, kappa: number): number {
   m.budget.look(LOOKS_A_PIECE);
   centralSeries(x, y, -strength, beta, targetX, targetY, kappa);
@@ -185,7 +194,7 @@ function expandOrbit(m: Motion, a: number, strength: number, beta: number, kappa
   return taylorStep(x, y, 1e-17 * a, 0.6 * toCentre);
 }
 
-/** Her target through one orbit from where she is, as if it rested at its start: its way and velocity into `orbit`. */
+/** Advances her target through one orbit as if it rested at the start; writes displacement and velocity to `orbit`. */
 function throughOrbit(m: Motion, period: number, a: number, strength: number): void {
   x[0] = m.ux[0];
   y[0] = m.uy[0];
@@ -210,7 +219,7 @@ function throughOrbit(m: Motion, period: number, a: number, strength: number): v
   }
 }
 
-/** The time from one pericentre to the next, s, with the turn into `turn`; 0 where none is found. */
+/** The time from one pericentre to the next, s, or 0 if none is found; writes the rotation to `turn`. */
 function orbitPeriod(m: Motion, a: number, strength: number): number {
   const beta = m.rules.pull / m.scene.level.range;
   x[0] = m.ux[0];

@@ -4,8 +4,8 @@ import { driftsBy, untilTick } from './orbits.ts';
 const { START, AWAKE_COUNT, CROSSED, CROSSED_BEFORE } = SLOTS;
 
 /**
- * She swings to and fro on a line through the centre, faster than the ticks: after two crossings everything is as it
- * was but the time, so whole periods are skipped, up to the next tick.
+ * She swings on a line through the centre, faster than the ticks. After two crossings everything but the time is as before, so
+ * whole periods are skipped up to the next tick.
  */
 export function skipPeriods(m: Motion): void {
   const { s } = m;

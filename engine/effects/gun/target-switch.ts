@@ -15,10 +15,10 @@ import { SURPLUS, TIE, WIDEST_TIE } from '../../tolerances.ts';
 
 const { START, TARGET, BASE_X, BASE_Y, DEGREE, LENGTH_H, ACCELERATION, SWITCH_TIME, SWITCHES } = SLOTS;
 
-/** So many changes of target in one instant may be: with each one more a tie is ten times as wide. */
+/** This many changes of target in one instant are normal; each further one makes a tie ten times as wide. */
 const MOST_SWITCHES = 4;
 
-/** The target changes at this time, s. */
+/** Counts a change of target at this time, s. */
 export function countSwitch(m: Motion, time: number): void {
   const { s } = m;
   s[SWITCHES] = time - s[SWITCH_TIME] <= m.sameInstant ? s[SWITCHES] + 1 : 1;
@@ -26,21 +26,22 @@ export function countSwitch(m: Motion, time: number): void {
 }
 
 /**
- * What counts as a tie, px. Where between fixed steps the way strays a little, each of two asteroids may seem to be nearer as soon as
- * the other is the target; and where the speed limit holds her along one axis, then along the other, nothing takes her away from there.
+ * The width of a tie, px. It must grow in two cases. Between fixed steps the path errs a little, so that each of two asteroids
+ * may seem nearer as soon as the other is the target. And where the speed limit holds her along one axis and then the other,
+ * nothing takes her away.
  */
 function tieOf(m: Motion): number {
   const { s } = m;
   if (s[SWITCHES] <= MOST_SWITCHES || s[START] - s[SWITCH_TIME] > m.sameInstant) return TIE;
-  // multiplied one by one: `**` may differ by a bit between JavaScript engines
+  // multiplied step by step: `**` may differ by a bit between JavaScript engines
   let tie = TIE;
   for (let n = MOST_SWITCHES; n < s[SWITCHES]; n++) tie = Math.min(WIDEST_TIE, 10 * tie);
   return tie;
 }
 
-/** What {@link switchGuard} says beside its value. */
+/** What {@link switchGuard} returns besides its value. */
 const beside = new Float64Array(3);
-/** Its slope; how fast that can fall at most; what the width of a tie makes of it. */
+/** Its slope; a bound of how fast the slope can fall; and the value that the width of a tie corresponds to. */
 const SLOPE = 0;
 const FALL = 1;
 const TIED = 2;
@@ -52,11 +53,11 @@ const ty = new Float64Array(LONGEST_SERIES);
 const guard = new Float64Array(2 * LONGEST_SERIES);
 
 /**
- * First time at which asteroid `i` is nearer than the target: a march of safe steps, after PATIENCE looks by the coefficients of
- * the guard, which is a polynomial. What it overlooks is a tie.
- * @param from s from the start of the piece
- * @param atZero both are as near, the target having just changed from this one
- * @returns s from the start of the piece, too; -1: not before it ends
+ * First time at which asteroid `i` is nearer than the target: a march of safe steps, which after PATIENCE evaluations continues
+ * by the coefficients of the guard, a polynomial. It can overlook only a tie.
+ * @param from - where to begin, s after the start of the piece
+ * @param atZero - both are equally near, the target having just changed from this asteroid
+ * @returns s after the start of the piece; -1 if not before the piece ends
  */
 export function switchTime(m: Motion, i: number, from: number, atZero: boolean): number {
   const { s, work } = m;
@@ -67,12 +68,12 @@ export function switchTime(m: Motion, i: number, from: number, atZero: boolean):
   work.guards++;
   for (let n = 0; ; n++) {
     let g = switchGuard(m, i, t);
-    // shallower than what the way itself may err by it is a tie, and the target stays
+    // a dip shallower than the error of the path is a tie, and the target stays
     if (g < -beside[TIED]) {
       if (n > 0) return switchBetween(m, i, before, t);
       if (!atZero && (beside[SLOPE] < 0 || g < -1e-9)) return t;
     }
-    // within a tie the root may lie behind already
+    // within a tie the root may lie in the past
     if (g < 0) g = 0;
     else before = t;
     if (t >= horizon) return -1;
@@ -81,7 +82,7 @@ export function switchTime(m: Motion, i: number, from: number, atZero: boolean):
     let step = safeStep(above, slope, beside[FALL]);
     if (n >= PATIENCE && t + step < horizon) {
       work.guards++;
-      // where both are in the same place the slope at `t` is rounding alone, and the coefficients know that it is none
+      // if both are in the same place, the slope at `t` is only rounding, and the coefficients show that it is 0
       const degree = switchSeries(m, i, t);
       step = Math.max(step, safeStretch(guard, degree, above, guard[1], 0, horizon - t));
     }
@@ -90,7 +91,7 @@ export function switchTime(m: Motion, i: number, from: number, atZero: boolean):
   }
 }
 
-/** The root by the polynomial about `before`: close to a tie there it has more digits than distances have. */
+/** The root of the polynomial about `before`: close to a tie it has more digits than distances have. */
 function switchBetween(m: Motion, i: number, before: number, behind: number): number {
   m.work.roots++;
   const value = Math.max(0, switchGuard(m, i, before));
@@ -99,11 +100,11 @@ function switchBetween(m: Motion, i: number, before: number, behind: number): nu
   return crossing(before, behind, (t) => valueAt(guard, degree, t - before));
 }
 
-/** Into `guard` the coefficients of {@link switchGuard} about `t`; returns their degree. */
+/** Writes the coefficients of {@link switchGuard} about `t` to `guard`; returns their degree. */
 function switchSeries(m: Motion, i: number, t: number): number {
   const { s } = m;
   if (!m.recoil) {
-    // both stand still, and the squares of her place fall out: 2 (target - i).u
+    // both stand still, and the squares of her place cancel: 2 (target - i).u
     const mx = m.targetX[i] - m.targetX[s[TARGET]];
     const my = m.targetY[i] - m.targetY[s[TARGET]];
     for (let k = 0; k <= s[DEGREE]; k++) guard[k] = -2 * (mx * m.ux[k] + my * m.uy[k]);
@@ -130,8 +131,8 @@ function switchSeries(m: Motion, i: number, t: number): number {
 }
 
 /**
- * Squared distance to asteroid `i` minus that to the target, px2. Where both stand still it is linear in her place.
- * Its slope, a bound on how fast that can fall, and what the width of a tie makes of it go to {@link beside}.
+ * Squared distance to asteroid `i` minus that to the target, px². If both stand still it is linear in her place. Its slope, a
+ * bound of how fast that can fall, and the width of a tie go to {@link beside}.
  */
 export function switchGuard(m: Motion, i: number, t: number): number {
   const { s, her, toCircle, budget } = m;
@@ -169,13 +170,13 @@ export function switchGuard(m: Motion, i: number, t: number): number {
   const g = (toCircle[0] - tx) * (toCircle[0] + tx) + (toCircle[1] - ty) * (toCircle[1] + ty);
   beside[SLOPE] = 2 * (toCircle[0] * toCircle[2] + toCircle[1] * toCircle[3] - tx * tvx - ty * tvy);
   beside[FALL] = 2 * fast * fast + 2 * far * pull;
-  // nearer to each other than a tie is wide they are one, whatever rounding says
+  // asteroids nearer to each other than a tie is wide count as one, whatever rounding says
   beside[TIED] =
     2 * tie * Math.max(tie, Math.sqrt((toCircle[0] - tx) * (toCircle[0] - tx) + (toCircle[1] - ty) * (toCircle[1] - ty)));
   return g;
 }
 
-/** For how long, at most `time` s, asteroid `i` doesn't become the nearest, whatever the flow does. */
+/** For how long, at most `time` s, asteroid `i` cannot become the nearest, whatever the flow does. */
 export function quietUntilSwitch(m: Motion, i: number, time: number): number {
   const g = switchGuard(m, i, 0) - SURPLUS;
   const mx = m.targetX[i] - m.targetX[m.s[TARGET]];

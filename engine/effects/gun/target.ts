@@ -2,12 +2,12 @@ import { type Motion, nearest, SLOTS } from '../../motion/index.ts';
 
 const { HELD, TARGET, COVER } = SLOTS;
 
-/** Tells the recorder which asteroid the gun holds from now on. */
+/** Reports to the recorder which asteroid is the target from now on. */
 export function recordTarget(m: Motion, time: number): void {
   m.recorder?.event({ time, type: 'target', index: m.scene.targets.index[m.s[TARGET]] });
 }
 
-/** She is somewhere else: another asteroid may be the nearest. */
+/** Chooses the target anew after she was moved: another asteroid may be the nearest. */
 export function holdNearest(m: Motion, time: number): void {
   const { s } = m;
   if (s[HELD] === 0) return;

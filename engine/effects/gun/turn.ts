@@ -4,7 +4,7 @@ import { holdOnLine } from './meeting.ts';
 const { HELD, FIELD, KIND, TURN, COS, SIN, SIDE, LINE_X, LINE_Y } = SLOTS;
 const { TURN_TO_BASE, TURN_TO_TARGET } = TURNS;
 
-/** Held, her box turns to the target and follows it. */
+/** Sets how the box turns: while the gun is held it points at the target. */
 export function turnToTarget(m: Motion): void {
   const { s } = m;
   if (s[HELD] === 0) return;

@@ -6,7 +6,7 @@ import type { Effect } from '../effect.ts';
 const { COVER } = SLOTS;
 const { ROCK } = RECORDS;
 
-/** The asteroid that keeps her in range: when she leaves its range another may take over, or she is lost. */
+/** She leaves the range of the asteroid that kept her in range: another one takes over, or she is lost. */
 export const leaveRange = eventRule({
   name: 'range',
   ends: { outcome: 'lost', touches: null },

@@ -4,7 +4,7 @@ import { SHORTEST_LAPSE } from '../../tolerances.ts';
 
 const { LENGTH_H, ACCELERATION, OUTER } = SLOTS;
 
-/** Once the series of the pressure leads, one that falls below 0 by less than this may be overlooked, px/s2. */
+/** Once the series of the pressure is used, a dip below 0 that is shallower than this may be overlooked, px/s². */
 const OVERLOOKED = 1e-10;
 
 const x = new Float64Array(TAYLOR_DEGREE + 1);
@@ -12,11 +12,11 @@ const y = new Float64Array(TAYLOR_DEGREE + 1);
 const about = new Float64Array(TAYLOR_DEGREE - 1);
 
 /**
- * When nothing presses her onto the rim any more that she slides along: she flies out faster than the force outside drives her in.
- * The pressure can't fall faster than a bound, so strides of pressure / bound step over nothing.
- * Where it stays near 0 for long its series says, after PATIENCE looks, how far it does.
- * @param from s from the start of the piece
- * @returns s from there, too; -1: not before the piece ends
+ * When she comes off the rim that she slides along: nothing presses her onto it any more, since she flies out faster than the
+ * force outside drives her in. The pressure cannot fall faster than a bound, so strides of pressure / bound step over nothing.
+ * Where the pressure stays near 0 for long, its series gives the strides after PATIENCE evaluations.
+ * @param from - where to begin, s after the start of the piece
+ * @returns s after the start of the piece; -1 if not before the piece ends
  */
 export function comeOffTime(m: Motion, from: number): number {
   const { s, her, toTarget, rim, work } = m;
@@ -35,7 +35,7 @@ export function comeOffTime(m: Motion, from: number): number {
     const d = Math.sqrt(toTarget[0] * toTarget[0] + toTarget[1] * toTarget[1]);
     const v = Math.sqrt(toTarget[2] * toTarget[2] + toTarget[3] * toTarget[3]);
     const root = Math.sqrt(relative * d);
-    // within the cap the distance stays above 0.72 d and speeds below these
+    // within the cap the distance stays above 0.72 d, and the speeds below these
     const cap = (0.25 * d) / (v + root);
     const fast = v + 0.25 * root;
     const own = Math.sqrt(her[2] * her[2] + her[3] * her[3]) + a * cap;
@@ -52,7 +52,10 @@ export function comeOffTime(m: Motion, from: number): number {
   }
 }
 
-/** Into `about` the coefficients of the pressure about `t`; made again each time, since the piece may have been restored. */
+/**
+ * Writes the coefficients of the pressure about `t` to `about`. They are computed anew each time, since the piece may have been
+ * restored.
+ */
 function pressureSeries(m: Motion, t: number): void {
   m.budget.look(8);
   for (let k = 0; k < 2; k++) {
@@ -69,13 +72,16 @@ function offBetween(m: Motion, before: number, behind: number): number {
   return crossing(before, behind, (t) => pressureAt(m, t));
 }
 
-/** What presses her onto the rim after `t`, px/s2; looks as {@link weighAt} does. */
+/** What presses her onto the rim after `t`, px/s²; evaluates the motion as {@link weighAt} does. */
 function pressureAt(m: Motion, t: number): number {
   weighAt(m, t);
   return m.rim.pressesIn;
 }
 
-/** Finds into `m.rim` what acts on her after `t`, into `m.her` where she is, into `m.toTarget` where the centre of the force outside is. */
+/**
+ * Writes the forces on her after `t` to `m.rim`, her place to `m.her`, and the vector to the centre of the force outside to
+ * `m.toTarget`.
+ */
 export function weighAt(m: Motion, t: number): void {
   const { s, her, toTarget, rim } = m;
   placeAt(m, t);

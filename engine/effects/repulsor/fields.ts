@@ -2,7 +2,7 @@ import { type Motion, SLOTS } from '../../motion/index.ts';
 
 const { FIELD, BASE_X, BASE_Y } = SLOTS;
 
-/** Marks the repulsors that contain her at the start. */
+/** Flags the repulsors that contain her at the start. */
 export function enterFields(m: Motion): void {
   const { s, scene } = m;
   const { repulsors } = scene;
@@ -14,7 +14,7 @@ export function enterFields(m: Motion): void {
   s[FIELD] = actingField(m);
 }
 
-/** She is somewhere else: she may have left fields, and be in others. */
+/** She was moved: she may have left fields and be in others. */
 export function changeFields(m: Motion, time: number): void {
   const { s, scene, ux, uy } = m;
   const { repulsors } = scene;
@@ -29,7 +29,7 @@ export function changeFields(m: Motion, time: number): void {
   s[FIELD] = actingField(m);
 }
 
-/** The first repulsor that contains her; -1 where there is none. */
+/** The first repulsor that contains her; -1 if there is none. */
 export function actingField(m: Motion): number {
   for (let i = 0; i < m.scene.repulsors.count; i++) if (m.s[m.inside + i] === 1) return i;
   return -1;

@@ -2,7 +2,7 @@ import { type CentralForce, rebase, SLOTS } from '../../motion/index.ts';
 
 const { FIELD } = SLOTS;
 
-/** The push of a field away from its centre, of the same strength all over it. */
+/** The push of a field away from its centre, equally strong everywhere in it. */
 export const repulsorPush: CentralForce = {
   acts: 'instead',
   strongest: (_level, { push }) => push,

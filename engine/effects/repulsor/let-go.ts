@@ -8,14 +8,16 @@ const { LIMIT_X, LIMIT_Y, LENGTH_H, ACCELERATION } = SLOTS;
 const acceleration = new Float64Array(2);
 
 /**
- * She slides along a rim, and the speed limit holds her along an axis: when it lets go, since what acts on her between two bounces
- * would no longer drive her on along it. Where it is 0 she moves alike held or free, so it is looked at as if she were free.
- * With s the share of the time that the force f outside acts and n the direction out it is s f + (1 - s) 20 n, where
- * s = (20 + S) / (20 - P) <= 1, S = |v|^2 / radius and P = f.n <= 0; so it changes by no more than
- * (|S'| + |P'|) / 20 (|f| + 20) + |f'| + 20 |n'|.
- * @param axis 0: x, 1: y
- * @param from s from the start of the piece
- * @returns s from there, too; -1: not before the piece ends
+ * She slides along a rim while the speed limit holds an axis: when is the axis freed, since the forces between two bounces
+ * would no longer drive her further along it? Where that drive is 0 she moves alike held or free, so it is computed as if the
+ * axis were free.
+ *
+ * Let f be the force outside, n the direction outwards and s the share of the time in which f acts. The drive is s f + (1 - s)
+ * push n with s = (push + S) / (push - P) <= 1, S = |v|² / radius and P = f.n <= 0. So it changes by at most (|S'| + |P'|) /
+ * push (|f| + push) + |f'| + push |n'| per second.
+ * @param axis - 0 for x, 1 for y
+ * @param from - where to begin, s after the start of the piece
+ * @returns s after the start of the piece; -1 if not before the piece ends
  */
 export function letGoTime(m: Motion, axis: number, from: number): number {
   const { s, her, toTarget, rim, work } = m;
@@ -32,7 +34,7 @@ export function letGoTime(m: Motion, axis: number, from: number): number {
     if (t >= horizon) return -1;
     const d = Math.sqrt(toTarget[0] * toTarget[0] + toTarget[1] * toTarget[1]);
     const v = Math.sqrt(toTarget[2] * toTarget[2] + toTarget[3] * toTarget[3]);
-    // bounds on distance and speeds as in come-off.ts
+    // bounds of distance and speeds as in come-off.ts
     const root = Math.sqrt((a + m.kappa) * d);
     const cap = (0.25 * d) / (v + root);
     const fast = v + 0.25 * root;
@@ -52,7 +54,7 @@ function goneBetween(m: Motion, axis: number, before: number, behind: number): n
   return crossing(before, behind, (t) => driveAt(m, axis, t));
 }
 
-/** How she would be accelerated along the axis, in the direction of the limit, were she free, px/s2. */
+/** Her acceleration along the axis, in the direction of the limit, if the axis were free, px/s². */
 function driveAt(m: Motion, axis: number, t: number): number {
   const { s, her, rim } = m;
   const { freeX, freeY } = rim;

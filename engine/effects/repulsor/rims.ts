@@ -7,7 +7,7 @@ import { beginsToSlide, holdsOnRim } from './slide.ts';
 
 const { START, KIND, FIELD, BASE_X, BASE_Y, RIM, LAST_EVENT, LAST_A } = SLOTS;
 
-/** Her centre comes into a field. What is listed under this is about leaving it where she is inside. */
+/** Her centre enters a field. An entry in the neighbour list stands for leaving the field if she is inside. */
 export const enterField = eventRule({
   name: 'enter',
   list: (m) => listRims(m, enterField, m.scene.repulsors),
@@ -28,7 +28,7 @@ export const leaveField = eventRule({
 function cross(m: Motion, i: number, entering: boolean, time: number): number {
   const { s } = m;
   countCrossing(m, time);
-  // sliding on the rim she counts as inside
+  // while she slides on the rim she counts as inside
   s[m.inside + i] = 1;
   if (beginsToSlide(m, i) && !entering) return GOES_ON;
   s[m.inside + i] = entering ? 1 : 0;
@@ -39,11 +39,11 @@ function cross(m: Motion, i: number, entering: boolean, time: number): number {
   return GOES_ON;
 }
 
-/** Sliding along the rim of a field, she comes off it. */
+/** She comes off the rim of a field that she slides along. */
 export const comeOffRim = eventRule({
   name: 'come off',
   first(m, from) {
-    // what comes later than this is none of hers
+    // later events cannot happen on this slide
     if (m.s[KIND] === SLIDE) offer(m, comeOffTime(m, from), comeOffRim.kind, 0, 0);
   },
   fire(m) {
@@ -52,7 +52,7 @@ export const comeOffRim = eventRule({
   },
 });
 
-/** At the start of a piece: she stays on the rim, or comes off it where nothing holds her any more. */
+/** At the start of a piece: she stays on the rim, or comes off it if nothing holds her any more. */
 export function followRim(m: Motion): void {
   const { s } = m;
   const field = s[RIM];
@@ -70,7 +70,7 @@ function comeOff(m: Motion): void {
   const x = s[BASE_X] + ux[0] - cx;
   const y = s[BASE_Y] + uy[0] - cy;
   const r = Math.sqrt(x * x + y * y);
-  // clear of the rim by what rounding could take for another crossing
+  // far enough from the rim that rounding cannot cause another crossing
   const wanted =
     (scene.repulsors.r[field] + roundingOnRim(m, scene.repulsors.x[field], scene.repulsors.y[field], scene.repulsors.r[field])) /
     r;

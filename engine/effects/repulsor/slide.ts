@@ -5,10 +5,10 @@ import { actingField } from './fields.ts';
 const { HELD, TARGET, BASE_X, BASE_Y, LIMIT_X, LIMIT_Y, RIM, OUTER } = SLOTS;
 const { ROCK } = RECORDS;
 
-/** So near to the centre of the force outside it has no direction to be relied on, px. */
+/** This near to its centre the force outside has no reliable direction, px. */
 const NO_DIRECTION = 1e-7;
 
-/** Sets what acts on the rim she slides along, about its centre, from the state at the start of the piece. */
+/** Sets `m.rim`, the forces on the rim that she slides along, from the state at the start of the piece. */
 export function setRim(m: Motion): void {
   aim(m, m.s[RIM], m.s[OUTER]);
 }
@@ -46,19 +46,19 @@ function aim(m: Motion, field: number, outer: number): void {
   }
 }
 
-/** The first field around her beside this one; -1 where there is none. */
+/** The first field besides this one that contains her; -1 if there is none. */
 function fieldBeside(m: Motion, field: number): number {
   for (let i = 0; i < m.scene.repulsors.count; i++) if (i !== field && m.s[m.inside + i] === 1) return i;
   return -1;
 }
 
 /**
- * Whether something holds her on the rim of a field around her: it is the one that acts within, and from outside she is driven
- * in more strongly than she flies out. Leaves the forces in `m.rim`.
+ * Whether she is held on the rim of a field that contains her: it must be the field that acts inside, and from outside she must
+ * be driven in more strongly than she flies out. Leaves the forces in `m.rim`.
  */
 export function holdsOnRim(m: Motion, field: number): boolean {
   const { s, rim, ux, uy, px, py, scene } = m;
-  // under a steady force she bounces instead, see rimTolerance
+  // under a steady force she bounces instead; see rimTolerance
   if (actingField(m) !== field || m.flow.isSteady) return false;
   const outer = fieldBeside(m, field);
   if (outer < 0 && (s[HELD] === 0 || s[TARGET] < 0)) return false;
@@ -74,9 +74,9 @@ export function holdsOnRim(m: Motion, field: number): boolean {
 }
 
 /**
- * Whether she slides from now on, crossing the rim of a field that counts as around her. Where the force outside drives her in and the
- * push drives her out she bounces on the rim without end, and her bounces keep their height; at rest across the rim she slides along it. A bounce has a mean velocity along the
- * rim, which is the one she goes on with.
+ * Whether she begins to slide as she crosses the rim of a field that contains her. Where the force outside drives her in and
+ * the push drives her out, she bounces on the rim endlessly, and her bounces keep their height; at rest across the rim she
+ * slides along it. A bounce has a mean velocity along the rim, with which she goes on.
  */
 export function beginsToSlide(m: Motion, field: number): boolean {
   const { s, rim, ux, uy, px, py, scene } = m;
@@ -85,7 +85,7 @@ export function beginsToSlide(m: Motion, field: number): boolean {
   const y = s[BASE_Y] + uy[0] - (repulsors.y[field] - m.originY);
   const r = Math.sqrt(x * x + y * y);
   const across = (x * (ux[1] + px[1]) + y * (uy[1] + py[1])) / r;
-  // so fast across the rim a bounce takes too long, however she is pressed back
+  // at this speed across the rim a bounce takes too long, however strongly she is pressed back
   if (Math.abs(across) > (SHORTEST_BOUNCE * 5 * m.rules.push) / 2) return false;
   if (!holdsOnRim(m, field)) return false;
   const { pressesIn, pressesOut } = rim;
@@ -94,7 +94,8 @@ export function beginsToSlide(m: Motion, field: number): boolean {
     const nx = x / r;
     const ny = y / r;
     const outside = rim.forceX * nx + rim.forceY * ny;
-    // she is ahead of the mean as she comes in, behind as she goes out, by half of what the force outside makes of its share
+    // she is faster than the mean as she comes in and slower as she goes out, by half of what the force outside adds in its
+    // share of the time
     const gain = across / (pressesIn + pressesOut);
     ux[1] += gain * (rim.forceX - outside * nx) - across * nx;
     uy[1] += gain * (rim.forceY - outside * ny) - across * ny;

@@ -3,23 +3,23 @@ import { LATEST_CROSSING, QUICK_CROSSING, SAME_RIM } from '../../tolerances.ts';
 
 const { BASE_X, BASE_Y, RIM, RIM_TIME, CHATTER } = SLOTS;
 
-/** A chatter at most so many crossings ahead is kept in mind. */
+/** The count of a chatter is limited to this many crossings. */
 const MOST = 15;
 
-/** What rounding makes of a place on the rim of a circle, px, with room. */
+/** Upper bound of the rounding error of a place on the rim of a circle, px. */
 export function roundingOnRim(m: Motion, x: number, y: number, r: number): number {
   const { s } = m;
   const far = Math.abs(x - m.originX) + Math.abs(y - m.originY) + Math.abs(s[BASE_X]) + Math.abs(s[BASE_Y]);
   return 1e-13 + 1e-14 * (far + r);
 }
 
-/** So many crossings in quick succession are a chatter; with each one more a rim is crossed twice as late. */
+/** More crossings in quick succession than this are a chatter; each further one doubles how late a rim is crossed. */
 const CHATTERS = 8;
 
 /**
- * How far beyond a rim she is when it counts as crossed, px: 0 as a rule. While she slides along one rim, others that all but
- * coincide with it are not to be crossed again and again; where she chatters between rims that meet, she is let swing wider
- * until the crossings come no faster than anybody could wait for.
+ * How far beyond a rim she is when it counts as crossed, px; normally 0. While she slides along one rim, others that almost
+ * coincide with it must not be crossed again and again. Where she chatters between rims that meet, she swings wider and wider,
+ * until the crossings are no more frequent than can be simulated in reasonable time.
  */
 export function rimTolerance(m: Motion, x: number, y: number, r: number): number {
   const { s } = m;
@@ -29,7 +29,7 @@ export function rimTolerance(m: Motion, x: number, y: number, r: number): number
   return far + roundingOnRim(m, x, y, r);
 }
 
-/** Keeps count of crossings of rims in quick succession: where several rims meet she may be thrown to and fro without end. */
+/** Counts crossings of rims in quick succession: where several rims meet she may be thrown back and forth endlessly. */
 export function countCrossing(m: Motion, time: number): void {
   const { s } = m;
   s[CHATTER] = time - s[RIM_TIME] < QUICK_CROSSING ? Math.min(MOST, s[CHATTER] + 1) : Math.max(0, s[CHATTER] - 1);

@@ -4,8 +4,10 @@ import { type EventRule, type Motion, placeCircle } from '../../motion/index.ts'
 import { rimTolerance } from './chatter.ts';
 
 /**
- * Offers when her centre crosses the rim of circle `i`, px in the level: out of it where she is inside, else into it.
- * @param enter, leave the kinds of events that these are
+ * Offers the time at which her centre crosses the rim of circle `i` (px in the level): leaving it if she is inside, otherwise
+ * entering it.
+ * @param enter - the kind of event for entering
+ * @param leave - the kind of event for leaving
  */
 export function offerCrossing(
   m: Motion,

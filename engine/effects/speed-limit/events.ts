@@ -5,9 +5,9 @@ import { freeTime, limitTime } from './guard.ts';
 const { LIMIT_X, LIMIT_Y, LENGTH_H, ACCELERATION, LAST_EVENT, LAST_A } = SLOTS;
 
 /**
- * An axis of her velocity comes to the limit. Each is held there while the force would drive it on. Both guards are polynomials:
- * the velocity along the axis, and, as a force towards or from the centre changes its sign along an axis where she passes the
- * centre, her place along it.
+ * An axis of her velocity reaches the limit. It is held there while the force would drive it further. Two guards are needed,
+ * both of them polynomials: the velocity along the axis, and her place along it, since a central force changes its sign along
+ * an axis where she passes the centre.
  */
 export const holdAxis = eventRule({
   name: 'limit',
@@ -53,7 +53,7 @@ function holdLimits(m: Motion): void {
   if (s[LIMIT_Y] !== 0) uy[1] = s[LIMIT_Y] * m.rules.speedLimit - py[1];
 }
 
-/** She may start at the limit. */
+/** Holds axes that are at the limit from the start. */
 export function limitStart(m: Motion): void {
   const limit = (v: number) => (v >= m.rules.speedLimit ? 1 : v <= -m.rules.speedLimit ? -1 : 0);
   m.s[LIMIT_X] = limit(m.ux[1]);

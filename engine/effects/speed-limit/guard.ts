@@ -4,18 +4,18 @@ import { letGoTime } from '../repulsor/index.ts';
 
 const { DEGREE, LENGTH_H } = SLOTS;
 
-/** What may be overlooked: px/s beyond the limit, px beyond the centre. Below what rounding makes of the limit ten times. */
+/** What may be overlooked: px/s beyond the limit, px beyond the centre. It is a tenth of the limit's rounding. */
 const OVERLOOKED = 1e-12;
 
-// scratch: what would act if the axis were free
+// working memory: the force that would act if the axis were free
 const force = new Flow();
 const there = new Float64Array(4);
 const guard = new Float64Array(LONGEST_SERIES);
 const about = new Float64Array(LONGEST_SERIES);
 
 /**
- * When she comes to the limit along an axis and is driven on. Where she is driven back, a step is beyond the limit only by
- * its own error, and would be held and let go again without end.
+ * When she reaches the limit along an axis and is driven further. Where she is driven back, a step exceeds the limit only by
+ * its own error; it would be held and freed again endlessly.
  */
 export function limitTime(m: Motion, axis: number, sign: number, from: number, released: boolean): number {
   const { kind, alpha } = m.flow;
@@ -35,7 +35,9 @@ export function limitTime(m: Motion, axis: number, sign: number, from: number, r
   }
 }
 
-/** When the force would no longer drive her on along an axis that is held at the limit; -1: not before the piece ends. */
+/**
+ * When the force would no longer drive her further along an axis that is held at the limit; -1 if not before the piece ends.
+ */
 export function freeTime(m: Motion, axis: number, held: number, from: number): number {
   if (m.flow.kind === SLIDE) return letGoTime(m, axis, from);
   // on a line both axes are free; without a force nothing drives her back
@@ -45,22 +47,24 @@ export function freeTime(m: Motion, axis: number, held: number, from: number): n
 }
 
 /**
- * The same beside a steady force, where the place doesn't say in which direction she is driven. It is looked at the end of the piece
- * alone, which the stepper keeps short.
+ * The same with a steady force, where the place does not tell in which direction she is driven. Only the end of the piece is
+ * examined; the stepper keeps the piece short.
  */
 function steadyFreeTime(m: Motion, axis: number, held: number, from: number): number {
   m.work.guards++;
   return turnTime(m, from, (t) => held * drive(m, axis, t));
 }
 
-/** When what is not negative at `from` falls below 0, where it does at the end of the piece; -1: it doesn't. */
+/**
+ * When a value that is not negative at `from` falls below 0, provided that it is below 0 at the end of the piece; otherwise -1.
+ */
 function turnTime(m: Motion, from: number, along: (t: number) => number): number {
   if (along(from) < 0) return from;
   const end = Math.min(m.horizon, m.s[LENGTH_H]);
   return along(end) < 0 ? crossing(from, end, along) : -1;
 }
 
-/** How the axis would be accelerated after `t`, were it free, px/s2. */
+/** The acceleration along the axis after `t` if the axis were free, px/s². */
 function drive(m: Motion, axis: number, t: number): number {
   const { flow } = m;
   pairAt(m.ux, m.uy, m.s[DEGREE], t, there, 0);
@@ -77,7 +81,7 @@ function drive(m: Motion, axis: number, t: number): number {
   return there[axis];
 }
 
-/** Into `guard`: sign u, px; returns its degree. */
+/** Writes sign u, px, to `guard`; returns its degree. */
 function placeGuard(m: Motion, axis: number, sign: number): number {
   const u = axis === 0 ? m.ux : m.uy;
   const degree = m.s[DEGREE];
@@ -85,7 +89,7 @@ function placeGuard(m: Motion, axis: number, sign: number): number {
   return degree;
 }
 
-/** Into `guard`: how far she is below the limit, px/s; returns its degree. */
+/** Writes to `guard` how far she is below the limit, px/s; returns its degree. */
 function velocityGuard(m: Motion, axis: number, sign: number): number {
   const u = axis === 0 ? m.ux : m.uy;
   const p = axis === 0 ? m.px : m.py;
@@ -96,9 +100,9 @@ function velocityGuard(m: Motion, axis: number, sign: number): number {
 }
 
 /**
- * First time in [from, horizon] at which the polynomial in `guard` is below 0, or -1: steps as long as its coefficients
- * about each place prove, so that no graze is overlooked but one shallower than OVERLOOKED.
- * @param atZero it stands at 0 at `from`, having just been let go
+ * First time in [from, horizon] at which the polynomial in `guard` is below 0, or -1. The coefficients about each time prove
+ * the length of the next step, so nothing is overlooked but dips shallower than OVERLOOKED.
+ * @param atZero - the guard is 0 at `from`, since the axis was freed then
  */
 function firstBelow(m: Motion, degree: number, from: number, atZero: boolean): number {
   const { s } = m;
@@ -120,7 +124,7 @@ function firstBelow(m: Motion, degree: number, from: number, atZero: boolean): n
   }
 }
 
-/** The root, by the coefficients about `before`: where the guard all but stands at 0 there they have the more digits. */
+/** The root, by the coefficients about `before`: where the guard is nearly 0 there, they have more digits. */
 function rootBetween(m: Motion, degree: number, before: number, behind: number): number {
   m.work.roots++;
   for (let k = 0; k <= degree; k++) about[k] = guard[k];

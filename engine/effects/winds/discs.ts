@@ -2,7 +2,7 @@ import type { Level } from '../../../schema/index.ts';
 import { circlesOf, type IndexedCircles, indexed } from '../../indexed-circles.ts';
 import type { Scene } from '../../scene.ts';
 
-/** The winds of a scene: discs, and the acceleration in each, px/s2. */
+/** The winds of a scene: discs, and the acceleration in each, px/s². */
 export interface Winds extends IndexedCircles {
   readonly ax: Float64Array;
   readonly ay: Float64Array;
@@ -13,9 +13,9 @@ export function windsOf({ winds }: Level): Winds {
   return { count, x, y, r, index, spatial, ax: Float64Array.from(winds, (w) => w.ax), ay: Float64Array.from(winds, (w) => w.ay) };
 }
 
-/** Those of a compiled scene. */
+/** The winds that `prepare` made for a compiled scene. */
 export const preparedWinds = (scene: Scene): Winds => scene.own.winds as Winds;
 
-/** The most that winds can accelerate her, px/s2: all together, for discs may overlap. */
+/** Upper bound of her acceleration by winds, px/s²: that of all together, since discs may overlap. */
 export const strongestWind = ({ winds }: Level): number =>
   winds.reduce((sum, { ax, ay }) => sum + Math.sqrt(ax * ax + ay * ay), 0);

@@ -5,7 +5,7 @@ import { preparedWinds, strongestWind } from './discs.ts';
 
 const { BASE_X, BASE_Y, LAST_EVENT, LAST_A } = SLOTS;
 
-/** Of the state: how many winds blow on her, then a flag for each. */
+/** Length of the state: the number of winds that blow on her, then a flag for each wind. */
 export const stateLength = ({ level }: { readonly level: { readonly winds: readonly unknown[] } }): number =>
   1 + level.winds.length;
 
@@ -17,7 +17,7 @@ function set(m: Motion, i: number, isInside: boolean): void {
   m.s[m.own.winds] += isInside ? 1 : -1;
 }
 
-/** The winds that blow on her, added up. */
+/** The sum of the winds that blow on her. */
 export const wind: SteadyForce = {
   acts: 'beside',
   strongest: strongestWind,
@@ -38,7 +38,7 @@ export const wind: SteadyForce = {
   },
 };
 
-/** Her centre comes into a wind. What is listed under this is about leaving it where she is in it. */
+/** Her centre enters a wind. An entry in the neighbour list stands for leaving the wind if she is in it. */
 export const enterWind = eventRule({
   name: 'wind',
   list: (m) => listRims(m, enterWind, preparedWinds(m.scene)),
@@ -63,7 +63,10 @@ function cross(m: Motion, i: number, entering: boolean, time: number): number {
   return GOES_ON;
 }
 
-/** She is at a place without having come there by her own motion. @param time where winds change is told at this time; null: not at all */
+/**
+ * Determines the winds at her place after she came there other than by her own motion.
+ * @param time - time of the events that report changed winds, s; null for no events
+ */
 export function feelWinds(m: Motion, time: number | null): void {
   const { s, ux, uy } = m;
   const { count, x, y, r } = preparedWinds(m.scene);

@@ -2,7 +2,7 @@ import { TICK } from '../../constants.ts';
 import type { Frame, FrameRule } from '../../frames/index.ts';
 import { preparedWinds } from './discs.ts';
 
-/** Winds in frames: where her centre is inside one, its acceleration is added to whatever else acts. */
+/** Winds in frames: while her centre is inside one, its acceleration is added to everything else that acts. */
 export const windFrame: FrameRule = {
   discs: preparedWinds,
   stateLength: (scene) => preparedWinds(scene).count,

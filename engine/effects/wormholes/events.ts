@@ -5,16 +5,18 @@ import { inMouth, OPEN, otherMouth, preparedMouths, stateAt } from './mouths.ts'
 
 const { BASE_X, BASE_Y, LAST_EVENT, LAST_A } = SLOTS;
 
-/** Where in the state the one of a mouth's wormhole is. */
+/** Index in the state of a mouth's wormhole. */
 const slotOf = (m: Motion, mouth: number): number => m.own.wormholes + (mouth >> 1);
 
-/** Whether crossing a mouth's rim can do anything now: into it where the wormhole is open, out of it where she is in it. */
+/** Whether crossing a mouth's rim has an effect now: entering it if the wormhole is open, leaving it if she is in it. */
 const matters = (m: Motion, mouth: number): boolean => {
   const state = m.s[slotOf(m, mouth)];
   return state === OPEN || state === inMouth(mouth);
 };
 
-/** Her centre comes into a mouth of an open wormhole. What is listed under this is about leaving it where she is in it. */
+/**
+ * Her centre enters a mouth of an open wormhole. An entry in the neighbour list stands for leaving the mouth if she is in it.
+ */
 export const enterMouth = eventRule({
   name: 'wormhole',
   list: (m) => listRims(m, enterMouth, preparedMouths(m.scene)),
@@ -41,7 +43,7 @@ export const enterMouth = eventRule({
   },
 });
 
-/** Her centre leaves the mouth that she is in: unless she is in the other one then, the wormhole is open again. */
+/** Her centre leaves the mouth that she is in. The wormhole is open again, unless she is then in its other mouth. */
 export const leaveMouth = eventRule({
   name: 'mouth',
   fire(m, mouth, _b, time) {
@@ -55,7 +57,7 @@ export const leaveMouth = eventRule({
   },
 });
 
-/** Whether she is in a mouth, and stays there: on its very rim it is her direction that says so. */
+/** Whether she is in a mouth and stays in it; on its very rim her direction decides. */
 function goesOnIn(m: Motion, mouth: number): boolean {
   const { s, ux, uy, px, py } = m;
   const { x, y, r } = preparedMouths(m.scene);
@@ -66,7 +68,7 @@ function goesOnIn(m: Motion, mouth: number): boolean {
   return dx * (ux[1] + px[1]) + dy * (uy[1] + py[1]) < 0;
 }
 
-/** She is somewhere without having come there by her own motion: no mouth that she is in now fires. */
+/** She was moved to a place: no mouth that contains it fires now. */
 export function stayPut(m: Motion): void {
   const mouths = preparedMouths(m.scene);
   const { s, ux, uy, originX, originY } = m;

@@ -2,7 +2,7 @@ import { TICK } from '../../constants.ts';
 import type { FrameRule } from '../../frames/index.ts';
 import { inMouth, OPEN, otherMouth, preparedMouths, stateAt } from './mouths.ts';
 
-/** Wormholes in frames: where her centre is inside a mouth of an open one, she is moved at the end of the frame. */
+/** Wormholes in frames: while her centre is inside a mouth of an open one, she is moved at the end of the frame. */
 export const wormholeFrame: FrameRule = {
   discs: preparedMouths,
   stateLength: (scene) => preparedMouths(scene).count / 2,
