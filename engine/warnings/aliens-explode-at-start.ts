@@ -2,7 +2,7 @@ import { distance, px } from './geometry.ts';
 import { overlaps } from './pairs.ts';
 import type { Rule } from './warning.ts';
 
-/** They are gone before anybody has seen them. */
+/** Aliens that overlap at the start explode before anyone has seen them. */
 export const aliensExplodeAtStart: Rule = {
   explanation: {
     code: 'aliens-explode-at-start',

@@ -2,7 +2,7 @@ import { isHazard, nameOf, staysPut } from './bodies.ts';
 import { covers, distance, px } from './geometry.ts';
 import type { Rule } from './warning.ts';
 
-/** Touching it is touching something deadly. */
+/** The black hole lies inside a hazard, so touching it means touching the hazard. */
 export const blackHoleCovered: Rule = {
   explanation: {
     code: 'black-hole-covered',

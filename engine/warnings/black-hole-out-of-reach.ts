@@ -1,7 +1,7 @@
 import { outOfReach, RULE_OF_REACH } from './out-of-reach.ts';
 import type { Rule } from './warning.ts';
 
-/** The level can't be completed. */
+/** The black hole is too far from every asteroid, so the level cannot be completed. */
 export const blackHoleOutOfReach: Rule = {
   explanation: {
     code: 'black-hole-out-of-reach',

@@ -1,16 +1,16 @@
 import type { Level } from '../../schema/index.ts';
 
-/** A solid circle of a level: something she sees, and may touch. Lengths in px. */
+/** A solid circle of a level, which she may touch. Lengths are in px. */
 export interface Body {
   readonly kind: 'asteroid' | 'hot asteroid' | 'nova' | 'alien' | 'black hole';
   readonly x: number;
   readonly y: number;
   readonly radius: number;
-  /** Place in the level's list of that kind. */
+  /** Index within the level's list of that kind, from 0. */
   readonly index: number;
 }
 
-/** Which of the level's lists a body is in. */
+/** The list of a level that holds each kind of body. */
 export const LIST_OF = { asteroid: 'asteroids', 'hot asteroid': 'asteroids', nova: 'novae', alien: 'aliens' } as const;
 
 /** Asteroids, novae, aliens, then the black hole. */
@@ -30,14 +30,14 @@ export function bodiesOf(level: Level): Body[] {
   return bodies;
 }
 
-/** JSON pointer of a body in the level file. */
+/** The JSON pointer of a body in the level file. */
 export const pointerOf = ({ kind, index }: Body): string => (kind === 'black hole' ? '/blackHole' : `/${LIST_OF[kind]}/${index}`);
 
-/** What to call a body in a sentence: `nova novae[2]`. */
+/** The name of a body in a sentence: `nova novae[2]`. */
 export const nameOf = ({ kind, index }: Body): string => (kind === 'black hole' ? kind : `${kind} ${LIST_OF[kind]}[${index}]`);
 
-/** Whether touching it ends the run badly. */
+/** Whether touching it ends a run with `collided`. */
 export const isHazard = ({ kind }: Body): boolean => kind === 'nova' || kind === 'hot asteroid' || kind === 'alien';
 
-/** Whether it is where the level puts it for as long as a run lasts. */
+/** Whether it stays where the level places it during a whole run. */
 export const staysPut = ({ kind }: Body, recoil: boolean): boolean => kind === 'nova' || (kind === 'hot asteroid' && !recoil);

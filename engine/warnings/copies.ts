@@ -1,7 +1,10 @@
 import { type Level, OBJECT_LISTS, type ObjectList } from '../../schema/index.ts';
 import type { Place } from './geometry.ts';
 
-/** For each list of a level: the objects that lie exactly where an earlier one of the list lies, and that one's index. */
+/**
+ * For each list of a level: the indices of objects at exactly the place of an earlier one in the list, each with that one's
+ * index.
+ */
 export type Copies = Readonly<Record<ObjectList, ReadonlyMap<number, number>>>;
 
 const NONE: ReadonlyMap<number, number> = new Map();

@@ -1,4 +1,4 @@
-/** A length for people: px with at most three decimals. */
+/** A length in words: px with at most three decimals. */
 export const px = (length: number): string => `${Math.round(length * 1000) / 1000} px`;
 
 export interface Place {
@@ -17,5 +17,5 @@ export function distance(a: Place, b: Place): number {
   return Math.sqrt(dx * dx + dy * dy);
 }
 
-/** Whether all of `disc` lies inside `by`: then whoever touches the one touches the other. */
+/** Whether the whole of `disc` lies inside `by`, so that touching the one means touching the other. */
 export const covers = (by: Disc, disc: Disc): boolean => distance(by, disc) + disc.radius <= by.radius;

@@ -1,4 +1,4 @@
 import type { Hold } from '../../schema/index.ts';
 
-/** A hold as the file writes it. */
+/** A hold as it stands in a file. */
 export const holdText = ([press, release]: Hold): string => `[${press}, ${release}]`;

@@ -1,7 +1,7 @@
 import { holdText } from './hold-text.ts';
 import type { Rule } from './warning.ts';
 
-/** A release that never happens. */
+/** Holds that overlap: the release between them never happens. */
 export const holdsOverlap: Rule = {
   explanation: {
     code: 'holds-overlap',

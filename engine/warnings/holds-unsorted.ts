@@ -1,7 +1,7 @@
 import { holdText } from './hold-text.ts';
 import type { Rule } from './warning.ts';
 
-/** A script that doesn't read as it plays. */
+/** Holds that are not in order of time, so that the list does not read as it is played. */
 export const holdsUnsorted: Rule = {
   explanation: {
     code: 'holds-unsorted',

@@ -3,7 +3,7 @@ import { covers, distance, px } from './geometry.ts';
 import { overlapsBetween } from './pairs.ts';
 import type { Rule } from './warning.ts';
 
-/** It can be collected only by dying. */
+/** A mineral inside a hazard: collecting it ends the run. */
 export const mineralCovered: Rule = {
   explanation: {
     code: 'mineral-covered',

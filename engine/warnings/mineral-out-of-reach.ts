@@ -1,7 +1,7 @@
 import { outOfReach, RULE_OF_REACH } from './out-of-reach.ts';
 import type { Rule } from './warning.ts';
 
-/** It can't be collected. */
+/** A mineral too far from every asteroid to be collected. */
 export const mineralOutOfReach: Rule = {
   explanation: {
     code: 'mineral-out-of-reach',

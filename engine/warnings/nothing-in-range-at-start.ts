@@ -1,7 +1,7 @@
 import { distance, px } from './geometry.ts';
 import type { Rule } from './warning.ts';
 
-/** She is lost at once. */
+/** No asteroid is in range at the start, so she is lost at once. */
 export const nothingInRangeAtStart: Rule = {
   explanation: {
     code: 'nothing-in-range-at-start',

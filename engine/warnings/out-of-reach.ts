@@ -1,12 +1,12 @@
 import { px } from './geometry.ts';
 import type { Finding, Subject } from './warning.ts';
 
-/** What both explanations rest on. */
+/** The reasoning that both explanations share. */
 export const RULE_OF_REACH =
   'She is lost farther than the range from the centre of every asteroid, and her box reaches at most 18.9 px beyond her centre. ' +
   'Only asteroids count that she can come to, hopping from range to range. With recoil, the warning allows for how far asteroids can drift in 60 s.';
 
-/** The finding that a thing can't be touched, if that is so. */
+/** Yields a finding if an object cannot be touched. */
 export function* outOfReach(
   { level, reach }: Subject,
   what: string,

@@ -3,7 +3,7 @@ import { covers, distance, px } from './geometry.ts';
 import { overlaps } from './pairs.ts';
 import type { Rule } from './warning.ts';
 
-/** Solid things drawn into each other. Repulsor fields and minerals may lie anywhere; aliens among themselves explode. */
+/** Solid objects that overlap. Repulsor fields and minerals may lie anywhere; aliens that overlap each other explode. */
 export const overlapping: Rule = {
   explanation: {
     code: 'overlapping',
@@ -13,7 +13,7 @@ export const overlapping: Rule = {
     fix: 'Move them apart. A wall needs no overlap: a gap of less than 20 px lets nobody through.',
   },
   *find({ level, bodies, copies }) {
-    // copies are told by `same-place`, and would fill the list here
+    // copies are reported by `same-place` and would fill the list here
     const distinct = bodies.filter(({ kind, index }) => kind === 'black hole' || !copies[LIST_OF[kind]].has(index));
     for (const [a, b] of overlaps(distinct)) {
       if (a.kind === 'alien' && b.kind === 'alien') continue;

@@ -1,15 +1,15 @@
 import Flatbush from 'flatbush';
 import type { Disc } from './geometry.ts';
 
-// below this many, comparing all pairs is quicker than building an index
+// for fewer discs than this, comparing all pairs is faster than building an index
 const INDEX_FROM = 64;
 
-// thousands of discs in one heap have millions of pairs; past this many the search gives up rather than hang
+// thousands of discs in one place have millions of pairs; beyond this many the search gives up instead of hanging
 const MAX_CANDIDATES = 2_000_000;
 
 /**
- * Pairs of discs of one list that overlap (touching from outside is no overlap), the earlier in the list first.
- * Lazy: whoever has seen enough stops asking.
+ * Yields pairs of overlapping discs of one list, the earlier in the list first. Touching from outside is no overlap. Lazy: the
+ * search goes only as far as pairs are requested.
  */
 export function* overlaps<T extends Disc>(discs: readonly T[]): Generator<readonly [T, T]> {
   const near = finderOf(discs);
@@ -22,7 +22,7 @@ export function* overlaps<T extends Disc>(discs: readonly T[]): Generator<readon
   }
 }
 
-/** Pairs of a disc of one list and a disc of the other that overlap, in the order of the first list. Lazy, too. */
+/** Yields pairs of a disc of one list and a disc of another that overlap, in the order of the first list. Also lazy. */
 export function* overlapsBetween<T extends Disc, U extends Disc>(
   discs: readonly T[],
   others: readonly U[],
@@ -37,7 +37,7 @@ export function* overlapsBetween<T extends Disc, U extends Disc>(
   }
 }
 
-/** Says which discs may overlap one: their indices, ascending. */
+/** Returns a function that finds the discs which may overlap a given one: their indices, ascending. */
 function finderOf(discs: readonly Disc[]): (disc: Disc) => readonly number[] {
   if (discs.length < INDEX_FROM) {
     const all = [...discs.keys()];

@@ -5,28 +5,28 @@ import { boxOf } from '../contact/index.ts';
 import { EFFECTS } from '../effects/index.ts';
 import { distance, type Place } from './geometry.ts';
 
-/** Where she can be at all: never farther than the range from an asteroid she can come to. */
+/** Where she can be at all: never farther than the range from an asteroid that she can reach. */
 export interface Reach {
-  /** How far from an asteroid her box can touch a circle of this radius and not be lost, px. */
+  /** The largest distance from an asteroid at which her box can touch a circle of this radius before she is lost, px. */
   limit(radius: number): number;
-  /** The nearest asteroid she can come to, or null in a level without asteroids. */
+  /** The nearest asteroid that she can reach; null in a level without asteroids. */
   nearest(place: Place): { readonly distance: number; readonly index: number } | null;
-  /** Whether some asteroids lie beyond a gap that she can't cross. */
+  /** Whether some asteroids lie beyond a gap that she cannot cross. */
   readonly hasIslands: boolean;
 }
 
-// below this many asteroids a plain loop finds the nearest sooner than an index is built
+// for fewer asteroids than this, a plain loop finds the nearest before an index would be built
 const INDEX_FROM = 64;
 
-// more comparisons than this and every asteroid counts as one she can come to: too kind, never wrong
+// after this many comparisons every asteroid counts as reachable: that may miss a warning but never gives a false one
 const MAX_COMPARISONS = 1_000_000;
 
-// `arcade` looks once a frame, so it lets her jump a gap of one frame's flight at the speed limit on both axes
+// `arcade` tests once a frame, so she can jump a gap that she crosses in one frame at the speed limit on both axes
 const frameJump = ({ speedLimit }: Rules): number => speedLimit * TICK * Math.sqrt(2);
 
 /**
- * How far recoil can carry an asteroid within the longest default run, px: a t2 / 2 with a = recoil / (2 radius).
- * 0 without recoil.
+ * Upper bound of how far recoil can carry an asteroid within the default run time, px: a t² / 2 with a = recoil / (2 radius). 0
+ * without recoil.
  */
 function drift(level: Level, { recoil }: Rules): number {
   if (!level.recoil) return 0;
@@ -35,8 +35,8 @@ function drift(level: Level, { recoil }: Rules): number {
 }
 
 /**
- * Finds the asteroids she can come to from the start, hopping from range to range; all of them if she starts in none, or if an
- * effect may put her anywhere.
+ * Finds the asteroids that she can reach from the start, going from range to range. All of them count if she starts in no
+ * range, or if an effect may put her anywhere.
  */
 export function reachOf(level: Level, rules: Rules): Reach {
   const slack = drift(level, rules);

@@ -2,7 +2,7 @@ import { covers, distance, px } from './geometry.ts';
 import { overlaps } from './pairs.ts';
 import type { Rule } from './warning.ts';
 
-/** Drawn, but without effect. */
+/** A repulsor without effect, since an earlier one covers it. */
 export const repulsorNeverActs: Rule = {
   explanation: {
     code: 'repulsor-never-acts',
@@ -15,7 +15,7 @@ export const repulsorNeverActs: Rule = {
     const fields = level.repulsors.map(({ x, y, radius }, i) => ({ x, y, radius, i }));
     const told = new Set<number>();
     for (const [first, later] of overlaps(fields)) {
-      // at the very same place `same-place` has said enough
+      // at the very same place, the warning `same-place` is enough
       if (told.has(later.i) || distance(first, later) === 0 || !covers(first, later)) continue;
       told.add(later.i);
       yield {

@@ -1,7 +1,7 @@
 import { OBJECT_LISTS } from '../../schema/index.ts';
 import type { Rule } from './warning.ts';
 
-/** A copy that was never moved away. */
+/** A copy that was never moved from its original. */
 export const samePlace: Rule = {
   explanation: {
     code: 'same-place',

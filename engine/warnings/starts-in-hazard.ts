@@ -3,7 +3,7 @@ import { isHazard, nameOf } from './bodies.ts';
 import { px } from './geometry.ts';
 import type { Rule } from './warning.ts';
 
-/** She dies before she can do anything. */
+/** She starts inside a hazard, so the run ends at once. */
 export const startsInHazard: Rule = {
   explanation: {
     code: 'starts-in-hazard',

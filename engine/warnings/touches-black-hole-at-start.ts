@@ -2,7 +2,7 @@ import { boxCircleGap, boxOverlapsCircle } from '../contact/index.ts';
 import { px } from './geometry.ts';
 import type { Rule } from './warning.ts';
 
-/** Nothing is left to play. */
+/** She starts at the black hole, so there is nothing to play. */
 export const touchesBlackHoleAtStart: Rule = {
   explanation: {
     code: 'touches-black-hole-at-start',

@@ -4,13 +4,13 @@ import { STATE_SIZE } from '../simulation.ts';
 import { px } from './geometry.ts';
 import type { Rule } from './warning.ts';
 
-// how often a run is looked at for who keeps her in range, s; she flies about 10 px in between
+// how often a run is sampled for the asteroids that keep her in range, s; she moves about 10 px in between
 const LOOK_EVERY = 0.1;
 
-// room for what happens between two looks, and for recoil, px
+// allowance for what happens between two samples, and for recoil, px
 const MARGIN = 25;
 
-/** Scenery, a lure, or left over: only its designer knows. */
+/** An asteroid that no completing run uses. It may be scenery, a lure or left over; only the designer knows. */
 export const unusedAsteroid: Rule = {
   explanation: {
     code: 'unused-asteroid',
@@ -40,7 +40,7 @@ export const unusedAsteroid: Rule = {
   },
 };
 
-/** Adds to `keepers` those of `idle` without which she would have been lost somewhere on the way. */
+/** Adds to `keepers` those of `idle` without which she would have been lost somewhere during the run. */
 function keepersOf({ asteroids, range }: Level, run: Run, idle: readonly number[], keepers: Set<number>): void {
   const state = new Float64Array(STATE_SIZE);
   const { trajectory } = run;
@@ -53,7 +53,7 @@ function keepersOf({ asteroids, range }: Level, run: Run, idle: readonly number[
   for (let time = 0; time < trajectory.duration; time += LOOK_EVERY) {
     trajectory.at(time, state);
     if (others.some((i) => near(i, range - MARGIN))) continue;
-    // any of these would do; which of them is the designer's choice, so none is told
+    // each of these would do; the designer chooses which to keep, so none is reported
     for (const i of idle) if (near(i, range + MARGIN)) keepers.add(i);
   }
 }

@@ -8,16 +8,16 @@ import { endOf, type Reference } from './reference.ts';
 
 /** How a run at one setting differs from the reference. */
 export interface Deviation {
-  /** Largest distance to the reference at ticks before the earlier of both ends, px. */
+  /** Largest distance to the reference at the ticks before the earlier of both ends, px. */
   readonly error: number;
   readonly outcome: Outcome;
-  /** s */
+  /** When the run ended, s. */
   readonly time: number;
-  /** The outcome is the reference's. Where it isn't the error says little: the runs part. */
+  /** Whether the outcome is that of the reference. If it is not, the runs diverge, and the error says little. */
   readonly sameVerdict: boolean;
 }
 
-/** Compares a path, however it was made, with the reference of the same script. */
+/** Compares a path, from whatever engine, with the reference for the same holds. */
 export function deviationOf(path: Path, reference: Reference, maxTicks: number): Deviation {
   const { outcome, time } = endOf(path, maxTicks);
   return {
@@ -28,7 +28,7 @@ export function deviationOf(path: Path, reference: Reference, maxTicks: number):
   };
 }
 
-/** Plays a script at one setting and compares it with the reference. */
+/** Plays holds at one setting and compares the run with the reference. */
 export function compareWith(
   reference: Reference,
   level: Level,

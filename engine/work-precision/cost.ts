@@ -5,36 +5,36 @@ import { TICK } from '../constants.ts';
 import { joinHolds, playScript } from '../script.ts';
 import { createSimulation } from '../simulate.ts';
 
-/** Something whose cost per simulated second is wanted. */
+/** Something whose cost per simulated second is measured. */
 export interface Player {
-  /** Called before each `play`, not timed. */
+  /** Called before each `play`; not timed. */
   prepare?(): void;
   /** Does the work once; returns the seconds it simulated. */
   play(): number;
 }
 
-/** Microseconds per simulated second. */
+/** A cost in microseconds per simulated second. */
 export interface Cost {
   readonly minimum: number;
   readonly median: number;
 }
 
 export interface CostOptions {
-  /** How long all of it may take, about, ms. */
+  /** Approximate time for the whole measurement, ms. */
   readonly budget: number;
-  /** Shortest time of one sample, ms: shorter work is repeated within the sample. */
+  /** Shortest time of one sample, ms; shorter work is repeated within the sample. */
   readonly sample: number;
 }
 
 const FEWEST_ROUNDS = 5;
 const MOST_ROUNDS = 41;
-/** Plays that are timed as one to see how long one takes. */
+/** Largest number of plays that are timed together to find out how long one takes. */
 const MOST_PLAYS = 1024;
 
 /**
- * Times players against each other: they take turns (A B C, B C A, ...), so that what slows the machine for a while slows all.
- * @param now a clock, ms
- * @returns one cost a player, in the same order
+ * Times players against each other. They take turns (A B C, B C A, ...), so a disturbance of the machine affects all of them.
+ * @param now - a clock, ms
+ * @returns one cost per player, in the same order
  */
 export function measureCosts(players: readonly Player[], now: () => number, { budget, sample }: CostOptions): Cost[] {
   const time = (player: Player, times: number): readonly [ms: number, seconds: number] => {
@@ -54,11 +54,11 @@ export function measureCosts(players: readonly Player[], now: () => number, { bu
     return [ms, seconds];
   };
 
-  // a quarter of the budget warms up, so that the shared code is optimised for all before any is counted
+  // a quarter of the budget is for warming up, so that shared code is optimised for all before anything counts
   const warmUp = budget / 4 / players.length;
   const once = players.map((player) => {
     const until = now() + warmUp;
-    // a coarse clock, as pages have that are not isolated, sees nothing of one play: as many as it sees
+    // a coarse clock, as in pages that are not isolated, cannot time one play: as many as it can time
     let plays = 1;
     let ms = time(player, plays)[0];
     while (ms < Math.min(sample, warmUp) && plays < MOST_PLAYS) {
@@ -87,7 +87,7 @@ export function measureCosts(players: readonly Player[], now: () => number, { bu
   });
 }
 
-/** Plays scripts of levels at one setting, one after the other. */
+/** A player that plays holds on levels at one setting, one after the other. */
 export function playerOf(
   runs: readonly { readonly level: Level; readonly holds: readonly Hold[] }[],
   accuracy: Accuracy,

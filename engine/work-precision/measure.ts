@@ -18,19 +18,19 @@ export interface WorkPrecision {
 }
 
 export interface MeasureOptions {
-  /** s of simulated time after which a run is a timeout */
+  /** Simulated time after which a run is a timeout, s. */
   readonly maxTime: number;
-  /** A clock, ms: the engine has none. */
+  /** A clock, ms; the engine has none. */
   readonly now: () => number;
-  /** How long timing may take, about, ms; comparing comes on top. */
+  /** Approximate time for timing, ms; comparing takes additional time. */
   readonly budget: number;
-  /** Settings to measure; {@link METHODS} when left out. */
+  /** The settings to measure; {@link METHODS} when left out. */
   readonly methods?: readonly Accuracy[];
 }
 
 const SAMPLE = 1;
 
-/** What each setting costs in time and in error on one script of a level. */
+/** Measures what each setting costs in time and in error, for one list of holds on a level. */
 export function measureWorkPrecision(level: Level, holds: readonly Hold[], options: MeasureOptions): WorkPrecision {
   const { now, budget, methods = METHODS } = options;
   const maxTicks = Math.round(options.maxTime * TICK_RATE);
@@ -44,7 +44,7 @@ export function measureWorkPrecision(level: Level, holds: readonly Hold[], optio
 /** Below this error a setting is as good as exact for a level designer, px: a hundredth of what a screen can show. */
 export const GOOD_ENOUGH = 0.01;
 
-/** The cheapest setting with the reference's outcome and an error below {@link GOOD_ENOUGH}; null where there is none. */
+/** The cheapest setting with the reference's outcome and an error below {@link GOOD_ENOUGH}; null if there is none. */
 export function cheapestGoodEnough(methods: readonly Measured[]): Measured | null {
   let best: Measured | null = null;
   for (const method of methods) {

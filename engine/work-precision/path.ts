@@ -3,20 +3,21 @@ import { TICK_RATE } from '../constants.ts';
 import { joinHolds } from '../script.ts';
 import { type Ending, type Simulation, STATE_SIZE } from '../simulation.ts';
 
-/** Where she was at every tick of a run, and how it ended. */
+/** Her place at every tick of a run, and how the run ended. */
 export interface Path {
-  /** Ticks she was seen at: 0, 1, ... `count - 1`, all before the end. */
+  /** Number of ticks, 0, 1, ... `count - 1`, all before the end. */
   readonly count: number;
-  /** px */
+  /** Her places, px. */
   readonly x: Float64Array;
   readonly y: Float64Array;
-  /** null: nothing ended it */
+  /** How the run ended; null if nothing ended it. */
   readonly ending: Ending | null;
 }
 
 /**
- * Plays a script from the start, looking at her at every tick. Nothing is recorded, so that an hour at 960 Hz fits as well.
- * @param maxTicks ticks of 1/60 s after which the run is a timeout
+ * Plays holds from the start and reads her place at every tick. Nothing is recorded, so even an hour at 960 Hz fits into
+ * memory.
+ * @param maxTicks - ticks of 1/60 s after which the run is a timeout
  */
 export function pathOf(simulation: Simulation, holds: readonly Hold[], maxTicks: number): Path {
   const script = joinHolds(holds);
@@ -38,7 +39,7 @@ export function pathOf(simulation: Simulation, holds: readonly Hold[], maxTicks:
     see();
   }
   const { ending } = simulation;
-  // an end within the last tick, seen late by a frame, is no earlier than the tick itself
+  // an end within the last tick that a frame detects late does not count as earlier than that tick
   const count = ending === null ? x.length : Math.min(x.length, Math.max(1, Math.ceil(ending.time * TICK_RATE - 1e-9)));
   return { count, x: Float64Array.from(x), y: Float64Array.from(y), ending };
 }

@@ -1,4 +1,7 @@
-/** A quantile by linear interpolation between the closest ranks; `p` from 0 to 1. @throws RangeError for no values */
+/**
+ * A quantile by linear interpolation between the closest ranks; `p` is from 0 to 1.
+ * @throws {RangeError} if there are no values
+ */
 export function quantile(values: readonly number[], p: number): number {
   if (values.length === 0) throw new RangeError('expected at least one value, found none');
   const sorted = [...values].sort((a, b) => a - b);

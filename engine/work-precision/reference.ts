@@ -7,25 +7,25 @@ import type { Outcome } from '../simulation.ts';
 import { TOLERANCES } from './methods.ts';
 import { largestDistance, type Path, pathOf } from './path.ts';
 
-/** What runs are compared with. */
+/** The run that others are compared with. */
 export interface Reference {
-  /** px a second; a thousandth of the tightest that is measured */
+  /** Tolerance, px per second: a thousandth of the tightest one that is measured. */
   readonly tolerance: number;
   readonly path: Path;
   readonly outcome: Outcome;
-  /** s */
+  /** When it ended, s. */
   readonly time: number;
   /**
-   * How well the reference itself is known, px: its largest distance to the same run at two looser tolerances, still
-   * tighter than any that is measured. At these tolerances it is the rounding of doubles, magnified by the run, that is
-   * left. An error below the floor means nothing more than that.
+   * How exactly the reference itself is known, px: its largest distance to the same run at two looser tolerances, which are
+   * still tighter than all that are measured. At these tolerances the rounding of doubles remains, magnified by the run. An
+   * error below this floor means no more than that.
    */
   readonly floor: number;
 }
 
 export const REFERENCE_TOLERANCE = TOLERANCES[TOLERANCES.length - 1] / 1000;
 
-/** Looser tolerances that show how far the reference may be trusted. */
+/** Looser tolerances that show how far the reference can be trusted. */
 const DOUBTS = [3 * REFERENCE_TOLERANCE, 10 * REFERENCE_TOLERANCE];
 
 const swept = (tolerance: number): Accuracy => ({
@@ -36,7 +36,7 @@ const swept = (tolerance: number): Accuracy => ({
   contact: 'swept',
 });
 
-/** Plays a script at the reference's tolerance and estimates what that is worth. */
+/** Plays holds at the reference's tolerance and estimates how exact the result is. */
 export function referenceOf(level: Level, holds: readonly Hold[], maxTicks: number): Reference {
   const play = (tolerance: number) => pathOf(createSimulation(compile(level, swept(tolerance))), holds, maxTicks);
   const path = play(REFERENCE_TOLERANCE);
@@ -48,7 +48,7 @@ export function referenceOf(level: Level, holds: readonly Hold[], maxTicks: numb
   };
 }
 
-/** How a run ended and when, s. */
+/** How and when a run ended; time in s. */
 export function endOf(path: Path, maxTicks: number): { outcome: Outcome; time: number } {
   return { outcome: path.ending?.outcome ?? 'timeout', time: path.ending?.time ?? maxTicks * TICK };
 }

@@ -8,30 +8,30 @@ import { createSimulation } from '../simulate.ts';
 export interface TunnellingOptions {
   /** Frames per second at which contact is tested, Hz. */
   readonly rate: number;
-  /** Flights, each of which touches the circle. */
+  /** Number of flights, each of which touches the circle. */
   readonly flights: number;
-  /** Numbers in [0, 1). */
+  /** Random numbers in [0, 1). */
   readonly random: () => number;
 }
 
-/** How many of the flights' contacts were not seen. */
+/** How many of the flights' contacts were missed. */
 export interface Missed {
   readonly frame: number;
   readonly swept: number;
 }
 
 /**
- * Lets her fly straight past a circle at a random angle, offset and moment between two frames, always so that her box
- * touches it, and counts what a test at frames and what the engine's swept test miss.
- * @param radius px
- * @param speed px/s, at most the game's limit
+ * Lets her fly straight past a circle at a random angle, offset and phase between two frames, always such that her box touches
+ * it. Counts the contacts that a test at frames misses, and those that the engine's swept test misses.
+ * @param radius - radius of the circle, px
+ * @param speed - her speed, px/s, at most the game's limit
  */
 export function missedContacts(radius: number, speed: number, { rate, flights, random }: TunnellingOptions): Missed {
   let frame = 0;
   let swept = 0;
   for (let i = 0; i < flights; i++) {
     const [dx, dy] = direction(random);
-    // her box and the circle together are so wide across the way: a smaller offset is a contact for certain
+    // combined half width of her box and the circle across her path: every smaller offset is a contact
     const across = DEFAULT_BOX.halfWidth * Math.abs(dy) + DEFAULT_BOX.halfHeight * Math.abs(dx) + radius;
     const offset = (2 * random() - 1) * across;
     const along = DEFAULT_BOX.halfDiagonal + radius + 1 + (random() * speed) / rate;
@@ -43,7 +43,7 @@ export function missedContacts(radius: number, speed: number, { rate, flights, r
   return { frame, swept };
 }
 
-/** A random unit vector, from points of the disc: sines differ between engines. */
+/** A random unit vector, from points of the disc: sines would differ between engines. */
 function direction(random: () => number): readonly [x: number, y: number] {
   for (;;) {
     const x = 2 * random() - 1;
