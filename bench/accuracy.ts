@@ -35,7 +35,7 @@ import { seeded } from './scenes/seeded.ts';
 const PROJECT = fileURLToPath(new URL('../../', import.meta.url));
 const OUT = optionValue('--out') ?? join(PROJECT, 'docs');
 const MAX_TICKS = DEFAULT_MAX_TIME * TICK_RATE;
-/** How long timing takes, ms. */
+/** Total time for timing, ms. */
 const BUDGET = 20_000;
 const PEER_BUDGET = 10_000;
 const PEER_RATES = [60, 120, 240];
@@ -47,7 +47,7 @@ interface Script {
   readonly reference: Reference;
 }
 
-/** A setting or a peer at a rate, over all scripts. */
+/** The results of a setting, or of a peer at a rate, over all scripts. */
 interface Row {
   readonly name: string;
   readonly deviations: readonly Deviation[];
@@ -74,7 +74,7 @@ function readScripts(): Script[] {
   return scripts;
 }
 
-/** Steps a peer through a script: the path that its steps at ticks make, up to what its own contacts reported first. */
+/** Steps a peer through a script: its path at the ticks, up to the first outcome that its own contacts report. */
 function peerPath(world: PeerWorld, { holds }: Script, rate: number): Path {
   const button = buttonPerStep(holds, (MAX_TICKS * rate) / TICK_RATE, rate);
   const state = new Float64Array(4);
@@ -95,7 +95,7 @@ function peerPath(world: PeerWorld, { holds }: Script, rate: number): Path {
   return { count: x.length, x: Float64Array.from(x), y: Float64Array.from(y), ending };
 }
 
-/** Plays all scripts in a peer's worlds, which are made before and outside the timing. */
+/** Plays all scripts in a peer's worlds, which are created outside the timing. */
 function peerPlayer(peer: Peer, rate: number, scripts: readonly Script[]): Player {
   const buttons = scripts.map(({ holds }) => buttonPerStep(holds, (MAX_TICKS * rate) / TICK_RATE, rate));
   let worlds: PeerWorld[] = [];

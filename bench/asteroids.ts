@@ -5,7 +5,7 @@ import { asteroidField } from './scenes/index.ts';
 const FEW = asteroidField(100);
 const MANY = asteroidField(10_000);
 const LIMIT = 3;
-/** How far apart she may end in the two fields, px: rounding, not another way. */
+/** How far apart she may end in the two fields, px: rounding, not a different path. */
 const SAME = 1e-6;
 
 const rows: (string | number)[][] = [];
@@ -26,7 +26,7 @@ for (const name of Object.keys(ACCURACIES) as AccuracyName[]) {
       },
     };
   });
-  // the larger field only adds asteroids farther out: she must fly the same way
+  // the larger field only adds asteroids farther out, so her path must be the same
   const [few, many] = contestants.map((contestant) => contestant.run());
   if (Math.abs(few - many) > SAME) throw new Error(`${name}: ${FEW.name} and ${MANY.name} end in different places`);
 

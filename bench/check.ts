@@ -9,12 +9,12 @@ import { atMost, compare, optionValue, publish } from './harness.ts';
 import { movedLevel } from './moved-level.ts';
 
 const GQ = fileURLToPath(new URL('../cli/main.js', import.meta.url));
-/** The shipped levels, or those of a directory named after --levels. */
+/** The shipped levels, or those of a directory given with --levels. */
 const SHIPPED = optionValue('--levels') ?? fileURLToPath(new URL('../../levels/', import.meta.url));
 const ACCURACY = optionValue('--accuracy') ?? DEFAULT_ACCURACY;
 const FILES = 1000;
 
-/** Writes 1,000 level files, made by turns from those shipped that have a run, into `directory`. */
+/** Writes 1,000 level files into `directory`, made in turn from the shipped levels that have a run. */
 function writeLevels(directory: string): void {
   const shipped = readdirSync(SHIPPED)
     .filter((name) => name.endsWith('.level.json'))
@@ -29,7 +29,10 @@ function writeLevels(directory: string): void {
   }
 }
 
-/** Checks the directory; @throws Error unless it checked every file and each is completable. */
+/**
+ * Checks the directory.
+ * @throws {Error} unless every file was checked and each is completable
+ */
 function check(directory: string): number {
   const { stdout, stderr, status } = spawnSync(
     process.execPath,

@@ -5,19 +5,19 @@ import { createSearch, proveImpossible, verifyProof } from '../solver/index.ts';
 import { type Claim, optionValue, publish } from './harness.ts';
 import { hashRandomSet, layoutOf, RANDOM_SET_HASH, RANDOM_SET_SIZE, randomLevel } from './random-set/index.ts';
 
-/** What became of one level. */
+/** What was found out about one level. */
 interface Decision {
   readonly seed: number;
   readonly verdict: 'completable' | 'impossible' | 'undecided';
-  /** the code of the proof, or what went wrong with it */
+  /** The code of the proof, or what went wrong with it. */
   readonly proof: string | null;
-  /** ticks searched */
+  /** Ticks searched. */
   readonly ticks: number;
-  /** nearest approach, px; null when nothing was searched */
+  /** Closest approach, px; null when nothing was searched. */
   readonly closest: number | null;
-  /** squares of 32 px that the search came to */
+  /** Squares of 32 px that the search reached. */
   readonly squares: number;
-  /** ms */
+  /** Clock time of the search, ms. */
   readonly searchMs: number;
   readonly proofMs: number;
 }
@@ -25,18 +25,20 @@ interface Decision {
 interface Task {
   readonly seeds: readonly number[];
   readonly accuracy: AccuracyName;
-  /** ticks of one search of a level that no proof settles */
+  /** Ticks of one search of a level that no proof settles. */
   readonly budget: number;
-  /** how many searches, each with a seed of its own, where the first comes far about */
+  /** Number of searches, each with its own seed, if the first one gets far. */
   readonly searches: number;
-  /** ms to search a level that is proved impossible; 0: not at all */
+  /** Time to search a level that is proved impossible, ms; 0 for no search. */
   readonly refuteMs: number;
 }
 
-// ticks between two looks at the clock
+// ticks between two readings of the clock
 const SLICE = 50_000;
 
-/** A search that came to no more squares than this was soon over whatever it pressed: another is none the wiser. */
+/**
+ * A search that reaches no more squares than this ends quickly whatever it presses, so another search would tell nothing new.
+ */
 const FEW_SQUARES = 40;
 
 const levelOf = (seed: number): Level => resolveLevel(randomLevel(seed));
@@ -55,7 +57,7 @@ function decide(seed: number, { accuracy, budget, searches, refuteMs }: Task): D
     if (one > 0) search = createSearch(scene, { seed: one });
     const isOn = (): boolean =>
       proof === null ? search.effort.ticks < budget : refuteMs > 0 && performance.now() - from < refuteMs;
-    // a search may stop giving anything to simulate: what can't be advanced is not waited for
+    // a search may run out of work: it is not continued once it no longer advances
     for (let before = -1; search.solutions.length === 0 && search.effort.ticks > before && isOn(); ) {
       before = search.effort.ticks;
       search.advance(Math.min(SLICE, proof === null ? budget - before : SLICE));
@@ -83,7 +85,7 @@ function work(task: Task): void {
   parentPort?.postMessage(null);
 }
 
-/** Shares the seeds out among workers, one in so many to each. */
+/** Divides the seeds among workers. */
 async function decideAll(task: Task, jobs: number): Promise<Decision[]> {
   const decisions: Decision[] = [];
   const share = (job: number) => task.seeds.filter((_, i) => i % jobs === job);
@@ -103,7 +105,7 @@ async function decideAll(task: Task, jobs: number): Promise<Decision[]> {
   return decisions.sort((a, b) => a.seed - b.seed);
 }
 
-/** The strata that the share decided is told for: a level is in several. */
+/** The strata for which the share of decided levels is reported; a level can be in several. */
 const STRATA: readonly (readonly [name: string, has: (level: Level, seed: number) => boolean])[] = [
   ['all', () => true],
   ['not over at once', (level) => goesOn(level)],
@@ -127,7 +129,7 @@ const STRATA: readonly (readonly [name: string, has: (level: Level, seed: number
   ['500,000 px2 and more', (level) => areaOf(level) >= 500_000],
 ];
 
-/** Whether she gets beyond the first tick, held or not. */
+/** Whether she survives the first tick, with the gun held or not. */
 function goesOn(level: Level): boolean {
   const { asteroids, astronaut, range } = level;
   const inRange = asteroids.some(({ x, y }) => (x - astronaut.x) ** 2 + (y - astronaut.y) ** 2 <= range ** 2);
@@ -135,7 +137,7 @@ function goesOn(level: Level): boolean {
   return inRange && [[], [[0, 60]] as const].some((holds) => simulate(scene, holds, { maxTime: 1 / 60 }).outcome === 'timeout');
 }
 
-/** px2 of the box around all objects. */
+/** Area of the bounding box of all objects, px². */
 function areaOf({ astronaut, blackHole, asteroids, novae }: Level): number {
   const all = [astronaut, blackHole, ...asteroids, ...novae];
   const span = (values: number[]) => Math.max(...values) - Math.min(...values);
@@ -182,7 +184,7 @@ function tell(decisions: readonly Decision[], task: Task): void {
   });
 }
 
-/** What undecided levels have in common: how she starts, whether asteroids move, and how far about she comes. */
+/** What undecided levels have in common: how she starts, whether asteroids move, and how far she gets. */
 function inCommon(undecided: readonly Decision[]): string {
   const kinds = new Map<string, number>();
   for (const { seed, squares } of undecided) {
@@ -197,7 +199,7 @@ function inCommon(undecided: readonly Decision[]): string {
     .join('; ');
 }
 
-/** What might tell why a level is undecided. */
+/** Facts that may explain why a level is undecided. */
 function aboutLevel({ seed, closest, squares, ticks }: Decision): string {
   const level = levelOf(seed);
   const parts = [
@@ -232,7 +234,7 @@ async function main(): Promise<void> {
   const decisions = await decideAll(task, jobs);
   const refute = Number(optionValue('--refute') ?? 0);
   if (refute > 0) {
-    // every so many of those proved impossible, so that the sample spans the set
+    // every n-th of those proved impossible, so that the sample spans the set
     const impossible = decisions.filter(({ verdict }) => verdict === 'impossible').map(({ seed }) => seed);
     const step = Math.max(1, impossible.length / refute);
     const sample = Array.from({ length: Math.min(refute, impossible.length) }, (_, i) => impossible[Math.floor(i * step)]);

@@ -4,9 +4,10 @@ import { HAZARDS, playRound, type Round, VICTIMS } from './editor-soak/round.ts'
 import { type Victim, World } from './editor-soak/world.ts';
 import { optionValue } from './harness.ts';
 
-// Everything is nudged to the right, a px a key, while page, browser and server are killed and other things go wrong. How far it was, as far as the editor
-// has shown it as saved or had it in its journal, it must be when all is up again: never further back, and never further than it was moved. What was done in the
-// last two seconds before a kill counts, too: all of it is reported that was not there again, with how long before the kill it was done.
+// Everything is nudged to the right, one px per key, while page, browser and server are killed and other things go wrong. When
+// all runs again, everything must be at least where the editor had shown it as saved or had kept it in its journal, and no
+// farther than it was moved. Edits from the last two seconds before a kill are examined, too: each one that is missing is
+// reported with its age at the kill.
 
 function report(rounds: readonly Round[]): void {
   const line = (name: string, of: readonly Round[]) => {
@@ -28,10 +29,13 @@ function report(rounds: readonly Round[]): void {
   }
 }
 
-/** ms before a kill, from one up to the next. */
+/** Ages of edits at the kill, ms: the bounds of the rows in the report. */
 const AGES = [0, 20, 50, 100, 200, 500, 1000, 2000, Number.POSITIVE_INFINITY];
 
-/** How much of the last two seconds before a kill was lost. @returns what was lost although it was older */
+/**
+ * Reports how many edits of the last two seconds before a kill were lost.
+ * @returns the number of older edits that were lost
+ */
 function reportLastSeconds(rounds: readonly Round[]): number {
   const all = rounds.flatMap(({ edits }) => edits);
   for (const [i, from] of AGES.slice(0, -1).entries()) {

@@ -7,13 +7,13 @@ import { openStage } from './editor/stage.ts';
 import { type Cost, p95 } from './editor/trace.ts';
 import { atMost, type Claim, optionValue, publish } from './harness.ts';
 
-/** Steps of a drag, a scrub, a marquee. */
+/** Steps of a drag, a scrub or a marquee. */
 const STEPS = Number(optionValue('--steps') ?? 60);
-/** How often what is done once is done. */
+/** How often a single action is repeated. */
 const TIMES = Number(optionValue('--times') ?? 20);
 const SIZES = (optionValue('--objects') ?? '30,1000,5000').split(',').map(Number);
 
-/** All that the page loads before it can be used, gzipped, kB. */
+/** Size of everything the page loads before it can be used, gzipped, kB. */
 function firstLoad(): number {
   const folder = fileURLToPath(new URL('../editor/', import.meta.url));
   const html = readFileSync(`${folder}index.html`, 'utf8');
@@ -26,7 +26,7 @@ function firstLoad(): number {
 
 interface Row {
   readonly what: string;
-  /** ms, 95 of 100 */
+  /** Limit of the 95th percentile, ms. */
   readonly limit: number;
   readonly script: number | null;
   readonly frame: number;
@@ -48,7 +48,7 @@ const ofTimes = (what: string, limit: number, times: readonly number[]): Row => 
   count: times.length,
 });
 
-/** Puts what it measures into `rows`, so that what is known stays known when something breaks. */
+/** Adds its results to `rows` one by one, so that they remain if a later measurement fails. */
 async function measure(objects: number, rows: Row[]): Promise<void> {
   const level = playableLevel(objects);
   const names = ['To', 'Fro'] as const;
@@ -69,7 +69,7 @@ async function measure(objects: number, rows: Row[]): Promise<void> {
     bottom: Math.max(...all.map((place) => place.y + reach(place))),
   };
   const grip = (level.asteroids ?? []).filter(({ y }) => y < 0).at(0) ?? level.astronaut;
-  // it takes minutes: what is known is said
+  // the measurement takes minutes, so intermediate results are shown
   const say = (what: string) => {
     const last = rows.at(-1);
     const known =
@@ -88,7 +88,7 @@ async function measure(objects: number, rows: Row[]): Promise<void> {
     say('marquee');
     rows.push(ofCosts('marquee over half of them, a frame', 16, await interactions.marquee(stage, extent, STEPS)));
     say('dragMany');
-    // half of thousands are 2,500 objects, which all move, and with them the run: it is simulated in each frame
+    // half of thousands are 2,500 objects, which all move, and the run with them: it is simulated in each frame
     rows.push(
       ofCosts(
         'drag half of them, a frame',
@@ -105,7 +105,7 @@ async function measure(objects: number, rows: Row[]): Promise<void> {
     say('enterPlay');
     rows.push(ofCosts('entering play', 100, await interactions.enterPlay(stage, TIMES)));
     say('switchLevel');
-    // a second is what a person waits for thousands of objects
+    // with thousands of objects, a person accepts to wait a second
     rows.push(
       ofCosts(
         'switching level',

@@ -16,7 +16,7 @@ const SECONDS = 60;
 const TICKS = SECONDS * TICK_RATE;
 const INERT_LIMIT = 1.08;
 
-/** An effect that tells of events of its own acts in a scene where there are at least as many. */
+/** An effect that reports events counts as acting in a scene with at least this many of them. */
 const ENOUGH_EVENTS = 5;
 
 interface Played {
@@ -29,11 +29,11 @@ interface EffectCase {
   readonly effect: string;
   readonly without: Played;
   readonly inert: Played;
-  /** Scenes to try in turn; the first that lasts its minute and in which `acted` holds is measured. */
+  /** Scenes to try in turn; the first one that lasts its minute and in which the effect acted is measured. */
   readonly acting: readonly Played[];
-  /** What `acting` is compared with, where that isn't `without`. */
+  /** What `acting` is compared with if that is not `without`. */
   readonly actingWithout?: Played;
-  /** Whether the effect did something, by the types of the run's events or her end; null: it acts by being there. */
+  /** The events, or the outcome, that show that the effect acted; null if its presence is enough. */
   readonly sign: 'wake' | 'enter' | 'explosion' | 'mineral' | 'winds' | 'wormholes' | null;
 }
 
@@ -46,7 +46,7 @@ function ring(radii: readonly number[]): { x: number; y: number }[] {
   return radii.flatMap((r) => around.map((a) => ({ x: Math.round(r * Math.cos(a)), y: Math.round(r * Math.sin(a)) })));
 }
 
-/** She moves without the gun: to and fro between two repulsors. */
+/** She moves without the gun, back and forth between two repulsors. */
 const bouncing: LevelFile = {
   ...ORBIT_FILE,
   astronaut: { x: 0, y: 0, vx: 10, vy: 0 },
@@ -174,7 +174,7 @@ function playable({ level, holds }: Played, accuracy: AccuracyName) {
   };
 }
 
-/** Plays a scene and looks whether its effect showed, and she is still under way at the end. */
+/** Plays a scene; returns whether its effect acted and she is still alive at the end. */
 function acts(played: Played, accuracy: AccuracyName, sign: EffectCase['sign']): boolean {
   if (sign !== 'winds' && sign !== 'wormholes') return showsTickByTick(played, accuracy, sign);
   const { events, outcome } = simulate(compile(resolveLevel(played.level), accuracy), played.holds, { maxTime: SECONDS });
@@ -244,7 +244,7 @@ for (const accuracy of accuracies) {
       found === undefined ? null : (1000 * measured.time('acting').median) / 60,
       found === undefined ? null : measured.ratio('acting', actingWithout === undefined ? 'without' : 'acting without').median,
     ]);
-    // arcade looks at everything once a frame, as the original does: what can't act costs it what can
+    // arcade examines everything once per frame, like the original, so idle objects cost it as much as others
     if (accuracy !== 'arcade')
       claims.push(atMost(`${accuracy}: ${effect} present but never able to act / without`, inertRatio, INERT_LIMIT));
   }

@@ -3,7 +3,10 @@ import { type AccuracyName, compile, createSimulation, joinHolds, playScript, un
 import { type LevelFile, resolveLevel } from '../schema/index.ts';
 import { atMost, type Claim, figure, optionValue, publish } from './harness.ts';
 
-/** Time may grow with n log n: that is an exponent of about 1.1 between some hundred and some thousand, and clocks err. */
+/**
+ * Time may grow like n log n. Between some hundred and some thousand objects that is an exponent of about 1.1, and clocks are
+ * inexact.
+ */
 const STEEPEST = 1.15;
 
 const SIZES = [1250, 2500, 5000, 10_000, 20_000];
@@ -13,7 +16,7 @@ type Place = { readonly x: number; readonly y: number };
 
 const many = <T>(count: number, make: (i: number) => T): T[] => Array.from({ length: count }, (_, i) => make(i));
 
-/** So many places on a square grid, with the start in a gap of it: how many are near does not depend on how many there are. */
+/** Places on a square grid, with the start in a gap of it. The number of places near her does not depend on `count`. */
 function grid(count: number, step: number): Place[] {
   const side = Math.ceil(Math.sqrt(count + 16));
   return many(side * side, (i) => ({ x: (i % side) - side / 2 + 0.5, y: Math.floor(i / side) - side / 2 + 0.5 }))
@@ -35,7 +38,7 @@ const SWING: LevelFile = {
 const taps = (count: number, every: number): [number, number][] =>
   many(count, (i): [number, number] => [every * i, every * i + Math.ceil(every / 2)]);
 
-/** A level with `n` of one kind, and how it is played; runs are played one after the other. */
+/** A level with `n` objects of one kind, and how it is played. A level's runs are played one after the other. */
 const KINDS: Readonly<Record<string, (n: number) => LevelFile>> = {
   'cold asteroids': (n) => ({
     ...SWING,
@@ -75,7 +78,7 @@ const KINDS: Readonly<Record<string, (n: number) => LevelFile>> = {
     ...SWING,
     astronaut: { x: 0, y: 0, vx: 1000, vy: 0 },
     range: 1e6,
-    // as many in a second, whatever their number: those that she passes in the time
+    // she passes all of them in the time, whatever their number
     aliens: many(n, (i) => ({ x: 400 + (20_000 * i) / n, y: i % 2 === 0 ? 120 : -120, radius: 0.01 })),
     runs: [{ name: 'a', holds: [] }],
   }),
@@ -83,7 +86,7 @@ const KINDS: Readonly<Record<string, (n: number) => LevelFile>> = {
   holds: (n) => ({ ...SWING, runs: many(Math.ceil(n / 600), (i) => ({ name: `${i}`, holds: taps(600, 2) })) }),
 };
 
-/** Least processor time of a few goes, ms: what disturbs only ever makes it longer. */
+/** Least processor time of several repetitions, ms: disturbances only ever make it longer. */
 function least(goes: number, work: () => void): number {
   let best = Number.POSITIVE_INFINITY;
   for (let k = 0; k < goes; k++) {

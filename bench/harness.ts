@@ -4,14 +4,14 @@ import { cpus, totalmem } from 'node:os';
 export interface Contestant {
   readonly name: string;
   run(): number;
-  /** Called before each `run`, not timed. */
+  /** Called before each `run`; not timed. */
   prepare?(): void;
 }
 
 export interface CompareOptions {
-  /** Rounds counted; every contestant is timed once in each. */
+  /** Number of rounds; every contestant is timed once in each. */
   readonly rounds?: number;
-  /** Shortest time of one sample, ms: a contestant repeats its work until it lasts about this long. */
+  /** Shortest time of one sample, ms: a contestant repeats its work until a sample takes about this long. */
   readonly sampleMs?: number;
   /** How long each contestant warms up, ms. */
   readonly warmUpMs?: number;
@@ -23,22 +23,22 @@ export interface Spread {
   readonly q3: number;
 }
 
-/** Times of every contestant, measured side by side; `samples[name][round]` is the time of one `run`, ms. */
+/** Times of every contestant, measured side by side. `samples[name][round]` is the time of one `run`, ms. */
 export interface Comparison {
   readonly rounds: number;
   readonly samples: Readonly<Record<string, readonly number[]>>;
   /** Time of one run, ms. */
   time(name: string): Spread;
-  /** Time of `a` over time of `b`, taken pair by pair within each round, so that what slows the machine slows both. */
+  /** Time of `a` divided by time of `b`, taken within each round, so that a disturbance of the machine affects both. */
   ratio(a: string, b: string): Spread;
   /** Time of `a` minus time of `b`, ms, likewise. */
   difference(a: string, b: string): Spread;
 }
 
-/** A claim and whether it held. */
+/** A claim and whether it was met. */
 export interface Claim {
   readonly what: string;
-  /** At most where left out. */
+  /** `at most` when left out. */
   readonly bound?: 'at most' | 'at least';
   readonly limit: number;
   readonly measured: number;
@@ -53,7 +53,7 @@ export interface Report {
   readonly notes: readonly string[];
 }
 
-// what contestants return ends up here and is printed, so that no compiler may drop the work
+// results of contestants end up here and are printed, so that no compiler can drop the work
 let sink = 0;
 
 /** Keeps a result alive. */
@@ -91,9 +91,9 @@ function timed(contestant: Contestant, times: number): number {
 }
 
 /**
- * Times contestants against each other in one process: A B C, B C A, C A B, ... so that drift, a busy neighbour and the
- * garbage of the one before fall on all alike.
- * @throws RangeError for fewer than two contestants or 15 rounds: a ratio of less means little
+ * Times contestants against each other in one process: A B C, B C A, C A B, ... So drift, other load and the garbage of the
+ * previous contestant affect all of them alike.
+ * @throws {RangeError} for fewer than two contestants or 15 rounds: such a ratio means little
  */
 export function compare(contestants: readonly Contestant[], options: CompareOptions = {}): Comparison {
   const { rounds = 31, sampleMs = 5, warmUpMs = 300 } = options;
@@ -101,7 +101,7 @@ export function compare(contestants: readonly Contestant[], options: CompareOpti
   if (rounds < 15) throw new RangeError(`expected at least 15 rounds, found ${rounds}`);
 
   for (const contestant of contestants) warmUp(contestant, warmUpMs);
-  // settled after all have warmed up: the code they share is optimised for all of them by then
+  // determined after all have warmed up, when the code that they share is optimised for all of them
   const times = contestants.map((contestant) => timesToLast(contestant, sampleMs));
   const samples: Record<string, number[]> = Object.fromEntries(contestants.map((c) => [c.name, []]));
   for (let round = 0; round < rounds; round++) {
@@ -119,17 +119,19 @@ export function compare(contestants: readonly Contestant[], options: CompareOpti
   };
 }
 
-/** Runs a contestant for about `ms`, and once at least. */
+/** Runs a contestant for about `ms`, at least once. */
 function warmUp(contestant: Contestant, ms: number): void {
   const until = performance.now() + ms;
   do timed(contestant, 1);
   while (performance.now() < until);
 }
 
-/** How often a contestant has to run to last about `ms`: found by doubling, for one short run is mostly the clock's own error. */
+/**
+ * How often a contestant must run to take about `ms`. Found by doubling, since one short run mostly measures the clock's error.
+ */
 function timesToLast(contestant: Contestant, ms: number): number {
   for (let times = 1; ; times *= 2) {
-    // the quickest of a few: one that was interrupted would settle for fewer repetitions, and run colder than its rivals
+    // the fastest of several: one that was interrupted would lead to fewer repetitions, and run colder than the others
     const spent = times * Math.min(...Array.from({ length: 5 }, () => timed(contestant, times)));
     if (spent >= ms / 4) return Math.max(1, Math.round((times * ms) / Math.max(spent, 1e-6)));
   }
@@ -151,7 +153,7 @@ export const atLeast = (what: string, measured: number, limit: number): Claim =>
   met: measured >= limit,
 });
 
-/** The machine and the runtime the numbers come from. */
+/** The machine and the runtime that the figures come from. */
 export function machine(): { cpu: string; cores: number; memory: string; node: string; v8: string; platform: string } {
   const all = cpus();
   return {
@@ -164,7 +166,7 @@ export function machine(): { cpu: string; cores: number; memory: string; node: s
   };
 }
 
-/** Four significant digits, without an exponent where it can be read without. */
+/** Four significant digits, without an exponent where it is readable without. */
 export function figure(value: number): string {
   if (value === 0 || !Number.isFinite(value)) return String(value);
   const size = Math.abs(value);
@@ -172,13 +174,13 @@ export function figure(value: number): string {
   return String(Number(value.toPrecision(4)));
 }
 
-/** What follows `option` on the command line; null where it isn't given. */
+/** The argument after `option` on the command line; null if the option is not given. */
 export function optionValue(option: string): string | null {
   const place = process.argv.indexOf(option);
   return place < 0 ? null : (process.argv[place + 1] ?? null);
 }
 
-/** Prints a report as a table, or as JSON with --json; the exit code is 1 when a claim wasn't met. */
+/** Prints a report as a table, or as JSON with --json. Sets the exit code to 1 if a claim was not met. */
 export function publish(report: Report): void {
   if (report.claims.some((claim) => !claim.met)) process.exitCode = 1;
   if (process.argv.includes('--json')) {

@@ -11,7 +11,10 @@ export interface NamedLevel {
   readonly level: Level;
 }
 
-/** The levels of a folder, the shipped ones when left out. @throws when one is not valid, or there is none */
+/**
+ * The levels of a folder; the shipped ones when left out.
+ * @throws {Error} if one is not valid, or there is none
+ */
 export function packLevels(folder = PACK): NamedLevel[] {
   const files = readdirSync(folder).filter((file) => file.endsWith('.level.json'));
   if (files.length === 0) throw new Error(`expected levels in ${folder}, found none`);
@@ -22,14 +25,17 @@ export function packLevels(folder = PACK): NamedLevel[] {
   });
 }
 
-/** The original's levels of a file; with recoil as the original has it, unless it is turned off. @throws when they can't be imported */
+/**
+ * The levels in a file of the original game; with recoil as there, unless it is turned off.
+ * @throws {Error} if they cannot be imported
+ */
 export function originalLevels(file: string, recoil = true): NamedLevel[] {
   const imported = importOriginal(readFileSync(file), { recoil });
   if (!imported.ok) throw new Error(`expected the original's levels in ${file}: ${imported.problems[0].message}`);
   return imported.levels.map(({ slug, file: level }) => ({ name: slug, level: resolveLevel(level) }));
 }
 
-/** What the command line asks for: `--originals FILE [--recoil off]`, `--levels DIR`, or else the shipped levels. */
+/** The levels that the command line asks for: `--originals FILE [--recoil off]`, `--levels DIR`, or else the shipped levels. */
 export function askedLevels(): NamedLevel[] {
   const originals = optionValue('--originals');
   return originals === null

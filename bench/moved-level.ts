@@ -1,6 +1,6 @@
 import { KINDS, type LevelFile, LISTED_KINDS, listOf, type ObjectKind, SINGLE_KINDS } from '../schema/index.ts';
 
-/** The level with everything in it moved by (dx, dy) px: another file, with the same verdict. */
+/** The level with everything moved by (dx, dy) px: a different file with the same verdict. */
 export function movedLevel(file: LevelFile, dx: number, dy: number): LevelFile {
   const move = <T extends object>(kind: ObjectKind, object: T): T => {
     const moved = { ...object } as Record<string, unknown>;

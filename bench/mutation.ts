@@ -1,4 +1,4 @@
-// How many small slips in the source the tests of its room notice: see bench/README.md.
+// Measures how many small errors in the source the tests of its room detect; see bench/README.md.
 
 import { spawn } from 'node:child_process';
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -10,19 +10,19 @@ import { type Fate, PLAN, type Plan, type Reach, type Result } from './mutation/
 import { filesIn, ROOMS } from './mutation/rooms.ts';
 import { seeded } from './scenes/seeded.ts';
 
-/** A child that has said nothing for so long hangs, ms. */
+/** A child that has written nothing for this long hangs, ms. */
 const HANGS_AFTER = 120_000;
 
-/** Mutants a child tries before it makes room for a new one: what it has loaded for each stays in its memory. */
+/** Mutants that a child tries before it is replaced by a new one: what it loads for each of them stays in its memory. */
 const A_CHILD = 250;
 
-/** Why a mutant that no test notices may stay: by its file, its line, and what it changes there. */
+/** Why a mutant that no test detects may stay. It is identified by its file, its line, and the change. */
 interface Excuse {
   readonly file: string;
   readonly at: string;
   readonly before: string;
   readonly after: string;
-  /** equivalent: nothing that can be asked tells them apart; slack: the tests know how much room there is, and it lies within */
+  /** `equivalent`: no call can tell them apart. `slack`: the tests allow a certain error, and the mutant stays within it. */
   readonly kind: 'equivalent' | 'slack';
   readonly reason: string;
 }
@@ -30,7 +30,7 @@ interface Excuse {
 const root = `${process.cwd()}/`;
 const EXCUSES = join(root, 'bench/mutation/survivors.json');
 
-// groups of children that run: a signal ends them, too
+// running groups of child processes: a signal ends them, too
 const groups = new Set<number>();
 for (const signal of ['SIGINT', 'SIGTERM'] as const) {
   process.on(signal, () => {
@@ -39,7 +39,7 @@ for (const signal of ['SIGINT', 'SIGTERM'] as const) {
   });
 }
 
-/** Runs a session in a child process, and gives its results as they come; ends it when it hangs. */
+/** Runs a session in a child process and passes its results on as they come. Ends the child if it hangs. */
 async function session(plan: Omit<Plan, 'results'>, onResult: (result: Result) => void): Promise<void> {
   const folder = mkdtempSync(join(tmpdir(), 'mutation-'));
   const results = join(folder, 'results.ndjson');
@@ -64,7 +64,7 @@ async function session(plan: Omit<Plan, 'results'>, onResult: (result: Result) =
   const patience = plan.mutants === null ? 15 * HANGS_AFTER : HANGS_AFTER;
   const timer = setInterval(() => {
     take();
-    // its workers are in its group
+    // its workers are in its process group
     if (Date.now() - since > patience) process.kill(-group, 'SIGKILL');
   }, 200);
   const code = await new Promise<number | null>((resolve) => child.on('close', resolve));
@@ -75,7 +75,7 @@ async function session(plan: Omit<Plan, 'results'>, onResult: (result: Result) =
   if (taken === 0) throw new Error(`a session ended with ${code} and no result:\n${output}`);
 }
 
-/** Tries mutants, in several children at once. */
+/** Tries mutants in several child processes at once. */
 async function tryAll(
   plan: Omit<Plan, 'results' | 'mutants'>,
   mutants: readonly PlacedMutant[],
@@ -96,7 +96,7 @@ async function tryAll(
             if (fates.size % 100 === 0) console.error(`${fates.size} of ${mutants.length}`);
           }
         });
-        // what a child was at when it was ended, or died, has no end
+        // if the child was ended or died, the mutant it was trying has no result
         if (last !== null && !fates.has(last)) fates.set(last, 'timeout');
         batch = batch.filter(({ id }) => !fates.has(id));
       }
@@ -127,7 +127,7 @@ const excuseFor = (mutant: PlacedMutant): Excuse | undefined =>
       file === mutant.file && at === mutant.at && before === mutant.before && after === mutant.after,
   );
 
-/** Whether a path has one of some words in it, which are parted by commas. */
+/** Whether a path contains one of several words, which are separated by commas. */
 const isAsked =
   (words = '') =>
   (file: string): boolean =>

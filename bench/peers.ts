@@ -23,7 +23,7 @@ interface Method {
   readonly contestant: Contestant;
   /** Simulated time of one run of the contestant, s. */
   readonly seconds: number;
-  /** Her position at the end of a scene, or null where the run ended before. */
+  /** Her place at the end of a scene, px; null if the run ended before. */
   end(scene: BenchScene): readonly [x: number, y: number] | null;
   readonly note: string;
 }
@@ -106,7 +106,7 @@ const measured = compare(
   { rounds: 21, sampleMs: 8, warmUpMs: 500 },
 );
 const seconds = Object.fromEntries(methods.map((method) => [method.name, method.seconds]));
-/** Cost per simulated second of `a` over that of `b`. */
+/** Cost per simulated second of `a` divided by that of `b`. */
 const ratio = (a: string, b: string): number => (measured.ratio(a, b).median * seconds[b]) / seconds[a];
 
 const mine = DEFAULT_ACCURACY;

@@ -1,6 +1,9 @@
 import type { Hold, Level } from '../schema/index.ts';
 
-/** What the loop leaves: the frame in which it stopped, the outcome (0 still going, 1 lost, 2 completed, 3 burned) and her state. */
+/**
+ * The result of the loop: the frame in which it stopped, the outcome (0 still going, 1 lost, 2 completed, 3 burned) and her
+ * state.
+ */
 export interface PlainState {
   frame: number;
   outcome: number;
@@ -16,10 +19,10 @@ export interface PlainState {
 export interface PlainScene {
   readonly start: readonly [x: number, y: number, vx: number, vy: number];
   readonly range: number;
-  /** Cold asteroids, then hot ones: x and y. */
+  /** Centres of the cold asteroids, then of the hot ones, px. */
   readonly tx: Float64Array;
   readonly ty: Float64Array;
-  /** Everything to touch: the black hole first, then novae, then hot asteroids: x, y and radius. */
+  /** Everything that can be touched: the black hole, then novae, then hot asteroids; centre and radius, px. */
   readonly cx: Float64Array;
   readonly cy: Float64Array;
   readonly cr: Float64Array;
@@ -27,7 +30,10 @@ export interface PlainScene {
   readonly edges: Int32Array;
 }
 
-/** Lays a level out for the plain loop. Only the gun, hazards, the black hole and the range: no recoil, fields, aliens, minerals. */
+/**
+ * Lays a level out for the plain loop. Only the gun, hazards, the black hole and the range: no recoil, fields, aliens or
+ * minerals.
+ */
 export function plainScene(level: Level, holds: readonly Hold[]): PlainScene {
   const hot = level.asteroids.filter((a) => a.hot);
   const targets = [...level.asteroids.filter((a) => !a.hot), ...hot];
@@ -46,8 +52,8 @@ export function plainScene(level: Level, holds: readonly Hold[]): PlainScene {
 }
 
 /**
- * The original's frame rules for one scene, as one would write them by hand when nothing else is wanted: no events, no
- * snapshots, no effects to choose from, one function. The yardstick for what the engine's generality costs.
+ * The original's frame rules for one scene, as one would write them by hand if nothing else were wanted: no events, no
+ * snapshots, no choice of effects, a single function. It is the yardstick for what the engine's generality costs.
  */
 export function plainLoop(scene: PlainScene, frames: number, out: PlainState): void {
   const { tx, ty, cx, cy, cr, edges, range } = scene;

@@ -5,22 +5,25 @@ import { cleanRun, createSearch, type Goal, successProbability, verifyRun } from
 const SIGMA = 40;
 const ANY: Goal = { minerals: 'any' };
 
-/** Executions by which a run is judged, more and more as long as it may be the best. */
+/** Numbers of executions by which a run is judged; the next number is used as long as the run may be the best. */
 const RACE = [16, 64, 256];
 
-/** A hold that lasts to the end goes on for so long after it, ticks: the same favour that `createSolver` does. */
+/** A hold that lasts to the end of a run is prolonged by this many ticks, as `createSolver` does. */
 const HOLD_ON = 120;
 
 export interface Restarts {
-  /** the best run so far; null before the first */
+  /** The best run so far; null before the first. */
   readonly holds: readonly Hold[] | null;
-  /** its success in the executions it was chosen by */
+  /** Its share of successes in the executions that it was chosen by. */
   readonly p: number;
-  /** Searches a little; a run found is judged. */
+  /** Searches for a while; a run that is found is judged. */
   step(): void;
 }
 
-/** What one would do first: find run after run, each with a new seed, and keep the one that forgives most. Nothing is moved. */
+/**
+ * The obvious method: find one run after the other, each with a new seed, and keep the one that succeeds most often. Nothing is
+ * moved.
+ */
 export function plainRestarts(scene: Scene): Restarts {
   let seed = 0;
   let search = createSearch(scene, { seed });
@@ -42,7 +45,7 @@ export function plainRestarts(scene: Scene): Restarts {
         let p = 0;
         for (const samples of RACE) {
           p = successProbability(scene, holds, ANY, SIGMA, { samples, seed: 1 }).p;
-          // three standard deviations behind
+          // three standard deviations worse
           if (best !== null && p < best.p - 1.5 / Math.sqrt(samples)) break;
         }
         if (best === null || p > best.p) best = { holds, p };

@@ -4,7 +4,7 @@ import { atMost, optionValue, publish, spread } from './harness.ts';
 import { askedLevels } from './levels.ts';
 import { RANDOM_SET_SIZE, randomLevel } from './random-set/index.ts';
 
-/** Times are the processor's, so that other work on the machine counts little. */
+/** Processor time, so that other work on the machine matters little. */
 const milliseconds = (work: () => void): number => {
   const before = process.cpuUsage();
   work();
@@ -14,7 +14,7 @@ const milliseconds = (work: () => void): number => {
 
 type Edit = readonly [name: string, edit: (level: Level) => Level];
 
-/** Circles so near to each other that her box doesn't fit between, about the black hole. */
+/** Circles around the black hole, so close to each other that her box does not fit between them. */
 function wall({ blackHole: { x, y, radius } }: Level): Level['novae'] {
   const r = radius + 50;
   const count = Math.ceil((2 * Math.PI * r) / 28);
@@ -24,7 +24,7 @@ function wall({ blackHole: { x, y, radius } }: Level): Level['novae'] {
   });
 }
 
-/** What a designer may do to a level so that its black hole is out of reach. */
+/** Edits by which a designer may put the black hole out of reach. */
 const EDITS: readonly Edit[] = [
   ['the black hole moved far away', (level) => ({ ...level, blackHole: { ...level.blackHole, x: level.blackHole.x + 20_000 } })],
   ['the asteroids taken away', (level) => ({ ...level, asteroids: [] })],

@@ -3,10 +3,10 @@ import { DEFAULT_RULES, type Hold, type Level } from '../schema/index.ts';
 type State = [x: number, y: number, vx: number, vy: number];
 
 /**
- * Where she is at the end of a script, in continuous time, by a method that shares nothing with the engine: Runge-Kutta 4
- * with one target per step; a step in which the nearest asteroid changes is cut where it does, by bisection. Contacts end nothing.
- * @param rate steps per second, a multiple of 60: presses and releases fall between steps
- * @throws RangeError for a level with more than asteroids, novae and minerals
+ * Her state at the end of a script in continuous time, by a method that shares nothing with the engine: 4th-order Runge-Kutta
+ * with one target per step. A step in which the nearest asteroid changes is cut there, by bisection. Contacts end nothing.
+ * @param rate - steps per second, a multiple of 60, so that presses and releases fall between steps
+ * @throws {RangeError} for a level with more than asteroids, novae and minerals
  */
 export function referenceEnd(level: Level, holds: readonly Hold[], seconds: number, rate: number): Float64Array {
   const other = [level.aliens, level.repulsors, level.winds, level.wormholes].some((list) => list.length > 0);

@@ -12,13 +12,13 @@ const SIGMA = 40;
 const SAMPLES = 4000;
 const SEED = 20_261_121;
 
-// ticks between two looks at the clock
+// ticks between two readings of the clock
 const SLICE = 50_000;
 
-/** Combinations tried for a certificate: 5^7, seven edges by two ticks. */
+/** Combinations tried for a certificate: 5^7, that is seven presses or releases by up to two ticks. */
 const CERTIFY_RUNS = 80_000;
 
-/** ms of processor time since `start` */
+/** Processor time since `start`, ms. */
 const spent = (start: NodeJS.CpuUsage): number => {
   const { user, system } = process.cpuUsage(start);
   return (user + system) / 1000;
@@ -27,7 +27,7 @@ const spent = (start: NodeJS.CpuUsage): number => {
 const probability = (scene: Scene, holds: readonly Hold[] | null): number =>
   holds === null ? 0 : successProbability(scene, holds, ANY, SIGMA, { samples: SAMPLES, seed: SEED }).p;
 
-/** The largest certificate among the runs found, ticks. */
+/** The largest number of certified ticks among the runs found. */
 function certificate(scene: Scene, { solutions }: Solver): number {
   const options = { limit: 4, maxRuns: CERTIFY_RUNS };
   return solutions.reduce((most, { holds }) => (most >= 2 ? most : Math.max(most, certify(scene, holds, ANY, options).ticks)), 0);

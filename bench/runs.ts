@@ -15,7 +15,7 @@ interface Case {
   readonly holds: readonly Hold[];
 }
 
-/** Every run of the shipped pack, or of the level files in the directory named after --levels. */
+/** Every run of the shipped levels, or of the level files in a directory given with --levels. */
 function packCases(directory: string): Case[] {
   const cases: Case[] = [];
   for (const name of readdirSync(directory).filter((file) => file.endsWith('.level.json'))) {
@@ -26,7 +26,7 @@ function packCases(directory: string): Case[] {
   return cases;
 }
 
-/** The runs of recordings of the original: `original-levels.json` beside `arcade/*.json.gz`, after --recordings. */
+/** The runs of recordings of the original game, given with --recordings: `original-levels.json` beside `arcade/*.json.gz`. */
 function recordedCases(directory: string): Case[] {
   const imported = importOriginal(readFileSync(join(directory, 'original-levels.json')), { recoil: false });
   if (!imported.ok) throw new Error(`expected levels to import: ${imported.problems[0].message}`);
@@ -68,7 +68,7 @@ for (const { name, level, holds } of cases) {
     })),
     { rounds: 15, sampleMs: 0.5, warmUpMs: 5 },
   );
-  // an accuracy may end the run earlier than another: compared is a simulated second
+  // accuracies may end a run at different times, so costs are compared per simulated second
   const perSecond = (i: number) => (measured.time(ACCURACIES[i]).median * 1000) / (Math.max(1, simulations[i].tick) / TICK_RATE);
   for (const [i, accuracy] of ACCURACIES.entries()) {
     costs[accuracy].push(perSecond(i));

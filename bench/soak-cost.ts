@@ -7,7 +7,7 @@ import { MAX_FILE_SIZE } from '../schema/index.ts';
 import { optionValue } from './harness.ts';
 import { randomHeavy } from './soak/random-heavy.ts';
 
-/** What the check of a file may take: CPU s of the machine, and MiB at its peak. */
+/** What the check of a file may take: processor time in s, and peak memory in MiB. */
 const MOST_SECONDS = 10;
 const MOST_MEMORY = 512;
 
@@ -22,9 +22,9 @@ const PROBE = `
 
 interface Used {
   readonly verdict: string;
-  /** of processor time: what the machine does beside does not count */
+  /** Processor time, s, so that other work on the machine does not count. */
   readonly seconds: number;
-  /** MiB */
+  /** Peak memory, MiB. */
   readonly memory: number;
 }
 
@@ -56,7 +56,7 @@ try {
   for (let seed = from; seed < from + levels && Date.now() < until; seed++) {
     const file = join(folder, 'heavy.level.json');
     const text = JSON.stringify(randomHeavy(seed));
-    // a larger file is refused unread
+    // larger files are refused unread
     if (text.length > MAX_FILE_SIZE) continue;
     writeFileSync(file, text);
     const { verdict, seconds, memory } = check(file, probe);

@@ -9,7 +9,10 @@ import { checkPieces } from './soak/pieces.ts';
 import { randomScene } from './soak/random-scene.ts';
 import { steppableScene, windyDegenerateScene, windyScene } from './soak/windy-scene.ts';
 
-/** What is looked at with a seed: `rules` in any scene, `pieces` in those where something may happen without end; both with winds and wormholes, too. */
+/**
+ * What is examined for each seed: `rules` in any scene, `pieces` in scenes where something may happen endlessly; both also with
+ * winds and wormholes.
+ */
 const ATTACKS = {
   rules: { scene: randomScene, find: (seed: number) => checkScene(randomScene(seed), seed) },
   'windy-rules': { scene: windyScene, find: (seed: number) => checkScene(windyScene(seed), seed) },
@@ -18,14 +21,14 @@ const ATTACKS = {
 };
 type Attack = keyof typeof ATTACKS;
 
-/** A scene that takes longer than this does not go on, ms. */
+/** A scene that takes longer than this hangs, ms. */
 const HANGS_AFTER = 20_000;
 
 interface Task {
   readonly attack: Attack;
   readonly from: number;
   readonly to: number;
-  /** The scene being checked, for the one who watches. */
+  /** The seed of the scene being checked, for the watching thread. */
   readonly current: Int32Array;
 }
 
@@ -33,7 +36,7 @@ interface Found extends Finding {
   readonly scene: number;
 }
 
-/** Checks scene after scene; what is found is posted, and null at the end. */
+/** Checks one scene after the other. Posts each finding, and null at the end. */
 function work({ attack, from, to, current }: Task): void {
   for (let scene = from; scene < to; scene++) {
     Atomics.store(current, 0, scene);
@@ -43,7 +46,7 @@ function work({ attack, from, to, current }: Task): void {
   parentPort?.postMessage(null);
 }
 
-/** Runs scenes in a worker that is ended when one of them hangs, and started again after it. */
+/** Runs scenes in a worker. A worker that hangs is ended, and another one is started after that scene. */
 async function watch(attack: Attack, from: number, to: number, until: number, report: (found: Found) => void): Promise<number> {
   const current = new Int32Array(new SharedArrayBuffer(4));
   for (let next = from; next < to; ) {
@@ -81,7 +84,7 @@ async function watch(attack: Attack, from: number, to: number, until: number, re
   return to;
 }
 
-/** What she touches or misses by 1e-9 to 1 px must be found or not, seed after seed. */
+/** Checks that objects which she touches or misses by 1e-9 to 1 px are found or not, seed by seed. */
 function attackContacts(from: number, seeds: number, until: number): void {
   const counts = { hit: 0, missed: 0, vague: 0, bug: 0 };
   let seed = from;
@@ -101,7 +104,7 @@ function attackContacts(from: number, seeds: number, until: number): void {
   if (counts.bug > 0 || counts.hit === 0) process.exitCode = 1;
 }
 
-/** Where another program of small steps has her must be where the engine does, seed after seed. */
+/** Checks that the engine agrees with another program that makes small steps, seed by seed. */
 function attackBySteps(from: number, seeds: number, until: number): void {
   const counts = { agrees: 0, vague: 0, bug: 0 };
   let jumps = 0;
@@ -122,7 +125,7 @@ function attackBySteps(from: number, seeds: number, until: number): void {
   if (counts.bug > 0 || counts.agrees === 0) process.exitCode = 1;
 }
 
-/** Looks at scene after scene in a worker. */
+/** Checks one scene after the other in a worker. */
 async function attackScenes(attack: Attack, from: number, scenes: number, seconds: number): Promise<void> {
   const began = Date.now();
   const counts = { bug: 0, hangs: 0 };
@@ -141,7 +144,7 @@ const ALL_ATTACKS = [...(Object.keys(ATTACKS) as Attack[]), 'small-steps', 'cont
 
 const isScenes = (attack: string): attack is Attack => Object.hasOwn(ATTACKS, attack);
 
-/** Every attack in turn, or the one that `--attack` names, each for at most `--seconds`. */
+/** Runs every attack in turn, or the one named by `--attack`, each for at most `--seconds`. */
 async function main(): Promise<void> {
   const named = optionValue('--attack');
   if (named !== null && !ALL_ATTACKS.some((attack) => attack === named)) {

@@ -4,12 +4,13 @@ import { atLeast, atMost, figure, optionValue, publish, spread } from './harness
 import { askedLevels } from './levels.ts';
 import { type TimedSearch, timeSearch } from './timed-search.ts';
 
-// how long it takes to a first run of each level, over seeds; `--originals FILE` for the original's levels instead of the pack
+// measures the time to a first run of each level, over seeds; `--originals FILE` for the original's levels instead of the
+// shipped ones
 
 const SEEDS = Number(optionValue('--seeds') ?? 20);
 const MINERAL_SEEDS = Number(optionValue('--mineral-seeds') ?? 3);
 const REPEATS = 3;
-/** ms after which a search counts as failed. */
+/** A search that takes longer than this counts as failed, ms. */
 const MOST = 5000;
 const WARM_UP_SEEDS = 6;
 
@@ -19,7 +20,7 @@ const ALL: Goal = { minerals: 'all' };
 const file = optionValue('--originals');
 const levels = askedLevels();
 
-/** Of each accuracy, of each level, a search for each seed, taking turns: what disturbs the machine for a moment falls on all alike. */
+/** One search for each accuracy, level and seed, in turns: a short disturbance of the machine affects all of them. */
 function timeAll(
   accuracies: readonly AccuracyName[],
   goal: Goal,
@@ -36,7 +37,7 @@ function timeAll(
   return times;
 }
 
-// the code is warm before anything counts
+// warms the code up before anything counts
 timeAll(['arcade', 'precise'], ANY, WARM_UP_SEEDS, 1000, 1);
 
 const [arcade, precise] = timeAll(['arcade', 'precise'], ANY, SEEDS, 1, REPEATS);
@@ -45,7 +46,7 @@ const [minerals] = timeAll(['arcade'], ALL, MINERAL_SEEDS, 1, 1);
 const msOf = (times: readonly TimedSearch[]) => times.map(({ ms, found }) => (found ? ms : Number.POSITIVE_INFINITY));
 const median = (values: readonly number[]) => spread(values).median;
 const worst = (values: readonly number[]) => Math.max(...values);
-/** No seed found a run with all minerals: perhaps there is none. */
+/** Whether no seed found a run with all minerals, so that perhaps there is none. */
 const isOpen = (times: readonly TimedSearch[]) => times.every(({ found }) => !found);
 const rate = (times: readonly TimedSearch[]) =>
   times.reduce((sum, { ticks }) => sum + ticks, 0) / times.reduce((sum, { ms }) => sum + ms, 0) / 1000;

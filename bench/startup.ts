@@ -4,7 +4,10 @@ import { atMost, compare, publish } from './harness.ts';
 
 const GQ = fileURLToPath(new URL('../cli/main.js', import.meta.url));
 
-/** Starts Node with `args` and waits for its end; @throws Error when it fails. */
+/**
+ * Starts Node with `args` and waits for its end.
+ * @throws {Error} if it fails
+ */
 function start(args: readonly string[]): number {
   const { status, stderr } = spawnSync(process.execPath, args, { encoding: 'utf8' });
   if (status !== 0) throw new Error(`expected \`node ${args.join(' ')}\` to exit with 0, it exited with ${status}: ${stderr}`);

@@ -11,10 +11,10 @@ import { seeded } from './scenes/seeded.ts';
 
 const PROJECT = fileURLToPath(new URL('../../', import.meta.url));
 const MAX_FRAMES = 3600;
-/** Random scripts a level, besides its own runs: what a search plays most of its time. */
+/** Random scripts per level, in addition to its own runs: what a search plays most of its time. */
 const SCRIPTS = 48;
 const ROUNDS = 15;
-/** Shortest time of one sample, ms. Times are the processor's, so that other work on the machine counts little. */
+/** Shortest time of one sample, ms of processor time, so that other work on the machine matters little. */
 const SAMPLE = 5;
 /** Frames that a search advances at a time. */
 const MACRO = 8;
@@ -24,7 +24,7 @@ const WINDOW = 700;
 
 const OUTCOMES = ['lost', 'completed', 'collided'] as const;
 
-/** Presses and pauses of up to 1.5 s at random, to the last frame. */
+/** Presses and pauses of up to 1.5 s at random, up to the last frame. */
 function randomScript(random: () => number): Hold[] {
   const length = () => 1 + Math.floor(90 * random());
   const holds: Hold[] = [];
@@ -42,7 +42,7 @@ const sceneOf = (level: Level, i: number): NativeScene => {
   return { level, runs: [...level.runs.map(({ holds }) => joinHolds(holds)), ...scripts] };
 };
 
-/** One way to step the engine through all runs of a scene; returns the frames. */
+/** One way to step the engine through all runs of a scene; returns the number of frames. */
 type Stepper = () => number;
 
 /** From the start to the end in as few calls as there are presses and releases. */
@@ -68,7 +68,7 @@ function buttonOf(holds: readonly Hold[]): Uint8Array {
   return button;
 }
 
-/** A call for every frame, as a playtest does. */
+/** One call per frame, as in a playtest. */
 function frameByFrame(simulation: Simulation, runs: NativeScene['runs']): Stepper {
   const buttons = runs.map(buttonOf);
   return () => {
@@ -83,7 +83,7 @@ function frameByFrame(simulation: Simulation, runs: NativeScene['runs']): Steppe
   };
 }
 
-/** All runs abreast, a few frames of each at a time between restore and snapshot, as a search does. */
+/** All runs side by side, a few frames of each at a time between restore and snapshot, as in a search. */
 function macros(simulation: Simulation, runs: NativeScene['runs']): Stepper {
   const plans = runs.map((holds) => {
     const edges = [...new Set([...holds.flat(), MAX_FRAMES])].sort((a, b) => a - b);
@@ -119,7 +119,9 @@ function macros(simulation: Simulation, runs: NativeScene['runs']): Stepper {
   };
 }
 
-/** The comparison is void unless both end every run in the same frame, with the same outcome, in the same bits. */
+/**
+ * Checks that both end every run in the same frame, with the same outcome and the same bits; otherwise the comparison is void.
+ */
 function assertSame(scenes: readonly NativeScene[], native: NativeArcade): void {
   const state = new Float64Array(6);
   let k = 0;
@@ -147,7 +149,7 @@ function assertSame(scenes: readonly NativeScene[], native: NativeArcade): void 
 
 const WAYS = ['whole', 'frame', 'macro'] as const;
 
-/** Times, ns a frame, by way of stepping, and the C++ loop's; round by round. */
+/** Times in ns per frame, for each way of stepping and for the C++ loop, round by round. */
 interface Samples {
   readonly whole: number[];
   readonly frame: number[];
@@ -200,15 +202,15 @@ async function measureScene(
   return { samples, frames };
 }
 
-/** What the system says of the processor time of the thread that reads it, ns first; Linux has it. */
+/** Where Linux says how much processor time the reading thread has used; the first number, in ns. */
 const THREAD_TIME = '/proc/thread-self/schedstat';
 
-/** Processor time of this thread, ms; the clock's where the system doesn't tell. */
+/** Processor time of this thread, ms; the time of the clock where the system does not tell. */
 function threadTime(): number {
   return existsSync(THREAD_TIME) ? Number(readFileSync(THREAD_TIME, 'utf8').split(' ')[0]) / 1e6 : performance.now();
 }
 
-/** A worker plays all runs over and over for as long as it is told, and answers with the frames it made a ms of its processor time. */
+/** A worker: plays all runs again and again for the requested time, and answers with frames per ms of its processor time. */
 function work(scenes: readonly NativeScene[]): void {
   const steppers = scenes.map(({ level, runs }) => wholeRuns(createSimulation(compile(level, 'arcade')), runs));
   parentPort?.on('message', (window: number) => {
@@ -220,7 +222,7 @@ function work(scenes: readonly NativeScene[]): void {
   });
 }
 
-/** Frames a ms of processor time of one worker, and of two at once together, round by round. */
+/** Frames per ms of processor time, of one worker and of two at once, round by round. */
 async function measureWorkers(scenes: readonly NativeScene[]): Promise<{ one: number[]; two: number[] }> {
   const workers = [0, 1].map(() => new Worker(new URL(import.meta.url), { workerData: scenes }));
   const play = (worker: Worker) =>

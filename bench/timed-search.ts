@@ -2,24 +2,24 @@ import { type AccuracyName, compile } from '../engine/index.ts';
 import type { Level } from '../schema/index.ts';
 import { createSearch, type Goal } from '../solver/index.ts';
 
-/** How long it took to a first run. */
+/** How long a search took to its first run. */
 export interface TimedSearch {
-  /** Processor time, ms: other work on the machine counts little. */
+  /** Processor time, ms, so that other work on the machine matters little. */
   readonly ms: number;
   /** Ticks simulated. */
   readonly ticks: number;
-  /** Whether there was a run by then. */
+  /** Whether a run was found. */
   readonly found: boolean;
   /** Presses of the first run. */
   readonly presses: number;
 }
 
-/** Ticks between two looks at the clock. */
+/** Ticks between two readings of the clock. */
 const SLICE = 500;
 
 /**
- * Searches until there is a run or `mostMs` are over. The scene is made before the clock starts, the search after.
- * @param repeats a search does the same each time, so that the least time of some repeats is that of an undisturbed one
+ * Searches until there is a run or `mostMs` are over. The scene is made before the clock starts, the search afterwards.
+ * @param repeats - repetitions; a search is deterministic, so the least time is that of an undisturbed one
  */
 export function timeSearch(
   level: Level,
@@ -38,7 +38,7 @@ export function timeSearch(
       return (user + system) / 1000;
     };
     const search = createSearch(scene, { goal, seed });
-    // the clock costs as much as a slice, so it is read less often the longer it takes
+    // a reading of the clock costs as much as a slice, so readings become less frequent the longer the search takes
     for (let slices = 1; search.solutions.length === 0; slices++) {
       search.advance(SLICE);
       if (search.exhausted || (slices % 64 === 0 && spent() > mostMs)) break;

@@ -12,7 +12,7 @@ const SHIPPED = fileURLToPath(new URL('../../levels/', import.meta.url));
 const LEVELS = 28;
 const VALUES = 41;
 
-/** Writes so many level files, made by turns from those shipped: the same ones again are moved by some px. */
+/** Writes level files, made in turn from the shipped ones; repeated ones are moved by some px. */
 function writeLevels(directory: string): void {
   const shipped = readdirSync(SHIPPED)
     .filter((name) => name.endsWith('.level.json'))
@@ -25,7 +25,10 @@ function writeLevels(directory: string): void {
   }
 }
 
-/** Tunes the directory; @throws Error unless every level was replayed at every value. */
+/**
+ * Tunes the directory.
+ * @throws {Error} unless every level was replayed at every value
+ */
 function tune(directory: string): number {
   const args = ['tune', directory, '--sweep', `pull=0.8x..1.2x:${VALUES}`, '--jobs', '2', '--format', 'json'];
   const { stdout, stderr, status } = spawnSync(process.execPath, [GQ, ...args], { encoding: 'utf8', maxBuffer: 2 ** 28 });

@@ -4,14 +4,14 @@ import { type BrowserContext, chromium } from 'playwright-core';
 
 const CHROMIUM = process.env.CHROMIUM ?? '/usr/bin/chromium';
 
-/** A browser on a profile that outlives it. */
+/** A browser whose profile outlives it. */
 export interface KillableBrowser {
   readonly context: BrowserContext;
-  /** Ends all of its processes at once, as a power cut does. */
+  /** Ends all of its processes at once, as a power failure does. */
   kill(): Promise<void>;
 }
 
-/** Starts Chromium on a profile and waits until it can be driven. */
+/** Starts Chromium on a profile and waits until it can be controlled. */
 export async function startBrowser(profile: string): Promise<KillableBrowser> {
   const child = spawn(
     CHROMIUM,
@@ -19,7 +19,7 @@ export async function startBrowser(profile: string): Promise<KillableBrowser> {
       ...['--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking'],
       ...['--mute-audio', '--window-size=1280,800', '--remote-debugging-port=0', `--user-data-dir=${profile}`, 'about:blank'],
     ],
-    // a group of its own: its helpers die with it, and nobody else
+    // a process group of its own: its helpers are killed with it, and nothing else
     { detached: true, stdio: ['ignore', 'ignore', 'pipe'] },
   );
   const ended = new Promise<void>((resolve) => child.on('exit', () => resolve()));

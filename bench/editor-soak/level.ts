@@ -5,10 +5,10 @@ import { formatLevel, type LevelFile, readLevel } from '../../schema/index.ts';
 /** The level that is edited: the page moves its objects, other programs count in its name. */
 export const FILE = 'soak.level.json';
 
-/** Where the asteroid stands at first, px; a number of four digits, as all of its places are. */
+/** Where the asteroid is at first, px; a number of four digits, like all of its places. */
 export const START = 1000;
 
-/** More than a KiB, so that a disk without room for it can be made. */
+/** More than one KiB, so that a disk without room for it can be made. */
 const NOTE = 'Something to say. '.repeat(80);
 
 export const soakLevel = (): string =>
@@ -23,7 +23,7 @@ export const soakLevel = (): string =>
     runs: [{ name: 'solution', holds: [[0, 60]] }],
   });
 
-/** How often the page and others have changed the level. */
+/** How often the page and other programs have changed the level. */
 export interface Counts {
   readonly page: number;
   readonly others: number;
@@ -37,15 +37,18 @@ function fileOf(text: string): LevelFile {
 
 const countOfOthers = ({ name }: LevelFile): number => Number(/^Soak (\d+)$/.exec(name)?.[1]);
 
-/** What the file says. @throws when it is damaged or gone */
+/**
+ * Reads the counts from the file.
+ * @throws {Error} if it is damaged or missing
+ */
 export function countsOnDisk(folder: string): Counts {
   const file = fileOf(readFileSync(join(folder, FILE), 'utf8'));
   return { page: (file.asteroids?.[0]?.x ?? Number.NaN) - START, others: countOfOthers(file) };
 }
 
 /**
- * Makes another text of the level's, as other programs do; the file stays its owner's. What the editor has written between the look and the last moment
- * would be taken back, so it is looked at again.
+ * Rewrites the level as other programs do; the file keeps its owner. It is read again at the last moment, so that what the
+ * editor has written in between is not undone.
  */
 function rewrite(folder: string, change: (text: string) => string): { before: string; after: string } {
   const path = join(folder, FILE);
@@ -62,7 +65,7 @@ function rewrite(folder: string, change: (text: string) => string): { before: st
   }
 }
 
-/** Another program changes the level. */
+/** Changes the level as another program. */
 export function changeByOthers(folder: string): void {
   rewrite(folder, (text) => {
     const file = fileOf(text);
@@ -70,7 +73,10 @@ export function changeByOthers(folder: string): void {
   });
 }
 
-/** Takes the level away, as a checkout does. @returns puts it back, unless another stands there */
+/**
+ * Removes the level, as a checkout does.
+ * @returns a function that puts it back, unless there is another file
+ */
 export function takeAway(folder: string): () => void {
   const path = join(folder, FILE);
   const aside = join(folder, '.away.tmp');
@@ -81,7 +87,10 @@ export function takeAway(folder: string): () => void {
   };
 }
 
-/** Leaves a file with errors, as a merge with conflicts does. @returns mends it; throws when somebody has written over it */
+/**
+ * Leaves a file with errors, as a merge with conflicts does.
+ * @returns a function that repairs it; it throws if somebody has overwritten it
+ */
 export function tear(folder: string): () => void {
   const { before, after } = rewrite(folder, (text) => text.replace('"range"', '<<<<<<< HEAD\n  "range"'));
   return () => {

@@ -1,13 +1,13 @@
 import type { CDPSession, Page } from 'playwright-core';
 import type { KillableBrowser } from './browser.ts';
 
-/** ms: what takes longer does not come any more */
+/** Time after which something expected does not come any more, ms. */
 const TOO_LONG = 40_000;
 
 const saving = (page: Page) => page.getByRole('status', { name: 'Saving' });
 const says = (page: Page, text: RegExp) => saving(page).filter({ hasText: text });
 
-/** Opens the editor's page and waits until it shows the level. */
+/** Opens the editor and waits until it shows the level. */
 export async function openPage(browser: KillableBrowser, address: string): Promise<Page> {
   const page = await browser.context.newPage();
   page.setDefaultTimeout(TOO_LONG);
@@ -22,12 +22,15 @@ export async function openPage(browser: KillableBrowser, address: string): Promi
   return page;
 }
 
-/** What the page says of where the work is: `saved`, `read only`, ... */
+/** What the page says about where the work is: `saved`, `read only`, ... */
 export const savingState = async (page: Page): Promise<string> => (await saving(page).textContent())?.trim() ?? '';
 
 export const looksOn = (page: Page): Promise<void> => says(page, /^read only$/).waitFor();
 
-/** @throws when it is not saved in time, with what the page says instead */
+/**
+ * Waits until the work is saved.
+ * @throws {Error} if it is not saved in time, with what the page says instead
+ */
 export async function becomesSaved(page: Page): Promise<void> {
   try {
     await says(page, /^saved$/).waitFor();
@@ -37,13 +40,13 @@ export async function becomesSaved(page: Page): Promise<void> {
   }
 }
 
-/** Becomes the tab that writes, once it says that another one is. */
+/** Makes this tab the one that writes, once it says that another one is. */
 export async function takeOver(page: Page): Promise<void> {
   await page.bringToFront();
   await page.getByRole('button', { name: 'Take over' }).click();
 }
 
-/** Selects everything, for keys to move. */
+/** Selects everything, so that keys move it. */
 export async function selectAll(page: Page): Promise<void> {
   await page.bringToFront();
   await page.getByRole('application', { name: 'Level canvas' }).focus();
@@ -54,7 +57,7 @@ export async function selectAll(page: Page): Promise<void> {
 export async function crash(page: Page): Promise<void> {
   const session: CDPSession = await page.context().newCDPSession(page);
   const crashed = page.waitForEvent('crash');
-  // nobody is there to answer
+  // a crashed page does not answer
   session.send('Page.crash').catch(() => undefined);
   await crashed;
 }

@@ -20,13 +20,13 @@ export const HAZARDS = [
 export interface Round {
   readonly victims: (typeof VICTIMS)[number];
   readonly hazard: (typeof HAZARDS)[number];
-  /** Keys pressed. */
+  /** Number of keys pressed. */
   readonly pressed: number;
-  /** How often the page had changed the level when something was last acknowledged, and at most. */
+  /** How often the page had changed the level at the last acknowledgement, and at most. */
   readonly least: number;
   readonly most: number;
   readonly found: number;
-  /** Of each edit how long before the kill the page had done it, ms, and whether it was there again. */
+  /** For each edit, its age at the kill, ms, and whether it was lost. */
   readonly edits: readonly { readonly age: number; readonly isLost: boolean }[];
   /** What was not as promised. */
   readonly failures: readonly string[];
@@ -34,7 +34,10 @@ export interface Round {
 
 const pick = <T>(random: Random, list: readonly T[]): T => list[random.below(list.length)];
 
-/** Something goes wrong. @returns what is as it was again; null where nothing has to be */
+/**
+ * Lets something go wrong.
+ * @returns a function that puts it right again; null if nothing has to be
+ */
 async function strike(hazard: Round['hazard'], world: World): Promise<(() => void) | null> {
   const { folder } = world;
   switch (hazard) {
@@ -53,22 +56,22 @@ async function strike(hazard: Round['hazard'], world: World): Promise<(() => voi
   }
 }
 
-/** What is on the disk; null while it is away or has errors. */
+/** The counts on the disk; null while the file is missing or has errors. */
 function lookAtDisk(folder: string, isWhole: boolean): { page: number; others: number } | null {
   return isWhole ? countsOnDisk(folder) : null;
 }
 
 /**
- * Keys are pressed while something goes wrong, and page, browser or server are killed; then all is started again, and what was acknowledged must be on
- * the disk. Acknowledged is what the page called saved or kept in the browser, what was seen on the disk, and what the journal had. Of the rest it is
- * counted what was lost, and how long before the kill it was done.
+ * Presses keys while something goes wrong, and kills page, browser or server. Then everything is started again, and what was
+ * acknowledged must be on the disk: what the page called saved or kept in the browser, what was seen on the disk, and what was
+ * in the journal. Of the other edits, those that were lost are counted, with their age at the kill.
  */
 export async function playRound(world: World, random: Random): Promise<Round> {
   const victims = pick(random, VICTIMS);
   const hazard = pick(random, HAZARDS);
   const { folder } = world;
   const failures: string[] = [];
-  /** When the page had done each edit: a key is pressed once the page has handled it. */
+  /** When the page had handled each edit: the next key is pressed after that. */
   const doneAt: number[] = [];
   const nudge = async () => {
     await world.page.keyboard.press('ArrowRight');
@@ -90,7 +93,7 @@ export async function playRound(world: World, random: Random): Promise<Round> {
   await selectAll(world.page);
   const keys = 1 + random.below(10);
   const strikesAt = random.below(keys);
-  // now and then the server dies before the last key, and the journal is all there is
+  // sometimes the server dies before the last key, so that only the journal has the rest
   const serverDiesAt = random.below(4) === 0 ? random.below(keys) : null;
   for (let i = 0; i < keys; i++) {
     if (i === strikesAt) mended = await strike(hazard, world);
@@ -99,11 +102,11 @@ export async function playRound(world: World, random: Random): Promise<Round> {
     most++;
     if (random.below(3) === 0) await wait(random.below(150));
   }
-  // looking takes time, in which the last edits come to be kept: in many rounds nobody looks
+  // reading takes time, in which the last edits are kept: many rounds do without
   const isAbrupt = random.below(3) === 0;
   const diesWriting = !isAbrupt && victims !== 'page' && victims !== 'browser' && random.below(2) === 0;
   if (diesWriting) await world.killServer(true);
-  // a save is on its way some 200 ms after the last key: more often about then
+  // a save begins about 200 ms after the last key: more kills about then
   else if (!isAbrupt && random.below(4) > 0) await wait(random.below(2) === 0 ? random.below(400) : 190 + random.below(40));
   if (!isAbrupt) {
     if (random.below(2) === 0) acknowledge(await furthestKept(world.page).then((x) => (x === null ? null : x - START)));
@@ -123,7 +126,7 @@ export async function playRound(world: World, random: Random): Promise<Round> {
   const killedAt = performance.now();
   if (victims === 'page') await world.killPage(random.below(2) === 0 ? 'crash' : 'close');
   if (victims === 'browser' || victims === 'browser and server') await world.killBrowser();
-  // the first server that runs again on a full disk has no more room than the last
+  // the first server that is started again on a full disk has no more room than the last one
   if (hazard === 'full disk') await world.killServer();
   const old = random.below(2) === 0 ? 'close' : 'leave';
   if (hazard === 'read-only folder' && random.below(2) === 0) {
@@ -143,7 +146,7 @@ export async function playRound(world: World, random: Random): Promise<Round> {
   if (found.others !== others) failures.push(`of others expected ${others}, found ${found.others}`);
   const strange = readdirSync(folder).filter((name) => name.endsWith('.level.json') && name !== FILE);
   if (strange.length > 0) failures.push(`other files: ${strange.join()}`);
-  // edits are written in their order: what is missing are the last ones
+  // edits are written in order, so the last ones are missing
   const kept = found.page - before.page;
   const edits = doneAt.map((time, i) => ({ age: killedAt - time, isLost: i >= kept }));
   return { victims, hazard, pressed: most - before.page, least, most, found: found.page, edits, failures };

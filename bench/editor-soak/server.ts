@@ -5,7 +5,7 @@ import { fileURLToPath } from 'node:url';
 
 const MAIN = fileURLToPath(new URL('../../cli/main.js', import.meta.url));
 
-/** ms after which no save comes any more */
+/** Time after which no save comes any more, ms. */
 const LONGEST_SAVE = 1000;
 
 /** A `gq edit` that can be killed. */
@@ -13,17 +13,20 @@ export interface KillableServer {
   readonly address: string;
   readonly port: number;
   kill(): Promise<void>;
-  /** Kills it as soon as a file of a folder is put in place, or after a while when none is. */
+  /** Kills it as soon as a file of a folder is put in place, or after a while if none is. */
   killOnChange(folder: string, name: string): Promise<void>;
 }
 
 export interface ServerOptions {
   readonly folder: string;
-  /** 0: any */
+  /** Port; 0 for any. */
   readonly port: number;
-  /** Number of the user it runs as; undefined: the one that starts it. */
+  /** Number of the user it runs as; undefined for the user who starts it. */
   readonly user: number | undefined;
-  /** The disk has no room for more than a KiB: the kernel's own limit for the size of files takes what fits and refuses the rest. */
+  /**
+   * Whether the disk has no room for more than one KiB. The kernel's limit for the size of files is used: it writes what fits
+   * and refuses the rest.
+   */
   readonly isFull: boolean;
 }
 

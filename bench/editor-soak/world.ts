@@ -8,12 +8,14 @@ import { FILE, soakLevel } from './level.ts';
 import { becomesSaved, crash, looksOn, openPage, takeOver } from './person.ts';
 import { type KillableServer, startServer } from './server.ts';
 
-/** Number of the user who owns nothing else: root may write everything, so as root the server is that one. */
+/**
+ * Number of a user who owns nothing else. Root may write everything, so if root runs the test, the server runs as this user.
+ */
 const NOBODY = 65534;
 
 export type Victim = 'page' | 'browser' | 'server';
 
-/** A folder, a server on it, a browser, and pages of it; each can be killed. */
+/** A folder, a server on it, a browser, and its pages; each can be killed. */
 export class World {
   readonly folder = mkdtempSync(join(tmpdir(), 'gq-soak-'));
   private readonly profile = mkdtempSync(join(tmpdir(), 'gq-soak-profile-'));
@@ -21,7 +23,7 @@ export class World {
   private server: KillableServer | null = null;
   private port = 0;
   private browser: KillableBrowser | null = null;
-  /** Pages that are alive, and whether they are of the server that runs now; the first is the one that writes. */
+  /** Pages that are alive, and whether they belong to an earlier server; the first one is the one that writes. */
   private pages: { readonly page: Page; readonly isStale: boolean }[] = [];
   readonly kills: Record<Victim, number> = { page: 0, browser: 0, server: 0 };
 
@@ -40,12 +42,12 @@ export class World {
     return this.server !== null;
   }
 
-  /** Whether the folder may be written. */
+  /** Allows or forbids writing to the folder. */
   allowWriting(isAllowed: boolean): void {
     chmodSync(this.folder, isAllowed ? 0o755 : 0o555);
   }
 
-  /** Opens one more page, which looks on. */
+  /** Opens another page, which is read-only. */
   async openAnother(): Promise<void> {
     if (this.browser === null || this.server === null) throw new Error('nothing to open it with');
     const page = await openPage(this.browser, this.server.address);
@@ -58,7 +60,7 @@ export class World {
     this.kills.page++;
     if (how === 'crash') await crash(page);
     await page.close();
-    // one process may have been both of them
+    // both may have been in one process
     this.pages = this.pages.filter((other) => !other.page.isClosed());
   }
 
@@ -69,7 +71,10 @@ export class World {
     this.browser = null;
   }
 
-  /** @param asItWrites once the level's file is another one: mostly before the server has answered */
+  /**
+   * Kills the server.
+   * @param asItWrites - as soon as the level's file has changed, which is mostly before the server has responded
+   */
   async killServer(asItWrites = false): Promise<void> {
     if (this.server === null) return;
     this.kills.server++;
@@ -80,8 +85,9 @@ export class World {
   }
 
   /**
-   * Starts what is missing, and has a page on the level again that may write it.
-   * @param old what becomes of pages of a server that is no more: closed first, or left open until another has taken the level over
+   * Starts what is missing, and opens a page that may write the level.
+   * @param old - what happens to pages of an earlier server: closed first, or left open until another one has taken the level
+   * over
    */
   async mend(old: 'close' | 'leave', isFull = false): Promise<void> {
     const { folder, user } = this;
@@ -103,7 +109,7 @@ export class World {
     if (old === 'leave') await close();
   }
 
-  /** Waits until all is on the disk, and leaves one page open. */
+  /** Waits until everything is on the disk, and leaves one page open. */
   async settle(): Promise<void> {
     await this.page.bringToFront();
     await becomesSaved(this.page);

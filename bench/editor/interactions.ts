@@ -6,7 +6,7 @@ import { DRAGGED } from './playable-level.ts';
 import type { Stage } from './stage.ts';
 import { type Cost, costs } from './trace.ts';
 
-/** How the canvas shows a level: what the page says of its zoom, and where its middle is. */
+/** How the canvas shows a level: the zoom that the page displays, and where its middle is. */
 interface Aim {
   readonly left: number;
   readonly top: number;
@@ -29,11 +29,17 @@ async function boxOf(page: Page, name: 'canvas' | 'time'): Promise<Aim> {
   return { left: box.x, top: box.y, width: box.width, height: box.height };
 }
 
-/** px around the level when all of it is shown, as `editor/canvas` has it: at most a share of the canvas; above it there are the tools as well */
+/**
+ * Margin around the level when all of it is shown, px, as in `editor/canvas`: at most a share of the canvas. The tools above it
+ * come in addition.
+ */
 const marginOf = (size: number): number => Math.min(60, 0.125 * size);
 const TOOLS = 24;
 
-/** Shows all of the level. @returns from places of the level to places of the page */
+/**
+ * Shows the whole level.
+ * @returns a function from places in the level to places on the page
+ */
 async function aim(page: Page, extent: Extent): Promise<(x: number, y: number) => [x: number, y: number]> {
   await canvas(page).focus();
   await page.keyboard.press('f');
@@ -44,7 +50,7 @@ async function aim(page: Page, extent: Extent): Promise<(x: number, y: number) =
     (height - 2 * marginOf(height) - TOOLS) / (extent.bottom - extent.top),
   );
   const shown = `${Math.round(zoom * 100)} %`;
-  // or it would measure how nothing is dragged
+  // otherwise it would measure a drag of nothing
   if (!(await isSoon(page.getByText(shown, { exact: true }))))
     throw new Error(`the level is not shown at ${shown}: did the canvas change?`);
   const [midX, midY] = [(extent.left + extent.right) / 2, (extent.top + extent.bottom) / 2];
@@ -57,7 +63,7 @@ const isSoon = (what: Locator): Promise<boolean> =>
     () => false,
   );
 
-/** @throws when the last step of the history is another one: then nothing was measured */
+/** @throws {Error} if the last step of the history is another one: then nothing was measured */
 async function expectStep(page: Page, label: RegExp): Promise<void> {
   const undo = page.getByRole('button', { name: label });
   if (await isSoon(undo)) return;
@@ -65,12 +71,12 @@ async function expectStep(page: Page, label: RegExp): Promise<void> {
   throw new Error(`expected a step to undo that is called ${label}, found "${found}": was the object hit?`);
 }
 
-/** Moves in small steps, each one waited for. */
+/** Moves the pointer in small steps and waits for each. */
 async function along(page: Page, steps: number, at: (share: number) => readonly [x: number, y: number]): Promise<void> {
   for (let i = 1; i <= steps; i++) await page.mouse.move(...at(i / steps));
 }
 
-/** Sets a mark when something is to be seen on the page. */
+/** Sets a mark when something becomes visible on the page. */
 const markWhen = (page: Page, name: string, selector: string, text: string): Promise<void> =>
   page.evaluate(
     ([mark, css, wanted]) => {
@@ -111,7 +117,7 @@ export async function scrub({ page, traced }: Stage, steps: number): Promise<Cos
   return costs(trace, 'pointermove');
 }
 
-/** Undo and redo of moves of the object that the run hangs on. */
+/** Undo and redo of moves of the object that the run depends on. */
 export async function undo({ page, traced }: Stage, extent: Extent, steps: number): Promise<Cost[]> {
   const at = await aim(page, extent);
   await page.mouse.click(...at(DRAGGED.x, DRAGGED.y));
@@ -126,7 +132,7 @@ export async function undo({ page, traced }: Stage, extent: Extent, steps: numbe
   });
   // back to where it was
   await page.keyboard.press('Control+z');
-  // of each pair the key with Ctrl is the one that does something
+  // of each pair of keys, the one with Ctrl does something
   return costs(trace, 'keydown').filter((_, i) => i % 2 === 1);
 }
 
@@ -147,7 +153,10 @@ export async function enterPlay({ page, traced }: Stage, times: number): Promise
   return all;
 }
 
-/** To and fro between two levels of one size. @param names of the levels; the first one is open */
+/**
+ * Switches back and forth between two levels of the same size.
+ * @param names - names of the levels; the first one is open
+ */
 export async function switchLevel({ page, traced }: Stage, names: readonly [string, string], times: number): Promise<Cost[]> {
   const all: Cost[] = [];
   for (let i = 1; i <= times; i++) {
@@ -165,7 +174,7 @@ export async function switchLevel({ page, traced }: Stage, names: readonly [stri
   return all;
 }
 
-/** Turns of the wheel to and fro, ten one way and ten back, while everything is selected. */
+/** Turns the wheel back and forth, ten times each way, while everything is selected. */
 async function turnWheel(
   { page, traced }: Stage,
   extent: Extent,
@@ -183,7 +192,7 @@ async function turnWheel(
     for (let i = 0; i < steps; i++) {
       const way = i % 20 < 10 ? -1 : 1;
       await page.mouse.wheel(way * turn[0], way * turn[1]);
-      // the next one comes in a frame of its own, as a hand's do
+      // the next one comes in a frame of its own, as from a hand
       await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(resolve)));
     }
   });
@@ -198,7 +207,10 @@ export const zoomAll = (stage: Stage, extent: Extent, steps: number): Promise<Co
 export const panAll = (stage: Stage, extent: Extent, steps: number): Promise<Cost[]> =>
   turnWheel(stage, extent, steps, [0, 40], ['Shift']);
 
-/** The page is loaded anew, again and again. @returns ms by the clock from there to the frame after the level's name is shown */
+/**
+ * Reloads the page again and again.
+ * @returns clock time from there to the frame after the level's name is shown, ms
+ */
 export async function openPage({ page }: Stage, times: number): Promise<number[]> {
   const all: number[] = [];
   for (let i = 0; i < times; i++) {
@@ -218,10 +230,10 @@ export async function openPage({ page }: Stage, times: number): Promise<number[]
   return all;
 }
 
-/** A marquee that is drawn over half of the level, in steps. */
+/** A marquee that is drawn over half of the level in steps. */
 export async function marquee({ page, traced }: Stage, extent: Extent, steps: number): Promise<Cost[]> {
   const at = await aim(page, extent);
-  // px of the page off the level: nearer, the pointer would take the object in its corner
+  // px outside the level: nearer, the pointer would take the object in its corner
   const off = 20;
   const corner = at(extent.left, extent.top);
   const from = [corner[0] - off, corner[1] - off] as const;
@@ -233,9 +245,9 @@ export async function marquee({ page, traced }: Stage, extent: Extent, steps: nu
     await along(page, steps, (share) => [from[0] + share * (to[0] - from[0]), from[1] + share * (to[1] - from[1])]);
   });
   await page.mouse.up();
-  // or it would measure how one is dragged
+  // otherwise it would measure a drag of nothing
   if (!(await isSoon(page.getByRole('heading', { name: /^[\d,]+ objects$/ })))) throw new Error('the marquee caught nothing');
-  // the first one only comes to where it begins
+  // the first one only moves to where it begins
   return costs(trace, 'pointermove').slice(1);
 }
 
@@ -263,7 +275,7 @@ interface Watch {
   took?: Promise<number>;
 }
 
-/** ms by the clock from a key or click to something that is to be seen then, and was not before or has gone meanwhile. */
+/** Clock time from a key or click until something becomes visible that was not, or that has disappeared in between, ms. */
 async function until(page: Page, selector: string, text: string, act: () => Promise<void>): Promise<number> {
   await page.evaluate(
     ([css, wanted]) => {
@@ -297,17 +309,20 @@ async function until(page: Page, selector: string, text: string, act: () => Prom
   });
 }
 
-/** Lines of the fan on the canvas, as `editor/canvas` has them on dark and on light: nothing else is as faint in this colour. */
+/**
+ * Colours of the lines of the fan on the canvas, as in `editor/canvas`, on dark and on light. Nothing else is as faint in these
+ * colours.
+ */
 const FAN_LINES = ['rgba(124, 242, 176, 0.22)', 'rgba(11, 122, 69, 0.22)'];
 
 interface FanWatch {
   /** When the last line of a fan was drawn, ms. */
   drawn?: number;
-  /** When the object was let go, and no fan was to be seen; null: an older one was. */
+  /** When the object was dropped while no fan was visible; null if an older one was. */
   dropped?: number | null;
 }
 
-/** Notes whenever the canvas draws a line of a fan, and when the pointer lets go. */
+/** Notes when the canvas draws a line of a fan, and when the pointer is released. */
 const watchFans = (page: Page): Promise<void> =>
   page.evaluate((lines) => {
     const watch = globalThis as FanWatch;
@@ -323,7 +338,7 @@ const watchFans = (page: Page): Promise<void> =>
     addEventListener('pointerup', drop, { capture: true });
   }, FAN_LINES);
 
-/** From the end of a drag to the fan of the new run on the canvas, by the clock. */
+/** Clock time from the end of a drag to the fan of the new run on the canvas. */
 export async function fan({ page }: Stage, extent: Extent, times: number): Promise<number[]> {
   const at = await aim(page, extent);
   await watchFans(page);
@@ -338,7 +353,7 @@ export async function fan({ page }: Stage, extent: Extent, times: number): Promi
     if (tries > 3 * times) throw new Error('before the object was let go the fan was there: is the machine too busy?');
     await page.mouse.move(...at(DRAGGED.x, DRAGGED.y));
     await page.mouse.down();
-    // still in her line: the run completes the level wherever it is let go
+    // still on her line: the run completes the level wherever it is dropped
     await along(page, 6, (share) => at(DRAGGED.x + 48 * share, DRAGGED.y));
     await page.mouse.up();
     const told = await (await sinceDrop()).jsonValue();
@@ -351,7 +366,7 @@ export async function fan({ page }: Stage, extent: Extent, times: number): Promi
   return all;
 }
 
-/** First word of a search, by the clock, and what it takes to stop it. */
+/** Clock time to the first report of a search, and the cost of stopping it. */
 export async function search({ page, traced }: Stage, times: number): Promise<{ first: number[]; cancel: Cost[] }> {
   await page.getByRole('tab', { name: 'Solver' }).click();
   const click = (name: string) => () => page.getByRole('button', { name, exact: true }).click();
@@ -372,7 +387,7 @@ export async function search({ page, traced }: Stage, times: number): Promise<{ 
   return { first, cancel };
 }
 
-/** From the last of some edits to the file. */
+/** Clock time from the last of several edits to the changed file. */
 export async function toDisk({ page, folder }: Stage, id: string, extent: Extent, times: number): Promise<number[]> {
   const at = await aim(page, extent);
   await page.mouse.click(...at(DRAGGED.x, DRAGGED.y));

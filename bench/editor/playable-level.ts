@@ -1,19 +1,19 @@
 import type { LevelFile } from '../../schema/index.ts';
 
-/** px between objects of the field */
+/** Distance between objects of the field, px. */
 const SPACING = 72;
-/** px around her way that stay free: nothing there may draw the gun or end the run */
+/** Free distance around her path, px: nothing in it may draw the gun or end the run. */
 const LANE = 520;
 
-/** Asteroid on her way, which the benchmark drags; the whole run hangs on it. */
+/** An asteroid on her path, which the benchmark drags; the whole run depends on it. */
 export const DRAGGED = { id: 'lead', x: 200, y: 0 } as const;
 
 const KINDS = ['asteroids', 'asteroids', 'novae', 'minerals', 'repulsors', 'aliens'] as const;
 const RADII = { asteroids: 16, novae: 16, minerals: 7, repulsors: 24, aliens: 14 } as const;
 
 /**
- * A level of so many objects that a run completes: she falls through one asteroid into the black hole behind it. The others
- * stand in a field above and below, of all kinds, in a fixed order.
+ * A level of a given number of objects that has a completing run: she falls through one asteroid into the black hole behind it.
+ * The others stand in a field above and below, of all kinds, in a fixed order.
  */
 export function playableLevel(objects: number): LevelFile {
   const others = objects - 3;
@@ -28,7 +28,7 @@ export function playableLevel(objects: number): LevelFile {
   for (let k = 0; k < others; k++) {
     const kind = KINDS[k % KINDS.length];
     const row = Math.floor(k / columns);
-    // rows take turns above and below
+    // rows alternate above and below
     const away = LANE + SPACING * Math.floor(row / 2);
     const x = SPACING * ((k % columns) - columns / 2) + 210;
     lists[kind].push({ id: `o${k}`.padEnd(2, '0'), x, y: row % 2 === 0 ? away : -away, radius: RADII[kind] });

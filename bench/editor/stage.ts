@@ -15,12 +15,18 @@ const CHROMIUM = process.env.CHROMIUM ?? '/usr/bin/chromium';
 export interface Stage {
   readonly page: Page;
   readonly folder: string;
-  /** Traces what is done meanwhile. @returns the trace as JSON */
+  /**
+   * Runs a function and traces what happens meanwhile.
+   * @returns the trace as JSON
+   */
   traced(act: () => Promise<void>): Promise<string>;
   close(): Promise<void>;
 }
 
-/** Starts `gq edit` on a folder. @returns its address and what ends it */
+/**
+ * Starts `gq edit` on a folder.
+ * @returns its address, and a function that stops it
+ */
 export async function startEdit(folder: string): Promise<{ address: string; stop: () => void }> {
   const server = spawn(process.execPath, [MAIN, 'edit', folder, '--port', '0'], { stdio: ['ignore', 'pipe', 'inherit'] });
   const address = await new Promise<string>((resolve, reject) => {
@@ -46,7 +52,7 @@ export async function openStage(levels: Readonly<Record<string, LevelFile>>): Pr
     args: ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--mute-audio'],
   });
   const page = await browser.newPage({ viewport: { width: 1440, height: 900 } });
-  // the tour would lie over the canvas
+  // the tour would cover the canvas
   await page.addInitScript(`localStorage.setItem('gravity-quest-editor-settings', '{"tourSeen":true}')`);
   page.setDefaultTimeout(60_000);
   await page.goto(address);

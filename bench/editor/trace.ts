@@ -1,4 +1,4 @@
-/** An event of a trace, as Chromium writes them; times in us, `tdur` of the processor alone. */
+/** An event of a trace, as Chromium writes it. Times are in us; `tdur` is processor time. */
 interface TraceEvent {
   readonly name: string;
   readonly ph: string;
@@ -13,23 +13,23 @@ interface TraceEvent {
 /** What is traced: tasks of the page's main thread, what they do, and marks that the benchmark sets. */
 export const TRACED = ['toplevel', 'devtools.timeline', 'disabled-by-default-devtools.timeline', 'blink.user_timing'];
 
-/** What one thing that the person did cost, ms. */
+/** What one action of the person cost, ms. */
 export interface Cost {
-  /** Processor time of the page's main thread until its work for the next frame was done, without handing the picture on. */
+  /** Processor time of the page's main thread until its work for the next frame was done, without handing the picture over. */
   readonly script: number;
-  /** By the clock, until the frame was handed to the one who paints. */
+  /** Clock time until the frame was handed over to be painted. */
   readonly frame: number;
 }
 
-/** Handing the canvas's picture on: without a graphics card it is copied by the processor. */
+/** Handing the canvas's picture over: without a graphics card the processor copies it. */
 const isHandOver = (name: string): boolean => name === 'Commit';
 
 const endOf = ({ ts, dur = 0 }: TraceEvent): number => ts + dur;
 
 /**
- * What each of a kind of events cost until the frame that shows it was done.
- * @param type of the DOM event: `pointermove`, `keydown`
- * @param done name of a mark; the frame after it counts instead of the frame after the event
+ * The cost of each event of a kind, until the frame that shows its effect was done.
+ * @param type - of the DOM event: `pointermove`, `keydown`
+ * @param done - name of a mark; the frame after it counts instead of the frame after the event
  */
 export function costs(trace: string, type: string, done: string | null = null): Cost[] {
   const { traceEvents } = JSON.parse(trace) as { traceEvents: readonly TraceEvent[] };
@@ -51,7 +51,7 @@ export function costs(trace: string, type: string, done: string | null = null): 
   });
 }
 
-/** The value that 95 of 100 don't exceed. */
+/** The 95th percentile. */
 export function p95(values: readonly number[]): number {
   const sorted = [...values].sort((a, b) => a - b);
   return sorted[Math.min(sorted.length - 1, Math.ceil(0.95 * sorted.length) - 1)] ?? Number.NaN;

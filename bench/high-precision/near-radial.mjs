@@ -1,5 +1,5 @@
-// Close passes of an asteroid's centre in whole numbers of 2^-192 (BigInt), by Taylor series of order 40: writes near-radial.json.
-// Run: node bench/high-precision/near-radial.mjs && npx biome format --write bench/high-precision
+// Close passes of an asteroid's centre in integer multiples of 2^-192 (BigInt), by Taylor series of order 40: writes
+// near-radial.json. Run: node bench/high-precision/near-radial.mjs && npx biome format --write bench/high-precision
 import { writeFileSync } from 'node:fs';
 
 const BITS = 192n;
@@ -9,14 +9,14 @@ const RANGE = 250;
 const PULL = 39;
 const FAR = 100;
 
-/** A double as a fixed-point number, exactly where it has no digits below 2^-192. */
+/** A double as a fixed-point number, exact if it has no digits below 2^-192. */
 function fixed(x) {
   let [mantissa, exponent] = [x, 0];
   while (!Number.isInteger(mantissa)) [mantissa, exponent] = [mantissa * 2, exponent + 1];
   return (BigInt(mantissa) << BITS) >> BigInt(exponent);
 }
 
-/** The nearest double or one beside it. */
+/** The nearest double or one of its neighbours. */
 function double(x) {
   const negative = x < 0n;
   const size = negative ? -x : x;
@@ -39,8 +39,8 @@ function root(x) {
 }
 
 /**
- * Series of x, y about the centre: u'' = (A / range - A / d) u, with the powers of s = d^2 by
- * p = s^a: p_n = sum over k of (a k - (n - k)) s_k p_(n-k) / (n s_0).
+ * Series of x, y about the centre: u'' = (A / range - A / d) u, with the powers of s = d² by p = s^a: p_n = sum over k of (a k
+ * - (n - k)) s_k p_(n-k) / (n s_0).
  */
 function series(x0, y0, vx0, vy0) {
   const [x, y, s, p] = [[x0, vx0], [y0, vy0], [], []];
@@ -65,7 +65,7 @@ function series(x0, y0, vx0, vy0) {
   return [x, y];
 }
 
-/** log2 of a fixed-point number's size, rounded up; the terms of a close pass are too large for doubles. */
+/** log2 of a fixed-point number's magnitude, rounded up; the terms of a close pass are too large for doubles. */
 const sizeOf = (x) => (x < 0n ? -x : x).toString(2).length - Number(BITS);
 
 /** Step at which the last terms are below 2^-90 px, s. */
@@ -95,7 +95,7 @@ function run(speed, seconds) {
 }
 
 const cases = [1e-1, 1e-3, 1e-5, 1e-7, 1e-9].map((beside) => {
-  // the speed across at the farthest point that passes the centre about so far beside it, at 79 px/s
+  // the velocity across the line at the farthest point with which she passes the centre at about this distance, at 79 px/s
   const speed = (beside * 79) / FAR;
   return { beside, speed, samples: run(speed, 30) };
 });

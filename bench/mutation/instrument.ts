@@ -4,13 +4,16 @@ import type { PlacedMutant } from './mutants.ts';
 interface Insertion {
   readonly at: number;
   readonly text: string;
-  /** among those at one place: what closes comes before what opens; a small one is closed first, and a large one opened first */
+  /**
+   * Order of edits at one place: closing ones come before opening ones; a small one is closed first, and a large one opened
+   * first.
+   */
   readonly order: number;
 }
 
 /**
- * The source with all of its mutants in it, each behind a switch, and with a count in every loop, so that one without an end is noticed.
- * `globalThis.mutation` says which mutant is on (see session.ts).
+ * The source with all of its mutants in it, each behind a switch, and with a counter in every loop, so that an endless loop is
+ * noticed. `globalThis.mutation` says which mutant is on (see session.ts).
  */
 export function instrumented(file: string, text: string, mutants: readonly PlacedMutant[]): string {
   const sites = new Map<string, PlacedMutant[]>();

@@ -2,18 +2,18 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { parseSync } from 'vite';
 
-/** One small change to a source file: what a slip of the hand would make of it. */
+/** One small change to a source file, such as a typing error would make. */
 export interface Mutant {
-  /** its number among all mutants of a session */
+  /** Its number among all mutants of a session. */
   readonly id: number;
   readonly file: string;
-  /** from 1 */
+  /** Line in the file, from 1. */
   readonly line: number;
-  /** the line of the source without the space around it: it names the place when lines above come and go */
+  /** The line of the source without leading and trailing space; it identifies the place when lines above change. */
   readonly at: string;
   readonly before: string;
   readonly after: string;
-  /** whether it acts while its module is loaded, and not only when a function is called */
+  /** Whether it takes effect while its module is loaded, not only when a function is called. */
   readonly isStatic: boolean;
 }
 
@@ -35,7 +35,7 @@ interface Node {
 interface Context {
   readonly site: Span | null;
   readonly isStatic: boolean;
-  /** inside of `a?.b.c`, where a part can't be put into brackets without changing what it means */
+  /** Inside `a?.b.c`, where putting a part into brackets would change the meaning. */
   readonly inChain: boolean;
 }
 
@@ -50,7 +50,7 @@ const RELATIONS: Record<string, readonly string[]> = {
 const ARITHMETIC: Record<string, string> = { '+': '-', '-': '+', '*': '/', '/': '*' };
 const ASSIGNMENTS: Record<string, string> = { '+=': '-=', '-=': '+=', '*=': '/=', '/=': '*=', '??=': '=' };
 
-/** Properties of one kind, which a slip of the hand takes for each other. */
+/** Properties of one kind that are easily confused. */
 const TWINS: ReadonlyMap<string, string> = new Map(
   [
     ['x', 'y'],
@@ -71,7 +71,7 @@ const TWINS: ReadonlyMap<string, string> = new Map(
 const FUNCTIONS = new Set(['FunctionDeclaration', 'FunctionExpression', 'ArrowFunctionExpression']);
 const EXPRESSION = /(Expression|Literal|Identifier)$/;
 
-/** All mutants of a source file, numbered from `first` on. */
+/** All mutants of a source file, numbered from `first`. */
 export function mutantsOf(file: string, text: string, first: number): PlacedMutant[] {
   const found: PlacedMutant[] = [];
   const part = (node: Node) => text.slice(node.start, node.end);
@@ -99,7 +99,7 @@ export function mutantsOf(file: string, text: string, first: number): PlacedMuta
     mutate(node, parent, key, here);
     for (const [name, value] of Object.entries(node)) {
       for (const child of Array.isArray(value) ? value : [value]) {
-        // what stands in a statement has no expression around it
+        // a part of a statement has no expression around it
         if (isNode(child)) walk(child, node, name, EXPRESSION.test(node.type) ? here : { ...here, site: null });
       }
     }
@@ -127,7 +127,7 @@ export function mutantsOf(file: string, text: string, first: number): PlacedMuta
         if (node.operator === '-' || node.operator === '!') replace(`(${part(node.argument as Node)})`);
         return;
       case 'UpdateExpression':
-        // a loop that counts the wrong way only never ends
+        // a loop that counts the wrong way would only never end
         if (key !== 'update') replace(node.operator === '++' ? part(node).replace('++', '--') : part(node).replace('--', '++'));
         return;
       case 'AssignmentExpression': {
@@ -212,7 +212,7 @@ export function mutantsOf(file: string, text: string, first: number): PlacedMuta
   }
 }
 
-/** A bound that is looser or tighter, a count one more or less. */
+/** Numbers for a bound that is looser or tighter, or a count that is one more or less. */
 function numbersNear(n: number): number[] {
   if (n === 0) return [1];
   if (n === 1) return [0, 2];
@@ -223,7 +223,7 @@ function numbersNear(n: number): number[] {
 const isNode = (value: unknown): value is Node =>
   typeof value === 'object' && value !== null && typeof (value as Node).type === 'string' && 'start' in value;
 
-/** Types, imports, names, and what a thing is bound to: nothing there can be switched. */
+/** Whether a node is left unchanged: types, imports, names, and the targets of bindings cannot be switched. */
 function isLeftAlone(node: Node, parent: Node | null, key: string): boolean {
   const { type } = node;
   if (type === 'ImportDeclaration' || type === 'ImportExpression' || type === 'ExportAllDeclaration') return true;
@@ -242,11 +242,11 @@ function isSwitchable(node: Node, parent: Node | null, key: string): boolean {
   if (key === 'argument' && (parent.type === 'UpdateExpression' || parent.type === 'RestElement')) return false;
   if (parent.type === 'UnaryExpression' && parent.operator === 'delete') return false;
   if (parent.type === 'ArrayPattern' || parent.type === 'ExportSpecifier' || parent.type === 'ClassDeclaration') return false;
-  // the value of a property of a pattern is what is bound
+  // the value of a property in a pattern is the target of a binding
   return !(parent.type === 'Property' && key === 'value' && node.type === 'Identifier');
 }
 
-/** The mutants of several files, numbered from 1 on in the order of the files. */
+/** The mutants of several files, numbered from 1 in the order of the files. */
 export function allMutants(root: string, files: readonly string[]): PlacedMutant[] {
   const found: PlacedMutant[] = [];
   for (const file of files) found.push(...mutantsOf(file, readFileSync(join(root, file), 'utf8'), found.length + 1));

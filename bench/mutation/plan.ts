@@ -1,29 +1,29 @@
-/** What a session is to do, written by `bench/mutation.ts` for its child process. */
+/** The task of a session, written by `bench/mutation.ts` for its child process. */
 export interface Plan {
-  /** files that are mutated, from the root of the repository */
+  /** Files to mutate, relative to the root of the repository. */
   readonly files: readonly string[];
-  /** test files of the room, cheap ones first */
+  /** Test files of the room, cheap ones first. */
   readonly tests: readonly string[];
-  /** the mutants to try; null: measure what each test reaches, without any */
+  /** The mutants to try; null: none, measure what each test reaches. */
   readonly mutants: readonly { readonly id: number; readonly isStatic: boolean }[] | null;
-  /** where results are written, a JSON a line */
+  /** File for the results, one line of JSON each. */
   readonly results: string;
-  /** what was measured before, for `mutants` */
+  /** The measurement made before, if there are `mutants`. */
   readonly reach: Reach | null;
 }
 
-/** What each test takes and reaches; tests by file and place in it. */
+/** What each test takes and reaches; tests are identified by file and index. */
 export interface Reach {
   readonly tests: readonly TestReach[];
 }
 
 export interface TestReach {
   readonly file: string;
-  /** its place in the file; -1: what happens as the file is loaded */
+  /** Its index in the file; -1 for what happens while the file is loaded. */
   readonly test: number;
   readonly ms: number;
   readonly reached: readonly number[];
-  /** fails without a mutant: it says nothing */
+  /** Whether it fails without a mutant, so that it shows nothing. */
   readonly fails: boolean;
 }
 

@@ -1,10 +1,10 @@
 import { existsSync, readdirSync, statSync } from 'node:fs';
 import { join } from 'node:path';
 
-/** What is mutated together, and the tests that are to notice it: files and folders, from the root of the repository. */
+/** What is mutated together, and the tests that should detect it: files and folders, relative to the root of the repository. */
 export interface Room {
   readonly sources: readonly string[];
-  /** cheap ones first: most mutants never come to the others */
+  /** Cheap ones first, since most mutants never get to the others. */
   readonly tests: readonly string[];
 }
 
@@ -53,7 +53,7 @@ export const ROOMS: Readonly<Record<string, Room>> = {
   },
 };
 
-/** The files among some files and folders whose names end in `ending`; what isn't there has none. */
+/** The files in some files and folders whose names end in `ending`. Places that do not exist have none. */
 export function filesIn(root: string, places: readonly string[], ending: string): string[] {
   const found = places.flatMap((place) => {
     const path = join(root, place);

@@ -4,7 +4,8 @@ import { type Fate, PLAN, type Plan, type Reach, type Result, type TestReach } f
 import { Board, Endless } from './switches.ts';
 import { collect, countTests, runTests } from './test-tree.ts';
 
-// A session runs in one process of vitest: it loads test files anew for each mutant, puts the mutant on, and runs those tests that reach it.
+// A session runs in one process of vitest. For each mutant it loads the test files again, switches the mutant on, and runs the
+// tests that reach it.
 
 const plan = JSON.parse(readFileSync(process.env[PLAN] as string, 'utf8')) as Plan;
 const board = new Board();
@@ -16,11 +17,11 @@ let loads = 0;
 let mocked: readonly string[] = [];
 
 /**
- * Loads a test file. What one mocks stays mocked for all modules that are loaded from then on, and modules that are loaded already don't hear of it:
- * a file with mocks, and the one after it, have modules of their own.
+ * Loads a test file. What a file mocks stays mocked for all modules that are loaded later, and does not affect modules that are
+ * loaded already. So a file with mocks, and the file after it, get modules of their own.
  */
 function load(file: string) {
-  // names of packages: a path would be looked for beside this file
+  // names of packages only: a path would be resolved relative to this file
   const mocks = [...readFileSync(file, 'utf8').matchAll(/\bvi\.mock\('([^']+)'/g)].map((match) => match[1]);
   if (mocks.length > 0 || mocked.length > 0) {
     for (const name of mocked) vi.doUnmock(name);
@@ -30,7 +31,7 @@ function load(file: string) {
   return collect(() => import(/* @vite-ignore */ `../../${file}?load=${loads++}`));
 }
 
-/** The time a test may take, ms: much more than without a mutant. */
+/** The time that a test may take, ms: much more than without a mutant. */
 const patience = (ms: number): number => 3000 + 10 * ms;
 
 async function within(ms: number, run: () => Promise<void>): Promise<void> {

@@ -2,23 +2,23 @@
 export interface Switches {
   /** Whether a mutant is on. */
   is(id: number): boolean;
-  /** A turn of a loop. */
+  /** Counts one iteration of a loop. */
   turn(): void;
 }
 
-/** Thrown out of a loop that takes far more turns than it takes without a mutant. */
+/** Thrown out of a loop that makes many more iterations than without a mutant. */
 export class Endless extends Error {
   constructor() {
     super('a loop takes too long');
   }
 }
 
-/** Looks at the clock once in so many turns. */
+/** The clock is read once in this many iterations. */
 const TURNS = 4096;
 
-/** The switches of a session, and how it works them. */
+/** The switches of a session, and how the session sets them. */
 export class Board implements Switches {
-  /** what `is` was asked for, 1 each */
+  /** 1 for each mutant that `is` was called with. */
   readonly #reached = new Uint8Array(1 << 16);
   #on = 0;
   #isCovering = false;
@@ -38,12 +38,12 @@ export class Board implements Switches {
     return performance.now() > this.#deadline;
   }
 
-  /** Puts a mutant on, or none: 0. */
+  /** Switches one mutant on; 0 for none. */
   put(id: number): void {
     this.#on = id;
   }
 
-  /** What was asked for since the last time. */
+  /** Returns and clears the mutants that `is` was called with. */
   takeReached(): number[] {
     const reached = [...this.#reached.keys()].filter((id) => this.#reached[id] === 1);
     this.#reached.fill(0);
@@ -54,7 +54,7 @@ export class Board implements Switches {
     this.#isCovering = isCovering;
   }
 
-  /** From now on loops may take so long, ms. */
+  /** Limits the time that loops may take from now on, ms. */
   allow(ms: number): void {
     this.#deadline = performance.now() + ms;
   }

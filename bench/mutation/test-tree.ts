@@ -12,7 +12,7 @@ interface Test {
   readonly run: () => unknown;
 }
 
-/** What a run of some of a file's tests came to: the first failure, or none. */
+/** The result of running some of a file's tests: the first failure, or none. */
 export interface TestResult {
   readonly error: unknown;
   readonly test: number;
@@ -20,14 +20,15 @@ export interface TestResult {
 
 const empty = (): Suite => ({ suites: [], before: [], after: [], beforeEach: [], afterEach: [] });
 
-// the suite that is being described: test files are loaded one after the other. Modules are forgotten between mutants, what is global is not
+// the suite that is being described: test files are loaded one after the other. Modules are dropped between mutants; globals
+// are not
 const shared = globalThis as { mutationSuite?: Suite };
 const current = (): Suite => {
   shared.mutationSuite ??= empty();
   return shared.mutationSuite;
 };
 
-/** The tests that a file describes as it is loaded. */
+/** Collects the tests that a file describes while it is loaded. */
 export async function collect(load: () => Promise<unknown>): Promise<Suite> {
   const root = empty();
   shared.mutationSuite = root;
@@ -35,7 +36,7 @@ export async function collect(load: () => Promise<unknown>): Promise<Suite> {
   return root;
 }
 
-/** Runs the tests that are asked for, by their place in the file, one after the other, until one fails. */
+/** Runs the requested tests, given by their indices in the file, one after the other until one fails. */
 export async function runTests(
   root: Suite,
   isWanted: (test: number) => boolean,
@@ -92,12 +93,12 @@ export async function runTests(
   return failure;
 }
 
-/** How many tests a file has. */
+/** The number of tests in a file. */
 export const countTests = (suite: Suite): number =>
   suite.suites.reduce((sum, one) => sum + ('run' in one ? 1 : countTests(one)), 0);
 
 const row = (value: unknown): unknown[] => (Array.isArray(value) ? value : [value]);
-// options may stand before the function or behind it
+// options may stand before the function or after it
 const deedOf = (args: readonly unknown[]): Deed => args.find((arg) => typeof arg === 'function') as Deed;
 
 function describeNow(_name: string, ...rest: unknown[]): void {
@@ -113,7 +114,7 @@ function describeNow(_name: string, ...rest: unknown[]): void {
 }
 const nothing = Object.assign(() => {}, { each: () => () => {} });
 
-/** Stands for `describe` of vitest. */
+/** Replaces `describe` of vitest. */
 export const describe = Object.assign(describeNow, {
   each:
     (table: readonly unknown[]) =>
@@ -130,7 +131,7 @@ function testNow(_name: string, ...rest: unknown[]): void {
   current().suites.push({ run: () => run() });
 }
 
-/** Stands for `it` and `test` of vitest. */
+/** Replaces `it` and `test` of vitest. */
 export const it = Object.assign(testNow, {
   each:
     (table: readonly unknown[]) =>

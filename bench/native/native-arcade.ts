@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { createInterface } from 'node:readline';
 import type { Circle, Hold, Level } from '../../schema/index.ts';
 
-/** A level with the scripts that are played on it; holds sorted and disjoint. */
+/** A level with the scripts that are played on it; holds are sorted and disjoint. */
 export interface NativeScene {
   readonly level: Level;
   readonly runs: readonly (readonly Hold[])[];
@@ -20,16 +20,16 @@ export interface NativeEnd {
   readonly state: readonly number[];
 }
 
-/** `arcade.cpp` as a process: it plays when asked and idles otherwise, so that it can take turns with the engine. */
+/** `arcade.cpp` as a process: it plays on request and idles otherwise, so that it can take turns with the engine. */
 export interface NativeArcade {
-  /** Every run of every scene, in order. */
+  /** The end of every run of every scene, in order. */
   readonly ends: readonly NativeEnd[];
-  /** Plays all runs of a scene `times` times; ns of its processor time, and the frames it made. */
+  /** Plays all runs of a scene `times` times; returns its processor time in ns, and the number of frames. */
   time(scene: number, times: number): Promise<{ ns: number; frames: number }>;
   close(): void;
 }
 
-/** `-ffp-contract=off`: a fused multiply-add would be faster where there is one, and give other bits than JavaScript. */
+/** `-ffp-contract=off`: a fused multiply-add would be faster where available, and give other bits than JavaScript. */
 const FLAGS = ['-std=c++17', '-O2', '-ffp-contract=off'];
 
 const circles = (list: readonly Circle[]) => [list.length, ...list.flatMap(({ x, y, radius }) => [x, y, radius])];
@@ -51,7 +51,7 @@ function sceneText({ level, runs }: NativeScene, maxFrames: number): string {
 
 /**
  * Compiles `arcade.cpp` with g++ and loads the scenes into it.
- * @throws Error where there is no g++, or it doesn't compile
+ * @throws {Error} if there is no g++, or it does not compile
  */
 export async function startNative(source: string, scenes: readonly NativeScene[], maxFrames: number): Promise<NativeArcade> {
   const folder = mkdtempSync(join(tmpdir(), 'gq-native-'));

@@ -10,7 +10,10 @@ type Box2D = Awaited<ReturnType<typeof loadBox2D>>;
 /** As for planck: Box2D's tolerances are made for bodies of 0.1 to 10 m. */
 const PX_PER_METRE = 50;
 
-/** Sub-steps serve contacts, and there are none to solve; the force is held over all of them, so more make the motion worse. */
+/**
+ * Sub-steps are for contacts, and there are none to solve. The force is constant over all of them, so more make the motion less
+ * accurate.
+ */
 const SUB_STEPS = 1;
 
 let box2d: Box2D | null = null;
@@ -55,7 +58,7 @@ export const box2d3: Peer = {
       const def = b2.b2DefaultBodyDef();
       def.position = point(circle.x, circle.y);
       const shapeDef = b2.b2DefaultShapeDef();
-      // sensors see no sensors: she is the sensor, what she touches isn't
+      // sensors do not detect sensors: she is the sensor, what she touches is not
       shapeDef.enableSensorEvents = true;
       const shape = new b2.b2Circle();
       shape.center = new b2.b2Vec2(0, 0);
@@ -81,7 +84,7 @@ export const box2d3: Peer = {
           force.Set((gun.ax * mass) / PX_PER_METRE, (gun.ay * mass) / PX_PER_METRE);
           b2.b2Body_ApplyForceToCenter(astronaut, force, true);
         }
-        // what embind hands out lives in its heap until it is deleted
+        // what embind returns stays in its heap until it is deleted
         at.delete();
         b2.b2World_Step(world, dt, SUB_STEPS);
         const events = b2.b2World_GetSensorEvents(world);

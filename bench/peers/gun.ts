@@ -1,8 +1,8 @@
 import { DEFAULT_RULES, type Level } from '../../schema/index.ts';
 
 /**
- * The gun's rule for engines without one of their own: a loop over the asteroids each step. Acceleration in px/s2; where
- * the gun pulls, `cos`, `sin` and `angle` (radians) are the direction in which the box turns.
+ * The gun's rule for engines without one of their own: a loop over the asteroids in each step. Acceleration in px/s²; while the
+ * gun pulls, `cos`, `sin` and `angle` (radians) are the direction in which the box turns.
  */
 export class Gun {
   ax = 0;
@@ -21,7 +21,7 @@ export class Gun {
     this.range = level.range;
   }
 
-  /** Aims from (x, y) px; sets `ax`, `ay` to what the gun does now. */
+  /** Aims from (x, y), px; sets `ax`, `ay` to the acceleration by the gun. */
   aim(x: number, y: number, held: boolean): void {
     let best = Number.POSITIVE_INFINITY;
     let nearest = 0;

@@ -11,7 +11,7 @@ export * from './peer.ts';
 /** Every engine that the toolkit is compared with. */
 export const PEERS: readonly Peer[] = [phaserArcade, p2es, planck, matter, rapier, box2d3];
 
-/** Loads them one after the other. */
+/** Loads all peers, one after the other. */
 export async function loadPeers(): Promise<readonly Peer[]> {
   for (const peer of PEERS) await peer.load();
   return PEERS;

@@ -1,4 +1,4 @@
-// the package carries no types: only what the peer uses
+// the package has no types: here is only what the peer uses
 declare module 'matter-js' {
   export interface Vector {
     x: number;

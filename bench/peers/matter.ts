@@ -8,7 +8,7 @@ import { touchables } from './touchables.ts';
 /** matter-js counts time in ms: forces are in mass px/ms2, and velocities are set in px per 1/60 s whatever the step. */
 const PER_SECOND_SQUARED = 1e-6;
 
-/** matter-js. Its circles are polygons, as it makes them. */
+/** matter-js. Its circles are polygons, which is how the engine makes them. */
 export const matter: Peer = {
   name: 'matter-js',
   precision: 'double',
@@ -53,7 +53,7 @@ export const matter: Peer = {
       read(out) {
         out[0] = astronaut.position.x;
         out[1] = astronaut.position.y;
-        // a Verlet body has no velocity but the way of its last step
+        // a Verlet body has no velocity, only the displacement of its last step
         out[2] = started ? (astronaut.position.x - astronaut.positionPrev.x) * rate : vx;
         out[3] = started ? (astronaut.position.y - astronaut.positionPrev.y) * rate : vy;
       },

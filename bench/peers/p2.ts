@@ -5,7 +5,9 @@ import { Gun } from './gun.ts';
 import { type Peer, type PeerOutcome, type PeerWorld, requireSupported } from './peer.ts';
 import { touchables } from './touchables.ts';
 
-/** p2 (its maintained port p2-es), driven as the original's first prototype was: a force towards the asteroid, set each step. */
+/**
+ * p2 (its maintained port p2-es), used like in the original's first prototype: a force towards the asteroid, set in each step.
+ */
 export const p2es: Peer = {
   name: 'p2-es',
   precision: 'double',

@@ -5,31 +5,32 @@ export type PeerOutcome = 'completed' | 'collided' | 'lost' | null;
 
 /** A level in another engine's world, stepped at a fixed rate. */
 export interface PeerWorld {
-  /** One step of 1 / rate s with the gun held or not. */
+  /** Makes one step of 1 / rate s with the gun held or not. */
   step(held: boolean): void;
-  /** Writes x, y (px), vx, vy (px/s) into `out`. */
+  /** Writes x, y (px), vx, vy (px/s) to `out`. */
   read(out: Float64Array): void;
-  /** The first thing that would have ended the run; the world goes on, for its cost is wanted. */
+  /** The first outcome; the world goes on after it, since its cost is measured. */
   readonly outcome: PeerOutcome;
-  /** Frees what the engine doesn't free by itself. */
+  /** Frees what the engine does not free by itself. */
   dispose(): void;
 }
 
-/** Another physics engine, behind the face that all of them share here. */
+/** Another physics engine, behind the interface that all peers share. */
 export interface Peer {
   readonly name: string;
-  /** Numbers it computes in. */
+  /** Precision of its floating-point numbers. */
   readonly precision: 'double' | 'single';
-  /** Loads the engine (WebAssembly, stubs); once. */
+  /** Loads the engine (WebAssembly, stubs); to be called once. */
   load(): Promise<void>;
   /**
-   * @param rate steps per second
-   * @throws RangeError for a level with parts that peers aren't driven through: see {@link unsupportedIn}
+   * Creates a world.
+   * @param rate - steps per second
+   * @throws {RangeError} for a level with parts that peers do not support: see {@link unsupportedIn}
    */
   create(level: Level, rate: number): PeerWorld;
 }
 
-/** A peer's run: the state at every full second and at the end, and the first outcome its contacts reported. */
+/** A peer's run: the state at every full second and at the end, and the first outcome that its contacts reported. */
 export interface PeerRun {
   /** t (s), x, y (px), vx, vy (px/s) */
   readonly samples: readonly (readonly [t: number, x: number, y: number, vx: number, vy: number])[];
@@ -38,10 +39,10 @@ export interface PeerRun {
   readonly outcomeTime: number | null;
 }
 
-/** What every peer is driven through, or what it may pass over. */
+/** The lists of objects that every peer supports or may ignore. */
 const SUPPORTED: ReadonlySet<ObjectList> = new Set<ObjectList>(['asteroids', 'novae', 'minerals']);
 
-/** What of a level peers can't be driven through the same way: lists of objects, recoil, rules of its own. Empty: they can. */
+/** What peers do not support of a level: lists of objects, recoil, rules of its own. Empty if there is nothing. */
 export function unsupportedIn(level: Level): string[] {
   return [
     ...OBJECT_LISTS.filter((list) => !SUPPORTED.has(list) && level[list].length > 0),
@@ -50,7 +51,7 @@ export function unsupportedIn(level: Level): string[] {
   ];
 }
 
-/** @throws RangeError for a level that the peers can't be driven through the same way */
+/** @throws {RangeError} for a level with parts that peers do not support */
 export function requireSupported(level: Level): void {
   const found = unsupportedIn(level);
   if (found.length > 0)
@@ -59,7 +60,7 @@ export function requireSupported(level: Level): void {
     );
 }
 
-/** The button at every step: 1 while held. A step of another rate takes the button of the tick in which it begins. */
+/** The button at every step: 1 while held. A step of another rate has the button of the tick in which it begins. */
 export function buttonPerStep(holds: readonly Hold[], steps: number, rate: number): Uint8Array {
   const button = new Uint8Array(steps);
   for (const [press, release] of holds) {
@@ -70,7 +71,7 @@ export function buttonPerStep(holds: readonly Hold[], steps: number, rate: numbe
   return button;
 }
 
-/** Plays a script in a peer's world from its start. `rate`: steps per second. */
+/** Plays a script in a peer's world from its start; `rate` is in steps per second. */
 export function simulatePeer(peer: Peer, level: Level, holds: readonly Hold[], seconds: number, rate: number): PeerRun {
   const world = peer.create(level, rate);
   const steps = Math.round(seconds * rate);

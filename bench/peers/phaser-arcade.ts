@@ -9,7 +9,7 @@ type Phaser = typeof PhaserModule;
 
 let phaser: Phaser | null = null;
 
-/** The few browser globals that Phaser looks at while its file is evaluated; physics looks at none of them later. */
+/** The few browser globals that Phaser reads while its file is evaluated; its physics reads none of them later. */
 function browserStubs(): Record<string, unknown> {
   const pixel = { data: new Uint8ClampedArray(4) };
   const context = { fillRect() {}, drawImage() {}, putImageData() {}, getImageData: () => pixel, createImageData: () => pixel };
@@ -23,7 +23,7 @@ function browserStubs(): Record<string, unknown> {
   };
 }
 
-/** Evaluates Phaser's own bundle with the stubs in place, and takes them away again: other engines sniff for `window`. */
+/** Evaluates Phaser's own bundle with the stubs in place, then removes them, since other engines check for `window`. */
 function evaluatePhaser(): Phaser {
   const stubs = Object.entries(browserStubs());
   const before = stubs.map(([name]) => Object.getOwnPropertyDescriptor(globalThis, name));
@@ -39,7 +39,7 @@ function evaluatePhaser(): Phaser {
   }
 }
 
-/** What ArcadePhysics and a Zone ask of a scene when there is no game around them. */
+/** What ArcadePhysics and a Zone need of a scene without a game. */
 function headlessScene(Phaser: Phaser): PhaserModule.Scene {
   const sys = {
     events: new Phaser.Events.EventEmitter(),
@@ -51,13 +51,13 @@ function headlessScene(Phaser: Phaser): PhaserModule.Scene {
   return { sys } as unknown as PhaserModule.Scene;
 }
 
-/** ArcadePhysics.boot is called by the game's event of that name; its types leave it out. */
+/** The game's event of that name calls ArcadePhysics.boot; its types leave it out. */
 type Booted = PhaserModule.Physics.Arcade.ArcadePhysics & { boot(): void };
 
 /**
- * Phaser's Arcade physics, the real package without a game: the plugin, its world, bodies on Zones (game objects that draw
- * nothing), `closest`, `accelerateToObject`, and overlap colliders against static bodies in the world's own tree.
- * Arcade boxes don't turn: contacts are those of the upright box.
+ * Phaser's Arcade physics: the real package without a game. It uses the plugin, its world, bodies on Zones (game objects that
+ * draw nothing), `closest`, `accelerateToObject`, and overlap colliders against static bodies in the world's own tree. Arcade
+ * boxes do not turn: contacts are those of the upright box.
  */
 export const phaserArcade: Peer = {
   name: 'Phaser Arcade',
@@ -76,7 +76,7 @@ export const phaserArcade: Peer = {
     physics.boot();
     const { world } = physics;
     world.setFPS(rate);
-    // one moving body: rebuilding the tree of moving bodies each step, the default, would only cost it time
+    // there is one moving body: rebuilding the tree of moving bodies in each step, the default, would only cost time
     world.useTree = false;
 
     const { x, y, vx, vy } = level.astronaut;

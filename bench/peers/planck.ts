@@ -14,7 +14,7 @@ export const planck: Peer = {
   precision: 'double',
 
   async load() {
-    // its default stops bodies at 2 m a step
+    // by default bodies move at most 2 m per step
     Settings.maxTranslation = DEFAULT_RULES.speedLimit;
   },
 

@@ -18,9 +18,10 @@ export const rapier: Peer = {
     requireSupported(level);
     const world = new RAPIER.World({ x: 0, y: 0 });
     world.timestep = 1 / rate;
-    // tolerances scale with the size of things: she is about half of this
+    // tolerances scale with the size of objects: hers is about half of this
     world.lengthUnit = 50;
-    // sub-steps serve contacts, and there are none to solve; the force is held over all of them, so more make the motion worse
+    // sub-steps are for contacts, and there are none to solve; the force is constant over all of them, so more make the motion
+    // less accurate
     world.numSolverIterations = 1;
     const { x, y, vx, vy } = level.astronaut;
     const astronaut = world.createRigidBody(

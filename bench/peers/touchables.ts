@@ -1,7 +1,7 @@
 import type { Level } from '../../schema/index.ts';
 import type { PeerOutcome } from './peer.ts';
 
-/** A circle that an engine is to report the astronaut's overlap with; `ends` is what touching it means, null for nothing. */
+/** A circle whose overlap with the astronaut an engine must report; `ends` is the outcome of touching it, null for none. */
 export interface Touchable {
   readonly x: number;
   readonly y: number;
@@ -9,7 +9,7 @@ export interface Touchable {
   readonly ends: PeerOutcome;
 }
 
-/** Every circle of a level, in the order black hole, novae, asteroids, minerals. Cold asteroids and minerals end nothing. */
+/** Every circle of a level: black hole, novae, asteroids, minerals. Cold asteroids and minerals end nothing. */
 export function touchables(level: Level): Touchable[] {
   const place = (c: { x: number; y: number; radius: number }, ends: PeerOutcome): Touchable => ({
     x: c.x,

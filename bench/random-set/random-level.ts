@@ -1,10 +1,10 @@
 import { LEVEL_VERSION, type LevelFile } from '../../schema/index.ts';
 import { seeded } from '../scenes/seeded.ts';
 
-/** Levels in the set: their seeds are 0, 1, 2, ... */
+/** Number of levels in the set; their seeds are 0, 1, 2, ... */
 export const RANDOM_SET_SIZE = 2000;
 
-/** How a level of the set was laid out. */
+/** How a level of the set is laid out. */
 export type Layout = 'scattered' | 'chained';
 
 /** Even seeds are scattered, odd ones chained. */
@@ -15,22 +15,23 @@ interface Place {
   y: number;
 }
 
-/** px around the start that a chained level keeps free of what kills. */
+/** Distance around the start that a chained level keeps free of hazards, px. */
 const FREE_START = 60;
 
 /**
- * One level of the frozen set, the same on every machine. Nothing is solved and no level is rejected: objects may lie on top of each other,
- * and many levels have no solution. In a scattered one she may start in a nova or out of range.
+ * One level of the frozen set, the same on every machine. Nothing is solved and no level is rejected: objects may overlap, and
+ * many levels have no solution. In a scattered level she may start in a nova or out of range.
  *
- * - area: width and height from 300 to 1600 px, each evenly; every place is a whole number of px
- * - 1 to 15 asteroids, r 16 or 32, each hot with a chance drawn for the level from 0 to 1/2, in half of the levels none
- * - 5 to 120 novae, r 16 or 32, evenly over the area
+ * - area: width and height uniform from 300 to 1600 px; every place is a whole number of px
+ * - 1 to 15 asteroids, r 16 or 32; the probability of being hot is drawn for each level from 0 to 1/2, and is 0 in half of the
+ *   levels
+ * - 5 to 120 novae, r 16 or 32, uniform over the area
  * - aliens (1 to 6) in 40 % of the levels, repulsors (1 to 5, r 32 or 48) in 40 %, recoil in 50 %, 0 to 5 minerals
  * - range 250 px in 80 %, else 150 to 400; at rest in 80 %, else up to 60 px/s on each axis
- * - `scattered`: asteroids, start and black hole evenly over the area
- * - `chained`: each asteroid 100 to 300 px from one before it, the start at most 200 px from the first, the black hole at most 300 px
- *   from the last, the area is what they span and 100 px more on each side; no nova, alien or hot asteroid has its centre within 60 px
- *   of the start: they are drawn again, and such an asteroid is cold
+ * - `scattered`: asteroids, start and black hole uniform over the area
+ * - `chained`: each asteroid 100 to 300 px from an earlier one, the start at most 200 px from the first, the black hole at most
+ *   300 px from the last; the area is their bounding box and 100 px more on each side. No nova, alien or hot asteroid has its
+ *   centre within 60 px of the start: novae and aliens there are drawn again, and asteroids there are cold
  */
 export function randomLevel(seed: number): LevelFile {
   const random = seeded(0x5eed + seed);

@@ -4,7 +4,7 @@ import type { BenchScene } from './scene.ts';
 const RANGE = 250;
 const START = 200;
 
-/** She falls from rest towards one asteroid: the only motion of the game with a closed form that is not a straight line. */
+/** She falls from rest towards one asteroid: besides straight lines the only motion of the game with a closed form. */
 export const FALL: BenchScene = {
   name: 'fall',
   what: 'from rest, 200 px from one asteroid, held; 2.5 s, before its centre',
@@ -20,6 +20,9 @@ export const FALL: BenchScene = {
   seconds: 2.5,
 };
 
-/** Distance to the asteroid's centre of {@link FALL} at `time` (s), px: d = M - (M - d0) cosh(t sqrt(A / M)), from d'' = -A (1 - d / M). */
+/**
+ * Distance from the asteroid's centre of {@link FALL} at `time` (s), px: d = M - (M - d0) cosh(t sqrt(A / M)), from d'' = -A (1
+ * - d / M).
+ */
 export const fallDistance = (time: number): number =>
   RANGE - (RANGE - START) * Math.cosh(time * Math.sqrt(DEFAULT_RULES.pull / RANGE));

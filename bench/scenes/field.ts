@@ -5,8 +5,9 @@ import { seeded } from './seeded.ts';
 const SPACING = 160;
 
 /**
- * A field of `count` asteroids, one per cell of a square grid, moved within its cell at random; she starts in the middle and
- * plays the same script of short holds at any size, in which she stays within 500 px of the middle. Where `count` grows the field grows, its density stays.
+ * A field of `count` asteroids, one in each cell of a square grid, at a random place of its cell. She starts in the middle and
+ * plays the same script of short holds at any size; it keeps her within 500 px of the middle. A larger `count` makes the field
+ * larger, not denser.
  */
 export function asteroidField(count: number): BenchScene {
   const random = seeded(20);
@@ -17,7 +18,7 @@ export function asteroidField(count: number): BenchScene {
     const y = Math.floor(i / side) - (side - 1) / 2;
     cells.push({ x, y, reach: Math.max(Math.abs(x), Math.abs(y)), radius: 0 });
   }
-  // from the middle outwards, so that the same random numbers fall on the same cells at any even or odd size
+  // from the middle outwards, so that cells get the same random numbers at any even or odd size
   cells.sort((a, b) => a.reach - b.reach || a.y - b.y || a.x - b.x);
   const asteroids = cells.slice(0, count).map((cell) => ({
     x: Math.round(SPACING * (cell.x + 0.5 * (random() - 0.5))),

@@ -2,8 +2,8 @@ import { type LevelFile, resolveLevel } from '../../schema/index.ts';
 import type { BenchScene } from './scene.ts';
 
 /**
- * The file of a level in which she swings around the first of 8 cold asteroids, with 4 novae out of her way: between about
- * 55 and 110 px from its centre, always nearest to it, 12 circles in all.
+ * The file of a level in which she swings around the first of 8 cold asteroids, between about 55 and 110 px from its centre,
+ * always nearest to it. 4 novae are away from her path; there are 12 circles in all.
  */
 export const ORBIT_FILE: LevelFile = {
   version: 1,
@@ -28,7 +28,10 @@ export const ORBIT_FILE: LevelFile = {
   ],
 };
 
-/** A minute around one asteroid, the gun held all the time: smooth and not chaotic, so errors are the integrator's alone. */
+/**
+ * A minute around one asteroid with the gun held all the time: smooth and not chaotic, so errors are only those of the
+ * integrator.
+ */
 export const ORBIT: BenchScene = {
   name: 'orbit',
   what: 'a minute around one of 12 circles, held throughout: smooth, no target change',

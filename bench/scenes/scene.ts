@@ -1,13 +1,13 @@
 import type { Hold, Level } from '../../schema/index.ts';
 
-/** A level with a script, shared by benchmarks, their tests and the peers, so that all speak of the same thing. */
+/** A level with a script. Benchmarks, their tests and the peers share it, so that all of them measure the same thing. */
 export interface BenchScene {
   readonly name: string;
-  /** One line for a person. */
+  /** One line for people. */
   readonly what: string;
   readonly level: Level;
   /** [press, release) in ticks of 1/60 s. */
   readonly holds: readonly Hold[];
-  /** s */
+  /** Simulated time, s. */
   readonly seconds: number;
 }

@@ -1,4 +1,4 @@
-/** Numbers in [0, 1) that look random and are the same on every run (mulberry32). */
+/** Pseudorandom numbers in [0, 1), the same on every run (mulberry32). */
 export function seeded(seed: number): () => number {
   let state = seed | 0;
   return () => {

@@ -2,9 +2,9 @@ import { resolveLevel } from '../../schema/index.ts';
 import type { BenchScene } from './scene.ts';
 
 /**
- * A minute of play among 12 circles. Places are random with room between them; the script was found by a random search
- * that keeps her moving, out of every centre and clear of every hazard, and the frame rates of 60 and 480 Hz within 30 px of
- * each other for the whole minute, so that accuracies and other engines can be compared on it to the end.
+ * A minute of play among 12 circles. Places are random with room between them. The script was found by a random search: it
+ * keeps her moving, away from every centre and clear of every hazard, and the paths at 60 and 480 Hz stay within 30 px of each
+ * other for the whole minute, so that accuracies and other engines can be compared to the end.
  */
 export const TWELVE_CIRCLES: BenchScene = {
   name: 'twelve circles',

@@ -12,9 +12,11 @@ import {
 } from './attack/index.ts';
 
 /**
- * Attacks every kind of proof at every accuracy with claims that are known to be false, every other level with rules of its own, and half of each with winds and wormholes; then asks all of them about levels that runs complete. Options of the command line: --claims N (of each; 10000), --claim-seconds S (for
- * each; an equal part of `most` when left out), --prover NAME, --accuracy NAME, --from SEED, --out FILE (what was accepted, as JSON). The exit code becomes 1 when one is accepted.
- * @param most s, for all of them together
+ * Attacks every kind of proof at every accuracy with claims that are known to be false; every other level has rules of its own,
+ * and half of each have winds and wormholes. Then it lets all provers try levels that runs complete. Options on the command
+ * line: --claims N (for each; 10000), --claim-seconds S (for each; an equal part of `most` when left out), --prover NAME,
+ * --accuracy NAME, --from SEED, --out FILE (what was accepted, as JSON). Sets the exit code to 1 if a false claim is accepted.
+ * @param most - time for all of them together, s
  */
 export function attackProofs(most: number): void {
   const claims = Number(optionValue('--claims') ?? 10_000);
@@ -67,7 +69,7 @@ export function attackProofs(most: number): void {
   if (accepted.length > 0) process.exitCode = 1;
 }
 
-/** Whether the kind makes proofs for the accuracy at all. */
+/** Whether this kind of proof exists for the accuracy. */
 function covers(prover: Prover, accuracy: string): boolean {
   if (prover === 'dead-end') return accuracy === 'precise';
   return accuracy !== 'arcade' || (prover !== 'flowpipe' && prover !== 'covered');

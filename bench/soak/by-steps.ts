@@ -3,21 +3,21 @@ import type { Hold, Level } from '../../schema/index.ts';
 import type { RandomScene } from './random-scene.ts';
 import { bySmallSteps } from './small-steps.ts';
 
-/** Two steps, s: where the game by small steps depends on them, it says nothing. */
+/** Two step sizes, s: where the results by small steps differ between them, they decide nothing. */
 const STEPS = [1 / 2000, 1 / 2700] as const;
 
-/** Those that decide where the engine and the first two disagree, s. */
+/** Step sizes that decide where the engine and the first two disagree, s. */
 const FINE_STEPS = [1 / 20_000, 1 / 31_000] as const;
 
-/** By how much places may differ, px, and by how much those of two steps, before anything is said. */
+/** Tolerated difference of places, px, and tolerated difference between the results of two step sizes. */
 const MOST = 1e-6;
 const DOUBT = 1e-8;
 
-/** By how much the start is moved to see what errors grow to, px, and how much they may grow. */
+/** By how much the start is moved to see how errors grow, px, and how much they may grow. */
 const NUDGE = 1e-7;
 const MOST_GROWTH = 100;
 
-/** Places are compared to their last digits only near the origin, px. */
+/** Last digits of places are compared only near the origin, px. */
 const FAR = 1e5;
 
 export type StepsFinding =
@@ -25,7 +25,7 @@ export type StepsFinding =
   | { readonly what: 'vague' }
   | { readonly what: 'bug'; readonly why: string };
 
-/** Compares where `precise` has her at the end of a scene with where another program of nothing but small steps has her. */
+/** Compares her place in `precise` at the end of a scene with that of another program, which makes only small steps. */
 export function checkBySteps({ level, holds, maxTime }: RandomScene): StepsFinding {
   const { x, y } = level.astronaut;
   if (Math.abs(x) > FAR || Math.abs(y) > FAR) return { what: 'vague' };
@@ -47,7 +47,7 @@ export function checkBySteps({ level, holds, maxTime }: RandomScene): StepsFindi
 const play = (level: Level, holds: readonly Hold[], maxTime: number): Run =>
   simulate(compile(level, 'precise'), holds, { maxTime });
 
-/** How far the run ends from where small steps do, px; null where these depend on the step. */
+/** Distance between the ends of the run and of the small steps, px; null if the latter depends on the step size. */
 function compared(
   level: Level,
   holds: readonly Hold[],
@@ -61,7 +61,7 @@ function compared(
   return Math.hypot(final.x - b.x, final.y - b.y);
 }
 
-/** Whether the least change of the start becomes a large one: then the last digits decide, and both may be right. */
+/** Whether a minimal change of the start becomes a large one: then the last digits decide, and both results may be right. */
 function grows(level: Level, holds: readonly Hold[], maxTime: number, { final }: Run): boolean {
   const { astronaut } = level;
   return [

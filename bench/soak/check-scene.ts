@@ -18,7 +18,10 @@ import { seeded } from '../scenes/seeded.ts';
 import type { RandomScene } from './random-scene.ts';
 import { verifyRun } from './verify-run.ts';
 
-/** `bug` must not be; `hangs` is a run whose outcome hangs on its last digits: named, not held against the engine. */
+/**
+ * `bug` must not occur. `hangs` is a run whose outcome depends on its last digits: it is reported, but not as an error of the
+ * engine.
+ */
 export interface Finding {
   readonly kind: 'bug' | 'hangs';
   readonly accuracy: string;
@@ -27,7 +30,10 @@ export interface Finding {
 
 const TIGHTER: Accuracy = { ...ACCURACIES.precise, name: 'precise at 1e-11', tolerance: 1e-11 };
 
-/** How far a place may be beyond what a rule allows, px; a fixed step reads places in a way the guards do not. */
+/**
+ * How far a place may be beyond what a rule allows, px. With fixed steps the displayed places differ from those that guards
+ * use.
+ */
 const SLACK: Readonly<Record<AccuracyName, number>> = {
   arcade: Number.POSITIVE_INFINITY,
   fast: 0.1,
@@ -35,7 +41,7 @@ const SLACK: Readonly<Record<AccuracyName, number>> = {
   precise: 1e-8,
 };
 
-/** Relative change of energy and angular momentum allowed in a tick. */
+/** Relative change of energy and angular momentum allowed per tick. */
 const DRIFT: Readonly<Record<AccuracyName, number>> = {
   arcade: Number.POSITIVE_INFINITY,
   fast: 1e-2,
@@ -43,10 +49,10 @@ const DRIFT: Readonly<Record<AccuracyName, number>> = {
   precise: 1e-10,
 };
 
-/** More pieces than this in a second of play mean that a run does not go on. */
+/** More pieces than this per second of play mean that the run does not advance. */
 const MOST_PIECES_A_SECOND = 2000;
 
-/** Everything that can be seen of a simulation, for comparing bits. */
+/** Everything that can be read of a simulation, to compare bits. */
 function view(simulation: Simulation): string {
   const { level } = simulation.scene;
   const state = new Float64Array(STATE_SIZE);
@@ -61,8 +67,8 @@ function view(simulation: Simulation): string {
 }
 
 /**
- * Looks for anything wrong with a scene: rules broken along the way, numbers that are none, runs that do not go on, other bits
- * when split or carried over by snapshots, another ending at a tighter tolerance.
+ * Looks for any error in a scene: broken rules along the path, numbers that are not finite, runs that do not advance, different
+ * bits when split or continued from snapshots, and a different ending at a tighter tolerance.
  */
 export function checkScene({ level, holds, maxTime }: RandomScene, seed: number): Finding[] {
   const findings: Finding[] = [];
@@ -94,7 +100,7 @@ function wholeRun(scene: Scene, holds: readonly Hold[], maxTime: number, bug: (w
   return simulation;
 }
 
-/** The same run advanced in random parts, carried over to another simulation by snapshot half of the time. */
+/** The same run advanced in random parts; half of the time it continues in another simulation from a snapshot. */
 function splitRun(scene: Scene, holds: readonly Hold[], maxTime: number, seed: number): string {
   const random = seeded(seed ^ 0x5b1175);
   const script = joinHolds(holds);
@@ -124,7 +130,7 @@ function ticksOf(scene: Scene, holds: readonly Hold[], maxTime: number): string 
   return view(simulation);
 }
 
-/** Whether an unrecorded run ends in the bits of the recorded one. */
+/** Whether an unrecorded run ends with the bits of the recorded one. */
 function endsAs(run: Run, simulation: Simulation, maxTime: number): boolean {
   const [state, recorded] = [new Float64Array(STATE_SIZE), new Float64Array(STATE_SIZE)];
   simulation.readState(state);
@@ -140,7 +146,7 @@ function atTwoTolerances(level: Level, holds: readonly Hold[], maxTime: number, 
   const tighter = simulate(compile(level, TIGHTER), holds, { maxTime });
   const difference = firstDifference(run, tighter);
   if (difference === null) return [];
-  // a start moved by a billionth of a pixel that ends otherwise, too, says that the run is at fault, not the engine
+  // if a start moved by a billionth of a pixel also changes the ending, the run is unstable and the engine is not at fault
   const { x, y } = level.astronaut;
   const step = Math.max(1e-9, 1e-15 * Math.max(Math.abs(x), Math.abs(y)));
   const moves = [
@@ -161,7 +167,7 @@ function atTwoTolerances(level: Level, holds: readonly Hold[], maxTime: number, 
 
 const ending = (run: Run): string => `${run.outcome} ${run.with?.kind} ${run.with?.index}`;
 
-/** The first event in which two runs of the same script differ, when they end differently; otherwise null. */
+/** The first event in which two runs of the same script differ, if they end differently; otherwise null. */
 function firstDifference(a: Run, b: Run): string | null {
   if (ending(a) === ending(b) && Math.abs(a.time - b.time) < 1e-6) return null;
   const name = (run: Run, i: number) => {

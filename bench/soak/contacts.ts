@@ -12,7 +12,7 @@ import {
 import { type Asteroid, type Circle, type Hold, type Level, NO_OBJECTS } from '../../schema/index.ts';
 import { seeded } from '../scenes/seeded.ts';
 
-/** Things with a guard of their own, made to be touched or missed by next to nothing. */
+/** Objects with a guard of their own, which she is made to touch or miss by very little. */
 const KINDS = [
   'nova',
   'nova',
@@ -31,8 +31,8 @@ const KINDS = [
 export type GrazedKind = (typeof KINDS)[number];
 
 /**
- * Ways of moving whose path can be asked for exactly as the guards see it: error control, tight and loose, and a fixed step.
- * (The places a Verlet or Runge-Kutta step gives differ from its polynomial by what the step errs.)
+ * Accuracies at which the path can be read exactly as the guards see it: error control, tight and loose, and a fixed step.
+ * (With Verlet and Runge-Kutta, the displayed places differ from the polynomial by the error of a step.)
  */
 export const GRAZED_AT: readonly Accuracy[] = [
   ACCURACIES.precise,
@@ -54,24 +54,24 @@ const MOTIONS = [
   'wormhole',
 ] as const;
 
-/** A run that grazes one thing: what it does without that thing is its truth. */
+/** A run that grazes one object. The same run without that object gives the truth. */
 export interface Graze {
   readonly level: Level;
   readonly holds: readonly Hold[];
   readonly accuracy: Accuracy;
   readonly kind: GrazedKind;
   readonly motion: (typeof MOTIONS)[number];
-  /** px; Infinity for the line between two asteroids */
+  /** Radius, px; Infinity for the line between two asteroids. */
   readonly radius: number;
-  /** How deep she dips in, px; negative when she misses it by that. */
+  /** How deep she dips in, px; negative for a distance by which she misses. */
   readonly depth: number;
-  /** s, the end of what is looked at */
+  /** End of the examined time, s. */
   readonly until: number;
-  /** When she is to be nearest, s. */
+  /** When she should be nearest, s. */
   readonly nearest: number;
-  /** The gap at a time, from the run without the thing, px. */
+  /** The gap at a time, from the run without the object, px. */
   gap(time: number): number;
-  /** What rounding may do to `gap`, px. */
+  /** Rounding error of `gap`, px. */
   readonly rounding: number;
 }
 
@@ -82,15 +82,15 @@ interface Path {
   readonly until: number;
 }
 
-/** Where a mouth leads to that she grazes, px on both axes. */
+/** How far away the grazed mouth leads, px on both axes. */
 const AWAY = 5e6;
 
 const FAR: Circle = { id: null, x: 1e7, y: 1e7, radius: 18 };
 const rock = (x: number, y: number): Asteroid => ({ id: null, x, y, radius: 16, hot: false });
 
 /**
- * A graze from a seed, or null where the seed gives none: a run is flown, a moment of it chosen and a point of the box (of her
- * centre, for rims), and a circle put there whose rim the point passes along, nearest at this moment.
+ * Makes a graze from a seed, or null if the seed gives none. A run is simulated, and a moment of it and a point of the box (of
+ * her centre, for rims) are chosen. A circle is placed whose edge the point passes, nearest at that moment.
  */
 export function graze(seed: number, accuracy: Accuracy): Graze | null {
   const random = seeded(seed);
@@ -107,7 +107,7 @@ export function graze(seed: number, accuracy: Accuracy): Graze | null {
   }
   const { run, until } = path;
   const state = new Float64Array(STATE_SIZE);
-  // how far from her centre, along the world's axes, a point of the box is
+  // offset of a point of the box from her centre, along the world's axes
   const pointAt = (time: number, [bx, by]: readonly [number, number]): [number, number] => {
     run.trajectory.at(time, state);
     const [x, y, , , cos, sin] = state;
@@ -134,12 +134,12 @@ export function graze(seed: number, accuracy: Accuracy): Graze | null {
     const [, , , , cos, sin] = state;
     if ((nx * cos + ny * sin) * point[0] < 0 || (ny * cos - nx * sin) * point[1] < 0) return null;
   }
-  // 1e-3 to 1e6 px, 1e-9 to 1 px; more of the large and thin, which are the hardest
+  // 1e-3 to 1e6 px, 1e-9 to 1 px; more of the large and thin ones, which are the hardest
   const any = 10 ** between(pick([-3, 4]), 6);
   const radius = kind === 'alien wakes' ? 150 : kind === 'target' ? Number.POSITIVE_INFINITY : any;
   const depth = pick([-1, 1]) * Math.min(10 ** between(-9, pick([-5, 0])), radius / 4);
   const { level, gap } = withThing(path, kind, radius, depth, x, y, nx, ny, random());
-  // of the line between two asteroids close to each other nothing is known to many digits
+  // the line between two asteroids close to each other is not known to many digits
   const [first, other] = level.asteroids;
   const size = kind === 'target' ? 1e3 + 1e5 / Math.hypot(other.x - first.x, other.y - first.y) : radius;
   return {
@@ -152,7 +152,7 @@ export function graze(seed: number, accuracy: Accuracy): Graze | null {
     depth,
     until,
     nearest,
-    // at 1e6 px the 1e-9 px that are promised
+    // at 1e6 px this is the promised 1e-9 px
     rounding: 2e-11 + 1e-15 * size,
     gap(time) {
       run.trajectory.at(time, state);
@@ -161,7 +161,7 @@ export function graze(seed: number, accuracy: Accuracy): Graze | null {
   };
 }
 
-/** How far a point is from her box, px; 0 within it. */
+/** Distance of a point from her box, px; 0 within it. */
 function fromBox([px, py, , , cos, sin]: Float64Array, x: number, y: number): number {
   const [dx, dy] = [x - px, y - py];
   const gx = Math.max(0, Math.abs(dx * cos + dy * sin) - DEFAULT_BOX.halfWidth);
@@ -170,8 +170,9 @@ function fromBox([px, py, , , cos, sin]: Float64Array, x: number, y: number): nu
 }
 
 /**
- * A graze of what moves itself. Its way doesn't depend on whether it is deadly or large, so the truth is a run in which it is
- * neither: it is flown, the least distance found, and the radius made to reach so far and `depth` farther.
+ * Makes a graze of a moving object. Its path does not depend on whether it is deadly or large, so the run without these gives
+ * the truth: the least distance in that run is found, and the radius is chosen such that it reaches as far and by `depth`
+ * farther.
  */
 function amongMoving(
   { level, holds, until }: Path,
@@ -185,7 +186,7 @@ function amongMoving(
   const places = kind === 'hot rock' ? [place(250)] : [place(120), place(120)];
   const make = (r: number, truth: boolean): Level => {
     if (kind === 'hot rock') {
-      // a rock drags and is dragged as its radius says, so it has the same in both
+      // recoil depends on the radius, so the asteroid has the same one in both runs
       return { ...level, recoil: true, asteroids: [...level.asteroids, { ...places[0], radius: r, hot: !truth }] };
     }
     const radius = truth ? 1e-3 : r;
@@ -228,7 +229,7 @@ function amongMoving(
   }
 }
 
-/** The level with the thing in it, and the gap to it from a state. */
+/** The level with the object in it, and a function that gives the gap to it in a state. */
 function withThing(
   { level }: Path,
   kind: GrazedKind,
@@ -255,12 +256,12 @@ function withThing(
   const circle: Circle = { id: null, x: x + (radius - depth) * nx, y: y + (radius - depth) * ny, radius };
   const byCentre = ([px, py]: Float64Array) => Math.hypot(circle.x - px, circle.y - py) - radius;
   if (kind === 'repulsor') return { level: { ...level, repulsors: [...level.repulsors, circle] }, gap: byCentre };
-  // what it does once she is in it is no part of the truth: a wind that is still, and a mouth that leads nowhere near
+  // what the object does once she is in it must not change the truth: a wind without force, and a mouth that leads far away
   if (kind === 'wind') return { level: { ...level, winds: [...level.winds, { ...circle, ax: 0, ay: 0 }] }, gap: byCentre };
   if (kind === 'mouth') {
     return { level: { ...level, wormholes: [...level.wormholes, { ...circle, toX: AWAY, toY: AWAY }] }, gap: byCentre };
   }
-  // an alien touches her only when she is nearly on it
+  // an alien touches her only when she is almost on top of it
   if (kind === 'alien wakes') {
     return { level: { ...level, aliens: [{ ...circle, radius: 1 + 9 * share }] }, gap: byCentre };
   }
@@ -297,9 +298,9 @@ function fly(
     speed = between(20, 80);
     heading = turn + Math.PI + 10 ** between(-5, -1);
   }
-  // dropped into a mouth by another wormhole she isn't moved
+  // a mouth does not fire if another wormhole has put her into it
   if (kind === 'mouth' && motion === 'wormhole') return null;
-  // the line between two asteroids is one only where they stand still, and there are no more
+  // the border between two asteroids is a line only if they stand still and are the only ones
   if (kind === 'target' && (motion === 'two asteroids' || motion === 'coast' || motion === 'recoil')) return null;
   const field: Circle = { id: null, x: between(-150, 150), y: between(-150, 150), radius: between(30, 150) };
   const [x, y] = [away * Math.cos(turn), away * Math.sin(turn)];
@@ -322,12 +323,15 @@ function fly(
   return until > 0.05 ? { level, holds, run, until } : null;
 }
 
-/** First time in [0, until] at which `gap` is below -`margin`: by dense samples and golden sections of every dip between them. */
+/**
+ * First time in [0, until] at which `gap` is below -`margin`: by dense samples and golden-section search in every dip between
+ * them.
+ */
 function firstDip(g: Graze, margin: number): number | null {
   const times: number[] = [];
   const SAMPLES = 600;
   for (let i = 0; i <= SAMPLES; i++) times.push((g.until * i) / SAMPLES);
-  // about the moment that was chosen ever closer
+  // ever more densely around the chosen moment
   for (let d = g.until / SAMPLES; d > 1e-9; d /= 4) times.push(g.nearest - d, g.nearest + d);
   times.push(g.nearest);
   const sorted = times.filter((t) => t >= 0 && t <= g.until).sort((a, b) => a - b);
@@ -359,7 +363,7 @@ function crossing(g: Graze, margin: number, before: number, behind: number): num
   return b;
 }
 
-/** When the engine has her touch the thing first, s. */
+/** When the engine lets her touch the object first, s. */
 function engineTime(g: Graze): number | null {
   const run = simulate(compile(g.level, g.accuracy), g.holds, { maxTime: g.until + TICK });
   if (g.kind === 'nova' || g.kind === 'alien' || g.kind === 'hot rock') return run.outcome === 'collided' ? run.time : null;
@@ -368,7 +372,7 @@ function engineTime(g: Graze): number | null {
   const other = g.level.asteroids.length - 1;
   const wind = g.level.winds.length - 1;
   const wormhole = g.level.wormholes.length - 1;
-  // an alien that is large enough to touch the other may touch her before
+  // an alien that is large enough to touch the other one may touch her first
   if (g.kind === 'two aliens' && run.outcome === 'collided') return 0;
   const event = run.events.find(
     (e) =>
@@ -383,25 +387,25 @@ function engineTime(g: Graze): number | null {
   return event?.time ?? null;
 }
 
-/** What of a graze was looked at: `hit` and `missed` agree with the truth; `vague`: the thing is there from the start. */
+/** The result of examining a graze. `hit` and `missed` agree with the truth; `vague`: she is in the object from the start. */
 export type GrazeFinding = { readonly what: 'hit' | 'missed' | 'vague' } | { readonly what: 'bug'; readonly why: string };
 
 /** Compares the engine with the truth about a graze. */
 export function checkGraze(g: Graze): GrazeFinding {
-  // inside it at the start, or on top of another thing as it begins
+  // inside it at the start, or on top of another object as the run begins
   if (g.gap(0) < 1e-6) return { what: 'vague' };
   const bug = (why: string): GrazeFinding => ({
     what: 'bug',
     why: `${g.accuracy.name}, ${g.motion}, ${g.kind} of ${g.radius} px, ${g.depth} px deep at ${g.nearest} s: ${why}`,
   });
   const found = engineTime(g);
-  // the box as it stands before a press turns it
+  // the box as it is before a press turns it
   if (found === 0) return { what: 'vague' };
   const sure = firstDip(g, g.rounding);
   if (found === null || found > g.until)
     return sure === null ? { what: 'missed' } : bug(`missed, though touched from ${sure} s on`);
   if (sure !== null && found > sure + 1e-9) return bug(`found at ${found} s, though touched from ${sure} s on`);
-  // a corner of a box that turns fast moves farther than rounding from one time that a double can tell to the next
+  // a corner of a box that turns fast moves by more than rounding between two adjacent doubles of time
   const gap = Math.min(g.gap(found), g.gap(found + Number.EPSILON * (1 + found)));
   if (gap > g.rounding) return bug(`found at ${found} s, where the gap is ${gap} px`);
   return { what: 'hit' };

@@ -3,9 +3,10 @@ import { seeded } from '../scenes/seeded.ts';
 import type { RandomScene } from './random-scene.ts';
 
 /**
- * A scene from a seed in which as much as possible is exactly so, or all but: starts on rims, on bisectors, in centres and at the
- * edges of sights and ranges, fields that coincide, touch from within and without or cross where she starts, asteroids in mirror
- * images, no velocity or one along a rim, radii and ranges from the least to the largest. What may happen without end happens here.
+ * Makes a scene from a seed in which as much as possible coincides exactly or almost: starts on rims, on bisectors, in centres
+ * and at the edges of sights and ranges; fields that coincide, touch from inside or outside, or cross where she starts;
+ * mirrored asteroids; no velocity, or one along a rim; radii and ranges from the smallest to the largest. These are the scenes
+ * in which something may happen endlessly.
  */
 export function degenerateScene(seed: number): RandomScene {
   const random = seeded(seed ^ 0x7a57e);
@@ -13,7 +14,7 @@ export function degenerateScene(seed: number): RandomScene {
   const chance = (p: number) => random() < p;
   const pick = <T>(...of: T[]): T => of[int(of.length - 1)];
   const between = (a: number, b: number) => a + (b - a) * random();
-  // exact in binary, so that a place on a rim is on it
+  // exact in binary, so that a place on a rim is exactly on it
   const directions: readonly (readonly [number, number])[] = [
     [1, 0],
     [-1, 0],
@@ -33,7 +34,7 @@ export function degenerateScene(seed: number): RandomScene {
   for (let i = 0; i < rims; i++) {
     const before = repulsors.at(-1);
     if (before !== undefined && chance(0.5)) {
-      // coincident, nested and touching where she is, or mirrored
+      // coincident, nested and touching at her place, or mirrored
       const r = pick(before.radius, before.radius, before.radius / 2, 2 * before.radius);
       const f = (pick(1, 1, 1, -1) * r) / before.radius;
       repulsors.push(circle(before.x * f + nudge(), before.y * f + nudge(), r + nudge()));
@@ -59,7 +60,7 @@ export function degenerateScene(seed: number): RandomScene {
       asteroids.push({ ...circle(d * dx + nudge(), d * dy + nudge(), size()), hot: false });
     }
   }
-  // at rest, slow, or such that she goes round one of the things
+  // at rest, slow, or such that she orbits one of the objects
   const speed = chance(0.45) ? 0 : pick(1e-12, 1e-9, 1e-6, 1e-4, 1e-3, 1e-2, 0.1, 1, 5, 20, 40, 1000);
   const [vx, vy] = direction();
   const first = asteroids[0];

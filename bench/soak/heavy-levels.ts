@@ -14,7 +14,7 @@ const level = (name: string, rest: Partial<LevelFile>): LevelFile => ({
 
 const many = <T>(count: number, make: (i: number) => T): T[] => Array.from({ length: count }, (_, i) => make(i));
 
-/** Places of a square grid around the start, nearest ring left out. */
+/** Places of a square grid around the start, without the nearest ring. */
 function grid(count: number, step: number): Place[] {
   const side = Math.ceil(Math.sqrt(count)) + 2;
   const places: Place[] = [];
@@ -26,13 +26,13 @@ function grid(count: number, step: number): Place[] {
   return places;
 }
 
-/** So many taps of a tick each. */
+/** Holds of one tick each. */
 export const taps = (count: number, from = 0, every = 2): [number, number][] =>
   many(count, (i): [number, number] => [from + every * i, from + every * i + 1]);
 
 /**
- * Valid levels that cost much to check: each is made of one thing without end, at a size that fits into a file of 8 MiB.
- * Deterministic; `size` scales them, 1 is the size that once took a check longer than anybody waits.
+ * Valid levels that are expensive to check: each has an extreme number of one thing, at a size that fits into a file of 8 MiB.
+ * Deterministic. `size` scales them; 1 is a size at which a check once took unreasonably long.
  */
 export const HEAVY_LEVELS: Readonly<Record<string, (size?: number) => LevelFile>> = {
   'aliens-on-the-path': (size = 1) =>

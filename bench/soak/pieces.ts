@@ -11,7 +11,7 @@ import type { Hold } from '../../schema/index.ts';
 import type { Finding } from './check-scene.ts';
 import type { RandomScene } from './random-scene.ts';
 
-/** More pieces than this in a second of play mean that a run does not go on. */
+/** More pieces than this per second of play mean that the run does not advance. */
 const MOST_PIECES: Readonly<Record<Exclude<AccuracyName, 'arcade'>, number>> = {
   precise: 20_000,
   standard: 60_000,
@@ -19,22 +19,22 @@ const MOST_PIECES: Readonly<Record<Exclude<AccuracyName, 'arcade'>, number>> = {
 };
 
 /**
- * Asteroids nearer to each other or to her start than this, px, make orbits so small that other things interrupt every turn; in a
- * field of a smaller radius than this, every other rim and every tie is a corner in which she is thrown to and fro.
+ * Asteroids nearer to each other or to her start than this, px, cause orbits so small that other objects interrupt every turn.
+ * In a field with a smaller radius than this, every other rim and every tie is a corner in which she is thrown back and forth.
  */
 const CLUSTER = 0.01;
 
-/** What the dearest second of a run took. */
+/** The most expensive second of a run. */
 export interface DearestSecond {
-  /** Pieces in it; more than `most` where counting ended there. */
+  /** Pieces in that second; more than `most` if the count stopped there. */
   readonly pieces: number;
-  /** s from the start */
+  /** When it begins, s from the start. */
   readonly time: number;
 }
 
 /**
  * Plays a run tick by tick, unrecorded, and counts the pieces of each second of play.
- * @param most from so many pieces in a second on it is not played on
+ * @param most - the run is stopped when a second takes more pieces than this
  */
 export function dearestSecond(scene: Scene, holds: readonly Hold[], maxTime: number, most: number): DearestSecond {
   const budget = new WorkBudget(5 * most);
@@ -43,7 +43,7 @@ export function dearestSecond(scene: Scene, holds: readonly Hold[], maxTime: num
   const counts: number[] = [0];
   let dearest: DearestSecond = { pieces: 0, time: 0 };
   for (let tick = 0; tick < 60 * maxTime && simulation.ending === null; tick++) {
-    // of each tick: a single one may take more than anybody waits for
+    // limits each tick, since a single one could take unreasonably long
     budget.looks = 0;
     try {
       simulation.advance(
@@ -63,8 +63,8 @@ export function dearestSecond(scene: Scene, holds: readonly Hold[], maxTime: num
 }
 
 /**
- * Looks for runs that take pieces without end. A cluster of asteroids within a hundredth of a pixel of each other or of her start,
- * or a field as small as that, may take many of them: it is named, not held against the engine.
+ * Looks for runs that take endless pieces. Asteroids within a hundredth of a pixel of each other or of her start, or a field as
+ * small as that, may take many pieces: that is reported, but not as an error of the engine.
  */
 export function checkPieces({ level, holds, maxTime }: RandomScene): Finding[] {
   const findings: Finding[] = [];

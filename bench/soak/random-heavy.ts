@@ -3,14 +3,15 @@ import { seeded } from '../scenes/seeded.ts';
 import { degenerateScene } from './degenerate-scene.ts';
 import { HEAVY_LEVELS, taps } from './heavy-levels.ts';
 
-/** Bytes that a level file may have, and a little room. */
+/** Bytes that a level file may have, less a margin. */
 const MOST_BYTES = 8 * 1024 * 1024 - 4096;
 
 const MOST = 20_000;
 
 /**
- * A valid level from a seed that is meant to cost a check as much as can be: many of a kind or of all, in heaps, on grids, on her way or
- * anywhere, with radii, ranges and speeds at both ends of what is allowed, and as many runs and holds as fit into 8 MiB.
+ * Makes a valid level from a seed that is as expensive to check as possible: many objects of one kind or all, in heaps, on
+ * grids, on her path or anywhere, with radii, ranges and speeds at both ends of the limits, and as many runs and holds as fit
+ * into 8 MiB.
  */
 export function randomHeavy(seed: number): LevelFile {
   const random = seeded(seed);
@@ -81,7 +82,7 @@ export function randomHeavy(seed: number): LevelFile {
     minerals: list(count(), nothing),
     runs: [],
   };
-  // she should live for a while
+  // she should survive for a while
   const clear = ({ x, y, radius: r = 25 }: { x: number; y: number; radius?: number }) => Math.hypot(x, y) > r + 20;
   level.novae = level.novae?.filter(clear);
   level.aliens = level.aliens?.filter(clear);
@@ -94,7 +95,10 @@ export function randomHeavy(seed: number): LevelFile {
   return level;
 }
 
-/** Few objects that all but touch, where every turn is interrupted by another: the run, and as many that differ in their last hold. */
+/**
+ * A few objects that almost touch, where each turn is interrupted by the next object. As many runs as fit, which differ in
+ * their last hold.
+ */
 function clusters(seed: number): LevelFile {
   const { level, holds } = degenerateScene(seed);
   const { name, astronaut, blackHole, range, recoil } = level;

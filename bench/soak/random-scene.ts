@@ -4,12 +4,12 @@ import { seeded } from '../scenes/seeded.ts';
 export interface RandomScene {
   readonly level: Level;
   readonly holds: readonly Hold[];
-  /** s */
+  /** Simulated time, s. */
   readonly maxTime: number;
 }
 
 /**
- * A scene and a script from a seed, the same on every machine: every kind of object, dense and sparse, on a coarse grid
+ * Makes a scene and a script from a seed, the same on every machine: every kind of object, dense and sparse, on a coarse grid
  * (exact ties, objects on top of each other) or anywhere, radii from 0.1 to 400 px, starts at rest and up to the speed limit.
  */
 export function randomScene(seed: number): RandomScene {
@@ -38,7 +38,7 @@ export function randomScene(seed: number): RandomScene {
     return { id: null, x: originX + x, y: originY + y, radius: r };
   };
   const list = <T>(most: number, make: () => T): T[] => Array.from({ length: chance(0.35) ? 0 : int(most) }, make);
-  // what kills at the start leaves nothing to look at: mostly out of her way
+  // a hazard at the start would leave nothing to examine: most are placed off her path
   const awayFromStart = (make: () => Circle): Circle => {
     let c = make();
     for (let n = 0; n < 8 && !(wild && n > 1); n++) {
@@ -56,7 +56,7 @@ export function randomScene(seed: number): RandomScene {
   const speed = pick(0, 0, 0, 20, 100, 300, 1000);
   const velocity = () => (grid > 0 && speed > 0 && chance(0.6) ? pick(-speed, 0, speed) : between(-speed, speed));
   const range = wild && chance(0.4) ? pick(0.5, 20, 60, 100, 5000) : pick(150, 250, 250, 400, 1000);
-  // out of range at once is soon told: mostly something keeps her
+  // a run that is lost at once shows little: mostly some asteroid keeps her in range
   if (asteroids.length > 0 && !chance(0.05)) {
     const [x, y] = place(0.7 * range);
     asteroids[0] = { ...asteroids[0], x: originX + x, y: originY + y };
@@ -80,7 +80,7 @@ export function randomScene(seed: number): RandomScene {
   return { level, holds: randomHolds(random, maxTime * 60), maxTime };
 }
 
-/** A script in one of the ways people press: one long hold, taps of a tick, back to back, or a rhythm. */
+/** A script as people press: one long hold, taps of one tick, holds back to back, or a rhythm. */
 function randomHolds(random: () => number, lastTick: number): Hold[] {
   const longest = [1, 6, 30, 120, 10_000][Math.floor(random() * 5)];
   const pause = [0, 1, 20, 90][Math.floor(random() * 4)];

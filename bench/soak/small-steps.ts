@@ -7,22 +7,22 @@ export interface Moving {
   vy: number;
 }
 
-/** Which mouth of each wormhole she is in; 0: of none, it is open. */
+/** For each wormhole, which mouth she is in; 0 for none, so that it is open. */
 type Mouths = number[];
 
-/** Ticks a second, said once more: nothing here is the engine's. */
+/** Ticks per second, defined again: nothing here comes from the engine. */
 const TICKS = 60;
 
 /**
- * The game by nothing but small steps: where she is after `time` s, by the classical Runge-Kutta method at `step` s, with rims
- * found by halving. An astronaut who is a point, asteroids that stand still, repulsors, winds and wormholes; no range and no speed
- * limit. It shares no code with the engine.
- * @param holds in order, none touching the next
+ * The game by small steps alone: her state after `time` s by the classical Runge-Kutta method at `step` s, with rims found by
+ * bisection. The astronaut is a point, asteroids stand still, and there are repulsors, winds and wormholes, but no range and no
+ * speed limit. It shares no code with the engine.
+ * @param holds - in order, not touching each other
  */
 export function bySmallSteps(level: Level, holds: readonly Hold[], time: number, step: number): Moving {
   const { pull, push } = DEFAULT_RULES;
   const inside = (o: { x: number; y: number; radius: number }, x: number, y: number) => Math.hypot(x - o.x, y - o.y) < o.radius;
-  // what acts is chosen once a step, so that no step sees a force jump
+  // the forces are chosen once per step, so that no step contains a jump of a force
   type Acting = {
     winds: readonly Level['winds'][number][];
     field: Level['repulsors'][number] | undefined;
@@ -74,7 +74,7 @@ export function bySmallSteps(level: Level, holds: readonly Hold[], time: number,
   const changes = holds.flat().map((tick) => tick / TICKS);
   for (let t = 0; t < time; ) {
     const coming = changes.findIndex((change) => change > t);
-    // of press, release, press ... an odd number is over: she holds it
+    // changes are press, release, press ...: the gun is held after an odd number of them
     held = (coming === -1 ? changes.length : coming) % 2 === 1;
     const until = coming === -1 ? time : Math.min(time, changes[coming]);
     const acting = actingAt(at.x, at.y);

@@ -13,34 +13,37 @@ import type { Circle, Hold } from '../../schema/index.ts';
 /** How far to either side of a rim she may be while she slides along it, px. */
 const SLIDES = 1e-6;
 
-/** Most complaints kept of one run. */
+/** Largest number of complaints about one run. */
 const ENOUGH = 5;
 
-/** s before and after a jump at which she is looked at, and how far she may be from where it says, px and px/s. */
+/** Time before and after a jump at which her state is read, s, and how far it may differ from the expected one, px and px/s. */
 const JUMP = 1e-9;
 const JUMP_SLACK = 1e-5;
 
-/** Which mouth of a wormhole she is in, so that it doesn't fire: 0 none, 1 the one at (x, y), 2 the other; null: not known. */
+/**
+ * The mouth of a wormhole that she is in, so that it does not fire: 0 none, 1 the one at (x, y), 2 the other one; null if
+ * unknown.
+ */
 type MouthState = 0 | 1 | 2 | null;
 
 interface Modes {
   readonly held: boolean;
   readonly target: number;
   readonly field: number;
-  /** All winds that blow on her together, px/s2. */
+  /** The sum of all winds that blow on her, px/s². */
   readonly wind: readonly [number, number];
   readonly awake: readonly boolean[];
 }
 
 /**
- * Holds a run in continuous time against the rules, using nothing of how it was found: at every tick the gun must pull
- * towards the nearest asteroid, the first field around her must be the one she is in, nothing may overlap her that should
- * have ended the run or been collected, the winds around her and no others blow, no open wormhole lets her stay in a mouth, a jump
- * moves her by the difference of the mouths and changes nothing else, and between events energy, angular momentum and straight lines,
- * or parabolas in a wind, must be kept.
- * @param drift by how much, relatively, energy and angular momentum may change in a tick
- * @param slack how far a place may be beyond what a rule allows, px
- * @returns what is wrong, in words; empty when all is well
+ * Checks a run in continuous time against the rules, without using how it was found. At every tick: the gun pulls towards the
+ * nearest asteroid; the first field that contains her is the one that acts; nothing overlaps her that should have ended the run
+ * or been collected; exactly the winds that contain her blow; no open wormhole lets her stay in a mouth. A jump moves her by
+ * the difference of the mouths and changes nothing else. Between events, energy, angular momentum, and straight lines (or
+ * parabolas in a wind) are conserved.
+ * @param slack - how far a place may be beyond what a rule allows, px
+ * @param drift - relative change of energy and angular momentum that is allowed per tick
+ * @returns what is wrong, in words; empty if nothing is
  */
 export function verifyRun(scene: Scene, holds: readonly Hold[], run: Run, slack: number, drift: number): string[] {
   const { level } = scene;
@@ -66,12 +69,12 @@ export function verifyRun(scene: Scene, holds: readonly Hold[], run: Run, slack:
   const awake = level.aliens.map((a) => distance(a, level.astronaut.x, level.astronaut.y) < 150);
   const collected = level.minerals.map(() => false);
   const dead = level.aliens.map(() => false);
-  // of fields that are equal the first stands for all
+  // of equal fields the first one stands for all
   const first = level.repulsors.map((f) =>
     level.repulsors.findIndex(({ x, y, radius }) => x === f.x && y === f.y && radius === f.radius),
   );
   const inside = level.repulsors.map((f, i) => first[i] === i && distance(f, level.astronaut.x, level.astronaut.y) < f.radius);
-  // of several that contain her the first acts
+  // of several fields that contain her the first one acts
   let field = inside.indexOf(true);
   let target = -1;
   const blowing = level.winds.map((w) => distance(w, level.astronaut.x, level.astronaut.y) < w.radius);
@@ -111,7 +114,7 @@ export function verifyRun(scene: Scene, holds: readonly Hold[], run: Run, slack:
   for (let tick = 0; tick <= lastTick; tick++) {
     const time = tick * TICK;
     const held = script.some(([press, release]) => press <= tick && tick < release);
-    // a press or release at this very tick is still ahead
+    // a press or release at this very tick has not happened yet
     if (tick > 0)
       simulation.advance(
         1,
@@ -130,7 +133,7 @@ export function verifyRun(scene: Scene, holds: readonly Hold[], run: Run, slack:
     const [x, y, , , cos, sin] = state;
     const at = `at tick ${tick}`;
 
-    // modes hold on both sides of an instant; near one both answers are right
+    // a mode can differ on the two sides of an instant; near one both answers are right
     const near = next < events.length && events[next].time < time + 1e-9;
     let least = Number.POSITIVE_INFINITY;
     const rockDistance = level.asteroids.map((_, i) => Math.hypot(rocks[2 * i] - x, rocks[2 * i + 1] - y));
@@ -148,7 +151,7 @@ export function verifyRun(scene: Scene, holds: readonly Hold[], run: Run, slack:
       if (first[i] !== i) continue;
       const d = distance(f, x, y);
       if (near) break;
-      // she may slide along a rim a little to either side of it
+      // while she slides along a rim she may be slightly to either side of it
       if (inside[i] && d > f.radius + slack + SLIDES) complain(`in field ${i} ${at}, ${d - f.radius} px outside it`);
       if (!inside[i] && d < f.radius - slack - SLIDES) complain(`not in field ${i} ${at}, ${f.radius - d} px inside`);
     }
@@ -163,7 +166,7 @@ export function verifyRun(scene: Scene, holds: readonly Hold[], run: Run, slack:
       const there = mouthAt(w, x, y);
       const depth = w.radius - Math.min(distance(w, x, y), distance({ ...w, x: w.toX, y: w.toY }, x, y));
       if (mouths[i] === 0 && depth > slack + SLIDES) complain(`${depth} px in a mouth of open wormhole ${i} ${at}`);
-      // from one mouth into the other of its own she goes on, without a jump
+      // from one mouth into the other mouth of the same wormhole she moves without a jump
       else mouths[i] = there;
     }
     for (const [i, a] of level.novae.entries()) overlap('nova', i, a.x, a.y, a.radius);
@@ -243,7 +246,10 @@ export function verifyRun(scene: Scene, holds: readonly Hold[], run: Run, slack:
   return complaints;
 }
 
-/** A jump begins on the rim of a mouth, ends as far from the other one, and her velocity is what it was. @param targets whether the gun has a target */
+/**
+ * A jump begins on the rim of a mouth, ends equally far from the other mouth's centre, and keeps her velocity.
+ * @param targets - whether the gun has a target
+ */
 function verifyJump(
   { level }: Scene,
   run: Run,
@@ -270,7 +276,7 @@ function verifyJump(
   const change = Math.hypot(b[2] - a[2], b[3] - a[3]);
   const turn = Math.hypot(b[4] - a[4], b[5] - a[5]);
   if (change > JUMP_SLACK) complain(`${at} her velocity changes by ${change}`);
-  // towards a target she turns at once
+  // she turns towards a target at once
   if (!targets && turn > JUMP_SLACK) complain(`${at} she turns by ${turn}`);
 }
 
@@ -291,7 +297,8 @@ function verifyEnd(scene: Scene, run: Run, slack: number, complain: (what: strin
   }
   const gap = boxCircleGap(DEFAULT_BOX, c.x - x, c.y - y, cos, sin, c.radius);
   if (gap > slack) complain(`ended on ${kind} ${index} at ${run.time} s, ${gap} px away from it`);
-  // an end in mid-flight is the first touch; at the start, as a new target turns the box, or behind a wormhole, she may be deep inside
+  // an end during free motion is the first touch; at the start, when a new target turns the box, or after a wormhole, she may
+  // be deep inside
   const sudden = run.time === 0 || run.events.some((e) => isSudden(e) && run.time - e.time < 1e-9);
   if (gap < -slack && !sudden) complain(`ended on ${kind} ${index} at ${run.time} s, ${-gap} px deep in it`);
 }
@@ -299,13 +306,13 @@ function verifyEnd(scene: Scene, run: Run, slack: number, complain: (what: strin
 const isSudden = (event: Run['events'][number]): boolean =>
   event.type === 'target' || (event.type === 'effect' && event.effect === 'wormholes');
 
-/** Which mouth her centre is in. */
+/** The mouth that contains her centre. */
 function mouthAt(w: Scene['level']['wormholes'][number], x: number, y: number): MouthState {
   if (distance(w, x, y) < w.radius) return 1;
   return distance({ ...w, x: w.toX, y: w.toY }, x, y) < w.radius ? 2 : 0;
 }
 
-/** Whether she is on the rim of a field and moves along it: then neither energy nor angular momentum is kept. */
+/** Whether she is on the rim of a field and moves along it: then neither energy nor angular momentum is conserved. */
 function slides(field: Circle, [x, y, vx, vy]: Float64Array): boolean {
   const d = distance(field, x, y);
   const across = ((x - field.x) * vx + (y - field.y) * vy) / d;

@@ -3,7 +3,7 @@ import { seeded } from '../scenes/seeded.ts';
 import { degenerateScene } from './degenerate-scene.ts';
 import { type RandomScene, randomScene } from './random-scene.ts';
 
-/** A random scene with winds and wormholes in it: on top of other things, of each other and of her, along her line and across it. */
+/** A random scene with winds and wormholes: on top of other objects, of each other and of her, along her line and across it. */
 export function windyScene(seed: number): RandomScene {
   const scene = randomScene(seed);
   const { level } = scene;
@@ -30,8 +30,8 @@ export function windyScene(seed: number): RandomScene {
 }
 
 /**
- * A degenerate scene with winds and wormholes that are as much so: rims on which she starts or that coincide with those of fields,
- * mouths in the same place, in each other and in a ring, winds that hold the pull or push exactly in balance.
+ * A degenerate scene with equally degenerate winds and wormholes: rims on which she starts or that coincide with those of
+ * fields, mouths in the same place, in each other and in a ring, winds that balance the pull or push exactly.
  */
 export function windyDegenerateScene(seed: number): RandomScene {
   const scene = degenerateScene(seed);
@@ -41,7 +41,7 @@ export function windyDegenerateScene(seed: number): RandomScene {
   const pick = <T>(...of: T[]): T => of[Math.floor(random() * of.length)];
   const nudge = () => (chance(0.6) ? 0 : pick(1, -1) * 10 ** -pick(15, 13, 11, 9, 8, 7, 6, 4, 3));
   const discs: { x: number; y: number; radius: number }[] = [...level.repulsors];
-  /** Around her, with her on its rim, or where another disc is. */
+  /** A disc around her, with her on its rim, or at the place of another disc. */
   const disc = () => {
     const before = discs.length > 0 && chance(0.5) ? pick(...discs) : null;
     const radius =
@@ -65,15 +65,15 @@ export function windyDegenerateScene(seed: number): RandomScene {
 }
 
 /**
- * A windy scene that small steps can follow: a point among asteroids that stand still, repulsors, winds and wormholes, slow enough for
- * the speed limit and never lost, since nothing is out of range.
+ * A windy scene that small steps can follow: a point among asteroids that stand still, repulsors, winds and wormholes, slower
+ * than the speed limit and never out of range.
  */
 export function steppableScene(seed: number): RandomScene {
   const { level, holds } = windyScene(seed);
   const { x, y } = level.astronaut;
   const scale = Math.min(1, 100 / Math.max(1, Math.abs(level.astronaut.vx), Math.abs(level.astronaut.vy)));
   const [vx, vy] = [scale * level.astronaut.vx, scale * level.astronaut.vy];
-  // where there is none, one is where she would be
+  // if there is none, one is placed on her path
   const inHerWay = { id: null, x: x + vx / 2, y: y + vy / 2 };
   const maxTime = 2;
   return {

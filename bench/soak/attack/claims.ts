@@ -6,7 +6,7 @@ import { AWAY } from './styles.ts';
 
 type Circle = Level['novae'][number];
 
-/** A level and something in it that a run touches: whoever proves that it can't be touched is wrong. */
+/** A level and an object in it that a run touches: a proof that it cannot be touched is wrong. */
 export interface FalseClaim {
   readonly level: Level;
   readonly about: About;
@@ -36,7 +36,10 @@ export function thingAt(level: Level, { x, y, cos, sin }: Pose, random: () => nu
   return { id: null, x: x + px * cos - py * sin, y: y + px * sin + py * cos, radius };
 }
 
-/** A circle so near beside a centre that her box touches it as it passes, if it isn't along the way that it points. */
+/**
+ * A circle so close to a centre that her box touches it as it passes, unless the box points along the direction from the centre
+ * to it.
+ */
 export function thingBeside(level: Level, random: () => number): Circle {
   const { x, y } = level.asteroids[0];
   const { x: sx, y: sy } = level.astronaut;
@@ -49,7 +52,7 @@ export function thingBeside(level: Level, random: () => number): Circle {
   return { id: null, x: x + off * ux - far * uy, y: y + off * uy + far * ux, radius };
 }
 
-/** Some of a play's poses: the ends, what is farthest out each way, and others. */
+/** Some of a play's poses: the first and the last, the outermost in each direction, and others. */
 export function somePoses({ poses }: Play, random: () => number, count: number): Pose[] {
   if (poses.length === 0) return [];
   const farthest = (turn: number) => {
@@ -66,7 +69,9 @@ export function somePoses({ poses }: Play, random: () => number, count: number):
   );
 }
 
-/** The claims about those of the things that the play truly touches, every other one about the black hole; with how many it touched. */
+/**
+ * The claims about those objects that the play really touches, every other one about the black hole; and how many it touched.
+ */
 export function trueTouches(level: Level, accuracy: AccuracyName, play: Play, things: readonly Circle[]): FalseClaim[] {
   const last = play.poses[play.poses.length - 1]?.tick ?? 0;
   const run = simulate(compile({ ...level, minerals: things }, accuracy), play.holds, { maxTime: (last + 2) / TICK_RATE });
@@ -76,12 +81,12 @@ export function trueTouches(level: Level, accuracy: AccuracyName, play: Play, th
     if (time === undefined) return [];
     if (i % 2 === 0) return [{ level: { ...level, minerals: [thing] }, about: { kind: 'mineral', index: 0 }, play }];
     const claim: FalseClaim = { level: { ...level, blackHole: thing }, about: { kind: 'blackHole' }, play };
-    // what is touched in the instant of the end need not complete the level
+    // an object touched in the instant of the end need not complete the level
     return time < run.time - 1e-9 || run.outcome === 'timeout' || isFalse(claim, accuracy) ? [claim] : [];
   });
 }
 
-/** Whether the script of a claim truly touches what the claim is about. */
+/** Whether the script of a claim really touches the object of the claim. */
 export function isFalse({ level, about, play }: FalseClaim, accuracy: AccuracyName): boolean {
   const last = play.poses[play.poses.length - 1].tick;
   const run = simulate(compile(level, accuracy), play.holds, { maxTime: (last + 2) / TICK_RATE });
@@ -89,8 +94,8 @@ export function isFalse({ level, about, play }: FalseClaim, accuracy: AccuracyNa
 }
 
 /**
- * Novae about the thing and beside her way, as large as may be without touching her before she comes to it: what nearly shuts her out. The second level has
- * them larger, and shuts her out perhaps.
+ * Novae around the object and beside her path, as large as possible without touching her before she reaches it, so that they
+ * almost shut her out. In the second level they are larger, and perhaps shut her out.
  */
 export function hugged(claim: FalseClaim, closely: boolean, random: () => number): { near: FalseClaim; shut: Level } {
   const { level, about, play } = claim;
@@ -117,7 +122,7 @@ export function hugged(claim: FalseClaim, closely: boolean, random: () => number
   return { near: { level: all(novae), about, play }, shut: all(larger) };
 }
 
-/** The same level with the thing far away. */
+/** The same level with the object far away. */
 export function withoutThing({ level, about }: FalseClaim): Level {
   return about.kind === 'blackHole' ? { ...level, blackHole: AWAY } : { ...level, minerals: [AWAY] };
 }

@@ -14,24 +14,27 @@ export type { Prover };
 export const ALL_PROVERS = Object.keys(PROVERS) as Prover[];
 export const ALL_ACCURACIES = Object.keys(ACCURACIES) as AccuracyName[];
 
-/** What was tried against one kind of proof at one accuracy, and what came of it. */
+/** What was tried against one kind of proof at one accuracy, and the results. */
 export interface Tally {
-  /** levels for which the prover has a proof once the thing is far away, or hazards are larger: the attack isn't vacuous */
+  /**
+   * Levels for which the prover has a proof once the object is far away, or hazards are larger; without any, the attack would
+   * be vacuous.
+   */
   levels: number;
-  /** claims known to be false, in such levels, that the prover was asked to prove */
+  /** False claims in such levels that the prover was asked to prove. */
   claims: number;
-  /** certificates of a like claim that holds, given to the checker for a false one */
+  /** Certificates of similar true claims that were given to the checker for a false one. */
   foreign: number;
-  /** the same with some number or name changed */
+  /** The same with some number or name changed. */
   mutated: number;
-  /** certificates made under other rules, given to the checker for a false claim */
+  /** Certificates made under other rules that were given to the checker for a false claim. */
   ruled: number;
-  /** claims proved, attacked by a search */
+  /** Proved claims that were attacked by a search. */
   searched: number;
   accepted: Refutation[];
 }
 
-/** A false claim that was accepted: all that is needed to see it. */
+/** A false claim that was accepted, with all that is needed to reproduce it. */
 export interface Refutation {
   readonly by: 'prover' | 'foreign' | 'mutated' | 'ruled' | 'search';
   readonly prover: Prover;
@@ -41,7 +44,7 @@ export interface Refutation {
   readonly about: About;
   readonly holds: Play['holds'];
   readonly proof: Proof;
-  /** what the checker says of it */
+  /** What the checker says about it. */
   readonly verified: boolean;
 }
 
@@ -53,7 +56,7 @@ export interface Effort {
   readonly posesPerPlay: number;
   readonly ticks: number;
   readonly mutations: number;
-  /** ticks of search against what is proved; 0: none */
+  /** Ticks of search against what is proved; 0 for none. */
   readonly searchTicks: number;
 }
 
@@ -62,7 +65,10 @@ export const LARGE: Effort = { plays: 4, posesPerPlay: 15, ticks: 900, mutations
 
 const MAX_TIME = 60;
 
-/** Attacks one level of the seed, every other one with rules of its own, and of both every other one with winds and wormholes; counts are added to the tally. */
+/**
+ * Attacks one level of the seed. Every other level has rules of its own, and half of each have winds and wormholes. Adds the
+ * counts to the tally.
+ */
 export function attackLevel(prover: Prover, accuracy: AccuracyName, seed: number, effort: Effort, tally: Tally): void {
   const random = seeded(seed * 977 + prover.length * 31 + accuracy.length);
   const plain = levelFor(prover, random);
@@ -71,7 +77,7 @@ export function attackLevel(prover: Prover, accuracy: AccuracyName, seed: number
   const level = seed % 4 >= 2 ? withWindsAndWormholes(ruled, chance) : ruled;
   const options = { accuracy, maxTime: MAX_TIME };
   const prove = (of: Level, about: About) => proveBy(prover, of, about, options);
-  // the black hole is far away in what styles make
+  // the styles place the black hole far away
   const away: About = { kind: 'blackHole' };
   const twin = prove(level, away) ?? (prover === 'nothing-in-range' ? prove({ ...level, range: level.range / 2 }, away) : null);
   const ruledTwin = prove(otherRules(level, chance), away);
@@ -91,7 +97,7 @@ export function attackLevel(prover: Prover, accuracy: AccuracyName, seed: number
       });
     const proof = prove(claim.level, claim.about);
     if (proof !== null) found('prover', proof, verifyProof(claim.level, proof).ok);
-    // what is true under other rules is no reason here, be they another by a thousandth
+    // what is true under other rules proves nothing here, even if they differ by a thousandth only
     for (const otherwise of [ruledTwin, prove(otherRules(claim.level, chance), claim.about)]) {
       if (otherwise === null) continue;
       tally.ruled++;
@@ -120,7 +126,7 @@ export function attackLevel(prover: Prover, accuracy: AccuracyName, seed: number
     }
     const claims = trueTouches(level, accuracy, play, things);
     if (twin !== null) for (const claim of claims) ask(claim, twin);
-    // hazards that all but shut her out
+    // hazards that almost shut her out
     const closely = prover === 'covered';
     for (const claim of closely ? claims : claims.slice(0, 3)) {
       const { near, shut } = hugged(claim, closely, random);
@@ -135,7 +141,7 @@ export function attackLevel(prover: Prover, accuracy: AccuracyName, seed: number
   if (effort.searchTicks > 0) attackWhatHolds(prover, accuracy, seed, level, random, effort, tally);
 }
 
-/** A black hole just beyond where she came, and a search against what is proved about it. */
+/** Places a black hole just beyond where she came, and searches for a run against what is proved about it. */
 function attackWhatHolds(
   prover: Prover,
   accuracy: AccuracyName,

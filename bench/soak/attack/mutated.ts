@@ -2,7 +2,7 @@ import type { Proof } from '../../../solver/index.ts';
 
 type Json = null | boolean | number | string | Json[] | { [key: string]: Json };
 
-/** A proof with one value of its certificate changed: a number a little or a lot, a name, a part left out or doubled. */
+/** A proof with one value of its certificate changed: a number a little or a lot, a name, or a part left out or duplicated. */
 export function mutated(proof: Proof, random: () => number): Proof {
   const certificate = JSON.parse(JSON.stringify(proof.certificate)) as { [key: string]: Json };
   const places: [holder: { [key: string]: Json }, key: string][] = [];

@@ -1,7 +1,7 @@
 import { type AccuracyName, compile, createSimulation, type Scene, type Simulation, STATE_SIZE } from '../../../engine/index.ts';
 import type { Hold, Level } from '../../../schema/index.ts';
 
-/** Where her box was for certain at a tick, and how it lay. */
+/** Place and direction of her box at a tick, exactly as simulated. */
 export interface Pose {
   readonly tick: number;
   readonly x: number;
@@ -10,17 +10,17 @@ export interface Pose {
   readonly sin: number;
 }
 
-/** A script, and where it took her while the run went on: by ticks, the start first. */
+/** A script, and her poses while the run went on: at ticks, beginning with the start. */
 export interface Play {
   readonly holds: readonly Hold[];
   readonly poses: readonly Pose[];
 }
 
-/** How a play presses. */
+/** The ways in which a play presses. */
 export const STYLES = ['random', 'taps', 'pump', 'brake', 'off the line', 'momentum', 'speed', 'near'] as const;
 export type PlayStyle = (typeof STYLES)[number];
 
-/** Plays a level up to so many ticks in one of the ways, and keeps where she was. */
+/** Plays a level for up to `ticks` ticks in one of the ways, and keeps her poses. */
 export function playLevel(level: Level, accuracy: AccuracyName, style: PlayStyle, random: () => number, ticks: number): Play {
   const scene = compile(level, accuracy);
   const player = new Player(scene, random);
@@ -35,10 +35,10 @@ class Player {
   private readonly state = new Float64Array(STATE_SIZE);
   private readonly holds: Hold[] = [];
   private readonly poses: Pose[] = [];
-  /** the asteroid nearest to the start, and the direction to it */
+  /** The asteroid nearest to the start, and the direction to it. */
   private readonly centre: { x: number; y: number };
   private readonly line: { x: number; y: number };
-  /** what `near` wants to come to */
+  /** The place that `near` tries to reach. */
   private readonly wish: { x: number; y: number };
 
   constructor(scene: Scene, random: () => number) {
@@ -77,7 +77,7 @@ class Player {
     }
   }
 
-  /** The next few ticks in one of the ways. */
+  /** Plays the next few ticks in one of the ways. */
   press(style: PlayStyle): void {
     const { random } = this;
     const upTo = (most: number) => 1 + Math.floor(random() * most);
@@ -103,7 +103,7 @@ class Player {
     }
   }
 
-  /** Held or not: what leads to more of what is wanted after some ticks. */
+  /** Holds or not: whichever gives more of what the style wants after some ticks. */
   private greedy(style: PlayStyle, ticks: number): void {
     const { simulation, random } = this;
     if (random() < 0.1) {

@@ -5,18 +5,20 @@ import { randomScene } from '../random-scene.ts';
 import { windyScene } from '../windy-scene.ts';
 import { otherRules, ownRules } from './own-rules.ts';
 
-/** What came of levels that nobody made for a proof. */
+/** Results for levels that were not made for a proof. */
 export interface SolvableTally {
   levels: number;
-  /** that a script or a search completes */
+  /** Levels that a script or a search completes. */
   completed: number;
-  /** minerals that a script collects */
+  /** Minerals that a script collects. */
   collected: number;
-  /** levels proved impossible, searched for a run all the same */
+  /** Levels proved impossible, in which a run was searched for all the same. */
   proved: number;
-  /** certificates of such a level's twin, in which it is out of reach, given to the checker */
+  /** Certificates of such a level's twin, in which the black hole is out of reach, that were given to the checker. */
   twins: number;
-  /** seeds of levels in which what a run touches is proved, or a certificate accepted, to be out of reach */
+  /**
+   * Seeds of levels in which something that a run touches was proved to be out of reach, or a certificate of that was accepted.
+   */
   readonly accepted: number[];
 }
 
@@ -29,7 +31,10 @@ export const emptySolvable = (): SolvableTally => ({
   accepted: [],
 });
 
-/** A random level with a script, every other one with winds and wormholes, three of four with rules of its own: what a run touches is never proved to be out of reach. */
+/**
+ * A random level with a script; every other one has winds and wormholes, three of four have rules of their own. What a run
+ * touches must never be proved to be out of reach.
+ */
 export function attackSolvable(seed: number, accuracy: AccuracyName, searchTicks: number, tally: SolvableTally): void {
   const random = seeded(seed + 77_003);
   const scene = seed % 2 === 0 ? randomScene(seed) : windyScene(seed);
@@ -48,7 +53,7 @@ export function attackSolvable(seed: number, accuracy: AccuracyName, searchTicks
   if (isCompleted) {
     tally.completed++;
     isWrong ||= proof !== null;
-    // twins in which she does not come to it: elsewhere, and under other rules
+    // twins in which she does not reach it: at another place, and under other rules
     const { x, y } = level.blackHole;
     const off = [0.001, 0.1, 5, 100, 2000][Math.floor(random() * 5)];
     const turn = 6.2832 * random();

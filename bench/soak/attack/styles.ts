@@ -5,7 +5,7 @@ export type Prover = keyof typeof PROVERS;
 type Asteroid = Level['asteroids'][number];
 type Circle = Level['novae'][number];
 
-/** Random choices of a level. */
+/** Random choices for a level. */
 class Dice {
   private readonly random: () => number;
 
@@ -33,7 +33,7 @@ class Dice {
 const circle = (x: number, y: number, radius: number): Circle => ({ id: null, x, y, radius });
 const rock = (x: number, y: number, radius: number, hot = false): Asteroid => ({ ...circle(x, y, radius), hot });
 
-/** Far from everything. */
+/** A circle far from everything. */
 export const AWAY = { id: null, x: 0, y: 3e7, radius: 18 };
 
 const EMPTY: Level = {
@@ -47,7 +47,10 @@ const EMPTY: Level = {
   runs: [],
 };
 
-/** A level for which one of the provers has something to say, about nothing yet: black hole and minerals are added where she was, or wasn't. */
+/**
+ * A level for which one of the provers finds proofs. Nothing is claimed yet: the black hole and minerals are added later at
+ * places where she was or was not.
+ */
 export function levelFor(prover: Prover, random: () => number): Level {
   const dice = new Dice(random);
   const level = turned(MAKERS[prover](dice), dice);
@@ -57,7 +60,7 @@ export function levelFor(prover: Prover, random: () => number): Level {
 const MAKERS: Readonly<Record<Prover, (dice: Dice) => Level>> = {
   'nothing-in-range': (d) => {
     const range = d.pick(100, 250, 1000);
-    // beyond the range by as little as may be told, or within it
+    // beyond the range by the smallest detectable amount, or within it
     const off = d.pick(-1e-5, -1e-3, 1e-5, 1e-3, 0.1, 10);
     return {
       ...EMPTY,
@@ -147,7 +150,7 @@ function start(dice: Dice, speed: number): Level['astronaut'] {
   return { x: 0, y: 0, vx: speed * Math.cos(turn), vy: speed * Math.sin(turn) };
 }
 
-/** At rest before one asteroid, with hazards, fields and other asteroids beside the line or none. */
+/** At rest before one asteroid, with or without hazards, fields and other asteroids beside the line. */
 function onLine(d: Dice): Level {
   const range = d.pick(60, 120, 250, 250, 250, 1000, 5000, 2e4, 3e5);
   const centre = d.pick(d.between(20, 200), d.between(0.2, 0.98) * range, 0.999 * range, 12.5);
@@ -176,7 +179,7 @@ function onLine(d: Dice): Level {
   };
 }
 
-/** A start with speed, towards hazards or the end of the range. */
+/** A start with a velocity, towards hazards or the end of the range. */
 function moving(d: Dice, finely: boolean): Level {
   const speed = d.pick(20, 60, 60, 120, 300);
   const ahead = d.between(0.5, 1.2) * speed;
@@ -210,7 +213,7 @@ function moving(d: Dice, finely: boolean): Level {
   };
 }
 
-/** Too fast to stop before a wall: what is soon over. */
+/** Too fast to stop before a wall, so that the run ends soon. */
 function wall(d: Dice): Level {
   const speed = d.between(55, 110);
   const far = d.between(0.8, 1.1) * speed;
@@ -226,7 +229,7 @@ function wall(d: Dice): Level {
   };
 }
 
-/** The whole turned about the start: often not at all, or by quarters, for lines along an axis. */
+/** The level rotated about the start: often not at all, or by quarter turns, for lines along an axis. */
 function turned(level: Level, d: Dice): Level {
   const [cos, sin] = d.chance(0.3) ? d.pick([1, 0], [0, 1], [-1, 0], [0, -1]) : unit(d.between(-1, 1), d.between(-1, 1));
   const turn = <T extends { x: number; y: number }>(c: T): T => ({ ...c, x: c.x * cos - c.y * sin, y: c.x * sin + c.y * cos });

@@ -1,6 +1,6 @@
 import type { Level } from '../../../schema/index.ts';
 
-/** The level with a wind or two, a wormhole, or both: near her way or so far from it that a proof may keep out of them. */
+/** The level with one or two winds, a wormhole, or both: near her path, or so far away that a proof may leave them out. */
 export function withWindsAndWormholes(level: Level, random: () => number): Level {
   const pick = <T>(...of: T[]): T => of[Math.floor(random() * of.length)];
   const place = () => {
