@@ -21,7 +21,7 @@ function unlike(list: readonly Circle[]): number[] {
  * Prepares a level for simulation at one accuracy: chooses the effects that the level calls for and lays its objects out in
  * typed arrays.
  *
- * @param level - a level that {@link readLevel} or {@link resolveLevel} gave; the engine trusts its numbers to be finite and
+ * @param level - a level that `readLevel` or `resolveLevel` gave; the engine trusts its numbers to be finite and
  * its radii to be positive
  * @param accuracy - the name of an accuracy, or a custom setting from {@link accuracyOf}; {@link DEFAULT_ACCURACY} when left
  * out

@@ -4,6 +4,7 @@ import { indexCircles, type SpatialIndex } from './spatial-index.ts';
 
 /** A list of circles as they are placed in the level, with an index where there are many. */
 export interface IndexedCircles extends Circles {
+  /** The index; null for a list that is too short to be worth one. */
   readonly spatial: SpatialIndex | null;
 }
 

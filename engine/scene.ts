@@ -11,7 +11,9 @@ export interface Aliens extends IndexedCircles {
 
 /** An effect of the game, and why a level calls for it or does not. */
 export interface ChosenEffect {
+  /** Name of the effect. */
   readonly name: string;
+  /** Why, in words: `2 aliens`, `no winds`. */
   readonly because: string;
 }
 

@@ -6,9 +6,22 @@ const INDEX_FROM = 128;
 
 /** Finds circles of one list near a place without examining all of them. Places are in px from the level's origin. */
 export interface SpatialIndex {
-  /** Indices of all circles that overlap the square of half-width `reach` around (x, y), in no particular order. */
+  /**
+   * Finds the circles that overlap a square.
+   *
+   * @param x - x of the square's centre, px
+   * @param y - y of the square's centre, px
+   * @param reach - half the side of the square, px
+   * @returns indices of all such circles, in no particular order
+   */
   around(x: number, y: number, reach: number): readonly number[];
-  /** Index of a circle whose centre is one of the nearest to (x, y). */
+  /**
+   * Finds a circle whose centre is the nearest to a place.
+   *
+   * @param x - x of the place, px
+   * @param y - y of the place, px
+   * @returns index of one of the nearest
+   */
   nearestCentre(x: number, y: number): number;
 }
 

@@ -19,6 +19,8 @@ const TOO_MUCH = {
 /** Thrown when a {@link WorkBudget} is used up. The code that created the budget should catch it. */
 export class WorkLimitReached extends Error {
   /**
+   * Makes the error.
+   *
    * @param limit - the limit that was reached: pieces of motion, bytes, or events at one instant
    * @param of - what there was too much of
    */
@@ -56,6 +58,8 @@ export class WorkBudget {
   private bytes = 0;
 
   /**
+   * Makes a budget of which nothing is spent.
+   *
    * @param maxWork - pieces of motion allowed; {@link DEFAULT_MAX_WORK} when left out
    * @param maxRecorded - bytes that recordings may take; 128 MiB when left out
    */
