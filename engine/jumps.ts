@@ -2,8 +2,8 @@
 const LEAST = 2;
 
 /**
- * Tells whether she was moved from one place to another at once between two states, as a wormhole does: no flight leads from
- * the first to the second.
+ * Tells whether she was moved from one place to another at once between two states: no flight leads from the first to the
+ * second.
  *
  * @param states - states of the astronaut, each beginning with x, y (px), vx, vy (px/s)
  * @param from - index in `states` at which the earlier state begins

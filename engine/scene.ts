@@ -13,7 +13,7 @@ export interface Aliens extends IndexedCircles {
 export interface ChosenEffect {
   /** Name of the effect. */
   readonly name: string;
-  /** Why, in words: `2 aliens`, `no winds`. */
+  /** Why, in words: `2 aliens`, `no minerals`. */
   readonly because: string;
 }
 

@@ -151,9 +151,9 @@ type LevelObjects = { readonly [K in SingleKind]: ObjectOf<K> } & {
 };
 
 /**
- * A valid level with every default filled in. It also has a property for each kind of object: `astronaut` and `blackHole`, and
- * the lists `asteroids`, `novae`, `repulsors`, `aliens`, `minerals`, `winds` and `wormholes`. Lengths are in px, velocities in
- * px/s, accelerations in px/s².
+ * A valid level with every default filled in. It also has a property for each kind of object: one object of
+ * each {@link SingleKind}, such as `astronaut`, and a list for each {@link ListedKind}, such as `asteroids`. Lengths are in px,
+ * velocities in px/s, accelerations in px/s².
  */
 export interface Level extends LevelObjects {
   /** What players and reports call the level. */
