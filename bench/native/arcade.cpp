@@ -1,8 +1,8 @@
-// The original's frame rules as a plain loop: the yardstick for the engine's accuracy `arcade`. Everything is looked at in
-// every frame, as the original does. It shares nothing with the engine but the rules, and must end in the same bits.
+// The original's frame rules as a plain loop: the yardstick for the engine's accuracy `arcade`. Everything is examined in every
+// frame, as in the original. It shares nothing with the engine but the rules, and must end with the same bits.
 //
-// stdin:  scenes as numbers in text (see `readScene`), then commands: "check", "time SCENE TIMES", end of file to leave
-// stdout: check: a line for each run: frames, outcome, minerals, x, y, vx, vy, cos, sin; time: a line with ns of processor time, and frames
+// stdin:  scenes as numbers in text (see `readScene`), then commands: "check", "time SCENE TIMES", end of file to exit
+// stdout: check: one line per run: frames, outcome, minerals, x, y, vx, vy, cos, sin; time: a line with ns of processor time, and frames
 
 #include <cmath>
 #include <cstdio>
@@ -75,7 +75,7 @@ struct State {
   std::vector<Rock> rocks;
   std::vector<Alien> aliens;
   std::vector<bool> collected;
-  std::vector<int> around;  // of each wormhole the mouth that she is in, or OPEN
+  std::vector<int> around;  // for each wormhole the mouth that she is in, or OPEN
 };
 
 constexpr int OPEN = -1;
@@ -130,7 +130,7 @@ static void check(const Scene &scene, State &s) {
     const Rock &c = s.rocks[i];
     if (touches(s, c.x, c.y, c.r)) s.outcome = BURNED;
   }
-  // of several minerals touched in one frame all count, and the last is taken away
+  // of several minerals touched in one frame all count, and only the last is removed
   int last = -1;
   for (size_t i = 0; i < scene.minerals.size(); i++) {
     const Circle &c = scene.minerals[i];
@@ -158,7 +158,7 @@ static void check(const Scene &scene, State &s) {
   }
 }
 
-// through the first open wormhole of which she is in a mouth
+// moves her through the first open wormhole with a mouth that contains her
 static void jump(const Scene &scene, State &s) {
   for (size_t w = 0; w < scene.wormholes.size(); w++) {
     if (s.around[w] != OPEN) s.around[w] = mouthAround(scene.wormholes[w], s.x, s.y);
@@ -179,7 +179,7 @@ static void jump(const Scene &scene, State &s) {
 }
 
 static void step(const Scene &scene, State &s, bool held) {
-  // velocities and displacements; places stay those of the frame before
+  // velocities and displacements; places stay those of the previous frame
   s.vx = limited(s.vx + s.ax * TICK);
   s.vy = limited(s.vy + s.ay * TICK);
   const double moveX = s.vx * TICK;
@@ -311,8 +311,9 @@ static std::vector<Circle> readCircles() {
   return circles;
 }
 
-// x y vx vy, black hole: x y r, range, recoil 0 or 1, lists of circles (count, then x y r of each): cold asteroids, hot ones,
-// novae, repulsors, aliens, minerals; winds (count, then x y r ax ay of each), wormholes (count, then x y r of both mouths); frames at most, count of runs, of each run the count of holds, then press release of each
+// Reads: x y vx vy; black hole: x y r; range; recoil 0 or 1; lists of circles (count, then x y r of each): cold asteroids, hot
+// ones, novae, repulsors, aliens, minerals; winds (count, then x y r ax ay of each); wormholes (count, then x y r of both mouths);
+// the largest number of frames; the number of runs; for each run the number of holds, then press and release of each.
 static Scene readScene() {
   Scene scene;
   scene.x = readNumber();

@@ -60,7 +60,7 @@ export interface Effect {
    */
   stateLength?(scene: Scene): number;
   /**
-   * Adjusts its state after another effect has moved her from one place to another.
+   * Adjusts its state after an effect has moved her from one place to another.
    *
    * @param m - the motion
    * @param time - when, s from the start of the run

@@ -4,7 +4,7 @@ import { letGoTime } from '../repulsor/index.ts';
 
 const { DEGREE, LENGTH_H } = SLOTS;
 
-/** What may be overlooked: px/s beyond the limit, px beyond the centre. It is a tenth of the limit's rounding. */
+/** What may be overlooked: px/s beyond the limit, px beyond the centre. Less than ten times the rounding error of the limit. */
 const OVERLOOKED = 1e-12;
 
 // working memory: the force that would act if the axis were free
