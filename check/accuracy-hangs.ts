@@ -12,22 +12,26 @@ import {
 import type { Level } from '../schema/index.ts';
 import type { RunEnd } from './words/index.ts';
 
-/** A run that completes the level at some accuracies and not at others. */
+/** A run that completes the level at some accuracies but not at others. */
 export interface AccuracyHang {
-  /** Of the run in the level's list. */
+  /** Index in the level's list of runs, from 0. */
   readonly index: number;
+  /** Name of the run. */
   readonly name: string;
-  /** How it ends at each accuracy: the one asked for first. */
+  /** How the run ends at each accuracy, the requested one first. */
   readonly ends: readonly { readonly accuracy: string; readonly end: RunEnd }[];
 }
 
 /**
- * Runs that complete the level at some accuracies and not at others. Two that fail in different ways are no
- * news: such a run proves nothing anyway. Beside the accuracy asked for the coarsest and the finest are played, and the
- * others only where those don't agree: a thousand levels have to be checked while somebody waits.
- * @param runs how the level's end at the accuracy asked for; at the others they are only played, nothing recorded
- * @param budget what playing them may cost
- * @throws WorkLimitReached
+ * Finds the runs that complete the level at some accuracies but not at others. A run that fails in different ways is not
+ * reported, because it proves nothing anyway. To save time, only the coarsest and the finest accuracy are simulated besides the
+ * requested one; the others follow only where those disagree.
+ * @param level the level
+ * @param runs how the level's runs end at the requested accuracy, in the order of its list
+ * @param asked the requested accuracy
+ * @param maxTime the longest a run may last, s
+ * @param budget limits the work
+ * @throws WorkLimitReached when the budget is spent
  */
 export function hangsOnAccuracy(
   level: Level,
@@ -55,7 +59,7 @@ export function hangsOnAccuracy(
   );
 }
 
-/** Nothing but how it ended: a run has much more, which no worker could send. */
+/** Keeps only how a run ended, because the full record is too large to send from a worker. */
 const endOf = ({ outcome, with: touched, time, tick }: RunEnd): RunEnd => ({ outcome, with: touched, time, tick });
 
 function playAll(level: Level, accuracy: Accuracy, maxTicks: number, budget: WorkBudget): RunEnd[] {

@@ -5,26 +5,36 @@ import { overrunOf, type RunFindings } from './findings.ts';
 import { withinWork } from './within-work.ts';
 
 /**
- * Plays a level's own runs, in their order.
- * @param budget what they may cost together; those it does not suffice for are stopped
+ * Simulates all runs of a level.
+ * @param scene the compiled level
+ * @param maxTime the longest a run may last, s of simulated time
+ * @param budget limits the work of all runs together; a run that exceeds it is stopped
+ * @returns the simulated runs in the order of the level's list; only the first has a recording
  */
 export const playRuns = (scene: Scene, maxTime: number, budget: WorkBudget): Run[] =>
   scene.level.runs.map(({ holds }, index) => simulate(scene, holds, { maxTime, budget, record: index === 0 }));
 
+/** How the runs were simulated, and what examining them may cost. */
 export interface ExamineOptions {
-  /** The setting at which the runs were played. */
+  /** The accuracy at which the runs were simulated. */
   readonly accuracy: Accuracy;
-  /** s of simulated time after which a run is a timeout */
+  /** The longest a run may last, s of simulated time; a longer run ends with `timeout`. */
   readonly maxTime: number;
-  /** pieces of motion that a check may cost, part for part */
+  /** The work that one part of a check may cost, pieces of motion. */
   readonly maxWork: number;
-  /** What is left of what the runs were played with: what they come near to is looked at with it. */
+  /** What is left of the budget of the runs. It limits the examination of what the runs come near to. */
   readonly budget: WorkBudget;
-  /** A run that a search found, which is looked at like the level's own. */
+  /** A run that a search found; it is examined like the level's own runs. */
   readonly found?: Run | null;
 }
 
-/** What a level's own runs show, and what looks wrong in the level. @param runs of the level, simulated */
+/**
+ * Examines how a level's runs ended and what looks wrong in the level.
+ * @param level the level
+ * @param runs its simulated runs, as {@link playRuns} returns them
+ * @param options how the runs were simulated, and limits on the work
+ * @returns the findings as plain data
+ */
 export function examineRuns(
   level: Level,
   runs: readonly Run[],
@@ -32,7 +42,7 @@ export function examineRuns(
 ): RunFindings {
   const areAllPlayed = runs.every(({ stopped }) => stopped === null);
   const stopped = areAllPlayed ? null : overrunOf(budget);
-  // a budget of its own, so that what one part of a check costs does not starve another
+  // A separate budget, so that one part of a check does not starve another.
   const others = new WorkBudget(maxWork / 2);
   const hangs = areAllPlayed ? withinWork(others, () => hangsOnAccuracy(level, runs, accuracy, maxTime, others)) : ([] as const);
   const all = found === null ? runs : [...runs, found];

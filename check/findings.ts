@@ -9,84 +9,96 @@ import type { RunEnd } from './words/index.ts';
 
 /** How one of the level's own runs ended. */
 export interface ScriptEnd extends RunEnd {
+  /** Name of the run. */
   readonly name: string;
-  /** It cost more than allowed, and was not played beyond `time`. */
+  /** True when the run exceeded the work limit and was not simulated beyond `time`. */
   readonly isStopped: boolean;
 }
 
-/** How much was allowed where that did not suffice. */
+/** A limit that was exceeded. */
 export interface Overrun {
-  /** pieces of motion */
+  /** The work that was allowed, pieces of motion. */
   readonly maxWork: number;
-  /** What there was too much of. */
+  /** What was exceeded. */
   readonly of: 'work' | 'memory';
 }
 
-/** How a budget that did not suffice was overrun. */
+/** Describes how a budget was exceeded. */
 export const overrunOf = ({ maxWork, spent }: Pick<WorkBudget, 'maxWork' | 'spent'>): Overrun => ({
   maxWork,
   of: spent >= maxWork ? 'work' : 'memory',
 });
 
-/** What playing a level's runs shows, and what looks wrong in it. Plain data: a worker can send it. */
+/** How a level's runs ended and what looks wrong in it. This is plain data that a worker can send. */
 export interface RunFindings {
-  /** Name of the setting at which runs were played. */
+  /** Name of the accuracy at which the runs were simulated. */
   readonly accuracy: string;
-  /** px, of the level */
+  /** Range of the level, px. */
   readonly range: number;
-  /** In the order of the level's list. */
+  /** How each run ended, in the order of the level's list. */
   readonly ends: readonly ScriptEnd[];
-  /** Indices of the minerals that some run collects. */
+  /** Indices of the minerals that some run collects, from 0. */
   readonly collected: readonly number[];
+  /** Runs that complete the level at some accuracies but not at others. */
   readonly hangs: readonly AccuracyHang[];
-  /** In the order in which `findWarnings` gives them. */
+  /** The warnings, in the order of `findWarnings`. */
   readonly warnings: readonly Warning[];
-  /** What was left out since it would have cost more than allowed; null: nothing was. */
+  /** What was left out because it would have exceeded the work limit; null where nothing was. */
   readonly cuts: {
-    /** Runs were not played to their end. */
+    /** Some runs were not simulated to their end. */
     readonly runs: Overrun | null;
-    /** It was not looked at whether they end alike at every accuracy. */
+    /** The runs were not compared at other accuracies. */
     readonly accuracies: Overrun | null;
-    /** It was not looked at what they come near to. */
+    /** What the runs come near to was not examined. */
     readonly nearness: Overrun | null;
   };
 }
 
-/** What a search for a run came to. */
+/** The result of a search for a run. */
 export interface Searched {
-  /** A run that completes the level, replayed from the start; null: none was found. */
+  /** The holds of a run that completes the level, confirmed by a replay; null when none was found. */
   readonly found: readonly Hold[] | null;
+  /** The work that the search has done. */
   readonly effort: Effort;
-  /** null: nothing was tried */
+  /** The closest approach; null when nothing was simulated. */
   readonly closest: Closest | null;
 }
 
-/** What was found out besides. */
+/** Findings beyond the level's own runs. */
 export interface MoreFindings {
-  /** Proof that nobody can complete the level; null: there is none. */
+  /** A proof that nobody can complete the level; null when there is none. */
   readonly impossible: Proof | null;
-  /** Minerals of which it is proved that nobody collects them. */
+  /** The minerals that are proved to be out of reach. */
   readonly lost: readonly LostMineral[];
-  /** null: no run was looked for */
+  /** The result of a search for a run; null when there was no search. */
   readonly searched: Searched | null;
-  /** Runs that forgive too little; none where nobody asked. */
+  /** Runs with fewer certified ticks than required; empty when nothing was required. */
   readonly tight: readonly TightRun[];
 }
 
-/** All that a check finds out about a level, before it is put into words. */
+/** Everything that a check finds out about a level, before it is put into words. */
 export interface Findings extends RunFindings, MoreFindings {}
 
-/** Where nothing was proved, searched for or asked about. */
+/** The findings when nothing was proved, searched for or certified. */
 export const unproved: MoreFindings = { impossible: null, lost: [], searched: null, tight: [] };
 
-/** What playing the runs showed, with what was found out besides. */
+/**
+ * Combines findings.
+ * @param runs what the runs showed
+ * @param more what else was found; missing properties are taken from {@link unproved}
+ * @returns all findings
+ */
 export const findingsOf = (runs: RunFindings, more: Partial<MoreFindings>): Findings => ({ ...runs, ...unproved, ...more });
 
 /** Whether one of the level's own runs completes it. */
 export const completesItself = ({ ends }: Pick<RunFindings, 'ends'>): boolean =>
   ends.some(({ outcome }) => outcome === 'completed');
 
-/** The verdict on a level of which so much is known. */
+/**
+ * Decides the verdict from findings.
+ * @param findings how the runs ended, and the results of the search and of the provers
+ * @returns the verdict
+ */
 export function verdictOfFindings(findings: Pick<Findings, 'ends' | 'impossible' | 'searched'>): LevelVerdict {
   const { ends, impossible, searched } = findings;
   return verdictOf({

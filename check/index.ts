@@ -1,3 +1,9 @@
+/**
+ * Checks levels: it simulates their runs, collects what is wrong or looks wrong, and decides the verdict. The command line and
+ * the editor share this code and differ only in the hints that they give.
+ *
+ * @module
+ */
 export { type ExamineOptions, examineRuns, playRuns } from './examine-runs.ts';
 export {
   type Findings,

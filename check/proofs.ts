@@ -10,9 +10,14 @@ import {
 } from '../solver/index.ts';
 
 /**
- * Proves that no run reaches a goal, where that can be shown quickly. Proofs are made for the accuracies that have a name: of
- * a setting of one's own nothing is claimed. Nothing that the separate checker doesn't confirm is given.
- * @returns null when there is no proof; then there may still be no run
+ * Tries to prove quickly that no run reaches a goal. There are no proofs for custom settings, only for the named accuracies.
+ * The checker has confirmed every proof that is returned.
+ * @param level the level
+ * @param accuracy the accuracy for which the proof has to hold
+ * @param goal what a run would have to achieve
+ * @param maxTicks the longest a run may last, ticks
+ * @param budget limits the work of the provers
+ * @returns a proof, or null when none was found; the goal may then still be out of reach
  */
 export function proveGoalImpossible(
   level: Level,
@@ -31,23 +36,37 @@ export function proveGoalImpossible(
   return count - lost.length < needed ? lost[0].proof : null;
 }
 
-/** A mineral that no run can collect, and why. */
+/** A mineral that no run can collect. */
 export interface LostMineral {
-  /** in the level's list */
+  /** Index in the level's list of minerals, from 0. */
   readonly index: number;
+  /** The proof that nobody can collect it. */
   readonly proof: Proof;
 }
 
-/** Of more minerals than this it is not asked in one check whether they can be collected: each takes a moment. */
+/** One check tries to prove this for at most this many minerals, because each takes a moment. */
 const MOST_MINERALS = 20;
 
-/** The minerals of which a check tries to prove that nobody collects them: of those that no run does, the first few. */
+/**
+ * Selects the minerals for which a check looks for a proof.
+ * @param level the level with its minerals
+ * @param collected indices of the minerals that some run collects
+ * @returns indices of minerals that no run collects, ascending, at most 20
+ */
 export function mineralsToProve({ minerals }: Pick<Level, 'minerals'>, collected: Iterable<number>): number[] {
   const known = new Set(collected);
   return [...minerals.keys()].filter((index) => !known.has(index)).slice(0, MOST_MINERALS);
 }
 
-/** Those of some minerals of which it can quickly be proved that no run collects them; confirmed by the separate checker. */
+/**
+ * Tries to prove quickly of some minerals that no run can collect them. The checker has confirmed every proof that is returned.
+ * @param level the level
+ * @param accuracy the accuracy for which the proofs have to hold; a custom setting has no proofs
+ * @param asked indices of the minerals in question
+ * @param maxTicks the longest a run may last, ticks
+ * @param budget limits the work of the provers
+ * @returns the minerals with a proof, in the order of `asked`
+ */
 export function proveMineralsLost(
   level: Level,
   accuracy: Accuracy,
@@ -56,7 +75,7 @@ export function proveMineralsLost(
   budget: WorkBudget = new WorkBudget(),
 ): LostMineral[] {
   if (!isAccuracyName(accuracy.name) || asked.length === 0) return [];
-  // minerals are in nobody's way: without the others the level is the same
+  // Minerals do not influence the motion, so the others can be left out.
   const only = { ...level, minerals: asked.map((index) => level.minerals[index]) };
   return proveMineralsUnreachable(only, { accuracy: accuracy.name, maxTime: maxTicks * TICK, budget }).flatMap((proof) => {
     if (proof.about.kind !== 'mineral' || !verifyProof(only, proof).ok) return [];

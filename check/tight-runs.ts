@@ -3,30 +3,38 @@ import type { Hold, Level } from '../schema/index.ts';
 import { certify } from '../solver/index.ts';
 import type { RunEnd } from './words/index.ts';
 
-/** Runs simulated at most to certify a run: where they don't suffice, what was asked for is not proved. */
+/** The most runs to simulate for one certificate. If they do not suffice, the required ticks are not proved. */
 export const MOST_RUNS = 200_000;
 
 /** A run that completes the level. */
 export interface CompletingRun {
+  /** The holds of the run, [press, release) in ticks. */
   readonly holds: readonly Hold[];
-  /** as a sentence begins */
+  /** What to call the run at the beginning of a sentence. */
   readonly name: string;
+  /** JSON pointer to the run in the level file; empty for a run that a search found. */
   readonly pointer: string;
 }
 
-/** A run that forgives less than it should. */
+/** A run with fewer certified ticks than required. */
 export interface TightRun extends CompletingRun {
-  /** Ticks that were required; null: nothing was, and it forgives nothing. */
+  /** The required ticks; null when nothing is required and the run has no certified tick at all. */
   readonly required: number | null;
-  /** Ticks by which all its presses and releases may be off, in every combination. */
+  /** Certified ticks: how far all its presses and releases may move at once. */
   readonly ticks: number;
-  /** A combination of one tick more that fails; null: none was found. */
+  /** A failing combination of shifts by one tick more; null when none was found. */
   readonly counterexample: readonly Hold[] | null;
-  /** There were too many combinations to try: more ticks may be forgiven. */
+  /** True when there were too many combinations to try, so that more ticks may be possible. */
   readonly isExhausted: boolean;
 }
 
-/** Every run that completes a level: scripted ones, and the one that was found. @param ends how the level's own end */
+/**
+ * Lists every run that completes a level.
+ * @param level the level
+ * @param ends how its own runs end, in the order of its list
+ * @param found the holds of a run that a search found, or null
+ * @returns the level's completing runs, then the found one
+ */
 export function completingRuns(
   level: Level,
   ends: readonly Pick<RunEnd, 'outcome'>[],
@@ -39,7 +47,12 @@ export function completingRuns(
 }
 
 /**
- * Those that forgive less than so many ticks, or nothing where no number is required. Simulates every combination of shifts.
+ * Finds the runs with fewer certified ticks than required, or with none at all when nothing is required. Simulates every
+ * combination of shifts.
+ * @param scene the compiled level
+ * @param runs runs that complete the level
+ * @param required the certified ticks that each run should have; null requires nothing and looks for 1
+ * @returns the runs that fall short
  */
 export function tightRuns(scene: Scene, runs: readonly CompletingRun[], required: number | null): TightRun[] {
   const wanted = wantedTicks(required);
@@ -56,5 +69,5 @@ export function tightRuns(scene: Scene, runs: readonly CompletingRun[], required
   });
 }
 
-/** What is looked for where nothing is required: a run that forgives nothing. */
+/** The certified ticks to look for: at least one, so that runs without any slack are found when nothing is required. */
 export const wantedTicks = (required: number | null): number => required ?? 1;

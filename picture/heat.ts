@@ -3,34 +3,50 @@ import { THEMES, type Theme } from './theme.ts';
 import type { View } from './view.ts';
 import { num } from './xml.ts';
 
-/** Where a search has been: squares of `cellSize` px, `x` and `y` their centres in level px. */
+/** Where a search has been, for a heat map. */
 export interface Explored {
+  /** Side of a square, px. */
   readonly cellSize: number;
-  readonly cells: readonly { readonly x: number; readonly y: number; readonly visits: number }[];
+  /** The squares that were visited. */
+  readonly cells: readonly {
+    /** x of the centre, px of the level. */
+    readonly x: number;
+    /** y of the centre, px of the level. */
+    readonly y: number;
+    /** How often a simulated state fell into the square. */
+    readonly visits: number;
+  }[];
 }
 
-/** Cells of one strength, from the seldom visited to those that were visited most. */
+/** The squares that are drawn in one opacity. */
 export interface HeatShade {
-  /** 0 to 1 */
+  /** Opacity, 0 to 1. */
   readonly opacity: number;
-  /** Visits of its cells. */
+  /** The least number of visits among its squares. */
   readonly least: number;
+  /** The greatest number of visits among its squares. */
   readonly most: number;
+  /** The squares. */
   readonly cells: Explored['cells'];
 }
 
-/** Shades, from the cells that were seldom visited to those that were most. */
+/** How many shades there are at most. */
 const SHADES = 7;
 
 const shadeOpacity = (shade: number): number => 0.07 + (0.68 * shade) / (SHADES - 1);
 
-/** How strongly each cell is drawn: the oftener visited the stronger. Every shade has about as many cells, so that all of them tell something. */
+/**
+ * Divides the squares of a heat map into shades. Each shade has about as many squares as the others, so that all of them are
+ * informative.
+ * @param explored where a search has been
+ * @returns the shades, from rarely visited to often visited
+ */
 export function heatShades({ cells }: Explored): HeatShade[] {
   const shades: Explored['cells'][number][][] = Array.from({ length: SHADES }, () => []);
   const ranked = [...cells].sort((a, b) => a.visits - b.visits);
   let shade = 0;
   for (const [rank, cell] of ranked.entries()) {
-    // the same number of visits is the same shade
+    // Squares with equal visits get the same shade.
     if (rank === 0 || cell.visits > ranked[rank - 1].visits) shade = Math.floor((SHADES * rank) / ranked.length);
     shades[shade].push(cell);
   }
@@ -42,22 +58,34 @@ export function heatShades({ cells }: Explored): HeatShade[] {
   });
 }
 
-/** What the cells are drawn in. */
+/**
+ * The colour of a heat map.
+ * @param theme name of the theme
+ * @returns a CSS colour
+ */
 export const heatColour = (theme: Theme['name']): string => THEMES[theme].heat;
 
 const inShort = (count: number): string =>
   count >= 1e6 ? `${(count / 1e6).toFixed(1)}M` : count >= 1e4 ? `${Math.round(count / 1e3)}k` : String(count);
 
-/** How often the cells of a shade were visited: `3`, `4-12`, `10k-34k`. */
+/**
+ * Formats how often the squares of a shade were visited: `3`, `4-12`, `10k-34k`.
+ * @param shade the least and the greatest number of visits
+ * @returns the text
+ */
 export function visitsInWords({ least, most }: Pick<HeatShade, 'least' | 'most'>): string {
   const [from, to] = [inShort(least), inShort(most)];
   return from === to ? from : `${from}–${to}`;
 }
 
-/** What the shades count. */
+/**
+ * Says what a heat map counts.
+ * @param explored where a search has been
+ * @returns the text
+ */
 export const heatCaption = ({ cellSize }: Explored): string => `visits of the search to each square of ${cellSize} px`;
 
-/** How often a search came by each place. */
+/** Draws where a search has been. */
 export function drawHeat(view: View, theme: Theme, explored: Explored): string {
   const half = explored.cellSize / 2;
   const side = num(explored.cellSize * view.scale);
@@ -68,7 +96,7 @@ export function drawHeat(view: View, theme: Theme, explored: Explored): string {
   return `<g data-kind="explored" fill="${theme.heat}">${paths.join('')}</g>`;
 }
 
-/** What is counted and how strong how many visits are, for the legend. */
+/** The entries of the legend: what is counted, and the visits of each shade. */
 export function heatSigns(theme: Theme, explored: Explored): LegendEntry[] {
   const square = (opacity: number): string =>
     `<rect x="-9" y="-6" width="18" height="12" fill="${theme.space[1]}" stroke="${theme.muted}" stroke-width=".8"/>` +

@@ -1,3 +1,8 @@
+/**
+ * Draws pictures of levels as SVG: the objects, runs, searches and proofs, with a timeline and a legend.
+ *
+ * @module
+ */
 import type { Run } from '../engine/index.ts';
 import type { Hold, Level } from '../schema/index.ts';
 import { drawBackground } from './background.ts';
@@ -23,46 +28,54 @@ import { escapeXml, num } from './xml.ts';
 
 export { heatCaption, heatColour, heatShades, visitsInWords } from './heat.ts';
 
+/** What {@link renderSvg} draws besides the objects of the level. */
 export interface RenderOptions {
-  /** A simulated run of the level, to be drawn into it. */
+  /** A simulated run of the level to draw. */
   readonly run?: Run;
-  /** What the timeline shows; the run's own presses and releases when left out. */
+  /** The holds that the timeline shows; by default those of the run. */
   readonly holds?: readonly Hold[];
-  /** Width of the picture in px; 960 when left out. The height follows. */
+  /** Width of the picture, px; 960 by default. The height follows from it. */
   readonly width?: number;
+  /** The colours; `dark` by default. */
   readonly theme?: Theme['name'];
-  /** Above the timeline; the level's name when left out. */
+  /** The title above the timeline; by default the level's name. */
   readonly title?: string;
   /** A sentence below the title. */
   readonly note?: string;
-  /** Several runs, each in a colour; instead of `run`. */
+  /** Several runs to draw, each in its own colour, instead of `run`. */
   readonly ways?: readonly NamedRun[];
-  /** Where a search has been. */
+  /** Where a search has been, to draw as a heat map. */
   readonly explored?: Explored;
-  /** The same run with presses and releases at other times. */
+  /** The same run with its presses and releases shifted, to draw as thin paths. */
   readonly fan?: readonly Run[];
-  /** When the run is nearest to the black hole, s: how near is drawn. */
+  /** The time of the closest approach to the black hole, s; the distance is drawn there. */
   readonly nearest?: number;
-  /** Why something can't be reached. */
+  /** A proof to draw: why something cannot be reached. */
   readonly proof?: ProofOverlay;
-  /** false: nothing that has to be read, for pictures that are too small for it. */
+  /** Whether to draw texts; true by default. Pictures that are too small for them set it to false. */
   readonly words?: boolean;
 }
 
-/** Wide pictures are laid out for this width and then scaled, so that they look alike. */
+/** Pictures are laid out for this width, in units, and then scaled, so that all of them look alike. */
 const UNITS = 960;
 
-/** From this width on, px, the smallest letters of the layout can be read: capitals of 8 px, as of a font of 11 px. Narrower pictures are laid out in fewer units, so that letters stay as large. */
+/**
+ * From this width on, px, the smallest letters of the layout are legible: capitals of 8 px, as in a font of 11 px. Narrower pictures are
+ * laid out in fewer units, so that their letters stay as large.
+ */
 const LEGIBLE_WIDTH = 1180;
 
-/** There is no room for words in fewer units. */
+/** The least number of units: fewer have no room for words. */
 const FEWEST_UNITS = 260;
 
 const unitsFor = (width: number): number => Math.round(Math.max(FEWEST_UNITS, Math.min(UNITS, (width * UNITS) / LEGIBLE_WIDTH)));
 
 /**
- * A picture of a level as a standalone SVG document: its objects, and the run when one is given. The same input gives
- * the same text. Texts from the level are escaped.
+ * Draws a level as a standalone SVG document: its objects, and the run when one is given. The same input gives the same text. Texts
+ * from the level are escaped.
+ * @param level the level
+ * @param options what to draw besides the objects, and how
+ * @returns the SVG document as text
  */
 export function renderSvg(level: Level, options: RenderOptions = {}): string {
   const {
@@ -121,7 +134,7 @@ export function renderSvg(level: Level, options: RenderOptions = {}): string {
   );
 }
 
-/** Places beside the level's things that the picture has to hold. */
+/** Places that the picture has to contain besides the level's objects. */
 function cornersOf({ explored, proof }: RenderOptions): Point[] {
   const cells = (explored?.cells ?? []).map(({ x, y }): Point => [x, y]);
   const lines = (proof?.lines ?? []).flatMap(({ points }) => points.map(({ x, y }): Point => [x, y]));

@@ -1,29 +1,40 @@
 import type { FirstIndex } from '../words/index.ts';
 
-/** What differs by the place where problems are read: how things are numbered there, and what can be done there. */
+/**
+ * Words that depend on where problems are read: the command line or the editor. They say how objects are numbered there and
+ * what can be done there.
+ */
 export interface Hints {
   /** The number of the first object of a kind. */
   readonly first: FirstIndex;
-  /** How a level gets its first run. */
+  /** How to give a level its first run. */
   readonly firstRun: string;
-  /** Where to see how a run goes: the end of a sentence, with what joins it; '' where it is seen anyway. */
+  /**
+   * Where to see how a run goes: the end of a sentence with its conjunction, or '' where the run is visible anyway.
+   * @param name name of the run
+   * @returns the words
+   */
   readonly seeRun: (name: string) => string;
-  /** Where to see what each accuracy makes of a run: likewise. */
+  /**
+   * Where to see how a run ends at each accuracy: the end of a sentence with its conjunction.
+   * @param name name of the run
+   * @returns the words
+   */
   readonly seeAccuracies: (name: string) => string;
-  /** What else may be done where a level costs too much work: likewise. */
+  /** What else can be done when a level exceeds the work limit: the end of a sentence with its conjunction. */
   readonly moreWork: string;
-  /** What to do about what is proved: likewise. */
+  /** What can be done about a proof: the end of a sentence with its conjunction. */
   readonly seeProof: string;
-  /** Left out where nothing is searched for, and no slack is asked for. */
+  /** Words for searches and certificates; absent where there are none. */
   readonly search?: SearchHints;
 }
 
-/** Hints to what a search and a certificate come to. */
+/** Words for the results of a search and of a certificate. */
 export interface SearchHints {
-  /** How the run that was found is kept: the end of a sentence. */
+  /** How to keep the run that was found: the end of a sentence. */
   readonly keepFound: string;
   readonly nothingFound: string;
-  /** How the nearest run that a search tried is written there: the end of a sentence. */
+  /** How to write down the run with the closest approach: the end of a sentence. */
   readonly nearestRun: (holds: string) => string;
   readonly tightRun: string;
 }

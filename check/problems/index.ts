@@ -11,8 +11,10 @@ export type { Hints } from './hints.ts';
 export type { LevelProblem } from './problem.ts';
 
 /**
- * Everything that is wrong with a level and what looks wrong, in the order in which it is told: what decides the verdict, then its
- * runs, then minerals, then warnings.
+ * Lists everything that is wrong or looks wrong in a level.
+ * @param findings what a check found out about the level
+ * @param hints words that depend on where the problems are read
+ * @returns the problems in order: those that decide the verdict, then runs, minerals and warnings
  */
 export function problemsOf(findings: Findings, hints: Hints): LevelProblem[] {
   const { accuracy, range, ends, hangs, cuts, tight, lost } = findings;
@@ -33,13 +35,18 @@ export function problemsOf(findings: Findings, hints: Hints): LevelProblem[] {
   ];
 }
 
-/** What is proved of a level of which nothing else is known yet. */
+/**
+ * Lists the problems that proofs show, when nothing else is known of a level yet.
+ * @param findings the proofs about the level and its minerals
+ * @param hints words that depend on where the problems are read
+ * @returns the problems
+ */
 export const proofProblems = ({ impossible, lost }: Pick<MoreFindings, 'impossible' | 'lost'>, hints: Hints): LevelProblem[] => [
   ...(impossible === null ? [] : [provedImpossible(impossible, hints)]),
   ...lost.map(mineralLost),
 ];
 
-/** What decides the verdict where none of its own runs completes the level. */
+/** The problem that decides the verdict when none of the level's own runs completes it. */
 function ofTheLevel(findings: Findings, hints: Hints): CheckProblem[] {
   const { ends, impossible, searched } = findings;
   if (completesItself(findings)) return [];
@@ -49,7 +56,7 @@ function ofTheLevel(findings: Findings, hints: Hints): CheckProblem[] {
   return [searched.found === null ? noRunFound(searched, hints.search) : foundRun(searched.found, hasRuns, hints.search)];
 }
 
-/** Warnings but for those that say less than what is proved. */
+/** The warnings, without those that say less than a proof. */
 function stillToBeWarnedOf({ warnings, impossible, lost }: Findings): LevelProblem[] {
   const outdone = impossible === null ? undefined : OUTDONE_WARNINGS[impossible.code];
   const proved = new Set(lost.map(({ index }) => `/minerals/${index}`));

@@ -5,11 +5,11 @@ import { type CheckCode, closestInWords, effortInWords, holdsInWords } from '../
 import type { Hints, SearchHints } from './hints.ts';
 import type { CheckProblem } from './problem.ts';
 
-/** Of a level without runs that was not searched. */
+/** The problem of a level that has no runs and was not searched. */
 export const noRun = ({ firstRun }: Hints): CheckProblem =>
   aboutLevel('no-run', 'error', 'the level has no run, so nothing shows that it can be completed', firstRun);
 
-/** Of a level that a search completed where its own runs don't. */
+/** The problem of a level that only a search completed. */
 export function foundRun(holds: readonly Hold[], hasRuns: boolean, hints: SearchHints | undefined): CheckProblem {
   const scripted = hasRuns ? 'none of its runs completes the level' : 'the level has no run';
   return aboutLevel(
@@ -20,7 +20,7 @@ export function foundRun(holds: readonly Hold[], hasRuns: boolean, hints: Search
   );
 }
 
-/** Of a level for which a search found nothing. */
+/** The problem of a level for which a search found nothing. */
 export function noRunFound({ effort, closest }: Searched, hints: SearchHints | undefined): CheckProblem {
   const by = closest === null ? '' : (hints?.nearestRun(holdsInWords(closest.holds)) ?? '');
   const near = closest === null ? '' : `; the nearest was ${closestInWords(closest)}${by}`;
@@ -32,10 +32,10 @@ export function noRunFound({ effort, closest }: Searched, hints: SearchHints | u
   );
 }
 
-/** Proofs that say what is wrong where the black hole is; the others, what is wrong where she starts. */
+/** Kinds of proof whose cause lies at the black hole. The cause of the others lies at the start. */
 const ABOUT_THE_END: ReadonlySet<ProofCode> = new Set(['out-of-range', 'covered']);
 
-/** Of a level that nobody can complete. */
+/** The problem of a level that is proved impossible. */
 export const provedImpossible = ({ code, reason }: Proof, { seeProof }: Hints): CheckProblem => ({
   code: 'proved-impossible',
   severity: 'error',

@@ -1,7 +1,7 @@
 import type { LostMineral } from '../proofs.ts';
 import type { CheckProblem } from './problem.ts';
 
-/** Of a mineral that nobody can collect. */
+/** The problem of a mineral that is proved to be out of reach. */
 export const mineralLost = ({ index, proof }: LostMineral): CheckProblem => ({
   code: 'mineral-never-collectable',
   severity: 'warning',

@@ -5,18 +5,18 @@ import { holdsInWords, outcomeInWords, plural } from '../words/index.ts';
 import type { Hints } from './hints.ts';
 import type { CheckProblem } from './problem.ts';
 
-/** How a run was played. */
+/** How a run was simulated. */
 interface Played {
-  /** Name of the setting. */
+  /** Name of the accuracy. */
   readonly accuracy: string;
-  /** px, of the level */
+  /** Range of the level, px. */
   readonly range: number;
 }
 
 /**
- * Of a run that does not complete its level: an error when none does, a warning beside one that does.
- * @param index of the run in the level's list
- * @param isCompletable something else shows that the level can be completed
+ * The problem of a run that does not complete its level: an error when no run does, else a warning.
+ * @param index index of the run in the level's list
+ * @param isCompletable whether another run shows that the level can be completed
  */
 export function failedRun(
   run: ScriptEnd,
@@ -35,7 +35,10 @@ export function failedRun(
   };
 }
 
-/** Of a run that completes the level at some accuracies and not at others. @param range of the level, px */
+/**
+ * The problem of a run that completes the level at some accuracies but not at others.
+ * @param range range of the level, px
+ */
 export function hangingRun({ index, name, ends }: AccuracyHang, range: number, hints: Hints): CheckProblem {
   const good = ends.filter(({ end }) => end.outcome === 'completed').map(({ accuracy }) => accuracy);
   const bad = ends
@@ -50,7 +53,7 @@ export function hangingRun({ index, name, ends }: AccuracyHang, range: number, h
   };
 }
 
-/** Of a run that forgives less than it should: an error where so much is required. */
+/** The problem of a run with fewer certified ticks than required: an error when a number is required, else a warning. */
 export function tightRun(run: TightRun, hint: string): CheckProblem {
   const { name, ticks, required, pointer } = run;
   const wanted = wantedTicks(required);

@@ -3,7 +3,10 @@ import { plural } from '../words/index.ts';
 import type { Hints } from './hints.ts';
 import type { CheckProblem } from './problem.ts';
 
-/** Of runs that were not played to their end. @param isUnproven nothing else decides the verdict */
+/**
+ * The problem of runs that were not simulated to their end.
+ * @param isUnproven whether nothing else decides the verdict
+ */
 export function runsCut(ends: readonly ScriptEnd[], by: Overrun, isUnproven: boolean, hints: Hints): CheckProblem {
   const index = ends.findIndex(({ isStopped }) => isStopped);
   const { name, tick } = ends[index];
@@ -19,7 +22,7 @@ export const accuraciesCut = (by: Overrun, hints: Hints): CheckProblem =>
 export const nearnessCut = (by: Overrun, hints: Hints): CheckProblem =>
   workLimit('what its runs come near to was not looked at', '/runs', by, hints);
 
-/** @param what was left out, as a sentence begins */
+/** @param what what was left out, as the beginning of a sentence */
 function workLimit(what: string, pointer: string, { maxWork, of }: Overrun, { moreWork }: Hints): CheckProblem {
   const ran = of === 'work' ? `more than the ${maxWork} pieces of motion allowed` : 'more memory for its recording than allowed';
   return {

@@ -1,10 +1,10 @@
 import type { CodeExplanation } from '../../schema/index.ts';
 
-/** What a place calls the limits of a check. */
+/** The names that the limits of a check have where problems are read. */
 export interface Terms {
-  /** the longest run that counts: `--max-time` */
+  /** The longest run that counts: `--max-time`. */
   readonly longestRun: string;
-  /** the most work a level may cost: `--max-work` */
+  /** The most work that a level may cost: `--max-work`. */
   readonly mostWork: string;
 }
 
@@ -14,7 +14,7 @@ interface Meaning {
   readonly why: (terms: Terms) => string;
 }
 
-/** The problems that only checking a level can show, in the order in which they are listed. */
+/** The problems that only a check can find, in the order in which they are listed. */
 const MEANINGS = {
   'run-does-not-complete': {
     severity: 'error',
@@ -102,18 +102,18 @@ const MEANINGS = {
   },
 } as const satisfies Record<string, Meaning>;
 
-/** The code of a problem that only checking a level can show. */
+/** The code of a problem that only a check can find. */
 export type CheckCode = keyof typeof MEANINGS;
 
-/** What can be done about a problem at the place where it is read. */
+/** What can be done about a problem where it is read. */
 export interface Advice {
   readonly fix: string;
-  /** What else is to be said there of why it is told, one sentence or more. */
+  /** An addition to the explanation, one sentence or more. */
   readonly also?: string;
   readonly example?: string;
 }
 
-/** Explains the codes that a place has advice for. */
+/** Explains the codes for which there is advice. */
 export function explainCodes(advice: Readonly<Partial<Record<CheckCode, Advice>>>, terms: Terms): CodeExplanation[] {
   return (Object.keys(MEANINGS) as CheckCode[]).flatMap((code) => {
     const known = advice[code];

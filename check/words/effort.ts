@@ -2,12 +2,12 @@ import { TICK } from '../../engine/index.ts';
 import type { Closest, Effort } from '../../solver/index.ts';
 import { plural } from './plural.ts';
 
-/** `12 runs, 3456 ticks`. */
+/** Formats effort: `12 runs, 3456 ticks`. */
 export const effortInWords = ({ runs, ticks }: Effort): string => `${plural(runs, 'run')}, ${plural(ticks, 'tick')}`;
 
 /**
- * How near any run of a search came: `41.7 px from the black hole at 3.22 s`.
- * @param pixels writes a length, px
+ * Formats a closest approach: `41.7 px from the black hole at 3.22 s`.
+ * @param pixels formats a length in px
  */
 export const closestInWords = (
   { distance, tick }: Pick<Closest, 'distance' | 'tick'>,

@@ -3,19 +3,20 @@ import { KINDS, nameWhenTouched } from '../../schema/index.ts';
 
 /** How a run ended. */
 export interface RunEnd {
+  /** The outcome. */
   readonly outcome: Outcome;
-  /** What she touched; null: nothing. */
+  /** The object that she touched; null when there is none. */
   readonly with: Touched | null;
-  /** s from the start */
+  /** The end of the run, s from the start. */
   readonly time: number;
-  /** the tick of 1/60 s in which it ended */
+  /** The tick of 1/60 s in which it ended. */
   readonly tick: number;
 }
 
-/** The number of the first object of a kind: 0 where a file is spoken of, as in its lists; 1 where people count what they see. */
+/** The number of the first object of a kind: 0 in JSON, 1 in words for people. */
 export type FirstIndex = 0 | 1;
 
-/** `nova 2`, `the black hole`. */
+/** Names an object: `nova 2`, `the black hole`. */
 export const bodyInWords = ({ kind, index }: Touched, first: FirstIndex = 0): string =>
   KINDS[kind].list === null ? `the ${KINDS[kind].one}` : `${nameWhenTouched(kind)} ${first + index}`;
 
@@ -23,8 +24,8 @@ const touchedInWords = (touched: Touched | null, first: FirstIndex): string =>
   touched === null ? 'something' : bodyInWords(touched, first);
 
 /**
- * How a run ended, as a report has it: `collided with nova 2 at 3.217 s (tick 193)`.
- * @param range of the level, px
+ * How a run ended, for a report: `collided with nova 2 at 3.217 s (tick 193)`.
+ * @param range range of the level, px
  */
 export function outcomeInWords(end: RunEnd, range: number, first: FirstIndex = 0): string {
   const when = `at ${end.time.toFixed(3)} s (tick ${end.tick})`;
@@ -41,8 +42,8 @@ export function outcomeInWords(end: RunEnd, range: number, first: FirstIndex = 0
 }
 
 /**
- * The same as what follows a subject, "she" or the name of a run, in a sentence to people who see the level: `collides with nova 3 at 3.22 s`.
- * @param range of the level, px
+ * How a run ended, as the predicate of a sentence about her or the run: `collides with nova 3 at 3.22 s`.
+ * @param range range of the level, px
  */
 export function outcomeAsPredicate(end: RunEnd, range: number): string {
   const when = `at ${end.time.toFixed(2)} s`;
@@ -59,8 +60,8 @@ export function outcomeAsPredicate(end: RunEnd, range: number): string {
 }
 
 /**
- * Why a run failed, in a few words for the place where it did: `hits nova 3`; null: it did not.
- * @param range of the level, px
+ * Why a run failed, in a few words for the place where it did: `hits nova 3`; null when it completed the level.
+ * @param range range of the level, px
  */
 export function reasonInWords(end: RunEnd, range: number): string | null {
   switch (end.outcome) {
@@ -75,5 +76,5 @@ export function reasonInWords(end: RunEnd, range: number): string | null {
   }
 }
 
-/** How many different minerals a run collected; `arcade` may count one twice. */
+/** How many different minerals a run collected. Each counts once, although `arcade` may count one twice. */
 export const countMinerals = (run: Pick<Run, 'minerals'>): number => new Set(run.minerals.map(({ index }) => index)).size;

@@ -1,6 +1,6 @@
 import type { Verdict } from '../../schema/index.ts';
 
-/** What a verdict on a level means where it needs attention, as a sentence begins. */
+/** The meaning of each verdict that needs attention, as the beginning of a sentence. */
 export const VERDICT_MEANS: Readonly<Record<Exclude<Verdict, 'completable'>, string>> = {
   broken: 'none of its runs completes it',
   unproven: 'nothing shows that it can be completed',

@@ -1,6 +1,6 @@
 import type { ProofCode } from './proof.ts';
 
-/** Codes of the engine's warnings that say less than what was proved. */
+/** The engine's warning, by its code, that says less than a proof of each kind and is dropped when there is such a proof. */
 export const OUTDONE_WARNINGS: Readonly<Partial<Record<ProofCode, string>>> = {
   'out-of-range': 'black-hole-out-of-reach',
   covered: 'black-hole-covered',

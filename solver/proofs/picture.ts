@@ -15,18 +15,43 @@ interface Place {
   readonly y: number;
 }
 
-/** What a drawn disc or line means. */
+/**
+ * The meaning of a drawn disc or line:
+ * - `blocked`: her centre cannot be inside the disc
+ * - `range`: she is lost outside all of these discs
+ * - `thing`: her box could touch the object from inside the disc
+ * - `barrier`: a closed line that she cannot cross
+ * - `stretch`: a line that she cannot leave
+ * - `reach`: a square through which she may come
+ */
 export type ProofRole = 'blocked' | 'range' | 'thing' | 'barrier' | 'stretch' | 'reach';
 
-/** What to draw over a picture of the level to show a proof; px in the level's own coordinates. */
+/** What to draw over a picture of the level to show a proof. Coordinates are px of the level. */
 export interface ProofPicture {
-  /** `blocked`: where her centre can't be; `range`: outside all of these she is lost; `thing`: where her box could touch it */
-  readonly discs: readonly (Place & { readonly radius: number; readonly role: ProofRole })[];
-  /** `barrier`: a closed line that she can't cross; `stretch`: the line that she can't leave; `reach`: squares she may come through */
-  readonly lines: readonly { readonly points: readonly Place[]; readonly closed: boolean; readonly role: ProofRole }[];
+  /** Discs to draw. */
+  readonly discs: readonly (Place & {
+    /** Radius, px. */
+    readonly radius: number;
+    /** The meaning of the disc. */
+    readonly role: ProofRole;
+  })[];
+  /** Lines to draw. */
+  readonly lines: readonly {
+    /** The corners of the line. */
+    readonly points: readonly Place[];
+    /** Whether the last corner is joined to the first. */
+    readonly closed: boolean;
+    /** The meaning of the line. */
+    readonly role: ProofRole;
+  }[];
 }
 
-/** The picture of a proof that `proveImpossible` or `proveMineralsUnreachable` gave for this level. */
+/**
+ * Computes the picture of a proof.
+ * @param level the level that the proof is about
+ * @param proof a proof that {@link proveImpossible}, {@link proveBy} or {@link proveMineralsUnreachable} found for this level
+ * @returns the discs and lines to draw
+ */
 export function proofPicture(level: Level, { about, certificate, maxTime }: Proof): ProofPicture {
   const thing = about.kind === 'blackHole' ? level.blackHole : level.minerals[about.index];
   const box = boxOf(rulesOf(level));

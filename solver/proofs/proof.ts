@@ -1,118 +1,174 @@
 import type { AccuracyName } from '../../engine/index.ts';
 
-/** What a proof says can never be touched. */
-export type About = { readonly kind: 'blackHole' } | { readonly kind: 'mineral'; readonly index: number };
+/** What a proof says can never be touched: the black hole, or one of the minerals. */
+export type About =
+  | {
+      /** The proof is about the black hole. */
+      readonly kind: 'blackHole';
+    }
+  | {
+      /** The proof is about a mineral. */
+      readonly kind: 'mineral';
+      /** Index in the level's list of minerals, from 0. */
+      readonly index: number;
+    };
 
-/** A thing of the level, by its place in the level's own list of that kind. */
+/** A reference to an object of the level. */
 export interface ThingRef {
+  /** The kind of the object. */
   readonly kind: 'nova' | 'asteroid' | 'alien' | 'blackHole';
+  /** Index in the level's list of that kind, from 0; 0 for the black hole. */
   readonly index: number;
 }
 
-/** What blocks a piece of a barrier: a thing that stands still, or that all of it is out of range. */
-export type Blocker = ThingRef | { readonly kind: 'range' };
+/** What blocks an edge of a barrier: an object that stands still, or the fact that the edge is out of every asteroid's range. */
+export type Blocker =
+  | ThingRef
+  | {
+      /** The edge is out of range. */
+      readonly kind: 'range';
+    };
 
-/** The corner of a barrier, px, and what blocks the straight edge from here to the next corner; after the last comes the first. */
+/** A corner of a barrier, with the straight edge from it to the next corner. The last edge leads back to the first corner. */
 export interface BarrierEdge {
+  /** x of the corner, px. */
   readonly x: number;
+  /** y of the corner, px. */
   readonly y: number;
+  /** What blocks the edge. */
   readonly by: Blocker;
 }
 
 /** A unit vector. */
 export type Direction = readonly [x: number, y: number];
 
-/** How all that she may do beyond the border to another asteroid's cell is followed. */
+/** How the motion beyond a border is followed, behind which another asteroid is nearer. */
 export interface DeadEnd {
-  /** the direction in which she goes forward whatever she does */
+  /** The direction in which she moves forward whatever she does. */
   readonly axis: Direction;
-  /** from one line across the axis to the next, px */
+  /** Distance between two lines across the axis, px. */
   readonly step: number;
 }
 
-/**
- * Where along a line her box must overlap something that ends the run, px from the start; or where she can't go back beyond; or where another
- * asteroid becomes the nearer one, and whatever she does from there ends at hazards.
- */
+/** One end of the stretch on which a line trap holds her. */
 export interface LineEnd {
+  /** Distance from the start, px; positive towards the asteroid. */
   readonly at: number;
-  readonly by: Blocker | { readonly kind: 'start' } | ({ readonly kind: 'dead-end' } & DeadEnd);
+  /**
+   * What stops her there: an object that her box must overlap; the end of the range; the start, behind which she cannot go back; or a
+   * dead end, where another asteroid becomes the nearest and all paths from there end at hazards.
+   */
+  readonly by:
+    | Blocker
+    | {
+        /** She cannot go back behind the start. */
+        readonly kind: 'start';
+      }
+    | ({
+        /** Another asteroid becomes the nearest here, and all paths beyond end at hazards. */
+        readonly kind: 'dead-end';
+      } & DeadEnd);
 }
 
-/** How far recoil can carry an asteroid along a line, px: towards the start or beyond it, and away from it. */
+/** How far recoil can carry an asteroid along a line. */
 export interface Drift {
+  /** The farthest towards the start and beyond it, px. */
   readonly back: number;
+  /** The farthest away from the start, px. */
   readonly ahead: number;
 }
 
-/** How finely all that she may do is followed, and along which axes. */
+/** The grid of a `doomed` certificate. */
 export interface FanGrid {
-  /** direction of its first axis, a unit vector; the second is a quarter turn from it, from x to y */
+  /** Direction of the first axis, a unit vector. The second axis is a quarter turn from it, in the sense from x to y. */
   readonly axis: readonly [number, number];
-  /** side of the squares that places are cut into, px */
+  /** Side of the squares that divide places, px. */
   readonly cell: number;
-  /** the same for velocities, px/s */
+  /** Side of the squares that divide velocities, px/s. */
   readonly bin: number;
-  /** length of a step, ticks of 1/60 s */
+  /** Length of a step, ticks of 1/60 s. */
   readonly frames: number;
-}
-
-/** Places and velocities, least and most of each along the axes of a grid: x, x, y, y, vx, vx, vy, vy; px from the start and px/s. */
-export type BoxNumbers = readonly number[];
-
-/** Certificate of all that she may do until it is over. */
-export interface Doomed {
-  readonly kind: 'doomed';
-  readonly grid: FanGrid;
-  /** for the start, and for the end of each step but the last: boxes that hold every run that goes on; after the last step none does */
-  readonly layers: readonly (readonly BoxNumbers[])[];
-}
-
-/** How finely all that she may do is followed as sets bounded by where she would drift to. */
-export interface PipeGrid {
-  /** direction of its first axis, a unit vector; the second is a quarter turn from it, from x to y */
-  readonly axis: Direction;
-  /** side of the squares that the places she would drift to are cut into, px */
-  readonly cell: number;
-  /** length of a step, ticks of 1/60 s */
-  readonly frames: number;
-  /** after so many steps everything is over */
-  readonly steps: number;
-  /** sets are kept apart by which of so many parts of half a turn her box points into */
-  readonly turns: number;
-}
-
-/** A strip taken off a set, since a hazard overlaps her box in all of it: beyond `at` px in one of eight directions, eighths of a turn from the first axis. */
-export interface Strip {
-  readonly by: ThingRef;
-  readonly side: number;
-  readonly at: number;
-}
-
-/** What becomes of a part of a set: strips are taken off, and what is left goes into a set of the next step; null: nothing is left, or all is out of range. */
-export interface PipePart {
-  readonly off: readonly Strip[];
-  readonly to: number | null;
 }
 
 /**
- * How a set goes on: where it is cut, px, by the places she drifts to at the two moments of the grid (x and y of the earlier, x and y of the later), and what
- * becomes of each part; those along the last cuts come one after the other.
+ * A box of places and velocities: least and greatest along each axis of a grid, in the order x, x, y, y, vx, vx, vy, vy. Places
+ * are px from the start, velocities px/s.
  */
+export type BoxNumbers = readonly number[];
+
+/** The certificate of a `doomed` proof: sets that contain every state she can reach, until every run has ended. */
+export interface Doomed {
+  /** The kind of the certificate. */
+  readonly kind: 'doomed';
+  /** The grid of its boxes. */
+  readonly grid: FanGrid;
+  /**
+   * Boxes that contain the states of all runs that are still going on: at the start, and at the end of each step but the last.
+   * No run goes on after the last step.
+   */
+  readonly layers: readonly (readonly BoxNumbers[])[];
+}
+
+/** The grid of a `flowpipe` certificate. */
+export interface PipeGrid {
+  /** Direction of the first axis, a unit vector. The second axis is a quarter turn from it, in the sense from x to y. */
+  readonly axis: Direction;
+  /** Side of the squares into which drift places are divided, px. */
+  readonly cell: number;
+  /** Length of a step, ticks of 1/60 s. */
+  readonly frames: number;
+  /** Every run has ended after this many steps. */
+  readonly steps: number;
+  /** Sets are separated by the angle of her box, into this many parts of half a turn. */
+  readonly turns: number;
+}
+
+/** A strip that is removed from a set, because a hazard overlaps her box everywhere in it. */
+export interface Strip {
+  /** The hazard. */
+  readonly by: ThingRef;
+  /** The direction of the strip in eighths of a turn from the first axis, 0 to 7. */
+  readonly side: number;
+  /** The strip begins this far along its direction, px. */
+  readonly at: number;
+}
+
+/** What happens to one part of a set. */
+export interface PipePart {
+  /** The strips that hazards remove. */
+  readonly off: readonly Strip[];
+  /** Index of the set of the next step that contains the rest; null when nothing is left or all of it is out of range. */
+  readonly to: number | null;
+}
+
+/** What happens to a set in one step. */
 export interface PipeStep {
+  /**
+   * Where the set is cut, px: four lists of cuts, by x and y of the drift place at the earlier of the grid's two moments, then
+   * by x and y at the later one.
+   */
   readonly cuts: readonly (readonly number[])[];
+  /** What happens to each part, in the order of the cuts; parts along the last list of cuts are adjacent. */
   readonly parts: readonly PipePart[];
 }
 
-/** Certificate of all that she may do until it is over, known by where she would drift to. */
+/**
+ * The certificate of a `flowpipe` proof: hints from which the checker computes sets that contain every state she can reach,
+ * until every run has ended.
+ */
 export interface Flowpipe {
+  /** The kind of the certificate. */
   readonly kind: 'flowpipe';
+  /** The grid of its sets. */
   readonly grid: PipeGrid;
-  /** for each step, and each set there is then, how it goes on when she presses in it, and when she doesn't; the start is one set */
+  /**
+   * For each step and each set of that step: what happens to it when she presses, and when she does not. The first step has one
+   * set, the start.
+   */
   readonly layers: readonly (readonly (readonly [pressed: PipeStep, free: PipeStep])[])[];
 }
 
-/** The kinds of proof. */
+/** The kinds of proof. See {@link Certificate} for what each of them rests on. */
 export type ProofCode =
   | 'nothing-in-range'
   | 'starts-in-hazard'
@@ -123,55 +179,71 @@ export type ProofCode =
   | 'covered'
   | 'flowpipe';
 
-/** The ways to prove: `dead-end` makes proofs of the kind `line-trap`. */
+/** The provers by name. `dead-end` makes proofs of the kind `line-trap`. */
 export type Prover = ProofCode | 'dead-end';
 
 /**
- * What the checker in solver/verify needs to see that a proof holds: plain JSON, lengths in px.
- * - `nothing-in-range`: the level alone shows it
- * - `starts-in-hazard`: the hazard her box overlaps at time 0
- * - `out-of-range`: every asteroid she can ever be in range of, and every mouth of a wormhole she can ever come into; all others lie beyond gaps she can't cross
- * - `enclosed`: a closed line between the start and the thing, each edge of which one hazard blocks, or the range
- * - `line-trap`: the asteroid whose line she is bound to, the ends of the stretch that she can't leave, and with recoil how far the asteroid drifts
- *   while she swings between them
- * - `covered`: the level alone shows it
- * - `doomed`: all that she may do, as sets after each step; after the last none is left
- * - `flowpipe`: how to follow all that she may do: where to cut sets, and what ends which part of them, until none is left
+ * The data that the checker needs to confirm a proof: plain JSON, lengths in px. {@link verifyProof} trusts none of it.
  */
 export type Certificate =
-  | { readonly kind: 'nothing-in-range' }
-  | { readonly kind: 'starts-in-hazard'; readonly hazard: ThingRef }
   | {
+      /** She is lost at time 0. The level alone shows it. */
+      readonly kind: 'nothing-in-range';
+    }
+  | {
+      /** Her box overlaps a hazard at time 0. */
+      readonly kind: 'starts-in-hazard';
+      /** The hazard. */
+      readonly hazard: ThingRef;
+    }
+  | {
+      /** She cannot come into range of an asteroid from which the object could be touched. */
       readonly kind: 'out-of-range';
+      /** Indices of every asteroid that she can ever be in range of. All others lie beyond gaps that she cannot cross. */
       readonly asteroids: readonly number[];
-      /** 2 i for the mouth of wormhole i at (x, y), 2 i + 1 for the other; left out where there is none */
+      /** Every mouth that she can ever enter: 2 i for the mouth of wormhole i at (x, y), 2 i + 1 for its other mouth. Absent without wormholes. */
       readonly mouths?: readonly number[];
     }
-  | { readonly kind: 'enclosed'; readonly barrier: readonly BarrierEdge[] }
+  | {
+      /** A barrier separates the start from the object. */
+      readonly kind: 'enclosed';
+      /** The corners of the closed barrier, in order. */
+      readonly barrier: readonly BarrierEdge[];
+    }
   | LineTrap
   | Doomed
   | Flowpipe
-  | { readonly kind: 'covered' };
+  | {
+      /** Hazards cover the object. The level alone shows it. */
+      readonly kind: 'covered';
+    };
 
-/** Certificate of a line trap. */
+/** The certificate of a `line-trap` proof: she cannot leave a stretch of the line through her start and an asteroid. */
 export interface LineTrap {
+  /** The kind of the certificate. */
   readonly kind: 'line-trap';
+  /** Index of the asteroid whose pull keeps her on the line. */
   readonly target: number;
+  /** The end of the stretch on the side of the start. */
   readonly back: LineEnd;
+  /** The end of the stretch on the side of the asteroid. */
   readonly front: LineEnd;
-  /** null where there is no recoil, and where she only falls */
+  /** How far the asteroid drifts while she swings; null without recoil, and when she only falls towards it once. */
   readonly drift: Drift | null;
 }
 
-/** A proof that the black hole, or a mineral, can never be touched in a level, whatever the player does. */
+/** A proof that the black hole or a mineral can never be touched, whatever the player does. */
 export interface Proof {
+  /** The kind of the proof. */
   readonly code: ProofCode;
+  /** What can never be touched. */
   readonly about: About;
-  /** why, for a designer, in a sentence, and what to do about it */
+  /** The reason and a remedy, in one sentence for a designer. */
   readonly reason: string;
-  /** the accuracies it holds for: use it for no other */
+  /** The accuracies for which the proof holds. It says nothing about others. */
   readonly covers: readonly AccuracyName[];
-  /** it holds for runs up to this long, s; null: however long */
+  /** The proof holds for runs up to this length, s; null for runs of any length. */
   readonly maxTime: number | null;
+  /** What {@link verifyProof} needs to confirm the proof. */
   readonly certificate: Certificate;
 }

@@ -11,27 +11,46 @@ import { proveDeadEnds, proveLineTrap } from './line.ts';
 import type { About, Proof, Prover } from './proof.ts';
 import { type Setting, settingOf, type Thing, thingOf } from './setting.ts';
 
+/** For which runs a proof is sought, and what the search for it may cost. */
 export interface ProveOptions {
-  /** the accuracy the proof has to cover; when left out one that covers all is looked for first, then one that covers continuous time */
+  /**
+   * The accuracy that the proof has to cover. By default a proof that covers all accuracies is preferred, then one that covers
+   * continuous time.
+   */
   readonly accuracy?: AccuracyName;
-  /** longest run, s; 60 when left out. Only recoil makes a difference: it moves asteroids as long as a run lasts */
+  /**
+   * Length of the longest run, s; 60 by default. It matters only with recoil, which moves asteroids for as long as a run lasts.
+   */
   readonly maxTime?: number;
-  /** what looking for proofs may cost: used up, no more is found. No limit when left out */
+  /** Limits the work; when it is spent, no more proofs are found. There is no limit by default. */
   readonly budget?: WorkBudget;
 }
 
 type Kind = (setting: Setting, about: About, goal: Thing) => Proof | null;
 
-// those a designer understands at a glance first
+// Proofs that a designer understands at a glance come first.
 const CHEAP: readonly Prover[] = ['nothing-in-range', 'starts-in-hazard', 'out-of-range', 'line-trap'];
 
-/** Cost milliseconds each. */
+/** Provers that take milliseconds each. */
 const DEAR: readonly Prover[] = ['covered', 'enclosed', 'dead-end'];
 
-/** For so many minerals the dear ones are tried. */
+/** Levels with more minerals than this are examined by the cheap provers only. */
 const MOST_MINERALS = 64;
 
-/** A proof that the black hole can't be reached, or null where none is found: then it may still be out of reach. */
+/**
+ * Tries to prove that the black hole cannot be reached. The provers are tried from cheap to expensive; `doomed` and `flowpipe`,
+ * which may take seconds, come last.
+ * @param level the level
+ * @param options the accuracy, the length of the longest run and a limit on the work
+ * @returns a proof, or null when none was found; the black hole may then still be out of reach
+ * @example
+ * ```ts
+ * import { proveImpossible, verifyProof } from 'gravity-quest-toolkit/solver';
+ *
+ * const proof = proveImpossible(level, { accuracy: 'precise' });
+ * if (proof !== null && verifyProof(level, proof).ok) console.log(proof.reason);
+ * ```
+ */
 export function proveImpossible(level: Level, options: ProveOptions = {}): Proof | null {
   const settings = settingsOf(level, options);
   const goal = thingOf(level, level.blackHole);
@@ -39,7 +58,7 @@ export function proveImpossible(level: Level, options: ProveOptions = {}): Proof
   return prove(settings, [...CHEAP, ...DEAR], about, goal, options) ?? proveSoonOver(settings, about, goal, options);
 }
 
-/** Ways to prove, each by itself; `dead-end` makes proofs of the kind `line-trap`. */
+/** The provers by name. */
 export const PROVERS = {
   'nothing-in-range': proveNothingInRange,
   'starts-in-hazard': proveStartsInHazard,
@@ -52,16 +71,29 @@ export const PROVERS = {
   flowpipe: proveFlowpipe,
 } as const satisfies Record<Prover, Kind>;
 
-/** A proof by one of the ways alone, for who wants to know what that one would say; null where it finds none. */
+/**
+ * Tries one prover only.
+ * @param prover the name of the prover
+ * @param level the level
+ * @param about what is to be proved unreachable
+ * @param options the accuracy, the length of the longest run and a limit on the work
+ * @returns a proof, or null when this prover finds none
+ */
 export function proveBy(prover: Prover, level: Level, about: About, options: ProveOptions = {}): Proof | null {
   const goal = thingOf(level, about.kind === 'blackHole' ? level.blackHole : level.minerals[about.index]);
   return prove(settingsOf(level, options), [prover], about, goal, options);
 }
 
-/** A proof for each mineral that is proved to be out of reach in every run; of very many minerals only by what is cheap to prove. */
+/**
+ * Tries to prove of each mineral that no run can collect it. In levels with more than 64 minerals only the cheap provers are
+ * used.
+ * @param level the level
+ * @param options the accuracy, the length of the longest run and a limit on the work
+ * @returns one proof for each mineral that is proved unreachable, in the order of the level's list
+ */
 export function proveMineralsUnreachable(level: Level, options: ProveOptions = {}): Proof[] {
   const settings = settingsOf(level, options);
-  // where not all runs are over soon, that is so whatever mineral is looked at
+  // Whether all runs end soon does not depend on the mineral, so it is decided once.
   let isSoonOver: boolean | null = null;
   return level.minerals.flatMap((mineral, index) => {
     const about = { kind: 'mineral', index } as const;

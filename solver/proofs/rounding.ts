@@ -1,11 +1,14 @@
-/** Every bound is rounded outwards by this much, px, and by {@link RELATIVE} of the lengths in it: far more than rounding can take. */
+/**
+ * Every bound is rounded outwards by this many px, and by {@link RELATIVE} of the lengths in it: far more than the rounding
+ * errors of doubles.
+ */
 const ABSOLUTE = 1e-6;
 const RELATIVE = 1e-9;
 
-/** How far two lengths must differ at least to count as different, px. */
+/** The least difference by which two lengths count as different, px. */
 export const margin = (a: number, b: number): number => ABSOLUTE + RELATIVE * (Math.abs(a) + Math.abs(b));
 
-/** Whether a length is less than another by more than rounding can account for. */
+/** Whether a length is less than another by more than rounding can explain. */
 export const surelyLess = (a: number, b: number): boolean => a < b - margin(a, b);
 
 /** Distance between two places, px. */

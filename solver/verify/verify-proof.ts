@@ -12,16 +12,39 @@ import { checkLineTrap } from './line-trap.ts';
 import { checkOutOfRange } from './out-of-range.ts';
 import { isIndex } from './rounded.ts';
 
-/** What the checker says of a proof: that it holds, or the first thing that doesn't. */
-export type Verification = { readonly ok: true } | { readonly ok: false; readonly why: string };
+/** The result of checking a proof. */
+export type Verification =
+  | {
+      /** The proof holds. */
+      readonly ok: true;
+    }
+  | {
+      /** The proof does not hold. */
+      readonly ok: false;
+      /** The first thing that is wrong, as a clause in English. */
+      readonly why: string;
+    };
 
 const PLAYS: Readonly<Record<AccuracyName, Play>> = { arcade: 'frames', fast: 'steps', standard: 'steps', precise: 'exact' };
 
 const wrong = (why: string): Verification => ({ ok: false, why });
 
 /**
- * Checks a proof from nothing but the level and the certificate, without searching: for every accuracy that it claims to
- * cover. Shares no code with what makes proofs. The proof may come from a file: nothing about it is taken for granted but that it is JSON.
+ * Checks a proof. It uses only the level and the certificate, does not search, and shares no code with the provers. It checks
+ * every accuracy that the proof claims to cover. The proof may come from a file: nothing is assumed about it except that it is
+ * JSON.
+ *
+ * What each check rests on is written at the head of its file in `solver/verify`, and in `docs/proofs.md`.
+ * @param level the level that the proof is about
+ * @param proof the proof, possibly damaged or forged
+ * @returns whether the proof holds, and if not, why
+ * @example
+ * ```ts
+ * import { verifyProof } from 'gravity-quest-toolkit/solver';
+ *
+ * const result = verifyProof(level, JSON.parse(text));
+ * if (!result.ok) console.error(`the proof is refused: ${result.why}`);
+ * ```
  */
 export function verifyProof(level: Level, proof: Proof): Verification {
   const { about, covers, maxTime, certificate, code } = proof;
@@ -48,7 +71,7 @@ export function verifyProof(level: Level, proof: Proof): Verification {
   return { ok: true };
 }
 
-// what can be seen at time 0 needs no time
+// What is visible at time 0 does not depend on the length of a run.
 const needsTime = (certificate: Certificate): boolean =>
   certificate?.kind !== 'nothing-in-range' && certificate?.kind !== 'starts-in-hazard';
 
