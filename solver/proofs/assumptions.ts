@@ -2,8 +2,14 @@ import { EFFECTS, TICK } from '../../engine/index.ts';
 import type { Level, RuleName, Rules } from '../../schema/index.ts';
 import type { Prover } from './proof.ts';
 
-// What provers take for granted about the game. The checker has declarations of its own (solver/verify/assumptions.ts): what is
-// wrong in a list that both read would be wrong for both. All they have in common is the engine's names and the table of rules.
+// What provers assume about the game: the effects that each of them understands, and the bounds that follow from the effects.
+// The checker has its own declarations (solver/verify/assumptions.ts), because an error in a list that both read would be an
+// error in both. They share only the engine's names and the table of rules.
+//
+// Winds and wormholes: what happens at the start happens before either acts. `out-of-range` follows wormholes, `enclosed`
+// requires both mouths of each on one side of the barrier, `covered` claims nothing about minerals in levels with wormholes,
+// and `doomed` follows winds. All other provers keep clear of winds and mouths: none may come near the stretch, or the places
+// of a step.
 
 const FORCES = ['gun', 'recoil', 'repulsor', 'winds', 'speed-limit'];
 const JUMPS = ['wormholes'];
@@ -12,8 +18,9 @@ const THINGS = ['novae', 'hot-asteroids', 'minerals', 'black-hole', 'range'];
 const GAME = [...FORCES, ...JUMPS, ...ALIENS, ...THINGS];
 
 /**
- * The effects that each way to prove understands: whatever they do is followed, or shown not to matter. In a level that calls for
- * any other effect it proves nothing.
+ * The effects that each prover understands: it follows what they do, or shows that it does not matter. A prover proves nothing
+ * in a level that calls for any other effect, even for one that only ends runs, because an effect may move or turn what it
+ * kills.
  */
 const UNDERSTOOD: Readonly<Record<Prover, readonly string[]>> = {
   'nothing-in-range': GAME,
@@ -22,13 +29,13 @@ const UNDERSTOOD: Readonly<Record<Prover, readonly string[]>> = {
   covered: GAME,
   enclosed: GAME,
   'line-trap': GAME,
-  // recoil moves the border between two asteroids
+  // Recoil moves the border between two asteroids.
   'dead-end': GAME.filter((name) => name !== 'recoil'),
   doomed: GAME,
   flowpipe: GAME,
 };
 
-/** The numbers of the game that bounds are made of. A level that sets any other is proved by nobody. */
+/** The rules from which bounds are derived. A level that sets any other rule has no proof. */
 const RULES_READ: readonly RuleName[] = [
   'pull',
   'recoil',
@@ -40,7 +47,7 @@ const RULES_READ: readonly RuleName[] = [
   'boxHeight',
 ];
 
-/** What of the game a level has to do with: the names of the effects that it calls for, and of rules of its own that nobody reads. */
+/** Names of the effects that a level calls for, and of rules that it sets and no prover reads. */
 export const effectsOf = (level: Level): readonly string[] => [
   ...EFFECTS.filter((effect) => effect.calledFor(level).called).map(({ name }) => name),
   ...Object.keys(level.rules ?? {})
@@ -48,53 +55,57 @@ export const effectsOf = (level: Level): readonly string[] => [
     .map((name) => `the rule ${name}`),
 ];
 
-/** Why a way to prove says nothing where these effects act; null where it understands all of them. */
+/** Why a prover says nothing where these effects act; null when it understands all of them. */
 export function whyNotTried(prover: Prover, effects: readonly string[]): string | null {
   const other = effects.filter((name) => !UNDERSTOOD[prover].includes(name));
   return other.length === 0 ? null : `the level calls for ${other.join(', ')}, which ${prover} does not understand`;
 }
 
-/** The most that anything can accelerate her, px/s2: the gun and a field never act at once, and winds add to either. */
+/** The greatest possible acceleration, px/s²: the gun and a field never act at the same time, and winds add to either. */
 export const strongestPush = ({ repulsors, winds }: Level, { pull, push }: Rules): number =>
   Math.max(pull, repulsors.length > 0 ? push : 0) + winds.reduce((sum, { ax, ay }) => sum + Math.sqrt(ax * ax + ay * ay), 0);
 
 /**
- * The fastest she may be, px/s, after a way of so many px in one direction. Lemma `speed`.
- * @param strongest what accelerates her at most, px/s2
- * @param before her speed before, px/s, squared
+ * The fastest she may be, px/s, after moving `way` px in one direction (lemma `speed`, an energy bound).
+ * @param strongest the greatest acceleration, px/s²
+ * @param before the square of her speed before, (px/s)²
  */
 export const speedAfter = (strongest: number, way: number, before = 0): number => Math.sqrt(before + 2 * strongest * way);
 
-/** Farther than this, px, no push takes her from her straight way in a time, s, that is given squared: a t2 / 2. */
+/** How far pushes can take her from a straight path, px: a t² / 2. The time is given squared, s². */
 export const bendWithin = (strongest: number, square: number): number => strongest * square * 0.5;
 
-/** A level, and the game's numbers in it. */
+/** A level and its rules. */
 interface Game {
   readonly level: Level;
   readonly rules: Rules;
 }
 
 /**
- * The farthest that recoil can carry an asteroid, px: a t2 / 2 with a = recoil / diameter all the time, and a hundredth. Lemma `drift`.
- * @param square the time squared, s2; frames make it a little longer
+ * The farthest that recoil can carry an asteroid, px: a t² / 2 with a = recoil / diameter all the time, plus 1 % (lemma
+ * `drift`).
+ * @param square the time squared, s²; slightly longer in frames
  */
 export const driftWithin = ({ level: { recoil, asteroids }, rules }: Game, asteroid: number, square: number): number =>
   recoil ? (rules.recoil * 1.01 * square) / (4 * asteroids[asteroid].radius) : 0;
 
-/** The same after some seconds of play, whether by frames or not. */
+/** The same after some seconds of play, in frames or in continuous time. */
 export const driftAfter = (game: Game, asteroid: number, seconds: number): number =>
   driftWithin(game, asteroid, seconds * (seconds + TICK));
 
-/** Slower than this, px/s, what is accelerated by no more than `strongest`, px/s2, doesn't come to the speed limit within a step, so that nothing bends its way. */
+/**
+ * Below this speed, px/s, an object that is accelerated by at most `strongest`, px/s², does not reach the speed limit within a
+ * step, so that the limit does not bend its path.
+ */
 export const unbentSpeed = ({ speedLimit }: Rules, strongest: number): number =>
   Math.min(0.98 * speedLimit, speedLimit - 2 * strongest * TICK);
 
-/** Slower than this, px/s, she may be followed for some steps at once without a thought of the speed limit. */
+/** Below this speed, px/s, she can be followed for several steps without regard to the speed limit. */
 export const easySpeed = ({ speedLimit }: Rules): number => speedLimit / 2;
 
 /**
- * Whether she is far from the speed limit all through a step of so many seconds that she begins slower than {@link easySpeed} on two axes, and
- * through the first.
+ * Whether she stays below the speed limit throughout the first step, and throughout every step of this many seconds that she
+ * begins below {@link easySpeed} on both axes.
  */
 export function isEasyFor({ level, rules, strongest }: Game & { readonly strongest: number }, seconds: number): boolean {
   const { vx, vy } = level.astronaut;
@@ -102,5 +113,5 @@ export function isEasyFor({ level, rules, strongest }: Game & { readonly stronge
   return Math.max(0.708 * rules.speedLimit, Math.sqrt(vx * vx + vy * vy)) + gain <= rules.speedLimit;
 }
 
-/** The farthest flight of one frame, px: at the speed limit on both axes. */
+/** The longest flight of one frame, px: at the speed limit on both axes. */
 export const fastestFrame = ({ speedLimit }: Rules): number => speedLimit * TICK * 1.4143;

@@ -7,12 +7,15 @@ import { ALL_ACCURACIES, CONTINUOUS, type Setting, type Thing } from './setting.
 
 const START = { x: 0, y: 0 };
 
-/** No asteroid in range of the start: she is lost at time 0, before she can do anything. */
+/**
+ * `nothing-in-range`: no asteroid is in range of the start, so she is lost at time 0, before any input counts. The checker
+ * measures the same distances with the level alone. Rests on the lemmas `reach` and `order`.
+ */
 export function proveNothingInRange(setting: Setting, about: About, goal: Thing): Proof | null {
   const { level } = setting;
   const { astronaut, asteroids, range } = level;
   const away = asteroids.map((a) => distance(a, astronaut));
-  // touched in the same instant, the black hole wins
+  // An object that she touches at time 0 counts before she is lost.
   if (!away.every((d) => surelyLess(range, d)) || !surelyLess(goal.touch, distance(goal, START))) return null;
   const where =
     asteroids.length === 0
@@ -30,12 +33,16 @@ export function proveNothingInRange(setting: Setting, about: About, goal: Thing)
   };
 }
 
-/** The box as it stands at time 0 overlaps a hazard. `arcade` turns it first where she presses in the first frame, and asks for the black hole before. */
+/**
+ * `starts-in-hazard`: her box overlaps a hazard at time 0. The witness is that hazard. `arcade` is covered only where the
+ * hazard overlaps her box at any angle and the object is not touched, because a press in the first frame turns the box and
+ * `arcade` tests the black hole before hazards. Rests on the lemmas `reach`, `order` and `upright`.
+ */
 export function proveStartsInHazard(setting: Setting, about: About, goal: Thing): Proof | null {
   const hazard = hazardAtStart(setting);
   if (hazard === null) return null;
   const clear = surelyLess(goal.touch, distance(goal, START));
-  // a mineral touched in the instant of the end still counts; the black hole doesn't, but in `arcade`
+  // A mineral that she touches in the instant of the end still counts; the black hole counts only in `arcade`.
   if (!clear && about.kind === 'mineral') return null;
   return {
     code: 'starts-in-hazard',
@@ -49,7 +56,7 @@ export function proveStartsInHazard(setting: Setting, about: About, goal: Thing)
 
 interface HazardAtStart {
   readonly ref: ThingRef;
-  /** whether it overlaps her box however that is turned */
+  /** Whether it overlaps her box at any angle. */
   readonly anyTurn: boolean;
 }
 

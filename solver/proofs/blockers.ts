@@ -1,7 +1,7 @@
 import type { About, Blocker } from './proof.ts';
 import type { Disc, Setting } from './setting.ts';
 
-/** A circle that ends the run on touch, and covers this much all the time; px from the start. */
+/** A circle that is deadly to touch and covers at least this area at all times; px from the start. */
 export interface StandingCircle {
   readonly of: Blocker;
   readonly x: number;
@@ -9,14 +9,14 @@ export interface StandingCircle {
   readonly radius: number;
 }
 
-/** A disc in which her centre can't be while the run goes on, and whose it is. */
+/** A disc in which her centre cannot be while the run goes on. */
 export interface BlockingDisc extends Disc {
   readonly of: Blocker;
 }
 
 /**
- * What ends the run on touch and stands still: novae, and hot asteroids as far as they cover the same place wherever recoil moves
- * them. For a mineral the black hole is one too: touching it ends the run.
+ * Everything that ends a run on contact and stands still: novae, and the part of each hot asteroid that stays covered wherever
+ * recoil moves it. For a mineral the black hole is included, because touching it ends the run.
  */
 export function standingCircles({ level, drift }: Setting, about: About): StandingCircle[] {
   const circles: StandingCircle[] = [];
@@ -32,9 +32,9 @@ export function standingCircles({ level, drift }: Setting, about: About): Standi
 }
 
 /**
- * The discs in which her centre can't be. Her box holds a circle about its centre as wide as its shorter side, however it is turned: so each
- * hazard blocks its radius and half that side more. Where she is looked at once a frame only, the straight way from one look to the
- * next stays out of a somewhat smaller disc: a chord of length `jump` cuts that deep.
+ * The discs in which her centre cannot be. At any angle her box contains a circle as wide as its shorter side, so each hazard
+ * blocks its radius plus half that side (lemma `reach`). If she is observed once per frame only, the segment between two
+ * observations outside a disc can enter it as deep as a chord of length `jump` (lemma `chord`), so the disc is reduced by that.
  */
 export function blockingDiscs(setting: Setting, about: About): BlockingDisc[] {
   const { jump, leastHalf } = setting;
@@ -44,7 +44,7 @@ export function blockingDiscs(setting: Setting, about: About): BlockingDisc[] {
   });
 }
 
-/** The discs of the range: outside all of them she is lost. Between two looks she may cut a corner. */
+/** The discs of the range; she is lost outside all of them. Between two observations she may cut a corner. */
 export function rangeDiscs({ level, drift, jump }: Setting): Disc[] {
   return level.asteroids.map(({ x, y }, i) => ({
     x: x - level.astronaut.x,

@@ -1,4 +1,4 @@
-/** Where an alien may be, and how fast: discs about a place and about a velocity, px and px/s. */
+/** Where an alien may be and how fast: discs of places and of velocities, px and px/s. */
 export interface ChaserDisc {
   readonly x: number;
   readonly y: number;
@@ -6,13 +6,13 @@ export interface ChaserDisc {
   readonly vx: number;
   readonly vy: number;
   readonly vr: number;
-  /** its own radius, px */
+  /** Radius of the alien, px. */
   readonly touch: number;
-  /** it may have exploded, or may be there still, and explode others */
+  /** Whether it may have exploded already. As it may also still be there, it may still explode others. */
   readonly doubtful: boolean;
 }
 
-/** A disc of accelerations, or of velocities. */
+/** A disc of accelerations or of velocities. */
 interface Span {
   readonly x: number;
   readonly y: number;
@@ -22,8 +22,9 @@ interface Span {
 const SLACK = 1e-6;
 
 /**
- * Where aliens may be `seconds` later while she is anywhere in a rectangle (least and most of x and y). Nearer than `sight` one is accelerated by `pull`
- * towards her; otherwise it stops dead. Two that may touch may explode.
+ * Where aliens may be after `seconds`, while she is anywhere in a rectangle (least and greatest x and y). An alien that is
+ * closer than `sight` is accelerated towards her by `pull`; otherwise it stops dead. Two that may touch may explode (lemma
+ * `chasers`).
  */
 export function chase(
   aliens: readonly ChaserDisc[],
@@ -50,7 +51,7 @@ export function chase(
     if (rests && d - around - alien.r > sight + SLACK) return { ...alien, doubtful };
     let a: Span = blur > d / 2 ? { x: 0, y: 0, r: pull } : { x: (pull * dx) / d, y: (pull * dy) / d, r: (1.1 * pull * blur) / d };
     let v: Span = { x: alien.vx, y: alien.vy, r: alien.vr };
-    // it may stop dead at any time: it is no faster than what it was by then or from then on
+    // It may stop dead at any time, so its velocity lies between zero and what it would be otherwise.
     if (d + blur > sight - SLACK) {
       a = withZero(a);
       v = withZero(v);
@@ -70,7 +71,7 @@ export function chase(
   });
 }
 
-/** Discs that hold both of two. */
+/** Discs that contain both of two sets of discs. */
 export function joinedChasers(a: readonly ChaserDisc[], b: readonly ChaserDisc[]): readonly ChaserDisc[] {
   return a.map((one, i) => {
     const other = b[i];

@@ -6,7 +6,7 @@ export interface Vertex {
 
 const turn = (o: Vertex, a: Vertex, b: Vertex): number => (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
 
-/** The corners of the convex hull of some points, one way round. */
+/** The corners of the convex hull of some points, in order around it. */
 export function convexHull(points: readonly Vertex[]): Vertex[] {
   const sorted = [...points].sort((a, b) => a.x - b.x || a.y - b.y);
   const chain = (ordered: readonly Vertex[]): Vertex[] => {
@@ -22,7 +22,7 @@ export function convexHull(points: readonly Vertex[]): Vertex[] {
   return lower.length < 2 ? lower : [...lower.slice(0, -1), ...upper.slice(0, -1)];
 }
 
-/** What of a convex polygon lies where `side`, which is linear, isn't negative. */
+/** The part of a convex polygon in which the linear function `side` is not negative. */
 export function cutOff(polygon: readonly Vertex[], side: (p: Vertex) => number): Vertex[] {
   return polygon.flatMap((a, i) => {
     const b = polygon[(i + 1) % polygon.length];
@@ -35,7 +35,7 @@ export function cutOff(polygon: readonly Vertex[], side: (p: Vertex) => number):
   });
 }
 
-/** What of a convex polygon lies between two places along x. */
+/** The part of a convex polygon between two values of x. */
 export const between = (polygon: readonly Vertex[], from: number, to: number): Vertex[] =>
   cutOff(
     cutOff(polygon, (p) => p.x - from),

@@ -5,27 +5,35 @@ import { distance, surelyLess } from './rounding.ts';
 import { px, subject, thing } from './say.ts';
 import { CONTINUOUS, type Setting, type Thing } from './setting.ts';
 
-/** Poses nearer to each other than this aren't told apart, px. */
+/** Sets of poses smaller than this are not divided any further, px. */
 const FINEST = 0.1;
 
-/** More sets of poses than this aren't looked at. */
+/** The most sets of poses to examine. */
 const MOST_POSES = 200_000;
 
-/** The direction of the box's short side, a unit vector. */
+/** The direction of the box's x axis, a unit vector. */
 interface Turn {
   readonly cos: number;
   readonly sin: number;
 }
 
 /**
- * Wherever her box touches the thing, and however it is turned, it overlaps a hazard as well: then the hazard ended the run before, or in the
- * same instant, in which it wins. In `arcade` the black hole does. A mineral wins, too, over a hazard that a press turns her
- * into: there her centre must be where every turn of the box overlaps one.
+ * `covered`: every pose (place and angle) in which her box touches the object overlaps a hazard as well. The hazard then ends
+ * the run earlier, or at the same instant, and at the same instant it counts before the black hole. `arcade` tests the black
+ * hole first and is not covered.
+ *
+ * A mineral that is touched at the same instant does count, for example when a press turns her box into a hazard. For minerals,
+ * therefore, her centre must lie where every angle of the box overlaps a hazard.
+ *
+ * The proof divides the set of poses recursively (branch and bound). A box moved by some px, or turned so that no corner moves
+ * farther, changes its distance to a circle by no more than that. So one pose decides for all poses around it, and the
+ * certificate is empty: the checker repeats the division by itself. Rests on the lemmas `way`, `reach`, `order`, `drift` and
+ * `mouths`.
  */
 export function proveCovered(setting: Setting, about: About, goal: Thing): Proof | null {
   const { level, jump, maxTime, rules, box } = setting;
   if (jump > 0 || !surelyLess(goal.touch, distance(goal, { x: 0, y: 0 }))) return null;
-  // she who comes out of a mouth may touch a mineral from where she can't be otherwise
+  // A wormhole may put her where she could not be otherwise, and a mineral touched there counts.
   if (about.kind === 'mineral' && level.wormholes.length > 0) return null;
   const near = standingCircles(setting, about).filter((c) => distance(c, goal) < goal.touch + c.radius + box.halfDiagonal);
   if (near.length === 0) return null;
@@ -62,7 +70,7 @@ class Cover {
     this.budget = budget;
   }
 
-  /** Whether every pose that touches the thing overlaps a hazard. The box looks the same after half a turn. */
+  /** Whether every pose that touches the object overlaps a hazard. Half a turn does not change the box. */
   isWhole(): boolean {
     const { x, y, touch } = this.goal;
     const right = { cos: 1, sin: 0 };
@@ -70,10 +78,10 @@ class Cover {
     return this.holds(x, y, touch, right, down) && this.holds(x, y, touch, down, { cos: -1, sin: 0 });
   }
 
-  /** Whether it holds for the places of a square about (x, y) and the turns from `a` to `b`. */
+  /** Whether this holds for the places of a square around (x, y) and the angles from `a` to `b`. */
   private holds(x: number, y: number, half: number, a: Turn, b: Turn): boolean {
     if (++this.poses > MOST_POSES) return false;
-    // how far a corner moves when the box turns by a chord of 1
+    // The distance that a corner moves when the box turns by a chord of 1.
     const lever = this.box.halfDiagonal;
     const middle = between(a, b);
     const chord = Math.max(chordOf(middle, a), chordOf(middle, b));
@@ -90,7 +98,7 @@ class Cover {
       }
       best = Math.min(best, depth);
     }
-    // the pose in the middle is a counterexample, or as good as one
+    // The central pose is a counterexample, or so close to one that dividing further would not help.
     if ((touch < 0 && best >= 0) || reach < FINEST) return false;
     if (half > lever * chord) {
       const h = half / 2;

@@ -7,34 +7,34 @@ import { type RimDisc, rimDiscs } from './rims.ts';
 import { distance, margin, surelyLess } from './rounding.ts';
 import type { Setting, Thing } from './setting.ts';
 
-/** From one line across to the next, px. */
+/** Distance between two lines across the axis, px. */
 const STEP = 1;
 
-/** The pieces of such a line that hazards are asked for, px. */
+/** Length of the pieces of such a line that are tested against hazards, px. */
 const PIECE = 1;
 
-/** So far beside the line she may be as she leaves it, px, and her slope off by so much: rounding is far below it. */
+/** How far beside the line she may be when she leaves it, px, and the error of her slope. Rounding is far below both. */
 const BESIDE = 0.01;
 const ASKEW = 1e-6;
 
-/** Hazards count only as deep as this, px: an integrator may take the push of a place just inside. */
+/** A hazard counts from this depth on, px, because an integrator may use the push of a place just inside. */
 const DEEP = 0.05;
 
-/** What every bound on slopes and on places where another asteroid is nearer is rounded outwards by. */
+/** Bounds on slopes, and on places where another asteroid is nearer, are rounded outwards by this. */
 const SLACK = 1e-6;
 
-/** Two distances that differ by less are a tie, px. */
+/** Two distances that differ by less count as equal, px. */
 const TIE = 1e-7;
 
-/** Steeper ways, and what pushes her from nearer than this, px, are not followed. */
+/** Steeper paths are not followed, nor pushes from closer than this, px. */
 const STEEPEST = 6;
 const NEAREST = 0.5;
 
-/** More fronts than this, or comparisons with asteroids, and the end is open for all that is known. */
+/** The most fronts, and the most comparisons of asteroids. */
 const MOST_FRONTS = 1500;
 const MOST_COMPARISONS = 400_000;
 
-/** Directions of her box nearer to each other than this, as a chord, aren't told apart. */
+/** Ranges of directions of her box with a smaller chord are not divided any further. */
 const FINEST_TURN = 0.002;
 
 interface Place {
@@ -42,10 +42,10 @@ interface Place {
   readonly y: number;
 }
 
-/** Least and most. */
+/** Least and greatest. */
 type Span = readonly [least: number, most: number];
 
-/** What may push her: its centre, towards it or away from it, and where along a line across. */
+/** A possible push: its centre, whether it points towards the centre, and where it acts along a line across. */
 interface Push {
   readonly centre: Place;
   readonly towards: boolean;
@@ -54,8 +54,8 @@ interface Push {
 }
 
 /**
- * Everything she may do as she comes to a line across the axis: a convex set of places across (`x` of a vertex, px) and slopes of her way (`y`: px across for
- * each along), and the slopes along which the short side of her box may lie.
+ * The set of states in which she may cross a line: a convex polygon in place across (`x` of a vertex, px) and slope of her path
+ * (`y`: px across per px along), and the slopes of the x axis of her box.
  */
 interface Front {
   readonly ways: readonly Vertex[];
@@ -63,11 +63,17 @@ interface Front {
 }
 
 /**
- * Beyond the border to another asteroid's cell every push, and so her way, goes forward along some axis. Her slope to this axis then only ever turns
- * towards the slopes of the pushes there, however fast she is and whenever she presses. So all that she may do is followed from line to line across the
- * axis, until hazards or the end of the range have stopped all of it: a dead end.
+ * Tries to prove that everything she may do beyond a border, where another asteroid becomes the nearest, ends at hazards.
+ *
+ * The invariant: along some axis every push beyond the border points forward, and so does her motion. Her velocity is a sum of
+ * the earlier one and of pushes, all with positive weights, so the slope of her path only ever turns towards the slopes of the
+ * pushes, whatever her speed and whenever she presses (lemma `slopes`). It follows that a convex set of places and slopes,
+ * propagated from line to line across the axis, contains everything that she may do. Hazards and the end of the range cut parts
+ * off the set; the end is dead when nothing is left. The previous asteroid must never become the nearest again (lemma
+ * `leaving`), and no part may come near the object. With recoil the border would move, and with frames she could jump over it,
+ * so neither is covered.
  * @param apex where she leaves the line, px from the start
- * @param ahead the direction in which she does, a unit vector
+ * @param ahead her direction there, a unit vector
  * @param before the asteroid that pulled her before
  */
 export function findDeadEnd(
@@ -78,7 +84,7 @@ export function findDeadEnd(
   ahead: Place,
   before: number,
 ): DeadEnd | null {
-  // she may jump over the border between two asteroids; recoil would move it
+  // In frames she may jump over the border between two asteroids, and recoil would move it.
   if (setting.level.recoil || setting.jump > 0) return null;
   const takers = takersAt(setting, apex, before);
   if (takers.length === 0) return null;
@@ -101,7 +107,7 @@ function unit({ x, y }: Place): Direction | null {
   return length < 0.1 ? null : [x / length, y / length];
 }
 
-/** Where she may come in a dead end: the corners of four-sided pieces, px from the start. */
+/** Where she may come in a dead end: corners of quadrilaterals, px from the start. */
 export function placesIn(
   setting: Setting,
   goal: Thing,
@@ -124,14 +130,14 @@ export function placesIn(
   );
 }
 
-/** The asteroids that are no farther than the one before at the apex. */
+/** The asteroids that are as near at the apex as the previous one. */
 function takersAt({ level: { asteroids, astronaut } }: Setting, apex: Place, before: number): number[] {
   const here = { x: apex.x + astronaut.x, y: apex.y + astronaut.y };
   const old = distance(asteroids[before], here);
   return [...asteroids.keys()].filter((i) => i !== before && distance(asteroids[i], here) < old + TIE);
 }
 
-/** All that she may do beyond the apex; places in px from there, along the axis and across. */
+/** Propagates everything that she may do beyond the apex. Places are px from the apex, along the axis and across. */
 class March {
   private readonly range: number;
   private readonly strongest: number;
@@ -147,9 +153,9 @@ class March {
   private readonly rims: readonly RimDisc[];
   private readonly ahead: Place;
   private comparisons = 0;
-  /** all slopes of her way so far */
+  /** All slopes of her path so far. */
   private slopes: Span;
-  /** where she may come: between a place along the axis and a step on, from where to where across */
+  /** Where she may come between a line and the next: the spans across on both. */
   readonly pieces: { readonly line: number; readonly before: Span; readonly after: Span }[] = [];
 
   constructor(
@@ -181,7 +187,7 @@ class March {
     this.slopes = [this.ahead.y / this.ahead.x, this.ahead.y / this.ahead.x];
   }
 
-  /** Whether all of it comes to an end, none of it near the thing or back into the cell before. */
+  /** Whether all of it ends, and none of it comes near the object or back into the previous asteroid's cell. */
   isShut(): boolean {
     if (this.ahead.x * STEEPEST < Math.abs(this.ahead.y)) return false;
     const [slope] = this.slopes;
@@ -201,7 +207,7 @@ class March {
     return !this.isTooLong() && this.takers.some((i) => this.leavesBehind(i));
   }
 
-  /** Whether from one end of all this to the other, and over the whole line before, she may become so fast that the speed limit bends her way. */
+  /** Whether she may become so fast, over all of this and the line before, that the speed limit bends her path. */
   private isTooLong(): boolean {
     let far = 0;
     for (const { line, before, after } of this.pieces) {
@@ -210,14 +216,14 @@ class March {
     return speedAfter(this.strongest, 2 * this.range + 2 * far) > this.unbent;
   }
 
-  /** Whether, with all slopes there were, she comes ever nearer to an asteroid than to the one before. */
+  /** Whether, with every slope that occurs, she comes nearer to an asteroid faster than to the previous one. */
   private leavesBehind(taker: number): boolean {
     const { x, y } = this.asteroids[taker];
     const old = this.asteroids[this.before];
     return this.slopes.every((slope) => x - old.x + slope * (y - old.y) > SLACK);
   }
 
-  /** What a front becomes a step on; null where it can't be followed, or comes near the thing. */
+  /** Propagates a front by one step; null when this is not possible or the front comes near the object. */
   private advance({ ways, box }: Front, line: number): Front | null {
     const places = spanOf(ways.map(({ x }) => x));
     const slopes = spanOf(ways.map(({ y }) => y));
@@ -238,7 +244,10 @@ class March {
     }
   }
 
-  /** What may push her between two lines across, where `places` bounds her; null when some of it may push her back, or when it takes too many comparisons to tell. */
+  /**
+   * Everything that may push her between two lines, within `places` across; null when some of it may push her back, or when the
+   * number of comparisons is exceeded.
+   */
   private pushes(line: number, places: Span): Push[] | null {
     const end = line + STEP;
     const pushes: Push[] = [];
@@ -278,7 +287,7 @@ class March {
     return pushes;
   }
 
-  /** A front without what is over at this line. */
+  /** The parts of a front that are not stopped at this line. */
   private notOver({ ways, box }: Front, line: number): Front[] {
     const [least, most] = spanOf(ways.map(({ x }) => x));
     const [first, last] = box.map(directionOf);
@@ -302,7 +311,7 @@ class March {
     return left.map(([from, to]) => ({ ways: from === least && to === most ? ways : between(ways, from, to), box }));
   }
 
-  /** Whether a circle overlaps her box at all places between two, lying in any direction from one unit vector to another. */
+  /** Whether a circle overlaps her box at all places between two, with its axis in any direction between two unit vectors. */
   private isStopped(circle: StandingCircle, ends: readonly Place[], from: Place, to: Place): boolean {
     const { box } = this;
     const far = Math.max(...ends.map((p) => distance(p, circle)));
@@ -327,14 +336,14 @@ class March {
   }
 }
 
-/** Where between two places across, up to `STEP` farther along, an asteroid may be the nearest. */
+/** The places across, over one step, at which an asteroid may be the nearest. */
 function nearestWithin(rock: Place, others: readonly Place[], line: number, places: Span): Span {
   let [from, to] = places;
   for (const other of others) {
     if (other === rock) continue;
     const x = other.x - rock.x;
     const y = other.y - rock.y;
-    // nearer than the other where 2 p (other - rock) is at most |other|2 - |rock|2
+    // It is nearer than the other where 2 p (other - rock) <= |other|² - |rock|².
     const apart = x * (other.x + rock.x) + y * (other.y + rock.y);
     const most = apart - 2 * x * (x > 0 ? line : line + STEP) + margin(apart, x * line);
     if (y > 0) to = Math.min(to, most / (2 * y) + SLACK);
@@ -346,8 +355,8 @@ function nearestWithin(rock: Place, others: readonly Place[], line: number, plac
 }
 
 /**
- * What becomes of places and slopes a step on. She who starts at a place across with a slope, and whose pushes on the way have slopes within a span, has
- * slopes up to that span, or within it once she has come into it. Her place moves by a step times the mean of them.
+ * Propagates places and slopes by one step. If the pushes on the way have slopes within a span, her slope stays between its old
+ * value and that span, or within the span once it has entered it. Her place moves by the step times the mean slope.
  * @param aside how far across she may come within the step, px
  */
 function pushed(ways: readonly Vertex[], places: Span, line: number, aside: number, pushes: readonly Push[]) {
@@ -377,7 +386,7 @@ function pushed(ways: readonly Vertex[], places: Span, line: number, aside: numb
   return { ways: after, slopes: spanOf(after.map(({ y }) => y)), pulls };
 }
 
-/** Slopes of the pushes on a step that begins at a place across. */
+/** The slopes of the pushes in a step that begins at a place across. */
 function slopesAt(place: number, line: number, aside: number, pushes: readonly Push[]): Span {
   let least = Number.POSITIVE_INFINITY;
   let most = Number.NEGATIVE_INFINITY;

@@ -5,28 +5,37 @@ import { distance } from './rounding.ts';
 import { subject, thing } from './say.ts';
 import { ALL_ACCURACIES, CONTINUOUS, type Setting, type Thing } from './setting.ts';
 
-/** How finely, ticks a step and px and px/s a square: the coarse one is enough mostly. */
+/** Grids to try: ticks per step, and sides of the squares in px and px/s. The coarse one usually suffices. */
 const GRIDS = [
   { cell: 8, bin: 16, frames: 6 },
   { cell: 4, bin: 8, frames: 4 },
 ] as const;
 
-/** What isn't over by then, s, or by so many boxes, will go on for long: a certificate has no more, and stays below 1 MB as JSON. */
+/** The longest time to follow, s, and the most boxes. The second limit keeps a certificate below 1 MB of JSON. */
 const LONGEST = 8;
 const MOST_BOXES = 10_000;
 
-/** How far a fan is followed over a grid. */
+/** How far the reachable set is followed on a grid. */
 export const mostOf = ({ frames }: FanGrid) => ({ steps: Math.floor(LONGEST / (frames * TICK)), boxes: MOST_BOXES });
 
-/** Farther out, px, places of frames are rounded too coarsely. */
+/** Farther out than this, px, places are rounded too coarsely in frames. */
 const FAR_OUT = 1e6;
 
-/** Whatever she presses she runs into a hazard or out of range within seconds, and comes nowhere near the thing. */
+/**
+ * `doomed`: from a moving start, every run ends at a hazard or out of range within seconds, whatever is pressed, and none comes
+ * near the object.
+ *
+ * It computes the reachable set with interval arithmetic ({@link followFan}): boxes in place and velocity that contain every
+ * state of every run, at the start and after each step. In one step a box grows by all accelerations that are possible at the
+ * places it passes. That covers continuous time and frames alike, because every method adds up accelerations of places on the
+ * path, with positive weights of the right sum (lemma `pushes`). The certificate holds all boxes, so nobody has to trust how
+ * they were cut and joined. Rests on the lemmas `reach`, `pushes`, `drift`, `speed limit`, `mouths` and `winds`.
+ */
 export function proveDoomed(setting: Setting, about: About, goal: Thing): Proof | null {
   const { level, maxTime } = setting;
   const { vx, vy } = level.astronaut;
   const pushed = [...level.repulsors, ...level.winds].some((field) => distance(field, level.astronaut) <= field.radius);
-  // at rest she can wait as long as she likes
+  // At rest she can wait for any time.
   if (vx === 0 && vy === 0 && !pushed) return null;
   const isFarOut = Math.max(Math.abs(level.astronaut.x), Math.abs(level.astronaut.y)) > FAR_OUT;
   for (const fineness of GRIDS) {
@@ -45,7 +54,7 @@ export function proveDoomed(setting: Setting, about: About, goal: Thing): Proof 
   return null;
 }
 
-/** The grid's first axis: towards the asteroid nearest to the start, so that the first pull is along it. */
+/** The first axis of the grid: towards the asteroid nearest to the start, so that the first pull lies along it. */
 export function startAxis({ level: { asteroids, astronaut } }: Setting): readonly [number, number] {
   let best = Number.POSITIVE_INFINITY;
   let axis: readonly [number, number] = [1, 0];
@@ -58,7 +67,7 @@ export function startAxis({ level: { asteroids, astronaut } }: Setting): readonl
   return axis;
 }
 
-/** What runs end at, as a list in words. */
+/** Lists in words what ends the runs. */
 export function whatEnds(endedBy: readonly Blocker[]): string {
   const names = endedBy.map((by) => (by.kind === 'range' ? 'the end of the range' : thing(by)));
   const last = names.pop();

@@ -8,23 +8,25 @@ import { distance, margin, surelyLess } from './rounding.ts';
 import { px, subject, thing } from './say.ts';
 import { ALL_ACCURACIES, CONTINUOUS, type Disc, type Setting, type Thing } from './setting.ts';
 
-/** The smallest cell, px: gaps that differ less than this from those she fits through stay undecided. */
+/**
+ * Side of the smallest cell, px. Gaps are decided only if they differ by more than this from the ones that she fits through.
+ */
 const UNIT = 0.25;
 
-/** Cells larger than this, px, and than this share of the plane, are cut before anything is searched. */
+/** Cells larger than this, px, and larger than this share of the plane, are divided before the search begins. */
 const COARSE = 32;
 const COARSE_SHARE = 1 / 128;
 
-/** A plane wider than this is given up, cells: a level of that size has no use for a fine grid. */
+/** The widest plane to examine, cells. */
 const WIDEST = 1 << 30;
 
-/** A plane cut finer than this is given up: what is left open would take too long. */
+/** The most leaves of the quadtree. */
 const MOST_LEAVES = 150_000;
 
-/** So are searches that together have looked at so many cells. */
+/** The most cells that all searches together may visit. */
 const MOST_VISITS = 3_000_000;
 
-/** Where in the plane the tree lies and what blocks, in px from the start. */
+/** The plane of the quadtree and what blocks it, px from the start. */
 interface Plane {
   readonly left: number;
   readonly bottom: number;
@@ -34,8 +36,16 @@ interface Plane {
 }
 
 /**
- * A closed barrier of hazards that stand still, and of what is out of range, between the start and the thing. The plane is cut
- * into squares, finer only where a way through is still open; squares count as blocked when they are so as a whole, for one reason.
+ * `enclosed`: a closed barrier separates the start from the object. No point of it can be the place of her centre, because each
+ * edge lies in the disc of one hazard that stands still, or out of every asteroid's range. Her path is continuous, so she
+ * cannot get to the other side. In `arcade` she is observed once per frame, so the discs are smaller by what a chord of one
+ * frame's flight can cut off (lemma `chord`). Both mouths of each wormhole must lie on the same side.
+ *
+ * To find the barrier, a quadtree divides the plane. A cell is blocked if one disc contains all of it or all of it is out of
+ * range. A flood fill from the start goes through all cells that are not blocked. If it reaches the object, the undecided cells
+ * on the path are divided and the search repeats, so that cells are small only where a gap is still open. Once the object is
+ * out of reach, the outline of the visited cells is the barrier, which is then simplified. The checker needs none of this: it
+ * tests the finished barrier edge by edge. Rests on the lemmas `way`, `reach`, `jump`, `chord`, `drift` and `mouths`.
  */
 export function proveEnclosed(setting: Setting, about: About, goal: Thing): Proof | null {
   const { level, jump, maxTime, leastHalf } = setting;
@@ -82,7 +92,10 @@ function planeAround(
   return { left, bottom, size, discs, ranges, goal };
 }
 
-/** What a square is: blocked by one disc, or out of range as a whole; free when nothing reaches into it and all of it is in range. */
+/**
+ * Judges a cell: blocked when one disc contains it or all of it is out of range, free when no hazard reaches into it and all of
+ * it is in range, else mixed.
+ */
 function judgeOf({ left, bottom, discs, ranges }: Plane, budget: WorkBudget): Judge {
   return (cellX, cellY, size, nearby) => {
     const half = (size * UNIT) / 2;
@@ -117,7 +130,10 @@ function judgeOf({ left, bottom, discs, ranges }: Plane, budget: WorkBudget): Ju
   };
 }
 
-/** Every leaf she may get into from the start, when none of them is near the thing; null when a way is open, or may be. */
+/**
+ * All leaves that she may get into from the start, when none of them is near the object; null when a gap is open or cannot be
+ * excluded.
+ */
 function closeIn(tree: Quadtree, plane: Plane): Cell[] | null {
   refineCoarse(tree, tree.root, Math.max(COARSE / UNIT, tree.root.size * COARSE_SHARE));
   const startX = Math.floor(-plane.left / UNIT);
@@ -136,7 +152,10 @@ function closeIn(tree: Quadtree, plane: Plane): Cell[] | null {
   }
 }
 
-/** Adds the cells on the way to this one that may turn out to be blocked; false when there is none: the way is open, or can't be told to be closed. */
+/**
+ * Collects the mixed cells on the path to this one that can still be divided. Returns false when there is none, so that the
+ * path is open or stays undecided.
+ */
 function gather(end: Cell, divisible: Set<Cell>): boolean {
   let some = false;
   for (let cell: Cell | null = end; cell !== null; cell = cell.from) {
@@ -152,7 +171,10 @@ function refineCoarse(tree: Quadtree, cell: Cell, coarse: number): void {
   for (const child of tree.split(cell)) refineCoarse(tree, child, coarse);
 }
 
-/** Everything she may get into, cells that are free first, and where she gets to the thing or over the rim of the plane. */
+/**
+ * Visits all cells that she may get into, free ones first. The ends are the cells where she reaches the object or leaves the
+ * plane.
+ */
 function flood(tree: Quadtree, start: Cell, search: number, { left, bottom, goal }: Plane): { ends: Cell[]; visited: Cell[] } {
   const visited: Cell[] = [];
   const ends: Cell[] = [];
@@ -177,7 +199,7 @@ function flood(tree: Quadtree, start: Cell, search: number, { left, bottom, goal
       }
       if (over) ends.push(from);
     }
-    // a way through free cells alone needs no other
+    // A path through free cells alone is certainly open; other ends do not matter then.
     if (ends.some((end) => !passesMixed(end))) return { ends: ends.filter((end) => !passesMixed(end)), visited };
     [now, later] = [later, now];
   }
@@ -196,7 +218,7 @@ function passesMixed(end: Cell): boolean {
   return false;
 }
 
-/** The outline of the cells inside that has the start on one side and the thing on the other, with as few edges as may be. */
+/** The outline of the visited cells that separates the start from the object, with as few edges as possible. */
 function barrierOf(tree: Quadtree, inside: readonly Cell[], plane: Plane): BarrierEdge[] | null {
   const members = new Set(inside);
   const blockers: Blocker[] = [...plane.discs.map(({ of }) => of), { kind: 'range' }];
@@ -214,7 +236,7 @@ function barrierOf(tree: Quadtree, inside: readonly Cell[], plane: Plane): Barri
   return null;
 }
 
-/** Whether a mouth's wormhole leads to the other side of a barrier, or lies on it. */
+/** Whether a wormhole leads through a barrier, or one of its mouths lies on it. */
 function leadsThrough({ level, jump }: Setting, barrier: readonly BarrierEdge[], mouth: number): boolean {
   const { x, y } = level.astronaut;
   const discs = mouthDiscs(level);
@@ -226,7 +248,7 @@ function leadsThrough({ level, jump }: Setting, barrier: readonly BarrierEdge[],
   });
 }
 
-/** Whether the start and the thing lie on different sides of a closed line. */
+/** Whether the start and the object lie on different sides of a closed line. */
 function separates(edges: readonly BarrierEdge[], goal: Disc): boolean {
   return isInside(edges, 0, 0) !== isInside(edges, goal.x, goal.y);
 }
@@ -240,7 +262,7 @@ function isInside(edges: readonly BarrierEdge[], x: number, y: number): boolean 
   return inside;
 }
 
-/** Joins edges of one blocker to one straight edge where that is blocked as well, and stays away from the thing. */
+/** Joins consecutive edges of one blocker where the joined edge is blocked as well and keeps its distance from the object. */
 function withFewerEdges(edges: readonly BarrierEdge[], { discs, ranges, goal }: Plane): BarrierEdge[] {
   const same = (a: Blocker, b: Blocker) => a === b;
   const first = edges.findIndex((edge, i) => !same(edge.by, edges[(i + edges.length - 1) % edges.length].by));
@@ -256,7 +278,7 @@ function withFewerEdges(edges: readonly BarrierEdge[], { discs, ranges, goal }: 
   for (let from = 0; from < ring.length; ) {
     let end = from + 1;
     while (end < ring.length && same(ring[end].by, ring[from].by)) end++;
-    // the longest edge that holds: halved until it does; an edge of the outline itself always does
+    // Take the longest joined edge that holds, by halving. A single edge of the outline always holds.
     let to = end;
     while (to > from + 1 && !holds(from, to)) to = from + Math.max(1, Math.floor((to - from) / 2));
     kept.push(ring[from]);
@@ -275,7 +297,7 @@ function distanceToSegment(p: { x: number; y: number }, a: { x: number; y: numbe
 
 const MOST_NAMED = 8;
 
-/** @param width of the narrowest gap that her box can pass, px */
+/** @param width the narrowest gap that her box can pass, px */
 function reasonOf(about: About, barrier: readonly BarrierEdge[], width: number): string {
   const names = new Set<string>();
   for (const { by } of barrier) names.add(by.kind === 'range' ? 'the end of the range' : thing(by));

@@ -5,7 +5,7 @@ import type { About, Blocker, BoxNumbers, FanGrid } from './proof.ts';
 import { mouthDiscs, RIM_SLACK } from './rims.ts';
 import type { Setting, Thing } from './setting.ts';
 
-/** Her places and velocities as a box: least and most of x, y, vx, vy; px and px/s, in the grid's own axes. */
+/** A box of places and velocities: least and greatest of x, y, vx, vy, px and px/s, along the grid's axes. */
 type Box = Float64Array;
 
 interface Circle {
@@ -16,30 +16,30 @@ interface Circle {
 
 const RANGE: Blocker = { kind: 'range' };
 
-/** What every bound is rounded outwards by in a step, px and px/s. */
+/** Every bound is rounded outwards by this in each step, px and px/s. */
 const SLACK = 1e-6;
 
-/** Bounds are whole millionths then, which are short to write down. */
+/** Bounds are then rounded to whole millionths, which are short to write down. */
 const PARTS = 1e6;
 const down = (v: number): number => Math.floor((v - SLACK) * PARTS) / PARTS;
 const up = (v: number): number => Math.ceil((v + SLACK) * PARTS) / PARTS;
 
-/** All that she may do from the start, as far as it was followed. */
+/** Everything that she may do from the start, as far as it was followed. */
 export interface FanResult {
-  /** every run is over, and none came near the thing */
+  /** Every run has ended, and none came near the object. */
   readonly closed: boolean;
-  /** the sets of runs that go on: at the start, and after each step that was taken in full */
+  /** The sets of states that are still going on: at the start, and after each complete step. */
   readonly layers: readonly (readonly BoxNumbers[])[];
-  /** what ended runs; `range`: the end of the range */
+  /** What ended runs; `range` stands for the end of the range. */
   readonly endedBy: readonly Blocker[];
-  /** the squares she may come through: their lower left corners in the grid's own axes, px */
+  /** The squares through which she may come: their lower left corners along the grid's axes, px. */
   readonly squares: readonly { readonly x: number; readonly y: number }[];
 }
 
 /**
- * Follows all that she may do from the start, step by step: a set of boxes in place and velocity that holds every run,
- * whatever is pressed. A box that lies in a hazard or out of range as a whole is over. Given up when a box comes near the
- * thing, and after so many steps or boxes.
+ * Computes the reachable set from the start, step by step: boxes of place and velocity that contain every run, whatever is
+ * pressed. A box that lies entirely in a hazard or out of range has ended. It gives up when a box comes near the object, or
+ * after the given number of steps or boxes.
  */
 export function followFan(
   setting: Setting,
@@ -113,11 +113,13 @@ class Fan {
     return driftAfter(this.setting, i, time);
   }
 
-  /** Everything that a box becomes in a step that ends at `time` is added to `next`; false when it comes near the thing. */
+  /**
+   * Adds everything that a box becomes in a step that ends at `time` to `next`. Returns false when it comes near the object.
+   */
   advance(box: Box, time: number, next: Map<number, Box>): boolean {
     const { step, a } = this;
     this.setting.budget.look(4 + 2 * this.asteroids.length + this.fields.length);
-    // all places within the step
+    // All places within the step.
     const bend = bendWithin(this.setting.strongest, step * (step + TICK)) + SLACK;
     const xa = box[0] + Math.min(0, step * box[4]) - bend;
     const xb = box[1] + Math.max(0, step * box[5]) + bend;
@@ -127,7 +129,7 @@ class Fan {
     for (const mouth of this.mouths) if (nearestTo(mouth, xa, xb, ya, yb) <= mouth.r + RIM_SLACK) return false;
     this.accelerations(xa, xb, ya, yb, time);
     this.blow(xa, xb, ya, yb);
-    // a t2 / 2; frames, which push either before or after they move, do half a frame's push less or more
+    // The term a t² / 2. Frames push before or after they move, so up to half a frame's push is missing or added.
     const less = 0.5 * step * (step - TICK);
     const more = 0.5 * step * (step + TICK);
     const low = (v: number) => Math.min(v * less, v * more);
@@ -147,7 +149,7 @@ class Fan {
     return true;
   }
 
-  /** Cuts a box along the grid and adds what is not over to the layer, joined with what is there. */
+  /** Divides a box along the grid, and adds the parts that have not ended to the layer, joined with what is there. */
   private put(layer: Map<number, Box>, box: Box, time: number): void {
     const { cell, bin } = this.grid;
     for (let i = Math.floor(box[0] / cell); i * cell <= box[1]; i++) {
@@ -174,7 +176,7 @@ class Fan {
     }
   }
 
-  /** Whether a rectangle lies in one hazard as a whole, or out of range of everything. */
+  /** Whether a rectangle lies entirely in one hazard, or out of range of everything. */
   private isOver(xa: number, xb: number, ya: number, yb: number, time: number): boolean {
     this.setting.budget.look(1 + this.hazards.length + this.asteroids.length);
     for (const hazard of this.hazards) {
@@ -187,7 +189,7 @@ class Fan {
     return lost;
   }
 
-  /** Adds the winds that may blow within a rectangle, and those that do. */
+  /** Adds the accelerations of the winds that may blow, or certainly blow, within a rectangle. */
   private blow(xa: number, xb: number, ya: number, yb: number): void {
     const { a } = this;
     for (const wind of this.winds) {
@@ -200,7 +202,7 @@ class Fan {
     }
   }
 
-  /** Writes least and most acceleration within a rectangle to `a`, whatever is pressed. */
+  /** Writes the least and greatest acceleration within a rectangle to `a`, whatever is pressed. */
   private accelerations(xa: number, xb: number, ya: number, yb: number, time: number): void {
     const { a } = this;
     const { pull, push } = this.setting.rules;
@@ -246,7 +248,7 @@ class Fan {
         include(-pull, pull, -pull, pull);
         continue;
       }
-      // the pull is `pull` (1 / d - 1 / range) times the way to the asteroid
+      // The pull is `pull` (1 / d - 1 / range) times the vector to the asteroid.
       const g0 = Math.max(0, pull * (1 / (farthestFrom(rock, xa, xb, ya, yb) + moved) - 1 / range));
       const g1 = Math.max(0, pull * (1 / near - 1 / range));
       include(

@@ -8,37 +8,43 @@ import type { About, PipeGrid, Proof } from './proof.ts';
 import { subject } from './say.ts';
 import { CONTINUOUS, type Setting, type Thing } from './setting.ts';
 
-/** Ticks a step; parts of half a turn by which sets are kept apart. */
+/** Ticks per step, and the number of parts of half a turn by which sets are separated. */
 const FRAMES = 2;
 const TURNS = 8;
 
-/** Side of a cell, px, where everything is over within a second; it grows with the horizon. */
+/** Side of a cell when everything ends within a second, px; it grows with the horizon. */
 const CELL = 3.5;
 
-/** Sets spread with time: what goes on for longer, s, is not tried. */
+/** The longest horizon, s. Sets grow with time, so longer ones are not tried. */
 const LONGEST = 2.5;
 
-/** How much later than the longest of some plays everything may be over: a share, and s. */
+/** Horizons to try: how much later than the longest sampled play everything may have ended, as a factor and s. */
 const HORIZONS = [
   [1.1, 0.1],
   [1.3, 0.3],
 ] as const;
 
-/** Plays that are looked at first. */
+/** Random plays that are sampled first. */
 const PLAYS = 120;
 
-/** What isn't over by so many sets, or parts of sets, is given up: a certificate has no more. */
+/** The most sets and parts; beyond them the prover gives up, so that certificates stay small. */
 export const MOST_PIPES = { sets: 2000, parts: 25_000 } as const;
 
 /**
- * Whatever she presses she runs into a hazard, an alien or out of range within seconds, and comes nowhere near the thing: like `doomed`, but with her box as it
- * is turned, with aliens, and with what ties place and velocity together, so that much less is taken for possible that isn't.
+ * `flowpipe`: from a moving start, every run ends at a hazard, at an alien or out of range within seconds, and none comes near
+ * the object. It covers continuous time.
+ *
+ * Like `doomed` it computes a reachable set, but much more tightly: sets are described by drift places ({@link followPipes}),
+ * which preserve how place and velocity depend on each other, the angle of her box is followed, and aliens are included. The
+ * sets would need much room, so the certificate carries hints instead: where sets are cut, which strips hazards take off, and
+ * which parts are joined. The checker computes the sets by itself and tests each hint. It is tried last, and only if random
+ * plays all end within 2.5 s. Rests on the lemmas `reach`, `pushes`, `chasers`, `drift`, `speed limit` and `mouths`.
  */
 export function proveFlowpipe(setting: Setting, about: About, goal: Thing): Proof | null {
   const { level, rules, jump, maxTime, strongest } = setting;
   const { vx, vy } = level.astronaut;
   const fastest = Math.sqrt(vx * vx + vy * vy) + 2 * strongest * LONGEST;
-  // at rest she can wait as long as she likes
+  // At rest she can wait for any time.
   if (jump > 0 || (vx === 0 && vy === 0) || fastest > easySpeed(rules)) return null;
   const last = longestPlay(level, setting.budget);
   if (last === null) return null;
@@ -69,7 +75,9 @@ export function proveFlowpipe(setting: Setting, about: About, goal: Thing): Proo
   return null;
 }
 
-/** How long the longest of some plays lasts, s; null where one goes on for longer than is tried, or completes the level. */
+/**
+ * Length of the longest of some random plays, s; null when one lasts longer than the longest horizon or completes the level.
+ */
 function longestPlay(level: Level, budget: WorkBudget): number | null {
   const simulation = createSimulation(compile(level), budget);
   const random = createRandom(0);
@@ -77,7 +85,7 @@ function longestPlay(level: Level, budget: WorkBudget): number | null {
   for (let play = 0; play < PLAYS; play++) {
     simulation.reset();
     let held = play % 2 === 1;
-    // the first two neither press nor let go
+    // The first two plays are an endless hold and an endless drift.
     const most = play < 2 ? LONGEST * TICK_RATE : 8 << (play % 4);
     while (simulation.ending === null && simulation.tick < LONGEST * TICK_RATE) {
       simulation.advance(play < 2 ? most : 1 + random.below(most), held);

@@ -4,10 +4,16 @@ import { distance, surelyLess } from './rounding.ts';
 import { px, subject } from './say.ts';
 import { ALL_ACCURACIES, CONTINUOUS, type Setting, type Thing } from './setting.ts';
 
-/** The thing is farther than the range, and what her box reaches beyond her centre, from every asteroid she can come to. */
+/**
+ * `out-of-range`: the object is farther than the range plus the reach of her box from every asteroid whose range she can enter.
+ * Those asteroids are found by a search over a graph ({@link reachable}): she can pass between two asteroids only if their
+ * ranges overlap, where recoil may shift each of them and, in `arcade`, one frame's flight may bridge a gap; wormholes join the
+ * discs around their mouths. The certificate lists what is reachable, and the checker tests that the list is closed: nothing
+ * outside it can be entered from inside. Rests on the lemmas `way`, `reach`, `jump`, `drift` and `mouths`.
+ */
 export function proveOutOfRange(setting: Setting, about: About, goal: Thing): Proof | null {
   const { level, drift, jump, maxTime } = setting;
-  // touched in the instant in which she is lost, the black hole wins
+  // An object that she touches at the instant in which she is lost counts.
   if (!surelyLess(goal.touch, distance(goal, { x: 0, y: 0 }))) return null;
   const { asteroids: reached, mouths } = setting.reached;
   let nearest = -1;

@@ -10,25 +10,25 @@ import { ALL_ACCURACIES, CONTINUOUS, EXACT, type Setting, type Thing } from './s
 import { swingDrift } from './swing-drift.ts';
 
 /**
- * How far from the exact line she may be, px, and her box turned from it by as much at its corners: rounding moves her by
- * less than a thousandth of that, and what is decided by so little is better left undecided.
+ * How far she may be from the exact line, px, and how far the corners of her box may be turned away from it. Rounding moves her
+ * by less than a thousandth of that; anything closer is left undecided.
  */
 const TUBE = 0.01;
 
-/** Two distances that differ by less are a tie, px. */
+/** Two distances that differ by less count as equal, px. */
 const TIE = 1e-7;
 
-/** The line from the start through the centre of the asteroid nearest to it, and how things lie to it. */
+/** The line from the start through the centre of the nearest asteroid. */
 interface Line {
   readonly target: number;
-  /** direction, a unit vector */
+  /** Direction, a unit vector. */
   readonly ux: number;
   readonly uy: number;
-  /** the centre of the asteroid, px from the start */
+  /** Distance of the asteroid's centre from the start, px. */
   readonly centre: number;
 }
 
-/** A stretch of the line on which her box overlaps a hazard, and whose it is. */
+/** A stretch of the line on which her box overlaps a hazard. */
 interface Stretch {
   readonly from: number;
   readonly to: number;
@@ -36,23 +36,36 @@ interface Stretch {
 }
 
 /**
- * The line trap. From rest the first pull goes along the line to the nearest asteroid, and she stays on that line until another
- * asteroid is nearer or a field pushes her. Where neither happens between two places that end the run, the thing is out of
- * reach when no box on that stretch touches it.
+ * `line-trap`: from rest she cannot leave a stretch of the line through the start and the nearest asteroid.
+ *
+ * The invariant is that she is on the line with zero angular momentum: the pull points along the line, so nothing ever moves
+ * her sideways. It holds as long as the same asteroid stays the nearest and no field, wind or wormhole acts on her. The proof
+ * finds a stretch on which this is so and whose ends stop her: a hazard that her box must overlap, the end of the range, or,
+ * when she dies before the asteroid's centre and is only ever pulled forward, the start itself. The object is out of reach if
+ * no box on the stretch touches it.
+ *
+ * An energy bound gives her greatest speed on the line, and so shows that the speed limit of one axis does not bend her path.
+ * Recoil moves the asteroid along the same line; {@link driftOnFall} and {@link swingDrift} bound how far. In `arcade`,
+ * rounding accumulates on slanted lines, and {@link mayBeRoundedOff} bounds it; at the very centre of an asteroid a frame
+ * pushes her to the right, so only the fall in one direction is covered. Rests on the lemmas `line`, `upright`, `speed on a
+ * line`, `fall drift`, `swing drift`, `arcade-axis`, `arcade-fall`, `jump` and `mouths`.
  */
 export function proveLineTrap(setting: Setting, about: About, goal: Thing): Proof | null {
   const bound = boundBy(setting, about);
   return bound !== null && holds(setting, bound.line, bound.trap, goal) ? proofOf(setting, about, bound.line, bound.trap) : null;
 }
 
-/** The same, where another asteroid pulls her off the line, and on from there is a dead end. Dearer. */
+/**
+ * A line trap with dead ends: an end of the stretch may also be a border where another asteroid becomes the nearest, if all
+ * paths beyond it end at hazards (see {@link findDeadEnd}). It costs more.
+ */
 export function proveDeadEnds(setting: Setting, about: About, goal: Thing): Proof | null {
   const bound = boundBy(setting, about);
   const trap = bound === null ? null : withDeadEnds(setting, bound, goal);
   return bound === null || trap === null ? null : proofOf(setting, about, bound.line, trap);
 }
 
-/** The line she is bound to at rest, what ends runs on it, and where. */
+/** The line that binds her at rest, the hazards that stand still, and the stretch. */
 interface Bound {
   readonly line: Line;
   readonly circles: readonly StandingCircle[];
@@ -64,7 +77,7 @@ function boundBy(setting: Setting, about: About): Bound | null {
   if (level.astronaut.vx !== 0 || level.astronaut.vy !== 0) return null;
   const line = lineOf(setting);
   if (line === null) return null;
-  // on the line the gun pulls one asteroid alone, so recoil moves no other
+  // On the line the gun pulls towards one asteroid only, so recoil moves no other.
   const drift = setting.drift.map((d, i) => (i === line.target ? d : 0));
   const circles = standingCircles({ ...setting, drift }, about);
   const trap = oneWay(setting, line, circles) ?? (jump > 0 ? null : bothWays(setting, line, circles));
@@ -76,8 +89,9 @@ const isAlongAxis = ({ level: { asteroids, astronaut } }: Setting, { target }: L
   asteroids[target].x === astronaut.x || asteroids[target].y === astronaut.y;
 
 /**
- * Whether the speed limit may hold one axis and bend her way. At every turn she is at rest, and gains speed up to the centre of the asteroid only. Recoil's
- * drift is reckoned from her speed, so there the limit mustn't be reached at all.
+ * Whether the speed limit of one axis could bend her path. At every turning point she is at rest, and she gains speed only up
+ * to the asteroid's centre, which bounds her energy. With recoil, the drift of the asteroid is derived from her speed, so the
+ * limit must not be reached at all.
  */
 function mayBend(setting: Setting, line: Line, { back, front }: Trap): boolean {
   const { level, rules, drift, jump, strongest } = setting;
@@ -87,18 +101,19 @@ function mayBend(setting: Setting, line: Line, { back, front }: Trap): boolean {
   const far = back.by.kind === 'start' ? front.at + jump + 2 * TUBE : level.recoil ? out : swing(Math.min(out, level.range));
   return !surelyLess(speedAfter(strongest, far), unbentSpeed(rules, strongest));
 
-  // energy that the pull gives from a turn to the centre
+  // The energy per unit of mass and pull that she gains from a turning point to the centre.
   function swing(turn: number): number {
     return turn - (turn * turn) / (2 * level.range);
   }
 }
 
-/** What one operation on doubles may add, as a share of its result. */
+/** The relative error of one floating-point operation. */
 const ROUNDING = 2e-16;
 
 /**
- * Whether in `arcade` rounding may take her off the line, or turn her box. It only matters what it adds to her angular momentum about the asteroid, which frames
- * make greater by less than thrice on the way; momentum turns the way she lies from the asteroid, the faster the nearer she is.
+ * Whether in `arcade` rounding could take her off the line or turn her box. What counts is the angular momentum about the
+ * asteroid that rounding adds. Frames amplify it by less than a factor of 3 on the way, and it turns her direction from the
+ * asteroid faster the nearer she is. See `offLine` in solver/verify/fall.ts for the argument (lemma `arcade-fall`).
  */
 function mayBeRoundedOff(setting: Setting, line: Line, { front }: Trap): boolean {
   const { level, rules, box, jump, maxTime, strongest } = setting;
@@ -106,10 +121,10 @@ function mayBeRoundedOff(setting: Setting, line: Line, { front }: Trap): boolean
   const pull = rules.pull * (1 - (line.centre + 2 * TUBE) / level.range);
   if (level.recoil && pull < 1e-3) return true;
   const own = 1.02 * speedAfter(strongest, front.at + jump) + 1;
-  // with recoil all this is so between the two, and the asteroid may be pushed askew, too
+  // With recoil the same holds for her place relative to the asteroid, which may itself be pushed askew.
   const kick = level.recoil ? rules.recoil / (2 * level.asteroids[line.target].radius) : 0;
   const rock = level.recoil ? (1.02 * kick * own) / pull : 0;
-  // an asteroid at the speed limit of one axis leaves the line, too
+  // An asteroid at the speed limit of one axis leaves the line as well.
   if (rock > unbentSpeed(rules, kick)) return true;
   const moved = level.recoil ? setting.drift[line.target] : 0;
   const step = jump + rock * TICK;
@@ -120,7 +135,7 @@ function mayBeRoundedOff(setting: Setting, line: Line, { front }: Trap): boolean
   const rounding = level.recoil ? 2 * ROUNDING : ROUNDING;
   const coordinate = Math.abs(level.astronaut.x) + Math.abs(level.astronaut.y) + line.centre + moved + step;
   const place = 3 * rounding * coordinate;
-  // a frame's acceleration is rounded as well
+  // The acceleration of a frame is rounded as well.
   const velocity = 3 * rounding * (speed + Math.max(3, 0.075 * Math.max(rules.pull, kick)));
   const momentum = 3 * frames * (place * speed + velocity * line.centre);
   const turned = (frames * (TICK * momentum + 3 * place * (last + step))) / (last * (last + step));
@@ -135,7 +150,7 @@ function proofOf(setting: Setting, about: About, line: Line, trap: Trap): Proof 
     about,
     reason: reasonOf(setting, about, line, trap),
     covers: jump > 0 ? ALL_ACCURACIES : [trap.back, trap.front].some(({ by }) => by.kind === 'dead-end') ? EXACT : CONTINUOUS,
-    // rounding adds up for as long as a run lasts
+    // Rounding adds up for as long as a run lasts.
     maxTime: level.recoil || (jump > 0 && !isAlongAxis(setting, line)) ? maxTime : null,
     certificate: {
       kind: 'line-trap',
@@ -146,15 +161,16 @@ function proofOf(setting: Setting, about: About, line: Line, trap: Trap): Proof 
   };
 }
 
-/** Both ends of the stretch she is trapped on, px from the start along the line. */
+/** Both ends of the stretch that holds her, px from the start along the line. */
 interface Trap {
   readonly back: LineEnd;
   readonly front: LineEnd;
 }
 
 /**
- * How far recoil can carry the target while she falls the way `to`, px. Whenever it is accelerated she is, too, and always forward, at least
- * as strongly as at the start: so its speed, and the way it makes, are to hers at most as the accelerations are.
+ * How far recoil can carry the asteroid while she falls `to` px. Whenever the asteroid is accelerated, so is she, always
+ * forward and at least as strongly as at the start. So its path relates to hers at most as the accelerations do (lemma `fall
+ * drift`).
  */
 function driftOnFall({ level, rules, drift }: Setting, { target, centre }: Line, to: number): number {
   if (!level.recoil) return 0;
@@ -177,7 +193,10 @@ function lineOf({ level: { asteroids, astronaut } }: Setting): Line | null {
   return { target, centre, ux: (x - astronaut.x) / centre, uy: (y - astronaut.y) / centre };
 }
 
-/** Where along the line her box, its short side along it, overlaps a circle even if both err by the tube; null where nowhere. */
+/**
+ * Where along the line her box, with its x axis along it, overlaps a circle even if both are off by the tube; null where it
+ * does not.
+ */
 function stretchOf({ halfWidth, halfHeight }: Box, line: Line, { x, y, radius, of }: StandingCircle): Stretch | null {
   const along = x * line.ux + y * line.uy;
   const aside = Math.max(0, Math.abs(y * line.ux - x * line.uy) + 2 * TUBE - halfHeight);
@@ -186,11 +205,11 @@ function stretchOf({ halfWidth, halfHeight }: Box, line: Line, { x, y, radius, o
   return half > 0 ? { from: along - half, to: along + half, by: of } : null;
 }
 
-/** A hazard before she comes to the centre: she is only ever pulled towards it. */
+/** A hazard before the asteroid's centre: she is only ever pulled forward. */
 function oneWay(setting: Setting, line: Line, circles: readonly StandingCircle[]): Trap | null {
   const { level, rules, box, jump } = setting;
   const target = level.asteroids[line.target];
-  // recoil brings it nearer; by frames they may jump past each other
+  // Recoil moves the asteroid towards her; in frames the two may jump past each other.
   const kick = level.recoil ? rules.recoil / (2 * target.radius) : 0;
   const met = jump > 0 ? 1.02 * TICK * (speedAfter(kick, line.centre) + kick * TICK) : 0;
   const isMet = jump < target.radius && jump + met + 2 * TUBE < target.radius + box.halfWidth;
@@ -200,7 +219,7 @@ function oneWay(setting: Setting, line: Line, circles: readonly StandingCircle[]
     .filter(({ from, to, by }) => to > Math.max(0, from) + jump && (isMet || !isTarget(by)))
     .map(({ from, by }) => ({ at: Math.max(0, from), by }));
   if (target.hot && isMet) {
-    // the target itself, if it burns
+    // A hot asteroid stops her itself.
     const at = Math.max(0, line.centre - target.radius - box.halfWidth + 2 * TUBE);
     ends.push({ at, by: { kind: 'asteroid', index: line.target } });
   }
@@ -212,13 +231,13 @@ function oneWay(setting: Setting, line: Line, circles: readonly StandingCircle[]
 
 const isSwing = ({ level }: Setting, { back }: Trap): boolean => level.recoil && back.by.kind !== 'start';
 
-/** How far recoil can carry the target while she swings between the ends. */
+/** How far recoil can carry the asteroid while she swings between the ends. */
 function driftOnSwing({ level, rules, drift, maxTime }: Setting, { target, centre }: Line, { back, front }: Trap): Drift {
   const stretch = { centre, back: back.at - TUBE, front: front.at + TUBE };
   return swingDrift(rules, level.asteroids[target].radius, level.range, stretch, maxTime, drift[target]);
 }
 
-/** Past the centre she may come back, and swing out farther than she started: both ends must stop her. */
+/** Beyond the centre she may come back and swing farther out than she started, so both ends must stop her. */
 function bothWays({ level, box, drift }: Setting, line: Line, circles: readonly StandingCircle[]): Trap | null {
   const stretches = circles.flatMap((circle) => stretchOf(box, line, circle) ?? []);
   const reach = level.range + drift[line.target] + 2 * TUBE;
@@ -236,7 +255,10 @@ function bothWays({ level, box, drift }: Setting, line: Line, circles: readonly 
   return front === null || back === null ? null : { front, back };
 }
 
-/** The trap with an end where another asteroid becomes nearer, if it does, and if the way on from there is a dead end. */
+/**
+ * Replaces an end of the trap by a border where another asteroid becomes the nearest, if there is one and what lies beyond is a
+ * dead end.
+ */
 function withDeadEnds(setting: Setting, { line, circles, trap: { back, front } }: Bound, goal: Thing): Trap | null {
   if (setting.level.recoil || setting.jump > 0 || back.by.kind === 'start') return null;
   const shut = (end: LineEnd, sign: number): LineEnd | null => {
@@ -253,7 +275,7 @@ function withDeadEnds(setting: Setting, { line, circles, trap: { back, front } }
   return holds(setting, line, trap, goal) ? trap : null;
 }
 
-/** The first place along the line, on one side of the target's centre, where another asteroid is as near as the target. */
+/** The first place along the line, on one side of the asteroid's centre, where another asteroid is equally near. */
 function firstTie({ level: { asteroids, astronaut } }: Setting, { target, centre, ux, uy }: Line, sign: number): number | null {
   let first: number | null = null;
   for (const [i, a] of asteroids.entries()) {
@@ -272,18 +294,18 @@ function nearestEnd(ends: readonly LineEnd[], ahead: (end: LineEnd) => boolean, 
   return nearest;
 }
 
-/** Whether all along the stretch the target stays the nearest, no field acts, and no box touches the thing. */
+/** Whether on all of the stretch the asteroid stays the nearest, no field acts, and no box touches the object. */
 function holds(setting: Setting, line: Line, { back, front }: Trap, goal: Thing): boolean {
   const { level, box, jump } = setting;
   const { asteroids, astronaut, repulsors } = level;
-  // where a dead end begins, another is as near: up to there and no farther the line is looked at
+  // A dead end begins exactly where another asteroid is equally near, so the stretch is examined up to there.
   const from = back.at - (back.by.kind === 'dead-end' ? 0 : TUBE);
   const to = front.at + (front.by.kind === 'dead-end' ? 0 : TUBE + jump);
   const ties = (s: number) => (s === from ? back : front).by.kind === 'dead-end';
   const at = (s: number) => ({ x: s * line.ux, y: s * line.uy });
   const place = ({ x, y }: { x: number; y: number }) => ({ x: x - astronaut.x, y: y - astronaut.y });
 
-  // squared distances differ by something linear along the line: what holds at both ends holds between
+  // The difference of squared distances is linear along the line: what holds at both ends holds between them.
   const fall = isSwing(setting, { back, front }) ? 0 : driftOnFall(setting, line, to);
   const drift = isSwing(setting, { back, front }) ? driftOnSwing(setting, line, { back, front }) : { back: fall, ahead: fall };
   const moved = [line.centre - drift.back, line.centre + drift.ahead];
@@ -303,7 +325,7 @@ function holds(setting: Setting, line: Line, { back, front }: Trap, goal: Thing)
   );
   if (!clear) return false;
 
-  // her box before the first press stands upright; then its x axis lies along the line
+  // Her box is upright until the first press; then its x axis lies along the line.
   const upright = gapOf(box, goal.x, goal.y, 0, 0);
   const along = gapOf(box, goal.x * line.ux + goal.y * line.uy, goal.y * line.ux - goal.x * line.uy, from, to);
   return surelyLess(goal.radius + 4 * TUBE, upright) && surelyLess(goal.radius + 4 * TUBE, along);

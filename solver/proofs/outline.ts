@@ -1,6 +1,6 @@
 import type { Cell, Quadtree } from './quadtree.ts';
 
-/** A piece of an outline, from one corner of the unit grid to another along an axis; what blocks it on the far side. */
+/** A piece of an outline between two corners of the unit grid, along an axis, with what blocks its far side. */
 export interface OutlinePiece {
   readonly x: number;
   readonly y: number;
@@ -10,8 +10,8 @@ export interface OutlinePiece {
 }
 
 /**
- * The closed outlines of a set of leaves, each with the set on its left hand. Where two leaves of the set touch in nothing but
- * a corner the outline passes between them.
+ * The closed outlines of a set of leaves, each with the set on its left. Where two leaves of the set share only a corner, the
+ * outline passes between them.
  */
 export function outlinesOf(tree: Quadtree, leaves: readonly Cell[], within: (cell: Cell) => boolean): OutlinePiece[][] {
   const pieces = leaves.flatMap((leaf) => rimOf(tree, leaf, within));
@@ -43,7 +43,7 @@ export function outlinesOf(tree: Quadtree, leaves: readonly Cell[], within: (cel
 const turnsLeft = (a: OutlinePiece, b: OutlinePiece): boolean =>
   (a.toX - a.x) * (b.toY - b.y) - (a.toY - a.y) * (b.toX - b.x) > 0;
 
-/** The pieces of a leaf's rim beyond which the set ends, the leaf on their left. */
+/** The pieces of a leaf's sides at which the set ends, with the leaf on their left. */
 function rimOf(tree: Quadtree, { x, y, size }: Cell, within: (cell: Cell) => boolean): OutlinePiece[] {
   const pieces: OutlinePiece[] = [];
   const side = (look: (at: number) => Cell | null, piece: (from: number, to: number) => Omit<OutlinePiece, 'blocker'>) => {

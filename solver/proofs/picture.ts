@@ -134,7 +134,7 @@ export function proofPicture(level: Level, { about, certificate, maxTime }: Proo
   }
 }
 
-/** The circles of the things named, each once. */
+/** The circles of the named objects, each once. */
 function circlesOf(
   level: Level,
   things: readonly { readonly kind: string; readonly index?: number }[],

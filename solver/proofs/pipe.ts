@@ -5,7 +5,7 @@ import type { About, Blocker, Flowpipe, PipeGrid, PipePart, PipeStep, Strip, Thi
 import { RIM_SLACK, rimDiscs } from './rims.ts';
 import type { Setting, Thing } from './setting.ts';
 
-/** Directions in which sets of places are bounded: eighths of a turn. That of index m + 4 is opposite to m. */
+/** The directions in which sets of places are bounded, in eighths of a turn. Direction m + 4 is opposite to direction m. */
 const DIAGONAL = Math.sqrt(0.5);
 const DIRECTIONS: readonly (readonly [number, number])[] = [
   [1, 0],
@@ -20,23 +20,26 @@ const DIRECTIONS: readonly (readonly [number, number])[] = [
 const SIDES = DIRECTIONS.length;
 const opposite = (m: number): number => (m + SIDES / 2) % SIDES;
 
-/** What every bound is rounded outwards by, px. */
+/** Every bound is rounded outwards by this, px. */
 const SLACK = 1e-6;
 
-/** A hazard counts from this depth on, px: discs of aliens and directions of her box are the checker's own, and differ in the last digits. */
+/**
+ * A hazard counts from this depth on, px, because the checker computes the discs of aliens and the directions of her box by
+ * itself, and its last digits differ.
+ */
 const DEEP = 1e-5;
 
 /** Strips begin at whole millionths of a px, which are short to write down. */
 const PARTS = 1e6;
 
-/** A set is cut where it is wider than so many cells. */
+/** A set is cut where it is wider than this many cells. */
 const WIDE = 1.6;
 
-/** Bisections of the line up to which a hazard takes a part of a set, and what is worth taking, px. */
+/** Bisections that find how much of a set a hazard takes off, and the least width that is worth a strip, px. */
 const BISECTIONS = 8;
 const WORTH = 0.001;
 
-/** A circle in the grid's own axes, px from the start. */
+/** A circle along the grid's axes, px from the start. */
 interface Circle {
   readonly x: number;
   readonly y: number;
@@ -45,7 +48,7 @@ interface Circle {
 
 type Point = Pick<Circle, 'x' | 'y'>;
 
-/** How her box may be turned: by a direction of its x axis, and how far from it another may be as a chord; 2: any. */
+/** Possible angles of her box: a direction of its x axis, and the largest deviation from it as a chord; 2 allows any angle. */
 interface Turn {
   readonly x: number;
   readonly y: number;
@@ -55,37 +58,39 @@ interface Turn {
 const ANY_TURN: Turn = { x: 1, y: 0, chord: 2 };
 
 /**
- * A set of states. For each moment and direction how far she would be at most in that direction if she drifted from now on: where she is
- * now, her velocity and what ties them together are all in it, and while she drifts nothing of it changes.
+ * A set of states, described by drift places: for each moment of the grid, an octagon of the places where she would be then if
+ * she drifted from now on. It includes her place, her velocity and how the two depend on each other, and while she drifts
+ * nothing of it changes.
  */
 interface Pipe {
-  /** px; index: moment * 8 + direction */
+  /** Greatest coordinate in each direction, px; index moment * 8 + direction. */
   readonly far: Float64Array;
   readonly turn: Turn;
   readonly aliens: readonly ChaserDisc[];
 }
 
-/** Least and most of x and y, px. */
+/** Least and greatest x and y, px. */
 type Rectangle = readonly [number, number, number, number];
 
-/** All that she may do from the start, as far as it was followed. */
+/** Everything that she may do from the start, as far as it was followed. */
 export interface PipeResult {
-  /** every run is over, and none came near the thing */
+  /** Every run has ended, and none came near the object. */
   readonly closed: boolean;
-  /** there were too many sets or parts of sets, or one came near the thing: a longer horizon won't do either */
+  /** There were too many sets or parts, or one came near the object, so that a longer horizon would not help. */
   readonly hopeless: boolean;
-  /** how each set goes on, for all steps that were taken in full */
+  /** What happens to each set, for all complete steps. */
   readonly layers: Flowpipe['layers'];
-  /** what ended runs */
+  /** What ended runs. */
   readonly endedBy: readonly Blocker[];
-  /** the squares she may come through: their lower left corners in the grid's own axes, px */
+  /** The squares through which she may come: their lower left corners along the grid's axes, px. */
   readonly squares: readonly Point[];
 }
 
 /**
- * Follows all that she may do as a flowpipe: sets of states bounded by where she would drift to at each of several moments. A push moves
- * all of these along its direction, those far ahead most. After each step what surely overlaps a hazard is cut off, with her box as it may be
- * turned: after a press it points at the target from where it was pressed last. Sets are cut along a grid over two of the moments, and joined in its cells.
+ * Computes a flowpipe of everything that she may do: sets of states, described by drift places at each of several moments. A
+ * push a(s) shifts the drift place of moment t by the integral of (t - s) a(s). After each step, strips that certainly overlap
+ * a hazard are cut off; the angle of her box is known well enough for that, because it points at the target since the last
+ * press. Sets are cut along a grid over the drift places of two moments, and joined in its cells.
  */
 export function followPipes(
   setting: Setting,
@@ -126,9 +131,9 @@ interface Layer {
 class PipeFan {
   private readonly setting: Setting;
   private readonly grid: PipeGrid;
-  /** s */
+  /** Length of a step, s. */
   private readonly step: number;
-  /** the moments whose places the grid cuts */
+  /** The two moments whose drift places the grid cuts. */
   private readonly early: number;
   private readonly late: number;
   private readonly goal: Circle;
@@ -204,7 +209,10 @@ class PipeFan {
     return driftAfter(this.setting, i, seconds);
   }
 
-  /** What a set becomes until the moment `to`, pressed and not, is added to `next`; null when it comes near the thing. */
+  /**
+   * Adds what a set becomes until the moment `to`, with and without a press, to `next`. Returns null when it comes near the
+   * object.
+   */
   advance({ far, turn, aliens }: Pipe, to: number, next: Layer): readonly [PipeStep, PipeStep] | null {
     const { step } = this;
     const things = this.still.length + 2 * this.rocks.length + this.fields.length + aliens.length;
@@ -218,7 +226,7 @@ class PipeFan {
     const free = isPushed === false ? far : far.slice();
     for (let moment = 0; moment <= this.grid.steps; moment++) {
       if (moment < to && moment !== this.early) continue;
-      // the time left to the moment, added up over the step: what a push of 1 px/s2 moves the drift to it by
+      // The remaining time to the moment, integrated over the step: how far a push of 1 px/s² shifts its drift place.
       const lever = step * (moment - to) * step + 0.5 * step * step;
       for (let m = 0; m < SIDES; m++) {
         const along = lever > 0 ? m : opposite(m);
@@ -236,18 +244,18 @@ class PipeFan {
     ];
   }
 
-  /** All places up to a moment: the drift, and what any push can bend it by. */
+  /** All places up to a moment: the drift, and how far any push can bend it. */
   private placesUntil(far: Float64Array, to: number): Rectangle {
     const now = (to - 1) * SIDES;
     const then = to * SIDES;
-    // and what a stage of a method that steps may be off the way
+    // A stage of a stepping method may also lie beside the path.
     const { strongest } = this.setting;
     const bend = bendWithin(strongest, this.step * this.step) + Math.max(0.01, 2.5e-4 * strongest);
     const most = (m: number) => Math.max(far[now + m], far[then + m]) + bend;
     return [-most(4), most(0), -most(6), most(2)];
   }
 
-  /** Writes the farthest that the gun can accelerate her in each direction; returns how it may turn her box. */
+  /** Writes the greatest acceleration by the gun in each direction, and returns how it may turn her box. */
   private pullsWithin(way: Rectangle, seconds: number): Turn {
     const { rocks, pulls } = this;
     const { pull } = this.setting.rules;
@@ -276,7 +284,7 @@ class PipeFan {
         turn = ANY_TURN;
         continue;
       }
-      // the pull is `strength` times the way to the asteroid; it changes by no more than `steepest` a px
+      // The pull is `strength` times the vector to the asteroid; it changes by no more than `steepest` per px.
       const strength = (at: number) => Math.max(0, pull * (1 / at - 1 / range));
       const steepest = pull * Math.max(1 / (d - blur), 1 / range);
       const weak = strength(farthestFrom(rock, way) + moved);
@@ -293,7 +301,7 @@ class PipeFan {
     return turn ?? ANY_TURN;
   }
 
-  /** Writes the farthest that fields can push her in each direction; whether she may be, or is for certain, in one. */
+  /** Writes the greatest acceleration by fields in each direction, and returns whether she may be, or certainly is, in one. */
   private pushesWithin(way: Rectangle): 'always' | boolean {
     const { pushes } = this;
     const { push } = this.setting.rules;
@@ -316,7 +324,10 @@ class PipeFan {
     return result;
   }
 
-  /** Cuts a set along the grid and adds what is not over to the layer, joined with what is there; tells how. */
+  /**
+   * Cuts a set along the grid, and adds the parts that have not ended to the layer, joined with what is there. Returns what it
+   * did.
+   */
   private put(layer: Layer, pipe: Pipe, moment: number): PipeStep {
     const { far, turn } = pipe;
     const { cell } = this.grid;
@@ -355,7 +366,7 @@ class PipeFan {
     return { cuts: cuts.map(({ first, last }) => Array.from({ length: last - first }, (_, n) => (first + n + 1) * cell)), parts };
   }
 
-  /** What of a set lies in a cell; null when nothing does. */
+  /** The part of a set that lies in a cell; null when it is empty. */
   private partOf(far: Float64Array, moment: number, cell: readonly (readonly [Cuts, number])[]): Float64Array | null {
     const part = far.slice();
     if (cell.every(([{ first, last }]) => first === last)) return part;
@@ -375,7 +386,7 @@ class PipeFan {
     });
     for (let at = 0; at <= this.grid.steps; at++) {
       if (at < moment && at !== this.early) continue;
-      // where she drifts to lies on one line with where she drifts to at the two moments of the grid
+      // A drift is a straight line: its place at one moment follows from the places at the two moments of the grid.
       const share = (this.late - at) / (this.late - this.early);
       for (let m = 0; m < SIDES; m++) {
         const first = share >= 0 ? share * sides[0][m] : -share * sides[0][opposite(m)];
@@ -387,7 +398,10 @@ class PipeFan {
     return part;
   }
 
-  /** Takes off a set what surely overlaps a hazard at a moment, and adds the strips to `off`; true when nothing is left, or all of it is out of range. */
+  /**
+   * Takes off a set what certainly overlaps a hazard at a moment, and adds the strips to `off`. Returns true when nothing is
+   * left, or all of it is out of range.
+   */
   private isOver(far: Float64Array, { turn, aliens }: Pipe, moment: number, off: Strip[]): boolean {
     const seconds = moment * this.step;
     const { box } = this.setting;
@@ -425,7 +439,7 @@ class PipeFan {
   }
 }
 
-/** Cells from the first to the last; one cell means that nothing is cut. */
+/** Cells from the first to the last; a single cell means that nothing is cut. */
 interface Cuts {
   readonly first: number;
   readonly last: number;
@@ -438,7 +452,10 @@ function cutsOf(from: number, to: number, cell: number): Cuts {
     : { first: Math.floor(from / cell), last: Math.floor(to / cell) };
 }
 
-/** Takes off what lies in a hazard, from one side, by her box as it is turned and by the circle in it; true when all of it does. */
+/**
+ * Takes off what lies in a hazard, from one side, by the circle in her box and by the box at its possible angles. Returns true
+ * when nothing is left.
+ */
 function takeOff(
   { halfWidth, halfHeight, halfDiagonal }: Box,
   far: Float64Array,
@@ -453,7 +470,7 @@ function takeOff(
   const reach = r + halfDiagonal;
   if (hazard.x > far[now] + reach || hazard.x < -far[now + 4] - reach) return false;
   if (hazard.y > far[now + 2] + reach || hazard.y < -far[now + 6] - reach) return false;
-  // both zones are convex: what has its corners in one has all of it in it
+  // Both zones are convex: a set whose corners lie in one lies in it entirely.
   const rr = r - halfDiagonal * turn.chord;
   const zones = [
     (x: number, y: number) => length(hazard.x - x, hazard.y - y) < r + Math.min(halfWidth, halfHeight),
@@ -476,7 +493,10 @@ function takeOff(
   return false;
 }
 
-/** The same by the rectangle that holds the set, with its sides along a direction and across; what is taken off, all of it perhaps. */
+/**
+ * The same for the rectangle that contains the set, with its sides along a direction and across. Returns what is taken off,
+ * possibly all of it.
+ */
 function takeOffAlong(
   far: Float64Array,
   now: number,
@@ -508,19 +528,21 @@ function takeOffAlong(
   return null;
 }
 
-/** A set that holds two others. */
+/** A set that contains two others. */
 function joined(a: Pipe, b: Pipe): Pipe {
   const { far } = a;
   for (let i = 0; i < far.length; i++) if (b.far[i] > far[i]) far[i] = b.far[i];
   return { far, turn: joinedTurn(a.turn, b.turn), aliens: joinedChasers(a.aliens, b.aliens) };
 }
 
-/** Turned to a place at a distance that is known but for `blur`: an arc asin(c) has a chord of 1.04 c at most, for c up to a half. */
+/**
+ * Turned towards a place whose distance is known up to `blur`: an arc asin(c) has a chord of at most 1.04 c, for c up to 1/2.
+ */
 function turnTo(dx: number, dy: number, d: number, blur: number): Turn {
   return blur > d / 2 ? ANY_TURN : { x: dx / d, y: dy / d, chord: (1.1 * blur) / d };
 }
 
-/** The box looks the same after half a turn. */
+/** Half a turn does not change the box. */
 function joinedTurn(a: Turn, b: Turn): Turn {
   const sign = a.x * b.x + a.y * b.y < 0 ? -1 : 1;
   const x = a.x + sign * b.x;
@@ -530,7 +552,7 @@ function joinedTurn(a: Turn, b: Turn): Turn {
   return { x: x / l, y: y / l, chord: Math.min(2, Math.max(off(a, 1), off(b, sign))) };
 }
 
-/** In which of so many parts of half a turn a direction lies. */
+/** The part of half a turn, of `parts`, in which a direction lies. */
 function classOf({ x, y }: Turn, parts: number): number {
   const up = y < 0 || (y === 0 && x < 0) ? -1 : 1;
   const share = x * up >= 0 ? (y * up) / (x * up + y * up) : 1 - (x * up) / (y * up - x * up);

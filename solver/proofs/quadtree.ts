@@ -1,23 +1,23 @@
-/** What a cell is known to be. */
+/** What is known of a cell. */
 export type CellState = 'free' | 'mixed' | 'blocked';
 
-/** A square of whole units: its lower left corner and side. A leaf has no children. */
+/** A square of whole units, given by its lower left corner and side. A leaf has no children. */
 export interface Cell {
   readonly x: number;
   readonly y: number;
   readonly size: number;
   readonly state: CellState;
-  /** what blocks all of it, or -1 */
+  /** The disc that contains all of it, or -1. */
   readonly blocker: number;
-  /** what reaches into it, for whoever looks at its quarters */
+  /** The discs that reach into it; its quarters need to examine no others. */
   readonly nearby: readonly number[];
   children: readonly Cell[] | null;
-  /** marks of a search: the cell it came from, and the number of the search that came here */
+  /** Marks of a search: the cell from which this one was reached, and the number of the search. */
   from: Cell | null;
   seen: number;
 }
 
-/** What a square is, judged from what reaches into the square around it. */
+/** The state of a square, judged from the discs that reach into its parent. */
 export interface Judgement {
   readonly state: CellState;
   readonly blocker: number;
@@ -27,7 +27,7 @@ export interface Judgement {
 /** Judges the square with this corner and side, in units. */
 export type Judge = (x: number, y: number, size: number, nearby: readonly number[]) => Judgement;
 
-/** A square of `size` units (a power of two) that is cut into quarters where it matters. */
+/** A square of `size` units (a power of two) that is divided into quarters where necessary. */
 export class Quadtree {
   readonly root: Cell;
   private readonly judge: Judge;
@@ -42,7 +42,7 @@ export class Quadtree {
     return { x, y, size, ...this.judge(x, y, size, nearby), children: null, from: null, seen: 0 };
   }
 
-  /** Cuts a leaf into quarters. */
+  /** Divides a leaf into quarters. */
   split(leaf: Cell): readonly Cell[] {
     const half = leaf.size / 2;
     const { x, y, nearby } = leaf;
@@ -56,7 +56,7 @@ export class Quadtree {
     return leaf.children;
   }
 
-  /** The leaf that holds the unit square at (x, y); null outside. */
+  /** The leaf that contains the unit square at (x, y); null outside. */
   leafAt(x: number, y: number): Cell | null {
     let cell = this.root;
     if (x < 0 || y < 0 || x >= cell.size || y >= cell.size) return null;
@@ -67,7 +67,10 @@ export class Quadtree {
     return cell;
   }
 
-  /** Calls `visit` with each leaf that shares a piece of a side with this one, and null for a side on the rim of the square. */
+  /**
+   * Calls `visit` for each leaf that shares part of a side with this one, and with null for a side on the boundary of the whole
+   * square.
+   */
   neighbours(leaf: Cell, visit: (neighbour: Cell | null) => void): void {
     const { x, y, size } = leaf;
     this.along(x + size, y, size, false, visit);

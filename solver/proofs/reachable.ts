@@ -2,20 +2,21 @@ import type { Level } from '../../schema/index.ts';
 import { exitOf, mouthDiscs } from './rims.ts';
 import { distance, surelyLess } from './rounding.ts';
 
-/** More comparisons than this and every asteroid counts as one she can come to: too kind to the level, never wrong. */
+/** Beyond this many comparisons every asteroid counts as reachable, which may lose a proof but is never wrong. */
 const MOST_COMPARISONS = 4_000_000;
 
-/** What she can ever come to, by index, ascending. */
+/** What she can ever reach: indices, ascending. */
 export interface Reachable {
-  /** those she can be in range of */
+  /** The asteroids whose range she can enter. */
   readonly asteroids: readonly number[];
-  /** mouths of wormholes that she can come into */
+  /** The mouths of wormholes that she can enter. */
   readonly mouths: readonly number[];
 }
 
 /**
- * The asteroids she can ever be in range of: those in range of the start, and so on from range to range, and through wormholes.
- * @param drift how far each may be moved, px
+ * Finds the asteroids whose range she can ever enter: those in range of the start, and from there on through overlapping ranges
+ * and wormholes (a search over a graph).
+ * @param drift how far each asteroid may move, px
  * @param jump how wide a gap she may jump, px
  */
 export function reachable(level: Level, drift: readonly number[], jump: number): Reachable {
@@ -29,7 +30,7 @@ export function reachable(level: Level, drift: readonly number[], jump: number):
     for (const i of waiting) (near(i) ? reached : left).push(i);
     waiting = left;
   };
-  // what is in range of the start isn't drifting yet; with the drift the claim is simpler, and hardly weaker
+  // Nothing has drifted at the start. Including the drift makes the claim simpler and hardly weaker.
   take((i) => !surelyLess(range + drift[i], distance(asteroids[i], astronaut)));
   let comparisons = 0;
   const isTooMuch = (more: number): boolean => {
@@ -52,7 +53,7 @@ export function reachable(level: Level, drift: readonly number[], jump: number):
   }
   return { asteroids: reached.sort((a, b) => a - b), mouths: entered.sort((a, b) => a - b) };
 
-  /** A mouth that she comes to from what she has come to so far. */
+  /** A mouth that she can enter from what she has reached so far. */
   function nextMouth(): number | null {
     for (const [m, mouth] of mouths.entries()) {
       if (entered.includes(m)) continue;

@@ -3,61 +3,61 @@ import { type Level, type Rules, rulesOf } from '../../schema/index.ts';
 import { driftWithin, effectsOf, fastestFrame, speedAfter, strongestPush } from './assumptions.ts';
 import { type Reachable, reachable } from './reachable.ts';
 
-/** A circle about (x, y), px from the start. */
+/** A circle around (x, y), px from the start. */
 export interface Disc {
   readonly x: number;
   readonly y: number;
   readonly r: number;
 }
 
-/** The accuracies with swept contacts: whoever plays them, her way is continuous and no contact on it is missed. */
+/** The accuracies with swept contacts: her path is continuous, and no contact on it is missed. */
 export const CONTINUOUS: readonly AccuracyName[] = ['fast', 'standard', 'precise'];
 
-/** Those whose error is held below every margin of a proof, so that what is true of the game is true of them. */
+/** The accuracies whose error is below every margin of a proof, so that what is true of the exact motion is true of them. */
 export const EXACT: readonly AccuracyName[] = ['precise'];
 
 /** Every accuracy. */
 export const ALL_ACCURACIES: readonly AccuracyName[] = ['arcade', ...CONTINUOUS];
 
-/** The numbers that proofs about a level share, places relative to her start. */
+/** The numbers that all proofs about a level share. Places are relative to her start. */
 export interface Setting {
   readonly level: Level;
-  /** the names of the effects that the level calls for */
+  /** Names of the effects that the level calls for. */
   readonly effects: readonly string[];
-  /** the game's numbers in this level */
+  /** The rules of the level. */
   readonly rules: Rules;
   readonly box: Box;
-  /** her box touches a circle for certain when her centre is nearer to its centre than its radius and this, px */
+  /** Her box certainly overlaps a circle when her centre is closer to its centre than its radius plus this, px. */
   readonly leastHalf: number;
-  /** the most that anything can accelerate her, px/s2 */
+  /** The greatest possible acceleration, px/s². */
   readonly strongest: number;
-  /** longest run, s */
+  /** Length of the longest run, s. */
   readonly maxTime: number;
   /**
-   * How far she can jump between two looks at the range and at contacts, px: 0 in continuous time, a frame's flight in `arcade`.
-   * A bound, from the fastest she can be anywhere in range: speed 2 a s for the acceleration a and the way s from where she was. Through wormholes
-   * she may fall the same way again and again.
+   * How far she can jump between two observations, px: 0 in continuous time, one frame's flight in `arcade`. It is bounded by
+   * an energy bound on her speed anywhere in range, v² <= v0² + 2 a s for the acceleration a and the distance s. With wormholes
+   * she may fall the same distance again and again, so the speed limit is the bound.
    */
   readonly jump: number;
-  /** how far recoil can carry each asteroid, px; the bound a t2 / 2 for an asteroid that is pulled all the time */
+  /** How far recoil can carry each asteroid, px: a t² / 2, as if it were pulled all the time. */
   readonly drift: readonly number[];
-  /** what she can ever come to */
+  /** What she can ever reach. */
   readonly reached: Reachable;
-  /** what looking for proofs may cost */
+  /** Limits the work of the provers. */
   readonly budget: WorkBudget;
 }
 
-/** The numbers of a level for one of the two ways of playing. */
+/** Computes the numbers of a level, for frames or for continuous time. */
 export function settingOf(level: Level, maxTime: number | null, frames: boolean, budget: WorkBudget = unlimited()): Setting {
   const time = maxTime ?? DEFAULT_MAX_TIME;
   const rules = rulesOf(level);
   const box = boxOf(rules);
-  // frames step a little farther than the flow
+  // Frames go slightly farther than continuous time.
   const square = frames ? (time + TICK) * (time + 2 * TICK) : time * time;
   const drift = level.asteroids.map((_, i) => driftWithin({ level, rules }, i, square));
   const strongest = strongestPush(level, rules);
   const jump = frames ? frameJump(level, drift, strongest, fastestFrame(rules)) : 0;
-  // dear in large levels, and of use to many proofs or to none
+  // Expensive in large levels and not needed by every prover, so computed on demand.
   let reached: Reachable | null = null;
   return {
     level,
@@ -102,16 +102,16 @@ function frameJump(
   return Math.min(fastest, speedAfter(strongest, way, start) * TICK * 1.001);
 }
 
-/** The thing a proof is about, px from the start. */
+/** The object that a proof is about, px from the start. */
 export interface Thing {
   readonly x: number;
   readonly y: number;
   readonly radius: number;
-  /** her centre is nearer than this to the thing's centre whenever her box touches it, px */
+  /** Whenever her box touches the object, her centre is closer to its centre than this, px. */
   readonly touch: number;
 }
 
-/** A circle of the level as the thing a proof is about. */
+/** The object that a proof is about, made from a circle of the level. */
 export function thingOf(level: Level, { x, y, radius }: { x: number; y: number; radius: number }): Thing {
   const { astronaut } = level;
   return { x: x - astronaut.x, y: y - astronaut.y, radius, touch: radius + boxOf(rulesOf(level)).halfDiagonal };

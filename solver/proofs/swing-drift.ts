@@ -1,11 +1,13 @@
 import type { Rules } from '../../schema/index.ts';
 import type { Drift } from './proof.ts';
 
-/** What is added to the least drift that is never reached, a part and px: the checker's bound must come out below it. */
+/**
+ * What is added to the least drift that is never reached, a factor and px, so that the checker's own bound comes out below it.
+ */
 const SPARE = 1.0001;
 const SPARE_PX = 0.01;
 
-/** Rounds of a contraction: far more than it needs. */
+/** Rounds of the contraction; it needs far fewer. */
 const MOST_ROUNDS = 400;
 
 /** Where she may be on the line while she swings, px from the start, and where the asteroid is at first. */
@@ -16,15 +18,19 @@ export interface SwingStretch {
 }
 
 /**
- * How far recoil can carry an asteroid either way while she swings through it on a line and never leaves a stretch, px.
+ * Bounds how far recoil can carry an asteroid either way while she swings through it on a line and never leaves a stretch, px
+ * (lemma `swing drift`).
  *
- * While the gun is held she is accelerated by a = pull (1 - d / range), the asteroid the other way by recoil / diameter. Were a the same
- * everywhere, its speed would be a fixed share of hers and its way the same share of hers, which the stretch bounds: nothing would add up.
- * It gains speed ahead when she is ahead of it, where a is at least some A, and loses it when she is behind, where a is at most the pull. So the
- * share 2 / (A + pull), times recoil / diameter, leaves at most (pull - A) / (pull + A) of its acceleration unaccounted for, and only that adds
- * up, for as long as a run lasts. The other way likewise. The farther it drifts the smaller A may be; a drift from which follows a smaller one
- * is never reached.
- * @param most how far it is carried when it is pulled one way all the time, px
+ * While the gun is held, she is accelerated by a = pull (1 - d / range), and the asteroid by recoil / diameter in the opposite
+ * direction. If a were constant, the asteroid's speed would be a fixed share of hers, and its path the same share of hers,
+ * which the stretch bounds: nothing would accumulate.
+ *
+ * But a varies. The asteroid gains speed forward when she is ahead of it, where a is at least some A; it loses speed when she
+ * is behind, where a is at most the pull. So a share of 2 / (A + pull), times recoil / diameter, explains all but the fraction
+ * (pull - A) / (pull + A) of its acceleration. Only this fraction accumulates, for as long as a run lasts. The other direction
+ * is alike. The farther the asteroid drifts, the smaller A may be, so the bound is a fixed point: a drift from which a smaller
+ * one follows is never reached.
+ * @param most the drift if the asteroid were pulled in one direction all the time, px
  */
 export function swingDrift(
   { pull, recoil }: Rules,
