@@ -2,18 +2,18 @@ import { EFFECTS, TICK } from '../../engine/index.ts';
 import type { Level, RuleName, Rules } from '../../schema/index.ts';
 import type { ProofCode } from '../proofs/index.ts';
 
-// What the checker takes for granted about the game, apart from the lemmas. It is said here again and not read from solver/proofs: whoever adds an
-// effect has to teach the checker by itself, or it refuses every proof for a level that calls for the effect.
+// What the checker assumes about the game, apart from the lemmas of docs/proofs.md. It is declared here again and not read from
+// solver/proofs: a new effect must be added here as well, or the checker refuses every proof for a level that calls for it.
 
-/** How she and the asteroids are moved. */
+/** Effects that move her and the asteroids. */
 const MOVED_BY = ['gun', 'recoil', 'repulsor', 'winds', 'wormholes', 'speed-limit'] as const;
 
-/** What ends a run or is collected, and moves by itself only as aliens do. */
+/** Effects that end a run or collect something; only aliens move by themselves. */
 const MET = ['novae', 'hot-asteroids', 'black-hole', 'range', 'minerals', 'alien-chase', 'alien-explosion'] as const;
 
 const KNOWN: ReadonlySet<string> = new Set([...MOVED_BY, ...MET]);
 
-/** For each kind of certificate the effects of which its check knows what they can do. */
+/** For each kind of certificate, the effects that its check understands. */
 const KNOWS: ReadonlyMap<string, ReadonlySet<string>> = new Map<ProofCode, ReadonlySet<string>>([
   ['nothing-in-range', KNOWN],
   ['starts-in-hazard', KNOWN],
@@ -25,7 +25,7 @@ const KNOWS: ReadonlyMap<string, ReadonlySet<string>> = new Map<ProofCode, Reado
   ['flowpipe', KNOWN],
 ]);
 
-/** The game's numbers that checks ask for. */
+/** The rules that the checks read. */
 const NUMBERS: Readonly<Record<RuleName, true>> = {
   pull: true,
   recoil: true,
@@ -37,7 +37,10 @@ const NUMBERS: Readonly<Record<RuleName, true>> = {
   boxHeight: true,
 };
 
-/** Why a certificate of a kind says nothing about a level: the kind is none, or the level has an effect or a rule that it doesn't know. */
+/**
+ * Why a certificate cannot be checked for a level: its kind is unknown, or the level has an effect or a rule that the check
+ * does not understand; else null.
+ */
 export function whyNotKnown(kind: unknown, level: Level): string | null {
   const known = typeof kind === 'string' ? KNOWS.get(kind) : undefined;
   if (known === undefined) return 'its kind is unknown';
@@ -49,25 +52,34 @@ export function whyNotKnown(kind: unknown, level: Level): string | null {
     : `the level calls for the effect ${unknown.name}, which a proof of this kind does not know`;
 }
 
-/** Nothing accelerates her by more, px/s2: a field acts instead of the gun, winds beside both and each other. */
+/** The greatest possible acceleration, px/s²: a field replaces the gun, and winds add to both and to each other. */
 export const mostPush = (level: Level, { pull, push }: Rules): number =>
   level.winds.reduce(
     (most, { ax, ay }) => most + Math.sqrt(ax * ax + ay * ay),
     level.repulsors.length > 0 && push > pull ? push : pull,
   );
 
-/** Lemma `speed`: on a way of `far` px in one direction she gains no more speed than this, px/s, from rest, where nothing accelerates her by more than `push`, px/s2. */
+/**
+ * Lemma `speed`, an energy bound: from rest, over `far` px in one direction, she gains no more than this speed, px/s, if
+ * nothing accelerates her by more than `push`, px/s².
+ */
 export const speedAfter = (push: number, far: number): number => Math.sqrt(2 * push * far);
 
-/** Lemma `drift`: acceleration recoil / diameter all the time, for a time squared, s2, and a hundredth more: how far it carries an asteroid, px. */
+/**
+ * Lemma `drift`: how far recoil can carry an asteroid, px, with an acceleration of recoil / diameter all the time, plus 1 %.
+ * The time is given squared, s².
+ */
 export const driftIn = ({ recoil, asteroids }: Level, rules: Rules, asteroid: number, square: number): number =>
   recoil ? (1.01 * rules.recoil * square) / (4 * asteroids[asteroid].radius) : 0;
 
-/** Up to this speed, px/s, the way of what nothing accelerates by more than `push`, px/s2, isn't bent by the speed limit; the rest is for what a step may gain. */
+/**
+ * Up to this speed, px/s, the speed limit does not bend the path of an object that is accelerated by at most `push`, px/s². The
+ * margin is what a step may gain.
+ */
 export const unlimited = ({ speedLimit }: Rules, push: number): number => Math.min(0.99 * speedLimit, speedLimit - push * TICK);
 
-/** The same for each of two axes of her velocity where it is followed for some steps before it is asked again, px/s. */
+/** The same for each of two axes of her velocity when it is followed for several steps without looking again, px/s. */
 export const farFromLimit = ({ speedLimit }: Rules): number => speedLimit / 2;
 
-/** No frame takes her farther, px: the limit holds on both axes. */
+/** The longest flight of one frame, px, because the limit holds on both axes. */
 export const longestFrame = ({ speedLimit }: Rules): number => 1.4143 * speedLimit * TICK;

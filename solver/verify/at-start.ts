@@ -4,7 +4,10 @@ import { apart, isIndex, less } from './rounded.ts';
 
 const START = { x: 0, y: 0 };
 
-/** She is lost at time 0 when no asteroid is in range of the start. The black hole, touched in that instant, would win. */
+/**
+ * Checks `nothing-in-range`: she is lost at time 0 if no asteroid is in range of the start. The object must not be touched at
+ * that instant, because the black hole would count.
+ */
 export function checkNothingInRange(claim: Claim): string | null {
   const near = claim.level.asteroids.findIndex((a) => !less(claim.level.range, apart(claim.place(a), START)));
   if (near >= 0) return `asteroids[${near}] is not farther from the start than the range`;
@@ -12,8 +15,9 @@ export function checkNothingInRange(claim: Claim): string | null {
 }
 
 /**
- * Her box at the start, its x axis along x, overlaps a hazard. In continuous time that counts before anything else but
- * minerals. With frames, the first press may have turned the box, and the black hole is asked for before the hazards.
+ * Checks `starts-in-hazard`: her box at the start, with its x axis along x, overlaps the hazard. In continuous time that counts
+ * before everything but minerals. In frames the first press may already have turned the box, and the black hole is tested
+ * before hazards.
  */
 export function checkStartsInHazard(claim: Claim, hazard: ThingRef): string | null {
   const { novae, asteroids, aliens } = claim.level;

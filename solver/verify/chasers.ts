@@ -8,14 +8,17 @@ interface Disc {
 }
 
 /**
- * An alien: where it may be and how fast, if it is there at all. It is not there for certain once it may have exploded, but as long as it may be there it may
- * explode another.
+ * Where an alien may be and how fast. An alien that may have exploded is not certainly there; but while it may be there, it may
+ * explode others.
  */
 export interface Chaser {
+  /** Possible places, px. */
   readonly at: Disc;
+  /** Possible velocities, px/s. */
   readonly speed: Disc;
-  /** of its circle, px */
+  /** Radius of its circle, px. */
   readonly radius: number;
+  /** Whether it is certainly there. */
   readonly isThere: boolean;
 }
 
@@ -29,14 +32,21 @@ interface Area {
 const ROUNDING = 1e-7;
 const ORIGIN: Point = { x: 0, y: 0 };
 
-/** What becomes of aliens in some seconds in which she is anywhere in an area, by a game's rules. */
+/**
+ * Lemma `chasers`: where aliens may be after some seconds, while she is anywhere in an area.
+ *
+ * An alien accelerates towards her by a fixed amount while she is closer than it sees, and stops dead at any moment when she is
+ * not. So its place and velocity lie in discs that follow from its earlier ones and from the places where she may be. The speed
+ * limit does not apply to aliens in continuous time. Two aliens that touch explode, so one is certainly there only if no other
+ * can have touched it.
+ */
 export function afterChase(rules: Rules, chasers: readonly Chaser[], area: Area, seconds: number): readonly Chaser[] {
   const farthest = (c: Chaser) =>
     c.at.within +
     (apart(c.speed.centre, ORIGIN) + c.speed.within) * seconds +
     (rules.alienPull * seconds * seconds) / 2 +
     ROUNDING;
-  // two that touch explode
+  // Two that touch explode.
   const mayMeet = (a: Chaser, b: Chaser) => apart(a.at.centre, b.at.centre) <= farthest(a) + farthest(b) + a.radius + b.radius;
   return chasers.map((chaser) => {
     const isThere = chaser.isThere && !chasers.some((other) => other !== chaser && mayMeet(chaser, other));
@@ -44,7 +54,7 @@ export function afterChase(rules: Rules, chasers: readonly Chaser[], area: Area,
   });
 }
 
-/** One that she is farther from than it sees stands still, and has stopped dead when it did not; otherwise it is drawn to her. */
+/** An alien that cannot see her stands still, or has stopped dead; otherwise it is drawn towards her. */
 function moved(
   { alienPull, alienSight }: Rules,
   chaser: Chaser,
@@ -65,7 +75,7 @@ function moved(
   const share = alienPull / d;
   const towards: Disc = {
     centre: { x: share * (her.centre.x - at.centre.x), y: share * (her.centre.y - at.centre.y) },
-    // the chord of an angle whose sine is at most a half is at most 1.04 times that sine
+    // If the sine of an angle is at most 1/2, its chord is at most 1.04 times the sine.
     within: 1.1 * share * blur,
   };
   const maySleep = d + blur >= alienSight - ROUNDING;
@@ -79,7 +89,7 @@ function moved(
   return { ...chaser, at: after(after(at, v, seconds), a, (seconds * seconds) / 2), speed: after(v, a, seconds) };
 }
 
-/** A disc that holds another and the origin. */
+/** A disc that contains another one and the origin. */
 const orNothing = ({ centre, within }: Disc): Disc => ({
   centre: { x: centre.x / 2, y: centre.y / 2 },
   within: within + apart(centre, ORIGIN) / 2,

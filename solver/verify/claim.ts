@@ -4,44 +4,47 @@ import type { About } from '../proofs/index.ts';
 import { driftIn, longestFrame, mostPush } from './assumptions.ts';
 
 /**
- * What a certificate is checked against: places relative to her start (the start is 0, 0), and the few numbers on which
- * the arguments rest.
+ * What a certificate is checked against: places relative to the start (which is 0, 0), and the numbers on which the arguments
+ * rest.
  */
 export interface Claim {
   readonly level: Level;
-  /** The game's numbers in it. */
+  /** The rules of the level. */
   readonly rules: Rules;
   readonly box: Box;
-  /** Her box holds a circle of this radius about its centre, px. */
+  /** Her box contains a circle of this radius around its centre, px. */
   readonly inner: number;
   readonly about: About;
-  /** The thing that is said to be out of reach. */
+  /** The object that is claimed to be out of reach. */
   readonly thing: { readonly x: number; readonly y: number; readonly radius: number };
-  /** Her centre is nearer than this to the thing's centre whenever her box touches it, px. */
+  /** Whenever her box touches the object, her centre is closer to its centre than this, px. */
   readonly touch: number;
-  /** Nothing accelerates her by more, px/s2. */
+  /** The greatest possible acceleration, px/s². */
   readonly push: number;
   /**
-   * Frames: she is looked at once a frame only (`arcade`), so that between two looks she may jump. Otherwise her way is
-   * continuous and every contact on it is found.
+   * Whether she is observed only once per frame (`arcade`), so that she may jump between two observations. Otherwise her path
+   * is continuous and every contact on it is found.
    */
   readonly frames: boolean;
-  /** Steps of a fixed length, in which a push may be that of a place some px before or after (`fast`, `standard`). */
+  /** Whether steps have a fixed length, so that a push may be that of a place some px away (`fast`, `standard`). */
   readonly steps: boolean;
-  /** Longest run, s; null: however long. */
+  /** Length of the longest run, s; null for any length. */
   readonly seconds: number | null;
-  /** The farthest jump from one look to the next, px; 0 in continuous time. */
+  /** The longest jump between two observations, px; 0 in continuous time. */
   readonly jump: number;
-  /** How far recoil can carry an asteroid while a run lasts, px. */
+  /** How far recoil can carry an asteroid during a run, px. */
   drift(asteroid: number): number;
-  /** A thing of the level with its place relative to the start. */
+  /** An object of the level with its place relative to the start. */
   place<T extends { readonly x: number; readonly y: number }>(thing: T): T;
 }
 
-/** How an accuracy plays, as far as proofs tell it apart: by frames, in continuous time by fixed steps, or with an error that is kept below any margin of theirs. */
+/**
+ * How an accuracy simulates, as far as proofs distinguish it: in frames, in continuous time with fixed steps, or with an error
+ * below every margin of a proof.
+ */
 export type Play = 'frames' | 'steps' | 'exact';
 
-/** The claim of a proof about a level, for one way of playing. */
+/** Creates the claim of a proof about a level, for one way of simulating. */
 export function claimOf(level: Level, about: About, maxTime: number | null, play: Play): Claim {
   const frames = play === 'frames';
   const { astronaut, range } = level;
@@ -54,7 +57,7 @@ export function claimOf(level: Level, about: About, maxTime: number | null, play
   });
   const thing = place(about.kind === 'blackHole' ? level.blackHole : level.minerals[about.index]);
   const time = maxTime ?? DEFAULT_MAX_TIME;
-  // frames go as far as in a frame more, and the last may end after it
+  // Frames go as far as one frame more of continuous time, and the last frame may end after it.
   const square = frames ? (time + TICK) * (time + 2 * TICK) : time * time;
   const drift = (i: number): number => driftIn(level, rules, i, square);
   const push = mostPush(level, rules);
@@ -76,10 +79,10 @@ export function claimOf(level: Level, about: About, maxTime: number | null, play
   };
 
   /**
-   * Nothing accelerates her by more than `push`. If she has the speed v at a place, then some time ago she was at least
-   * (v2 - v0^2) / (2 push) away from it, with v0 her speed at the start; and places in range are not farther from
-   * each other than the diagonal of the box about all discs of the range (and a frame's flight beyond, at each end). Through wormholes she may fall
-   * the same way again and again, up to the speed limit.
+   * Lemma `jump`, by an energy bound. If her speed is v at some place, she was once at least (v² - v0²) / (2 push) away from
+   * it, where v0 is her speed at the start. Places in range are no farther apart than the diagonal of the rectangle around all
+   * discs of the range, plus one frame's flight at each end. With wormholes she may fall the same distance again and again, so
+   * only the speed limit bounds v.
    */
   function frameJump(): number {
     const lows = level.asteroids.map((a, i) => ({ x: place(a).x - range - drift(i), y: place(a).y - range - drift(i) }));

@@ -5,12 +5,12 @@ import { apart, less, type Point } from './rounded.ts';
 
 const START = { x: 0, y: 0 };
 
-/** No more sets of poses are looked at than this. */
+/** The most sets of poses to examine. */
 const MOST = 400_000;
 
 type Circle = Point & { readonly radius: number };
 
-/** Places of a square, and directions of the box's x axis from one to another, less than half a turn on. */
+/** The places of a square, and directions of the box's x axis between two that are less than half a turn apart. */
 interface Poses {
   readonly centre: Point;
   readonly half: number;
@@ -19,15 +19,15 @@ interface Poses {
 }
 
 /**
- * Every pose in which her box touches the thing overlaps a hazard. Sets of poses are halved until in each no box touches the
- * thing, or all overlap one hazard: a box moved by some px, or turned so that no point of it moves farther, has its gaps changed by no
- * more than that.
+ * Checks `covered`: every pose in which her box touches the object overlaps a hazard. Sets of poses are divided until in each
+ * of them either no box touches the object or all overlap one hazard (branch and bound). A box that is moved by some px, or
+ * turned so that no point moves farther, changes its distances by no more than that.
  */
 export function checkCovered(claim: Claim): string | null {
-  // a frame that shows her in both completes the level
+  // A frame in which she touches both completes the level.
   if (claim.frames) return 'with frames the black hole comes before hazards';
   if (!less(claim.touch, apart(claim.thing, START))) return 'she may touch it at the start';
-  // who comes out of a mouth is at once where she otherwise can't be: there a mineral counts before a hazard
+  // A wormhole may put her where she could not be otherwise, and there a mineral counts before a hazard.
   if (claim.about.kind === 'mineral' && claim.level.wormholes.length > 0) return 'a wormhole may take her to it';
   const { novae, asteroids } = claim.level;
   const hazards = [
@@ -36,7 +36,7 @@ export function checkCovered(claim: Claim): string | null {
     standingHazard(claim, { kind: 'blackHole', index: 0 }),
   ].filter((hazard) => hazard !== null);
   const quarter = (from: Point, to: Point): Poses => ({ centre: claim.thing, half: claim.touch, from, to });
-  // the box looks the same after half a turn
+  // Half a turn does not change the box.
   const waiting = [quarter({ x: 1, y: 0 }, { x: 0, y: 1 }), quarter({ x: 0, y: 1 }, { x: -1, y: 0 })];
   for (let looked = 0; waiting.length > 0; looked++) {
     if (looked > MOST) return 'it takes too many poses to see whether it is covered';
@@ -46,7 +46,8 @@ export function checkCovered(claim: Claim): string | null {
     const turn = claim.box.halfDiagonal * 1.00001 * Math.max(apart(middle, poses.from), apart(middle, poses.to));
     if (less(shift + turn, gap(claim.box, poses.centre, middle, claim.thing))) continue;
     const isCovered = hazards.some((hazard) =>
-      // a mineral counts even when a press turns her into a hazard in that instant: only where she can't be at all it is covered
+      // A mineral counts even when a press turns her into a hazard at that instant. So it is covered only where her centre
+      // cannot be at all.
       claim.about.kind === 'mineral'
         ? less(apart(poses.centre, hazard) + shift, hazard.radius + claim.inner)
         : less(gap(claim.box, poses.centre, middle, hazard) + shift + turn, 0),
@@ -68,7 +69,7 @@ function quarters(poses: Poses): Poses[] {
 
 const unit = ({ x, y }: Point): Point => ({ x: x / Math.sqrt(x * x + y * y), y: y / Math.sqrt(x * x + y * y) });
 
-/** Gap between her box and a circle, px: negative where they overlap, but by no more than the radius. */
+/** Distance between her box and a circle, px; negative where they overlap, but not below minus the radius. */
 function gap({ halfWidth, halfHeight }: Box, centre: Point, side: Point, circle: Circle): number {
   const dx = circle.x - centre.x;
   const dy = circle.y - centre.y;

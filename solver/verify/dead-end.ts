@@ -6,50 +6,50 @@ import { standingHazard } from './hazards.ts';
 import { mouthsOf } from './mouths.ts';
 import { apart, less, type Point } from './rounded.ts';
 
-/** Hazards are asked for every so many px across. */
+/** Hazards are tested for pieces of this length across, px. */
 const STRIP = 1;
 
-/** She may be so far beside the line as she leaves it, px, and be off its direction by so much. */
+/** How far beside the line she may be when she leaves it, px, and the error of her direction as a slope. */
 const BESIDE = 0.005;
 const ASKEW = 1e-7;
 
 /** A hazard counts from this depth on, px. */
 const DEPTH = 0.02;
 
-/** What every bound is rounded outwards by, px. */
+/** Every bound is rounded outwards by this, px. */
 const ROUNDING = 1e-7;
 
-/** Two asteroids whose distances differ by less are equally near, px. */
+/** Two asteroids are equally near if their distances differ by less than this, px. */
 const EQUAL = 1e-6;
 
-/** What pushes her from nearer than this has any direction, px. */
+/** A push from closer than this may have any direction, px. */
 const CLOSE = 0.4;
 
-/** Steeper ways aren't followed, nor more stages than this. */
+/** The steepest slope that is followed, and the most stages. */
 const STEEP = 8;
 const MOST = 20_000;
 
-/** Directions of her box nearer to each other than this, as a chord, aren't told apart. */
+/** Ranges of directions of her box with a smaller chord are not divided any further. */
 const FINEST_TURN = 0.0005;
 
 type Circle = Point & { readonly radius: number };
 
-/** All numbers from the first to the second. */
+/** All numbers between two. */
 type Interval = readonly [number, number];
 
-/** A place across the axis, px, and the slope of her way to it. */
+/** A place across the axis, px, and the slope of her path to the axis. */
 interface Way {
   readonly place: number;
   readonly slope: number;
 }
 
-/** All that she may do as she comes to a line across: the convex hull of some ways, and the slopes her box may lie along. */
+/** The set of states in which she may cross a line: the convex hull of some ways, and the slopes of the x axis of her box. */
 interface Stage {
   readonly ways: readonly Way[];
   readonly box: Interval;
 }
 
-/** A centre that pulls her, or pushes her away, at the places across from `low` to `high`. */
+/** A centre that pulls or pushes her at the places across from `low` to `high`. */
 interface Source {
   readonly at: Point;
   readonly pulls: boolean;
@@ -57,21 +57,31 @@ interface Source {
   readonly high: number;
 }
 
-/** Where she leaves a line: px from the start, the direction, the asteroid that pulled her before, and how long the line is, px. */
+/** Where she leaves the line along which she fell. */
 export interface Leaving {
+  /** The place, px from the start. */
   readonly apex: Point;
+  /** Her direction, a unit vector. */
   readonly ahead: Point;
+  /** Index of the asteroid that has pulled her so far. */
   readonly before: number;
+  /** Length of the line, px. */
   readonly length: number;
 }
 
 /**
- * At `apex` she leaves the line that she fell along, in the direction `ahead`, where another asteroid is as near as the one `before`. Everything that can push
- * her from there pushes her forward along the axis, so her way does, and its slope lies between slopes it had and slopes of pushes. From line to line across
- * the axis all such ways are followed, until hazards or the end of the range have stopped them; none comes near the thing, and on none she comes back.
+ * Checks a dead end: everything that she may do beyond the apex ends at hazards or out of range, and never comes near the
+ * object.
+ *
+ * The invariant is that every push beyond the apex points forward along the axis, and so does her motion. Her velocity is a sum
+ * of the earlier one and of pushes, all with positive weights, so her slope always lies between slopes that it had and slopes
+ * of pushes (lemma `slopes`). The sets of places and slopes on successive lines across the axis are therefore computed as
+ * convex hulls, and hazards cut parts off, until nothing is left. With every slope that occurs she comes nearer to the new
+ * asteroid faster than to the old one, so the old one never becomes the nearest again (lemma `leaving`). It holds only for
+ * integrators whose error is below the margins: a fixed step may be pushed as at a place some px away, where slopes differ.
  */
 export function checkDeadEnd(claim: Claim, { axis, step }: DeadEnd, { apex, ahead, before, length }: Leaving): string | null {
-  // a step may push her as at a place some px away, where pushes have other slopes
+  // A fixed step may use the push of a place some px away, where pushes have other slopes.
   if (claim.steps) return 'with fixed steps her way may turn past the pushes there';
   if (claim.level.recoil) return 'with recoil the border between two asteroids moves';
   if (claim.frames) return 'with frames she may jump over the border between two asteroids';
@@ -91,7 +101,8 @@ export function checkDeadEnd(claim: Claim, { axis, step }: DeadEnd, { apex, ahea
   for (let n = 0; stages.length > 0; n++) {
     const next: Stage[] = [];
     for (const stage of stages) {
-      // from rest no way between places of the line and of the dead end makes her faster than a fall as long as that
+      // An energy bound: from rest, no two places of the line and of the dead end are farther apart than this, which bounds her
+      // speed.
       for (const { place } of stage.ways) farthest = Math.max(farthest, Math.abs(place) + (n + 1 + STEEP) * step);
       if (!less(speedAfter(claim.push, length + 2 * farthest), unlimited(claim.rules, claim.push)))
         return 'she may come to the speed limit';
@@ -115,17 +126,17 @@ interface Scene {
   readonly touch: number;
   readonly range: number;
   readonly rocks: readonly Point[];
-  /** the one before, and what is as near at the apex */
+  /** The old asteroid, and those that are equally near at the apex. */
   readonly old: Point;
   readonly takers: readonly Point[];
   readonly pulling: readonly Point[];
   readonly fields: readonly Circle[];
   readonly hazards: readonly Circle[];
-  /** winds and mouths of wormholes, which none of this follows */
+  /** Winds and mouths of wormholes, with which this argument does not deal. */
   readonly strange: readonly Circle[];
 }
 
-/** The level seen from the apex: x along the axis, y across. */
+/** The level as seen from the apex: x along the axis, y across. */
 function sceneAlong(claim: Claim, [ux, uy]: readonly [number, number], apex: Point, before: number): Scene {
   const { level, place } = claim;
   const seen = ({ x, y }: Point): Point => {
@@ -161,7 +172,7 @@ function sceneAlong(claim: Claim, [ux, uy]: readonly [number, number], apex: Poi
   };
 }
 
-/** The stage one step on; or why it can't be told. */
+/** The stage one step on, or why it cannot be determined. */
 function follow(scene: Scene, { ways, box }: Stage, x: number, step: number): Stage | string {
   const [low, high] = extent(ways.map(({ place }) => place));
   const steepest = (list: readonly Way[]) => list.reduce((most, { slope }) => Math.max(most, Math.abs(slope)), 0);
@@ -188,7 +199,10 @@ function follow(scene: Scene, { ways, box }: Stage, x: number, step: number): St
   }
 }
 
-/** All that may push her between x and x + step, at places across from `low` to `high`; null where something may push her back. */
+/**
+ * Everything that may push her between x and x + step, at places across from `low` to `high`; null when something may push her
+ * back.
+ */
 function sourcesWithin(scene: Scene, x: number, step: number, low: number, high: number): Source[] | null {
   const corners = [x, x + step].flatMap((cx) => [low, high].map((cy) => ({ x: cx, y: cy })));
   const sources: Source[] = [];
@@ -198,7 +212,7 @@ function sourcesWithin(scene: Scene, x: number, step: number, low: number, high:
     if (x - field.x < CLOSE) return null;
     sources.push({ at: field, pulls: false, low, high });
   }
-  // what is farther away than another from all four corners is so between them
+  // What is farther away than another from all four corners is farther away from everywhere between them.
   const inside = scene.pulling.filter(
     (rock) => !scene.pulling.some((other) => other !== rock && corners.every((c) => less(apart(c, other), apart(c, rock)))),
   );
@@ -206,7 +220,7 @@ function sourcesWithin(scene: Scene, x: number, step: number, low: number, high:
     let from = low;
     let to = high;
     for (const other of inside) {
-      // p is no farther from the rock than from the other where (p - middle) (other - rock) <= 0
+      // p is no farther from the rock than from the other where (p - middle) (other - rock) <= 0.
       const way = { x: other.x - rock.x, y: other.y - rock.y };
       const middle = { x: (other.x + rock.x) / 2, y: (other.y + rock.y) / 2 };
       const slack = 1e-11 * (Math.abs(way.x) + Math.abs(way.y)) * (Math.abs(middle.x) + Math.abs(middle.y) + x);
@@ -223,8 +237,9 @@ function sourcesWithin(scene: Scene, x: number, step: number, low: number, high:
 }
 
 /**
- * From a place with a slope, while the pushes have slopes from s to t, she comes to slopes between her own and s to t, and beyond s or t only from there. Her place
- * moves by the step times the mean. The hull of the extremes holds all: they are linear in place and slope.
+ * From a place with a slope, while pushes have slopes from s to t, she comes to slopes between her own and [s, t], and leaves
+ * that interval never again. Her place moves by the step times the mean slope. The hull of the extremes contains all of it,
+ * because they are linear in place and slope.
  */
 function widened(ways: readonly Way[], x: number, step: number, swing: number, sources: readonly Source[]) {
   const [low, high] = extent(ways.map(({ place }) => place));
@@ -263,7 +278,7 @@ function widened(ways: readonly Way[], x: number, step: number, swing: number, s
   return { ways: corners(next), turned };
 }
 
-/** What of a stage no hazard stops as she comes to x, nor the end of the range. */
+/** The parts of a stage that no hazard stops when she comes to x, and that are still in range. */
 function survivors(scene: Scene, { ways, box }: Stage, x: number): Stage[] {
   const [low, high] = extent(ways.map(({ place }) => place));
   const near = scene.hazards.filter((hazard) => Math.abs(hazard.x - x) <= hazard.radius + scene.box.halfDiagonal);
@@ -292,7 +307,7 @@ function survivors(scene: Scene, { ways, box }: Stage, x: number): Stage[] {
   return stages;
 }
 
-/** Whether a hazard overlaps her box wherever she is between two places, lying in any direction from one unit vector to another. */
+/** Whether a hazard overlaps her box at all places between two, with its axis in any direction between two unit vectors. */
 function stops(scene: Scene, hazard: Circle, a: Point, b: Point, from: Point, to: Point): boolean {
   const { halfDiagonal } = scene.box;
   const far = Math.max(apart(a, hazard), apart(b, hazard));
@@ -306,7 +321,7 @@ function stops(scene: Scene, hazard: Circle, a: Point, b: Point, from: Point, to
   return stops(scene, hazard, a, b, from, middle) && stops(scene, hazard, a, b, middle, to);
 }
 
-/** Gap between her box and a circle, px; negative where they overlap. */
+/** Distance between her box and a circle, px; negative where they overlap. */
 function gap({ halfWidth, halfHeight }: Box, centre: Point, side: Point, circle: Circle): number {
   const dx = circle.x - centre.x;
   const dy = circle.y - centre.y;
@@ -320,12 +335,12 @@ const unit = ({ x, y }: Point): Point => {
   return { x: x / length, y: y / length };
 };
 
-/** The ways of a hull between two places. */
+/** The part of a hull between two places. */
 function within(ways: readonly Way[], low: number, high: number): Way[] {
   const [least, most] = extent(ways.map(({ place }) => place));
   if (low <= least && high >= most) return [...ways];
   const inside = ways.filter(({ place }) => place >= low && place <= high);
-  // at a place cut through, the least and the greatest slope of all lines between two of the ways
+  // At each cut, the least and the greatest slope on all segments between two of the ways.
   for (const cut of [low, high]) {
     if (cut < least || cut > most) continue;
     const slopes: number[] = [];
@@ -340,7 +355,7 @@ function within(ways: readonly Way[], low: number, high: number): Way[] {
   return inside;
 }
 
-/** Those of the ways that the others don't hold between them: what lies farthest above and below the line between two of them, and so on. */
+/** The corners of the hull: the ways that do not lie between others. */
 function corners(ways: readonly Way[]): Way[] {
   const least = ways.reduce((a, b) => (b.place < a.place || (b.place === a.place && b.slope < a.slope) ? b : a));
   const most = ways.reduce((a, b) => (b.place > a.place || (b.place === a.place && b.slope > a.slope) ? b : a));

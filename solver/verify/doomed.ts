@@ -7,10 +7,10 @@ import { standingHazard } from './hazards.ts';
 import type { Point } from './rounded.ts';
 import { type Circle, isAxis, isCount, isFrom, type TurnedScene, turnedScene } from './turned-scene.ts';
 
-/** All numbers from the first to the second. */
+/** All numbers between two. */
 type Interval = readonly [number, number];
 
-/** A set of states: places and velocities along both axes of the grid, px and px/s. */
+/** A set of states: intervals of place and velocity along both axes of the grid, px and px/s. */
 export interface Box {
   readonly x: Interval;
   readonly y: Interval;
@@ -20,20 +20,23 @@ export interface Box {
 
 export type Rectangle = Pick<Box, 'x' | 'y'>;
 
-/** Rounding of a step is far below this, px and px/s. */
+/** Far more than the rounding error of one step, px and px/s. */
 const ROUNDING = 1e-7;
 
-/** She may cross a rim by so much late, px. */
+/** How late the engine may notice that she crosses a rim, px. */
 const ON_RIM = 1e-6;
 
-/** `arcade` reckons in places as they are in the file: beyond this, px, frames add up to more than {@link ROUNDING}. */
+/**
+ * `arcade` computes with the coordinates of the file: beyond this, px, the rounding errors of frames add up to more than {@link
+ * ROUNDING}.
+ */
 const FAR_OUT = 1e6;
 
-/** A certificate may have no more boxes than this, nor ask for more pieces of them. */
+/** The most boxes of a certificate, and the most pieces of them to examine. */
 const MOST_BOXES = 20_000;
 const MOST_PIECES = 1_000_000;
 
-/** No number of a box is larger, px and px/s, so that none of what is computed from it is infinite. */
+/** The largest number in a box, px and px/s, so that nothing computed from it is infinite. */
 const LARGEST = 1e9;
 
 const add = (a: Interval, b: Interval): Interval => [a[0] + b[0] - ROUNDING, a[1] + b[1] + ROUNDING];
@@ -44,9 +47,14 @@ const times = (a: Interval, b: Interval): Interval => {
 };
 
 /**
- * The sets of the certificate hold all that she may do, whatever is pressed: the first the start, and each all that a step of some ticks makes of the one
- * before, but for what is over then; of the last all is. None of them comes near the thing in its step. A step holds for every way of playing that pushes
- * her as the game could push her at the places of that step, once a frame or continuously.
+ * Checks `doomed`: the sets of the certificate are reachable sets, which contain everything that she may do, whatever is
+ * pressed.
+ *
+ * The check is an induction by interval arithmetic. The first set contains the start. One step of a set is contained in the
+ * next set, except for the parts that have ended: they lie entirely in one hazard or out of range. No set comes near the object
+ * within its step, and after the last step nothing is left. How the boxes were cut and joined does not matter. A step holds for
+ * every method that pushes her as the game could push her at the places of that step, once per frame or continuously (lemma
+ * `pushes`).
  */
 export function checkDoomed(claim: Claim, { grid, layers }: Doomed): string | null {
   if (!isGrid(grid)) return 'its grid is none';
@@ -55,7 +63,7 @@ export function checkDoomed(claim: Claim, { grid, layers }: Doomed): string | nu
   if (claim.frames && Math.max(Math.abs(x), Math.abs(y)) > FAR_OUT) return 'with frames places so far out are too coarse';
   const scene = turnedScene(claim, grid.axis);
   const seconds = grid.frames * TICK;
-  // each step begins no faster than the first or, on two axes, far from the limit, and stays below it
+  // Each step begins no faster than the first one, or far from the limit on both axes, and stays below the limit.
   const fastest = Math.max(Math.sqrt(vx * vx + vy * vy), 1.4143 * farFromLimit(claim.rules));
   if (!(fastest + claim.push * (seconds + TICK) <= claim.rules.speedLimit)) return 'she may come to the speed limit in a step';
   const blocked = blockedDiscs(claim, scene);
@@ -109,7 +117,7 @@ const startOf = ({ velocity }: TurnedScene): Box => ({
   vy: [velocity.y - ROUNDING, velocity.y + ROUNDING],
 });
 
-/** The discs in which her centre can't be: her box holds a circle about its centre. */
+/** The discs in which her centre cannot be, because her box contains a circle around its centre. */
 function blockedDiscs(claim: Claim, { turn }: TurnedScene): Circle[] {
   const { novae, asteroids } = claim.level;
   const refs: ThingRef[] = [
@@ -123,14 +131,14 @@ function blockedDiscs(claim: Claim, { turn }: TurnedScene): Circle[] {
   });
 }
 
-/** Every place of the next `seconds`: the straight way, and what any push can bend it by. */
+/** All places within the next `seconds`: the straight path, and how far any push can bend it. */
 export function placesWithin({ x, y, vx, vy }: Box, seconds: number, push: number): Rectangle {
   const bend = 0.5 * push * seconds * (seconds + TICK);
   const along = (p: Interval, v: Interval) => add(add(p, times(v, [0, seconds])), [-bend, bend]);
   return { x: along(x, vx), y: along(y, vy) };
 }
 
-/** v t + a t2 / 2, with an acceleration that may change within its bounds; frames push half a frame earlier or later. */
+/** Computes v t + a t² / 2 with an acceleration that may vary within its bounds. Frames push half a frame earlier or later. */
 export function advance({ x, y, vx, vy }: Box, ax: Interval, ay: Interval, seconds: number): Box {
   const weight: Interval = [0.5 * seconds * (seconds - TICK), 0.5 * seconds * (seconds + TICK)];
   const place = (p: Interval, v: Interval, a: Interval) => add(add(p, times(v, [seconds, seconds])), times(a, weight));
@@ -138,7 +146,7 @@ export function advance({ x, y, vx, vy }: Box, ax: Interval, ay: Interval, secon
   return { x: place(x, vx, ax), y: place(y, vy, ay), vx: velocity(vx, ax), vy: velocity(vy, ay) };
 }
 
-/** Every acceleration at a place of the rectangle, with the gun on or off: winds blow beside all else. */
+/** All possible accelerations at the places of a rectangle, with the gun on or off. Winds add to everything else. */
 export function accelerations(
   rules: Rules,
   { asteroids, fields, winds, drift }: TurnedScene,
@@ -157,7 +165,7 @@ export function accelerations(
       [0, 0],
       [0, 0],
     ]);
-    // the target is nearest, so it is no farther than the one whose farthest place is nearest
+    // The target is the nearest asteroid, so it is no farther than the one whose farthest place is nearest.
     const reach = asteroids.reduce(
       (least, a, i) => Math.min(least, distances(a, way)[1] + drift(i, seconds)),
       Number.POSITIVE_INFINITY,
@@ -183,7 +191,10 @@ export function accelerations(
   return [ax, ay];
 }
 
-/** A force towards a centre: `perPx(d)`, which falls or grows with d throughout, times the way to it. Next to it, any direction. */
+/**
+ * A force towards a centre: `perPx(d)`, which is monotonic in d, times the vector to the centre. Very close to it, any
+ * direction is possible.
+ */
 function central(
   centre: Point,
   { x, y }: Rectangle,
@@ -217,7 +228,7 @@ function distances(p: Point, { x, y }: Rectangle): Interval {
   return [Math.sqrt(nearX * nearX + nearY * nearY), Math.sqrt(farX * farX + farY * farY)];
 }
 
-/** Boxes cut at the multiples of the grid's sizes. */
+/** Boxes, cut at the multiples of the grid's sizes. */
 function* pieces(boxes: readonly Box[], { cell, bin }: FanGrid): Generator<Box> {
   for (const box of boxes) {
     for (const x of cut(box.x, cell)) {
@@ -233,7 +244,7 @@ function* cut([from, to]: Interval, size: number): Generator<Interval> {
   for (let n = Math.floor(from / size); n <= last; n++) yield [Math.max(from, n * size), Math.min(to, (n + 1) * size)];
 }
 
-/** The cell of the grid that the middle of a box lies in. */
+/** The cell of the grid that contains the middle of a box. */
 function cellOf({ x, y, vx, vy }: Box, { cell, bin }: FanGrid): string {
   const at = ([from, to]: Interval, size: number) => Math.floor((from + to) / 2 / size);
   return `${at(x, cell)} ${at(y, cell)} ${at(vx, bin)} ${at(vy, bin)}`;

@@ -7,16 +7,18 @@ import { apart, less, type Point } from './rounded.ts';
 const START = { x: 0, y: 0 };
 
 /**
- * A closed line between the start and the thing. No point of it can be her centre's: each edge lies in the disc of one hazard
- * that stands still, or out of range as a whole. The thing lies on the other side, farther from the line than she can touch it from.
- * A wormhole has both of its mouths on one side, so that it takes her from the start's side to the start's side.
+ * Checks `enclosed`: a closed barrier separates the start from the object. No point of it can be the place of her centre,
+ * because each edge lies in the disc of one hazard that stands still, or entirely out of range; discs and the outside of the
+ * range are tested by their distances from the edge alone. Her path is continuous, so she stays on her side, and the object
+ * lies on the other side, farther from the barrier than she can touch it from. Both mouths of each wormhole lie on the same
+ * side.
  */
 export function checkEnclosed(claim: Claim, barrier: readonly BarrierEdge[]): string | null {
   if (!Array.isArray(barrier) || barrier.length < 3) return 'its barrier is no closed line';
   if (!barrier.every((edge) => Number.isFinite(edge?.x) && Number.isFinite(edge?.y)))
     return 'a corner of its barrier is no place';
   const corners = barrier.map(({ x, y }) => claim.place({ x, y }));
-  // a look that shows her touching the thing may come after a jump over the line
+  // In frames, an observation that shows her touching the object may follow a jump over the barrier.
   const touch = claim.touch + claim.jump;
   for (const [i, { by }] of barrier.entries()) {
     const a = corners[i];
@@ -33,7 +35,7 @@ export function checkEnclosed(claim: Claim, barrier: readonly BarrierEdge[]): st
 function checkMouths(claim: Claim, corners: readonly Point[]): string | null {
   for (const mouth of mouthsOf(claim)) {
     if (isInside(corners, mouth) !== isInside(corners, mouth.exit)) return 'a wormhole leads through the barrier';
-    // with frames she goes on from there before she is looked at
+    // In frames she moves on from there before she is observed.
     const reach = mouth.radius + claim.jump;
     const isNear = (a: Point, i: number) => !less(reach, distanceToSegment(mouth, a, corners[(i + 1) % corners.length]));
     if (corners.some(isNear)) return 'a mouth of a wormhole lies on the barrier';
@@ -41,7 +43,7 @@ function checkMouths(claim: Claim, corners: readonly Point[]): string | null {
   return null;
 }
 
-/** The whole edge is farther than the range from every asteroid; between two looks she may cut half a jump of a corner. */
+/** The whole edge is out of range of every asteroid. Between two observations she may cut half a jump off a corner. */
 function checkOutside(claim: Claim, a: Point, b: Point): string | null {
   const near = claim.level.asteroids.findIndex((asteroid, i) => {
     const reach = claim.level.range + claim.drift(i) + claim.jump / 2;
@@ -51,8 +53,8 @@ function checkOutside(claim: Claim, a: Point, b: Point): string | null {
 }
 
 /**
- * Both ends, and so the whole edge, lie in the disc about a hazard in which her box, however turned, overlaps it. The straight
- * way between two looks outside of a disc enters it no deeper than a chord of that length does.
+ * Both ends of the edge, and so all of it, lie in the disc around a hazard in which her box overlaps it at any angle. The
+ * segment between two observations outside a disc enters it no deeper than a chord of that length (lemma `chord`).
  */
 function checkHazard(claim: Claim, by: Blocker, a: Point, b: Point): string | null {
   const hazard = standingHazard(claim, by);
@@ -71,7 +73,7 @@ function distanceToSegment(p: Point, a: Point, b: Point): number {
   return apart(p, { x: a.x + t * dx, y: a.y + t * dy });
 }
 
-/** Whether a place lies inside of a closed line: a ray to the right crosses it an odd number of times. */
+/** Whether a place lies inside a closed line: a ray to the right crosses the line an odd number of times. */
 function isInside(corners: readonly Point[], p: Point): boolean {
   return corners.reduce((inside, a, i) => {
     const b = corners[(i + 1) % corners.length];

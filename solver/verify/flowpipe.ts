@@ -7,17 +7,17 @@ import { standingHazard } from './hazards.ts';
 import { apart, isIndex, type Point } from './rounded.ts';
 import { type Circle, isAxis, isCount, isFrom, type TurnedScene, turnedScene } from './turned-scene.ts';
 
-/** Rounding of a step is far below this, px. */
+/** Far more than the rounding error of one step, px. */
 const ROUNDING = 1e-7;
 
-/** She may cross a rim by so much late, px. */
+/** How late the engine may notice that she crosses a rim, px. */
 const ON_RIM = 1e-6;
 
-/** A certificate may have no more parts of sets than this, nor larger numbers, px. */
+/** The most parts of sets in a certificate, and the largest number, px. */
 const MOST = 25_000;
 const LARGEST = 1e9;
 
-/** Eight directions around; that of n + 4 is opposite to n. */
+/** The number of directions; direction n + 4 is opposite to direction n. */
 const AROUND = 8;
 const HALF_ROOT = Math.sqrt(0.5);
 const COMPASS: readonly Point[] = [
@@ -40,18 +40,21 @@ interface Area {
   readonly high: number;
 }
 
-/** The x axis of her box points along `to`, the other way, or within a chord of `off` of either; all directions are within 2. */
+/**
+ * The x axis of her box points along `to`, or the other way, or deviates from either by a chord of at most `off`; every
+ * direction is within 2.
+ */
 interface Aim {
   readonly to: Point;
   readonly off: number;
 }
 
-/** An octagon: how far it goes at most in each direction of the compass, px. */
+/** An octagon: its greatest extent in each of the eight directions, px. */
 type Octagon = readonly number[];
 
 /**
- * States with which she would be within an octagon at each of several times if she drifted, `atTimes[i]` that of time i; those that
- * nothing asks for any more are null.
+ * A set of states, described by drift places: `atTimes[i]` contains the place where she would be at time i if she drifted from
+ * now on. Octagons that are no longer needed are null.
  */
 interface Bundle {
   readonly atTimes: readonly (Octagon | null)[];
@@ -60,10 +63,16 @@ interface Bundle {
 }
 
 /**
- * Follows all that she may do in continuous time, in steps of some ticks. States are known by the octagons in which a drift from now on would be at the times
- * between the steps: a push a(s) moves the drift to time t by the integral of (t - s) a(s). The certificate says where bundles are cut, which strips hazards take
- * off, and which bundles are joined: all of that is tested, and nothing looked for. No drift and push of a step may come near the thing, and at the end no
- * bundle may be left.
+ * Checks `flowpipe`: it computes reachable sets in continuous time from the hints of the certificate, until nothing is left.
+ *
+ * States are described by the octagons in which a drift from now on would be at the times between the steps. A push a(s) shifts
+ * the drift place of time t by the integral of (t - s) a(s), so one step widens each octagon by the pushes that are possible at
+ * the places of the step (lemma `pushes`). While she drifts, nothing changes, so the dependence of place and velocity is
+ * preserved. The angle of her box is known as well: after a press it points at the target.
+ *
+ * The hints say where sets are cut, which strips hazards take off, and which parts are joined. Each hint is tested and nothing
+ * is searched for: all sides of a cut are accounted for; her box overlaps the hazard at all corners of a strip; what is said to
+ * have ended is empty or out of range. No place of a step may be near the object, a wind or a mouth.
  */
 export function checkFlowpipe(claim: Claim, { grid, layers }: Flowpipe): string | null {
   if (claim.frames) return 'with frames she is pushed and looked at once a frame only';
@@ -103,7 +112,10 @@ export function checkFlowpipe(claim: Claim, { grid, layers }: Flowpipe): string 
   return null;
 }
 
-/** Joins what is left of the parts of a bundle to the bundles of the next step; why not, where some of it goes on that is said to be over. */
+/**
+ * Joins the remaining parts of a set to the sets of the next step. Returns what is wrong if a part goes on that is said to have
+ * ended.
+ */
 function takeOver(scene: Scene, pieces: readonly Piece[], step: number, next: Map<number, Bundle>): string | null {
   for (const { piece, off, to } of pieces) {
     const left = piece && withoutStrips(scene, piece, off, step);
@@ -121,19 +133,19 @@ const isGrid = (grid: PipeGrid | undefined): grid is PipeGrid =>
   isAxis(grid?.axis) &&
   isCount(1, 60, grid?.frames) &&
   isCount(3, 400, grid?.steps) &&
-  // by these the certificate was made: a picture of it is made again
+  // The checker does not need these numbers, but a picture of the proof is computed from them.
   isFrom(0.25, 1000, grid?.cell) &&
   isCount(1, 64, grid?.turns);
 
 interface Scene extends TurnedScene {
   readonly claim: Claim;
-  /** length of a step, s */
+  /** Length of a step, s. */
   readonly seconds: number;
-  /** the two times by whose octagons bundles are cut */
+  /** The two times at whose octagons sets are cut. */
   readonly times: readonly [number, number];
 }
 
-/** All she is at the start: one bundle. */
+/** The start, as one set. */
 function startOf({ claim, seconds, times, velocity, turn }: Scene): Bundle {
   const octagonAt = (time: number): Octagon =>
     COMPASS.map((d) => dot(d, { x: velocity.x * time * seconds, y: velocity.y * time * seconds }) + ROUNDING);
@@ -149,17 +161,17 @@ function startOf({ claim, seconds, times, velocity, turn }: Scene): Bundle {
   };
 }
 
-/** Where she may be in a step: the drift between its two ends, and how far a push can take her from that. */
+/** Where she may be in a step: the drift between its two ends, and how far pushes can take her from that. */
 function wayTo({ atTimes }: Bundle, step: number, seconds: number, push: number): Area {
   const before = atTimes[step - 1] as Octagon;
   const after = atTimes[step] as Octagon;
-  // and what a stage of a method that steps may be off the way
+  // A stage of a stepping method may also lie beside the path.
   const bend = (push * seconds * seconds) / 2 + Math.max(0.01, 2.5e-4 * push);
   const most = (n: number) => Math.max(before[n], after[n]) + bend;
   return { left: -most(4), right: most(0), low: -most(6), high: most(2) };
 }
 
-/** What may become of a bundle: pressed at some time of the step, or not at all. */
+/** What may become of a set: pressed at some time of the step, or not at all. */
 function afterStep(scene: Scene, bundle: Bundle, way: Area, step: number): Bundle[] {
   const { seconds } = scene;
   const { pull, aim } = gun(scene, way, step * seconds);
@@ -171,7 +183,7 @@ function afterStep(scene: Scene, bundle: Bundle, way: Area, step: number): Bundl
   const pushed = (forces: readonly number[]) =>
     bundle.atTimes.map((octagon, i) => {
       if (octagon === null || (i < step && !scene.times.includes(i))) return null;
-      // the integral of the time left to time i; where that has passed, the push counts the other way
+      // The integral of the time left to time i. For a time that has passed, the push counts the other way.
       const lever = seconds * seconds * (i - step + 0.5);
       return octagon.map((far, n) => far + (lever > 0 ? lever * forces[n] : -lever * forces[back(n)]) + ROUNDING);
     });
@@ -183,7 +195,10 @@ function afterStep(scene: Scene, bundle: Bundle, way: Area, step: number): Bundl
 
 const most = (a: readonly number[], b: readonly number[]): number[] => a.map((far, n) => Math.max(far, b[n]));
 
-/** How far the gun can accelerate her in each direction, wherever she is on the way, and where her box points while it is held. */
+/**
+ * The greatest acceleration by the gun in each direction, at any place of the step, and where her box points while the gun is
+ * held.
+ */
 function gun({ claim, asteroids: rocks, drift }: Scene, way: Area, seconds: number): { pull: readonly number[]; aim: Aim } {
   const { range, recoil } = claim.level;
   const strongest = claim.rules.pull;
@@ -200,7 +215,7 @@ function gun({ claim, asteroids: rocks, drift }: Scene, way: Area, seconds: numb
     const moved = drift(i, seconds);
     const { least, most: farthest } = distances(rock, way);
     if (least - moved > reach + ROUNDING) continue;
-    // without recoil the border between two targets is a straight line
+    // Without recoil the border between two targets is a straight line.
     const isBeaten = !recoil && corners.every((p) => apart(p, nearest) + 10 * ROUNDING < apart(p, rock));
     if (rock !== nearest && isBeaten) continue;
     const way0 = { x: rock.x - middle.x, y: rock.y - middle.y };
@@ -208,7 +223,7 @@ function gun({ claim, asteroids: rocks, drift }: Scene, way: Area, seconds: numb
     const blur = halfDiagonal(way) + moved + ROUNDING;
     if (d - blur < 4) return { pull: COMPASS.map(() => strongest), aim: { to: { x: 1, y: 0 }, off: 2 } };
     const perPx = (at: number) => Math.max(0, strongest / at - strongest / range);
-    // how much the pull changes with a px of her place: tangentially by what is left of pull / d, radially by pull / range
+    // How much the pull changes per px of her place: tangentially by what is left of pull / d, radially by pull / range.
     const slope = Math.max(strongest / (d - blur), strongest / range);
     pull = most(
       pull,
@@ -218,7 +233,7 @@ function gun({ claim, asteroids: rocks, drift }: Scene, way: Area, seconds: numb
         return Math.min(byPlace, perPx(d) * dot(direction, way0) + slope * blur) + ROUNDING;
       }),
     );
-    // the chord of an angle whose sine is at most a half is at most 1.04 times that sine
+    // If the sine of an angle is at most 1/2, its chord is at most 1.04 times the sine.
     const here: Aim =
       blur > d / 2 ? { to: { x: 1, y: 0 }, off: 2 } : { to: { x: way0.x / d, y: way0.y / d }, off: (1.1 * blur) / d };
     aim = aim === null ? here : eitherAim(aim, here);
@@ -226,7 +241,7 @@ function gun({ claim, asteroids: rocks, drift }: Scene, way: Area, seconds: numb
   return { pull, aim: aim ?? { to: { x: 1, y: 0 }, off: 2 } };
 }
 
-/** How far fields can push her in each direction; null out of all of them. */
+/** The greatest acceleration by fields in each direction; null when she is out of all fields. */
 function fieldsAt({ claim, fields }: Scene, way: Area): { push: readonly number[]; always: boolean } | null {
   const middle = middleOf(way);
   const blur = halfDiagonal(way) + ROUNDING;
@@ -244,16 +259,16 @@ function fieldsAt({ claim, fields }: Scene, way: Area): { push: readonly number[
   return { push: pushes.reduce(most), always: near.some((field) => distances(field, way).most < field.radius - ROUNDING) };
 }
 
-/** A part of a bundle, null where there is none, and what is said of it. */
+/** A part of a set, null when it is empty, and the hint about it. */
 type Piece = PipePart & { readonly piece: Bundle | null };
 
-/** A bundle cut by its places at two times, as the certificate says; null where it says nothing that makes sense. */
+/** A set, cut by its drift places at two times as the certificate says; null when the hint makes no sense. */
 function piecesOf({ times }: Scene, bundle: Bundle, step: number, said: PipeStep | undefined): Piece[] | null {
   if (!Array.isArray(said?.cuts) || said.cuts.length !== 4 || !Array.isArray(said.parts)) return null;
   const { cuts, parts } = said;
   if (!cuts.every((lines) => Array.isArray(lines) && lines.every(isLength)) || !parts.every(isPart)) return null;
   if (parts.length > MOST || cuts.reduce((count, lines) => count * (lines.length + 1), 1) !== parts.length) return null;
-  // from one line to the next, the first and the last without end: all that there is lies in one of them
+  // The first and the last interval are unbounded, so that the intervals contain everything.
   const between = cuts.map((lines) =>
     [...lines, Number.POSITIVE_INFINITY].map((to, n) => [n > 0 ? lines[n - 1] : Number.NEGATIVE_INFINITY, to]),
   );
@@ -269,7 +284,7 @@ const isPart = (part: PipePart | undefined): part is PipePart =>
   part.off.every((strip) => isIndex(strip?.side, COMPASS) && isLength(strip.at)) &&
   (part.to === null || (Number.isInteger(part.to) && part.to >= 0));
 
-/** What of a bundle is between some lines at two times, along x and y at each; null when nothing is. */
+/** The part of a set between given lines at two times, along x and y at each; null when it is empty. */
 function within(bundle: Bundle, times: readonly number[], cell: readonly number[][], step: number): Bundle | null {
   const limit = times.map((time, n) => {
     const [right, , high, , left, , low] = bundle.atTimes[time] as Octagon;
@@ -280,7 +295,7 @@ function within(bundle: Bundle, times: readonly number[], cell: readonly number[
   });
   const atTimes = bundle.atTimes.map((octagon, i) => {
     if (octagon === null || (i < step && !times.includes(i))) return null;
-    // a drift is a straight line: its place at one time follows from those at two
+    // A drift is a straight line: its place at one time follows from its places at two others.
     const share = (times[1] - i) / (times[1] - times[0]);
     const part = (weight: number, of: readonly number[], n: number) => (weight >= 0 ? weight * of[n] : -weight * of[back(n)]);
     return octagon.map((far, n) => Math.min(far, part(share, limit[0], n) + part(1 - share, limit[1], n) + ROUNDING));
@@ -288,7 +303,10 @@ function within(bundle: Bundle, times: readonly number[], cell: readonly number[
   return atTimes.some((octagon) => octagon?.some((far, n) => far + octagon[back(n)] < -ROUNDING)) ? null : { ...bundle, atTimes };
 }
 
-/** A bundle without strips in which hazards end the run, as they are at the end of a step; null when nothing is left, or why one of them goes on. */
+/**
+ * A set without the strips in which hazards end the run, with the hazards as they are at the end of a step; null when nothing
+ * is left, or what is wrong if one of the strips goes on.
+ */
 function withoutStrips(scene: Scene, bundle: Bundle, off: readonly Strip[], step: number): Bundle | string | null {
   let octagon = bundle.atTimes[step] as Octagon;
   for (const { by, side, at } of off) {
@@ -309,7 +327,7 @@ function withoutStrips(scene: Scene, bundle: Bundle, off: readonly Strip[], step
   return { ...bundle, atTimes: bundle.atTimes.map((old, i) => (i === step ? octagon : old)) };
 }
 
-/** The circle that something deadly covers after so many seconds; null where it is nothing of that sort, or may be there no more. */
+/** The circle that a hazard covers after so many seconds; null when the object is no hazard or may be gone. */
 function hazardAt({ claim, turn, drift }: Scene, { chasers }: Bundle, by: Strip['by'], seconds: number): Circle | null {
   if (by?.kind === 'alien') {
     if (!isIndex(by.index, chasers) || !chasers[by.index].isThere) return null;
@@ -321,8 +339,8 @@ function hazardAt({ claim, turn, drift }: Scene, { chasers }: Bundle, by: Strip[
 }
 
 /**
- * Whether her box overlaps a circle wherever she is between some corners: by the circle in her box, or by the box as it is turned. Both times these places are
- * convex, so that they hold all that lies between corners that they hold.
+ * Whether her box overlaps a circle at all places between some corners, either by the circle in her box or by the box at its
+ * possible angles. In both cases these places form a convex set, so it contains everything between its corners.
  */
 function overlapsAll({ box, inner }: Claim, { x, y, radius }: Circle, corners: readonly Point[], { to, off }: Aim): boolean {
   const inCircle = (p: Point) => apart(p, { x, y }) < radius + inner - ROUNDING;
@@ -337,14 +355,14 @@ function overlapsAll({ box, inner }: Claim, { x, y, radius }: Circle, corners: r
   return corners.every(inCircle) || corners.every(inBox);
 }
 
-/** Whether all of a bundle is out of range at the end of a step. */
+/** Whether all of a set is out of range at the end of a step. */
 function isLost({ asteroids, drift, seconds }: Scene, { atTimes }: Bundle, step: number): boolean {
   const [right, , high, , left, , low] = atTimes[step] as Octagon;
   const here: Area = { left: -left, right, low: -low, high };
   return asteroids.every((rock, i) => distances(rock, here).least > rock.radius + drift(i, step * seconds) + ROUNDING);
 }
 
-/** A bundle that holds two others. */
+/** A set that contains two others. */
 function either(a: Bundle, b: Bundle): Bundle {
   return {
     atTimes: a.atTimes.map((octagon, i) => {
@@ -356,7 +374,7 @@ function either(a: Bundle, b: Bundle): Bundle {
   };
 }
 
-/** Half a turn of her box changes nothing. */
+/** Half a turn does not change her box. */
 function eitherAim(a: Aim, b: Aim): Aim {
   const sign = dot(a.to, b.to) < 0 ? -1 : 1;
   const other = { x: sign * b.to.x, y: sign * b.to.y };

@@ -2,7 +2,10 @@ import type { Blocker } from '../proofs/index.ts';
 import type { Claim } from './claim.ts';
 import { isIndex, type Point } from './rounded.ts';
 
-/** The circle that something deadly covers all the time, wherever recoil moves it, px from the start; null where it is nothing of that sort. */
+/**
+ * The circle that a hazard covers at all times, wherever recoil moves it, px from the start; null when the object is no such
+ * hazard.
+ */
 export function standingHazard(
   { level, about, place, drift }: Claim,
   by: Blocker | undefined,
@@ -12,6 +15,6 @@ export function standingHazard(
     const { x, y, radius } = place(level.asteroids[by.index]);
     return { x, y, radius: radius - drift(by.index) };
   }
-  // touching the black hole ends the run, so on the way to a mineral it blocks like a hazard
+  // Touching the black hole ends the run, so on the way to a mineral it blocks like a hazard.
   return by?.kind === 'blackHole' && about.kind === 'mineral' ? place(level.blackHole) : null;
 }

@@ -10,28 +10,37 @@ import { apart, isIndex, less, type Point } from './rounded.ts';
 
 const START = { x: 0, y: 0 };
 
-/** She may be this far from the exact line, px, and turned by as much at the corners of her box: rounding is far below it. */
+/**
+ * How far she may be from the exact line, px, and how far the corners of her box may be turned away from it. Rounding is far
+ * below it.
+ */
 const TUBE = 0.01;
 
 /** Distances that differ by less are equal, px. */
 const TIE = 1e-6;
 
-/** The line from the start through the asteroid she falls to: `along` it and `aside` of it, px. */
+/** The line from the start through the asteroid towards which she falls. */
 interface Line {
   readonly target: number;
   readonly centre: number;
   readonly radius: number;
-  /** where recoil may carry its centre, px from the start */
+  /** The least and the greatest distance from the start to which recoil may carry the asteroid's centre, px. */
   readonly nearest: number;
   readonly farthest: number;
+  /** The coordinate of a place along the line, px from the start. */
   along(p: Point): number;
+  /** The distance of a place from the line, px. */
   aside(p: Point): number;
 }
 
 /**
- * She rests at the start. The gun pulls her along the line to the nearest asteroid, and nothing takes her off this line as long as
- * no other asteroid is nearer and no field, wind or wormhole acts. None of it happens between the two ends of the stretch; she can't pass these;
- * and no box on the stretch touches the thing.
+ * Checks `line-trap`: she rests at the start, and the gun pulls her along the line to the nearest asteroid.
+ *
+ * The invariant is that she stays on this line with zero angular momentum, as long as no other asteroid is nearer and no field,
+ * wind or wormhole acts (lemma `line`). The check tests that none of this happens on the stretch (allowing for the drift of the
+ * asteroid), that she cannot pass either end of it, that the speed limit does not bend her path (lemma `speed on a line`, an
+ * energy bound), that in `arcade` rounding does not take her off the line, and that no box on the stretch touches the object.
+ * An end that is a dead end is followed by {@link checkDeadEnd}.
  */
 export function checkLineTrap(claim: Claim, { target, back, front, drift }: LineTrap): string | null {
   const { astronaut, asteroids, repulsors } = claim.level;
@@ -58,10 +67,11 @@ export function checkLineTrap(claim: Claim, { target, back, front, drift }: Line
   if (why !== null) return why;
   if (mayBend(claim, line, back, front)) return 'she may come to the speed limit, and off the line';
 
-  // from where a dead end begins another asteroid is as near: she is on the line up to there
+  // A dead end begins where another asteroid is equally near: she is on the line up to there.
   const from = back.by?.kind === 'dead-end' ? back.at : back.at - TUBE;
   const to = front.by?.kind === 'dead-end' ? front.at : front.at + claim.jump + TUBE;
-  // the target may have drifted either way; a difference of squared distances is linear in her place, so its worst is at an end
+  // The asteroid may have drifted either way. A difference of squared distances is linear in her place, so its extremes lie at
+  // the ends.
   for (const [i, asteroid] of asteroids.entries()) {
     if (i === target) continue;
     const other = claim.place(asteroid);
@@ -91,8 +101,9 @@ export function checkLineTrap(claim: Claim, { target, back, front, drift }: Line
 }
 
 /**
- * Recoil accelerates the target by recoil / diameter, and only while the gun pulls her forward by no less than it does at the start: so it makes at most
- * that share of her way, which is no longer than the stretch (and a hundredth for frames).
+ * Lemma `fall drift`: recoil accelerates the asteroid by recoil / diameter, only while the gun pulls her forward, and at least
+ * as strongly as at the start. So the asteroid moves at most by that ratio times her path, which is no longer than the stretch
+ * (plus 1 % for frames).
  */
 function driftOnFall(claim: Claim, target: number, centre: number, end: number): number {
   const { recoil, range, asteroids } = claim.level;
@@ -105,10 +116,13 @@ function driftOnFall(claim: Claim, target: number, centre: number, end: number):
 }
 
 /**
- * The drift that is claimed, where from it follows a smaller one, so that it is never reached; null where that can't be told. Ahead of the asteroid
- * she is accelerated by at least `weakest` when it is accelerated after her, by recoil / diameter; behind it by at most the pull, when it is the other way. With m the
- * mean of both, its velocity is -recoil / (m diameter) of hers, and what at most (pull - weakest) / (2 m) of its own acceleration adds up to: over
- * time, that share of her way back, and of the bound for constant acceleration. For the drift towards the start ahead and behind change places.
+ * Lemma `swing drift`: returns the claimed drift if a smaller one follows from it, so that it is never reached, else null.
+ *
+ * When she is ahead of the asteroid, it is accelerated after her by recoil / diameter, and she by at least `weakest`; when she
+ * is behind, she is accelerated by at most the pull. With m the mean of both, the asteroid's velocity is -recoil / (m diameter)
+ * times hers, except for at most the fraction (pull - weakest) / (2 m) of its own acceleration. Over time, this adds up to the
+ * same ratio times her path back, plus that fraction of the bound for constant acceleration. For the drift towards the start,
+ * ahead and behind change places.
  */
 function driftOnSwing(
   claim: Claim,
@@ -138,9 +152,10 @@ function driftOnSwing(
 }
 
 /**
- * Whether one axis of her velocity may come to the speed limit and the other not. Lemma `speed on a line`: every turn is at rest on the stretch, and from there the pull takes
- * her to the asteroid's centre at most; beyond that it slows her down. Without recoil it falls off with the distance. A line along an axis isn't bent; but where recoil
- * acts her speed tells how far the asteroid drifts, and the limit mustn't take any of it.
+ * Whether one axis of her velocity may reach the speed limit before the other does. Lemma `speed on a line`: she is at rest at
+ * every turning point of the stretch, and from there the pull accelerates her only up to the asteroid's centre. Without recoil
+ * the pull decreases linearly with the distance. A line along an axis is not bent. With recoil, her speed determines how far
+ * the asteroid drifts, so the limit must not be reached at all.
  */
 function mayBend(claim: Claim, line: Line, back: LineEnd, front: LineEnd): boolean {
   const { recoil, range, astronaut, asteroids } = claim.level;
@@ -153,16 +168,19 @@ function mayBend(claim: Claim, line: Line, back: LineEnd, front: LineEnd): boole
   return !less(speedAfter(claim.push, recoil ? far : inRange * (1 - inRange / (2 * range))), unlimited(claim.rules, claim.push));
 }
 
-/** She dies before she comes to the asteroid's centre, so that it only ever pulls her forward: she can't go back beyond the start. */
+/**
+ * She dies before she reaches the asteroid's centre, so it only ever pulls her forward, and she cannot go back behind the
+ * start.
+ */
 function checkOneWay(claim: Claim, line: Line, back: LineEnd, front: LineEnd): string | null {
   if (back.at !== 0) return 'its stretch does not begin at the start';
   if (front.by?.kind === 'asteroid' && front.by.index === line.target) {
-    // recoil brings it towards her: she meets it here at the latest, and doesn't jump over half of it
+    // Recoil moves the asteroid towards her: she meets it here at the latest, and does not jump over half of it.
     if (!claim.level.asteroids[line.target].hot) return 'the asteroid at its end is cold';
     if (!less(line.centre - front.at + TUBE, line.radius + claim.box.halfWidth))
       return 'she may stop before she touches the asteroid';
     if (!less(claim.jump + TUBE, line.radius)) return 'she may jump over the asteroid';
-    // and so may it, the faster the longer it comes towards her: no farther than all the way
+    // The asteroid may jump towards her as well, at most with the speed that it gains over the whole distance.
     const kick = claim.level.recoil ? claim.rules.recoil / (2 * line.radius) : 0;
     const met = claim.frames ? TICK * (1.01 * speedAfter(kick, line.centre) + kick * TICK) : 0;
     if (!less(claim.jump + met + TUBE, line.radius + claim.box.halfWidth)) return 'the asteroid may jump over her';
@@ -173,8 +191,8 @@ function checkOneWay(claim: Claim, line: Line, back: LineEnd, front: LineEnd): s
 }
 
 /**
- * With frames rounding is part of the game. Lemma `arcade-axis`: along an axis all differences, pulls and velocities across are 0, and stay so. On other
- * lines what it can do must be told, see {@link offLine}.
+ * In frames rounding is part of the game. Lemma `arcade-axis`: along an axis all differences, pulls and velocities across are
+ * exactly 0 and stay so. On other lines {@link offLine} bounds what rounding can do.
  */
 function checkRounding(claim: Claim, line: Line, end: number): string | null {
   if (!claim.frames) return null;
@@ -183,12 +201,12 @@ function checkRounding(claim: Claim, line: Line, end: number): string | null {
   if (x === astronaut.x || y === astronaut.y) return null;
   if (claim.seconds === null) return 'with frames it needs to say for how long rounding may add up';
   const speed = 1.01 * speedAfter(claim.push, end + claim.jump) + 1;
-  // the asteroid gains at most the share of her speed that its acceleration has of hers, see driftOnFall
+  // The asteroid gains at most the ratio of the accelerations times her speed, see driftOnFall.
   const pull = claim.rules.pull * (1 - (line.centre + TUBE) / range);
   const kick = recoil ? claim.rules.recoil / (2 * radius) : 0;
   if (recoil && !less(0, pull)) return 'with frames rounding may take her off the line';
   const rockSpeed = (1.01 * kick * speed) / pull;
-  // the limit of one axis would take the asteroid off the line
+  // The speed limit of one axis would take the asteroid off the line.
   if (recoil && !less(rockSpeed, unlimited(claim.rules, kick)))
     return 'the asteroid may come to the speed limit, and off the line';
   const { beside, slope } = offLine({
@@ -207,9 +225,9 @@ function checkRounding(claim: Claim, line: Line, end: number): string | null {
     : 'with frames rounding may take her off the line';
 }
 
-/** Past the centre she may turn back, and gain speed by pulling on the way in only: nothing but what ends the run stops her. */
+/** Beyond the centre she may turn back, and she gains speed only on the way in: nothing but what ends the run stops her. */
 function checkBothWays(claim: Claim, line: Line, back: LineEnd, front: LineEnd): string | null {
-  // a frame in the very centre pulls her to the right, off the line
+  // At the very centre a frame pulls her to the right, off the line.
   if (claim.frames) return 'with frames she may leave the line at the centre of the asteroid';
   const length = front.at - back.at;
   return checkEnd(claim, line, back, length) ?? checkEnd(claim, line, front, length);
@@ -230,7 +248,7 @@ function checkEnd(claim: Claim, line: Line, end: LineEnd, length: number): strin
 
 /** Her box at the end of the stretch, and as far beyond as she may jump, overlaps the hazard. */
 function checkHazard(claim: Claim, line: Line, { at, by }: LineEnd): string | null {
-  // the gun pulls the target alone, so recoil moves no other asteroid
+  // The gun pulls towards the target only, so recoil moves no other asteroid.
   const still: Claim = { ...claim, drift: (i) => (i === line.target ? claim.drift(i) : 0) };
   const isThing = by?.kind !== 'start' && by?.kind !== 'range' && by?.kind !== 'dead-end';
   const hazard = isThing ? standingHazard(still, by) : null;
@@ -243,7 +261,10 @@ function checkHazard(claim: Claim, line: Line, { at, by }: LineEnd): string | nu
   return null;
 }
 
-/** Distance from a place to a box swept along the line, px: half its length along the line and half its width aside. */
+/**
+ * Distance from a place to a box swept along the line, px; `halfAlong` is half its length along the line, `halfAside` half its
+ * width.
+ */
 function gap(line: Line, p: Point, from: number, to: number, halfAlong: number, halfAside: number): number {
   const dx = Math.max(0, line.along(p) - to - halfAlong, from - halfAlong - line.along(p));
   return apart({ x: dx, y: Math.max(0, line.aside(p) - halfAside) }, START);

@@ -2,14 +2,14 @@ import type { Level } from '../../schema/index.ts';
 import type { Claim } from './claim.ts';
 import type { Point } from './rounded.ts';
 
-/** The disc in which a wormhole takes her centre to another, px from the start. */
+/** A mouth of a wormhole: a disc from which her centre is moved to another disc. Its centre is px from the start. */
 export interface Mouth extends Point {
   readonly radius: number;
-  /** the centre of the other: she comes out of it as far from there as she was from here */
+  /** Centre of the other mouth. She comes out at the same place relative to it. */
   readonly exit: Point;
 }
 
-/** The mouths of the level: those at the near end of wormhole i are number 2 i, at the far end 2 i + 1. Lemma `mouths`. */
+/** The mouths of the level: the near end of wormhole i is number 2 i, its far end 2 i + 1 (lemma `mouths`). */
 export function mouthsOf({
   level,
   place,

@@ -5,15 +5,16 @@ import { apart, isIndex, less } from './rounded.ts';
 const START = { x: 0, y: 0 };
 
 /**
- * The asteroids listed are all that she can ever be in range of: no other is in range of the start, and none is so near to
- * one of them that she could pass from range to range. None of them is near enough to the thing. With wormholes it lists the mouths, too, that she can
- * ever come into, and what holds for a range holds for the disc in which she comes out: with frames, as far around as a frame goes.
+ * Checks `out-of-range`: the listed asteroids are closed under everything that she can do. No other asteroid is in range of the
+ * start, and none is so near to a listed one that she could pass from range to range. She cannot touch the object from within
+ * the range of any listed asteroid. With wormholes, the mouths that she can enter are listed too, and the disc in which she
+ * comes out is treated like a range; in frames it is enlarged by one frame's flight.
  */
 export function checkOutOfRange(claim: Claim, listed: readonly number[], listedMouths: readonly number[] = []): string | null {
   const { asteroids, range } = claim.level;
   if (!Array.isArray(listed) || !listed.every((i) => isIndex(i, asteroids)))
     return 'it lists asteroids that the level does not have';
-  // out of range of all, she would be lost at the start, but what she touches in that instant comes first
+  // Out of every range she is lost at the start, but what she touches at that instant counts first.
   if (!less(claim.touch, apart(claim.thing, START))) return 'she may touch it at the start';
   const mouths = mouthsOf(claim);
   if (!Array.isArray(listedMouths) || !listedMouths.every((i) => isIndex(i, mouths)))
@@ -34,7 +35,7 @@ export function checkOutOfRange(claim: Claim, listed: readonly number[], listedM
   }
   const taken = new Set(listedMouths);
   for (const [m, mouth] of mouths.entries()) {
-    // one that she starts in takes her nowhere before she has left it
+    // A mouth in which she starts moves her nowhere before she has left it.
     const reach = mouth.radius + claim.jump;
     const comesFrom = (i: number) => !less(range + claim.drift(i) + reach, apart(place[i], mouth));
     const comesOut = (n: number) => !less(mouths[n].radius + claim.jump + reach, apart(mouths[n].exit, mouth));

@@ -8,30 +8,30 @@ import type { Point } from './rounded.ts';
 /** A circle, px from the start along the axes of a certificate. */
 export type Circle = Point & { readonly radius: number };
 
-/** A disc in which a steady acceleration is added to all others, px/s2 along the axes of a certificate. */
+/** A disc in which a constant acceleration is added to all others, px/s² along the axes of a certificate. */
 export interface Wind extends Circle {
   readonly ax: number;
   readonly ay: number;
 }
 
-/** A level as it lies to the axes that a certificate names; places in px from the start. */
+/** A level along the axes of a certificate; places are px from the start. */
 export interface TurnedScene {
   readonly thing: Point;
-  /** hers at the start, px/s */
+  /** Her velocity at the start, px/s. */
   readonly velocity: Point;
-  /** radius: the range */
+  /** The asteroids; the radius is the range. */
   readonly asteroids: readonly Circle[];
   readonly fields: readonly Circle[];
   readonly winds: readonly Wind[];
-  /** of wormholes */
+  /** The mouths of wormholes. */
   readonly mouths: readonly Circle[];
-  /** from the level's axes to these */
+  /** Converts from the level's axes to these. */
   turn(p: Point): Point;
-  /** how far recoil has carried an asteroid at most after so many seconds, px */
+  /** How far recoil can have carried an asteroid after so many seconds, px. */
   drift(asteroid: number, seconds: number): number;
 }
 
-/** The level with a direction as x. */
+/** The level with the given direction as its x axis. */
 export function turnedScene(claim: Claim, [ux, uy]: Direction): TurnedScene {
   const { level, rules, thing, place } = claim;
   const turn = ({ x, y }: Point): Point => ({ x: x * ux + y * uy, y: y * ux - x * uy });
@@ -50,12 +50,12 @@ export function turnedScene(claim: Claim, [ux, uy]: Direction): TurnedScene {
   };
 }
 
-/** Whether that is a unit vector: a certificate may say anything. */
+/** Whether a value is a unit vector; a certificate may contain anything. */
 export const isAxis = (axis: Direction | undefined): axis is Direction =>
   Array.isArray(axis) && axis.length === 2 && Math.abs(axis[0] * axis[0] + axis[1] * axis[1] - 1) < 1e-12;
 
-/** Whether that is a number from the least to the most of two. */
+/** Whether a value is a number between two bounds. */
 export const isFrom = (least: number, most: number, n: unknown): n is number => typeof n === 'number' && n >= least && n <= most;
 
-/** The same for whole numbers. */
+/** Whether a value is a whole number between two bounds. */
 export const isCount = (least: number, most: number, n: unknown): n is number => isFrom(least, most, n) && Number.isInteger(n);
