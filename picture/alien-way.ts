@@ -2,7 +2,7 @@ import type { Theme } from './theme.ts';
 import type { View } from './view.ts';
 import { num } from './xml.ts';
 
-/** The way of an alien that moved, and where it was at the end: a ghost, or a burst where it had exploded. */
+/** Draws the path of an alien that moved, and its last place: a ghost, or a burst if it had exploded. */
 export function drawAlienWay(
   view: View,
   theme: Theme,

@@ -4,11 +4,11 @@ import type { Theme } from './theme.ts';
 import type { View } from './view.ts';
 import { num } from './xml.ts';
 
-/** Space, with specks of stars that are the level's own: the same ones in every picture of it. */
+/** Draws space with specks of stars. They depend on the level only, so that all pictures of a level have the same ones. */
 export function drawBackground(view: View, theme: Theme, level: Level): string {
   const random = randomFrom(seedOf(level.name));
   const count = Math.round((view.width * view.height) / 3000);
-  // three sizes, one path each
+  // Three sizes, with one path for each.
   const specks = ['', '', ''];
   for (let i = 0; i < count; i++) {
     const size = random() ** 3 * 3;

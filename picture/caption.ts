@@ -7,10 +7,10 @@ import type { Theme } from './theme.ts';
 import { drawTimeline } from './timeline.ts';
 import { num } from './xml.ts';
 
-/** At the sides; less where there is little room. */
+/** Margin at the sides, in units; smaller in narrow pictures. */
 const PADDING = 26;
 
-/** How the run went, in a few words. */
+/** How the run ended, in a few words. */
 export function outcomeText(level: Level, run: Run): string {
   const time = `${run.time.toFixed(2)} s`;
   const what = {
@@ -20,11 +20,12 @@ export function outcomeText(level: Level, run: Run): string {
     timeout: `nothing ended it in ${time}`,
   }[run.outcome];
   const all = level.minerals.length;
-  // `arcade` may count one twice
+  // `arcade` may count one mineral twice.
   const collected = new Set(run.minerals.map(({ index }) => index)).size;
   return all === 0 ? what : `${what} · ${collected} of ${all} mineral${all === 1 ? '' : 's'}`;
 }
 
+/** The contents of the caption. */
 export interface Caption {
   readonly title: string;
   readonly run: Run | undefined;
@@ -33,19 +34,19 @@ export interface Caption {
   readonly ways: readonly NamedRun[];
   /** A sentence below the title; '' for none. */
   readonly note: string;
-  /** Signs that are not those of the level's things. */
+  /** Entries of the legend that do not stand for objects of the level. */
   readonly signs: readonly LegendEntry[];
 }
 
 const TITLE = 14;
 const OUTCOME = 9.5;
 const NOTE = 7.6;
-/** Between two lines of the outcome. */
+/** Distance between two lines of the outcome, in units. */
 const LINE = 18;
-/** From this width on a long name is cut rather than the outcome moved. */
+/** From this width on, in units, a long name is cut; in narrower pictures the outcome moves below it. */
 const ROOMY = 900;
 
-/** Below the scene: name, outcome, when the gun was held, and what the signs mean. */
+/** Draws what stands below the scene: name, outcome, timeline and legend. */
 export function drawCaption(
   level: Level,
   theme: Theme,
@@ -63,7 +64,7 @@ export function drawCaption(
     const words = outcomeText(level, run);
     const color = run.outcome === 'completed' ? theme.good : run.outcome === 'timeout' ? theme.muted : theme.bad;
     outcomeWidth = textWidth(words, OUTCOME) + 24;
-    // beside the name, or below it where there is no room for both
+    // The outcome stands beside the name, or below it where there is no room for both.
     const isBeside = textWidth(title, TITLE) + outcomeWidth <= inner || width >= ROOMY;
     if (isBeside) outcome = drawText(words, width - padding, y, { size: OUTCOME, color, anchor: 'end' });
     else {

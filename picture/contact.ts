@@ -7,7 +7,10 @@ import { num } from './xml.ts';
 
 const CROSS = 'M-7-7L7 7M-7 7L7-7';
 
-/** A sign where the run ended: a ring at the black hole, a cross in a ring at a hazard, a broken ring where she was lost. */
+/**
+ * Marks the place where the run ended: a ring at the black hole, a cross in a ring at a hazard, a broken ring where she was
+ * lost.
+ */
 export function drawContact(view: View, theme: Theme, level: Level, run: Run): string {
   const { final, outcome } = run;
   if (outcome === 'timeout') return '';
@@ -23,7 +26,7 @@ export function drawContact(view: View, theme: Theme, level: Level, run: Run): s
   );
 }
 
-/** The point of her box nearest to what she touched: the middle of it, clamped to the box in the box's own frame. */
+/** The point of her box nearest to what she touched: its centre, clamped to the box in the box's own axes. */
 function touchOf(level: Level, run: Run): { x: number; y: number } {
   const { x, y, cos, sin } = run.final;
   const touched = touchedAt(level, run);
@@ -35,7 +38,7 @@ function touchOf(level: Level, run: Run): { x: number; y: number } {
   return { x: x + along * cos - across * sin, y: y + along * sin + across * cos };
 }
 
-/** The middle of what the run ended at, where it then was: of several places the one that is nearest to her. */
+/** The centre of the object at which the run ended, at that moment. If it has several places, the one nearest to her. */
 function touchedAt(level: Level, run: Run): { readonly x: number; readonly y: number } {
   const { final } = run;
   if (run.with === null) return final;

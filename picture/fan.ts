@@ -6,7 +6,7 @@ import { num } from './xml.ts';
 
 const CROSS = 'm-3-3l6 6m0-6l-6 6';
 
-/** Where she goes when presses and releases come at slightly wrong times: ways that still reach the black hole, and those that don't. */
+/** Draws her paths for shifted presses and releases: those that still reach the black hole, and those that fail. */
 export function drawFan(view: View, theme: Theme, runs: readonly Run[]): string {
   const draw = (completes: boolean): string => {
     let d = '';
@@ -19,7 +19,7 @@ export function drawFan(view: View, theme: Theme, runs: readonly Run[]): string 
       if (!completes) ends += `M${num(view.x(run.final.x))} ${num(view.y(run.final.y))}${CROSS}`;
     }
     if (d === '') return '';
-    // told apart without colour, too
+    // Dashes distinguish them without colour.
     const dash = completes ? '' : ' stroke-dasharray="5 3"';
     const crosses = ends === '' ? '' : `<path d="${ends}" stroke-width="1.6" stroke-opacity=".9"/>`;
     return (
@@ -30,6 +30,6 @@ export function drawFan(view: View, theme: Theme, runs: readonly Run[]): string 
   return `<g data-kind="fan" fill="none" stroke-linecap="round" stroke-linejoin="round">${draw(true)}${draw(false)}</g>`;
 }
 
-/** The signs of both kinds of ways, for the legend. */
+/** The icons of both kinds of paths, for the legend. */
 export const drawFanSign = (theme: Theme, completes: boolean): string =>
   `<path d="M-10 4C-4-5 4-5 10 0" fill="none" stroke="${completes ? theme.good : theme.bad}" stroke-width="1.6" stroke-linecap="round"${completes ? '' : ' stroke-dasharray="5 3"'}/>`;

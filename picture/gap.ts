@@ -7,10 +7,10 @@ import type { Theme } from './theme.ts';
 import type { View } from './view.ts';
 import { num } from './xml.ts';
 
-/** Nearer than this to the end of the run she is drawn there already, s. */
+/** If the closest approach is less than this before the end of the run, s, her figure at the end serves for it. */
 const AT_END = 0.25;
 
-/** The moment in which a run came nearest to the black hole: her box then, and how far it was from the rim. */
+/** Draws the closest approach of a run: her box at that moment, and its distance from the rim of the black hole. */
 export function drawGap(view: View, theme: Theme, level: Level, run: Run, time: number): string {
   const state = new Float64Array(STATE_SIZE);
   run.trajectory.at(time, state);
@@ -19,7 +19,7 @@ export function drawGap(view: View, theme: Theme, level: Level, run: Run, time: 
   const box = boxOf(rulesOf(level));
   const dx = blackHole.x - x;
   const dy = blackHole.y - y;
-  // the point of her box that is nearest, and the one of the rim that faces it
+  // The nearest point of her box, and the point of the rim that faces it.
   const along = Math.max(-box.halfWidth, Math.min(box.halfWidth, dx * cos + dy * sin));
   const across = Math.max(-box.halfHeight, Math.min(box.halfHeight, dy * cos - dx * sin));
   const nearX = x + along * cos - across * sin;
@@ -34,7 +34,7 @@ export function drawGap(view: View, theme: Theme, level: Level, run: Run, time: 
   const [ax, ay, bx, by] = [view.x(nearX), view.y(nearY), view.x(rimX), view.y(rimY)];
   const text = `${gap.toFixed(1)} px`;
   const width = textWidth(text, 8) + 10;
-  // beside the line, on its upper side
+  // Beside the line, on its upper side.
   const length = Math.hypot(bx - ax, by - ay) || 1;
   const side = bx >= ax ? 1 : -1;
   const tx = (ax + bx) / 2 + (side * (by - ay) * (width / 2 + 8)) / length;

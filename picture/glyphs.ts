@@ -1,7 +1,7 @@
 /**
- * A small stroke font of our own, so that a picture needs no font on the machine and is the same on all of them.
- * Units: capitals are 10 high, small letters 7; y grows downwards from the baseline. A glyph is its width and its
- * strokes; a stroke is its first point and the rest as relative path commands.
+ * A small stroke font, so that a picture needs no installed font and looks the same everywhere. Units: capitals are 10 high,
+ * small letters 7; y grows downwards from the baseline. A glyph has a width and strokes; a stroke is its first point, and the
+ * rest as relative path commands.
  */
 export interface Glyph {
   readonly width: number;
@@ -14,7 +14,7 @@ const ROUND = '4,-10 c2.4 0 4 2 4 5s-1.6 5 -4 5s-4 -2 -4 -5s1.6 -5 4 -5z';
 const OPEN = '7,-8 c-.8 -1.4 -1.9 -2 -3.1 -2c-2.4 0 -3.9 2 -3.9 5s1.5 5 3.9 5c';
 const ARCH = '0,-4.2 c.3 -1.8 1.2 -2.8 2.5 -2.8c1.5 0 2.2 1 2.2 2.7v4.3';
 
-// one line a glyph: width | stroke | stroke …
+// One line per glyph: width | stroke | stroke …
 const SOURCE: Record<string, string> = {
   ' ': '2.6',
   A: '8|0,0 l4 -10l4 10|1.4,-3.5 h5.2',
@@ -136,5 +136,5 @@ const GLYPHS = new Map(
   }),
 );
 
-/** The glyph of a character, or null where the font has none. */
+/** The glyph of a character; null when the font has none. */
 export const glyphOf = (character: string): Glyph | null => GLYPHS.get(character) ?? null;

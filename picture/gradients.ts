@@ -3,7 +3,7 @@ import { IN_PICTURE } from './kinds/index.ts';
 import { radial } from './radial-gradient.ts';
 import type { Theme } from './theme.ts';
 
-/** The gradients that every picture of a theme shares. */
+/** The gradients that all pictures of a theme share. */
 export function drawGradients(theme: Theme): string {
   const own = [...LISTED_KINDS, ...SINGLE_KINDS].flatMap((kind) => IN_PICTURE[kind].gradients?.(theme) ?? []);
   return `<defs>${[

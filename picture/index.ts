@@ -60,8 +60,8 @@ export interface RenderOptions {
 const UNITS = 960;
 
 /**
- * From this width on, px, the smallest letters of the layout are legible: capitals of 8 px, as in a font of 11 px. Narrower pictures are
- * laid out in fewer units, so that their letters stay as large.
+ * From this width on, px, the smallest letters of the layout are legible: capitals of 8 px, as in a font of 11 px. Narrower
+ * pictures are laid out in fewer units, so that their letters stay as large.
  */
 const LEGIBLE_WIDTH = 1180;
 
@@ -71,8 +71,8 @@ const FEWEST_UNITS = 260;
 const unitsFor = (width: number): number => Math.round(Math.max(FEWEST_UNITS, Math.min(UNITS, (width * UNITS) / LEGIBLE_WIDTH)));
 
 /**
- * Draws a level as a standalone SVG document: its objects, and the run when one is given. The same input gives the same text. Texts
- * from the level are escaped.
+ * Draws a level as a standalone SVG document: its objects, and the run when one is given. The same input gives the same text.
+ * Texts from the level are escaped.
  * @param level the level
  * @param options what to draw besides the objects, and how
  * @returns the SVG document as text

@@ -1,4 +1,4 @@
-/** Colours of diagrams by what they are for: [on a light ground, on a dark one]. Nothing is told by colour alone. */
+/** Colours of diagrams by purpose: [on light ground, on dark ground]. Nothing is distinguished by colour alone. */
 const INKS = {
   panel: ['#ffffff', '#0a0e1d'],
   shade: ['#eef1f8', '#141a33'],
@@ -15,10 +15,10 @@ const INKS = {
 
 export type Ink = keyof typeof INKS;
 
-/** `auto` follows what the reader's system prefers, where the viewer knows that; light elsewhere. */
+/** `auto` follows the preference of the reader's system where the viewer knows it, and is light elsewhere. */
 export type Ground = 'auto' | 'light' | 'dark';
 
-/** Puts drawings into an ink: what they draw in `currentColor` has it. */
+/** Draws in an ink: sets `currentColor` for the drawings. */
 export function inked(ground: Ground, ink: Ink, drawings: string): string {
   if (drawings === '') return '';
   return `<g class="gq-${ink}" color="${INKS[ink][ground === 'dark' ? 1 : 0]}">${drawings}</g>`;

@@ -18,13 +18,14 @@ const LABEL = 7;
 const ROW = 25;
 const GAP = 20;
 
+/** An entry of the legend. */
 export interface LegendEntry {
   readonly label: string;
-  /** null: words alone */
+  /** SVG around the origin; null for an entry without an icon. */
   readonly icon: string | null;
 }
 
-/** A sign for those of a kind that the level has, and one for those of its variant. */
+/** The legend's entries for the objects of one kind, with one for its variant. */
 function entriesOfKind(level: Level, theme: Theme, kind: ObjectKind): LegendEntry[] {
   const { legend, draw } = IN_PICTURE[kind];
   if (legend === null) return [];
@@ -66,7 +67,7 @@ function entriesOf(level: Level, theme: Theme, runs: 'none' | 'one' | 'several',
   return entries;
 }
 
-/** What the signs of this picture mean, in rows of at most `width`; `others` come first. */
+/** Draws the legend: the meaning of the icons in this picture, in rows of at most `width` units. `others` come first. */
 export function drawLegend(
   level: Level,
   theme: Theme,

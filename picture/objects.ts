@@ -16,19 +16,22 @@ import { type Thing, thingsOf } from './things.ts';
 import type { View } from './view.ts';
 import { num } from './xml.ts';
 
-/** From this many objects on, in a picture of this width, each is drawn as a speck: details would be too small to see, and the file too large to open. */
+/**
+ * From this many objects on, in a picture of this width, each is drawn as a speck. Details would be too small to see, and the
+ * file too large to open.
+ */
 const SPECKS_FROM = { objects: 1500, width: 960 };
 
-/** Nothing is drawn smaller than this: radius in units of the picture. */
+/** The least radius in the picture, units; smaller objects are drawn larger. */
 const LEAST = 4;
 
-/** Around a thing that is drawn larger than it is, so that nobody takes what is drawn for its size. */
+/** A ring around an object that is drawn larger than it is, so that its drawing is not taken for its size. */
 const drawRing = (radius: number, view: View, theme: Theme): string =>
   `<circle r="${num(2 * radius)}" fill="none" stroke="${theme.text}" stroke-opacity=".6" stroke-width="${num(0.8 / view.scale)}"/>`;
 
 /**
- * Everything in the level but the astronaut, from what lies at the back to what must never be hidden.
- * @param width px that the picture is shown with
+ * Draws all objects but the astronaut, from the back to the front.
+ * @param width width of the picture, px
  */
 export function drawObjects(view: View, theme: Theme, level: Level, width: number): string {
   const count = LISTED_KINDS.reduce((sum, kind) => sum + level[listOf(kind)].length, 0);

@@ -1,7 +1,7 @@
 import type { View } from './view.ts';
 import { num } from './xml.ts';
 
-/** Puts a thing that was drawn around its own centre, in level px, where the level has it. */
+/** Moves a drawing, which is centred on the origin in px of the level, to its place in the level. */
 export function place(
   view: View,
   kind: string,

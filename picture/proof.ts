@@ -5,16 +5,20 @@ import { num } from './xml.ts';
 
 type Role = 'blocked' | 'reach' | 'range' | 'thing' | 'barrier' | 'stretch';
 
-/** What shows a proof, in level px: `blocked` her centre can't be there, `range` beyond all of these she is lost, `thing` from here her box could touch it, `barrier` she can't cross, `stretch` she can't leave, `reach` squares in which she may come to be. */
+/**
+ * The drawing of a proof, in px of the level. `blocked`: her centre cannot be inside; `range`: she is lost outside all of
+ * these; `thing`: her box could touch the object from inside; `barrier`: she cannot cross it; `stretch`: she cannot leave it;
+ * `reach`: squares through which she may come.
+ */
 export interface ProofOverlay {
   readonly discs: readonly (Place & { readonly radius: number; readonly role: Role })[];
   readonly lines: readonly { readonly points: readonly Place[]; readonly closed: boolean; readonly role: Role }[];
 }
 
-/** More discs than these say nothing. */
+/** The most discs to draw; more of them say nothing. */
 const MOST_DISCS = 2000;
 
-/** A proof that something can't be reached, over the level it is about. */
+/** Draws a proof over its level. */
 export function drawProof(view: View, theme: Theme, { discs, lines }: ProofOverlay): string {
   const rings = discs.slice(0, MOST_DISCS).map(({ x, y, radius, role }) => {
     const circle = `<circle data-kind="proof-${role}" cx="${num(view.x(x))}" cy="${num(view.y(y))}" r="${num(radius * view.scale)}"`;
@@ -59,7 +63,7 @@ const WORDS: Record<Role, string> = {
   stretch: "can't be left",
 };
 
-/** What the signs of a proof mean, for the legend. */
+/** The legend's entries for a proof. */
 export function proofSigns(theme: Theme, { discs, lines }: ProofOverlay): { readonly label: string; readonly icon: string }[] {
   const roles = new Set<Role>([...lines, ...discs].map(({ role }) => role));
   return [...roles].map((role) => ({

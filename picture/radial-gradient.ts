@@ -1,6 +1,6 @@
 /**
- * A gradient from a centre outwards, known as `gq-ID`.
- * @param place attributes that say where its centre is and how far it goes; of what it fills, when left out
+ * A radial gradient with the id `gq-ID`.
+ * @param place attributes for its centre and radius; by default those of the shape that it fills
  */
 export const radial = (
   id: string,

@@ -1,4 +1,4 @@
-/** Numbers in [0, 1) from a seed, the same ones every time (mulberry32). For decoration only. */
+/** A generator of numbers in [0, 1) from a seed (mulberry32). For decoration only. */
 export function randomFrom(seed: number): () => number {
   let a = seed | 0;
   return () => {
@@ -9,7 +9,7 @@ export function randomFrom(seed: number): () => number {
   };
 }
 
-/** A seed from a text (FNV-1a). */
+/** A seed computed from a text (FNV-1a). */
 export function seedOf(text: string): number {
   let h = 0x811c9dc5;
   for (let i = 0; i < text.length; i++) h = Math.imul(h ^ text.charCodeAt(i), 0x01000193);

@@ -3,10 +3,10 @@ import type { Theme } from './theme.ts';
 import type { View } from './view.ts';
 import { num } from './xml.ts';
 
-// more discs than this say nothing and hide the rest
+// More discs than this say nothing and hide everything else.
 const MOST = 200;
 
-/** How far each asteroid keeps her: faint discs, brighter where they overlap. */
+/** Draws the ranges of the asteroids as faint discs, brighter where they overlap. */
 export function drawRanges(view: View, theme: Theme, level: Level): string {
   if (level.asteroids.length > MOST) return '';
   const discs = level.asteroids

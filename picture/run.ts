@@ -12,13 +12,15 @@ import type { View } from './view.ts';
 import { alienWay, heldTimes, positionAt, type Stretch } from './way.ts';
 import { num } from './xml.ts';
 
-// a dot a second for a run of a minute; a longer one would be all dots
+// One dot per second suits a run of a minute; a longer one would be covered with dots.
 const MOST_DOTS = 90;
 
-// numbers at the presses help as long as they don't cover each other
+// Numbers at the presses help as long as they do not cover each other.
 const MOST_NUMBERS = 12;
 
-/** Her way: coasting thin, gun held thick, in a halo that keeps it legible on anything it crosses. */
+/**
+ * Draws her path, thin while she drifts and thick while the gun is held. A halo keeps it legible on everything that it crosses.
+ */
 export function drawWay(view: View, theme: Theme, stretches: readonly Stretch[]): string {
   const d = ({ points }: Stretch): string => `M${points.map(([x, y]) => `${num(view.x(x))} ${num(view.y(y))}`).join('L')}`;
   const all = stretches.map(d).join('');
@@ -35,7 +37,7 @@ export function drawWay(view: View, theme: Theme, stretches: readonly Stretch[])
   );
 }
 
-/** A dot each second, a larger one each fifth. */
+/** Draws a dot for each second, and a larger one for every fifth. */
 export function drawSeconds(view: View, theme: Theme, run: Run): string {
   const end = run.trajectory.duration;
   const every = Math.max(1, Math.ceil(end / MOST_DOTS));
@@ -43,7 +45,7 @@ export function drawSeconds(view: View, theme: Theme, run: Run): string {
   let [lastX, lastY] = positionAt(run, 0);
   for (let time = every; time < end; time += every) {
     const [x, y] = positionAt(run, time);
-    // where she is slow they shrink, or they would cover her way
+    // Where she is slow the dots shrink, or they would cover her path.
     const room = 0.3 * Math.hypot(x - lastX, y - lastY) * view.scale;
     const radius = Math.max(0.8, Math.min(room, time % (5 * every) === 0 ? 4 : 2.7));
     dots += `<circle cx="${num(view.x(x))}" cy="${num(view.y(y))}" r="${num(radius)}"/>`;
@@ -52,7 +54,7 @@ export function drawSeconds(view: View, theme: Theme, run: Run): string {
   return `<g data-kind="seconds" fill="${theme.text}" stroke="${theme.halo}" stroke-width="1">${dots}</g>`;
 }
 
-/** A faint line from her to each asteroid as it becomes the target. */
+/** Draws a faint line from her to each asteroid at the moment when it becomes the target. */
 export function drawTethers(view: View, theme: Theme, level: Level, run: Run): string {
   let d = '';
   for (const event of run.events) {
@@ -65,7 +67,7 @@ export function drawTethers(view: View, theme: Theme, level: Level, run: Run): s
   return `<path data-kind="tethers" d="${d}" fill="none" stroke="${theme.gun}" stroke-opacity=".5" stroke-width="1.2" stroke-dasharray="2 4" stroke-linecap="round"/>`;
 }
 
-/** The number of each press beside where it happened: off her way, and off the other numbers. */
+/** Draws the number of each press beside its place, away from her path and from other numbers. */
 export function drawPresses(view: View, theme: Theme, level: Level, run: Run): string {
   const presses = heldTimes(run);
   if (presses.length > MOST_NUMBERS) return '';
@@ -80,7 +82,7 @@ export function drawPresses(view: View, theme: Theme, level: Level, run: Run): s
   const numbers = presses.map(([time], i) => {
     run.trajectory.at(time, state);
     const [x, y, vx, vy, cos, sin] = state;
-    // square to her way, on the side that the gun doesn't pull to; at rest square to the pull
+    // Perpendicular to her path, on the side away from the target; at rest perpendicular to the pull.
     const speed = Math.hypot(vx, vy);
     const [nx, ny] = speed < 1 ? [-sin, cos] : [-vy / speed, vx / speed];
     const side = nx * cos + ny * sin > 1e-6 ? -1 : 1;
@@ -95,11 +97,11 @@ export function drawPresses(view: View, theme: Theme, level: Level, run: Run): s
   return `<g data-kind="presses">${numbers.join('')}</g>`;
 }
 
-/** Where aliens went, those that woke. */
+/** Draws the paths of the aliens that woke. */
 export function drawAlienWays(view: View, theme: Theme, level: Level, run: Run): string {
   const woke = new Set<number>();
   const { alienSight } = rulesOf(level);
-  // one that is awake from the start has no event that says so
+  // An alien that is awake at the start has no event for it.
   for (const [i, { x, y }] of level.aliens.entries()) {
     if (Math.hypot(x - level.astronaut.x, y - level.astronaut.y) < alienSight) woke.add(i);
   }
@@ -116,7 +118,7 @@ export function drawAlienWays(view: View, theme: Theme, level: Level, run: Run):
     .join('');
 }
 
-/** How the run ended: her at the end, at her angle, and the sign of what happened. */
+/** Draws the end of the run: her figure at her angle, and the mark of the outcome. */
 export function drawEnd(view: View, theme: Theme, level: Level, run: Run): string {
   const { x, y, cos, sin } = run.final;
   const color = run.outcome === 'completed' ? theme.good : run.outcome === 'timeout' ? theme.coast : theme.bad;

@@ -9,13 +9,13 @@ import { num } from './xml.ts';
 /** One of several runs in a picture. */
 export interface NamedRun {
   readonly run: Run;
-  /** Beside its line of time: what it is called, how long it takes. */
+  /** The text beside its timeline: its name and its length. */
   readonly label: string;
 }
 
 const BADGE = 8;
 
-/** Several ways through a level, each in a colour and with a number. */
+/** Draws several paths through a level, each with a colour and a number. */
 export function drawSeveral(view: View, theme: Theme, ways: readonly (readonly Stretch[])[], runs: readonly NamedRun[]): string {
   const d = ({ points }: Stretch): string => `M${points.map(([x, y]) => `${num(view.x(x))} ${num(view.y(y))}`).join('L')}`;
   const halo = `<path d="${ways.flat().map(d).join('')}" stroke="${theme.halo}" stroke-width="6" stroke-opacity=".5"/>`;
@@ -41,7 +41,7 @@ function drawBadge(theme: Theme, index: number, x: number, y: number): string {
   );
 }
 
-/** A place on each way for its number: far from its ends, from the other numbers and from the other ways, as far as may be. */
+/** Finds a place on each path for its number, as far as possible from its ends, from other numbers and from other paths. */
 function placeBadges(view: View, runs: readonly NamedRun[]): Point[] {
   const tracks = runs.map(({ run }) => {
     const count = 60;
@@ -57,7 +57,7 @@ function placeBadges(view: View, runs: readonly NamedRun[]): Point[] {
       const near = (points: readonly Point[]): number => Math.min(120, ...points.map(([px, py]) => Math.hypot(px - x, py - y)));
       return near(others) + 2 * near([track[0], track[track.length - 1], ...placed]);
     };
-    // not at its ends: all begin and end together
+    // Not at the ends, where all paths meet.
     const inner = track.slice(6, -6);
     placed.push(inner.reduce((best, p) => (room(p) > room(best) ? p : best), inner[Math.floor(inner.length / 2)]));
   }
@@ -67,10 +67,10 @@ function placeBadges(view: View, runs: readonly NamedRun[]): Point[] {
 const ROW = 27;
 const BAR = 7;
 const LABEL = 6.8;
-/** Between two lines of a label. */
+/** Distance between two lines of a label, in units. */
 const LINE = 13;
 
-/** Below the scene: what each way is, and when the gun was held, on one scale of time. */
+/** Draws what stands below the scene: a label and a timeline for each run, all on one scale of time. */
 export function drawSeveralTimelines(
   theme: Theme,
   runs: readonly NamedRun[],

@@ -1,8 +1,8 @@
 export type Point = readonly [x: number, y: number];
 
 /**
- * Leaves out points of a line that stray less than `tolerance` from what remains (Ramer 1972, Douglas and Peucker 1973).
- * The first and the last point stay. Iterative: a long run would overflow the stack.
+ * Removes points of a line that are less than `tolerance` away from the simplified line (Ramer 1972, Douglas and Peucker 1973).
+ * The first and the last point stay. It is iterative, because recursion on a long run would overflow the stack.
  */
 export function simplify(points: readonly Point[], tolerance: number): Point[] {
   if (points.length < 3) return [...points];

@@ -8,10 +8,10 @@ import type { Theme } from './theme.ts';
 import type { View } from './view.ts';
 import { positionAt } from './way.ts';
 
-// by then she has left her box, s
+// She has left the place of her box after this time, s.
 const SOON = 3;
 
-/** Where the word beside the astronaut's start has its middle: on the side that she doesn't leave to. */
+/** The centre of the label beside the start, on the side towards which she does not move. */
 export function startLabelAt(view: View, level: Level, run: Run | undefined): Point {
   const { x, y } = level.astronaut;
   const leavesDown = run !== undefined && positionAt(run, SOON)[1] > y;
@@ -19,11 +19,11 @@ export function startLabelAt(view: View, level: Level, run: Run | undefined): Po
   return [view.x(x), view.y(y) + (leavesDown ? -off : off)];
 }
 
-/** The astronaut as she starts: upright in her box. */
+/** Draws the astronaut at the start, upright in her box. */
 export const drawStartFigure = (view: View, theme: Theme, level: Level): string =>
   place(view, 'astronaut', 0, level.astronaut, drawAstronaut(theme, theme.muted, boxOf(rulesOf(level))));
 
-/** The astronaut as she starts, and the word beside her. */
+/** Draws the astronaut at the start, with a label. */
 export function drawStart(view: View, theme: Theme, level: Level, run: Run | undefined): string {
   const [x, y] = startLabelAt(view, level, run);
   const label = drawText('start', x, y + 3.3, { size: 6.5, color: theme.muted, anchor: 'middle' });

@@ -1,6 +1,7 @@
 import { glyphOf } from './glyphs.ts';
 import { escapeXml, num } from './xml.ts';
 
+/** How a text is drawn. */
 export interface TextStyle {
   /** Height of a capital letter, in units of the picture. */
   readonly size: number;
@@ -8,18 +9,18 @@ export interface TextStyle {
   readonly anchor?: 'start' | 'middle' | 'end';
   readonly bold?: boolean;
   readonly opacity?: number;
-  /** Longer text is cut and ends in an ellipsis. */
+  /** Longer texts are cut and end in an ellipsis; units of the picture. */
   readonly maxWidth?: number;
 }
 
 const CAPITAL = 10;
 const GAP = 2.3;
-// what a letter of an unknown font is taken to be wide, in units of the stroke font
+// The assumed width of a letter that the stroke font does not have, in units of that font.
 const UNKNOWN_WIDTH = 9;
 
 const isDrawable = (text: string): boolean => [...text].every((c) => glyphOf(c) !== null);
 
-/** Width of a text, in the units of `size`; an estimate for letters that the stroke font doesn't have. */
+/** The width of a text, in the units of `size`; an estimate for letters that the stroke font does not have. */
 export function textWidth(text: string, size: number): number {
   let width = -GAP;
   for (const c of text) width += (glyphOf(c)?.width ?? UNKNOWN_WIDTH) + GAP;
@@ -33,7 +34,7 @@ function shorten(text: string, size: number, maxWidth: number): string {
   return `${letters.join('').trimEnd()}…`;
 }
 
-/** The lines of a text, each at most `width` wide where its words allow. */
+/** Breaks a text into lines of at most `width`, where its words allow it. */
 export function wrapText(text: string, size: number, width: number): string[] {
   const lines: string[] = [];
   let line = '';
@@ -48,8 +49,8 @@ export function wrapText(text: string, size: number, width: number): string[] {
 }
 
 /**
- * A line of text on the baseline y. Drawn as strokes, so that it needs no font; a text with letters that the stroke
- * font doesn't have is left to the viewer's fonts.
+ * Draws a line of text on the baseline y. It is drawn as strokes and needs no font; a text with letters that the stroke font
+ * does not have is left to the viewer's fonts.
  */
 export function drawText(text: string, x: number, y: number, style: TextStyle): string {
   const shown = style.maxWidth === undefined ? text : shorten(text, style.size, style.maxWidth);

@@ -1,4 +1,4 @@
-/** Every colour of the picture. Nothing is told by colour alone: shape and pattern differ as well. */
+/** All colours of a picture. Nothing is distinguished by colour alone: shapes and patterns differ as well. */
 export interface Theme {
   readonly name: 'dark' | 'light';
   readonly space: readonly [centre: string, edge: string];
@@ -28,9 +28,9 @@ export interface Theme {
   readonly visor: string;
   readonly good: string;
   readonly bad: string;
-  /** Where a search has been. */
+  /** Heat maps. */
   readonly heat: string;
-  /** Several ways in one picture, in turn. */
+  /** The paths of several runs in one picture, in turn. */
   readonly ways: readonly string[];
 }
 

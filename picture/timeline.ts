@@ -7,14 +7,14 @@ import { num } from './xml.ts';
 
 const HEIGHT = 9;
 
-/** Units from one mark to the next, and from one label to the next, at least. */
+/** The least distance between two marks, and between two labels, in units. */
 const MARK_ROOM = 30;
 const LABEL_ROOM = 69;
 
-// marks of so many seconds, so that there are at most about thirty in a wide picture
+// Seconds between two marks: wide pictures get at most about thirty marks.
 const STEPS = [1, 2, 5, 10, 30, 60, 300, 600];
 
-/** When the gun was held, as blocks on a line of time with a mark each second. */
+/** Draws the holds as blocks on a timeline with a mark for each second. */
 export function drawTimeline(
   theme: Theme,
   x: number,

@@ -3,35 +3,38 @@ import { type Level, OBJECT_KINDS, placesIn, rulesOf } from '../schema/index.ts'
 import { IN_PICTURE } from './kinds/index.ts';
 import { thingsOf } from './things.ts';
 
-/** The part of the level that the picture shows, and how level px become units of the picture (one scale for both axes). */
+/**
+ * The part of the level that the picture shows, and the conversion of level px into units of the picture, with one scale for
+ * both axes.
+ */
 export interface View {
-  /** Units of the picture; the SVG's viewBox is as wide. */
+  /** Width in units of the picture, which is the width of the SVG's viewBox. */
   readonly width: number;
-  /** Height of the scene, without the caption. */
+  /** Height of the scene in units, without the caption. */
   readonly height: number;
-  /** Units of the picture a level px takes. */
+  /** Units of the picture per px of the level. */
   readonly scale: number;
   x(x: number): number;
   y(y: number): number;
 }
 
-/** Room around what matters, level px. */
+/** Room around the contents, px of the level. */
 const MARGIN = 36;
 
-/** Around the astronaut's centre, level px; more where her box needs it. */
+/** Room around the astronaut's centre, px of the level; more if her box needs it. */
 const AROUND_HER = 20;
 
-/** A level that is smaller than this is not blown up further, level px. */
+/** A level smaller than this is not enlarged any further, px of the level. */
 const SMALLEST = 420;
 
-/** Height over width of the scene stays within these. */
+/** The least and the greatest ratio of height to width of the scene. */
 const FLATTEST = 0.42;
 const TALLEST = 1.15;
 
 /**
- * Frames everything that matters: objects, the astronaut and her way; of the range discs only what falls inside.
- * @param way points of the run in level px, flat: x, y, x, y …
- * @param width units of the picture
+ * Frames the objects, the astronaut and her path, and as much of the ranges as falls inside.
+ * @param way points of her path, px of the level
+ * @param width width of the picture in units
  */
 export function frame(level: Level, way: readonly (readonly [number, number])[], width: number): View {
   let left = Number.POSITIVE_INFINITY;

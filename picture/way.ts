@@ -1,7 +1,7 @@
 import { isJump, type Run, STATE_SIZE, TICK, TICK_RATE } from '../engine/index.ts';
 import { type Point, simplify } from './simplify.ts';
 
-/** A stretch of a run with the gun held or not, as points in level px. */
+/** A stretch of a run with the gun held or not, as points in px of the level. */
 export interface Stretch {
   readonly from: number;
   readonly to: number;
@@ -9,17 +9,17 @@ export interface Stretch {
   readonly points: readonly Point[];
 }
 
-/** Strays less than this from where she was, level px. */
+/** The simplified path may be off by this much, px of the level. */
 const TOLERANCE = 0.2;
 
-/** Where she was at a time. */
+/** Where she was at a time in s. */
 export function positionAt(run: Run, time: number): Point {
   const state = new Float64Array(STATE_SIZE);
   run.trajectory.at(time, state);
   return [state[0], state[1]];
 }
 
-/** When the gun was held, s: from the run's own events. A hold that the run ended in lasts until the end. */
+/** The times at which the gun was held, s, from the run's events. A hold that is not released lasts until the end. */
 export function heldTimes(run: Run): [from: number, to: number][] {
   const held: [number, number][] = [];
   let pressed: number | null = null;
@@ -33,7 +33,10 @@ export function heldTimes(run: Run): [from: number, to: number][] {
   return held;
 }
 
-/** The run as stretches in turn, without a gap in time: sampled at 60 Hz and at each press and release, cut where she is moved all at once. */
+/**
+ * Divides a run into consecutive stretches without gaps in time, sampled at 60 Hz and at each press and release, and cut where
+ * a wormhole moves her.
+ */
 export function stretchesOf(run: Run): Stretch[] {
   const end = run.trajectory.duration;
   const stretches: Stretch[] = [];
@@ -74,17 +77,17 @@ function sample(run: Run, start: number, to: number): Flight[] {
     before = time;
   };
   look(start);
-  // a hair, so that a boundary which is a tick is not sampled twice
+  // The small offset keeps a boundary that is a tick from being sampled twice.
   for (let tick = Math.floor(start * TICK_RATE + 1e-6) + 1; tick * TICK < to - 1e-9; tick++) look(tick * TICK);
   look(to);
   flights.push({ from, to, points });
   return flights;
 }
 
-/** An alien that moved less than this is drawn where the level has it, level px. */
+/** An alien that moved less than this is drawn at its place in the level, px of the level. */
 const STIRRED = 8;
 
-/** The way of an alien, level px, and whether it had exploded by the end; null when it hardly moved. */
+/** The path of an alien, px of the level, and whether it had exploded by the end; null when it hardly moved. */
 export function alienWay(
   run: Run,
   alien: number,

@@ -1,19 +1,19 @@
 const ENTITIES: Record<string, string> = { '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;', "'": '&#39;' };
 
-// XML 1.0 has no way to write these, not even escaped
+// XML 1.0 cannot represent these characters, not even escaped.
 // biome-ignore lint/suspicious/noControlCharactersInRegex: control characters are what is looked for
 const FORBIDDEN = /[\u0000-\u0008\u000b\u000c\u000e-\u001f\ufffe\uffff]|\p{Surrogate}/gu;
 
-/** Text from anywhere, made safe for the inside of an element or a quoted attribute. */
+/** Escapes any text for the inside of an element or of a quoted attribute. */
 export const escapeXml = (text: string): string => text.replace(FORBIDDEN, '\ufffd').replace(/[&<>"']/g, (c) => ENTITIES[c]);
 
-/** A number for an attribute: two decimals at most, no exponent, no minus zero. */
+/** Formats a number for an attribute: at most two decimals, no exponent, no minus zero. */
 export function num(value: number): string {
   const rounded = Math.round(value * 100) / 100;
   return rounded === 0 ? '0' : String(rounded);
 }
 
-/** Points as the body of a path: `M x y L x y …`, each number rounded. */
+/** Formats points as the data of a path: `M x y L x y …`, with rounded numbers. */
 export function polyline(points: readonly (readonly [number, number])[], close = false): string {
   return `M${points.map(([x, y]) => `${num(x)} ${num(y)}`).join('L')}${close ? 'Z' : ''}`;
 }

@@ -5,36 +5,39 @@ import { decades, logAxis, powerOfTen } from './axis.ts';
 import { placeLabels } from './label.ts';
 import { drawMark, type LineKind } from './mark.ts';
 
+/** One measured setting in a diagram. */
 export interface DiagramPoint {
-  /** px; of a pack the median over its runs */
+  /** Error, px; for a pack the median over its runs. */
   readonly error: number;
-  /** Nine of ten runs err by less, px; null for a single run. */
+  /** The error that nine of ten runs stay below, px; null for a single run. */
   readonly worseError: number | null;
-  /** microseconds per simulated second */
+  /** Cost, microseconds per simulated second. */
   readonly cost: number;
-  /** Runs that end differently from the reference. */
+  /** The number of runs that end differently from the reference. */
   readonly failures: number;
-  /** Of a setting with a name: ringed, and written beside it. */
+  /** The name of a named setting, which gets a ring and this label; else null. */
   readonly label: string | null;
-  /** Written beside it, small: the setting. */
+  /** The setting, as a small text beside the point; null for none. */
   readonly note: string | null;
 }
 
+/** The measured settings of one method. */
 export interface DiagramLine {
   readonly name: string;
   readonly kind: LineKind;
-  /** Dashed, with small marks. */
+  /** Whether it is dashed, with small marks. */
   readonly faint: boolean;
   readonly points: readonly DiagramPoint[];
 }
 
+/** What a work-precision diagram shows. */
 export interface Diagram {
   readonly title: string;
-  /** Two lines at most. */
+  /** At most two lines. */
   readonly subtitle: readonly string[];
-  /** Runs behind each point. */
+  /** The number of runs behind each point. */
   readonly runs: number;
-  /** How well the reference is known, px. */
+  /** The error of the reference, px. */
   readonly floor: number;
   readonly lines: readonly DiagramLine[];
 }
@@ -45,7 +48,7 @@ const PLOT = { left: 84, top: 114, right: 664, bottom: 506 };
 const FAILED = { left: 684, right: 772 };
 const LEGEND = { left: 796, top: 126, step: 25 };
 
-/** A work-precision diagram as a standalone SVG document. The same input gives the same text. */
+/** Draws a work-precision diagram as a standalone SVG document. The same input gives the same text. */
 export function drawDiagram(diagram: Diagram, ground: Ground = 'auto'): string {
   const { title, subtitle, runs, floor, lines } = diagram;
   const good = (point: DiagramPoint): boolean => point.failures < runs;
@@ -178,7 +181,7 @@ export function drawDiagram(diagram: Diagram, ground: Ground = 'auto'): string {
         return p.note === null || !good(p) ? [] : [{ ...at, text: p.note, style: { size: 7 } }];
       }),
     );
-    // names first: they get the better places
+    // Names are placed first and get the better places.
     wanted.sort((a, b) => b.style.size - a.style.size);
     const marks = lines.flatMap((drawn, index) => alongLine(drawn, index));
     const within = { left: PLOT.left, right: FAILED.right, top: PLOT.top, bottom: PLOT.bottom };
@@ -197,7 +200,7 @@ export function drawDiagram(diagram: Diagram, ground: Ground = 'auto'): string {
       .join('');
   }
 
-  /** Its marks, and places close together on the way from one to the next: what a label should not cover. */
+  /** Marks, and points along the segments between them, that a label should not cover. */
   function alongLine({ points: own }: DiagramLine, index: number): (readonly [number, number])[] {
     const places = own.filter(good).map((p) => [x.at(p.error), y.at(p.cost)] as const);
     const between = places.slice(1).flatMap(([toX, toY], i) => {

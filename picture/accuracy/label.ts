@@ -7,11 +7,12 @@ interface Box {
   readonly bottom: number;
 }
 
+/** The place of a label. */
 export interface Label {
-  /** Where its baseline begins. */
+  /** The beginning of its baseline. */
   readonly x: number;
   readonly y: number;
-  /** The point it is about is so far off that a line should lead there. */
+  /** Whether a line should lead to its point, because the label is far from it. */
   readonly leader: boolean;
 }
 
@@ -20,9 +21,10 @@ const overlap = (a: Box, b: Box): number =>
   Math.max(0, Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top));
 
 /**
- * Finds places for labels near their points, one after the other, where they cover least of the points and of each other.
- * @param points every mark in the picture
- * @param within the labels stay inside
+ * Finds places for labels near their points, one after the other, where they cover as little as possible of the points and of
+ * each other.
+ * @param points all marks in the picture
+ * @param within the labels stay inside this box
  */
 export function placeLabels(
   labels: readonly { readonly text: string; readonly size: number; readonly x: number; readonly y: number }[],

@@ -3,11 +3,11 @@ import { type Measured, RATES, TOLERANCES, type WorkPrecision } from '../../engi
 import type { Diagram, DiagramLine, DiagramPoint } from './diagram.ts';
 import type { LineKind } from './mark.ts';
 
-/** What a line of a diagram is called: `rk4`, `rk4, frame tests`. */
+/** The name of a line in a diagram: `rk4`, `rk4, frame tests`. */
 const lineName = ({ integrator, contact }: Accuracy): string =>
   integrator === 'arcade' ? 'arcade' : contact === 'frame' ? `${integrator}, frame tests` : integrator;
 
-/** Measured settings as lines, one an integrator and contact test, in the order in which they come. */
+/** Groups measured settings into lines, one for each integrator and contact test, in order of appearance. */
 export function linesOf<T extends { readonly accuracy: Accuracy }>(
   measured: readonly T[],
   point: (measured: T) => DiagramPoint,
@@ -23,7 +23,7 @@ export function linesOf<T extends { readonly accuracy: Accuracy }>(
   return [...lines].map(([name, line]) => ({ name, ...line }));
 }
 
-/** How a setting is written beside its point: the first and the last of a line have it. */
+/** The text beside the point of a setting; only the first and the last point of a line have one. */
 export function noteOf({ rate, tolerance }: Accuracy): string | null {
   const ends: readonly (number | null)[] = [RATES[0], RATES[RATES.length - 1], TOLERANCES[0]];
   if (rate !== null) return ends.includes(rate) ? `${rate} Hz` : null;
@@ -31,8 +31,8 @@ export function noteOf({ rate, tolerance }: Accuracy): string | null {
 }
 
 /**
- * The diagram of one run of a level.
- * @param named settings that are labelled
+ * Creates the diagram of one run of a level.
+ * @param named the settings that are labelled
  */
 export function levelDiagram(
   title: string,

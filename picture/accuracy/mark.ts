@@ -1,7 +1,7 @@
 import type { Ink } from '../ink.ts';
 import { num, polyline } from '../xml.ts';
 
-/** What a line of a diagram is of. Its mark has a shape of its own. */
+/** What a line of a diagram stands for. Each has a mark of its own shape. */
 export type LineKind = Extract<Ink, 'arcade' | 'euler' | 'verlet' | 'rk4' | 'taylor' | 'peer'>;
 
 function outline(kind: LineKind, x: number, y: number, r: number): string {
@@ -31,9 +31,9 @@ function outline(kind: LineKind, x: number, y: number, r: number): string {
 }
 
 /**
- * The mark of a line at a place, in `currentColor`.
+ * Draws the mark of a line in `currentColor`.
  * @param r half its size
- * @param hollow of a failure
+ * @param hollow whether it marks a failure
  */
 export function drawMark(kind: LineKind, x: number, y: number, r: number, hollow: boolean): string {
   const fill = hollow ? 'fill="none" stroke="currentColor" stroke-width="1.3"' : 'fill="currentColor"';

@@ -2,19 +2,20 @@ import { type Ground, type Ink, inked, inkStyle } from '../ink.ts';
 import { drawText, type TextStyle } from '../text.ts';
 import { escapeXml, num, polyline } from '../xml.ts';
 
-/** What a test at frames misses, by speed, for circles of one radius. */
+/** The share of contacts that a test once per frame misses, by speed, for circles of one radius. */
 export interface TunnellingCurve {
-  /** px */
+  /** Radius of the circles, px. */
   readonly radius: number;
-  /** Speeds in px/s and the share of contacts missed, 0 to 1. */
+  /** Pairs of speed, px/s, and share of missed contacts, 0 to 1. */
   readonly points: readonly (readonly [speed: number, missed: number])[];
 }
 
+/** What a diagram of missed contacts shows. */
 export interface Tunnelling {
   readonly title: string;
   readonly subtitle: string;
   readonly curves: readonly TunnellingCurve[];
-  /** Written beside the zero line. */
+  /** A text beside the zero line. */
   readonly sweptNote: string;
 }
 
@@ -23,7 +24,10 @@ const HEIGHT = 380;
 const PLOT = { left: 70, top: 84, right: 560, bottom: 318 };
 const LABEL_STEP = 15;
 
-/** How many contacts a test at frames misses, as a standalone SVG document. The same input gives the same text. */
+/**
+ * Draws the share of contacts that a test once per frame misses, as a standalone SVG document. The same input gives the same
+ * text.
+ */
 export function drawTunnelling({ title, subtitle, curves, sweptNote }: Tunnelling, ground: Ground = 'auto'): string {
   const all = curves.flatMap((curve) => curve.points);
   const fastest = Math.max(...all.map(([speed]) => speed));
@@ -48,7 +52,7 @@ export function drawTunnelling({ title, subtitle, curves, sweptNote }: Tunnellin
   }
   texts.push(write('speed, px/s', (PLOT.left + PLOT.right) / 2, PLOT.bottom + 42, { anchor: 'middle', size: 9 }));
 
-  // labels at the ends of the lines, from the top down, pushed apart where they would touch
+  // Labels stand at the ends of the lines, from top to bottom, and are moved apart where they would touch.
   const ends = curves.map(({ radius, points }, i) => ({ i, radius, y: y(points[points.length - 1][1]) }));
   ends.sort((a, b) => a.y - b.y);
   const labels: string[] = [];

@@ -2,21 +2,21 @@ import { type Ground, type Ink, inked } from '../ink.ts';
 import { drawText, type TextStyle, textWidth } from '../text.ts';
 import { num, polyline } from '../xml.ts';
 
-/** Success under timing noise, 0 to 1, with its 95 % interval. */
+/** Success under timing noise, 0 to 1, with its 95 % confidence interval. */
 export interface SuccessPoint {
-  /** standard deviation of each edge, ms */
+  /** Standard deviation of each edge's time, ms. */
   readonly sigma: number;
   readonly p: number;
   readonly low: number;
   readonly high: number;
 }
 
-/** How one level's run bears noise. */
+/** The success of one level's run as a function of timing noise. */
 export interface SuccessCurve {
   readonly name: string;
-  /** by sigma, ascending */
+  /** The points by ascending sigma. */
   readonly points: readonly SuccessPoint[];
-  /** sigma at P = 0.5, ms; null where it is beyond what was tried */
+  /** The noise at which success is 0.5, ms; null when it is beyond what was tried. */
   readonly half: number | null;
 }
 
@@ -30,13 +30,13 @@ interface Plot {
 const INKS: readonly Ink[] = ['verlet', 'euler', 'taylor', 'rk4', 'arcade', 'peer'];
 const DASHES = ['', '7 3', '2 3', '9 3 2 3', '4 2', '1 2'] as const;
 
-/** Colour and dashes of a curve: no two of the first 36 have both in common, and no two neighbours one. */
+/** The colour and dashes of a curve. All of the first 36 combinations differ, and neighbours differ in both. */
 const styleOf = (i: number): readonly [ink: Ink, dash: string] => [
   INKS[i % INKS.length],
   DASHES[(i + 2 * Math.floor(i / INKS.length)) % DASHES.length],
 ];
 
-/** A band of uncertainty is drawn for so many curves at most. */
+/** The most curves for which bands of uncertainty are drawn. */
 const MOST_BANDS = 2;
 
 const AXIS_STEPS = [10, 20, 25, 50, 100] as const;
@@ -44,7 +44,7 @@ const AXIS_STEPS = [10, 20, 25, 50, 100] as const;
 const write = (text: string, x: number, y: number, style: Partial<TextStyle> = {}): string =>
   drawText(text, x, y, { size: 8, color: 'currentColor', ...style });
 
-/** P over sigma, with its interval, and where it crosses a half. */
+/** Draws success as a function of noise, with its confidence interval, and where it falls to one half. */
 export function drawCurves(curves: readonly SuccessCurve[], plot: Plot, ground: Ground): string {
   const { left, right, top, bottom } = plot;
   const most = Math.max(50, ...curves.flatMap(({ points }) => points.map(({ sigma }) => sigma)));

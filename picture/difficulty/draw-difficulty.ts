@@ -4,14 +4,15 @@ import { escapeXml } from '../xml.ts';
 import { drawCurves, type SuccessCurve } from './curves.ts';
 import { drawWindows, type Edge } from './windows.ts';
 
+/** What a picture of difficulty shows. */
 export interface DifficultyPicture {
   readonly title: string;
-  /** Two lines at most. */
+  /** At most two lines. */
   readonly subtitle: readonly string[];
   readonly curves: readonly SuccessCurve[];
-  /** Of a single level; empty otherwise. */
+  /** The slack of each press and release of a single level; empty otherwise. */
   readonly edges: readonly Edge[];
-  /** Edges were moved so far at most, ticks. */
+  /** The largest shift of an edge that was tried, ticks. */
   readonly limit: number;
 }
 
@@ -22,7 +23,10 @@ const PLOT_HEIGHT = 380;
 const LEAST_ROW = 15;
 const ROW = 26;
 
-/** Success over timing noise, and the window of each press and release, as a standalone SVG document. The same input gives the same text. */
+/**
+ * Draws success under timing noise and the slack of each press and release, as a standalone SVG document. The same input gives
+ * the same text.
+ */
 export function drawDifficulty(picture: DifficultyPicture, ground: Ground = 'auto'): string {
   const { title, subtitle, curves, edges, limit } = picture;
   const row = Math.max(LEAST_ROW, Math.min(ROW, PLOT_HEIGHT / Math.max(1, edges.length)));

@@ -2,18 +2,18 @@ import { type Ground, inked } from '../ink.ts';
 import { drawText, type TextStyle } from '../text.ts';
 import { num } from '../xml.ts';
 
-/** How far a press or release can move alone. */
+/** The slack of a press or release: how far it can move alone. */
 export interface Edge {
-  /** `press 1` */
+  /** Its name, such as `press 1`. */
   readonly label: string;
-  /** ticks, at most `limit` each */
+  /** Slack, ticks; at most `limit` each. */
   readonly earlier: number;
   readonly later: number;
 }
 
 const MS = 1000 / 60;
 
-/** How far each press and release can move alone, a bar an edge; the smallest window stands out. */
+/** Draws the slack of each press and release as a bar. The smallest window is emphasized. */
 export function drawWindows(
   edges: readonly Edge[],
   limit: number,
@@ -49,7 +49,7 @@ export function drawWindows(
     const from = middle - earlier * scale;
     const width = Math.max(1.5, (earlier + later) * scale);
     const bar = `<rect x="${num(from)}" y="${num(y - thick / 2)}" width="${num(width)}" height="${num(thick)}" rx="2" fill="currentColor"${isSmallest ? '' : ' fill-opacity=".75"'}/>`;
-    // what may go on beyond ends in an arrow
+    // A bar that ends at the limit has an arrow, because the slack may be larger.
     const arrows =
       (earlier >= limit ? `<path d="M${num(from - 2)} ${num(y - 5)}l-6 5l6 5Z" fill="currentColor"/>` : '') +
       (later >= limit ? `<path d="M${num(from + width + 2)} ${num(y - 5)}l6 5l-6 5Z" fill="currentColor"/>` : '');

@@ -3,12 +3,12 @@ import type { Theme } from '../theme.ts';
 import { num } from '../xml.ts';
 import type { KindInPicture } from './kind-in-picture.ts';
 
-// within a circle of radius 25: antennae, a dome, and a skirt of tentacles
+// Within a circle of radius 25: antennae, a dome, and a skirt of tentacles.
 const BODY =
   'M-17 4C-18-13-9-19 0-19S18-13 17 4C17 9 19 14 15 18C12 20 11 15 9 15S7 21 4 21S2 16 0 16S-1 21-4 21S-7 15-9 15S-12 20-15 18C-19 14-17 9-17 4Z';
 const ANTENNAE = 'M-6-18C-7-21-9-22-10.5-22M6-18C7-21 9-22 10.5-22';
 
-/** An alien around its centre: a small creature with two large eyes, inside the circle that kills. */
+/** Draws an alien around its centre: a small creature with two large eyes, inside the deadly circle. */
 function drawAlien(radius: number, theme: Theme): string {
   return (
     `<g transform="scale(${num(radius / 25)})"><circle r="25" fill="${theme.alien}" fill-opacity=".13" stroke="${theme.alien}" stroke-opacity=".75" stroke-width="1.2" stroke-dasharray="4 3"/>` +
@@ -21,7 +21,7 @@ function drawAlien(radius: number, theme: Theme): string {
   );
 }
 
-/** The ring within which it wakes, around its centre. */
+/** Draws the circle of its sight, around its centre. */
 const drawSight = (theme: Theme, { alienSight }: Rules): string =>
   `<circle r="${num(alienSight)}" fill="${theme.alien}" fill-opacity=".035" stroke="${theme.alien}" stroke-opacity=".55" stroke-width="1.1" stroke-dasharray="9 4 2 4"/>`;
 

@@ -6,7 +6,7 @@ import { num } from '../xml.ts';
 import { drawHotAsteroid } from './hot-asteroid.ts';
 import type { KindInPicture } from './kind-in-picture.ts';
 
-/** A cold asteroid around its centre: lit from the upper left, with craters. */
+/** Draws a cold asteroid around its centre: lit from the upper left, with craters. */
 function drawAsteroid(radius: number, index: number, theme: Theme): string {
   const random = randomFrom(7919 * (index + 1));
   const turn = random() * 2 * Math.PI;
@@ -14,7 +14,7 @@ function drawAsteroid(radius: number, index: number, theme: Theme): string {
   let edges = '';
   const count = radius < 10 ? 3 : 5;
   for (let i = 0; i < count; i++) {
-    // evenly around, at alternating distances, so that craters neither overlap nor leave the disc
+    // Even angles and alternating distances keep craters from overlapping and from leaving the disc.
     const angle = turn + (i * 2 * Math.PI) / count + (random() - 0.5) * 0.5;
     const out = radius * (i % 2 === 0 ? 0.6 : 0.36) * (0.92 + 0.16 * random());
     const r = radius * (i % 2 === 0 ? 0.15 : 0.19) * (0.75 + 0.5 * random());

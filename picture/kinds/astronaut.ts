@@ -4,7 +4,8 @@ import { num } from '../xml.ts';
 import type { KindInPicture } from './kind-in-picture.ts';
 
 /**
- * The astronaut around her centre, upright in her box; turn the group for another angle. Her figure, drawn for 20 x 32 px, fits into it.
+ * Draws the astronaut around her centre, upright in her box; rotate the group for another angle. Her figure is drawn for 20 x
+ * 32 px and scaled to the box.
  */
 export function drawAstronaut(theme: Theme, boxColor: string, { halfWidth, halfHeight }: Box): string {
   const { suit, suitEdge, visor } = theme;
@@ -21,7 +22,7 @@ export function drawAstronaut(theme: Theme, boxColor: string, { halfWidth, halfH
   );
 }
 
-/** As she starts; the run draws her where it ends, too. */
+/** The astronaut at the start; the run also draws her at its end. */
 export const astronaut: KindInPicture = {
   depth: null,
   draw: ({ theme, rules }) => drawAstronaut(theme, theme.muted, boxOf(rules)),

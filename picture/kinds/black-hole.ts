@@ -6,7 +6,7 @@ import type { KindInPicture } from './kind-in-picture.ts';
 const ARMS = 3;
 const STEPS = 22;
 
-/** One arm of the spiral, from the rim outwards, growing by the golden way of shells: r = r0 e^(k angle). */
+/** One arm of the spiral, from the rim outwards: a logarithmic spiral r = r0 e^(k angle). */
 function arm(radius: number, turn: number): string {
   const points: [number, number][] = [];
   for (let i = 0; i <= STEPS; i++) {
@@ -18,7 +18,7 @@ function arm(radius: number, turn: number): string {
   return polyline(points);
 }
 
-/** The black hole around its centre: a dark disc with a bright rim, in a spiral of what it swallows. */
+/** Draws the black hole around its centre: a dark disc with a bright rim, in a spiral of matter. */
 function drawBlackHole(radius: number, theme: Theme): string {
   let arms = '';
   let wisps = '';

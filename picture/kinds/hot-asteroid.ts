@@ -2,10 +2,10 @@ import { randomFrom } from '../random.ts';
 import type { Theme } from '../theme.ts';
 import { num, polyline } from '../xml.ts';
 
-// a flame about 2 units high around the origin
+// A flame around the origin, about 2 units high.
 const FLAME = 'M0 1C-.75 1-.95.35-.7-.1C-.55-.4-.35-.5-.3-.95C.15-.75.3-.4.3-.1C.42-.2.5-.35.5-.5C.8-.1.95 1 0 1Z';
 
-/** A hot asteroid around its centre: glowing, cracked, and with the sign of a flame. */
+/** Draws a hot asteroid around its centre: glowing and cracked, with a flame on it. */
 export function drawHotAsteroid(radius: number, index: number, theme: Theme): string {
   const random = randomFrom(104729 * (index + 1));
   const turn = random() * 2 * Math.PI;

@@ -25,5 +25,5 @@ const DRAWINGS: { readonly [K in ObjectKind]: KindInPicture<ObjectOf<K>> } = {
   wormhole,
 };
 
-/** How each kind of object is drawn. */
+/** The drawing of each kind of object. */
 export const IN_PICTURE: Readonly<Record<ObjectKind, KindInPicture>> = DRAWINGS;

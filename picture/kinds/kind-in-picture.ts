@@ -1,35 +1,38 @@
 import type { Rules } from '../../schema/index.ts';
 import type { Theme } from '../theme.ts';
 
-/** One object to be drawn. */
+/** One object to draw. */
 export interface Look<Thing> {
-  /** As the level has it. */
+  /** The object of the level. */
   readonly object: Thing;
-  /** Which of its places it is drawn at, for a kind that has several. */
+  /** Which of its places to draw, for kinds with several. */
   readonly place: number;
-  /** px: the object's, or more where that would be too small to be seen */
+  /** Radius, px: the object's, or a larger one if that would be too small to see. */
   readonly radius: number;
-  /** Within its list: so that no two look quite alike. */
+  /** Index in its list, from which details vary. */
   readonly index: number;
   readonly theme: Theme;
   readonly rules: Rules;
 }
 
-/** How a kind of object is drawn in pictures: as SVG around its own centre, in px of the level. */
+/** How a kind of object is drawn: as SVG around its own centre, in px of the level. */
 export interface KindInPicture<Thing = object> {
-  /** What lies above what: the higher is in front. null: it is not drawn among the objects, but over the way. */
+  /** The drawing order: larger values are in front; null for kinds that are not drawn among the objects but over the path. */
   readonly depth: number | null;
   draw(look: Look<Thing>): string;
-  /** The simplest sign of it, of another shape than that of each other kind. */
+  /** The simplest drawing, for levels with very many objects. Its shape differs from that of every other kind. */
   speck(look: Look<Thing>): string;
-  /** What joins its places, for a kind that has several: around the first of them. */
+  /** What connects its places, for kinds with several, drawn around the first of them. */
   between?(look: Look<Thing>): string;
-  /** How far a picture shows what is around its centre, in radii; 1 when left out. */
+  /** How far the picture includes its surroundings, in radii; 1 by default. */
   readonly reach?: number;
-  /** What lies around it, farther than its rim. */
+  /** What extends beyond its rim. */
   readonly around?: { readonly depth: number; readonly name: string; draw(theme: Theme, rules: Rules): string };
-  /** The gradients that it is drawn with. */
+  /** The gradients that its drawing uses. */
   gradients?(theme: Theme): readonly string[];
-  /** Its sign in the legend is its drawing at this radius, made as small as the others, and by a factor smaller where it has much around it; null: it needs no sign. */
+  /**
+   * The radius of its drawing in the legend, where it is scaled to the size of the others; `factor` reduces it further if much
+   * lies around it. null: it has no entry.
+   */
   readonly legend: { readonly radius: number; readonly factor?: number } | null;
 }

@@ -3,7 +3,7 @@ import type { Theme } from '../theme.ts';
 import { num } from '../xml.ts';
 import type { KindInPicture } from './kind-in-picture.ts';
 
-/** A mineral around its centre: a cut gem that fills its circle. */
+/** Draws a mineral around its centre: a cut gem that fills its circle. */
 function drawMineral(radius: number, theme: Theme): string {
   const [lit, middle, shade] = theme.mineral;
   return (

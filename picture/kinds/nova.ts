@@ -4,7 +4,7 @@ import type { Theme } from '../theme.ts';
 import { num, polyline } from '../xml.ts';
 import type { KindInPicture } from './kind-in-picture.ts';
 
-/** A star around the origin whose spikes end at `outer`. */
+/** The outline of a star around the origin with spikes of length `outer`. */
 function star(spikes: number, outer: number, inner: number, turn: number): string {
   const points: [number, number][] = [];
   for (let i = 0; i < 2 * spikes; i++) {
@@ -15,7 +15,7 @@ function star(spikes: number, outer: number, inner: number, turn: number): strin
   return polyline(points, true);
 }
 
-/** A dwarf nova around its centre: a spiky star that fills its circle, in a glare. */
+/** Draws a nova around its centre: a spiky star that fills its circle, in a glow. */
 function drawNova(radius: number, index: number, theme: Theme): string {
   const turn = index * 0.7;
   return (

@@ -4,7 +4,7 @@ import type { Theme } from '../theme.ts';
 import { num } from '../xml.ts';
 import type { KindInPicture } from './kind-in-picture.ts';
 
-/** A repulsor field around its centre: a dashed disc with arrows that point outwards. */
+/** Draws a repulsor around its centre: a dashed disc with arrows that point outwards. */
 function drawRepulsor(radius: number, theme: Theme): string {
   const from = 0.34 * radius;
   const to = 0.8 * radius;

@@ -4,11 +4,11 @@ import type { KindInPicture } from './kind-in-picture.ts';
 
 const INK = { dark: '#8fd3ff', light: '#1c74b8' } as const;
 
-/** A streak with a head, along x, about the origin. */
+/** A streak with an arrowhead, along x, around the origin. */
 const streak = (y: number, from: number, to: number, head: number): string =>
   `M${num(from)} ${num(y)}H${num(to)}M${num(to - head)} ${num(y - head)}L${num(to)} ${num(y)}L${num(to - head)} ${num(y + head)}`;
 
-/** A disc with streaks that point where the wind blows; the stronger, the longer they are. */
+/** Draws a wind as a disc with streaks in its direction; the stronger it is, the longer they are. */
 export const wind: KindInPicture<ObjectOf<'wind'>> = {
   depth: 1.5,
   draw({ object: { ax, ay }, radius, theme }) {

@@ -4,7 +4,7 @@ import type { KindInPicture } from './kind-in-picture.ts';
 
 const INK = { dark: '#ff9de2', light: '#b0128a' } as const;
 
-/** A mouth: rings that turn inwards, one way at the first and the other way at the second, and a line between the two. */
+/** Draws the mouths as rings that turn inwards, with opposite senses at the two mouths, and a line between them. */
 export const wormhole: KindInPicture<ObjectOf<'wormhole'>> = {
   depth: 3.5,
   draw({ place, radius, theme }) {

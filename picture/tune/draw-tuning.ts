@@ -4,12 +4,13 @@ import { escapeXml, num } from '../xml.ts';
 
 type State = 'kept' | 'other' | 'unproven' | 'impossible';
 
+/** What a picture of a tuning shows. */
 export interface TuningPicture {
   readonly title: string;
   readonly subtitle: string;
-  /** What stands over the columns; empty for a single one. */
+  /** The labels of the columns; empty for a single column. */
   readonly marks: readonly string[];
-  /** A level each, from top to bottom; as many states as there are marks, or one. */
+  /** One row per level, from top to bottom, with as many states as there are labels, or one. */
   readonly rows: readonly { readonly name: string; readonly states: readonly State[] }[];
 }
 
@@ -29,7 +30,7 @@ const WORDS: Readonly<Record<State, string>> = {
 const INK_OF: Readonly<Record<State, Ink>> = { kept: 'rk4', other: 'verlet', unproven: 'muted', impossible: 'arcade' };
 const STATES = Object.keys(WORDS) as readonly State[];
 
-/** Each state has a shape of its own, within a cell around a point: a full cell, a ring, a dot, a cross. */
+/** Draws a state in a cell around a point. Each has its own shape: a full cell, a ring, a dot, a cross. */
 function drawCell(state: State, x: number, y: number, width: number): string {
   const half = width / 2;
   const r = Math.min(half, ROW / 2) * 0.55;
@@ -46,7 +47,10 @@ function drawCell(state: State, x: number, y: number, width: number): string {
   }
 }
 
-/** What becomes of levels while rules change, as a standalone SVG document: a row a level, a column a value. The same input gives the same text. */
+/**
+ * Draws how levels change with the rules, as a standalone SVG document: one row per level, one column per value. The same input
+ * gives the same text.
+ */
 export function drawTuning({ title, subtitle, marks, rows }: TuningPicture, ground: Ground = 'auto'): string {
   const columns = Math.max(1, marks.length);
   const cell = Math.min(WIDEST_CELL, (RIGHT - LEFT) / columns);
@@ -71,7 +75,7 @@ export function drawTuning({ title, subtitle, marks, rows }: TuningPicture, grou
     at += 20 + textWidth(WORDS[state], label.size) + 26;
     return sign + word;
   });
-  // the ends and the middle are enough to read the others by
+  // The ends and the middle suffice to read the others.
   const named = [...new Set([0, (marks.length - 1) >> 1, marks.length - 1])].filter((column) => marks[column] !== undefined);
   const scale = named.map((column) => drawText(marks[column], xOf(column), TOP - 5, { ...label, anchor: 'middle' })).join('');
   const names = rows

@@ -8,7 +8,10 @@ const MARGIN = 0.5;
  * repulsor or a disc in which another effect acts on her.
  */
 export interface CoastingFilter {
-  /** Whether drifting on from the state of a simulation may reach the black hole. `false` is certain; `true` means that it has to be simulated. */
+  /**
+   * Whether drifting on from the state of a simulation may reach the black hole. `false` is certain; `true` means that it has to be
+   * simulated.
+   */
   mayReach(simulation: Simulation): boolean;
 }
 

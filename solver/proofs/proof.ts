@@ -21,7 +21,7 @@ export interface ThingRef {
   readonly index: number;
 }
 
-/** What blocks an edge of a barrier: an object that stands still, or the fact that the edge is out of every asteroid's range. */
+/** What blocks an edge of a barrier: an object that stands still, or that the edge is out of every asteroid's range. */
 export type Blocker =
   | ThingRef
   | {
@@ -55,8 +55,8 @@ export interface LineEnd {
   /** Distance from the start, px; positive towards the asteroid. */
   readonly at: number;
   /**
-   * What stops her there: an object that her box must overlap; the end of the range; the start, behind which she cannot go back; or a
-   * dead end, where another asteroid becomes the nearest and all paths from there end at hazards.
+   * What stops her there: an object that her box must overlap; the end of the range; the start, behind which she cannot go back;
+   * or a dead end, where another asteroid becomes the nearest and all paths from there end at hazards.
    */
   readonly by:
     | Blocker
@@ -201,7 +201,10 @@ export type Certificate =
       readonly kind: 'out-of-range';
       /** Indices of every asteroid that she can ever be in range of. All others lie beyond gaps that she cannot cross. */
       readonly asteroids: readonly number[];
-      /** Every mouth that she can ever enter: 2 i for the mouth of wormhole i at (x, y), 2 i + 1 for its other mouth. Absent without wormholes. */
+      /**
+       * Every mouth that she can ever enter: 2 i for the mouth of wormhole i at (x, y), 2 i + 1 for its other mouth. Absent without
+       * wormholes.
+       */
       readonly mouths?: readonly number[];
     }
   | {
