@@ -69,6 +69,7 @@ export {
   proveBy,
   proveImpossible,
   proveMineralsUnreachable,
+  type Strip,
   type ThingRef,
 } from './proofs/index.ts';
 export { createRandom, type Random } from './random.ts';
