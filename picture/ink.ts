@@ -13,6 +13,7 @@ const INKS = {
   peer: ['#5d6680', '#9aa6c9'],
 } as const;
 
+/** The purpose of a colour. */
 export type Ink = keyof typeof INKS;
 
 /** `auto` follows the preference of the reader's system where the viewer knows it, and is light elsewhere. */

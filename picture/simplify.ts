@@ -1,3 +1,4 @@
+/** A point, px of the level or units of the picture. */
 export type Point = readonly [x: number, y: number];
 
 /**

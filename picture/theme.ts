@@ -100,4 +100,5 @@ const light: Theme = {
   ways: ['#b87400', '#1f6fd0', '#c2227d', '#0f8a4b', '#c8501a', '#7a3fd1', '#0f8f9f', '#7d8000'],
 };
 
+/** The themes by name. */
 export const THEMES = { dark, light } as const;

@@ -16,9 +16,11 @@ export function runsCut(ends: readonly ScriptEnd[], by: Overrun, isUnproven: boo
   return { ...workLimit(what, `/runs/${index}`, by, hints), severity: isUnproven ? 'error' : 'warning' };
 }
 
+/** The problem of runs that were not compared at other accuracies. */
 export const accuraciesCut = (by: Overrun, hints: Hints): CheckProblem =>
   workLimit('whether its runs complete it at every accuracy was not looked at', '/runs', by, hints);
 
+/** The problem of a level in which it was not examined what the runs come near to. */
 export const nearnessCut = (by: Overrun, hints: Hints): CheckProblem =>
   workLimit('what its runs come near to was not looked at', '/runs', by, hints);
 

@@ -34,6 +34,7 @@ const START_SPEED = 50;
 
 const TRIES = 60;
 
+/** Distance between two places, px. */
 export const distance = (a: Place, b: Place): number => {
   const dx = a.x - b.x;
   const dy = a.y - b.y;

@@ -17,7 +17,9 @@ import type { Layout } from './layout.ts';
 import { toLevel } from './level-file.ts';
 import { type Way, wayOf } from './tube.ts';
 
+/** Reach the black hole. */
 export const ANY: Goal = { minerals: 'any' };
+/** Reach the black hole with all minerals. */
 export const ALL: Goal = { minerals: 'all' };
 
 // Ticks simulated between two yields.

@@ -105,14 +105,14 @@ export function proveMineralsUnreachable(level: Level, options: ProveOptions = {
   });
 }
 
-/** What costs up to seconds, and only where she starts moving: first what holds for frames and for continuous time alike. */
+/** The provers that may take seconds and apply only to a moving start. The one that covers frames as well comes first. */
 function proveSoonOver(settings: readonly Setting[], about: About, goal: Thing, options: ProveOptions): Proof | null {
   return (
     prove(settings.slice(0, 1), ['doomed'], about, goal, options) ?? prove(settings.slice(-1), ['flowpipe'], about, goal, options)
   );
 }
 
-/** Frames first: what holds for them holds for continuous time. */
+/** Frames come first, because a proof for them also holds in continuous time. */
 function settingsOf(level: Level, { accuracy, maxTime, budget = unlimited() }: ProveOptions): Setting[] {
   const frames = accuracy === undefined || accuracy === 'arcade' ? [settingOf(level, maxTime ?? null, true, budget)] : [];
   const continuous = accuracy !== 'arcade' ? [settingOf(level, maxTime ?? null, false, budget)] : [];
@@ -136,11 +136,11 @@ function prove(
   return null;
 }
 
-/** What a kind of proof comes to; null too where it would take more work than is left. */
+/** Runs one prover; null when it finds no proof, or when that would take more work than is left. */
 function withinBudget(kind: Kind, setting: Setting, about: About, goal: Thing): Proof | null {
   const { level, budget } = setting;
   try {
-    // each kind looks at all things some times
+    // Every prover examines all objects a few times.
     budget.look((level.asteroids.length + level.novae.length + level.repulsors.length + level.aliens.length) >> 1);
     return kind(setting, about, goal);
   } catch (error) {

@@ -18,6 +18,7 @@ export interface Box {
   readonly vy: Interval;
 }
 
+/** A set of places, px. */
 export type Rectangle = Pick<Box, 'x' | 'y'>;
 
 /** Far more than the rounding error of one step, px and px/s. */

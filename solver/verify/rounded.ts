@@ -8,6 +8,7 @@ const margin = (a: number, b: number): number => 1e-7 + 1e-10 * (Math.abs(a) + M
 /** Whether a is certainly less than b. False for NaN. */
 export const less = (a: number, b: number): boolean => a < b - margin(a, b);
 
+/** A place, px. */
 export interface Point {
   readonly x: number;
   readonly y: number;

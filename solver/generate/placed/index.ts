@@ -9,4 +9,5 @@ export type { PlacedObject } from './placed-kind.ts';
  */
 export const PLACED_KINDS = [wormhole, wind] as const;
 
+/** The lists of these kinds in a level file. */
 export type PlacedList = (typeof PLACED_KINDS)[number]['list'];

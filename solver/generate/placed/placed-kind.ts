@@ -31,6 +31,7 @@ export interface PlacedKind {
 /** px between two objects of one kind, at least. */
 export const APART = 12;
 
+/** Distance between two places, px. */
 export function distance(a: Place, b: Place): number {
   const [dx, dy] = [a.x - b.x, a.y - b.y];
   return Math.sqrt(dx * dx + dy * dy);
