@@ -6,7 +6,8 @@ import { effectsOf, whyNotTried } from '../../solver/proofs/assumptions.ts';
 import type { Prover } from '../../solver/proofs/proof.ts';
 import { ALSO, LEVELS } from './impossible-levels.ts';
 
-// A force that nobody told the proofs of: from one day to the next the game has it, and levels call for it. What was proved without it may be false now.
+// A force of which the proofs know nothing: the game suddenly has it, and levels call for it. What was proved without it may
+// now be false.
 
 const WIND: Effect = {
   name: 'test-wind',
@@ -28,12 +29,12 @@ const certificateKind = (kind: Prover): Proof['code'] => (kind === 'dead-end' ? 
 describe.each(KINDS)('%s', (kind) => {
   const level = levelFor(kind);
 
-  it('has a proof without the wind, and none with it; the checker refuses the old one', () => {
+  it('has a proof without the wind and none with it, and the checker refuses the old one', () => {
     const proof = proveBy(kind, level, HOLE) as Proof;
     expect(proof.code).toBe(certificateKind(kind));
     expect(verifyProof(level, proof)).toEqual({ ok: true });
     blow();
-    // a level calls for it as the engine sees it, and not as this test does
+    // A level calls for it as the engine decides, not as this test does.
     expect(compile(level).effects.simulated.map(({ name }) => name)).toContain('test-wind');
     expect(proveBy(kind, level, HOLE)).toBeNull();
     expect(verifyProof(level, proof)).toEqual({
@@ -45,15 +46,15 @@ describe.each(KINDS)('%s', (kind) => {
     expect(verifyProof(level, proof)).toEqual({ ok: true });
   });
 
-  it('says why', () => {
+  it('gives the reason', () => {
     expect(whyNotTried(kind, effectsOf(level))).toBeNull();
     blow();
     expect(whyNotTried(kind, effectsOf(level))).toBe(`the level calls for test-wind, which ${kind} does not understand`);
   });
 });
 
-describe('no way around it', () => {
-  it.each(Object.keys(LEVELS))('%s: nothing else proves it either, nor that its minerals are out of reach', (name) => {
+describe('there is no other way to a proof', () => {
+  it.each(Object.keys(LEVELS))('%s: no other prover proves it, or that its minerals are out of reach', (name) => {
     const level = LEVELS[name];
     const lost = proveMineralsUnreachable(level);
     expect(proveImpossible(level)?.code).toBe(ALSO[name]?.[0] ?? name);
@@ -63,7 +64,7 @@ describe('no way around it', () => {
     expect(lost.filter((proof) => verifyProof(level, proof).ok)).toEqual([]);
   });
 
-  it('an effect that a level does not call for is in nobody’s way', () => {
+  it('an effect that a level does not call for does not prevent a proof', () => {
     const level = LEVELS.enclosed;
     game.push({ ...WIND, calledFor: () => ({ called: false, because: 'no wind' }) });
     const proof = proveImpossible(level) as Proof;
@@ -73,10 +74,10 @@ describe('no way around it', () => {
   });
 });
 
-describe('a rule that nobody told the proofs of', () => {
+describe('a rule of which the proofs know nothing', () => {
   const withRule = (of: Level): Level => ({ ...of, rules: { drag: 0.1 } as OwnRules });
 
-  it.each(KINDS)('%s: has no proof with it; the checker refuses the old one', (kind) => {
+  it.each(KINDS)('%s: has no proof with it, and the checker refuses the old one', (kind) => {
     const level = levelFor(kind);
     const proof = proveBy(kind, level, HOLE) as Proof;
     expect(whyNotTried(kind, effectsOf(withRule(level)))).toBe(
@@ -90,20 +91,20 @@ describe('a rule that nobody told the proofs of', () => {
   });
 });
 
-describe('what is declared', () => {
-  // an effect that changes its name is unknown to every kind: this says so before a level does
-  it.each(EFFECTS.map(({ name }) => name))('each kind understands %s, or it is known that it does not', (name) => {
+describe('the declarations', () => {
+  // An effect that changes its name is unknown to every kind. This test reports it before a level does.
+  it.each(EFFECTS.map(({ name }) => name))('each kind of proof understands %s, or is known not to', (name) => {
     const not = KINDS.filter((kind) => whyNotTried(kind, [name]) !== null);
     expect(not).toEqual(name === 'recoil' ? ['dead-end'] : []);
   });
 
-  it.each(RULE_NAMES)('bounds are made of the rule %s, and the checker’s, too', (name) => {
+  it.each(RULE_NAMES)('the bounds of provers and checker use the rule %s', (name) => {
     const level = { ...LEVELS.enclosed, rules: { [name]: RULES[name].default } };
     expect(whyNotTried('enclosed', effectsOf(level))).toBeNull();
     expect(verifyProof(level, proveBy('enclosed', level, HOLE) as Proof)).toEqual({ ok: true });
   });
 
-  it('a name that is none is understood by nobody', () => {
+  it('an unknown name is understood by no kind of proof', () => {
     for (const kind of KINDS) {
       for (const name of ['', 'gu', 'test-wind', 'constructor']) expect(whyNotTried(kind, [name])).not.toBeNull();
     }

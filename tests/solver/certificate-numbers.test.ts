@@ -4,11 +4,12 @@ import type { Hold, Level } from '../../schema/index.ts';
 import { type Proof, proveImpossible, verifyProof } from '../../solver/index.ts';
 import { LEVELS } from './impossible-levels.ts';
 
-// Every number of a certificate, changed in every way: about a level that a run completes it stays refused. Those that carry many sets are in certificate-sets.test.ts.
+// Changes every number of a certificate in every way: the certificate stays refused for a level that a run completes.
+// Certificates with many sets are in certificate-sets.test.ts.
 
 type Json = null | boolean | number | string | Json[] | { [key: string]: Json };
 
-/** Certificates with one number, or two neighbours, of it changed. */
+/** Certificates with one number, or two adjacent ones, changed. */
 function* changedNumbers(certificate: Json): Generator<Json> {
   const copy = JSON.parse(JSON.stringify(certificate)) as Json;
   const places: [holder: { [key: string]: Json }, key: string][] = [];
@@ -38,7 +39,7 @@ function* changedNumbers(certificate: Json): Generator<Json> {
 
 const WAYS: readonly (readonly Hold[])[] = [[], [[0, 600]], [[6, 20]], [[0, 30]]];
 
-/** The level with its black hole where a run comes by, so that her box only just touches it or overlaps it well. */
+/** The level with its black hole moved to where a run passes, so that her box barely touches it or overlaps it well. */
 function completable(of: Level): Level[] {
   return WAYS.flatMap((holds) => {
     const { time, trajectory } = simulate(compile(of), holds);
@@ -57,10 +58,10 @@ function completable(of: Level): Level[] {
 const CARRY_SETS = ['doomed', 'flowpipe'];
 
 describe.each(Object.keys(LEVELS).filter((name) => !CARRY_SETS.includes(name)))('%s', (name) => {
-  it('whatever number is another, a level that a run completes is not shown to be impossible', () => {
+  it('no changed number shows that a level is impossible which a run completes', () => {
     const proof = proveImpossible(LEVELS[name], { accuracy: 'precise' }) as Proof;
     const levels = completable(LEVELS[name]);
-    // a run that is over at once comes by nothing, and who is covered or shut out neither
+    // A run that ends at once passes nothing, and neither does one that is covered or enclosed.
     if (!['nothing-in-range', 'starts-in-hazard'].includes(name)) expect(levels.length).toBeGreaterThan(0);
     for (const level of levels) {
       const accepts = (certificate: unknown) =>

@@ -5,7 +5,8 @@ import type { Hold, Level } from '../../schema/index.ts';
 import { type Doomed, type Flowpipe, type Proof, proveBy, verifyProof } from '../../solver/index.ts';
 import { at, LEVELS, level } from './impossible-levels.ts';
 
-// Certificates that carry their sets come from whoever likes: a set that is missing, smaller than it was, or in another's place is noticed, or it was not needed.
+// Certificates with sets may come from anybody: a set that is missing, smaller than before or moved is noticed, unless it was
+// not needed.
 
 const HOLE = { kind: 'blackHole' } as const;
 const DOOMED: Readonly<Record<string, Level>> = {
@@ -28,7 +29,7 @@ const withBound = (layers: Layers, n: number, k: number, i: number, change: (bou
   withLayer(layers, n, (boxes) => boxes.map((box, j) => (j === k ? box.map((b, at) => (at === i ? change(b) : b)) : box)));
 const inward = (i: number, by: number) => (bound: number) => (i % 2 === 0 ? bound + by : bound - by);
 
-/** A double next to another. */
+/** The next double, up or down. */
 function nextDouble(value: number, up: boolean): number {
   const double = new Float64Array([value]);
   const bits = new BigInt64Array(double.buffer);
@@ -36,7 +37,7 @@ function nextDouble(value: number, up: boolean): number {
   return double[0];
 }
 
-/** Some change that makes sets fewer or smaller, or puts them elsewhere. */
+/** A change that removes sets, shrinks them or moves them. */
 const mutationOf = (layers: Layers): fc.Arbitrary<Mutation> => {
   const place = fc.nat(layers.length - 1).chain((n) => fc.tuple(fc.constant(n), fc.nat(layers[n].length - 1)));
   const bound = fc.nat(7);
@@ -93,7 +94,7 @@ const WAYS: readonly (readonly Hold[])[] = [
   ],
 ];
 
-/** The level with its black hole where some run comes to: that it is out of reach is false then. */
+/** The level with its black hole moved to where some run passes, so that the claim is false. */
 function falseClaims(of: Level): Level[] {
   const levels = WAYS.flatMap((holds) => {
     const { time, trajectory } = simulate(compile(of), holds);
@@ -117,12 +118,12 @@ describe.each(Object.keys(DOOMED))('the sets of doomed: %s', (name) => {
     verifyProof(level, { ...proof, certificate: { ...certificate, layers: changed } }).ok;
   const everyBox = layers.flatMap((boxes, n) => boxes.map((_, k) => [n, k] as const));
 
-  it('hold all that she may do', () => {
+  it('contain everything that she may do', () => {
     expect(accepts(of, layers)).toBe(true);
     expect(everyBox.length).toBeGreaterThan(10);
   });
 
-  it('a set that is left out is missed', () => {
+  it('a missing set is noticed', () => {
     const missed = everyBox.filter(
       ([n, k]) =>
         !accepts(
@@ -130,11 +131,11 @@ describe.each(Object.keys(DOOMED))('the sets of doomed: %s', (name) => {
           withLayer(layers, n, (boxes) => boxes.filter((_, j) => j !== k)),
         ),
     );
-    // where bounds of the prover are a little wider a box may hold only what is over already
+    // Where the bounds of the prover are slightly wider, a box may contain only what has ended.
     expect(missed.length).toBeGreaterThan(0.95 * everyBox.length);
   });
 
-  it('a layer that is left out, or in another’s place, is missed', () => {
+  it('a missing or misplaced layer is noticed', () => {
     for (const n of layers.keys()) {
       expect(
         accepts(
@@ -147,7 +148,7 @@ describe.each(Object.keys(DOOMED))('the sets of doomed: %s', (name) => {
     expect(accepts(of, [...layers].reverse())).toBe(false);
   });
 
-  it('a bound that moves inward by more than rounding is missed', () => {
+  it('a bound moved inwards by more than rounding is noticed', () => {
     let refused = 0;
     let tried = 0;
     for (const [n, k] of everyBox) {
@@ -163,7 +164,7 @@ describe.each(Object.keys(DOOMED))('the sets of doomed: %s', (name) => {
     expect(refused).toBeGreaterThan(0.8 * tried);
   });
 
-  it('a false claim stays refused whatever becomes of them', () => {
+  it('a false claim stays refused whatever happens to the sets', () => {
     const areFalse = falseClaims(of);
     for (const level of areFalse) expect(accepts(level, layers)).toBe(false);
     fc.assert(
@@ -195,7 +196,7 @@ const PIPES: Record<string, Level> = {
   }),
 };
 
-// hot asteroids drift, so that they end a run where they are for certain only
+// Hot asteroids drift, so only a part of them certainly ends a run.
 PIPES['hot asteroids with recoil'] = level({
   astronaut: { x: 0, y: 0, vx: -60, vy: 10 },
   asteroids: [at(100, 60), at(90, -70), { ...at(-70, 0, 30), hot: true }, { ...at(-60, 60, 30), hot: true }],
@@ -207,7 +208,7 @@ PIPES['hot asteroids with recoil'] = level({
 type Steps = Flowpipe['layers'];
 type Part = Steps[number][number][number]['parts'][number];
 
-/** How sets go on, with each part changed by `change`, which is told how many came before. */
+/** The hints with each part changed by `change`, which also receives the number of parts before it. */
 function withParts(layers: Steps, change: (part: Part, index: number) => Part): Steps {
   let index = 0;
   return layers.map((sets) =>
@@ -218,7 +219,7 @@ function withParts(layers: Steps, change: (part: Part, index: number) => Part): 
   );
 }
 
-describe.each(Object.keys(PIPES))('what flowpipe says of its sets: %s', (name) => {
+describe.each(Object.keys(PIPES))('the hints of flowpipe: %s', (name) => {
   const of = PIPES[name];
   const proof = proveBy('flowpipe', of, HOLE) as Proof;
   const certificate = proof.certificate as Flowpipe;
@@ -232,21 +233,21 @@ describe.each(Object.keys(PIPES))('what flowpipe says of its sets: %s', (name) =
     withPart(n, (part) => ({ ...part, off: part.off.map((strip, i) => (i === k ? { ...strip, at: change(strip.at) } : strip)) }));
   const strips = parts.flatMap(({ off }, n) => off.map((_, k) => [n, k] as const));
 
-  it('holds', () => {
+  it('hold', () => {
     expect(accepts(of, layers)).toBe(true);
     expect(parts.length).toBeGreaterThan(10);
     expect(strips.length).toBeGreaterThan(5);
   });
 
   it('a strip that takes more than the hazard does is noticed', () => {
-    // what is over as a whole is over however much is taken, and so is a strip that nothing of the set lies in
+    // This does not apply to a part that has ended entirely, nor to a strip that contains nothing of the set.
     const taken = strips.filter(([n, k]) => parts[n].to !== null && k === parts[n].off.length - 1);
     expect(taken.length).toBeGreaterThan(0);
     const noticed = taken.filter(([n, k]) => !accepts(of, withStrip(n, k, (at) => at - 2)(layers)));
     expect(noticed.length).toBeGreaterThan(0.8 * taken.length);
   });
 
-  it('a strip that is not taken, or by another hazard, is missed', () => {
+  it('a strip that is missing, or names another hazard, is noticed', () => {
     const ends = strips.filter(([n, k]) => parts[n].to === null && k === parts[n].off.length - 1);
     const missed = ends.filter(([n]) => !accepts(of, withPart(n, (part) => ({ ...part, off: part.off.slice(0, -1) }))(layers)));
     expect(missed.length).toBeGreaterThan(0.9 * ends.length);
@@ -256,14 +257,14 @@ describe.each(Object.keys(PIPES))('what flowpipe says of its sets: %s', (name) =
     }
   });
 
-  it('a part that goes on is not over because it is said to be', () => {
+  it('a part that goes on has not ended because the certificate says so', () => {
     const goOn = parts.flatMap(({ to }, n) => (to === null ? [] : [n]));
     const accepted = goOn.filter((n) => accepts(of, withPart(n, (part) => ({ ...part, to: null }))(layers)));
-    // a little more is empty or out of range for the checker than for the prover
+    // Slightly more may be empty or out of range for the checker than for the prover.
     expect(accepted.length).toBeLessThan(0.05 * goOn.length);
   });
 
-  it('parts on all sides of a cut have to be accounted for', () => {
+  it('all sides of a cut must be accounted for', () => {
     const [[[pressed, free]], ...rest] = layers;
     expect(pressed.cuts.flat()).toEqual([]);
     const nothing: Part = { off: [], to: null };
@@ -279,7 +280,7 @@ describe.each(Object.keys(PIPES))('what flowpipe says of its sets: %s', (name) =
     }
   });
 
-  it('sets that go on are none without steps of their own', () => {
+  it('sets that go on need steps', () => {
     for (const n of layers.keys()) expect(accepts(of, layers.slice(0, n))).toBe(false);
     for (const [n, sets] of layers.entries()) {
       for (const k of sets.keys())
@@ -292,7 +293,7 @@ describe.each(Object.keys(PIPES))('what flowpipe says of its sets: %s', (name) =
     }
   });
 
-  it('what is no step is refused', () => {
+  it('a malformed step is refused', () => {
     const none: unknown[] = [undefined, null, 0, 'all', [], {}, { cuts: [], parts: [] }, { cuts: [[], [], [], []] }];
     const [[[pressed, free]], ...rest] = layers;
     const withFirst = (step: unknown) => accepts(of, [[[step, free] as never], ...rest]);
@@ -309,7 +310,7 @@ describe.each(Object.keys(PIPES))('what flowpipe says of its sets: %s', (name) =
     for (const layers of [undefined, null, {}, 'all', [null], [[null]]]) expect(accepts(of, layers as never)).toBe(false);
   });
 
-  it('a false claim stays refused whatever is said', () => {
+  it('a false claim stays refused whatever the hints say', () => {
     const areFalse = falseClaims(of);
     for (const level of areFalse) expect(accepts(level, layers)).toBe(false);
     const nth = fc.nat(parts.length - 1);

@@ -5,8 +5,8 @@ import { cleanRun, createSearch, type Goal } from '../../solver/index.ts';
 import { accuracyNames } from '../engine/accuracies.ts';
 import { arbitraryOrdinaryLevel, arbitrarySolvableLevel, fallThrough } from './search/solvable-levels.ts';
 
-describe.each(accuracyNames)('cleaning at %s', (accuracy) => {
-  it('gives a run that simulate confirms, with no more presses, no later, with the goal met', () => {
+describe.each(accuracyNames)('simplifying at %s', (accuracy) => {
+  it('returns a run that simulate confirms and that has no more presses, ends no later and meets the goal', () => {
     let cleaned = 0;
     fc.assert(
       fc.property(
@@ -38,13 +38,13 @@ describe.each(accuracyNames)('cleaning at %s', (accuracy) => {
     expect(cleaned).toBeGreaterThan(2);
   });
 
-  it('drops presses that are not needed, and idle waiting', () => {
+  it('drops needless presses and idle waiting', () => {
     const scene = compile(fallThrough(), accuracy);
     const search = createSearch(scene, { seed: 1 });
     while (search.solutions.length === 0) search.advance(1000);
     const { holds } = search.solutions[0];
     expect(holds.length).toBe(1);
-    // she waits two seconds at first, and lets go for a moment on the way
+    // She waits two seconds at first, and releases for a moment on the way.
     const [[press, release]] = holds;
     const clumsy = [
       [press + 120, release + 100],
@@ -59,7 +59,7 @@ describe.each(accuracyNames)('cleaning at %s', (accuracy) => {
   });
 });
 
-it('says so when the run does not meet the goal', () => {
+it('returns null when the run does not meet the goal', () => {
   const scene = compile(fallThrough(), 'precise');
   expect(cleanRun(scene, [], { minerals: 'any' })).toBeNull();
 });

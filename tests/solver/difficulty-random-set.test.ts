@@ -2,13 +2,13 @@ import { describe, expect, it } from 'vitest';
 import { hashRandomSet, layoutOf, RANDOM_SET_HASH, RANDOM_SET_SIZE, randomLevel } from '../../bench/random-set/index.ts';
 import { formatLevel, readLevel } from '../../schema/index.ts';
 
-// figures of the solver are told for this very set: a change of one number in one level makes another set
+// Published figures of the solver refer to this very set: one changed number in one level makes it another set.
 describe('the frozen random set', () => {
   it('has the published hash', () => {
     expect(hashRandomSet()).toBe(RANDOM_SET_HASH);
   });
 
-  it('is what it is said to be', () => {
+  it('has the stated properties', () => {
     const seen = {
       novae: new Set<number>(),
       asteroids: new Set<number>(),

@@ -9,7 +9,7 @@ import { plainLevel } from '../engine/plain-level.ts';
 const ANY = { minerals: 'any' } as const;
 const MAX_TICKS = 900;
 
-/** All pairs at multiples of the stride, one replay each: slow and plain. */
+/** Replays each pair at multiples of the stride: slow and simple. */
 function bruteForce(scene: Scene, goal: Parameters<typeof verifyRun>[2], length: number, stride: number): number {
   let count = 0;
   for (let press = 0; press < length; press += stride) {
@@ -22,7 +22,9 @@ function bruteForce(scene: Scene, goal: Parameters<typeof verifyRun>[2], length:
 
 const near = fc.integer({ min: -150, max: 150 });
 
-/** A level that a single press often wins: she is on the move, the black hole is near, and something may turn her on the way. */
+/**
+ * A level that a single press often completes: she is moving, the black hole is near, and something may turn her on the way.
+ */
 const nearLevel: fc.Arbitrary<Level> = fc
   .record({
     vx: fc.integer({ min: -60, max: 60 }),
@@ -56,7 +58,7 @@ const nearLevel: fc.Arbitrary<Level> = fc
 describe('single presses', () => {
   const stride = fc.constantFrom(1, 1, 2, 5);
   for (const accuracy of ['arcade', 'precise'] satisfies AccuracyName[]) {
-    it(`are counted as replaying every pair counts them, at ${accuracy}`, () => {
+    it(`are counted exactly as by replaying every pair, at ${accuracy}`, () => {
       let winning = 0;
       fc.assert(
         fc.property(
@@ -77,12 +79,12 @@ describe('single presses', () => {
         ),
         { numRuns: 60 },
       );
-      // else the levels above are no test
+      // Otherwise the levels above would test nothing.
       expect(winning).toBeGreaterThan(10);
     });
   }
 
-  it('name one that wins', () => {
+  it('have an example that wins', () => {
     const scene = compile(shipped('02-first-swing'));
     const { onePress, withoutPressing } = findShortcuts(scene, ANY, { run: shipped('02-first-swing').runs[0].holds, effort: 0 });
     expect(withoutPressing).toBeNull();
@@ -102,7 +104,7 @@ describe('without pressing', () => {
     expect(onePress.count).toBeGreaterThan(0);
   });
 
-  it('is not found where she passes it', () => {
+  it('is not found where she passes the black hole', () => {
     expect(findShortcuts(compile(drifting(60)), ANY, { length: 1, effort: 0 }).withoutPressing).toBeNull();
   });
 });
@@ -121,7 +123,7 @@ describe('without an asteroid', () => {
     expect(found.map(({ asteroid }) => asteroid)).toEqual([...new Set(targets)].sort((a, b) => a - b));
   });
 
-  it('shows a run that does not target an avoidable one', () => {
+  it('returns a run that does not target an avoidable asteroid', () => {
     const { scene, found } = use(shipped('09-bumper-alley'));
     const avoidable = found.filter((f) => f.use === 'avoidable');
     expect(avoidable).not.toHaveLength(0);
@@ -132,7 +134,7 @@ describe('without an asteroid', () => {
     }
   });
 
-  it('says needed only with a proof: nothing else is in range', () => {
+  it('says needed only with a proof that nothing else is in range', () => {
     const { found } = use(shipped('01-first-pull'));
     expect(found).toEqual([{ asteroid: 0, use: 'needed', run: null }]);
   });

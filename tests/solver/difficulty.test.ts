@@ -27,7 +27,7 @@ describe('the grade', () => {
     randomShare: fc.double({ min: 0, max: 1, noNaN: true }),
   });
 
-  it('lies from 1 to 10 and has the word of its value', () => {
+  it('lies between 1 and 10, with the word for its value', () => {
     fc.assert(
       fc.property(input, (given) => {
         const { value, word } = gradeOf(given);
@@ -38,7 +38,7 @@ describe('the grade', () => {
     );
   });
 
-  it('never falls when one thing gets harder', () => {
+  it('never falls when one input gets harder', () => {
     const harder: readonly ((g: GradeInput, by: number) => GradeInput)[] = [
       (g, by) => ({ ...g, p40: g.p40 * (1 - by) }),
       (g, by) => ({ ...g, sigmaAtHalf: g.sigmaAtHalf * (1 - by) }),
@@ -60,7 +60,7 @@ describe('the grade', () => {
 });
 
 describe('random play', () => {
-  it('wins always where nothing can go wrong, and never where nothing can go right', () => {
+  it('always wins where nothing can go wrong, and never where nothing can go right', () => {
     const drifting = plainLevel({ astronaut: { vx: 100 }, blackHole: { x: 60, y: 0 } });
     const options = { samples: 100, seed: 3, maxTicks: 600 };
     expect(playAtRandom(compile(drifting), ANY, options)).toMatchObject({ share: 1, high: 1, samples: 100 });
@@ -69,7 +69,7 @@ describe('random play', () => {
     expect(away.high).toBeCloseTo(0.037, 3);
   });
 
-  it('is the same for a seed, and another for another', () => {
+  it('is the same for the same seed, and differs for another', () => {
     const scene = compile(shipped('06-hot-rock'));
     const share = (seed: number) => playAtRandom(scene, ANY, { samples: 400, seed, maxTicks: 3600 }).share;
     expect(share(1)).toBe(share(1));
@@ -84,7 +84,7 @@ describe('random play', () => {
 });
 
 describe('the difficulty of a run', () => {
-  it('has sigma at P = 0.5 where P crosses 0.5', () => {
+  it('has its sigma at P = 0.5 where P crosses 0.5', () => {
     const level = shipped('04-slingshot');
     const scene = compile(level);
     const difficulty = measureDifficulty(scene, level.runs[0].holds, { ...QUICK, seed: 5 });
@@ -97,7 +97,7 @@ describe('the difficulty of a run', () => {
     expect(p(ms + 4)).toBeLessThan(0.5);
   });
 
-  it('has the same sigma, within 4 ms, whatever was known before', () => {
+  it('finds the same sigma, within 4 ms, whatever was measured before', () => {
     const level = shipped('16-firewalk');
     const scene = compile(level);
     const { holds } = level.runs[0];
@@ -112,7 +112,7 @@ describe('the difficulty of a run', () => {
     expect(findSigmaAtHalf(compile(easy), easy.runs[0].holds, ANY, options)).toMatchObject({ ms: 500, capped: true });
   });
 
-  it('says where the certificate was cut short', () => {
+  it('says when the certificate was cut short', () => {
     const level = shipped('16-firewalk');
     const { robustness } = measureDifficulty(compile(level), level.runs[0].holds, QUICK)!;
     expect(robustness).toMatchObject({ certifiedTicks: 2, decided: false });
@@ -133,8 +133,8 @@ describe('the difficulty of a run', () => {
     expect(measureDifficulty(compile(shipped('03-let-go')), [], QUICK)).toBeNull();
   });
 
-  it("looks for better runs than the level's own, and has them where it finds none", () => {
-    // too little for a search from nothing
+  it("looks for better runs than the level has, and keeps the level's where it finds none", () => {
+    // Too little effort for a search from nothing.
     const little = { ...QUICK, effort: 100 };
     const level = shipped('12-detour');
     expect(measureDifficulty(compile({ ...level, runs: [] }), null, little)).toBeNull();
@@ -143,7 +143,7 @@ describe('the difficulty of a run', () => {
     expect(mineralsExtra!.run.minerals).toHaveLength(level.minerals.length);
   });
 
-  it('looks for a run when none is given, and weighs the minerals', () => {
+  it('looks for a run when none is given, and compares it with one that collects all minerals', () => {
     const level = shipped('02-first-swing');
     const difficulty = measureDifficulty(compile(level), null, { ...QUICK, effort: 400_000 })!;
     expect(difficulty.run.holds.length).toBeGreaterThan(0);

@@ -10,7 +10,7 @@ import { createRandom } from '../../solver/random.ts';
 
 const ANY = { minerals: 'any' } as const;
 
-// ticks: a generator that needs more has lost its way
+// Ticks; a generator that needs more has gone wrong.
 const MOST = 400_000_000;
 
 function generate(options: GeneratorOptions, step = 5_000_000): Generated {
@@ -20,7 +20,7 @@ function generate(options: GeneratorOptions, step = 5_000_000): Generated {
   return generator.result;
 }
 
-// seeds that come to an end soon
+// Seeds that finish soon.
 const WISHES: readonly GeneratorOptions[] = [
   { seed: 3, size: 'small', difficulty: 'easy' },
   { seed: 1, size: 'medium', difficulty: 'easy' },
@@ -32,7 +32,7 @@ const LEVELS = WISHES.map((options) => ({ options, generated: generate(options) 
 
 describe.each(LEVELS)('a level generated from $options', ({ options, generated }) => {
   const spec = specOf(options);
-  // everything is asked of the text as it would be written
+  // All assertions are about the text as it would be written.
   const text = formatLevel(generated.level);
   const reading = readLevel(text);
   if (!reading.ok) throw new Error(reading.problems.map(({ message }) => message).join('\n'));
@@ -49,7 +49,7 @@ describe.each(LEVELS)('a level generated from $options', ({ options, generated }
     expect(verifyRun(scene, [])).toBeNull();
   });
 
-  it.each(['precise', 'arcade'] as const)('forgives what it claims at %s', (accuracy) => {
+  it.each(['precise', 'arcade'] as const)('is as robust as it claims at %s', (accuracy) => {
     const claimed = accuracy === 'precise' ? generated.robustness : generated.arcade;
     expect(claimed.certifiedTicks).toBeGreaterThanOrEqual(spec.certifiedTicks);
     expect(claimed.p40.p).toBeGreaterThanOrEqual(spec.p40);
@@ -57,15 +57,15 @@ describe.each(LEVELS)('a level generated from $options', ({ options, generated }
     expect(certified.ticks).toBe(spec.certifiedTicks);
   });
 
-  it('is as hard as wanted, and not won by most single presses', () => {
+  it('is as hard as requested, and most single presses do not win', () => {
     expect(generated.grade.value).toBeGreaterThanOrEqual(spec.grade[0]);
     expect(generated.grade.value).toBeLessThanOrEqual(spec.grade[1]);
     const { onePress } = findShortcuts(compile(level, 'arcade'), ANY, { run: solution.holds, effort: 0 });
-    // presses were counted in strides of three: the share of all of them may be a little larger
+    // Presses were counted with a stride of three, so the share of all of them may be slightly larger.
     expect(onePress.count / onePress.tried).toBeLessThanOrEqual(spec.onePress + 0.01);
   });
 
-  it('has nothing to warn of, and lies within its size', () => {
+  it('has no warnings, and lies within its size', () => {
     const scene = compile(level);
     const runs = level.runs.map(({ holds }) => simulate(scene, holds));
     expect(findWarnings(level, runs)).toEqual([]);
@@ -92,7 +92,7 @@ describe.each(LEVELS)('a level generated from $options', ({ options, generated }
     }
   });
 
-  it('is ready to be written: ids on every object, and a name', () => {
+  it('is ready to be written, with ids on every object and a name', () => {
     const objects = OBJECT_LISTS.flatMap((list) => level[list]);
     expect(objects.every(({ id }) => id !== null)).toBe(true);
     expect(level.name).toMatch(/^[A-Z][a-z]+ [A-Z][a-z]+$/);
@@ -101,20 +101,20 @@ describe.each(LEVELS)('a level generated from $options', ({ options, generated }
 });
 
 describe('a generator', () => {
-  it('gives the same level however it is advanced, and others for others', () => {
+  it('gives the same level however it is advanced, and other levels for other seeds', () => {
     const texts = LEVELS.map(({ generated }) => formatLevel(generated.level));
     expect(formatLevel(generate(WISHES[1], 50_000).level)).toBe(texts[1]);
     expect(new Set(texts).size).toBe(texts.length);
   });
 
-  it('gives for a seed the level it gave before there were winds and wormholes', () => {
+  it('gives the same level for a seed as before winds and wormholes existed', () => {
     const digests = LEVELS.slice(0, 3).map(({ generated }) =>
       createHash('sha256').update(formatLevel(generated.level)).digest('hex').slice(0, 16),
     );
     expect(digests).toEqual(['d1075594f33b9a0f', '10fe3da5714ec28c', 'b5d189d10a00a53e']);
   });
 
-  it('refuses what can not be', () => {
+  it('refuses impossible options', () => {
     expect(() => createGenerator({ seed: 1, size: { width: 200, height: 600 } })).toThrow(
       'width: expected 360 to 4000 px, found 200',
     );
@@ -122,7 +122,7 @@ describe('a generator', () => {
     expect(() => createGenerator({ seed: 1, difficulty: Number.NaN })).toThrow('found NaN');
   });
 
-  it('asks for less forgiveness the harder a level is to be', () => {
+  it('requires less robustness the harder a level should be', () => {
     fc.assert(
       fc.property(fc.integer({ min: 10, max: 100 }), fc.integer({ min: 10, max: 100 }), (a, b) => {
         const [easy, hard] = [Math.min(a, b), Math.max(a, b)].map((grade) => specOf({ seed: 0, difficulty: grade / 10 }));
@@ -135,7 +135,7 @@ describe('a generator', () => {
     );
   });
 
-  it('uses only what is allowed', () => {
+  it('uses only the allowed ingredients', () => {
     const { level } = generate({ seed: 2, size: 'medium', difficulty: 'easy', ingredients: [] });
     expect(level.aliens).toBeUndefined();
     expect(level.repulsors).toBeUndefined();
@@ -145,7 +145,7 @@ describe('a generator', () => {
     expect(level.asteroids?.some(({ hot }) => hot)).toBe(false);
   });
 
-  it('lays out winds and wormholes where they are asked for: in play, clear of the start and of what they would hide', () => {
+  it('places winds and wormholes on request: in play, and clear of the start and of what they would hide', () => {
     const counts = { winds: 0, wormholes: 0 };
     fc.assert(
       fc.property(fc.nat(2 ** 32 - 1), fc.constantFrom('easy', 'medium', 'hard'), (seed, difficulty) => {

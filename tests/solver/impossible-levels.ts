@@ -1,6 +1,6 @@
 import { type Level, type LevelFile, resolveLevel } from '../../schema/index.ts';
 
-/** A level of one asteroid, two minerals and a black hole, with more. */
+/** A level with one asteroid, two minerals and a black hole, plus the given properties. */
 export const level = (more: Partial<LevelFile>): Level =>
   resolveLevel({
     version: 1,
@@ -18,7 +18,7 @@ export const at = (x: number, y: number, radius = 16) => ({ x, y, radius });
 const ring = (x: number, y: number, r: number) =>
   Array.from({ length: 17 }, (_, i) => at(x + r * Math.cos((i * Math.PI) / 8.5), y + r * Math.sin((i * Math.PI) / 8.5)));
 
-/** A level that is proved impossible for each kind of proof, and for what is special in {@link ALSO}. */
+/** An impossible level for each kind of proof, and for the special cases in {@link ALSO}. */
 export const LEVELS: Record<string, Level> = {
   'nothing-in-range': level({ astronaut: { x: -150, y: 0 } }),
   'starts-in-hazard': level({ novae: [at(400, 400), at(10, 20)] }),

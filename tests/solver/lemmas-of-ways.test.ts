@@ -10,7 +10,7 @@ import { real } from '../real.ts';
 import { windyLevel } from './proofs-crowded.ts';
 import { someRules } from './some-rules.ts';
 
-// More of what proofs take for granted, see lemmas.test.ts: what follows from where she was and how she went.
+// More lemmas, see lemmas.test.ts: those about where she was and how she moved.
 
 const HOLE = { kind: 'blackHole' } as const;
 const RANGE = 250;
@@ -36,7 +36,7 @@ interface Look {
   readonly rocks: readonly number[];
 }
 
-/** Whether the button is held in the next tick, from what is seen at its start. */
+/** Whether the button is held in the next tick, given the state at its start. */
 type Player = (look: Look, luck: number) => boolean;
 
 /** Her state and the asteroids' places at each tick while the run goes on. */
@@ -71,7 +71,7 @@ const playing = (lengths: readonly number[]): Player => {
   };
 };
 
-describe('chord: between two frames outside of a disc she enters it no deeper than a chord as long as the jump', () => {
+describe('chord: between two frames outside a disc she enters it no deeper than a chord as long as the jump', () => {
   it('arcade', () => {
     let deepest = 0;
     fc.assert(
@@ -91,9 +91,9 @@ describe('chord: between two frames outside of a disc she enters it no deeper th
           const [ax, ay] = looks[i].s;
           const [bx, by] = looks[i + 1].s;
           const far = Math.hypot(bx - ax, by - ay);
-          // a frame that goes through a wormhole isn't straight
+          // A frame that goes through a wormhole is not straight.
           if (far === 0 || far > jump) return;
-          // a disc whose rim the frame's ends lie on or outside of, its centre beside the middle of the way
+          // A disc on or outside of whose rim both ends of the frame lie, with its centre beside the middle of the flight.
           const r = (size * jump) / 2;
           const off = Math.sqrt(Math.max(0, r * r - (far * far) / 4)) * (aside < 0 ? aside / 100 - 1 : 1 + aside / 100);
           const centre = { x: (ax + bx) / 2 - (off * (by - ay)) / far, y: (ay + by) / 2 + (off * (bx - ax)) / far };
@@ -112,7 +112,7 @@ describe('chord: between two frames outside of a disc she enters it no deeper th
   });
 });
 
-describe('fall drift: on a fall the asteroid makes at most the share of her way that its acceleration has of hers', () => {
+describe('fall drift: on a fall the path of the asteroid relates to hers at most as its acceleration to hers', () => {
   it.each(accuracyNames)('%s', (accuracy) => {
     let closest = 0;
     fc.assert(
@@ -132,9 +132,9 @@ describe('fall drift: on a fall the asteroid makes at most the share of her way 
             if (left <= 0) break;
             const way = s[0] * ux + s[1] * uy;
             const moved = Math.hypot(rocks[0] - d * ux, rocks[1] - d * uy);
-            // at the limit there is no proof
+            // At the speed limit there is no proof.
             if (Math.hypot(s[2], s[3]) > 0.99 * speedLimit - pull * TICK) break;
-            // frames move her by the velocity they end with, and a hundredth is allowed for that
+            // Frames move her by the velocity with which they end, for which 1 % is allowed.
             if (moved > 1.01 * share * way + 1e-9) expect.fail(`${moved} px of ${share * way}`);
             if (way > 1 && share > 0) closest = Math.max(closest, moved / (share * way));
           }
@@ -146,7 +146,7 @@ describe('fall drift: on a fall the asteroid makes at most the share of her way 
   });
 });
 
-describe('swing drift: an asteroid that she swings through drifts no farther than is claimed', () => {
+describe('swing drift: an asteroid through which she swings drifts no farther than claimed', () => {
   it.each(continuousNames)('%s', (accuracy) => {
     let most = 0;
     const chance = real(0, 1);
@@ -174,7 +174,7 @@ describe('swing drift: an asteroid that she swings through drifts no farther tha
             const seconds = (looks.length - 1) * TICK;
             const places = looks.map(({ s }) => s[0]);
             const stretch = { centre, back: Math.min(...places), front: Math.max(...places) };
-            // at the limit there is no proof
+            // At the speed limit there is no proof.
             if (looks.some(({ s }) => Math.abs(s[2]) > 0.99 * speedLimit - pull * TICK)) continue;
             const always = (1.01 * recoil * seconds * seconds) / 4 / radius;
             const bound = swingDrift(rulesOf(of), radius, RANGE, stretch, seconds, always);
@@ -192,7 +192,7 @@ describe('swing drift: an asteroid that she swings through drifts no farther tha
   });
 });
 
-/** She flies to the right; asteroids ahead of her pull her forward as long as she is left of all of them. */
+/** She flies to the right; asteroids ahead pull her forward while she is to the left of all of them. */
 const ahead = fc.record({
   vx: real(5, 100),
   vy: real(-60, 60),
@@ -202,7 +202,7 @@ const ahead = fc.record({
   ),
 });
 
-describe('slopes: where all pushes go forward, the slope of her way only turns towards their slopes', () => {
+describe('slopes: where all pushes point forward, the slope of her path only turns towards their slopes', () => {
   it('precise', () => {
     let turned = 0;
     fc.assert(
@@ -214,11 +214,11 @@ describe('slopes: where all pushes go forward, the slope of her way only turns t
         for (const look of watch(of, 'precise', 240, playing(lengths), () => 0)) {
           const [x, y, u, v] = look.s;
           if (x >= first - 1) break;
-          // at the limit there is no proof
+          // At the speed limit there is no proof.
           if (Math.max(Math.abs(u), Math.abs(v)) > 0.99 * speedLimit - pull * TICK) break;
           if (before !== null) {
             const slopes: number[] = [];
-            // of the pushes between the two looks: extremes over both places, with room for what lies between them
+            // The slopes of pushes between the two observations: extremes at both places, with room for what lies between.
             const room = (p: number, q: number) => 0.02 * (1 + Math.abs(p) + Math.abs(q)) * Math.max(1, 20 / (first - x));
             for (const [px, py] of [before.s, look.s]) {
               for (const a of asteroids) slopes.push((a.y - py) / (a.x - px));
@@ -240,7 +240,7 @@ describe('slopes: where all pushes go forward, the slope of her way only turns t
   });
 });
 
-describe('leaving: on slopes that take her nearer to another asteroid than to the one before, that is never the nearest again', () => {
+describe('leaving: on slopes that take her nearer to another asteroid faster than to the previous one, the previous one is never the nearest again', () => {
   it('precise', () => {
     let left = 0;
     fc.assert(
@@ -254,7 +254,7 @@ describe('leaving: on slopes that take her nearer to another asteroid than to th
           if (from < 0) continue;
           for (let i = from + 1; i < looks.length; i++) {
             const [u, v] = looks[i].s.slice(2);
-            // each stretch of her way so far went nearer to the taker than to the one before
+            // Every stretch of her path so far approaches the new asteroid faster than the old one.
             if (u <= 0 || (taker.x - old.x) * u + (taker.y - old.y) * v <= 0) break;
             const [pu, pv] = looks[i - 1].s.slice(2);
             if (pu <= 0 || (taker.x - old.x) * pu + (taker.y - old.y) * pv <= 0) break;

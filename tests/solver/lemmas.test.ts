@@ -14,14 +14,14 @@ import { real } from '../real.ts';
 import { windyLevel } from './proofs-crowded.ts';
 import { someRules } from './some-rules.ts';
 
-// What proofs take for granted, each by its name in docs/proofs.md, held against the engine at every accuracy that a proof that rests on it covers,
+// The lemmas of docs/proofs.md, each by its name, compared with the engine at every accuracy that a proof resting on it covers,
 // under any rules that a level may have.
 
 const PLAYS: Readonly<Record<AccuracyName, Play>> = { arcade: 'frames', fast: 'steps', standard: 'steps', precise: 'exact' };
 const HOLE = { kind: 'blackHole' } as const;
 
 const whole = (min: number, max: number) => fc.integer({ min, max });
-// evenly spread, as doubles of fast-check are not
+// Evenly distributed, unlike the doubles of fast-check.
 
 const EMPTY: Level = {
   name: 'lemma',
@@ -31,24 +31,27 @@ const EMPTY: Level = {
   range: 250,
   recoil: false,
   ...NO_OBJECTS,
-  // what she never comes to changes nothing
+  // Objects that she never comes near change nothing.
   winds: [{ id: null, x: 0, y: -9000, radius: 60, ax: 3, ay: -20 }],
   wormholes: [{ id: null, x: 0, y: -9000, toX: 500, toY: -9000, radius: 20 }],
   runs: [],
 };
 const rock = (x: number, y: number, radius: number) => ({ id: null, x, y, radius, hot: false });
 
-/** One tick after another: held or not, for so many ticks each; `pump`: held as long as she comes nearer to the first asteroid; `brake`: the other way. */
+/**
+ * A sequence of ticks: held or free, each for so many ticks. `pump` holds while she approaches the first asteroid, `brake`
+ * while she moves away.
+ */
 const script = fc.array(fc.tuple(whole(1, 60), fc.constantFrom('held', 'free', 'pump', 'pump')), { minLength: 5, maxLength: 40 });
 type Script = readonly (readonly [number, string])[];
 
-/** Long enough to come through the centre many times, now fast and now slowly. */
+/** Long enough to pass the centre many times, fast and slowly. */
 const longScript = fc.array(fc.tuple(whole(1, 90), fc.constantFrom('held', 'free', 'pump', 'pump')), {
   minLength: 40,
   maxLength: 60,
 });
 
-/** Her state at each tick while the run goes on: x, y, vx, vy, cos, sin; and whether the gun was held in the tick that follows. */
+/** Her state at each tick while the run goes on: x, y, vx, vy, cos, sin; and whether the gun was held in the next tick. */
 function statesOf(level: Level, accuracy: AccuracyName, plan: Script) {
   const simulation = createSimulation(compile(level, accuracy));
   const state = new Float64Array(6);
@@ -74,8 +77,8 @@ function statesOf(level: Level, accuracy: AccuracyName, plan: Script) {
   return { all, holds, seconds: all.length * TICK };
 }
 
-describe('reach: how near a box must be to touch, and may be without', () => {
-  it('half its shorter side for certain, half its diagonal at most, whatever its angle', () => {
+describe('reach: how near a box must be to touch for certain, and how near to touch at all', () => {
+  it('half its shorter side for certain, half its diagonal at most, at any angle', () => {
     let farthest = 0;
     fc.assert(
       fc.property(someRules, real(0, 2), real(0, 6.3), real(0, 6.3), real(0.001, 100), (rules, part, to, turn, radius) => {
@@ -94,19 +97,19 @@ describe('reach: how near a box must be to touch, and may be without', () => {
   });
 });
 
-/** Whether an axis of her velocity may come to the speed limit: there proofs end. */
+/** Whether an axis of her velocity may reach the speed limit, where proofs end. */
 function comesToLimit(level: Level, all: readonly { s: readonly number[] }[]): boolean {
   const { pull, push, speedLimit } = rulesOf(level);
   const most = 0.99 * speedLimit - Math.max(pull, push) * TICK;
   return all.some(({ s }) => Math.max(Math.abs(s[2]), Math.abs(s[3])) > most);
 }
 
-/** Whether her box, as it stands at the start, touches a mineral of 7 px. */
+/** Whether her box at the start touches a mineral of 7 px. */
 function isTouchedAtStart(rules: OwnRules, x: number, y: number): boolean {
   return boxCircleGap(boxOf(rulesOf({ rules })), x, y, 1, 0, 7) < 0.1;
 }
 
-describe('line: from rest before one asteroid she stays on the line through it, and her box lies along it', () => {
+describe('line: from rest in front of one asteroid she stays on the line through it, and her box lies along it', () => {
   it.each(continuousNames)('%s', (accuracy) => {
     let passes = 0;
     fc.assert(
@@ -119,7 +122,7 @@ describe('line: from rest before one asteroid she stays on the line through it, 
         (rules, d, turn, recoil, plan) => {
           const { halfHeight } = boxOf(rulesOf({ rules }));
           const [ux, uy] = [Math.cos(turn), Math.sin(turn)];
-          // as near beside the centre as a box that flips there leaves room for; one that sweeps round touches them
+          // As near beside the centre as a box that flips there allows; one that sweeps around would touch them.
           const beside =
             recoil > 0
               ? []
@@ -180,11 +183,11 @@ describe('speed on a line: no faster than from rest at the far end to the centre
   });
 });
 
-describe('speed: its square is no more than at the start and twice the strongest push for the way from where she was', () => {
+describe('speed: v² is at most v0² plus twice the strongest push times the distance', () => {
   it.each(accuracyNames)('%s', (accuracy) => {
     fc.assert(
       fc.property(windyLevel, someRules, script, (of, rules, plan) => {
-        // through wormholes she falls the same way again
+        // Through wormholes she falls the same distance again.
         const level = { ...of, wormholes: [], rules };
         const { push } = claimOf(level, HOLE, 60, PLAYS[accuracy]);
         const { all } = statesOf(level, accuracy, plan);
@@ -197,7 +200,7 @@ describe('speed: its square is no more than at the start and twice the strongest
             high[axis] = Math.max(high[axis], s[axis]);
           }
           const way = Math.hypot(high[0] - low[0], high[1] - low[1]);
-          // what a tick gains: looks are a tick apart
+          // What a tick gains, because observations are a tick apart.
           expect(Math.hypot(s[2], s[3])).toBeLessThanOrEqual(1.0005 * Math.sqrt(start + 2 * push * way) + 2 * push * TICK);
         }
       }),
@@ -206,7 +209,7 @@ describe('speed: its square is no more than at the start and twice the strongest
   });
 });
 
-describe('jump: in a frame she goes no farther than the claim says', () => {
+describe('jump: a frame takes her no farther than the claim says', () => {
   it('arcade', () => {
     let closest = 0;
     fc.assert(
@@ -257,7 +260,7 @@ describe('drift: recoil carries an asteroid no farther than the claim says', () 
   });
 });
 
-describe('arcade-axis: on a line along an axis all across is exactly 0', () => {
+describe('arcade-axis: on a line along an axis everything across is exactly 0', () => {
   it.each([
     ['x', 1, 0],
     ['-x', -1, 0],
@@ -285,7 +288,7 @@ describe('arcade-axis: on a line along an axis all across is exactly 0', () => {
           for (const { s, rocks } of all) {
             const before = (rocks[0] - s[0]) * ux + (rocks[1] - s[1]) * uy > 0;
             if (!before) passes++;
-            // in the very centre the original pulls to the right
+            // At the very centre the original pulls to the right.
             if (!before && uy !== 0) return;
             const across = ux === 0 ? 0 : 1;
             if (s[across] !== (across === 0 ? x : y) || s[2 + across] !== 0) expect.fail(`across: ${s}`);
@@ -298,7 +301,7 @@ describe('arcade-axis: on a line along an axis all across is exactly 0', () => {
   });
 });
 
-describe('arcade-fall: on her way to the centre rounding takes her no farther off the line than the bound', () => {
+describe('arcade-fall: on the way to the centre rounding takes her no farther off the line than the bound', () => {
   it('arcade', () => {
     let looks = 0;
     let largest = 0;
@@ -321,14 +324,14 @@ describe('arcade-fall: on her way to the centre rounding takes her no farther of
           };
           const { all } = statesOf(level, 'arcade', plan);
           const [centre] = [all[0].rocks];
-          // the line through the two places as they are
+          // The line through the two places as they are.
           const [lx, ly] = [centre[0] - x, centre[1] + x];
           const length = Math.hypot(lx, ly);
           const { pull, recoil: strength, speedLimit } = rulesOf(level);
           const kick = recoil ? strength / 32 : 0;
           const speed = 1.01 * Math.sqrt(2 * pull * length) + 1;
           const rockSpeed = 1.01 * Math.sqrt(2 * kick * length) + kick * TICK;
-          // of both the limit of one axis would take them off the line
+          // The speed limit of one axis would take either of them off the line.
           if (Math.max(speed, rockSpeed) > 0.99 * speedLimit) return;
           const jump = speed * TICK;
           const nearest = 1 + 2 * (jump + rockSpeed * TICK);
@@ -360,18 +363,18 @@ describe('arcade-fall: on her way to the centre rounding takes her no farther of
   });
 });
 
-/** Whether a disc comes into a rectangle, or nearly so. */
+/** Whether a disc overlaps a rectangle, or nearly so. */
 const isNear = ({ x, y, radius }: Circle, way: Rectangle): boolean =>
   Math.hypot(Math.max(0, way.x[0] - x, x - way.x[1]), Math.max(0, way.y[0] - y, y - way.y[1])) < radius + 1e-6;
 
-/** What each wormhole moves her by, either way. */
+/** The displacement of each wormhole, in either direction. */
 const shiftsOf = ({ wormholes }: Level): { x: number; y: number }[] =>
   wormholes.flatMap(({ x, y, toX, toY }) => [
     { x: toX - x, y: toY - y },
     { x: x - toX, y: y - toY },
   ]);
 
-describe('mouths: she is moved from within a mouth by the way to the other, and by nothing else', () => {
+describe('mouths: only a mouth moves her, from inside it by the displacement to the other', () => {
   it.each(accuracyNames)('%s', (accuracy) => {
     let jumps = 0;
     fc.assert(
@@ -381,7 +384,7 @@ describe('mouths: she is moved from within a mouth by the way to the other, and 
         const { jump } = claimOf(level, HOLE, 60, PLAYS[accuracy]);
         const { speedLimit } = rulesOf(level);
         const { all } = statesOf(level, accuracy, plan);
-        // in continuous time a look is after a tick, in which she goes on; at the limit a fixed step may overshoot
+        // In continuous time an observation comes after a tick in which she moves on; at the limit a fixed step may overshoot.
         const room = accuracy === 'arcade' ? jump : 1.5 * Math.SQRT2 * speedLimit * TICK;
         for (let i = 1; i < all.length; i++) {
           const [before, after] = [all[i - 1].s, all[i].s];
@@ -392,7 +395,7 @@ describe('mouths: she is moved from within a mouth by the way to the other, and 
           jumps++;
           const comesOut = all[i].s;
           const ends = taken.some(({ radius, exit }) => Math.hypot(comesOut[0] - exit.x, comesOut[1] - exit.y) < radius + room);
-          // several in a tick in continuous time lead from exit to exit
+          // In continuous time, several in one tick lead from exit to exit.
           if (!ends && (accuracy === 'arcade' || level.wormholes.length === 1)) expect.fail(`${before} to ${after}`);
         }
       }),
@@ -402,7 +405,7 @@ describe('mouths: she is moved from within a mouth by the way to the other, and 
   });
 });
 
-describe('pushes: after some ticks she is within what pushes from the places on the way allow', () => {
+describe('pushes: after some ticks her state is within what the pushes at the places on the way allow', () => {
   it.each(accuracyNames)('%s', (accuracy) => {
     let steps = 0;
     fc.assert(
@@ -413,7 +416,7 @@ describe('pushes: after some ticks she is within what pushes from the places on 
         const scene = turnedScene(claim, [1, 0]);
         const { all } = statesOf(level, accuracy, plan);
         const seconds = frames * TICK;
-        // what a frame moves by is the velocity with the push that waits; the last look has none to tell it
+        // A frame moves by the velocity including the pending push, which the last observation does not have.
         const at = (i: number) => {
           const { s } = all[i];
           const v = accuracy === 'arcade' ? [(all[i + 1].s[0] - s[0]) / TICK, (all[i + 1].s[1] - s[1]) / TICK] : [s[2], s[3]];
@@ -422,7 +425,7 @@ describe('pushes: after some ticks she is within what pushes from the places on 
         const about = (n: number) => [n - 1e-7, n + 1e-7] as const;
         for (let i = 0; i + frames + 1 < all.length; i += frames) {
           const from = at(i);
-          // at the limit there is no proof
+          // At the speed limit there is no proof.
           if (Math.hypot(from.vx, from.vy) + claim.push * (seconds + TICK) > speedLimit) break;
           const box: Box = { x: about(from.x), y: about(from.y), vx: about(from.vx), vy: about(from.vy) };
           const way = placesWithin(box, seconds, claim.push);
@@ -446,7 +449,7 @@ describe('pushes: after some ticks she is within what pushes from the places on 
   });
 });
 
-describe('chasers: aliens are where they are said to be, and those said to be there have not exploded', () => {
+describe('chasers: aliens are within their discs, and those claimed to be there have not exploded', () => {
   const swarm = fc.array(fc.tuple(whole(-170, 170), whole(-170, 170), fc.constantFrom(4, 12, 25)), {
     minLength: 2,
     maxLength: 6,
@@ -508,7 +511,7 @@ describe('chasers: aliens are where they are said to be, and those said to be th
     expect(gone).toBeGreaterThan(100);
   });
 
-  it('what may have exploded, or may not, may explode others', () => {
+  it('an alien that may have exploded may still explode others', () => {
     const alien = (x: number): Chaser => ({
       at: { centre: { x, y: 0 }, within: 1 },
       speed: { centre: { x: 0, y: 0 }, within: 1 },
@@ -518,13 +521,13 @@ describe('chasers: aliens are where they are said to be, and those said to be th
     const away = { left: 900, right: 901, low: 0, high: 1 };
     const [a, b, c] = afterChase(DEFAULT_RULES, [alien(0), alien(21), alien(26 + 20)], away, TICK);
     expect([a.isThere, b.isThere, c.isThere]).toEqual([false, false, true]);
-    // b comes on to c
+    // b moves towards c.
     const nearer = [a, { ...b, at: { ...b.at, centre: { x: 26, y: 0 } } }, c];
     expect(afterChase(DEFAULT_RULES, nearer, away, TICK)[2].isThere).toBe(false);
   });
 });
 
-describe('order: who comes out of a mouth onto a hazard and the black hole', () => {
+describe('order: she leaves a mouth onto a hazard and the black hole', () => {
   it.each(continuousNames)('%s: collides', (accuracy) => {
     fc.assert(
       fc.property(real(-12, 12), real(-20, 20), real(2, 60), fc.boolean(), (dx, dy, v, hot) => {
@@ -538,7 +541,7 @@ describe('order: who comes out of a mouth onto a hazard and the black hole', () 
           wormholes: [{ id: null, x: 30, y: 0, toX: 154, toY: 40, radius: 5 }],
         };
         const run = simulate(compile(level, accuracy), []);
-        // it may be that only one of them is touched there
+        // Possibly only one of them is touched there.
         const touches = (c: { x: number; y: number }) => boxCircleGap(boxOf(rulesOf(level)), c.x - 149, c.y - 40, 1, 0, 18) < 0;
         if (touches(there)) expect(run.outcome).toBe('collided');
       }),
@@ -547,9 +550,9 @@ describe('order: who comes out of a mouth onto a hazard and the black hole', () 
   });
 });
 
-describe('order: a hazard and the black hole in the same instant', () => {
+describe('order: a hazard and the black hole at the same instant', () => {
   it.each(accuracyNames)('%s', (accuracy) => {
-    // her box, upright, comes down on both at once
+    // Her upright box comes down on both at once.
     const level = {
       ...EMPTY,
       astronaut: { x: 0, y: 0, vx: 0, vy: 30 },

@@ -9,8 +9,8 @@ const circle = (reach: number, radii: readonly number[]): fc.Arbitrary<Circle> =
     .map(([x, y, radius]) => ({ id: null, x, y, radius }));
 
 /**
- * A small level in which nearly everything is near: proofs and completing runs are both common, and differ by a few px. Half of them rest at the
- * start; with and without recoil, fields and aliens.
+ * A small level in which nearly everything is near, so that proofs and completing runs are both common and differ by a few px.
+ * In half of them she rests at the start; with and without recoil, fields and aliens.
  */
 export const crowdedLevel: fc.Arbitrary<Level> = whole(60, 260).chain((reach) =>
   fc
@@ -45,7 +45,7 @@ export const someHolds: fc.Arbitrary<Hold[]> = fc.array(
 
 const strength = fc.oneof(fc.constant(0), whole(-100, 100));
 
-/** The same with winds and wormholes in it: over each other, over her and over everything else. */
+/** The same with winds and wormholes, which may lie over each other, over her and over everything else. */
 export const windyLevel: fc.Arbitrary<Level> = crowdedLevel.chain((level) =>
   fc
     .record({
@@ -61,7 +61,7 @@ export const windyLevel: fc.Arbitrary<Level> = crowdedLevel.chain((level) =>
     .map((more) => ({ ...level, ...more })),
 );
 
-/** Any of them, under the original's rules or any other. */
+/** Any of these levels, under the original's rules or any others. */
 export const anyLevel: fc.Arbitrary<Level> = fc.oneof(
   { weight: 2, arbitrary: crowdedLevel },
   { weight: 1, arbitrary: windyLevel },

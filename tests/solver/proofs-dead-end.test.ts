@@ -9,7 +9,10 @@ const whole = (min: number, max: number) => fc.integer({ min, max });
 const circle = (x: fc.Arbitrary<number>, y: fc.Arbitrary<number>, ...radii: number[]) =>
   fc.record({ x, y, radius: fc.constantFrom(...radii) });
 
-/** At rest before an asteroid, with others beside the line, hazards at both its ends, and more where she comes when another pulls her. */
+/**
+ * She rests in front of an asteroid, with others beside the line, hazards at both its ends, and more hazards where another
+ * asteroid pulls her.
+ */
 const boundLevel: fc.Arbitrary<Level> = fc
   .record({
     near: circle(whole(40, 90), fc.constant(0), 16, 32),
@@ -34,7 +37,7 @@ const boundLevel: fc.Arbitrary<Level> = fc
     }),
   );
 
-it('no run is found where the line ends in a dead end, or where recoil is said to add up to little', () => {
+it('no run is found where the line ends in a dead end, or where recoil is claimed to add up to little', () => {
   let deadEnds = 0;
   let swings = 0;
   let completed = 0;
@@ -57,7 +60,7 @@ it('no run is found where the line ends in a dead end, or where recoil is said t
     }),
     { numRuns: 600 },
   );
-  // the property says something only where all of it happens
+  // The property is meaningful only if all of this occurs.
   expect(deadEnds).toBeGreaterThan(5);
   expect(swings).toBeGreaterThan(5);
   expect(completed).toBeGreaterThan(5);
@@ -68,7 +71,7 @@ interface Place {
   readonly y: number;
 }
 
-/** How far outside a convex polygon a place is, px; 0 inside. Its corners go from x to y. */
+/** How far a place lies outside a convex polygon, px; 0 inside. The corners are in the sense from x to y. */
 function outside(corners: readonly Place[], { x, y }: Place): number {
   const beyond = corners.map((a, i) => {
     const b = corners[(i + 1) % corners.length];
@@ -78,7 +81,7 @@ function outside(corners: readonly Place[], { x, y }: Place): number {
   return Math.max(0, ...beyond);
 }
 
-it('off the line she stays where a dead end says that she may come', () => {
+it('off the line she stays within the places that the dead end allows', () => {
   let places = 0;
   let dies = 0;
   fc.assert(
@@ -95,7 +98,7 @@ it('off the line she stays where a dead end says that she may come', () => {
         for (let time = 0; time < run.time; time += 1 / 60) {
           run.trajectory.at(time, state);
           const [x, y] = state;
-          // the line is the x axis
+          // The line is the x axis.
           if (Math.abs(y) < 1e-6) continue;
           places++;
           const least = Math.min(...pieces.map((piece) => outside(piece, { x, y })));

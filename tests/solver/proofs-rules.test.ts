@@ -8,7 +8,8 @@ import { LEVELS } from './impossible-levels.ts';
 import { crowdedLevel, someHolds, windyLevel } from './proofs-crowded.ts';
 import { someRules } from './some-rules.ts';
 
-// Levels with rules of their own: proved where they are impossible, never where a run completes them, and a certificate is one for the rules it was made for.
+// Levels with their own rules: they are proved where they are impossible and never where a run completes them, and a
+// certificate is valid only for the rules for which it was made.
 
 const HOLE: About = { kind: 'blackHole' };
 const accuracyNames = Object.keys(ACCURACIES) as AccuracyName[];
@@ -46,7 +47,7 @@ function scaled(level: Level, k: number): Level {
   };
 }
 
-describe('the same level in other units is as impossible', () => {
+describe('the same level in other units is equally impossible', () => {
   it.each(Object.keys(LEVELS))('%s', (name) => {
     const proof = proveImpossible(LEVELS[name]) as Proof;
     for (const k of [0.5, 0.8]) {
@@ -54,16 +55,16 @@ describe('the same level in other units is as impossible', () => {
       const same = proveImpossible(level) as Proof;
       expect(same).toMatchObject({ code: proof.code, covers: proof.covers, maxTime: proof.maxTime });
       expect(verifyProof(level, same)).toEqual({ ok: true });
-      // a certificate in px of another size says nothing, where it says anything of places
+      // A certificate in px of another size is refused if it contains any places.
       if (['enclosed', 'doomed', 'flowpipe'].includes(proof.code)) expect(verifyProof(level, proof).ok).toBe(false);
     }
   });
 });
 
-describe('the original’s rules, said', () => {
+describe('the original’s rules, stated explicitly', () => {
   const said = Object.fromEntries(RULE_NAMES.map((name) => [name, RULES[name].default])) as OwnRules;
 
-  it.each(Object.keys(LEVELS))('%s: the same proof', (name) => {
+  it.each(Object.keys(LEVELS))('%s: the proof is the same', (name) => {
     expect(proveImpossible({ ...LEVELS[name], rules: said })).toEqual(proveImpossible(LEVELS[name]));
   });
 });
@@ -101,7 +102,7 @@ describe('a level that a run completes is never proved impossible, whatever its 
   });
 });
 
-/** Certificates that carry sets tight enough for it: rules that are another by a thousandth, to the worse, are noticed. */
+/** Certificates with tight sets, for which a rule that is worse by a thousandth is noticed. */
 const TIGHT: readonly [kind: keyof typeof PROVERS, rule: keyof OwnRules, factor: number][] = [
   ['doomed', 'pull', 1.001],
   ['flowpipe', 'speedLimit', 0.1],
@@ -110,7 +111,7 @@ const TIGHT: readonly [kind: keyof typeof PROVERS, rule: keyof OwnRules, factor:
   ['starts-in-hazard', 'boxHeight', 0.2],
 ];
 
-describe('a certificate is checked against the level that is given', () => {
+describe('a certificate is checked against the given level', () => {
   it.each(TIGHT)('%s: %s times %d', (kind, rule, factor) => {
     const level = LEVELS[kind];
     const proof = proveBy(kind, level, HOLE) as Proof;

@@ -8,7 +8,7 @@ import { importedLevels } from '../truth/imported-levels.ts';
 import { hasTruth } from '../truth/recordings.ts';
 import { anyLevel, someHolds } from './proofs-crowded.ts';
 
-/** What the proofs for an accuracy say can't be touched: `blackHole`, and the indices of minerals. */
+/** What the proofs for an accuracy claim to be out of reach: `blackHole`, and indices of minerals. */
 function unreachable(level: Level, accuracy: AccuracyName): (number | 'blackHole')[] {
   const hole = proveImpossible(level, { accuracy });
   const minerals = proveMineralsUnreachable(level, { accuracy });
@@ -26,7 +26,7 @@ function touched(level: Level, holds: readonly Hold[], accuracy: AccuracyName): 
 }
 
 describe('nothing that a run touches is proved to be out of reach', () => {
-  it.each(accuracyNames)('random play of random levels: %s', (accuracy) => {
+  it.each(accuracyNames)('random play in random levels: %s', (accuracy) => {
     let runsThatTouch = 0;
     let proofs = 0;
     fc.assert(
@@ -41,7 +41,7 @@ describe('nothing that a run touches is proved to be out of reach', () => {
       }),
       { numRuns: 300 },
     );
-    // the property says something only where both happen
+    // The property is meaningful only if both occur.
     expect(runsThatTouch).toBeGreaterThan(100);
     expect(proofs).toBeGreaterThan(100);
   });
@@ -81,7 +81,7 @@ describe('nothing that a run touches is proved to be out of reach', () => {
   });
 });
 
-describe('a proof of another level does not pass for a level that can be completed', () => {
+describe('a proof of another level is refused for a level that can be completed', () => {
   it('whatever is moved away', () => {
     let rejected = 0;
     fc.assert(
@@ -100,7 +100,7 @@ describe('a proof of another level does not pass for a level that can be complet
   });
 });
 
-/** The level with something taken out of the way, or brought nearer. */
+/** The level with an object removed or brought nearer. */
 function ease(level: Level, which: number): Level {
   const others = <T>(list: readonly T[]) => list.filter((_, i) => list.length > 0 && i !== which % list.length);
   const nearer = { ...level.blackHole, x: level.blackHole.x / 3, y: level.blackHole.y / 3 };

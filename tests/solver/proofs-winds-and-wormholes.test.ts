@@ -5,7 +5,7 @@ import { type About, type Proof, proveBy, proveImpossible, verifyProof } from '.
 import type { Prover } from '../../solver/proofs/proof.ts';
 import { at, LEVELS, level } from './impossible-levels.ts';
 
-// What proofs make of winds and wormholes: they keep out of them or follow them, and where one of them makes a level completable there is no proof.
+// Proofs keep clear of winds and wormholes or follow them; where one of them makes a level completable, there is no proof.
 
 const HOLE: About = { kind: 'blackHole' };
 const accuracyNames = Object.keys(ACCURACIES) as AccuracyName[];
@@ -14,12 +14,12 @@ const wind = (x: number, y: number, radius: number, ax: number, ay: number) => (
 const wormhole = (x: number, y: number, toX: number, toY: number, radius: number) => ({ id: null, x, y, toX, toY, radius });
 const AFAR = { winds: [wind(-4000, 900, 60, 20, 30)], wormholes: [wormhole(-4000, 0, -4000, 500, 30)] };
 
-describe('winds and wormholes that she never comes to change nothing', () => {
+describe('winds and wormholes that she never comes near change nothing', () => {
   it.each(Object.keys(LEVELS))('%s', (name) => {
     const of: Level = { ...LEVELS[name], ...AFAR };
     const before = proveImpossible(LEVELS[name]) as Proof;
     const proof = proveImpossible(of) as Proof;
-    // with wormholes a frame may be as long as the speed limit allows
+    // With wormholes a frame may be as long as the speed limit allows.
     expect(proof.code).toBe(before.code);
     expect(verifyProof(of, proof)).toEqual({ ok: true });
   });
@@ -27,7 +27,7 @@ describe('winds and wormholes that she never comes to change nothing', () => {
 
 const WAYS: readonly (readonly Hold[])[] = [[], [[0, 600]], [[6, 20]], [[0, 30]]];
 
-/** The level with a wormhole from where a run comes to, to where her box overlaps the black hole; and that run. */
+/** The level with a wormhole from a place on a run to where her box overlaps the black hole, and that run. */
 function shortCuts(of: Level, accuracy: AccuracyName): { level: Level; holds: readonly Hold[] }[] {
   return WAYS.flatMap((holds) => {
     const { time, trajectory } = simulate(compile(of, accuracy), holds);
@@ -44,7 +44,7 @@ function shortCuts(of: Level, accuracy: AccuracyName): { level: Level; holds: re
 describe.each(Object.keys(LEVELS).filter((name) => !['nothing-in-range', 'starts-in-hazard', 'covered'].includes(name)))(
   'a wormhole to the black hole: %s',
   (name) => {
-    it.each(accuracyNames)('%s: there is no proof, and the old one is none', (accuracy) => {
+    it.each(accuracyNames)('%s: there is no proof, and the old one is refused', (accuracy) => {
       const old = proveImpossible(LEVELS[name], { accuracy });
       const cuts = shortCuts(LEVELS[name], accuracy);
       expect(cuts.length).toBeGreaterThan(0);
@@ -52,7 +52,7 @@ describe.each(Object.keys(LEVELS).filter((name) => !['nothing-in-range', 'starts
         expect(proveImpossible(short, { accuracy })).toBeNull();
         if (old === null) continue;
         expect(verifyProof(short, old).ok).toBe(false);
-        // nor does it help to list mouths, or to list none
+        // Listing mouths, or none, does not help either.
         if (old.certificate.kind !== 'out-of-range') continue;
         for (const mouths of [[], [0], [1], [0, 1]])
           expect(verifyProof(short, { ...old, certificate: { ...old.certificate, mouths } }).ok).toBe(false);
@@ -65,7 +65,7 @@ describe('wormholes that proofs follow', () => {
   const island = level({ blackHole: { x: 2000, y: 0 }, asteroids: [at(150, 0), at(1000, 400)] });
   const toIsland: Level = { ...island, wormholes: [wormhole(250, 0, 1000, 200, 30)] };
 
-  it('out-of-range: to other asteroids, from which it is as far', () => {
+  it('out-of-range: to other asteroids that are just as far away', () => {
     const proof = proveBy('out-of-range', toIsland, HOLE) as Proof;
     expect(proof.certificate).toEqual({ kind: 'out-of-range', asteroids: [0, 1], mouths: [0, 1] });
     expect(verifyProof(toIsland, proof)).toEqual({ ok: true });
@@ -78,18 +78,18 @@ describe('wormholes that proofs follow', () => {
     }
   });
 
-  it('out-of-range: one that nobody comes to is not listed', () => {
+  it('out-of-range: a mouth that she cannot reach is not listed', () => {
     const of: Level = { ...island, wormholes: [wormhole(250, 900, 2000, 0, 30)] };
     const proof = proveBy('out-of-range', of, HOLE) as Proof;
     expect(proof.certificate).toEqual({ kind: 'out-of-range', asteroids: [0], mouths: [] });
     expect(verifyProof(of, proof)).toEqual({ ok: true });
-    // from where another takes her, it is near
+    // From where another mouth takes her, it is near.
     const chain: Level = { ...of, wormholes: [...of.wormholes, wormhole(250, 0, 250, 860, 30)] };
     expect(proveBy('out-of-range', chain, HOLE)).toBeNull();
     expect(verifyProof(chain, proof).ok).toBe(false);
   });
 
-  it('enclosed: with both of its mouths on her side, and not across the barrier', () => {
+  it('enclosed: with both mouths on her side, and not across the barrier', () => {
     const inside: Level = { ...LEVELS.enclosed, wormholes: [wormhole(60, 60, 100, -120, 20)] };
     const proof = proveBy('enclosed', inside, HOLE) as Proof;
     expect(verifyProof(inside, proof)).toEqual({ ok: true });
@@ -100,7 +100,7 @@ describe('wormholes that proofs follow', () => {
     expect(verifyProof(on, proof).ok).toBe(false);
   });
 
-  it('covered: says nothing about minerals, which count before a hazard', () => {
+  it('covered: claims nothing about minerals, which count before a hazard', () => {
     const of = level({ novae: [at(90, 60, 60)], asteroids: [at(150, 0), at(0, 160)] });
     const about: About = { kind: 'mineral', index: 0 };
     const proof = proveBy('covered', of, about) as Proof;
@@ -112,7 +112,7 @@ describe('wormholes that proofs follow', () => {
     expect(run.minerals.map(({ index }) => index)).toEqual([0]);
   });
 
-  it('in frames: falling through one again and again she comes to the speed limit, and leaps over what she otherwise can’t', () => {
+  it('in frames: falling through one again and again she reaches the speed limit, and jumps over what otherwise stops her', () => {
     const of = level({ range: 400, asteroids: [at(300, 0), at(1110, 0)], blackHole: { x: 1400, y: 0 } });
     expect(proveBy('out-of-range', of, HOLE, { accuracy: 'arcade' })).not.toBeNull();
     const again: Level = { ...of, wormholes: [wormhole(250, 0, -60, 0, 20)] };
@@ -128,12 +128,12 @@ describe('winds that proofs follow', () => {
     const of: Level = { ...LEVELS.doomed, winds: [wind(-20, 0, 90, -30, 0)] };
     const proof = proveBy('doomed', of, HOLE) as Proof;
     expect(verifyProof(of, proof)).toEqual({ ok: true });
-    // without the wind, or with another by a thousandth, the sets are none
+    // Without the wind, or with one that differs by a thousandth, the sets are wrong.
     for (const winds of [[], [wind(-20, 0, 90, -30.03, 0)], [wind(-20, 0, 90, -29.97, 0)], [wind(-20, 0, 90, -30, 0.03)]])
       expect(verifyProof({ ...of, winds }, proof).ok).toBe(false);
   });
 
-  it.each(['line-trap', 'line-trap with a dead end', 'flowpipe', 'doomed'])('%s: not where one blows on her', (name) => {
+  it.each(['line-trap', 'line-trap with a dead end', 'flowpipe', 'doomed'])('%s: not where a wind blows on her', (name) => {
     const proof = proveImpossible(LEVELS[name]) as Proof;
     const of: Level = { ...LEVELS[name], winds: [wind(0, 0, 300, 60, 100)] };
     expect(verifyProof(of, proof).ok).toBe(false);

@@ -13,7 +13,10 @@ const level = (more: Partial<LevelFile>): Level => resolveLevel({ ...base, ...mo
 const at = (x: number, y: number, radius = 16) => ({ x, y, radius });
 const hot = (x: number, y: number, radius = 16) => ({ x, y, radius, hot: true });
 
-/** `count` circles of radius 16 on a circle about (x, y), so near to each other that nobody fits between: 28 px at most. */
+/**
+ * `count` circles of radius 16 on a circle around (x, y), so close together that she does not fit between them: gaps of 28 px
+ * at most.
+ */
 const ring = (x: number, y: number, r: number, gaps = 0) => {
   const count = Math.ceil((2 * Math.PI * r) / 28);
   return Array.from({ length: count - gaps }, (_, i) => {
@@ -26,13 +29,13 @@ const ALL = ['arcade', 'fast', 'standard', 'precise'];
 const CONTINUOUS = ['fast', 'standard', 'precise'];
 const EXACT = ['precise'];
 
-// a second asteroid above the line keeps her from being bound to the line
+// A second asteroid above the line keeps her from being bound to it.
 const roomy = { asteroids: [at(150, 0), at(0, 160)] };
 
-// some speed keeps her from being bound to the line
+// Some speed keeps her from being bound to the line.
 const drifts = { astronaut: { x: 0, y: 0, vy: 1 } };
 
-// what each kind proves, for which accuracies, and the nearest thing to it that it must not
+// What each kind proves, for which accuracies, and the nearest level that it must not prove.
 const CASES: [what: string, code: Proof['code'], covers: string[], wrong: Partial<LevelFile>, right: Partial<LevelFile>][] = [
   ['one px beyond the range', 'nothing-in-range', ALL, { astronaut: { x: -101, y: 0 } }, { astronaut: { x: -100, y: 0 } }],
   ['no asteroid', 'nothing-in-range', ALL, { asteroids: [] }, {}],
@@ -205,7 +208,7 @@ describe.each(CASES)('%s', (_, code, covers, wrong, right) => {
     const proof = proveImpossible(level(wrong));
     expect(proof).toMatchObject({ code, covers, about: { kind: 'blackHole' } });
     expect(verifyProof(level(wrong), proof as Proof)).toEqual({ ok: true });
-    // what a file keeps of it is enough
+    // What a file keeps of the proof is sufficient.
     expect(verifyProof(level(wrong), JSON.parse(JSON.stringify(proof)))).toEqual({ ok: true });
     const { discs, lines } = proofPicture(level(wrong), proof as Proof);
     expect(discs.filter(({ role }) => role === 'thing')).toHaveLength(1);
@@ -217,7 +220,7 @@ describe.each(CASES)('%s', (_, code, covers, wrong, right) => {
   });
 });
 
-describe('what is asked for', () => {
+describe('the options', () => {
   const jumpable = level({ blackHole: { x: 760, y: 0 }, asteroids: [at(150, 0), at(651, 0)] });
 
   it('a proof for an accuracy covers that accuracy', () => {
@@ -232,14 +235,14 @@ describe('what is asked for', () => {
     expect(proveImpossible(level({ blackHole: { x: 437, y: 0 } }))?.maxTime).toBeNull();
   });
 
-  it('each mineral has its own proof, and the black hole is in the way of minerals', () => {
+  it('each mineral has its own proof, and the black hole blocks the path to minerals', () => {
     const minerals = level({
       ...roomy,
       minerals: [at(20, 20, 7), at(460, 0, 7), at(300, 0, 7)],
       blackHole: { x: 300, y: 0, radius: 30 },
     });
     const proofs = proveMineralsUnreachable(minerals);
-    // touching the black hole ends the run: a mineral deep inside is never touched
+    // Touching the black hole ends the run, so a mineral deep inside it is never touched.
     expect(proofs.map(({ about, code }) => [about, code])).toEqual([
       [{ kind: 'mineral', index: 1 }, 'out-of-range'],
       [{ kind: 'mineral', index: 2 }, 'enclosed'],

@@ -8,7 +8,7 @@ const at = (x: number, y: number, radius = 16) => ({ x, y, radius });
 const level = (more: Partial<LevelFile>): Level =>
   resolveLevel({ version: 1, name: 'refuted', astronaut: { x: 0, y: 0 }, blackHole: { x: 300, y: 0 }, ...more });
 
-/** What once was proved, and a run that touches it all the same. */
+/** Claims that were once proved, each with a run that touches the object all the same. */
 const REFUTED: [what: string, of: Level, holds: Hold[], maxTime: number, at?: readonly AccuracyName[]][] = [
   [
     'at the speed limit on one axis she bends off the line',
@@ -32,14 +32,14 @@ const REFUTED: [what: string, of: Level, holds: Hold[], maxTime: number, at?: re
 ];
 
 describe.each(REFUTED)('%s', (_, of, holds, maxTime, at = accuracyNames) => {
-  it.each(at)('completes, and is not proved impossible: %s', (accuracy) => {
+  it.each(at)('is completed, and is not proved impossible: %s', (accuracy) => {
     expect(simulate(compile(of, accuracy), holds, { maxTime }).outcome).toBe('completed');
     expect(proveImpossible(of, { accuracy, maxTime })).toBeNull();
   });
 });
 
 describe('a line along an axis', () => {
-  // the same length of fall: the limit holds the one axis there is
+  // A fall of the same length: there the limit applies to one axis only.
   const along = level({ range: 7e5, asteroids: [at(26_000, 0)], blackHole: { x: 30_000, y: 60 } });
 
   it('is not bent by the speed limit, and stays proved', () => {
@@ -51,7 +51,7 @@ describe('a line along an axis', () => {
     expect(run.final.vx).toBeLessThanOrEqual(1000);
   });
 
-  it('its proof is none for a line that is not, nor with recoil', () => {
+  it('has a proof that is refused for a slanted line, and with recoil', () => {
     const found = proveImpossible(along, { accuracy: 'precise' }) as Proof;
     const trap = found.certificate as Extract<Certificate, { kind: 'line-trap' }>;
     const wider = { ...trap, back: { ...trap.back, at: trap.back.at - 10 }, front: { ...trap.front, at: trap.front.at + 10 } };
@@ -64,7 +64,7 @@ describe('a line along an axis', () => {
   });
 });
 
-describe('proofs for frames on a line that is parallel to no axis', () => {
+describe('proofs for frames on a slanted line', () => {
   const slanted = level({
     asteroids: [at(150, 70)],
     novae: [at(75, 35)],
@@ -72,7 +72,7 @@ describe('proofs for frames on a line that is parallel to no axis', () => {
     blackHole: { x: 220, y: 110 },
   });
 
-  it('say for how long, since rounding adds up', () => {
+  it('state the length of a run, because rounding adds up', () => {
     const proof = proveImpossible(slanted, { accuracy: 'arcade' }) as Proof;
     expect(proof).toMatchObject({ code: 'line-trap', maxTime: 60 });
     expect(verifyProof(slanted, proof)).toEqual({ ok: true });
@@ -82,7 +82,7 @@ describe('proofs for frames on a line that is parallel to no axis', () => {
     expect(proveMineralsUnreachable(slanted, { accuracy: 'arcade' })).toHaveLength(1);
   });
 
-  it('are not made far out, where places are coarse', () => {
+  it('are not made far out, where coordinates are coarse', () => {
     const by = 1e8;
     const far: Level = {
       ...slanted,

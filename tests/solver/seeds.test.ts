@@ -16,8 +16,8 @@ function seedOf(seed: number, lane: number): (n: number) => number {
 const exactly = (seed: number, lane: number, n: number): bigint =>
   (BigInt(seed) * 1_000_000_000n + BigInt(lane) * 1_000_000n + BigInt(n)) % 2n ** 53n;
 
-// beyond 9,007,199 the plain sum is rounded to multiples of up to 512: all searches of a lane were the same one
-describe('each piece of work of a solver has a seed of its own', () => {
+// Beyond 9,007,199 the plain sum is rounded to multiples of up to 512, which made all searches of a lane the same.
+describe('each piece of work of a solver has its own seed', () => {
   const seed = fc.oneof(fc.nat(10_000_000), fc.integer({ min: 0, max: 2 ** 32 - 1 }), fc.maxSafeNat());
 
   it('to the last bit, however large the seed', () => {

@@ -24,12 +24,12 @@ const solved = (name: string, options: SolveOptions, ticks: number, accuracy: Ac
 
 const objectives: readonly Objective[] = ['robust', 'presses', 'time', 'first'];
 
-/** Everything about a solver that anyone can see. */
+/** Everything observable about a solver. */
 const seen = ({ effort, best, solutions, finished, closest }: ReturnType<typeof createSolver>) =>
   JSON.stringify({ effort, best, solutions, finished, closest });
 
 describe.each(['arcade', 'precise'] as const)('at %s', (accuracy) => {
-  it.each(objectives)('%s: what it reports is confirmed by simulate, bit for bit', (objective) => {
+  it.each(objectives)('%s: simulate confirms every reported run, bit for bit', (objective) => {
     let reported = 0;
     fc.assert(
       fc.property(
@@ -63,7 +63,7 @@ describe.each(['arcade', 'precise'] as const)('at %s', (accuracy) => {
   });
 });
 
-it.each(objectives)('%s: the same seed gives the same, however the work is split', (objective) => {
+it.each(objectives)('%s: the same seed gives the same result, however the work is split', (objective) => {
   const scene = compile(swing(), 'arcade');
   const options: SolveOptions = { objective, seed: 3, count: 2 };
   const whole = createSolver(scene, options);
@@ -84,7 +84,7 @@ it.each(objectives)('%s: the same seed gives the same, however the work is split
   );
 });
 
-it('the best never gets worse', () => {
+it('the best solution never gets worse', () => {
   const solver = createSolver(compile(shipped('nova-lane').level, 'arcade'), { seed: 4, count: 2 });
   let score = Number.NEGATIVE_INFINITY;
   for (let i = 0; i < 30; i++) {
@@ -97,18 +97,18 @@ it('the best never gets worse', () => {
 });
 
 describe('robust', () => {
-  it('beats the first run that comes', () => {
+  it('beats the first run that is found', () => {
     const scene = compile(shipped('nova-lane').level, 'arcade');
     const p40 = (solution: Solution | null) =>
       solution === null ? 0 : successProbability(scene, solution.holds, { minerals: 'any' }, 40, { samples: 500, seed: 77 }).p;
     const first = solved('nova-lane', { objective: 'first' }, 2_000_000).best;
     const robust = solved('nova-lane', {}, 3_000_000).best;
     expect(p40(robust)).toBeGreaterThan(Math.max(0.5, p40(first)));
-    // measured by other executions, it is worth what it says
+    // Measured with other noise, it is worth what it says.
     expect(Math.abs(p40(robust) - (robust?.p40?.p ?? 0))).toBeLessThan(0.08);
   });
 
-  it('ends when every execution succeeds and the certificate is proved', () => {
+  it('ends when every attempt succeeds and the certificate is proved', () => {
     const scene = compile(fallThrough(), 'arcade');
     const solver = createSolver(scene, {});
     while (!solver.finished && solver.effort.ticks < 5e6) solver.advance(100_000);
@@ -127,7 +127,7 @@ describe('runs to start from', () => {
   const own = level.runs[0].holds;
   const scene = compile(level, 'precise');
 
-  it.each(objectives)('%s: a run that meets the goal is a solution at once, one that fails is passed over', (objective) => {
+  it.each(objectives)('%s: a run that meets the goal is a solution at once, and one that fails is skipped', (objective) => {
     const solver = createSolver(scene, { objective, known: [[[0, 3]], own] });
     solver.advance(5000);
     expect(solver.best?.holds).toEqual(own);
@@ -136,7 +136,7 @@ describe('runs to start from', () => {
     expect(all.best).toBeNull();
   });
 
-  it('robust: goes on from there, and never falls behind', () => {
+  it('robust: continues from there, and never falls behind', () => {
     const solver = createSolver(scene, { known: [own] });
     solver.advance(5000);
     const before = solver.best?.score ?? Number.NaN;
@@ -146,7 +146,7 @@ describe('runs to start from', () => {
   });
 });
 
-it('presses and time are better than what comes first', () => {
+it('presses and time are better than the first run', () => {
   const best = (objective: Objective) => solved('slingshot', { objective }, 600_000).best;
   const [first, presses, time] = [best('first'), best('presses'), best('time')];
   expect(first).not.toBeNull();
@@ -155,7 +155,7 @@ it('presses and time are better than what comes first', () => {
   expect(time?.time).toBeLessThanOrEqual(presses?.time ?? 0);
 });
 
-it('solutions asked for are different ways', () => {
+it('several solutions are different paths', () => {
   const { solutions } = solved('slingshot', { count: 3 }, 5_000_000);
   expect(solutions.length).toBe(3);
   for (let i = 1; i < solutions.length; i++) expect(solutions[i].score).toBeLessThanOrEqual(solutions[i - 1].score);
@@ -167,8 +167,8 @@ it('solutions asked for are different ways', () => {
   }
 });
 
-it('holds on where she arrives held', () => {
-  // an orbit into the black hole
+it('keeps holding where she arrives held', () => {
+  // An orbit into the black hole.
   const level = plainLevel({
     range: 250,
     astronaut: { vy: 50 },
@@ -182,17 +182,17 @@ it('holds on where she arrives held', () => {
   for (const { holds, tick } of held) expect(holds[holds.length - 1][1]).toBe(tick + 120);
 });
 
-it('lanes find their own, and merge alike in any order', () => {
+it('lanes find their own solutions, which merge alike in any order', () => {
   const lanes = [0, 1, 2].map((lane) => solved('slingshot', { lane, count: 3, objective: 'time' }, 600_000).solutions);
   expect(JSON.stringify(lanes[0])).not.toBe(JSON.stringify(lanes[1]));
   const merged = mergeSolutions(lanes, { count: 3 });
   expect(mergeSolutions([lanes[2], lanes[0], lanes[1]], { count: 3 })).toEqual(merged);
-  // what two workers merged before makes no difference
+  // Solutions that two workers have merged before make no difference.
   expect(mergeSolutions([mergeSolutions([lanes[1], lanes[2]], { count: 3 }), lanes[0]], { count: 3 })[0]).toEqual(merged[0]);
   expect(merged.every((solution, i) => i === 0 || solution.score <= merged[i - 1].score)).toBe(true);
 });
 
-it('where nothing can be found it says how near it came, and with an impossible goal it ends', () => {
+it('reports the closest approach where nothing can be found, and ends with an impossible goal', () => {
   const level = { ...fallThrough(), blackHole: { x: 5000, y: 0, radius: 18 } };
   const solver = createSolver(compile(level, 'arcade'));
   expect(solver.closest).toBeNull();

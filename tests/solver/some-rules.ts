@@ -1,7 +1,9 @@
 import fc from 'fast-check';
 import { type OwnRules, RULE_NAMES, RULES, type RuleName } from '../../schema/index.ts';
 
-/** A value of a rule: the original's, an end of what is allowed, or any between, small ones as often as large. */
+/**
+ * A value of a rule: the original's, an end of the allowed interval, or anything between, small values as often as large ones.
+ */
 function someValue(name: RuleName): fc.Arbitrary<number> {
   const { least, most, default: usual } = RULES[name];
   const from = Math.max(least, most / 1e5);
@@ -12,7 +14,7 @@ function someValue(name: RuleName): fc.Arbitrary<number> {
   );
 }
 
-/** Rules of its own for a level: all of them, wherever a level file may have them. */
+/** Rules for a level: all of them, wherever a level file may have them. */
 export const someRules: fc.Arbitrary<OwnRules> = fc.record(
   Object.fromEntries(RULE_NAMES.map((name) => [name, someValue(name)])) as { [name in RuleName]: fc.Arbitrary<number> },
 );

@@ -7,19 +7,19 @@ const RANGE = 250;
 const SECONDS = 60;
 const STEP = 1 / 240;
 
-/** Whether the button is held at a distance from the asteroid, on one side of it or the other, falling in or swinging out. */
+/** Whether the button is held at a distance from the asteroid, on either side, while she falls in or swings out. */
 type Player = (side: number, far: number, inwards: boolean, random: number) => boolean;
 
 interface Swing {
-  /** how far the asteroid came from where it started, px */
+  /** How far the asteroid has moved from its start, px. */
   readonly drift: { readonly back: number; readonly ahead: number };
   readonly stretch: SwingStretch;
 }
 
-/** How far an asteroid drifts that is pulled one way all the time, px; a hundredth more, as for frames. */
+/** How far an asteroid drifts that is pulled in one direction all the time, px; plus 1 %, as for frames. */
 const always = (radius: number): number => (1.01 * SECONDS * SECONDS) / 4 / radius;
 
-/** A minute on the line: she starts at rest at 0, the asteroid at `centre`. Ends where she is out of range. */
+/** A minute on the line: she starts at rest at 0, the asteroid at `centre`. It ends where she is out of range. */
 function swing(centre: number, radius: number, player: Player, random: () => number): Swing {
   let [s, v, c, w] = [0, 0, centre, 0];
   let drift = { back: 0, ahead: 0 };
@@ -40,13 +40,16 @@ function swing(centre: number, radius: number, player: Player, random: () => num
   return { drift, stretch };
 }
 
-/** Pulls where it is far on the one side and near on the other, so that recoil adds up, and swings no farther out than it fell from. */
+/**
+ * Pulls where the distance is large on one side and small on the other, so that recoil adds up, and swings no farther out than
+ * it fell from.
+ */
 const greedy =
   (from: number): Player =>
   (side, far, inwards) =>
     side < 0 ? inwards && far > from : !inwards || far < from;
 
-describe('how far recoil carries an asteroid that she swings through', () => {
+describe('how far recoil carries an asteroid through which she swings', () => {
   it('is never more than the bound', () => {
     let most = { back: 0, ahead: 0 };
     fc.assert(
@@ -72,12 +75,12 @@ describe('how far recoil carries an asteroid that she swings through', () => {
       ),
       { numRuns: 60 },
     );
-    // a bound that nothing comes near would hold for any formula
+    // A bound that nothing comes near would hold for any formula.
     expect(most.back).toBeGreaterThan(0.05);
     expect(most.ahead).toBeGreaterThan(0.05);
   });
 
-  it('is a small part of what an asteroid drifts that is pulled one way all the time', () => {
+  it('is a small part of the drift of an asteroid that is pulled in one direction all the time', () => {
     const { back, ahead } = swingDrift(DEFAULT_RULES, 16, RANGE, { centre: 30, back: -30, front: 90 }, SECONDS, always(16));
     expect(Math.max(back, ahead)).toBeLessThan(0.2 * always(16));
   });
@@ -87,7 +90,7 @@ describe('how far recoil carries an asteroid that she swings through', () => {
     expect(ahead).toBeLessThan(0.5 * back);
   });
 
-  it('is as for a constant pull where she may come to the end of the range', () => {
+  it('equals that of a constant pull where she may reach the end of the range', () => {
     const { ahead } = swingDrift(DEFAULT_RULES, 16, RANGE, { centre: 60, back: -30, front: 60 + RANGE }, SECONDS, always(16));
     expect(ahead).toBe(always(16));
   });

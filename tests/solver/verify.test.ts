@@ -14,14 +14,14 @@ const proofOf = (name: string): Proof => {
 
 type Json = null | boolean | number | string | Json[] | { [key: string]: Json };
 
-/** Every value in a JSON, by its way in. */
+/** Every value in a JSON document, by its path. */
 function ways(json: Json, way: (string | number)[] = []): (string | number)[][] {
   if (json === null || typeof json !== 'object') return [way];
   const inner = Array.isArray(json) ? [...json.entries()] : Object.entries(json);
   return [way, ...inner.flatMap(([key, value]) => ways(value, [...way, key]))];
 }
 
-/** The JSON with one value changed by `change`; undefined takes it out. */
+/** The JSON document with one value changed by `change`; undefined removes it. */
 function changed(json: Json, way: readonly (string | number)[], change: (old: Json) => Json | undefined): Json | undefined {
   if (way.length === 0) return change(json);
   const [key, ...rest] = way;
@@ -53,7 +53,7 @@ const CHANGES: ((old: Json) => Json | undefined)[] = [
 
 const known = new Map<string, boolean>();
 
-/** Whether a claim is true for what the prover knows: for the thing, at each accuracy the proof says it covers. */
+/** Whether the prover confirms a claim: about the object, at each accuracy that the proof claims to cover. */
 function isTrue(of: Level, { about, covers, maxTime }: Proof): boolean {
   return covers.every((accuracy) => {
     const key = JSON.stringify([of, about, accuracy, maxTime]);
@@ -77,12 +77,13 @@ function findsNothing(of: Level): boolean {
 
 describe.each(Object.keys(LEVELS))('a certificate of the kind %s', (code) => {
   const proof = proofOf(code);
-  // the prover tries few axes and grids, and leaves more room than the checker asks for: where it finds no proof a search must find no run
+  // The prover tries few axes and grids, and leaves more room than the checker requires: where it finds no proof, a search must
+  // find no run.
   const isTight = code === 'line-trap with a dead end' || code === 'flowpipe';
 
   it('passes as it is', () => expect(verifyProof(LEVELS[code], proof)).toEqual({ ok: true }));
 
-  it('any change to the proof is rejected, or what it says is still true', () => {
+  it('any change to the proof is rejected, or its claim is still true', () => {
     const places = ways(proof as unknown as Json).filter(([first]) => first !== 'reason');
     let rejected = 0;
     for (const way of places) {
@@ -133,7 +134,7 @@ describe('what the checker says', () => {
     expect(why(level(more), proofOf(code))).toContain(words);
   });
 
-  it('covers what it says: a proof for continuous time is none for arcade', () => {
+  it('a proof for continuous time is refused for arcade', () => {
     const proof = proofOf('line-trap');
     expect(proof.covers).not.toContain('arcade');
     expect(why(LEVELS['line-trap'], { ...proof, covers: ['arcade'] })).toContain('with frames she may leave the line');
