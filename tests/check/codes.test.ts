@@ -49,7 +49,7 @@ const TIGHT = {
 } as const;
 const EFFORT = { runs: 3, ticks: 400 };
 
-/** For each code that a check of a level can report: what has to be found for it. */
+/** For each code that a check of a level can report, what must be found for it. */
 const FOUND: Readonly<Record<Exclude<CheckCode, 'unreadable-file' | 'crashed'>, Partial<Findings>>> = {
   'run-does-not-complete': { ends: [DRIFT] },
   'no-run': {},
@@ -76,7 +76,7 @@ const FOUND: Readonly<Record<Exclude<CheckCode, 'unreadable-file' | 'crashed'>, 
 };
 
 describe('every code that a check can report', () => {
-  it.each(Object.entries(FOUND))('%s is reported where it is found, alone, and is explained', (code, found) => {
+  it.each(Object.entries(FOUND))('%s is reported alone where it is found, and is explained', (code, found) => {
     const problems = problemsOf({ ...NOTHING, ...found }, commandHints('a b.level.json'));
     expect(problems.map((problem) => problem.code)).toEqual([code]);
     const explanation = all.find((entry) => entry.code === code);
@@ -85,21 +85,21 @@ describe('every code that a check can report', () => {
     expect(problems[0].hint).not.toBe('');
   });
 
-  it('of files that are no levels are explained, too', () => {
+  it('codes of files that are no levels are explained, too', () => {
     const explained = all.map(({ code }) => code);
     const [unreadable] = unreadableLevel('a.level.json', 'no such file').problems;
     const [crashed] = crashedLevel('a.level.json', new Error('bug')).problems;
     expect([unreadable.code, crashed.code]).toEqual(['unreadable-file', 'crashed']);
     for (const { code } of [unreadable, crashed]) expect(explained).toContain(code);
-    // what is listed above is all that is explained: nothing is explained that nobody reports
+    // Nothing else is explained than what is listed above.
     expect(CHECK_CODES.map(({ code }) => code).sort()).toEqual([...Object.keys(FOUND), unreadable.code, crashed.code].sort());
   });
 
-  it('is explained once, under a title that reads on after "code (error):"', () => {
+  it('is explained once, under a title that continues "code (error):"', () => {
     expect(new Set(all.map(({ code }) => code)).size).toBe(all.length);
     for (const { code, title, why, fix } of all) {
       expect(code).toMatch(/^[a-z0-9]+(-[a-z0-9]+)*$/);
-      // begins small, but for a word that is always written so (NaN)
+      // It begins with a small letter, except for a word that is always written so (NaN).
       expect(title, code).toMatch(/^(?:[a-z]|\w+[A-Z]).*[^.]$/s);
       expect(why, code).toMatch(/\.$/);
       expect(fix, code).toMatch(/[.:`)]$/);
@@ -121,7 +121,7 @@ describe('every code that a check can report', () => {
 describe('the page', () => {
   const told = Object.entries(FOUND).filter(([, { searched, tight }]) => searched === undefined && tight === undefined);
 
-  it.each(told)('explains %s, which it can tell, by the same reasons, and brings its own hints', (code, found) => {
+  it.each(told)('explains %s, which it can report, by the same reasons, and has its own hints', (code, found) => {
     const [there] = problemsOf({ ...NOTHING, ...found }, commandHints('a.level.json'));
     const [here] = problemsOf({ ...NOTHING, ...found }, PAGE_HINTS);
     expect({ ...here, hint: '' }).toEqual({ ...there, hint: '' });

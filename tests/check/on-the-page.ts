@@ -16,7 +16,7 @@ import type { Start } from '../../editor/workers/work.ts';
 import type { AccuracyName } from '../../engine/index.ts';
 import type { OwnRules, Problem } from '../../schema/index.ts';
 
-/** What is said of a level, at either place: everything but hints. */
+/** What is said of a level in either place: everything but hints. */
 export interface Said {
   readonly verdict: string;
   readonly problems: readonly Omit<Problem, 'hint'>[];
@@ -36,7 +36,7 @@ const sent = <T>(message: T): T => structuredClone(message);
 
 const NOTHING: Proved = { impossible: null, minerals: [] };
 
-/** What a worker finds where the page has left something out; null: it has not. */
+/** What a worker finds where the page has left something out; null when it has not. */
 function foundByWorker(proof: LiveProof): FoundByWorker | null {
   const question = toPlay(proof);
   return question === null ? null : { result: sent(work('check', question)), message: '' };
@@ -54,17 +54,18 @@ const shown = ({ code, severity, message, pointer, line, column }: Problem): Sai
 export interface OnThePage {
   /** Rules that the folder sets. */
   readonly rules?: OwnRules;
-  /** Pieces of motion that the page plays itself. */
+  /** The work that the page does itself, pieces of motion. */
   readonly most?: number;
 }
 
 /**
- * What the page says of a level file: its verdict in the top bar, and its list of problems in the words of the panel, once all workers are done.
+ * What the page says of a level file: its verdict in the top bar, and its list of problems in the words of the panel, once all
+ * workers are done.
  */
 export function onThePage(source: string | Uint8Array, accuracy: AccuracyName, { rules, most }: OnThePage = {}): Said {
   const read = readText(source);
   if (!read.ok) return { verdict: 'invalid', problems: read.problems.map(shown) };
-  // a clock that stands still: nothing is given up since this machine is slow
+  // A clock that stands still, so that nothing is abandoned because this machine is slow.
   const proof = createProver(() => 0, most).prove({ file: read.file, rules, run: null, accuracy, patience: 1 });
   const worker = foundByWorker(proof);
   const known = proved(proof);

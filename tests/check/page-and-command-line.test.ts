@@ -13,12 +13,12 @@ import { PROBLEM_LEVELS } from './problem-levels.ts';
 
 const root = join(import.meta.dirname, '..', '..');
 
-/** Where the two may say something else, and why: nothing but this may differ. */
+/** The permitted differences between the two, with reasons; everything else must be equal. */
 const EXCEPTIONS = {
   'objects are counted from 1': {
     why: 'the command line speaks of a file, whose lists begin with 0, the page of what is seen, where people begin with 1',
     applies: () => true,
-    // what lists hold (`minerals[0]`) both have in the same form, and the panel translates it as it is shown
+    // References into lists (`minerals[0]`) have the same form in both; the panel translates them when it shows them.
     onThePage: ({ verdict, problems }: Said): Said => ({
       verdict,
       problems: problems.map((problem) => ({
@@ -54,11 +54,11 @@ const SOURCES: readonly LevelSource[] = [
   ...levelsIn('tests/cli/fixtures/levels'),
   ...Object.entries(PROBLEM_LEVELS).map(([name, file]) => ({ name, source: JSON.stringify(file) })),
 ];
-/** Whatever the accuracy, they are no levels. */
+/** These are no levels, at any accuracy. */
 const REFUSED: readonly LevelSource[] = BAD_LEVELS.map(({ name, source }) => ({ name: `refused: ${name}`, source }));
-/** What takes more work than `gq check` allows. */
+/** These exceed the work limit of `gq check`. */
 const HEAVY: readonly LevelSource[] = [
-  // the page leaves it to a worker, which gives up where the check does
+  // The page leaves it to a worker, which gives up where the check does.
   { name: 'heavy: aliens', source: JSON.stringify({ ...HEAVY_LEVELS['awake-aliens'](0.1), blackHole: { x: 240, y: 0 } }) },
   { name: 'heavy: aliens on the path', source: JSON.stringify(HEAVY_LEVELS['two-thousand-aliens-on-the-path'](0.3)) },
   { name: 'heavy: many holds', source: JSON.stringify(HEAVY_LEVELS['many-holds'](0.3)) },
@@ -84,7 +84,7 @@ async function onTheCommandLine(
   folder = files.directory,
 ): Promise<Said[]> {
   const names = list.map((source) => fileOf(ALL.indexOf(source)));
-  // so many files at once that minerals would not be proved: in parts
+  // There are so many files at once that minerals would not be proved, so they are checked in parts.
   const said: Said[] = [];
   for (let from = 0; from < names.length; from += 60) {
     const part = names.slice(from, from + 60);
@@ -123,7 +123,7 @@ function compare({ source }: LevelSource, accuracy: AccuracyName, byCommand: Sai
   expect(onPage).toEqual(byCommand.verdict === 'invalid' ? expected : withoutPlaces(expected));
 }
 
-describe.each(Object.keys(ACCURACIES) as AccuracyName[])('the page and gq check say the same under %s of', (accuracy) => {
+describe.each(Object.keys(ACCURACIES) as AccuracyName[])('the page and gq check agree at %s about', (accuracy) => {
   let said: Said[] = [];
   beforeAll(async () => {
     said = await onTheCommandLine(SOURCES, accuracy);
@@ -136,9 +136,9 @@ describe.each(Object.keys(ACCURACIES) as AccuracyName[])('the page and gq check 
   });
 });
 
-describe('the page and gq check say the same in a folder whose configuration sets rules', () => {
-  it.each(['precise', 'arcade'] as const)('under %s', async (accuracy) => {
-    // as the server tells them to the page
+describe('the page and gq check agree in a folder whose configuration sets rules', () => {
+  it.each(['precise', 'arcade'] as const)('at %s', async (accuracy) => {
+    // As the server sends them to the page.
     const { own: rules, problems } = rulesOnDisk(ruled.directory)();
     expect([rules, problems]).toEqual([CONFIG.rules, []]);
     const said = await onTheCommandLine(SOURCES, accuracy, [], ruled.directory);
@@ -148,18 +148,18 @@ describe('the page and gq check say the same in a folder whose configuration set
       const text = typeof level.source === 'string' ? level.source : new TextDecoder().decode(level.source);
       expect(inTheList(text, accuracy, rules), level.name).toBe(said[i].verdict);
     }
-    // or they would not matter
+    // Otherwise the rules would not matter.
     expect(said.filter(({ verdict }, i) => verdict !== without[i].verdict).length).toBeGreaterThan(10);
   });
 });
 
-describe('the page and gq check say the same', () => {
-  it('of whatever is no level', async () => {
+describe('the page and gq check agree', () => {
+  it('about whatever is no level', async () => {
     const said = await onTheCommandLine(REFUSED, 'precise');
     for (const [i, level] of REFUSED.entries()) compare(level, 'precise', said[i]);
   });
 
-  it('of what takes more work than is allowed', async () => {
+  it('about what exceeds the work limit', async () => {
     const { applies, maxWork } = EXCEPTIONS['what the page can play it plays to the end'];
     const said = await onTheCommandLine(HEAVY, 'precise');
     for (const [i, level] of HEAVY.entries()) {
@@ -171,7 +171,7 @@ describe('the page and gq check say the same', () => {
     }
   });
 
-  it('of levels that a worker has to play', async () => {
+  it('about levels that a worker has to simulate', async () => {
     const few = SOURCES.filter(({ name }) => /^levels\/0/.test(name) || !name.includes('/'));
     const said = await onTheCommandLine(few, 'precise');
     let left = 0;
@@ -184,8 +184,8 @@ describe('the page and gq check say the same', () => {
   });
 });
 
-// or the test would not be about them
-it('what is compared has every problem that the page can tell, and every verdict', () => {
+// Otherwise the test would not be about them.
+it('the compared levels have every problem that the page can report, and every verdict', () => {
   for (const each of [
     'no-run error',
     'run-does-not-complete error',

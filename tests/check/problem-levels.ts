@@ -12,7 +12,7 @@ const BASE: LevelFile = {
 
 const DRIFT: NonNullable<LevelFile['runs']>[number] = { name: 'drift', holds: [] };
 
-/** What is told only of levels that have it, a level for each; by what it shows. */
+/** One level for each problem that only a level that has it shows, by what it shows. */
 export const PROBLEM_LEVELS: Readonly<Record<string, LevelFile>> = {
   'no run': { ...BASE, runs: [] },
   'no run that completes it': { ...BASE, runs: [DRIFT, { name: 'too "short"', holds: [[3, 9]] }] },

@@ -39,7 +39,7 @@ const searched = fc.record({
   closest: fc.constantFrom(null, { distance: 12.3, tick: 40, holds: [[1, 2]] as const }),
 });
 
-/** Whatever a check can find that does not contradict itself. */
+/** Everything that a check can find and that does not contradict itself. */
 const findings: fc.Arbitrary<Findings> = fc
   .record({
     ends: fc.array(end, { maxLength: 4 }),
@@ -52,7 +52,7 @@ const findings: fc.Arbitrary<Findings> = fc
     nearness: fc.option(overrun),
   })
   .map(({ ends, isImpossible, searched: search, runs, accuracies, nearness, ...more }) => {
-    // what was stopped has completed nothing
+    // A run that was stopped has completed nothing.
     const played = ends.map((one) => (one.isStopped ? { ...one, outcome: 'timeout' as const } : one));
     const completes = played.some(({ outcome }) => outcome === 'completed');
     return {
@@ -64,14 +64,14 @@ const findings: fc.Arbitrary<Findings> = fc
       hangs: [],
       ends: played,
       cuts: { runs: played.some(({ isStopped }) => isStopped) ? runs : null, accuracies, nearness },
-      // what a run has completed is not proved impossible, and nothing is looked for where something is known
+      // A level that a run has completed is not proved impossible, and nothing is searched for where a run is known.
       impossible: completes || !isImpossible ? null : impossible,
       searched: completes || isImpossible ? null : search,
     };
   });
 
 describe('the problems of a level', () => {
-  it('have an error for every verdict but completable, and none for that: nothing is refused without a reason, nothing passes with one', () => {
+  it('include an error for every verdict but completable, and none for that one', () => {
     fc.assert(
       fc.property(findings, (found) => {
         const errors = problemsOf(found, commandHints('a.level.json')).filter(({ severity }) => severity === 'error');
@@ -80,7 +80,7 @@ describe('the problems of a level', () => {
     );
   });
 
-  it('come with what decides the verdict first, and warnings of what was found by looking last', () => {
+  it('begin with what decides the verdict, and end with warnings', () => {
     const looked = new Set(warnings.map(({ code }) => code));
     fc.assert(
       fc.property(findings, (found) => {
@@ -108,7 +108,7 @@ describe('the problems of a level', () => {
     );
   });
 
-  it('and a verdict that is given before anything is proved is the same once it is', () => {
+  it('a verdict that was given before anything was proved is the same afterwards', () => {
     fc.assert(
       fc.property(findings, (found) => {
         const before = verdictOfFindings({ ...found, impossible: null });

@@ -4,7 +4,7 @@ import { stretchesOf } from '../../picture/way.ts';
 import { accuracyNames } from '../engine/accuracies.ts';
 import { plainLevel } from '../engine/plain-level.ts';
 
-it.each(accuracyNames)('a way through a wormhole is drawn as two lines, none of them from mouth to mouth: %s', (accuracy) => {
+it.each(accuracyNames)('a path through a wormhole is drawn as two lines, none of them from mouth to mouth: %s', (accuracy) => {
   const level = {
     ...plainLevel({ astronaut: { x: 0, y: 0, vx: 60, vy: 0 } }),
     wormholes: [{ id: null, x: 100, y: 0, toX: 400, toY: 300, radius: 20 }],
@@ -14,9 +14,9 @@ it.each(accuracyNames)('a way through a wormhole is drawn as two lines, none of 
   const lengths = stretches.map(({ points }) =>
     Math.hypot(points[points.length - 1][0] - points[0][0], points[points.length - 1][1] - points[0][1]),
   );
-  // 240 px flown, but for the tick in which she jumps
+  // 240 px flown, except for the tick in which she jumps.
   expect(lengths[0] + lengths[1]).toBeGreaterThan(237);
   expect(lengths[0] + lengths[1]).toBeLessThan(240.001);
-  // a run without one is one line
+  // A run without a wormhole is one line.
   expect(stretchesOf(simulate(compile({ ...level, wormholes: [] }, accuracy), [], { maxTime: 4 }))).toHaveLength(1);
 });

@@ -1,4 +1,4 @@
-// Pictures follow the table of kinds: each has a drawing, a speck, a place in the frame and a sign in the legend.
+// Pictures follow the table of kinds: each has a drawing, a speck, a place in the frame and an entry in the legend.
 
 import { describe, expect, it } from 'vitest';
 import { renderSvg } from '../../picture/index.ts';
@@ -19,7 +19,7 @@ import { count } from './scenes.ts';
 
 const BARE: LevelFile = { version: 1, name: 'bare', astronaut: { x: 0, y: 0 }, blackHole: { x: 300, y: 0 } };
 
-/** A level with so many of a kind, far apart and far away. */
+/** A level with so many objects of a kind, far apart and far away. */
 function levelWith(kind: (typeof LISTED_KINDS)[number], many: number, more: object = {}) {
   const { places } = KINDS[kind];
   const objects = Array.from({ length: many }, (_, i) => {
@@ -66,13 +66,13 @@ describe.each(LISTED_KINDS)('%s in pictures', (kind) => {
     }
   });
 
-  it('has a sign in the legend where the level has it, and none where not', () => {
+  it('has an entry in the legend exactly if the level has it', () => {
     const legendOf = (svg: string) => svg.slice(svg.indexOf('data-kind="legend"')).length;
     expect(IN_PICTURE[kind].legend).not.toBeNull();
     expect(legendOf(renderSvg(levelWith(kind, 1)))).toBeGreaterThan(legendOf(renderSvg(levelWith(kind, 0))));
   });
 
-  it('is a speck of a shape of its own where there are very many', () => {
+  it('is a speck with its own shape where there are very many', () => {
     const look = { object: levelWith(kind, 1)[listOf(kind)][0], place: 0, radius: 16, index: 0, rules: DEFAULT_RULES };
     const specks = LISTED_KINDS.map((other) => {
       const object = levelWith(other, 1)[listOf(other)][0];
@@ -86,7 +86,7 @@ describe.each(LISTED_KINDS)('%s in pictures', (kind) => {
   });
 });
 
-it('every kind that can be placed is drawn among the objects, each at a depth of its own', () => {
+it('every kind that can be placed is drawn among the objects, each at its own depth', () => {
   const depths = OBJECT_KINDS.flatMap((kind) =>
     [IN_PICTURE[kind].depth, IN_PICTURE[kind].around?.depth].filter((depth) => depth != null),
   );

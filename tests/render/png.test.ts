@@ -9,7 +9,7 @@ const sizeOf = (png: Uint8Array): [number, number] => {
   return [view.getUint32(16), view.getUint32(20)];
 };
 
-test.each([64, 300, 1001])('a PNG is %i px wide, and as high as the SVG asks for', async (width) => {
+test.each([64, 300, 1001])('a PNG is %i px wide, and as high as the SVG requires', async (width) => {
   const svg = renderSvg(level(FULL), { run: play(FULL, [[10, 110]]) });
   const [, boxWidth, boxHeight] = /viewBox="0 0 ([\d.]+) ([\d.]+)"/.exec(svg) ?? [];
   const png = await renderPng(svg, width);
@@ -23,6 +23,6 @@ test('the same SVG gives the same bytes', async () => {
   expect(Buffer.from(await renderPng(svg, 200)).equals(await renderPng(svg, 200))).toBe(true);
 });
 
-test('what is no SVG is refused', async () => {
+test('anything but an SVG is refused', async () => {
   await expect(renderPng('<svg', 100)).rejects.toThrow();
 });

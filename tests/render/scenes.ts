@@ -26,7 +26,7 @@ export const FULL: LevelFile = {
   ],
 };
 
-/** A drop straight through an asteroid and a mineral into the black hole. */
+/** A fall straight through an asteroid and a mineral into the black hole. */
 export const DROP: LevelFile = {
   version: 1,
   name: 'Drop',
@@ -44,5 +44,5 @@ export const level = (file: LevelFile): Level => resolveLevel(file);
 export const play = (file: LevelFile, holds: readonly Hold[], maxTime = 20): Run =>
   simulate(compile(level(file), 'arcade'), holds, { maxTime });
 
-/** How many elements of a kind the picture has. */
+/** The number of elements of a kind in a picture. */
 export const count = (svg: string, kind: string): number => svg.split(`data-kind="${kind}"`).length - 1;

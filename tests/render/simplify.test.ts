@@ -13,7 +13,7 @@ function distanceToSegment([x, y]: Point, [ax, ay]: Point, [bx, by]: Point): num
   return Math.hypot(x - ax - t * (bx - ax), y - ay - t * (by - ay));
 }
 
-test('what is left out lies within the tolerance of what remains, and the ends stay', () => {
+test('removed points lie within the tolerance of what remains, and the ends stay', () => {
   fc.assert(
     fc.property(points, fc.double({ min: 0.1, max: 20, noNaN: true }), (line, tolerance) => {
       const kept = simplify(line, tolerance);
@@ -27,7 +27,7 @@ test('what is left out lies within the tolerance of what remains, and the ends s
   );
 });
 
-test('a straight line keeps its ends alone', () => {
+test('a straight line keeps only its ends', () => {
   const line = Array.from({ length: 1000 }, (_, i): Point => [i, 2 * i]);
   expect(simplify(line, 0.2)).toEqual([
     [0, 0],
@@ -35,7 +35,7 @@ test('a straight line keeps its ends alone', () => {
   ]);
 });
 
-test('a line of 50,000 points keeps few of them, and overflows no stack', () => {
+test('a line of 50,000 points keeps few of them, without a stack overflow', () => {
   const line = Array.from({ length: 50_000 }, (_, i): Point => [Math.cos(i / 3000) * i, Math.sin(i / 3000) * i]);
   expect(simplify(line, 1).length).toBeLessThan(5_000);
 });

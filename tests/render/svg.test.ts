@@ -24,17 +24,17 @@ describe('a picture shows what the level has', () => {
       range: 3,
     };
     for (const [kind, n] of Object.entries(kinds)) expect([kind, count(svg, kind)]).toEqual([kind, n]);
-    // the hot one keeps its place in the level's list
+    // The hot one keeps its index in the level's list.
     expect(svg).toContain('data-kind="hot-asteroid" data-index="2"');
   });
 
-  test('without a run there is no way, no end, no outcome', () => {
+  test('without a run there is no path, no end and no outcome', () => {
     const svg = renderSvg(level(FULL));
     for (const kind of ['way', 'held', 'coasting', 'seconds', 'presses', 'contact', 'astronaut-end', 'timeline'])
       expect(count(svg, kind)).toBe(0);
   });
 
-  test('a crowded level is drawn in specks: still one for each object', () => {
+  test('a crowded level is drawn as specks, still one for each object', () => {
     const asteroids = Array.from({ length: 2000 }, (_, i) => ({
       x: 20 * (i % 50),
       y: 20 * Math.floor(i / 50),
@@ -46,7 +46,7 @@ describe('a picture shows what the level has', () => {
     expect(svg.length).toBeLessThan(2000 * 250);
   });
 
-  test('a small picture is crowded by fewer', () => {
+  test('a small picture is crowded with fewer objects', () => {
     const asteroids = Array.from({ length: 400 }, (_, i) => ({ x: 30 * (i % 20), y: 30 * Math.floor(i / 20), radius: 8 }));
     const crowd = level({ ...FULL, asteroids });
     const [small, large] = [144, 960].map((width) => renderSvg(crowd, { width, words: false }));
@@ -55,7 +55,7 @@ describe('a picture shows what the level has', () => {
   });
 });
 
-describe('what is very small', () => {
+describe('very small objects', () => {
   const asteroid = (radius: number) => {
     const svg = renderSvg(level({ ...DROP, asteroids: [{ x: 0, y: 120, radius }] }));
     const scale = Number(/data-kind="asteroid"[^>]*scale\(([\d.]+)\)/.exec(svg)?.[1]);
@@ -63,14 +63,14 @@ describe('what is very small', () => {
     return [...drawn.slice(0, drawn.indexOf('data-kind', 1)).matchAll(/<circle r="([\d.]+)"/g)].map(([, r]) => Number(r) * scale);
   };
 
-  test('is drawn large enough to see, in a ring that says so', () => {
+  test('are drawn large enough to see, in a ring that shows it', () => {
     const [disc, ring] = asteroid(1);
     expect(disc).toBeGreaterThan(3.9);
     expect(ring).toBeCloseTo(2 * disc, 1);
     expect(asteroid(1)).toEqual(asteroid(0.001));
   });
 
-  test('what is large enough is drawn as it is, without a ring', () => {
+  test('are drawn in their own size, without a ring, once they are large enough', () => {
     const [disc, ...ring] = asteroid(16);
     expect([disc / asteroid(32)[0], ring]).toEqual([expect.closeTo(0.5, 2), []]);
   });
@@ -93,14 +93,14 @@ describe('a picture shows what the run did', () => {
     expect(dots.slice(0, dots.indexOf('</g>')).split('<circle').length - 1).toBe(Math.ceil(run.trajectory.duration) - 1);
   });
 
-  test('collected minerals are ticked, the others not', () => {
+  test('collected minerals are ticked, the others are not', () => {
     expect(svg).toContain('data-kind="collected" data-index="0"');
     expect(svg).not.toContain('data-kind="collected" data-index="1"');
     expect(svg).toContain('1 of 2 minerals');
   });
 
-  test('the line ends where the run ends, and is close to it everywhere', () => {
-    // level px to units of the picture, from two places that are known
+  test('the line ends where the run ends, and follows it everywhere', () => {
+    // Level px to units of the picture, from two known places.
     const at = (kind: string): [number, number] => {
       const found = new RegExp(`data-kind="${kind}" data-index="0" transform="translate\\(([-\\d.]+) ([-\\d.]+)\\)`).exec(svg);
       return [Number(found?.[1]), Number(found?.[2])];
@@ -115,7 +115,7 @@ describe('a picture shows what the run did', () => {
     const [endX, endY] = ds.at(-1)?.at(-1) ?? [];
     expect(endX).toBeCloseTo(startX + run.final.x * scale, 1);
     expect(endY).toBeCloseTo(startY + run.final.y * scale, 1);
-    // stretches join without a gap
+    // Stretches join without a gap.
     for (let i = 1; i < ds.length; i++) expect(ds[i][0]).toEqual(ds[i - 1].at(-1));
   });
 
@@ -132,13 +132,13 @@ describe('a picture shows what the run did', () => {
     expect(count(picture, 'astronaut-end')).toBe(1);
   });
 
-  test('a run that nothing ended has no contact', () => {
+  test('a run that ended by time has no contact', () => {
     const drift = play(DROP, [], 2);
     const picture = renderSvg(level(DROP), { run: drift });
     expect([drift.outcome, count(picture, 'contact')]).toEqual(['timeout', 0]);
   });
 
-  test('a lured pair of aliens leaves its ways', () => {
+  test('a lured pair of aliens leaves its paths', () => {
     const file = {
       ...DROP,
       aliens: [
@@ -150,7 +150,7 @@ describe('a picture shows what the run did', () => {
   });
 });
 
-describe('any level gives a picture, the same one each time', () => {
+describe('any level gives a picture, and always the same one', () => {
   test('the same input gives the same text, in both themes', () => {
     const run = play(FULL, HOLDS);
     for (const theme of ['dark', 'light'] as const) {
@@ -189,7 +189,7 @@ describe('any level gives a picture, the same one each time', () => {
     expect(svg.length).toBeLessThan(100_000);
   });
 
-  test('the width asked for, the height follows', () => {
+  test('the width is as requested, and the height follows', () => {
     const size = (width: number) =>
       /width="([\d.]+)" height="([\d.]+)" viewBox="0 0 ([\d.]+) ([\d.]+)"/
         .exec(renderSvg(level(FULL), { width }))

@@ -20,7 +20,7 @@ describe('texts of a level can’t break out of the picture', () => {
   test.each(HOSTILE)('%j', async (text) => {
     const svg = renderSvg(level({ ...DROP, name: text, description: text }));
     expect(svg).not.toMatch(/<script|<img| onload="/);
-    // resvg refuses what is not well-formed
+    // resvg refuses what is not well-formed.
     expect((await renderPng(svg, 60)).length).toBeGreaterThan(100);
   });
 
@@ -34,19 +34,19 @@ describe('texts of a level can’t break out of the picture', () => {
     );
   });
 
-  test('what our own strokes can write needs no font; what they can’t is left to the viewer', () => {
+  test('texts in the stroke font need no font, all others are left to the viewer', () => {
     expect(renderSvg(level({ ...DROP, name: 'Drop: 100% & "more" (1/2)?' }))).not.toContain('<text ');
     expect(renderSvg(level({ ...DROP, name: 'Première' }))).toContain('>Première</text>');
   });
 
-  test('a long name is cut to fit, and told in full in the title', () => {
+  test('a long name is cut to fit, and complete in the title', () => {
     const name = 'W'.repeat(120);
     expect(renderSvg(level({ ...DROP, name }))).toContain(`<title>${name}</title>`);
     const drawn = (n: string) => renderSvg(level({ ...DROP, name: n })).split('M').length;
     expect(drawn(name)).toBe(drawn(`${name}W`));
   });
 
-  test('a title takes the place of the name', () => {
+  test('a title replaces the name', () => {
     expect(renderSvg(level(DROP), { title: 'run 2 of 3' })).toContain('<title>run 2 of 3</title>');
   });
 });

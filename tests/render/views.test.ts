@@ -10,7 +10,7 @@ const HOLDS: [number, number][] = [
   [60, 200],
 ];
 
-/** Of each text drawn in strokes: where it begins, how much it is scaled, and how far it reaches before that. */
+/** For each text drawn as strokes: where it begins, its scale, and how far it extends before that. */
 const letters = (svg: string): readonly [svg: string, x: number, scale: number, reach: number][] =>
   [...svg.matchAll(/<path d="([^"]*)" transform="translate\(([\d.-]+) [^)]*\) scale\(([\d.]+)\)" fill="none"/g)].map(
     ([all, d, x, scale]) => [
@@ -29,19 +29,19 @@ describe('several runs', () => {
   }));
   const svg = renderSvg(full, { ways: runs });
 
-  test('have a way, two numbers and a line of time each, and no single run is drawn', () => {
+  test('have a path, two numbers and a timeline each, and no single run is drawn', () => {
     expect([count(svg, 'way'), count(svg, 'badge'), count(svg, 'timeline')]).toEqual([3, 6, 3]);
     expect([count(svg, 'astronaut-end'), count(svg, 'presses')]).toEqual([0, 0]);
   });
 
-  test('that fail say where', () => {
+  test('show where they fail', () => {
     const failed = runs.filter(({ run }) => run.outcome === 'collided' || run.outcome === 'lost').length;
     expect(failed).toBeGreaterThan(0);
     expect(count(svg, 'contact')).toBe(failed);
   });
 });
 
-test('the explored: every cell is drawn, in at most seven shades, the oftener visited never the fainter', () => {
+test('explored places: every cell is drawn, in at most seven shades, and more visits are never fainter', () => {
   const cells = Array.from({ length: 50 }, (_, i) => ({ x: 10 * i, y: 0, visits: 1 + (i % 10) }));
   const svg = renderSvg(level(FULL), { explored: { cellSize: 10, cells } });
   const [, group = ''] = /<g data-kind="explored"[^>]*>(.*?)<\/g>/.exec(svg) ?? [];
@@ -59,7 +59,7 @@ test('the explored: every cell is drawn, in at most seven shades, the oftener vi
   }
 });
 
-test('the explored: the legend says what is counted and what each shade stands for, in numbers', () => {
+test('explored places: the legend says what is counted and what each shade stands for, in numbers', () => {
   const cells = Array.from({ length: 70 }, (_, i) => ({ x: 32 * i, y: 0, visits: 10 * (i + 1) }));
   const explored = { cellSize: 32, cells };
   const shades = heatShades(explored);
@@ -78,7 +78,7 @@ test('the explored: the legend says what is counted and what each shade stands f
   }
 });
 
-test.each([400, 600, 960, 1200])('at %i px every letter is at least as large as of a font of 11 px', (width) => {
+test.each([400, 600, 960, 1200])('at %i px every letter is at least as large as in a font of 11 px', (width) => {
   const full = level(FULL);
   const runs = [HOLDS, [[0, 300]] as [number, number][]].map((holds, i) => ({
     run: simulate(compile(full), holds),
@@ -92,24 +92,24 @@ test.each([400, 600, 960, 1200])('at %i px every letter is at least as large as 
   ]) {
     const svg = renderSvg(full, { ...options, width });
     const units = Number(/viewBox="0 0 ([\d.]+)/.exec(svg)?.[1]);
-    // letters are strokes: capitals are 10 units of the stroke font high
+    // Letters are strokes: capitals are 10 units of the stroke font high.
     const scales = [...svg.matchAll(/<path d="[^"]*" transform="translate\([^)]*\) scale\(([\d.]+)\)" fill="none"/g)].map(
       ([, s]) => Number(s),
     );
     expect(scales.length).toBeGreaterThan(5);
-    // a capital has 0.725 of a font's size
+    // A capital has 0.725 of a font's size.
     expect((Math.min(...scales) * 10 * width) / units / 0.725).toBeGreaterThanOrEqual(10.9);
-    // and nothing runs out of the picture
+    // And nothing exceeds the picture.
     for (const [, x, scale, d] of letters(svg)) expect(x + scale * d).toBeLessThanOrEqual(units + 1);
   }
 });
 
-test('a picture without words has the scene alone', () => {
+test('a picture without words has only the scene', () => {
   const svg = renderSvg(level(FULL), { run: play(FULL, HOLDS), width: 144, words: false });
   expect([count(svg, 'caption'), count(svg, 'presses'), count(svg, 'way')]).toEqual([0, 0, 1]);
 });
 
-test('a fan tells the runs that still complete the level from those that fail', () => {
+test('a fan distinguishes runs that still complete the level from those that fail', () => {
   const full = level(FULL);
   const fan = [HOLDS, []].map((holds) => simulate(compile(full), holds));
   const completed = { ...fan[0], outcome: 'completed' as const };
@@ -119,7 +119,7 @@ test('a fan tells the runs that still complete the level from those that fail', 
   expect(kinds(renderSvg(full, { fan: [completed] }))).toEqual([1, 0]);
 });
 
-test('the nearest approach is a line from her box to the rim of the black hole', () => {
+test('the closest approach is a line from her box to the rim of the black hole', () => {
   const file: LevelFile = {
     version: 1,
     name: 'Far',
@@ -130,13 +130,13 @@ test('the nearest approach is a line from her box to the rim of the black hole',
   const svg = renderSvg(level(file), { run: play(file, [], 1), nearest: 0 });
   const scale = Number(/data-kind="black-hole"[^>]*scale\(([\d.]+)\)/.exec(svg)?.[1]);
   const [, ax, ay, bx, by] = (/data-kind="gap"><path d="M([\d.]+) ([\d.]+)L([\d.]+) ([\d.]+)"/.exec(svg) ?? []).map(Number);
-  // her box stands upright: its right side is 10 px from its centre
+  // Her box is upright: its right side is 10 px from its centre.
   expect(Math.hypot(bx - ax, by - ay) / scale).toBeCloseTo(200 - 10 - 18, 1);
-  // she is drawn there, too, since the run goes on
+  // She is drawn there, too, because the run goes on.
   expect(count(svg, 'nearest')).toBe(1);
 });
 
-test('a proof: a disc or line for each thing it rests on, and what they mean', () => {
+test('a proof: a disc or line for each object that it rests on, and what they mean', () => {
   const svg = renderSvg(level(FULL), {
     proof: {
       discs: [
@@ -191,7 +191,7 @@ describe('the picture of difficulty', () => {
     }
   });
 
-  test('has no numbers that are none, whatever it is given', () => {
+  test('has only finite numbers, whatever it is given', () => {
     const empty = { ...picture, edges: [], curves: [{ name: '', points: [point(0, 1)], half: null }] };
     expect(drawDifficulty(empty)).not.toMatch(/NaN|undefined|Infinity/);
   });

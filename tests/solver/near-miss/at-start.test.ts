@@ -21,9 +21,9 @@ const MINERAL = { kind: 'mineral', index: 0 } as const;
 const nowhere = { kind: 'nothing-in-range' } as const;
 const starts = (kind: ThingRef['kind'], index = 0) => ({ kind: 'starts-in-hazard', hazard: { kind, index } }) as const;
 const RADIUS = 18;
-/** Half the diagonal is taken for 18.868 px; it is 18.86796. */
+/** Half the diagonal is rounded to 18.868 px; it is 18.86796. */
 const ROUNDED_DIAGONAL = [3.78e-5, 3.79e-5] as const;
-/** A black hole so far towards the box's lower right corner. */
+/** A black hole at this distance towards the box's lower right corner. */
 const towardsCorner = (d: number) => spot(CORNER.x * d, CORNER.y * d);
 
 const inRange = (place: (d: number) => ReturnType<typeof at>): NearMiss => ({
@@ -102,14 +102,14 @@ describe('starts-in-hazard', () => {
     },
   });
 
-  it('a box turned by a press is clear of a nova that it would touch upright, and with frames that comes first: played, and so it is refused', () => {
+  it('a box turned by a press is clear of a nova that it would touch upright, and in frames the press comes first: simulated, and therefore refused', () => {
     const level = levelWith({ novae: [at(0, 35, 20)], asteroids: [at(0, -100)], blackHole: spot(0, -140) });
     expect(simulate(compile(level, 'arcade'), [[0, 600]]).outcome).toBe('completed');
     expect(whyNot(level, starts('nova'))).toBeNull();
     expect(whyNot(level, starts('nova'), { covers: FRAMES })).toBe('a box turned by a press may not touch the hazard');
   });
 
-  it('in the instant of the start hazards come before the black hole, but not with frames: played, and so it is accepted', () => {
+  it('at the start hazards come before the black hole, but not in frames: simulated, and therefore accepted', () => {
     const level = levelWith({ novae: [at(20, 0)], blackHole: spot(-20, 0), asteroids: [at(100, 0)] });
     expect(simulate(compile(level, 'precise'), []).outcome).toBe('collided');
     expect(whyNot(level, starts('nova'))).toBeNull();
@@ -118,13 +118,13 @@ describe('starts-in-hazard', () => {
     expect(whyNot(level, starts('nova'), { covers: ALL })).toBe('she may touch it at the start');
   });
 
-  it('a mineral is collected in the instant in which she burns: played, and so nothing is accepted', () => {
+  it('a mineral is collected at the instant in which she dies: simulated, and therefore nothing is accepted', () => {
     const level = levelWith({ novae: [at(20, 0)], minerals: [spot(-15, 0)], asteroids: [at(100, 0)] });
     expect(simulate(compile(level, 'precise'), []).minerals).toHaveLength(1);
     expect(whyNot(level, starts('nova'), { about: MINERAL })).toBe('she may touch it at the start');
   });
 
-  it('what is deadly there, and what is not', () => {
+  it('which objects are hazards, and which are not', () => {
     const level = levelWith({
       novae: [at(5, 0)],
       aliens: [at(5, 0, 25)],

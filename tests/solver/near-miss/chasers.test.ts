@@ -5,7 +5,7 @@ import { DEFAULT_RULES } from '../../../schema/index.ts';
 import { afterChase, type Chaser, eitherChaser } from '../../../solver/verify/chasers.ts';
 import { at, levelWith, type NearMiss, nearMisses, ORIGIN } from './near-miss.ts';
 
-/** An alien accelerates by so much, px/s2, while she is nearer than so many px. */
+/** The acceleration of an alien, px/s², and the distance below which it sees her, px. */
 const CHASE = 8;
 const SIGHT = 150;
 
@@ -26,7 +26,7 @@ const one = (chaser: Chaser, where = here, seconds = T): Chaser => afterChase(DE
 const inside = (disc: { centre: { x: number; y: number }; within: number }, x: number, y: number): number =>
   Math.hypot(disc.centre.x - x, disc.centre.y - y) - disc.within;
 
-describe('what becomes of an alien', () => {
+describe('how an alien moves', () => {
   const wakes = (chaser: (d: number) => Chaser, truth: number, where = here): NearMiss => ({
     why: (d) => (one(chaser(d), where) === chaser(d) || one(chaser(d), where).at.within === chaser(d).at.within ? null : 'wakes'),
     truth,
@@ -46,16 +46,16 @@ describe('what becomes of an alien', () => {
     const after = one(alien(60, 80));
     expect(inside(after.speed, -0.6 * CHASE * T, -0.8 * CHASE * T)).toBeLessThan(0);
     expect(inside(after.at, 60 - (0.6 * CHASE * T * T) / 2, 80 - (0.8 * CHASE * T * T) / 2)).toBeLessThan(0);
-    // it moves 0.018 px itself: that is all that is not known
+    // It moves 0.018 px itself, which is the only uncertainty.
     expect(after.speed.within).toBeLessThan(2e-4);
     expect(after.at.within).toBeLessThan(5e-6);
     expect(after.isThere).toBe(true);
   });
 
-  it('one that moves goes on, and may be pulled or not where it is not known whether it sees her', () => {
+  it('a moving one goes on, and may be pulled or not where it is unknown whether it sees her', () => {
     const moving = alien(SIGHT + 0.3, 0, { v: [6, 3] });
     const after = one(moving);
-    // it may stop dead, fly on, and be pulled
+    // It may stop dead, fly on, or be pulled.
     for (const share of [0, 1]) {
       expect(inside(after.at, SIGHT + 0.3 + share * 6 * T, share * 3 * T)).toBeLessThan(1e-12);
       expect(inside(after.speed, share * 6, share * 3)).toBeLessThan(1e-12);
@@ -68,7 +68,7 @@ describe('what becomes of an alien', () => {
     expect(near.at.within).toBeLessThan(0.5 * T + 1e-3);
   });
 
-  it('one that moves in the least way goes on, where she is out of its sight, too', () => {
+  it('one that moves in the least goes on even when she is out of its sight', () => {
     const cases = [
       { more: { v: [3, 0] }, at: [3, 0] },
       { more: { v: [0, -3] }, at: [0, -3] },
@@ -84,15 +84,15 @@ describe('what becomes of an alien', () => {
     }
   });
 
-  it('is drawn to wherever she may be, from wherever it may be, and not harder than aliens are', () => {
-    // of doubles most would be next to 0
+  it('is drawn to wherever she may be, from wherever it may be, and no more strongly than aliens are', () => {
+    // Most random doubles would be close to 0.
     const between = (min: number, max: number) => fc.nat(10_000).map((n) => min + ((max - min) * n) / 10_000);
     const angle = between(0, 2 * Math.PI);
     const share = between(0, 0.49);
     fc.assert(
       fc.property(angle, between(20, 110), share, share, fc.boolean(), (way, d, its, hers, left) => {
         const both = its + hers;
-        // both aside so that its way to her turns the most: across that way
+        // Both are moved to the side that turns its direction to her the most: across it.
         const across = way + Math.PI + (left ? 1 : -1) * (Math.PI / 2 + Math.asin(both));
         const e = { x: d * Math.cos(across), y: d * Math.sin(across) };
         const [x, y] = [d * Math.cos(way), d * Math.sin(way)];
@@ -104,20 +104,20 @@ describe('what becomes of an alien', () => {
         const far = Math.hypot(dx, dy);
         if (far < 1) return;
         const pull = far < SIGHT ? (CHASE * T) / far : 0;
-        // it moves by less than 0.02 px itself meanwhile, and its way turns by no more than that
+        // Meanwhile it moves by less than 0.02 px itself, and its direction turns by no more than that.
         expect(inside(after.speed, pull * dx, pull * dy)).toBeLessThan((0.02 / far) * CHASE * T);
       }),
       { numRuns: 1000 },
     );
   });
 
-  it('one that she may be next to is drawn anywhere, and rounded outwards by 5e-8 px or px/s a time', () => {
+  it('one that she may be close to is drawn in any direction, and rounded outwards by 5e-8 px or px/s per step', () => {
     const { at: place, speed } = one(alien(3, 0, { within: 2 }), area(-1, 1, -1, 1));
     expect(Math.abs(speed.within - CHASE * T - 5e-8)).toBeLessThan(1e-8);
     expect(Math.abs(place.within - 2 - (CHASE * T * T) / 2 - 1e-7)).toBeLessThan(1e-8);
   });
 
-  it('one as near as that may be pulled anywhere, and not harder than aliens are', () => {
+  it('one that is this close may be pulled in any direction, and no more strongly than aliens are', () => {
     const after = one(alien(3, 0, { within: 2 }), area(-1, 1, -1, 1));
     for (const [x, y] of [
       [1, 0],
@@ -158,7 +158,7 @@ describe('what becomes of an alien', () => {
     expect(one(perhaps)).toEqual({ ...one(alien(0, 1000)), isThere: false });
   });
 
-  it('is in its disc in every play', () => {
+  it('is inside its disc in every play', () => {
     const play = fc.record({
       aliens: fc.array(fc.record({ x: fc.integer({ min: -220, max: 220 }), y: fc.integer({ min: -220, max: 220 }) }), {
         minLength: 1,
@@ -185,7 +185,7 @@ describe('what becomes of an alien', () => {
           const widen = () => {
             run.readState(state);
             const [x, y] = [state[0] - ORIGIN.x, state[1] - ORIGIN.y];
-            // she bends by less than this within a tick
+            // Her path bends by less than this within a tick.
             way.left = Math.min(way.left, x - 0.02);
             way.right = Math.max(way.right, x + 0.02);
             way.low = Math.min(way.low, y - 0.02);
@@ -214,7 +214,7 @@ describe('what becomes of an alien', () => {
 });
 
 describe('an alien that may be either of two', () => {
-  it('is in a disc that holds both, and no larger than that', () => {
+  it('is in a disc that contains both, and no larger than necessary', () => {
     const either = eitherChaser(alien(0, 0, { within: 2, v: [1, 0], blur: 0.5 }), alien(6, 8, { within: 1, v: [1, 5], blur: 0 }));
     expect(either.at.within).toBeCloseTo(6.5, 9);
     expect(either.at.centre.x).toBeCloseTo(0.6 * 4.5, 9);
@@ -224,7 +224,7 @@ describe('an alien that may be either of two', () => {
     expect(either.isThere).toBe(true);
   });
 
-  it('holds both wherever they are, and reaches no farther than it must', () => {
+  it('contains both wherever they are, and extends no farther than it must', () => {
     const place = fc.record({
       x: fc.double({ min: -50, max: 50, noNaN: true }),
       y: fc.double({ min: -50, max: 50, noNaN: true }),
@@ -241,7 +241,7 @@ describe('an alien that may be either of two', () => {
     );
   });
 
-  it('is the larger one where that holds the other', () => {
+  it('is the larger one if that contains the other', () => {
     const [small, large] = [alien(1, 1, { within: 1 }), alien(0, 0, { within: 2.5 })];
     expect(eitherChaser(small, large).at).toBe(large.at);
     expect(eitherChaser(large, small).at).toBe(large.at);
@@ -250,7 +250,7 @@ describe('an alien that may be either of two', () => {
     expect(eitherChaser(touching, beside).at.within).toBeCloseTo(2.75, 9);
   });
 
-  it('is not there where one of them is gone', () => {
+  it('is not certainly there if one of them may be gone', () => {
     const gone = { ...alien(0, 0), isThere: false };
     expect(eitherChaser(gone, alien(1, 0)).isThere).toBe(false);
     expect(eitherChaser(alien(1, 0), gone).isThere).toBe(false);

@@ -4,7 +4,7 @@ import type { LevelFile } from '../../../schema/index.ts';
 import { type Asked, at, BOX, hot, levelWith, spot, whyNot } from './near-miss.ts';
 import { radiusNeeded } from './poses.ts';
 
-// A long way from the truth few poses need to be looked at: these are quick, and covered.test.ts comes nearer to it.
+// Far from the truth few poses need to be examined, so these tests are quick; covered.test.ts comes closer to it.
 
 const covered = { kind: 'covered' } as const;
 const MINERAL = { kind: 'mineral', index: 0 } as const;
@@ -14,7 +14,7 @@ const why = (more: Partial<LevelFile>, asked?: Asked) =>
   whyNot(levelWith({ blackHole: hole(), asteroids: [at(0, 100)], ...more }), covered, asked);
 
 describe('covered', () => {
-  it('is what trying poses says, wherever novae and hot asteroids lie about the hole', () => {
+  it('agrees with trying poses, wherever novae and hot asteroids lie around the black hole', () => {
     const off = fc.integer({ min: -8, max: 8 });
     const places = fc.array(fc.tuple(off, off), { minLength: 1, maxLength: 3 });
     fc.assert(
@@ -38,13 +38,13 @@ describe('covered', () => {
     [-9, -4],
     [4, 9],
     [8, -3],
-  ])('is what trying poses says, of a nova aslant by %i, %i px', (x, y) => {
+  ])('agrees with trying poses, for a nova displaced diagonally by %i, %i px', (x, y) => {
     const needed = radiusNeeded([[x, y]], 18);
     expect(why({ novae: [at(300 + x, 40 + y, needed - 0.1)] })).toBe(not);
     expect(why({ novae: [at(300 + x, 40 + y, needed + 2)] })).toBeNull();
   });
 
-  // a box that stands half askew is covered long before one that is upright, or level
+  // A box at half a right angle is covered long before one that is upright or level.
   it.each<[name: string, least: number, places: readonly [number, number][]]>([
     [
       'two aslant',
@@ -64,7 +64,7 @@ describe('covered', () => {
         [0, -10],
       ],
     ],
-  ])('is what trying poses says where the box stands otherwise than the novae: %s', (_, least, places) => {
+  ])('agrees with trying poses where the box stands at other angles than the novae: %s', (_, least, places) => {
     const needed = radiusNeeded(places, 18);
     expect(needed).toBeGreaterThan(least + 1.5);
     const of = (radius: number) => why({ novae: places.map(([x, y]) => at(300 + x, 40 + y, radius)) });
@@ -72,7 +72,7 @@ describe('covered', () => {
     expect(of(needed + 2)).toBeNull();
   });
 
-  it('is what trying poses says where only boxes of a few directions come between three novae', () => {
+  it('agrees with trying poses where only boxes at a few angles fit between three novae', () => {
     const places = [
       [-15.68, -0.89],
       [0.18, 10.9],
@@ -106,7 +106,7 @@ describe('covered', () => {
       forMineral + 5,
       (r) => why({ blackHole: spot(4000, 0), novae: [at(303, 36, r)], minerals: [mineral] }, { about: MINERAL }),
     ],
-    // each covers the places nearer than its radius and 10 px: together all but the very middle
+    // Each covers the places closer than its radius plus 10 px; together they cover all but the very centre.
     [
       'a ring of novae about a mineral',
       15,

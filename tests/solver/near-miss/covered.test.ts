@@ -12,7 +12,7 @@ const why = (more: Partial<LevelFile>, asked?: Asked) =>
 describe('covered', () => {
   const not = 'she may touch it and no hazard';
 
-  // near the truth it takes too many poses to see: that, and no bound, is most of the slack
+  // Close to the truth too many poses would have to be examined. That makes up most of the slack, not a bound.
   const coarse = { safe: 'above', says: '', reach: 2, grain: 0.05 } as const;
   nearMisses({
     'a nova about the same place': { ...coarse, why: (r) => why({ novae: [at(300, 40, r)] }), truth: 18, slack: [0.05, 0.9] },
@@ -42,7 +42,8 @@ describe('covered', () => {
       truth: (22 + Math.sqrt(22 * 22 + 400)) / 2,
       slack: [0.05, 0.4],
     },
-    // a press may turn her into the hazard in the instant in which she touches the mineral: only where her centre can't be, it is covered
+    // A press may turn her into the hazard at the instant in which she touches the mineral, so it is covered only where her
+    // centre cannot be.
     'a mineral, wherever her centre is': {
       ...coarse,
       why: (r) =>

@@ -3,8 +3,9 @@ import type { LevelFile } from '../../../schema/index.ts';
 import type { LineTrap } from '../../../solver/proofs/index.ts';
 import { at, levelWith, ORIGIN, spot, whyNot } from './near-miss.ts';
 
-// She falls to the right through an asteroid at 60 px. From 128 px on another is as near, which pulls her down to the right, into two novae. Ways are followed with
-// some room, so where acceptance begins is measured, and stated to some hundredths: a bound that becomes looser or tighter, or a term that is lost, moves it.
+// She falls to the right through an asteroid at 60 px. From 128 px on another one is equally near and pulls her down to the
+// right, into two novae. Paths are followed with some margin, so the point where acceptance begins is measured and stated to
+// some hundredths: a bound that becomes looser or tighter, or a term that is lost, moves it.
 
 interface Turn {
   readonly c: number;
@@ -22,10 +23,10 @@ const turned = <T extends { x: number; y: number }>({ c, s, mirror }: Turn, thin
 
 interface Scene {
   readonly more?: Partial<LevelFile>;
-  /** of the axis, from x to y; along the way between the two asteroids when left out */
+  /** Of the axis, in the sense from x to y; by default along the direction between the two asteroids. */
   readonly angle?: number;
   readonly step?: number;
-  /** where the dead end begins; 128 when left out */
+  /** Where the dead end begins; 128 by default. */
   readonly from?: number;
 }
 
@@ -35,7 +36,7 @@ const BELOW = at(150, 66, 32);
 const TWO = [at(60, 0), at(160, 60)];
 const SOURCE = { asteroids: TWO, novae: [BACK, at(176, 0, 32), BELOW], blackHole: spot(300, 0), repulsors: [] };
 
-/** What is said of a scene, as it is drawn or turned. */
+/** What the checker says of a scene, as it is drawn or turned. */
 function why({ more = {}, angle = ALONG, step = 1, from = 128 }: Scene, turn: Turn): string | null {
   const { asteroids, novae, blackHole, repulsors, ...rest } = { ...SOURCE, ...more };
   const level = levelWith({
@@ -58,7 +59,7 @@ function why({ more = {}, angle = ALONG, step = 1, from = 128 }: Scene, turn: Tu
 
 interface Edge {
   readonly of: (n: number) => Scene;
-  /** where acceptance begins, measured */
+  /** Where acceptance begins, measured. */
   readonly edge: number;
   readonly safe: 'above' | 'below';
   readonly says: string;
@@ -72,16 +73,16 @@ const BEFORE = 'the asteroid before may be the nearest again';
 const first = (x: number, y: number, radius = 32) => ({ novae: [BACK, at(x, y, radius), BELOW] });
 const third = (x: number, y: number) => ({ asteroids: [...TWO, at(x, y)] });
 const field = (x: number, y: number, radius: number) => ({ repulsors: [at(x, y, radius)] });
-// two others are as near where she leaves the line, one above and one below
+// Two others are equally near where she leaves the line, one above and one below.
 const Q = 68 * Math.SQRT1_2;
 const BOTH = { asteroids: [at(60, 0), at(128 + Q, Q), at(128 + Q, -Q)], novae: [BACK, at(182, 0, 50)] };
 
-/** The other asteroid is seen from where she leaves the line by an angle from it, as far as the one before. */
+/** The other asteroid, at an angle seen from where she leaves the line, as far away as the first one. */
 const seenAt = (angle: number) => at(128 + 68 * Math.cos(angle), 68 * Math.sin(angle));
 /** A nova on the way to it. */
 const onTheWay = (angle: number) => at(128 + 40 * Math.cos(angle), 45 * Math.sin(angle), 30);
 
-/** A line so long that she comes near to the speed limit, in a range that is longer still. */
+/** A line so long that she comes near the speed limit, with an even longer range. */
 const long = (length: number): Scene => {
   const far = length - 60;
   return {
@@ -97,7 +98,7 @@ const long = (length: number): Scene => {
 };
 
 const edges: Readonly<Record<string, Edge>> = {
-  // straight on, or slowly down to the right, her box comes to 16 px beside her way: 34 px from the black hole's centre
+  // Straight on, or slowly down to the right, her box extends 16 px beside her path: 34 px from the black hole's centre.
   'a black hole beside the way to the other asteroid': {
     of: (d) => ({ more: { blackHole: spot(128 + (24 * 32 - d * 60) / 68, (24 * 60 + d * 32) / 68) } }),
     edge: 36.048,
@@ -116,7 +117,7 @@ const edges: Readonly<Record<string, Edge>> = {
     safe: 'above',
     says: TOUCHES,
   },
-  // the first nova stops her 10 px before it, at 134 px
+  // The first nova stops her 10 px before it, at 134 px.
   'a black hole ahead': { of: (x) => ({ more: { blackHole: spot(x, 0) } }), edge: 172.524, safe: 'above', says: TOUCHES },
   'a black hole ahead, in steps of 4 px': {
     of: (x) => ({ more: { blackHole: spot(x, 0) }, step: 4 }),
@@ -280,7 +281,7 @@ const edges: Readonly<Record<string, Edge>> = {
     safe: 'above',
     says: AWAY,
   },
-  // these were found by chance, one for each slip that none of the others noticed
+  // These were found at random, one for each error that none of the others noticed.
   'a black hole beside the last step': {
     of: (d) => ({
       more: { asteroids: [at(60, 0), seenAt(0.4196)], novae: [BACK, at(157, -14, 23)], blackHole: spot(131, -d) },
@@ -355,7 +356,7 @@ describe.each(Object.entries(TURNS))('a dead end, %s', (_, turn) => {
     const sign = safe === 'above' ? 1 : -1;
     expect(why(of(edge - sign * 0.02), turn)).toBe(says);
     expect(why(of(edge + sign * 0.02), turn)).toBeNull();
-    // and no farther away either
+    // And no farther away either.
     expect(why(of(edge - sign * 0.5), turn)).not.toBeNull();
     expect(why(of(edge + sign * 0.5), turn)).toBeNull();
   });

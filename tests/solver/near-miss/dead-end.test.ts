@@ -3,16 +3,17 @@ import type { LevelFile } from '../../../schema/index.ts';
 import type { DeadEnd, LineTrap } from '../../../solver/proofs/index.ts';
 import { type Asked, at, FRAMES, levelWith, nearMisses, ORIGIN, RANGE, spot, whyNot as whyNotBy } from './near-miss.ts';
 
-// She falls to the right through an asteroid at 60 px. From 128 px on another is as near, which pulls her down to the right, into two novae.
+// She falls to the right through an asteroid at 60 px. From 128 px on another one is equally near and pulls her down to the
+// right, into two novae.
 
-/** A fixed step is pushed as at a place a bit away: dead ends cover `precise` alone. */
+/** A fixed step uses the push of a place nearby, so dead ends cover `precise` only. */
 const whyNot: typeof whyNotBy = (level, certificate, asked = {}) =>
   whyNotBy(level, certificate, { covers: ['precise'], ...asked });
 
 const SOURCE = { asteroids: [at(60, 0), at(160, 60)], novae: [at(-60, 0), at(176, 0, 32), at(150, 66, 32)] };
 const scene = (more: Partial<LevelFile> = {}) => levelWith({ ...SOURCE, blackHole: spot(300, 0), ...more });
 const second = (nova: ReturnType<typeof at>) => scene({ novae: [SOURCE.novae[0], nova, SOURCE.novae[2]] });
-// along the way from the first asteroid to the second, which is what they pull her along together
+// Along the direction from the first asteroid to the second, in which both together pull her.
 const AXIS = [100 / Math.sqrt(13_600), 60 / Math.sqrt(13_600)] as const;
 const trap = (more: Partial<DeadEnd> = {}, at = 128): LineTrap => ({
   kind: 'line-trap',
@@ -27,7 +28,7 @@ describe('a dead end', () => {
 
   const leaves = 'she may turn away from its axis';
   nearMisses({
-    // measured: on the other side the ways that are followed pass the novae
+    // Measured: on the other side the paths pass the novae.
     'a nova that is too small to stop all ways': {
       why: (r) => whyNot(second(at(176, 0, r)), trap()),
       truth: 11,
@@ -66,7 +67,7 @@ describe('a dead end', () => {
     },
     'a black hole near the way': {
       why: (y) => whyNot(scene({ blackHole: spot(120, -y) }), trap()),
-      // on the line she reaches 16 px beside it
+      // On the line she extends 16 px beside it.
       truth: 34,
       safe: 'above',
       slack: [2.44, 2.48],
@@ -93,7 +94,7 @@ describe('a dead end', () => {
     },
   });
 
-  it('begins where the other asteroid is as near, neither before nor behind', () => {
+  it('begins where the other asteroid is equally near, neither before nor behind', () => {
     expect(whyNot(scene(), trap({}, 127.999))).toBe('the asteroid before may be the nearest again');
     expect(whyNot(scene(), trap({}, 128.001))).toBe('asteroids[1] may be the nearer one on the stretch');
   });
@@ -126,7 +127,7 @@ describe('a dead end', () => {
     expect(whyNot(scene(), trap({ axis: [0.13, Math.sqrt(1 - 0.13 ** 2)] }))).not.toBe(aside);
   });
 
-  it('says nothing of recoil, of frames, or of fixed steps', () => {
+  it('does not cover recoil, frames or fixed steps', () => {
     const asked: Asked = { maxTime: 60 };
     const recoil = whyNot(scene({ recoil: true }), { ...trap(), drift: { back: 300, ahead: 300 } }, asked);
     expect(recoil).toBe('with recoil the border between two asteroids moves');
@@ -136,15 +137,15 @@ describe('a dead end', () => {
     }
   });
 
-  it('is stopped by the end of the range, too', () => {
-    // no nova ahead, but a range in which the two asteroids lie at its end
+  it('may also end at the end of the range', () => {
+    // No nova ahead, but a range at whose end the two asteroids lie.
     const level = (range: number) =>
       levelWith({ asteroids: [at(60, 0), at(160, 60)], novae: [at(-60, 0)], blackHole: spot(2000, 0), range });
     expect(whyNot(level(RANGE), trap())).not.toBeNull();
   });
 
-  it('ends the stretch behind the start as well, on a line that lies aslant', () => {
-    // seen from 94 px along the line, and looking back: the asteroid is 34 px ahead, the dead end 34 px behind
+  it('may also end the stretch behind the start, on a slanted line', () => {
+    // Seen from 94 px along the line, looking back: the asteroid is 34 px ahead, the dead end 34 px behind.
     const turned = (x: number, y: number) => ({ x: 0.6 * (94 - x) - 0.8 * y, y: 0.8 * (94 - x) + 0.6 * y });
     const moved = (thing: { x: number; y: number; radius: number }) => {
       const { x, y } = turned(thing.x - ORIGIN.x, thing.y - ORIGIN.y);
@@ -168,7 +169,7 @@ describe('a dead end', () => {
     ).not.toBeNull();
   });
 
-  it('is where she is, however the level is moved and turned over', () => {
+  it('is where she is, however the level is moved and mirrored', () => {
     const flip = ({ x, y, ...more }: { x: number; y: number; radius: number }) => ({
       ...more,
       x: 2 * ORIGIN.x - x,

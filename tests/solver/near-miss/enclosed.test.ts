@@ -15,18 +15,18 @@ const barrier = (...corners: Corner[]) => ({
   kind: 'enclosed' as const,
   barrier: corners.map(([x, y, by]): BarrierEdge => ({ ...spot(x, y), by })),
 });
-/** A square of the half size about a place, all of whose edges are said to be out of range. */
+/** A square with this half side around a place, all of whose edges are claimed to be out of range. */
 const square = (x: number, y: number, half: number, by = range) =>
   barrier([x - half, y - half, by], [x + half, y - half, by], [x + half, y + half, by], [x - half, y + half, by]);
 
-/** Around the start at half size 100, by one big nova a side: the ends of each edge lie in it. */
+/** Around the start with half side 100, by one large nova per side, which contains both ends of its edge. */
 const FOUR = [at(0, -600, 600), at(600, 0, 600), at(0, 600, 600), at(-600, 0, 600)];
 const pen = (more: Partial<LevelFile> = {}) =>
   levelWith({ novae: FOUR, asteroids: [at(0, 20)], blackHole: spot(400, 0), ...more });
 const walls = (half: number) =>
   barrier([-half, -half, nova(0)], [half, -half, nova(1)], [half, half, nova(2)], [-half, half, nova(3)]);
 
-/** How far a frame can take her at rest in a level whose rectangle of ranges has a width and a height. */
+/** How far a frame can take her from rest in a level whose rectangle of ranges has this width and height. */
 const jumpOf = (width: number, height: number, speed = 0): number => {
   const limit = (1.4143 * 1000) / 60;
   return Math.min(limit, (1.001 * Math.sqrt(speed ** 2 + 2 * 39 * Math.hypot(width + 2 * limit, height + 2 * limit))) / 60);
@@ -41,7 +41,7 @@ describe('enclosed', () => {
     }
   });
 
-  /** The edge at the top from a to b; a nova of 40 px between them. */
+  /** The top edge from a to b, with a nova of 40 px between them. */
   const topEdge = (a: number, b: number, asked?: Asked) =>
     whyNot(
       pen({ novae: [...FOUR, at(0, -100, 40)] }),
@@ -79,7 +79,7 @@ describe('enclosed', () => {
       says: 'edge 1 of the barrier: it leaves the hazard it names',
     },
     'a hazard that is smaller than a jump': {
-      // at the speed limit a frame takes her 23.57 px: half of it is more than a nova of 1.7 px and the circle in her box
+      // At the speed limit a frame takes her 23.57 px; half of that is more than a nova of 1.7 px plus the circle in her box.
       why: (r) =>
         whyNot(
           pen({ astronaut: { ...ORIGIN, vx: 1000, vy: 0 }, novae: [...FOUR, at(0, -100, r)] }),
@@ -167,7 +167,7 @@ describe('enclosed', () => {
           square(600, 0, 100),
           { covers: FRAMES },
         ),
-      // 850 px wide, and as high as the rock's range reaches down
+      // 850 px wide, and as high as the asteroid's range extends downwards.
       truth: Array.from({ length: 50 }).reduce<number>((d) => RANGE + jumpOf(850, 100 + d + RANGE, 700) / 2, RANGE),
       safe: 'above',
       slack: [1e-7, 3e-7],
@@ -181,13 +181,13 @@ describe('enclosed', () => {
           barrier([-100, -100, { kind: 'asteroid', index: 1 }], [100, -100, nova(1)], [100, 100, nova(2)], [-100, 100, nova(3)]),
           { maxTime: 60 },
         ),
-      // it must reach the corners wherever it is dragged within a minute: r + 10 - 3600 / (4 r) = its distance from them
+      // It must reach the corners wherever it is dragged within a minute: r + 10 - 3600 / (4 r) = its distance from them.
       truth: (() => {
         const d = Math.hypot(100, 500) - 10;
         return (d + Math.sqrt(d * d + 3600)) / 2;
       })(),
       safe: 'above',
-      // a hundredth of 1.8 px
+      // 1 % of 1.8 px.
       slack: [0.0176, 0.018],
       says: 'edge 0 of the barrier: it leaves the hazard it names',
     },
@@ -225,7 +225,7 @@ describe('enclosed', () => {
     expect(by({ kind: 'nova', index: 0 })).toBe('edge 0 of the barrier: it leaves the hazard it names');
     expect(by(undefined)).toBe(none);
     expect(by({ kind: 'repulsor' as never, index: 0 }, { repulsors: [top] })).toBe(none);
-    // touching the black hole ends the run before a mineral beyond it
+    // Touching the black hole ends the run before a mineral beyond it.
     const mineral = { minerals: [spot(400, 0)], blackHole: top };
     expect(by({ kind: 'blackHole', index: 0 }, mineral, { about: MINERAL })).toBeNull();
     expect(by({ kind: 'blackHole', index: 0 }, mineral)).not.toBeNull();
@@ -233,7 +233,7 @@ describe('enclosed', () => {
     expect(by(undefined, mineral, { about: MINERAL })).toBe(none);
   });
 
-  it('a barrier that is none', () => {
+  it('a malformed barrier', () => {
     const level = levelWith({ blackHole: spot(600, 0) });
     const whole = square(600, 0, 100).barrier;
     const why = (list: unknown) => whyNot(level, { kind: 'enclosed', barrier: list as never });
@@ -241,7 +241,7 @@ describe('enclosed', () => {
     expect(why(whole.slice(0, 3))).not.toBe('its barrier is no closed line');
     for (const list of [undefined, null, 'line', [], whole.slice(0, 2), { length: 4 }])
       expect(why(list)).toBe('its barrier is no closed line');
-    // a corner twice is an edge without length
+    // A repeated corner is an edge of length 0.
     expect(why([...whole, whole[3]])).toBeNull();
     const triangle = barrier([500, -100, range], [800, 0, range], [500, 100, range]).barrier;
     expect(why(triangle)).toBeNull();
@@ -257,8 +257,8 @@ describe('enclosed', () => {
       expect(why([...whole, corner])).toBe('a corner of its barrier is no place');
   });
 
-  it('is a line between the start and the thing, however it winds: the number of its crossings says on which side they are', () => {
-    // a star about a place: what is nearer to it than the line in that direction is inside
+  it('is a line between the start and the object, however it winds: the number of its crossings decides on which side they are', () => {
+    // A star around a place: what is closer to it than the line in that direction is inside.
     const star = fc.record({
       reaches: fc.array(fc.integer({ min: 60, max: 200 }), { minLength: 3, maxLength: 9 }),
       x: fc.integer({ min: -300, max: 300 }),
@@ -303,7 +303,7 @@ describe('enclosed', () => {
     expect(whyNot(level, above)).toBe('the barrier does not lie between the start and it');
   });
 
-  it('covers every way of playing that it says', () => {
+  it('covers every accuracy that it claims', () => {
     expect(whyNot(pen(), walls(100), { covers: ALL })).toBeNull();
   });
 });

@@ -5,12 +5,12 @@ import { type Fall, offLine } from '../../../solver/verify/fall.ts';
 import { real } from '../../real.ts';
 import { PULL, TICK } from './near-miss.ts';
 
-/** What rounding to a double may add, as a share. */
+/** The largest relative error of rounding to a double. */
 const UNIT = 2 ** -53;
 
 /**
- * The same bound frame by frame: at each of them rounding adds what it can at most, to her place (a product, a sum), to her velocity
- * and to the pull, always to the same side, and the momentum about the centre turns her off the line.
+ * The same bound frame by frame: in each frame rounding adds the most that it can to her place (a product, a sum), to her
+ * velocity and to the pull, always on the same side, and the angular momentum about the centre turns her off the line.
  */
 function frameByFrame(fall: Fall): { beside: number; slope: number } {
   const { centre, nearest, jump, coordinate, speed, seconds, rockSpeed, drift } = fall;
@@ -21,12 +21,12 @@ function frameByFrame(fall: Fall): { beside: number; slope: number } {
   const velocity = bodies * UNIT * (Math.SQRT2 * speed + 6 * PULL * TICK);
   let [momentum, slope] = [0, 0];
   for (let n = 0; n < frames; n++) {
-    // she waits as near as may be, where all of it counts most
+    // She waits as near as possible, where all of it counts most.
     momentum += place * fastest + velocity * centre;
     slope += (TICK * momentum) / (nearest * nearest) + place / nearest;
   }
   const beside = (centre + drift) * slope;
-  // so far beside the line, she may be as near as that
+  // At this distance beside the line, she may be as near as that.
   return { beside, slope: slope + beside / nearest };
 }
 
@@ -43,7 +43,7 @@ describe('how far rounding takes her off the line on which she falls', () => {
     drift: real(0, 500),
   });
 
-  it('is what adds up frame by frame to 35 times', () => {
+  it('is between 1 and 35 times what adds up frame by frame', () => {
     fc.assert(
       fc.property(falls, (fall) => {
         const bound = offLine(fall);
@@ -63,7 +63,7 @@ describe('how far rounding takes her off the line on which she falls', () => {
     expect(offLine({ ...fall, nearest: 3.999 })).toEqual(none);
     expect(offLine({ ...fall, nearest: Number.NaN })).toEqual(none);
     expect(offLine({ ...fall, nearest: 4 }).beside).toBeLessThan(1e-3);
-    // the asteroid comes to meet her by 0.1 px a frame
+    // The asteroid moves towards her by 0.1 px per frame.
     expect(offLine({ ...fall, nearest: 4.099, rockSpeed: 6 })).toEqual(none);
     expect(offLine({ ...fall, nearest: 4.101, rockSpeed: 6 }).beside).toBeLessThan(1e-3);
   });
@@ -71,7 +71,7 @@ describe('how far rounding takes her off the line on which she falls', () => {
 
 it('no more speed than a constant pull gives, from rest', () => {
   for (const far of [0, 1, 78, 250]) {
-    // v2 = 2 a s
+    // v² = 2 a s
     expect(speedAfter(PULL, far) ** 2 / (2 * PULL)).toBeCloseTo(far, 10);
   }
 });

@@ -2,8 +2,9 @@ import { describe, expect, it } from 'vitest';
 import type { LevelFile } from '../../../schema/index.ts';
 import { type Asked, at, doomedBy, flowpipeBy, hot, levelWith, ORIGIN, spot, whyNot } from './near-miss.ts';
 
-// Proofs that follow all she may do hold more than what she can do: what is true is told in followed.test.ts. Here it is measured where acceptance begins, and stated to some
-// hundredths: a bound that becomes looser or tighter, or a term that is lost, moves it. All is asked of scenes as they are drawn, and mirrored and turned.
+// Reachable sets contain more than what she can do; followed.test.ts compares them with what is true. Here the point where
+// acceptance begins is measured and stated to some hundredths: a bound that becomes looser or tighter, or a term that is lost,
+// moves it. All scenes are checked as they are drawn, and mirrored and turned.
 
 interface Turn {
   readonly c: number;
@@ -54,7 +55,10 @@ interface Edge {
   };
   readonly asked?: Asked;
   readonly safe: 'above' | 'below';
-  /** where acceptance begins; of a pair the second where it is turned, since her box is upright at the start in both */
+  /**
+   * Where acceptance begins; if a pair, the second value is for the turned scene, because her box is upright at the start in
+   * both.
+   */
   readonly doomed?: number;
   readonly flowpipe?: number | readonly [number, number];
   readonly says?: string;

@@ -2,13 +2,13 @@ import { describe, expect, it } from 'vitest';
 import type { Certificate } from '../../../solver/index.ts';
 import { at, doomedBy, FRAMES, flowpipeBy, levelWith, ORIGIN, whyNot } from './near-miss.ts';
 
-// What a certificate that follows her may ask for. Where she moves so fast that she is out of range soon, all of it is quick.
+// What a certificate with reachable sets may ask for. She moves so fast that she is out of range soon, so all of it is quick.
 
 const AWAY = levelWith({ astronaut: { ...ORIGIN, vx: -60, vy: 0 }, asteroids: [at(200, 0)] });
 
 const doomed = doomedBy({ axis: [1, 0], cell: 8, bin: 4, frames: 4 }, 30);
 const DOOMED = doomed(AWAY);
-// its sets may be none of another grid
+// Its sets may belong to no other grid.
 type Follow = (steps: number, more?: object) => Certificate;
 const withGrid: Follow = (_, more) => ({ ...DOOMED, grid: { ...DOOMED.grid, ...more } });
 const FLOWPIPE = flowpipeBy({ axis: [1, 0], cell: 16, frames: 4, steps: 30, turns: 4 })(AWAY);
@@ -20,7 +20,7 @@ describe.each([
 ] as const)('%s', (kind, follow) => {
   const isPipe = kind === 'flowpipe';
 
-  it('a grid that is none', () => {
+  it('a malformed grid', () => {
     const accepted = (more: object) => whyNot(AWAY, follow(30, more));
     expect(accepted({})).toBeNull();
     expect(accepted({ cell: 0.25 })).not.toBe('its grid is none');
@@ -56,9 +56,9 @@ describe('the sets of doomed', () => {
   const far = [-9000, -8999, -9000, -8999, -1, 1, -1, 1];
   const withNumber = (i: number, n: unknown) => withBox(far.map((old, k) => (k === i ? n : old)));
 
-  it('any box more is no harm', () => expect(withBox(far)).toBeNull());
+  it('an additional box does no harm', () => expect(withBox(far)).toBeNull());
 
-  it('boxes are eight numbers, each least before its most, none too large', () => {
+  it('boxes are eight numbers, each least before its greatest, none too large', () => {
     const none = 'its sets are none';
     for (const layers of [undefined, null, {}, 'all', [...DOOMED.layers, null], [...DOOMED.layers, {}]])
       expect(accepted(layers), JSON.stringify(layers)).toBe(none);
@@ -73,17 +73,17 @@ describe('the sets of doomed', () => {
     expect(withNumber(0, -1e9)).not.toBe(none);
   });
 
-  it('no more of them than it may have', () => {
+  it('no more of them than allowed', () => {
     const count = DOOMED.layers.flat().length;
     const more = (n: number) => accepted([[...first, ...Array.from({ length: n }, () => far)], ...rest]);
     expect(more(20_000 - count)).toBeNull();
     expect(more(20_001 - count)).toBe('its sets are none');
   });
 
-  it('none at all hold nothing', () => {
+  it('no sets contain nothing', () => {
     expect(accepted([])).toBe('some runs may go on after 0 steps');
     expect(accepted([[], []])).toBe('its sets do not hold all that she may do by step 0');
-    // frames ask for the black hole before hazards: that the run is over at once says nothing
+    // Frames test the black hole before hazards, so it says nothing that the run ends at once.
     const atOnce = levelWith({ astronaut: { ...ORIGIN, vx: -60, vy: 0 }, asteroids: [at(200, 0)], novae: [at(0, 0, 30)] });
     const touching = { ...atOnce, blackHole: { ...atOnce.blackHole, ...ORIGIN } };
     for (const level of [atOnce, touching])
@@ -91,8 +91,8 @@ describe('the sets of doomed', () => {
   });
 });
 
-describe('with frames', () => {
-  // `arcade` reckons in places as they are in the file, so that rounding grows with them: up to a million px the proof holds
+describe('in frames', () => {
+  // `arcade` computes with the coordinates of the file, so rounding errors grow with them; the proof holds up to a million px.
   const far = (x: number, y: number) => {
     const moved = { x, y };
     const level = levelWith({
@@ -109,12 +109,12 @@ describe('with frames', () => {
     [-1, 0],
     [0, 1],
     [0, -1],
-  ])('doomed says nothing of places beyond a million px, along %i, %i', (x, y) => {
+  ])('doomed does not cover coordinates beyond a million px, along %i, %i', (x, y) => {
     expect(far(x * 1e6 + y * 7, y * 1e6 + x * 7)).toBeNull();
     expect(far(x * 1.000_001e6 + y * 7, y * 1.000_001e6 + x * 7)).toBe(coarse);
   });
 
-  it('without frames they are as good as any', () => {
+  it('outside of frames they are as good as any', () => {
     const level = levelWith({
       astronaut: { x: 3e6, y: 3e6, vx: -60, vy: 0 },
       asteroids: [{ x: 3e6 + 200, y: 3e6, radius: 16 }],

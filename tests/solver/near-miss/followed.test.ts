@@ -21,8 +21,8 @@ import {
   whyNot,
 } from './near-miss.ts';
 
-// Proofs that follow all she may do hold more than what she can do, so their slack is no rounding: it is measured, and stated to some hundredths.
-// What is false is known from playing, or from the energy of one pull.
+// Reachable sets contain more than what she can do, so their slack is more than rounding: it is measured, and stated to some
+// hundredths. What is false is known from simulation, or from the energy of one pull.
 
 type Follow = (steps: number, more?: Partial<FanGrid & PipeGrid>) => Maker;
 const doomed: Follow = (steps, more) => doomedBy({ axis: [1, 0], cell: 8, bin: 4, frames: 4, ...more }, steps);
@@ -33,10 +33,14 @@ const moving = (vx: number, vy: number, more: Partial<LevelFile>): Level =>
   levelWith({ astronaut: { ...ORIGIN, vx, vy }, ...more });
 const MINERAL = { kind: 'mineral', index: 0 } as const;
 
-/** The speed that takes her out of range against the pull of one asteroid 200 px away: v2 / 2 = 39 (50 - (250^2 - 200^2) / 500). */
+/**
+ * The speed that takes her out of range against the pull of one asteroid 200 px away: v² / 2 = 39 (50 - (250² - 200²) / 500).
+ */
 const ESCAPE = Math.sqrt(2 * 39 * (50 - (RANGE ** 2 - 200 ** 2) / (2 * RANGE)));
 
-/** The number, between one at which a run with the gun held ends so and one at which it does not, where that changes. */
+/**
+ * The number at which the outcome of a run with the gun held changes, between one where it is as given and one where it is not.
+ */
 function playedEdge(so: number, not: number, ends: (n: number) => boolean): number {
   let [a, b] = [so, not];
   if (!ends(a) || ends(b)) throw new Error('expected an end between the two');
@@ -180,7 +184,7 @@ describe.each([
     },
     'the speed limit': {
       why: (v) => whyNot(away(v), follow(10)),
-      // a flowpipe allows for the full pull all the time, and both stay below half of the limit
+      // A flowpipe allows for the full pull all the time, and both stay below half of the limit.
       truth: (isPipe ? 500 - 39 * 10 * 4 * TICK : 500) + 1e-6,
       safe: 'below',
       slack: [0, 1e-5],
@@ -189,8 +193,8 @@ describe.each([
   };
   nearMisses(cases);
 
-  it('the steps that the longest run takes, and one less', () => {
-    // without the gun she is out of range after 50 px, at 40 px/s; with it it takes longer
+  it('the steps of the longest run, and one less', () => {
+    // Without the gun she is out of range after 50 px, at 40 px/s; with it, later.
     const lost = simulate(compile(away(40)), HELD).time / (4 * TICK);
     const least = [...Array(60).keys()]
       .slice(1)
@@ -217,7 +221,7 @@ describe('doomed alone', () => {
     expect(whyNot(turning(75), doomed(60), { covers: FRAMES })).toBe('some runs may go on after 60 steps');
   });
 
-  it('looks at no more pieces of boxes than it may', () => {
+  it('examines no more pieces of boxes than allowed', () => {
     const level = moving(-60, 20, { asteroids: [at(50, 0)] });
     const grid = { axis: [1, 0], cell: 0.25, bin: 0.25, frames: 1 } as const;
     const { layers } = doomedBy(grid, 1)(level);
@@ -228,7 +232,7 @@ describe('doomed alone', () => {
   nearMisses({
     'a nova aside: no more of her box than the circle in it is sure to touch': {
       why: (y) => whyNot(moving(-40, 0, { asteroids: [at(100, 0)], novae: [at(-50, y, 30)] }), doomed(40)),
-      // upright, her box is 16 px high, and so it is while it is turned to the asteroid
+      // Upright, her box extends 16 px vertically, until it is turned towards the asteroid.
       truth: 30 + BOX.halfHeight,
       safe: 'below',
       slack: [8, 8.3],
@@ -282,17 +286,17 @@ describe('flowpipe alone', () => {
     },
   });
 
-  it('says nothing of frames', () => {
+  it('does not cover frames', () => {
     expect(whyNot(turning(60), flowpipe(60))).toBeNull();
     expect(whyNot(turning(60), flowpipe(60), { covers: FRAMES })).toBe(
       'with frames she is pushed and looked at once a frame only',
     );
   });
 
-  it('follows no more pieces than it may', () => {
+  it('follows no more pieces than allowed', () => {
     const level = moving(-60, 20, { asteroids: [at(50, 0)] });
     const made = flowpipe(12)(level) as Flowpipe;
-    // 158 lines each across and down cut what is there into nothing 25,280 times, and one thing that goes on
+    // 158 lines in each direction cut the set into nothing 25,280 times, and into one part that goes on.
     const far = Array.from({ length: 158 }, (_, n) => 8000 + n);
     const parts = Array.from({ length: 159 * 159 }, () => ({ off: [], to: 0 }));
     const cut = { cuts: [far, far, [], []], parts };

@@ -4,10 +4,11 @@ import type { LevelFile } from '../../../schema/index.ts';
 import type { Drift, LineEnd } from '../../../solver/proofs/index.ts';
 import { type Asked, at, BOX, FRAMES, hot, levelWith, nearMisses, ORIGIN, PULL, RANGE, spot, whyNot } from './near-miss.ts';
 
-// She falls along the line through the asteroid; lengths along it are from the start. All lines here are aslant unless it matters.
+// She falls along the line through the asteroid; lengths along it are from the start. All lines here are slanted unless it
+// matters.
 
 const U = { x: 0.6, y: 0.8 };
-/** A place so far along the line, and so far beside it. */
+/** A place at this distance along the line and beside it. */
 const on = (along: number, aside = 0, radius = 16) => at(along * U.x - aside * U.y, along * U.y + aside * U.x, radius);
 
 const nova = (where: number, index = 0): LineEnd => ({ at: where, by: { kind: 'nova', index } });
@@ -21,27 +22,27 @@ const trap = (back: LineEnd, front: LineEnd, drift: Drift | null = null, target 
   drift,
 });
 
-/** How near the checker holds her to the line, px; it allows for as much at ends and sides. */
+/** How closely the checker holds her to the line, px; it allows for as much at ends and sides. */
 const TUBE = 0.01;
 const slackOf = (times: number) => [times * TUBE - 1e-6, times * TUBE + 1e-5] as const;
 
-/** One asteroid 60 px along the line, a nova before its centre: she only ever falls forward. */
+/** One asteroid 60 px along the line, and a nova before its centre: she only ever falls forward. */
 const fall = (more: Partial<LevelFile> = {}) =>
   levelWith({ asteroids: [on(60)], novae: [on(50, 0, 32)], blackHole: spot(4000, 0), ...more });
-/** She swings through the asteroid between a nova behind the start and one beyond. */
+/** She swings through the asteroid between a nova behind the start and one beyond the asteroid. */
 const swing = (more: Partial<LevelFile> = {}) =>
   levelWith({ asteroids: [on(60)], novae: [on(-80), on(200)], blackHole: spot(4000, 0), ...more });
 const between = trap(nova(-60, 0), nova(180, 1));
 
 describe('line-trap', () => {
-  it('holds, with a start to fall from, between two novae, and to the end of the range', () => {
+  it('holds with a start to fall from, between two novae, and to the end of the range', () => {
     expect(whyNot(fall(), trap(start, nova(20)))).toBeNull();
     expect(whyNot(swing(), between)).toBeNull();
     expect(whyNot(swing(), trap(nova(-60, 0), range(310.1)))).toBeNull();
     expect(whyNot(swing(), trap(range(-190.1), range(310.1)))).toBeNull();
   });
 
-  /** A nova across the line: her box, 16 px to each side of it, overlaps it as she is at `place`. */
+  /** A nova across the line: her box, which extends 16 px to each side of it, overlaps it when she is at `place`. */
   const stops = (aside: number, place: number, of = 0) =>
     whyNot(swing({ novae: [on(-80), on(200), on(150 - of, aside, 20)] }), trap(nova(-60, 0), nova(place, 2)));
   const notStop = 'the hazard at an end of the stretch may not stop her';
@@ -106,7 +107,7 @@ describe('line-trap', () => {
       slack: slackOf(3),
       says: 'she may touch it on the stretch',
     },
-    // upright, as she is at the start, her long side lies along a line that is level
+    // Upright, as at the start, her long side lies along a vertical line.
     'a black hole above the start': {
       why: (d) => {
         const level = levelWith({ asteroids: [at(60, 0)], novae: [at(50, 0, 32)], blackHole: spot(-5, -d) });
@@ -162,7 +163,7 @@ describe('line-trap', () => {
       slack: slackOf(1.6),
       says: 'repulsors[0] may push her on the stretch',
     },
-    // a tie at 180 px is the end of the stretch: 120 px from the target
+    // A tie at 180 px, 120 px from the target, is the end of the stretch.
     'another asteroid as near as the target at the front': {
       why: (d) => whyNot(swing({ asteroids: [on(60), on(180, d)] }), between),
       truth: 120,
@@ -186,10 +187,10 @@ describe('line-trap', () => {
     },
   });
 
-  it('a box upright at the start touches what it does not touch as soon as it is turned', () => {
-    // the line is level, so the box is 16 px to each side of it and 10 along it: as upright
+  it('a box upright at the start touches what it does not touch once it is turned', () => {
+    // The line is level, so the turned box extends 16 px to each side of it and 10 px along it, just as upright.
     const level = (y: number) => levelWith({ asteroids: [at(0, 60)], novae: [at(0, 50, 32)], blackHole: spot(0, y) });
-    // falling down it would reach 10 px up, but it stands 16 px high
+    // Falling down it would extend 10 px upwards, but upright it extends 16 px.
     expect(whyNot(level(-30), trap(start, nova(20)))).toBe('she may touch it at the start');
     expect(simulate(compile(level(-30)), []).outcome).toBe('completed');
     expect(whyNot(level(-34.02), trap(start, nova(20)))).toBeNull();
@@ -265,14 +266,14 @@ describe('line-trap', () => {
     expect(why(31, at(60, 0, 20))).toBe('the asteroid at its end is cold');
     expect(why(30.009)).toBe('she may stop before she touches the asteroid');
     expect(why(30.0101)).toBeNull();
-    // another one that is hot does not stop her there
+    // Another hot one does not stop her there.
     const two = levelWith({ asteroids: [hot(60, 0, 20), hot(400, 0, 20)] });
     expect(whyNot(two, trap(start, { at: 31, by: { kind: 'asteroid', index: 1 } }))).toBe(
       'the hazard at an end of the stretch may not stop her',
     );
   });
 
-  it('with frames she does not jump over half of a hot asteroid', () => {
+  it('in frames she does not jump over half of a hot asteroid', () => {
     const end: LineEnd = { at: 55, by: { kind: 'asteroid', index: 0 } };
     const why = (radius: number) => whyNot(levelWith({ asteroids: [hot(60, 0, radius)] }), trap(start, end), { covers: FRAMES });
     if (why(20) !== null) return expect(why(20)).toContain('frames');
@@ -285,8 +286,8 @@ describe('line-trap with recoil', () => {
   const asked: Asked = { maxTime: 60 };
 
   /**
-   * The drift to one side that can't be exceeded, in the words of the argument: her way to the other side times 1 / (mean diameter), and of the bound for
-   * constant acceleration the share by which the pull at the far end falls short of the full one.
+   * The drift to one side that cannot be exceeded, as in the argument: her path to the other side times 1 / (mean diameter),
+   * plus, of the bound for constant acceleration, the share by which the pull at the far end falls short of the full one.
    */
   const driftBound = (far: number, way: number, radius: number, seconds: number): number => {
     const weakest = PULL * (1 - far / RANGE);
@@ -294,7 +295,7 @@ describe('line-trap with recoil', () => {
     return ((PULL - weakest) / (2 * mean)) * ((seconds * seconds) / (4 * radius)) + way / (mean * 2 * radius);
   };
 
-  // she swings between a nova 30 px behind the start and one 50 px beyond the rock, which is dragged
+  // She swings between a nova 30 px behind the start and one 50 px beyond the asteroid, which is dragged.
   const level = (radius = 50) =>
     levelWith({ asteroids: [on(20, 0, radius)], novae: [on(-46), on(80)], blackHole: spot(4000, 0), recoil: true });
   const claimed = (drift: Drift | null, radius = 50, to = 64) =>
@@ -311,7 +312,7 @@ describe('line-trap with recoil', () => {
     expect(claimed({ back: 18.5, ahead: -5 })).toBe(may);
     for (const none of [undefined, {}, { ahead: 18.5 }, { back: 18.5 }, { back: 18.5, ahead: '19' }])
       expect(claimed(none as never)).toBe(may);
-    // a hundredth more than 3600 / 200 px, what constant acceleration could do, needs nothing else
+    // 1 % more than 3600 / 200 px, which constant acceleration could do, needs nothing else.
     expect(claimed({ back: 18.18, ahead: 18.18 })).toBeNull();
   });
 
@@ -320,7 +321,7 @@ describe('line-trap with recoil', () => {
       why: (ahead) => claimed({ back: 18.5, ahead }),
       truth: driftBound(64 - 20 + 18.5, 30, 50, 60),
       safe: 'above',
-      // a hundredth of it, for frames
+      // 1 % of it, for frames.
       slack: [0.02, 0.035],
       says: may,
       reach: 2,
@@ -374,7 +375,7 @@ describe('line-trap with recoil', () => {
     'a fall to where recoil may have brought the centre': {
       why: (d) =>
         whyNot(levelWith({ asteroids: [on(60, 0, 10)], novae: [on(50, 0, 40)], recoil: true }), trap(start, nova(d)), asked),
-      // the centre comes towards her by a share of her way: d / (2 r pull)
+      // The centre moves towards her by a share of her path: d / (2 r pull).
       truth: 60 / (1 + 1 / (20 * PULL * (1 - 60 / RANGE))),
       safe: 'below',
       slack: [0.01, 0.012],
@@ -392,8 +393,8 @@ describe('line-trap with recoil', () => {
     },
   });
 
-  it('recoil moves the target: what is hot of it is smaller by as much', () => {
-    // 400 / 120 px and a hundredth in 20 s, so that it covers 26.63 px about its place for certain
+  it('recoil moves the target, and its part that is certainly hot shrinks by as much', () => {
+    // 400 / 120 px plus 1 % in 20 s, so that it certainly covers 26.63 px around its place.
     const level = levelWith({ asteroids: [{ ...on(60, 0, 30), hot: true }], blackHole: spot(4000, 0), recoil: true });
     const why = (to: number) =>
       whyNot(level, trap(range(-200), { at: to, by: { kind: 'asteroid', index: 0 } }, { back: 4, ahead: 4 }), { maxTime: 20 });

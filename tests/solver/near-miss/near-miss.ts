@@ -15,23 +15,23 @@ import { followFan } from '../../../solver/proofs/fan.ts';
 import { followPipes } from '../../../solver/proofs/pipe.ts';
 import { settingOf, thingOf } from '../../../solver/proofs/setting.ts';
 
-// The game's numbers as its rules give them, and not as the sources name them: the two are to agree.
+// The game's numbers from its description and not from the sources: the two must agree.
 export const BOX = { halfWidth: 10, halfHeight: 16, halfDiagonal: Math.sqrt(10 * 10 + 16 * 16) };
 export const RANGE = 250;
-/** px/s2 at no distance */
+/** px/s² at distance 0 */
 export const PULL = 39;
 export const TICK = 1 / 60;
-/** The direction from the middle of the upright box to its corner at the lower right. */
+/** The direction from the centre of the upright box to its lower right corner. */
 export const CORNER = { x: 10 / BOX.halfDiagonal, y: 16 / BOX.halfDiagonal };
 
-/** A level whose start is at 1000, -2000: what is relative to the start is told from what isn't. */
+/** A level whose start is at 1000, -2000, so that relative and absolute coordinates differ. */
 export const ORIGIN = { x: 1000, y: -2000 };
 
 export const at = (x: number, y: number, radius = 16) => ({ x: ORIGIN.x + x, y: ORIGIN.y + y, radius });
 export const hot = (x: number, y: number, radius = 16) => ({ ...at(x, y, radius), hot: true });
 export const spot = (x: number, y: number) => ({ x: ORIGIN.x + x, y: ORIGIN.y + y });
 
-/** A level at rest, with nothing in it but a black hole that nobody comes to; places by {@link at}. */
+/** A level at rest that contains only a black hole that nobody reaches; places by {@link at}. */
 export const levelWith = (more: Partial<LevelFile>): Level =>
   resolveLevel({ version: 1, name: 'near miss', astronaut: spot(0, 0), blackHole: spot(5000, 5000), asteroids: [], ...more });
 
@@ -58,8 +58,8 @@ export const proofWith = (certificate: Certificate, { covers = CONTINUOUS, about
 export type Maker<C extends Certificate = Certificate> = (level: Level, asked?: Asked) => C;
 
 /**
- * The sets of all she may do over a grid, as far as they can be followed in so many steps: where she may touch the thing, or goes on, they are as good as
- * any, and the checker is to find it out.
+ * The reachable sets over a grid, as far as they can be followed in so many steps. If she may touch the object or goes on, they
+ * are as good as any others, and the checker must find it out.
  */
 export const doomedBy =
   (grid: FanGrid, steps: number): Maker<Doomed> =>
@@ -70,7 +70,7 @@ export const doomedBy =
     return { kind: 'doomed', grid, layers };
   };
 
-/** The same as a flowpipe; the grid says how many steps. */
+/** The same as a flowpipe; the grid gives the number of steps. */
 export const flowpipeBy =
   (grid: PipeGrid): Maker<Flowpipe> =>
   (level, { about = HOLE, maxTime = null } = {}) => {
@@ -79,7 +79,7 @@ export const flowpipeBy =
     return { kind: 'flowpipe', grid, layers };
   };
 
-/** What the checker says: null, or why not. */
+/** The checker's answer: null, or what is wrong. */
 export function whyNot(level: Level, certificate: Certificate | Maker, asked?: Asked): string | null {
   const made = typeof certificate === 'function' ? certificate(level, asked) : certificate;
   const verdict = verifyProof(level, proofWith(made, asked));
@@ -87,23 +87,25 @@ export function whyNot(level: Level, certificate: Certificate | Maker, asked?: A
 }
 
 export interface NearMiss {
-  /** Why not, for a number that is turned; null where the proof is accepted. */
+  /** What is wrong, for a varied number; null where the proof is accepted. */
   readonly why: (n: number) => string | null;
-  /** The number at which the claim turns false, by the game's rules; or a number where it is false for certain, found by playing. */
+  /**
+   * The number at which the claim becomes false by the game's rules, or one where it is certainly false, found by simulation.
+   */
   readonly truth: number;
-  /** The side of it on which the claim is true. */
+  /** The side on which the claim is true. */
   readonly safe: 'above' | 'below';
   /** How far on the safe side acceptance begins: at least, at most. */
   readonly slack: readonly [least: number, most: number];
-  /** What is said on the other side. */
+  /** The checker's answer on the other side. */
   readonly says: string;
-  /** How far from the truth it is tried; 5 unless told. */
+  /** How far from the truth it is tried; 5 by default. */
   readonly reach?: number;
-  /** How finely it is looked at, where a check takes long. */
+  /** How finely it is searched, where a check takes long. */
   readonly grain?: number;
 }
 
-/** Asks for the twins: just false is refused, for that reason, just true is accepted; and for the slack between them. */
+/** Tests the twins: just false is refused for that reason, just true is accepted; and the slack between them. */
 export function nearMisses(cases: Readonly<Record<string, NearMiss>>): void {
   for (const [name, one] of Object.entries(cases)) {
     it(`${name}: false at ${Number(one.truth.toPrecision(6))}, slack up to ${one.slack[1]}`, () => expectNearMiss(one));
@@ -121,7 +123,10 @@ function expectNearMiss({ why, truth, safe, slack, says, reach = 5, grain = 0 }:
   expect(sign * (measured - truth)).toBeLessThanOrEqual(slack[1]);
 }
 
-/** Where between two numbers an answer turns from no to yes: by halving until doubles, or the grain, are too coarse. */
+/**
+ * The point between two numbers where an answer changes from no to yes, by bisection down to the resolution of doubles or the
+ * grain.
+ */
 function edge(no: number, yes: number, isYes: (n: number) => boolean, grain: number): number {
   let [from, to] = [no, yes];
   for (let i = 0; i < 60 && Math.abs(to - from) > grain; i++) {

@@ -20,16 +20,19 @@ import {
 const ALL = [...CONTINUOUS, ...FRAMES];
 const lists = (...asteroids: number[]) => ({ kind: 'out-of-range', asteroids }) as const;
 const MINERAL = { kind: 'mineral', index: 0 } as const;
-/** The checker takes 18.868 px for half the diagonal of the box, 18.86796 px. */
+/** The checker uses 18.868 px for half the diagonal of the box, 18.86796 px. */
 const ROUNDED = 3.77e-5;
 
-/** How far a rock of a radius gets in so many seconds when it is pulled all the time by 1 / diameter; a hundredth is added for frames. */
+/**
+ * How far an asteroid of a given radius gets in so many seconds if it is pulled all the time by 1 / diameter; 1 % is added for
+ * frames.
+ */
 const recoilWay = (radius: number, seconds: number): number => (1.01 * seconds * seconds) / (2 * radius) / 2;
-/** The same by frames: they go as far as in a frame more, and the last may end a frame after the time. */
+/** The same in frames: they go as far as one frame more, and the last may end a frame after the time. */
 const framesWay = (radius: number, seconds: number): number =>
   (recoilWay(radius, 1) * (60 * seconds + 1) * (60 * seconds + 2)) / 3600;
 
-/** What is farther than the range from the rock, and than her box reaches from there. */
+/** What is farther from the asteroid than the range plus the reach of her box. */
 const beyondRange = (place: (d: number) => { x: number; y: number }, d0 = 0): NearMiss => ({
   why: (d) => whyNot(levelWith({ asteroids: [at(100, 0)], blackHole: place(d) }), lists(0), { covers: ALL }),
   truth: d0 + RANGE + 18 + BOX.halfDiagonal,
@@ -58,7 +61,7 @@ describe('out-of-range', () => {
       },
       truth: RANGE + 18 + BOX.halfDiagonal + framesWay(20, 30) / 1.01,
       safe: 'above',
-      // a hundredth of 11.27 px
+      // 1 % of 11.27 px.
       slack: [0.1126 + ROUNDED, 0.1128 + ROUNDED],
       says: 'she may touch it in range of asteroids[0]',
     },
@@ -105,7 +108,7 @@ describe('out-of-range', () => {
     },
   });
 
-  it('a list that is none', () => {
+  it('a malformed list', () => {
     const level = levelWith({ asteroids: [at(100, 0), at(-100, 0)] });
     expect(whyNot(level, lists(0, 1))).toBeNull();
     for (const list of [[0, 2], [0, 1, -1], [0, 1, 0.5], [0, 1, '1'], 'all', null, { length: 0 }]) {
@@ -114,7 +117,7 @@ describe('out-of-range', () => {
     }
   });
 
-  it('with recoil it must say how long a run may last', () => {
+  it('with recoil it must state how long a run may last', () => {
     const level = levelWith({ asteroids: [at(100, 0)], recoil: true });
     expect(whyNot(level, lists(0))).toBe('with recoil it needs to say how long a run may last');
     expect(whyNot(level, lists(0), { maxTime: 60 })).toBeNull();
@@ -123,8 +126,9 @@ describe('out-of-range', () => {
 });
 
 /**
- * The farthest she can come between two looks of `arcade`: at the speed of the start, and what the pull adds on the longest way there can
- * be: along the diagonal of the rectangle about the start and all ranges, and a frame's flight at the speed limit beyond each side.
+ * The farthest that she can come between two observations of `arcade`: at the speed of the start plus what the pull adds over
+ * the longest possible distance, the diagonal of the rectangle around the start and all ranges, plus one frame's flight at the
+ * speed limit beyond each side.
  */
 function farthestJump(v: { vx: number; vy: number }, width: number, height: number): number {
   const limit = 1.4143 * 1000 * TICK;
@@ -132,8 +136,8 @@ function farthestJump(v: { vx: number; vy: number }, width: number, height: numb
   return Math.min(limit, 1.001 * TICK * Math.sqrt(v.vx ** 2 + v.vy ** 2 + 2 * PULL * way));
 }
 
-describe('out-of-range with frames', () => {
-  /** A gap between two ranges of r px, with frames; `width` and `height` of the rectangle about the start and both ranges. */
+describe('out-of-range in frames', () => {
+  /** A gap between two ranges of r px, in frames; `width` and `height` of the rectangle around the start and both ranges. */
   const gap = (
     [x, y]: readonly [number, number],
     side: readonly [number, number],
@@ -169,7 +173,7 @@ describe('out-of-range with frames', () => {
     'at the speed limit': gap([0, 100], [0, 1], { vx: 1000, vy: -999 }, (d) => [500, d + 500]),
   });
 
-  // ranges that recoil may carry on make the way longer on which she may gain speed
+  // Ranges that recoil may move lengthen the distance over which she may gain speed.
   it.each([
     ['x', [1, 0]],
     ['-x', [-1, 0]],
@@ -197,14 +201,14 @@ describe('out-of-range with frames', () => {
     expect(why(truth + 2e-4)).toBeNull();
   });
 
-  it('she jumps from range to range over a gap that she cannot cross in continuous time: played, and so it is refused', () => {
+  it('she jumps from range to range over a gap that she cannot cross in continuous time: simulated, and therefore refused', () => {
     const level = (gapWidth: number, x: number) =>
       levelWith({
         astronaut: { ...ORIGIN, vx: 600, vy: 0 },
         asteroids: [at(x, 0), at(x + 2 * RANGE + gapWidth, 0)],
         blackHole: spot(x + 2 * RANGE + 200, 0),
       });
-    // 600 px/s are 10 px a frame
+    // 600 px/s are 10 px per frame.
     const offsets = Array.from({ length: 40 }, (_, i) => 100 + i / 4);
     const jumped = offsets.filter((x) => simulate(compile(level(9, x), 'arcade'), []).outcome === 'completed');
     expect(jumped.length).toBeGreaterThan(0);

@@ -1,6 +1,6 @@
 import { BOX } from './near-miss.ts';
 
-/** Gap of her box, turned by an angle, and a point. */
+/** Distance between her box at an angle and a point. */
 function gapTo(px: number, py: number, angle: number): number {
   const [c, s] = [Math.cos(angle), Math.sin(angle)];
   const along = Math.max(0, Math.abs(px * c + py * s) - BOX.halfWidth);
@@ -8,14 +8,17 @@ function gapTo(px: number, py: number, angle: number): number {
   return Math.hypot(along, across);
 }
 
-/** The radius that novae need at some places about the hole so that no box touches it clear of all, by trying poses: no less than this. */
+/**
+ * The radius that novae at given places around the black hole need so that no box touches it clear of all of them, found by
+ * trying poses; a lower bound.
+ */
 export function radiusNeeded(novae: readonly (readonly [number, number])[], radius: number): number {
   let needed = 0;
   for (let i = 0; i < 60; i++) {
     const angle = (i * Math.PI) / 60;
     for (let j = 0; j < 120; j++) {
       const way = (j * Math.PI) / 60;
-      // from inside outwards, to where the box leaves the hole
+      // From the inside outwards, to where the box leaves the black hole.
       let [near, far] = [0, radius + BOX.halfDiagonal];
       for (let n = 0; n < 40; n++) {
         const d = (near + far) / 2;

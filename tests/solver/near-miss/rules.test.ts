@@ -2,19 +2,20 @@ import { describe } from 'vitest';
 import type { LevelFile, OwnRules } from '../../../schema/index.ts';
 import { at, CONTINUOUS, FRAMES, levelWith, type NearMiss, nearMisses, PULL, RANGE, spot, TICK, whyNot } from './near-miss.ts';
 
-// Near misses of the game's numbers themselves: the place stays where it is, and a rule is turned until a claim is just false. Truths are of the game.
+// Near misses of the rules: the places stay, and a rule is varied until a claim is just false. What is true follows from the
+// game.
 
 const U = { x: 0.6, y: 0.8 };
 const on = (along: number, aside = 0, radius = 16) => at(along * U.x - aside * U.y, along * U.y + aside * U.x, radius);
 const ruled = (rules: OwnRules, more: Partial<LevelFile>) => levelWith({ ...more, rules });
 const ALL = [...CONTINUOUS, ...FRAMES];
 
-/** She swings between two novae, 60 px behind the start and 180 px ahead, with the thing beside the line. */
+/** She swings between two novae, 60 px behind the start and 180 px ahead, with the object beside the line. */
 const swing = (rules: OwnRules, thing: { x: number; y: number }) =>
   whyNot(ruled(rules, { asteroids: [on(60)], novae: [on(-80), on(200)], blackHole: { ...thing, radius: 18 } }), {
     kind: 'line-trap',
     target: 0,
-    // a box of any width is stopped at the novae's centres
+    // A box of any width is stopped at the novae's centres.
     back: { at: -80, by: { kind: 'nova', index: 0 } },
     front: { at: 200, by: { kind: 'nova', index: 1 } },
     drift: null,
@@ -59,7 +60,7 @@ describe('the box', () => {
       why: (n) => outOfRange({ boxWidth: 30, boxHeight: n }, RANGE + 18 + 25),
       truth: 40,
       safe: 'below',
-      // half the diagonal is rounded up to a thousandth
+      // Half the diagonal is rounded up to a thousandth.
       slack: [0, 0.01],
       says: 'she may touch it in range of asteroids[0]',
     },
@@ -68,7 +69,7 @@ describe('the box', () => {
 });
 
 describe('pull and speed limit', () => {
-  /** She falls 3000 px along a slanted line from the middle of the range: as fast as the pull makes her. */
+  /** She falls 3000 px along a slanted line from the middle of the range, as fast as the pull makes her. */
   const fastest = (pull: number) => Math.sqrt(2 * pull * 3000);
   const falls = (rules: OwnRules) =>
     whyNot(
@@ -132,7 +133,7 @@ describe('recoil', () => {
       { kind: 'out-of-range', asteroids: [0] },
       { maxTime: SECONDS },
     );
-  // what the box leaves of 60 px, at recoil / 10 px px/s2
+  // What the box leaves of 60 px, at recoil / 10 px per s².
   const left = 60 - 18.868;
   nearMisses({
     'a recoil that brings the range to the thing': {

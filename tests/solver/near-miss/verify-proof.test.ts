@@ -10,7 +10,7 @@ const with_ = (more: object, of = level) => {
   return verdict.ok ? null : verdict.why;
 };
 
-describe('what a proof says of itself', () => {
+describe('the statements of a proof about itself', () => {
   it('is about the black hole, or a mineral of the level', () => {
     const absent = 'it is about nothing that the level has';
     expect(with_({})).toBeNull();
@@ -27,7 +27,7 @@ describe('what a proof says of itself', () => {
     for (const about of none) expect(with_({ about }), JSON.stringify(about)).toBe(absent);
   });
 
-  it('covers accuracies that there are, one at least', () => {
+  it('covers existing accuracies, one at least', () => {
     const none = 'it does not say which accuracies it covers';
     for (const covers of [['precise'], ['arcade', 'fast']]) expect(with_({ covers })).toBeNull();
     for (const covers of [
@@ -44,13 +44,13 @@ describe('what a proof says of itself', () => {
       expect(with_({ covers }), JSON.stringify(covers)).toBe(none);
   });
 
-  it('holds for a length of time, or however long', () => {
+  it('holds for a length of time, or for any', () => {
     for (const maxTime of [1e-9, 0.5, 60, null]) expect(with_({ maxTime })).toBeNull();
     for (const maxTime of [0, -1, Number.NaN, '60', [60], undefined, {}])
       expect(with_({ maxTime })).toBe('its longest run is no length of time');
   });
 
-  it('needs no time, with recoil, where all is seen at the start', () => {
+  it('needs no time, with recoil, where the start alone decides', () => {
     const dragged = { ...level, recoil: true };
     expect(with_({ maxTime: null }, dragged)).toBeNull();
     const hazard = { kind: 'starts-in-hazard', hazard: { kind: 'nova', index: 0 } } as const;
@@ -61,7 +61,7 @@ describe('what a proof says of itself', () => {
     for (const certificate of [undefined, null, {}]) expect(with_({ maxTime: null, certificate }, dragged)).toBe(needs);
   });
 
-  it('has a certificate of its own kind, and one that is known', () => {
+  it('has a certificate of its own kind, which is known', () => {
     const other = 'its certificate is of another kind';
     expect(with_({ code: 'covered' })).toBe(other);
     for (const certificate of [undefined, null, {}, { kind: 'covered' }]) expect(with_({ certificate })).toBe(other);
@@ -69,8 +69,8 @@ describe('what a proof says of itself', () => {
   });
 });
 
-describe('comparisons that rounding cannot fool', () => {
-  it('ask for 1e-7 px, and for 1e-10 of both lengths', () => {
+describe('comparisons that rounding cannot falsify', () => {
+  it('require 1e-7 px plus 1e-10 of both lengths', () => {
     expect(less(0, 0.99e-7)).toBe(false);
     expect(less(0, 1.01e-7)).toBe(true);
     for (const [a, b] of [

@@ -3,7 +3,7 @@ import type { LevelFile } from '../../../schema/index.ts';
 import type { BarrierEdge, LineEnd } from '../../../solver/index.ts';
 import { at, BOX, CONTINUOUS, doomedBy, FRAMES, levelWith, nearMisses, ORIGIN, RANGE, spot, TICK, whyNot } from './near-miss.ts';
 
-// Near misses of rims: a disc of a wind or a mouth that is turned until a way that is said to keep out of it just doesn't.
+// Near misses of rims: the disc of a wind or a mouth is varied until a path that is claimed to keep clear of it just does not.
 
 const U = { x: 0.6, y: 0.8 };
 const on = (along: number, aside = 0, radius = 16) => at(along * U.x - aside * U.y, along * U.y + aside * U.x, radius);
@@ -18,7 +18,7 @@ const AFAR = spot(0, -9000);
 /** The limit of a frame's flight on both axes, which the checker rounds up. */
 const FRAME = 1.4143 * 1000 * TICK;
 
-describe('a line keeps out of winds and mouths', () => {
+describe('a line keeps clear of winds and mouths', () => {
   const nova = (where: number, index: number): LineEnd => ({ at: where, by: { kind: 'nova', index } });
   const swing = (more: Partial<LevelFile>) =>
     whyNot(levelWith({ asteroids: [on(60)], novae: [on(-80), on(200)], blackHole: spot(4000, 0), ...more }), {
@@ -54,7 +54,7 @@ describe('a line keeps out of winds and mouths', () => {
   });
 });
 
-describe('out of range, by wormhole', () => {
+describe('out-of-range, through a wormhole', () => {
   const says = (asteroids: number[], mouths: number[], more: Partial<LevelFile>, frames = false) =>
     whyNot(
       levelWith({ asteroids: [at(100, 0), at(0, 3000)], blackHole: spot(9000, 0), ...more }),
@@ -105,7 +105,7 @@ describe('out of range, by wormhole', () => {
 });
 
 describe('enclosed, with a wormhole inside', () => {
-  /** The start in a ring of novae; a side of the barrier goes straight down at 82 px to the right, through one of them. */
+  /** The start in a ring of novae; one side of the barrier goes straight down at 82 px to the right, through one of them. */
   const ring = Array.from({ length: 24 }, (_, i) =>
     at(100 * Math.cos((i * Math.PI) / 12), 100 * Math.sin((i * Math.PI) / 12), 16),
   );
@@ -114,14 +114,14 @@ describe('enclosed, with a wormhole inside', () => {
     const [a, b] = [ring[i], ring[(i + 1) % ring.length]];
     return { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 };
   };
-  // each nova holds the edge from halfway before it to halfway behind it
+  // Each nova holds its edge from halfway to the one before to halfway to the next.
   const edges: BarrierEdge[] = barrier.map(({ by }, i) => ({ ...mid((i + 23) % 24), by }));
   const inside = (wormholes: LevelFile['wormholes']) =>
     whyNot(levelWith({ asteroids: [at(20, 0, 5)], novae: ring, blackHole: spot(600, 0), wormholes }), {
       kind: 'enclosed',
       barrier: edges,
     });
-  // the edge at the right is straight down, so far from the start
+  // The right edge goes straight down, at this distance from the start.
   const far = mid(0).x - ORIGIN.x;
   nearMisses({
     'a mouth that comes near the barrier': {
@@ -134,7 +134,7 @@ describe('enclosed, with a wormhole inside', () => {
   });
 });
 
-describe('doomed keeps out of mouths', () => {
+describe('doomed keeps clear of mouths', () => {
   const grid = { axis: [-1, 0], cell: 8, bin: 16, frames: 6 } as const;
   const wall = (d: number) =>
     levelWith({
@@ -144,7 +144,7 @@ describe('doomed keeps out of mouths', () => {
       wormholes: [wormhole(spot(d, 0), AFAR, 10)],
     });
   nearMisses({
-    // within a step the strongest push bends her way by so much
+    // Within a step the strongest push bends her path by this much.
     'behind the start': {
       why: (d) => whyNot(wall(d), doomedBy(grid, 20)(wall(4000))),
       truth: 10,

@@ -9,8 +9,8 @@ import { finish } from '../../../solver/steps.ts';
 import { fallThrough } from '../search/solvable-levels.ts';
 import { ANY } from './scenes.ts';
 
-// In a real level shifts by one tick succeed where shifts by two do, nearly always, so it can't show that every combination
-// is tried. Here the button's whole history decides, by a hash, whether a run succeeds, and when it ends.
+// In a real level, shifts by one tick nearly always succeed where shifts by two do, so a level cannot show that every
+// combination is tried. Here a hash of the button's whole history decides whether a run succeeds and when it ends.
 
 const LAST = 48;
 
@@ -77,14 +77,14 @@ const trialsOf = (game: HashGame): Trials => ({
   ticks: 0,
 });
 
-/** Games that may end after more ticks than a run may have, or always before. */
+/** Games that may end after the longest run, or always before it. */
 const arbitraryGame = (failing: fc.Arbitrary<number>) =>
   fc.tuple(fc.nat(2 ** 31), failing, fc.integer({ min: 8, max: 400 }), fc.constantFrom(LAST, LAST, LAST, 40)).map(
     ([salt, one, ending, maxTicks]) =>
       (): Trials => ({ ...trialsOf(new HashGame(salt, one, ending)), maxTicks }),
   );
 
-/** Played tick by tick from the start. */
+/** Simulated tick by tick from the start. */
 function succeeds(game: () => Trials, holds: readonly Hold[]): boolean {
   const { simulation, maxTicks } = game();
   for (let tick = 0; tick < maxTicks; tick++)
@@ -95,7 +95,7 @@ function succeeds(game: () => Trials, holds: readonly Hold[]): boolean {
   return simulation.ending?.outcome === 'completed';
 }
 
-/** What the button does in each tick until the run ends, as text. */
+/** The state of the button in each tick until the run ends, as text. */
 function history(game: () => Trials, holds: readonly Hold[]): string {
   const { simulation, maxTicks } = game();
   let text = '';
@@ -137,17 +137,17 @@ it('a certificate tries every combination, and nothing else', () => {
       expect(counterexample === null).toBe(ticks === 2);
       if (counterexample === null) return;
       expect(succeeds(game, counterexample)).toBe(false);
-      // it is one of the combinations, as far as it was played
+      // It is one of the combinations, as far as it was simulated.
       const played = history(game, counterexample);
       expect((itself ? all(largest + 1) : [holds]).some((run) => history(game, run) === played)).toBe(true);
     }),
     { numRuns: 400 },
   );
-  // every answer has come up
+  // Every answer has occurred.
   for (const times of proved) expect(times).toBeGreaterThan(10);
 });
 
-it('the slack of an edge is how far it alone can be moved, each way', () => {
+it('the slack of an edge is how far it can move alone, each way', () => {
   const found = new Set<number>();
   fc.assert(
     fc.property(
@@ -177,7 +177,7 @@ it('the slack of an edge is how far it alone can be moved, each way', () => {
   for (const slack of [0, 1, 2, 6]) expect(found).toContain(slack);
 });
 
-it('a certificate with few runs to try says no more than is true, and takes no more runs', () => {
+it('a certificate with few runs claims no more than is true, and takes no more runs', () => {
   let [undecided, decided, refuted] = [0, 0, 0];
   fc.assert(
     fc.property(
@@ -186,7 +186,7 @@ it('a certificate with few runs to try says no more than is true, and takes no m
       fc.integer({ min: 1, max: 700 }),
       (game, holds, most) => {
         const trials = game();
-        // what somebody else has tried before doesn't count
+        // Runs tried before by others do not count.
         trials.runs = 5000;
         const { ticks, exhausted, counterexample, runs } = certifyWith(trials, holds, most, 2);
         const whole = certifyWith(game(), holds, 1e6, 2);
@@ -210,9 +210,9 @@ it('a certificate with few runs to try says no more than is true, and takes no m
   for (const times of [undecided, decided, refuted]) expect(times).toBeGreaterThan(20);
 });
 
-it('a certificate tries 200,000 runs when nothing else is said, and shifts by a second at most', () => {
+it('a certificate by default tries 200,000 runs, and shifts by one second at most', () => {
   const end = 6000;
-  // nothing that the button does changes anything
+  // Nothing that the button does changes anything.
   const simulation = {
     tick: 0,
     mineralCount: 0,
@@ -239,18 +239,18 @@ it('a certificate tries 200,000 runs when nothing else is said, and shifts by a 
     [1500, 2000],
     [2500, 3000],
   ];
-  // by 3 ticks there are 7 to the power of 6 combinations, by 4 more than 200,000
+  // By 3 ticks there are 7 to the power of 6 combinations, by 4 more than 200,000.
   expect(certifyWith(certain(), holds)).toEqual({ ticks: 3, exhausted: true, runs: 200_000, counterexample: null });
   expect(certifyWith(certain(), holds.slice(0, 1))).toMatchObject({ ticks: 60, exhausted: false, counterexample: null });
   expect(certifyWith(certain(), [], 10)).toEqual({ ticks: 60, exhausted: false, runs: 1, counterexample: null });
 });
 
-it('edges that shifts can bring out of order are read together, where that takes no more ways than may be tried', () => {
+it('edges that shifts can bring out of order are read together, if there are not too many combinations', () => {
   const holds: Hold[] = [
     [10, 14],
     [19, 30],
   ];
-  // 10 and 14 are 4 apart, 14 and 19 are 5, 19 and 30 are 11
+  // 10 and 14 are 4 apart, 14 and 19 are 5, 19 and 30 are 11.
   const clusters = (k: number, most: number) => clustersOf(holds, k, shiftsUpTo(k), most)?.map(({ ways }) => ways.length > 0);
   expect(clusters(1, 1e6)).toHaveLength(4);
   expect(clusters(2, 1e6)).toHaveLength(3);
@@ -264,7 +264,7 @@ it('edges that shifts can bring out of order are read together, where that takes
   expect(clustersOf(holds, 2, shiftsUpTo(2), 25)?.map(({ heldBefore }) => heldBefore)).toEqual([false, false, true]);
 });
 
-it('a box tried bit by bit gives what it gives in one go', () => {
+it('a box tried in pieces gives the same as in one go', () => {
   fc.assert(
     fc.property(
       arbitraryGame(fc.constantFrom(30, 3000)),
@@ -278,7 +278,7 @@ it('a box tried bit by bit gives what it gives in one go', () => {
         const slow = box(parts);
         let result = slow.run(part);
         while (result === 'unfinished') {
-          // somebody else uses the simulation meanwhile
+          // Others use the simulation meanwhile.
           parts.simulation.reset();
           parts.simulation.advance(7, true);
           result = slow.run(part);
@@ -291,7 +291,7 @@ it('a box tried bit by bit gives what it gives in one go', () => {
   );
 });
 
-it('runs judged together are judged as each on its own', () => {
+it('runs judged together are judged like each one alone', () => {
   fc.assert(
     fc.property(
       arbitraryGame(fc.constantFrom(2, 5)),
@@ -300,7 +300,7 @@ it('runs judged together are judged as each on its own', () => {
         const trials = game();
         const all = [...runs, [], runs[0]];
         expect([...judgeAll(trials, all)]).toEqual(all.map((run) => (succeeds(game, run) ? 1 : 0)));
-        // what some have in common at their beginning is simulated once
+        // What some have in common at their beginning is simulated once.
         const beginnings = new Set(
           all.flatMap((run) => [...history(game, run)].map((_, i, ticks) => ticks.slice(0, i + 1).join(''))),
         );

@@ -18,7 +18,7 @@ function* combinations(n: number, choices: readonly number[]): Generator<number[
 
 const upTo = (k: number): number[] => Array.from({ length: 2 * k + 1 }, (_, i) => i - k);
 
-/** Exact probability by trying every pair of shifts of a single hold. */
+/** The exact probability, by trying every pair of shifts of a single hold. */
 function exactly(found: Found, sigma: number): number {
   const { probability, reach } = tickNoise(sigma);
   let p = 0;
@@ -37,7 +37,7 @@ function plays({ scene }: Found, a: readonly Hold[], b: readonly Hold[]): boolea
 describe.each(['arcade', 'precise'] as const)('at %s', (accuracy) => {
   const runs = accuracy === 'arcade' ? 30 : 8;
 
-  it('slack is what trying every shift gives', () => {
+  it('slack equals what trying every shift gives', () => {
     fc.assert(
       fc.property(arbitraryRun(accuracy), (found) => {
         const limit = 20;
@@ -59,7 +59,7 @@ describe.each(['arcade', 'precise'] as const)('at %s', (accuracy) => {
     );
   });
 
-  it('a certificate is what trying every combination gives, also where edges change places', () => {
+  it('a certificate equals what trying every combination gives, also where edges change places', () => {
     let [proved, close] = [0, 0];
     fc.assert(
       fc.property(arbitraryRun(accuracy), (found) => {
@@ -77,7 +77,7 @@ describe.each(['arcade', 'precise'] as const)('at %s', (accuracy) => {
         if (largest === limit) expect(counterexample).toBeNull();
         else {
           expect(succeeds(found, counterexample ?? [])).toBe(false);
-          // and it is one of the combinations, as far as it was played
+          // And it is one of the combinations, as far as it was simulated.
           if (succeeds(found, holds))
             expect(all(largest + 1).some((moved) => plays(found, moved, counterexample ?? []))).toBe(true);
         }
@@ -88,7 +88,7 @@ describe.each(['arcade', 'precise'] as const)('at %s', (accuracy) => {
     expect(close).toBeGreaterThan(0);
   });
 
-  it('success under noise is what playing each execution on its own gives', () => {
+  it('success under noise equals what simulating each attempt alone gives', () => {
     fc.assert(
       fc.property(arbitraryRun(accuracy, 3), fc.constantFrom(20, 40, 80), fc.nat(100), (found, sigma, seed) => {
         const samples = 60;
@@ -116,16 +116,16 @@ it('a sampled probability is near the exact one', () => {
       const p = exactly(found, 40);
       if (p > 0.05 && p < 0.95) between++;
       const success = successProbability(found.scene, found.holds, found.goal, 40, { samples: 2000, seed: 5 });
-      // four and a half standard deviations
+      // Four and a half standard deviations.
       expect(Math.abs(success.p - p)).toBeLessThan(4.5 * Math.sqrt((p * (1 - p)) / 2000) + 1e-3);
     }),
-    // some of these succeed now and then
+    // Some of these succeed now and then.
     { numRuns: 12 },
   );
   expect(between).toBeGreaterThan(0);
 });
 
-it('runs judged together are judged as each on its own, and share what they have in common', () => {
+it('runs judged together are judged like each one alone, and share what they have in common', () => {
   fc.assert(
     fc.property(arbitraryRun('arcade', 2), fc.nat(50), (found, seed) => {
       const holds = joinHolds(found.holds);
@@ -136,7 +136,7 @@ it('runs judged together are judged as each on its own, and share what they have
           Array.from({ length: 2 * holds.length }, (_, edge) => drawShift(noise, uniformOf(seed, sample, edge))),
         ),
       );
-      // the same one twice, one that is the beginning of another, and none at all
+      // The same run twice, one that is the beginning of another, and an empty one.
       runs.push(runs[3], runs[5].slice(0, 1), []);
       const together = createTrials(found.scene, found.goal);
       expect([...judgeAll(together, runs)]).toEqual(runs.map((run) => (succeeds(found, run) ? 1 : 0)));
@@ -162,7 +162,7 @@ describe('a run that fails', () => {
   });
 });
 
-it('says when a certificate is too dear', () => {
+it('reports when a certificate is too expensive', () => {
   const scene = compile(fallThrough(), 'arcade');
   const { ticks, exhausted, runs } = certify(scene, [[0, 600]], ANY, { maxRuns: 10 });
   expect(exhausted).toBe(true);

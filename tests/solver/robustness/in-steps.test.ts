@@ -11,9 +11,9 @@ import { createTrials, type Trials } from '../../../solver/robustness/trials.ts'
 import { finish, type Steps } from '../../../solver/steps.ts';
 import { arbitraryRun } from './scenes.ts';
 
-// Who measures while somebody edits can stop between two steps alone: a step must be short, and steps must not change what is measured.
+// Measurements in the editor can be cancelled only between two steps, so steps must be short and must not change the results.
 
-/** Runs of a step: eight, and before the first step the run as it is. */
+/** Runs per step: eight, and before the first step the unchanged run. */
 const MOST = 9;
 
 /** Takes all steps. @returns what came out, and the most runs that one of them played */
@@ -27,7 +27,7 @@ function take<R>(trials: Trials, steps: Steps<R>): { result: R; most: number; st
   }
 }
 
-it('a certificate, slacks and many runs come out as in one go, and a step plays few runs', () => {
+it('a certificate, slacks and many runs give the same as in one go, and each step plays few runs', () => {
   let longest = 0;
   fc.assert(
     fc.property(arbitraryRun(), fc.integer({ min: 1, max: 3000 }), ({ scene, holds: found, goal }, maxRuns) => {
@@ -47,11 +47,11 @@ it('a certificate, slacks and many runs come out as in one go, and a step plays 
     }),
     { numRuns: 20 },
   );
-  // some took long as a whole
+  // Some took long as a whole.
   expect(longest).toBeGreaterThan(50);
 });
 
-it('edges that can change places are read bit by bit, too', () => {
+it('edges that can change places are read in pieces, too', () => {
   const holds: Hold[] = [
     [10, 12],
     [14, 16],
@@ -59,6 +59,6 @@ it('edges that can change places are read bit by bit, too', () => {
   const steps = clustersInSteps(holds, 3, shiftsUpTo(3), 1e6);
   let count = 0;
   while (steps.next().done !== true) count++;
-  // 7 to the power of 4 combinations
+  // 7 to the power of 4 combinations.
   expect(count).toBeGreaterThanOrEqual(4);
 });

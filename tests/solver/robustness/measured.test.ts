@@ -8,18 +8,18 @@ import { plainLevel } from '../../engine/plain-level.ts';
 import { fallThrough } from '../search/solvable-levels.ts';
 import { ANY, succeeds } from './scenes.ts';
 
-/** The shortest hold from the start that does it: a little less and she fails. */
+/** The shortest hold from the start that succeeds: with a little less she fails. */
 function tightRun(scene: Scene): readonly Hold[] {
   const release = [...Array(600).keys()].find((ticks) => ticks > 0 && simulate(scene, [[0, ticks]]).outcome === 'completed');
   if (release === undefined) throw new Error('expected a hold that completes the level');
   return [[0, release]];
 }
 
-describe('the measure of a run', () => {
+describe('the robustness of a run', () => {
   const scene = compile(fallThrough(), 'arcade');
   const run = tightRun(scene);
 
-  it('is made of what is measured one by one', () => {
+  it('consists of what is measured separately', () => {
     const asked = { samples: 150, seed: 3, maxRuns: 3000 };
     const { p30, p40, p60, p80, certifiedTicks, decided, slack } = measureRobustness(scene, run, ANY, asked);
     for (const [sigma, found] of [
@@ -36,7 +36,7 @@ describe('the measure of a run', () => {
     expect(slack).toEqual(findSlack(scene, run, ANY));
   });
 
-  it('takes 1000 executions, of seed 0, when nothing else is said', () => {
+  it('takes 1000 attempts of seed 0 by default', () => {
     const plain = successProbability(scene, run, ANY, 60);
     expect(plain.samples).toBe(1000);
     expect(plain).toEqual(successProbability(scene, run, ANY, 60, { samples: 1000, seed: 0 }));
@@ -46,7 +46,7 @@ describe('the measure of a run', () => {
 });
 
 describe('minerals that are touched in one frame', () => {
-  // all at one place, and one that she never comes to
+  // All at one place, and one that she never reaches.
   const twins = [60, 60, 60].map((x) => ({ x, y: 0, radius: 7 }));
   const level = plainLevel({
     range: 250,
@@ -55,7 +55,7 @@ describe('minerals that are touched in one frame', () => {
     minerals: [...twins, { x: 60, y: 900, radius: 7 }],
   });
 
-  it.each(['arcade', 'precise'] as const)('count each, at %s', (accuracy) => {
+  it.each(['arcade', 'precise'] as const)('each count, at %s', (accuracy) => {
     const scene = compile(level, accuracy);
     const holds = tightRun(scene);
     for (const minerals of ['any', 'all', 0, 1, 2, 3, 4] as const) {

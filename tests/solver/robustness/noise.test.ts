@@ -6,7 +6,7 @@ import { wilsonInterval } from '../../../solver/robustness/wilson.ts';
 import { arbitraryHolds } from '../../engine/arbitrary-level.ts';
 
 describe('the normal distribution', () => {
-  // P(0 < X < x), erf(x / sqrt 2) / 2 computed with 40 digits by mpmath
+  // P(0 < X < x), erf(x / sqrt 2) / 2 computed with 40 digits by mpmath.
   it.each([
     [0.5, 0.1914624612740131],
     [1, 0.3413447460685429],
@@ -32,7 +32,7 @@ describe('noise in ticks', () => {
     const ticks = (sigma * 60) / 1000;
     expect(sum).toBeCloseTo(1, 12);
     expect(Math.abs(mean)).toBeLessThan(1e-12);
-    // rounding to whole ticks adds a twelfth, as soon as the noise spans several of them
+    // Rounding to whole ticks adds 1/12 once the noise spans several of them.
     if (ticks > 0.8) expect(square).toBeCloseTo(ticks * ticks + 1 / 12, 2);
     if (sigma === 0) expect(probability).toEqual(Float64Array.of(1));
     expect(upTo[upTo.length - 1]).toBe(2 ** 32);
@@ -48,7 +48,7 @@ describe('noise in ticks', () => {
     });
   });
 
-  it('is the same everywhere: numbers are mixed as MurmurHash3 ends', () => {
+  it('is the same everywhere: numbers are mixed like the finalizer of MurmurHash3', () => {
     const bits = (n: bigint) => BigInt.asUintN(32, n);
     const mixed = (value: bigint): bigint => {
       let h = bits(value);
@@ -56,7 +56,7 @@ describe('noise in ticks', () => {
       h = bits((h ^ (h >> 13n)) * 0xc2b2ae35n);
       return h ^ (h >> 16n);
     };
-    // as it is published
+    // As published.
     expect([mixed(0n), mixed(1n)]).toEqual([0n, 0x514e28b7n]);
     fc.assert(
       fc.property(fc.nat(2 ** 31 - 1), fc.nat(5000), fc.nat(40), (seed, sample, edge) => {
@@ -67,7 +67,7 @@ describe('noise in ticks', () => {
     );
   });
 
-  it('of extremes is one tick count or the other, each for half of the numbers', () => {
+  it('of extremes is one shift or the other, each for half of the numbers', () => {
     for (const ticks of [1, 2, 7]) {
       const noise = extremeNoise(ticks);
       expect([0, 2 ** 31 - 1, 2 ** 31, 2 ** 32 - 1].map((n) => drawShift(noise, n))).toEqual([-ticks, -ticks, ticks, ticks]);
@@ -85,14 +85,14 @@ describe('noise in ticks', () => {
     ]) {
       let product = 0;
       for (let i = 0; i < 20_000; i++) product += shift(i, 2) * shift(i + samples, 2 + edges);
-      // variance 2.4^2 + 1/12 each
+      // Variance 2.4² + 1/12 each.
       expect(Math.abs(product / 20_000)).toBeLessThan((4.5 * 5.85) / Math.sqrt(20_000));
     }
   });
 });
 
 describe("Wilson's interval", () => {
-  it('holds the truth about 95 times in 100', () => {
+  it('contains the truth about 95 times in 100', () => {
     const random = createRandom(1);
     for (const p of [0.02, 0.5, 0.97]) {
       let inside = 0;
@@ -107,7 +107,7 @@ describe("Wilson's interval", () => {
     }
   });
 
-  it('ends at 0 and 1, and is never of width 0', () => {
+  it('ends at 0 and 1, and never has width 0', () => {
     expect(wilsonInterval(0, 100).low).toBe(0);
     expect(wilsonInterval(0, 100).high).toBeCloseTo(0.036995, 5);
     expect(wilsonInterval(100, 100).high).toBe(1);

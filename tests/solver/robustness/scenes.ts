@@ -8,14 +8,14 @@ export const ANY: Goal = { minerals: 'any' };
 
 export interface Found {
   readonly scene: Scene;
-  /** meets `goal`, but for one in three, which are moved at random */
+  /** It meets `goal`, except for one in three, which are moved at random. */
   readonly holds: readonly Hold[];
   readonly goal: Goal;
 }
 
 const few = (most: number) => fc.oneof(fc.integer({ min: 1, max: 2 }), fc.integer({ min: 1, max: most }));
 
-/** A scene with a run found in it, cut into more holds and moved at random, so that runs of all kinds of slack come up. */
+/** A scene with a run found in it, cut into more holds and moved at random, so that runs with all kinds of slack occur. */
 export const arbitraryRun = (accuracy: AccuracyName = 'arcade', mostHolds = 2): fc.Arbitrary<Found> =>
   fc
     .record({
@@ -33,7 +33,7 @@ export const arbitraryRun = (accuracy: AccuracyName = 'arcade', mostHolds = 2): 
       if (found === undefined || found.length === 0) return null;
       const holds = found.map(([press, release]): Hold => [press + moved, release + 20]);
       const [press, release] = holds[0];
-      // a short pause brings edges so close together that shifts change their order
+      // A short pause brings edges so close together that shifts change their order.
       if (pause !== null && press + pause.at + pause.ticks < release && holds.length < mostHolds) {
         holds.splice(0, 1, [press, press + pause.at], [press + pause.at + pause.ticks, release]);
       }
@@ -41,5 +41,5 @@ export const arbitraryRun = (accuracy: AccuracyName = 'arcade', mostHolds = 2): 
     })
     .filter((found): found is Found => found !== null);
 
-/** The slow and certain way: every run on its own, by the one judge. */
+/** The slow and certain way: every run alone, by the one judge. */
 export const succeeds = ({ scene, goal }: Found, holds: readonly Hold[]): boolean => verifyRun(scene, holds, goal) !== null;

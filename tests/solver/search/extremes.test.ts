@@ -5,7 +5,7 @@ import { accuracyNames } from '../../engine/accuracies.ts';
 import { plainLevel } from '../../engine/plain-level.ts';
 import { fallThrough } from './solvable-levels.ts';
 
-/** So many of a kind on a grid, away from where she starts. */
+/** So many of a kind on a grid, away from the start. */
 const many = (count: number, radius: number) =>
   Array.from({ length: count }, (_, i) => ({ x: 300 + 60 * (i % 100), y: 60 * Math.floor(i / 100) - 2000, radius }));
 
@@ -22,27 +22,27 @@ describe.each(accuracyNames)('at %s', (accuracy) => {
     expect(search.effort.ticks).toBeGreaterThan(0);
   });
 
-  it('starting beyond the range the search ends', () => {
+  it('if she starts beyond the range, the search ends', () => {
     expect(solve(plainLevel({ range: 250 })).solutions).toEqual([]);
   });
 
-  it('starting in the black hole needs no press', () => {
+  it('if she starts in the black hole, no press is needed', () => {
     const search = solve({ ...fallThrough(), blackHole: { x: 5, y: 5, radius: 18 } });
     expect(search.solutions[0]).toMatchObject({ holds: [], tick: 0 });
   });
 
-  it('starting in a nova nothing is found', () => {
+  it('if she starts in a nova, nothing is found', () => {
     expect(solve({ ...fallThrough(), novae: [{ id: null, x: 0, y: 0, radius: 16 }] }).solutions).toEqual([]);
   });
 
-  it('asking for more minerals than there are, nothing is simulated', () => {
+  it('if the goal requires more minerals than there are, nothing is simulated', () => {
     const search = solve(fallThrough(), { goal: { minerals: 3 } });
     expect(search.exhausted).toBe(true);
     expect(search.effort).toEqual({ runs: 0, ticks: 0 });
     expect(search.closest).toBeNull();
   });
 
-  it('without novae or anything to find it goes on and stays in bounds', () => {
+  it('without novae or anything to find, it goes on and stays in bounds', () => {
     const search = solve(plainLevel({ range: 1e6 }), { maxTicks: 100 }, 20_000);
     expect(search.solutions).toEqual([]);
     expect(search.effort.ticks).toBeGreaterThanOrEqual(20_000);
@@ -56,7 +56,7 @@ describe.each(accuracyNames)('at %s', (accuracy) => {
     if (kind !== 'asteroids') expect(search.solutions.length).toBeGreaterThan(0);
   });
 
-  it('drifts into it by itself', () => {
+  it('finds the drift into the black hole', () => {
     const level = fallThrough();
     const search = solve({ ...level, astronaut: { x: 0, y: 0, vx: 0, vy: -60 }, blackHole: { x: 5, y: -150, radius: 18 } });
     expect(search.solutions.some(({ holds }) => holds.length === 0)).toBe(true);

@@ -16,16 +16,16 @@ it('gives the numbers of sfc32 for ever: runs found for a seed must be found aga
   `);
 });
 
-it('seeds that are near, far, broken or negative have nothing in common', () => {
+it('seeds that are close, distant, fractional or negative give unrelated numbers', () => {
   const seeds = [0, 1, 2, -1, 0.5, 4_294_967_296, 4_294_967_297, 9_007_199_254_740_991];
   expect(new Set(seeds.map((seed) => createRandom(seed).next())).size).toBe(seeds.length);
 });
 
-it('spreads evenly', () => {
+it('is evenly distributed', () => {
   const random = createRandom(7);
   const counts = new Array(10).fill(0);
   for (let i = 0; i < 100_000; i++) counts[random.below(10)]++;
-  // chi square with 9 degrees of freedom: above 27.9 once in a thousand
+  // Chi-square with 9 degrees of freedom: above 27.9 once in a thousand.
   const chi = counts.reduce((sum, n) => sum + (n - 10_000) ** 2 / 10_000, 0);
   expect(chi).toBeLessThan(27.9);
   for (let i = 0; i < 1000; i++) {
@@ -34,7 +34,7 @@ it('spreads evenly', () => {
   }
 });
 
-it('a fork goes its own way', () => {
+it('a fork is independent', () => {
   const parent = createRandom(3);
   const child = parent.fork();
   const own = Array.from({ length: 50 }, () => child.next());

@@ -8,7 +8,7 @@ import { arbitraryOrdinaryLevel, arbitrarySolvableLevel, fallThrough, swing } fr
 
 const goal: fc.Arbitrary<Goal> = fc.record({ minerals: fc.constantFrom('any' as const, 'all' as const, 1, 2) });
 
-/** All that can be seen of a search. */
+/** Everything observable about a search. */
 const view = (search: Search) => ({
   solutions: search.solutions,
   effort: search.effort,
@@ -16,7 +16,7 @@ const view = (search: Search) => ({
   explored: search.explored,
 });
 
-/** What `simulate` says of a candidate, in a candidate's words. */
+/** What `simulate` says of a candidate, in the form of a candidate. */
 function played(search: Search, { holds }: Candidate, maxTicks: number) {
   const run = simulate(search.scene, holds, { maxTime: maxTicks / TICK_RATE });
   const minerals = [...new Set(run.minerals.map(({ index }) => index))].sort((a, b) => a - b);
@@ -45,7 +45,7 @@ describe.each(accuracyNames)('a search at %s', (accuracy) => {
             expect(
               candidate.holds.every(([press, release], i) => press < release && press >= (candidate.holds[i - 1]?.[1] ?? 0)),
             ).toBe(true);
-            // the same run once more, on a scene of its own
+            // The same run once more, on a scene of its own.
             expect(simulate(compile(level, accuracy), candidate.holds, { maxTime: maxTicks / TICK_RATE }).hash).toBe(hash);
           }
         },
@@ -55,7 +55,7 @@ describe.each(accuracyNames)('a search at %s', (accuracy) => {
     expect(found).toBeGreaterThan(5);
   });
 
-  it('gives the same however it is advanced, and for a seed', () => {
+  it('gives the same result however it is advanced, and for the same seed', () => {
     fc.assert(
       fc.property(
         arbitraryOrdinaryLevel,
@@ -98,8 +98,8 @@ describe.each(accuracyNames)('a search at %s', (accuracy) => {
     expect(new Set(search.solutions.map(({ holds }) => holds.length)).size).toBeGreaterThan(1);
   });
 
-  it('says how near it came, with a script that comes so near', () => {
-    // the black hole is behind a wall of novae: it can be approached, not reached
+  it('reports the closest approach, with a run that comes so near', () => {
+    // The black hole is behind a wall of novae: it can be approached, but not reached.
     const wall = [-60, -30, 0, 30, 60].map((y) => ({ x: 190, y, radius: 16 }));
     const level = { ...fallThrough(), novae: wall.map((o) => ({ id: null, ...o })) };
     const search = createSearch(compile(level, accuracy), { seed: 3 });
@@ -114,7 +114,7 @@ describe.each(accuracyNames)('a search at %s', (accuracy) => {
 });
 
 describe('other seeds', () => {
-  it('search in other ways', () => {
+  it('search differently', () => {
     const scene = compile(swing(), 'arcade');
     const efforts = [1, 2, 3, 4].map((seed) => {
       const search = createSearch(scene, { seed });

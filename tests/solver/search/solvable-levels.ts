@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import type { Level } from '../../../schema/index.ts';
 import { plainLevel } from '../../engine/plain-level.ts';
 
-/** An asteroid between her and the black hole: one hold through its centre does it. */
+/** An asteroid between her and the black hole: one hold through its centre suffices. */
 export const fallThrough = (): Level =>
   plainLevel({
     range: 250,
@@ -14,7 +14,7 @@ export const fallThrough = (): Level =>
     ],
   });
 
-/** Two asteroids off the line: a swing is needed. */
+/** Two asteroids beside the line: a swing is needed. */
 export const swing = (): Level =>
   plainLevel({
     range: 250,
@@ -29,7 +29,7 @@ export const swing = (): Level =>
 
 const coordinate = (min: number, max: number) => fc.integer({ min, max });
 
-/** Levels of an ordinary kind; most can be completed, some can't. */
+/** Ordinary levels; most can be completed, some cannot. */
 export const arbitraryOrdinaryLevel: fc.Arbitrary<Level> = fc
   .record({
     recoil: fc.boolean(),
@@ -53,7 +53,7 @@ export const arbitraryOrdinaryLevel: fc.Arbitrary<Level> = fc
   })
   .map(({ hole: [x, y], ...lists }) => plainLevel({ range: 250, blackHole: { x, y }, ...lists }));
 
-/** The two above with everything moved a little. */
+/** The two levels above with everything moved a little. */
 export const arbitrarySolvableLevel: fc.Arbitrary<Level> = fc
   .tuple(fc.boolean(), fc.boolean(), fc.integer({ min: -6, max: 6 }), fc.integer({ min: -6, max: 6 }))
   .map(([swings, recoil, x, y]) => {
