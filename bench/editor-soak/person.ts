@@ -15,17 +15,17 @@ export async function openPage(browser: KillableBrowser, address: string): Promi
   await page.goto(address);
   const canvas = page.getByRole('application', { name: 'Level canvas' });
   // the page before was killed while it opened the level
-  const anyway = page.getByRole('button', { name: 'Open it all the same' });
+  const anyway = page.getByRole('button', { name: 'Open anyway' });
   await canvas.or(anyway).first().waitFor();
   if (await anyway.isVisible()) await anyway.click();
   await canvas.waitFor();
   return page;
 }
 
-/** What the page says about where the work is: `saved`, `read only`, ... */
+/** What the page says about where the work is: `saved`, `read-only`, ... */
 export const savingState = async (page: Page): Promise<string> => (await saving(page).textContent())?.trim() ?? '';
 
-export const looksOn = (page: Page): Promise<void> => says(page, /^read only$/).waitFor();
+export const looksOn = (page: Page): Promise<void> => says(page, /^read-only$/).waitFor();
 
 /**
  * Waits until the work is saved.

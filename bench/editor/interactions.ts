@@ -373,16 +373,16 @@ export async function search({ page, traced }: Stage, times: number): Promise<{ 
   const first: number[] = [];
   const cancel: Cost[] = [];
   for (let i = 0; i < times; i++) {
-    first.push(await until(page, '.report .part__note', 'stretches', click('Solve')));
+    first.push(await until(page, '.report .part__note', 'simulations', click('Solve')));
     const trace = await traced(async () => {
       await page.evaluate(() => performance.clearMarks());
-      await markWhen(page, 'stopped', '.report', 'topped by hand');
+      await markWhen(page, 'stopped', '.report', 'topped');
       await click('Cancel')();
-      await page.getByText('stopped by hand').first().waitFor();
+      await page.getByText('stopped').first().waitFor();
       await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
     });
     cancel.push(...costs(trace, 'click', 'stopped').slice(0, 1));
-    await click('Clear')();
+    await click('Discard')();
   }
   return { first, cancel };
 }

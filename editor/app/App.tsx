@@ -28,7 +28,7 @@ import { Toolbar } from './Toolbar.tsx';
 import { TopBar } from './TopBar.tsx';
 import { useTheme } from './use-theme.ts';
 
-/** Panels of one side, one at a time. */
+/** The panels of one side, shown one at a time. */
 function SideTabs({
   side,
   label,
@@ -64,7 +64,7 @@ function SideTabs({
 
 const ALL_PANELS = [LEVELS, ...LEFT, ...RIGHT, PROBLEMS];
 
-/** Brings panels to the front by their names. */
+/** Commands that bring a panel to the front. */
 function panelCommands(editor: Editor): readonly Command[] {
   const show = (id: string) => showPanel(editor, id);
   return [
@@ -84,7 +84,7 @@ function panelCommands(editor: Editor): readonly Command[] {
       keys: ['$mod+p'],
       inText: true,
       run: () => {
-        // where panels come one at a time the list may not be there yet
+        // Where panels are shown one at a time, the list may not be rendered yet.
         flushSync(() => show(LEVELS.id));
         const field = document.querySelector<HTMLInputElement>('.levels input[type="search"]');
         field?.focus();
@@ -123,7 +123,7 @@ function LevelScreen() {
   );
 }
 
-/** What is seen while no level is open. */
+/** The page while no level is open. */
 function EmptyScreen() {
   const editor = useEditor();
   const { workspace, session } = editor;
@@ -131,7 +131,7 @@ function EmptyScreen() {
   const error = useStore(workspace.store, (state) => state.error);
   const refused = useStore(workspace.store, (state) => state.refused);
   const mended = list?.levels.find(({ id, status }) => id === refused?.id && status === 'valid')?.id;
-  // a file that was refused is opened as soon as somebody has mended it
+  // A refused file opens as soon as it is fixed on disk.
   useEffect(() => {
     if (mended !== undefined) void openListed(editor, mended);
   }, [editor, mended]);
@@ -141,7 +141,7 @@ function EmptyScreen() {
         <h1 className="topbar__level">Gravity Quest editor</h1>
       </header>
       <div className={error === null ? 'start' : 'start start--alone'}>
-        {/* without the levels there is nothing to list and nowhere to put a new one */}
+        {/* Without access to the levels, there is nothing to list and no place for a new level. */}
         {error === null && (
           <aside className="region" aria-label="Levels">
             {LEVELS.content}
@@ -151,17 +151,17 @@ function EmptyScreen() {
           {error !== null ? (
             <p role="alert">{errorInWords(error)}</p>
           ) : list === null ? (
-            <p>Looking for levels…</p>
+            <p>Loading levels…</p>
           ) : (
             <p role={refused?.opening.kind === 'invalid' ? 'alert' : undefined}>
               {refused?.opening.kind === 'invalid' &&
                 `This level can't be read. ${problemsInWords(`${refused.id}.level.json`, refused.opening.problems)} `}
-              {list.levels.length === 0 ? 'No levels here yet.' : 'Choose a level, or begin a new one.'}
+              {list.levels.length === 0 ? 'No levels here yet.' : 'Choose a level or create a new one.'}
             </p>
           )}
           {error !== null && (
             <Button
-              hint="What this browser has kept of levels that were not saved"
+              hint="Show unsaved changes that this browser has kept"
               look="outlined"
               onClick={() => session.setState({ overlay: 'kept' })}
             >

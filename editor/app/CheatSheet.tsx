@@ -3,21 +3,21 @@ import { keyLabels } from '../commands/index.ts';
 import { IS_MAC, useEditor, useSession } from '../context/index.ts';
 import { Dialog } from '../ui/index.ts';
 
-/** What the pointer does, which no command can say. */
+/** Pointer gestures, which are not commands. */
 const POINTER: readonly (readonly [gesture: string, what: string])[] = [
-  ['drag an object', 'moves it, and all that is selected'],
-  ['drag its rim', 'changes its radius'],
-  ['drag on empty space', 'selects what lies inside'],
-  ['Shift + click', 'adds to the selection or takes away'],
-  ['Alt + drag', 'moves a copy'],
-  [`${IS_MAC ? '⌘' : 'Ctrl'} while dragging`, 'no snapping'],
-  ['middle or right button, two fingers', 'moves the view'],
-  ['wheel, pinch', 'zooms to the pointer'],
-  ['drag a bar in the gun lane', 'moves when the gun is held; its ends stretch it'],
-  ['Alt + drag in the gun lane', 'moves all that follows as well'],
+  ['drag an object', 'move it and the rest of the selection'],
+  ['drag its rim', 'change its radius'],
+  ['drag on empty space', 'select what lies inside'],
+  ['Shift + click', 'add to the selection or remove from it'],
+  ['Alt + drag', 'move a copy'],
+  [`${IS_MAC ? '⌘' : 'Ctrl'} while dragging`, 'move without snapping'],
+  ['middle or right button, two fingers', 'move the view'],
+  ['wheel, pinch', 'zoom at the pointer'],
+  ['drag a hold in the gun lane', 'move it; drag an end to stretch it'],
+  ['Alt + drag in the gun lane', 'move everything after it as well'],
 ];
 
-/** All keys and gestures on one sheet. */
+/** All keyboard shortcuts and gestures on one sheet. */
 export function CheatSheet() {
   const { commands, session } = useEditor();
   const open = useSession((state) => state.overlay === 'cheatSheet');
@@ -28,8 +28,8 @@ export function CheatSheet() {
     <Dialog
       open={open}
       wide
-      title="Keys and gestures"
-      about="Every command is in the palette by its name, too."
+      title="Shortcuts and gestures"
+      about="Every command is also in the palette."
       onClose={() => session.setState({ overlay: null })}
     >
       <div className="sheet">

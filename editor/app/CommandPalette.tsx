@@ -11,17 +11,17 @@ interface Entry {
   readonly key: string;
   readonly title: string;
   readonly group: string;
-  /** Keys of a command, or what tells a place from others. */
+  /** The keys of a command, or the detail of a destination. */
   readonly aside: string | null;
-  /** What must be done first; null when it can be done. */
+  /** What must be done first; null if it can be done now. */
   readonly needs: string | null;
   readonly go: () => void;
 }
 
-/** Below this a name has the letters of the query, but scattered. */
+/** Below this score, a name contains the letters of the query only scattered. */
 const LEAST_SCORE = 0.02;
 
-/** Of names that match equally well the shortest comes first: `dupl` means Duplicate, not Duplicate this level. */
+/** Of names that match equally well, the shortest comes first: `dupl` finds Duplicate before Duplicate this level. */
 function rank({ title, group, aside }: Entry, query: string): number {
   return defaultFilter(title, query, [group, aside ?? '']) * (1 - 1e-4 * Math.min(100, title.length));
 }
@@ -42,8 +42,8 @@ const destinationEntry = ({ key, title, group, detail, go }: Destination): Entry
 });
 
 /**
- * Every command that can be done by its group, as long as nothing is typed; then commands, levels, runs and objects, the best
- * match first, and after them the commands that need something first, with what that is.
+ * While nothing is typed: the commands that can be used now, by group. Otherwise commands, levels, runs, objects and rules,
+ * best match first, followed by the commands that need something else first, with what that is.
  */
 export function CommandPalette() {
   const editor = useEditor();
@@ -71,7 +71,7 @@ export function CommandPalette() {
       className="palette__item"
       disabled={entry.needs !== null}
       onSelect={() => {
-        // gone before it is done: what is done may give the focus to something, which an open dialog would take back
+        // Closed before the command runs: the command may set the focus, which an open dialog would take back.
         flushSync(() => session.setState({ overlay: null }));
         entry.go();
       }}
@@ -96,17 +96,17 @@ export function CommandPalette() {
           <Palette
             className="palette"
             label="Commands"
-            // it orders within groups only
+            // cmdk's own filter orders only within groups.
             shouldFilter={false}
           >
             <Palette.Input
               className="palette__input"
-              placeholder="What do you want to do, or where to?"
+              placeholder="Search commands, levels, runs, objects and rules"
               value={query}
               onValueChange={setQuery}
             />
             <Palette.List className="palette__list">
-              <Palette.Empty className="palette__empty">Nothing has this name.</Palette.Empty>
+              <Palette.Empty className="palette__empty">No results.</Palette.Empty>
               {typed === ''
                 ? [...new Set(usable.map(({ group }) => group))].map((group) => (
                     <Palette.Group key={group} heading={group}>

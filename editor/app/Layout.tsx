@@ -6,7 +6,7 @@ import { useProblemCount } from '../panels/problems/index.ts';
 import { Button } from '../ui/index.ts';
 import { useRoom } from './room.ts';
 
-/** A panel of its own on a phone, a region at the side of a wide screen. */
+/** A panel: a tab on a phone, part of a side on a wide screen. */
 export interface SidePanel {
   readonly id: string;
   readonly title: string;
@@ -20,7 +20,7 @@ interface LayoutProps {
   readonly canvas: ReactNode;
   readonly right: readonly [ReactNode, ReactNode];
   readonly timeline: ReactNode;
-  /** What the left and right regions hold, one at a time where there is no room beside the canvas. */
+  /** The panels of both sides, shown one at a time where there is no room beside the canvas. */
   readonly panels: readonly SidePanel[];
 }
 
@@ -55,7 +55,7 @@ function Side({
   readonly id: string;
   readonly parts: readonly [ReactNode, ReactNode];
   readonly share: string;
-  /** The lower one has a line to say and no more. */
+  /** The lower panel is collapsed to one line. */
   readonly isLine?: boolean;
 }) {
   const lower = usePanelRef();
@@ -76,13 +76,13 @@ function Side({
   );
 }
 
-/** A panel that has one line to say. */
+/** px of a panel that is collapsed to one line */
 const LINE = '40px';
 
-/** px that the timeline begins with, and the share of a low page that it takes at most */
+/** initial height of the timeline in px, and the largest share of a low page that it takes */
 const TIMELINE = { height: 230, share: 0.3 } as const;
 
-/** The three fixed regions and the timeline, with dividers that can be dragged or moved by keys. */
+/** The two sides, the canvas and the timeline, with dividers that can be dragged or moved with keys. */
 function WideLayout({ left, canvas, right, timeline }: LayoutProps) {
   const nothingWrong = useProblemCount() === 0;
   const [timelineHeight] = useState(() => Math.round(Math.min(TIMELINE.height, TIMELINE.share * window.innerHeight)));
@@ -123,7 +123,7 @@ function WideLayout({ left, canvas, right, timeline }: LayoutProps) {
   );
 }
 
-/** All panels where there is room, else one at a time: the canvas does not give way. */
+/** All panels where there is room, else one at a time; the canvas always stays visible. */
 export function Layout(props: LayoutProps) {
   return useRoom() === 'wide' ? <WideLayout {...props} /> : <NarrowLayout {...props} />;
 }

@@ -7,7 +7,7 @@ import { Button } from '../ui/index.ts';
 
 const ICONS = { info: Info, warning: TriangleAlert, error: CircleAlert } as const;
 
-/** ms that a mere information stays; what needs attention stays until it is dismissed */
+/** ms that an information stays; warnings and errors stay until they are dismissed */
 const STAY = 6000;
 
 function NoticeCard({ notice }: { notice: Notice }) {
@@ -41,7 +41,7 @@ function NoticeCard({ notice }: { notice: Notice }) {
   );
 }
 
-/** What the editor has to say, in a corner; screen readers hear it. */
+/** The editor's messages, in a corner of the page and read out by screen readers. */
 export function NoticeList() {
   const { notices } = useEditor();
   const list = useStore(notices.store);

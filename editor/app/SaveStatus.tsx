@@ -11,29 +11,29 @@ const LOOKS: Readonly<Record<SaveState['kind'], { Icon: ComponentType<{ size: nu
   saved: { Icon: CircleCheck, text: 'saved' },
   saving: { Icon: LoaderCircle, text: 'saving' },
   unsaved: { Icon: LoaderCircle, text: 'unsaved' },
-  offline: { Icon: CloudOff, text: 'server is gone' },
+  offline: { Icon: CloudOff, text: 'disconnected' },
   failing: { Icon: CircleAlert, text: 'not saved' },
   conflict: { Icon: GitMerge, text: 'conflict' },
-  deleted: { Icon: CircleAlert, text: 'gone from the disk' },
-  unreadable: { Icon: FileWarning, text: "the file can't be read" },
-  readOnly: { Icon: Eye, text: 'read only' },
+  deleted: { Icon: CircleAlert, text: 'deleted on disk' },
+  unreadable: { Icon: FileWarning, text: "file can't be read" },
+  readOnly: { Icon: Eye, text: 'read-only' },
 };
 
-/** Where changes are that are not saved. `null`: nobody keeps them. */
+/** Where unsaved changes are kept. */
 const KEPT: Readonly<Record<Keeping, { readonly short: string; readonly long: string }>> = {
   kept: {
     short: 'kept in this browser',
-    long: `It is kept in this browser, for ${location.host}, and is there again when this page dies.`,
+    long: `It is kept in this browser for ${location.host} and is restored if this page crashes.`,
   },
-  keeping: { short: 'keeping…', long: 'It is on its way into this browser: if this page died now, it could be lost.' },
-  failing: { short: 'not kept', long: 'This browser can not keep it: it is lost when this page is closed before it is saved.' },
+  keeping: { short: 'keeping…', long: 'This browser is storing it: if the page crashed now, it could be lost.' },
+  failing: { short: 'not kept', long: "This browser can't keep it: it is lost if the page is closed before it is saved." },
   page: {
-    short: 'in this tab alone',
-    long: 'This browser keeps nothing of this page: it is lost when this page is closed before it is saved.',
+    short: 'in this tab only',
+    long: 'This browser stores nothing for this page: it is lost if the page is closed before it is saved.',
   },
 };
 
-/** The reason in full. @param file the level's file @param lasts whether what is saved is still there when the page is gone */
+/** The reason in full. @param file the level's file @param lasts whether saved data survives the page */
 function reasonOf(state: SaveState, keeping: Keeping | null, lasts: boolean, file: string): string {
   const kept = keeping === null ? '' : ` ${KEPT[keeping].long}`;
   switch (state.kind) {
@@ -48,30 +48,30 @@ function reasonOf(state: SaveState, keeping: Keeping | null, lasts: boolean, fil
     case 'failing':
       return `${state.message}. ${state.hint}.${kept}`;
     case 'conflict':
-      return `The file was changed on the disk at the same place as here.${kept}`;
+      return `The file was changed on disk in the same place as here.${kept}`;
     case 'deleted':
-      return `The file was deleted on the disk.${kept}`;
+      return `The file was deleted on disk.${kept}`;
     case 'unreadable':
-      return `The file on the disk can't be read as a level: ${problemsInWords(file, state.problems)} Once it is mended, the page goes on by itself. What is on the screen is the last good state.${kept}`;
+      return `The file on disk can't be read as a level: ${problemsInWords(file, state.problems)} The page shows the last valid state and continues by itself once the file is fixed.${kept}`;
     case 'readOnly':
-      return state.unsaved ? `${state.why}; this tab has changes that were not written.${kept}` : `${state.why}.`;
+      return state.unsaved ? `${state.why}; this tab has changes that were not saved.${kept}` : `${state.why}.`;
   }
 }
 
-/** In a few words. */
+/** The state in a few words. */
 function textOf(state: SaveState, keeping: Keeping | null, lasts: boolean): string {
   const { text } = LOOKS[state.kind];
-  if (state.kind === 'saved' && !lasts) return 'in this tab alone';
+  if (state.kind === 'saved' && !lasts) return 'in this tab only';
   return state.kind === 'offline' && keeping !== null ? `${text}, ${KEPT[keeping].short}` : text;
 }
 
-/** Changes that do not come to the disk by themselves: a copy is worth having. */
+/** States in which changes do not reach the disk by themselves: the user is offered a download. */
 const IN_DANGER: readonly SaveState['kind'][] = ['offline', 'failing', 'deleted', 'unreadable'];
 
-/** Where somebody has to choose. */
+/** States in which the user must choose. */
 const TO_RESOLVE: readonly SaveState['kind'][] = ['conflict', 'deleted', 'unreadable'];
 
-/** Whether the work is safe, and what to do when it is not. */
+/** Whether the work is saved, and what to do if it is not. */
 export function SaveStatus() {
   const { session, workspace } = useEditor();
   const { opened, document } = useLevel();
@@ -96,12 +96,12 @@ export function SaveStatus() {
         />
       )}
       {TO_RESOLVE.includes(state.kind) && (
-        <Button hint="Look at both and choose" look="outlined" onClick={() => session.setState({ overlay: 'conflict' })}>
+        <Button hint="Compare both versions and choose" look="outlined" onClick={() => session.setState({ overlay: 'conflict' })}>
           Resolve
         </Button>
       )}
       {role === 'reader' && (
-        <Button hint="Edit here; the other tab becomes read only" look="outlined" onClick={() => opened.lock.takeOver()}>
+        <Button hint="Edit here; the other tab becomes read-only" look="outlined" onClick={() => opened.lock.takeOver()}>
           Take over
         </Button>
       )}

@@ -47,12 +47,12 @@ function Check({ label, checked, onChange }: { label: string; checked: boolean; 
 }
 
 const RENDERERS = [
-  ['automatic', 'automatic: a graphics card if any'],
+  ['automatic', 'automatic: WebGL if available'],
   ['webgl', 'WebGL'],
   ['canvas', 'Canvas'],
 ] as const;
 
-/** What draws the level. A page keeps the one it began with, so that a change waits for the next one. */
+/** The renderer. A page keeps the one it started with, so a change takes effect after a reload. */
 function RendererSetting() {
   const editor = useEditor();
   const { settings, workspace } = editor;
@@ -67,14 +67,14 @@ function RendererSetting() {
       <Choice label="Renderer" value={wanted} options={RENDERERS} onChange={(renderer) => settings.setState({ renderer })} />
       {now?.setting === null && (
         <p className="setting__note">
-          {`The address of this page asks for ${now.name === 'webgl' ? 'WebGL' : 'Canvas'}, and it wins over this setting.`}
+          {`The address of this page sets the renderer to ${now.name === 'webgl' ? 'WebGL' : 'Canvas'}, which overrides this setting.`}
         </p>
       )}
       {now !== null && now.setting !== null && now.setting !== wanted && (
         <div className="setting">
-          <span role="status">It draws once the page is loaded anew.</span>
-          <Button hint="Save, then load the page anew" look="outlined" onClick={() => void reload()}>
-            Load it anew
+          <span role="status">Takes effect after a reload.</span>
+          <Button hint="Save, then reload the page" look="outlined" onClick={() => void reload()}>
+            Reload
           </Button>
         </div>
       )}
@@ -82,7 +82,7 @@ function RendererSetting() {
   );
 }
 
-/** What a person prefers; it holds at once and is kept in this browser. */
+/** The user's preferences; they take effect at once and are kept in this browser. */
 export function SettingsDialog() {
   const { session, settings: store } = useEditor();
   const open = useSession((state) => state.overlay === 'settings');
@@ -93,15 +93,15 @@ export function SettingsDialog() {
     <Dialog
       open={open}
       title="Settings"
-      about="Kept in this browser. Nothing of it is written into levels."
+      about="Kept in this browser, never written to level files."
       onClose={() => session.setState({ overlay: null })}
     >
       <div className="settings">
         <Choice
-          label="Colours"
+          label="Theme"
           value={settings.theme}
           options={[
-            ['system', 'as the system has it'],
+            ['system', 'same as the system'],
             ['dark', 'dark'],
             ['light', 'light'],
           ]}
@@ -111,9 +111,9 @@ export function SettingsDialog() {
           label="Motion"
           value={settings.reduceMotion}
           options={[
-            ['system', 'as the system has it'],
-            ['no', 'all of it'],
-            ['yes', 'as little as possible'],
+            ['system', 'same as the system'],
+            ['no', 'full'],
+            ['yes', 'reduced'],
           ]}
           onChange={(reduceMotion) => set({ reduceMotion })}
         />
@@ -136,7 +136,7 @@ export function SettingsDialog() {
           onChange={(snapToObjects) => set({ snapToObjects })}
         />
         <Check
-          label="Show the run's way in a playtest"
+          label="Show the run's path in a playtest"
           checked={settings.runInPlay}
           onChange={(runInPlay) => set({ runInPlay })}
         />
@@ -156,7 +156,7 @@ export function SettingsDialog() {
         <div className="setting">
           <span>Gun key in a playtest</span>
           <Button
-            hint="Press it, then the key that shall be the gun"
+            hint="Click, then press the key for the gun"
             look="outlined"
             pressed={listening}
             onClick={() => setListening(true)}

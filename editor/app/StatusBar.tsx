@@ -10,17 +10,17 @@ const plural = (count: number, what: string) => `${count} ${what}${count === 1 ?
 
 const msOf = ({ ms }: LiveProof): string => ms.toFixed(1);
 
-/** What the last proof took; figures that change with every frame could not be read. */
+/** How long the last simulation took, throttled: figures that change with every frame can't be read. */
 function ProofTime() {
   return useThrottledProof(msOf);
 }
 
-/** What the level has, how it is shown, and how the shown run ends. */
+/** The number of objects and problems, the view, and how the shown run ends. */
 export function StatusBar() {
   const { settings } = useEditor();
   const objects = useDocument(({ file }) => objectsOf(file).size);
   const zoom = useSession((state) => state.zoom);
-  const grid = useStore(settings, (state) => (state.snapToGrid ? `grid ${state.grid}` : 'no grid'));
+  const grid = useStore(settings, (state) => (state.snapToGrid ? `grid ${state.grid}` : 'grid off'));
   const accuracy = useProof((proof) => proof.accuracy);
   const problems = useProblemCount();
   const ends = useProof(endInWords);

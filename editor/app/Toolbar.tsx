@@ -14,7 +14,7 @@ function lookOf(tool: Tool): { readonly Icon: LucideIcon; readonly name: string;
   return { Icon: signOf(kind, flag !== null).Icon, name: titled(one), key: letter?.toUpperCase() };
 }
 
-/** The tools, over the canvas: click one, or drag it to where the object shall be. */
+/** The tools, over the canvas: click one, or drag one to the place for the new object. */
 export function Toolbar() {
   const { session, commands } = useEditor();
   const tool = useSession((state) => state.tool);
@@ -37,7 +37,7 @@ export function Toolbar() {
               event.dataTransfer.effectAllowed = 'copy';
             }}
             onClick={({ detail }) => {
-              // pressed by a key: what is next is done by keys, on the canvas
+              // Pressed by the keyboard: the keyboard must now work on the canvas.
               if (detail === 0) commands.run(`tool.${name}`);
               else session.setState({ tool: name });
             }}

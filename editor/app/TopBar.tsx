@@ -7,7 +7,7 @@ import { Button } from '../ui/index.ts';
 import { SaveStatus } from './SaveStatus.tsx';
 import { VerdictBadge } from './VerdictBadge.tsx';
 
-/** What is open, whether it is safe, what it is worth; play. */
+/** The open level, its saving state, its verdict, and the main commands. */
 export function TopBar() {
   const editor = useEditor();
   const { commands, session } = editor;
@@ -38,14 +38,14 @@ export function TopBar() {
       />
       <Button
         className="topbar__search"
-        aria-label="Search or run"
+        aria-label="Search all commands"
         hint="Search all commands"
         shortcut={key('$mod+k')}
         look="outlined"
         icon={<Search size={14} />}
         onClick={() => session.setState({ overlay: 'palette' })}
       >
-        <span className="topbar__words">Search or run</span>
+        <span className="topbar__words">Search</span>
       </Button>
       <span className="topbar__space" />
       <VerdictBadge />
@@ -63,7 +63,7 @@ export function TopBar() {
       <Button hint="Settings" icon={<Settings size={16} />} onClick={() => session.setState({ overlay: 'settings' })} />
       <Button
         className="topbar__help"
-        hint="Keys and gestures"
+        hint="Shortcuts and gestures"
         shortcut="?"
         icon={<CircleQuestionMark size={16} />}
         onClick={() => session.setState({ overlay: 'cheatSheet' })}

@@ -15,7 +15,7 @@ const LOOKS = {
   impossible: { Icon: CircleX, text: 'impossible' },
 } as const;
 
-/** How many ticks every press and release of the shown run may slip at once, as far as it is known. */
+/** How many ticks all presses and releases of the shown run may slip at once, as far as it is known. */
 function Slack() {
   const { analysis: store } = useLevel();
   const analysis = useStore(store);
@@ -27,10 +27,10 @@ function Slack() {
   const words = ticks === null ? 'slack …' : isThin ? 'thin' : `slack ${ticks}${decided ? '' : '+'}`;
   const certificate =
     ticks === null
-      ? 'How far all presses and releases may slip at once is being certified.'
+      ? 'Certifying how far all presses and releases may slip at once…'
       : isThin
-        ? 'Some slip of all presses and releases by one tick fails.'
-        : `All presses and releases may slip by ${plural(ticks, 'tick')} at once: certified.${decided ? '' : ' Whether by more was too much to try.'}`;
+        ? 'If all presses and releases slip by up to one tick, the run can fail.'
+        : `Certified: all presses and releases may slip by ${plural(ticks, 'tick')} at once.${decided ? '' : ' Larger slips were too many to check.'}`;
   return (
     <Hint text={`${certificate} With timing noise of 40 ms the run succeeds ${chance} of the time.`}>
       <output className={isThin ? 'topbar__forgives topbar__forgives--thin' : 'topbar__forgives'} aria-label="Slack">
@@ -41,15 +41,15 @@ function Slack() {
   );
 }
 
-/** @param run that completes the level; null: only a worker knows which */
+/** @param run the run that completes the level; null: only a worker knows which one */
 const provenInWords = (run: string | null): string =>
   run === null ? 'one of its runs reaches the black hole' : `the run "${run}" reaches the black hole`;
 
-/** @param reason what proves it */
+/** @param reason why the verdict holds */
 const meaningOf = (verdict: Exclude<LevelVerdict, 'completable'>, reason: string | null): string =>
   reason === null ? VERDICT_MEANS[verdict] : `${VERDICT_MEANS[verdict]}: ${reason}`;
 
-/** The verdict that `gq check` would give on what is on the screen, at once. */
+/** The verdict that `gq check` would give for what is on the screen, live. */
 export function VerdictBadge() {
   const { verdict, reason, limit } = useVerdict(useLevel());
   const provenBy = useProof((proof) => proof.provenBy);
@@ -61,7 +61,7 @@ export function VerdictBadge() {
   const why = limit ?? (verdict === 'completable' ? provenInWords(provenBy) : meaningOf(verdict, reason));
   return (
     <>
-      <Hint text={`${why}. Shown: ${shown === null ? 'she drifts' : `"${shown}"`}, ${ends}`}>
+      <Hint text={`${why}. Shown: ${shown === null ? 'no run, she drifts' : `"${shown}"`}, ${ends}`}>
         <output className={`badge badge--${verdict}`} aria-label={`Verdict: ${text}`}>
           <Icon size={15} aria-hidden />
           {text}

@@ -5,14 +5,14 @@ import { LAYERS, type Layer } from '../session/index.ts';
 
 const LAYER_TITLES: Readonly<Record<Layer, string>> = {
   ranges: 'range of the gun',
-  margins: 'margins of hazards',
+  margins: 'hazard margins',
   nearMisses: 'near misses',
-  slackFan: 'fan of the slack',
+  slackFan: 'slack fan',
   ghosts: 'ghosts of attempts and candidates',
-  heatMap: 'where searches went',
+  heatMap: 'search heat map',
 };
 
-/** What can be done whatever is shown. */
+/** Commands that work whatever is shown. */
 export function appCommands(editor: Editor): readonly Command[] {
   const { session, settings, open } = editor;
   const history = listHistoryOf(editor);
@@ -59,19 +59,19 @@ export function appCommands(editor: Editor): readonly Command[] {
       inDialogs: true,
       run: show('palette'),
     },
-    { id: 'help.keys', title: 'Keys and gestures', group: 'Help', keys: ['Shift+?', '?'], run: show('cheatSheet') },
-    { id: 'help.tour', title: 'A tour of the editor', group: 'Help', run: show('tour') },
+    { id: 'help.keys', title: 'Shortcuts and gestures', group: 'Help', keys: ['Shift+?', '?'], run: show('cheatSheet') },
+    { id: 'help.tour', title: 'Take the tour', group: 'Help', run: show('tour') },
     { id: 'help.settings', title: 'Settings', group: 'Help', keys: ['$mod+Comma'], inText: true, run: show('settings') },
     {
       id: 'view.theme',
-      title: 'Light or dark',
+      title: 'Switch between light and dark',
       group: 'View',
       mode: 'both',
       run: () => settings.setState({ theme: document.documentElement.dataset.theme === 'light' ? 'dark' : 'light' }),
     },
     {
       id: 'view.grid-snapping',
-      title: 'Snap to the grid, or not',
+      title: 'Turn grid snapping on or off',
       group: 'View',
       keys: ['Shift+g'],
       run: () => settings.setState({ snapToGrid: !settings.getState().snapToGrid }),

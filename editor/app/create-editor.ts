@@ -24,7 +24,7 @@ import { createSettings } from '../settings/index.ts';
 import { createWorkers, spawnPageWorker } from '../workers/index.ts';
 import { followConfiguration } from './follow-configuration.ts';
 
-/** The page's storage, or null where the browser refuses one. */
+/** The page's local storage, or null where the browser refuses access. */
 function pageStorage(): Storage | null {
   try {
     return window.localStorage;
@@ -33,7 +33,7 @@ function pageStorage(): Storage | null {
   }
 }
 
-/** What hangs on a level while it is open, all of it made from the level. @returns with what takes it down */
+/** Makes everything that belongs to an open level. @returns the level and the function that closes it */
 function openParts(editor: Editor, opened: OpenedLevel): { level: OpenLevel; close: () => void } {
   const { session, settings } = editor;
   const document = opened.level;
@@ -89,23 +89,25 @@ function openParts(editor: Editor, opened: OpenedLevel): { level: OpenLevel; clo
   return { level, close };
 }
 
-/** What to do where the folder can't be reached, and where unsaved work is meanwhile: a browser keeps it for a host and its port. */
+/** What to do when the folder can't be reached, and where unsaved work is kept: browsers keep it per host and port. */
 function linkInWords(link: Exclude<Link, 'up'>, isKept: boolean): string {
   const { host, port } = window.location;
   const gone = 'gq edit does not answer. Start it again in the same folder and open the address that it prints.';
-  const other = 'gq edit was started again, and this page belongs to the run before: it can save nothing any more.';
+  const other = 'gq edit was restarted, and this page belongs to the previous start: it can no longer save.';
   if (link === 'gone') {
-    const kept = `What you do meanwhile is kept in this browser for ${host}: with another port (gq edit --port ${port} asks for this one) it is not found.`;
-    return `${gone} ${isKept ? kept : 'What you do meanwhile is lost when this page is closed: download the level.'}`;
+    const kept = `Until then, your changes are kept in this browser for ${host}. They are not found under another port: start with gq edit --port ${port} to use this one.`;
+    return `${gone} ${isKept ? kept : 'Your changes are lost when this page is closed: download the level first.'}`;
   }
-  const comes = `Open the address that gq edit prints now; what is not saved is kept in this browser for ${host} and comes along if it is there.`;
-  return `${other} ${isKept ? comes : 'What is not saved is lost when this page is closed: download the level, and open the address that gq edit prints now.'}`;
+  const comes = `Open the address that gq edit prints now. Unsaved changes are kept in this browser for ${host} and are restored if the new address has the same host and port.`;
+  return `${other} ${isKept ? comes : 'Unsaved changes are lost when this page is closed: download the level, then open the address that gq edit prints now.'}`;
 }
 
-/** ms after it was drawn for which a level must not have kept the page busy: what looks at it once it rests comes within them */
+/**
+ * ms that the page must stay responsive after a level is drawn. Work that starts once the level rests begins within this time.
+ */
 const ALIVE = 700;
 
-/** Calls back once the page has shown what there is to show and went on living. @returns takes it back */
+/** Calls back once the page is drawn and has stayed responsive for `ALIVE` ms. @returns cancels it */
 function onceDrawn(call: () => void): () => void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   let frame = requestAnimationFrame(() => {
@@ -119,7 +121,7 @@ function onceDrawn(call: () => void): () => void {
   };
 }
 
-/** The database answers after all: its levels are offered, together with those that were made without it. */
+/** Called when the browser's database answers late: offers its levels together with those made in the meantime. */
 function offerLateLevels(editor: Editor, found: LevelStorage): void {
   const { workspace, notices } = editor;
   const takeOver = async () => {
@@ -143,14 +145,17 @@ function offerLateLevels(editor: Editor, found: LevelStorage): void {
     window.location.reload();
   };
   const text =
-    'The browser’s database answers now. It may have levels that are not listed here; those of this page are added to them.';
+    'The browser’s database is available now. It may have levels that are not listed here. The levels of this page will be added to them.';
   notices.show('warning', text, {
     topic: 'late',
-    actions: [{ title: 'Add them and load the page again', run: () => void takeOver() }],
+    actions: [{ title: 'Add them and reload', run: () => void takeOver() }],
   });
 }
 
-/** Says which levels have unsaved changes in this browser, but for the one that is open, which has them again. */
+/**
+ * Tells the user which levels have unsaved changes in this browser. The open level is left out: its changes are already
+ * restored.
+ */
 export async function tellKept({ journal, workspace, notices, session }: Editor): Promise<void> {
   const { list, opened } = workspace.store.getState();
   const here = `${list?.folder.id ?? ''}/`;
@@ -159,13 +164,16 @@ export async function tellKept({ journal, workspace, notices, session }: Editor)
   const others = ids.filter((id) => id !== opened?.id());
   if (others.length === 0) return;
   const which = others.length === 1 ? others[0] : `${others.length} levels`;
-  notices.show('warning', `Changes of ${which} were never saved. They are kept in this browser for ${window.location.host}.`, {
+  notices.show('warning', `Unsaved changes to ${which} are kept in this browser for ${window.location.host}.`, {
     topic: 'kept',
-    actions: [{ title: 'Look at them', run: () => session.setState({ overlay: 'kept' }) }],
+    actions: [{ title: 'Review', run: () => session.setState({ overlay: 'kept' }) }],
   });
 }
 
-/** Builds the editor of this page: settings, session, journal, and the levels of `gq edit` or, without it, of this browser. */
+/**
+ * Builds the editor of this page: settings, session, journal, and the levels of `gq edit` or, without a server, of this
+ * browser.
+ */
 export async function createEditor(): Promise<Editor> {
   const settings = createSettings(pageStorage());
   const { lateLevels, ...surroundings } = await pageSurroundings(window);
@@ -225,9 +233,9 @@ export async function createEditor(): Promise<Editor> {
     };
     if (editor.unchecked.has(opened.id())) {
       const on = () => void openHeldBack(editor, opened.id(), true);
-      notices.show('warning', 'Checks are off: this level is not played, and nothing is known of it.', {
+      notices.show('warning', 'Checks are off for this level: it is not simulated and has no verdict.', {
         topic: 'unchecked',
-        actions: [{ title: 'Turn them on', run: on }],
+        actions: [{ title: 'Turn checks on', run: on }],
       });
     } else notices.settle('unchecked');
     last = { opened, close };

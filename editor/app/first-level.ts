@@ -3,7 +3,9 @@ import { openFirst } from '../panels/levels/index.ts';
 
 const KEY = 'gravity-quest-last-level';
 
-/** Opens the level that was open last in this tab, else the first valid one; remembers what is opened from now on. */
+/**
+ * Opens the level that was last open in this tab, or else the first valid one, and remembers each level opened from then on.
+ */
 export async function openFirstLevel(editor: Editor): Promise<void> {
   const { workspace } = editor;
   await workspace.start();
@@ -11,14 +13,14 @@ export async function openFirstLevel(editor: Editor): Promise<void> {
   try {
     last = window.sessionStorage.getItem(KEY);
   } catch {
-    // a browser that keeps nothing: the first one then
+    // The browser stores nothing: open the first level.
   }
   workspace.store.subscribe(({ opened }) => {
     if (opened === null) return;
     try {
       window.sessionStorage.setItem(KEY, opened.id());
     } catch {
-      // as above
+      // the browser stores nothing
     }
   });
   await openFirst(editor, last);

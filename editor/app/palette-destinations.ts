@@ -7,21 +7,21 @@ import { openListed } from '../panels/levels/index.ts';
 import { objectRows } from '../panels/outliner/index.ts';
 import { goToRule } from './rule-commands.ts';
 
-/** Somewhere to go by its name: a level, a run, an object or a rule. */
+/** A level, run, object or rule that the palette can go to. */
 export interface Destination {
   /** unique */
   readonly key: string;
   readonly group: 'Level' | 'Run' | 'Object' | 'Rule';
   readonly title: string;
-  /** What tells it from others of the same name. */
+  /** Distinguishes it from others of the same name. */
   readonly detail: string;
   readonly go: () => void;
 }
 
-/** So many of a group are listed at most: who sees more types another letter. */
+/** At most this many of a group are listed; another typed letter narrows the list. */
 const MOST = 12;
 
-/** Destinations that every word of the query occurs in; none while nothing is typed. */
+/** Destinations that contain every word of the query; none while the query is empty. */
 export function findDestinations(editor: Editor, query: string): readonly Destination[] {
   const words = query.toLowerCase().split(/\s+/).filter(Boolean);
   if (words.length === 0) return [];

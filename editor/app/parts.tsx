@@ -11,12 +11,12 @@ import { RunsPanel } from '../panels/runs/index.ts';
 import { Solver } from '../panels/solver/index.ts';
 import type { SidePanel } from './Layout.tsx';
 
-/** px of an icon in a tab of a phone */
+/** px of an icon in a tab on a phone */
 const ICON = 17;
 
 const inLevel = (panel: ReactNode) => <PerLevel>{panel}</PerLevel>;
 
-/** Always there at the top of the left side. */
+/** Always shown at the top of the left side. */
 export const LEVELS: SidePanel = { id: 'levels', title: 'Levels', icon: <Files size={ICON} />, content: <LevelsPanel /> };
 
 /** Below it, one at a time. */
@@ -33,7 +33,7 @@ export const RIGHT: readonly SidePanel[] = [
   { id: 'accuracy', title: 'Accuracy', icon: <Gauge size={ICON} />, content: <AccuracyPanel /> },
 ];
 
-/** Always there at the bottom of the right side. */
+/** Always shown at the bottom of the right side. */
 export const PROBLEMS: SidePanel = {
   id: 'problems',
   title: 'Problems',

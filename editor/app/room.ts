@@ -1,14 +1,14 @@
 import { useSyncExternalStore } from 'react';
 
 /**
- * What there is room for: panels on both sides of the canvas, or one panel at a time, beside the canvas where the page is low, below it where it is
- * narrow. Zoom makes a page small as well: 1440 x 900 at 200 % is 720 x 450.
+ * What the page has room for: panels on both sides of the canvas, or one panel at a time, beside the canvas on low pages and
+ * below it on narrow ones. Zoom shrinks a page as well: 1440 x 900 at 200 % is 720 x 450.
  */
 export type Room = 'wide' | 'beside' | 'below';
 
-/** Less than this is left of a canvas between two sides. */
+/** Below this size, too little of the canvas is left between two sides. */
 const wide = matchMedia('(min-width: 880px) and (min-height: 520px)');
-/** From here on a canvas has 320 px beside a panel. */
+/** From this width on, the canvas keeps 320 px beside a panel. */
 const beside = matchMedia('(min-width: 600px) and (orientation: landscape)');
 
 const read = (): Room => (wide.matches ? 'wide' : beside.matches ? 'beside' : 'below');
@@ -21,5 +21,5 @@ function subscribe(listener: () => void): () => void {
   };
 }
 
-/** The room of the page; the component follows it. */
+/** The room of the page; the component re-renders when it changes. */
 export const useRoom = (): Room => useSyncExternalStore(subscribe, read);

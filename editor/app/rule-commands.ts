@@ -4,15 +4,15 @@ import type { Editor } from '../context/index.ts';
 import { resetRules } from '../document/index.ts';
 import { showPanel } from './show-panel.ts';
 
-/** Shows the rules of the open level and gives the focus to one of them. */
+/** Shows the rules of the open level and focuses one of them. */
 export function goToRule(editor: Editor, name: RuleName): void {
-  // they are the level's: with nothing selected it is the one that is inspected
+  // With nothing selected, the inspector shows the level, which has the rules.
   editor.open.getState()?.selection.clear();
   showPanel(editor, 'inspector');
   editor.session.setState({ askedRule: name });
 }
 
-/** What can be done with the rules of the open level. */
+/** Commands for the rules of the open level. */
 export function ruleCommands(editor: Editor): readonly Command[] {
   const { open } = editor;
   const needsLevel = () => (open.getState() === null ? 'open a level first' : null);

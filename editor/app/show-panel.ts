@@ -1,7 +1,7 @@
 import type { Editor } from '../context/index.ts';
 import { LEFT, RIGHT } from './parts.tsx';
 
-/** Brings a panel to the front. @param id one of `parts.tsx` */
+/** Brings a panel to the front. @param id the id of a panel in `parts.tsx` */
 export function showPanel({ session }: Pick<Editor, 'session'>, id: string): void {
   const { panels } = session.getState();
   const left = LEFT.some((panel) => panel.id === id) ? id : panels.left;

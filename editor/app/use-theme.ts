@@ -2,7 +2,7 @@ import { useEffect } from 'react';
 import { useStore } from 'zustand';
 import { useEditor } from '../context/index.ts';
 
-/** Keeps an attribute of the page at what the person, or else the system, wants. */
+/** Sets an attribute of the page to the user's choice or, without one, to the system's. */
 function follow(query: string, wanted: (matches: boolean) => string, name: string): () => void {
   const media = matchMedia(query);
   const apply = () => document.documentElement.setAttribute(name, wanted(media.matches));
@@ -11,7 +11,7 @@ function follow(query: string, wanted: (matches: boolean) => string, name: strin
   return () => media.removeEventListener('change', apply);
 }
 
-/** Light or dark, and how much motion: as `data-theme` and `data-motion` of the page. */
+/** Sets the theme and the amount of motion as `data-theme` and `data-motion` of the page. */
 export function useTheme(): void {
   const { settings } = useEditor();
   const theme = useStore(settings, (state) => state.theme);

@@ -10,11 +10,11 @@ import type { SearchPicture } from './layers/index.ts';
 import { mountCanvas } from './mount-canvas.ts';
 
 interface CanvasViewProps {
-  /** What searches have to show; followed. */
+  /** What searches show on the canvas; read every frame. */
   readonly search: Pick<StoreApi<SearchPicture>, 'getState'>;
 }
 
-/** The level as it looks, to be edited by hand. */
+/** The canvas of the level. */
 export function CanvasView({ search }: CanvasViewProps) {
   const editor = useEditor();
   const level = useLevel();
@@ -37,7 +37,7 @@ export function CanvasView({ search }: CanvasViewProps) {
         ref={host}
         className="canvas"
         style={{ cursor }}
-        // biome-ignore lint/a11y/noNoninteractiveTabindex: keys use the tools and move what is selected
+        // biome-ignore lint/a11y/noNoninteractiveTabindex: keys use the tools and move the selection
         tabIndex={0}
         role="application"
         aria-label="Level canvas"

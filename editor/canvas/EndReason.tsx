@@ -7,9 +7,9 @@ import { toScreen } from './view.ts';
 
 /** px of screen from the place where the run ends */
 const BESIDE = 16;
-/** px of screen that it stays away from the canvas's edges */
+/** px of screen to the canvas's edges */
 const MARGIN = 8;
-/** px that it needs at most, and about: `canvas.css` has the same widest */
+/** greatest width in px, repeated in `canvas.css` */
 const WIDEST = 232;
 const roomOf = (reason: string): number => Math.min(WIDEST, 18 + 7 * reason.length);
 
@@ -17,7 +17,7 @@ const reasonOf = (proof: LiveProof): string | null => (isWhole(proof) ? reasonIn
 const endX = ({ run }: LiveProof): number => run.way.last[0];
 const endY = ({ run }: LiveProof): number => run.way.last[1];
 
-/** Why the shown run fails, beside where it does. */
+/** Why the shown run fails, beside the place where it fails. */
 export function EndReason({ canvas }: { readonly canvas: StoreApi<CanvasState> }) {
   const { settings } = useEditor();
   const isEdited = useSession(({ mode }) => mode === 'edit');

@@ -6,14 +6,14 @@ import type { ObjectChanges } from './object-changes.ts';
 
 const ALIGNMENTS: readonly (readonly [edge: Edge, title: string])[] = [
   ['left', 'Align left edges'],
-  ['centre', 'Align centres on an upright line'],
+  ['centre', 'Align horizontal centres'],
   ['right', 'Align right edges'],
   ['top', 'Align top edges'],
-  ['middle', 'Align centres on a level line'],
+  ['middle', 'Align vertical centres'],
   ['bottom', 'Align bottom edges'],
 ];
 
-/** Nudge, align and distribute what is selected. */
+/** Nudges, aligns and distributes the selection. */
 export function arrangeCommands(
   { settings }: Editor,
   { document, selection }: OpenLevel,
@@ -21,7 +21,7 @@ export function arrangeCommands(
 ): readonly Command[] {
   const nudge = (id: string, how: string, keys: readonly string[], size: () => number): Command => ({
     id: `object.${id}`,
-    title: `Nudge what is selected by ${how}, while no crosshair is shown`,
+    title: `Nudge the selection by ${how} while the crosshair is hidden`,
     group: 'Object',
     keys,
     needs: needsSelected(1),
@@ -46,7 +46,7 @@ export function arrangeCommands(
     ...(['x', 'y'] as const).map(
       (axis): Command => ({
         id: `object.distribute-${axis}`,
-        title: axis === 'x' ? 'Distribute evenly across' : 'Distribute evenly downwards',
+        title: axis === 'x' ? 'Distribute horizontally' : 'Distribute vertically',
         group: 'Object',
         needs: needsSelected(3),
         run: () => change('Distribute', distributeObjects(document.file(), selection.keys(), axis)),

@@ -1,7 +1,7 @@
-/** What textures are drawn with: a canvas whose middle is the origin and whose unit is half its size. */
+/** The context for drawing textures: the origin is in the middle of the texture, the unit is half its size. */
 export type Brush = CanvasRenderingContext2D;
 
-/** Half of a texture's side, px: what the unit circle of its drawing is on it. */
+/** half of a texture's side, px: the radius of the drawing's unit circle */
 export const TEXTURE_UNIT = 64;
 
 /** A colour of the palette with an opacity, 0 to 1. */
@@ -11,7 +11,7 @@ export function faint(css: string, opacity: number): string {
     .padStart(2, '0')}`;
 }
 
-/** A disc that fades out towards its rim: colours by their distance from the middle, 0 to 1. */
+/** A disc with a radial gradient. @param stops colours by their distance from the centre, 0 to 1 */
 export function fadingDisc(brush: Brush, radius: number, stops: readonly (readonly [at: number, colour: string])[]): void {
   const gradient = brush.createRadialGradient(0, 0, 0, 0, 0, radius);
   for (const [at, colour] of stops) gradient.addColorStop(at, colour);
@@ -33,7 +33,7 @@ export function ring(brush: Brush, radius: number, width: number, colour: string
   brush.stroke();
 }
 
-/** A row of numbers from 0 to 1, the same each time: textures look the same on every start. */
+/** Pseudo-random numbers from 0 to 1, the same for the same seed, so that textures look the same on every start. */
 export function dice(seed: number): () => number {
   let state = seed >>> 0;
   return () => {

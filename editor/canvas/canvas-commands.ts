@@ -31,7 +31,7 @@ const TOOL_KEYS: readonly (readonly [tool: Tool, key: string | null, title: stri
   }),
 ];
 
-/** What can be done on the canvas without the pointer. */
+/** The commands of the canvas. */
 export function canvasCommands(parts: CanvasParts): readonly Command[] {
   const { editor, level, canvas, pointer, crosshair, setView, bringIntoView } = parts;
   const { session } = editor;
@@ -52,7 +52,7 @@ export function canvasCommands(parts: CanvasParts): readonly Command[] {
     ),
     {
       id: 'edit.escape',
-      title: 'Take back the gesture, put crosshair and tool away, select nothing',
+      title: 'Cancel the gesture, crosshair and tool; clear the selection',
       group: 'Edit',
       keys: ['Escape'],
       hidden: true,

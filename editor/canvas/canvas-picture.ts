@@ -6,14 +6,14 @@ import type { SearchPicture } from './layers/index.ts';
 import { poseAt } from './run-pose.ts';
 import type { Picture } from './stage.ts';
 
-/** What the stage shows of an open level, asked once a frame. @param search what searches have to show */
+/** What the stage shows of an open level, read once per frame. @param search what searches show */
 export function pictureOf(
   { settings, session }: Editor,
   { document, selection, hovered, proof, ghosts, playtest }: OpenLevel,
   canvas: StoreApi<CanvasState>,
   search: Pick<StoreApi<SearchPicture>, 'getState'>,
 ): () => Picture {
-  // the pose of a tick is made once, however many frames show it
+  // the pose of a tick is computed once, however many frames show it
   let posed: { proof: object; tick: number; pose: Pose } | null = null;
   const pose = (): Pose => {
     const playing = playtest.getState();

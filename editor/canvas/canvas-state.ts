@@ -2,14 +2,14 @@ import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { Guide } from './snapping.ts';
 import type { Box, Point, View } from './view.ts';
 
-/** What the canvas shows besides the level: of the person's doing, gone with the gesture. */
+/** What the canvas shows besides the level: the view, and the transient state of gestures. */
 export interface CanvasState {
   readonly view: View;
   readonly marquee: Box | null;
   readonly guides: readonly Guide[];
-  /** Where the tool in hand would place an object; null: nowhere. */
+  /** Where the current tool would place an object; null: nowhere. */
   readonly placing: Point | null;
-  /** Where keys use the tool in hand; null: the crosshair is put away. */
+  /** Where keys use the current tool; null: the crosshair is hidden. */
   readonly crosshair: Point | null;
   /** CSS cursor */
   readonly cursor: string;

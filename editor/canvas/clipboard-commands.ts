@@ -13,7 +13,7 @@ import {
 import type { CanvasState } from './canvas-state.ts';
 import type { ObjectChanges } from './object-changes.ts';
 
-/** How far copies are laid beside what they are copies of, px. */
+/** offset of copies from their originals, px */
 const BESIDE = 32;
 
 /** Delete, duplicate, copy, cut and paste. */
@@ -26,7 +26,7 @@ export function clipboardCommands(
   const copy = async (): Promise<boolean> => {
     const text = copyObjects(document.file(), selection.keys());
     if (text === null) {
-      notices.show('info', 'A level has one astronaut and one black hole: they can not be copied.', { topic: 'clipboard' });
+      notices.show('info', "A level has one astronaut and one black hole: they can't be copied.", { topic: 'clipboard' });
       return false;
     }
     try {
@@ -52,7 +52,7 @@ export function clipboardCommands(
     }
     const { view } = canvas.getState();
     const middle = middleOf(reading.clipping);
-    // where it was when that is on the screen, else into the middle of what is seen
+    // At its old place if that is visible, else in the middle of the view.
     const seen =
       Math.abs(middle.x - view.x) * view.zoom < view.width / 2 && Math.abs(middle.y - view.y) * view.zoom < view.height / 2;
     const move = seen ? { x: BESIDE, y: BESIDE } : { x: Math.round(view.x - middle.x), y: Math.round(view.y - middle.y) };

@@ -1,6 +1,6 @@
 import { heatColour } from '../../picture/index.ts';
 
-/** Colours of what the canvas draws, as CSS has them. Space is dark in both themes, lighter when the page is light. */
+/** The colours of the canvas, as CSS. Space is dark in the dark theme and pale in the light one. */
 export interface Colours {
   readonly space: string;
   readonly haze: string;
@@ -24,16 +24,16 @@ export interface Colours {
   readonly suitShade: string;
   readonly visor: string;
   readonly range: string;
-  /** Of a run that completes the level. */
+  /** of a run that completes the level */
   readonly way: string;
   readonly wayHeld: string;
-  /** Of one that does not. */
+  /** of a run that does not */
   readonly wayLost: string;
   readonly wayLostHeld: string;
   readonly ghost: string;
   readonly danger: string;
   readonly near: string;
-  /** Where a search has been: as in pictures. */
+  /** of the heat map, as in pictures */
   readonly heat: string;
   readonly slack: string;
   readonly select: string;
@@ -109,7 +109,7 @@ export const COLOURS: Readonly<Record<Theme, Colours>> = {
   },
 };
 
-/** `#rrggbb` as the number that Phaser takes. */
+/** `#rrggbb` as a number, as Phaser takes it. */
 export function colourNumber(css: string): number {
   return Number.parseInt(css.slice(1), 16);
 }

@@ -3,27 +3,27 @@ import type { LevelFile } from '../../schema/index.ts';
 import { type FoundObject, type ObjectKey, objectsOf, placesOf, radiusOf } from '../document/index.ts';
 import type { Box, Point } from './view.ts';
 
-/** The box around all that an object covers; the astronaut as she stands at the start. */
+/** The box around an object; the astronaut as she stands at the start. */
 function boxOfObject(her: HerBox, found: FoundObject): Box {
   const boxes = boxesOf(her, found);
   return boxes.length === 1 ? boxes[0] : boxAroundAll(boxes);
 }
 
-/** What an object covers around one of its places. */
+/** The box of an object at one of its places. */
 function boxAround({ halfWidth, halfHeight }: HerBox, found: FoundObject, { x, y }: Point): Box {
   const radius = radiusOf(found);
   if (radius !== null) return { left: x - radius, top: y - radius, right: x + radius, bottom: y + radius };
   return { left: x - halfWidth, top: y - halfHeight, right: x + halfWidth, bottom: y + halfHeight };
 }
 
-/** What an object covers at each of its places. @param her the astronaut's box under the rules of the level */
+/** The boxes of an object at each of its places. @param her the astronaut's box under the rules of the level */
 export const boxesOf = (her: HerBox, found: FoundObject): readonly Box[] =>
   placesOf(found).map((place) => boxAround(her, found, place));
 
 /**
- * The box around these objects; around all of them when no keys are given; null for none.
+ * The box around some objects, or around all of them if no keys are given; null for none.
  * @param her the astronaut's box under the rules of the level
- * @param only index of the one place of each that counts; all of them when left out
+ * @param only index of the one place of each object that counts; all of them if absent
  */
 export function extentOf(file: LevelFile, her: HerBox, keys?: Iterable<ObjectKey>, only?: number): Box | null {
   const objects = objectsOf(file);

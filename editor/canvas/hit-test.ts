@@ -6,20 +6,21 @@ import type { Box, Point } from './view.ts';
 
 export interface Hit {
   readonly key: ObjectKey;
-  /** Which of its places, for those that have several. */
+  /** The index of the place, for objects with several. */
   readonly place: number;
-  /** `rim`: where dragging changes the radius */
+  /** `rim`: dragging changes the radius */
   readonly part: 'body' | 'rim';
 }
 
-/** How far from a thing a pointer may be to take it, px of screen. */
+/** px of screen from an object within which a pointer grabs it */
 export const REACH = { mouse: 5, touch: 18, keys: 5 } as const;
 
-/** Of more selected objects than this none is resized by its rim: then they are rather meant to be moved. */
+/** With more selected objects than this, none can be resized by its rim: a drag is more likely meant to move them. */
 const MOST_RESIZED = 12;
 
 /**
- * Which selected objects can be resized by their rims: few ones, and each as large on the screen as a pointer can tell its rim from its middle.
+ * The selected objects that can be resized by their rims: only a few, and each large enough on the screen to tell its rim from
+ * its middle.
  * @param reach px of the level
  */
 export function resizedByRim(file: LevelFile, selected: readonly ObjectKey[], reach: number): FoundObject[] {
@@ -32,7 +33,7 @@ export function resizedByRim(file: LevelFile, selected: readonly ObjectKey[], re
   });
 }
 
-/** How far outside of the object, where it is at one of its places, another place is, px; negative inside. */
+/** The distance of a point from an object at one of its places, px; negative inside. */
 function distanceOutside(radius: number | null, her: HerBox, at: Point, { x, y }: Point): number {
   const dx = x - at.x;
   const dy = y - at.y;
@@ -41,8 +42,8 @@ function distanceOutside(radius: number | null, her: HerBox, at: Point, { x, y }
 }
 
 /**
- * What is at a place of the level. A rim can be taken on selected objects alone; of several bodies the smallest wins, so that what
- * lies in a field can be reached.
+ * What lies at a point of the level. Only selected objects can be grabbed by the rim; of several bodies the smallest wins, so
+ * that objects in a field stay reachable.
  * @param her the astronaut's box under the rules of the level
  * @param reach px of the level
  */
@@ -57,7 +58,7 @@ export function hitTest(file: LevelFile, her: HerBox, place: Point, reach: numbe
     for (const [i, at] of placesOf(found).entries()) {
       const outside = distanceOutside(radius, her, at, place);
       if (outside > reach) continue;
-      // a small object must keep a middle to be moved by
+      // a small object must keep a middle to move it by
       const onRim = radius !== null && outside > -Math.min(reach, radius / 2);
       const gap = Math.abs(outside);
       if (onRim && resizable.has(key) && (rim === null || gap < rim.gap)) rim = { hit: { key, place: i, part: 'rim' }, gap };
@@ -68,7 +69,7 @@ export function hitTest(file: LevelFile, her: HerBox, place: Point, reach: numbe
   return rim?.hit ?? body?.hit ?? null;
 }
 
-/** What a marquee catches: every object that lies in it wholly or in part. @param her the astronaut's box under the rules of the level */
+/** The objects that a marquee selects: all that overlap it. @param her the astronaut's box under the rules of the level */
 export function objectsIn(file: LevelFile, her: HerBox, marquee: Box): ObjectKey[] {
   const caught: ObjectKey[] = [];
   for (const found of objectsOf(file).values()) {
@@ -83,7 +84,7 @@ function isCaught(box: Box, radius: number | null, { left, top, right, bottom }:
   if (box.right < left || box.left > right || box.bottom < top || box.top > bottom) return false;
   const x = (box.left + box.right) / 2;
   const y = (box.top + box.bottom) / 2;
-  // the corners of a circle's box are not the circle
+  // the corners of a circle's box do not belong to the circle
   const dx = x - Math.min(right, Math.max(left, x));
   const dy = y - Math.min(bottom, Math.max(top, y));
   return radius === null || dx * dx + dy * dy <= radius * radius;

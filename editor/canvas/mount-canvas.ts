@@ -16,13 +16,13 @@ interface MountParts {
   readonly editor: Editor;
   readonly level: OpenLevel;
   readonly canvas: StoreApi<CanvasState>;
-  /** What the crosshair reports. */
+  /** Announcements of the crosshair. */
   readonly said: StoreApi<string>;
-  /** What searches have to show. */
+  /** What searches show on the canvas. */
   readonly search: Pick<StoreApi<SearchPicture>, 'getState'>;
 }
 
-/** Shows a level in an element and lets it be edited there. @returns takes it away */
+/** Shows a level in an element for editing. @returns removes it */
 export function mountCanvas({ element, editor, level, canvas, said, search }: MountParts): () => void {
   const { settings, session, notices } = editor;
   const { document, selection, hovered } = level;
@@ -72,14 +72,14 @@ interface FitParts {
 }
 
 interface Fitting {
-  /** @param keys of objects; all of the level when left out */
+  /** @param keys of objects; the whole level if absent */
   readonly bringIntoView: (keys?: readonly string[]) => void;
   readonly stop: () => void;
 }
 
-/** Keeps the view as large as the element, and all of the level in it until somebody moves it. */
+/** Keeps the view at the size of the element, and the whole level in view until the user moves the view. */
 function fitView({ element, level, canvas, stage, setView }: FitParts): Fitting {
-  // the view that shows all of the level, until somebody moves it
+  // the view that shows the whole level, while the user has not moved it
   let fitted: View | null = null;
   const bringIntoView = (keys?: readonly string[]) => {
     const box = extentOf(level.document.file(), level.proof.proof().scene.box, keys);
@@ -93,7 +93,7 @@ function fitView({ element, level, canvas, stage, setView }: FitParts): Fitting 
     stage.resize(width, height);
     const { view } = canvas.getState();
     setView({ ...view, width, height });
-    // who sees all of the level goes on to do so when the page is turned or a panel opens
+    // A view that shows the whole level continues to do so when the page is rotated or a panel opens.
     if (width > 1 && (!isShown || view === fitted)) bringIntoView();
     isShown ||= width > 1;
   });

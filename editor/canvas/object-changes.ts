@@ -1,13 +1,13 @@
 import type { Editor, OpenLevel } from '../context/index.ts';
 import type { ChangeResult, Recipe } from '../document/index.ts';
 
-/** Changes of what is selected, as commands make them. */
+/** Changes of the selection by commands. */
 export interface ObjectChanges {
-  /** Why a command needs more to be selected; null: it does not. */
+  /** What must be selected first for a command; null if enough is. */
   readonly needsSelected: (least: 1 | 2 | 3) => () => string | null;
-  /** Changes the level; a refusal is shown. @param gesture changes of one gesture are one step */
+  /** Changes the level; a refusal is shown as a notice. @param gesture changes with the same gesture form one step */
   readonly change: (label: string, recipe: Recipe, gesture?: string) => ChangeResult;
-  /** The same, and selects what was added. */
+  /** Changes the level and selects the added objects. */
   readonly add: (label: string, recipe: Recipe) => void;
 }
 

@@ -7,10 +7,10 @@ interface PageStage {
   readonly renderer: ChosenRenderer;
 }
 
-/** One for the editor of the page, as long as it lives. */
+/** one stage per editor, for as long as the page lives */
 const stages = new WeakMap<Editor, PageStage>();
 
-/** The one stage of the page, set up when the first level is shown. Says so when it can't be what was asked for. */
+/** The stage of the page, created when the first level is shown. Shows a notice if it can't use the requested renderer. */
 export function stageOf(editor: Editor): Stage {
   const known = stages.get(editor);
   if (known !== undefined) return known.stage;
@@ -22,5 +22,5 @@ export function stageOf(editor: Editor): Stage {
   return stage;
 }
 
-/** What draws the canvas of this page; null before anything is drawn. */
+/** The renderer of this page; null before anything is drawn. */
 export const rendererOf = (editor: Editor): ChosenRenderer | null => stages.get(editor)?.renderer ?? null;

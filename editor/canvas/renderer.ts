@@ -1,24 +1,24 @@
 import type { Settings } from '../settings/index.ts';
 
-/** What draws the canvas: the graphics card, or the browser's own canvas. */
+/** What draws the canvas: WebGL on the graphics card, or the browser's 2D canvas. */
 export type RendererName = 'webgl' | 'canvas';
 
-/** What draws the canvas, and why. It is chosen once a page. */
+/** The renderer and why it was chosen; chosen once per page. */
 export interface ChosenRenderer {
   readonly name: RendererName;
-  /** The setting that it was chosen by; null: the page's address, which wins. */
+  /** The setting that determined it; null: the page's address, which overrides the setting. */
   readonly setting: Settings['renderer'] | null;
-  /** Why it is not what was asked for, for the person; null where it is. */
+  /** Why it is not the requested one, for the user; null if it is. */
   readonly complaint: string | null;
 }
 
-/** Names by which a browser says that the processor stands in for a graphics card. */
+/** Names by which browsers report software rendering. */
 const SOFTWARE = /swiftshader|llvmpipe|software|basic render/i;
 
-/** The least WebGL that would do: one that a graphics card draws, or any. */
+/** The WebGL that is required: on a graphics card, or any. */
 export type WebglNeed = 'card' | 'any';
 
-/** Whether the browser offers such a WebGL. For a card alone the slow set-up of one in software is not waited for. */
+/** Whether the browser offers such a WebGL. If a graphics card is required, the slow setup of software rendering is avoided. */
 export function offersWebgl(document: Document, need: WebglNeed): boolean {
   const context = document.createElement('canvas').getContext('webgl', { failIfMajorPerformanceCaveat: need === 'card' });
   if (context === null) return false;
@@ -29,10 +29,10 @@ export function offersWebgl(document: Document, need: WebglNeed): boolean {
 }
 
 /**
- * Where a processor would have to stand in for a graphics card, a plain canvas is many times faster.
- * @param setting what the person prefers
- * @param search the part of the page's address from `?` on: `?renderer=webgl` or `?renderer=canvas` wins over the setting
- * @param offers asked where it matters
+ * Chooses the renderer. Without a graphics card, the 2D canvas is many times faster than WebGL in software.
+ * @param setting the user's preference
+ * @param search the query of the page's address: `?renderer=webgl` or `?renderer=canvas` overrides the setting
+ * @param offers called only if it matters
  */
 export function chooseRenderer(
   setting: Settings['renderer'],
@@ -45,13 +45,13 @@ export function chooseRenderer(
   const wanted = asked !== null && isKnown ? asked : setting;
   if (!isKnown) {
     const { name } = chooseRenderer(setting, '', offers);
-    const complaint = `The address of this page asks for the renderer “${asked}”: expected webgl or canvas. The setting is followed instead; change the address, or leave it out there.`;
+    const complaint = `Expected the renderer webgl or canvas in the address of this page, found “${asked}”. The setting is used instead. Correct the address or remove the parameter.`;
     return { name, setting: by, complaint };
   }
   if (wanted === 'canvas') return { name: 'canvas', setting: by, complaint: null };
   if (wanted === 'automatic') return { name: offers('card') ? 'webgl' : 'canvas', setting: by, complaint: null };
   if (offers('any')) return { name: 'webgl', setting: by, complaint: null };
   const where = by === null ? 'the address of this page' : 'the setting “Renderer”';
-  const complaint = `WebGL is asked for by ${where}, and this browser offers none: a plain canvas is drawn on. Turn on the browser’s hardware acceleration, or choose another renderer.`;
+  const complaint = `WebGL is requested by ${where}, but this browser does not offer it. A plain canvas is used instead. Turn on the browser’s hardware acceleration, or choose another renderer.`;
   return { name: 'canvas', setting: by, complaint };
 }

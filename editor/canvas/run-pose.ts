@@ -2,7 +2,7 @@ import { isJump, STATE_SIZE, TICK } from '../../engine/index.ts';
 import type { Pose } from '../context/index.ts';
 import type { LiveProof } from '../proof/index.ts';
 
-/** The asteroid that the gun pulls at: the nearest, the first one on a tie; null where there is none. */
+/** The asteroid that the gun pulls towards: the nearest, the first one of equals; null if there is none. */
 function nearestAsteroid(proof: LiveProof, x: number, y: number, moved: Float64Array | null): { x: number; y: number } | null {
   const { asteroids } = proof.level;
   let best: { x: number; y: number } | null = null;
@@ -20,8 +20,8 @@ function nearestAsteroid(proof: LiveProof, x: number, y: number, moved: Float64A
 }
 
 /**
- * How things stand at a tick of the shown run; between two ticks everything is put between its places.
- * @param tick may have a fraction; after the end of the run it is how it ended
+ * The positions at a tick of the shown run, interpolated between ticks.
+ * @param tick may be fractional; after the end of the run, the positions are those at its end
  */
 export function poseAt(proof: LiveProof, tick: number): Pose {
   const { way, minerals } = proof.run;
@@ -29,14 +29,14 @@ export function poseAt(proof: LiveProof, tick: number): Pose {
   const ended = tick >= count - 1;
   const k = Math.max(0, Math.min(count - 1, Math.floor(tick)));
   const isStraight = !ended && !isJump(states, k * STATE_SIZE, (k + 1) * STATE_SIZE, TICK);
-  // where she is moved all at once there is nothing between: she waits for the next tick
+  // A wormhole moves her at once: there is no position in between, so she waits for the next tick.
   const share = isStraight ? Math.max(0, tick - k) : 0;
   const between = (i: number) =>
     states[k * STATE_SIZE + i] * (1 - share) + (share > 0 ? states[(k + 1) * STATE_SIZE + i] * share : 0);
   const state = ended ? last : null;
   const x = state === null ? between(0) : state[0];
   const y = state === null ? between(1) : state[1];
-  // the box turns with the tick, not between
+  // the box turns once per tick, not in between
   const cos = state === null ? states[k * STATE_SIZE + 4] : state[4];
   const sin = state === null ? states[k * STATE_SIZE + 5] : state[5];
   const asteroids = way.asteroids.count === 0 ? null : way.asteroids.all(k);

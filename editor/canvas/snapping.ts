@@ -4,9 +4,9 @@ import { type ObjectKey, objectsOf } from '../document/index.ts';
 import { boxesOf, extentOf } from './extent.ts';
 import type { Box, Point } from './view.ts';
 
-/** A line that shows what something snapped to: at `at` px on one axis, from `from` to `to` on the other. */
+/** A line that shows what an object snapped to: at `at` px on one axis, from `from` to `to` on the other. */
 export interface Guide {
-  /** `x`: an upright line at this x */
+  /** `x`: a vertical line at this x */
   readonly axis: 'x' | 'y';
   readonly at: number;
   readonly from: number;
@@ -14,23 +14,23 @@ export interface Guide {
 }
 
 export interface Snapped {
-  /** px to move by instead of what the pointer said */
+  /** px to move by instead of the pointer's motion */
   readonly dx: number;
   readonly dy: number;
   readonly guides: readonly Guide[];
 }
 
 export interface SnapOptions {
-  /** px between the lines of the grid; null: no grid */
+  /** px between grid lines; null: no grid */
   readonly grid: number | null;
   readonly toObjects: boolean;
   /** px of the level within which something snaps to another object */
   readonly reach: number;
-  /** The axis along which nothing moves, as when a drag is kept straight; null: it may move along both. */
+  /** The axis along which nothing moves, as when a drag is kept straight; null: none. */
   readonly fixed?: 'x' | 'y' | null;
 }
 
-/** What others can snap to on one axis: the value, and where on the other axis it is. */
+/** A line that others can snap to on one axis: its position, and its extent on the other axis. */
 interface Line {
   readonly at: number;
   readonly from: number;
@@ -42,22 +42,22 @@ const linesOfBox = ({ left, top, right, bottom }: Box, axis: 'x' | 'y'): Line[] 
   return [low, (low + high) / 2, high].map((at) => ({ at, from, to }));
 };
 
-/** What a drag may snap, and to what; made once when it begins. */
+/** What a drag may snap, and to what; computed when the drag begins. */
 export interface SnapTargets {
-  /** around what moves, where it was when the drag began; null: nothing moves */
+  /** the box around the moving objects where they were when the drag began; null: nothing moves */
   readonly own: Box | null;
   readonly x: readonly Line[];
   readonly y: readonly Line[];
 }
 
 export interface SnapParts {
-  /** Whether copies of the objects move: then the objects themselves stay, too. */
+  /** Whether copies of the objects move: then the objects themselves are targets as well. */
   readonly areCopies?: boolean;
-  /** Index of the one place that moves of each object; all of them when left out. */
+  /** Index of the only place of each object that moves; all of them if absent. */
   readonly only?: number | undefined;
 }
 
-/** Edges and middles of all that stays where it is. @param her the astronaut's box under the rules of the level */
+/** The edges and centres of everything that does not move. @param her the astronaut's box under the rules of the level */
 export function snapTargets(
   file: LevelFile,
   her: HerBox,
@@ -73,7 +73,7 @@ export function snapTargets(
   return { own: extentOf(file, her, moving, only), x: sorted('x'), y: sorted('y') };
 }
 
-/** The line nearest to a value, by halving: a drag of many among thousands asks often. */
+/** The line nearest to a value, by binary search: a drag of many objects among thousands asks often. */
 function nearest(lines: readonly Line[], value: number): Line | null {
   let low = 0;
   let high = lines.length;
@@ -91,11 +91,11 @@ function nearest(lines: readonly Line[], value: number): Line | null {
 
 interface AxisSnap {
   readonly by: number;
-  /** What stands still on the line that was snapped to; null: nothing was snapped to. */
+  /** The extent of the line that was snapped to; null: nothing was snapped to. */
   readonly line: Line | null;
 }
 
-/** All that lies on the same line, as one. */
+/** All lines at the same position, joined into one. */
 function joined(lines: readonly Line[], { at }: Line): Line {
   let [from, to] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
   for (const line of lines) {
@@ -124,15 +124,15 @@ function snapAxis(own: readonly Line[], lead: number, move: number, targets: rea
 const STILL: AxisSnap = { by: 0, line: null };
 
 /**
- * Where a drag of objects really goes: to edges and middles of other objects when near enough, else to the grid.
- * @param lead the place of the object that the pointer has taken: the grid holds for its centre
+ * Where a drag of objects goes: to edges and centres of other objects within reach, else to the grid.
+ * @param lead the place of the grabbed object: its centre snaps to the grid
  */
 export function snapMove(lead: Point, move: Point, targets: SnapTargets, options: SnapOptions): Snapped {
   const box = targets.own;
   if (box === null) return { dx: move.x, dy: move.y, guides: [] };
   const x = options.fixed === 'x' ? STILL : snapAxis(linesOfBox(box, 'x'), lead.x, move.x, targets.x, options);
   const y = options.fixed === 'y' ? STILL : snapAxis(linesOfBox(box, 'y'), lead.y, move.y, targets.y, options);
-  // a guide joins what moves, where it is now, with what it is in line with
+  // A guide connects the moved box, at its new place, with what it is aligned with.
   const guides: Guide[] = [];
   const add = (axis: 'x' | 'y', line: Line | null, from: number, to: number) => {
     if (line !== null) guides.push({ axis, at: line.at, from: Math.min(line.from, from), to: Math.max(line.to, to) });

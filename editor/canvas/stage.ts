@@ -19,10 +19,10 @@ import {
 import type { RendererName } from './renderer.ts';
 import { drawTextures } from './textures/index.ts';
 
-/** Everything that a frame shows. Parts that are the same object as in the last frame are not drawn anew. */
+/** Everything that a frame shows. Parts that are the same object as in the last frame are not drawn again. */
 export interface Picture {
   readonly file: LevelFile;
-  /** The astronaut's box under the rules of the level; the same object while it is as large. */
+  /** The astronaut's collision box under the rules of the level; the same object while its size stays. */
   readonly her: Box;
   readonly proof: LiveProof;
   readonly canvas: CanvasState;
@@ -35,14 +35,14 @@ export interface Picture {
   readonly search: SearchPicture;
   readonly pose: Pose;
   readonly editing: boolean;
-  /** Whether the way of the run is shown. */
+  /** Whether the path of the run is shown. */
   readonly showsRun: boolean;
   readonly theme: Theme;
-  /** Whether little motion is wanted. */
+  /** Whether the user wants reduced motion. */
   readonly calm: boolean;
 }
 
-/** Layers of one theme. */
+/** The layers, drawn in one theme. */
 interface Layers {
   readonly theme: Theme;
   readonly overlay: OverlayLayer;
@@ -51,7 +51,7 @@ interface Layers {
   readonly astronaut: AstronautLayer;
 }
 
-/** Phaser draws what it is given, and owns nothing. */
+/** Draws what it is given; it holds no state of the level. */
 class LevelScene extends Scene {
   private objects: ObjectLayer | null = null;
   private layers: Layers | null = null;
@@ -66,11 +66,11 @@ class LevelScene extends Scene {
     this.objects = new ObjectLayer(this);
   }
 
-  /** From now on it shows another level's pictures; null: none. */
+  /** Shows the pictures of another level from now on; null: none. */
   show(picture: (() => Picture) | null): void {
     this.picture = picture;
     this.last = null;
-    // another level may have other things under the same ids
+    // another level may have different objects with the same ids
     this.objects?.clear();
   }
 
@@ -120,29 +120,33 @@ class LevelScene extends Scene {
   }
 }
 
-/** The one Phaser game of the page. It is never destroyed: Phaser would put its canvas, which is opaque, among those that the next game draws pictures on. */
+/**
+ * The one Phaser game of the page. It is never destroyed: Phaser would return its canvas, which is opaque, to the pool on which
+ * the next game draws pictures.
+ */
 export interface Stage {
   /**
    * Puts the canvas into an element.
-   * @param picture asked once a frame
-   * @returns takes it out again; nothing is drawn until it is put elsewhere
+   * @param picture read once per frame
+   * @returns removes it again; nothing is drawn until it is mounted elsewhere
    */
   mount(parent: HTMLElement, picture: () => Picture): () => void;
   resize(width: number, height: number): void;
 }
 
-/** Its physics, sound and input are off: the engine, the editor and the person move things, it draws. */
+/** Phaser only draws: its physics, sound and input are off, as the engine, the editor and the user move things. */
 export function createStage(renderer: RendererName): Stage {
   const level = new LevelScene();
   const canvas = document.createElement('canvas');
   const game = new Game({
     type: renderer === 'webgl' ? WEBGL : CANVAS,
-    // who mounts it puts it into the page
+    // `mount` puts it into the page
     canvas,
     parent: null,
     width: 1,
     height: 1,
-    // who made the stage says when its size changes: looking for itself, Phaser would make the browser lay out the page in the middle of a frame
+    // The owner of the stage reports size changes. If Phaser looked for them itself, it would make the browser lay out the page
+    // in the middle of a frame.
     scale: { mode: Scale.NONE, resizeInterval: Number.POSITIVE_INFINITY },
     banner: false,
     audio: { noAudio: true },
@@ -151,7 +155,7 @@ export function createStage(renderer: RendererName): Stage {
     backgroundColor: COLOURS.dark.space,
     scene: [new SpaceScene(), level],
     callbacks: {
-      // only the first scene of a list starts by itself
+      // only the first scene of the list starts by itself
       postBoot: (booted) => booted.scene.start('level'),
     },
   });
@@ -159,7 +163,7 @@ export function createStage(renderer: RendererName): Stage {
     mount(parent, picture) {
       parent.append(canvas);
       level.show(picture);
-      // until it runs there is nothing to wake: it begins by itself
+      // before the game runs, there is nothing to wake: it starts by itself
       if (game.isRunning) game.loop.wake();
       return () => {
         canvas.remove();

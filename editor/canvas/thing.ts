@@ -1,20 +1,20 @@
 import { GameObjects, type Scene } from 'phaser';
 
-/** Frames without a change after which a thing counts as standing still. */
+/** frames without a change after which a thing counts as at rest */
 const CALM = 10;
-/** And after which one that was carried elsewhere does: a hand rests now and then on its way. */
+/** the same for a thing that was carried elsewhere: the hand may pause during a drag */
 const CALM_ON_THE_WAY = 60;
-/** px within which two things have gone the same way: what rounding makes of it. */
+/** px within which two shifts count as equal: rounding errors */
 const ALIKE = 1e-6;
 
-/** How a thing is drawn: with those that stand still, with those that are dragged, or by itself. */
+/** How a thing is drawn: with those at rest, with those that are dragged, or by itself. */
 export type Drawn = 'still' | 'carried' | 'alone';
 
-/** An image that knows how it was drawn last. */
+/** An image that knows how it was last drawn. */
 export class Thing extends GameObjects.Image {
-  /** As it was sorted last; null: it is new. */
+  /** How it was last sorted; null: it is new. */
   drawn: Drawn | null = null;
-  /** How far it is from where it stood still last, px. */
+  /** How far it is from where it was last at rest, px. */
   shiftX = 0;
   shiftY = 0;
   private standsX = Number.NaN;
@@ -25,12 +25,12 @@ export class Thing extends GameObjects.Image {
   private drawnScale = 0;
   private drawnAlpha = 0;
   private drawnFrame: unknown = null;
-  /** Frames since it was different; all of a level comes at once, and then stands. */
+  /** Frames since it changed. It starts at rest, as all images of a level appear at once and stay. */
   private calm = CALM;
-  /** Whether nothing but its place has changed since it stood still. */
+  /** Whether only its position has changed since it was at rest. */
   private onlyMoved = true;
 
-  /** @param restless those that are not known to stand still; it joins them whenever it is changed */
+  /** @param restless the things that may not be at rest; a thing joins them whenever it changes */
   constructor(
     scene: Scene,
     texture: string,
@@ -63,7 +63,7 @@ export class Thing extends GameObjects.Image {
   }
 
   override setTexture(texture: string): this {
-    // Phaser calls it while it makes an image
+    // Phaser also calls this in the constructor.
     this.restless?.add(this);
     return super.setTexture(texture);
   }
@@ -73,7 +73,7 @@ export class Thing extends GameObjects.Image {
     super.destroy(fromScene);
   }
 
-  /** Looks at how it is to be drawn; to be called once a frame while it is restless. */
+  /** Updates how it is to be drawn; called once per frame while it is restless. */
   look(): void {
     const { x, y, rotation, scaleX, alpha, frame } = this;
     const isNew = Number.isNaN(this.drawnX);
@@ -102,7 +102,7 @@ export class Thing extends GameObjects.Image {
     return this.calm >= (this.onlyMoved && this.isElsewhere ? CALM_ON_THE_WAY : CALM);
   }
 
-  /** Whether it was taken elsewhere as it is. */
+  /** Whether it was moved without any other change. */
   get isCarried(): boolean {
     return !this.isStill && this.onlyMoved && this.isElsewhere;
   }
@@ -111,7 +111,7 @@ export class Thing extends GameObjects.Image {
     return this.shiftX !== 0 || this.shiftY !== 0;
   }
 
-  /** Whether it was taken elsewhere as it is, and that far. */
+  /** Whether it was moved by this shift without any other change. */
   isCarriedBy(shiftX: number, shiftY: number): boolean {
     return this.isCarried && Math.abs(this.shiftX - shiftX) < ALIKE && Math.abs(this.shiftY - shiftY) < ALIKE;
   }

@@ -12,7 +12,7 @@ interface ViewParts {
   readonly bringIntoView: (keys?: readonly string[]) => void;
 }
 
-/** Zoom, and bring things into view. */
+/** Zooms, and brings objects into view. */
 export function viewCommands(
   { selection, canvas, setView, bringIntoView }: ViewParts,
   { needsSelected }: ObjectChanges,
@@ -41,7 +41,7 @@ export function viewCommands(
     },
     {
       id: 'view.fit',
-      title: 'Show all of the level',
+      title: 'Fit the level in the view',
       group: 'View',
       keys: ['Shift+1', 'f'],
       mode: 'both',
@@ -49,7 +49,7 @@ export function viewCommands(
     },
     {
       id: 'view.fit-selection',
-      title: 'Show what is selected',
+      title: 'Bring the selection into view',
       group: 'View',
       keys: ['Shift+2'],
       needs: needsSelected(1),

@@ -1,4 +1,4 @@
-/** A place, in px of the level or of the screen. */
+/** A point, in px of the level or of the screen. */
 export interface Point {
   readonly x: number;
   readonly y: number;
@@ -12,7 +12,7 @@ export interface Box {
   readonly bottom: number;
 }
 
-/** Which part of the level the canvas shows: the place in its middle, and how many px of screen a px of the level takes. */
+/** The part of the level that the canvas shows: the point in its middle and the px of screen per px of the level. */
 export interface View extends Point {
   readonly zoom: number;
   /** px of screen */
@@ -23,17 +23,17 @@ export interface View extends Point {
 /** px of screen per px of the level */
 export const ZOOM_LIMITS = { least: 0.02, most: 16 } as const;
 
-/** The place in the level that a place on the canvas shows. */
+/** The point of the level that is shown at a point of the canvas. */
 export function toLevel(view: View, screen: Point): Point {
   return { x: view.x + (screen.x - view.width / 2) / view.zoom, y: view.y + (screen.y - view.height / 2) / view.zoom };
 }
 
-/** Where on the canvas a place of the level is. */
+/** Where on the canvas a point of the level is shown. */
 export function toScreen(view: View, place: Point): Point {
   return { x: (place.x - view.x) * view.zoom + view.width / 2, y: (place.y - view.y) * view.zoom + view.height / 2 };
 }
 
-/** Zooms by a factor while what is under a place of the screen stays under it. */
+/** Zooms by a factor and keeps the point of the level under `screen` in place. */
 export function zoomAt(view: View, screen: Point, factor: number): View {
   const zoom = Math.min(ZOOM_LIMITS.most, Math.max(ZOOM_LIMITS.least, view.zoom * factor));
   const under = toLevel(view, screen);
@@ -45,18 +45,18 @@ export function zoomAt(view: View, screen: Point, factor: number): View {
   };
 }
 
-/** Moves what is seen by so many px of screen. */
+/** Moves the view by px of screen. */
 export function panBy(view: View, dx: number, dy: number): View {
   return { ...view, x: view.x - dx / view.zoom, y: view.y - dy / view.zoom };
 }
 
-/** px of screen that are kept between a place that is worked at and the edges; at the top there are the tools as well */
+/** px of screen kept between the crosshair and the edges; more at the top, where the tools are */
 const CLEAR = { side: 48, top: 84 } as const;
 
-/** The view moved no farther than needed for a place to be seen, clear of the edges and of the tools. */
+/** Moves the view no farther than needed to show a point clear of the edges and the tools. */
 export function withinView(view: View, place: Point): View {
   const { x, y } = toScreen(view, place);
-  // a small canvas keeps a middle
+  // a small canvas keeps a middle part
   const side = Math.min(CLEAR.side, view.width / 4);
   const [top, bottom] = [Math.min(CLEAR.top, view.height / 4), Math.min(CLEAR.side, view.height / 4)];
   const dx = Math.min(view.width - side, Math.max(side, x)) - x;
@@ -64,20 +64,20 @@ export function withinView(view: View, place: Point): View {
   return dx === 0 && dy === 0 ? view : panBy(view, dx, dy);
 }
 
-/** Whether a place is seen. */
+/** Whether a point is visible. */
 export function isInView(view: View, place: Point): boolean {
   const { x, y } = toScreen(view, place);
   return x >= 0 && y >= 0 && x <= view.width && y <= view.height;
 }
 
-/** px of screen around the level when all of it is shown, and how much of a small canvas they take at most; at the top there are the tools as well */
+/** px of screen around a fitted box, at most a share of a small canvas; more at the top, where the tools are */
 const MARGIN = 60;
 const MARGIN_SHARE = 0.125;
 const TOOLS = 24;
 
 const marginOf = (size: number): number => Math.min(MARGIN, MARGIN_SHARE * size);
 
-/** Shows all of a box with a margin, clear of the tools, at most at the zoom `most`. */
+/** Fits a box into the view with a margin, clear of the tools, at a zoom of at most `most`. */
 export function fitBox(view: View, box: Box, most = 2): View {
   const width = Math.max(1, box.right - box.left);
   const height = Math.max(1, box.bottom - box.top);

@@ -1,4 +1,4 @@
-/** Something a person can do, by its name in the palette and by its keys. */
+/** An action that can be started from the palette or with its keys. */
 export interface Command {
   /** `group.verb`, unique */
   readonly id: string;
@@ -6,29 +6,29 @@ export interface Command {
   readonly group: 'File' | 'Edit' | 'Crosshair' | 'Object' | 'View' | 'Run' | 'Play' | 'Solve' | 'Help';
   /** Key bindings in the notation of tinykeys: `$mod+z`, `Shift+Space`, `?`. The first one is shown. */
   readonly keys?: readonly string[];
-  /** In which mode its keys work; `edit` when left out. */
+  /** The mode in which its keys work; `edit` if absent. */
   readonly mode?: 'edit' | 'play' | 'both';
-  /** Whether its keys work while a text field has the focus, too. */
+  /** Whether its keys also work while a text field has the focus. */
   readonly inText?: boolean;
-  /** Whether its keys work while a dialog or a menu lies over the page, too. */
+  /** Whether its keys also work while a dialog or a menu covers the page. */
   readonly inDialogs?: boolean;
-  /** Not in the palette: a variant that only a key makes sense for. */
+  /** Not in the palette: a variant that only makes sense with a key. */
   readonly hidden?: boolean;
-  /** What must be done before it can be done, as `select an object`; null when it can be done now, as always when left out. */
+  /** What must be done first, for example `select an object`; null or absent if the command can run now. */
   readonly needs?: () => string | null;
-  /** @param press the key by which it was called; undefined: by its name */
+  /** @param press the key event that started it; undefined when started by name */
   readonly run: (press?: KeyboardEvent) => void;
 }
 
-/** What must be done before a command can be done; null when it can be done now. */
+/** What must be done before the command can run; null if it can run now. */
 export const needsOf = ({ needs }: Command): string | null => needs?.() ?? null;
 
-/** All commands, from whoever offers them while it is there. */
+/** All commands that are registered at the moment. */
 export interface Commands {
-  /** @returns takes them away again */
+  /** @returns removes them again */
   register(commands: readonly Command[]): () => void;
   all(): readonly Command[];
-  /** Does it if it is there and needs nothing. @returns whether it was done */
+  /** Runs the command if it is registered and needs nothing first. @returns whether it ran */
   run(id: string): boolean;
   subscribe(listener: () => void): () => void;
 }

@@ -15,7 +15,7 @@ const NAMES: Readonly<Record<string, string>> = {
   Slash: '/',
 };
 
-/** A key binding as people write it: `$mod+Shift+z` is `Ctrl+Shift+Z`, on a Mac `⌘⇧Z`. */
+/** A key binding in the usual notation: `$mod+Shift+z` is `Ctrl+Shift+Z`, on a Mac `⌘⇧Z`. */
 export function keyLabel(binding: string, mac: boolean): string {
   const parts = binding.split('+').map((part) => {
     if (part === '$mod') return mac ? '⌘' : 'Ctrl';
@@ -29,7 +29,7 @@ export function keyLabel(binding: string, mac: boolean): string {
 
 const ARROW = /^(.*)Arrow(?:Left|Right|Up|Down)$/;
 
-/** The keys of a command as people write them; arrows with the same key held are one label: `Shift+←→↑↓`. */
+/** The keys of a command in the usual notation; arrows with the same modifier share one label: `Shift+←→↑↓`. */
 export function keyLabels(bindings: readonly string[], mac: boolean): string[] {
   const labels: string[] = [];
   let last: string | null = null;

@@ -3,27 +3,27 @@ import { type Commands, needsOf } from './commands.ts';
 
 const TEXT_INPUTS = new Set(['text', 'search', 'number', 'email', 'url', 'password', 'tel']);
 
-/** Whether keys typed at this element are meant for it: a text field, a select, or what is edited in place. */
+/** Whether keys typed at this element are input for it: a text field, a select, or an editable element. */
 export function takesText(target: EventTarget | null): boolean {
   if (!(target instanceof HTMLElement)) return false;
   if (target.isContentEditable || target instanceof HTMLTextAreaElement || target instanceof HTMLSelectElement) return true;
   return target instanceof HTMLInputElement && TEXT_INPUTS.has(target.type);
 }
 
-/** Whether a key is pressed together with one that makes it a command. Shift makes other letters and walks backwards: it is none of them. */
+/** Whether a modifier that makes commands is held. Shift does not count: it types capitals and moves the focus backwards. */
 const isChord = (event: KeyboardEvent): boolean => event.ctrlKey || event.metaKey || event.altKey;
 
-/** Keys that edit a text together with Ctrl, or ⌘: there is nothing of them in a list of choices. */
+/** Text fields use Ctrl or ⌘ with keys for editing; a select does not. */
 function belongsToText(event: KeyboardEvent): boolean {
   if (!takesText(event.target)) return false;
   return !(event.target instanceof HTMLSelectElement && isChord(event));
 }
 
-/** Whether something lies over the page that is to be dealt with first; a dialog that is not modal leaves the page as it is. */
+/** Whether something modal covers the page; a dialog that is not modal leaves the page usable. */
 const isOverPage = ({ target }: KeyboardEvent): boolean =>
   target instanceof Element && target.closest('[role=dialog]:not([aria-modal=false]), [role=menu], [role=listbox]') !== null;
 
-/** Space and Enter press a button, and arrows walk in a list, when those have the focus; with Ctrl, Alt or ⌘ they do neither. */
+/** Space and Enter press a focused button, arrows move in a focused list; with Ctrl, Alt or ⌘ they do neither. */
 function belongsToWidget(event: KeyboardEvent): boolean {
   if (!(event.target instanceof HTMLElement) || isChord(event)) return false;
   if (event.key === ' ' || event.key === 'Enter') {
@@ -34,8 +34,8 @@ function belongsToWidget(event: KeyboardEvent): boolean {
 }
 
 /**
- * Gives keys pressed anywhere on the page to the commands.
- * @param mode what the person is doing now
+ * Runs commands by keys pressed anywhere on the page.
+ * @param mode the current mode
  * @returns stops listening
  */
 export function listenToKeys(page: Window, commands: Commands, mode: () => 'edit' | 'play'): () => void {

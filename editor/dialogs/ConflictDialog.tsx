@@ -9,7 +9,7 @@ import { Button, Dialog } from '../ui/index.ts';
 import { diffLines } from './line-diff.ts';
 import { valueInWords } from './value-in-words.ts';
 
-/** What to do when the disk and the page do not agree. */
+/** Asks how to resolve a difference between the file on disk and the page. */
 export function ConflictDialog() {
   const editor = useEditor();
   const level = useStore(editor.open);
@@ -25,9 +25,9 @@ export function ConflictDialog() {
 function Disagreement({ onClose }: { readonly onClose: () => void }) {
   const { opened } = useLevel();
   const state = useStore(opened.saver.store);
-  // what is being typed is not taken away when the file is mended meanwhile
+  // Text that the user is editing stays open even if the file is fixed in the meantime.
   const [asText, setAsText] = useState(false);
-  // settled by whoever, in whatever way: nothing to choose any more
+  // resolved in some other way: nothing left to choose
   const isOver = state.kind !== 'conflict' && state.kind !== 'deleted' && state.kind !== 'unreadable';
   useEffect(() => {
     if (isOver && !asText) onClose();
@@ -40,7 +40,7 @@ function Disagreement({ onClose }: { readonly onClose: () => void }) {
   return null;
 }
 
-/** What is on the disk; null while it is read, or where it is no level. */
+/** The level on disk; null while it is read or if it is not a valid level. */
 function useTheirs(): LevelFile | null {
   const { workspace } = useEditor();
   const { opened } = useLevel();
@@ -73,18 +73,18 @@ function Merge({ conflicts, onClose }: { readonly conflicts: readonly Conflict[]
       open
       wide
       title="Two versions of this level"
-      about="It was changed here and on the disk. What only one side changed is taken from it; choose for the rest."
+      about="It was changed here and on disk. Changes made on one side only are merged automatically; choose a side for each of the others."
       onClose={onClose}
     >
       <div className="share__buttons">
-        <Button hint="Keep what is on the screen wherever both differ" look="outlined" onClick={() => all('mine')}>
-          All mine
+        <Button hint="Use the version on the screen for every difference" look="outlined" onClick={() => all('mine')}>
+          Use all mine
         </Button>
-        <Button hint="Take what is on the disk wherever both differ" look="outlined" onClick={() => all('theirs')}>
-          All theirs
+        <Button hint="Use the version on disk for every difference" look="outlined" onClick={() => all('theirs')}>
+          Use all theirs
         </Button>
         <span className="share__about">
-          {conflicts.length} {conflicts.length === 1 ? 'difference' : 'differences'} to settle
+          {conflicts.length} {conflicts.length === 1 ? 'difference' : 'differences'} to resolve
         </span>
       </div>
       <div className="conflicts">
@@ -94,7 +94,7 @@ function Merge({ conflicts, onClose }: { readonly conflicts: readonly Conflict[]
             {(
               [
                 ['mine', 'mine, on the screen', mine],
-                ['theirs', 'theirs, on the disk', theirs],
+                ['theirs', 'theirs, on disk', theirs],
               ] as const
             ).map(([side, title, value]) => (
               <label key={side} className="conflict__side">
@@ -114,10 +114,10 @@ function Merge({ conflicts, onClose }: { readonly conflicts: readonly Conflict[]
       </div>
       <Preview choices={choices} />
       <div className="form__buttons">
-        <Button hint="Decide later; nothing is written meanwhile" look="outlined" onClick={onClose}>
+        <Button hint="Decide later; nothing is saved until then" look="outlined" onClick={onClose}>
           Later
         </Button>
-        <Button hint="Write what is chosen; it can be undone" look="main" onClick={merge}>
+        <Button hint="Save the chosen version; this can be undone" look="main" onClick={merge}>
           Merge
         </Button>
       </div>
@@ -125,7 +125,7 @@ function Merge({ conflicts, onClose }: { readonly conflicts: readonly Conflict[]
   );
 }
 
-/** Lines around a difference that are shown, too. */
+/** lines of context around a difference */
 const AROUND = 2;
 
 function Preview({ choices }: { readonly choices: Choices }) {
@@ -142,7 +142,7 @@ function Preview({ choices }: { readonly choices: Choices }) {
   const near = lines.map((_, i) => lines.slice(Math.max(0, i - AROUND), i + AROUND + 1).some(({ kind }) => kind !== 'same'));
   return (
     <details className="merged" open>
-      <summary>What merging changes on the screen</summary>
+      <summary>Changes that the merge makes to my version</summary>
       {near.some(Boolean) ? (
         <pre className="merged__text">
           {lines.map(({ kind, text }, i) =>
@@ -159,16 +159,16 @@ function Preview({ choices }: { readonly choices: Choices }) {
           )}
         </pre>
       ) : (
-        <p className="share__about">Nothing: all of it is mine.</p>
+        <p className="share__about">None: the result is my version.</p>
       )}
     </details>
   );
 }
 
 interface DisplacedProps {
-  /** Why the file can't be read; null: it was deleted. */
+  /** Why the file can't be read; null if it was deleted. */
   readonly problems: readonly Problem[] | null;
-  /** Mends the file as text. */
+  /** Called to fix the file as text. */
   readonly onMend: () => void;
   readonly onClose: () => void;
 }
@@ -200,8 +200,8 @@ function Displaced({ problems, onMend, onClose }: DisplacedProps) {
       title={isDeleted ? 'The file was deleted' : "The file can't be read"}
       about={
         isDeleted
-          ? `${id}.level.json was deleted or moved outside of this page. What is on the screen is still all here.`
-          : `${id}.level.json was changed outside of this page, and is no valid level now. What is on the screen is the last good state. Once the file is mended, the page goes on by itself.`
+          ? `${id}.level.json was deleted or moved outside this page. The level on the screen is still complete.`
+          : `${id}.level.json was changed outside this page and is no longer a valid level. The page shows the last valid state and continues by itself once the file is fixed.`
       }
       onClose={onClose}
     >
@@ -217,25 +217,25 @@ function Displaced({ problems, onMend, onClose }: DisplacedProps) {
       )}
       <div className="displaced">
         <Button
-          hint="Write what is on the screen into the file"
+          hint="Save the level on the screen to the file"
           look="main"
           onClick={() => {
             opened.saver.keepMine();
             onClose();
           }}
         >
-          Keep mine: write it again
+          Keep mine and save it
         </Button>
-        <Button hint="What is on the screen becomes another level" look="outlined" onClick={() => void saveAsNew()}>
+        <Button hint="Save the level on the screen under another name" look="outlined" onClick={() => void saveAsNew()}>
           Save mine as a new level
         </Button>
         {isDeleted ? (
           <Button hint="Close this level; the file stays deleted" look="danger" onClick={() => void letGo()}>
-            Take theirs: let it go
+            Accept the deletion and close
           </Button>
         ) : (
-          <Button hint="See and mend what is on the disk" look="outlined" onClick={onMend}>
-            Take theirs: mend it as text
+          <Button hint="Show the file on disk and fix it" look="outlined" onClick={onMend}>
+            Fix the file as text
           </Button>
         )}
       </div>

@@ -14,7 +14,7 @@ import { Tour } from './Tour.tsx';
 import { TrashDialog } from './TrashDialog.tsx';
 import { followLinks } from './take-link.ts';
 
-/** What lies over the page now and then: new level, import and export, deleted levels, conflicts, the tour; files that are dropped, links that carry a level. */
+/** All dialogs of the page, the drop zone for files, and the handling of links that contain a level. */
 export function Dialogs() {
   const editor = useEditor();
   useEffect(() => {

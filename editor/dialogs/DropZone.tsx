@@ -6,13 +6,13 @@ import { IMPORT_TOPIC, importFiles } from './import-files.ts';
 
 const hasFiles = (event: DragEvent): boolean => event.dataTransfer?.types.includes('Files') === true;
 
-/** Takes in files that are dropped anywhere on the page. */
+/** Imports files that are dropped anywhere on the page. */
 export function DropZone() {
   const editor = useEditor();
   const [isOver, setIsOver] = useState(false);
   useEffect(() => {
     const stopping = new AbortController();
-    // a drag over a child leaves its parent first: none is left when both are even
+    // Entering a child fires before leaving its parent, so the drag has left the page when the depth is 0.
     let depth = 0;
     const listen = (type: 'dragenter' | 'dragover' | 'dragleave' | 'drop', act: (event: DragEvent) => void) =>
       window.addEventListener(type, (event) => hasFiles(event) && act(event), { signal: stopping.signal, capture: true });
@@ -47,7 +47,7 @@ export function DropZone() {
   return (
     <div className="dropzone" role="status">
       <FileDown size={28} aria-hidden />
-      Let go to import as new levels
+      Drop to import as new levels
     </div>
   );
 }

@@ -8,7 +8,7 @@ import { Button, NumberField } from '../ui/index.ts';
 /** px */
 const PREVIEW = 560;
 
-/** The open level as a file or a picture. */
+/** Exports the open level as a file or a picture. */
 export function ExportTab() {
   const { notices } = useEditor();
   const { opened, proof } = useLevel();
@@ -32,7 +32,7 @@ export function ExportTab() {
       const file = await make();
       if (await keepFile(file)) notices.show('info', `Saved ${file.name}.`, { topic: 'export' });
     } catch (error) {
-      notices.show('error', `That did not work: ${error instanceof Error ? error.message : error}.`, { topic: 'export' });
+      notices.show('error', `The export failed: ${error instanceof Error ? error.message : error}.`, { topic: 'export' });
     }
   };
   const svg = () => pictureSvg(proof.proof(), { theme, width, withRun });
@@ -41,11 +41,11 @@ export function ExportTab() {
     <div className="share">
       <section className="share__part" aria-label="Level file">
         <h3 className="share__title">Level file</h3>
-        <p className="share__about">As gq check, gq render and this editor read it.</p>
+        <p className="share__about">The file that gq check, gq render and this editor read.</p>
         {whole !== open && (
           <label className="share__check">
             <input type="checkbox" checked={withRules} onChange={(event) => setWithRules(event.target.checked)} />
-            with the rules of {rules.file} written into it, so that it plays the same elsewhere
+            include the rules of {rules.file}, so that it plays the same elsewhere
           </label>
         )}
         <div className="share__buttons">
@@ -70,11 +70,11 @@ export function ExportTab() {
       <section className="share__part" aria-label="Picture">
         <h3 className="share__title">Picture</h3>
         <div className="share__picture">
-          <img className="share__preview" src={preview} alt="The level as it will be exported" />
+          <img className="share__preview" src={preview} alt="Preview of the exported level" />
           <div className="share__options">
             <label className="share__check">
               <input type="checkbox" checked={withRun} onChange={(event) => setWithRun(event.target.checked)} />
-              with the shown run
+              include the shown run
             </label>
             <label className="share__check">
               <input
@@ -82,11 +82,11 @@ export function ExportTab() {
                 checked={theme === 'light'}
                 onChange={(event) => setTheme(event.target.checked ? 'light' : 'dark')}
               />
-              light, for paper
+              light theme, for printing
             </label>
             <NumberField label="Width" value={width} min={160} max={8192} whole step={10} unit="px" onChange={setWidth} />
             <Button
-              hint="Pixels, for chats and stores"
+              hint="Download as a PNG image"
               look="main"
               icon={<Image size={15} />}
               onClick={() => void keep(async () => ({ name: `${stem}.png`, blob: await toPng(svg(), 1) }))}
@@ -94,7 +94,7 @@ export function ExportTab() {
               PNG
             </Button>
             <Button
-              hint="Lines, sharp at any size"
+              hint="Download as an SVG drawing"
               look="outlined"
               icon={<FileImage size={15} />}
               onClick={() => void keep(() => ({ name: `${stem}.svg`, blob: new Blob([svg()], { type: 'image/svg+xml' }) }))}

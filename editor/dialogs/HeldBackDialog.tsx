@@ -3,7 +3,10 @@ import { useEditor } from '../context/index.ts';
 import { deleteLevel, openHeldBack, openListed } from '../panels/levels/index.ts';
 import { Button, Dialog } from '../ui/index.ts';
 
-/** Asks what is to become of a level whose opening the last page did not survive: opened by itself it would make the editor unusable for good. */
+/**
+ * Asks what to do with a level that was being opened when the page last stopped. Opening it again automatically could make the
+ * editor unusable.
+ */
 export function HeldBackDialog() {
   const editor = useEditor();
   const { heldBack, workspace, marks } = editor;
@@ -20,7 +23,7 @@ export function HeldBackDialog() {
     <Dialog
       open={id !== null && entry !== undefined}
       title="This level was not opened"
-      about="The page was opening it when it last stopped: it was closed at that moment, or the level took more work than the page could do."
+      about="The page was opening this level when it last stopped. Either the page was closed at that moment, or the level was too much work for it."
       onClose={close}
     >
       {id !== null && entry !== undefined && (
@@ -29,18 +32,18 @@ export function HeldBackDialog() {
           <p className="link__text">{entry.file}</p>
           <div className="form__buttons">
             <Button hint="Move it to the deleted levels" look="outlined" onClick={act(() => deleteLevel(editor, entry))}>
-              Delete it
+              Delete
             </Button>
             {other !== undefined && (
               <Button hint={`Open ${other.name ?? other.id}`} look="outlined" onClick={act(() => openListed(editor, other.id))}>
-                Open another
+                Open another level
               </Button>
             )}
-            <Button hint="Open it as any other level" look="outlined" onClick={act(() => openHeldBack(editor, id, true))}>
-              Open it all the same
+            <Button hint="Open it like any other level" look="outlined" onClick={act(() => openHeldBack(editor, id, true))}>
+              Open anyway
             </Button>
             <Button
-              hint="Open it to be edited: nothing is played and nothing is looked for"
+              hint="Open it for editing only: it is not simulated and not searched"
               look="main"
               onClick={act(() => openHeldBack(editor, id, false))}
             >

@@ -7,7 +7,7 @@ import { chooseFiles } from '../share/index.ts';
 import { Button } from '../ui/index.ts';
 import { IMPORT_TOPIC, type ImportResult, importContents, importFiles } from './import-files.ts';
 
-/** Levels from files or text, of this toolkit or of the original game. */
+/** Imports levels of this toolkit or of the original game from files or text. */
 export function ImportTab({ onClose }: { readonly onClose: () => void }) {
   const editor = useEditor();
   const [text, setText] = useState('');
@@ -28,13 +28,13 @@ export function ImportTab({ onClose }: { readonly onClose: () => void }) {
     const files = await chooseFiles();
     if (files !== null) await take(() => importFiles(editor, folder, files, recoil));
   };
-  // what was refused when it was dropped is an old story now
+  // A notice about refused dropped files is outdated now.
   useEffect(() => editor.notices.settle(IMPORT_TOPIC), [editor]);
   return (
     <div className="share form">
       <p className="share__about">
-        Level files, and lists of levels of the original game. Files can also be dropped anywhere on the page. Every level becomes
-        a new one; none is replaced.
+        Import level files or level lists of the original game. You can also drop files anywhere on the page. Every level is added
+        as a new level; none is replaced.
       </p>
       <div className="share__buttons">
         <Button
@@ -48,11 +48,11 @@ export function ImportTab({ onClose }: { readonly onClose: () => void }) {
         </Button>
         <label className="share__check">
           <input type="checkbox" checked={recoil} onChange={(event) => setRecoil(event.target.checked)} />
-          original levels keep their recoil
+          keep the recoil of original levels
         </label>
       </div>
       <FolderSelect value={folder} onChange={setFolder} />
-      <label htmlFor={field}>or paste their text</label>
+      <label htmlFor={field}>Or paste their text</label>
       <textarea
         id={field}
         className="field share__paste"
@@ -73,12 +73,12 @@ export function ImportTab({ onClose }: { readonly onClose: () => void }) {
       )}
       <div className="form__buttons">
         <Button
-          hint="Add what the text says as new levels"
+          hint="Add the levels in the text as new levels"
           look="outlined"
           disabled={busy || text.trim() === ''}
           onClick={() => void take(() => importContents(editor, folder, [{ name: 'pasted text', content: text }], recoil))}
         >
-          Import the text
+          Import text
         </Button>
       </div>
     </div>

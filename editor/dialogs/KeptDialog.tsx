@@ -6,7 +6,7 @@ import { openListed } from '../panels/levels/index.ts';
 import { keepFile, levelFile } from '../share/index.ts';
 import { Button, Dialog } from '../ui/index.ts';
 
-/** Changes that never reached the disk, as this browser has kept them: to be opened, downloaded, thrown away. */
+/** Changes that never reached the disk but are kept in this browser: the user can open, download or discard them. */
 export function KeptDialog() {
   const { session } = useEditor();
   const open = useSession((state) => state.overlay === 'kept');
@@ -15,7 +15,7 @@ export function KeptDialog() {
     <Dialog
       open={open}
       title="Unsaved changes"
-      about={`Kept in this browser, for ${location.host}: another address, another port too, has its own.`}
+      about={`Kept in this browser for ${location.host}. Other addresses and ports have their own.`}
       onClose={close}
     >
       <Kept onClose={close} />
@@ -42,12 +42,12 @@ function Kept({ onClose }: { readonly onClose: () => void }) {
     };
   }, [journal]);
 
-  if (places === null) return <p>Looking…</p>;
+  if (places === null) return <p>Loading…</p>;
   if (places === 'failed') return <p role="alert">This browser's database does not answer. Try again in a moment.</p>;
   if (places.length === 0) return <p className="trash__empty">Everything is saved.</p>;
   const download = async (place: string, id: string) => {
     const found = await journal.recover(place).catch(() => null);
-    if (found === null) notices.show('warning', `What was kept of ${id} can not be read.`);
+    if (found === null) notices.show('warning', `The kept changes of ${id} can't be read.`);
     else await keepFile(levelFile(id, found.file));
   };
   const forget = async (place: string) => {
@@ -70,7 +70,7 @@ function Kept({ onClose }: { readonly onClose: () => void }) {
               {id}
               {isOpen
                 ? ', open here'
-                : !isHere && (list?.folder.id === folder ? ', gone from the folder' : ', of another folder')}
+                : !isHere && (list?.folder.id === folder ? ', no longer in this folder' : ', in another folder')}
             </span>
             <time className="trash__time" dateTime={new Date(time).toISOString()}>
               {new Date(time).toLocaleString()}
@@ -85,7 +85,7 @@ function Kept({ onClose }: { readonly onClose: () => void }) {
             </Button>
             {isHere && !isOpen && (
               <Button
-                hint={`Open ${id}: the changes are in it again, as one step`}
+                hint={`Open ${id} with its changes restored as one step`}
                 look="outlined"
                 onClick={() => {
                   onClose();
@@ -97,12 +97,12 @@ function Kept({ onClose }: { readonly onClose: () => void }) {
             )}
             {!isOpen && (
               <Button
-                hint="Throw the changes away for good"
+                hint="Discard the changes permanently"
                 look="outlined"
                 icon={<Trash2 size={14} />}
                 onClick={() => void forget(place)}
               >
-                {sure === place ? 'Throw away for good?' : undefined}
+                {sure === place ? 'Discard permanently?' : undefined}
               </Button>
             )}
           </li>

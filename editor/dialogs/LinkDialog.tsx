@@ -7,10 +7,10 @@ import { enteringFolder, slugOf } from '../share/index.ts';
 import { Button, Dialog } from '../ui/index.ts';
 import { surveyLink } from './survey-link.ts';
 
-/** px of its picture */
+/** width of the picture, px */
 const WIDTH = 420;
 
-/** Asks before a level that came with the page's address is added: any page can send a browser here with one. */
+/** Asks before a level from the page's address is added: any website can link here with one. */
 export function LinkDialog() {
   const { incoming } = useEditor();
   const file = useStore(incoming);
@@ -19,7 +19,7 @@ export function LinkDialog() {
     <Dialog
       open={file !== null}
       title="Add the level from the link?"
-      about="Whoever made the link chose what is in it. Nothing is kept of it unless you add it."
+      about="The level comes from the author of the link. Nothing is stored unless you add it."
       onClose={close}
     >
       {file !== null && <Asked file={file} onClose={close} />}
@@ -27,20 +27,20 @@ export function LinkDialog() {
   );
 }
 
-/** How the level looks and what it is worth; made by a worker, so that whatever it is holds nothing up. */
+/** A picture and the verdict of the level, made by a worker so that a costly level does not block the page. */
 function usePicture(text: string): { readonly url: string | null; readonly words: string } {
   const { workers, settings } = useEditor();
   const theme = usePageTheme();
   const accuracy = useStore(settings, (state) => state.accuracy);
-  const [shown, setShown] = useState<{ url: string | null; words: string }>({ url: null, words: 'being looked at …' });
+  const [shown, setShown] = useState<{ url: string | null; words: string }>({ url: null, words: 'checking…' });
   useEffect(() => {
     let url: string | null = null;
-    // where it comes from no folder set rules
+    // Rules of a folder do not apply to a level from a link.
     const job = workers.start('thumbnail', { text, rules: {}, accuracy, width: WIDTH, theme });
     void job.end.then((end) => {
       if (end.kind === 'cancelled') return;
       if (end.kind !== 'done') {
-        setShown({ url: null, words: 'not known: it takes too much work to play' });
+        setShown({ url: null, words: 'unknown: it takes too long to simulate' });
         return;
       }
       url = URL.createObjectURL(new Blob([end.result.svg], { type: 'image/svg+xml' }));
@@ -68,8 +68,8 @@ function Asked({ file, onClose }: { readonly file: LevelFile; readonly onClose: 
     setBusy(false);
     if (added.length === 0) return;
     onClose();
-    const ruled = kept === file ? '' : ` It keeps the rules that it came with, whatever ${rules.file} sets.`;
-    editor.notices.show('info', `"${file.name}" came with the link and is a level of yours now.${ruled}`, { topic: 'link' });
+    const ruled = kept === file ? '' : ` It keeps its own rules instead of those of ${rules.file}.`;
+    editor.notices.show('info', `"${file.name}" was added from the link.${ruled}`, { topic: 'link' });
   };
   return (
     <div className="form link">
@@ -77,7 +77,7 @@ function Asked({ file, onClose }: { readonly file: LevelFile; readonly onClose: 
       {file.description !== undefined && <p className="link__text">{file.description}</p>}
       {url !== null && <img className="link__picture" src={url} alt="" />}
       <dl className="link__facts">
-        <dt>In it</dt>
+        <dt>Contents</dt>
         <dd>{counts}</dd>
         <dt>Size</dt>
         <dd>{size}</dd>
@@ -92,11 +92,11 @@ function Asked({ file, onClose }: { readonly file: LevelFile; readonly onClose: 
         </ul>
       )}
       <div className="form__buttons">
-        <Button hint="Leave everything as it is" look="outlined" onClick={onClose}>
-          Do not add
+        <Button hint="Close without adding the level" look="outlined" onClick={onClose}>
+          Don't add
         </Button>
-        <Button hint="Keep it as a new level and open it" look="main" disabled={busy} onClick={() => void add()}>
-          Add the level
+        <Button hint="Add it as a new level and open it" look="main" disabled={busy} onClick={() => void add()}>
+          Add level
         </Button>
       </div>
     </div>

@@ -4,7 +4,7 @@ import { useDocument, useEditor, useFolderRules } from '../context/index.ts';
 import { copyText, type Linking, leavingFolder, linkTo } from '../share/index.ts';
 import { Button } from '../ui/index.ts';
 
-/** A link that carries the open level. */
+/** A link that contains the open level. */
 export function LinkTab() {
   const { notices, workspace } = useEditor();
   const open = useDocument((state) => state.file);
@@ -25,14 +25,13 @@ export function LinkTab() {
   return (
     <div className="share">
       <p className="share__about">
-        Whoever opens this link gets a copy of the level as it is now. It is in the link itself, packed.
-        {workspace.storage.kind === 'server' &&
-          ' This editor runs on your machine alone, so the link works for you; on a page that others can reach it works for them.'}
-        {file !== open && ` The rules of ${rules.file} are written into it, so that it plays the same without that file.`}
+        Anyone who opens this link gets a copy of the level as it is now. The link itself contains the level, compressed.
+        {workspace.storage.kind === 'server' && ' This editor runs on your machine only, so the link works only for you.'}
+        {file !== open && ` The link includes the rules of ${rules.file}, so that the level plays the same without that file.`}
       </p>
       <label className="share__check">
         <input type="checkbox" checked={withRuns} onChange={(event) => setWithRuns(event.target.checked)} />
-        with its runs, which give the solution away
+        include the runs, which give the solution away
       </label>
       {linking?.ok === true && (
         <>

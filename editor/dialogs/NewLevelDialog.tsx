@@ -9,26 +9,20 @@ import { TEMPLATES, type Template } from '../templates/index.ts';
 import { Button, Dialog, NumberField } from '../ui/index.ts';
 import { levelPicture } from './level-picture.ts';
 
-/** Pictures that are wider than this are shown whole: cut at the sides they would lose what is in them. */
+/** Pictures wider than this ratio are shown whole; cropping the sides would cut off objects. */
 const WIDE = 1.5;
 
-/** Seeds that dice throw: short enough to be told to somebody. */
+/** Random seeds stay below this, short enough to pass on. */
 const SEEDS = 10_000;
 const throwDice = () => 1 + (crypto.getRandomValues(new Uint32Array(1))[0] % SEEDS);
 
-/** A new level from a template. */
+/** The dialog that makes a new level from a template. */
 export function NewLevelDialog() {
   const { session } = useEditor();
   const open = useSession((state) => state.overlay === 'newLevel');
   const close = () => session.setState({ overlay: null });
   return (
-    <Dialog
-      open={open}
-      wide
-      title="New level"
-      about="Choose what it begins with. Everything can be changed later."
-      onClose={close}
-    >
+    <Dialog open={open} wide title="New level" about="Choose a template. Everything can be changed later." onClose={close}>
       <NewLevel onClose={close} />
     </Dialog>
   );
@@ -41,13 +35,13 @@ function NewLevel({ onClose }: { readonly onClose: () => void }) {
   const [template, setTemplate] = useState<Template>(TEMPLATES[0]);
   const [seed, setSeed] = useState(throwDice);
   const [name, setName] = useState('New level');
-  // null: it follows the name
+  // null: derived from the name
   const [typed, setTyped] = useState<string | null>(null);
   const [folder, setFolder] = useState(() => folderOf(workspace.store.getState().opened?.id() ?? ''));
   const [busy, setBusy] = useState(false);
   const field = useId();
   const nameField = useRef<HTMLInputElement>(null);
-  // what is typed first; templates are a step back
+  // The name is typed first; Shift+Tab leads to the templates.
   useEffect(() => nameField.current?.focus(), []);
   const stem = typed ?? `${nextNumber(levels, folder)}${slugOf(name)}`;
   const problem = fileNameProblem(
@@ -83,16 +77,16 @@ function NewLevel({ onClose }: { readonly onClose: () => void }) {
         <div className="newlevel__seed">
           <NumberField label="Seed" value={seed} min={0} max={4_294_967_295} whole onChange={setSeed} />
           <Button
-            hint="Throw again: another seed, another level"
+            hint="Another seed gives another level"
             look="outlined"
             icon={<Dices size={15} />}
             onClick={() => setSeed(throwDice())}
           >
-            Throw again
+            New seed
           </Button>
         </div>
       )}
-      <label htmlFor={`${field}-name`}>Name of the level</label>
+      <label htmlFor={`${field}-name`}>Level name</label>
       <input
         id={`${field}-name`}
         className="field"
@@ -104,10 +98,10 @@ function NewLevel({ onClose }: { readonly onClose: () => void }) {
       />
       <FileNameFields {...{ stem, folder, problem }} onStem={setTyped} onFolder={setFolder} />
       <div className="form__buttons">
-        <Button hint="No new level" look="outlined" onClick={onClose}>
+        <Button hint="Close without creating a level" look="outlined" onClick={onClose}>
           Cancel
         </Button>
-        <Button hint="Make the level and open it" look="main" type="submit" disabled={!ready}>
+        <Button hint="Create the level and open it" look="main" type="submit" disabled={!ready}>
           Create
         </Button>
       </div>
@@ -127,7 +121,7 @@ function TemplateCard({ template, seed, checked, onPick }: TemplateCardProps) {
   const accuracy = useStore(settings, (state) => state.accuracy);
   const theme = usePageTheme();
   const rules = useFolderRules().own;
-  // templates that throw nothing are the same for every seed
+  // Templates without randomness ignore the seed.
   const shownSeed = template.usesSeed ? seed : 0;
   const picture = useMemo(
     () => levelPicture(template.make(template.title, shownSeed), { rules, accuracy, theme, width: 480 }),

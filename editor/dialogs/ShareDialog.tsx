@@ -6,7 +6,7 @@ import { ExportTab } from './ExportTab.tsx';
 import { ImportTab } from './ImportTab.tsx';
 import { LinkTab } from './LinkTab.tsx';
 
-/** Levels out of the editor and into it. */
+/** Imports and exports levels. */
 export function ShareDialog() {
   const editor = useEditor();
   const { session } = editor;
@@ -19,7 +19,7 @@ export function ShareDialog() {
       open={overlay === 'share' || overlay === 'open'}
       wide
       title="Import, export, link"
-      about="Levels stay on this machine: a link holds its level itself, no server sees it."
+      about="Levels stay on this machine: a link contains the level itself and is not sent to a server."
       onClose={close}
     >
       <LevelContext.Provider value={level}>

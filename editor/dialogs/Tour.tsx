@@ -11,12 +11,12 @@ interface Box {
   readonly height: number;
 }
 
-/** px; how high it is, its text says: this is before it is known */
+/** px; the height is measured once the text is rendered, this is the initial value */
 const CARD = { width: 320, height: 170 } as const;
 /** px between a place and the card beside it, and between the card and the edge of the page */
 const GAP = 14;
 
-/** Where the place of a step is on the page; null: nowhere. */
+/** The box of the first selector that matches something visible; null: none. */
 function find(selectors: readonly string[]): Box | null {
   for (const selector of selectors) {
     const element = document.querySelector(selector);
@@ -26,7 +26,7 @@ function find(selectors: readonly string[]): Box | null {
   return null;
 }
 
-/** Beside the place, where there is room: below, above, right, left, or else within it. */
+/** Places the card where there is room beside the box: below, above, right or left of it, or else within it. */
 function placeCard(box: Box | null, cardHeight: number): { left: number; top: number } {
   const [width, height] = [window.innerWidth, window.innerHeight];
   const inside = (left: number, top: number) => ({
@@ -42,7 +42,7 @@ function placeCard(box: Box | null, cardHeight: number): { left: number; top: nu
   return inside(middle, box.top + box.height - cardHeight - 60);
 }
 
-/** Shows the editor around, the first time by itself. The page can be used meanwhile; Esc ends it. */
+/** The tour of the editor, which starts by itself the first time. The page stays usable; Esc ends the tour. */
 export function Tour() {
   const editor = useEditor();
   const { session, settings } = editor;
@@ -51,7 +51,7 @@ export function Tour() {
   const isPlaying = useSession((state) => state.mode === 'play');
   const seen = useStore(settings, (state) => state.tourSeen);
   const isAsked = overlay === 'tour';
-  // it goes on where it was after a dialog
+  // The tour resumes at the same step after a dialog.
   const [index, setIndex] = useState(0);
   if (!hasLevel || isPlaying || !(isAsked || (!seen && overlay === null))) return null;
   const end = () => {
@@ -85,7 +85,7 @@ function TourCard({ index, onIndex, takesFocus, onEnd }: TourCardProps) {
       if (card.current !== null) setHeight(card.current.offsetHeight);
     };
     look();
-    // dividers are dragged, panels come and go
+    // Dividers may be dragged, panels may appear and disappear.
     const timer = setInterval(look, 400);
     window.addEventListener('resize', look);
     return () => {
@@ -142,11 +142,11 @@ function TourCard({ index, onIndex, takesFocus, onEnd }: TourCardProps) {
             </Button>
           )}
           {index > 0 && (
-            <Button hint="To the step before" look="outlined" onClick={() => go(-1)}>
+            <Button hint="Previous step" look="outlined" onClick={() => go(-1)}>
               Back
             </Button>
           )}
-          <Button hint={isLast ? 'End the tour' : 'To the next step'} look="main" onClick={() => (isLast ? onEnd() : go(1))}>
+          <Button hint={isLast ? 'End the tour' : 'Next step'} look="main" onClick={() => (isLast ? onEnd() : go(1))}>
             {isLast ? 'Done' : 'Next'}
           </Button>
         </div>

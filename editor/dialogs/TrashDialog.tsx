@@ -6,18 +6,13 @@ import { errorInWords, type StorageError } from '../files/index.ts';
 import { restoreLevel } from '../panels/levels/index.ts';
 import { Button, Dialog } from '../ui/index.ts';
 
-/** What was deleted, to be brought back. */
+/** The deleted levels, which can be restored. */
 export function TrashDialog() {
   const { session } = useEditor();
   const open = useSession((state) => state.overlay === 'trash');
   const close = () => session.setState({ overlay: null });
   return (
-    <Dialog
-      open={open}
-      title="Deleted levels"
-      about="Deleting moves a level here. Nothing is ever removed for good."
-      onClose={close}
-    >
+    <Dialog open={open} title="Deleted levels" about="Deleted levels are kept here and are never removed." onClose={close}>
       <Trash onClose={close} />
     </Dialog>
   );
@@ -43,8 +38,8 @@ function Trash({ onClose }: { readonly onClose: () => void }) {
   if (error !== null) {
     return <p role="alert">{errorInWords(error)}</p>;
   }
-  if (entries === null) return <p>Looking…</p>;
-  if (entries.length === 0) return <p className="trash__empty">Nothing was deleted.</p>;
+  if (entries === null) return <p>Loading…</p>;
+  if (entries.length === 0) return <p className="trash__empty">No deleted levels.</p>;
   return (
     <ul className="trash">
       {entries.map(({ trash, id, deleted }) => (
@@ -54,7 +49,7 @@ function Trash({ onClose }: { readonly onClose: () => void }) {
             {new Date(deleted).toLocaleString()}
           </time>
           <Button
-            hint={`Bring ${id} back and open it`}
+            hint={`Restore ${id} and open it`}
             look="outlined"
             icon={<RotateCcw size={14} />}
             onClick={() => {

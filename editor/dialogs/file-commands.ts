@@ -3,7 +3,7 @@ import type { Editor } from '../context/index.ts';
 import { folderOf } from '../files/index.ts';
 import { addSamples, deleteLevel, duplicateLevel, openListed } from '../panels/levels/index.ts';
 
-/** What can be done with the open level as a file. */
+/** Commands for the open level as a file. */
 export function fileCommands(editor: Editor): readonly Command[] {
   const { workspace, session } = editor;
   const entry = () => {
@@ -57,7 +57,7 @@ export function fileCommands(editor: Editor): readonly Command[] {
     },
     {
       id: 'file.samples',
-      title: 'Add the sample levels',
+      title: 'Add sample levels',
       group: 'File',
       run: () => void addSamples(editor, folderOf(workspace.store.getState().opened?.id() ?? '')),
     },

@@ -3,21 +3,24 @@ import { problemsInWords, type SaveState } from '../files/index.ts';
 
 const TOPIC = 'disagreement';
 
-/** Why the disk and the page do not agree; null where they do, or will by themselves. */
+/** Why the file on disk and the page differ; null if they agree or will agree without the user. */
 function disagreementOf(id: string, state: SaveState): string | null {
   switch (state.kind) {
     case 'conflict':
-      return 'This level was changed on the disk, too, and not all of it can be brought together by itself.';
+      return 'This level was also changed on disk, and some of the changes conflict.';
     case 'deleted':
-      return 'The file of this level was deleted on the disk. What is on the screen is still here.';
+      return 'The file of this level was deleted on disk. The level on the screen is still complete.';
     case 'unreadable':
-      return `The file on the disk can't be read as a level. ${problemsInWords(`${id}.level.json`, state.problems)} What is on the screen is the last good state; it goes on by itself once the file is mended.`;
+      return `The file on disk can't be read as a level. ${problemsInWords(`${id}.level.json`, state.problems)} The page shows the last valid state and continues by itself once the file is fixed.`;
     default:
       return null;
   }
 }
 
-/** Says so when the disk and the page do not agree, with a way to settle it; the person may go on meanwhile. @returns stops it */
+/**
+ * Shows a notice while the file on disk and the page differ, with a way to resolve it; the user may keep editing. @returns
+ * stops it
+ */
 export function followDisagreement({ open, notices, session }: Editor): () => void {
   let stop = () => {};
   const follow = () => {
@@ -35,7 +38,7 @@ export function followDisagreement({ open, notices, session }: Editor): () => vo
         notices.settle(TOPIC);
         return;
       }
-      const actions = [{ title: 'Look at it', run: () => session.setState({ overlay: 'conflict' }) }];
+      const actions = [{ title: 'Review', run: () => session.setState({ overlay: 'conflict' }) }];
       notices.show('warning', text, { topic: TOPIC, actions });
     };
     look();

@@ -3,27 +3,27 @@ import { problemsInWords } from '../files/index.ts';
 import { addLevels } from '../panels/levels/index.ts';
 import { type Importing, importLevels } from '../share/index.ts';
 
-/** What somebody chose, dropped or pasted: the bytes of a file, or a text. */
+/** What the user chose, dropped or pasted: the bytes of a file, or a text. */
 export interface Given {
   readonly name: string;
   readonly content: Uint8Array | string;
 }
 
-/** What became of an import. */
+/** The result of an import. */
 export interface ImportResult {
-  /** How many levels were added. */
+  /** The number of levels that were added. */
   readonly added: number;
-  /** What is no level, and why. */
+  /** What could not be imported, and why. */
   readonly refusals: readonly string[];
 }
 
-/** What a drop says of files that it refused: the next import takes it away. */
+/** The topic of the notice about refused dropped files; the next import removes the notice. */
 export const IMPORT_TOPIC = 'import';
 
-/** Files that must not be read into memory as levels, bytes. */
+/** Larger files are not read, bytes. */
 const LARGEST = 4 * 1024 * 1024;
 
-/** Adds the levels of some files to a folder and opens the first. What is too large to be a level is not read. */
+/** Adds the levels of some files to a folder and opens the first. Files too large for a level are not read. */
 export async function importFiles(
   editor: Editor,
   folder: string,
@@ -35,7 +35,7 @@ export async function importFiles(
   for (const file of files) {
     if (file.size > LARGEST)
       refusals.push(
-        `${file.name}: expected a level, which has some kB, found a file of ${Math.round(file.size / 1e6)} MB. Choose a .level.json file.`,
+        `${file.name}: expected a level file of a few kB, found ${Math.round(file.size / 1e6)} MB. Choose a .level.json file.`,
       );
     else given.push({ name: file.name, content: new Uint8Array(await file.arrayBuffer()) });
   }
@@ -43,7 +43,7 @@ export async function importFiles(
   return { ...taken, refusals: [...refusals, ...taken.refusals] };
 }
 
-/** Adds the levels of some texts to a folder and opens the first; says what was passed over in them. */
+/** Adds the levels of some texts to a folder and opens the first; reports what was left out. */
 export async function importContents(
   editor: Editor,
   folder: string,
@@ -64,6 +64,6 @@ export async function importContents(
   }
   if (wanted.length === 0) return { added: 0, refusals };
   const { length } = await addLevels(editor, folder, wanted);
-  if (length > 0) notices.show('info', length === 1 ? 'One level was imported.' : `${length} levels were imported.`);
+  if (length > 0) notices.show('info', length === 1 ? '1 level was imported.' : `${length} levels were imported.`);
   return { added: length, refusals };
 }

@@ -3,7 +3,7 @@ import { renderSvg } from '../../picture/index.ts';
 import { type LevelFile, type OwnRules, resolveLevel } from '../../schema/index.ts';
 
 interface PictureOptions {
-  /** Rules that the folder sets. */
+  /** The rules of the folder. */
   readonly rules: OwnRules;
   readonly accuracy: AccuracyName;
   readonly theme: 'dark' | 'light';
@@ -11,7 +11,7 @@ interface PictureOptions {
   readonly width: number;
 }
 
-/** Address of a picture of a level with its first run, as an SVG in itself. */
+/** A data URL of an SVG picture of a level with its first run. */
 export function levelPicture(file: LevelFile, { rules, accuracy, theme, width }: PictureOptions): string {
   const level = resolveLevel(file, rules);
   const run = level.runs.length === 0 ? undefined : simulate(compile(level, accuracy), level.runs[0].holds);

@@ -1,17 +1,17 @@
-/** A line of two texts side by side: in both, only in the old one, or only in the new one. */
+/** A line of a comparison: in both texts, only in the old one, or only in the new one. */
 export interface DiffLine {
   readonly kind: 'same' | 'old' | 'new';
   readonly text: string;
 }
 
-/** Longer middles are shown as replaced as a whole: finding what they share takes the product of their lengths. */
+/** Longer middle parts are shown as replaced entirely: comparing them costs the product of their lengths. */
 const MOST = 1500;
 
 function middleDiff(old: readonly string[], now: readonly string[]): DiffLine[] {
   if (old.length > MOST || now.length > MOST) {
     return [...old.map((text) => ({ kind: 'old' as const, text })), ...now.map((text) => ({ kind: 'new' as const, text }))];
   }
-  // shared[i][j]: how many lines old from i on and now from j on have in common
+  // shared[i][j]: the number of lines that old from i on and now from j on have in common
   const width = now.length + 1;
   const shared = new Uint16Array((old.length + 1) * width);
   for (let i = old.length - 1; i >= 0; i--) {
@@ -36,7 +36,7 @@ function middleDiff(old: readonly string[], now: readonly string[]): DiffLine[] 
   return lines;
 }
 
-/** What differs between two texts, line by line. */
+/** The differences between two texts, line by line. */
 export function diffLines(before: string, after: string): DiffLine[] {
   const [old, now] = [before.split('\n'), after.split('\n')];
   let start = 0;

@@ -1,13 +1,13 @@
 import type { Editor } from '../context/index.ts';
 import { levelOf } from '../share/index.ts';
 
-/** Takes the level that the page's address carries out of it, and asks the person: loading the page again asks no second time. */
+/** Takes the level out of the page's address and asks the user whether to add it; a reload does not ask again. */
 async function takeLink({ notices, incoming }: Editor): Promise<void> {
   const { hash } = window.location;
   const linked = await levelOf(hash);
   if (linked === null) return;
   if (window.location.hash === hash) {
-    // as a whole address: a path with two slashes at its front alone would name another host
+    // A full URL: a path that begins with two slashes would otherwise name another host.
     const bare = new URL(window.location.href);
     bare.hash = '';
     window.history.replaceState(window.history.state, '', bare.href.replace(/#$/, ''));
@@ -16,7 +16,10 @@ async function takeLink({ notices, incoming }: Editor): Promise<void> {
   else notices.show('error', linked.message, { topic: 'link' });
 }
 
-/** Takes in links, once it is known which levels there are: the one the page was opened with, and those that are typed into its address. @returns stops it */
+/**
+ * Handles links once the list of levels is known: the link that opened the page, and links typed into its address. @returns
+ * stops it
+ */
 export function followLinks(editor: Editor): () => void {
   const { store } = editor.workspace;
   const take = () => void takeLink(editor);

@@ -1,55 +1,55 @@
-/** A place of the page and what there is to know about it. */
+/** One step of the tour: a place on the page and what to know about it. */
 export interface TourStep {
   readonly title: string;
   readonly text: string;
-  /** For a finger, where that does something else. */
+  /** The text for touch, where it differs. */
   readonly touch?: string;
-  /** Selectors of the place, the first that is there counts; none: the middle of the page. */
+  /** Selectors of the place, the first that matches counts; none: the middle of the page. */
   readonly at: readonly string[];
 }
 
-/** The whole editor in under a minute. */
+/** A tour of the whole editor in under a minute. */
 export const TOUR: readonly TourStep[] = [
   {
     title: 'Build the level here',
-    text: 'Drag things to move them, drag their rim to make them larger. The wheel zooms, the right button moves the view.',
-    touch:
-      'Drag things to move them, drag their rim to make them larger. A finger on empty space moves the view, two fingers zoom.',
+    text: 'Drag an object to move it, drag its rim to resize it. Scroll to zoom, drag with the right button to move the view.',
+    touch: 'Drag an object to move it, drag its rim to resize it. Drag on empty space to move the view, pinch to zoom.',
     at: ['[aria-label="Level canvas"]'],
   },
   {
-    title: 'Put things in',
-    text: 'Choose a tool and click, or drag it to its place. Each has a letter: A for an asteroid, N for a nova, M for a mineral.',
-    touch: 'Choose a tool and tap where the thing is to be: an asteroid, a nova, a mineral. The arrow selects again.',
+    title: 'Add objects',
+    text: 'Choose a tool and click on the canvas, or drag the tool there. Each tool has a key: A for an asteroid, N for a nova, M for a mineral.',
+    touch:
+      'Choose a tool, such as an asteroid, a nova or a mineral, and tap on the canvas to place it. The arrow goes back to selecting.',
     at: ['[role=toolbar][aria-label="Tools"]'],
   },
   {
-    title: 'The proof is always on',
-    text: 'The line is where the run takes her. It bends while you drag, and the verdict follows at once: it is that of gq check.',
+    title: 'The verdict is always live',
+    text: 'The line shows the path of the run. It follows while you drag, and so does the verdict, which is the one that gq check gives.',
     at: ['[aria-label^="Verdict"]'],
   },
   {
-    title: 'A run is one lane',
-    text: 'A bar is how long the gun is held. Drag it, stretch its ends; with Alt all that follows moves along. Click the ruler to look at any moment.',
-    touch: 'A bar is how long the gun is held. Drag it, stretch its ends. Tap the ruler to look at any moment.',
+    title: 'A run is a row of holds',
+    text: 'Each bar is a hold of the gun. Drag it to move it, drag its ends to stretch it; hold Alt to move everything after it as well. Click the ruler to see any moment.',
+    touch: 'Each bar is a hold of the gun. Drag it to move it, drag its ends to stretch it. Tap the ruler to see any moment.',
     at: ['section[aria-label="Timeline"]', '.narrow__sheet--timeline', '.narrow__tabs'],
   },
   {
-    title: 'Play it in place',
-    text: 'Space plays, Esc comes back. Hold the mouse button for the gun. An attempt that gets through can become the proof.',
+    title: 'Play it right here',
+    text: 'Press Space to play, Esc to return. Hold the mouse button to hold the gun. You can keep each attempt as a run of the level.',
     touch:
-      'Play starts, and the same button comes back. Hold a finger down for the gun. An attempt that gets through can become the proof.',
+      'Tap Play to start, and again to return. Hold a finger down to hold the gun. You can keep each attempt as a run of the level.',
     at: ['.topbar .button--main'],
   },
   {
     title: 'Levels, objects, numbers',
-    text: 'All levels with their verdicts, every object by name, numbers to type, problems to go to, and a solver that looks for runs.',
+    text: 'Here are all levels with their verdicts, all objects, the numbers of what is selected, the problems, and a solver that searches for runs.',
     at: ['aside[aria-label="Levels and objects"]', '.narrow__tabs'],
   },
   {
-    title: 'Everything has a name',
-    text: 'Ctrl K finds any command, ? shows all keys. All you do is saved at once and can be undone. Have fun!',
-    touch: 'The magnifier finds any command by its name. All you do is saved at once and can be undone. Have fun!',
+    title: 'Find any command',
+    text: 'Press Ctrl+K to find any command, ? for all shortcuts. Every change is saved at once and can be undone. Have fun!',
+    touch: 'Tap the magnifier to find any command. Every change is saved at once and can be undone. Have fun!',
     at: ['.topbar__search'],
   },
 ];

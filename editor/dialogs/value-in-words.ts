@@ -1,12 +1,12 @@
-/** Longer values are cut, characters. */
+/** longer values are cut, in characters */
 const LONGEST = 90;
 
 const isPlain = (value: unknown): value is Record<string, unknown> =>
   typeof value === 'object' && value !== null && !Array.isArray(value);
 
-/** A JSON value in a line for people: `x 665, y 848`, `[150, 435], [480, 510]`; undefined is what is not there. */
+/** A JSON value as one line: `x 665, y 848`, `[150, 435], [480, 510]`. An undefined value is `absent`. */
 export function valueInWords(value: unknown): string {
-  if (value === undefined) return 'not there';
+  if (value === undefined) return 'absent';
   const text = isPlain(value)
     ? Object.entries(value)
         .map(([key, inner]) => `${key} ${JSON.stringify(inner)}`)

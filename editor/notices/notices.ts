@@ -1,13 +1,13 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 
-/** Something the person should know, shown at the side and read out. */
+/** A message to the user, shown in a corner and read out. */
 export interface Notice {
   readonly id: number;
   readonly severity: 'info' | 'warning' | 'error';
   readonly text: string;
-  /** What can be done about it, as buttons. */
+  /** Actions offered as buttons. */
   readonly actions: readonly { readonly title: string; readonly run: () => void }[];
-  /** A notice with the same topic takes the place of the last one. */
+  /** A notice replaces the previous notice with the same topic. */
   readonly topic: string | null;
 }
 
@@ -15,7 +15,7 @@ export interface Notices {
   readonly store: StoreApi<readonly Notice[]>;
   show(severity: Notice['severity'], text: string, options?: { actions?: Notice['actions']; topic?: string }): number;
   dismiss(id: number): void;
-  /** Takes the notice about a topic away: what it said is no longer so. */
+  /** Removes the notice about a topic: what it said no longer holds. */
   settle(topic: string): void;
 }
 

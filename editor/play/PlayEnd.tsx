@@ -6,18 +6,18 @@ import { Button } from '../ui/index.ts';
 interface PlayEndProps {
   readonly end: RunEnd;
   readonly onRestart: () => void;
-  /** Puts what was played into the level. */
+  /** Adds what was played to the level. */
   readonly onKeep: () => void;
   readonly onLeave: () => void;
 }
 
-/** How a playtest ended, and what can be done with it. */
+/** How a playtest ended, and what to do with it. */
 export function PlayEnd({ end, onRestart, onKeep, onLeave }: PlayEndProps) {
   const { range } = useLevel().proof.proof().level;
   const won = end.outcome === 'completed';
   return (
     <div className={`play__end play__end--${won ? 'won' : 'lost'}`} role="status">
-      <strong>{won ? 'Through!' : 'Not this time'}</strong>
+      <strong>{won ? 'Level completed' : 'Not completed'}</strong>
       <span>She {outcomeAsPredicate(end, range)}.</span>
       <span className="play__actions">
         <Button
@@ -30,13 +30,15 @@ export function PlayEnd({ end, onRestart, onKeep, onLeave }: PlayEndProps) {
           Again
         </Button>
         <Button
-          hint={won ? 'Put this attempt into the level as its proof' : 'Put this attempt into the level as its last run'}
+          hint={
+            won ? 'Keep this attempt in the level as the run that completes it' : 'Keep this attempt in the level as its last run'
+          }
           shortcut="Enter"
           look={won ? 'main' : 'outlined'}
           icon={won ? <Check size={15} /> : <Plus size={15} />}
           onClick={onKeep}
         >
-          {won ? 'Make this the proof' : 'Keep as a run'}
+          Keep as a run
         </Button>
         <Button hint="Back to editing" shortcut="Esc" look="outlined" icon={<X size={15} />} onClick={onLeave}>
           Edit

@@ -6,17 +6,17 @@ import type { Readout } from './use-playtest.ts';
 
 interface PlayHudProps {
   readonly readout: Readout | null;
-  /** How the gun is held, in words. */
+  /** How to hold the gun, in words. */
   readonly gun: string;
   readonly touch: boolean;
   readonly isOver: boolean;
   readonly onRestart: () => void;
   readonly onLeave: () => void;
-  /** Gives the focus back to what takes the gun's input. */
+  /** Focuses the element that receives the gun's input. */
   readonly toGun: () => void;
 }
 
-/** Time, speed and minerals while she flies, and what can be done meanwhile. */
+/** Time, speed and minerals during a playtest, and its controls. */
 export function PlayHud({ readout, gun, touch, isOver, onRestart, onLeave, toGun }: PlayHudProps) {
   const { settings } = useEditor();
   const level = useLevel();
@@ -33,12 +33,12 @@ export function PlayHud({ readout, gun, touch, isOver, onRestart, onLeave, toGun
             minerals {readout?.minerals ?? 0}/{all.length}
           </span>
         )}
-        <span className="play__hint">{touch ? `${gun}: gun` : `${gun} or Space: gun · R again · Esc edit`}</span>
+        <span className="play__hint">{touch ? `${gun}: gun` : `${gun} or Space: gun · R: again · Esc: edit`}</span>
       </div>
       <div className="play__tools">
         {hasRun && (
           <Button
-            hint="Show the run's way"
+            hint="Show the run's path"
             shortcut="W"
             icon={<Route size={15} />}
             pressed={isRunShown}
@@ -48,7 +48,7 @@ export function PlayHud({ readout, gun, touch, isOver, onRestart, onLeave, toGun
             }}
           />
         )}
-        {/* who has no keys */}
+        {/* for users without a keyboard */}
         {touch && !isOver && (
           <>
             <Button hint="Play again" icon={<RotateCcw size={15} />} onClick={onRestart} />

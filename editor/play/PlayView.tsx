@@ -6,7 +6,7 @@ import { PlayHud } from './PlayHud.tsx';
 import './play.css';
 import { usePlaytest } from './use-playtest.ts';
 
-/** The playtest over the canvas: takes the gun's input, plays in fixed ticks, keeps out of the way. */
+/** The playtest over the canvas: it takes the gun's input and plays in fixed ticks. */
 export function PlayView() {
   const editor = useEditor();
   const level = useLevel();
@@ -28,7 +28,7 @@ export function PlayView() {
         { id: 'play.restart', title: 'Play again', group: 'Play', mode: 'play', keys: ['r'], run: start },
         {
           id: 'play.promote',
-          title: won ? 'Make this attempt the proof' : 'Keep this attempt as a run',
+          title: 'Keep this attempt as a run',
           group: 'Play',
           mode: 'play',
           keys: ['Enter'],
@@ -36,14 +36,14 @@ export function PlayView() {
           run: promote,
         },
       ]),
-    [editor, leave, start, promote, attempt, won],
+    [editor, leave, start, promote, attempt],
   );
 
   const touch = useTouch();
   const end = attempt?.end ?? null;
   const gun = touch ? 'hold a finger on the screen' : 'hold the mouse button';
   return (
-    <div ref={host} className="play" tabIndex={-1} role="application" aria-label={`Playtest: ${gun} to fire the gun`}>
+    <div ref={host} className="play" tabIndex={-1} role="application" aria-label={`Playtest: ${gun} to hold the gun`}>
       <PlayHud readout={readout} gun={gun} touch={touch} isOver={end !== null} onRestart={start} onLeave={leave} toGun={toGun} />
       {end !== null && <PlayEnd end={end} onRestart={start} onKeep={promote} onLeave={leave} />}
     </div>

@@ -1,7 +1,7 @@
 import type { Attempt } from '../attempts/index.ts';
 import type { Ghost } from '../context/index.ts';
 
-/** Attempts as the canvas shows them. */
+/** Attempts as ghosts on the canvas. */
 export function attemptGhosts(attempts: readonly Attempt[]): Ghost[] {
   return attempts.map(({ number, points }) => ({ id: `attempt-${number}`, label: `attempt ${number}`, points, look: 'attempt' }));
 }

@@ -1,6 +1,6 @@
-/** What holds the gun in a playtest. */
+/** The input that holds the gun in a playtest. */
 export interface GunInput {
-  /** Whether the gun is held now; a press that was shorter than a frame counts once. */
+  /** Whether the gun is held now; a press shorter than a frame counts once. */
   read(): boolean;
   stop(): void;
 }
@@ -8,9 +8,9 @@ export interface GunInput {
 const isOnButton = ({ target }: Event): boolean => target instanceof Element && target.closest('button') !== null;
 
 /**
- * Mouse, touch or a key as the gun.
- * @param element where a press of the pointer counts
- * @param key `KeyboardEvent.code`; Space works as well
+ * Reads mouse, touch or a key as the gun.
+ * @param element where presses of the pointer count
+ * @param key `KeyboardEvent.code`; Space also works
  */
 export function listenToGun(page: Window, element: HTMLElement, key: () => string): GunInput {
   const held = new Set<string>();
@@ -27,7 +27,7 @@ export function listenToGun(page: Window, element: HTMLElement, key: () => strin
     'pointerdown',
     (event) => {
       if (event.button !== 0) return;
-      // a captured pointer would take the click away from the button under it
+      // Capturing the pointer would take the click away from the button.
       if (isOnButton(event)) return;
       event.preventDefault();
       element.setPointerCapture(event.pointerId);
@@ -42,7 +42,7 @@ export function listenToGun(page: Window, element: HTMLElement, key: () => strin
     'keydown',
     (event) => {
       if (!isGun(event)) return;
-      // with the focus on a button it presses that
+      // These keys press a focused button.
       if ((event.key === ' ' || event.key === 'Enter') && isOnButton(event)) return;
       event.preventDefault();
       if (!event.repeat) press(event.code);

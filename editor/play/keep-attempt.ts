@@ -15,7 +15,7 @@ function changed({ editor: { notices } }: Parts, result: ChangeResult): boolean 
   return result.ok;
 }
 
-/** Puts an attempt into the level as its last run: it proves nothing, and takes nobody's place. */
+/** Adds an attempt to the level as its last run; no other run changes. */
 export function keepAsRun(parts: Parts, { number, holds }: Attempt): void {
   const { document } = parts.level;
   const { session, notices } = parts.editor;
@@ -26,28 +26,29 @@ export function keepAsRun(parts: Parts, { number, holds }: Attempt): void {
 }
 
 /**
- * Makes an attempt that completes the level its proof: in place of the shown run where none completes it, else as the first run. One that does not, or no
- * longer does, is kept as the last run.
+ * Keeps an attempt that completes the level as the run that shows it: it replaces the holds of the shown run if no run
+ * completes the level, else it becomes the first run. An attempt that does not complete the level, or no longer does, is kept
+ * as the last run.
  */
 export function makeProof(parts: Parts, attempt: Attempt): void {
   const { document, proof } = parts.level;
   const { session, notices } = parts.editor;
   const { number, holds } = attempt;
   const { scene, run, provenBy } = proof.proof();
-  // the level, or its accuracy, may have changed since it was played
+  // The level or its accuracy may have changed since it was played.
   if (simulate(scene, holds).outcome !== 'completed') {
     keepAsRun(parts, attempt);
-    notices.show(
-      'warning',
-      `Attempt ${number} does not complete the level as it is now, so it can not be the proof. It is kept as the last run.`,
-      TOPIC,
-    );
+    notices.show('warning', `Attempt ${number} does not complete the level as it is now. It is kept as the last run.`, TOPIC);
     return;
   }
-  const label = `Make attempt ${number} the proof`;
+  const label = `Keep attempt ${number} as a run`;
   const mends = provenBy === null && run.name !== null;
   const name = mends ? run.name : freeRunName(document.file(), run.name === null ? 'solution' : 'played');
   if (!changed(parts, document.change(label, mends ? replaceHolds(name, holds) : addRun(name, holds, 'first')))) return;
   session.setState({ run: name });
-  notices.show('info', `Attempt ${number} is the proof now, as the run “${name}”.`, TOPIC);
+  notices.show(
+    'info',
+    `${mends ? `Attempt ${number} replaces the holds of the run “${name}”.` : `Attempt ${number} is kept as the first run, “${name}”.`}`,
+    TOPIC,
+  );
 }

@@ -2,7 +2,7 @@ import type { Command } from '../commands/index.ts';
 import type { Editor } from '../context/index.ts';
 import { RATES } from '../session/index.ts';
 
-/** How a playtest is entered, and how fast it goes. */
+/** Commands that start a playtest and set its speed. */
 export function playCommands({ session, settings, notices }: Editor): readonly Command[] {
   const changeRate = (by: number) => {
     const index = RATES.indexOf(session.getState().rate) + by;
@@ -18,29 +18,29 @@ export function playCommands({ session, settings, notices }: Editor): readonly C
     },
     {
       id: 'play.from-here',
-      title: 'Play from the scrubbed tick',
+      title: 'Play from the current tick',
       group: 'Play',
       keys: ['Shift+Space'],
       run: () => session.setState({ mode: 'play', playFrom: 'scrubbed', isPlayingBack: false }),
     },
-    { id: 'play.slower', title: 'Slower', group: 'Play', mode: 'both', keys: ['BracketLeft'], run: () => changeRate(-1) },
-    { id: 'play.faster', title: 'Faster', group: 'Play', mode: 'both', keys: ['BracketRight'], run: () => changeRate(1) },
+    { id: 'play.slower', title: 'Play slower', group: 'Play', mode: 'both', keys: ['BracketLeft'], run: () => changeRate(-1) },
+    { id: 'play.faster', title: 'Play faster', group: 'Play', mode: 'both', keys: ['BracketRight'], run: () => changeRate(1) },
     {
       id: 'play.show-run',
-      title: "Show or hide the run's way while playing",
+      title: "Show or hide the run's path while playing",
       group: 'Play',
       mode: 'both',
       keys: ['w'],
       run: () => {
         const runInPlay = !settings.getState().runInPlay;
         settings.setState({ runInPlay });
-        const text = runInPlay ? "The run's way is shown while you play." : "The run's way is hidden while you play.";
+        const text = runInPlay ? "The run's path is shown while you play." : "The run's path is hidden while you play.";
         notices.show('info', text, { topic: 'runInPlay' });
       },
     },
     {
       id: 'play.sound',
-      title: 'Sound on or off',
+      title: 'Turn sound on or off',
       group: 'Play',
       mode: 'both',
       keys: ['u'],

@@ -7,20 +7,20 @@ import { createSound } from './sound.ts';
 const READOUT = 100;
 
 interface FramesParts {
-  /** What takes the pointer. */
+  /** The element that receives the pointer. */
   readonly element: HTMLElement;
   readonly settings: SettingsStore;
-  /** Seconds of the game a second. */
+  /** Simulated seconds per second. */
   readonly rate: () => number;
-  /** What is played; null: nothing. */
+  /** The playtest; null: none. */
   readonly playing: () => Playtest | null;
-  /** It is time to show again how it stands. */
+  /** Called when the readout should be updated. */
   readonly onReadout: (playing: Playtest) => void;
-  /** It is over; called once for each playtest. */
+  /** Called once when a playtest ends. */
   readonly onEnd: (playing: Playtest) => void;
 }
 
-/** Plays frame by frame with what the gun is told to do, and lets it be heard. @returns stops it */
+/** Runs the playtest frame by frame with the input of the gun, and plays its sounds. @returns stops it */
 export function playFrames({ element, settings, rate, playing: current, onReadout, onEnd }: FramesParts): () => void {
   const gun = listenToGun(window, element, () => settings.getState().gunKey);
   const sound = createSound(() => (settings.getState().sound ? settings.getState().volume : 0));

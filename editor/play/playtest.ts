@@ -13,38 +13,38 @@ import {
 import type { Hold } from '../../schema/index.ts';
 import type { Pose } from '../context/index.ts';
 
-/** After so many ticks `gq simulate` says timeout. */
+/** `gq simulate` reports a timeout after this many ticks */
 export const MAX_TICKS = Math.round(DEFAULT_MAX_TIME * TICK_RATE);
 
-/** A frame that took longer than this, in s, is a tab that was asleep or a debugger: she waits meanwhile. */
+/** longest frame in s that counts; a longer one means that the tab slept or a debugger stopped it, and she waits */
 const LONGEST_FRAME = 0.25;
 
-/** A person's attempt: the engine advanced tick by tick with the button as it is at each tick. */
+/** A person's attempt: the engine advances tick by tick with the button as it is at each tick. */
 export interface Playtest {
   readonly tick: number;
-  /** The tick from which the person plays; before it the run's own holds were played. */
+  /** The tick at which the person takes over; before it the run's own holds are played. */
   readonly startTick: number;
-  /** null while it goes on */
+  /** null while the attempt goes on */
   readonly end: RunEnd | null;
   readonly held: boolean;
   readonly minerals: number;
   /** px/s */
   readonly speed: number;
-  /** What was played, as a script: `gq simulate` with these holds at the same accuracy gives the same bits. */
+  /** The holds played so far: `gq simulate` with them at the same accuracy gives the same bits. */
   holds(): Hold[];
-  /** x, y at every tick so far, px. */
+  /** x, y at every tick so far, px */
   points(): Float32Array;
   /**
-   * Goes on by a span of time: whole ticks are simulated, the rest is kept for the next call.
-   * @param seconds of game time
+   * Advances by a span of time: whole ticks are simulated, the rest is kept for the next call.
+   * @param seconds of simulated time
    * @param held whether the gun is held in the ticks of this span
    */
   advance(seconds: number, held: boolean): void;
-  /** How things stand now, between two ticks as well. */
+  /** The positions now, which may be between two ticks. */
   pose(): Pose;
 }
 
-/** Where she and the rest will be a part of a tick later: what she flies in so short a time is straight to 0.01 px. */
+/** Where she is a fraction of a tick later: in so short a time she flies straight to within 0.01 px. */
 function ahead(state: Float64Array, seconds: number): { x: number; y: number } {
   return { x: state[0] + state[2] * seconds, y: state[1] + state[3] * seconds };
 }
@@ -131,7 +131,7 @@ class PlayedRun implements Playtest {
     return { x, y, cos: this.state[4], sin: this.state[5], beamTo, aliens, asteroids, collected };
   }
 
-  /** The tick that comes next is a held one. */
+  /** Records that the next tick is a held one. */
   private press(): void {
     const tick = this.simulation.tick;
     const last = this.played[this.played.length - 1];
@@ -155,7 +155,7 @@ class PlayedRun implements Playtest {
 }
 
 /**
- * Begins an attempt.
+ * Starts an attempt.
  * @param from the run whose beginning is played first, and the tick at which the person takes over; null: from the start
  */
 export function createPlaytest(scene: Scene, from: { readonly holds: readonly Hold[]; readonly tick: number } | null): Playtest {

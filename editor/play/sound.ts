@@ -1,6 +1,6 @@
-/** What can be heard. */
+/** The sounds of a playtest. */
 export interface Sound {
-  /** The hum of the gun while it is held; higher when she is faster. @param speed px/s */
+  /** The hum of the held gun, higher at higher speed. @param speed px/s */
   gun(held: boolean, speed: number): void;
   mineral(): void;
   won(): void;
@@ -10,18 +10,18 @@ export interface Sound {
 
 const SILENCE: Sound = { gun: () => {}, mineral: () => {}, won: () => {}, died: () => {}, close: () => {} };
 
-/** s until the hum follows what it is told */
+/** time constant in s with which the hum follows */
 const GLIDE = 0.04;
 
 /**
- * Sound made by oscillators and noise, no recordings.
- * @param volume asked whenever something is to be heard, 0 to 1; 0 is silence
+ * Sounds made by oscillators, no recordings.
+ * @param volume read before each sound, 0 to 1; 0 is silence
  */
 export function createSound(volume: () => number): Sound {
   if (typeof AudioContext === 'undefined') return SILENCE;
   let parts: { context: AudioContext; out: GainNode; hum: OscillatorNode; humLevel: GainNode } | null = null;
 
-  // a page may make sound only after the person has done something: not before the first one is wanted
+  // A page may make sound only after a user gesture, so the audio context is created when the first sound is wanted.
   const awake = () => {
     if (parts === null) {
       const context = new AudioContext();

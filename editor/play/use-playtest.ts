@@ -4,7 +4,7 @@ import { useEditor, useLevel, useSession } from '../context/index.ts';
 import { playFrames } from './play-frames.ts';
 import { createPlaytest, type Playtest } from './playtest.ts';
 
-/** What is shown while she flies; new a few times a second, since the canvas itself shows every frame. */
+/** What the HUD shows; updated a few times a second, as the canvas shows every frame. */
 export interface Readout {
   readonly tick: number;
   readonly minerals: number;
@@ -15,13 +15,13 @@ const read = ({ tick, minerals, speed }: Playtest): Readout => ({ tick, minerals
 
 interface PlaytestOnPage {
   readonly readout: Readout | null;
-  /** What was played, once it is over. */
+  /** The finished attempt, once the playtest has ended. */
   readonly attempt: Attempt | null;
-  /** Begins anew. */
+  /** Starts again. */
   readonly start: () => void;
 }
 
-/** Plays the level for as long as the component is there. @param host what takes the gun's input, and the focus */
+/** Plays the level while the component is mounted. @param host the element that receives the gun's input and the focus */
 export function usePlaytest(host: RefObject<HTMLDivElement | null>): PlaytestOnPage {
   const editor = useEditor();
   const level = useLevel();
@@ -33,7 +33,7 @@ export function usePlaytest(host: RefObject<HTMLDivElement | null>): PlaytestOnP
   const [readout, setReadout] = useState<Readout | null>(null);
   const [attempt, setAttempt] = useState<Attempt | null>(null);
 
-  /** Puts what was played so far among the attempts. */
+  /** Adds what was played so far to the attempts. */
   const keep = useCallback(
     (playing: Playtest): Attempt => {
       const { accuracy } = level.proof.proof();
@@ -42,7 +42,7 @@ export function usePlaytest(host: RefObject<HTMLDivElement | null>): PlaytestOnP
     },
     [level],
   );
-  /** Whoever leaves, or begins again, before it is over loses nothing. */
+  /** Keeps an attempt that is left or restarted before its end. */
   const abandon = useCallback(() => {
     const playing = play.current;
     play.current = null;
@@ -58,7 +58,7 @@ export function usePlaytest(host: RefObject<HTMLDivElement | null>): PlaytestOnP
     level.playtest.setState({ pose: () => playing.pose() }, true);
     setReadout(read(playing));
     setAttempt(null);
-    // the button that began it anew is gone, and the focus with it
+    // The button that restarted it is gone, and the focus with it.
     host.current?.focus({ preventScroll: true });
   }, [editor, level, from, abandon, host]);
 

@@ -1,4 +1,4 @@
 export { TEMPLATES, type Template } from './templates.ts';
 
-/** The shipped levels: loaded when somebody asks for them. */
+/** The shipped levels, loaded on demand. */
 export const loadSamples = async () => (await import('./samples.ts')).SAMPLES;

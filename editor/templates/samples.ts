@@ -2,7 +2,7 @@ import { type LevelFile, readLevel } from '../../schema/index.ts';
 
 /** A level that comes with the toolkit. */
 export interface Sample {
-  /** What its file is called, without the ending. */
+  /** The name of its file, without the extension. */
   readonly stem: string;
   readonly file: LevelFile;
 }

@@ -1,26 +1,29 @@
 import { LEVEL_VERSION, type LevelFile, type Place, withIds } from '../../schema/index.ts';
 import { createRandom } from '../../solver/index.ts';
 
-/** A level to begin with. */
+/** A template for a new level. */
 export interface Template {
   readonly id: 'empty' | 'first-swing' | 'random';
   readonly title: string;
-  /** One line. */
+  /** one line */
   readonly about: string;
-  /** Whether another seed gives another level. */
+  /** whether another seed gives another level */
   readonly usesSeed: boolean;
-  /** @param seed a whole number; the same one gives the same level */
+  /** @param seed a whole number; the same seed gives the same level */
   readonly make: (name: string, seed: number) => LevelFile;
 }
 
-/** What a new level shows, px. */
+/** size of the picture of a new level, px */
 const WIDTH = 1280;
 const HEIGHT = 720;
-/** So far from the edges things are thrown, px. */
+/** least distance of random objects from the edges, px */
 const BORDER = 100;
-/** Between thrown things, and between them and the astronaut or the black hole, px: a box and a nova that don't touch. */
+/**
+ * least distance between random objects, and from them to the astronaut and the black hole, px: enough that a collision box and
+ * a nova don't touch
+ */
 const APART = 64;
-/** In the middle she must be in reach of an asteroid: nearer than this, px. */
+/** At least one asteroid lies within this distance of the astronaut, px. */
 const NEAR = 230;
 
 const empty = (name: string): LevelFile => ({
@@ -34,14 +37,14 @@ const empty = (name: string): LevelFile => ({
 const firstSwing = (name: string): LevelFile => ({
   version: LEVEL_VERSION,
   name,
-  description: 'She passes an asteroid: hold, and it bends her way into an arc; let go, and she flies on.',
+  description: 'She passes an asteroid: hold the gun to bend her path into an arc, release it to fly on.',
   astronaut: { x: 400, y: 560, vx: 0, vy: -60 },
   blackHole: { x: 730, y: 310 },
   asteroids: [{ x: 500, y: 420, radius: 32 }],
   runs: [{ name: 'solution', holds: [[150, 435]] }],
 });
 
-/** The demo that the game began with: seven asteroids and three novae thrown anywhere, the astronaut in the middle. */
+/** The random level that the game began with: seven asteroids and three novae anywhere, the astronaut in the middle. */
 function thrown(name: string, seed: number): LevelFile {
   const random = createRandom(seed);
   const places: Place[] = [{ x: WIDTH / 2, y: HEIGHT / 2 }];
@@ -71,7 +74,7 @@ function thrown(name: string, seed: number): LevelFile {
   return {
     version: LEVEL_VERSION,
     name,
-    description: `Thrown by chance, seed ${seed}.`,
+    description: `Random level, seed ${seed}.`,
     astronaut: places[0],
     blackHole: throwOne(),
     range: 2 * WIDTH,
@@ -80,7 +83,7 @@ function thrown(name: string, seed: number): LevelFile {
   };
 }
 
-/** What a new level can begin with. */
+/** The templates that a new level can begin with. */
 export const TEMPLATES: readonly Template[] = [
   {
     id: 'empty',
@@ -92,14 +95,14 @@ export const TEMPLATES: readonly Template[] = [
   {
     id: 'first-swing',
     title: 'A first swing',
-    about: 'One press around one asteroid, with a run that completes it.',
+    about: 'One asteroid and one hold, with a run that completes the level.',
     usesSeed: false,
     make: (name) => withIds(firstSwing(name)),
   },
   {
     id: 'random',
-    title: 'Thrown by chance',
-    about: 'Seven asteroids and three novae anywhere, the astronaut in the middle: fly, crash, begin again.',
+    title: 'Random',
+    about: 'Seven asteroids and three novae at random places, the astronaut in the middle.',
     usesSeed: true,
     make: (name, seed) => withIds(thrown(name, seed)),
   },

@@ -8,16 +8,16 @@ interface EventMarksProps {
   readonly width: number;
 }
 
-/** Short words for the lane, longer ones for the tooltip; null: the lane itself shows it. */
+/** A short text for the lane and a longer one for the tooltip; null for events that the lane itself shows. */
 function wordsOf(event: RunEvent): readonly [short: string, long: string] | null {
   switch (event.type) {
     case 'press':
     case 'release':
       return null;
     case 'target':
-      return [`A${event.index + 1}`, `the gun takes asteroid ${event.index + 1}`];
+      return [`A${event.index + 1}`, `asteroid ${event.index + 1} becomes the target`];
     case 'mineral':
-      return [`◆${event.index + 1}`, `mineral ${event.index + 1} is taken`];
+      return [`◆${event.index + 1}`, `mineral ${event.index + 1} is collected`];
     case 'enter':
       return [`R${event.index + 1}`, `enters repulsor ${event.index + 1}`];
     case 'leave':
@@ -25,7 +25,7 @@ function wordsOf(event: RunEvent): readonly [short: string, long: string] | null
     case 'effect':
       return ['~', effectEventInWords(event)];
     case 'wake':
-      return [`E${event.index + 1}!`, `alien ${event.index + 1} wakes`];
+      return [`E${event.index + 1}!`, `alien ${event.index + 1} wakes up`];
     case 'sleep':
       return [`E${event.index + 1}z`, `alien ${event.index + 1} falls asleep`];
     case 'explosion':
@@ -39,10 +39,10 @@ function wordsOf(event: RunEvent): readonly [short: string, long: string] | null
   }
 }
 
-/** px that a mark needs, so that two don't lie on each other */
+/** px that a mark needs, so that two don't overlap */
 const ROOM = 22;
 
-/** What happens in the run, as short marks with their words as tooltips. */
+/** The events of the run as short marks; their tooltips say more. */
 export const EventMarks = memo(function EventMarks({ events, scale, width }: EventMarksProps) {
   let free = Number.NEGATIVE_INFINITY;
   const marks = events.flatMap((event) => {

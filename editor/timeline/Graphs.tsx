@@ -10,13 +10,13 @@ interface GraphsProps {
   readonly height: number;
 }
 
-/** Clearances above this are all the same to the eye, px. */
+/** Clearances above this, in px, are drawn alike. */
 const FAR = 150;
 
-/** Clearance is dashed, so that the lines differ by more than their colour; px. */
+/** Clearance is dashed, so that the lines differ in more than colour; px. */
 const DASHES = [6, 3];
 
-/** Colours of the page's theme. Asking for them makes the browser style the whole page, so it is done once a theme. */
+/** The colours of the page's theme. Reading them makes the browser restyle the whole page, so it is done once per theme. */
 function lookOf(element: Element) {
   const style = getComputedStyle(element);
   const colour = (name: string) => style.getPropertyValue(name);
@@ -31,7 +31,7 @@ const fastestOf = ({ speed, gap }: GraphsProps['margins']): number => {
 
 const hasHazards = ({ gap }: GraphsProps['margins']): boolean => gap.length > 0 && Number.isFinite(gap[0]);
 
-/** Speed and clearance along the run, one below the other, with what they are in a line of their own above. */
+/** Speed and clearance along the run, one below the other, with a key above them. */
 export const Graphs = memo(function Graphs({ margins, scale, width, height }: GraphsProps) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const theme = usePageTheme();
@@ -55,7 +55,7 @@ export const Graphs = memo(function Graphs({ margins, scale, width, height }: Gr
     const half = height / 2;
     const first = Math.max(0, Math.floor(scale.from));
     const last = Math.min(count - 1, Math.ceil(scale.from + width / scale.zoom));
-    // a point a px is enough for the eye
+    // one point per px is enough
     const stride = Math.max(1, Math.floor(0.5 / scale.zoom));
     const line = (value: (tick: number) => number, top: number, size: number, stroke: string, dashes: number[]) => {
       brush.strokeStyle = stroke;
@@ -77,18 +77,18 @@ export const Graphs = memo(function Graphs({ margins, scale, width, height }: Gr
   }, [margins, scale, width, height, look, fastest, hazards]);
 
   const least = margins.nearMisses.reduce((low, { gap }) => Math.min(low, gap), Number.POSITIVE_INFINITY);
-  const words = Number.isFinite(least) ? `nearest pass ${least.toFixed(1)} px` : 'no close pass';
+  const words = Number.isFinite(least) ? `nearest miss ${least.toFixed(1)} px` : 'no near miss';
   return (
     <>
       <div className="graphs__key" aria-hidden>
         <span className="legend__look legend__look--speed" />
         <span>speed, to {Math.round(fastest)} px/s</span>
         {hazards && <span className="legend__look legend__look--gap" />}
-        <span>{hazards ? `clearance, to ${FAR} px` : 'nothing deadly in this level'}</span>
+        <span>{hazards ? `clearance, to ${FAR} px` : 'no hazards in this level'}</span>
         {Number.isFinite(least) && (
           <>
             <span className="legend__look legend__look--near" />
-            <span>graze</span>
+            <span>near miss</span>
           </>
         )}
       </div>

@@ -12,18 +12,20 @@ import { useHoldDrag } from './use-hold-drag.ts';
 const NONE: readonly number[] = [];
 
 interface GunLaneProps {
-  /** Name of the run whose holds are shown. */
+  /** The name of the run whose holds are shown. */
   readonly run: string;
   readonly holds: readonly Hold[];
   readonly reached: Reached;
   readonly scale: Scale;
-  /** Called when a drag begins and ends: the scale must stay as it is meanwhile. */
+  /** Called when a drag begins and ends; the scale must not change in between. */
   readonly onDragging: (isDragging: boolean) => void;
-  /** How far each press and release may move alone; null while unknown or no longer true. */
+  /** How far each press and release may move alone; null if unknown or outdated. */
   readonly slack: readonly EdgeRoom[] | null;
 }
 
-/** When the gun is held, as bars: drag to move, drag an end to stretch, double-click to split, drag on empty lane for a new one. */
+/**
+ * The holds of a run as bars: drag to move, drag an end to stretch, double-click to split, drag on the empty lane to add one.
+ */
 export const GunLane = memo(function GunLane({ run, holds, reached, scale, slack, onDragging }: GunLaneProps) {
   const { document, selection } = useLevel();
   const selected = useStore(selection.store, (state) => (state.run === run ? state.holds : NONE));
@@ -60,7 +62,7 @@ export const GunLane = memo(function GunLane({ run, holds, reached, scale, slack
       {reached.isBroken && <div className="lane__after" style={{ left: toX(scale, reached.until) }} />}
       {holds.map((hold, index) => (
         <HoldBar
-          // holds have no names of their own: their place in the order is what they are
+          // Holds have no ids: the index identifies them.
           // biome-ignore lint/suspicious/noArrayIndexKey: see above
           key={index}
           hold={hold}

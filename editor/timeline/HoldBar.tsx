@@ -4,7 +4,7 @@ import type { Grip } from './grip.ts';
 import { isCut, isMissed, type Reached } from './reached.ts';
 import { type Scale, toX } from './scale.ts';
 
-/** How far a press or a release may move alone, ticks. */
+/** How far a press or release may move alone, in ticks. */
 export interface EdgeRoom {
   readonly earlier: number;
   readonly later: number;
@@ -16,14 +16,14 @@ interface HoldBarProps {
   readonly reached: Reached;
   readonly scale: Scale;
   readonly isSelected: boolean;
-  /** Of press and release; null while unknown. */
+  /** Slack of press and release; null while unknown. */
   readonly slack: readonly [EdgeRoom | undefined, EdgeRoom | undefined] | null;
   readonly onKey: (event: KeyboardEvent<HTMLElement>, part: Grip['part'], index: number) => void;
 }
 
 const seconds = (tick: number) => `${(tick / 60).toFixed(2)} s`;
 
-/** One hold on the lane, with the room that its ends have. */
+/** One hold in the lane, with the slack of its ends. */
 export function HoldBar({ hold, index, reached, scale, isSelected, slack, onKey }: HoldBarProps) {
   const [press, release] = hold;
   const missed = isMissed(hold, reached);

@@ -5,14 +5,14 @@ import { rulerStep, type Scale, toTick, toX } from './scale.ts';
 interface RulerProps {
   readonly scale: Scale;
   readonly width: number;
-  /** The last tick that can be scrubbed to. */
+  /** The last tick that can be shown. */
   readonly end: number;
 }
 
 /** px between two labels */
 const LABEL_ROOM = 56;
 
-/** Time in seconds; dragging on it scrubs. */
+/** Time in seconds; drag on it to scrub. */
 export const Ruler = memo(function Ruler({ scale, width, end }: RulerProps) {
   const { session } = useEditor();
   const tick = useSession((state) => Math.round(state.tick));

@@ -13,20 +13,20 @@ import { fitTicks, panScale, type Scale, toTick, toX, zoomScale } from './scale.
 import { Transport } from './Transport.tsx';
 import './timeline.css';
 
-/** Zoom by one px of wheel. */
+/** zoom factor per px of wheel */
 const WHEEL_ZOOM = 1.0015;
-/** px that say what the graphs are, above them */
+/** height in px of the key above the graphs */
 const KEY_HEIGHT = 16;
-/** Zoom by one press of a button or key. */
+/** zoom factor per press of a button or key */
 const STEP_ZOOM = 1.5;
 
 const endOf = ({ run }: LiveProof): number => Math.max(1, run.way.count - 1);
 const ticksOf = ({ ticks }: Reach): number => ticks;
 
-/** What takes longest to find out, and may be a frame or two behind the pointer. */
+/** The parts that take longest to compute; they may lag a frame or two behind the pointer. */
 const detailsOf = (proof: LiveProof) => ({ events: proof.full?.events ?? [], margins: proof.margins });
 
-/** Where the shown moment is, and the one under the pointer. */
+/** The shown moment, and the one under the pointer. */
 function Cursors({ scale, end }: { readonly scale: Scale; readonly end: number }) {
   const tick = useSession((state) => state.tick);
   const hoverTick = useSession((state) => state.hoverTick);
@@ -38,14 +38,14 @@ function Cursors({ scale, end }: { readonly scale: Scale; readonly end: number }
   );
 }
 
-/** What is said of a level without a run. */
+/** Shown instead of the gun lane in a level without runs. */
 function NoRun() {
   const touch = useTouch();
   return (
     <div className="lane lane--empty">
       {touch
-        ? 'No run yet. Play, and make an attempt that gets through the proof, or let the solver find one.'
-        : 'No run yet. Play with Space and make an attempt that gets through the proof, let the solver find one, or press I to hold the gun from here.'}
+        ? 'No run yet. Play and keep an attempt as a run, or let the solver find one.'
+        : 'No run yet. Press Space to play and keep an attempt as a run, let the solver find one, or press I to add a hold here.'}
     </div>
   );
 }
@@ -68,9 +68,9 @@ export function Timeline() {
   const box = useRef<HTMLDivElement>(null);
   const graphs = useRef<HTMLDivElement>(null);
   const [size, setSize] = useState({ width: 600, height: 60 });
-  // null: all of the run, however long it is
+  // null: the whole run, however long it is
   const [chosen, setChosen] = useState<Scale | null>(null);
-  // while a hold is dragged, though the run may end elsewhere
+  // set while a hold is dragged, which may change where the run ends
   const [kept, setKept] = useState<Scale | null>(null);
   const [isExplained, setExplained] = useState(false);
   const { width } = size;
@@ -92,7 +92,7 @@ export function Timeline() {
       const sideways = event.shiftKey || Math.abs(event.deltaX) > Math.abs(event.deltaY);
       setChosen(sideways ? panScale(last, -(event.deltaX + event.deltaY)) : zoomScale(last, x, WHEEL_ZOOM ** -event.deltaY));
     };
-    // React's own wheel listeners can't keep the page from scrolling
+    // React's own wheel listeners can't keep the page from scrolling.
     element.addEventListener('wheel', onWheel, { passive: false });
     return () => {
       observer.disconnect();
@@ -102,7 +102,7 @@ export function Timeline() {
   useEffect(() => followPlayback(session, () => now.current.end), [session]);
   useEffect(() => {
     const lastTick = () => now.current.end;
-    // the shown moment stays where it is
+    // the shown moment stays in place
     const zoomBy = (factor: number) => {
       const { scale: last, width: room } = now.current;
       const x = toX(last, session.getState().tick);
@@ -110,10 +110,10 @@ export function Timeline() {
     };
     const forget = commands.register([
       ...runCommands(editor, level, lastTick),
-      { id: 'run.fit', title: 'Show all of the run in the timeline', group: 'Run', run: () => setChosen(null) },
-      { id: 'run.zoom-in', title: 'Zoom in on the timeline', group: 'Run', run: () => zoomBy(STEP_ZOOM) },
-      { id: 'run.zoom-out', title: 'Zoom out of the timeline', group: 'Run', run: () => zoomBy(1 / STEP_ZOOM) },
-      { id: 'run.legend', title: 'Explain the timeline', group: 'Help', run: () => setExplained(true) },
+      { id: 'run.fit', title: 'Fit the run in the timeline', group: 'Run', run: () => setChosen(null) },
+      { id: 'run.zoom-in', title: 'Zoom the timeline in', group: 'Run', run: () => zoomBy(STEP_ZOOM) },
+      { id: 'run.zoom-out', title: 'Zoom the timeline out', group: 'Run', run: () => zoomBy(1 / STEP_ZOOM) },
+      { id: 'run.legend', title: 'Show the timeline legend', group: 'Help', run: () => setExplained(true) },
     ]);
     return forget;
   }, [commands, editor, level, session]);
@@ -123,7 +123,7 @@ export function Timeline() {
   const ending = toX(scale, end);
   const isPlaying = useSession(({ mode }) => mode === 'play');
   const isRunShown = useStore(editor.settings, ({ runInPlay }) => runInPlay);
-  // when to press would be given away as well
+  // the timeline would also give away when to press
   const isHidden = isPlaying && !isRunShown;
   return (
     <div className="timeline">
@@ -138,7 +138,7 @@ export function Timeline() {
         }}
         onPointerLeave={() => session.setState({ hoverTick: null })}
       >
-        {isHidden && <p className="timeline__hidden">Hidden while you play: it gives the run away.</p>}
+        {isHidden && <p className="timeline__hidden">Hidden while you play: it would give the run away.</p>}
         <Ruler scale={scale} width={width} end={end} />
         {isBroken && ending < width && (
           <div className="timeline__after" style={{ left: Math.max(0, ending) }} aria-hidden>

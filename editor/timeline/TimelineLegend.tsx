@@ -15,27 +15,27 @@ const look = (name: string): ReactNode => <span className={`legend__look legend_
 
 const ENTRIES: readonly (readonly [sign: ReactNode, words: string])[] = [
   [look('hold'), 'The gun is held. The number is how long, in ticks of 1/60 s.'],
-  [look('slack'), 'Slack: so far this press or this release alone may slip, and the run still completes the level.'],
-  [look('missed'), 'Not reached: the run ends before this hold, or while it lasts.'],
-  [look('after'), 'After the end of a run that breaks.'],
-  [mark('A2'), 'The gun takes asteroid 2.'],
-  [mark('◆1'), 'Mineral 1 is taken.'],
-  [mark('R1 /R1'), 'She enters repulsor 1, and leaves it.'],
-  [mark('E1! E1z'), 'Alien 1 wakes, and falls asleep.'],
+  [look('slack'), 'Slack: how far this press or release alone may slip while the run still completes the level.'],
+  [look('missed'), 'Not reached: the run ends before or during this hold.'],
+  [look('after'), 'After the end of a run that fails.'],
+  [mark('A2'), 'Asteroid 2 becomes the target.'],
+  [mark('◆1'), 'Mineral 1 is collected.'],
+  [mark('R1 /R1'), 'She enters repulsor 1; she leaves it.'],
+  [mark('E1! E1z'), 'Alien 1 wakes up; it falls asleep.'],
   [mark('✺'), 'Two aliens explode.'],
   [mark('● ✕'), 'She reaches the black hole; she collides or is lost.'],
   [look('speed'), 'Her speed.'],
-  [look('gap'), 'How far she is from the nearest thing that kills.'],
-  [look('near'), `A graze: she passes such a thing by less than ${NEAR} px.`],
+  [look('gap'), 'Her distance to the nearest hazard.'],
+  [look('near'), `Near miss: she passes a hazard at less than ${NEAR} px.`],
 ];
 
-/** What bars, hatches, marks and lines of the timeline mean, and what can be done with a hold: for every pointer, and in words. */
+/** What the bars, hatches, marks and lines of the timeline mean, and how to edit a hold. */
 export function TimelineLegend({ isOpen, onOpen }: TimelineLegendProps) {
   const touch = useTouch();
   return (
     <Popover.Root open={isOpen} onOpenChange={onOpen}>
       <Popover.Trigger asChild>
-        <Button hint="What the timeline shows" icon={<CircleQuestionMark size={15} />} />
+        <Button hint="Timeline legend" icon={<CircleQuestionMark size={15} />} />
       </Popover.Trigger>
       <Popover.Portal>
         <Popover.Content
@@ -43,15 +43,15 @@ export function TimelineLegend({ isOpen, onOpen }: TimelineLegendProps) {
           side="top"
           sideOffset={6}
           collisionPadding={8}
-          aria-label="What the timeline shows"
-          // on its first button the focus would open a tooltip, and Esc would close that instead
+          aria-label="Timeline legend"
+          // On the first button, the focus would open a tooltip, and Esc would close that instead of the legend.
           onOpenAutoFocus={(event) => {
             event.preventDefault();
             if (event.target instanceof HTMLElement) event.target.focus();
           }}
         >
           <div className="legend__head">
-            <h2 className="legend__title">What the timeline shows</h2>
+            <h2 className="legend__title">Timeline legend</h2>
             <Popover.Close asChild>
               <Button hint="Close" icon={<X size={15} />} />
             </Popover.Close>
@@ -67,8 +67,10 @@ export function TimelineLegend({ isOpen, onOpen }: TimelineLegendProps) {
             ))}
           </ul>
           <p className="legend__how">
-            Drag the middle of a hold to move it, one of its ends to stretch it, the empty lane to add one.
-            {touch ? ' Tap a hold twice to split it.' : ' With Alt all that follows comes along. A double-click splits a hold.'}
+            Drag the middle of a hold to move it, an end to stretch it, or the empty lane to add one.
+            {touch
+              ? ' Double-tap a hold to split it.'
+              : ' Hold Alt to move everything after it as well. Double-click a hold to split it.'}
           </p>
         </Popover.Content>
       </Popover.Portal>

@@ -9,7 +9,7 @@ import { TimelineLegend } from './TimelineLegend.tsx';
 
 const RATE_NAMES: Readonly<Record<number, string>> = { 0.25: '¼×', 0.5: '½×', 1: '1×', 2: '2×' };
 
-/** The shown moment in words: for itself, since it is new in every frame of a scrub. */
+/** The shown moment in words; a component of its own, as it changes with every frame of a scrub. */
 function Moment({ end }: { readonly end: number }) {
   const tick = useSession((state) => Math.round(state.tick));
   return (
@@ -27,7 +27,7 @@ interface TransportProps {
   readonly onExplain: (isExplained: boolean) => void;
 }
 
-/** Which run is shown, and where in it: step, play back, scrub. */
+/** Which run is shown, and the moment in it: step, play back, scrub. */
 export const Transport = memo(function Transport({ end, reached, isExplained, onExplain }: TransportProps) {
   const { session, commands } = useEditor();
   const runs = useDocument(({ file }) => file.runs);
@@ -53,17 +53,27 @@ export const Transport = memo(function Transport({ end, reached, isExplained, on
           </option>
         ))}
       </select>
-      <Button hint="To the start" shortcut="Home" icon={<ChevronFirst size={16} />} onClick={() => commands.run('run.first')} />
-      <Button hint="A tick back" shortcut="," icon={<StepBack size={16} />} onClick={() => commands.run('run.back')} />
       <Button
-        hint={isPlayingBack ? 'Pause' : 'Show the run in time'}
+        hint="Go to the start of the run"
+        shortcut="Home"
+        icon={<ChevronFirst size={16} />}
+        onClick={() => commands.run('run.first')}
+      />
+      <Button hint="Previous tick" shortcut="," icon={<StepBack size={16} />} onClick={() => commands.run('run.back')} />
+      <Button
+        hint={isPlayingBack ? 'Pause' : 'Play back the run'}
         shortcut="K"
         icon={isPlayingBack ? <Pause size={16} /> : <Play size={16} />}
         onClick={() => commands.run('run.playback')}
       />
-      <Button hint="A tick on" shortcut="." icon={<StepForward size={16} />} onClick={() => commands.run('run.on')} />
-      <Button hint="To the end" shortcut="End" icon={<ChevronLast size={16} />} onClick={() => commands.run('run.last')} />
-      <div className="transport__rates" role="toolbar" aria-label="Speed">
+      <Button hint="Next tick" shortcut="." icon={<StepForward size={16} />} onClick={() => commands.run('run.on')} />
+      <Button
+        hint="Go to the end of the run"
+        shortcut="End"
+        icon={<ChevronLast size={16} />}
+        onClick={() => commands.run('run.last')}
+      />
+      <div className="transport__rates" role="toolbar" aria-label="Playback speed">
         {RATES.map((one) => (
           <Button
             key={one}
@@ -75,10 +85,10 @@ export const Transport = memo(function Transport({ end, reached, isExplained, on
           </Button>
         ))}
       </div>
-      {/* who has a wheel or a touchpad needs no buttons */}
-      <div className="transport__zoom" role="toolbar" aria-label="Zoom of the timeline">
-        <Button hint="Zoom out of the timeline" icon={<ZoomOut size={16} />} onClick={() => commands.run('run.zoom-out')} />
-        <Button hint="Zoom in on the timeline" icon={<ZoomIn size={16} />} onClick={() => commands.run('run.zoom-in')} />
+      {/* A wheel or a touchpad zooms without these buttons, which are for touch. */}
+      <div className="transport__zoom" role="toolbar" aria-label="Timeline zoom">
+        <Button hint="Zoom the timeline out" icon={<ZoomOut size={16} />} onClick={() => commands.run('run.zoom-out')} />
+        <Button hint="Zoom the timeline in" icon={<ZoomIn size={16} />} onClick={() => commands.run('run.zoom-in')} />
       </div>
       <TimelineLegend isOpen={isExplained} onOpen={onExplain} />
       <Moment end={end} />

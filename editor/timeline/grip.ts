@@ -1,19 +1,22 @@
 import type { Hold } from '../../schema/index.ts';
 import { type Scale, toX } from './scale.ts';
 
-/** Part of a hold that is taken hold of. */
+/** The part of a hold that the pointer grabs. */
 export interface Grip {
   readonly index: number;
   readonly part: 'press' | 'body' | 'release';
 }
 
-/** px of screen: how wide an edge is to the pointer, and how much of that lies inside the bar at most. `timeline.css` has the same. */
+/**
+ * px of screen: how wide an edge is to the pointer, and how much of that lies inside the bar at most. `timeline.css` repeats
+ * these.
+ */
 const EDGE = { fine: { width: 14, inside: 6 }, coarse: { width: 44, inside: 22 } } as const;
 
-/** Never more of a bar than this belongs to one of its edges: its middle moves it, however short it is. */
+/** At most this share of a bar belongs to each edge, so that its middle can move even a short bar. */
 const SHARE = 1 / 3;
 
-/** What a pointer at `x` takes: the nearest edge that is near enough, else the bar it is on; null: the empty lane. */
+/** What a pointer at `x` grabs: the nearest edge within reach, else the bar under it; null: the empty lane. */
 export function gripAt(holds: readonly Hold[], scale: Scale, x: number, pointer: keyof typeof EDGE): Grip | null {
   const { width, inside: most } = EDGE[pointer];
   let best: Grip | null = null;
@@ -22,7 +25,7 @@ export function gripAt(holds: readonly Hold[], scale: Scale, x: number, pointer:
     const left = toX(scale, press);
     const right = toX(scale, release);
     const inside = Math.min(most, (right - left) * SHARE);
-    // px into the bar, seen from either edge
+    // px into the bar, measured from either edge
     for (const [part, depth] of [
       ['press', x - left],
       ['release', right - x],

@@ -1,7 +1,7 @@
 import type { SessionStore } from '../session/index.ts';
 
 /**
- * Lets the timeline play the run by itself while `isPlayingBack` is set; stops at its end.
+ * Plays the run in the timeline while `isPlayingBack` is set; stops at its end.
  * @param end the last tick of the shown run
  * @returns stops it
  */
@@ -10,7 +10,7 @@ export function followPlayback(session: SessionStore, end: () => number): () => 
   let last = 0;
   const onFrame = (now: number) => {
     const { isPlayingBack, tick, rate } = session.getState();
-    // asked for before the session changes: its subscriber must see that a frame is on its way
+    // Requested before the session changes: the subscriber must see that a frame is pending.
     frame = isPlayingBack ? requestAnimationFrame(onFrame) : 0;
     if (!isPlayingBack) return;
     const next = tick + ((now - last) / 1000) * 60 * rate;

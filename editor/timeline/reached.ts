@@ -4,9 +4,9 @@ import { isWhole, type LiveProof } from '../proof/index.ts';
 
 /** How far a run gets. */
 export interface Reached {
-  /** Ticks until its end, with a fraction; infinite where it was not played to its end. */
+  /** Ticks until its end, with a fraction; infinite if it was not simulated to its end. */
   readonly until: number;
-  /** Whether the end is one that nothing should come after. */
+  /** Whether the run ends without completing the level. */
   readonly isBroken: boolean;
 }
 
@@ -18,10 +18,10 @@ export const reachedBy = (proof: LiveProof): Reached => {
   };
 };
 
-/** Whether the run ends before a hold begins. */
+/** Whether the run ends before the hold begins. */
 export const isMissed = ([press]: Hold, { until }: Reached): boolean => press >= until;
 
-/** Whether the run breaks while a hold lasts. */
+/** Whether the run fails during the hold. */
 export const isCut = (hold: Hold, { until, isBroken }: Reached): boolean =>
   isBroken && !isMissed(hold, { until, isBroken }) && hold[1] > until;
 

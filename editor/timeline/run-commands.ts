@@ -2,10 +2,10 @@ import type { Command } from '../commands/index.ts';
 import type { Editor, OpenLevel } from '../context/index.ts';
 import { addHold, addRun, deleteHolds, freeRunName, splitHold } from '../document/index.ts';
 
-/** Holding the gun for so many ticks is what a new hold begins with. */
+/** length of a new hold, in ticks */
 const NEW_HOLD = 30;
 
-/** What can be done in the timeline without the pointer. @param end the last tick of the shown run */
+/** Commands for editing a run without the pointer. @param end the last tick of the shown run */
 export function runCommands(
   { session }: Editor,
   { document, proof, selection }: OpenLevel,
@@ -28,7 +28,7 @@ export function runCommands(
   return [
     {
       id: 'run.playback',
-      title: 'Show the run in time',
+      title: 'Play back the run',
       group: 'Run',
       keys: ['k'],
       run: () => {
@@ -36,16 +36,16 @@ export function runCommands(
         session.setState({ isPlayingBack: !isPlayingBack, tick: !isPlayingBack && tick >= end() ? 0 : tick, hoverTick: null });
       },
     },
-    { id: 'run.back', title: 'A tick back', group: 'Run', keys: ['Comma'], run: () => step(-1) },
-    { id: 'run.on', title: 'A tick on', group: 'Run', keys: ['Period'], run: () => step(1) },
-    { id: 'run.back-far', title: 'A second back', group: 'Run', keys: ['Shift+Comma'], run: () => step(-60) },
-    { id: 'run.on-far', title: 'A second on', group: 'Run', keys: ['Shift+Period'], run: () => step(60) },
-    { id: 'run.first', title: 'To the start of the run', group: 'Run', keys: ['Home'], run: () => goTo(0) },
-    { id: 'run.last', title: 'To the end of the run', group: 'Run', keys: ['End'], run: () => goTo(end()) },
+    { id: 'run.back', title: 'Previous tick', group: 'Run', keys: ['Comma'], run: () => step(-1) },
+    { id: 'run.on', title: 'Next tick', group: 'Run', keys: ['Period'], run: () => step(1) },
+    { id: 'run.back-far', title: 'Back one second', group: 'Run', keys: ['Shift+Comma'], run: () => step(-60) },
+    { id: 'run.on-far', title: 'Forward one second', group: 'Run', keys: ['Shift+Period'], run: () => step(60) },
+    { id: 'run.first', title: 'Go to the start of the run', group: 'Run', keys: ['Home'], run: () => goTo(0) },
+    { id: 'run.last', title: 'Go to the end of the run', group: 'Run', keys: ['End'], run: () => goTo(end()) },
     { id: 'run.new', title: 'New run', group: 'Run', run: newRun },
     {
       id: 'run.add-hold',
-      title: 'Hold the gun from the scrubbed tick',
+      title: 'Add a hold at the current tick',
       group: 'Run',
       keys: ['i'],
       run: () => {
@@ -56,7 +56,7 @@ export function runCommands(
     },
     {
       id: 'run.split-hold',
-      title: 'Let go at the scrubbed tick',
+      title: 'Split the hold at the current tick',
       group: 'Run',
       keys: ['s'],
       needs: () => (shown() === null ? 'show a run first' : null),

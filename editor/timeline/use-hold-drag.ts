@@ -11,7 +11,7 @@ const NO_HOLD: readonly [number, number] = [0, 0];
 interface Drag {
   readonly part: Grip['part'] | 'new';
   readonly index: number;
-  /** What the hold was like when the drag began: the gesture starts from there each time. */
+  /** The hold when the drag began: each move starts again from there. */
   readonly hold: Hold;
   readonly x: number;
   readonly tick: number;
@@ -29,12 +29,12 @@ interface HoldDragParts {
   readonly run: string;
   readonly holds: readonly Hold[];
   readonly scale: Scale;
-  /** Indices of the holds that are selected. */
+  /** Indices of the selected holds. */
   readonly selected: readonly number[];
   readonly onDragging: (isDragging: boolean) => void;
 }
 
-/** Holds that are drawn, moved, stretched and split with the pointer. @returns what the lane listens to, and how to take a drag back */
+/** Draws, moves, stretches and splits holds with the pointer. @returns the listeners of the lane, and how to cancel a drag */
 export function useHoldDrag({ lane, run, holds, scale, selected, onDragging }: HoldDragParts) {
   const { session, notices } = useEditor();
   const { document, selection } = useLevel();
@@ -46,7 +46,7 @@ export function useHoldDrag({ lane, run, holds, scale, selected, onDragging }: H
     event.currentTarget.setPointerCapture(event.pointerId);
     onDragging(true);
     const x = xOf(event);
-    // where it is says what it takes: targets for fingers lie over one another
+    // The position decides: the touch targets of neighbouring holds overlap.
     const grip = gripAt(holds, scale, x, event.pointerType === 'touch' ? 'coarse' : 'fine');
     const { part, index } = grip ?? ({ part: 'new', index: -1 } as const);
     const [hold, gesture] = [holds[index] ?? NO_HOLD, document.begin(LABELS[part])];
@@ -96,7 +96,7 @@ export function useHoldDrag({ lane, run, holds, scale, selected, onDragging }: H
   };
 }
 
-/** What a drag makes of the holds. @param by ticks @param ripple whether what comes later moves, too */
+/** The edit that a drag makes. @param by ticks @param ripple whether everything later moves as well */
 function draggedBy(run: string, { part, index, hold, tick }: Drag, by: number, ripple: boolean): Recipe {
   if (part === 'new') return addHold(run, Math.max(0, Math.floor(tick)), Math.max(0, Math.ceil(tick + by)));
   if (part === 'body') return moveHold(run, index, by, { ripple });

@@ -216,7 +216,7 @@ inChromium('the canvas in Chromium', ({ on }) => {
       };
       await after('Align top edges', [{ x: 400, y: 160 }, B, { x: 720, y: 144 }]);
       await after('Align left edges', [A, { x: 400, y: 160 }, { x: 384, y: 240 }]);
-      await after('Align centres on a level line', [
+      await after('Align vertical centres', [
         { x: 400, y: 192 },
         { x: 560, y: 192 },
         { x: 720, y: 192 },
@@ -227,7 +227,7 @@ inChromium('the canvas in Chromium', ({ on }) => {
       await page.keyboard.press('Shift+ArrowRight');
       await canvas.click({ x: 408, y: 200 }, ['Shift']);
       await canvas.click({ x: 728, y: 240 }, ['Shift']);
-      await command(page, 'Distribute evenly across');
+      await command(page, 'Distribute horizontally');
       await until(() => expect(asteroids(file('01')).map(({ x }) => x)).toEqual([408, 568, 728]));
     }),
   );

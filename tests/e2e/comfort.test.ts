@@ -22,7 +22,7 @@ inChromium('comfort in Chromium', ({ on }) => {
       await until(() => expect(file('01').asteroids).toHaveLength(6));
       await page.keyboard.press('Control+k');
       await palette.getByRole('combobox').fill('no such thing');
-      await palette.getByText('Nothing has this name.').waitFor();
+      await palette.getByText('No results.').waitFor();
       await page.keyboard.press('Escape');
       await palette.waitFor({ state: 'hidden' });
 
@@ -45,13 +45,13 @@ inChromium('comfort in Chromium', ({ on }) => {
       await palette.waitFor({ state: 'hidden' });
 
       await page.keyboard.press('?');
-      const sheet = page.getByRole('dialog', { name: 'Keys and gestures' });
+      const sheet = page.getByRole('dialog', { name: 'Shortcuts and gestures' });
       for (const text of ['Undo', 'Duplicate', 'Play from the start', 'Ctrl+D', 'drag its rim', 'moves a copy']) {
         await sheet.getByText(text, { exact: true }).first().waitFor();
       }
       await page.keyboard.press('Escape');
       await sheet.waitFor({ state: 'hidden' });
-      await page.getByRole('button', { name: 'Keys and gestures' }).click();
+      await page.getByRole('button', { name: 'Shortcuts and gestures' }).click();
       await sheet.waitFor();
     }),
   );
@@ -87,7 +87,7 @@ inChromium('comfort in Chromium', ({ on }) => {
         await until(async () => expect([await theme(page), await motion(page)]).toEqual(['dark', 'full']));
         await page.getByRole('button', { name: 'Settings' }).click();
         const settings = page.getByRole('dialog', { name: 'Settings' });
-        await settings.getByLabel('Colours').selectOption('light');
+        await settings.getByLabel('Theme').selectOption('light');
         await settings.getByLabel('Motion').selectOption('yes');
         await settings.getByLabel('Snap to other objects').uncheck();
         await settings.getByRole('textbox', { name: 'Grid' }).fill('50');
@@ -101,10 +101,10 @@ inChromium('comfort in Chromium', ({ on }) => {
         expect([await theme(page), await motion(page)]).toEqual(['light', 'less']);
         await canvas.drag({ x: 400, y: 200 }, { to: [{ x: 441, y: 268 }] });
         await until(() => expect(file('01').asteroids?.[0]).toMatchObject({ x: 450, y: 250 }));
-        await command(page, 'Light or dark');
+        await command(page, 'Switch between light and dark');
         await until(async () => expect(await theme(page)).toBe('dark'));
         await page.keyboard.press('Shift+g');
-        await page.getByText('no grid').waitFor();
+        await page.getByText('grid off').waitFor();
       },
       { context: { colorScheme: 'light', reducedMotion: 'reduce' } },
     ),
@@ -123,12 +123,12 @@ inChromium('comfort in Chromium', ({ on }) => {
           if (box !== null && box.width > 0) rows.add(Math.round((box.y + box.height / 2) / 30));
         }
         expect(rows.size).toBe(2);
-        await page.getByRole('button', { name: 'Search or run' }).tap();
+        await page.getByRole('button', { name: 'Search all commands' }).tap();
         await page
           .getByRole('dialog', { name: 'Commands' })
-          .getByRole('option', { name: /^Keys and gestures/ })
+          .getByRole('option', { name: /^Shortcuts and gestures/ })
           .tap();
-        await page.getByRole('dialog', { name: 'Keys and gestures' }).getByRole('button', { name: 'Close' }).tap();
+        await page.getByRole('dialog', { name: 'Shortcuts and gestures' }).getByRole('button', { name: 'Close' }).tap();
         const touch = await page.context().newCDPSession(page);
         const send = (type: 'touchStart' | 'touchMove' | 'touchEnd', points: { x: number; y: number }[]) =>
           touch.send('Input.dispatchTouchEvent', { type, touchPoints: points.map((point, id) => ({ ...point, id })) });

@@ -247,7 +247,7 @@ inChromium('the crosshair in Chromium', ({ on }) => {
         /crosshair.*Enter/,
       );
       await page.keyboard.press('?');
-      const sheet = page.getByRole('dialog', { name: 'Keys and gestures' });
+      const sheet = page.getByRole('dialog', { name: 'Shortcuts and gestures' });
       await sheet.getByRole('heading', { name: 'Crosshair' }).waitFor();
       await sheet.getByText('Move the crosshair by the grid').waitFor();
     }),

@@ -60,7 +60,7 @@ async function journey(): Promise<void> {
     }
     await until(() => expect(file().asteroids).toHaveLength(1));
 
-    // play, and make the attempt the proof
+    // play, and keep the attempt as a run
     await page.keyboard.press(' ');
     await page.waitForSelector('[role=application][aria-label^=Playtest]');
     await page.mouse.move(...at({ x: 448, y: 400 }));

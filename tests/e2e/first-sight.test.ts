@@ -18,7 +18,7 @@ inChromium('what is seen first, in Chromium', ({ on }) => {
           [640, 360],
         ]) {
           await page.setViewportSize({ width, height });
-          await command(page, 'A tour of the editor');
+          await command(page, 'Take the tour');
           const tour = page.getByRole('dialog', { name: /^Tour/ });
           await tour.waitFor();
           const steps = Number(/of (\d+)/.exec((await tour.getAttribute('aria-label')) ?? '')?.[1]);
@@ -51,7 +51,7 @@ inChromium('what is seen first, in Chromium', ({ on }) => {
       await said.waitFor();
       expect(await said.count()).toBe(1);
       expect(await said.textContent()).toMatch(/^[A-Z].*\.$/);
-      expect(await page.getByText('Looking for levels').count()).toBe(0);
+      expect(await page.getByText('Loading levels').count()).toBe(0);
       // nothing is offered that can't be done
       expect(await page.getByRole('button').allTextContents()).toEqual(['Unsaved changes']);
     }),
@@ -112,7 +112,7 @@ inChromium('what is seen first, in Chromium', ({ on }) => {
         ]) {
           await page.setViewportSize({ width, height });
           await command(page, 'Show accuracy');
-          await page.getByRole('button', { name: /^(Measure|Again)$/ }).click();
+          await page.getByRole('button', { name: /^(Measure|Measure again)$/ }).click();
           const diagram = page.getByRole('img', { name: /^Work-precision/ });
           await diagram.waitFor();
           await until(async () => {

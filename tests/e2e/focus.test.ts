@@ -67,7 +67,7 @@ inChromium('focus in Chromium', ({ on }) => {
       await palette.waitFor({ state: 'hidden' });
       await hasFocus(page, 'Runs');
       for (const [key, dialog] of [
-        ['?', 'Keys and gestures'],
+        ['?', 'Shortcuts and gestures'],
         ['Control+Comma', 'Settings'],
         ['Alt+n', 'New level'],
       ]) {
@@ -87,7 +87,7 @@ inChromium('focus in Chromium', ({ on }) => {
       // a new level has a canvas of its own
       await page.getByRole('application', { name: CANVAS }).focus();
       await page.keyboard.press('Alt+n');
-      await page.getByRole('textbox', { name: 'Name of the level' }).fill('Fresh');
+      await page.getByRole('textbox', { name: 'Level name' }).fill('Fresh');
       await page.keyboard.press('Enter');
       await page.getByRole('heading', { name: 'Fresh', level: 1 }).waitFor();
       await hasFocus(page, CANVAS);
@@ -100,7 +100,7 @@ inChromium('focus in Chromium', ({ on }) => {
 
       // the last run of a level, and the list with it
       const list = page.getByRole('tree', { name: 'Runs of the level' });
-      await page.getByRole('button', { name: 'New run without a press' }).click();
+      await page.getByRole('button', { name: 'New empty run' }).click();
       await list.focus();
       while (await list.isVisible()) await page.keyboard.press('Delete');
       await until(async () => expect(await focused(page)).not.toBe('nothing'));

@@ -79,14 +79,14 @@ inChromium('the ends of holds in Chromium', ({ on }) => {
       const graphs = await boxOf(page, 'img', /^Speed and clearance/);
       expect((key?.y ?? 0) + (key?.height ?? 0)).toBeLessThanOrEqual(graphs.y + 1);
 
-      await page.getByRole('button', { name: 'What the timeline shows' }).click();
-      const legend = page.getByRole('dialog', { name: 'What the timeline shows' });
+      await page.getByRole('button', { name: 'Timeline legend' }).click();
+      const legend = page.getByRole('dialog', { name: 'Timeline legend' });
       for (const words of [
         'The gun is held',
         'Slack:',
         'Not reached:',
-        'A graze:',
-        'The gun takes asteroid 2',
+        'Near miss:',
+        'Asteroid 2 becomes the target',
         'enters repulsor 1',
       ]) {
         await legend.getByText(words).waitFor();

@@ -57,8 +57,8 @@ inChromium('an import of what is no level, in Chromium', ({ on }) => {
       await chooser.setFiles({ name: 'photo.json', mimeType: 'image/png', buffer: Buffer.from(PNG) });
       const alert = dialog.getByRole('alert', { name: 'Not imported' });
       await alert.getByText('photo.json: expected a level as JSON text, found a PNG picture.').waitFor();
-      await dialog.getByRole('textbox', { name: 'or paste their text' }).fill('{');
-      await dialog.getByRole('button', { name: 'Import the text' }).click();
+      await dialog.getByRole('textbox', { name: 'Or paste their text' }).fill('{');
+      await dialog.getByRole('button', { name: 'Import text' }).click();
       await alert.getByText(/pasted text:1:2: expected/).waitFor();
       expect(await alert.getByText('photo.json').count()).toBe(0);
       await page.keyboard.press('Escape');

@@ -15,7 +15,7 @@ inChromium('keys in Chromium', ({ on }) => {
     on({ '01': straight() }, async ({ page }) => {
       await verdict(page, 'completable');
       await page.keyboard.press('?');
-      const sheet = page.getByRole('dialog', { name: 'Keys and gestures' });
+      const sheet = page.getByRole('dialog', { name: 'Shortcuts and gestures' });
       await sheet.waitFor();
       const keys = (await sheet.locator('kbd').allTextContents()).map((key) => key.toLowerCase());
       const letters = keys.filter((key) => /^[a-z]$/.test(key));

@@ -24,7 +24,7 @@ inChromium('layers over the level in Chromium', ({ on }) => {
         const onMargin = { x: 448 + 32 + DEFAULT_BOX.halfWidth, y: 520 };
         for (const [layer, place, other] of [
           ['range of the gun', inRange, null],
-          ['margins of hazards', onMargin, inRange],
+          ['hazard margins', onMargin, inRange],
         ] as const) {
           const shown = await look(place);
           const rest = other === null ? null : await look(other);

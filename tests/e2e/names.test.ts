@@ -7,7 +7,7 @@ import { until } from './until.ts';
 
 const PANELS = ['Outline', 'Runs', 'Inspector', 'Solver', 'Effects', 'Accuracy'];
 const DIALOGS = {
-  'Keys and gestures': 'Keys and gestures',
+  'Shortcuts and gestures': 'Shortcuts and gestures',
   Settings: 'Settings',
   'New level': 'New level',
   'Import, export, link': 'Import, export, link',

@@ -53,8 +53,8 @@ inChromium('panels in Chromium', ({ on }) => {
 
         await press(levels(page), level(page, 'Garden'), 'F2');
         const rename = page.getByRole('dialog', { name: 'Rename' });
-        await rename.getByLabel('Name of the level').fill('Park');
-        await rename.getByLabel('Name of the file').fill('03-park');
+        await rename.getByLabel('Level name').fill('Park');
+        await rename.getByLabel('File name').fill('03-park');
         await page.keyboard.press('Enter');
         await isOpen(page, 'Park');
         await until(() => expect(levelFiles(folder)).toEqual(['01.level.json', '03-park.level.json']));
@@ -88,10 +88,10 @@ inChromium('panels in Chromium', ({ on }) => {
       await isOpen(page, 'Straight');
       await page.keyboard.press('Alt+n');
       const dialog = page.getByRole('dialog', { name: 'New level' });
-      await dialog.getByText('Thrown by chance').click();
+      await dialog.getByText('Random', { exact: true }).click();
       await dialog.getByRole('textbox', { name: 'Seed' }).fill('7');
-      await dialog.getByLabel('Name of the level').fill('Dice');
-      await dialog.getByLabel('Name of the file').fill('dice');
+      await dialog.getByLabel('Level name').fill('Dice');
+      await dialog.getByLabel('File name').fill('dice');
       await dialog.getByRole('button', { name: 'Create' }).click();
       await isOpen(page, 'Dice');
       expect(levelFiles(folder)).toContain('dice.level.json');
@@ -175,7 +175,7 @@ inChromium('panels in Chromium', ({ on }) => {
       await press(runs, runs.getByRole('treeitem').first(), 'Control+d');
       await until(() => expect(names()).toHaveLength(2));
       await press(runs, runs.getByRole('treeitem').nth(1), 'F2');
-      await page.getByRole('textbox', { name: 'Name of the run' }).fill('spare');
+      await page.getByRole('textbox', { name: 'Run name' }).fill('spare');
       await page.keyboard.press('Enter');
       await until(() => expect(names()).toEqual(['solution', 'spare']));
       await press(runs, runs.getByRole('treeitem', { name: /^spare/ }), 'Alt+ArrowUp');
@@ -197,7 +197,7 @@ inChromium('panels in Chromium', ({ on }) => {
       await verdict(page, 'unproven');
       await tab(page, 'Solver');
       await page.getByRole('tabpanel', { name: 'Solver' }).getByRole('button', { name: 'Solve', exact: true }).click();
-      await page.getByRole('list', { name: 'Ways found' }).getByRole('button', { name: 'Use' }).first().click();
+      await page.getByRole('list', { name: 'Runs found' }).getByRole('button', { name: 'Add' }).first().click();
       await verdict(page, 'completable');
       await saved();
       expect((await gq(['check', join(folder, '01.level.json')])).code).toBe(0);
@@ -209,8 +209,8 @@ inChromium('panels in Chromium', ({ on }) => {
         .getByText(/certified/i)
         .first()
         .waitFor();
-      await page.getByLabel('Show where the search has been').check();
-      await command(page, 'Measure how hard the level is');
+      await page.getByLabel('Show the search heat map').check();
+      await command(page, 'Measure the difficulty');
       await page.getByRole('meter', { name: 'Grade' }).waitFor();
     }),
   );
@@ -224,7 +224,7 @@ inChromium('panels in Chromium', ({ on }) => {
       await solver.getByRole('radio', { name: 'quickest' }).click();
       await solver.getByRole('textbox', { name: 'Seconds' }).fill('3600');
       await solver.getByRole('button', { name: 'Solve', exact: true }).click();
-      const use = solver.getByRole('list', { name: 'Ways found' }).getByRole('button', { name: 'Use' }).first();
+      const use = solver.getByRole('list', { name: 'Runs found' }).getByRole('button', { name: 'Add' }).first();
       await use.hover();
       await page.mouse.down();
       const cancel = solver.getByRole('button', { name: 'Cancel', exact: true });
@@ -252,7 +252,7 @@ inChromium('panels in Chromium', ({ on }) => {
         .waitFor();
       await choices.getByRole('radio', { name: /precise/ }).click();
       await page.getByRole('button', { name: 'Measure' }).click();
-      await page.getByRole('button', { name: 'Again' }).waitFor();
+      await page.getByRole('button', { name: 'Measure again' }).waitFor();
       await page.getByRole('button', { name: /Enlarge/ }).click();
       await page.getByRole('dialog', { name: 'What accuracy costs' }).waitFor();
       await page.getByRole('button', { name: 'Close' }).click();
@@ -268,7 +268,7 @@ inChromium('panels in Chromium', ({ on }) => {
       expect(await rock.getAttribute('aria-selected')).toBe('true');
       await tab(page, 'Effects');
       await page.getByRole('list', { name: 'Simulated effects' }).waitFor();
-      await page.getByRole('list', { name: 'Effects that are not called for' }).getByRole('listitem').first().waitFor();
+      await page.getByRole('list', { name: 'Effects that are not simulated' }).getByRole('listitem').first().waitFor();
     }),
   );
 
@@ -296,8 +296,8 @@ inChromium('panels in Chromium', ({ on }) => {
         target: { x: 300, y: 100, radius: 20 },
         asteroids: [{ x: 200, y: 120, radius: '16', enemy: false }],
       };
-      await dialog.getByRole('textbox', { name: 'or paste their text' }).fill(JSON.stringify([original]));
-      await dialog.getByRole('button', { name: 'Import the text' }).click();
+      await dialog.getByRole('textbox', { name: 'Or paste their text' }).fill(JSON.stringify([original]));
+      await dialog.getByRole('button', { name: 'Import text' }).click();
       await until(() => expect(levelFiles(folder)).toHaveLength(2));
       expect(existsSync(join(folder, '01.level.json'))).toBe(true);
     }),

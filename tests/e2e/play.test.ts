@@ -17,7 +17,7 @@ const ending = /She (reaches the black hole|collides with .*|is lost) at ([\d.]+
 
 inChromium('playing in Chromium', ({ on }) => {
   it(
-    'a level played with the mouse becomes its proof, and gq check and gq simulate agree',
+    'an attempt played with the mouse becomes a run, and gq check and gq simulate agree',
     on({ '01': straight({ runs: undefined }) }, async ({ page, canvas, file, folder, saved }) => {
       await verdict(page, 'unproven');
       await canvas.fit(file('01'));
@@ -30,7 +30,7 @@ inChromium('playing in Chromium', ({ on }) => {
       await page.mouse.up();
       const said = ending.exec((await theEnd(page).textContent()) ?? '');
       expect(said?.[1]).toBe('reaches the black hole');
-      await playtest(page).getByRole('button', { name: 'Make this the proof' }).click();
+      await playtest(page).getByRole('button', { name: 'Keep as a run' }).click();
       await playtest(page).waitFor({ state: 'hidden' });
       await verdict(page, 'completable');
       await until(() => expect(file('01').runs).toHaveLength(1));
@@ -54,7 +54,7 @@ inChromium('playing in Chromium', ({ on }) => {
       await page.getByRole('button', { name: 'Copy the hash of the run' }).click();
       await until(async () => expect(await page.evaluate('navigator.clipboard.readText()')).toBe(hash));
       // another run has another one
-      await page.getByRole('button', { name: 'New run without a press, to be drawn in the timeline' }).click();
+      await page.getByRole('button', { name: 'New empty run' }).click();
       await until(async () => expect(await shown.textContent()).not.toBe(hash));
       const drift = await gq(['simulate', path, '--holds', 'none', '--format', 'json']);
       expect(await shown.textContent()).toBe(JSON.parse(drift.stdout).hash);
@@ -93,7 +93,7 @@ inChromium('playing in Chromium', ({ on }) => {
   );
 
   it(
-    'the buttons at the end answer Space and Enter as well; elsewhere these are the gun and the proof',
+    'the buttons at the end answer Space and Enter as well; elsewhere these are the gun and keeping the attempt',
     on({ '01': quick() }, async ({ page, file, saved }) => {
       await saved();
       await page.getByRole('button', { name: 'Play', exact: true }).click();
@@ -184,7 +184,7 @@ inChromium('playing in Chromium', ({ on }) => {
         await until(() => expect(file('01').runs?.map(({ name }) => name)).toEqual(['attempt 1']));
         await page.keyboard.press('Control+z');
         await until(() => expect(file('01').runs).toBeUndefined());
-        await attempts.getByRole('button', { name: 'Forget all attempts' }).click();
+        await attempts.getByRole('button', { name: 'Discard all attempts' }).click();
         await attempts.waitFor({ state: 'hidden' });
         await until(async () => expect(empty.equals(await look())).toBe(true));
       },

@@ -24,9 +24,9 @@ inChromium('playing in Chromium without being told how', ({ on }) => {
         await playtest(page).waitFor();
         await until(async () => expect(await green()).toBe(0));
         await lane.waitFor({ state: 'hidden' });
-        const toggle = playtest(page).getByRole('button', { name: "Show the run's way", pressed: false });
+        const toggle = playtest(page).getByRole('button', { name: "Show the run's path", pressed: false });
         await toggle.click();
-        await playtest(page).getByRole('button', { name: "Show the run's way", pressed: true }).waitFor();
+        await playtest(page).getByRole('button', { name: "Show the run's path", pressed: true }).waitFor();
         await until(async () => expect(await green()).toBeGreaterThan(20));
         await lane.waitFor();
         await page.keyboard.press('w');
@@ -47,7 +47,7 @@ inChromium('playing in Chromium without being told how', ({ on }) => {
         await page.getByRole('button', { name: 'Play', exact: true }).tap();
         await playtest(page).getByText('hold a finger on the screen').waitFor();
         expect(await playtest(page).textContent()).not.toMatch(/mouse|Space|Esc|\bR\b/);
-        for (const name of ["Show the run's way", 'Play again', 'Back to editing']) {
+        for (const name of ["Show the run's path", 'Play again', 'Back to editing']) {
           const box = await playtest(page).getByRole('button', { name }).boundingBox();
           expect([name, (box?.width ?? 0) >= 44, (box?.height ?? 0) >= 44]).toEqual([name, true, true]);
         }

@@ -16,7 +16,7 @@ inChromium('the renderer in Chromium', ({ on }) => {
       { '01': straight() },
       async ({ page, canvas, file, saved }) => {
         await saved();
-        await page.getByText('asks for the renderer “gpu”: expected webgl or canvas').waitFor();
+        await page.getByText('Expected the renderer webgl or canvas in the address of this page, found “gpu”').waitFor();
         expect(await drawnBy(page)).toBe('canvas');
 
         const look = async () => {
@@ -38,11 +38,11 @@ inChromium('the renderer in Chromium', ({ on }) => {
         await page.keyboard.press('ArrowDown');
         await command(page, 'Settings');
         const dialog = page.getByRole('dialog', { name: 'Settings' });
-        expect(await dialog.getByText('once the page is loaded anew').count()).toBe(0);
+        expect(await dialog.getByText('Takes effect after a reload').count()).toBe(0);
         await dialog.getByRole('combobox', { name: 'Renderer' }).selectOption('WebGL');
-        await dialog.getByText('It draws once the page is loaded anew.').waitFor();
+        await dialog.getByText('Takes effect after a reload.').waitFor();
         expect(await drawnBy(page)).toBe('canvas');
-        await dialog.getByRole('button', { name: 'Load it anew' }).click();
+        await dialog.getByRole('button', { name: 'Reload' }).click();
         await dialog.waitFor({ state: 'hidden' });
         await saved();
         await until(async () => expect(await drawnBy(page)).toBe('webgl'));

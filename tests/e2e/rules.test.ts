@@ -55,7 +55,7 @@ inChromium('rules in Chromium', ({ on }) => {
       await page.mouse.move(middle.x + 40, middle.y + 60);
       await page.mouse.up();
       await until(() => expect(file('01').rules?.pull).toBeGreaterThan(41));
-      await rule(page, 'pull').getByText("Set by this level; the game's own is 39.").waitFor();
+      await rule(page, 'pull').getByText("Set by this level; the game's default is 39.").waitFor();
       await page.keyboard.press('Control+z');
       await verdict(page, 'completable');
       await reads(page, 'pull', '39');
@@ -145,7 +145,7 @@ inChromium('rules in Chromium', ({ on }) => {
         await listed.getByRole('treeitem', { name: /Own completable/ }).waitFor();
         expect(await byCommand()).toEqual(['broken', 'completable']);
         await reads(page, 'pull', '45');
-        await rule(page, 'pull').getByText("From gq.config.json; the game's own is 39.").waitFor();
+        await rule(page, 'pull').getByText("From gq.config.json; the game's default is 39.").waitFor();
 
         // the level's own value wins, and back is back to that of the folder
         await field(page, 'pull').fill('39');
@@ -214,7 +214,7 @@ inChromium('rules in Chromium', ({ on }) => {
         await until(async () =>
           expect(JSON.parse(await page.evaluate(() => navigator.clipboard.readText()))).toMatchObject({ rules: { pull: 45 } }),
         );
-        await dialog.getByRole('checkbox', { name: /with the rules of gq\.config\.json/ }).uncheck();
+        await dialog.getByRole('checkbox', { name: /include the rules of gq\.config\.json/ }).uncheck();
         await dialog.getByRole('button', { name: 'Copy as text' }).click();
         await until(async () =>
           expect(JSON.parse(await page.evaluate(() => navigator.clipboard.readText()))).not.toHaveProperty('rules'),
@@ -233,7 +233,7 @@ inChromium('rules in Chromium', ({ on }) => {
           const words = await asked.locator('dd').last();
           await until(async () => expect(await words.textContent()).not.toContain('…'));
           const said = await words.textContent();
-          await asked.getByRole('button', { name: 'Add the level' }).click();
+          await asked.getByRole('button', { name: 'Add level' }).click();
           await asked.waitFor({ state: 'hidden' });
           return said;
         };

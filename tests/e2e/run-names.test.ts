@@ -20,11 +20,11 @@ inChromium('names of runs in Chromium', ({ on }) => {
         await page.getByRole('tab', { name: 'Runs' }).click();
         await page.getByRole('treeitem', { name: /^other/ }).click();
         await page.keyboard.press('F2');
-        const field = page.getByRole('textbox', { name: 'Name of the run' });
-        const problem = page.getByRole('alert').filter({ hasText: 'Esc leaves it as it was' });
+        const field = page.getByRole('textbox', { name: 'Run name' });
+        const problem = page.getByRole('alert').filter({ hasText: 'Esc to keep the old one' });
         await field.fill('solution');
         await page.keyboard.press('Enter');
-        await problem.getByText('Another run is called “solution” already').waitFor();
+        await problem.getByText('Another run is called “solution”').waitFor();
         expect(await field.getAttribute('aria-invalid')).toBe('true');
         const [of, beside] = [await field.boundingBox(), await problem.boundingBox()];
         expect(Math.abs((beside?.y ?? 0) - (of?.y ?? 0) - (of?.height ?? 0))).toBeLessThan(8);

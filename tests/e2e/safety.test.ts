@@ -33,7 +33,7 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
         await killServer();
         await canvas.click(A);
         await page.keyboard.press('ArrowDown');
-        await saving(page, /server is gone, kept in this browser/);
+        await saving(page, /disconnected, kept in this browser/);
         const theirs = file('01');
         write('01', formatLevel({ ...theirs, blackHole: { ...theirs.blackHole, y: 320 } }));
         await page.close();
@@ -58,7 +58,7 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
         await killServer();
         await canvas.click(A);
         for (let i = 0; i < 3; i++) await page.keyboard.press('ArrowDown');
-        await saving(page, /server is gone, kept in this browser/);
+        await saving(page, /disconnected, kept in this browser/);
         expect(placeOf(file('01'), 'a1')).toMatchObject(A);
         await page.close();
         await startServer(port);
@@ -93,7 +93,7 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
         expect(await other.getByRole('treeitem').count()).toBe(0);
         await other.goto(server().address);
         await other.reload();
-        await saving(other, /^read only$/);
+        await saving(other, /^read-only$/);
       },
       { complaints: OUTAGE },
     ),
@@ -110,7 +110,7 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
         await killServer();
         await canvas.click(A);
         await page.keyboard.press('ArrowDown');
-        await saving(page, /server is gone, kept in this browser/);
+        await saving(page, /disconnected, kept in this browser/);
         await page
           .getByRole('list', { name: 'Messages' })
           .getByText(new RegExp(`kept in this browser for 127.0.0.1:${port}.*--port ${port}`))
@@ -141,16 +141,14 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
         await killServer();
         await canvas.click(A);
         await page.keyboard.press('ArrowDown');
-        await saving(page, /server is gone, kept in this browser/);
+        await saving(page, /disconnected, kept in this browser/);
         await page.close();
         await startServer(port);
         await context.addInitScript("sessionStorage.setItem('gravity-quest-last-level', '02')");
         const again = await open();
         await saving(again.page, /^saved$/);
-        await again.page
-          .getByText(`Changes of 01 were never saved. They are kept in this browser for 127.0.0.1:${port}.`)
-          .waitFor();
-        await again.page.getByRole('button', { name: 'Look at them' }).click();
+        await again.page.getByText(`Unsaved changes to 01 are kept in this browser for 127.0.0.1:${port}.`).waitFor();
+        await again.page.getByRole('button', { name: 'Review' }).click();
         const dialog = again.page.getByRole('dialog', { name: 'Unsaved changes' });
         const [download] = await Promise.all([
           again.page.waitForEvent('download'),
@@ -177,7 +175,7 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
         await killServer();
         await notices.getByText(/gq edit does not answer/).waitFor();
         await startServer(port);
-        await notices.getByText(/belongs to the run before.*Open the address that gq edit prints now/).waitFor();
+        await notices.getByText(/belongs to the previous start.*Open the address that gq edit prints now/).waitFor();
         expect(await notices.getByText(/does not answer/).count()).toBe(0);
         await canvas.click(A);
         await page.keyboard.press('ArrowDown');
@@ -201,11 +199,11 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
     on(
       { '01': garden() },
       async ({ page, canvas, file, folder }) => {
-        await saving(page, /^read only$/);
+        await saving(page, /^read-only$/);
         await canvas.fit(file('01'));
         await canvas.click(A);
         await page.keyboard.press('ArrowDown');
-        await saving(page, /^read only$/);
+        await saving(page, /^read-only$/);
         expect(placeOf(file('01'), 'a1')).toMatchObject(A);
         chmodSync(join(folder, '01.level.json'), 0o666);
         chmodSync(folder, 0o777);
@@ -221,14 +219,14 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
     on({ '01': garden() }, async ({ page, canvas, file, open, saved }) => {
       await saved();
       const other = await open();
-      await saving(other.page, /^read only$/);
+      await saving(other.page, /^read-only$/);
       await canvas.fit(file('01'));
       await canvas.click(A);
       await page.keyboard.press('Shift+ArrowDown');
       await until(() => expect(placeOf(file('01'), 'a1')).toMatchObject({ x: 400, y: 208 }));
       await other.page.bringToFront();
       await other.page.getByRole('button', { name: 'Take over' }).click();
-      await saving(page, /^read only$/);
+      await saving(page, /^read-only$/);
       await saving(other.page, /^saved$/);
       await other.canvas.fit(file('01'));
       await other.canvas.click({ x: 400, y: 208 });
@@ -302,7 +300,7 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
       async ({ page, folder, file, saved }) => {
         await saved();
         rmSync(join(folder, '01.level.json'));
-        await saving(page, /^gone from the disk$/);
+        await saving(page, /^deleted on disk$/);
         const dialog = page.getByRole('dialog', { name: 'The file was deleted' });
         await page.getByRole('button', { name: 'Resolve' }).or(dialog).first().waitFor();
         if (!(await dialog.isVisible())) await page.getByRole('button', { name: 'Resolve' }).click();
@@ -323,7 +321,7 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
     on(
       { '01': garden() },
       async ({ page }) => {
-        await saving(page, /^read only$/);
+        await saving(page, /^read-only$/);
       },
       { readOnly: true },
     ),

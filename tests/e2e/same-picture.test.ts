@@ -39,9 +39,9 @@ async function look(page: Page): Promise<Buffer> {
 
 const lookInBothThemes = async (page: Page): Promise<{ dark: Buffer; light: Buffer }> => {
   const dark = await look(page);
-  await command(page, 'Light or dark');
+  await command(page, 'Switch between light and dark');
   const light = await look(page);
-  await command(page, 'Light or dark');
+  await command(page, 'Switch between light and dark');
   return { dark, light };
 };
 
@@ -61,7 +61,7 @@ async function useFor(page: Page): Promise<void> {
     else await step(page, 'Alt+PageUp', NAMES[3 - at]);
     await countCanvases(page);
     if (i % 5 === 4) await page.setViewportSize(SIZES[((i / 5) % 3) | 0]);
-    if (i % 6 === 5) await command(page, 'Light or dark');
+    if (i % 6 === 5) await command(page, 'Switch between light and dark');
     if (i % 10 !== 9) continue;
     await command(page, 'Play from the start');
     await page.getByRole('application', { name: /^Playtest/ }).waitFor();
@@ -90,7 +90,7 @@ inChromium('the canvas in Chromium', ({ on }) => {
             await page.keyboard.press('Alt+PageUp');
             expect(await openLevel(page).textContent()).toContain(NAMES[0]);
           });
-          await command(page, 'Light or dark');
+          await command(page, 'Switch between light and dark');
           const used = await lookInBothThemes(page);
           for (const theme of ['dark', 'light'] as const) {
             const { share, mean } = await compare(page, fresh[theme], used[theme]);

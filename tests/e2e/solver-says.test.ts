@@ -18,15 +18,15 @@ inChromium('what the solver says, in Chromium', ({ on }) => {
       const report = solver.locator('.report').first();
       const solve = async (minerals: string) => {
         await solver.getByRole('group', { name: 'Minerals' }).getByRole('radio', { name: minerals, exact: true }).click();
-        await command(page, 'Solve: look for runs');
+        await command(page, 'Solve: find runs');
       };
       await solve('any');
       await report
         .getByRole('status')
-        .filter({ hasText: /different ways? found/ })
+        .filter({ hasText: /different runs? found/ })
         .waitFor();
       expect(await report.textContent()).not.toMatch(/asked for|No run found|with the mineral/);
-      await solver.getByText(/^Looked for up to 5 ways\./).waitFor();
+      await solver.getByText(/^Looked for up to 5 runs\./).waitFor();
 
       // the mineral is out of reach, and the level is completable all the same
       await solve('all 1');
@@ -45,10 +45,10 @@ inChromium('what the solver says, in Chromium', ({ on }) => {
       await saved();
       await page.getByRole('tab', { name: 'Solver' }).click();
       const solver = page.getByRole('tabpanel', { name: 'Solver' });
-      const legend = page.getByRole('figure', { name: 'Where the search has been' });
+      const legend = page.getByRole('figure', { name: 'Search heat map' });
       await solver.getByRole('textbox', { name: 'Seconds' }).fill('3600');
       await solver.getByRole('button', { name: 'Solve', exact: true }).click();
-      await solver.getByLabel('Show where the search has been').check();
+      await solver.getByLabel('Show the search heat map').check();
       await legend.getByText('visits of the search to each square of 32 px').waitFor();
       // every strength has its numbers
       await until(async () => expect(await legend.getByRole('listitem').count()).toBeGreaterThan(3));
@@ -66,7 +66,7 @@ inChromium('what the solver says, in Chromium', ({ on }) => {
       expect(await colour()).toBe(rgb(heatColour(first)));
       await page.emulateMedia({ colorScheme: first === 'light' ? 'dark' : 'light' });
       await until(async () => expect(await colour()).toBe(rgb(heatColour(first === 'light' ? 'dark' : 'light'))));
-      await solver.getByLabel('Show where the search has been').uncheck();
+      await solver.getByLabel('Show the search heat map').uncheck();
       await legend.waitFor({ state: 'hidden' });
     }),
   );

@@ -95,7 +95,7 @@ else {
       await page.getByRole('main').getByRole('button', { name: 'New level' }).click();
       const dialog = page.getByRole('dialog', { name: 'New level' });
       await dialog.getByText('A first swing').click();
-      await dialog.getByLabel('Name of the level').fill('Mine');
+      await dialog.getByLabel('Level name').fill('Mine');
       await dialog.getByRole('button', { name: 'Create' }).click();
       await isOpen(page, 'Mine');
       await page.getByRole('textbox', { name: 'range' }).fill('260');
@@ -128,7 +128,7 @@ else {
       await theirs.reload();
       await theirs.getByText('No levels here yet.').waitFor();
       await theirs.goto(link);
-      await asked.getByRole('button', { name: 'Add the level' }).click();
+      await asked.getByRole('button', { name: 'Add level' }).click();
       await isOpen(theirs, 'Mine');
       await saved(theirs);
       await until(async () => expect(await theirs.getByRole('textbox', { name: 'range' }).inputValue()).toBe('260'));
@@ -148,7 +148,7 @@ else {
       const one = await person(complaints);
       const page = await one.open(hosted.address);
       const samples = () => hosted.asked.filter((url) => url.includes('samples'));
-      const add = page.getByRole('main').getByRole('button', { name: 'Add the sample levels' });
+      const add = page.getByRole('main').getByRole('button', { name: 'Add sample levels' });
       await add.waitFor();
       expect(samples()).toEqual([]);
       await add.click();
@@ -173,7 +173,7 @@ else {
       const asked = page.getByRole('dialog', { name: 'Add the level from the link?' });
       await asked.getByText('8,000 aliens', { exact: false }).waitFor();
       await asked.getByRole('list', { name: 'Warnings' }).getByText('very many objects').waitFor();
-      await asked.getByRole('button', { name: 'Do not add' }).click();
+      await asked.getByRole('button', { name: "Don't add" }).click();
       expect(await page.getByRole('treeitem').count()).toBe(0);
       // another link in the same tab, as a page that opened it can send
       await page.evaluate(
@@ -182,7 +182,7 @@ else {
         },
         `#level=${packed({ ...straight({ name: 'Swarm' }), aliens })}`,
       );
-      await asked.getByRole('button', { name: 'Add the level' }).click();
+      await asked.getByRole('button', { name: 'Add level' }).click();
       await isOpen(page, 'Swarm');
       const look = async () => {
         await page.getByText('work limit').first().waitFor();
@@ -203,7 +203,7 @@ else {
       const complaints: string[] = [];
       const one = await person(complaints);
       const page = await one.open(`${hosted.address}#level=${packed(straight({ name: 'Fatal' }))}`);
-      await page.getByRole('button', { name: 'Add the level' }).click();
+      await page.getByRole('button', { name: 'Add level' }).click();
       await isOpen(page, 'Fatal');
       await verdict(page, 'completable');
       await until(async () => expect(await page.evaluate("localStorage['gravity-quest-editor-opening']")).toBe('[]'));
@@ -215,12 +215,12 @@ else {
       await isOpen(page, 'Fatal');
       await page.getByText(/Checks are off/).waitFor();
       await verdict(page, 'unproven');
-      await page.getByRole('button', { name: 'Turn them on' }).click();
+      await page.getByRole('button', { name: 'Turn checks on' }).click();
       await verdict(page, 'completable');
       await until(async () => expect(await page.evaluate("localStorage['gravity-quest-editor-opening']")).toBe('[]'));
       await page.evaluate(`localStorage['gravity-quest-editor-opening'] = '["this-browser/fatal"]'`);
       await page.reload();
-      await asked.getByRole('button', { name: 'Delete it' }).click();
+      await asked.getByRole('button', { name: 'Delete' }).click();
       await page.getByText('No levels here yet.').waitFor();
       await one.context.close();
       expect(complaints).toEqual([]);
@@ -230,7 +230,7 @@ else {
       const complaints: string[] = [];
       const one = await person(complaints);
       const first = await one.open(`${hosted.address}#level=${packed(straight({ name: 'Before' }))}`);
-      await first.getByRole('button', { name: 'Add the level' }).click();
+      await first.getByRole('button', { name: 'Add level' }).click();
       await saved(first);
       await first.close();
       await one.context.addInitScript(() => {
@@ -264,7 +264,7 @@ else {
       await page.getByRole('dialog', { name: 'New level' }).getByRole('button', { name: 'Create' }).click();
       await page
         .getByRole('status', { name: 'Saving' })
-        .filter({ hasText: /^in this tab alone$/ })
+        .filter({ hasText: /^in this tab only$/ })
         .waitFor();
       await page.evaluate("sessionStorage.setItem('answers', 'yes'); answer()");
       await page.getByRole('button', { name: 'Add them and load the page again' }).click();

@@ -30,7 +30,7 @@ inChromium('thumbnails of the levels in Chromium', ({ on }) => {
       await canvas.drag({ x: 400, y: 200 }, { to: [{ x: 400, y: 320 }] });
       await until(async () => expect(await source('Garden')).not.toBe(before));
       const inDark = await source('Straight');
-      await command(page, 'Light or dark');
+      await command(page, 'Switch between light and dark');
       await until(async () => expect(await source('Straight')).not.toBe(inDark));
       expect(await seen()).toEqual({ pictures: 2, isChecking: false });
 

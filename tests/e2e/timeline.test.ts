@@ -231,7 +231,7 @@ inChromium('the timeline in Chromium', ({ on }) => {
       await tickIs(page, end);
       await page.getByText(`tick ${end} of ${end}`).waitFor();
       await page.getByRole('button', { name: 'To the start' }).click();
-      await page.getByRole('button', { name: 'A tick on' }).click();
+      await page.getByRole('button', { name: 'Next tick' }).click();
       await tickIs(page, 1);
 
       // four times slower it takes four times as long

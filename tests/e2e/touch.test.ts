@@ -9,7 +9,7 @@ const FINGER = 44;
 
 const PANELS = ['Timeline', 'Levels', 'Outline', 'Runs', 'Inspector', 'Solver', 'Effects', 'Accuracy', 'Problems'];
 const DIALOGS: Readonly<Record<string, string>> = {
-  'Keys and gestures': 'Keys and gestures',
+  'Shortcuts and gestures': 'Shortcuts and gestures',
   Settings: 'Settings',
   'New level': 'New level',
   'Import, export, link': 'Import, export, link',
@@ -42,7 +42,7 @@ inChromium('a finger in Chromium', ({ on }) => {
         await page.getByRole('menu').waitFor();
         await measure('menu');
         await page.keyboard.press('Escape');
-        await page.getByRole('button', { name: 'Search or run' }).tap();
+        await page.getByRole('button', { name: 'Search all commands' }).tap();
         await page.getByRole('dialog', { name: 'Commands' }).waitFor();
         await measure('palette');
         await page.keyboard.press('Escape');

@@ -20,7 +20,7 @@ inChromium('a file that another program made unreadable, in Chromium', ({ on }) 
       const problems = page.getByRole('list', { name: 'Problems' });
       const place = /01\.level\.json:3:3: expected "," or "}", found a text.*comma/;
       write('01', TYPO);
-      await saving.filter({ hasText: /^the file can't be read$/ }).waitFor();
+      await saving.filter({ hasText: /^file can't be read$/ }).waitFor();
       await row.getByText('invalid').waitFor();
       await row.getByText('3:3 expected "," or "}", found a text').waitFor();
       await problems.getByText(place).waitFor();
@@ -48,10 +48,10 @@ inChromium('a file that another program made unreadable, in Chromium', ({ on }) 
       await saved();
       const good = file('01') as LevelFile;
       write('01', TYPO);
-      await page.getByRole('list', { name: 'Messages' }).getByRole('button', { name: 'Look at it' }).click();
+      await page.getByRole('list', { name: 'Messages' }).getByRole('button', { name: 'Review' }).click();
       await page
         .getByRole('dialog', { name: "The file can't be read" })
-        .getByRole('button', { name: /mend it as text/ })
+        .getByRole('button', { name: /^Fix the file as text$/ })
         .click();
       const dialog = page.getByRole('dialog', { name: '01.level.json' });
       const field = dialog.getByRole('textbox', { name: 'Text of the level' });
@@ -67,13 +67,13 @@ inChromium('a file that another program made unreadable, in Chromium', ({ on }) 
       await field.fill(typed);
       const theirs = formatLevel({ ...good, name: 'Theirs' });
       write('01', theirs);
-      await dialog.getByRole('alert').getByText('The level was changed on the disk meanwhile').waitFor();
+      await dialog.getByRole('alert').getByText('The level was changed on disk in the meantime').waitFor();
       expect(await field.inputValue()).toBe(typed);
-      await dialog.getByRole('button', { name: /^Take what is on the disk/ }).click();
+      await dialog.getByRole('button', { name: /^Use the version on disk/ }).click();
       expect(await field.inputValue()).toBe(theirs);
       await field.fill(typed);
       write('01', mended);
-      await dialog.getByRole('button', { name: /^Save over it/ }).click();
+      await dialog.getByRole('button', { name: /^Overwrite/ }).click();
       await until(() => expect(file('01').name).toBe('Typed'));
       await page.getByRole('heading', { level: 1, name: 'Typed' }).waitFor();
       expect(text('01')).toBe(typed);

@@ -42,10 +42,10 @@ inChromium('what things are called, in Chromium', ({ on }) => {
 
         await page.keyboard.press('Alt+n');
         const dialog = page.getByRole('dialog', { name: 'New level' });
-        await dialog.getByLabel('Name of the level').fill('Böse Größe');
-        expect(await dialog.getByLabel('Name of the file').inputValue()).toBe('04-boese-groesse');
-        await dialog.getByLabel('Name of the level').fill('Старт');
-        expect(await dialog.getByLabel('Name of the file').inputValue()).toBe('04-level');
+        await dialog.getByLabel('Level name').fill('Böse Größe');
+        expect(await dialog.getByLabel('File name').inputValue()).toBe('04-boese-groesse');
+        await dialog.getByLabel('Level name').fill('Старт');
+        expect(await dialog.getByLabel('File name').inputValue()).toBe('04-level');
       },
     ),
   );

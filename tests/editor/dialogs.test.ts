@@ -59,7 +59,7 @@ describe('differences between texts', () => {
 });
 
 test('values of a conflict in words', () => {
-  expect(valueInWords(undefined)).toBe('not there');
+  expect(valueInWords(undefined)).toBe('absent');
   expect(valueInWords({ x: 665, y: 848 })).toBe('x 665, y 848');
   expect(valueInWords([[150, 435]])).toBe('[150,435]');
   expect(valueInWords([])).toBe('none');

@@ -165,13 +165,13 @@ describe('a rule in the inspector', () => {
 
   it('says what holds, what would hold without the level, and where that is from', () => {
     expect(pullOf(undefined, NONE)).toEqual({ value: 39, isOwn: false, fallback: 39, from: null, says: null });
-    const says = "Set by this level; the game's own is 39.";
+    const says = "Set by this level; the game's default is 39.";
     expect(pullOf({ pull: 30 }, NONE)).toEqual({ value: 30, isOwn: true, fallback: 39, from: null, says });
     const from = 'gq.config.json';
     const ofFolder = { fallback: 45, from };
     expect(pullOf(undefined, FOLDER)).toEqual({
       ...{ value: 45, isOwn: false, ...ofFolder },
-      says: "From gq.config.json; the game's own is 39.",
+      says: "From gq.config.json; the game's default is 39.",
     });
     expect(pullOf({ pull: 39 }, FOLDER)).toEqual({
       ...{ value: 39, isOwn: true, ...ofFolder },

@@ -269,7 +269,7 @@ describe('a link of somebody who means harm', () => {
       expect(linked).toMatchObject({ ok: false, message: expect.stringContaining('no valid level') });
       return;
     }
-    expect(surveyLink(linked.file, text).warnings).toEqual([expect.stringContaining('away from the middle')]);
+    expect(surveyLink(linked.file, text).warnings).toEqual([expect.stringContaining('px from the origin')]);
     const { run, margins } = createProver().prove({
       file: createEditedLevel(linked.file).file(),
       run: null,
@@ -294,6 +294,8 @@ describe('what a link brings', () => {
     const holds = Array.from({ length: 1500 }, (_, i): [number, number] => [4 * i, 4 * i + 1]);
     const runs = Array.from({ length: 400 }, (_, i) => ({ name: `r${i}`, holds }));
     expect(surveyLink({ ...file, runs }, '').warnings).toEqual([expect.stringContaining('very many runs')]);
-    expect(surveyLink({ ...file, astronaut: { x: 2e6, y: 0 } }, '').warnings).toEqual([expect.stringContaining('px away')]);
+    expect(surveyLink({ ...file, astronaut: { x: 2e6, y: 0 } }, '').warnings).toEqual([
+      expect.stringContaining('px from the origin'),
+    ]);
   });
 });

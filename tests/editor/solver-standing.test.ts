@@ -63,17 +63,17 @@ describe('what the solver says', () => {
 
   it('that nothing was found, why it ended, what that means, and what the own runs show', () => {
     expect(say({})).toBe(
-      'The 10 s are over: no run into the black hole was found. That does not prove that there is none. The closest approach, shown on the canvas, was 42 px from the black hole at 1.00 s.',
+      'The 10 s are over: no run into the black hole was found. This does not prove that there is none. The closest approach, shown on the canvas, was 42 px from the black hole at 1.00 s.',
     );
-    expect(say({ phase: 'cancelled', ms: 2100, solving: null })).toMatch(/^Stopped by hand after 2.1 s: no run into/);
+    expect(say({ phase: 'cancelled', ms: 2100, solving: null })).toMatch(/^Stopped after 2.1 s: no run into/);
     expect(say({ solving: solving(null, true) })).toMatch(/^Nothing is left to try: no run into/);
     expect(say({}, { meets: 'solution', completes: 'solution' })).toBe(
-      "The 10 s are over: no other run was found. The closest approach, shown on the canvas, was 42 px from the black hole at 1.00 s. The level's own run “solution” does it already.",
+      "The 10 s are over: no other run was found. The closest approach, shown on the canvas, was 42 px from the black hole at 1.00 s. The level's own run “solution” already does this.",
     );
     expect(say({ settings: all, solving: solving(0) }, { meets: null, completes: 'solution' })).toBe(
-      'The 10 s are over: no run into the black hole with all 3 minerals was found. That does not prove that there is none. It has reached the black hole, but not with all 3 minerals. The level is completable all the same: its run “solution” reaches the black hole.',
+      'The 10 s are over: no run into the black hole with all 3 minerals was found. This does not prove that there is none. It reached the black hole, but not with all 3 minerals. The level is completable all the same: its run “solution” reaches the black hole.',
     );
-    expect(say({ solving: solving(0) })).toContain('It has reached the black hole, but no run was ready');
+    expect(say({ solving: solving(0) })).toContain('It reached the black hole, but had no time');
     expect(say({ phase: 'running' })).toMatch(/^Looking for runs: none found yet\./);
     expect(say({ isHopeless: true, settings: all }, { meets: null, completes: 'solution' })).toBe(
       'Proved: no run completes the level with all 3 minerals. The level is completable all the same: its run “solution” reaches the black hole.',
@@ -81,22 +81,22 @@ describe('what the solver says', () => {
   });
 
   it('how many of those looked for were found', () => {
-    expect(say({ phase: 'running', found: found(true) })).toBe('1 different way found so far | Looked for up to 5 ways.');
+    expect(say({ phase: 'running', found: found(true) })).toBe('1 different run found so far | Looked for up to 5 runs.');
     expect(say({ found: found(true, true), settings: some })).toBe(
-      '2 different ways found | Looked for up to 5 ways with at least 2 of 3 minerals. The 10 s are over. More time or another seed may find more.',
+      '2 different runs found | Looked for up to 5 runs with at least 2 of 3 minerals. The 10 s are over. More time or another seed may find more.',
     );
     expect(say({ found: found(true), solving: solving(0, true) })).toBe(
-      '1 different way found | Looked for up to 5 ways. Nothing is left to try.',
+      '1 different run found | Looked for up to 5 runs. Nothing is left to try.',
     );
-    expect(say({ found: found(true, true, true, true, true) })).toBe('5 different ways found | Looked for up to 5 ways.');
+    expect(say({ found: found(true, true, true, true, true) })).toBe('5 different runs found | Looked for up to 5 runs.');
   });
 
   it('what became of it once the level has changed', () => {
     expect(say({ phase: 'stale', isOld: true, found: found(true, false), solving: null })).toBe(
-      'The level changed, so the search stopped. Of 2 ways found before the level changed 1 still works.',
+      'The level changed, so the search stopped. 1 of 2 runs found before the level changed still works.',
     );
     expect(say({ isOld: true, solving: null })).toBe(
-      'The level has changed since it was searched; no run was found in it as it was. Solve looks in the level as it is now.',
+      'The level has changed since the search, which found no run. Solve searches the current level.',
     );
   });
 });

@@ -3,12 +3,12 @@ import type { Point } from '../view.ts';
 import type { Crosshair } from './crosshair.ts';
 import type { Stride } from './crosshair-place.ts';
 
-/** What keys do on the canvas, for who hears it instead of seeing the cheat sheet. */
+/** What keys do on the canvas, for screen readers. */
 export const CROSSHAIR_HELP =
-  'Enter, or the key of a tool, shows a crosshair. Arrows move it by the grid, with Shift by 8 lines of the grid, with Alt or Ctrl by 1 px. ' +
-  'Enter uses the tool there: it adds an object or selects what lies there; with Shift the tool stays in hand, or the selection grows. ' +
-  'D takes hold there: then arrows move or resize what is held, or select what lies in a rectangle, and D lets go. ' +
-  'Esc puts the crosshair away; without it arrows nudge what is selected.';
+  'Enter, or the key of a tool, shows a crosshair. Arrows move it by the grid, with Shift by 8 grid lines, with Alt or Ctrl by 1 px. ' +
+  'Enter uses the tool at the crosshair: it adds an object or selects what is there; Shift keeps the tool or adds to the selection. ' +
+  'D starts a drag at the crosshair: arrows then move or resize the object there, or select an area, and D ends the drag. ' +
+  'Esc hides the crosshair; arrows then nudge the selection.';
 
 const ARROWS = ['ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown'] as const;
 const STEPS: Readonly<Record<string, Point>> = {
@@ -18,15 +18,16 @@ const STEPS: Readonly<Record<string, Point>> = {
   ArrowDown: { x: 0, y: 1 },
 };
 
-/** One step the way that an arrow points. */
+/** One step in the direction of an arrow key. */
 export const stepOf = (press: KeyboardEvent | undefined): Point => STEPS[press?.key ?? ''] ?? { x: 0, y: 0 };
 
-/** The arrows with a modifier. */
+/** The arrow keys with a modifier. */
 export const arrowsWith = (modifier: string): readonly string[] => ARROWS.map((arrow) => `${modifier}${arrow}`);
 
 /**
- * The tool in hand, used by keys. They come before the nudges: as long as the crosshair is shown arrows are its own.
- * @param isSelected whether anything is: then arrows without the crosshair nudge it
+ * The commands of the crosshair, which uses tools with the keyboard. They take precedence over nudging: while the crosshair is
+ * shown, arrows move it.
+ * @param isSelected whether anything is selected: then arrows nudge it while the crosshair is hidden
  */
 export function crosshairCommands(crosshair: Crosshair, isSelected: () => boolean): readonly Command[] {
   const needsShown = () => (crosshair.isShown() ? null : 'show the crosshair first');
@@ -45,7 +46,7 @@ export function crosshairCommands(crosshair: Crosshair, isSelected: () => boolea
     { id: 'crosshair.show', title: 'Show the crosshair', group: 'Crosshair', run: () => crosshair.show() },
     {
       id: 'crosshair.use',
-      title: 'Show the crosshair; use the tool there. With Shift it stays in hand, or adds to the selection',
+      title: 'Show the crosshair, then use the tool there; Shift keeps the tool or adds to the selection',
       group: 'Crosshair',
       keys: ['Enter', 'Shift+Enter'],
       needs: () => (isFree() ? null : 'go to the canvas first'),
@@ -58,7 +59,7 @@ export function crosshairCommands(crosshair: Crosshair, isSelected: () => boolea
     },
     {
       id: 'crosshair.hold',
-      title: 'Take hold there and let go: moves, resizes, selects in a rectangle',
+      title: 'Start or end a drag at the crosshair: move, resize, select an area',
       group: 'Crosshair',
       keys: ['d', 'Shift+d'],
       needs: needsShown,
@@ -68,7 +69,7 @@ export function crosshairCommands(crosshair: Crosshair, isSelected: () => boolea
       },
     },
     move('grid', 'Move the crosshair by the grid', arrowsWith(''), needsArrows),
-    move('far', 'Move the crosshair by 8 lines of the grid', arrowsWith('Shift+'), needsArrows),
+    move('far', 'Move the crosshair by 8 grid lines', arrowsWith('Shift+'), needsArrows),
     move('fine', 'Move the crosshair by 1 px', [...arrowsWith('Alt+'), ...arrowsWith('$mod+')], needsShown),
   ];
 }

@@ -3,19 +3,19 @@ import { type Hit, hitTest, REACH } from '../hit-test.ts';
 import type { PointerContext } from '../pointer/index.ts';
 import { isInView, type Point } from '../view.ts';
 
-/** How far an arrow moves it. */
+/** How far an arrow key moves the crosshair. */
 export type Stride = 'grid' | 'far' | 'fine';
 
-/** So many lines of the grid are a far stride: every eighth is drawn stronger. */
+/** grid lines in a far stride: every eighth line is drawn stronger */
 const FAR = 8;
 
-/** The next line of the grid that way. */
+/** The next grid line in a direction. */
 function nextLine(from: number, way: number, step: number): number {
   if (way === 0) return from;
   return way > 0 ? (Math.floor(from / step) + 1) * step : (Math.ceil(from / step) - 1) * step;
 }
 
-/** Where it comes to. @param to one step to the left or right, up or down @param grid px between lines */
+/** The new point of the crosshair. @param to one step left, right, up or down @param grid px between lines */
 export function stepped(place: Point, to: Point, stride: Stride, grid: number): Point {
   if (stride === 'fine') return { x: place.x + to.x, y: place.y + to.y };
   const step = stride === 'far' ? FAR * grid : grid;
@@ -23,8 +23,9 @@ export function stepped(place: Point, to: Point, stride: Stride, grid: number): 
 }
 
 /**
- * Where it is shown first. The only object that is selected is where somebody goes on; else where it was; else the middle of what is seen.
- * @param last where it was; null: nowhere yet
+ * Where the crosshair is shown first: at the selected object if there is just one, else where it was last, else in the middle
+ * of the view.
+ * @param last where it was last; null: not shown yet
  */
 export function startingPlace(context: PointerContext, grid: number, last: Point | null): Point {
   const seen = context.view();
@@ -36,7 +37,7 @@ export function startingPlace(context: PointerContext, grid: number, last: Point
   return { x: round(seen.x), y: round(seen.y) };
 }
 
-/** What lies under it; null: nothing does. */
+/** What lies under the crosshair; null: nothing. */
 export function under(context: PointerContext, place: Point): Hit | null {
   const selected = context.tool() === 'select' ? context.selection.keys() : [];
   return hitTest(context.document.file(), context.her(), place, REACH.keys / context.view().zoom, selected);

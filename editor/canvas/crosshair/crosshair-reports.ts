@@ -6,15 +6,15 @@ import type { Point } from '../view.ts';
 import { under } from './crosshair-place.ts';
 import { changeInWords, placeInWords, selectionInWords, thingInWords } from './words.ts';
 
-/** The level and the selection at a moment. */
+/** The level and the selection at one moment. */
 export interface Moment {
   readonly file: LevelFile;
   readonly keys: readonly ObjectKey[];
 }
 
-/** What the crosshair reports to who can't see it. */
+/** Announces what the crosshair does, for screen readers. */
 export class CrosshairReports {
-  /** A key is held that moves it: where it is is reported once that is let go. */
+  /** Whether a held key moves the crosshair: its position is announced when the key is released. */
   isPending = false;
 
   constructor(
@@ -27,18 +27,18 @@ export class CrosshairReports {
     this.said.setState(text, true);
   }
 
-  /** What lies at a place, in words. */
+  /** What lies at a point, in words. */
   thing(place: Point): string {
     const { document, selection } = this.context;
     return thingInWords(document.file(), under(this.context, place), selection.keys());
   }
 
-  /** @param why said first */
+  /** @param why announced first */
   reportPlace(place: Point, why: string): void {
     this.report(`${why}. ${placeInWords(place)}, ${this.thing(place)}`);
   }
 
-  /** Where it is, what is there, or what that does to what it holds. @param held null: it holds nothing */
+  /** Announces where the crosshair is, and what is there or what the drag has done. @param held null: no drag */
   reportStep(place: Point, held: Moment | null): void {
     const { document, selection, canvas } = this.context;
     const here = placeInWords(place);
@@ -47,7 +47,7 @@ export class CrosshairReports {
     else this.report(changeInWords(held.file, document.file()) ?? here);
   }
 
-  /** What has come of something since a moment. */
+  /** Announces what has changed since a moment. */
   reportDone(place: Point, { file, keys }: Moment): void {
     const { document, selection } = this.context;
     const now = document.file();

@@ -5,23 +5,27 @@ import { type Stride, startingPlace, stepped, under } from './crosshair-place.ts
 import { CrosshairReports, type Moment } from './crosshair-reports.ts';
 import { placeInWords } from './words.ts';
 
-/** A pointer for the keyboard: a place on the canvas that arrows move and at which the tool in hand is used. It is there while the canvas has the focus. */
+/**
+ * A pointer for the keyboard: a point on the canvas that arrows move, where the current tool is used. It exists while the
+ * canvas has the focus.
+ */
 export interface Crosshair {
   isShown(): boolean;
-  /** Whether the canvas has the focus, so that its keys are meant for it. */
+  /** Whether the canvas has the focus, so that keys are meant for it. */
   hasFocus(): boolean;
-  /** Shows it and gives the canvas the focus. @param why said first */
+  /** Shows the crosshair and focuses the canvas. @param why announced first */
   show(why?: string): void;
   /** @returns whether it was shown */
   hide(): boolean;
   /**
-   * @param to one step to the left or right, up or down
-   * @param isRepeated the key is held: what is there is reported once it is let go
+   * Moves the crosshair.
+   * @param to one step left, right, up or down
+   * @param isRepeated whether the key is held down: the announcement then waits until it is released
    */
   move(to: Point, stride: Stride, isRepeated: boolean): void;
-  /** Does what a click of the pointer does there; lets go of what is held. */
+  /** Acts like a click at the crosshair; ends a drag in progress. */
   use(shift: boolean): void;
-  /** Presses and holds, as a drag begins; lets go of what is held. */
+  /** Starts a drag at the crosshair, or ends the one in progress. */
   hold(shift: boolean): void;
   stop(): void;
 }
@@ -30,9 +34,9 @@ interface CrosshairParts {
   readonly element: HTMLElement;
   readonly context: PointerContext;
   readonly pointer: PointerListening;
-  /** px between lines of the grid, whether things snap to it or not */
+  /** px between grid lines, whether objects snap to them or not */
   readonly grid: () => number;
-  /** What is said to who can't see it. */
+  /** Announcements for screen readers. */
   readonly said: StoreApi<string>;
 }
 
@@ -48,9 +52,9 @@ class KeyboardPointer implements Crosshair {
   private place: Point = { x: 0, y: 0 };
   private wasUsed = false;
   private isOut = false;
-  /** Where the pointer rests meanwhile; a page that moves under it is no move of the pointer. */
+  /** Where the mouse pointer rested when the crosshair was shown; the page moving under it is no move of the pointer. */
   private rest: Point | null = null;
-  /** The level and the selection when the keys began to hold something. */
+  /** The level and the selection when the drag began. */
   private held: (Moment & { readonly shift: boolean }) | null = null;
 
   constructor({ element, context, pointer, grid, said }: CrosshairParts) {
@@ -60,7 +64,7 @@ class KeyboardPointer implements Crosshair {
     this.grid = grid;
     this.reports = new CrosshairReports(context, said);
     const draw = () => this.draw();
-    // an undo, another tool, the outline: what lies under it is another
+    // an undo, another tool or the outline may change what lies under the crosshair
     this.stops = [this.listen(), context.selection.store.subscribe(draw), context.document.subscribe(draw)];
   }
 
@@ -131,7 +135,7 @@ class KeyboardPointer implements Crosshair {
       this.release(shift);
       return;
     }
-    // the view is not dragged by what moves over it
+    // a drag at the crosshair can't move the view that it moves over
     if (context.tool() === 'hand') return;
     const what = context.tool() === 'select' ? reports.thing(this.place) : null;
     this.held = { ...this.moment(), shift };
@@ -185,7 +189,7 @@ class KeyboardPointer implements Crosshair {
 
   private input(shift: boolean): PointerInput {
     const { place } = this;
-    // it stands where it shall: nothing snaps away from there
+    // the crosshair stands exactly where the user wants it: nothing snaps
     return { screen: toScreen(this.context.view(), place), place, shift, alt: false, mod: true, by: 'keys', button: 0 };
   }
 
@@ -202,7 +206,7 @@ class KeyboardPointer implements Crosshair {
     if (before !== null) this.reports.reportDone(this.place, before);
   }
 
-  /** What it held was taken back. */
+  /** Called when the drag was cancelled. */
   private putBack(): void {
     this.held = null;
     this.draw();

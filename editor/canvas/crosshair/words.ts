@@ -8,7 +8,7 @@ const number = (value: number): string => String(Number(value.toFixed(2)));
 /** `x 448, y 304` */
 export const placeInWords = ({ x, y }: Point): string => `x ${number(x)}, y ${number(y)}`;
 
-/** `asteroid 2`, and that it is selected or that its rim is what can be dragged. */
+/** `asteroid 2`, and whether it is selected or its rim can be dragged. */
 export function thingInWords(file: LevelFile, hit: Hit | null, selected: readonly ObjectKey[]): string {
   const found = hit === null ? undefined : objectsOf(file).get(hit.key);
   if (hit === null || found === undefined) return 'empty';
@@ -21,7 +21,9 @@ const withRadius = (found: FoundObject): string => {
   return radius === null ? '' : `, radius ${number(radius)}`;
 };
 
-/** What came, moved or grew between two states of a level: `Asteroid 4 added at x 448, y 304, radius 16`; null: nothing did. */
+/**
+ * What was added, moved or resized between two states of a level: `Asteroid 4 added at x 448, y 304, radius 16`; null: nothing.
+ */
 export function changeInWords(before: LevelFile, after: LevelFile): string | null {
   const old = objectsOf(before);
   const all = [...objectsOf(after).values()];
@@ -41,7 +43,7 @@ export function changeInWords(before: LevelFile, after: LevelFile): string | nul
   return moved === undefined ? `${nameOf(first)}${withRadius(first)}` : `${nameOf(first)} moved to ${placeInWords(moved)}`;
 }
 
-/** What a press of Enter or a marquee did to the selection. */
+/** How Enter or a marquee changed the selection. */
 export function selectionInWords(file: LevelFile, before: readonly ObjectKey[], after: readonly ObjectKey[]): string {
   const named = (key: ObjectKey | undefined) => {
     const found = key === undefined ? undefined : objectsOf(file).get(key);
@@ -50,7 +52,7 @@ export function selectionInWords(file: LevelFile, before: readonly ObjectKey[], 
   const gone = before.filter((key) => !after.includes(key));
   if (after.length === 0) return 'Nothing is selected';
   if (gone.length === 1 && after.length === before.length - 1)
-    return `${named(gone[0])} is no longer selected, ${after.length} left`;
+    return `${named(gone[0])} is no longer selected, ${after.length} still selected`;
   if (after.length === 1) return `${named(after[0])} is selected`;
   const added = after.filter((key) => !before.includes(key));
   return added.length === 1 ? `${named(added[0])} is selected, ${after.length} in all` : `${after.length} objects are selected`;

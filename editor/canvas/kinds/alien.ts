@@ -3,10 +3,10 @@ import { type Brush, disc, faint } from '../brush.ts';
 import type { Colours } from '../colours.ts';
 import { type KindOnCanvas, put } from './kind-on-canvas.ts';
 
-/** px of screen that a pupil moves by at least. */
+/** px of screen by which a pupil moves at least */
 const GAZE = 0.25;
 
-/** An alien without its pupil, which looks where it goes. */
+/** An alien without its pupil, which is an image of its own and follows her. */
 function drawAlien(brush: Brush, colours: Colours): void {
   // eight stubby arms, the body, a big eye
   brush.fillStyle = colours.alienShade;
@@ -30,7 +30,7 @@ function drawAlien(brush: Brush, colours: Colours): void {
   brush.stroke();
 }
 
-/** What an alien sees with. */
+/** The pupil of an alien. */
 function drawPupil(brush: Brush): void {
   brush.fillStyle = '#142014';
   disc(brush, 0, 0, 0.9);
@@ -38,7 +38,7 @@ function drawPupil(brush: Brush): void {
   disc(brush, -0.3, -0.35, 0.28);
 }
 
-/** An alien that looks at her. In a run it is where it has chased her, and faint once it has exploded. */
+/** An alien that looks at her. During a run it is shown where it has chased her, and faint after its explosion. */
 export const alien: KindOnCanvas = {
   sign: { Icon: Bug, tone: 'good' },
   textures: { alien: drawAlien, pupil: drawPupil },
@@ -57,7 +57,7 @@ export const alien: KindOnCanvas = {
     const distance = Math.hypot(dx, dy);
     const reach = distance > 0 ? (0.16 * figure.radius) / distance : 0;
     const gaze = figure.away[1];
-    // less than that nobody would see, and what is dragged as it is costs next to nothing
+    // A smaller change would not be visible, and images that only move cost next to nothing.
     if (zoom * Math.hypot(dx * reach - gaze.x, dy * reach - gaze.y) > GAZE) {
       gaze.x = dx * reach;
       gaze.y = dy * reach;

@@ -5,10 +5,10 @@ import { type Brush, dice, disc, faint } from '../brush.ts';
 import type { Colours } from '../colours.ts';
 import { type KindOnCanvas, put } from './kind-on-canvas.ts';
 
-/** They come in so many shapes. */
+/** number of shapes */
 const SHAPES = 4;
 
-/** A lump with a bumpy rim that stays inside of the unit circle, which is where it is touched. */
+/** A lump with a bumpy rim inside the unit circle, which is where contacts happen. */
 function lump(brush: Brush, roll: () => number): void {
   const bumps = 14;
   const points = Array.from({ length: bumps }, (_, i) => {
@@ -90,7 +90,7 @@ function drawHotRock(brush: Brush, colours: Colours, seed: number): void {
   brush.restore();
 }
 
-/** A shape that stays with an asteroid as long as it lives: made from its id. */
+/** A shape derived from the asteroid's id, so that it never changes. */
 function shapeOf(key: ObjectKey): number {
   let sum = 0;
   for (let i = 0; i < key.length; i++) sum = (sum * 31 + key.charCodeAt(i)) % 9973;
@@ -99,7 +99,7 @@ function shapeOf(key: ObjectKey): number {
 
 const shapes = [...Array(SHAPES).keys()];
 
-/** An asteroid: of several shapes, in a glow when it is hot. In a run it is where her gun has pulled it. */
+/** An asteroid in one of several shapes, with a glow if it is hot. During a run it is shown where the recoil has moved it. */
 export const asteroid: KindOnCanvas = {
   sign: { Icon: Circle, tone: 'quiet' },
   variantSign: { Icon: Flame, tone: 'bad' },

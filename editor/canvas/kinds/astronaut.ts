@@ -3,7 +3,9 @@ import { type Brush, disc } from '../brush.ts';
 import type { Colours } from '../colours.ts';
 import type { KindOnCanvas } from './kind-on-canvas.ts';
 
-/** The astronaut; the unit is 16 px, so that her box is 20 x 32 px. Her right side, the box's x axis, is where the gun points. */
+/**
+ * The astronaut. The unit is 16 px, so that her box is 20 x 32 px. The gun points to her right, along the x axis of the box.
+ */
 function drawAstronaut(brush: Brush, colours: Colours): void {
   const px = 1 / 16;
   const part = (x: number, y: number, width: number, height: number, round: number, colour: string) => {
@@ -25,7 +27,7 @@ function drawAstronaut(brush: Brush, colours: Colours): void {
   part(0, -12, 3, 2, 1, '#fff2cf');
 }
 
-/** She is shown by a layer of her own, with the beam of her gun: here is no more than what she looks like. */
+/** Only her icon and texture: a layer of her own shows her, with the beam of the gun. */
 export const astronaut: KindOnCanvas = {
   sign: { Icon: PersonStanding, tone: 'quiet' },
   textures: { astronaut: drawAstronaut },

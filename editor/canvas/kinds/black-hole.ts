@@ -3,10 +3,10 @@ import { type Brush, disc, fadingDisc, faint, ring } from '../brush.ts';
 import type { Colours } from '../colours.ts';
 import type { KindOnCanvas } from './kind-on-canvas.ts';
 
-/** Radians a second. */
+/** radians per second */
 const SPIN = -0.5;
 
-/** The black hole: nothing in the middle, and arms of light that turn into it. */
+/** The black hole: a dark middle, and arms of light that spiral into it. */
 function drawBlackHole(brush: Brush, colours: Colours): void {
   fadingDisc(brush, 1, [
     [0, faint(colours.holeRim, 0.9)],
@@ -28,7 +28,7 @@ function drawBlackHole(brush: Brush, colours: Colours): void {
   ring(brush, 0.5, 0.04, '#ffffff');
 }
 
-/** The black hole with its arms, which reach twice as far as what is touched; it turns. */
+/** The black hole with its arms, which reach to twice its radius; it turns. */
 export const blackHole: KindOnCanvas = {
   sign: { Icon: Orbit, tone: 'unknown' },
   textures: { 'black-hole': drawBlackHole },

@@ -25,7 +25,7 @@ export const ON_CANVAS: Readonly<Record<ObjectKind, KindOnCanvas>> = {
   wormhole,
 };
 
-/** What stands for a kind, or for its variant, beside its name. */
+/** The icon of a kind or of its variant. */
 export const signOf = (kind: ObjectKind, isVariant: boolean): Sign => {
   const { sign, variantSign } = ON_CANVAS[kind];
   return isVariant ? (variantSign ?? sign) : sign;

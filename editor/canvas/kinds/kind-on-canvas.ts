@@ -6,64 +6,66 @@ import type { Colours, Theme } from '../colours.ts';
 import type { Thing } from '../thing.ts';
 import type { Point } from '../view.ts';
 
-/** What stands for a kind beside its name, in tools and lists. */
+/** The icon of a kind, in tools and lists. */
 export interface Sign {
   readonly Icon: LucideIcon;
   readonly tone: 'quiet' | 'bad' | 'good' | 'accent' | 'unknown';
 }
 
-/** Draws a texture: the unit circle is what is touched, or a share of it as the part says that shows it. */
+/** Draws a texture. Its unit circle is the object's rim, scaled by the part that uses the texture. */
 export type DrawTexture = (brush: Brush, colours: Colours, theme: Theme) => void;
 
-/** One of the images of which an object is made. */
+/** One of the images that an object consists of. */
 export interface Part {
   readonly texture: string;
-  /** Which is drawn above which; of one depth, in the order of the parts. */
+  /** Greater depths are drawn above; parts of equal depth in their order. */
   readonly depth: number;
-  /** Radius of the texture's unit circle, in radii of the object; 1 when left out. */
+  /** Radius of the texture's unit circle, in radii of the object; 1 if absent. */
   readonly scale?: number;
-  /** Where its middle is from the object's, in radii. */
+  /** Its centre relative to the object's, in radii. */
   readonly offset?: Point;
-  /** Radians, clockwise. */
+  /** radians, clockwise */
   readonly rotation?: number;
 }
 
-/** An object as it is shown at one of its places. */
+/** An object at one of its places, as shown. */
 export interface Figure {
   readonly found: FoundObject;
-  /** Where the level has it, px. */
+  /** its place in the level, px */
   readonly at: Point;
   /** px */
   readonly radius: number;
   readonly parts: readonly Part[];
   /** The image of each part. */
   readonly images: readonly Pick<Thing, 'alpha' | 'scale' | 'setAlpha' | 'setPosition' | 'setRotation'>[];
-  /** How far each image is away from where its part has it, px; the kind's own, kept while the object is there. */
+  /**
+   * The offset of each image from the place that its part gives it, px; managed by the kind, kept as long as the object exists.
+   */
   readonly away: readonly { x: number; y: number }[];
 }
 
 /** How a kind of object is drawn on the canvas. */
 export interface KindOnCanvas {
   readonly sign: Sign;
-  /** Of those of its variant. */
+  /** The icon of the variant. */
   readonly variantSign?: Sign;
-  /** By their names, which no other kind has. */
+  /** By name; names are unique across kinds. */
   readonly textures: Readonly<Record<string, DrawTexture>>;
-  /** What an object is made of, from below to above. */
+  /** The parts of an object, from below to above. */
   parts(found: FoundObject): readonly Part[];
   /**
-   * Shows it as it is in a run. Left out: it stays as the level has it.
-   * @param pose null: as the level has it
+   * Shows the object during a run. Without this function it stays in place.
+   * @param pose null: as in the level
    * @param zoom px of screen per px of the level
    */
   pose?(figure: Figure, pose: Pose | null, zoom: number): void;
-  /** Turns what turns by itself. @param time s */
+  /** Animates what turns by itself. @param time s */
   turn?(figure: Figure, time: number, zoom: number): void;
 }
 
-/** Puts a figure where it is now. */
+/** Moves a figure to a place. */
 export function put({ parts, images, away, radius }: Figure, x: number, y: number): void {
-  // thousands in a frame
+  // called thousands of times per frame
   for (let i = 0; i < images.length; i++) {
     const { offset } = parts[i];
     images[i].setPosition(x + (offset?.x ?? 0) * radius + away[i].x, y + (offset?.y ?? 0) * radius + away[i].y);

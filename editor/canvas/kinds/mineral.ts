@@ -52,7 +52,7 @@ function drawMineral(brush: Brush, colours: Colours): void {
   }
 }
 
-/** A mineral in its light; faint once it is taken. */
+/** A mineral with its light; faint once it is collected. */
 export const mineral: KindOnCanvas = {
   sign: { Icon: Gem, tone: 'accent' },
   textures: { mineral: drawMineral },

@@ -3,13 +3,13 @@ import { type Brush, fadingDisc, faint, TEXTURE_UNIT } from '../brush.ts';
 import type { Colours } from '../colours.ts';
 import type { KindOnCanvas } from './kind-on-canvas.ts';
 
-/** Radians a second. */
+/** radians per second */
 const SPIN = 0.12;
 
-/** One that is smaller than this, px of screen, does not turn: nobody would see it, and what stands still costs next to nothing. */
+/** px of screen below which a nova does not turn: it would not be visible, and images at rest cost next to nothing */
 const TURNS_FROM = 10;
 
-/** A dwarf nova: a white heart, and rays that end at the unit circle, where it burns. */
+/** A dwarf nova: a white core and rays that end at the unit circle, where it is deadly. */
 function drawNova(brush: Brush, colours: Colours): void {
   const rays = 24;
   brush.fillStyle = faint(colours.nova, 0.85);
@@ -30,7 +30,7 @@ function drawNova(brush: Brush, colours: Colours): void {
   ]);
 }
 
-/** A dwarf nova in its glow; it turns. */
+/** A dwarf nova with a glow; it turns. */
 export const nova: KindOnCanvas = {
   sign: { Icon: Sun, tone: 'bad' },
   textures: { nova: drawNova },

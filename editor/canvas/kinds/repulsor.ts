@@ -3,7 +3,7 @@ import { type Brush, fadingDisc, faint, ring } from '../brush.ts';
 import type { Colours } from '../colours.ts';
 import type { KindOnCanvas } from './kind-on-canvas.ts';
 
-/** A repulsor: rings that go outwards. */
+/** A repulsor: rings and arrows that point outwards. */
 function drawRepulsor(brush: Brush, colours: Colours): void {
   fadingDisc(brush, 1, [
     [0, faint(colours.field, 0.05)],

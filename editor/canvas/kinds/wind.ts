@@ -4,7 +4,10 @@ import { type Brush, fadingDisc, faint, ring } from '../brush.ts';
 import type { Colours, Theme } from '../colours.ts';
 import type { KindOnCanvas } from './kind-on-canvas.ts';
 
-/** px/s2 from which on streaks are as large as can be, and their sizes, of the disc: the weakest are still seen. */
+/**
+ * The strength in px/s2 at which streaks have their largest size, and the sizes as shares of the disc: even the weakest are
+ * visible.
+ */
 const STRONG = 60;
 const LEAST_STREAKS = 0.5;
 const MOST_STREAKS = 0.95;
@@ -40,7 +43,7 @@ function drawStreaks(brush: Brush, _: Colours, theme: Theme): void {
   }
 }
 
-/** Where no wind blows, which isn't what an empty disc would say. */
+/** Marks a wind of strength 0, which an empty disc would not show. */
 function drawCalm(brush: Brush, _: Colours, theme: Theme): void {
   ring(brush, 0.5, 0.09, faint(INK[theme], 0.9));
 }
@@ -50,7 +53,7 @@ const usual = (name: string): number => {
   return field.type === 'number' ? (field.default ?? 0) : 0;
 };
 
-/** A disc with streaks that point where the wind blows; the stronger, the larger they are. A small ring where none blows. */
+/** A disc with streaks in the direction of the wind, larger for stronger winds; a small ring for a wind of strength 0. */
 export const wind: KindOnCanvas = {
   sign: { Icon: Wind, tone: 'accent' },
   textures: { wind: drawDisc, streaks: drawStreaks, calm: drawCalm },

@@ -3,7 +3,7 @@ import { type Brush, disc, faint, ring } from '../brush.ts';
 import type { Colours, Theme } from '../colours.ts';
 import type { KindOnCanvas } from './kind-on-canvas.ts';
 
-/** Of the rim, which stands against space, and of what turns within, which stands against the dark of the mouth. */
+/** Colours of the rim, against space, and of the spiral, against the dark of the mouth. */
 const RIM = { dark: '#ff9de2', light: '#b0128a' } as const;
 const SPIRAL = '#ff9de2';
 
@@ -22,10 +22,10 @@ function drawMouth(brush: Brush, colours: Colours, theme: Theme): void {
   brush.stroke();
 }
 
-/** Radians a second. */
+/** radians per second */
 const SPIN = 0.6;
 
-/** The two mouths are alike, and turn. */
+/** Both mouths look alike and turn. */
 export const wormhole: KindOnCanvas = {
   sign: { Icon: Loop, tone: 'accent' },
   textures: { mouth: drawMouth },

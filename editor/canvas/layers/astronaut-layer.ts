@@ -9,7 +9,7 @@ import { TEXTURE_UNIT } from '../textures/index.ts';
 const DRAWN_WIDTH = 10;
 const DRAWN_HEIGHT = 16;
 
-/** Scale at which she fits into her box. */
+/** The scale at which she fits into her box. */
 const scaleIn = ({ halfWidth, halfHeight }: Box): number =>
   (Math.min(halfWidth / DRAWN_WIDTH, halfHeight / DRAWN_HEIGHT) * DRAWN_HEIGHT) / TEXTURE_UNIT;
 const SPARKS = 14;
@@ -18,7 +18,7 @@ const SPARKS = 14;
 export class AstronautLayer {
   private readonly beam: GameObjects.Graphics;
   private readonly body: GameObjects.Image;
-  /** Where she starts, faint, while she is shown elsewhere. */
+  /** Her start, drawn faintly while she is shown elsewhere. */
   private readonly start: GameObjects.Image;
   private readonly sparks: readonly GameObjects.Image[];
 
@@ -34,9 +34,9 @@ export class AstronautLayer {
 
   /**
    * @param from where she starts, px
-   * @param box hers
-   * @param time s, for the grains that run along the beam
-   * @param calm whether the person wants little motion
+   * @param box her collision box
+   * @param time s, for the sparks along the beam
+   * @param calm whether the user wants reduced motion
    */
   show({ x, y, cos, sin, beamTo }: Pose, from: Place, box: Box, time: number, calm: boolean): void {
     const scale = scaleIn(box);
@@ -61,7 +61,7 @@ export class AstronautLayer {
     const dy = beamTo.y - y;
     const length = Math.max(1, Math.hypot(dx, dy));
     for (const [i, spark] of this.sparks.entries()) {
-      // grains run from the asteroid to her and sway around the beam
+      // sparks run from the asteroid to her and sway around the beam
       const share = 1 - ((time * 0.9 + i / SPARKS) % 1);
       const sway = 4 * Math.sin(17 * share + 2.4 * i + 6 * time) * (1 - share);
       spark.setPosition(x + dx * share - (dy / length) * sway, y + dy * share + (dx / length) * sway);

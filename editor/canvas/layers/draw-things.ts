@@ -1,7 +1,7 @@
 import type { Thing } from '../thing.ts';
 import type { Lens, Marks, Spot } from './marks.ts';
 
-/** Half of the diagonal of a square, over half of its side. */
+/** half of the diagonal of a square over half of its side */
 const DIAGONAL = Math.SQRT2;
 
 function spotOf(thing: Thing, { a, b, c, d, e, f }: Lens, into: Spot): Spot {
@@ -14,8 +14,8 @@ function spotOf(thing: Thing, { a, b, c, d, e, f }: Lens, into: Spot): Spot {
 }
 
 /**
- * Draws things as Phaser's canvas renderer does. It saves and sets all of the canvas's state for each of them, which for a thousand takes longer than to draw them;
- * and it draws what is out of sight.
+ * Draws things like Phaser's canvas renderer, but faster: for each thing, Phaser saves and sets the whole state of the canvas,
+ * which takes longer than the drawing itself, and it also draws what is not visible.
  */
 function drawThings(context: CanvasRenderingContext2D, things: readonly Thing[], lens: Lens, from: number, to: number): void {
   const { a, b, c, d } = lens;

@@ -1,19 +1,19 @@
-/** Entries of `points` from one drawn place to the next: every third tick is enough. */
+/** entries of `points` between two drawn points: every third tick is enough */
 const STEP = 6;
 
-/** By how much a step may differ from the steps beside it, px: more than any force makes of it in three ticks. */
+/** largest difference between neighbouring steps, px: more than any force causes within three ticks */
 const MOST_BEND = 6;
 
-/** What rounding to a Float32 may do to a difference of differences, relative to the place. */
+/** error of a second difference due to rounding to Float32, relative to the coordinate */
 const ROUNDING = 5e-7;
 
-/** A stretch that she flew: x, y in px in turn. */
+/** A continuous stretch: x, y in px, alternating. */
 export type Line = readonly number[];
 
 /**
- * The lines of a way of which nothing is known but places: cut where a step is like neither the one before nor the one behind it,
- * as none that she flies is. There she was moved all at once.
- * @param points x, y in px, two entries a tick
+ * Splits a path of which only positions are known into continuous lines. It is cut where a step differs from both its
+ * neighbours, as no step of a flight does: there a wormhole moved her.
+ * @param points x, y in px, two entries per tick
  */
 export function linesOf(points: Float32Array): Line[] {
   const lines: number[][] = [];
@@ -34,14 +34,14 @@ function isJump(points: Float32Array, from: number): boolean {
   const [before, behind] = [from - STEP, from + STEP];
   const neighbours = [before, behind].filter((i) => i >= 0 && i + STEP + 1 < points.length);
   if (neighbours.length === 0 || neighbours.some((other) => bend(points, from, other) <= most)) return false;
-  // at either end only one step lies beside it: of the two the longer one is the jump
+  // At either end there is only one neighbour: the longer of the two steps is the jump.
   return neighbours.length === 2 || lengthOf(points, from) > lengthOf(points, neighbours[0]) + most;
 }
 
 const lengthOf = (points: Float32Array, from: number): number =>
   Math.hypot(points[from + STEP] - points[from], points[from + STEP + 1] - points[from + 1]);
 
-/** By how much two steps differ, px. */
+/** The difference of two steps, px. */
 function bend(points: Float32Array, one: number, other: number): number {
   const dx = points[one + STEP] - points[one] - (points[other + STEP] - points[other]);
   const dy = points[one + STEP + 1] - points[one + 1] - (points[other + STEP + 1] - points[other + 1]);

@@ -1,4 +1,4 @@
-/** From px of the level to px of a canvas, as the matrix of a camera has it; the camera never turns. */
+/** From px of the level to px of a canvas, as a camera's matrix; the camera never rotates. */
 export interface Lens {
   readonly a: number;
   readonly b: number;
@@ -6,32 +6,32 @@ export interface Lens {
   readonly d: number;
   readonly e: number;
   readonly f: number;
-  /** 0 to 1, of all that is seen through it */
+  /** 0 to 1, for everything */
   readonly alpha: number;
 }
 
-/** The square on the canvas that something can't leave, however it is turned. */
+/** The square on the canvas that contains a mark at any rotation. */
 export interface Spot {
-  /** its middle */
+  /** its centre */
   x: number;
   y: number;
   /** half of its side */
   reach: number;
 }
 
-/** What is painted many times over: things, rings. In the order in which they lie above each other. */
+/** Many things to paint alike: images, rings. Ordered from below to above. */
 export interface Marks {
   readonly count: number;
-  /** Whether what was painted of others may stand for these: they are the same, wherever all of them have been shifted to. */
+  /** Whether a picture of other marks can be used for these: they are the same, up to a common shift. */
   looksLike(others: Marks): boolean;
   spotOf(index: number, lens: Lens, into: Spot): Spot;
-  /** Paints those from one index up to another. */
+  /** Paints the marks from one index up to another, exclusive. */
   paint(context: CanvasRenderingContext2D, lens: Lens, from: number, to: number): void;
 }
 
 const spot: Spot = { x: 0, y: 0, reach: 0 };
 
-/** Whether more of them are seen on a canvas than so many. */
+/** Whether more than `few` of the marks are visible on a canvas. */
 export function areMoreSeen(
   marks: Marks,
   lens: Lens,
@@ -54,7 +54,7 @@ export interface Extent {
   readonly bottom: number;
 }
 
-/** What all of them cover. */
+/** The area that all marks cover. */
 export function extentOf(marks: Marks, lens: Lens): Extent {
   let [left, top, right, bottom] = [
     Number.POSITIVE_INFINITY,

@@ -7,17 +7,17 @@ import { TEXTURE_UNIT } from '../textures/index.ts';
 import type { Thing } from '../thing.ts';
 import { ThingLayer } from './thing-layer.ts';
 
-/** Below everything but the grid and what lies on it. */
+/** above the grid and its overlays, below everything else */
 const DEPTH = 1;
 
-/** A figure with the images that were made for it. */
+/** A figure with its images. */
 interface Shown extends Figure {
   readonly images: readonly Thing[];
 }
 
 type Json = Readonly<Record<string, unknown>>;
 
-/** Whether an object is what it was but for its places. */
+/** Whether an object differs at most in its places. */
 function looksSame(found: FoundObject, old: FoundObject): boolean {
   if (found.kind !== old.kind) return false;
   const { fields, places } = KINDS[found.kind];
@@ -25,20 +25,20 @@ function looksSame(found: FoundObject, old: FoundObject): boolean {
   return Object.keys(fields).every((name) => now[name] === then[name] || places.some((pair) => pair.includes(name)));
 }
 
-/** The things of a level as sprites; only those that changed are touched. */
+/** The objects of a level as sprites; only those that changed are touched. */
 export class ObjectLayer {
-  /** The figures of each object, one at each of its places. */
+  /** The figures of each object, one for each of its places. */
   private readonly shown = new Map<ObjectKey, readonly Shown[]>();
   private readonly layer: ThingLayer;
   private file: LevelFile | null = null;
-  /** Those that turn by themselves. */
+  /** The figures that turn by themselves. */
   private turning: readonly Shown[] = [];
 
   constructor(scene: Scene) {
     this.layer = new ThingLayer(scene).setDepth(DEPTH);
   }
 
-  /** Forgets all sprites: the textures are new. */
+  /** Discards all sprites, as the textures are new. */
   clear(): void {
     for (const figures of this.shown.values()) destroy(figures);
     this.shown.clear();
@@ -66,7 +66,7 @@ export class ObjectLayer {
   }
 
   /**
-   * Everything as it is in a run; null: as the level has it.
+   * Shows everything as it is in a run; null: as in the level.
    * @param zoom px of screen per px of the level
    */
   pose(pose: Pose | null, zoom: number): void {
@@ -90,7 +90,7 @@ export class ObjectLayer {
 
   private place(found: FoundObject, there: readonly Shown[] | undefined): readonly Shown[] {
     const isOfKind = there?.[0].found.kind === found.kind;
-    // an id may come to stand for a thing of another kind
+    // the id may now belong to an object of another kind
     if (there !== undefined && !isOfKind) destroy(there);
     const old = isOfKind ? there : undefined;
     const first = old?.[0];
@@ -106,7 +106,7 @@ export class ObjectLayer {
     });
   }
 
-  /** Images of parts: those that are there already, made to look like them, and what is missing. */
+  /** The images of the parts: existing ones are adapted, missing ones are created. */
   private dress(parts: readonly Part[], radius: number, there: readonly Thing[]): readonly Thing[] {
     for (const spare of there.slice(parts.length)) spare.destroy();
     return parts.map(({ texture, depth, scale = 1, rotation }, i) => {

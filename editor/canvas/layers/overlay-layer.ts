@@ -10,22 +10,22 @@ import { REACH, resizedByRim } from '../hit-test.ts';
 import { type Point, toLevel, type View } from '../view.ts';
 import { Rings } from './rings.ts';
 
-/** Lines of the grid nearer to each other than this are left out, px of screen. */
+/** px of screen below which grid lines are too close to be drawn */
 const GRID_LEAST = 7;
-/** Every so many lines of the grid one is stronger. */
+/** every eighth grid line is stronger */
 const GRID_STRONG = 8;
-/** More discs of the gun's range than this are not shown at once. */
+/** more range discs than this are not drawn */
 const MOST_RANGES = 60;
-/** px of screen that a selection's outline stands off. */
+/** px of screen between an object and its selection outline */
 const OUTLINE = 3;
-/** Where on a rim its handles are. */
+/** directions of the handles on a rim */
 const HANDLES = [
   [1, 0],
   [-1, 0],
   [0, 1],
   [0, -1],
 ] as const;
-/** px of screen of a dash, and of the gap behind it, in the line between the places of one object */
+/** px of screen of a dash, and of the gap after it, in the line that links the places of one object */
 const DASH = 6;
 const MOST_DASHES = 200;
 
@@ -35,16 +35,16 @@ export interface OverlayInput {
   readonly her: Box;
   readonly canvas: CanvasState;
   readonly selected: readonly ObjectKey[];
-  /** The object that is pointed at, here or in a list. */
+  /** The object under the pointer, here or in a list. */
   readonly hovered: ObjectKey | null;
   readonly layers: Readonly<Record<Layer, boolean>>;
-  /** px between the lines of the grid; null: none */
+  /** px between grid lines; null: none */
   readonly grid: number | null;
-  /** Whether it is being edited: selection, grid and guides are hidden in a playtest. */
+  /** Whether the level is being edited: selection, grid and guides are hidden in a playtest. */
   readonly editing: boolean;
 }
 
-/** The ends of a line between two discs of one radius, from rim to rim; from centre to centre where they overlap. */
+/** The ends of a line between two discs of equal radius, from rim to rim; from centre to centre if they overlap. */
 function betweenRims(from: Point, to: Point, radius: number): [Point, Point] {
   const [dx, dy] = [to.x - from.x, to.y - from.y];
   const length = Math.hypot(dx, dy);
@@ -56,15 +56,15 @@ function betweenRims(from: Point, to: Point, radius: number): [Point, Point] {
   ];
 }
 
-/** What helps while editing: grid, range of the gun, margins of hazards, selection, guides, marquee. Below and above the objects. */
+/** The aids for editing, below and above the objects: grid, range of the gun, hazard margins, selection, guides, marquee. */
 export class OverlayLayer {
   private readonly below: GameObjects.Graphics;
   private readonly above: GameObjects.Graphics;
-  /** Margins of hazards that are not selected, and of those that are, which a drag takes along. */
+  /** Margins of hazards that are not selected, and of selected ones, which move in a drag. */
   private readonly margins: Rings;
   private readonly chosenMargins: Rings;
   private readonly outlines: Rings;
-  /** What the rings were made of last. */
+  /** the input that the rings were last made from */
   private ringed: OverlayInput | null = null;
 
   constructor(
@@ -104,7 +104,7 @@ export class OverlayLayer {
     while (step * view.zoom < GRID_LEAST) step *= GRID_STRONG;
     const from = toLevel(view, { x: 0, y: 0 });
     const to = toLevel(view, { x: view.width, y: view.height });
-    // a stroke for each of hundreds of lines would take milliseconds in every frame
+    // One stroke for all lines: hundreds of strokes would take milliseconds per frame.
     for (const strong of [false, true]) {
       this.below.lineStyle(1 / view.zoom, colourNumber(this.colours.grid), strong ? 0.16 : 0.06).beginPath();
       for (let k = Math.ceil(from.x / step); k * step <= to.x; k++) {
@@ -117,12 +117,12 @@ export class OverlayLayer {
     }
   }
 
-  /** Where the gun reaches: beyond all of these discs she is lost. */
+  /** The reach of the gun: she is lost outside all of these discs. */
   private ranges({ file, canvas, selected }: OverlayInput): void {
     const range = file.range ?? DEFAULT_RANGE;
     const colour = colourNumber(this.colours.range);
     const asteroids = file.asteroids ?? [];
-    // hundreds of discs over each other say nothing: then those of the selected ones alone, while these are not as many
+    // Hundreds of overlapping discs show nothing, so only those of selected asteroids are drawn, if there are few enough.
     const chosen: ReadonlySet<ObjectKey | undefined> = new Set(selected);
     const shown = asteroids.length > MOST_RANGES ? asteroids.filter(({ id }) => chosen.has(id)) : asteroids;
     if (shown.length > MOST_RANGES) return;
@@ -133,7 +133,7 @@ export class OverlayLayer {
     }
   }
 
-  /** A dashed line between the places of an object that has several, so that one sees what belongs together. */
+  /** Dashed lines between the places of one object, to show that they belong together. */
   private links({ file, canvas, selected, hovered }: OverlayInput): void {
     const { zoom } = canvas.view;
     for (const found of objectsOf(file).values()) {
@@ -155,7 +155,7 @@ export class OverlayLayer {
     }
   }
 
-  /** Rings are made anew when what they are around changes. */
+  /** Rings are made again when what they surround changes. */
   private rings(input: OverlayInput): void {
     const last = this.ringed;
     const { zoom } = input.canvas.view;
@@ -177,7 +177,7 @@ export class OverlayLayer {
       const hasMargin = input.layers.margins && appearanceOfObject(found.kind, found.object).deadly;
       for (const { x, y } of placesOf(found)) {
         if (isChosen) around.outlined.push({ x, y, radius });
-        // how near her centre may come to what burns or bites, at the least turn of her box
+        // how close her centre may come to a hazard at the most favourable rotation of her box
         if (hasMargin) around[isChosen ? 'chosen' : 'still'].push({ x, y, radius: radius + least });
       }
     }
@@ -206,7 +206,7 @@ export class OverlayLayer {
     if (hovered !== null && !selected.includes(hovered)) outline(hovered, 1.5, 0.6);
     for (const key of selected) {
       const found = objects.get(key);
-      // those of circles are rings
+      // round objects have rings instead
       if (found !== undefined && radiusOf(found) === null) outline(key, 2, 1);
     }
     const half = 3.5 / zoom;
@@ -245,7 +245,7 @@ export class OverlayLayer {
     if (crosshair !== null) this.crosshair(crosshair, view);
   }
 
-  /** Fine lines across all that is seen, and a cross with a ring that stands out from anything it lies on. */
+  /** Thin lines across the whole view, and a cross with a ring that stands out against any background. */
   private crosshair({ x, y }: Point, view: View): void {
     const from = toLevel(view, { x: 0, y: 0 });
     const to = toLevel(view, { x: view.width, y: view.height });

@@ -1,19 +1,22 @@
 import { areMoreSeen, extentOf, type Lens, type Marks } from './marks.ts';
 
-/** Frames in which the marks were the same ones, before a picture is made of them. */
+/** frames in which the marks must stay the same before a picture is made */
 const STEADY = 2;
-/** Fewer marks than this are painted one by one. */
+/** fewer marks than this are painted directly */
 const WORTHWHILE = 40;
-/** So many are painted one by one while the view moves: then they are large, and a picture that is stretched would show it. */
+/**
+ * Up to this many visible marks are painted directly while the view moves: they are large then, and a stretched picture would
+ * look blurred.
+ */
 const FEW = 300;
-/** Frames after which a view that has moved rests: then the picture is made anew. */
+/** frames after which a view counts as at rest: then a sharp picture is made */
 const REST = 4;
-/** So many marks are painted in a frame at most, while an older picture can stand for the new one. */
+/** marks painted per frame at most, while an older picture can be shown instead */
 const AT_ONCE = 500;
-/** px around the canvas that a picture of what is on its way covers. */
+/** px around the canvas that a picture of moving marks covers */
 const MARGIN = 160;
 
-/** How far marks are from where they stood still, px of the level. */
+/** How far marks are from where they were at rest, px of the level. */
 export interface Shift {
   readonly x: number;
   readonly y: number;
@@ -24,23 +27,23 @@ interface Size {
   readonly height: number;
 }
 
-/** Marks as they were painted once. */
+/** A picture of marks. */
 interface Picture {
   readonly canvas: HTMLCanvasElement;
-  /** through which they were painted */
+  /** the transformation with which they were painted */
   readonly lens: Lens;
-  /** of the canvas that it was made for */
+  /** size of the canvas that the picture was made for */
   readonly size: Size;
-  /** px of the lens's canvas that its corner lies at */
+  /** px of the lens's canvas at the picture's corner */
   readonly left: number;
   readonly top: number;
-  /** where the marks were then */
+  /** the shift of the marks when they were painted */
   readonly shift: Shift;
-  /** px of the canvas that it may be moved by before anything is missing at its edges */
+  /** px of the canvas by which it can be moved before something is missing at its edges */
   readonly reach: number;
-  /** Whether all marks are on it. */
+  /** Whether it contains all marks. */
   readonly isWhole: boolean;
-  /** The first of the marks that is not painted yet. */
+  /** index of the first mark that is not painted yet */
   next: number;
 }
 
@@ -56,24 +59,25 @@ const isSameLens = (one: Lens, other: Lens): boolean =>
 const isSameSize = (one: Size, other: Size): boolean => one.width === other.width && one.height === other.height;
 
 /**
- * Marks that stand still, or all go the same way, where a plain canvas is drawn on. When they have been the same ones for some frames they are painted once, onto a
- * picture that is then laid where they are: on whole px of the canvas, so that it stays sharp. While the view moves the last picture is stretched, or one
- * that has all of them on it; once it rests the sharp one is made, some marks in each frame, so that no frame takes long.
+ * Marks at rest, or moving by the same shift, for the canvas renderer. Once they have stayed the same for some frames, they are
+ * painted to a picture, which is then drawn at whole px of the canvas, so that it stays sharp. While the view moves, the last
+ * picture is stretched, or one that contains all marks. Once the view rests, a sharp picture is made, a few marks per frame, so
+ * that no frame takes long.
  */
 export class Plate {
   private marks: Marks | null = null;
   private lens: Lens | null = null;
   private size: Size = { width: 0, height: 0 };
-  /** Frames since the marks were others. */
+  /** frames since the marks changed */
   private steady = 0;
-  /** Frames since the view moved. */
+  /** frames since the view moved */
   private rested = 0;
   private sharp: Picture | null = null;
   private whole: Picture | null = null;
   private making: Picture | null = null;
   private readonly canvases: HTMLCanvasElement[] = [];
 
-  /** @param shift how far all of the marks have gone since they stood still */
+  /** @param shift how far all marks have moved since they were at rest */
   draw(context: CanvasRenderingContext2D, marks: Marks, lens: Lens, shift: Shift): void {
     this.look(marks, lens, context.canvas);
     const picture = this.steady < STEADY || marks.count < WORTHWHILE ? null : this.pictureOf(marks, lens, shift);
@@ -82,7 +86,7 @@ export class Plate {
   }
 
   private look(marks: Marks, lens: Lens, { width, height }: Size): void {
-    // the first ones are expected to stay: to paint thousands one by one in the first frames as well would take long
+    // The first marks are expected to stay: painting thousands of them directly in the first frames as well would take long.
     if (this.marks === null) this.steady = STEADY;
     else if (marks.looksLike(this.marks)) this.steady++;
     else {
@@ -98,11 +102,11 @@ export class Plate {
     this.size = { width, height };
   }
 
-  /** What may stand for the marks now; null: nothing, or nothing better than to paint them. */
+  /** The picture to draw instead of the marks; null if painting the marks is better. */
   private pictureOf(marks: Marks, lens: Lens, shift: Shift): Picture | null {
     const { sharp, size } = this;
     if (sharp !== null && isSameLens(sharp.lens, lens) && isSameSize(sharp.size, size) && reaches(sharp, lens, shift)) {
-      // what stands for it when the view moves is made in time
+      // make the picture that is shown when the view moves ahead of time
       if (this.whole === null && isAt(sharp, shift)) this.makeWhole(marks, lens, shift);
       return sharp;
     }
@@ -128,7 +132,7 @@ export class Plate {
     return this.sharp;
   }
 
-  /** Goes on with a picture of all marks, no larger than the canvas. */
+  /** Continues a picture of all marks, no larger than the canvas. */
   private makeWhole(marks: Marks, lens: Lens, shift: Shift): void {
     if (this.making === null || !this.making.isWhole || !isAt(this.making, shift)) {
       const { left, top, right, bottom } = extentOf(marks, lens);
@@ -143,10 +147,10 @@ export class Plate {
     this.making = null;
   }
 
-  /** What of the marks is seen, and a margin where they are on their way. */
+  /** The visible part of the marks, with a margin if they move. */
   private clipped(marks: Marks, lens: Lens, shift: Shift): Box {
     const { width, height } = this.size;
-    // what stands still is never moved
+    // marks at rest need no margin
     const margin = shift.x === 0 && shift.y === 0 ? 0 : MARGIN;
     const box = extentOf(marks, lens);
     const isWhole = box.left >= -margin && box.top >= -margin && box.right <= width + margin && box.bottom <= height + margin;
@@ -162,7 +166,7 @@ export class Plate {
     };
   }
 
-  /** A picture with nothing on it yet. */
+  /** An empty picture. */
   private begun(lens: Lens, shift: Shift, { left, top, width, height, reach, isWhole }: Box): Picture {
     const used = [this.sharp?.canvas, this.whole?.canvas];
     let canvas = this.canvases.find((one) => !used.includes(one));
@@ -170,7 +174,7 @@ export class Plate {
       canvas = document.createElement('canvas');
       this.canvases.push(canvas);
     }
-    // this clears it, too; one without a px can't be drawn
+    // setting the size clears the canvas; a canvas without px can't be drawn
     canvas.width = Math.max(1, Math.ceil(width));
     canvas.height = Math.max(1, Math.ceil(height));
     return { canvas, lens, size: this.size, left, top, shift, reach, isWhole, next: 0 };
@@ -180,10 +184,10 @@ export class Plate {
 /** The part of a lens's canvas that a picture shows, px. */
 interface Box extends Pick<Picture, 'left' | 'top' | 'reach' | 'isWhole'>, Size {}
 
-/** Whether the marks are where they were when it was painted. */
+/** Whether the marks are where they were when the picture was painted. */
 const isAt = ({ shift }: Picture, { x, y }: Shift): boolean => shift.x === x && shift.y === y;
 
-/** How far marks have gone since a picture was painted, whole px of the canvas. */
+/** How far the marks have moved since a picture was painted, in whole px of the canvas. */
 const wayOf = ({ shift: then }: Picture, { a, b, c, d }: Lens, shift: Shift): Shift => ({
   x: Math.round(a * (shift.x - then.x) + c * (shift.y - then.y)),
   y: Math.round(b * (shift.x - then.x) + d * (shift.y - then.y)),
@@ -195,7 +199,7 @@ function reaches(picture: Picture, lens: Lens, shift: Shift): boolean {
   return Math.max(Math.abs(x), Math.abs(y)) <= picture.reach;
 }
 
-/** Paints some more of the marks. @returns whether all of them are on it */
+/** Paints more of the marks. @returns whether all of them are painted */
 function paintMore(picture: Picture, marks: Marks, most: number): boolean {
   const to = Math.min(marks.count, picture.next + most);
   const { lens, left, top, canvas } = picture;
@@ -205,7 +209,7 @@ function paintMore(picture: Picture, marks: Marks, most: number): boolean {
   return to === marks.count;
 }
 
-/** Lays a picture where the marks are now; stretched, where it was painted for another view. */
+/** Draws a picture where the marks are now, stretched if it was painted for another view. */
 function lay(context: CanvasRenderingContext2D, picture: Picture, lens: Lens, shift: Shift): void {
   const { canvas, left, top } = picture;
   context.globalAlpha = 1;

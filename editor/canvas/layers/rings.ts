@@ -6,18 +6,18 @@ import { Plate, type Shift } from './plate.ts';
 type Canvas = Renderer.Canvas.CanvasRenderer;
 type Camera = Cameras.Scene2D.Camera;
 
-/** How rings look, whatever the zoom. */
+/** The look of rings, independent of the zoom. */
 export interface RingLook {
   readonly colour: number;
   readonly alpha: number;
   /** px of screen */
   readonly width: number;
-  /** px of screen that they stand off their circles */
+  /** px of screen by which the rings are larger than their circles */
   readonly off: number;
 }
 
 const NOWHERE: Shift = { x: 0, y: 0 };
-/** px within which two have gone the same way: what rounding makes of it. */
+/** px within which two shifts count as equal: rounding errors */
 const ALIKE = 1e-6;
 
 class RingMarks implements Marks {
@@ -65,7 +65,7 @@ class RingMarks implements Marks {
   }
 }
 
-/** How far all of some circles have gone, when they are the same ones; else null. */
+/** How far all circles have moved, if they are the same ones; else null. */
 function shiftBetween(now: readonly Disc[], then: readonly Disc[]): Shift | null {
   if (now.length !== then.length || now.length === 0) return null;
   const x = now[0].x - then[0].x;
@@ -77,13 +77,16 @@ function shiftBetween(now: readonly Disc[], then: readonly Disc[]): Shift | null
   return isAlike ? { x, y } : null;
 }
 
-/** Rings of one look, thousands of them. Where a plain canvas is drawn on they are painted once and then laid where they are. */
+/**
+ * Thousands of rings of one look. With the canvas renderer they are painted once to a picture, which is then drawn at their
+ * place.
+ */
 export class Rings extends GameObjects.Graphics {
-  /** As they were painted last, and how far all of them have gone since. */
+  /** The circles as they were last painted, and how far all of them have moved since. */
   private circles: readonly Disc[] = [];
   private shift = NOWHERE;
   private look: RingLook = { colour: 0, alpha: 0, width: 0, off: 0 };
-  /** For which Phaser has drawn them. */
+  /** the zoom for which Phaser's commands were made */
   private zoom = Number.NaN;
   private readonly plate = new Plate();
   private readonly isWebgl: boolean;
@@ -113,7 +116,7 @@ export class Rings extends GameObjects.Graphics {
     this.command(zoom);
   }
 
-  /** Called by Phaser where there is no graphics card. */
+  /** Called by Phaser's canvas renderer. */
   renderCanvas(renderer: Canvas, _rings: this, camera: Camera): void {
     if (this.circles.length === 0) return;
     const { a, b, c, d, e, f } = camera.matrixCombined;

@@ -3,7 +3,7 @@ import { heatShades } from '../../../picture/index.ts';
 import type { Explored, ProofPicture } from '../../../solver/index.ts';
 import { type Colours, colourNumber } from '../colours.ts';
 
-/** What a search has to show besides ways. */
+/** What a search shows besides paths. */
 export interface SearchPicture {
   /** Where it has been. */
   readonly heat: Explored | null;
@@ -11,7 +11,7 @@ export interface SearchPicture {
   readonly proof: ProofPicture | null;
 }
 
-/** Where searches went, and what a proof of impossibility rests on; under everything else. */
+/** The heat map of searches and the picture of an impossibility proof; below everything else. */
 export class SearchLayer {
   private readonly heat: GameObjects.Graphics;
   private readonly proof: GameObjects.Graphics;

@@ -3,12 +3,12 @@ import { COLOURS, colourNumber, type Theme } from '../colours.ts';
 import { STAR_TILE, starsOf } from '../textures/index.ts';
 import type { View } from '../view.ts';
 
-/** How much of the view's way a layer of stars goes along: the farther, the less. */
+/** the share of the view's motion that a layer of stars follows: less for the farther one */
 const PARALLAX = { far: 0.08, near: 0.22 } as const;
-/** Stars grow with the view's zoom, but only a little. */
+/** the share of the view's zoom that stars follow */
 const ZOOM_SHARE = 0.15;
 
-/** The stars behind the level; a scene of its own, since it neither zooms nor moves like the level. */
+/** The stars behind the level; a scene of its own, as it neither zooms nor moves with the level. */
 export class SpaceScene extends Scene {
   private far: GameObjects.TileSprite | null = null;
   private near: GameObjects.TileSprite | null = null;
@@ -18,7 +18,10 @@ export class SpaceScene extends Scene {
     super('space');
   }
 
-  /** Wears a theme whose textures are drawn. Nothing is made twice: Phaser forgets the canvases of a tile that is destroyed only halfway. */
+  /**
+   * Applies a theme whose textures exist. Nothing is created twice: when a tile is destroyed, Phaser releases its canvases only
+   * partly.
+   */
   dress(theme: Theme): void {
     this.cameras.main.setBackgroundColor(colourNumber(COLOURS[theme].space));
     if (this.haze.length === 0) this.haze = [0, 1, 2].map((i) => this.add.image(0, 0, 'haze').setScale(9 - 2 * i));

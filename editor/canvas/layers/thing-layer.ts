@@ -9,18 +9,18 @@ type Camera = Cameras.Scene2D.Camera;
 /** Things of neighbouring depths, from below to above. */
 interface Part {
   readonly still: Things;
-  /** They have all gone the same way since they stood still: a drag. */
+  /** Things that have all moved by the same shift since they were at rest: a drag. */
   readonly carried: Things;
   readonly alone: Things;
 }
 
 const NOWHERE: Shift = { x: 0, y: 0 };
 
-/** Where the most of those that are carried have been carried to. Of two halves one is found, of less than half maybe none. */
+/** The shift of the majority of the carried things. If no shift has a majority, the result may be that of none. */
 function shiftOf(things: Iterable<Thing>): Shift {
   let shift = NOWHERE;
   let lead = 0;
-  // the vote of Boyer and Moore
+  // the majority vote algorithm of Boyer and Moore
   for (const thing of things) {
     if (!thing.isCarried) continue;
     if (lead === 0) shift = { x: thing.shiftX, y: thing.shiftY };
@@ -30,15 +30,16 @@ function shiftOf(things: Iterable<Thing>): Shift {
 }
 
 /**
- * Images in the order of their depths. Where a plain canvas is drawn on, those that stand still and those that are dragged together are drawn once, onto pictures
- * that then stand for them; of one depth, what moves is above what stands. With a graphics card they are drawn as Phaser draws them: that is faster there.
+ * Images in order of depth. With the canvas renderer, images at rest and images dragged together are painted once to pictures,
+ * which are then drawn instead; at equal depth, moving images are above those at rest. With WebGL, Phaser draws all images
+ * itself, which is faster there.
  */
 export class ThingLayer extends GameObjects.Layer {
   private readonly plates: { readonly still: Plate; readonly carried: Plate }[] = [];
-  /** Those that are not known to stand still: of thousands these alone are looked at in a frame. */
+  /** Things that may not be at rest: only these, out of thousands, are examined in a frame. */
   private readonly restless = new Set<Thing>();
   private parts: readonly Part[] = [];
-  /** How many things there were when they were sorted last. */
+  /** number of things when they were last sorted */
   private sorted = 0;
 
   constructor(scene: Scene) {
@@ -52,12 +53,12 @@ export class ThingLayer extends GameObjects.Layer {
     return thing;
   }
 
-  /** What comes next is another level: it begins without the pictures of the last one. */
+  /** Another level follows: it starts without the pictures of this one. */
   forget(): void {
     this.plates.length = 0;
   }
 
-  /** Called by Phaser where there is no graphics card. */
+  /** Called by Phaser's canvas renderer. */
   renderCanvas(renderer: Canvas, _layer: this, camera: Camera): void {
     const shift = this.sortAnew();
     const context = renderer.currentContext;
@@ -73,7 +74,10 @@ export class ThingLayer extends GameObjects.Layer {
     context.restore();
   }
 
-  /** Sorts the things out anew if one of them is to be drawn in another way than in the last frame. @returns how far those that are carried are */
+  /**
+   * Sorts the things again if one of them is to be drawn differently than in the last frame. @returns the shift of the carried
+   * things
+   */
   private sortAnew(): Shift {
     const { restless } = this;
     for (const thing of restless) thing.look();
@@ -103,7 +107,7 @@ function sortOut(things: readonly Thing[]): Part[] {
     parts.push({ still: new Things(part.still), carried: new Things(part.carried), alone: new Things(part.alone) });
   let depth = Number.NaN;
   for (const thing of things) {
-    // what lies higher may only be put into the same picture as long as nothing moves between
+    // Things of greater depth may join the same picture only while nothing moves in between.
     if (thing.depth !== depth && part.carried.length + part.alone.length > 0) {
       end();
       part = empty();

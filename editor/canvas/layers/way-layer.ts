@@ -6,10 +6,10 @@ import type { Layer } from '../../session/index.ts';
 import { type Colours, colourNumber } from '../colours.ts';
 import { linesOf } from './ghost-lines.ts';
 
-/** Ticks between the dots of a way. */
+/** ticks between the dots of a path */
 const DOTS = 6;
 
-/** Ticks at the end of a way in the colour of danger, where the run fails. */
+/** ticks at the end of a failing path that are drawn in the colour of danger */
 const DOOM = 45;
 
 export interface WayInput {
@@ -17,11 +17,11 @@ export interface WayInput {
   readonly ghosts: readonly Ghost[];
   readonly layers: Readonly<Record<Layer, boolean>>;
   readonly zoom: number;
-  /** Whether the run is shown, and what hangs on it. In a playtest it would give the solution away. */
+  /** Whether the run and its details are shown. In a playtest they would give the solution away. */
   readonly showsRun: boolean;
 }
 
-/** Where the run goes: dots in even times, thick where the gun is held, near misses, how it ends; ghosts behind it. */
+/** The path of the run: dots at equal times, thick where the gun is held, near misses, and its end; ghosts behind it. */
 export class WayLayer {
   private readonly graphics: GameObjects.Graphics;
 
@@ -48,7 +48,7 @@ export class WayLayer {
   private ghosts({ ghosts, layers, zoom, showsRun }: WayInput): void {
     for (const { points, look } of ghosts) {
       if (look === 'slack' ? !layers.slackFan : !layers.ghosts) continue;
-      // the person's own attempts give nothing away
+      // attempts by the user give nothing away
       if (!showsRun && look !== 'attempt') continue;
       const colour = look === 'slack' ? this.colours.slack : look === 'candidate' ? this.colours.select : this.colours.ghost;
       this.graphics.lineStyle((look === 'candidate' ? 1.6 : 1) / zoom, colourNumber(colour), look === 'slack' ? 0.22 : 0.6);
@@ -68,10 +68,10 @@ export class WayLayer {
     const coast = colourNumber(completes ? colours.way : colours.wayLost);
     const pull = colourNumber(completes ? colours.wayHeld : colours.wayLostHeld);
     const danger = colourNumber(colours.danger);
-    // where it was not played to its end nobody knows how it ends
+    // the end of a run that was not simulated completely is unknown
     const doom = completes || !isWhole(proof) ? count : Math.max(0, count - 1 - DOOM);
     const place = (k: number) => [states[k * STATE_SIZE], states[k * STATE_SIZE + 1]] as const;
-    // stretches with the gun held and without, each as one line
+    // one line for each stretch with the gun held or released
     for (let from = 0; from < count - 1; ) {
       let to = from + 1;
       while (to < count - 1 && to !== doom && held[to] === held[from]) to++;
@@ -119,7 +119,7 @@ export class WayLayer {
     }
   }
 
-  /** Her box where a run ends, with a cross where it ends badly. */
+  /** Her box where a run ends, with a cross if it fails. */
   private end({ proof, zoom }: WayInput): void {
     const { outcome, way } = proof.run;
     if (outcome === 'timeout') return;
@@ -146,7 +146,7 @@ export class WayLayer {
   }
 }
 
-/** Whether she is moved all at once between the last tick and the end of the run, which is no longer than a tick behind it. */
+/** Whether a wormhole moves her between the last tick and the end of the run, which is at most a tick later. */
 function endsInJump(states: Float64Array, count: number, last: Float64Array): boolean {
   const from = (count - 1) * STATE_SIZE;
   const both = new Float64Array(2 * STATE_SIZE);

@@ -4,10 +4,10 @@ import { toLevel } from '../view.ts';
 import { placeFor } from './place-object.ts';
 import type { PointerContext } from './state.ts';
 
-/** What a tool that is dragged onto the canvas is carried as. */
+/** the data type of a tool that is dragged onto the canvas */
 export const DRAGGED_TOOL = 'application/x-gq-tool';
 
-/** Lets tools be dragged from the toolbar to where the object shall be. @returns stops it */
+/** Lets the user drag tools from the toolbar onto the canvas. @returns stops it */
 export function listenToDrops(element: HTMLElement, context: PointerContext): () => void {
   const stopping = new AbortController();
   const options = { signal: stopping.signal };

@@ -6,27 +6,27 @@ import { pinched, wheeled } from './zoom-gestures.ts';
 const MODIFIERS: readonly string[] = ['Shift', 'Alt', 'Control', 'Meta'];
 
 export interface PointerListening {
-  /** A hand at the keys in place of the pointer: it presses, moves and lets go in the same states. */
+  /** The keyboard in place of the pointer: it presses, moves and releases through the same states. */
   readonly keys: {
-    /** @param onCancel called when it is taken back instead of let go */
+    /** @param onCancel called when the drag is cancelled instead of ended */
     press(input: PointerInput, onCancel: () => void): void;
     move(input: PointerInput): void;
     release(input: PointerInput): void;
-    /** Whether they hold something. */
+    /** Whether a drag by keys is in progress. */
     isHolding(): boolean;
   };
-  /** Takes back what the pointer has begun. @returns whether there was anything */
+  /** Cancels what the pointer has begun. @returns whether there was anything */
   cancel(): boolean;
   stop(): void;
 }
 
 /**
- * Turns what mouse, pen and fingers do on the canvas into states: one at a time. Two fingers move and zoom the view.
- * @param enabled while it is false, as in a playtest, the canvas is left alone
+ * Feeds mouse, pen and touch on the canvas into the pointer machine. Two fingers move and zoom the view.
+ * @param enabled while false, as in a playtest, input is ignored
  */
 export function listenToPointer(element: HTMLElement, context: PointerContext, enabled: () => boolean): PointerListening {
   const fingers = new Map<number, Point>();
-  // asking where the canvas is makes the browser lay out the page: while the pointer does something it stays where it is
+  // Reading the canvas's position forces a layout, so it is cached while the pointer is busy, when it can't change.
   let corner: { readonly left: number; readonly top: number } | null = null;
   const machine = new PointerMachine(context, () => {
     corner = null;
@@ -58,7 +58,7 @@ export function listenToPointer(element: HTMLElement, context: PointerContext, e
         return;
       }
     }
-    // what the keys hold stays where they have brought it
+    // a drag by keys ends where it is
     machine.releaseKeys();
     if (machine.isBusy) return;
     event.preventDefault();
@@ -74,7 +74,7 @@ export function listenToPointer(element: HTMLElement, context: PointerContext, e
     }
     if (machine.isByKeys) return;
     const input = inputOf(event);
-    // nobody else has a use for it, and the dividers of the panels would measure the page each time
+    // No other listener needs the event, and the dividers of the panels would measure the page each time.
     if (machine.isBusy) event.stopPropagation();
     machine.move(input);
   };
@@ -98,7 +98,7 @@ export function listenToPointer(element: HTMLElement, context: PointerContext, e
     context.setView(wheeled(context.view(), event, () => screenOf(event)));
   };
   const onKey = (event: KeyboardEvent) => {
-    // with Alt, Shift or Ctrl held, as a drag may need them, it is no command's key
+    // Alt, Shift or Ctrl may be held during a drag, so Escape is handled here and not as a command.
     const isEscape = event.key === 'Escape' && event.type === 'keydown' && !event.defaultPrevented;
     if (isEscape && machine.cancel()) event.preventDefault();
     if (MODIFIERS.includes(event.key) && machine.modify(modifiersOf(event)) && event.key === 'Alt') event.preventDefault();

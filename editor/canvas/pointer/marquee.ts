@@ -2,7 +2,7 @@ import type { ObjectKey } from '../../document/index.ts';
 import { objectsIn } from '../hit-test.ts';
 import type { PointerContext, PointerInput, PointerState } from './state.ts';
 
-/** Selecting what lies in a rectangle; with Shift in addition to what is selected. */
+/** Selects what lies in a rectangle; with Shift it is added to the selection. */
 export function drawingMarquee(context: PointerContext, from: PointerInput): PointerState {
   const { document, selection, canvas } = context;
   const before: readonly ObjectKey[] = selection.keys();

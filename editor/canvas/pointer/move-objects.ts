@@ -10,11 +10,11 @@ interface Drag {
   readonly targets: SnapTargets;
 }
 
-const NOT_COPIED = 'A level has one astronaut and one black hole: they can be moved, not copied. Let go of Alt to move them.';
+const NOT_COPIED = 'A level has one astronaut and one black hole: they can be moved, not copied. Release Alt to move them.';
 
 /**
- * Dragging what is selected. While Alt is held the objects stay where they are, and copies of them are what moves and what is selected.
- * Of a lone object that has several places, the one that is taken moves by itself.
+ * Drags the selection. While Alt is held, the objects stay in place, and copies of them are moved and selected. If a single
+ * object with several places is selected, only the grabbed place moves.
  * @param hit what is under the pointer
  */
 export function movingObjects(context: PointerContext, from: PointerInput, { key: lead, place }: Hit): PointerState {
@@ -38,15 +38,15 @@ export function movingObjects(context: PointerContext, from: PointerInput, { key
     };
   };
   let drag = begin(false);
-  /** Moves the objects on with copies, or the other way round. */
+  /** Switches between moving the objects and moving copies. */
   const change = (areCopies: boolean) => {
-    // an undo or a change on the disk has ended it
+    // an undo or a change on disk may have ended the gesture
     if (drag.areCopies === areCopies || !drag.gesture.isLive) return;
     drag.gesture.cancel();
     drag = begin(areCopies);
   };
   const show = (dx: number, dy: number) => {
-    // a copy right on top of what it is a copy of would not be seen
+    // a copy exactly on top of its original would not be visible
     const isNothing = drag.areCopies && dx === 0 && dy === 0;
     const recipe = drag.areCopies ? duplicateObjects(isNothing ? [] : copied, dx, dy) : moveObjects(keys, dx, dy, only);
     const { isLive } = drag.gesture;
@@ -62,7 +62,7 @@ export function movingObjects(context: PointerContext, from: PointerInput, { key
       change(input.alt);
       if (drag.areCopies && copied.length === 0) context.refused(NOT_COPIED);
       const move = { x: input.place.x - from.place.x, y: input.place.y - from.place.y };
-      // Shift keeps to the axis that is farther; keys follow an axis anyhow, and Shift is how far they step
+      // Shift keeps the drag on its longer axis. Keys move along an axis anyway, and Shift sets their step.
       const fixed = input.shift && input.by !== 'keys' ? (Math.abs(move.x) > Math.abs(move.y) ? 'y' : 'x') : null;
       const reach = REACH[input.by] / context.view().zoom;
       const snapping = input.mod ? { grid: null, toObjects: false } : context.snapping();

@@ -1,7 +1,7 @@
 import { panBy } from '../view.ts';
 import type { PointerContext, PointerInput, PointerState } from './state.ts';
 
-/** Moving the view. */
+/** Moves the view. */
 export function panning(context: PointerContext, from: PointerInput): PointerState {
   const before = context.view();
   return {

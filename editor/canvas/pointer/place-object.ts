@@ -10,7 +10,7 @@ export function placeFor(context: PointerContext, { place, mod }: PointerInput):
   return { x: Math.round(place.x / grid) * grid, y: Math.round(place.y / grid) * grid };
 }
 
-/** A new object where the pointer went down; dragging gives it its radius. The tool stays in hand with Shift, else it is laid aside. */
+/** Adds an object where the pointer was pressed; a drag sets its radius. With Shift the tool stays selected afterwards. */
 export function placingObject(context: PointerContext, from: PointerInput, kind: Placeable): PointerState {
   const { document, selection } = context;
   const at = placeFor(context, from);

@@ -2,13 +2,13 @@ import { placeFor } from './place-object.ts';
 import { hovered, pressed } from './press.ts';
 import type { PointerContext, PointerInput, PointerState } from './state.ts';
 
-/** What the pointer, or a hand at the keys in its place, is doing on the canvas: one thing at a time. */
+/** What the pointer, or the keyboard in its place, is doing on the canvas: one thing at a time. */
 export class PointerMachine {
   private state: PointerState | null = null;
   private last: PointerInput | null = null;
   private cancelled: (() => void) | null = null;
 
-  /** @param onIdle called whenever nothing is being done any more */
+  /** @param onIdle called whenever the machine becomes idle */
   constructor(
     private readonly context: PointerContext,
     private readonly onIdle: () => void,
@@ -18,12 +18,12 @@ export class PointerMachine {
     return this.state !== null;
   }
 
-  /** Whether the keys hold something. */
+  /** Whether a drag by keys is in progress. */
   get isByKeys(): boolean {
     return this.state !== null && this.last?.by === 'keys';
   }
 
-  /** The pointer is somewhere and does nothing. */
+  /** Called when the pointer moves without doing anything. */
   hover(input: PointerInput): void {
     const { context } = this;
     const { key, cursor } = hovered(context, input);
@@ -33,7 +33,7 @@ export class PointerMachine {
     context.canvas.setState({ cursor, placing });
   }
 
-  /** Begins something. @param onCancel of the keys: called when it is taken back instead of let go */
+  /** Begins something. @param onCancel for keys: called when it is cancelled instead of ended */
   press(input: PointerInput, onCancel: (() => void) | null = null): void {
     this.last = input;
     if (onCancel !== null) this.cancelled = onCancel;
@@ -51,12 +51,12 @@ export class PointerMachine {
     this.letGo(input);
   }
 
-  /** Lets go where the keys have brought it. */
+  /** Ends a drag by keys where it is. */
   releaseKeys(): void {
     if (this.isByKeys && this.last !== null) this.letGo(this.last);
   }
 
-  /** Other modifiers change what a drag does before the pointer moves again. @returns whether there is a drag */
+  /** A change of modifiers affects a drag before the pointer moves again. @returns whether there is a drag */
   modify(modifiers: Pick<PointerInput, 'shift' | 'alt' | 'mod'>): boolean {
     if (this.last === null || this.state === null || this.isByKeys) return false;
     this.last = { ...this.last, ...modifiers };
@@ -64,7 +64,7 @@ export class PointerMachine {
     return true;
   }
 
-  /** Takes back what was begun. @returns whether there was anything */
+  /** Cancels what was begun. @returns whether there was anything */
   cancel(): boolean {
     const was = this.state;
     const tell = this.isByKeys ? this.cancelled : null;
@@ -76,7 +76,7 @@ export class PointerMachine {
 
   private follow(input: PointerInput): void {
     let next = this.state?.move?.(input);
-    // a drag that has just begun is to follow this very move
+    // a drag that has just begun must follow this move as well
     while (next !== undefined) {
       this.enter(next);
       next = next.move?.(input);

@@ -7,7 +7,7 @@ import { placingObject } from './place-object.ts';
 import { resizingObjects } from './resize-objects.ts';
 import { hasMoved, type PointerContext, type PointerInput, type PointerState } from './state.ts';
 
-/** An object is pressed: a click selects it, a drag moves it and what is selected with it, or by its rim resizes it. */
+/** A press on an object: a click selects it, a drag moves the selection, or resizes it if the rim was grabbed. */
 function pressedObject(context: PointerContext, from: PointerInput, hit: Hit): PointerState {
   const { key, part } = hit;
   const { selection } = context;
@@ -33,7 +33,7 @@ function pressedObject(context: PointerContext, from: PointerInput, hit: Hit): P
   };
 }
 
-/** Empty space is pressed: a click selects nothing, a drag of the mouse draws a marquee, of a finger moves the view. */
+/** A press on empty space: a click clears the selection, a drag draws a marquee, a drag by touch moves the view. */
 function pressedSpace(context: PointerContext, from: PointerInput): PointerState {
   return {
     name: 'pressed',
@@ -50,7 +50,7 @@ function pressedSpace(context: PointerContext, from: PointerInput): PointerState
   };
 }
 
-/** What a press of the pointer begins. Space plays, so the other buttons are what moves the view. */
+/** The state that a press begins. Space starts a playtest, so the middle and right buttons move the view. */
 export function pressed(context: PointerContext, input: PointerInput): PointerState {
   const tool = context.tool();
   if (input.button !== 0 || tool === 'hand') return panning(context, input);
@@ -61,7 +61,7 @@ export function pressed(context: PointerContext, input: PointerInput): PointerSt
   return pressedObject(context, input, hit);
 }
 
-/** The cursor and the hovered object where nothing is pressed. */
+/** The cursor and the hovered object while nothing is pressed. */
 export function hovered(context: PointerContext, input: PointerInput): { key: ObjectKey | null; cursor: string } {
   const tool = context.tool();
   if (tool === 'hand') return { key: null, cursor: 'grab' };

@@ -2,7 +2,10 @@ import { objectsOf, placesOf, radiusOf, scaleRadius, setRadius } from '../../doc
 import type { Hit } from '../hit-test.ts';
 import type { PointerContext, PointerState } from './state.ts';
 
-/** Dragging a rim: the object under the pointer gets the radius that reaches it, and all that is selected grows by the same factor. */
+/**
+ * Drags a rim: the grabbed object gets the radius that reaches the pointer, and the rest of the selection is scaled by the same
+ * factor.
+ */
 export function resizingObjects(context: PointerContext, { key: lead, place }: Hit): PointerState {
   const { document, selection } = context;
   const file = document.file();

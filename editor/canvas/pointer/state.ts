@@ -6,10 +6,10 @@ import type { CanvasState } from '../canvas-state.ts';
 import type { SnapOptions } from '../snapping.ts';
 import type { Point, View } from '../view.ts';
 
-/** Whose hand it is: keys move the crosshair, which presses and drags as a pointer does. */
+/** The input device; keys move the crosshair, which presses and drags like a pointer. */
 export type Device = 'mouse' | 'touch' | 'keys';
 
-/** What the pointer does now. */
+/** The current input of the pointer. */
 export interface PointerInput {
   /** px of screen from the canvas's top left */
   readonly screen: Point;
@@ -20,7 +20,7 @@ export interface PointerInput {
   /** Ctrl, or the command key of a Mac: no snapping */
   readonly mod: boolean;
   readonly by: Device;
-  /** 0 main, 1 middle, 2 second */
+  /** 0 main, 1 middle, 2 secondary */
   readonly button: number;
 }
 
@@ -32,34 +32,34 @@ export interface PointerContext {
   readonly selection: SelectionStore;
   /** What the canvas shows for the pointer: marquee, guides. */
   readonly canvas: StoreApi<CanvasState>;
-  /** The object that is pointed at. */
+  /** The hovered object. */
   readonly hovered: StoreApi<ObjectKey | null>;
   view(): View;
   setView(view: View): void;
   tool(): Tool;
   setTool(tool: Tool): void;
   snapping(): Omit<SnapOptions, 'reach'>;
-  /** Says why a change was refused. */
+  /** Shows why a change was refused. */
   refused(message: string): void;
 }
 
-/** One thing that a pointer can be doing. Each handler returns the state that follows; nothing: it stays. */
+/** A state of the pointer. Each handler returns the next state; undefined: no change. */
 export interface PointerState {
   readonly name: string;
-  /** CSS cursor while it lasts */
+  /** CSS cursor in this state */
   readonly cursor: string;
   move?(input: PointerInput): PointerState | undefined;
   up?(input: PointerInput): PointerState | undefined;
-  /** Esc, a lost pointer, a second finger: what was begun is taken back. */
+  /** Called on Esc, a lost pointer or a second finger: undoes what was begun. */
   cancel(): void;
 }
 
-/** A press that moves by less is a click, px of screen. */
+/** px of screen; a press that moves less is a click */
 export const CLICK_SLOP = { mouse: 3, touch: 8 } as const;
 
-/** Whether the pointer has left where it was pressed. */
+/** Whether the pointer has left the point where it was pressed. */
 export function hasMoved(from: PointerInput, now: PointerInput): boolean {
-  // keys don't tremble
+  // keys are exact
   if (now.by === 'keys') return now.place.x !== from.place.x || now.place.y !== from.place.y;
   const slop = CLICK_SLOP[now.by];
   return Math.hypot(now.screen.x - from.screen.x, now.screen.y - from.screen.y) > slop;

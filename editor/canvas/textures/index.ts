@@ -7,12 +7,12 @@ import { drawHaze, drawStars } from './space.ts';
 
 export { TEXTURE_UNIT } from '../brush.ts';
 
-/** Side of a tile of stars, px. */
+/** side of a tile of stars, px */
 export const STAR_TILE = 512;
-/** Stars are laid as tiles, of which Phaser keeps copies: those of one theme are never drawn over. */
+/** Phaser keeps copies of the tiles, so each theme has its own, which is never redrawn. */
 export const starsOf = (theme: Theme, layer: 'far' | 'near'): string => `stars-${layer}-${theme}`;
 
-/** The canvas of a texture, empty. It is of its own: one out of Phaser's pool may have been opaque before, and goes on being so. */
+/** The empty canvas of a texture. It is not from Phaser's pool, as a pooled canvas may be opaque from earlier use. */
 function emptied(textures: Textures.TextureManager, name: string, size: number): Textures.CanvasTexture | null {
   if (textures.exists(name)) {
     const there = textures.get(name) as Textures.CanvasTexture;
@@ -25,7 +25,10 @@ function emptied(textures: Textures.TextureManager, name: string, size: number):
   return textures.addCanvas(name, canvas);
 }
 
-/** Draws all textures by code and puts them where Phaser finds them; those of the last theme are drawn over, so that whoever shows them goes on. */
+/**
+ * Draws all textures and registers them with Phaser. Textures of the previous theme are redrawn in place, so that images that
+ * use them stay valid.
+ */
 export function drawTextures(textures: Textures.TextureManager, theme: Theme): void {
   const colours = COLOURS[theme];
   const texture = (name: string, size: number, draw: (brush: Brush) => void) => {

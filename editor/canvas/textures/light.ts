@@ -1,6 +1,6 @@
 import { type Brush, fadingDisc, faint } from '../brush.ts';
 
-/** The light around what is hot; twice as wide as the thing itself. */
+/** The light around hot objects, for twice the object's radius. */
 export function drawGlow(brush: Brush, colour: string): void {
   fadingDisc(brush, 1, [
     [0, faint(colour, 0.65)],
@@ -10,7 +10,7 @@ export function drawGlow(brush: Brush, colour: string): void {
   ]);
 }
 
-/** A grain of light, for beams and bursts. */
+/** A grain of light, for beams. */
 export function drawSpark(brush: Brush): void {
   fadingDisc(brush, 1, [
     [0, '#ffffff'],

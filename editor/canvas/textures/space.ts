@@ -1,7 +1,7 @@
 import { type Brush, dice, disc, fadingDisc, faint } from '../brush.ts';
 import type { Colours } from '../colours.ts';
 
-/** A tile of stars that fits to itself on all sides; `share` of them are big. The brush counts px here. */
+/** A seamless tile of stars; few of them are large. Here the brush uses px. */
 export function drawStars(brush: Brush, colours: Colours, size: number, count: number, biggest: number, seed: number): void {
   const roll = dice(seed);
   for (let i = 0; i < count; i++) {
@@ -13,7 +13,7 @@ export function drawStars(brush: Brush, colours: Colours, size: number, count: n
   }
 }
 
-/** A soft cloud, tinted: laid large behind everything. */
+/** A soft tinted cloud, drawn large behind everything. */
 export function drawHaze(brush: Brush, colours: Colours): void {
   fadingDisc(brush, 1, [
     [0, faint(colours.haze, 0.9)],

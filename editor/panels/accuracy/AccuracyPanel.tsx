@@ -14,10 +14,10 @@ import { type MeasuredSettings, useMeasured } from './use-measured.ts';
 import { useNamedResults } from './use-named-results.ts';
 
 const ABOUT: Readonly<Record<AccuracyName, string>> = {
-  arcade: 'the original game, frame by frame, its quirks with it',
+  arcade: 'the original game, frame by frame, quirks included',
   fast: 'Verlet at 60 Hz, contacts swept',
   standard: 'Runge-Kutta at 60 Hz, contacts swept',
-  precise: `error held below ${ACCURACIES.precise.tolerance} px a second, contacts swept`,
+  precise: `error held below ${ACCURACIES.precise.tolerance} px per second, contacts swept`,
 };
 
 interface ChoiceProps {
@@ -57,12 +57,12 @@ function Choice({ name, result, cost, isCurrent }: ChoiceProps) {
           {result.sameVerdict ? (
             <Check size={13} className="tone--good" aria-label="same verdict:" />
           ) : (
-            <X size={13} className="tone--bad" aria-label="another verdict:" />
+            <X size={13} className="tone--bad" aria-label="different verdict:" />
           )}
           <span>{outcomeAsPredicate(result.end, range)}</span>
           <span className="accuracy__off">
             {name === 'precise'
-              ? 'the measure'
+              ? 'the reference'
               : result.difference === 0
                 ? 'no difference'
                 : `off by ${pixels(result.difference)}`}
@@ -73,7 +73,7 @@ function Choice({ name, result, cost, isCurrent }: ChoiceProps) {
   );
 }
 
-/** The diagram, small, and large in a dialog. */
+/** The diagram, small in the panel and large in a dialog. */
 function DiagramView({ measured, current }: { readonly measured: MeasuredSettings; readonly current: AccuracyName }) {
   const [isOpen, setOpen] = useState(false);
   const theme = usePageTheme();
@@ -83,7 +83,7 @@ function DiagramView({ measured, current }: { readonly measured: MeasuredSetting
     [level, run, settings, current, theme],
   );
   const failed = settings.filter(({ sameVerdict }) => !sameVerdict).length;
-  const alt = `Work-precision diagram: ${settings.length} settings, ${failed} of them with another outcome; ${current} is ringed`;
+  const alt = `Work-precision diagram: ${settings.length} settings, ${failed} of them with a different outcome; ${current} is ringed`;
   return (
     <>
       <button type="button" className="diagram" onClick={() => setOpen(true)} title="Enlarge">
@@ -96,7 +96,7 @@ function DiagramView({ measured, current }: { readonly measured: MeasuredSetting
         open={isOpen}
         wide
         title="What accuracy costs"
-        about="Every point is a setting: to the left is more exact, further down is faster."
+        about="Each point is a setting: further left is more accurate, further down is faster."
         onClose={() => setOpen(false)}
       >
         <img className="diagram__large" src={picture} alt={alt} />
@@ -105,7 +105,7 @@ function DiagramView({ measured, current }: { readonly measured: MeasuredSetting
   );
 }
 
-/** What the named settings make of this level and run, and what they cost; one of them is in use. */
+/** The results and costs of the named settings for this level and run; selects the one in use. */
 export function AccuracyPanel() {
   const current = useSession(({ accuracy }) => accuracy);
   const { results, costs, isFresh } = useNamedResults();
@@ -116,15 +116,15 @@ export function AccuracyPanel() {
   return (
     <div className="panel__body accuracies">
       <Section
-        title="Every setting"
+        title="All settings"
         aside={
           phase === 'measuring' ? (
             <Button hint="Stop measuring" icon={<Square size={13} />} onClick={cancel}>
               Cancel
             </Button>
           ) : (
-            <Button hint="Times every setting on this run, in a worker" icon={<Gauge size={14} />} onClick={start}>
-              {measured === null ? 'Measure' : 'Again'}
+            <Button hint="Time all settings on this run, in a worker" icon={<Gauge size={14} />} onClick={start}>
+              {measured === null ? 'Measure' : 'Measure again'}
             </Button>
           )
         }
@@ -132,7 +132,7 @@ export function AccuracyPanel() {
         {(phase === 'measuring' || measured !== null) && <Progress label="Measuring" isRunning={phase === 'measuring'} />}
         {phase === 'failed' && (
           <p className="tone--bad" role="alert">
-            It could not be measured: {message}. Try again.
+            The measurement failed: {message}. Try again.
           </p>
         )}
         {measured === null ? (
@@ -143,12 +143,12 @@ export function AccuracyPanel() {
           )
         ) : (
           <>
-            {isOld && <p className="part__note">Before the last change of the level or its run.</p>}
+            {isOld && <p className="part__note">Measured before the last change of the level or its run.</p>}
             <DiagramView measured={measured} current={current} />
           </>
         )}
       </Section>
-      <Section title="This level and run at" aside={!isFresh && <span className="part__note">comparing…</span>}>
+      <Section title="Named settings" aside={!isFresh && <span className="part__note">comparing…</span>}>
         <div
           className={isFresh ? 'accuracies__list' : 'accuracies__list accuracies__list--old'}
           role="radiogroup"
@@ -165,8 +165,8 @@ export function AccuracyPanel() {
           ))}
         </div>
         <p className="part__note">
-          Off by: the largest distance to precise at any tick. µs/s: time per simulated second, timed in this page. The one in use
-          is that of the proof, the playtest and the solver.
+          Off by: the largest distance to precise at any tick. µs/s: time per simulated second, timed in this page. The setting in
+          use applies to the verdict, the playtest and the solver.
         </p>
       </Section>
     </div>

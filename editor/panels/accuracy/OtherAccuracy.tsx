@@ -3,15 +3,15 @@ import { largestDistance, pathOf } from '../../../engine/work-precision/index.ts
 import type { LiveProof } from '../../proof/index.ts';
 import { useDebouncedProof } from '../parts/index.ts';
 
-/** ms without a change before it is asked: two runs are played to their ends */
+/** ms without a change before the comparison, which simulates two whole runs */
 const REST = 300;
 
-/** ms: a run that takes longer is not played twice more */
+/** ms: a run that takes longer is not compared */
 const SLOW = 100;
 
 const MAX_TICKS = DEFAULT_MAX_TIME * TICK_RATE;
 
-/** The way of the original's frames beside that of the accuracy in use, or the exact way beside the original's. */
+/** Compares the path at the current accuracy with `arcade`, or `arcade` with `precise`. */
 function otherOf({ level, scene, accuracy, run, limit, ms }: LiveProof) {
   if (limit !== null || ms > SLOW) return null;
   const name: AccuracyName = accuracy === 'arcade' ? 'precise' : 'arcade';
@@ -22,14 +22,14 @@ function otherOf({ level, scene, accuracy, run, limit, ms }: LiveProof) {
 
 const px = (distance: number): string => (distance >= 0.05 ? distance.toFixed(1) : distance.toPrecision(1));
 
-/** Whether another accuracy would say the same of the shown run, in a few words. */
+/** Whether another accuracy would give the same outcome for the shown run, in a few words. */
 export function OtherAccuracy() {
   const other = useDebouncedProof(otherOf, REST);
   if (other === null) return null;
   const { name, distance, isSame } = other;
   return (
     <span className={isSame ? undefined : 'tone--warn'}>
-      {isSame ? `${name} would differ by ${px(distance)} px, same verdict` : `${name} would end in another way`}
+      {isSame ? `${name} would differ by ${px(distance)} px, same verdict` : `${name} would end differently`}
     </span>
   );
 }

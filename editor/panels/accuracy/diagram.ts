@@ -7,7 +7,7 @@ interface DiagramOf {
   readonly level: string;
   readonly run: string | null;
   readonly settings: readonly Setting[];
-  /** The setting that is used now: ringed. */
+  /** The setting in use, which is ringed. */
   readonly current: AccuracyName;
 }
 

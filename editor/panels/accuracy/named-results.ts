@@ -4,22 +4,22 @@ import { deviationOf, pathOf, playerOf, type Reference } from '../../../engine/w
 import type { Hold, Level } from '../../../schema/index.ts';
 import { type TurnsOptions, timeInTurns } from '../figures/index.ts';
 
-/** What a named setting makes of a run. */
+/** The result of a run at a named setting. */
 export interface NamedResult {
   readonly name: AccuracyName;
   readonly end: RunEnd;
-  /** Largest distance to `precise` at any tick before either ends, px. */
+  /** The largest distance to `precise` at any tick before either ends, px. */
   readonly difference: number;
-  /** It ends as under `precise`. */
+  /** Whether it ends as with `precise`. */
   readonly sameVerdict: boolean;
 }
 
 const MAX_TICKS = DEFAULT_MAX_TIME * TICK_RATE;
 
-/** In the order in which they are shown. */
+/** in display order */
 export const NAMES = Object.keys(ACCURACIES) as readonly AccuracyName[];
 
-/** Plays a run at every named setting, one a step: `precise` first, since it is what the others are compared with. */
+/** Simulates a run at every named setting, one per step; `precise` comes first, as the others are compared with it. */
 export function* compareNamed(level: Level, holds: readonly Hold[]): Generator<NamedResult, void, void> {
   let reference: Reference | null = null;
   for (const name of ['precise', ...NAMES.filter((other) => other !== 'precise')] as const) {
@@ -34,7 +34,7 @@ export function* compareNamed(level: Level, holds: readonly Hold[]): Generator<N
 /** Microseconds per simulated second, by the name of the setting. */
 export type Costs = ReadonlyMap<AccuracyName, number>;
 
-/** What the named settings cost on a run, timed in turns: the least of the rounds. @returns null when it was aborted */
+/** The cost of the named settings on a run, timed in turns; the minimum of the rounds counts. @returns null if aborted */
 export async function costsOfNamed(level: Level, holds: readonly Hold[], options: TurnsOptions): Promise<Costs | null> {
   const players = NAMES.map((name) => playerOf([{ level, holds }], ACCURACIES[name], MAX_TICKS));
   const samples = await timeInTurns(players, options);

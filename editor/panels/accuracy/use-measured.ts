@@ -3,7 +3,7 @@ import { useEditor, useLevel } from '../../context/index.ts';
 import type { PlayedFile } from '../../proof/index.ts';
 import type { Job, Setting } from '../../workers/index.ts';
 
-/** What every setting costs for one level and run. */
+/** The measured cost of all settings for one level and run. */
 export interface MeasuredSettings {
   readonly settings: readonly Setting[];
   readonly level: string;
@@ -20,7 +20,7 @@ export interface Measuring {
   readonly cancel: () => void;
 }
 
-/** Measures the settings in a worker when asked to; the job ends with the component. */
+/** Measures all settings in a worker on demand; the job ends when the component unmounts. */
 export function useMeasured(): Measuring {
   const { workers } = useEditor();
   const { proof } = useLevel();

@@ -4,20 +4,20 @@ import { type PlayedFile, playsAlike } from '../../proof/index.ts';
 import { nextTurn } from '../figures/index.ts';
 import { type Costs, compareNamed, costsOfNamed, type NamedResult } from './named-results.ts';
 
-/** ms without a change before a run is compared anew */
+/** ms without a change before a run is compared again */
 const SETTLE = 200;
-/** ms after that before its costs are measured */
+/** ms after the comparison before the costs are measured */
 const CALM = 300;
 
 export interface NamedResults {
   readonly results: readonly NamedResult[];
   /** null until they are measured */
   readonly costs: Costs | null;
-  /** All results are those of the run as it is. */
+  /** Whether all results belong to the current run. */
   readonly isFresh: boolean;
 }
 
-/** What the named settings make of the shown run and what they cost, bit by bit, so that the page is never held up. */
+/** Compares the named settings on the shown run, in small steps so that the page stays responsive. */
 export function useNamedResults(): NamedResults {
   const { proof } = useLevel();
   const [state, setState] = useState<NamedResults>({ results: [], costs: null, isFresh: false });

@@ -10,25 +10,24 @@ import './effects.css';
 import { type SimulatedEffect, type Survey, surveyOf } from './survey.ts';
 import { type EffectTime, timeEffects } from './time-effects.ts';
 
-/** ms: every effect that can be left out is one more run to simulate */
+/** ms: each effect that can be left out is one more run to simulate */
 const WAIT = 300;
 
 type Times = ReadonlyMap<string, EffectTime>;
 
-/** `118 of 430 guards` */
+/** the cost in counts: `118 of 430 guards` */
 function countText({ name, cost }: SimulatedEffect, { work }: Survey, range: number): string {
-  if (cost.kind === 'always')
-    return name === 'alien-explosion' ? 'part of the aliens: see alien-chase' : 'no level can do without it';
-  if (cost.kind === 'other') return `without it another way: she ${outcomeAsPredicate(cost.run, range)}`;
+  if (cost.kind === 'always') return name === 'alien-explosion' ? 'part of the aliens: see alien-chase' : 'always simulated';
+  if (cost.kind === 'other') return `without it the run differs: she ${outcomeAsPredicate(cost.run, range)}`;
   const parts = (['guards', 'pieces', 'roots'] as const)
     .filter((what) => cost.saved[what] !== 0)
     .map((what) => `${cost.saved[what]} of ${work[what]} ${what}`);
-  return parts.length === 0 ? 'nothing in this run' : parts.join(', ');
+  return parts.length === 0 ? 'no cost in this run' : parts.join(', ');
 }
 
 function timeText({ all, saved, low, high }: EffectTime): string {
-  const between = `${low.toFixed(2)} to ${high.toFixed(2)} by half of the rounds each`;
-  if (low <= 0) return `time: too little to be told from noise (${between}, µs per simulated second)`;
+  const between = `${low.toFixed(2)} to ${high.toFixed(2)} in the two halves of the rounds`;
+  if (low <= 0) return `time: too small to measure (${between}, µs per simulated second)`;
   return `time: ${saved.toFixed(2)} of ${all.toFixed(2)} µs per simulated second, ${percent(saved / all)} (${between})`;
 }
 
@@ -53,7 +52,7 @@ function EffectRow({ effect, survey, time }: { effect: SimulatedEffect; survey: 
   );
 }
 
-/** How the time of the run is spent, as one bar and in words. */
+/** How the time of the run is divided, as a bar and in words. */
 function Modes({ survey }: { readonly survey: Survey }) {
   const modes = [...survey.modes].sort((a, b) => b.share - a.share);
   return (
@@ -75,7 +74,7 @@ function Modes({ survey }: { readonly survey: Survey }) {
 }
 
 function workFacts({ work, time }: Survey): Fact[] {
-  const each = (count: number) => `${count.toLocaleString('en')} (${(count / Math.max(time, 1e-9)).toFixed(1)} a second)`;
+  const each = (count: number) => `${count.toLocaleString('en')} (${(count / Math.max(time, 1e-9)).toFixed(1)} per second)`;
   return [
     { label: 'pieces of motion', value: each(work.pieces) },
     { label: 'force evaluations', value: each(work.forceEvaluations) },
@@ -84,12 +83,12 @@ function workFacts({ work, time }: Survey): Fact[] {
   ];
 }
 
-/** What the level calls for and what it doesn't, and what each effect costs the shown run. */
+/** The effects that the level calls for and those it does not, and what each costs in the shown run. */
 export function Effects() {
   const survey = useThrottledProof(surveyOf, WAIT);
   const limit = useProof((proof) => proof.limit);
   if (survey !== null) return <Surveyed survey={survey} />;
-  return <p className="panel__body part__note">{limit === null ? 'Looking …' : limitInWords(limit)}</p>;
+  return <p className="panel__body part__note">{limit === null ? 'Loading…' : limitInWords(limit)}</p>;
 }
 
 function Surveyed({ survey }: { readonly survey: Survey }) {
@@ -127,7 +126,7 @@ function Surveyed({ survey }: { readonly survey: Survey }) {
         aside={
           canMeasure && (
             <Button
-              hint={isMeasuring ? 'Stop' : 'Times the run with and without each effect, in this page'}
+              hint={isMeasuring ? 'Stop' : 'Time the run with and without each effect, in this page'}
               icon={<Timer size={14} />}
               onClick={() => {
                 if (!isMeasuring) void measure();
@@ -150,8 +149,8 @@ function Surveyed({ survey }: { readonly survey: Survey }) {
         </ul>
       </Section>
       {notCalledFor.length > 0 && (
-        <Section title="Not called for, so not simulated">
-          <ul className="effects__list" aria-label="Effects that are not called for">
+        <Section title="Not simulated">
+          <ul className="effects__list" aria-label="Effects that are not simulated">
             {notCalledFor.map(({ name, because, summary }) => (
               <li key={name} className="effect effect--off" title={summary}>
                 <b>{name}</b> <span className="part__note">{because}</span>
@@ -160,7 +159,7 @@ function Surveyed({ survey }: { readonly survey: Survey }) {
           </ul>
         </Section>
       )}
-      <Section title={survey.runName === null ? 'How she drifts' : `How “${survey.runName}” spends its time`}>
+      <Section title={survey.runName === null ? 'How the drift spends its time' : `How “${survey.runName}” spends its time`}>
         <Modes survey={survey} />
       </Section>
       <Section title="Work of the run">

@@ -10,9 +10,9 @@ export interface SimulatedEffect {
   readonly cost: EffectCost;
 }
 
-/** What a level calls for, what it does not, and what its shown run costs. */
+/** The effects that a level calls for, those it does not, and what its shown run costs. */
 export interface Survey {
-  /** The same for the same level and run. */
+  /** equal for the same level and run */
   readonly key: string;
   readonly simulated: readonly SimulatedEffect[];
   readonly notCalledFor: readonly { readonly name: string; readonly because: string; readonly summary: string }[];
@@ -28,14 +28,17 @@ const summaryOf = (name: string, rules: Rules): string => EFFECTS.find((effect) 
 let count = 0;
 const sceneNumbers = new WeakMap<object, number>();
 
-/** A number for a scene: another for every other one. */
+/** A number for a scene, unique to it. */
 function numberOf(scene: object): number {
   const number = sceneNumbers.get(scene) ?? ++count;
   sceneNumbers.set(scene, number);
   return number;
 }
 
-/** Looks at a level and its shown run; each effect that could be left out is, once. @returns null: the level takes too much work to be played so often */
+/**
+ * Surveys a level and its shown run, simulating once without each effect that can be left out. @returns null if the level takes
+ * too much work for that
+ */
 export function surveyOf({ level, scene, accuracy, run, full, limit }: LiveProof): Survey | null {
   if (limit !== null || full === null) return null;
   const { simulated, notCalledFor } = scene.effects;

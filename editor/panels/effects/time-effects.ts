@@ -5,22 +5,22 @@ import { type TurnsOptions, timeInTurns } from '../figures/index.ts';
 
 /** Measured times, microseconds per simulated second. */
 export interface EffectTime {
-  /** Of the run with everything in it. */
+  /** Of the run with all effects. */
   readonly all: number;
   /** What leaving the effect out saves. */
   readonly saved: number;
-  /** The same by every second round alone, and by the other ones: how far it may be trusted. */
+  /** The bounds of `saved` from the even and the odd rounds alone: how far it can be trusted. */
   readonly low: number;
   readonly high: number;
 }
 
 const MAX_TICKS = DEFAULT_MAX_TIME * TICK_RATE;
 
-// what disturbs a measurement only ever makes it longer: the least is the nearest to the truth
+// Disturbances only make a measurement longer, so the minimum is closest to the truth.
 const least = (samples: readonly number[]): number => Math.min(...samples);
 const half = (samples: readonly number[], which: number): readonly number[] => samples.filter((_, i) => i % 2 === which);
 
-/** What leaving something out saves, by the samples with it and without it. */
+/** What leaving an effect out saves, from the samples with and without it. */
 export function savingOf(base: readonly number[], without: readonly number[]): EffectTime {
   const halves = [0, 1].map((which) => least(half(base, which)) - least(half(without, which)));
   const saved = least(base) - least(without);
@@ -28,9 +28,9 @@ export function savingOf(base: readonly number[], without: readonly number[]): E
 }
 
 /**
- * Times a run with everything in it and without each effect, in turns.
- * @param without the level without each effect, by its name
- * @returns by effect; null when it was aborted
+ * Times a run with all effects and without each effect, in turns.
+ * @param without the level without each effect, by the effect's name
+ * @returns the times by effect; null if aborted
  */
 export async function timeEffects(
   level: Level,

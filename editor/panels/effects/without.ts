@@ -1,14 +1,17 @@
 import { type AccuracyName, compile, type Run, simulate, type Work } from '../../../engine/index.ts';
 import { type Hold, kindOfList, type Level, OBJECT_LISTS } from '../../../schema/index.ts';
 
-/** The level with one effect left out, by the effect's name. */
+/** Functions that leave one effect out of a level, by the effect's name. */
 const LEAVE_OUT: Readonly<Record<string, (level: Level) => Level>> = {
   recoil: (level) => ({ ...level, recoil: false }),
   'alien-chase': (level) => ({ ...level, aliens: [] }),
   'hot-asteroids': (level) => ({ ...level, asteroids: level.asteroids.map((asteroid) => ({ ...asteroid, hot: false })) }),
 };
 
-/** The level with one effect left out; null for what no level can do without. An effect that is named like a kind, or its list, goes with the objects. */
+/**
+ * The level without one effect; null if no level can do without it. An effect named like a kind or its list is left out with
+ * its objects.
+ */
 export function withoutEffect(level: Level, effect: string): Level | null {
   const leaveOut = LEAVE_OUT[effect];
   if (leaveOut !== undefined) return leaveOut(level);
@@ -18,19 +21,19 @@ export function withoutEffect(level: Level, effect: string): Level | null {
 
 /** What an effect costs in the shown run. */
 export type EffectCost =
-  /** No level can do without it. */
+  /** no level can do without it */
   | { readonly kind: 'always' }
-  /** Without it she flies the same way: what is saved is its cost. */
+  /** Without it the path is the same: the saved work is its cost. */
   | { readonly kind: 'same'; readonly saved: Work; readonly level: Level }
-  /** Without it she flies another way, and the two can't be compared. */
+  /** Without it the path differs, so the two runs can't be compared. */
   | { readonly kind: 'other'; readonly run: Run };
 
-/** s: what two ways may differ by in when they end and still be the same */
+/** s: largest difference of two end times that count as equal */
 const SAME_TIME = 1e-6;
 
 /**
- * What an effect costs: the same run in the level without it.
- * @param full the run in the level as it is
+ * The cost of an effect: compares the run with the same holds in the level without it.
+ * @param full the run with all effects
  */
 export function costOf(level: Level, accuracy: AccuracyName, holds: readonly Hold[], full: Run, effect: string): EffectCost {
   const without = withoutEffect(level, effect);

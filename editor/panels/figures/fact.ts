@@ -1,8 +1,8 @@
-/** Something that is so, and when it is. */
+/** A labelled value. */
 export interface Fact {
   readonly label: string;
   readonly value: string;
-  /** The tick it is about: the timeline goes there. */
+  /** The tick that it refers to: a click moves the timeline there. */
   readonly tick?: number;
   readonly tone?: 'good' | 'bad' | 'warn';
 }

@@ -3,20 +3,20 @@ import type { Player } from '../../../engine/work-precision/index.ts';
 export interface TurnsOptions {
   /** A clock, ms. */
   readonly now: () => number;
-  /** Lets the page draw and answer before it goes on. */
+  /** Lets the page draw and respond between samples. */
   readonly pause: () => Promise<void>;
   readonly signal: AbortSignal;
 }
 
-/** One sample takes at least so long, ms: many times what a browser's clock is rounded to. */
+/** least duration of a sample in ms: many times the resolution of a browser's clock */
 const SAMPLE = 2;
 const ROUNDS = 24;
-/** Rounds that warm up and are not counted. */
+/** warm-up rounds, which are not counted */
 const WARM_UP = 3;
 
 /**
- * Times players in turns, so that what slows the machine for a while slows all; the page draws between any two samples.
- * @returns for each player its samples, one a round, microseconds per simulated second; null when it was aborted
+ * Times players in turns, so that a slowdown of the machine affects all of them; the page draws between samples.
+ * @returns the samples of each player, one per round, in microseconds per simulated second; null if aborted
  */
 export async function timeInTurns(
   players: readonly Player[],
@@ -41,5 +41,5 @@ export async function timeInTurns(
   return samples;
 }
 
-/** Lets the page draw and answer. */
+/** Lets the page draw and respond. */
 export const nextTurn = (): Promise<void> => new Promise((resolve) => setTimeout(resolve, 0));

@@ -1,11 +1,11 @@
-/** `3 presses`, `1 press`. */
+/** `3 presses`, `1 press` */
 export const plural = (count: number, one: string, many = `${one}s`): string =>
   `${count.toLocaleString('en')} ${count === 1 ? one : many}`;
 
 /** `3.22 s` */
 export const seconds = (time: number): string => `${time.toFixed(2)} s`;
 
-/** A share of 0 to 1: `97.1 %`; what is not quite nothing or all is never called so. */
+/** A share from 0 to 1: `97.1 %`. A share that is not exactly 0 or 1 is never rounded to it. */
 export function percent(share: number): string {
   if (share === 0 || share === 1) return `${100 * share} %`;
   const rounded = (100 * share).toFixed(1);
@@ -21,14 +21,14 @@ export function pixels(length: number): string {
   return `${length.toExponential(0)} px`;
 }
 
-/** Many of something, short: `1.4 M`, `320 k`, `950`. */
+/** A large count in short: `1.4 M`, `320 k`, `950`. */
 export function about(count: number): string {
   if (count >= 1e6) return `${(count / 1e6).toFixed(1)} M`;
   if (count >= 1e4) return `${Math.round(count / 1e3)} k`;
   return String(Math.round(count));
 }
 
-/** What all minerals take beyond the way that is measured: `3.10 s slower, 1 press more`. */
+/** What collecting all minerals costs beyond the measured run: `3.10 s slower, 1 press more`. */
 export function extraInWords(time: number, presses: number): string {
   const slower = `${seconds(Math.abs(time))} ${time < 0 ? 'quicker' : 'slower'}`;
   const more = `${plural(Math.abs(presses), 'press', 'presses')} ${presses < 0 ? 'fewer' : 'more'}`;

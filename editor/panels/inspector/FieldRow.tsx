@@ -9,24 +9,24 @@ import type { Field } from './fields.ts';
 
 interface FieldRowProps {
   readonly field: Field;
-  /** null: the selected objects differ */
+  /** null if the selected objects differ */
   readonly value: FieldValue['value'];
-  /** Nothing is written: the default stands for it. */
+  /** The file has no value, so the default applies. */
   readonly isDefault: boolean;
-  /** Of whom, for the history: `of 3 objects`. */
+  /** For the label in the history: `of 3 objects`. */
   readonly whose: string;
   /**
-   * Kept between renders.
-   * @param value undefined leaves it out, so that the default stands for it
+   * Stable between renders.
+   * @param value undefined removes the property, so that the default applies
    */
   readonly recipe: (key: string, value: Field['fallback']) => Recipe;
 }
 
-/** One property: typed, dragged or switched, with what is wrong about it beside it, and a way back to its default. */
+/** A property that can be typed, dragged or switched, with its error beside it and a button that restores the default. */
 export const FieldRow = memo(function FieldRow({ field, value: shown, isDefault, whose, recipe }: FieldRowProps) {
   const { document } = useLevel();
   const refusalId = useId();
-  // about the value that it left as it was
+  // the refusal belongs to the value that stayed in place
   const [refused, setRefused] = useState<{ readonly why: string; readonly of: FieldValue['value'] } | null>(null);
   const refusal = refused !== null && refused.of === shown ? refused.why : null;
   const { key, label, type, fallback, ends } = field;
@@ -78,7 +78,7 @@ export const FieldRow = memo(function FieldRow({ field, value: shown, isDefault,
         {type === 'number' && <span className="row__unit">{field.unit}</span>}
         {type !== 'flag' && canReset && (
           <Button
-            hint={`Back to the default${fallback === '' ? '' : `, ${String(fallback)}`}`}
+            hint={`Reset to the default${fallback === '' ? '' : `, ${String(fallback)}`}`}
             icon={<RotateCcw size={13} />}
             className="row__reset"
             aria-label={`Reset ${label}`}
@@ -99,13 +99,13 @@ interface TextFieldProps {
   readonly field: Field;
   readonly label: string;
   readonly value: string;
-  /** Id of what says why the text was refused; null: it was not. */
+  /** The id of the element that says why the text was refused; null if it was not. */
   readonly refusalId: string | null;
-  /** @returns whether it was taken */
+  /** @returns whether the text was accepted */
   readonly onChange: (value: string | undefined, gesture: string) => boolean;
 }
 
-/** A text; what was refused stays to be mended, and Esc puts back what stands in the level. */
+/** A text field. A refused text stays so that it can be corrected; Esc restores the value of the level. */
 function TextField({ field, label, value, refusalId, onChange }: TextFieldProps) {
   const { document } = useLevel();
   const id = useId();
@@ -126,7 +126,7 @@ function TextField({ field, label, value, refusalId, onChange }: TextFieldProps)
     onKeyDown: (event: KeyboardEvent) => {
       if (event.key !== 'Escape' || draft === null) return;
       event.stopPropagation();
-      // what stands in the level is nothing to refuse
+      // the level's own value is always accepted, which clears the refusal
       onChange(value, `type ${id}`);
       setKept(null);
     },

@@ -6,9 +6,9 @@ import { LevelFields } from './LevelFields.tsx';
 import { ObjectFields } from './ObjectFields.tsx';
 import './inspector.css';
 
-/** What is selected, to be typed: one object, what several have in common, or the level itself. */
+/** The fields of the selection: one object, what several objects have in common, or the level itself. */
 export function Inspector() {
-  // a marquee selects others with every move of the pointer: the canvas comes first
+  // A marquee changes the selection with every move of the pointer: the canvas has priority.
   const keys = useDeferredValue(useSelectedKeys());
   const file = useDocument((state) => state.file);
   return <Fields keys={keys} file={file} />;
@@ -21,7 +21,7 @@ const Fields = memo(function Fields({ keys, file }: { readonly keys: readonly Ob
   });
   return (
     <div className="panel__body inspector">
-      {/* another selection, other fields: nothing typed for one object ends up in another */}
+      {/* Keyed by the selection, so that nothing typed for one object ends up in another. */}
       {objects.length === 0 ? <LevelFields file={file} /> : <ObjectFields key={keys.join()} keys={keys} objects={objects} />}
     </div>
   );

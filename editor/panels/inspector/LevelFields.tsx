@@ -25,13 +25,16 @@ const summaryOf = (proof: LiveProof): RunSummary => ({
   end: endInWords(proof),
   isGood: proof.run.outcome === 'completed',
   isKnown: isWhole(proof),
-  // of a way that was cut they would be about its beginning alone
+  // for a run that is cut short, they would only cover its beginning
   facts: isWhole(proof) ? wayFacts(proof) : [],
 });
 
 const setProperty = (key: string, value: Field['fallback']) => setLevelProperty(key as LevelProperty, value as never);
 
-/** The level itself: its name and what else it says of itself, the two things every level has once, how the shown run fares, and the rules of the game in it. */
+/**
+ * The fields of the level itself, links to the astronaut and the black hole, the outcome of the shown run, and the level's
+ * rules.
+ */
 export function LevelFields({ file }: { readonly file: LevelFile }) {
   const { commands } = useEditor();
   const { selection } = useLevel();
@@ -51,7 +54,7 @@ export function LevelFields({ file }: { readonly file: LevelFile }) {
           {links.map(([key, name, where, icon]) => (
             <Button
               key={key}
-              hint={`Select it and go there`}
+              hint={`Select it and bring it into view`}
               look="outlined"
               icon={icon}
               onClick={() => {
@@ -64,7 +67,7 @@ export function LevelFields({ file }: { readonly file: LevelFile }) {
           ))}
         </div>
       </Section>
-      <Section title={run.name === null ? 'Without a run' : `Run “${run.name}”`}>
+      <Section title={run.name === null ? 'No run' : `Run “${run.name}”`}>
         {run.isKnown ? (
           <p className={run.isGood ? 'tone--good' : 'tone--bad'}>She {run.name === null ? `drifts and ${run.end}` : run.end}.</p>
         ) : (

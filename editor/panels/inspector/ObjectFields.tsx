@@ -24,16 +24,16 @@ import { valueOfObjects } from './field-values.ts';
 import { aboutObject, type Field, sharedFields } from './fields.ts';
 import { runFactsOf } from './run-facts.ts';
 
-/** What several objects can be told at once, by the commands of the canvas. */
+/** Commands of the canvas for several objects. */
 const ARRANGE = [
   ['object.align-left', 'Align left edges', AlignStartVertical],
-  ['object.align-centre', 'Align centres on an upright line', AlignCenterVertical],
+  ['object.align-centre', 'Align horizontal centres', AlignCenterVertical],
   ['object.align-right', 'Align right edges', AlignEndVertical],
   ['object.align-top', 'Align top edges', AlignStartHorizontal],
-  ['object.align-middle', 'Align centres on a level line', AlignCenterHorizontal],
+  ['object.align-middle', 'Align vertical centres', AlignCenterHorizontal],
   ['object.align-bottom', 'Align bottom edges', AlignEndHorizontal],
-  ['object.distribute-x', 'Distribute evenly across', AlignHorizontalDistributeCenter],
-  ['object.distribute-y', 'Distribute evenly downwards', AlignVerticalDistributeCenter],
+  ['object.distribute-x', 'Distribute horizontally', AlignHorizontalDistributeCenter],
+  ['object.distribute-y', 'Distribute vertically', AlignVerticalDistributeCenter],
 ] as const;
 
 /** `3 asteroids, 1 mineral` */
@@ -43,13 +43,13 @@ function countsOf(objects: readonly FoundObject[]): string {
   return [...counts].map(([kind, count]) => plural(count, KINDS[kind].one, KINDS[kind].many)).join(', ');
 }
 
-/** What can be done with what is selected. @param isFixed only what every level has once */
+/** Buttons for the selection. @param isFixed whether it contains only objects that every level has exactly once */
 const Interactions = memo(function Interactions({ isFixed }: { readonly isFixed: boolean }) {
   const { commands } = useEditor();
   return (
     <span className="inspector__does">
       <Button
-        hint="Go there"
+        hint="Bring into view"
         shortcut="Shift+2"
         icon={<Crosshair size={14} />}
         onClick={() => commands.run('view.fit-selection')}
@@ -85,7 +85,7 @@ const Arrange = memo(function Arrange({ count }: { readonly count: number }) {
 
 const NO_FACTS: readonly Fact[] = [];
 
-/** What the shown run does with one object, while the level is edited. */
+/** What an object does in the shown run, updated while the level is edited. */
 function RunFacts({ objectKey }: { readonly objectKey: string }) {
   const pick = useCallback(
     (proof: LiveProof) => {
@@ -95,19 +95,22 @@ function RunFacts({ objectKey }: { readonly objectKey: string }) {
     [objectKey],
   );
   return (
-    <Section title="What the run does with it">
+    <Section title="In the shown run">
       <Facts facts={useThrottledProof(pick)} />
     </Section>
   );
 }
 
 interface ObjectFieldsProps {
-  /** Kept between renders as long as the same ones are selected. */
+  /** Stable between renders while the selection is the same. */
   readonly keys: readonly ObjectKey[];
   readonly objects: readonly FoundObject[];
 }
 
-/** One object, or what several have in common. While hundreds of them are dragged hardly anything of it is drawn anew. */
+/**
+ * The fields of one object, or those that several have in common. Memoized, so that dragging hundreds of objects redraws
+ * little.
+ */
 export function ObjectFields({ keys, objects }: ObjectFieldsProps) {
   const recipe = useCallback(
     (key: string, value: Field['fallback']) => setObjectProperty(keys, key as FieldName, value as number | boolean | undefined),

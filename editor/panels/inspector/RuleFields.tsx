@@ -8,7 +8,7 @@ import { Section } from '../parts/index.ts';
 import { RuleRow } from './RuleRow.tsx';
 import { ruleValues } from './rule-values.ts';
 
-/** The numbers of the game as this level has them: its own, those of its folder, and the game's. */
+/** The rules of the level: its own, those of its folder, and the game's defaults. */
 export function RuleFields({ file }: { readonly file: LevelFile }) {
   const { commands, session } = useEditor();
   const folder = useFolderRules();
@@ -25,7 +25,7 @@ export function RuleFields({ file }: { readonly file: LevelFile }) {
   useEffect(() => {
     const panel = list.current?.closest('.panel__body');
     if (panel == null) return;
-    // a rule that breaks the run brings up the list of problems: what is under the hand is not to go behind it
+    // A rule that breaks the run opens the list of problems, which must not cover the focused slider.
     const observer = new ResizeObserver(() => {
       const { activeElement } = panel.ownerDocument;
       if (list.current?.contains(activeElement)) activeElement?.closest('.rule')?.scrollIntoView({ block: 'nearest' });
@@ -40,7 +40,7 @@ export function RuleFields({ file }: { readonly file: LevelFile }) {
       aside={
         areSome && (
           <Button
-            hint={`Back to ${folder.file === null ? "the game's own" : `those of ${folder.file} and the game`}`}
+            hint={`Reset to ${folder.file === null ? "the game's defaults" : `the rules of ${folder.file} and the game's defaults`}`}
             icon={<RotateCcw size={13} />}
             onClick={() => commands.run('rules.reset')}
           >
@@ -51,7 +51,7 @@ export function RuleFields({ file }: { readonly file: LevelFile }) {
     >
       {folder.problems.length > 0 && (
         <p className="tone--bad">
-          {problemsInWords(folder.file ?? 'gq.config.json', folder.problems)} What it set before holds until it is mended.
+          {problemsInWords(folder.file ?? 'gq.config.json', folder.problems)} Its previous rules stay in effect until it is fixed.
         </p>
       )}
       <div ref={list} className="rules">

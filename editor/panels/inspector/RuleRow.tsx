@@ -8,7 +8,7 @@ import { RuleSlider } from './RuleSlider.tsx';
 import { stepOf } from './rule-scale.ts';
 import { originOf, type RuleValue, ruleLabel } from './rule-values.ts';
 
-/** One rule of the game in this level: slid, typed, and given back. */
+/** A rule of the level: a slider, a number field and a reset button. */
 export const RuleRow = memo(function RuleRow({ name, value, isOwn, fallback, from }: RuleValue) {
   const { document } = useLevel();
   const id = useId();
@@ -16,7 +16,7 @@ export const RuleRow = memo(function RuleRow({ name, value, isOwn, fallback, fro
   const label = ruleLabel(name);
   const step = `Set ${label} of the level`;
   const origin = originOf({ name, value, isOwn, fallback, from });
-  // what is as it would be without is not written
+  // A value that equals the fallback is not written.
   const recipe = useCallback((next: number) => setRule(name, next === fallback ? undefined : next), [name, fallback]);
   return (
     <fieldset className={isOwn ? 'rule rule--own' : 'rule'} aria-label={label} data-rule={name}>
@@ -36,7 +36,7 @@ export const RuleRow = memo(function RuleRow({ name, value, isOwn, fallback, fro
           <span className="row__unit">{rule.unit}</span>
           {isOwn && (
             <Button
-              hint={`Back to ${fallback}, ${from === null ? "the game's own" : `from ${from}`}`}
+              hint={`Reset to ${fallback}, ${from === null ? "the game's default" : `from ${from}`}`}
               icon={<RotateCcw size={13} />}
               className="row__reset"
               aria-label={`Reset ${label}`}

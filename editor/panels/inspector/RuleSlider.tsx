@@ -4,7 +4,7 @@ import { useLevel } from '../../context/index.ts';
 import type { Gesture, Recipe } from '../../document/index.ts';
 import { positionOf, SLIDER_END, stepOf, valueAt, within } from './rule-scale.ts';
 
-/** How many steps a key goes. */
+/** how many steps a key moves the slider */
 const KEYS: Readonly<Record<string, number>> = {
   ArrowRight: 1,
   ArrowUp: 1,
@@ -18,14 +18,14 @@ interface RuleSliderProps {
   readonly rule: GameRule;
   readonly label: string;
   readonly value: number;
-  /** What a step of the history is called. */
+  /** The label of the step in the history. */
   readonly step: string;
-  /** Ids of what is said about it. */
+  /** Ids of the elements that describe it. */
   readonly describedBy: string;
   readonly recipe: (value: number) => Recipe;
 }
 
-/** A rule under the hand: the level follows while it is dragged, a drag is one step of the history, and Esc takes it back. */
+/** The slider of a rule: the level follows while it is dragged, a drag is one step of the history, and Esc undoes it. */
 export function RuleSlider({ rule, label, value, step, describedBy, recipe }: RuleSliderProps) {
   const { document } = useLevel();
   const id = useId();
@@ -35,7 +35,7 @@ export function RuleSlider({ rule, label, value, step, describedBy, recipe }: Ru
     drag.current?.stop();
     drag.current = null;
   };
-  // what was dragged when it was taken from the page is kept
+  // A drag in progress when the slider is unmounted is kept.
   useEffect(
     () => () => {
       drag.current?.gesture.commit();
@@ -47,13 +47,13 @@ export function RuleSlider({ rule, label, value, step, describedBy, recipe }: Ru
   const onPointerDown = ({ button, pointerId, currentTarget: { ownerDocument } }: PointerEvent) => {
     if (button !== 0) return;
     end('commit');
-    // the button may be let go anywhere
+    // The button may be released anywhere.
     const abort = new AbortController();
     const { signal } = abort;
     const listen = (type: 'pointerup' | 'pointercancel', how: 'commit' | 'cancel') =>
       ownerDocument.addEventListener(type, (event) => event.pointerId === pointerId && end(how), { signal, capture: true });
     listen('pointerup', 'commit');
-    // the finger scrolls the panel after all
+    // the touch turned out to scroll the panel
     listen('pointercancel', 'cancel');
     drag.current = { gesture: document.begin(step), stop: () => abort.abort() };
   };
@@ -61,7 +61,7 @@ export function RuleSlider({ rule, label, value, step, describedBy, recipe }: Ru
   const onKeyDown = (event: KeyboardEvent) => {
     if (event.key === 'Escape' && drag.current !== null) {
       event.stopPropagation();
-      // the hand still holds it: what it does from now on is nobody's
+      // The pointer still holds the slider: the rest of this drag is ignored.
       drag.current.gesture.cancel();
       return;
     }

@@ -4,15 +4,15 @@ import { type Field, fieldsOf } from './fields.ts';
 
 /** What a field shows. */
 export interface FieldValue {
-  /** null: the selected objects differ */
+  /** null if the selected objects differ */
   readonly value: number | string | boolean | null;
-  /** Nothing is written: the default stands for it. */
+  /** The file has no value, so the default applies. */
   readonly isDefault: boolean;
 }
 
 type Json = Readonly<Record<string, unknown>>;
 
-/** What a field of objects shows: what they have in common, defaults filled in. */
+/** The value that objects have in common, with defaults filled in. */
 export function valueOfObjects(objects: readonly FoundObject[], { key }: Field): FieldValue {
   const defaultOf = (kind: ObjectKind) => fieldsOf(kind).fields.find((field) => field.key === key)?.fallback;
   const shownOf = ({ kind, object }: FoundObject) => (object as unknown as Json)[key] ?? defaultOf(kind);
@@ -23,7 +23,7 @@ export function valueOfObjects(objects: readonly FoundObject[], { key }: Field):
   };
 }
 
-/** What a field of the level itself shows. */
+/** The value of a field of the level itself. */
 export function valueOfLevel(file: LevelFile, { key, fallback }: Field): FieldValue {
   const written = (file as Json)[key];
   return { value: ((written ?? fallback) as FieldValue['value'] | undefined) ?? null, isDefault: written === undefined };

@@ -8,28 +8,28 @@ import {
 } from '../../../schema/index.ts';
 import type { FoundObject } from '../../document/index.ts';
 
-/** One property that can be typed. */
+/** A property that can be edited. */
 export interface Field {
   readonly key: string;
-  /** What it is called where it is typed. */
+  /** Its label in the inspector. */
   readonly label: string;
   readonly type: 'number' | 'text' | 'flag';
-  /** Least and most of a number; letters of a text. */
+  /** the range of a number; for a text, the greatest length in characters */
   readonly least: number;
   readonly most: number;
-  /** By how much a key, or a px of a drag, changes a number. */
+  /** The change of a number per key or per px of a drag. */
   readonly step: number;
   /** What it means. */
   readonly about: string;
-  /** px, px/s, px/s2; null where it has none */
+  /** px, px/s, px/s2; null if it has none */
   readonly unit: string | null;
-  /** What stands for it when it is left out; undefined: it can't be. */
+  /** The default; undefined if the property is required. */
   readonly fallback: number | string | boolean | undefined;
-  /** What the two ends of a flag are called. */
+  /** The names of the two states of a flag. */
   readonly ends: readonly [off: string, on: string];
 }
 
-/** What the inspector shows at once. */
+/** What the inspector can show. */
 export type Subject = ObjectKind | 'level';
 
 interface JsonSchema {
@@ -49,14 +49,14 @@ interface Fields {
 
 const TYPES: Readonly<Record<string, Field['type']>> = { number: 'number', string: 'text', boolean: 'flag' };
 
-/** Set by the format, not by people. */
+/** Set by the format, not by users. */
 const NOT_TYPED: ReadonlySet<string> = new Set(['$schema', 'version']);
 
-/** The fields of the level itself, as its schema has them. */
+/** The fields of the level itself, from its schema. */
 function fieldsOfLevel(): Fields {
   const schema = levelJsonSchema() as JsonSchema;
   const at = { x: 0, y: 0 };
-  // a level that leaves out all it can
+  // a level with nothing but the required properties
   const defaults = resolveLevel({ version: 1, name: 'level', astronaut: at, blackHole: at }) as unknown as Readonly<
     Record<string, unknown>
   >;
@@ -102,7 +102,7 @@ const fieldsOfObjects = (kind: ObjectKind): Fields => ({
 
 const known = new Map<Subject, Fields>();
 
-/** The fields of a kind of object, or of the level itself, in the order of a file; and what there is to say of it. */
+/** The fields of a kind of object or of the level, in file order, and what it is. */
 export function fieldsOf(subject: Subject): Fields {
   const made = known.get(subject);
   if (made !== undefined) return made;
@@ -111,12 +111,15 @@ export function fieldsOf(subject: Subject): Fields {
   return fields;
 }
 
-/** What an object is and does to her. */
+/** What an object is and does. */
 export const aboutObject = ({ kind, object }: FoundObject): string => appearanceOfObject(kind, object).about;
 
 const shared = new Map<string, readonly Field[]>();
 
-/** The fields that all of these kinds have, with the tightest limits; a default only where it is the same for all. The same kinds give the same list. */
+/**
+ * The fields that all of these kinds have, with the tightest limits, and a default only if they share it. Equal kinds give the
+ * same list.
+ */
 export function sharedFields(kinds: Iterable<ObjectKind>): readonly Field[] {
   const all = [...new Set(kinds)];
   const made = shared.get(all.join());

@@ -1,26 +1,26 @@
 import { type FolderRules, type LevelFile, RULE_NAMES, RULES, type RuleName } from '../../../schema/index.ts';
 import { fieldsOf } from './fields.ts';
 
-/** How a rule of a level stands. */
+/** The state of a rule in a level. */
 export interface RuleValue {
   readonly name: RuleName;
-  /** What it is played by. */
+  /** The effective value. */
   readonly value: number;
   /** Whether the level sets it. */
   readonly isOwn: boolean;
-  /** What holds where the level doesn't set it. */
+  /** The value that applies if the level doesn't set it. */
   readonly fallback: number;
-  /** The configuration that sets the fallback; null: it is the game's own. */
+  /** The configuration that sets the fallback; null: it is the game's default. */
   readonly from: string | null;
 }
 
-/** How a rule is called: `speed limit`. One that a field of the level is called, too, is the strength of that. */
+/** The label of a rule: `speed limit`. A rule that shares its name with a field of the level is called its strength. */
 export function ruleLabel(name: RuleName): string {
   const words = name.replace(/[A-Z]/g, (letter) => ` ${letter.toLowerCase()}`);
   return fieldsOf('level').fields.some(({ key }) => key === name) ? `${words} strength` : words;
 }
 
-/** All rules of a level as they stand, in the order of their table. */
+/** The state of all rules of a level, in the order of their table. */
 export function ruleValues({ rules = {} }: Pick<LevelFile, 'rules'>, folder: FolderRules): readonly RuleValue[] {
   return RULE_NAMES.map((name) => {
     const own = rules[name];
@@ -30,9 +30,9 @@ export function ruleValues({ rules = {} }: Pick<LevelFile, 'rules'>, folder: Fol
   });
 }
 
-/** Where a rule's value comes from, where that is not the game. */
+/** Where a rule's value comes from; null if it is the game's default. */
 export function originOf({ name, isOwn, fallback, from }: RuleValue): string | null {
-  const game = `the game's own is ${RULES[name].default}`;
+  const game = `the game's default is ${RULES[name].default}`;
   if (!isOwn) return from === null ? null : `From ${from}; ${game}.`;
   return from === null ? `Set by this level; ${game}.` : `Set by this level; ${from} has ${fallback}.`;
 }

@@ -7,7 +7,7 @@ import { type Fact, pixels, plural, seconds } from '../figures/index.ts';
 const tickOf = (time: number): number => Math.floor(time * TICK_RATE + 1e-9);
 const at = (time: number): string => `at ${seconds(time)}`;
 
-/** Where an object is at a tick; null when it is no longer there. */
+/** Where an object is at a tick; null once it is gone. */
 type Places = (tick: number) => readonly { readonly x: number; readonly y: number }[] | null;
 
 function placesIn({ run }: LiveProof, found: FoundObject): Places {
@@ -32,9 +32,9 @@ function placesIn({ run }: LiveProof, found: FoundObject): Places {
 }
 
 /**
- * How near her box comes to an object in the shown run, looked at once a tick.
+ * The closest distance between the collision box and an object in the shown run, sampled once per tick.
  * @param radius px
- * @returns the gap between box and rim in px, negative where they overlap; null where it is never there
+ * @returns the gap between box and rim in px, negative if they overlap; null if the object is never there
  */
 export function nearestPass(proof: LiveProof, found: FoundObject, radius: number): { gap: number; tick: number } | null {
   const { states, count } = proof.run.way;
@@ -53,7 +53,7 @@ export function nearestPass(proof: LiveProof, found: FoundObject, radius: number
   return best;
 }
 
-/** Stretches of time in which an asteroid is the target of the held gun, s. */
+/** The intervals in which an asteroid is the target of the held gun, s. */
 export function pullsOf(events: readonly RunEvent[], asteroid: number, end: number): { from: number; to: number }[] {
   const pulls: { from: number; to: number }[] = [];
   let from: number | null = null;
@@ -71,7 +71,7 @@ export function pullsOf(events: readonly RunEvent[], asteroid: number, end: numb
   return pulls;
 }
 
-/** Stretches between two kinds of events about the same object, s; the last may be cut off by the end of the run. */
+/** The intervals between two types of events of the same object, s; the end of the run may cut off the last. */
 function between(events: readonly RunEvent[], index: number, first: 'enter' | 'wake', last: 'leave' | 'sleep', end: number) {
   const stretches: { from: number; to: number }[] = [];
   let from: number | null = null;
@@ -90,7 +90,7 @@ function between(events: readonly RunEvent[], index: number, first: 'enter' | 'w
 const lengthOf = (stretches: readonly { from: number; to: number }[]): number =>
   stretches.reduce((sum, { from, to }) => sum + to - from, 0);
 
-/** `times 2, 3.1 s in all`, leading to the first. */
+/** `2 times, 3.1 s from 1.20 s`, with the tick of the first */
 function stretchFact(label: string, stretches: readonly { from: number; to: number }[], never: string): Fact {
   if (stretches.length === 0) return { label, value: never };
   const many = stretches.length === 1 ? '' : `${stretches.length} times, `;
@@ -107,17 +107,17 @@ function passFact(proof: LiveProof, found: FoundObject, radius: number, isDeadly
   const { gap, tick } = pass;
   const tone = isDeadly && gap < 8 ? (gap <= 0 ? 'bad' : 'warn') : undefined;
   const value = gap <= 0 ? `touched ${at(tick * TICK)}` : `${pixels(gap)} ${at(tick * TICK)}`;
-  return [{ label: 'nearest pass', value, tick, ...(tone === undefined ? {} : { tone }) }];
+  return [{ label: 'closest distance', value, tick, ...(tone === undefined ? {} : { tone }) }];
 }
 
-/** Whether and when the run ends at this very object. */
+/** Whether and when the run ends at this object. */
 function endFact({ run }: LiveProof, { kind, index }: FoundObject): Fact[] {
   if (run.with === null || run.with.kind !== kind || run.with.index !== index) return [];
   const good = run.outcome === 'completed';
   return [{ label: 'the run', value: `ends here ${at(run.time)}`, tick: run.tick, tone: good ? 'good' : 'bad' }];
 }
 
-/** What the shown run does with an object; the radius is the one it has, defaults filled in. */
+/** What an object does in the shown run. @param radius of the object, with defaults filled in */
 export function runFactsOf(proof: LiveProof, found: FoundObject, radius: number | null): readonly Fact[] {
   const { kind, index, object } = found;
   const { run, full, level } = proof;
@@ -128,13 +128,14 @@ export function runFactsOf(proof: LiveProof, found: FoundObject, radius: number 
   switch (kind) {
     case 'asteroid': {
       const hot = level.asteroids[index]?.hot === true;
-      const pulls = stretchFact('pulls her', pullsOf(events, index, run.time), 'never: the run does without it');
+      const pulls = stretchFact('pulls her', pullsOf(events, index, run.time), 'never');
       return [...end, pulls, ...(end.length > 0 ? [] : passFact(proof, found, radius, hot))];
     }
     case 'mineral': {
       const taken = full.minerals.find((mineral) => mineral.index === index);
-      if (taken === undefined) return [{ label: 'taken', value: 'no', tone: 'warn' }, ...passFact(proof, found, radius, false)];
-      return [{ label: 'taken', value: at(taken.time), tick: tickOf(taken.time), tone: 'good' }];
+      if (taken === undefined)
+        return [{ label: 'collected', value: 'no', tone: 'warn' }, ...passFact(proof, found, radius, false)];
+      return [{ label: 'collected', value: at(taken.time), tick: tickOf(taken.time), tone: 'good' }];
     }
     case 'repulsor': {
       const inside = stretchFact('pushes her', between(events, index, 'enter', 'leave', run.time), 'never: she stays outside');
@@ -143,7 +144,7 @@ export function runFactsOf(proof: LiveProof, found: FoundObject, radius: number 
     case 'alien': {
       const burst = events.find((event) => event.type === 'explosion' && event.aliens.includes(index));
       const gone = burst?.time ?? run.time;
-      const awake = stretchFact('awake', between(events, index, 'wake', 'sleep', gone), 'never: she stays out of its sight');
+      const awake = stretchFact('awake', between(events, index, 'wake', 'sleep', gone), 'never: it does not see her');
       const other = burst?.type === 'explosion' ? burst.aliens.find((alien) => alien !== index) : undefined;
       const bursts: Fact[] =
         burst === undefined || other === undefined
@@ -156,7 +157,7 @@ export function runFactsOf(proof: LiveProof, found: FoundObject, radius: number 
   }
 }
 
-/** What the shown run is like as a whole. */
+/** The facts of the shown run as a whole. */
 export function wayFacts(proof: LiveProof): readonly Fact[] {
   const { run, margins, level } = proof;
   const { speed, gap } = margins;
@@ -173,7 +174,7 @@ export function wayFacts(proof: LiveProof): readonly Fact[] {
   if (gap.length > 0 && Number.isFinite(gap[closest])) {
     const tone = gap[closest] < 8 ? ({ tone: 'warn' } as const) : {};
     facts.push({
-      label: 'closest call',
+      label: 'least clearance',
       value: `${pixels(Math.max(0, gap[closest]))} ${at(closest * TICK)}`,
       tick: closest,
       ...tone,

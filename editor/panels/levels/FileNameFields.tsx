@@ -3,9 +3,10 @@ import { LEVEL_ID_PART } from '../../../schema/index.ts';
 import { FolderSelect } from './FolderSelect.tsx';
 import { inFolder } from './level-files.ts';
 
-/** What is wrong with a name for a file; null: nothing. @param taken ids of other levels */
+/** What is wrong with a file name; null if nothing. @param taken ids of other levels */
 export function fileNameProblem(folder: string, stem: string, taken: readonly string[]): string | null {
-  if (!LEVEL_ID_PART.test(stem)) return 'letters, digits, - _ and spaces inside, at most 80; it begins with a letter or a digit';
+  if (!LEVEL_ID_PART.test(stem))
+    return 'use letters, digits, -, _ and spaces, at most 80 characters, beginning with a letter or a digit';
   const id = inFolder(folder, stem).toLowerCase();
   return taken.some((other) => other.toLowerCase() === id) ? 'another level has this file name' : null;
 }
@@ -13,20 +14,20 @@ export function fileNameProblem(folder: string, stem: string, taken: readonly st
 interface FileNameFieldsProps {
   readonly stem: string;
   readonly folder: string;
-  /** What is wrong with the name, as `fileNameProblem` has it. */
+  /** What is wrong with the name, from `fileNameProblem`. */
   readonly problem: string | null;
-  /** Why the server would not have it. */
+  /** Why the server refused the name. */
   readonly refusal?: string | null;
   readonly onStem: (stem: string) => void;
   readonly onFolder: (folder: string) => void;
 }
 
-/** The name of a level's file and its folder, and what is wrong with them. */
+/** The fields for a level's file name and folder, with what is wrong with them. */
 export function FileNameFields({ stem, folder, problem, refusal = null, onStem, onFolder }: FileNameFieldsProps) {
   const field = useId();
   return (
     <>
-      <label htmlFor={`${field}-file`}>Name of the file</label>
+      <label htmlFor={`${field}-file`}>File name</label>
       <span className="form__file">
         <input
           id={`${field}-file`}

@@ -3,7 +3,7 @@ import { ChevronRight, Folder } from 'lucide-react';
 interface FolderLineProps {
   readonly title: string;
   readonly isOpen: boolean;
-  /** How many levels are in it. */
+  /** The number of levels in the folder. */
   readonly count: number;
 }
 

@@ -2,7 +2,7 @@ import { useId } from 'react';
 import { useStore } from 'zustand';
 import { useEditor } from '../../context/index.ts';
 
-/** Which folder new levels go into; nothing where there is only one. */
+/** Selects the folder of a level; hidden if there is only one. */
 export function FolderSelect({ value, onChange }: { readonly value: string; readonly onChange: (folder: string) => void }) {
   const { workspace } = useEditor();
   const list = useStore(workspace.store, (state) => state.list);

@@ -11,7 +11,7 @@ import { stemOf } from './level-files.ts';
 import { pictureOf, thumbnailKey, thumbnailsOf, verdictOf } from './thumbnails.ts';
 import { type ListedVerdict, VerdictSign } from './VerdictSign.tsx';
 
-/** The picture of a listed level and what it is worth, made while the row is there. */
+/** The thumbnail and the verdict of a listed level, made while its row is visible. */
 function useThumbnail(entry: LevelEntry): { readonly url: string | null; readonly verdict: ListedVerdict } {
   const editor = useEditor();
   const theme = usePageTheme();
@@ -44,7 +44,7 @@ function placeOf({ problems: [first] }: LevelEntry): string {
   return first === undefined || first.line === null ? '' : `${first.line}:${first.column} `;
 }
 
-/** A level of the list: how it looks, what it is called, whether it can be completed. @param open it, where it is the one that is open */
+/** A level in the list: its picture, name and verdict. @param open the level if it is open, else null */
 export function LevelLine({ entry, title, open }: { entry: LevelEntry; title: string; open: OpenLevel | null }) {
   const { url, verdict } = useThumbnail(entry);
   const wrong = entry.problems.length === 0 ? null : inPageWords(entry.problems[0].message);
@@ -62,7 +62,7 @@ export function LevelLine({ entry, title, open }: { entry: LevelEntry; title: st
         <span className="levels__file">
           {open === null || entry.status !== 'valid' ? <VerdictSign verdict={verdict} /> : <LiveVerdict level={open} />}
           {entry.readOnly !== null && (
-            <span className="levels__lock" role="img" aria-label={`read only: ${entry.readOnly}`} title={entry.readOnly}>
+            <span className="levels__lock" role="img" aria-label={`read-only: ${entry.readOnly}`} title={entry.readOnly}>
               <Lock size={11} />
             </span>
           )}

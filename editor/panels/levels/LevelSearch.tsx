@@ -2,15 +2,15 @@ import { Search } from 'lucide-react';
 import { focusHome } from '../../ui/index.ts';
 
 interface LevelSearchProps {
-  /** How many levels there are. */
+  /** The number of levels. */
   readonly count: number;
   readonly text: string;
   readonly onChange: (text: string) => void;
-  /** Opens the first that was found. @returns whether there is one */
+  /** Opens the first match. @returns whether there is one */
   readonly onOpenFirst: () => boolean;
 }
 
-/** Finds a level by its name. */
+/** Finds levels by name. */
 export function LevelSearch({ count, text, onChange, onOpenFirst }: LevelSearchProps) {
   return (
     <label className="levels__search">

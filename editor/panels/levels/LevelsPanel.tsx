@@ -21,7 +21,7 @@ import { TextDialog } from './TextDialog.tsx';
 const rowHeight = ({ entry }: LevelRow) => (entry === null ? 28 : 54);
 const NO_LEVELS = [] as const;
 
-/** The levels of the folder: how they look, whether they can be completed; open, rename, order, delete them. */
+/** The levels of the folder with their pictures and verdicts; opens, renames, reorders and deletes them. */
 export function LevelsPanel() {
   const editor = useEditor();
   const { workspace, session } = editor;
@@ -47,7 +47,7 @@ export function LevelsPanel() {
     if (entry.status !== 'valid') setAsText(entry);
     else if (entry.id !== opened) void openListed(editor, entry.id);
   };
-  /** It is found: the next keys are for the level. */
+  /** Opens the first match; the keyboard then works on the level. */
   const openFirst = (): boolean => {
     const first = rows.find(({ entry }) => entry !== null);
     if (first === undefined) return false;
@@ -115,9 +115,9 @@ export function LevelsPanel() {
           }
         />
       ) : list === null ? (
-        error === null && <p className="levels__empty">Looking for levels…</p>
+        error === null && <p className="levels__empty">Loading levels…</p>
       ) : levels.length > 0 ? (
-        <p className="levels__empty">No level is called "{search}".</p>
+        <p className="levels__empty">No levels match "{search}".</p>
       ) : (
         <NoLevels folder={list.folder.path} />
       )}

@@ -2,7 +2,7 @@ import { useEditor } from '../../context/index.ts';
 import { Button } from '../../ui/index.ts';
 import { SamplesButton } from './SamplesButton.tsx';
 
-/** What to begin with in a folder without levels. @param folder as a person named it */
+/** The empty state of a folder without levels. @param folder the path as the user gave it */
 export function NoLevels({ folder }: { readonly folder: string }) {
   const { session } = useEditor();
   return (
@@ -11,7 +11,7 @@ export function NoLevels({ folder }: { readonly folder: string }) {
       <Button hint="Start from a template" look="main" onClick={() => session.setState({ overlay: 'newLevel' })}>
         New level
       </Button>
-      <Button hint="From a file, or of the original game" look="outlined" onClick={() => session.setState({ overlay: 'open' })}>
+      <Button hint="From files or from the original game" look="outlined" onClick={() => session.setState({ overlay: 'open' })}>
         Import levels
       </Button>
       <SamplesButton />

@@ -6,7 +6,7 @@ import { Button, Dialog } from '../../ui/index.ts';
 import { FileNameFields, fileNameProblem } from './FileNameFields.tsx';
 import { inFolder, renameTitle, stemOf } from './level-files.ts';
 
-/** Another name for a level, for its file, or both. */
+/** Renames a level, its file, or both. */
 export function RenameDialog({ id, onClose }: { readonly id: string; readonly onClose: () => void }) {
   const editor = useEditor();
   const { workspace } = editor;
@@ -53,7 +53,7 @@ export function RenameDialog({ id, onClose }: { readonly id: string; readonly on
       >
         {oldName !== null && (
           <>
-            <label htmlFor={`${field}-name`}>Name of the level</label>
+            <label htmlFor={`${field}-name`}>Level name</label>
             <input
               id={`${field}-name`}
               className="field"
@@ -67,7 +67,7 @@ export function RenameDialog({ id, onClose }: { readonly id: string; readonly on
         )}
         <FileNameFields {...{ stem, folder, problem, refusal }} onStem={setStem} onFolder={setFolder} />
         <div className="form__buttons">
-          <Button hint="Leave it as it is" look="outlined" onClick={onClose}>
+          <Button hint="Close without renaming" look="outlined" onClick={onClose}>
             Cancel
           </Button>
           <Button hint="Rename" look="main" type="submit" disabled={problem !== null || noName || busy}>

@@ -2,7 +2,7 @@ import { useEditor } from '../../context/index.ts';
 import { Button } from '../../ui/index.ts';
 import { addSamples } from './level-files.ts';
 
-/** Offers the levels that come with the toolkit, where there are none yet. */
+/** Offers the levels that come with the toolkit. */
 export function SamplesButton() {
   const editor = useEditor();
   return (
@@ -11,7 +11,7 @@ export function SamplesButton() {
       look="outlined"
       onClick={() => void addSamples(editor, '')}
     >
-      Add the sample levels
+      Add sample levels
     </Button>
   );
 }

@@ -2,7 +2,7 @@ import { type Ref, useImperativeHandle, useRef } from 'react';
 import type { Problem } from '../../../schema/index.ts';
 
 export interface TextAreaHandle {
-  /** Both from 1. */
+  /** Line and column count from 1. */
   goTo(line: number, column: number): void;
 }
 
@@ -15,10 +15,10 @@ interface TextAreaProps {
   readonly onSave: () => void;
 }
 
-/** px; as in the style sheet */
+/** px; repeated in the style sheet */
 const LINE = 18;
 
-/** A text with numbers at its lines; those with a problem are marked. */
+/** A text area with line numbers; lines with a problem are marked. */
 export function TextArea({ ref, label, text, problems, onChange, onSave }: TextAreaProps) {
   const field = useRef<HTMLTextAreaElement>(null);
   const numbers = useRef<HTMLDivElement>(null);

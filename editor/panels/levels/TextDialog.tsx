@@ -7,22 +7,22 @@ import { useLevelText } from './use-level-text.ts';
 
 interface TextDialogProps {
   readonly id: string;
-  /** What is on the disk, even of the open level. */
+  /** Edits the file on disk, even if the level is open. */
   readonly fromDisk?: boolean;
   readonly onClose: () => void;
 }
 
-/** Edits a level as text: one that is not valid, so that it can be mended, or any other. What is on the disk is replaced only by a valid level. */
+/** Edits a level as text, above all an invalid one. Only a valid level replaces the file on disk. */
 export function TextDialog({ id, fromDisk = false, onClose }: TextDialogProps) {
   const level = useLevelText(id, fromDisk, onClose);
   const { base, text, setText, isDirty, problems, isUnreadable, error, newer, save } = level;
   const [isLeaving, setIsLeaving] = useState(false);
   const area = useRef<TextAreaHandle>(null);
-  const where = base?.etag === null ? 'in the editor' : 'on the disk';
+  const where = base?.etag === null ? 'in the editor' : 'on disk';
   const leave = () => (isDirty && !isLeaving ? setIsLeaving(true) : onClose());
 
   return (
-    <Dialog open wide title={`${id}.level.json`} about="The level as text. It is saved only as a valid level." onClose={leave}>
+    <Dialog open wide title={`${id}.level.json`} about="The level as text. It can only be saved if it is valid." onClose={leave}>
       {base === null && error === null && !isUnreadable && <p>Reading…</p>}
       {base !== null && (
         <TextArea
@@ -39,12 +39,12 @@ export function TextDialog({ id, fromDisk = false, onClose }: TextDialogProps) {
       )}
       <TextRefusal level={level} where={where} />
       <div className="form__buttons">
-        {isLeaving && <span className="astext__leaving">What was typed is not saved.</span>}
-        <Button hint={isLeaving ? 'Drop what was typed' : 'Close'} look={isLeaving ? 'danger' : 'outlined'} onClick={leave}>
-          {isLeaving ? 'Drop it' : 'Close'}
+        {isLeaving && <span className="astext__leaving">Your changes are not saved.</span>}
+        <Button hint={isLeaving ? 'Discard your changes' : 'Close'} look={isLeaving ? 'danger' : 'outlined'} onClick={leave}>
+          {isLeaving ? 'Discard' : 'Close'}
         </Button>
         <Button
-          hint={problems.length > 0 ? 'Mend what is listed first' : newer !== null ? 'Choose above first' : 'Save'}
+          hint={problems.length > 0 ? 'Fix the listed problems first' : newer !== null ? 'Choose a version first' : 'Save'}
           shortcut="Ctrl S"
           look="main"
           disabled={!isDirty || problems.length > 0 || base === null || newer !== null}

@@ -4,11 +4,11 @@ import { inPageWords } from '../../document/index.ts';
 
 interface TextProblemsProps {
   readonly problems: readonly Problem[];
-  /** Shows a place of the text. */
+  /** Moves to a place in the text. */
   readonly onGoTo: (line: number, column: number) => void;
 }
 
-/** What is wrong with the text of a level, or that nothing is. */
+/** The problems of a level's text, or that it is valid. */
 export function TextProblems({ problems, onGoTo }: TextProblemsProps) {
   if (problems.length === 0) {
     return (

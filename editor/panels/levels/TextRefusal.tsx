@@ -3,11 +3,11 @@ import type { LevelText } from './use-level-text.ts';
 
 interface TextRefusalProps {
   readonly level: LevelText;
-  /** Where the level is: in the editor, on the disk. */
+  /** Where the other version is: in the editor, on disk. */
   readonly where: string;
 }
 
-/** Why a text could not be saved, and what there is to choose from where somebody else has changed the level meanwhile. */
+/** Why a text could not be saved, and the choices if the level has changed in the meantime. */
 export function TextRefusal({ level, where }: TextRefusalProps) {
   const { error, newer, theirs, isValid, take, save } = level;
   if (error === null && theirs === null) return null;
@@ -16,15 +16,15 @@ export function TextRefusal({ level, where }: TextRefusalProps) {
       <p>
         {error !== null && newer === null
           ? `${error.message}. ${error.hint}.`
-          : `The level was changed ${where} meanwhile. What was typed here is kept, and rests on what was there before.`}
+          : `The level was changed ${where} in the meantime. Your text is kept; it is based on the previous version.`}
       </p>
       {theirs !== null && (
         <>
-          <Button hint="Drop what was typed here" look="outlined" onClick={() => take(theirs)}>
-            Take what is {where}
+          <Button hint="Discard your text" look="outlined" onClick={() => take(theirs)}>
+            Use the version {where}
           </Button>
-          <Button hint={`Replace what is ${where}`} look="danger" disabled={!isValid} onClick={() => void save(theirs.etag)}>
-            Save over it
+          <Button hint={`Replace the version ${where}`} look="danger" disabled={!isValid} onClick={() => void save(theirs.etag)}>
+            Overwrite
           </Button>
         </>
       )}

@@ -1,7 +1,7 @@
 import { CircleCheck, CircleDashed, CircleHelp, CircleX, FileWarning } from 'lucide-react';
 import type { ComponentType } from 'react';
 
-/** What is known of a level in the list. */
+/** The verdict of a level in the list, as far as it is known. */
 export type ListedVerdict = 'completable' | 'broken' | 'unproven' | 'impossible' | 'invalid' | 'unreadable' | 'unknown';
 
 const SIGNS: Readonly<Record<ListedVerdict, { Icon: ComponentType<{ size: number }>; word: string }>> = {
@@ -14,7 +14,7 @@ const SIGNS: Readonly<Record<ListedVerdict, { Icon: ComponentType<{ size: number
   unknown: { Icon: CircleDashed, word: 'checking' },
 };
 
-/** A verdict as a sign and a word. */
+/** A verdict as an icon and a word. */
 export function VerdictSign({ verdict }: { verdict: ListedVerdict }) {
   const { Icon, word } = SIGNS[verdict];
   return (

@@ -4,12 +4,15 @@ import { type Answer, errorInWords, folderOf, idsIn, type StorageError } from '.
 import { loadSamples } from '../../templates/index.ts';
 import { type ListStep, listHistoryOf } from './list-history.ts';
 
-/** The name of its file, without folder and ending. */
+/** The name of a level's file, without folder and extension. */
 export const stemOf = (id: string): string => id.slice(id.lastIndexOf('/') + 1);
 
 export const inFolder = (folder: string, stem: string): string => (folder === '' ? stem : `${folder}/${stem}`);
 
-/** An id that no level has: the wanted one, or with a number behind it. Files whose names differ in their letters' size alone are the same to some systems. */
+/**
+ * A free id: the wanted one, or one with a number appended. File names that differ only in case count as equal, as some systems
+ * do not distinguish them.
+ */
 export function freeId(levels: readonly { readonly id: string }[], folder: string, stem: string): string {
   const taken = new Set(levels.map(({ id }) => id.toLowerCase()));
   let id = inFolder(folder, stem);
@@ -17,10 +20,10 @@ export function freeId(levels: readonly { readonly id: string }[], folder: strin
   return id;
 }
 
-/** The number that a file's name begins with, as it is written, and what follows. */
+/** the number that a file name begins with, as it is written, and what follows it */
 const NUMBERED = /^(\d{1,6})([ ._-].*)$/;
 
-/** The number after the last one of these files, as wide as they are; null where none has one. */
+/** The number after the highest one of these files, padded to their width; null if none has a number. */
 function numberAfter(stems: readonly string[]): string | null {
   const numbers = stems.flatMap((stem) => NUMBERED.exec(stem)?.[1] ?? []);
   if (numbers.length === 0) return null;
@@ -30,20 +33,20 @@ function numberAfter(stems: readonly string[]): string | null {
 
 const stemsIn = (levels: readonly { readonly id: string }[], folder: string): string[] => idsIn(levels, folder).map(stemOf);
 
-/** `07-` for the next level of a folder whose levels are numbered; '' where they are not. */
+/** `07-` for the next level of a folder whose levels are all numbered, else ''. */
 export function nextNumber(levels: readonly { readonly id: string }[], folder: string): string {
   const stems = stemsIn(levels, folder);
   const next = numberAfter(stems);
   return next === null || !stems.every((stem) => NUMBERED.test(stem)) ? '' : `${next}-`;
 }
 
-/** Characters of a file's name and of a level's at most. */
+/** greatest length of a file name and of a level name, in characters */
 const LONGEST = { stem: 80, name: 120 } as const;
 
-/** The words with a mark behind them that says how often they are there, cut so that both fit. */
+/** The words followed by a mark, cut so that both fit. */
 const marked = (words: string, mark: string, most: number): string => `${words.slice(0, most - mark.length).trimEnd()}${mark}`;
 
-/** An id for a copy: `07-slingshot-copy` of `02-slingshot` where six levels are numbered, else `slingshot-copy`. */
+/** An id for a copy: `07-slingshot-copy` of `02-slingshot` if six levels are numbered, else `slingshot-copy`. */
 export function copyId(levels: readonly { readonly id: string }[], id: string): string {
   const folder = folderOf(id);
   const stem = stemOf(id).replace(/-copy(-\d+)?$/i, '');
@@ -52,7 +55,7 @@ export function copyId(levels: readonly { readonly id: string }[], id: string): 
   return freeId(levels, folder, marked(next === null ? stem : `${next}${rest}`, '-copy', LONGEST.stem - 5));
 }
 
-/** A name that no level has: `Slingshot copy`, `Slingshot copy 2`. */
+/** A free name for a copy: `Slingshot copy`, `Slingshot copy 2`. */
 export function copyName(levels: readonly { readonly name: string | null }[], name: string): string {
   const taken = new Set(levels.map((level) => level.name));
   const original = name.replace(/ copy( \d+)?$/, '');
@@ -61,26 +64,26 @@ export function copyName(levels: readonly { readonly name: string | null }[], na
   return copy;
 }
 
-/** Says why something was not done. */
+/** Shows a notice about a failure. */
 export function tellError({ notices }: Editor, error: StorageError): void {
   notices.show('warning', errorInWords(error), { topic: 'level-files' });
 }
 
 const levelsOf = ({ workspace }: Editor): readonly LevelEntry[] => workspace.store.getState().list?.levels ?? [];
 
-/** What was answered; where that is a refusal, null, and a notice says why. */
+/** The value of an answer; for a refusal null, and a notice says why. */
 function valueOrNotice<T>(editor: Editor, answer: Answer<T>): T | null {
   if (answer.ok) return answer.value;
   tellError(editor, answer.error);
   return null;
 }
 
-/** Whether the last page did not survive opening a level. */
+/** Whether the page stopped while it was opening this level. */
 function isHeldBack({ workspace, marks }: Editor, id: string): boolean {
   return marks.has(`${workspace.store.getState().list?.folder.id ?? ''}/${id}`);
 }
 
-/** Opens a level; what it is not to be opened for is said, and what the last page did not survive is asked about. */
+/** Opens a level. A failure is shown as a notice; a level that was being opened when the page stopped is asked about first. */
 export async function openListed(editor: Editor, id: string): Promise<void> {
   if (isHeldBack(editor, id)) {
     editor.heldBack.setState(id, true);
@@ -90,12 +93,15 @@ export async function openListed(editor: Editor, id: string): Promise<void> {
   if (!opening.ok && opening.kind === 'failed') tellError(editor, opening.error);
 }
 
-/** Opens a level that an action has made or brought back. The person who opened another one meanwhile stays there. @param since `openings` when the action began */
+/**
+ * Opens a level that an action has created or restored, unless the user has opened another one in the meantime. @param since
+ * `openings` when the action began
+ */
 async function openAfter(editor: Editor, id: string, since: number): Promise<void> {
   if (editor.workspace.openings() === since) await openListed(editor, id);
 }
 
-/** Opens a level of those that are held back. @param checked whether it is played and looked at as any other */
+/** Opens a level that was held back. @param checked whether it is simulated and analysed as usual */
 export async function openHeldBack(editor: Editor, id: string, checked: boolean): Promise<void> {
   const { workspace, marks, unchecked } = editor;
   marks.clear(`${workspace.store.getState().list?.folder.id ?? ''}/${id}`);
@@ -104,14 +110,14 @@ export async function openHeldBack(editor: Editor, id: string, checked: boolean)
   await openListed(editor, id);
 }
 
-/** Opens the level that was open last, or else the first valid one. */
+/** Opens the level that was last open, or else the first valid one. */
 export async function openFirst(editor: Editor, last: string | null): Promise<void> {
   const levels = levelsOf(editor);
   const first = levels.find(({ id }) => id === last) ?? levels.find(({ status }) => status === 'valid');
   if (first !== undefined) await openListed(editor, first.id);
 }
 
-/** Writes new levels and opens the first of them. @returns their ids; those that could not be written are reported and left out */
+/** Writes new levels and opens the first. @returns their ids; failures are reported and left out */
 export async function addLevels(
   editor: Editor,
   folder: string,
@@ -133,13 +139,13 @@ export async function addLevels(
   return added;
 }
 
-/** Adds the levels that come with the toolkit, and opens the first of them. */
+/** Adds the levels that come with the toolkit and opens the first. */
 export async function addSamples(editor: Editor, folder: string): Promise<void> {
   let samples: Awaited<ReturnType<typeof loadSamples>>;
   try {
     samples = await loadSamples();
   } catch {
-    editor.notices.show('warning', 'The sample levels could not be loaded. Load the page again and try once more.', {
+    editor.notices.show('warning', 'The sample levels could not be loaded. Reload the page and try again.', {
       topic: 'level-files',
     });
     return;
@@ -147,7 +153,7 @@ export async function addSamples(editor: Editor, folder: string): Promise<void> 
   await addLevels(editor, folder, samples);
 }
 
-/** Makes a copy of a level, with a name and a number of its own, and opens it. */
+/** Copies a level under a new name and number, and opens the copy. */
 export async function duplicateLevel(editor: Editor, entry: LevelEntry): Promise<void> {
   const since = editor.workspace.openings();
   const levels = levelsOf(editor);
@@ -157,7 +163,7 @@ export async function duplicateLevel(editor: Editor, entry: LevelEntry): Promise
   await openAfter(editor, copy.id, since);
 }
 
-/** Puts a level into the trash, from where undo, the notice or the dialog of deleted levels brings it back. */
+/** Moves a level to the trash. Undo, the notice or the dialog of deleted levels restores it. */
 export async function deleteLevel(editor: Editor, entry: LevelEntry): Promise<void> {
   let trash = await putIntoTrash(editor, entry);
   if (trash === null) return;
@@ -192,7 +198,7 @@ export async function deleteLevel(editor: Editor, entry: LevelEntry): Promise<vo
   });
 }
 
-/** @returns where it is, and whether it was open; null when it was refused, which is reported */
+/** @returns its place in the trash and whether it was open; null if it was refused, which is reported */
 async function putIntoTrash(editor: Editor, entry: LevelEntry): Promise<{ trash: string; wasOpen: boolean } | null> {
   const { workspace } = editor;
   const since = workspace.openings();
@@ -212,7 +218,7 @@ async function putIntoTrash(editor: Editor, entry: LevelEntry): Promise<{ trash:
   return { trash: done.trashed.trash, wasOpen: isOpen };
 }
 
-/** Brings a level back from the trash; under another name when its own is taken. */
+/** Restores a level from the trash, under another name if its own is taken. */
 export async function restoreLevel(editor: Editor, trash: string, open: boolean): Promise<LevelEntry | null> {
   const { workspace } = editor;
   const since = workspace.openings();
@@ -230,10 +236,10 @@ export async function restoreLevel(editor: Editor, trash: string, open: boolean)
   return restored;
 }
 
-/** Puts the levels of a folder into another order; their files are renumbered. It can be undone. */
+/** Reorders the levels of a folder, which renumbers their files. It can be undone. */
 export async function orderLevels(editor: Editor, folder: string, ids: readonly string[]): Promise<void> {
   const before = idsIn(levelsOf(editor), folder);
-  // what each of them is called now
+  // the current id of each
   const names = new Map(before.map((id) => [id, id]));
   const order = async (wanted: readonly string[]): Promise<boolean> => {
     const answer = valueOrNotice(
@@ -252,7 +258,7 @@ export async function orderLevels(editor: Editor, folder: string, ids: readonly 
   listHistoryOf(editor).add({ label: 'Reorder levels', undo: () => order(before), redo: () => order(ids) });
 }
 
-/** Gives the level another name; that of its file stays. */
+/** Renames a level; its file keeps its name. */
 export async function renameTitle(editor: Editor, { id }: LevelEntry, name: string): Promise<boolean> {
   const open = editor.open.getState();
   if (open?.opened.id() === id) {
@@ -278,14 +284,17 @@ export async function renameTitle(editor: Editor, { id }: LevelEntry, name: stri
   return valueOrNotice(editor, written) !== null;
 }
 
-/** Keeps the list up to date with what the open level's saver writes. @returns stops it */
+/** Keeps the list up to date with what the saver of the open level writes. @returns stops it */
 export function followSaves({ workspace, open }: Editor): () => void {
   let stop = () => {};
   const follow = () => {
     stop();
     const opened = open.getState()?.opened;
     if (opened === undefined) return;
-    /** @param isNews the saver has just written or taken something over; else the list may know better that the file is no level any more */
+    /**
+     * @param isNews whether the saver has just written or merged something; if not, the list may know better that the file is
+     * no longer a valid level
+     */
     const note = (isNews: boolean) => {
       const { list } = workspace.store.getState();
       const { etag, file } = opened.saver.base();

@@ -6,16 +6,16 @@ import { deleteLevel, duplicateLevel, orderLevels } from './level-files.ts';
 import type { LevelRow } from './level-rows.ts';
 
 interface MenuParts {
-  /** Id of the open level. */
+  /** The id of the open level. */
   readonly opened: string | null;
   readonly onOpen: () => void;
-  /** It is to be edited as text. */
+  /** Called to edit the level as text. */
   readonly onText: (entry: LevelEntry) => void;
-  /** It is to get another name. */
+  /** Called to rename the level. */
   readonly onRename: (id: string) => void;
 }
 
-/** What can be done with a row of the list of levels. @param levels all there are */
+/** The context menu of a row in the list of levels. @param levels all levels */
 export function levelMenu(
   editor: Editor,
   levels: readonly LevelEntry[],
@@ -38,11 +38,11 @@ export function levelMenu(
     null,
     { title: 'Move up', keys: 'Alt ↑', disabled: isFixed || place === 0, run: move(place - 1) },
     { title: 'Move down', keys: 'Alt ↓', disabled: isFixed || place >= last, run: move(place + 1) },
-    { title: 'Copy the path of the file', run: () => void copyPath(editor, entry.file) },
+    { title: 'Copy file path', run: () => void copyPath(editor, entry.file) },
   ];
 }
 
-/** Moves a level to another place among those of its folder. */
+/** Moves a level to another place in its folder. */
 export function moveTo(editor: Editor, levels: readonly LevelEntry[], entry: LevelEntry | null, place: number): void {
   if (entry === null) return;
   const folder = folderOf(entry.id);
@@ -53,11 +53,11 @@ export function moveTo(editor: Editor, levels: readonly LevelEntry[], entry: Lev
   if (ids.indexOf(entry.id) !== from) void orderLevels(editor, folder, ids);
 }
 
-/** Puts the path of a file on the clipboard. */
+/** Copies the path of a file to the clipboard. */
 export async function copyPath({ notices }: Editor, path: string): Promise<void> {
   try {
     await navigator.clipboard.writeText(path);
-    notices.show('info', `Copied: ${path}`, { topic: 'clipboard' });
+    notices.show('info', `Copied ${path}`, { topic: 'clipboard' });
   } catch {
     notices.show('warning', `The browser does not let this page write to the clipboard. The path is ${path}`, {
       topic: 'clipboard',

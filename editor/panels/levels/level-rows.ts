@@ -5,14 +5,14 @@ import type { TreeRow } from '../tree/index.ts';
 import { stemOf } from './level-files.ts';
 
 export interface LevelRow extends TreeRow {
-  /** null: the row of a folder */
+  /** null for the row of a folder */
   readonly entry: LevelEntry | null;
   readonly title: string;
-  /** How many levels are in the folder; 0 for a level. */
+  /** The number of levels in the folder; 0 for a level. */
   readonly count: number;
 }
 
-/** Whether every word is in its name or in that of its file. */
+/** Whether every word occurs in the level's name or file name. */
 function matches({ id, name }: LevelEntry, search: string): boolean {
   const text = `${name ?? ''} ${id}`.toLowerCase();
   return search
@@ -22,9 +22,9 @@ function matches({ id, name }: LevelEntry, search: string): boolean {
 }
 
 /**
- * The levels of a folder and of those below it, as a tree.
- * @param folded folders whose levels are not shown
- * @param search words that all must match; while there are any, nothing can be moved and every folder is open
+ * The levels of a folder and its subfolders, as a tree.
+ * @param folded folders whose levels are hidden
+ * @param search words that must all match; while there are any, nothing can be moved and every folder is open
  */
 export function levelRows(levels: readonly LevelEntry[], folded: ReadonlySet<string>, search: string): LevelRow[] {
   const found = search.trim() === '' ? levels : levels.filter((entry) => matches(entry, search.trim()));

@@ -2,32 +2,35 @@ import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { Editor } from '../../context/index.ts';
 import type { EditedLevel } from '../../document/index.ts';
 
-/** Something that was done to the list of levels and not to what is in one. */
+/** An undoable action on the list of levels, not on the contents of a level. */
 export interface ListStep {
   readonly label: string;
-  /** @returns whether it was done; why not is reported by whoever does it */
+  /** @returns whether it succeeded; a failure is reported by the function itself */
   readonly undo: () => Promise<boolean>;
   readonly redo: () => Promise<boolean>;
 }
 
 export interface HistoryState {
-  /** What undo and redo would take back or bring again; null when there is nothing. */
+  /** The labels of the steps that undo and redo would apply next; null if there is none. */
   readonly undoLabel: string | null;
   readonly redoLabel: string | null;
 }
 
-/** Undo and redo in the order of time, across the history of the open level and what was done to the list. */
+/** Undo and redo in order of time, over both the steps of the open level and the steps of the list. */
 export interface ListHistory {
   readonly store: StoreApi<HistoryState>;
-  /** A step that was just done. */
+  /** Adds a step that was just done. */
   add(step: ListStep): void;
-  /** Takes a step out that was taken back in another way. */
+  /** Removes a step that was undone in another way. */
   drop(step: ListStep): void;
   undo(): void;
   redo(): void;
 }
 
-/** A step and how many steps of each level were done then: fewer or as many are done now where it is the last of all. */
+/**
+ * A step of the list, with the number of steps that each level had at that time. The step is the latest if a level now has no
+ * more steps than that.
+ */
 interface Placed {
   readonly step: ListStep;
   readonly marks: WeakMap<EditedLevel, number>;
@@ -40,7 +43,7 @@ function createListHistory({ open }: Editor): ListHistory {
   let stop = () => {};
 
   const level = (): EditedLevel | null => open.getState()?.document ?? null;
-  /** Of a level that was not open then nothing was done until it was opened. */
+  /** For a level that was not open at the time, counts from when it was opened. */
   const markOf = ({ marks }: Placed, edited: EditedLevel): number => {
     const mark = marks.get(edited) ?? edited.store.getState().done;
     marks.set(edited, mark);
@@ -52,7 +55,7 @@ function createListHistory({ open }: Editor): ListHistory {
     if (edited !== null) markOf(placed, edited);
     return placed;
   };
-  /** The step of the list that comes before those of the level; null: the level's comes first, or there is none. */
+  /** The step of the list that comes before those of the level; null if a step of the level comes first or there is none. */
   const next = (kind: 'undo' | 'redo'): Placed | null => {
     const placed = (kind === 'undo' ? done : undone).at(-1) ?? null;
     const edited = level();
@@ -80,7 +83,7 @@ function createListHistory({ open }: Editor): ListHistory {
       const stops = [
         edited.store.subscribe(show),
         edited.onStep(({ kind }) => {
-          // what is done anew takes the place of what was taken back
+          // a new step replaces what was undone
           if (kind === 'change') undone = [];
         }),
       ];
@@ -104,7 +107,7 @@ function createListHistory({ open }: Editor): ListHistory {
     const { step } = placed;
     if (kind === 'undo') done = done.slice(0, -1);
     else undone = undone.slice(0, -1);
-    // what can't be done is no step any more: it must not be in the way of those before it
+    // A step that failed is dropped, so that it does not block the steps before it.
     if (await step[kind]()) {
       if (kind === 'undo') undone = [...undone, place(step)];
       else done = [...done, place(step)];
@@ -133,7 +136,7 @@ function createListHistory({ open }: Editor): ListHistory {
 
 const histories = new WeakMap<Editor, ListHistory>();
 
-/** The page's history. */
+/** The history of the page. */
 export function listHistoryOf(editor: Editor): ListHistory {
   const known = histories.get(editor);
   if (known !== undefined) return known;

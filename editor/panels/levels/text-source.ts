@@ -2,20 +2,20 @@ import { formatLevel, type Problem } from '../../../schema/index.ts';
 import type { Editor } from '../../context/index.ts';
 import type { StorageError } from '../../files/index.ts';
 
-/** A text and what it is based on. `etag` is null for the open level, which is changed in the editor rather than on the disk. */
+/** A version of the text. `etag` is null for the open level, which lives in the editor rather than on disk. */
 export interface Base {
   readonly text: string;
   readonly etag: string | null;
-  /** What the storage finds wrong with it: of some files it knows more than their text tells. */
+  /** Problems found by the storage, which knows more about some files than their text shows. */
   readonly problems: readonly Problem[];
 }
 
-/** What there is to edit: a text, or why there is none. */
+/** The text to edit, or why there is none. */
 export type Source =
   | { readonly kind: 'text'; readonly base: Base }
   | { readonly kind: 'none'; readonly problems: readonly Problem[] };
 
-/** Follows what a level says: in the editor where it is open and not `fromDisk`, else on the disk. @returns stops it */
+/** Follows the text of a level: in the editor if it is open and not `fromDisk`, else on disk. @returns stops it */
 export function followSource(
   { workspace, open }: Editor,
   id: string,

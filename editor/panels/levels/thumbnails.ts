@@ -8,53 +8,53 @@ const THEMES = ['dark', 'light'] as const;
 type Theme = (typeof THEMES)[number];
 type Verdict = Results['thumbnail']['verdict'];
 
-/** How a level looks and what it is worth, by what its file says. */
+/** The picture and the verdict of one state of a level's file. */
 interface Thumbnail {
-  /** Address of an SVG; null where the level can't be drawn. */
+  /** URL of an SVG; null if the level can't be drawn. */
   readonly url: string | null;
   readonly verdict: Verdict;
 }
 
-/** What has been made. */
+/** The thumbnails that were made. */
 export interface MadeThumbnails {
   /** By `thumbnailKey`. */
   readonly byKey: ReadonlyMap<string, Thumbnail>;
-  /** Under which key the last one of a level was made. */
+  /** The key of the last thumbnail of each level. */
   readonly lastKey: ReadonlyMap<LevelEntry['id'], string>;
 }
 
 export interface Thumbnails {
   readonly store: StoreApi<MadeThumbnails>;
-  /** Makes it when it is not there; what was wanted last comes first. */
+  /** Requests a thumbnail unless it exists; the latest request is served first. */
   want(entry: LevelEntry, theme: Theme, by: PlayedBy): void;
-  /** It is no longer seen: not made unless it has begun. */
+  /** Cancels a request whose row is no longer visible, unless it has begun. */
   drop(key: string): void;
 }
 
-/** px: twice what is shown, for fine screens */
+/** px: twice the shown size, for high-density screens */
 const WIDTH = 144;
-/** Pictures kept; each takes some 30 kB. */
+/** number of pictures kept, some 30 kB each */
 const KEPT = 600;
 
-/** What a level is played by: that of its file apart. */
+/** What determines the simulation of a level, besides its file. */
 export interface PlayedBy {
   readonly accuracy: AccuracyName;
-  /** Rules that the folder sets. */
+  /** The rules of the folder. */
   readonly rules: OwnRules;
 }
 
-/** What a thumbnail hangs on; null when the file can't be read. */
+/** Everything that a thumbnail depends on, as a key; null if the file can't be read. */
 export const thumbnailKey = ({ etag }: LevelEntry, theme: Theme, { accuracy, rules }: PlayedBy): string | null =>
   etag === null ? null : `${etag} ${theme} ${accuracy} ${RULE_NAMES.map((name) => rules[name])}`;
 
-/** The picture of a level, as long as there is none of what its file says now the last one; null where there is none. */
+/** The picture of a level: that of the current file or, until it is made, the previous one; null if there is none. */
 export function pictureOf({ byKey, lastKey }: MadeThumbnails, entry: LevelEntry, theme: Theme, by: PlayedBy): string | null {
   const key = thumbnailKey(entry, theme, by);
   const made = (key === null ? undefined : byKey.get(key)) ?? byKey.get(lastKey.get(entry.id) ?? '');
   return made?.url ?? null;
 }
 
-/** The verdict on what a level's file says now, whichever the theme it was drawn in; null until it is known. */
+/** The verdict on the current file, in whichever theme it was drawn; null until it is known. */
 export function verdictOf({ byKey }: MadeThumbnails, entry: LevelEntry, by: PlayedBy): Verdict | null {
   for (const theme of THEMES) {
     const made = byKey.get(thumbnailKey(entry, theme, by) ?? '');
@@ -63,7 +63,7 @@ export function verdictOf({ byKey }: MadeThumbnails, entry: LevelEntry, by: Play
   return null;
 }
 
-/** A thumbnail that is to be made. */
+/** A requested thumbnail. */
 interface Wanted {
   readonly id: string;
   readonly theme: Theme;
@@ -72,7 +72,7 @@ interface Wanted {
 
 const made = new WeakMap<Editor, Thumbnails>();
 
-/** The thumbnails of this page: one is made at a time, so that other work of the workers is not kept waiting. */
+/** The thumbnails of this page. They are made one at a time, so that other work does not have to wait for the workers. */
 export function thumbnailsOf(editor: Editor): Thumbnails {
   const known = made.get(editor) ?? createThumbnails(editor);
   made.set(editor, known);
@@ -96,7 +96,7 @@ function createThumbnails({ workspace, workers }: Editor): Thumbnails {
   };
   const make = async (key: string, { id, theme, by }: Wanted) => {
     const answer = await workspace.storage.read(id);
-    // a file that has changed meanwhile has another key, under which it is asked for again
+    // a file that has changed in the meantime is requested again under its new key
     if (!answer.ok || answer.value.text === null || !key.startsWith(`${answer.value.etag} `)) return;
     const end = await workers.start('thumbnail', { text: answer.value.text, ...by, width: WIDTH, theme }).end;
     if (end.kind === 'gaveUp') keep(key, id, { url: null, verdict: 'unproven' });

@@ -7,30 +7,33 @@ import { type Base, followSource, type Source } from './text-source.ts';
 
 const NOTHING = [] as const;
 
-/** A level that is edited as text, kept beside what is in the editor or on the disk. */
+/** A level that is edited as text, beside its version in the editor or on disk. */
 export interface LevelText {
-  /** null: it is not read yet, or there is none */
+  /** null if it is not read yet, or if there is none */
   readonly base: Base | null;
   readonly text: string;
   readonly setText: (text: string) => void;
   readonly isDirty: boolean;
   readonly isValid: boolean;
-  /** What is wrong with it. */
+  /** Problems of the text. */
   readonly problems: readonly Problem[];
   readonly isUnreadable: boolean;
   /** Why it could not be read or saved. */
   readonly error: StorageError | null;
-  /** What has come in place of the base while something was typed. */
+  /** A newer version that arrived while the user was typing. */
   readonly newer: Base | null;
-  /** What is there instead of the base, to choose from; null: nothing. */
+  /** The version that competes with the text, offered to the user; null if there is none. */
   readonly theirs: Base | null;
-  /** Drops what was typed. */
+  /** Replaces the text by a version. */
   readonly take: (base: Base) => void;
-  /** @param over etag of what it replaces; null: of what it is based on */
+  /** @param over etag of the version to overwrite; null: the one that the text is based on */
   readonly save: (over: string | null) => Promise<void>;
 }
 
-/** @param fromDisk what is on the disk, even of the open level @param onSaved it is saved, or applied to the open level */
+/**
+ * @param fromDisk edits the file on disk, even if the level is open @param onSaved called when the text is saved, or applied to
+ * the open level
+ */
 export function useLevelText(id: string, fromDisk: boolean, onSaved: () => void): LevelText {
   const editor = useEditor();
   const { workspace, open, notices } = editor;
@@ -38,7 +41,7 @@ export function useLevelText(id: string, fromDisk: boolean, onSaved: () => void)
   const [text, setText] = useState('');
   const [error, setError] = useState<StorageError | null>(null);
   const [newer, setNewer] = useState<Base | null>(null);
-  /** Why there is no text to show; null: there is one. */
+  /** Why there is no text; null if there is one. */
   const [unreadable, setUnreadable] = useState<readonly Problem[] | null>(null);
   const isDirty = base !== null && text !== base.text;
 
@@ -51,13 +54,13 @@ export function useLevelText(id: string, fromDisk: boolean, onSaved: () => void)
   };
   const onSource = useEffectEvent((source: Source) => {
     if (source.kind === 'none') {
-      // what is being typed stays
+      // typed text stays
       if (!isDirty) {
         setBase(null);
         setUnreadable(source.problems);
       }
     } else if (!isDirty || source.base.text === text) take(source.base);
-    // it went back to what is being changed here
+    // the disk is back at the version that the text is based on
     else if (source.base.text === base?.text) {
       setBase(source.base);
       setNewer(null);

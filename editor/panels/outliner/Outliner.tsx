@@ -15,9 +15,9 @@ const rowHeight = () => 26;
 
 const fileOf = ({ file }: DocumentState): LevelFile => file;
 
-/** Every object of the level by kind; what is selected here is selected on the canvas. */
+/** All objects of the level by kind; the selection is shared with the canvas. */
 export function Outliner() {
-  // the canvas comes first while something is dragged
+  // The canvas has priority during a drag.
   const file = useWhenIdle(useLevel().document.store, fileOf);
   const keys = useDeferredValue(useSelectedKeys());
   return <Outline file={file} keys={keys} />;
@@ -31,7 +31,7 @@ const Outline = memo(function Outline({ file, keys }: { readonly file: LevelFile
   const pointedAt = useStore(hovered);
   const [folded, setFolded] = useState<ReadonlySet<ObjectKind>>(new Set());
   const [active, setActive] = useState<string | null>(null);
-  /** Where a range begins that Shift adds to. */
+  /** The start of the range that Shift selects. */
   const anchor = useRef<string | null>(null);
   const rows = useMemo(() => objectRows(file, folded), [file, folded]);
 
@@ -63,7 +63,7 @@ const Outline = memo(function Outline({ file, keys }: { readonly file: LevelFile
     if (row.found === null) {
       return [
         { title: `Select all ${row.title.toLowerCase()}`, run: () => selection.select(row.keys) },
-        { title: row.expanded === true ? 'Fold' : 'Unfold', run: () => toggle(row) },
+        { title: row.expanded === true ? 'Collapse' : 'Expand', run: () => toggle(row) },
       ];
     }
     const { list, place, siblings } = row;
@@ -75,7 +75,7 @@ const Outline = memo(function Outline({ file, keys }: { readonly file: LevelFile
     return [
       { title: 'Bring into view', keys: 'Enter', run: () => show(row) },
       {
-        title: `Select all of its kind`,
+        title: `Select all of this kind`,
         run: () => selection.select(rows.filter(({ kind }) => kind === row.kind).flatMap((r) => r.keys)),
       },
       null,
@@ -83,7 +83,7 @@ const Outline = memo(function Outline({ file, keys }: { readonly file: LevelFile
       { title: 'Copy', disabled: fixed, run: withIt('edit.copy') },
       { title: 'Delete', keys: 'Del', disabled: fixed, run: withIt('edit.delete') },
       null,
-      { title: 'First in its list', disabled: fixed || place === 0, run: () => move(row, 0) },
+      { title: 'Move to top', disabled: fixed || place === 0, run: () => move(row, 0) },
       { title: 'Move up', keys: 'Alt ↑', disabled: fixed || place === 0, run: () => move(row, place - 1) },
       { title: 'Move down', keys: 'Alt ↓', disabled: fixed || place === siblings - 1, run: () => move(row, place + 1) },
     ];

@@ -5,9 +5,9 @@ import type { TreeRow } from '../tree/index.ts';
 export interface ObjectRow extends TreeRow {
   readonly title: string;
   readonly kind: ObjectKind;
-  /** null: the row of a kind */
+  /** null for the row of a kind */
   readonly found: FoundObject | null;
-  /** Keys of the object, or of all of the kind. */
+  /** The key of the object, or those of all objects of the kind. */
   readonly keys: readonly ObjectKey[];
 }
 
@@ -18,7 +18,7 @@ function objectRow(found: FoundObject, depth: number, place: number, siblings: n
   return { key, depth, label, expanded: null, list, place, siblings, title, kind, found, keys: [key] };
 }
 
-/** The objects of a level by kind, as a tree. @param folded kinds whose objects are not shown */
+/** The objects of a level by kind, as a tree. @param folded kinds whose objects are hidden */
 export function objectRows(file: LevelFile, folded: ReadonlySet<ObjectKind>): ObjectRow[] {
   const objects = [...objectsOf(file).values()];
   const singles = objects.filter(({ list }) => list === null);

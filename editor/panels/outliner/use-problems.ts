@@ -3,10 +3,10 @@ import { useLevel } from '../../context/index.ts';
 import { inPageWords, keyAt, type ObjectKey } from '../../document/index.ts';
 import { afterRest } from '../parts/index.ts';
 
-/** ms without a change before problems are looked for: that plays every run */
+/** ms without a change before problems are looked for, which simulates every run */
 const PAUSE = 300;
 
-/** What is wrong with objects of the open level, by their keys; a moment after the last change. */
+/** The problems of objects of the open level, by their keys; updated a moment after the last change. */
 export function useProblems(): ReadonlyMap<ObjectKey, readonly string[]> {
   const { proof } = useLevel();
   const [found, setFound] = useState<ReadonlyMap<ObjectKey, readonly string[]>>(new Map());

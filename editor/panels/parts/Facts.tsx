@@ -1,7 +1,7 @@
 import { useEditor } from '../../context/index.ts';
 import type { Fact } from '../figures/index.ts';
 
-/** Facts as a list of what and how much; those with a moment lead there. */
+/** A list of labelled values; those with a moment lead there. */
 export function Facts({ facts }: { readonly facts: readonly Fact[] }) {
   const { session } = useEditor();
   return (

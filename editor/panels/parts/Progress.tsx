@@ -1,13 +1,13 @@
 interface ProgressProps {
   readonly label: string;
   readonly isRunning: boolean;
-  /** 0 to 1; left out where it is not known how long it takes. */
+  /** 0 to 1; absent if the duration is unknown. */
   readonly share?: number;
 }
 
-/** How far something has come. It keeps its room when it is over: a control below must not move away from under a press. */
+/** A progress bar. It keeps its space when it is over, so that controls below do not move under the pointer. */
 export function Progress({ label, isRunning, share }: ProgressProps) {
-  // without a value it would move on, unseen
+  // Without a value it would keep animating, unseen.
   return (
     <progress className={isRunning ? 'progress' : 'progress progress--over'} aria-label={label} value={isRunning ? share : 1} />
   );

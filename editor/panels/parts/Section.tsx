@@ -7,7 +7,7 @@ interface SectionProps {
   readonly children: ReactNode;
 }
 
-/** A part of a panel under a title of its own. */
+/** A titled part of a panel. */
 export function Section({ title, aside, children }: SectionProps) {
   const id = useId();
   return (

@@ -3,14 +3,14 @@ import { useId } from 'react';
 
 interface SegmentsProps<T extends string> {
   readonly label: string;
-  /** null: none of them, for the selected objects differ */
+  /** null: none is chosen, as the selected objects differ */
   readonly value: T | null;
   readonly options: readonly { readonly value: T; readonly title: string; readonly about?: string; readonly icon?: ReactNode }[];
   readonly disabled?: boolean;
   readonly onChange: (value: T) => void;
 }
 
-/** One of a few, all of them in sight. */
+/** A choice of one among a few options, all visible. */
 export function Segments<T extends string>({ label, value, options, disabled = false, onChange }: SegmentsProps<T>) {
   const name = useId();
   return (

@@ -1,6 +1,9 @@
-/** Frames that have to begin: when the first one to come begins, what there is to show is made ready; when the next one does, it has been handed to the painter. */
+/**
+ * Frames to wait for: when the first begins, the pending changes are rendered; when the second begins, they have been handed to
+ * the painter.
+ */
 const FRAMES = 2;
-/** Where no frames are shown, as in a tab behind others, the wait for them is given up, ms. */
+/** Without frames, as in a background tab, the wait for them ends after this time, ms. */
 const NO_FRAME = 1000;
 
 interface Waiting {
@@ -10,7 +13,7 @@ interface Waiting {
   timer: ReturnType<typeof setTimeout> | null;
 }
 
-// all that waits shares one request: in a drag every move of the pointer asks anew, from several places
+// All waiting calls share one request: in a drag, every move of the pointer asks again, from several places.
 const waiting = new Set<Waiting>();
 let isAsked = false;
 
@@ -38,9 +41,9 @@ function begin(frames: number): void {
 }
 
 /**
- * Calls back once the page has shown what there is to show and so many ms have gone by since: where frames take long, a drag goes on between two of them
- * though nothing has happened for a while.
- * @returns takes it back
+ * Calls back once the page has shown its pending changes and `ms` have passed since. A plain timer would not do: with slow
+ * frames, a drag may go on between two of them although nothing seems to have happened for a while.
+ * @returns cancels it
  */
 export function afterRest(ms: number, call: () => void): () => void {
   const one: Waiting = { ms, call, frames: 0, timer: null };

@@ -4,8 +4,8 @@ import type { LiveProof } from '../../proof/index.ts';
 import { afterRest } from './after-rest.ts';
 
 /**
- * What `pick` makes of the live proof once nothing has changed for so many ms: for what would cost a drag its frames.
- * @param pick kept between renders (outside of the component)
+ * A value derived from the live proof once nothing has changed for `rest` ms, for values too costly during a drag.
+ * @param pick stable between renders (defined outside the component)
  */
 export function useDebouncedProof<T>(pick: (proof: LiveProof) => T, rest: number): T {
   const { proof } = useLevel();

@@ -3,9 +3,9 @@ import { useLevel } from '../../context/index.ts';
 import type { LiveProof } from '../../proof/index.ts';
 
 /**
- * What `pick` makes of the live proof, made anew at most every so many ms: a panel need not be drawn for every move of the pointer.
- * It is picked at the end of the wait, since the arrays of a proof are good until the next one.
- * @param pick kept between renders (`useCallback`, or outside of the component)
+ * A value derived from the live proof, updated at most once per `wait` ms: a panel need not render for every move of the
+ * pointer. It is derived at the end of the wait, as the arrays of a proof are only valid until the next one.
+ * @param pick stable between renders (`useCallback`, or defined outside the component)
  */
 export function useThrottledProof<T>(pick: (proof: LiveProof) => T, wait = 100): T {
   const { proof } = useLevel();

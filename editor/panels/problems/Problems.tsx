@@ -14,24 +14,24 @@ import { useProblems } from './use-problems.ts';
 
 const ICONS = { error: CircleX, warning: TriangleAlert } as const;
 
-/** What a pointer leads to, as the other panels call it. */
+/** The name of the place that a pointer leads to, as other panels call it. */
 function placeOf(file: LevelFile, pointer: string): string {
   const key = keyAt(file, pointer);
   const found = key === null ? undefined : objectsOf(file).get(key);
   if (found !== undefined) return nameOf(found).toLowerCase();
   const run = runAt(file, pointer);
-  return run === null ? 'it' : `run “${run}”`;
+  return run === null ? 'the level' : `run “${run}”`;
 }
 
 interface ProblemCardProps {
   readonly problem: Problem;
-  /** What its pointer leads to. */
+  /** The place of the problem, in words. */
   readonly place: string;
-  /** What would mend it; null: somebody has to decide. */
+  /** The title of the quick fix; null if there is none. */
   readonly fixTitle: string | null;
 }
 
-/** Kept as it is while nothing about it is new: a list of dozens would take milliseconds. */
+/** Memoized: rendering dozens of cards anew would take milliseconds. */
 const ProblemCard = memo(function ProblemCard({ problem, place, fixTitle }: ProblemCardProps) {
   const editor = useEditor();
   const level = useLevel();
@@ -52,22 +52,26 @@ const ProblemCard = memo(function ProblemCard({ problem, place, fixTitle }: Prob
       <p className="part__note">{inPageWords(hint)}</p>
       <div className="part__row">
         {pointer !== '' && (
-          <Button hint="Select what it is about and show it" look="outlined" onClick={() => goToProblem(editor, level, problem)}>
+          <Button hint="Select it and bring it into view" look="outlined" onClick={() => goToProblem(editor, level, problem)}>
             Go to {place}
           </Button>
         )}
         {fixTitle !== null && (
-          <Button hint="Mends it at once; nothing plays differently" look="outlined" onClick={mend}>
+          <Button hint="Fix it now; no run changes" look="outlined" onClick={mend}>
             {fixTitle}
           </Button>
         )}
         {(code === 'file-unreadable' || code === 'file-deleted') && (
-          <Button hint="Look at both and choose" look="outlined" onClick={() => editor.session.setState({ overlay: 'conflict' })}>
-            Look at both
+          <Button
+            hint="Compare both versions and choose"
+            look="outlined"
+            onClick={() => editor.session.setState({ overlay: 'conflict' })}
+          >
+            Review
           </Button>
         )}
         {code === 'no-run' && (
-          <Button hint="Let the solver look for a run" look="outlined" onClick={() => editor.commands.run('solve.start')}>
+          <Button hint="Let the solver find a run" look="outlined" onClick={() => editor.commands.run('solve.start')}>
             Solve
           </Button>
         )}
@@ -87,7 +91,7 @@ const ProblemCard = memo(function ProblemCard({ problem, place, fixTitle }: Prob
   );
 });
 
-/** What `gq check` would say about the level as it is on the screen, errors first. */
+/** What `gq check` would report about the level on the screen, errors first. */
 export function Problems() {
   const problems = useProblems();
   const file = useLevel().document.file();

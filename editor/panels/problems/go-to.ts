@@ -3,7 +3,7 @@ import type { Editor, OpenLevel } from '../../context/index.ts';
 import { keyAt } from '../../document/index.ts';
 import { runAt } from './quick-fix.ts';
 
-/** Shows where a problem is: selects the object and brings it into view, or shows the run, the hold selected. */
+/** Shows the place of a problem: selects the object and brings it into view, or shows the run with the hold selected. */
 export function goToProblem({ session, commands }: Editor, { document, selection }: OpenLevel, { pointer }: Problem): void {
   const file = document.file();
   const key = keyAt(file, pointer);

@@ -11,7 +11,10 @@ const isSame = (a: Problem, b: Problem): boolean =>
 
 const nameOf = ({ code, pointer, message }: Problem): string => `${code} ${pointer} ${message}`;
 
-/** The problems found now; those that were there before are the same objects, and the whole list is where nothing is new: what shows them need not be drawn anew. */
+/**
+ * The problems found now, with objects reused for problems that were there before, and the previous list if nothing changed:
+ * components for them then need not render again.
+ */
 export function keepSame(before: readonly Problem[], now: readonly Problem[]): readonly Problem[] {
   const old = new Map(before.map((problem) => [nameOf(problem), problem]));
   const kept = now.map((problem) => {
@@ -21,7 +24,7 @@ export function keepSame(before: readonly Problem[], now: readonly Problem[]): r
   return kept.length === before.length && kept.every((problem, i) => problem === before[i]) ? before : kept;
 }
 
-/** A name for each problem that no other one of the list has, and that stays with it whatever stands before it. */
+/** A key for each problem, unique in the list and independent of the problems before it. */
 export function keysOf(problems: readonly Problem[]): string[] {
   const seen = new Map<string, number>();
   return problems.map(({ code, pointer }) => {

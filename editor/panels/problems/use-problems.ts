@@ -8,27 +8,30 @@ import { useDebouncedProof } from '../parts/index.ts';
 import { checkedOf, useSolverSession } from '../solver/index.ts';
 import { keepSame } from './kept.ts';
 
-/** ms without a change before problems are looked for: that plays every run at two accuracies at least, which would cost a drag its frames */
+/**
+ * ms without a change before problems are looked for: that simulates every run at two accuracies at least, too slow during a
+ * drag
+ */
 const REST = 150;
 
 const knownOf = ({ findings, level, accuracy, limit }: LiveProof) => ({ findings, level, accuracy, limit });
 
-/** What is wrong with the file of the level, as it is on the disk; nothing where it can be read. */
+/** The problems of the level's file on disk; none if it can be read. */
 function problemsOfFile(id: string, state: SaveState): readonly Problem[] {
   if (state.kind !== 'deleted' && state.kind !== 'unreadable') return [];
   const file = `${id}.level.json`;
   const [code, message, hint] =
     state.kind === 'deleted'
-      ? ['file-deleted', `${file} was deleted or moved on the disk`, 'Write it again, or let it go.']
+      ? ['file-deleted', `${file} was deleted or moved on disk`, 'Save it again, or close the level.']
       : [
           'file-unreadable',
-          `the file on the disk can't be read: ${problemsInWords(file, state.problems)}`,
-          'What is on the screen is the last good state. Mend the file, where it is or as text, or write what is on the screen over it.',
+          `the file on disk can't be read: ${problemsInWords(file, state.problems)}`,
+          'The page shows the last valid state. Fix the file, on disk or as text, or overwrite it with the level on the screen.',
         ];
   return [{ code, severity: 'error', message, hint, pointer: '', line: null, column: null }];
 }
 
-/** What is wrong with the level and what looks wrong, with what a worker has proved about it; the component follows it once the level rests. */
+/** The errors and warnings of the level, including what a worker has proved about it; updated once the level rests. */
 export function useProblems(): readonly Problem[] {
   const known = useDebouncedProof(knownOf, REST);
   const { proofs, checks } = useSolverSession();
@@ -44,5 +47,5 @@ export function useProblems(): readonly Problem[] {
   }, [known, proved, checked, opened, state]);
 }
 
-/** How many problems there are. */
+/** The number of problems. */
 export const useProblemCount = (): number => useProblems().length;

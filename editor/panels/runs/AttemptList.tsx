@@ -9,7 +9,7 @@ import { Button } from '../../ui/index.ts';
 import { plural, seconds } from '../figures/index.ts';
 import { OutcomeSign, outcomeWord } from './OutcomeSign.tsx';
 
-/** What was played: each attempt a ghost on the canvas, and a run of the level if wanted. */
+/** The attempts of this session: each is a ghost on the canvas and can be kept as a run of the level. */
 export function AttemptList() {
   const editor = useEditor();
   const level = useLevel();
@@ -41,7 +41,7 @@ export function AttemptList() {
           icon={allHidden ? <EyeOff size={14} /> : <Eye size={14} />}
           onClick={() => setHidden(new Set(allHidden ? [] : attempts.map(({ number }) => number)))}
         />
-        <Button hint="Forget all attempts" icon={<Trash2 size={14} />} onClick={() => kept.clear()} />
+        <Button hint="Discard all attempts" icon={<Trash2 size={14} />} onClick={() => kept.clear()} />
       </div>
       <ul className="attempts__list">
         {attempts.toReversed().map((attempt) => {
@@ -65,7 +65,7 @@ export function AttemptList() {
                 onClick={() => toggle(attempt)}
               />
               <Button
-                hint={completes ? `Make attempt ${number} the proof` : `Keep attempt ${number} as a run`}
+                hint={`Keep attempt ${number} as a run`}
                 icon={completes ? <Check size={14} /> : <Plus size={14} />}
                 onClick={() => (completes ? makeProof : keepAsRun)({ editor, level }, attempt)}
               />

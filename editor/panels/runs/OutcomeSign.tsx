@@ -6,13 +6,13 @@ const SIGNS: Readonly<Record<Outcome, { Icon: ComponentType<{ size: number }>; w
   completed: { Icon: CircleCheck, word: 'completes', look: 'good' },
   collided: { Icon: Skull, word: 'collides', look: 'bad' },
   lost: { Icon: Unlink, word: 'is lost', look: 'bad' },
-  timeout: { Icon: Clock, word: 'no end', look: 'warn' },
+  timeout: { Icon: Clock, word: 'times out', look: 'warn' },
 };
 
-/** One word for how a run ends. */
-export const outcomeWord = (outcome: Outcome | null): string => (outcome === null ? 'not played yet' : SIGNS[outcome].word);
+/** The end of a run in one word or two. */
+export const outcomeWord = (outcome: Outcome | null): string => (outcome === null ? 'not simulated yet' : SIGNS[outcome].word);
 
-/** How a run ends, as a sign beside the word. */
+/** The end of a run as an icon beside the word. */
 export function OutcomeSign({ outcome }: { outcome: Outcome | null }) {
   if (outcome === null) {
     return (

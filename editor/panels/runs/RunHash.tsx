@@ -5,12 +5,15 @@ import { copyText } from '../../share/index.ts';
 import { Button } from '../../ui/index.ts';
 import { useThrottledProof } from '../parts/index.ts';
 
-/** ms between two looks: a hash covers every tick of the run */
+/** ms between two updates: a hash covers every tick of the run */
 const WAIT = 300;
 
 const hashOf = ({ full }: LiveProof): string => full?.hash ?? '(work limit)';
 
-/** The hash of the shown run: that of `gq simulate` at the same accuracy is the same, in any browser, when the page plays by the same bits. */
+/**
+ * The hash of the shown run. It equals that of `gq simulate` at the same accuracy, in any browser, if the page computes the
+ * same bits.
+ */
 export function RunHash() {
   const { notices } = useEditor();
   const hash = useThrottledProof(hashOf, WAIT);

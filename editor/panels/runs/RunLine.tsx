@@ -7,24 +7,24 @@ const LONGEST_NAME = 80;
 
 interface RunLineProps {
   readonly row: RunRow;
-  /** How many the level has. */
+  /** The number of minerals in the level. */
   readonly minerals: number;
-  /** Its name is being changed. */
+  /** Whether its name is being edited. */
   readonly isRenamed: boolean;
-  /** Why a name can't be taken; null: it can. */
+  /** Why a name is refused; null if it is fine. */
   readonly problemOf: (name: string) => string | null;
   readonly onRename: (to: string) => void;
   readonly onRenamed: () => void;
 }
 
-/** One run in the list. */
+/** A run in the list. */
 export function RunLine({ row, minerals, isRenamed, problemOf, onRename, onRenamed }: RunLineProps) {
   return (
     <>
       <OutcomeSign outcome={row.summary?.outcome ?? null} />
       {isRenamed ? (
         <InlineName
-          label="Name of the run"
+          label="Run name"
           value={row.key}
           longest={LONGEST_NAME}
           problemOf={problemOf}
@@ -51,7 +51,7 @@ export function RunLine({ row, minerals, isRenamed, problemOf, onRename, onRenam
 }
 
 function facts({ summary, holds }: RunRow, minerals: number): string {
-  const held = holds === 0 ? 'no press' : plural(holds, 'hold');
+  const held = holds === 0 ? 'no holds' : plural(holds, 'hold');
   if (summary === null) return held;
   const taken = minerals === 0 ? [] : [`◆ ${summary.minerals}/${minerals}`];
   return [outcomeWord(summary.outcome), ...taken, held].join(' · ');

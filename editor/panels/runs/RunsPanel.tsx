@@ -18,7 +18,9 @@ type RunFile = NonNullable<LevelFile['runs']>[number];
 const rowHeight = () => 42;
 const NO_RUNS: readonly RunFile[] = [];
 
-/** The runs of the level and what was played. The one that is picked is shown on the canvas and edited in the timeline. */
+/**
+ * The runs of the level and the attempts of this session. The selected run is shown on the canvas and edited in the timeline.
+ */
 export function RunsPanel() {
   const editor = useEditor();
   const level = useLevel();
@@ -33,14 +35,14 @@ export function RunsPanel() {
   const rows = runRows(runs, endOf, range);
   const { show, move, ...changes } = runChanges(editor, level, shown);
 
-  /** Goes on with the run that a change leads to. */
+  /** Makes the run that results from a change the active one. */
   const goOn = (name: string | null | undefined) => {
     if (name !== undefined) setActive(name);
   };
   const problemOf = (to: string): string | null => {
-    if (to === '') return 'A run needs a name. Esc leaves it as it was.';
+    if (to === '') return 'A run needs a name. Press Esc to keep the old one.';
     const isTaken = runs.some((run) => run.name === to);
-    return isTaken ? `Another run is called “${to}” already. Choose another name; Esc leaves it as it was.` : null;
+    return isTaken ? `Another run is called “${to}”. Choose another name, or press Esc to keep the old one.` : null;
   };
   const onKey = (event: KeyboardEvent, row: RunRow): boolean => {
     if (event.key === 'F2') setRenamed(row.key);
@@ -54,7 +56,7 @@ export function RunsPanel() {
     { title: 'Duplicate', run: () => goOn(changes.duplicate(row.key)) },
     { title: 'Delete', keys: 'Del', run: () => goOn(changes.remove(row)) },
     null,
-    { title: 'Make it the first', disabled: row.place === 0, run: () => move(row, 0) },
+    { title: 'Move to top', disabled: row.place === 0, run: () => move(row, 0) },
     { title: 'Move up', keys: 'Alt ↑', disabled: row.place === 0, run: () => move(row, row.place - 1) },
     { title: 'Move down', keys: 'Alt ↓', disabled: row.place === row.siblings - 1, run: () => move(row, row.place + 1) },
   ];
@@ -63,11 +65,7 @@ export function RunsPanel() {
     <section className="panel runs" aria-label="Runs">
       <div className="panel__head">
         <h2 className="panel__title">Runs</h2>
-        <Button
-          hint="New run without a press, to be drawn in the timeline"
-          icon={<Plus size={15} />}
-          onClick={() => goOn(changes.add())}
-        />
+        <Button hint="New empty run" icon={<Plus size={15} />} onClick={() => goOn(changes.add())} />
       </div>
       {rows.length === 0 ? (
         <NoRuns />
@@ -103,12 +101,12 @@ export function RunsPanel() {
   );
 }
 
-/** What to do in a level without runs. */
+/** The empty state of a level without runs. */
 function NoRuns() {
   const { commands } = useEditor();
   return (
     <div className="runs__empty">
-      <p>No run shows yet that this level can be completed.</p>
+      <p>This level has no runs yet.</p>
       <Button
         hint="Play from the start"
         shortcut="Space"
@@ -116,9 +114,9 @@ function NoRuns() {
         icon={<Gamepad2 size={15} />}
         onClick={() => commands.run('play.start')}
       >
-        Play it
+        Play the level
       </Button>
-      <p>An attempt that gets through can become the proof. Or let the solver look for one.</p>
+      <p>Keep an attempt as a run, or let the solver find one.</p>
     </div>
   );
 }

@@ -11,9 +11,9 @@ import {
 } from '../../document/index.ts';
 import type { RunRow } from './run-row.ts';
 
-/** What can be done with the runs of a level. Each gives the name of the run that one goes on with; undefined: nothing was done. */
+/** Edits of the runs of a level. Each returns the name of the run to continue with; undefined if nothing was done. */
 export interface RunChanges {
-  /** Shows a run; null: none. */
+  /** Shows a run; null shows none. */
   show(name: string | null): void;
   add(): string | undefined;
   rename(name: string, to: string): string | undefined;
@@ -23,7 +23,7 @@ export interface RunChanges {
   move(row: RunRow, place: number): void;
 }
 
-/** @param shown name of the run that is shown */
+/** @param shown the name of the shown run */
 export function runChanges({ session, notices }: Editor, { document }: OpenLevel, shown: string | null): RunChanges {
   const change = (label: string, recipe: Recipe): ChangeResult => {
     const result = document.change(label, recipe);

@@ -7,18 +7,18 @@ import { isWhole, type LiveProof } from '../../proof/index.ts';
 
 /** How a run of the level ends. */
 export interface RunSummary extends RunEnd {
-  /** different ones */
+  /** number of different minerals collected */
   readonly minerals: number;
 }
 
-/** ms without a change before runs that are not on the canvas are played */
+/** ms without a change before the runs that are not shown are simulated */
 const PAUSE = 150;
-/** ms of playing before the page may do something else */
+/** ms of simulating before the page gets its turn */
 const SLICE = 8;
 
 const keyOf = (holds: readonly Hold[]): string => joinHolds(holds).join();
 
-/** Plays those that are not known yet, in slices. @returns stops it */
+/** Simulates the runs that are not known yet, in slices. @returns stops it */
 function playAll(
   scene: Scene,
   runs: readonly (readonly Hold[])[],
@@ -47,7 +47,7 @@ const shownOf = (proof: LiveProof): RunSummary | null =>
 
 const NONE: readonly never[] = [];
 
-/** How every run of the open level ends, by its holds: the shown one at once, the others a moment later; null: not known yet. */
+/** How every run of the open level ends: the shown one at once, the others a moment later; null if not known yet. */
 export function useRunEnds(
   runs: readonly { readonly name: string; readonly holds: readonly Hold[] }[],
 ): (name: string) => RunSummary | null {
@@ -61,7 +61,7 @@ export function useRunEnds(
     () =>
       playAll(
         ends.scene,
-        // what the page has given up once would hold it up here
+        // a simulation that the page has given up would block it here as well
         isPlayed ? runs.map(({ holds }) => holds) : NONE,
         ends.map,
         () => setKnown({ scene: ends.scene, ends: new Map(ends.map) }),

@@ -2,10 +2,10 @@ import { outcomeAsPredicate } from '../../../check/words/index.ts';
 import type { TreeRow } from '../tree/index.ts';
 import type { RunSummary } from './run-ends.ts';
 
-/** A run of the level as the list shows it. */
+/** A run as the list shows it. */
 export interface RunRow extends TreeRow {
   readonly holds: number;
-  /** null: it was not played yet */
+  /** null if it is not simulated yet */
   readonly summary: RunSummary | null;
 }
 
@@ -18,7 +18,7 @@ interface RunInList {
 export function runRows(runs: readonly RunInList[], endOf: (name: string) => RunSummary | null, range: number): RunRow[] {
   return runs.map(({ name, holds }, place) => {
     const summary = endOf(name);
-    const how = summary === null ? 'not played yet' : outcomeAsPredicate(summary, range);
+    const how = summary === null ? 'not simulated yet' : outcomeAsPredicate(summary, range);
     return {
       key: name,
       depth: 1,

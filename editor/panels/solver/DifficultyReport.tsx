@@ -11,24 +11,27 @@ const USES: Readonly<Record<WithoutAsteroid['use'], string>> = {
   avoidable: 'can be left unused',
   replaceable: 'can be left out of the level',
   needed: 'is needed: without it the level is proved impossible',
-  unknown: 'is most likely needed: no way without it was found',
+  unknown: 'is most likely needed: no run without it was found',
 };
 
 function factsOf({ sigmaAtHalf, smallestWindow, presses, length, randomPlay, mineralsExtra }: Difficulty): Fact[] {
   const facts: Fact[] = [
     { label: 'length', value: `${seconds(length)}, ${plural(presses, 'press', 'presses')}` },
-    { label: 'every second try fails at', value: `${sigmaAtHalf.capped ? '> ' : ''}${sigmaAtHalf.ms.toFixed(0)} ms of noise` },
+    { label: 'half of the attempts fail at', value: `${sigmaAtHalf.capped ? '> ' : ''}${sigmaAtHalf.ms.toFixed(0)} ms of noise` },
   ];
   if (smallestWindow !== null) facts.push({ label: 'tightest window', value: `${(1000 * smallestWindow * TICK).toFixed(0)} ms` });
-  facts.push({ label: 'random play wins', value: `${percent(randomPlay.share)} of ${randomPlay.samples.toLocaleString('en')}` });
+  facts.push({
+    label: 'random play completes',
+    value: `${percent(randomPlay.share)} of ${randomPlay.samples.toLocaleString('en')}`,
+  });
   if (mineralsExtra !== null) {
     const { time, presses: more } = mineralsExtra;
-    facts.push({ label: 'taking all minerals', value: extraInWords(time, more) });
+    facts.push({ label: 'collecting all minerals', value: extraInWords(time, more) });
   }
   return facts;
 }
 
-/** A way of winning that may not be meant, with a button that keeps it. */
+/** A possibly unintended way to complete the level, with a button that keeps it as a run. */
 function Shortcut({ text, run, as }: { readonly text: string; readonly run: Candidate | null; readonly as: string }) {
   const { search } = useSolverSession();
   return (
@@ -36,7 +39,7 @@ function Shortcut({ text, run, as }: { readonly text: string; readonly run: Cand
       <span>{text}</span>
       {run !== null && (
         <Button
-          hint="Add it to the level as a run, to look at it"
+          hint="Add it to the level as a run"
           icon={<Plus size={14} />}
           onClick={() => search.use(run.holds, undefined, as)}
         />
@@ -62,7 +65,7 @@ function Result({ result }: { readonly result: Difficulty }) {
       <ul className="report__shortcuts">
         {withoutPressing !== null && (
           <Shortcut
-            text={`Never pressing completes it in ${seconds(withoutPressing.time)}`}
+            text={`Without any press, the level is completed in ${seconds(withoutPressing.time)}`}
             run={withoutPressing}
             as="no press"
           />
@@ -70,8 +73,8 @@ function Result({ result }: { readonly result: Difficulty }) {
         <Shortcut
           text={
             onePress.count === 0
-              ? `One press never completes it, of ${onePress.tried.toLocaleString('en')} tried`
-              : `One press completes it in ${percent(onePress.count / onePress.tried)} of ${onePress.tried.toLocaleString('en')} tried`
+              ? `None of ${onePress.tried.toLocaleString('en')} runs with one press completes it`
+              : `${percent(onePress.count / onePress.tried)} of ${onePress.tried.toLocaleString('en')} runs with one press complete it`
           }
           run={onePress.example}
           as="one press"
@@ -89,13 +92,13 @@ function Result({ result }: { readonly result: Difficulty }) {
   );
 }
 
-/** How hard the level is, when it is asked for. */
+/** How hard the level is, measured on demand. */
 export function DifficultyReport() {
   const { difficulty } = useSolverSession();
   const { phase, result, run, asked, isOld, message } = useStore(difficulty.store);
   return (
     <Section
-      title="How hard it is"
+      title="Difficulty"
       aside={
         phase === 'measuring' ? (
           <Button hint="Stop measuring" icon={<Square size={13} />} onClick={difficulty.cancel}>
@@ -103,7 +106,7 @@ export function DifficultyReport() {
           </Button>
         ) : (
           <Button hint="Measure grade and shortcuts; takes some seconds" icon={<Gauge size={14} />} onClick={difficulty.start}>
-            {result === null ? 'Measure' : 'Again'}
+            {result === null ? 'Measure' : 'Measure again'}
           </Button>
         )
       }
@@ -111,26 +114,26 @@ export function DifficultyReport() {
       {(phase === 'measuring' || result !== null) && <Progress label="Measuring" isRunning={phase === 'measuring'} />}
       {phase === 'failed' && (
         <p className="tone--bad" role="alert">
-          It could not be measured: {message}. Try again.
+          The measurement failed: {message}. Try again.
         </p>
       )}
       {phase === 'none' && (
         <p className="part__note">
-          The shown run does not complete the level{asked}, and no run that does was found in the time set above. That does not
-          prove that there is none. Show a run that does, or give it more seconds.
+          The shown run does not complete the level{asked}, and no run that does was found in the time set above. This does not
+          prove that there is none. Show a run that does, or allow more seconds.
         </p>
       )}
       {result !== null && phase !== 'none' && (
         <div className={isOld || phase === 'measuring' ? 'report report--old' : 'report'}>
           <p className="part__note">
-            {isOld && 'Before the last change. '}
-            {run === null ? `By a run${asked} that was found for it.` : `By the run “${run}”${asked}.`}
+            {isOld && 'Measured before the last change. '}
+            {run === null ? `Measured with a run${asked} found by a search.` : `Measured with the run “${run}”${asked}.`}
           </p>
           <Result result={result} />
         </div>
       )}
       {result === null && phase === 'idle' && (
-        <p className="part__note">A grade of 1 to 10, and ways of winning that may not be meant.</p>
+        <p className="part__note">A grade from 1 to 10, and possibly unintended shortcuts.</p>
       )}
     </Section>
   );

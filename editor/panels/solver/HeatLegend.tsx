@@ -5,7 +5,10 @@ import { usePageTheme, useSession } from '../../context/index.ts';
 import { useSolverSession } from './use-solver-session.ts';
 import './solver.css';
 
-/** What the squares on the canvas count, and how strong how many visits are; nothing while they are not shown. */
+/**
+ * The legend of the heat map: what the squares count, and which shade means how many visits. Empty while the heat map is
+ * hidden.
+ */
 export function HeatLegend() {
   const { overlay } = useSolverSession();
   const explored = useStore(overlay, ({ heat }) => heat);
@@ -14,7 +17,7 @@ export function HeatLegend() {
   const shades = useMemo(() => (explored === null || !isShown ? [] : heatShades(explored)), [explored, isShown]);
   if (explored === null || shades.length === 0) return null;
   return (
-    <figure className="heatlegend" aria-label="Where the search has been">
+    <figure className="heatlegend" aria-label="Search heat map">
       <figcaption>{heatCaption(explored)}</figcaption>
       <ul className="heatlegend__shades numbers">
         {shades.map((shade) => (

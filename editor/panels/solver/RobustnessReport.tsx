@@ -6,22 +6,22 @@ import { percent, plural } from '../figures/index.ts';
 import { Section } from '../parts/index.ts';
 import { useSolverSession } from './use-solver-session.ts';
 
-/** Slack is looked for up to so many ticks: what reaches it is called more. */
+/** Slack is measured up to this many ticks; a slack that reaches it may be larger. */
 const LIMIT = 60;
 
 const msOf = (ticks: number): number => Math.round(1000 * ticks * TICK);
 const slackText = (ticks: number): string => (ticks >= LIMIT ? `${LIMIT}+` : String(ticks));
 
-/** How forgiving a chance is, as a word beside its number. */
+/** How forgiving a success rate is, as a word beside its number. */
 const wordFor = (p: number): readonly [word: string, tone: 'good' | 'warn' | 'bad'] =>
-  p >= 0.9 ? ['forgiving', 'good'] : p >= 0.5 ? ['thin', 'warn'] : ['a gamble', 'bad'];
+  p >= 0.9 ? ['forgiving', 'good'] : p >= 0.5 ? ['thin', 'warn'] : ['risky', 'bad'];
 
 function Chance({ success }: { readonly success: Success }) {
   const { sigma, p, low, high, samples } = success;
   const [word, tone] = wordFor(p);
   const text = `${percent(p)}, between ${percent(low)} and ${percent(high)}`;
   return (
-    <div className="chance" title={`${text} with 95 % certainty; ${samples.toLocaleString('en')} executions tried`}>
+    <div className="chance" title={`${text} with 95 % confidence; ${samples.toLocaleString('en')} attempts simulated`}>
       <dt className="numbers">{sigma} ms</dt>
       <dd>
         <span className="chance__bar" aria-hidden>
@@ -37,7 +37,7 @@ function Chance({ success }: { readonly success: Success }) {
   );
 }
 
-/** How far each press and release may slip alone. */
+/** The slack of each press and release alone. */
 function SlackTable({ slack }: { readonly slack: readonly EdgeSlack[] }) {
   const { session } = useEditor();
   const { selection } = useLevel();
@@ -46,7 +46,7 @@ function SlackTable({ slack }: { readonly slack: readonly EdgeSlack[] }) {
   const tightest = Math.min(...slack.map(({ earlier, later }) => earlier + later));
   return (
     <table className="slack numbers">
-      <caption className="part__note">How many ticks (1/60 s) each edge alone may come earlier or later</caption>
+      <caption className="part__note">How many ticks (1/60 s) each press or release alone may move earlier or later</caption>
       <thead>
         <tr>
           <th scope="col">hold</th>
@@ -77,7 +77,7 @@ function SlackTable({ slack }: { readonly slack: readonly EdgeSlack[] }) {
               return (
                 <td
                   // press first, then release
-                  // biome-ignore lint/suspicious/noArrayIndexKey: there are these two
+                  // biome-ignore lint/suspicious/noArrayIndexKey: there are always these two
                   key={k}
                   className={isTightest ? 'tone--warn' : undefined}
                   title={`${msOf(edge.earlier)} ms earlier, ${msOf(edge.later)} ms later${isTightest ? ': the tightest' : ''}`}
@@ -94,7 +94,7 @@ function SlackTable({ slack }: { readonly slack: readonly EdgeSlack[] }) {
   );
 }
 
-/** What the shown run forgives. */
+/** How much the timing of the shown run may be off. */
 export function RobustnessReport() {
   const { robustness } = useSolverSession();
   const { phase, slack, p40, full, withMinerals, message } = useStore(robustness.store);
@@ -104,30 +104,31 @@ export function RobustnessReport() {
   const isBusy = phase === 'waiting' || phase === 'measuring';
   return (
     <Section
-      title="What the run forgives"
+      title="Robustness"
       aside={
-        isBusy && name !== null && <span className="part__note">{full === null && p40 !== null ? 'proving…' : 'measuring…'}</span>
+        isBusy &&
+        name !== null && <span className="part__note">{full === null && p40 !== null ? 'certifying…' : 'measuring…'}</span>
       }
     >
       {phase === 'failed' && (
         <p className="tone--bad" role="alert">
-          It could not be measured: {message}. Any change of the run tries again.
+          The measurement failed: {message}. Change the run to try again.
         </p>
       )}
       {phase === 'fails' && (
         <p className="part__note">
-          {name === null ? 'There is no run yet.' : 'The run does not complete the level, so there is nothing to forgive.'}
+          {name === null ? 'There is no run yet.' : 'The run does not complete the level, so there is nothing to measure.'}
         </p>
       )}
       {taken > 0 && (
         <label className="report__heat">
           <input type="checkbox" checked={withMinerals} onChange={(event) => robustness.setWithMinerals(event.target.checked)} />
-          It also has to take its {plural(taken, 'mineral')}
+          Must also collect its {plural(taken, 'mineral')}
         </label>
       )}
       {full !== null ? (
         <>
-          <dl className="chances" aria-label="Chance of success by timing noise of every press and release">
+          <dl className="chances" aria-label="Success under timing noise of every press and release">
             {[full.p30, full.p40, full.p60, full.p80].map((success) => (
               <Chance key={success.sigma} success={success} />
             ))}
@@ -135,19 +136,19 @@ export function RobustnessReport() {
           <p>
             {full.certifiedTicks > 0 ? (
               <>
-                <b className="tone--good">Certified for {plural(full.certifiedTicks, 'tick')}</b>: all edges off by up to{' '}
-                {msOf(full.certifiedTicks)} ms, in every combination, succeed.
-                {!full.decided && ' More was too much to try.'}
+                <b className="tone--good">Certified for {plural(full.certifiedTicks, 'tick')}</b>: all presses and releases off by
+                up to {msOf(full.certifiedTicks)} ms, in every combination, succeed.
+                {!full.decided && ' Larger shifts were too many to check.'}
               </>
             ) : edges > 0 ? (
               <>
                 <b className="tone--warn">Not certified</b>:{' '}
                 {full.decided
-                  ? 'some combination of edges off by one tick (17 ms) fails.'
-                  : 'there are too many combinations of edges off by one tick (17 ms) to try.'}
+                  ? 'some combination of presses and releases off by one tick (17 ms) fails.'
+                  : 'there are too many combinations of presses and releases off by one tick (17 ms) to check.'}
               </>
             ) : (
-              'Nothing is pressed, so nothing can be mistimed.'
+              'The run has no holds, so nothing can be mistimed.'
             )}
           </p>
         </>

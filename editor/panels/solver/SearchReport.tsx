@@ -17,7 +17,7 @@ import { useSolverSession } from './use-solver-session.ts';
 const ICONS = { good: CircleCheck, warn: CircleHelp, bad: CircleX, plain: Info } as const;
 const NO_RUNS = [] as const;
 
-/** What the level's own runs show of what is asked. */
+/** Which of the level's own runs meet the goal of the search. */
 function useOwnRuns({ settings }: SearchState, minerals: number): OwnRuns {
   const runs = useDocument(({ file }) => file.runs ?? NO_RUNS);
   const endOf = useRunEnds(runs);
@@ -52,10 +52,10 @@ function FoundCard({ found, place, minerals }: { readonly found: Found; readonly
           </span>
         )}
         {p40 !== null && (
-          <span title="Chance of success when every press and release is off by 40 ms">
+          <span title="Success with timing noise of 40 ms on every press and release">
             P(40 ms) {percent(p40)}
             {certified && (
-              <Check size={12} className="found__certified" aria-label=", all shifts by up to 2 ticks were tried and succeed" />
+              <Check size={12} className="found__certified" aria-label=", certified: all shifts by up to 2 ticks succeed" />
             )}
           </span>
         )}
@@ -67,20 +67,16 @@ function FoundCard({ found, place, minerals }: { readonly found: Found; readonly
       ) : (
         <span className="found__does">
           <Button
-            hint={
-              works
-                ? `Add way ${place} to the level as a new run`
-                : `Keep way ${place} as the last run, though it fails in the level as it is now`
-            }
+            hint={works ? `Add run ${place} to the level` : `Add run ${place} to the level, although it now fails there`}
             icon={<Plus size={15} />}
             look="outlined"
             onClick={() => search.use(candidate.holds)}
           >
-            {works ? 'Use' : 'Keep'}
+            Add
           </Button>
           {shown !== null && works && (
             <Button
-              hint={`Put way ${place} in place of the run “${shown}”`}
+              hint={`Replace the run “${shown}” with run ${place}`}
               icon={<Replace size={15} />}
               onClick={() => search.use(candidate.holds, shown)}
             />
@@ -91,7 +87,7 @@ function FoundCard({ found, place, minerals }: { readonly found: Found; readonly
   );
 }
 
-/** How the search goes and what it has found. */
+/** The state of the search and the runs it has found. */
 export function SearchReport() {
   const { session } = useEditor();
   const { search } = useSolverSession();
@@ -109,7 +105,7 @@ export function SearchReport() {
         <Icon size={15} aria-hidden /> {text}
       </p>
       {found.length > 0 && (
-        <ol className="report__found" aria-label="Ways found">
+        <ol className="report__found" aria-label="Runs found">
           {found.map((one, i) => (
             <FoundCard key={one.id} found={one} place={i + 1} minerals={minerals} />
           ))}
@@ -123,9 +119,9 @@ export function SearchReport() {
       ))}
       {solving !== null && (
         <p className="part__note numbers">
-          {about(solving.effort.runs)} stretches, {about(solving.effort.ticks)} ticks in {(ms / 1000).toFixed(1)} s, seed{' '}
+          {about(solving.effort.runs)} simulations, {about(solving.effort.ticks)} ticks in {(ms / 1000).toFixed(1)} s, seed{' '}
           {settings.seed}
-          {phase === 'cancelled' && ', stopped by hand'}
+          {phase === 'cancelled' && ', stopped'}
         </p>
       )}
       <div className="part__row">
@@ -139,12 +135,12 @@ export function SearchReport() {
                 session.setState(({ layers }) => ({ layers: { ...layers, heatMap: checked } }));
               }}
             />
-            Show where the search has been
+            Show the search heat map
           </label>
         )}
         {phase !== 'running' && (
-          <Button hint="Put away what the search found" icon={<X size={14} />} onClick={search.clear}>
-            Clear
+          <Button hint="Discard the search results" icon={<X size={14} />} onClick={search.clear}>
+            Discard
           </Button>
         )}
       </div>

@@ -12,10 +12,10 @@ const OBJECTIVES = [
   { value: 'robust', title: 'safest', about: 'the run that still succeeds when every press is a little off' },
   { value: 'presses', title: 'simplest', about: 'the fewest presses' },
   { value: 'time', title: 'quickest', about: 'the shortest time' },
-  { value: 'first', title: 'any', about: 'whatever is found first' },
+  { value: 'first', title: 'any', about: 'the first run found' },
 ] as const;
 
-/** What to look for, and the button that does. */
+/** The settings of the search and the button that starts it. */
 export function SearchSettingsForm() {
   const { settings: store, search } = useSolverSession();
   const settings = useStore(store);
@@ -24,7 +24,7 @@ export function SearchSettingsForm() {
   return (
     <div className="search-settings">
       <Segments
-        label="Best is"
+        label="Prefer"
         value={settings.objective}
         options={OBJECTIVES}
         onChange={(objective) => store.setState({ objective })}
@@ -35,8 +35,8 @@ export function SearchSettingsForm() {
           value={settings.minerals}
           options={[
             { value: 'any', title: 'any', about: 'minerals do not matter' },
-            { value: 'some', title: 'some', about: 'at least so many' },
-            { value: 'all', title: `all ${minerals}`, about: 'every one of them' },
+            { value: 'some', title: 'some', about: 'at least the number below' },
+            { value: 'all', title: `all ${minerals}`, about: 'all of them' },
           ]}
           onChange={(wanted) => store.setState({ minerals: wanted })}
         />
@@ -54,7 +54,7 @@ export function SearchSettingsForm() {
         )}
         <NumberField
           label="Seconds"
-          about="How long to look, at most"
+          about="Time limit of the search"
           value={settings.budget}
           min={1}
           max={3600}
@@ -63,7 +63,7 @@ export function SearchSettingsForm() {
         />
         <NumberField
           label="Seed"
-          about="Another seed looks elsewhere first"
+          about="Another seed tries other runs first"
           value={settings.seed}
           min={0}
           max={LIMITS.coordinate}
@@ -72,12 +72,12 @@ export function SearchSettingsForm() {
         />
       </div>
       {isRunning ? (
-        <Button hint="Stop; what was found stays" look="outlined" icon={<Square size={14} />} onClick={search.cancel}>
+        <Button hint="Stop and keep the runs found" look="outlined" icon={<Square size={14} />} onClick={search.cancel}>
           Cancel
         </Button>
       ) : (
         <Button
-          hint="Look for runs"
+          hint="Find runs"
           shortcut={keyLabel(SOLVE_KEY, IS_MAC)}
           look="main"
           icon={<Play size={14} />}

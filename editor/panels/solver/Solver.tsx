@@ -5,11 +5,11 @@ import { SearchReport } from './SearchReport.tsx';
 import './solver.css';
 import { SearchSettingsForm } from './SearchSettingsForm.tsx';
 
-/** Looks for runs, says what the shown one forgives and how hard the level is. */
+/** The solver panel: search, robustness and difficulty. */
 export function Solver() {
   return (
     <div className="panel__body solver">
-      <Section title="Look for runs">
+      <Section title="Find runs">
         <SearchSettingsForm />
         <SearchReport />
       </Section>

@@ -6,18 +6,21 @@ import { useSolverSession } from './use-solver-session.ts';
 /** Starts a search. */
 export const SOLVE_KEY = '$mod+Enter';
 
-/** Shows nothing: offers the commands of the solver, and keeps what the shown run forgives up to date, whichever panel is open. */
+/**
+ * Renders nothing. Registers the commands of the solver and keeps the robustness of the shown run up to date, whichever panel
+ * is open.
+ */
 export function SolverWatch() {
   const { commands } = useEditor();
   const { proof } = useLevel();
   const { search, difficulty } = useSolverSession();
   useEffect(() => {
     const best = () => search.store.getState().found.find(({ works }) => works);
-    const needsFound = () => (best() === undefined ? 'solve first: no run was found yet' : null);
+    const needsFound = () => (best() === undefined ? 'solve first: no run has been found yet' : null);
     const list: readonly Command[] = [
       {
         id: 'solve.start',
-        title: 'Solve: look for runs',
+        title: 'Solve: find runs',
         group: 'Solve',
         keys: [SOLVE_KEY],
         inText: true,
@@ -35,7 +38,7 @@ export function SolverWatch() {
       },
       {
         id: 'solve.use',
-        title: 'Add the best run that was found',
+        title: 'Add the best run found',
         group: 'Solve',
         needs: needsFound,
         run: () => {
@@ -45,7 +48,7 @@ export function SolverWatch() {
       },
       {
         id: 'solve.replace',
-        title: 'Put the best run that was found in place of the shown one',
+        title: 'Replace the shown run with the best run found',
         group: 'Solve',
         needs: () => needsFound() ?? (proof.proof().run.name === null ? 'show a run first' : null),
         run: () => {
@@ -55,14 +58,14 @@ export function SolverWatch() {
       },
       {
         id: 'solve.clear',
-        title: 'Put away what the search found',
+        title: 'Discard the search results',
         group: 'Solve',
         needs: () => (search.store.getState().phase === 'idle' ? 'solve first' : null),
         run: search.clear,
       },
       {
         id: 'solve.difficulty',
-        title: 'Measure how hard the level is',
+        title: 'Measure the difficulty',
         group: 'Solve',
         run: () => {
           difficulty.start();

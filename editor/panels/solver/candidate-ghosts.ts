@@ -5,15 +5,15 @@ import { type GhostShelf, putGhosts } from './ghost-shelf.ts';
 import type { SearchState } from './search-state.ts';
 import { wayOf } from './ways.ts';
 
-/** What a search shows of its runs on the canvas. */
+/** The runs of a search as ghosts on the canvas. */
 export interface CandidateGhosts {
-  /** The ways that were found, or the one that is pointed at; while there is none, the closest approach. */
+  /** Draws the runs found, or only the hovered one; while there is none, the closest approach. */
   draw(scene: Scene, state: Pick<SearchState, 'found' | 'hovered' | 'solving' | 'impossible'>): void;
   clear(): void;
 }
 
 export function createCandidateGhosts(shelf: GhostShelf): CandidateGhosts {
-  // each way is played once a scene
+  // each path is simulated once per scene
   let played: { readonly scene: Scene; readonly ways: Map<string, Float32Array> } | null = null;
   const wayFor = (scene: Scene, holds: readonly Hold[], until?: number): Float32Array => {
     if (played?.scene !== scene) played = { scene, ways: new Map() };

@@ -5,7 +5,7 @@ import { type FoundByWorker, type LiveProof, toPlay } from '../../proof/index.ts
 import type { Job } from '../../workers/index.ts';
 import type { WatchParts } from './proof-watch.ts';
 
-/** What a worker has found out about a level that the page does not play itself. */
+/** What a worker found out about a level that the page does not simulate itself. */
 export interface Checked extends FoundByWorker {
   readonly level: Level;
   readonly accuracy: AccuracyName;
@@ -16,10 +16,10 @@ export interface CheckWatch {
   close(): void;
 }
 
-/** ms without a change: the page tries it with more patience first */
+/** ms without a change: before that, the page itself tries with a larger limit */
 const SETTLE = 700;
 
-/** Follows the level: where the page has left something out, a worker plays all of it once the level has settled. */
+/** Follows the level: if the page has left something out, a worker simulates all of it once the level has settled. */
 export function watchChecks({ level: { proof }, workers, afterRest }: WatchParts): CheckWatch {
   const store = createStore<Checked | null>(() => null);
   let job: Job<'check'> | null = null;
@@ -57,7 +57,10 @@ export function watchChecks({ level: { proof }, workers, afterRest }: WatchParts
   };
 }
 
-/** What is known of a level for which the page has left something out: null where it has not, or the worker is not done. */
+/**
+ * The worker's result for a level of which the page has left something out; null if it left nothing out or the worker is not
+ * done.
+ */
 export const checkedOf = (proof: Pick<LiveProof, 'level' | 'accuracy' | 'limit'>, checked: Checked | null): Checked | null =>
   proof.limit !== null && checked !== null && checked.level === proof.level && checked.accuracy === proof.accuracy
     ? checked

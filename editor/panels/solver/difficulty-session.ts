@@ -8,15 +8,15 @@ import { askedInWords } from './standing.ts';
 import { withoutRuns } from './without-runs.ts';
 
 export interface DifficultyState {
-  /** `none`: there is no run to measure. */
+  /** `none`: there is no run to measure */
   readonly phase: 'idle' | 'measuring' | 'done' | 'none' | 'failed';
   readonly message: string | null;
   readonly result: Difficulty | null;
-  /** Name of the run that was measured; null: one that was found. */
+  /** The name of the measured run; null for a run found by a search. */
   readonly run: string | null;
-  /** What was asked of the run besides the black hole: ` with all 3 minerals`; '' for nothing. */
+  /** The goal besides the black hole: ` with all 3 minerals`; '' for none. */
   readonly asked: string;
-  /** The level or the run has changed since. */
+  /** Whether the level or the run has changed since. */
   readonly isOld: boolean;
 }
 
@@ -33,7 +33,7 @@ interface DifficultyParts {
   readonly settings: SearchSettingsStore;
 }
 
-/** How hard the level is, measured when it is asked for: by the shown run where it completes the level, else by one that is looked for. */
+/** Measures how hard the level is, on demand: with the shown run if it meets the goal, else with a run found by a search. */
 export function createDifficultySession({ level: { proof }, workers, settings }: DifficultyParts): DifficultySession {
   const store = createStore<DifficultyState>(() => ({
     phase: 'idle',
@@ -60,7 +60,7 @@ export function createDifficultySession({ level: { proof }, workers, settings }:
       const { level, accuracy, run, scene } = proof.proof();
       const goal = goalOf(settings.getState(), level.minerals.length);
       const asked = askedInWords(settings.getState(), level.minerals.length);
-      // only a run that does what is asked can be measured by it
+      // only a run that meets the goal can be measured
       const completes =
         run.name !== null &&
         run.outcome === 'completed' &&

@@ -1,12 +1,12 @@
 import type { StoreApi } from 'zustand/vanilla';
 import type { Ghost } from '../../context/index.ts';
 
-/** Where ways beside that of the run are put for the canvas. */
+/** The ghosts on the canvas: paths beside that of the shown run. */
 export interface GhostShelf {
   readonly ghosts: StoreApi<readonly Ghost[]>;
 }
 
-/** Puts other ghosts of one look on the canvas; those of others stay. */
+/** Replaces the ghosts of one look; those of other looks stay. */
 export function putGhosts({ ghosts }: GhostShelf, look: Ghost['look'], wanted: readonly Ghost[]): void {
   const now = ghosts.getState();
   const others = now.filter((ghost) => ghost.look !== look);

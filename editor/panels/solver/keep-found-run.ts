@@ -4,7 +4,7 @@ import { addRun, type EditedLevel, freeRunName, replaceHolds } from '../../docum
 import type { ProofStore } from '../../proof/index.ts';
 import type { SessionStore } from '../../session/index.ts';
 
-/** What the run is called that shows first that a level can be completed. */
+/** The name of the first run that completes the level. */
 export const SOLUTION = 'solution';
 
 interface KeepParts {
@@ -13,20 +13,20 @@ interface KeepParts {
   readonly session: SessionStore;
 }
 
-/** Puts a run in the place of one of the level, and shows it. @param name of that run */
+/** Replaces a run of the level and shows it. @param name of the run to replace */
 export function replaceByFound({ document, session }: KeepParts, holds: readonly Hold[], name: string): void {
   document.change(`Replace run ${name}`, replaceHolds(name, holds));
   session.setState({ run: name });
 }
 
 /**
- * Adds a run to the level and shows it. Where no run completes the level and this one does, it comes first: it is the proof.
- * @param wanted what it is called, unless it is the level's first solution
+ * Adds a run to the level and shows it. If no run completes the level and this one does, it becomes the first run.
+ * @param wanted its name, unless it is the first run that completes the level
  */
 export function addFound({ document, proof, session }: KeepParts, holds: readonly Hold[], wanted: string): void {
   const file = document.file();
   const { provenBy, scene } = proof.proof();
-  // the first run is the one that is shown, but what fails in the level as it is now proves nothing
+  // The first run is the one in pictures; a run that fails in the current level must not become it.
   const proves = provenBy === null && verifyRun(scene, holds) !== null;
   const hasSolution = file.runs?.some(({ name }) => name === SOLUTION) === true;
   const name = freeRunName(file, proves && !hasSolution ? SOLUTION : wanted);

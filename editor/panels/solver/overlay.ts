@@ -1,11 +1,11 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { Explored, ProofPicture } from '../../../solver/index.ts';
 
-/** What a search has to show on the canvas besides ways. */
+/** What a search shows on the canvas besides paths. */
 export interface SearchOverlay {
-  /** Where it has been; null before the first search. The layer `heatMap` shows it. */
+  /** Where the search has been; null before the first search. The layer `heatMap` shows it. */
   readonly heat: Explored | null;
-  /** Why the black hole, or a mineral, is out of reach; null where nothing was proved. */
+  /** Why the black hole or a mineral is out of reach; null if nothing is proved. */
   readonly proof: ProofPicture | null;
 }
 

@@ -3,25 +3,28 @@ import { type ProofStore, type Proved, toProve } from '../../proof/index.ts';
 import type { Job, Workers } from '../../workers/index.ts';
 
 export interface ProofWatch {
-  /** What is proved of the level as it is; nothing while that is not known. */
+  /** What is proved about the current level; empty while not known. */
   readonly store: StoreApi<Proved>;
   close(): void;
 }
 
-/** What a watch of the open level needs. */
+/** What the watchers of the open level need. */
 export interface WatchParts {
   readonly level: { readonly proof: ProofStore };
   readonly workers: Pick<Workers, 'start'>;
-  /** Calls back once the page has rested for so many ms. @returns takes it back */
+  /** Calls back once the page has been at rest for `ms`. @returns cancels it */
   readonly afterRest: (ms: number, call: () => void) => () => void;
 }
 
-/** ms without a change before proofs are looked for: later than what the run forgives, which is looked at more */
+/** ms without a change before proofs are searched: after robustness, which matters to the user more often */
 const SETTLE = 500;
 
 const NOTHING: Proved = { impossible: null, minerals: [], gaveUp: null };
 
-/** Follows the level: whenever it has settled, it is tried to prove that the black hole or a mineral is out of reach. What a run shows needs no proof. */
+/**
+ * Follows the level: once it has settled, tries to prove that the black hole or a mineral is out of reach. What a run reaches
+ * is not searched for a proof.
+ */
 export function watchProofs({ level: { proof }, workers, afterRest }: WatchParts): ProofWatch {
   const store = createStore<Proved>(() => NOTHING);
   let job: Job<'proofs'> | null = null;
@@ -50,7 +53,7 @@ export function watchProofs({ level: { proof }, workers, afterRest }: WatchParts
   };
   const look = () => {
     const { scene } = proof.proof();
-    // runs may come and go: what is proved holds for all of them
+    // Runs may come and go: a proof holds for all of them.
     if (scene === last) return;
     last = scene;
     drop();

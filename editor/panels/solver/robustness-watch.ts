@@ -10,29 +10,29 @@ import { type GhostShelf, putGhosts } from './ghost-shelf.ts';
 import { everyTick } from './ways.ts';
 import { withoutRuns } from './without-runs.ts';
 
-/** How much the shown run forgives, as far as it is known. */
+/** The robustness of the shown run, as far as it is known. */
 export interface RobustnessState {
-  /** `fails`: the run does not do what is asked, so there is nothing to forgive. */
+  /** `fails`: the run does not meet the goal, so there is nothing to measure */
   readonly phase: 'waiting' | 'measuring' | 'measured' | 'fails' | 'failed';
   readonly message: string | null;
   readonly slack: readonly EdgeSlack[] | null;
-  /** First a rough one, then that of `full`. */
+  /** first a rough estimate, then that of `full` */
   readonly p40: Success | null;
   readonly full: Robustness | null;
-  /** Whether the minerals the run takes are part of what is asked. */
+  /** Whether the minerals that the run collects are part of the goal. */
   readonly withMinerals: boolean;
 }
 
-/** What timeline and canvas show of it. */
+/** The part that the timeline and the canvas show. */
 interface Analysed {
-  /** The holds it is about, joined by commas. */
+  /** The holds it belongs to, joined by commas. */
   readonly holds: string;
   readonly slack: readonly EdgeSlack[];
-  /** All shifts of all edges by up to so many ticks succeed; null while that is being certified. */
+  /** All shifts of all edges by up to this many ticks succeed; null while this is being certified. */
   readonly certifiedTicks: number | null;
-  /** Whether some shift by one tick more is known to fail; false where there were too many to try. */
+  /** Whether some shift by one tick more is known to fail; false if there were too many to check. */
   readonly decided: boolean;
-  /** Chance of success with timing noise of 40 ms, 0 to 1. */
+  /** Success with timing noise of 40 ms, 0 to 1. */
   readonly p40: number;
 }
 
@@ -49,13 +49,13 @@ interface WatchParts {
     readonly analysis: StoreApi<Analysed | null>;
   };
   readonly workers: Pick<Workers, 'start'>;
-  /** Calls back after so many ms. @returns takes it back */
+  /** Calls back after `ms`. @returns cancels it */
   readonly after: (ms: number, call: () => void) => () => void;
-  /** Calls back once the page has rested for so many ms. @returns takes it back */
+  /** Calls back once the page has been at rest for `ms`. @returns cancels it */
   readonly afterRest: (ms: number, call: () => void) => () => void;
 }
 
-/** ms without a change before all is measured; the fan comes as soon as a gesture is over. */
+/** ms without a change before everything is measured; the fan comes as soon as a gesture ends */
 const SETTLE = 120;
 
 const UNKNOWN = { message: null, slack: null, p40: null, full: null } as const;
@@ -67,7 +67,10 @@ const toGhost = ({ edge, shift, points }: FanWay): Ghost => ({
   look: 'slack',
 });
 
-/** Follows the shown run: whenever it or the level has settled, what it forgives is measured anew, for timeline, canvas and panel. */
+/**
+ * Measures the robustness of the shown run again whenever the run or the level has settled, for the timeline, the canvas and
+ * the panel.
+ */
 export function watchRobustness({ level, workers, after, afterRest }: WatchParts): RobustnessWatch {
   const { proof, analysis } = level;
   const store = createStore<RobustnessState>(() => ({ phase: 'waiting', ...UNKNOWN, withMinerals: false }));
@@ -85,7 +88,7 @@ export function watchRobustness({ level, workers, after, afterRest }: WatchParts
     waiting = [];
   };
   const isCurrent = (job: Job<'fan' | 'robustness'>) => jobs.includes(job);
-  /** What is asked of the workers; null: there is nothing to forgive. */
+  /** The request to the workers; null if there is nothing to measure. */
   const request = () => {
     const { level: played, accuracy, run } = proof.proof();
     if (run.name === null || run.outcome !== 'completed') return null;
@@ -121,7 +124,7 @@ export function watchRobustness({ level, workers, after, afterRest }: WatchParts
     spread();
     const first = fan;
     const key = asked.holds.join();
-    // the fan is what one looks at: what takes seconds must not take the processor from it
+    // The fan is what the user looks at: the longer measurement must not slow it down.
     void first?.end.then((end) => {
       if (!isCurrent(first)) return;
       if (end.kind === 'gaveUp') {
@@ -163,7 +166,7 @@ export function watchRobustness({ level, workers, after, afterRest }: WatchParts
   const stops = [
     proof.store.subscribe(look),
     level.document.onStep(() => {
-      // not within the event itself: the frame that shows the change comes first
+      // Not within the event itself: the frame that shows the change comes first.
       if (jobs.length === 0) waiting.push(after(0, spread));
     }),
   ];

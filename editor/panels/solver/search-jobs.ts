@@ -5,7 +5,7 @@ import type { JobEnd, Results, Solving, Workers } from '../../workers/index.ts';
 import type { SearchSettings } from './search-settings.ts';
 import { withoutRuns } from './without-runs.ts';
 
-/** Different runs that are looked for and shown. */
+/** the number of different runs that a search looks for */
 export const RUNS_WANTED = 5;
 
 interface SearchTask {
@@ -16,19 +16,19 @@ interface SearchTask {
 }
 
 interface SearchListener {
-  /** What was found by now. */
+  /** Called with what has been found so far. */
   readonly onFound: (solving: Solving) => void;
-  /** What was proved by now. */
+  /** Called with what has been proved so far. */
   readonly onProved: (proved: Results['proofs']) => void;
-  /** The search for runs is over; `onFound` has had all of it. */
+  /** Called when the search for runs has ended, after the last `onFound`. */
   readonly onEnd: (end: JobEnd<'solve'>) => void;
 }
 
-/** The workers of a search: one looks for runs, another for proofs that there are none. */
+/** The workers of a search: one looks for runs, the other for proofs that there are none. */
 export interface SearchJobs {
-  /** Ends both; nothing is heard of them any more. */
+  /** Cancels both; no listener is called any more. */
   cancel(): void;
-  /** Nothing is left to look for: ends the search for runs. */
+  /** Cancels the search for runs, as nothing is left to find. */
   cancelSolving(): void;
 }
 
@@ -40,7 +40,7 @@ export function startSearchJobs(
   let isOver = false;
   const played = { level: withoutRuns(level), accuracy };
   const { objective, seed, budget } = settings;
-  // who asks for any run wants another one
+  // with the objective `first`, runs that the level already has count as well
   const known = objective === 'first' ? [] : level.runs.map(({ holds }) => holds);
   const solve = workers.start(
     'solve',

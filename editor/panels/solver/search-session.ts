@@ -15,24 +15,24 @@ import { type SearchJobs, startSearchJobs } from './search-jobs.ts';
 import { aimOf, goalOf, type SearchSettingsStore } from './search-settings.ts';
 import { afterChange, IDLE, type SearchState } from './search-state.ts';
 
-/** ms after a change of the level before found runs are tried in it */
+/** ms after a change of the level before the runs that were found are checked in it */
 const SETTLE = 200;
 
 /** The search for runs of one level. */
 export interface SearchSession {
   readonly store: StoreApi<SearchState>;
-  /** Looks for runs, from the start. */
+  /** Starts a new search. */
   start(): void;
-  /** Stops; what was found stays. */
+  /** Stops the search and keeps the runs found. */
   cancel(): void;
-  /** Puts away what was found. */
+  /** Discards the results. */
   clear(): void;
-  /** Shows this one alone on the canvas; null: all of them. */
+  /** Shows only this run on the canvas; null shows all. */
   hover(id: string | null): void;
   /**
-   * Puts a run into the level and shows it. Where no run completes the level and this one does, it comes first: it is the proof.
-   * @param into name of the run whose place it takes; a new one when left out
-   * @param as what a new run is called; by what it was looked for when left out
+   * Adds a run to the level and shows it. If no run completes the level and this one does, it becomes the first run.
+   * @param into name of the run to replace; without it a run is added
+   * @param as name of the new run; by default it describes the search settings
    */
   use(holds: readonly Hold[], into?: string, as?: string): void;
   close(): void;
@@ -48,18 +48,18 @@ export interface SearchParts {
   readonly now: () => number;
 }
 
-/** The search of a level: its jobs, what it has found, its ghosts and what it draws. */
+/** The search of a level: its jobs, results, ghosts and overlay. */
 export function createSearchSession({ level, session, workers, settings, overlay, now }: SearchParts): SearchSession {
   const { document, proof } = level;
   const store = createStore<SearchState>(() => IDLE);
   const ghosts = createCandidateGhosts(level);
   let jobs: SearchJobs | null = null;
   let began = 0;
-  // what was searched: another scene is another level
+  // The scene that was searched; a change of the level makes another scene.
   let scene: Scene | null = null;
   let goal: Goal = { minerals: 'any' };
   let timer: ReturnType<typeof setTimeout> | null = null;
-  // what was found while one was pointed at: the list stands still under the pointer
+  // Results that arrived while the pointer is on one: the list must not move under the pointer.
   let unseen: readonly Found[] | null = null;
 
   const stopJobs = () => {
@@ -81,12 +81,12 @@ export function createSearchSession({ level, session, workers, settings, overlay
   const showProved = (searched: Level, { impossible, minerals }: Results['proofs']) => {
     const shown = impossible ?? minerals[0]?.proof ?? null;
     const count = searched.minerals.length;
-    // more minerals are asked for than can be had
+    // more minerals are wanted than can be collected
     const isHopeless = mineralsNeeded(goal, count) > count - minerals.length;
     store.setState({ impossible, mineralProofs: minerals, isHopeless });
     overlay.setState({ proof: shown === null ? null : proofPicture(searched, shown) });
     if ((impossible === null && !isHopeless) || store.getState().phase !== 'running') return;
-    // nothing is left to look for
+    // nothing is left to find
     jobs?.cancelSolving();
     store.setState({ phase: 'done', ms: now() - began });
     drawGhosts();
@@ -96,7 +96,7 @@ export function createSearchSession({ level, session, workers, settings, overlay
     else if (store.getState().phase === 'running') store.setState({ phase: end.kind, ms: now() - began });
   };
 
-  /** The level has changed: the search is about another one, and what it found is tried in this one. */
+  /** After a change of the level: stops the search and checks the runs found in the changed level. */
   const recheck = () => {
     timer = null;
     const { scene: changed } = proof.proof();
@@ -115,7 +115,7 @@ export function createSearchSession({ level, session, workers, settings, overlay
     timer = setTimeout(recheck, SETTLE);
   });
 
-  /** What a run that was found is called in the level. */
+  /** The name of a found run in the level. */
   const nameOf = (holds: readonly Hold[]): string => {
     const { settings: asked, found } = store.getState();
     const rank = found.findIndex(({ id }) => id === holds.join());

@@ -3,30 +3,33 @@ import type { Results, Solving } from '../../workers/index.ts';
 import type { Found } from './found-runs.ts';
 import type { SearchSettings } from './search-settings.ts';
 
-/** How the search of a level stands. */
+/** The state of a level's search. */
 export interface SearchState {
-  /** `stale`: it was stopped since the level changed. */
+  /** `stale`: it was stopped because the level changed */
   readonly phase: 'idle' | 'running' | 'done' | 'cancelled' | 'stale' | 'failed';
-  /** Of a failure. */
+  /** the message of a failure */
   readonly message: string | null;
   /** ms spent */
   readonly ms: number;
-  /** What it was asked for; null before the first search. */
+  /** The settings of the search; null before the first one. */
   readonly settings: SearchSettings | null;
   readonly solving: Solving | null;
-  /** Best first. */
+  /** best first */
   readonly found: readonly Found[];
   readonly impossible: Proof | null;
   readonly mineralProofs: Results['proofs']['minerals'];
-  /** It is proved that the minerals asked for can't all be had. */
+  /** Whether it is proved that the wanted minerals can't all be collected. */
   readonly isHopeless: boolean;
-  /** The level has changed since it was searched. */
+  /** Whether the level has changed since the search. */
   readonly isOld: boolean;
-  /** Id of the one that is pointed at. */
+  /** id of the run under the pointer */
   readonly hovered: string | null;
 }
 
-/** The level has changed since: nothing but the runs that were found says anything about it. @param found tried in the level as it is now */
+/**
+ * The state after a change of the level: only the runs that were found still count. @param found those runs, checked in the
+ * current level
+ */
 export const afterChange = ({ phase }: SearchState, found: readonly Found[]): Partial<SearchState> => ({
   found,
   impossible: null,

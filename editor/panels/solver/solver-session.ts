@@ -9,7 +9,7 @@ import { type RobustnessWatch, watchRobustness } from './robustness-watch.ts';
 import { createSearchSession, type SearchSession } from './search-session.ts';
 import { createSearchSettings, type SearchSettingsStore } from './search-settings.ts';
 
-/** All that is looked for and measured in one level, while it is open. */
+/** The searches and measurements of one level, while it is open. */
 export interface SolverSession {
   readonly settings: SearchSettingsStore;
   readonly search: SearchSession;
@@ -22,7 +22,7 @@ export interface SolverSession {
 
 const sessions = new WeakMap<OpenLevel, SolverSession>();
 
-/** What is looked for and measured in an open level, set up when it is first asked for; it ends when another level is opened. */
+/** The solver session of an open level, created on first use; it ends when another level is opened. */
 export function solverSessionOf({ workers, session, open }: Editor, level: OpenLevel): SolverSession {
   const known = sessions.get(level);
   if (known !== undefined) return known;

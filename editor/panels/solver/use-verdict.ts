@@ -10,11 +10,11 @@ interface Verdict {
   readonly verdict: LevelVerdict;
   /** What proves it impossible. */
   readonly reason: string | null;
-  /** Why it is not known for certain; null where it is. */
+  /** Why the verdict is not certain; null if it is. */
   readonly limit: string | null;
 }
 
-/** The verdict of `gq check` on an open level, as far as it is known by now. */
+/** The verdict of `gq check` on an open level, as far as it is known now. */
 export function useVerdict(level: OpenLevel): Verdict {
   const solver = solverSessionOf(useEditor(), level);
   const own = useStore(level.proof.store, (proof) => proof.verdict);

@@ -3,8 +3,8 @@ import type { Hold } from '../../../schema/index.ts';
 import { DEFAULT_MAX_TICKS } from '../../../solver/index.ts';
 
 /**
- * Where a script leads: x, y in px at every tick and at the end.
- * @param until not farther than this tick
+ * The path of some holds: x, y in px at every tick and at the end.
+ * @param until the last tick
  */
 export function wayOf(scene: Scene, holds: readonly Hold[], until: number = DEFAULT_MAX_TICKS): Float32Array {
   const simulation = createSimulation(scene);
@@ -26,7 +26,7 @@ export function wayOf(scene: Scene, holds: readonly Hold[], until: number = DEFA
   return Float32Array.from(points);
 }
 
-/** A way known every so many ticks, with what lies between put on straight lines: an entry a tick. */
+/** A path known at every `ticks` ticks, interpolated linearly to one entry per tick. */
 export function everyTick(points: Float32Array, ticks: number): Float32Array {
   const count = points.length / 2;
   if (count < 2) return points;

@@ -4,25 +4,28 @@ interface InlineNameProps {
   readonly label: string;
   readonly value: string;
   readonly longest: number;
-  /** Why a name can't be taken, and what to do; null: it can. It stays in the field until it can, or Esc gives it up. */
+  /**
+   * Why a name is refused, and what to do; null if it is fine. A refused name stays in the field until it is corrected or Esc
+   * cancels.
+   */
   readonly problemOf: (name: string) => string | null;
-  /** Enter, or another place was clicked; only with a text that differs. */
+  /** Called on Enter or blur, only with a changed name. */
   readonly onDone: (name: string) => void;
-  /** The field is to go: done or given up. */
+  /** Called when the field should close, with or without a change. */
   readonly onEnd: () => void;
 }
 
-/** A name that is edited in its row. */
+/** A field that edits a name in its row. */
 export function InlineName({ label, value, longest, problemOf, onDone, onEnd }: InlineNameProps) {
   const [text, setText] = useState(value);
   const input = useRef<HTMLInputElement>(null);
   const note = useRef<HTMLSpanElement>(null);
   const id = useId();
-  // the tree had the focus, and is to have it again; leaving the field by Esc must not count as done
+  // The tree had the focus and gets it back; the blur caused by Esc must not count as done.
   const over = useRef(false);
   useEffect(() => {
     const tree = input.current?.closest<HTMLElement>('[role=tree]');
-    // a menu that has just closed gives the focus back first
+    // A menu that has just closed restores the focus first.
     const frame = requestAnimationFrame(() => {
       input.current?.focus();
       input.current?.select();

@@ -2,7 +2,7 @@ import { EllipsisVertical } from 'lucide-react';
 import { memo } from 'react';
 import { showMenu } from './show-menu.ts';
 
-/** Shows the menu of the row it is in. Who uses the keyboard has the menu key for it, so it is no stop of its own. */
+/** Opens the context menu of its row. It is not focusable, as the keyboard has the menu key. */
 export const MoreButton = memo(function MoreButton() {
   return (
     <button
@@ -10,7 +10,7 @@ export const MoreButton = memo(function MoreButton() {
       className="tree__more"
       tabIndex={-1}
       aria-hidden
-      // the focus stays with the tree, which has the keys
+      // the focus stays in the tree, which handles the keys
       onMouseDown={(event) => event.preventDefault()}
       onDoubleClick={(event) => event.stopPropagation()}
       onClick={(event) => {

@@ -9,7 +9,10 @@ import type { TreeRow } from './tree-rows.ts';
 import { useRowDrag } from './use-row-drag.ts';
 import { useShownRows } from './use-shown-rows.ts';
 
-/** A list or tree of any length, for the pointer and for keys: arrows walk, Enter opens, Alt + arrows move, the menu key shows what can be done. */
+/**
+ * A virtual list or tree for pointer and keyboard: arrows move, Enter opens, Alt + arrows reorder, the menu key opens the
+ * context menu.
+ */
 export function Tree<R extends TreeRow>(props: TreeProps<R>) {
   const { label, rows, rowHeight, selected, hovered = null, multiple = false, active, render } = props;
   const { onActive, onPick, onOpen, onToggle, onMove, onHover, menu } = props;

@@ -2,7 +2,7 @@ import { ContextMenu } from 'radix-ui';
 import { Fragment, type ReactElement } from 'react';
 import type { MenuEntry } from './tree-rows.ts';
 
-/** The menu of the active row, asked for anywhere in the tree. */
+/** The context menu of the active row, opened anywhere in the tree. */
 export function TreeMenu({ entries, children }: { readonly entries: readonly MenuEntry[]; readonly children: ReactElement }) {
   return (
     <ContextMenu.Root>

@@ -2,17 +2,17 @@ import type { KeyboardEvent } from 'react';
 import type { TreeProps } from './tree-props.ts';
 import { parentOf, stepFrom, type TreeRow } from './tree-rows.ts';
 
-/** What keys need to know of the tree as it is shown. */
+/** What the keys need to know about the rendered tree. */
 interface ShownTree {
-  /** Rows that a page key goes over. */
+  /** The number of rows that a page key moves by. */
   readonly page: number;
-  /** Shows the menu of the active row. */
+  /** Opens the menu of the active row. */
   readonly showMenu: () => void;
 }
 
 /**
- * Does what a key means in a tree: arrows walk and fold, Alt and an arrow moves the row, Enter opens it, the menu key shows its menu.
- * @returns whether it knew the key
+ * Handles a key in a tree: arrows move and fold, Alt and an arrow reorders, Enter opens the row, the menu key opens its menu.
+ * @returns whether it handled the key
  */
 export function actOnKey<R extends TreeRow>(event: KeyboardEvent, tree: TreeProps<R>, shown: ShownTree): boolean {
   const row = tree.rows.find(({ key }) => key === tree.active);

@@ -1,20 +1,20 @@
-/** A row of a tree, in the order in which the rows are shown. */
+/** A row of a tree; rows are given in display order. */
 export interface TreeRow {
   readonly key: string;
   /** from 1 */
   readonly depth: number;
-  /** What it is called wherever it is dragged to; in the tree it is called by what it shows. */
+  /** The text of the row when it is dragged out of the tree. */
   readonly label: string;
-  /** null: there is nothing below it */
+  /** null for a leaf */
   readonly expanded: boolean | null;
-  /** Rows of the same list can change places with each other; null: it stays where it is. */
+  /** Rows of the same list can be reordered; null: the row is fixed. */
   readonly list: string | null;
-  /** Within its siblings, from 0, and how many there are. */
+  /** Its index among its siblings, from 0, and their number. */
   readonly place: number;
   readonly siblings: number;
 }
 
-/** An entry of a row's menu; null is a line between entries. */
+/** An entry of a row's context menu; null is a separator. */
 export type MenuEntry = {
   readonly title: string;
   readonly keys?: string;
@@ -22,7 +22,7 @@ export type MenuEntry = {
   readonly run: () => void;
 } | null;
 
-/** The row that is a step away, among the rows that are shown; the same one at either end. */
+/** The row `by` steps away among the shown rows, limited to the first and last. */
 export function stepFrom(rows: readonly TreeRow[], key: string | null, by: number): TreeRow | null {
   if (rows.length === 0) return null;
   const index = rows.findIndex((row) => row.key === key);
@@ -30,14 +30,14 @@ export function stepFrom(rows: readonly TreeRow[], key: string | null, by: numbe
   return rows[Math.min(rows.length - 1, Math.max(0, index + by))];
 }
 
-/** The row that this one hangs below; null for one of the first level. */
+/** The parent of a row; null on the top level. */
 export function parentOf(rows: readonly TreeRow[], key: string): TreeRow | null {
   const index = rows.findIndex((row) => row.key === key);
   for (let i = index - 1; i >= 0; i--) if (rows[i].depth < rows[index].depth) return rows[i];
   return null;
 }
 
-/** Keys of the leaves from one row to another, both included, as they are shown. */
+/** The keys of the leaves from one row to another, inclusive, in display order. */
 export function leavesBetween(rows: readonly TreeRow[], from: string, to: string): string[] {
   const [a, b] = [rows.findIndex(({ key }) => key === from), rows.findIndex(({ key }) => key === to)];
   if (a < 0 || b < 0) return [to];
@@ -48,9 +48,9 @@ export function leavesBetween(rows: readonly TreeRow[], from: string, to: string
 }
 
 /**
- * Where a dragged row goes when it is let go over another one of its list.
+ * The new place of a row that is dropped on another row of its list.
  * @param below whether the pointer is over the lower half of that row
- * @returns its place afterwards, or null where nothing would change
+ * @returns the new place, or null if nothing would change
  */
 export function dropPlace(dragged: TreeRow, over: TreeRow, below: boolean): number | null {
   if (dragged.list === null || dragged.list !== over.list) return null;

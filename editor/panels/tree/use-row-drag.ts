@@ -2,18 +2,18 @@ import { type DragEvent, useState } from 'react';
 import { rowAt, rowElement } from './row-at.ts';
 import { dropPlace, type TreeRow } from './tree-rows.ts';
 
-/** Where a dragged row would go. */
+/** Where a dragged row would be dropped. */
 interface Drop {
-  /** Of the row whose edge it is. */
+  /** index of the row at whose edge it would be dropped */
   readonly index: number;
   readonly below: boolean;
-  /** Its place in its list. */
+  /** its new place in its list */
   readonly place: number;
 }
 
 /**
- * Rows that are dragged to another place in their list.
- * @returns the row that is dragged, where it would go, and what the tree's element listens to
+ * Lets rows be dragged to another place in their list.
+ * @returns the dragged row, where it would be dropped, and the listeners of the tree's element
  */
 export function useRowDrag<R extends TreeRow>(rows: readonly R[], onMove: ((row: R, place: number) => void) | undefined) {
   const [dragged, setDragged] = useState<R | null>(null);
@@ -21,7 +21,7 @@ export function useRowDrag<R extends TreeRow>(rows: readonly R[], onMove: ((row:
 
   const dropAt = (event: DragEvent<HTMLDivElement>): Drop | null => {
     if (dragged === null) return null;
-    // the room below all rows is that below the last one
+    // The space below all rows counts as that below the last one.
     const over = rowAt(rows, event.target) ?? rows.findLast(({ list }) => list === dragged.list) ?? null;
     if (over === null) return null;
     const box = rowElement(event.target)?.getBoundingClientRect();

@@ -3,7 +3,7 @@ import { type RefObject, useEffect, useRef } from 'react';
 import { FINGER, useCoarse } from '../../ui/index.ts';
 import type { TreeRow } from './tree-rows.ts';
 
-/** Which rows are on the page, however many there are. The active one is brought into view. */
+/** The rows that are rendered, out of any number. The active one is scrolled into view. */
 export function useShownRows<R extends TreeRow>(
   scroller: RefObject<HTMLDivElement | null>,
   rows: readonly R[],
@@ -24,7 +24,7 @@ export function useShownRows<R extends TreeRow>(
   // biome-ignore lint/correctness/useExhaustiveDependencies: another pointer, other heights
   useEffect(() => measure.current(), [least]);
 
-  // whoever made it active, it is to be seen
+  // Scrolls to the active row, whatever made it active.
   const scrollTo = useRef(virtual.scrollToIndex);
   scrollTo.current = virtual.scrollToIndex;
   useEffect(() => {
