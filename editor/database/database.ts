@@ -1,17 +1,18 @@
-/** What a database that does not answer is waited for, ms. */
+/** ms that a database has to answer */
 const PATIENCE = 5000;
 
 /**
- * @param stores by their names
- * @param isChecked the database may be another one than before, as after its data were cleared: what relies on what was there is to look first
+ * @param stores by name
+ * @param isChecked whether the database may have been replaced, for example after its data was cleared: work that relies on
+ * existing data must check for it first
  */
 export type Work<T> = (stores: (name: string) => IDBObjectStore, isChecked: boolean) => T | Promise<T>;
 
-/** A database of the browser. Every promise rejects when it fails or does not answer in time; nothing is half done then. */
+/** A database of the browser. Every promise rejects if it fails or does not answer in time; then nothing is changed. */
 export interface Database {
   /**
-   * Runs in one transaction, in the order of the calls, and resolves once the browser has written it to the disk. What returns no promise is wholly on its
-   * way when this returns: the page may die then.
+   * Runs in one transaction, in order of the calls, and resolves once the browser has written it to disk. Work that returns no
+   * promise is handed over completely when this returns, so the page may die after that.
    */
   within<T>(mode: IDBTransactionMode, work: Work<T>): Promise<T>;
 }
@@ -19,9 +20,9 @@ export interface Database {
 export interface DatabaseOptions {
   readonly databases: IDBFactory;
   readonly name: string;
-  /** Names of its stores and how their values are known; null: by a key that is given. */
+  /** The key paths of its stores by name; null: keys are given explicitly. */
   readonly stores: Readonly<Record<string, string | string[] | null>>;
-  /** Calls back after so many ms. @returns takes the request back */
+  /** Calls back after `ms`. @returns cancels it */
   readonly after: (ms: number, call: () => void) => () => void;
 }
 
@@ -38,7 +39,7 @@ const finished = (transaction: IDBTransaction): Promise<void> =>
     transaction.addEventListener('abort', fail);
   });
 
-/** Opens a database, and makes its stores where it is new. Resolves when the database answers, however long that takes. */
+/** Opens a database and creates its stores if it is new. Resolves when the database answers, however long that takes. */
 export async function openDatabase({ databases, name, stores, after }: DatabaseOptions): Promise<Database> {
   const names = Object.keys(stores);
   const open = async (): Promise<IDBDatabase> => {
@@ -48,7 +49,7 @@ export async function openDatabase({ databases, name, stores, after }: DatabaseO
         request.result.createObjectStore(store, keyPath === null ? {} : { keyPath });
     };
     const opened = await done(request);
-    // somebody clears the data of the site, which must not wait for this page
+    // the user clears the data of the site, which must not wait for this page
     opened.onversionchange = () => opened.close();
     return opened;
   };
@@ -63,7 +64,7 @@ export async function openDatabase({ databases, name, stores, after }: DatabaseO
   const run = async <T>(mode: IDBTransactionMode, work: Work<T>, isChecked: boolean): Promise<T> => {
     const transaction = database.transaction(names, mode, { durability: 'strict' });
     const end = finished(transaction);
-    // the reason is reported by the work or by the end, whichever comes first
+    // the work or the end reports the reason, whichever fails first
     end.catch(() => undefined);
     let result: T;
     try {
@@ -71,14 +72,14 @@ export async function openDatabase({ databases, name, stores, after }: DatabaseO
       if (given instanceof Promise) result = await given;
       else {
         result = given;
-        // without it the browser waits for the page to say that nothing follows, and of a page that dies meanwhile it keeps nothing
+        // Without it, the browser waits for the page to finish the transaction, and discards it if the page dies before that.
         transaction.commit();
       }
     } catch (error) {
       try {
         transaction.abort();
       } catch {
-        // it is over already
+        // it has ended already
       }
       throw error;
     }

@@ -12,7 +12,7 @@ import {
 } from './shelf-changes.ts';
 import type { Channel } from './writer-lock.ts';
 
-/** A database of values by name; `update` reads and writes in one go, so that two pages can't both. */
+/** A key-value database; `update` reads and writes in one transaction, so that two pages can't interfere. */
 export interface KeyValues {
   get(key: string): Promise<unknown>;
   update(key: string, change: (old: unknown) => unknown): Promise<void>;
@@ -21,10 +21,10 @@ export interface KeyValues {
 const KEY = 'gravity-quest-editor-levels';
 
 /**
- * Levels in this browser's own database: for a page that comes from a plain web server.
- * @param channel tells other pages of this browser what has changed; null where there is none
+ * Levels in this browser's own database, for a page that comes from a plain web server.
+ * @param channel tells other pages of this browser what has changed; null if there is none
  * @param now ms since 1970
- * @param lasts whether what the database has is still there when the page is gone
+ * @param lasts whether the database outlives the page
  */
 export function createBrowserStorage(
   database: KeyValues,
@@ -40,11 +40,11 @@ export function createBrowserStorage(
       return { ok: false, error: failure(error) };
     }
   };
-  /** Changes the shelf in one go. */
+  /** Changes the shelf in one transaction. */
   const change = async <T>(act: (shelf: Shelf) => ShelfChange<T>): Promise<Answer<T>> => {
     try {
       let done: { value: T; event: EditEvent } | null = null;
-      // what is thrown within an update may be lost on the way out
+      // an exception thrown within an update might get lost
       let refused: unknown = null;
       await database.update(KEY, (old) => {
         refused = null;
@@ -97,7 +97,7 @@ export function createBrowserStorage(
   };
 }
 
-/** Why a question or a change came to nothing. */
+/** Why a request failed. */
 function failure(error: unknown): StorageError {
   if (error instanceof Refused) return error.error;
   const isFull = error instanceof Error && error.name === 'QuotaExceededError';

@@ -6,19 +6,22 @@ import { type Merged, mergeLevels } from './merge.ts';
 
 /** What a look at the disk means for a level. */
 export type DiskNews =
-  /** Nothing new. */
+  /** nothing new */
   | { readonly kind: 'known' }
   | { readonly kind: 'deleted' }
-  /** The file is no level. */
+  /** the file is not a level */
   | { readonly kind: 'unreadable'; readonly problems: readonly Problem[] }
-  /** What this page has sent: the server died, or the line broke, before it could answer. */
+  /** a version that this page has sent: the server died or the connection broke before the answer */
   | { readonly kind: 'own'; readonly file: LevelFile }
-  /** Another level, and this page has changed nothing. */
+  /** another version, and this page has no changes */
   | { readonly kind: 'changed'; readonly theirs: LevelFile }
-  /** Another level, and this page has changed something, too. */
+  /** another version, and this page has changes as well */
   | { readonly kind: 'both changed'; readonly theirs: LevelFile; readonly merged: Merged };
 
-/** What is new on the disk. Seals what goes on in the level where that counts. @param current what is there; null: nothing */
+/**
+ * What is new on disk. Ends a gesture in progress if there is something to merge. @param current the file; null if there is
+ * none
+ */
 export function diskNews(level: EditedLevel, disk: KnownDisk, current: ReadResponse | null): DiskNews {
   if (current === null) return { kind: 'deleted' };
   if (current.etag === disk.base.etag) return { kind: 'known' };
@@ -27,7 +30,7 @@ export function diskNews(level: EditedLevel, disk: KnownDisk, current: ReadRespo
   const theirs = reading.file;
   const own = disk.sent.find((file) => isSame(file, theirs));
   if (own !== undefined) return { kind: 'own', file: own };
-  // a drag that goes on is mine as far as it went
+  // a drag in progress counts as mine as far as it went
   level.seal();
   if (!disk.differs()) return { kind: 'changed', theirs };
   const merged = mergeLevels(disk.base.file, level.settledFile(), theirs, new Map(), disk.sent);

@@ -5,7 +5,7 @@ export type TextReading =
   | { readonly ok: true; readonly file: LevelFile }
   | { readonly ok: false; readonly problems: readonly Problem[] };
 
-/** The level that a text says, or the bytes of a file, with an id on every object; or what is wrong with it. */
+/** Reads a level from a text or the bytes of a file and gives every object an id; or says what is wrong. */
 export function readText(source: string | Uint8Array): TextReading {
   const reading = readLevel(source, { byteOrderMark: 'skip' });
   if (!reading.ok) return { ok: false, problems: reading.problems };
@@ -18,11 +18,11 @@ export function readText(source: string | Uint8Array): TextReading {
   };
 }
 
-/** Whatever a text looks like in which some bytes could not be read, it is not what the file says. */
+/** With these problems, the decoded text is not what the file contains, whatever it looks like. */
 const UNREADABLE: ReadonlySet<string> = new Set(['not-utf8', 'not-a-level']);
 
-/** The level that a file of the storage holds, or what is wrong with the file. */
+/** Reads a level from a file of the storage; or says what is wrong with the file. */
 export function readStored({ text, problems }: Pick<ReadResponse, 'text' | 'problems'>): TextReading {
-  // only the storage knows why it could not be read
+  // only the storage knows why the file could not be read
   return text === null || problems.some(({ code }) => UNREADABLE.has(code)) ? { ok: false, problems } : readText(text);
 }

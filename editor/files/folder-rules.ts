@@ -1,13 +1,13 @@
 import type { FolderRules, ListResponse } from '../../schema/index.ts';
 import { isSame } from '../document/index.ts';
 
-/** Of levels that are in no folder with a configuration. */
+/** For levels in folders without a configuration. */
 export const NO_FOLDER_RULES: FolderRules = { file: null, own: {}, problems: [] };
 
-/** The rules that hold for the levels of a list where they have none of their own; none before there is a list. */
+/** The folder's rules, which apply where a level sets none; none before there is a list. */
 export const folderRulesIn = ({ list }: { readonly list: ListResponse | null }): FolderRules => list?.rules ?? NO_FOLDER_RULES;
 
-/** A list with its rules, which are the same objects as before where they say the same: who follows them sees that nothing has changed. */
+/** A list whose rules are the same objects as before if they are equal, so that subscribers see no change. */
 export function withKeptRules(list: ListResponse, before: ListResponse | null): ListResponse {
   const old = before?.rules;
   if (old === undefined || old === list.rules) return list;

@@ -1,22 +1,22 @@
 import type { LevelFile } from '../../schema/index.ts';
 import { type EditedLevel, isSame } from '../document/index.ts';
 
-/** What was on the disk when it was last looked at or written. */
+/** What was on disk when it was last read or written. */
 export interface DiskBase {
   readonly file: LevelFile;
-  /** null: not on the disk */
+  /** null: not on disk */
   readonly etag: string | null;
-  /** Sent to the disk since, without an answer: each of them may be what is there. None when left out. */
+  /** Versions that were sent since and not answered: each may be on disk. None if absent. */
   readonly sent?: readonly LevelFile[];
 }
 
-/** What a page knows of a level's file on the disk, and whether the level differs from it. */
+/** What a page knows about a level's file on disk, and whether the level differs from it. */
 export class KnownDisk {
   private now: DiskBase;
-  /** The level is to be written even if it is the same. */
+  /** Whether the level must be written even if it does not differ. */
   private isForced = false;
 
-  /** @param onDisk called with what is on the disk whenever that is known anew */
+  /** @param onDisk called whenever the state on disk becomes known */
   constructor(
     private readonly level: EditedLevel,
     base: DiskBase,
@@ -33,19 +33,19 @@ export class KnownDisk {
     return this.now.sent ?? [];
   }
 
-  /** Whether the level differs from what is known to be on the disk, or nothing is known for certain. */
+  /** Whether the level differs from the file on disk, or the state of the file is uncertain. */
   differs(): boolean {
     const { file, etag } = this.now;
     return this.isForced || this.sent.length > 0 || !isSame(this.level.settledFile(), file) || etag === null;
   }
 
-  /** This is on the disk: it was read there, or the write of it was answered. */
+  /** This version is on disk: it was read, or its write was confirmed. */
   holds(file: LevelFile, etag: string | null): void {
     this.now = { file, etag };
     this.onDisk?.(file, etag);
   }
 
-  /** This may be on the disk from now on. @returns takes that back: it has not got there */
+  /** This version may be on disk from now on. @returns takes that back, if it was not sent after all */
   sends(file: LevelFile): () => void {
     const before = this.sent;
     this.now = { ...this.now, sent: [...before.filter((other) => other !== file), file] };
@@ -60,18 +60,18 @@ export class KnownDisk {
     this.holds(file, etag);
   }
 
-  /** The next write takes the place of what is there, whatever that is. */
+  /** The next write replaces whatever is on disk. */
   overwrite(file: LevelFile, etag: string | null): void {
     this.now = { file, etag };
     this.isForced = true;
   }
 
-  /** Begins anew from what was known earlier. */
+  /** Starts over from an earlier state of knowledge. */
   restart(base: DiskBase): void {
     this.now = base;
   }
 
-  /** The same file has another name, and with it another etag. */
+  /** The file was renamed and has a new etag. */
   moved(etag: string): void {
     this.now = { ...this.now, etag };
   }

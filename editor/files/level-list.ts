@@ -1,21 +1,21 @@
 import type { LevelEntry } from '../../schema/index.ts';
 
-/** The folder that a level is in: `world` of `world/loop`, '' of `loop`. */
+/** The folder of a level: `world` of `world/loop`, '' of `loop`. */
 export const folderOf = (id: string): string => id.slice(0, Math.max(0, id.lastIndexOf('/')));
 
-/** The ids of the levels in a folder, in their order. */
+/** The ids of the levels in a folder, in order. */
 export const idsIn = (levels: readonly { readonly id: string }[], folder: string): string[] =>
   levels.flatMap(({ id }) => (folderOf(id) === folder ? [id] : []));
 
-/** With an entry in its place; where that is, the storage says for certain. @param from the id that it had */
+/** The list with an entry updated in place; its final place comes from the storage. @param from the id that it had */
 export function withEntry(levels: readonly LevelEntry[], entry: LevelEntry, from: string): LevelEntry[] {
   const index = levels.findIndex(({ id }) => id === from);
   return index < 0 ? [...levels, entry] : levels.map((other, i) => (i === index ? entry : other));
 }
 
 /**
- * With a part of a list that comes in parts: until the last one what was known stays on the screen.
- * @param heard ids of all parts so far, those of this one included
+ * The list with a part of a new list that arrives in parts: until the last part, known levels stay on the screen.
+ * @param heard ids of all parts so far, including this one
  * @param isWhole whether this is the last part
  */
 export function withPart(
@@ -31,7 +31,7 @@ export function withPart(
   return [...kept, ...part.filter(({ id }) => !before.has(id))];
 }
 
-/** With some of the levels in another order, in the places that they have together. */
+/** The list with some levels reordered among their places. */
 export function inOrder(levels: readonly LevelEntry[], ids: readonly string[]): LevelEntry[] {
   const wanted = new Set(ids);
   const ordered = ids.flatMap((id) => levels.find((entry) => entry.id === id) ?? []);

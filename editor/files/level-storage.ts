@@ -10,29 +10,29 @@ import type {
   TrashEntry,
 } from '../../schema/index.ts';
 
-/** Why something was not done. `unreachable`: nobody answers; `unexpected`: an answer that makes no sense. */
+/** Why a request failed. `unreachable`: no answer; `unexpected`: an answer that was not understood. */
 export interface StorageError {
   readonly code: EditErrorCode | 'unreachable' | 'unexpected';
   readonly message: string;
   readonly hint: string;
   readonly problems: NonNullable<ErrorResponse['error']['problems']>;
-  /** `conflict`: what is there instead of the base; null: there is no such level any more. */
+  /** `conflict`: the current state instead of the base; null: the level no longer exists. */
   readonly current: ReadResponse | null;
 }
 
 export type Answer<T> = { readonly ok: true; readonly value: T } | { readonly ok: false; readonly error: StorageError };
 
-/** Whether a storage can be reached. `otherRun`: a server answers that knows nothing of this page, since it was started again. */
+/** Whether a storage can be reached. `otherRun`: the server was restarted and does not know this page. */
 export type Link = 'up' | 'gone' | 'otherRun';
 
-/** Where levels are: a folder behind `gq edit`, or this browser. No promise of it ever rejects. */
+/** Where levels are stored: in a folder behind `gq edit`, or in this browser. Its promises never reject. */
 export interface LevelStorage {
   readonly kind: 'server' | 'browser';
-  /** Whether what is written is still there when the page is gone. */
+  /** Whether the data outlives the page. */
   readonly lasts: boolean;
   list(): Promise<Answer<ListResponse>>;
   read(id: string): Promise<Answer<ReadResponse>>;
-  /** @param base etag of what the text came from; null for a new level */
+  /** @param base etag of the version that the text is based on; null for a new level */
   write(id: string, text: string, base: string | null): Promise<Answer<LevelEntry>>;
   rename(id: string, to: string, base: string): Promise<Answer<LevelEntry>>;
   duplicate(id: string, to: string, base: string): Promise<Answer<LevelEntry>>;
@@ -41,14 +41,14 @@ export interface LevelStorage {
   restore(trash: string, to?: string): Promise<Answer<LevelEntry>>;
   order(folder: string, ids: readonly string[]): Promise<Answer<OrderResponse>>;
   /**
-   * Tells what happens to levels, done by whomever, but not what this page did itself.
-   * @param onLink when that changes
+   * Reports changes of levels by anyone but this page.
+   * @param onLink called when the link changes
    * @returns stops it
    */
   watch(onEvent: (event: EditEvent) => void, onLink: (link: Link) => void): () => void;
 }
 
-/** An error without what only some have. */
+/** An error, with defaults for the fields that only some errors have. */
 export const storageError = (
   code: StorageError['code'],
   message: string,

@@ -3,13 +3,13 @@ import { isSame } from '../document/index.ts';
 
 export type Side = 'mine' | 'theirs';
 
-/** Two people changed the same thing in different ways. */
+/** A property that both sides changed in different ways. */
 export interface Conflict {
-  /** What it is about, the same as long as it is: to choose by. `asteroids/a7k2/place`, `runs/solution/holds`, `name`. */
+  /** Identifies what it is about, for choices: `asteroids/a7k2/place`, `runs/solution/holds`, `name`. */
   readonly key: string;
-  /** For people: `asteroid a7k2, place`. */
+  /** The same in words: `asteroid a7k2, place`. */
   readonly what: string;
-  /** JSON values; undefined where it is missing or was deleted. */
+  /** JSON values; undefined if missing or deleted. */
   readonly base: unknown;
   readonly mine: unknown;
   readonly theirs: unknown;
@@ -19,25 +19,25 @@ export type Choices = ReadonlyMap<string, Side>;
 
 export interface Merged {
   readonly file: LevelFile;
-  /** All of them, chosen or not; what was not chosen is mine in `file`. */
+  /** All conflicts, resolved or not; unresolved ones are mine in `file`. */
   readonly conflicts: readonly Conflict[];
 }
 
 type Json = { readonly [key: string]: unknown };
 
-/** Groups by the fields in them. */
+/** Groups, by the fields they contain. */
 type Together = ReadonlyMap<string, string>;
 
 const ALONE: Together = new Map();
 
-/** Fields of a kind that mean something only together: a place is not to be mixed from two. */
+/** Fields of a kind that belong together: the coordinates of a place must not be mixed from two versions. */
 function togetherIn(kind: ObjectKind): Together {
   const { places, vectors } = KINDS[kind];
   const groups = [...places.map((pair, i) => [i === 0 ? 'place' : `place ${i + 1}`, pair] as const), ...Object.entries(vectors)];
   return new Map(groups.flatMap(([group, pair]) => pair.map((field) => [field, group] as const)));
 }
 
-/** An object with its fields in groups; a group is a list of pairs. */
+/** An object with its fields in groups; a group is an object of its fields. */
 function toGroups(object: Json, together: Together): Map<string, unknown> {
   const groups = new Map<string, unknown>();
   for (const [key, value] of Object.entries(object)) {
@@ -62,9 +62,9 @@ function fromGroups(groups: ReadonlyMap<string, unknown>, together: Together): J
 /** A list whose entries have names. */
 interface MergedList {
   readonly list: string;
-  /** What is in it, in words: one. */
+  /** A single entry in words. */
   readonly kind: string;
-  /** Which field has the name. */
+  /** The field with the name. */
   readonly nameKey: string;
   readonly together: Together;
 }
@@ -74,7 +74,7 @@ class Merge {
 
   constructor(private readonly choices: Choices) {}
 
-  /** One value that is taken as a whole. */
+  /** Merges one value as a whole. */
   value(key: string, what: string, bases: readonly unknown[], mine: unknown, theirs: unknown): unknown {
     if (isSame(mine, theirs) || bases.some((base) => isSame(base, theirs))) return mine;
     if (bases.every((base) => isSame(base, mine))) return theirs;
@@ -93,7 +93,7 @@ class Merge {
     return fromGroups(merged, together);
   }
 
-  /** Fields that a file may leave out altogether; none and an empty object say the same, but not as the same text. */
+  /** Merges fields that a file may omit altogether. None and an empty object mean the same, but differ as text. */
   optionalFields(
     key: string,
     bases: readonly (Json | undefined)[],
@@ -107,7 +107,7 @@ class Merge {
     return sides.some((side) => side !== undefined && Object.keys(side).length === 0) ? merged : undefined;
   }
 
-  /** A list whose entries have names: objects by id, runs by name. */
+  /** Merges a list whose entries have names: objects by id, runs by name. */
   list(
     key: string,
     { kind, nameKey, together }: MergedList,
@@ -127,7 +127,7 @@ class Merge {
         merged.set(name, this.fields(`${key}/${name}`, what, together, fields, here, there));
         continue;
       }
-      // added on one side, or taken out on the other
+      // added on one side, or deleted on the other
       const kept = this.value(`${key}/${name}`, what, old, here, there) as Json | undefined;
       if (kept !== undefined) merged.set(name, kept);
     }
@@ -136,7 +136,7 @@ class Merge {
     return names.map((name) => merged.get(name) as Json);
   }
 
-  /** The order of what is kept: that of the side that changed it, and what is new where its side has it. */
+  /** The order of the kept entries: that of the side that changed it; new entries go where their side has them. */
   private order(
     key: string,
     kind: string,
@@ -160,7 +160,7 @@ class Merge {
     for (const anchor of ['', ...common]) {
       if (anchor !== '') put(anchor);
       const groups = [hereAfter.get(anchor) ?? [], thereAfter.get(anchor) ?? []];
-      // the same whichever side is called mine
+      // the result must not depend on which side is called mine
       groups.sort((p, q) => (p.join() < q.join() ? -1 : 1));
       for (const name of groups.flat()) put(name);
     }
@@ -168,7 +168,7 @@ class Merge {
   }
 }
 
-/** Names that are not common to all, by the common name they follow; '' for those before the first. */
+/** Names that are not common to all, by the common name that they follow; '' for those before the first. */
 function followers(
   list: readonly string[],
   isCommon: (name: string) => boolean,
@@ -192,11 +192,11 @@ const LISTS: readonly MergedList[] = [
 ];
 
 /**
- * Brings two changed versions of a level together. What only one side changed is taken; objects are known by their ids, runs by their names, so it does
- * not matter where in its list something stands. What both changed differently is a conflict, one for each property.
- * @param base what both began with; ids on all objects, as in `mine` and `theirs`
- * @param sent what mine was like on its way from there and theirs may have begun with instead: a value that is in one of them is no change of theirs,
- * and mine is unchanged only where it is as in all of them
+ * Merges two changed versions of a level. Changes made on one side only are taken. Objects are identified by id and runs by
+ * name, so their position in a list does not matter. A property that both sides changed differently is a conflict.
+ * @param base the version that both started from; all objects have ids, as in `mine` and `theirs`
+ * @param sent states of mine that were sent and that theirs may have started from instead: a value that occurs in one of them
+ * is no change of theirs, and mine counts as unchanged only if it equals all of them
  */
 export function mergeLevels(
   base: LevelFile,
@@ -227,7 +227,7 @@ export function mergeLevels(
     const [here, there, ...old] = [m, t, ...b].map((file) => file[list] as readonly Json[] | undefined);
     const before = old.map((entries) => entries ?? []);
     const entries = merge.list(list, one, before, here ?? [], there ?? []);
-    // an empty list and none are the same level, but not the same text
+    // an empty list and none are the same level, but differ as text
     const sides = isSame(old[0], here) ? [there] : isSame(old[0], there) ? [here] : [here, there];
     if (entries.length > 0 || sides.some((side) => side?.length === 0)) merged[list] = entries;
   }

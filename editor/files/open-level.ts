@@ -10,38 +10,38 @@ import { createSaver, type Saver } from './saver.ts';
 import { type Throttled, type Timers, throttled } from './timers.ts';
 import { type Channel, claimLevel, type Role, type Shown, type WriterLock } from './writer-lock.ts';
 
-/** What a page offers and a test replaces. */
+/** What the page provides, and tests replace. */
 export interface Surroundings {
   readonly storage: LevelStorage;
   readonly journal: Journal;
   readonly timers: Timers;
-  /** A name of the folder that is the same in every run: `folder.id` of its list. */
+  /** The id of the folder, the same on every start: `folder.id` of its list. */
   readonly folder: string;
   readonly locks: Pick<LockManager, 'request'> | null;
-  /** A channel by name, between the pages of this browser; null where there is none. */
+  /** A channel by name between the pages of this browser; null if there is none. */
   readonly channel: (name: string) => Channel | null;
 }
 
-/** A level that is open: edited, kept, saved. */
+/** An open level: edited, kept in the journal, saved. */
 export interface OpenedLevel {
   /** Changes when the level is renamed. */
   id(): string;
   readonly level: EditedLevel;
   readonly saver: Saver;
   readonly lock: WriterLock;
-  /** Whether what is not saved would outlive this page; null: this page does not keep the level, since another one does. */
+  /** Whether unsaved changes would outlive this page; null: this page keeps no journal of the level, as another page does. */
   readonly keeping: StoreApi<Keeping | null>;
-  /** What an earlier page had changed and not saved; it is in the level again, as a step that can be undone. */
+  /** Unsaved changes of an earlier page. They are in the level again, as a step that can be undone. */
   readonly recovered: Recovery | null;
-  /** The level was renamed. */
+  /** Called when the level was renamed. */
   moved(id: string, etag: string): void;
-  /** Writes what is unsaved and lets go of the level. What could not be written stays in the journal. */
+  /** Saves the changes and releases the level. Changes that could not be saved stay in the journal. */
   close(): Promise<void>;
 }
 
 export type Opening =
   | { readonly ok: true; readonly opened: OpenedLevel }
-  /** Not a level: it can be looked at and edited as text. */
+  /** Not a level: it can be viewed and edited as text. */
   | {
       readonly ok: false;
       readonly kind: 'invalid';
@@ -53,18 +53,19 @@ export type Opening =
 
 const placeOf = (folder: string, id: string): string => `${folder}/${id}`;
 
-/** After so long the journal is asked again for what an earlier page has left, ms. */
+/** ms after which the journal is asked again for changes of an earlier page */
 const RETRY = 3000;
 
-/** So long after a step other tabs hear what the level is like, ms. */
+/** ms after a step until other tabs are told the new state of the level */
 const TELL_AFTER = 100;
 
-/** Until a page that has just opened a level knows whether it may write it. */
-const ASKING = 'asking whether another tab has this level open';
+/** shown until a page that has just opened a level knows whether it may write it */
+const ASKING = 'checking whether another tab has this level open';
 
 /**
- * Opens a level of the storage, with what an earlier page had not saved. Resolves when it is known whether this page may write it.
- * @param remembered the level as this page had it open before: its history goes on if nothing has changed it since
+ * Opens a level of the storage, including unsaved changes of an earlier page. Resolves when it is known whether this page may
+ * write it.
+ * @param remembered the level as this page last had it open: its history continues if nothing has changed it since
  */
 export async function openLevel(id: string, surroundings: Surroundings, remembered: EditedLevel | null = null): Promise<Opening> {
   const answer = await surroundings.storage.read(id);
@@ -72,7 +73,7 @@ export async function openLevel(id: string, surroundings: Surroundings, remember
   const { text, etag } = answer.value;
   const reading = readStored(answer.value);
   if (!reading.ok) return { ok: false, kind: 'invalid', text: text ?? '', etag, problems: reading.problems };
-  // an id may have become another level's meanwhile: a history goes on only where its level is still what is there
+  // The id may now belong to another level: the history continues only if the file is still the same.
   const fresh = createEditedLevel(reading.file);
   const level = remembered !== null && isSame(remembered.file(), fresh.file()) ? remembered : fresh;
   const opened = new LevelOnPage(id, surroundings, level, { file: level.file(), etag }, answer.value.readOnly);
@@ -87,11 +88,11 @@ class LevelOnPage implements OpenedLevel {
   /** Resolves when it is known whether this page may write. */
   readonly decided: Promise<void>;
   recovered: Recovery | null = null;
-  /** What this page keeps of the level; null: another page does. */
+  /** This page's journal of the level; null if another page keeps it. */
   private kept: LevelJournal | null = null;
-  /** This page lost the level to another one before it could write its changes. */
+  /** Whether this page lost the level to another one before it could write its changes. */
   private isStranded = false;
-  /** What follows from the role of this page, once it is done. */
+  /** Resolves when the consequences of this page's role are done. */
   private settled: Promise<void> = Promise.resolve();
   private stopShowing = () => {};
   private cancelRetry = () => {};
@@ -131,9 +132,9 @@ class LevelOnPage implements OpenedLevel {
     this.telling = throttled(TELL_AFTER, () => this.lock.tell(this.shown()), timers);
     this.decided = this.followRole();
     this.stops = [
-      // a large level takes long to write out: what a person does must not wait for that
+      // writing out a large level takes long: the user must not wait for it
       level.onStep(() => this.telling.soon()),
-      // the database may have what an earlier page did not save
+      // the database may contain unsaved changes of an earlier page
       journal.onAdopted(() => {
         if (this.kept !== null) this.settled = this.settled.then(() => this.takeUp());
       }),
@@ -179,7 +180,7 @@ class LevelOnPage implements OpenedLevel {
     return { text: formatLevel(this.level.settledFile()), base: { text: formatLevel(file), etag } };
   }
 
-  /** Shows what the tab that writes has. */
+  /** Shows the state of the tab that writes. */
   private show({ text, base }: Shown): void {
     const [theirs, disk] = [readText(text), readText(base.text)];
     if (!theirs.ok || !disk.ok || this.isStranded || this.lock.store.getState() !== 'reader') return;
@@ -187,7 +188,7 @@ class LevelOnPage implements OpenedLevel {
     this.saver.restart({ file: disk.file, etag: base.etag });
   }
 
-  /** @returns when the first role is known, and what follows from it is done */
+  /** @returns resolves when the first role is known and its consequences are done */
   private followRole(): Promise<void> {
     return new Promise((resolve) => {
       const decide = () => {
@@ -207,7 +208,7 @@ class LevelOnPage implements OpenedLevel {
     return Promise.resolve();
   }
 
-  /** From now on this page writes: with what whoever wrote before has left in the journal. */
+  /** Makes this page the writer, including what earlier writers left in the journal. */
   private async takeUp(): Promise<void> {
     const { level, saver, lock } = this;
     const { journal, folder } = this.surroundings;
@@ -215,16 +216,16 @@ class LevelOnPage implements OpenedLevel {
     try {
       left = await journal.recover(placeOf(folder, this.at));
     } catch {
-      // to follow now would write over what an earlier page has left
+      // following now would overwrite what an earlier page has left
       if (lock.store.getState() === 'writer') this.writeUnkept();
       return;
     }
     if (lock.store.getState() !== 'writer') return;
-    // what was cut off between the disk and its answer has reached the disk
+    // a write whose answer was lost may have reached the disk
     if (left !== null && !isSame(left.file, saver.base().file)) {
-      // this page may have changes of its own, that it could not write when it lost the level
+      // this page may have changes of its own that it could not write before it lost the level
       const { file } = mergeLevels(saver.base().file, level.settledFile(), left.file);
-      // the saver brings it together with what is there now
+      // the saver merges it with what is on disk now
       saver.restart(left.base);
       level.replace('Recovered', file);
       this.recovered ??= left;
@@ -235,7 +236,7 @@ class LevelOnPage implements OpenedLevel {
     saver.refresh();
   }
 
-  /** Writes without a journal, and asks it again in a while. */
+  /** Writes without a journal, and asks for the journal again later. */
   private writeUnkept(): void {
     this.keeping.setState('failing', true);
     this.cancelRetry = this.surroundings.timers.after(RETRY, () => {
@@ -245,7 +246,7 @@ class LevelOnPage implements OpenedLevel {
     this.saver.refresh();
   }
 
-  /** Another page writes. */
+  /** Another page is the writer. */
   private giveUp(): void {
     this.isStranded = this.kept !== null && this.saver.isUnsaved();
     this.keep(null);

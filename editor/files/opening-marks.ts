@@ -1,20 +1,23 @@
-/** Which levels are just being opened, in a place that outlives a page that hangs: what is still marked when a page begins is what made the last one hang. */
+/**
+ * Marks of levels that are being opened, stored outside the page. A mark that is still there when a page starts names the level
+ * that made the previous page hang.
+ */
 export interface OpeningMarks {
-  /** Marks a level before anything is made of it. */
+  /** Marks a level before it is opened. */
   set(place: string): void;
-  /** It was opened and drawn, or the page was left before that. */
+  /** Removes a mark: the level was opened and drawn, or left before that. */
   clear(place: string): void;
-  /** Whether a page was opening it, and never came to an end. */
+  /** Whether an earlier page began to open the level and did not finish. */
   has(place: string): boolean;
-  /** Takes back what this page has marked: it is left as pages are, and does not hang. */
+  /** Removes all marks of this page, which is left normally and does not hang. */
   leave(): void;
 }
 
 const KEY = 'gravity-quest-editor-opening';
-/** The list can't grow without end. */
+/** keeps the list from growing without limit */
 const MOST = 50;
 
-/** @param storage null where the browser keeps nothing: then nothing is known of the page before */
+/** @param storage null if the browser stores nothing: then nothing is known about earlier pages */
 export function createOpeningMarks(storage: Pick<Storage, 'getItem' | 'setItem'> | null): OpeningMarks {
   const own = new Set<string>();
   const read = (): readonly string[] => {
@@ -29,7 +32,7 @@ export function createOpeningMarks(storage: Pick<Storage, 'getItem' | 'setItem'>
     try {
       storage?.setItem(KEY, JSON.stringify(places.slice(-MOST)));
     } catch {
-      // no room, or not allowed: nothing is known then
+      // no space, or not allowed: nothing is remembered
     }
   };
   const clear = (place: string) => {

@@ -10,20 +10,23 @@ import { createServerStorage } from './server-storage.ts';
 import { pageTimers, type Timers } from './timers.ts';
 import type { Channel } from './writer-lock.ts';
 
-/** So long the page waits for what may never answer before it is shown without, ms. */
+/** ms that the page waits for a database before it starts without it */
 const PATIENCE = 3000;
-/** Between attempts to open a database that was refused, ms. */
+/** ms between attempts to open a database that was refused */
 const RETRY = 30_000;
 
 const LEVELS = 'gravity-quest-editor-levels';
 
-/** What a page offers, whether or not its database answers. */
+/** What the page provides, whether or not its database answers. */
 export interface PageSurroundings extends Omit<Surroundings, 'folder'> {
-  /** Levels of this browser that could be read only after the page had begun without them; null where it began with them. */
+  /** Levels of this browser that became readable only after the page had started without them; null if it started with them. */
   readonly lateLevels: Promise<LevelStorage> | null;
 }
 
-/** @returns what it gives in time, or null; and what it gives in the end: it is tried again for as long as it is refused */
+/**
+ * Opens something, again and again while that fails. @returns the value if it arrives in time, else null; and a promise of the
+ * value
+ */
 export async function inTimeOrLate<T>(
   open: () => Promise<T>,
   timers: Pick<Timers, 'after'>,
@@ -58,7 +61,7 @@ async function openValues(databases: IDBFactory, timers: Timers): Promise<KeyVal
   return { get: (key) => get(key, use), update: (key, change) => update(key, change, use) };
 }
 
-/** For as long as the page lives. */
+/** Levels that live only as long as the page. */
 function passingValues(): KeyValues {
   const values = new Map<string, unknown>();
   return {
@@ -71,7 +74,7 @@ function passingValues(): KeyValues {
 
 const channelTo = (name: string): Channel | null => (typeof BroadcastChannel === 'undefined' ? null : new BroadcastChannel(name));
 
-/** Whether `gq edit` has served a page that was opened without its token: a bookmark, an address typed by hand. */
+/** Whether `gq edit` serves this page although it was opened without its token: by a bookmark, or an address typed by hand. */
 async function isServed(page: Window): Promise<boolean> {
   if (!mayBeServed(page)) return false;
   try {
@@ -82,7 +85,7 @@ async function isServed(page: Window): Promise<boolean> {
   }
 }
 
-/** Levels of this browser, of the page alone while the database does not answer. */
+/** The levels of this browser; only those of this page while the database does not answer. */
 async function browserLevels(timers: Timers): Promise<{ storage: LevelStorage; lateLevels: Promise<LevelStorage> | null }> {
   const over = (values: KeyValues, lasts: boolean) =>
     createBrowserStorage(values, lasts ? channelTo(LEVELS) : null, Date.now, lasts);
@@ -91,12 +94,12 @@ async function browserLevels(timers: Timers): Promise<{ storage: LevelStorage; l
   return { storage: over(passingValues(), false), lateLevels: late.then((values) => over(values, true)) };
 }
 
-/** What a page of the browser offers: levels behind `gq edit` when it comes from there, else in the browser. */
+/** What the page provides: the levels behind `gq edit` if it comes from there, else those of the browser. */
 export async function pageSurroundings(page: Window): Promise<PageSurroundings> {
   const timers = pageTimers;
   const given = takeToken(page);
   const opening = inTimeOrLate(() => openIndexedDbStore(indexedDB, timers.after), timers);
-  // without a token it says what is missing
+  // with an empty token, the storage reports what is missing
   const token = given ?? ((await isServed(page)) ? '' : null);
   const levels =
     token === null

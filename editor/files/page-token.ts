@@ -1,25 +1,26 @@
 const KEPT = 'gravity-quest-editor-token';
 const PART = 'token';
 
-/** Hosts that `gq edit` listens on, and the addresses of its page. */
+/** Hosts that `gq edit` listens on, and the paths of its page. */
 const HOSTS = ['127.0.0.1', 'localhost'];
 const PATHS = ['/', '/index.html'];
 
-/** What of a window is needed. */
+/** The parts of a window that are needed. */
 export interface TokenPage {
   readonly location: Pick<Location, 'protocol' | 'hostname' | 'pathname' | 'search' | 'hash'>;
   readonly history: Pick<History, 'replaceState' | 'state'>;
   readonly sessionStorage: Pick<Storage, 'getItem' | 'setItem'>;
 }
 
-/** Whether `gq edit` may have served the page: elsewhere a token in the address is somebody's joke, and would hide the levels of this browser. */
+/** Whether `gq edit` may have served the page. Elsewhere, a token in the address must not hide the levels of this browser. */
 export const mayBeServed = ({ location }: Pick<TokenPage, 'location'>): boolean =>
   location.protocol === 'http:' && HOSTS.includes(location.hostname) && PATHS.includes(location.pathname);
 
 /**
- * The token in the address that `gq edit` prints. It is taken out of the address, so that no bookmark, no picture of the screen and no list of pages has
- * it, and is kept for this tab alone, so that the page can be loaded anew; where the tab keeps nothing the address keeps it.
- * @returns null: the page was opened without one
+ * Takes the token from the address that `gq edit` prints. It is removed from the address, so that no bookmark, screenshot or
+ * history contains it, and kept for this tab only, so that the page can be reloaded. If the tab can't store it, it stays in the
+ * address.
+ * @returns null if the page was opened without a token
  */
 export function takeToken(page: TokenPage): string | null {
   if (!mayBeServed(page)) return null;

@@ -1,21 +1,21 @@
 import type { Problem } from '../../schema/index.ts';
 import type { Conflict } from './merge.ts';
 
-/** Where the work is, for the person. In all but the first two the journal has what the disk has not. */
+/** Where the work is stored, as the user sees it. In all states but the first two, the journal has what the disk lacks. */
 export type SaveState =
   | { readonly kind: 'saved' }
   | { readonly kind: 'saving' }
-  /** Will be written in a moment. */
+  /** will be written in a moment */
   | { readonly kind: 'unsaved' }
-  /** Nobody answers; it tries again by itself. */
+  /** no answer; retried automatically */
   | { readonly kind: 'offline'; readonly message: string; readonly hint: string }
-  /** The disk does not take it; it tries again by itself. */
+  /** the disk does not accept it; retried automatically */
   | { readonly kind: 'failing'; readonly message: string; readonly hint: string }
-  /** Both the disk and this page have changed the same thing: `resolve` goes on. */
+  /** both the disk and this page changed the same thing: `resolve` continues */
   | { readonly kind: 'conflict'; readonly conflicts: readonly Conflict[] }
-  /** Somebody deleted the file: `keepMine` writes it again. */
+  /** the file was deleted: `keepMine` writes it again */
   | { readonly kind: 'deleted' }
-  /** The file is there, and is no level now: it goes on by itself once the file is mended, or `keepMine` writes this one in its place. */
+  /** the file is no longer a valid level: continues once the file is fixed, or `keepMine` overwrites it */
   | { readonly kind: 'unreadable'; readonly problems: readonly Problem[] }
-  /** `unsaved`: changes of this page that another took the level from before they were written. */
+  /** `unsaved`: changes of this page that were not written before another page took the level */
   | { readonly kind: 'readOnly'; readonly why: string; readonly unsaved: boolean };

@@ -12,30 +12,31 @@ import { WritePacing } from './write-pacing.ts';
 /** Keeps the disk up to date with a level, and the level with the disk. */
 export interface Saver {
   readonly store: StoreApi<SaveState>;
-  /** Whether the level differs from what is known to be on the disk, or nothing is known for certain. */
+  /** Whether the level differs from the file on disk, or the state of the file is uncertain. */
   isUnsaved(): boolean;
-  /** The disk may have changed: looks what is there now. @param etag what is there, when that is known: nothing is read if it is nothing new */
+  /** The disk may have changed: looks again. @param etag the current etag, if known: nothing is read if it is not new */
   refresh(etag?: string | null): void;
-  /** After a conflict: goes on with what was chosen; what was not chosen is mine. */
+  /** After a conflict: continues with the choices; unresolved conflicts are mine. */
   resolve(choices: Choices): void;
-  /** After `deleted` or `unreadable`, or instead of any merge: writes what is in the page over what is on the disk. */
+  /** After `deleted` or `unreadable`, or instead of a merge: overwrites the file with the page's version. */
   keepMine(): void;
-  /** Takes what is on the disk, as a step that can be undone. */
+  /** Replaces the level by the version on disk, as a step that can be undone. */
   takeTheirs(): void;
-  /** Writes what is unsaved at once. @returns whether all is on the disk */
+  /** Saves the changes at once. @returns whether everything is on disk */
   flush(): Promise<boolean>;
   /**
-   * Writes no more, because of `why`; null lets it write again.
-   * @param follows the level shows what another page does: what differs from the disk is not this page's
+   * Stops writing, because of `why`; null allows writing again.
+   * @param follows whether the level shows the work of another page: then differences from the disk are not changes of this
+   * page
    */
   setReadOnly(why: string | null, follows?: boolean): void;
-  /** What is known to be on the disk. */
+  /** The state on disk, as known. */
   base(): DiskBase;
-  /** Begins anew from what an earlier page knew to be on the disk, to bring its changes together with what is there now. */
+  /** Starts over from what an earlier page knew about the disk, to merge its changes with the current file. */
   restart(base: DiskBase): void;
-  /** The storage can be reached again: what waits is tried at once. */
+  /** The storage can be reached again: retries at once. */
   retry(): void;
-  /** The level has another id from now on. */
+  /** The level was renamed. */
   moved(id: string, etag: string): void;
   close(): void;
 }
@@ -44,28 +45,28 @@ export interface SaverOptions {
   readonly storage: LevelStorage;
   readonly timers: Timers;
   readonly base: DiskBase;
-  /** Why the file may not be written when it is opened. */
+  /** Why the file can't be written, as known on opening. */
   readonly unwritable?: string | null;
-  /** Something is on the disk now, written by this page or by others. */
+  /** Called when a version is on disk, written by this page or others. */
   readonly onDisk?: (file: LevelFile, etag: string | null) => void;
-  /** This is about to be sent to the disk: from now on it may be there. It is sent when the promise resolves. */
+  /** Called when a version is about to be sent, so that it may be on disk from now on. It is sent when the promise resolves. */
   readonly onSent?: (file: LevelFile) => Promise<unknown> | undefined;
 }
 
-/** After these nobody knows whether the text has reached the disk: it may have, and been taken away at once. */
+/** After these errors, it is uncertain whether the text has reached the disk: it may have been written and replaced at once. */
 const IN_DOUBT: readonly StorageError['code'][] = ['unreachable', 'unexpected', 'failed', 'unknown-level', 'unknown-folder'];
 
-/** So long a save waits for the journal, ms: a browser whose database hangs saves all the same. */
+/** ms that a save waits for the journal, so that saving works even if the browser's database hangs */
 const PATIENCE = 1000;
 
-/** Follows a level and writes it after every change; at most one request is on its way. */
+/** Follows a level and writes it after every change; at most one request is in flight. */
 export const createSaver = (id: string, level: EditedLevel, options: SaverOptions): Saver => new LevelSaver(id, level, options);
 
-/** What is on the disk and could not be brought together with the level: nothing is written meanwhile. */
+/** A version on disk that could not be merged with the level; nothing is written until that is resolved. */
 interface Blocked {
   /** null: the file was deleted */
   readonly theirs: ReadResponse | null;
-  /** null: it is no level */
+  /** null: it is not a level */
   readonly file: LevelFile | null;
 }
 
@@ -79,15 +80,15 @@ class LevelSaver implements Saver {
   private readonly stop: () => void;
   /** Why this page may not write. */
   private readOnly: string | null = null;
-  /** Why nobody may, as far as is known; a write is tried all the same. */
+  /** Why the file can't be written, as far as known; writes are tried nevertheless. */
   private unwritable: string | null;
-  /** The level shows what another page does. */
+  /** Whether the level shows the work of another page. */
   private isFollower = false;
   private blocked: Blocked | null = null;
-  /** The level takes over what is on the disk: no change of this page. */
+  /** Whether the level is being replaced by the version on disk, which is no change of this page. */
   private isTaking = false;
   private request: Promise<void> | null = null;
-  /** Writes begun. */
+  /** number of writes begun */
   private requests = 0;
   private isClosed = false;
 
@@ -132,7 +133,7 @@ class LevelSaver implements Saver {
   keepMine(): void {
     const { blocked, disk, pacing } = this;
     if (blocked === null) return;
-    // the next write is based on what is there now, so it stands
+    // the next write is based on the current file, so it succeeds
     disk.overwrite(blocked.file ?? disk.base.file, blocked.theirs?.etag ?? null);
     this.blocked = null;
     pacing.beginAnew();
@@ -147,7 +148,7 @@ class LevelSaver implements Saver {
   }
 
   async flush(): Promise<boolean> {
-    // what was changed while a request was on its way takes another one
+    // changes made while a request is in flight take another request
     for (let i = 0; i < 3 && (this.disk.differs() || this.request !== null); i++) await this.send();
     return !this.disk.differs();
   }
@@ -188,7 +189,7 @@ class LevelSaver implements Saver {
     if (!this.isClosed) this.store.setState(state, true);
   }
 
-  /** Shows the state in which nothing is on its way. */
+  /** Shows the state that holds while nothing is in flight. */
   private showResting(): void {
     const { readOnly, unwritable, disk } = this;
     if (readOnly !== null) this.show({ kind: 'readOnly', why: readOnly, unsaved: !this.isFollower && disk.differs() });
@@ -197,7 +198,7 @@ class LevelSaver implements Saver {
     else this.show(unwritable === null ? { kind: 'saved' } : { kind: 'readOnly', why: unwritable, unsaved: false });
   }
 
-  /** The level may have changed: sees to it that it is written. */
+  /** The level may have changed: makes sure that it is written. */
   private changed(): void {
     const { pacing } = this;
     if (this.isTaking) return;
@@ -214,7 +215,7 @@ class LevelSaver implements Saver {
       return;
     }
     pacing.noteChange();
-    // while nobody answers a change is no reason to ask more often
+    // while the storage does not answer, changes are no reason to ask more often
     if (this.request !== null || pacing.isRetrying) return;
     this.show({ kind: 'unsaved' });
     pacing.writeSoon();
@@ -267,7 +268,7 @@ class LevelSaver implements Saver {
     }
   }
 
-  /** Reads what is there; again when something was written meanwhile, since what was read may be older. */
+  /** Reads the file; again if something was written in the meantime, as the result may be outdated. */
   private async look(): Promise<void> {
     for (;;) {
       while (this.request !== null) await this.request;
@@ -284,7 +285,7 @@ class LevelSaver implements Saver {
     }
   }
 
-  /** This is on the disk: brings it and the level together. @param current null: nothing is there */
+  /** Handles the state on disk: brings file and level together. @param current null: there is no file */
   private hear(current: ReadResponse | null): void {
     if (this.isClosed) return;
     const { level, disk } = this;
@@ -309,7 +310,8 @@ class LevelSaver implements Saver {
         break;
       case 'both changed': {
         const { theirs, merged } = news;
-        // who may not write is asked once it may: the write will not fit what is there
+        // A page that may not write does not ask the user now. Once it may write, its write conflicts, and the user is asked
+        // then.
         if (merged.conflicts.length > 0 && this.readOnly !== null) return;
         if (merged.conflicts.length > 0 || !this.take('Merged with the disk', merged.file)) {
           this.block({ theirs: current, file: theirs }, { kind: 'conflict', conflicts: merged.conflicts });
@@ -326,7 +328,7 @@ class LevelSaver implements Saver {
     this.show(state);
   }
 
-  /** Nothing is in the way any more. */
+  /** Continues after a block. */
   private goOn(): void {
     this.blocked = null;
     this.pacing.forgetFailures();
@@ -334,7 +336,7 @@ class LevelSaver implements Saver {
     this.changed();
   }
 
-  /** Puts a file from the disk in the place of the level. @returns whether the level takes it */
+  /** Replaces the level by a version from disk. @returns whether the level accepts it */
   private take(label: string, file: LevelFile): boolean {
     this.isTaking = true;
     const { ok } = this.level.replace(label, file);

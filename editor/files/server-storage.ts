@@ -21,11 +21,13 @@ import { type Answer, type LevelStorage, type Link, storageError } from './level
 import { pageTimers, type Timers } from './timers.ts';
 
 export interface ServerOptions {
-  /** Where the page came from, without a slash at its end. */
+  /** Where the page comes from, without a trailing slash. */
   readonly origin: string;
-  /** What the address that `gq edit` prints has after `#token=`; '' where the page was opened without: then it says so. */
+  /**
+   * The token after `#token=` in the address that `gq edit` prints; '' if the page was opened without one: then errors say so.
+   */
   readonly token: string;
-  /** Random name of this page. */
+  /** A random name of this page. */
   readonly client: string;
   readonly fetch: typeof fetch;
   readonly timers?: Timers;
@@ -33,9 +35,9 @@ export interface ServerOptions {
 
 type Fields = Record<string, string>;
 
-/** Silence after which the server is taken for gone, ms: two heartbeats and a half. */
+/** ms of silence after which the server counts as gone: two and a half heartbeats */
 const SILENCE = EDIT_API.HEARTBEAT * 2500;
-/** Waits between attempts to reach it again, ms; the last one is repeated. */
+/** ms between attempts to reconnect; the last wait repeats */
 const RETRIES = [250, 500, 1000, 2000, 5000] as const;
 
 const UNREACHABLE = storageError(
@@ -44,12 +46,11 @@ const UNREACHABLE = storageError(
   'is gq edit still running? Start it again in the same folder and open the address it prints',
 );
 
-const ANEW =
-  'Open the address that gq edit printed last, or start gq edit again in the folder and open the address that it prints then';
+const ANEW = 'Open the address that gq edit printed last, or start gq edit again in the folder and open its new address';
 
 const NO_TOKEN = storageError(
   'wrong-token',
-  'this address lacks the key to the levels, which only the whole address that gq edit prints has: no bookmark and no new tab has it',
+  'this address lacks the key to the levels: only the full address that gq edit prints contains it, bookmarks and new tabs do not',
   ANEW,
 );
 
@@ -92,10 +93,10 @@ export function createServerStorage(options: ServerOptions): LevelStorage {
         return { ok: false, error: { code, message, hint, problems, current } };
       }
     }
-    const hint = 'are the page and gq edit of the same version? Load the page anew';
+    const hint = 'are the page and gq edit of the same version? Reload the page';
     return {
       ok: false,
-      error: storageError('unexpected', `the server gave an answer that makes no sense (${response.status})`, hint),
+      error: storageError('unexpected', `the server gave an unexpected answer (${response.status})`, hint),
     };
   };
   const get = <T>(path: string, schema: z.ZodType<T>) => ask('GET', path, schema, {});
@@ -139,7 +140,7 @@ export function createServerStorage(options: ServerOptions): LevelStorage {
       return post(EDIT_API.ORDER, orderResponseSchema, body);
     },
     watch(onEvent, onLink) {
-      // nothing is reported to who has no token
+      // without a token, the server reports nothing
       if (token === '') return () => {};
       const own = (event: EditEvent) => 'by' in event && event.by === client;
       return followEvents({ ...options, timers }, (event) => !own(event) && onEvent(event), onLink);
@@ -147,7 +148,7 @@ export function createServerStorage(options: ServerOptions): LevelStorage {
   };
 }
 
-/** Keeps a stream of events open, again and again. */
+/** Keeps a stream of events open and reconnects when it ends. */
 function followEvents(
   { origin, token, fetch, timers = pageTimers }: ServerOptions,
   onEvent: (event: EditEvent) => void,
@@ -163,7 +164,7 @@ function followEvents(
     if (now !== reported && !isOver) onLink(now);
     reported = now;
   };
-  /** Rejects or resolves when the stream ends. */
+  /** Settles when the stream ends. */
   const readAll = async (): Promise<void> => {
     abort = new AbortController();
     const { signal } = abort;
@@ -182,7 +183,7 @@ function followEvents(
       for (;;) {
         const { value, done } = await reader.read();
         if (done) return;
-        // something was said, so what follows is not a failed attempt
+        // the connection works, so the next failure is the first one again
         attempts = 0;
         cancelSilence();
         cancelSilence = timers.after(SILENCE, () => abort.abort());
@@ -211,7 +212,7 @@ function followEvents(
   };
 }
 
-/** The events of one block of an event stream; what is not understood is passed over. */
+/** The events of one block of an event stream; those that are not understood are skipped. */
 function eventsOf(block: string): EditEvent[] {
   const data = block
     .split('\n')

@@ -3,14 +3,17 @@ import { readText } from './disk-text.ts';
 import { storageError } from './level-storage.ts';
 import { entryOf, listOf, mustBeFree, mustExist, mustFit, Refused, type Shelf, withLevel, without } from './shelf.ts';
 
-/** What a change makes of the shelf, what it answers, and what other pages hear of it. Each change throws `Refused` where it can't be made. */
+/**
+ * The result of a change: the new shelf, the answer, and the event for other pages. Changes throw `Refused` if they are not
+ * possible.
+ */
 export interface ShelfChange<T> {
   readonly shelf: Shelf;
   readonly value: T;
   readonly event: EditEvent;
 }
 
-/** @param base etag of what it replaces; null: a new level */
+/** @param base etag of the version to replace; null for a new level */
 export function writeLevel(shelf: Shelf, id: string, text: string, base: string | null): ShelfChange<LevelEntry> {
   mustBeValid(text);
   if (base === null) mustBeFree(shelf, id);
@@ -42,10 +45,11 @@ export function removeLevel(shelf: Shelf, id: string, base: string, now: number)
   return { shelf: next, value: { trashed }, event: { type: 'removed', id, by: null } };
 }
 
-/** @param name of an entry of the trash @param to its new id; its old one when left out */
+/** @param name of an entry of the trash @param to its new id; by default its old one */
 export function restoreLevel(shelf: Shelf, name: string, to: string | undefined): ShelfChange<LevelEntry> {
   const found = shelf.trash.find(({ trash }) => trash === name);
-  if (found === undefined) throw new Refused(storageError('unknown-level', 'it is not in the trash', 'it was restored already'));
+  if (found === undefined)
+    throw new Refused(storageError('unknown-level', 'this level is not in the trash', 'it may have been restored already'));
   const id = to ?? found.id;
   mustBeFree(shelf, id);
   return changed(withLevel({ ...shelf, trash: shelf.trash.filter((entry) => entry !== found) }, id, found.text), id);
@@ -55,7 +59,7 @@ export function restoreLevel(shelf: Shelf, name: string, to: string | undefined)
 export function orderLevels(shelf: Shelf, ids: readonly string[]): ShelfChange<OrderResponse> {
   const all = [...shelf.levels.keys()];
   if (ids.length !== all.length || all.some((id) => !ids.includes(id))) {
-    throw new Refused(storageError('list-changed', 'there are other levels now than in this order', 'look again'));
+    throw new Refused(storageError('list-changed', 'the levels have changed since this order was made', 'reload the list'));
   }
   const ordered = { ...shelf, levels: new Map(ids.map((id) => [id, mustExist(shelf, id)])) };
   const list = listOf(ordered);

@@ -3,35 +3,35 @@ import { readText } from './disk-text.ts';
 import { NO_FOLDER_RULES } from './folder-rules.ts';
 import { type StorageError, storageError } from './level-storage.ts';
 
-/** A level as the browser keeps it. */
+/** A level in the browser's storage. */
 export interface StoredLevel {
   readonly text: string;
-  /** Grows with every write: the etag. */
+  /** The etag; it grows with every write. */
   readonly version: number;
 }
 
-/** All levels that the browser keeps. */
+/** All levels in the browser's storage. */
 export interface Shelf {
-  /** In the order of play; no object, which would put names that are numbers first. */
+  /** In order of play; a Map, as an object would put numeric names first. */
   readonly levels: ReadonlyMap<string, StoredLevel>;
   readonly trash: readonly (TrashEntry & { readonly text: string })[];
-  /** The last version given. */
+  /** The last version number in use. */
   readonly version: number;
 }
 
-/** Before anything was kept. */
+/** The initial state. */
 export const EMPTY: Shelf = { levels: new Map(), trash: [], version: 0 };
 
 const etagOf = ({ version }: StoredLevel): string => `"${version.toString(16).padStart(64, '0')}"`;
 
-/** A question to the shelf, or a change of it, that is refused. */
+/** Thrown when a request is refused. */
 export class Refused extends Error {
   constructor(readonly error: StorageError) {
     super(error.message);
   }
 }
 
-/** What a list says of a level. */
+/** The list entry of a level. */
 export function entryOf(id: string, level: StoredLevel): LevelEntry {
   const reading = readText(level.text);
   return {
@@ -55,7 +55,7 @@ export const listOf = ({ levels }: Shelf): ListResponse => ({
   unread: 0,
 });
 
-/** @throws Refused where there is none */
+/** @throws Refused if there is no such level */
 export function mustExist(shelf: Shelf, id: string): StoredLevel {
   const level = shelf.levels.get(id);
   if (level !== undefined) return level;
@@ -64,32 +64,30 @@ export function mustExist(shelf: Shelf, id: string): StoredLevel {
   );
 }
 
-/** @throws Refused where it is not what it was when it was read */
+/** @throws Refused if it has changed since it was read */
 export function mustFit(shelf: Shelf, id: string, base: string): StoredLevel {
   const level = mustExist(shelf, id);
   if (etagOf(level) === base) return level;
   const current: ReadResponse = { ...entryOf(id, level), text: level.text };
-  throw new Refused(
-    storageError('conflict', `${id} has changed since it was read`, 'bring the two versions together', { current }),
-  );
+  throw new Refused(storageError('conflict', `${id} has changed since it was read`, 'merge the two versions', { current }));
 }
 
-/** @throws Refused where it is no name, or is taken */
+/** @throws Refused if it is not a valid name or is taken */
 export function mustBeFree(shelf: Shelf, id: string): void {
   if (!LEVEL_ID_PART.test(id)) {
     throw new Refused(
-      storageError('bad-name', `a level can't be called ${JSON.stringify(id)}`, 'use letters, digits, - _ and spaces inside'),
+      storageError('bad-name', `a level can't be called ${JSON.stringify(id)}`, 'use letters, digits, -, _ and spaces'),
     );
   }
   if ([...shelf.levels.keys()].some((other) => other.toLowerCase() === id.toLowerCase())) {
-    throw new Refused(storageError('name-taken', `there is a level ${JSON.stringify(id)} already`, 'choose another name'));
+    throw new Refused(storageError('name-taken', `a level ${JSON.stringify(id)} already exists`, 'choose another name'));
   }
 }
 
-/** The levels but one. */
+/** All levels but one. */
 export const without = ({ levels }: Shelf, id: string) => new Map([...levels].filter(([name]) => name !== id));
 
-/** Puts a level into the shelf: in the place of `at`, or at the end. */
+/** Puts a level on the shelf: in place of `at`, or at the end. */
 export function withLevel(shelf: Shelf, id: string, text: string, at: string | null = null): Shelf {
   const version = shelf.version + 1;
   const level = { text, version };

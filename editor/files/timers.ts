@@ -1,12 +1,12 @@
-/** A clock that can be asked to call back: the page's, or one that a test turns. */
+/** A clock with callbacks: the page's, or one that a test controls. */
 export interface Timers {
-  /** ms, from any moment on */
+  /** ms, from an arbitrary origin */
   now(): number;
-  /** Calls back after so many ms. @returns takes the request back */
+  /** Calls back after `ms`. @returns cancels it */
   after(ms: number, call: () => void): () => void;
 }
 
-/** Waits for a promise, but no longer than so many ms. */
+/** Waits for a promise, but at most `ms`. */
 export async function atMost(ms: number, promise: Promise<unknown>, timers: Timers): Promise<void> {
   let cancel = () => {};
   const late = new Promise<void>((resolve) => {
@@ -16,15 +16,15 @@ export async function atMost(ms: number, promise: Promise<unknown>, timers: Time
   cancel();
 }
 
-/** A call that is worth making now and then, and not each time there is a reason. */
+/** A call that is made at most once per interval, however often it is requested. */
 export interface Throttled {
-  /** There is a reason: it is made after a while, if it is not made before. */
+  /** Requests the call: it is made after a while, unless `now` comes first. */
   soon(): void;
-  /** Makes it now, if there was a reason. */
+  /** Makes the call now, if it was requested. */
   now(): void;
 }
 
-/** @param ms the most that a call waits */
+/** @param ms the longest delay of a call */
 export function throttled(ms: number, call: () => void, timers: Timers): Throttled {
   let cancel: (() => void) | null = null;
   const now = () => {
@@ -41,7 +41,7 @@ export function throttled(ms: number, call: () => void, timers: Timers): Throttl
   };
 }
 
-/** The page's own. */
+/** The timers of the page. */
 export const pageTimers: Timers = {
   now: () => performance.now(),
   after(ms, call) {

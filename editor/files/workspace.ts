@@ -13,44 +13,44 @@ export interface WorkspaceState {
   readonly link: Link;
   /** Why there is no list. */
   readonly error: StorageError | null;
-  /** The level that is open; null: none, or one that is no valid level. */
+  /** The open level; null if none is open or the file is not a valid level. */
   readonly opened: OpenedLevel | null;
-  /** What was opened last and is not a level that can be edited. */
+  /** The last opened file, if it was not a level that can be edited. */
   readonly refused: { readonly id: string; readonly opening: Exclude<Opening, { ok: true }> } | null;
 }
 
 export interface Workspace {
   readonly store: StoreApi<WorkspaceState>;
   readonly storage: LevelStorage;
-  /** Asks for the list, and follows what happens to the folder. @returns when the list is there, or an error */
+  /** Requests the list and follows changes of the folder. @returns resolves when the list or an error is there */
   start(): Promise<void>;
-  /** Opens a level in place of the one that is open, whose changes are written first. */
+  /** Opens a level in place of the open one, whose changes are saved first. */
   open(id: string): Promise<Opening>;
-  /** How often a level was asked for so far. An action that took its time sees by it whether the person has moved on. */
+  /** The number of times a level was requested. A slow action compares it to see whether the user has moved on. */
   openings(): number;
-  /** Asks for the list again. */
+  /** Requests the list again. */
   refresh(): Promise<void>;
-  /** Renames a level; the open one stays open. What is unsaved in it is written first, here and in what follows. */
+  /** Renames a level; the open level stays open. As in the next functions, its unsaved changes are written first. */
   rename(entry: LevelEntry, to: string): Promise<Answer<LevelEntry>>;
   duplicate(entry: LevelEntry, to: string): Promise<Answer<LevelEntry>>;
-  /** Moves a level to the trash. The open one stays on the screen until another is opened or it is left. */
+  /** Moves a level to the trash. If it is open, it stays on the screen until another is opened or it is left. */
   remove(entry: LevelEntry): Promise<Answer<DeleteResponse>>;
-  /** @param to its new id; its old one when left out */
+  /** @param to its new id; by default its old one */
   restore(trash: string, to?: string): Promise<Answer<LevelEntry>>;
   /**
-   * Puts the levels of a folder into another order, on the screen at once; their files are renumbered.
-   * Levels that the page did not know of yet keep their places, and those that are gone are left out.
+   * Reorders the levels of a folder, on the screen at once; their files are renumbered. Levels unknown to the page keep their
+   * places, and deleted ones are left out.
    */
   order(folder: string, ids: readonly string[]): Promise<Answer<OrderResponse>>;
-  /** Closes the level that is open. */
+  /** Closes the open level. */
   leave(): Promise<void>;
   close(): Promise<void>;
 }
 
-/** The levels of a storage, one of them open. Histories of levels that were open are remembered as long as the page lives. */
+/** The levels of a storage, one of them open. The histories of levels are kept as long as the page lives. */
 export const createWorkspace = (surroundings: Omit<Surroundings, 'folder'>): Workspace => new StorageWorkspace(surroundings);
 
-/** A level that goes by another id. */
+/** A level with a new id. */
 interface Renamed {
   readonly from: string;
   readonly entry: LevelEntry;
@@ -60,9 +60,9 @@ class StorageWorkspace implements Workspace {
   readonly store: StoreApi<WorkspaceState>;
   readonly storage: LevelStorage;
   private readonly remembered = new Map<string, EditedLevel>();
-  /** Ids that were reported since a list began: a long one comes in parts. */
+  /** Ids received since a list began: a long list comes in parts. */
   private heard = new Set<string>();
-  /** Opening and closing follow one another. */
+  /** Opening and closing happen one after the other. */
   private last: Promise<unknown> = Promise.resolve();
   private asked = 0;
   private stop = () => {};
@@ -91,7 +91,7 @@ class StorageWorkspace implements Workspace {
     this.asked++;
     return this.inTurn(async () => {
       const { opened: old, list } = this.store.getState();
-      // a level can't be written by two at once; any other one stays on the screen until the next is there
+      // One level can't be open twice at a time; another level stays on the screen until the next one is ready.
       if (old?.id() === id) await this.closeOpened();
       const surroundings = { ...this.surroundings, folder: list?.folder.id ?? '' };
       const opening = await openLevel(id, surroundings, this.remembered.get(id));
@@ -132,7 +132,7 @@ class StorageWorkspace implements Workspace {
     this.setLevels((levels) => inOrder(levels, ids));
     let answer = await this.storage.order(folder, ids);
     if (!answer.ok && answer.error.code === 'list-changed') {
-      // the page's list was older than the folder
+      // the page's list was outdated
       await this.refresh();
       this.setLevels((levels) => inOrder(levels, ids));
       answer = await this.storage.order(folder, idsIn(this.store.getState().list?.levels ?? [], folder));
@@ -156,7 +156,7 @@ class StorageWorkspace implements Workspace {
     });
   }
 
-  /** Something has happened to the folder. */
+  /** Handles an event of the folder. */
   private hear(event: EditEvent): void {
     const { list, opened } = this.store.getState();
     switch (event.type) {
@@ -189,7 +189,7 @@ class StorageWorkspace implements Workspace {
     }
   }
 
-  /** A part of a list, or all of it. @param next the list around it */
+  /** Handles a part of a list, or all of it. @param next the list that contains it */
   private hearPart(levels: readonly LevelEntry[], next: ListResponse): void {
     const { heard, store } = this;
     const { list, opened } = store.getState();
@@ -199,7 +199,7 @@ class StorageWorkspace implements Workspace {
     if (opened === null) return;
     const entry = levels.findLast(({ id }) => id === opened.id());
     if (entry !== undefined) opened.saver.refresh(entry.etag);
-    // one that was not reported is looked for once all are
+    // a level that was not in any part is looked up once all parts are there
     else if (isWhole && !heard.has(opened.id())) opened.saver.refresh();
   }
 
@@ -212,7 +212,7 @@ class StorageWorkspace implements Workspace {
     if (list !== null) this.store.setState({ list: { ...list, levels: change(list.levels) } });
   }
 
-  /** Histories and the open level go by their new ids; all at once, since ids may change places. */
+  /** Moves histories and the open level to their new ids; all at once, as levels may swap ids. */
   private follow(renamed: readonly Renamed[]): void {
     const { remembered } = this;
     const histories = renamed.map(({ from }) => remembered.get(from));
@@ -226,7 +226,7 @@ class StorageWorkspace implements Workspace {
     if (now?.etag != null) opened?.moved(now.id, now.etag);
   }
 
-  /** The etag that a level has once what is unsaved is on the disk. */
+  /** The etag of a level once its unsaved changes are on disk. */
   private async baseOf({ id, etag }: LevelEntry): Promise<string> {
     const { opened } = this.store.getState();
     if (opened?.id() !== id) return etag ?? '';
@@ -234,13 +234,13 @@ class StorageWorkspace implements Workspace {
     return opened.saver.base().etag ?? '';
   }
 
-  /** Storages don't tell a page what it did itself; and what was refused may rest on an old list. */
+  /** Refreshes the list: storages do not report a page's own changes, and a refusal may be due to an outdated list. */
   private async listed<T>(answer: Answer<T>): Promise<Answer<T>> {
     if (answer.ok || ['conflict', 'unknown-level', 'list-changed'].includes(answer.error.code)) await this.refresh();
     return answer;
   }
 
-  /** Writes what is unsaved; its history waits for the next time. */
+  /** Saves the changes of a level and keeps its history for the next time. */
   private async putAway(opened: OpenedLevel): Promise<void> {
     await opened.close();
     this.remembered.set(opened.id(), opened.level);

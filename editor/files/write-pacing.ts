@@ -1,17 +1,17 @@
 import type { Timers } from './timers.ts';
 
-/** After the last change, ms: in time for half a second with the write itself. */
+/** ms after the last change: together with the write, within half a second */
 const PAUSE = 200;
-/** Changes without a pause are written after so long, ms. */
+/** ms after which changes are written even without a pause */
 const LONGEST_PAUSE = 2000;
-/** Waits between attempts, ms; the last is repeated. */
+/** ms between attempts; the last wait repeats */
 const BACKOFF = [500, 1000, 2000, 5000, 10_000] as const;
 
-/** When to write: soon after the last change, and less and less often while nobody takes it. */
+/** When to write: soon after the last change, and at growing intervals while writes fail. */
 export class WritePacing {
-  /** Writes that failed since one succeeded. */
+  /** Failed writes since the last success. */
   private attempts = 0;
-  /** When the first change was made that is not written; null: none. */
+  /** When the first unwritten change was made; null: none. */
   private firstUnsaved: number | null = null;
   private take = () => {};
 
@@ -25,28 +25,28 @@ export class WritePacing {
     return this.attempts > 0;
   }
 
-  /** Something is to be written from now on at the latest. */
+  /** Notes that there is something to write. */
   noteChange(): void {
     this.firstUnsaved ??= this.timers.now();
   }
 
-  /** All that was changed is being written, or is on the disk. */
+  /** Notes that everything is being written or is on disk. */
   noteUnchanged(): void {
     this.firstUnsaved = null;
   }
 
-  /** Failed writes no longer count. */
+  /** Resets the count of failed writes. */
   forgetFailures(): void {
     this.attempts = 0;
   }
 
-  /** What is to be written was asked for just now, and has not failed yet. */
+  /** Starts over, as if the first change was made now. */
   beginAnew(): void {
     this.attempts = 0;
     this.firstUnsaved = this.timers.now();
   }
 
-  /** Writes after a pause, or without one where changes have gone on for long. */
+  /** Writes after a pause in the changes, or without one if changes have gone on for long. */
   writeSoon(): void {
     const { firstUnsaved, timers } = this;
     const left = (firstUnsaved ?? timers.now()) + LONGEST_PAUSE - timers.now();
@@ -62,7 +62,7 @@ export class WritePacing {
     this.writeAfter(BACKOFF[Math.min(this.attempts++, BACKOFF.length - 1)]);
   }
 
-  /** Writes nothing by itself any more, until it is asked again. */
+  /** Cancels the planned write. */
   cancel(): void {
     this.take();
   }

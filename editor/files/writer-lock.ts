@@ -4,49 +4,52 @@ import type { Timers } from './timers.ts';
 /** `writer`: this page may write the level. `reader`: another page has it. `waiting`: not known yet. */
 export type Role = 'writer' | 'reader' | 'waiting';
 
-/** What of a BroadcastChannel is needed. */
+/** The part of a BroadcastChannel that is needed. */
 export interface Channel {
   postMessage(message: unknown): void;
   addEventListener(type: 'message', listener: (event: { readonly data: unknown }) => void): void;
   close(): void;
 }
 
-/** What the page that writes shows the others. */
+/** What the writer shows the readers. */
 export interface Shown {
   readonly text: string;
-  /** What it knows to be on the disk: a page that takes over goes on from there. */
+  /** The state on disk as the writer knows it: a page that takes over continues from there. */
   readonly base: { readonly text: string; readonly etag: string | null };
 }
 
-/** One page writes a level; the others see what it does. */
+/** One page writes a level; the others show what it does. */
 export interface WriterLock {
   readonly store: StoreApi<Role>;
-  /** Makes this page the one that writes. The other one writes what it has first, if it answers. */
+  /** Makes this page the writer. The current writer first saves its changes, if it responds. */
   takeOver(): void;
-  /** The writer tells readers what the level is like now. */
+  /** Tells readers the current state of the level; only the writer does. */
   tell(shown: Shown): void;
-  /** The level has another name from now on: who writes it goes on writing it. */
+  /** The level was renamed: its writer stays the writer. */
   moveTo(name: string, channel: Channel | null): void;
   close(): void;
 }
 
 export interface WriterLockOptions {
-  /** The page's `navigator.locks`; null where there are none: then every page is a writer, and the storage refuses what doesn't fit. */
+  /**
+   * The page's `navigator.locks`; null if there are none: then every page is a writer, and the storage refuses conflicting
+   * writes.
+   */
   readonly locks: Pick<LockManager, 'request'> | null;
   /** A channel between the pages that have this level open. */
   readonly channel: Channel | null;
   readonly timers: Timers;
-  /** A name of the level that all pages use. */
+  /** A name for the level that all pages share. */
   readonly name: string;
-  /** Called before the level is handed to another page: writes what is unsaved. */
+  /** Called before the level is handed to another page: saves the changes. */
   readonly beforeHandOver: () => Promise<unknown>;
-  /** What the writer has, for readers. */
+  /** Called in readers with the state of the writer. */
   readonly onShown: (shown: Shown) => void;
-  /** What this page has, for a reader that has just come. */
+  /** The state of this page, for a reader that has just arrived. */
   readonly shown: () => Shown;
 }
 
-/** For so long a writer may take to write what it has before it is passed over, ms. */
+/** ms that a writer may take to save its changes before another page takes over */
 const PATIENCE = 1500;
 
 type Message = { readonly type: 'shown'; readonly shown: Shown } | { readonly type: 'hello' | 'hand-over' };
@@ -54,13 +57,13 @@ type Message = { readonly type: 'shown'; readonly shown: Shown } | { readonly ty
 const isMessage = (data: unknown): data is Message =>
   typeof data === 'object' && data !== null && typeof (data as { type?: unknown }).type === 'string';
 
-/** Asks to be the writer of a level, and becomes it when nobody else is, or as soon as the other one is gone. */
+/** Asks to be the writer of a level. The page becomes the writer if there is none, or when the current one is gone. */
 export function claimLevel(options: WriterLockOptions): WriterLock {
   const { locks, timers, beforeHandOver, onShown, shown } = options;
   let { name, channel } = options;
   const store = createStore<Role>(() => (locks === null ? 'writer' : 'waiting'));
   let letGo: (() => void) | null = null;
-  /** Under the name before the last one. */
+  /** Releases the lock of the previous name. */
   let letGoOfOld = () => {};
   let waiting: AbortController | null = null;
   let cancelPatience = () => {};
@@ -69,7 +72,7 @@ export function claimLevel(options: WriterLockOptions): WriterLock {
   const become = (role: Role) => {
     if (!isClosed && store.getState() !== role) store.setState(role, true);
   };
-  /** Holds the lock until it is let go of; resolves at once when this page is gone meanwhile. */
+  /** Holds the lock until it is released; resolves at once if this page was closed in the meantime. */
   const hold = (lock: Lock | null): Promise<void> | undefined => {
     if (isClosed) return undefined;
     if (lock === null) {
@@ -111,7 +114,7 @@ export function claimLevel(options: WriterLockOptions): WriterLock {
     const release = letGo;
     letGo = null;
     release?.();
-    // asks again behind the one who wanted it
+    // queue again, behind the page that asked for it
     lose();
   };
 
@@ -132,7 +135,7 @@ export function claimLevel(options: WriterLockOptions): WriterLock {
       if (locks === null || store.getState() === 'writer') return;
       channel?.postMessage({ type: 'hand-over' } satisfies Message);
       cancelPatience();
-      // a page that is frozen or has crashed does not answer
+      // a frozen or crashed page does not respond
       cancelPatience = timers.after(PATIENCE, () => request({ steal: true }));
     },
     tell(now) {
@@ -151,13 +154,13 @@ export function claimLevel(options: WriterLockOptions): WriterLock {
         const release = letGo ?? (() => {});
         letGoOfOld();
         letGoOfOld = release;
-        // a page that holds the new name already has written nothing under it, so it is taken by force;
-        // pages that wait for the old name must hear of the new one before the old one is released
+        // A page that already holds the new name has written nothing under it, so the lock is stolen. Pages that wait for the
+        // old name must learn the new one before the old lock is released.
         request({ steal: true });
         timers.after(2 * PATIENCE, release);
         return;
       }
-      // the writer is to be there first
+      // the writer must get the new lock first
       cancelPatience = timers.after(PATIENCE, () => {
         channel?.postMessage({ type: 'hello' } satisfies Message);
         queue();

@@ -6,16 +6,16 @@ const HEADS = 'heads';
 const ENTRIES = 'entries';
 
 type Head = Omit<Kept, 'entries'>;
-/** `time`: when it was kept, ms since 1970; older rows have none. */
+/** `time`: when it was kept, ms since 1970; older rows have none */
 type Row = JournalEntry & { readonly place: string; readonly time?: number };
 
-/** All entries of a place: numbers sort before [] does. */
+/** All entries of a place. In IndexedDB, numbers sort before arrays, so [] is an upper bound. */
 const entriesOf = (place: string, upTo?: number) => IDBKeyRange.bound([place], [place, upTo ?? []]);
 
 /**
- * The journal in the browser's database: what was kept is there after a crash of the page or the browser.
- * @param after calls back after so many ms; @returns takes the request back
- * @throws (rejects) when the browser has no database or refuses it; waits for one that does not answer
+ * The journal in the browser's database, which survives a crash of the page or the browser.
+ * @param after calls back after `ms`; @returns cancels it
+ * @throws (rejects) if the browser has no database or refuses it; waits for one that does not answer
  */
 export async function openIndexedDbStore(
   databases: IDBFactory,
@@ -42,7 +42,7 @@ export async function openIndexedDbStore(
         return (async () => {
           const old = (await done(heads.get(place))) as Head | undefined;
           if (old === undefined)
-            throw new DOMException('what the changes go on from is gone: the data of this page were cleared', 'NotFoundError');
+            throw new DOMException('the start of the changes is gone: the data of this page was cleared', 'NotFoundError');
           heads.put({ ...old, time, base: base ?? old.base, tip: tip === undefined ? old.tip : tip } satisfies Head);
           putEntries();
         })();

@@ -1,15 +1,15 @@
-/** Whether work is kept, for the person. */
+/** Whether work is kept, as the user sees it. */
 export type JournalState =
   | { readonly kind: 'working' }
-  /** Nothing outlives this page. */
+  /** nothing outlives this page */
   | { readonly kind: 'missing'; readonly message: string; readonly hint: string }
-  /** The last changes could not be kept; it goes on trying with every change. */
+  /** the last changes could not be kept; retried with every change */
   | { readonly kind: 'failing'; readonly message: string; readonly hint: string };
 
 /** Whether the database is full. */
 export const isQuota = (error: unknown): boolean => error instanceof Error && error.name === 'QuotaExceededError';
 
-/** How the journal stands after a failure of its database. */
+/** The state of the journal after a failure of its database. */
 export function failureOf(error: unknown): JournalState {
   if (isQuota(error)) {
     return {

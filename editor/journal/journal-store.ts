@@ -2,34 +2,34 @@ import type { Patch } from '../document/index.ts';
 
 /** One step of one level. */
 export interface JournalEntry {
-  /** Counts up within a level, without gaps. */
+  /** counts up within a level, without gaps */
   readonly number: number;
   readonly label: string;
   readonly patches: readonly Patch[];
 }
 
-/** Text of a level, and the etag under which it was on the disk; null when it never was. */
+/** The text of a level and its etag on disk; null if it never was on disk. */
 export interface JournalBase {
   readonly text: string;
   readonly etag: string | null;
-  /** Texts sent to the disk since, without an answer. None when left out. */
+  /** Texts that were sent since and not answered. None if absent. */
   readonly sent?: readonly string[];
 }
 
-/** What is kept of one level. */
+/** The data of one level. */
 export interface Kept {
   readonly place: string;
-  /** What was on the disk when the entries began. */
+  /** The state on disk when the entries began. */
   readonly base: JournalBase;
-  /** The level after entry `number`, where entries before it have been folded into one text. */
+  /** The level after entry `number`, if earlier entries were merged into one text. */
   readonly tip: { readonly text: string; readonly number: number } | null;
-  /** In order. */
+  /** in order */
   readonly entries: readonly JournalEntry[];
-  /** When something was last kept, ms since 1970. */
+  /** when something was last kept, ms since 1970 */
   readonly time: number;
 }
 
-/** Changes of what is kept of one level; all or nothing. */
+/** A change of the data of one level; atomic. */
 export interface JournalWrite {
   readonly place: string;
   readonly time: number;
@@ -40,11 +40,11 @@ export interface JournalWrite {
   readonly add: readonly JournalEntry[];
 }
 
-/** Where the journal is kept. Every promise rejects when the database fails; nothing is half done then. */
+/** Where the journal is kept. Every promise rejects when the database fails; then nothing is changed. */
 export interface JournalStore {
   write(change: JournalWrite): Promise<void>;
   read(place: string): Promise<Kept | null>;
   places(): Promise<readonly { readonly place: string; readonly time: number; readonly entries: number }[]>;
-  /** Forgets a level. */
+  /** Deletes the data of a level. */
   remove(place: string): Promise<void>;
 }

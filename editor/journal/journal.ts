@@ -8,36 +8,38 @@ import { type Recovery, recoveryOf } from './recovery.ts';
 
 export interface Journal {
   readonly state: StoreApi<JournalState>;
-  /** The browser has a database after all: whoever follows a level recovers what it has, and follows anew. */
+  /** The browser's database answers after all: open levels recover its changes and follow it from now on. */
   adopt(store: JournalStore): void;
-  /** Calls back when that has happened. @returns stops it */
+  /** Calls back when a store is adopted. @returns stops it */
   onAdopted(listener: () => void): () => void;
-  /** What was left of a level; null when all of it reached the disk. Rejects when the database fails. */
+  /** The unsaved changes of a level; null if everything reached the disk. Rejects when the database fails. */
   recover(place: string): Promise<Recovery | null>;
-  /** All levels with changes that never reached the disk. Rejects when the database fails. */
+  /** All levels with unsaved changes. Rejects when the database fails. */
   unsaved(): Promise<readonly { readonly place: string; readonly time: number }[]>;
   /**
-   * Keeps every step of a level under a place, a name of the level in its folder.
-   * What was kept of it before is replaced by what the level is now, so recover first.
-   * @param base what is on the disk, or what of `sent`
+   * Keeps every step of a level under a place: a name of the level in its folder. Earlier data of the level is replaced by its
+   * current state, so call `recover` first.
+   * @param base the state on disk: its file, or one of `sent`
    */
   follow(place: string, level: EditedLevel, base: DiskState): LevelJournal;
-  /** Forgets a level: the person has thrown its changes away. */
+  /** Deletes the data of a level whose changes the user has discarded. */
   forget(place: string): Promise<void>;
 }
 
-/** What is said where the page has no database. */
+/** shown if the page has no database */
 const MISSING = {
-  message: 'this browser keeps no data of the page (a private window?), so changes that are not saved are lost with it',
+  message: 'this browser stores no data for this page (a private window?), so unsaved changes are lost when it is closed',
   hint: 'download the level from time to time, or open the editor in an ordinary window',
 };
 
 /**
- * A journal of every step, so that a page that dies loses nothing.
- * @param store where it is kept; null where the browser has no database: then it says so, and keeps for as long as the page lives
+ * A journal of every step, so that nothing is lost when the page dies.
+ * @param store where it is kept; null if the browser has no database: then the state says so, and changes live as long as the
+ * page
  * @param now ms since 1970
- * @param after calls back after so many ms, and gives what takes the request back; null: a write that failed is tried with the next change alone
- * @param missing what is said where there is no store
+ * @param after calls back after `ms` and returns a function that cancels; null: a failed write is retried only with the next
+ * change
+ * @param missing the message for a missing store
  */
 export function createJournal(
   store: JournalStore | null,
@@ -84,7 +86,7 @@ export function createJournal(
     },
     forget: (place) => kept.remove(place),
     follow: (place, level, base) =>
-      // what is followed stays where it began: who adopts another store follows anew
+      // A followed level stays in the store where it began; adopting another store means following again.
       keepLevel(place, level, base, { store: kept, isLasting, state, now, after, freeRoom }),
   };
 }

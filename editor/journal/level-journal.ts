@@ -4,30 +4,33 @@ import { type EditedLevel, isSame } from '../document/index.ts';
 import { failureOf, isQuota, type JournalState } from './journal-state.ts';
 import type { JournalBase, JournalEntry, JournalStore, JournalWrite } from './journal-store.ts';
 
-/** Whether what was done with a level would be there again if the page died now. `page`: it lives as long as the page, and no longer. */
+/** Whether the changes of a level would survive if the page died now. `page`: they live only as long as the page. */
 export type Keeping = 'kept' | 'keeping' | 'failing' | 'page';
 
-/** Keeps one level from now on. */
+/** Keeps one level. */
 export interface LevelJournal {
   readonly keeping: StoreApi<Keeping>;
-  /** This is on the disk under this etag: a file that the level had, or somebody else's. What led there need not be kept any longer. */
+  /** This version is on disk under this etag, written by this page or others. Steps up to it need not be kept any longer. */
   onDisk(file: LevelFile, etag: string | null): void;
-  /** This is about to be sent to the disk. Resolves when everything so far is kept, or could not be: then nothing on the disk is news to the journal. */
+  /**
+   * This version is about to be sent. Resolves when everything so far is kept or could not be, so that the disk never has
+   * anything the journal does not know.
+   */
   onSent(file: LevelFile): Promise<void>;
-  /** Resolves when everything so far is kept, or could not be. */
+  /** Resolves when everything so far is kept or could not be. */
   settled(): Promise<void>;
   /** Stops following; what is kept stays. */
   close(): void;
 }
 
-/** More entries than this are folded into one text. */
+/** more entries than this are replaced by one text */
 const MOST_ENTRIES = 200;
-/** So many writes are on their way at most; what is done meanwhile is in the next one. */
+/** largest number of writes in flight; later changes join the next write */
 const MOST_WRITES = 8;
-/** After a write that failed all is written anew, ms. */
+/** ms after a failed write until everything is written again */
 const RETRY = 3000;
 
-/** What is on the disk, or what of `sent`. */
+/** The state on disk: `file`, or one of `sent`. */
 export interface DiskState {
   readonly file: LevelFile;
   readonly etag: string | null;
@@ -39,38 +42,38 @@ export interface KeepingParts {
   readonly store: JournalStore;
   /** Whether the store outlives the page. */
   readonly isLasting: boolean;
-  /** How the whole journal stands. */
+  /** The state of the whole journal. */
   readonly state: StoreApi<JournalState>;
   /** ms since 1970 */
   readonly now: () => number;
-  /** Calls back after so many ms. @returns takes it back */
+  /** Calls back after `ms`. @returns cancels it */
   readonly after: ((ms: number, call: () => void) => () => void) | null;
-  /** Throws away what is kept of levels that are saved, but for one. */
+  /** Deletes the data of levels that are saved, except for one. */
   readonly freeRoom: (except: string) => Promise<void>;
 }
 
-/** Keeps every step of a level under a place from now on. @param base what is on the disk */
+/** Keeps every step of a level under a place. @param base the state on disk */
 export const keepLevel = (place: string, level: EditedLevel, base: DiskState, parts: KeepingParts): LevelJournal =>
   new KeptSteps(place, level, base, parts);
 
 class KeptSteps implements LevelJournal {
   readonly keeping: StoreApi<Keeping>;
   private current: LevelFile;
-  /** Of the last step. */
+  /** number of the last step */
   private number = 0;
   private entries: JournalEntry[] = [];
-  /** Steps that are not on the disk, and which file each led to. */
+  /** Steps that are not on disk, and the file that each led to. */
   private since: { readonly number: number; readonly file: LevelFile }[] = [];
   private change: Partial<JournalWrite> = {};
-  /** Writes on their way: they come to their ends in their order. */
+  /** Writes in flight; they finish in order. */
   private flying = 0;
-  /** Why the last write failed: nothing is written but all of it, once nothing is on its way. */
+  /** Why the last write failed: then the whole state is written, once nothing is in flight. */
   private broken: { readonly error: unknown } | null = null;
-  /** Something was done since all of it was tried last: worth another try. */
+  /** Whether something changed since the whole state was last tried, which makes another try worthwhile. */
   private more = false;
   private isClosed = false;
   private cancelRetry = () => {};
-  /** Steps up to this number are kept; up to this one they are, or could not be. */
+  /** `safe`: steps up to this number are kept. `tried`: steps up to this number are kept or could not be. */
   private safe = 0;
   private tried = 0;
   private waiting: { readonly upTo: number; readonly resolve: () => void }[] = [];
@@ -132,7 +135,7 @@ class KeptSteps implements LevelJournal {
     return { text: formatLevel(file), etag, sent: sent.map((one) => formatLevel(one)) };
   }
 
-  /** What is on the disk, and the whole text of what is not, in place of all steps. */
+  /** Replaces all steps by the state on disk and the full text of the level if it differs. */
   private begin(): void {
     const { current, number } = this;
     const tip = isSame(this.base.file, current) ? null : { text: formatLevel(current), number };
@@ -141,7 +144,7 @@ class KeptSteps implements LevelJournal {
     this.since = tip === null ? [] : [{ number, file: current }];
   }
 
-  /** Puts the whole text in place of many steps, and keeps which of them were sent. */
+  /** Replaces many steps by the full text, and remembers which of them were sent. */
   private fold(): void {
     const tip = { text: formatLevel(this.current), number: this.number };
     this.change = { ...this.change, base: this.baseText(), tip, dropUpTo: Number.MAX_SAFE_INTEGER };
@@ -156,7 +159,7 @@ class KeptSteps implements LevelJournal {
     this.show();
   }
 
-  /** Writes what is to be written, as far as writes may be on their way. */
+  /** Writes pending changes, as far as the limit of writes in flight allows. */
   private pump(): void {
     if (this.broken !== null) {
       if (this.flying === 0) void this.mend();
@@ -165,7 +168,7 @@ class KeptSteps implements LevelJournal {
     while (this.flying < MOST_WRITES && (this.entries.length > 0 || Object.keys(this.change).length > 0)) void this.send();
   }
 
-  /** Sends what is to be written, and does not wait for what was sent before. */
+  /** Sends pending changes without waiting for earlier writes. */
   private async send(): Promise<void> {
     const { entries, change, number: upTo, place, parts } = this;
     this.entries = [];
@@ -186,7 +189,7 @@ class KeptSteps implements LevelJournal {
     this.rested();
   }
 
-  /** All of it at once, in place of whatever of it is there. */
+  /** Writes the whole state, replacing whatever is stored. */
   private async mend(): Promise<void> {
     const { place, parts, number: upTo } = this;
     const { error } = this.broken as { readonly error: unknown };
@@ -215,7 +218,7 @@ class KeptSteps implements LevelJournal {
     this.rested();
   }
 
-  /** Steps up to a number are kept, or could not be. */
+  /** Steps up to a number are kept or could not be. */
   private over(upTo: number): void {
     this.tried = Math.max(this.tried, upTo);
     for (const { upTo, resolve } of this.waiting) if (upTo <= this.tried) resolve();

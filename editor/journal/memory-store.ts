@@ -1,6 +1,6 @@
 import type { JournalStore, Kept } from './journal-store.ts';
 
-/** Applies a write to what was kept: the meaning of `JournalWrite`, in one place. */
+/** Applies a write to what was kept; defines the meaning of `JournalWrite`. */
 function written(old: Kept | undefined, { place, time, base, tip, dropUpTo, add }: Parameters<JournalStore['write']>[0]): Kept {
   const kept = (old?.entries ?? []).filter(({ number }) => dropUpTo === undefined || number > dropUpTo);
   return {
@@ -12,7 +12,7 @@ function written(old: Kept | undefined, { place, time, base, tip, dropUpTo, add 
   };
 }
 
-/** A journal for as long as the page lives: where the browser has no database. */
+/** A journal that lives as long as the page, for browsers without a database. */
 export function createMemoryStore(): JournalStore {
   const kept = new Map<string, Kept>();
   return {

@@ -2,17 +2,17 @@ import { type LevelFile, readLevel } from '../../schema/index.ts';
 import { applyPatches, settle } from '../document/index.ts';
 import type { JournalEntry, Kept } from './journal-store.ts';
 
-/** What was changed and never reached the disk. */
+/** Changes that never reached the disk. */
 export interface Recovery {
-  /** What the changes began with, and what the disk may have instead: whatever was on the way from there. */
+  /** The version that the changes started from; the disk may instead have one of `sent`, which were in flight. */
   readonly base: { readonly file: LevelFile; readonly etag: string | null; readonly sent: readonly LevelFile[] };
-  /** With all changes that could be read. */
+  /** The level with all changes that could be read. */
   readonly file: LevelFile;
-  /** Labels of the changes, the oldest first; those folded into one text are missing. */
+  /** Labels of the changes, oldest first; those that were merged into one text are missing. */
   readonly labels: readonly string[];
-  /** When the last one was made, ms since 1970. */
+  /** When the last change was made, ms since 1970. */
   readonly time: number;
-  /** How many changes at the end could not be read. */
+  /** The number of changes at the end that could not be read. */
   readonly lost: number;
 }
 
@@ -23,7 +23,7 @@ function fileOf(text: string): LevelFile | null {
   return settled.ok ? settled.file : null;
 }
 
-/** Applies entries as far as they go: each must follow the one before, and fit. */
+/** Applies entries as far as possible: each must follow the one before and must fit. */
 function replay(start: LevelFile, first: number, entries: readonly JournalEntry[]): { files: LevelFile[]; labels: string[] } {
   let file = start;
   const files: LevelFile[] = [];
@@ -43,7 +43,7 @@ function replay(start: LevelFile, first: number, entries: readonly JournalEntry[
   return { files, labels };
 }
 
-/** What was left of a level; null when all of it reached the disk. */
+/** The unsaved changes of a level; null if everything reached the disk. */
 export function recoveryOf(found: Kept): Recovery | null {
   if (found.entries.length === 0 && found.tip === null) return null;
   const base = fileOf(found.base.text);
@@ -53,7 +53,7 @@ export function recoveryOf(found: Kept): Recovery | null {
   const { files, labels } = start === null ? { files: [], labels: [] } : replay(start, first, found.entries);
   const lost = found.entries.length - labels.length + (start === null ? 1 : 0);
   const file = files.at(-1) ?? start ?? base;
-  // a save may have been cut off after any step: what it wrote is this level's own
+  // a save may have been cut off after any step, so each state may be this level's own version on disk
   const isFile = (read: LevelFile | null) => read !== null;
   const sent = [...(found.base.sent ?? []).map(fileOf), found.tip === null ? null : start, ...files].filter(isFile);
   return { base: { file: base, etag: found.base.etag, sent }, file, labels, time: found.time, lost };

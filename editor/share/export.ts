@@ -2,13 +2,13 @@ import { renderSvg } from '../../picture/index.ts';
 import { formatLevel, type LevelFile } from '../../schema/index.ts';
 import type { LiveProof } from '../proof/index.ts';
 
-/** A file for the person to keep. */
+/** A file to save. */
 export interface ExportedFile {
   readonly name: string;
   readonly blob: Blob;
 }
 
-/** The level as `gq` reads it. @param id the level's name in its folder */
+/** The level as a file for `gq`. @param id of the level */
 export function levelFile(id: string, file: LevelFile): ExportedFile {
   const name = `${id.split('/').at(-1)}.level.json`;
   return { name, blob: new Blob([formatLevel(file)], { type: 'application/json' }) };
@@ -21,7 +21,7 @@ export interface PictureOptions {
   readonly withRun: boolean;
 }
 
-/** A picture of the level with the run that is shown. */
+/** A picture of the level, with the shown run if wanted. */
 export function pictureSvg({ level, run, full }: LiveProof, { theme, width, withRun }: PictureOptions): string {
   return withRun && full !== null
     ? renderSvg(level, { run: full, holds: run.holds, width, theme })
@@ -29,9 +29,9 @@ export function pictureSvg({ level, run, full }: LiveProof, { theme, width, with
 }
 
 /**
- * The same picture as pixels.
+ * The same picture as a PNG.
  * @param scale pixels per px
- * @throws (rejects) when the browser can't draw it
+ * @throws (rejects) if the browser can't draw it
  */
 export async function toPng(svg: string, scale = 2): Promise<Blob> {
   const image = new Image();

@@ -1,32 +1,35 @@
 import { importOriginal, LEVEL_ID_PART, type LevelFile, type Problem } from '../../schema/index.ts';
 import { readText } from '../files/index.ts';
 
-/** Levels read from a file that somebody chose or dropped. */
+/** Levels read from a file that the user chose or dropped. */
 export type Importing =
   | {
       readonly ok: true;
       readonly kind: 'level' | 'original';
-      /** `slug`: what the file can be called */
+      /** `slug`: a name for the file */
       readonly levels: readonly { readonly slug: string; readonly file: LevelFile }[];
-      /** What was passed over, for people. */
+      /** What was skipped, in words. */
       readonly notes: readonly string[];
     }
   | { readonly ok: false; readonly problems: readonly Problem[] };
 
-/** Letters that Unicode does not take apart into a Latin letter and a mark, and umlauts, as those write them who have none. */
+/** Letters that Unicode does not decompose into a Latin letter and a mark, and umlauts in their usual transcription. */
 const LETTERS: Readonly<Record<string, string>> = {
   ...{ ä: 'ae', ö: 'oe', ü: 'ue', ß: 'ss', æ: 'ae', œ: 'oe', ø: 'oe', þ: 'th', ð: 'd', đ: 'd', ħ: 'h' },
   ...{ ı: 'i', ł: 'l', ŋ: 'ng', ŧ: 't', ĸ: 'k', ſ: 's', ƒ: 'f' },
 };
 
-/** `07 Sling Shot!.level.json` becomes `07-sling-shot`, `Böse` `boese`, `Café` `cafe`; a name without a Latin letter or digit `level`. */
+/**
+ * `07 Sling Shot!.level.json` becomes `07-sling-shot`, `Böse` `boese`, `Café` `cafe`; a name without a Latin letter or digit
+ * becomes `level`.
+ */
 export function slugOf(fileName: string): string {
   const stem = fileName.replace(/(\.level)?\.json$/i, '');
   const slug = stem
     .toLowerCase()
     .normalize('NFC')
     .replace(/[^\p{ASCII}]/gu, (letter) => LETTERS[letter] ?? letter)
-    // an accent is dropped from its letter; anything else that is no letter parts two words
+    // accents are dropped; any other character that is not a letter separates words
     .normalize('NFKD')
     .replace(/\p{Mn}+/gu, '')
     .toLowerCase()
@@ -35,11 +38,11 @@ export function slugOf(fileName: string): string {
     .slice(0, 60)
     .replace(/-+$/, '');
   if (slug === '') return 'level';
-  // some names are devices to some systems
+  // some names are reserved for devices on some systems
   return LEVEL_ID_PART.test(slug) ? slug : `level-${slug}`;
 }
 
-/** Whether a JSON text is of the original game: a list of levels, or a level with a player. */
+/** Whether a JSON text is of the original game: a list of levels, or a level with a `player`. */
 function isOriginal(source: string | Uint8Array): boolean {
   try {
     const text = typeof source === 'string' ? source : new TextDecoder('utf-8', { fatal: true }).decode(source);
@@ -51,9 +54,9 @@ function isOriginal(source: string | Uint8Array): boolean {
 }
 
 /**
- * Reads a level file, or levels of the original game, whichever it is.
- * @param source what the file holds, or a text that was pasted
- * @param recoil whether levels of the original get recoil, as the original has it
+ * Reads a level file or levels of the original game, whichever it is.
+ * @param source the content of a file, or pasted text
+ * @param recoil whether levels of the original get recoil, as in the original
  */
 export function importLevels(
   source: string | Uint8Array,

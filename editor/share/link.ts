@@ -11,9 +11,9 @@ export type Linked =
   | { readonly ok: true; readonly file: LevelFile }
   | { readonly ok: false; readonly message: string; readonly problems: readonly Problem[] };
 
-/** Longer links are cut off by mail and chat programs, characters. */
+/** characters; mail and chat programs cut off longer links */
 export const LONGEST_LINK = 8000;
-/** A text that unpacks to more is no small level, bytes: what a link may not make the page do. */
+/** bytes; a link must not make the page unpack more than a small level */
 const MOST_BYTES = 1_000_000;
 const KEY = 'level=';
 
@@ -51,18 +51,18 @@ async function through(bytes: Uint8Array<ArrayBuffer>, transform: CompressionStr
   return all;
 }
 
-/** A link that carries a level in its fragment, which no server sees. @param page address of the page, without a fragment */
+/** A link that contains a level in its fragment, which no server sees. @param page URL of the page, without a fragment */
 export async function linkTo(file: LevelFile, page: string): Promise<Linking> {
-  // on one line the text is shorter, and it reads back the same
+  // as one line the text is shorter, and it reads back the same
   const text = JSON.stringify(JSON.parse(formatLevel(file)));
   const packed = await through(new TextEncoder().encode(text), new CompressionStream('deflate-raw'));
   const url = `${page}#${KEY}${toBase64Url(packed)}`;
   if (url.length <= LONGEST_LINK) return { ok: true, url };
-  const message = `the link would have ${url.length} characters, and mail and chat programs cut off what is longer than ${LONGEST_LINK}`;
-  return { ok: false, message, hint: 'download the level and send the file, or take out runs that are not needed' };
+  const message = `the link would have ${url.length} characters, but mail and chat programs cut off links of more than ${LONGEST_LINK}`;
+  return { ok: false, message, hint: 'download the level and send the file, or delete runs that are not needed' };
 }
 
-/** The level that a fragment carries, as `#level=...`; null when it carries none. */
+/** The level in a fragment such as `#level=...`; null if there is none. */
 export async function levelOf(fragment: string): Promise<Linked | null> {
   const found = fragment
     .replace(/^#/, '')
@@ -74,13 +74,13 @@ export async function levelOf(fragment: string): Promise<Linked | null> {
     const bytes = await through(fromBase64Url(found.slice(KEY.length)), new DecompressionStream('deflate-raw'));
     text = new TextDecoder('utf-8', { fatal: true }).decode(bytes);
   } catch {
-    return { ok: false, message: 'the level in this link is damaged: the link was cut off or changed on its way', problems: [] };
+    return { ok: false, message: 'the level in this link is damaged: the link was cut off or changed', problems: [] };
   }
   const reading = readText(text);
   if (reading.ok) return reading;
   return {
     ok: false,
-    message: `the link carries no valid level: ${inPageWords(reading.problems[0].message)}`,
+    message: `the link contains no valid level: ${inPageWords(reading.problems[0].message)}`,
     problems: reading.problems,
   };
 }

@@ -1,10 +1,10 @@
 import { fileOpen, fileSave } from 'browser-fs-access';
 import type { ExportedFile } from './export.ts';
 
-/** Whether an error says that the person closed the dialog. */
+/** Whether an error means that the user closed the dialog. */
 const isCancel = (error: unknown): boolean => error instanceof DOMException && error.name === 'AbortError';
 
-/** Lets the person choose files with levels. @returns null when they chose none */
+/** Lets the user choose level files. @returns null if none were chosen */
 export async function chooseFiles(): Promise<readonly File[] | null> {
   try {
     return await fileOpen({
@@ -19,7 +19,7 @@ export async function chooseFiles(): Promise<readonly File[] | null> {
   }
 }
 
-/** Gives a file to the person, by a dialog or as a download. @returns whether it was kept */
+/** Saves a file for the user, by a dialog or as a download. @returns whether it was saved */
 export async function keepFile({ name, blob }: ExportedFile): Promise<boolean> {
   try {
     await fileSave(blob, { fileName: name, extensions: [name.slice(name.lastIndexOf('.'))] });
