@@ -7,7 +7,7 @@ import { App, createEditor, openFirstLevel, tellKept } from './app/index.ts';
 import './ui/touch.css';
 import './ui/contrast.css';
 
-// a strict content security policy allows no code made from text
+// the strict content security policy forbids code made from text
 z.config({ jitless: true });
 
 const editor = await createEditor();
@@ -18,5 +18,5 @@ createRoot(document.getElementById('root') as HTMLElement).render(
 );
 await openFirstLevel(editor);
 void tellKept(editor);
-// what was done last is written before the page may go
+// save the latest changes before the page may be closed
 document.addEventListener('visibilitychange', () => void editor.open.getState()?.opened.saver.flush());

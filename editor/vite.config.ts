@@ -1,6 +1,6 @@
 import { defineConfig } from 'vite';
 
-// a static page: it runs from any folder of any host, and from `gq edit`
+// a static page that runs from any folder of any host, and from `gq edit`
 export default defineConfig({
   base: './',
   build: {
@@ -8,11 +8,11 @@ export default defineConfig({
     emptyOutDir: true,
     target: 'es2023',
     assetsInlineLimit: 0,
-    // kB: Phaser alone has more than the usual limit
+    // kB; Phaser alone exceeds the default limit
     chunkSizeWarningLimit: 2600,
     rolldownOptions: {
       onwarn(warning, warn) {
-        // `use client` in a library speaks to servers that render; there is none
+        // `use client` directives in libraries are for server rendering, which is not used here
         if (warning.code !== 'MODULE_LEVEL_DIRECTIVE') warn(warning);
       },
     },

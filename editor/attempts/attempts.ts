@@ -3,22 +3,22 @@ import { outcomeAsPredicate, type RunEnd } from '../../check/words/index.ts';
 import { type AccuracyName, TICK } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
 
-/** One attempt of a person at a level. */
+/** One attempt of the user at a level. */
 export interface Attempt {
   /** Counted from 1 within the level. */
   readonly number: number;
   readonly holds: readonly Hold[];
-  /** null: the person left before it ended */
+  /** null: left before it ended */
   readonly end: RunEnd | null;
-  /** How far it was played. */
+  /** the last tick that was played */
   readonly tick: number;
   readonly minerals: number;
   readonly accuracy: AccuracyName;
-  /** x, y at every tick, px. */
+  /** x, y at every tick, px */
   readonly points: Float32Array;
 }
 
-/** The last so many are kept: each is a line on the canvas. */
+/** number of attempts that are kept, as each is a line on the canvas */
 const KEPT = 24;
 
 export interface Attempts {
@@ -27,7 +27,7 @@ export interface Attempts {
   clear(): void;
 }
 
-/** The attempts at one level, the last one at the end. */
+/** The attempts at one level, the latest last. */
 export function createAttempts(): Attempts {
   const store = createStore<readonly Attempt[]>(() => []);
   let count = 0;
@@ -36,7 +36,7 @@ export function createAttempts(): Attempts {
     add(attempt) {
       const numbered = { ...attempt, number: ++count };
       const all = [...store.getState(), numbered];
-      // those that were only begun go first
+      // unfinished attempts are dropped first
       const spare = all.slice(0, -1).find(({ end }) => end === null) ?? all[0];
       store.setState(all.length > KEPT ? all.filter((one) => one !== spare) : all, true);
       return numbered;
@@ -45,6 +45,6 @@ export function createAttempts(): Attempts {
   };
 }
 
-/** How an attempt ended, for a person: `collides with nova 3 at 3.22 s`, `was left at 3.20 s`. @param range of the level, px */
+/** How an attempt ended, in words: `collides with nova 3 at 3.22 s`, `was left at 3.20 s`. @param range of the level, px */
 export const attemptInWords = ({ end, tick }: Pick<Attempt, 'end' | 'tick'>, range: number): string =>
   end === null ? `was left at ${(tick * TICK).toFixed(2)} s` : outcomeAsPredicate(end, range);

@@ -1,7 +1,10 @@
 import { Fragment, type ReactNode, useRef } from 'react';
 import { useLevel } from './context.ts';
 
-/** Another number for every level that is opened, whatever its file is called meanwhile: a key for what belongs to that one. */
+/**
+ * A number that changes whenever another level is opened, whatever its file is called: a React key for state that belongs to
+ * one level.
+ */
 export function useLevelKey(): number {
   const level = useLevel();
   const opening = useRef({ level, number: 0 });
@@ -9,7 +12,7 @@ export function useLevelKey(): number {
   return opening.current.number;
 }
 
-/** What begins anew with every level: where a list was scrolled to, what was folded, what was half typed. */
+/** Resets its children with every level: scroll positions, folded parts, unfinished input. */
 export function PerLevel({ children }: { readonly children: ReactNode }) {
   return <Fragment key={useLevelKey()}>{children}</Fragment>;
 }

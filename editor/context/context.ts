@@ -17,32 +17,34 @@ export function useEditor(): Editor {
   return editor;
 }
 
-/** The level that is open around this component. */
+/** The open level around this component. */
 export function useLevel(): OpenLevel {
   const level = useContext(LevelContext);
   if (level === null) throw new Error('expected to be inside a LevelContext');
   return level;
 }
 
-/** Part of the session; the component follows it. */
+/** Part of the session; re-renders when it changes. */
 export function useSession<T>(pick: (session: Session) => T): T {
   return useStore(useEditor().session, pick);
 }
 
-/** The rules that the configuration of the folder sets; the component follows them. */
+/** The rules of the folder's configuration; re-renders when they change. */
 export const useFolderRules = (): FolderRules => useStore(useEditor().workspace.store, folderRulesIn);
 
-/** Part of the document; the component follows it. */
+/** Part of the document; re-renders when it changes. */
 export function useDocument<T>(pick: (state: DocumentState) => T): T {
   return useStore(useLevel().document.store, pick);
 }
 
-/** Keys of what is selected; the component follows them. */
+/** The keys of the selection; re-renders when they change. */
 export function useSelectedKeys(): readonly ObjectKey[] {
   return useStore(useLevel().selection.store, ({ keys }) => keys);
 }
 
-/** Part of the live proof; the component follows it. What is picked should be small: the proof is new after every move of the pointer. */
+/**
+ * Part of the live proof; re-renders when it changes. It should be small, as the proof changes with every move of the pointer.
+ */
 export function useProof<T>(pick: (proof: LiveProof) => T): T {
   return useStore(useLevel().proof.store, pick);
 }

@@ -13,56 +13,56 @@ import type { Workers } from '../workers/index.ts';
 import type { Ghost } from './ghost.ts';
 import type { Pose } from './pose.ts';
 
-/** How robust a run was found to be. It holds for these holds alone: another run, or an edit, makes it old. */
+/** The robustness of a run. It is only valid for these holds. */
 export interface Analysis {
-  /** The holds it is about, joined by commas. */
+  /** The holds it belongs to, joined by commas. */
   readonly holds: string;
-  /** How far each press and release may move alone, ticks; two a hold. */
+  /** The slack of each press and release, ticks; two per hold. */
   readonly slack: readonly { readonly earlier: number; readonly later: number }[];
-  /** All shifts of all edges by up to so many ticks succeed; null while that is being certified. */
+  /** All shifts of all edges by up to this many ticks succeed; null while this is being certified. */
   readonly certifiedTicks: number | null;
-  /** Whether some shift by one tick more is known to fail; false where there were too many to try. */
+  /** Whether some shift by one tick more is known to fail; false if there were too many to check. */
   readonly decided: boolean;
-  /** Chance of success with timing noise of 40 ms, 0 to 1. */
+  /** Success with timing noise of 40 ms, 0 to 1. */
   readonly p40: number;
 }
 
-/** The level on the screen and what hangs on it. */
+/** The level on the screen and everything that belongs to it. */
 export interface OpenLevel {
-  /** Its file: where it is, whether it is saved, who may write it. */
+  /** Its file: its id, its saving state, the writer lock. */
   readonly opened: OpenedLevel;
   readonly document: EditedLevel;
   readonly selection: SelectionStore;
-  /** The object that is pointed at, on the canvas or in the outline. */
+  /** The hovered object, on the canvas or in the outline. */
   readonly hovered: StoreApi<ObjectKey | null>;
   readonly proof: ProofStore;
-  /** Other ways that the canvas shows: attempts, candidates, the fan of slack. */
+  /** Other paths on the canvas: attempts, candidates, the slack fan. */
   readonly ghosts: StoreApi<readonly Ghost[]>;
   readonly attempts: Attempts;
   /** null until it is known */
   readonly analysis: StoreApi<Analysis | null>;
-  /** The playtest that is going on; the canvas shows its pose, asked once a frame. */
+  /** The playtest in progress; the canvas reads its pose once per frame. */
   readonly playtest: StoreApi<{ readonly pose: () => Pose } | null>;
 }
 
-/** Everything a part of the editor may use. One a page. */
+/** Everything that a part of the editor may use. One per page. */
 export interface Editor {
   readonly settings: SettingsStore;
   readonly session: SessionStore;
   readonly commands: Commands;
   readonly notices: Notices;
   readonly workspace: Workspace;
-  /** What is kept of levels in this browser until they are saved. */
+  /** What this browser keeps of levels until they are saved. */
   readonly journal: Journal;
-  /** What the page before did not survive opening. */
+  /** Marks of levels whose opening made an earlier page hang. */
   readonly marks: OpeningMarks;
-  /** A level that came with the page's address and is not taken in yet. */
+  /** A level from the page's address that is not added yet. */
   readonly incoming: StoreApi<LevelFile | null>;
-  /** Id of a level that is not opened before the person has been asked. */
+  /** Id of a level that is opened only after the user has been asked. */
   readonly heldBack: StoreApi<string | null>;
-  /** Ids of levels that are to be opened without being played. */
+  /** Ids of levels that are opened without being simulated. */
   readonly unchecked: Set<string>;
   readonly workers: Workers;
-  /** null while nothing is open */
+  /** null while no level is open */
   readonly open: StoreApi<OpenLevel | null>;
 }

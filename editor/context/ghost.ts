@@ -1,8 +1,8 @@
-/** Another way to be shown beside that of the run: an attempt, a candidate. Places at every tick. */
+/** A path beside that of the run: an attempt, a candidate, a part of the slack fan. */
 export interface Ghost {
   readonly id: string;
   readonly label: string;
-  /** x, y in px, two entries a tick */
+  /** x, y in px, two entries per tick */
   readonly points: Float32Array;
   readonly look: 'attempt' | 'candidate' | 'slack';
 }

@@ -8,5 +8,5 @@ function subscribe(listener: () => void): () => void {
 
 const read = (): 'dark' | 'light' => (document.documentElement.dataset.theme === 'light' ? 'light' : 'dark');
 
-/** The theme that the page has; the component follows it. */
+/** The theme of the page; re-renders when it changes. */
 export const usePageTheme = (): 'dark' | 'light' => useSyncExternalStore(subscribe, read);

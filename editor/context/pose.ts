@@ -1,16 +1,16 @@
-/** How everything that moves stands at one moment of a run; places in px. */
+/** The positions of everything that moves at one moment of a run, in px. */
 export interface Pose {
   readonly x: number;
   readonly y: number;
-  /** Direction of her box's x axis, a unit vector. */
+  /** The direction of the box's x axis, a unit vector. */
   readonly cos: number;
   readonly sin: number;
-  /** Where the gun pulls; null while it is not held or there is nothing to pull at. */
+  /** Where the gun pulls; null while it is not held or there is no target. */
   readonly beamTo: { readonly x: number; readonly y: number } | null;
-  /** x, y, alive (1 or 0) of every alien; null: as the level has them */
+  /** x, y, alive (1 or 0) of every alien; null: as in the level */
   readonly aliens: Float64Array | null;
-  /** x, y of every asteroid; null: as the level has them */
+  /** x, y of every asteroid; null: as in the level */
   readonly asteroids: Float64Array | null;
-  /** Indices of the minerals that are taken. */
+  /** Indices of the collected minerals. */
   readonly collected: ReadonlySet<number>;
 }

@@ -7,5 +7,5 @@ function subscribe(listener: () => void): () => void {
   return () => touch.removeEventListener('change', listener);
 }
 
-/** Whether the page is used by fingers alone: then nothing should speak of keys and wheels. */
+/** Whether the page is used by touch only: then texts should not mention keys and wheels. */
 export const useTouch = (): boolean => useSyncExternalStore(subscribe, () => touch.matches);

@@ -1,12 +1,12 @@
 import { useEffect, useState } from 'react';
 import type { StoreApi } from 'zustand';
 
-/** Later than this what waits for an idle moment is done anyway, ms. */
+/** ms after which the update happens even without an idle moment */
 const LONGEST = 150;
 
-/** Calls back once the page has nothing more urgent to do. @returns takes it back */
+/** Calls back once the page is idle. @returns cancels it */
 function whenIdle(call: () => void): () => void {
-  // Safari has no idle moments
+  // Safari has no requestIdleCallback
   if (typeof requestIdleCallback === 'undefined') {
     const timer = setTimeout(call, 30);
     return () => clearTimeout(timer);
@@ -16,9 +16,9 @@ function whenIdle(call: () => void): () => void {
 }
 
 /**
- * Part of a store, a frame or two behind it while things change fast: for what may follow the pointer at some distance, so that what must follow it at once
- * can. It is picked from the state of that moment.
- * @param pick kept between renders (`useCallback`, or outside of the component)
+ * Part of a store, which may lag a frame or two behind during fast changes. This leaves time for what must follow the pointer
+ * at once. It is read at the time of the update.
+ * @param pick stable between renders (`useCallback`, or defined outside the component)
  */
 export function useWhenIdle<S, T>(store: Pick<StoreApi<S>, 'getState' | 'subscribe'>, pick: (state: S) => T): T {
   const look = () => ({ store, pick, value: pick(store.getState()) });

@@ -7,23 +7,23 @@ import { objectsOf } from './objects.ts';
 import { applyPatches, diffFiles, isSame, type Patch } from './patch.ts';
 import { type Refusal, settle } from './settle.ts';
 
-/** Changes a draft of the file in place, as immer has it. What it leaves is settled, so numbers may be out of their limits. */
+/** Changes a draft of the file in place, as with immer. The result is settled, so numbers may be out of range. */
 export type Recipe = (draft: LevelFile) => void;
 
 export interface DocumentState {
   /** A valid level in which every object has an id; frozen. */
   readonly file: LevelFile;
-  /** Another number for every other content; never used twice. */
+  /** A number that is unique to this content and never reused. */
   readonly revision: number;
-  /** What undo and redo would take back or bring again; null when there is nothing. */
+  /** The labels of the steps that undo and redo would apply; null if there is none. */
   readonly undoLabel: string | null;
   readonly redoLabel: string | null;
-  /** How many steps are done, and how many there are: for a list of the history. */
+  /** The number of steps done and of all steps, for a list of the history. */
   readonly done: number;
   readonly steps: number;
 }
 
-/** Something happened to the file. */
+/** A change of the file. */
 export interface DocumentEvent {
   readonly kind: 'change' | 'undo' | 'redo';
   readonly label: string;
@@ -36,52 +36,53 @@ export interface DocumentEvent {
 export type ChangeResult =
   | {
       readonly ok: true;
-      /** Keys of the objects that are there now and were not before: to be selected. */
+      /** Keys of the objects that were added, to select them. */
       readonly added: readonly string[];
     }
   | { readonly ok: false; readonly refusal: Refusal };
 
 /**
- * A change in the making: a drag. Every `set` starts again from how the file was when the gesture began, so that the whole way is given each time
- * and nothing adds up. It is one step of the history, made by `commit`.
+ * A change in progress, such as a drag. Every `set` starts from the file as it was when the gesture began, so recipes describe
+ * the whole change and nothing accumulates. `commit` makes it one step of the history.
  */
 export interface Gesture {
-  /** Does nothing once the gesture is over; another change, undo or a change on the disk ends it. */
+  /** Does nothing once the gesture is over. Another change, an undo or a change on disk ends it. */
   set(recipe: Recipe): ChangeResult;
   commit(): void;
-  /** Back to how it was. */
+  /** Restores the file as it was before the gesture. */
   cancel(): void;
   readonly isLive: boolean;
 }
 
-/** The open level: what is saved, undone and proved. */
+/** The open level: what is edited, undone, saved and simulated. */
 export interface EditedLevel {
   readonly store: StoreApi<DocumentState>;
   file(): LevelFile;
-  /** As it was before a gesture that is going on, else as it is: what is to be kept and saved. */
+  /** The file as it was before a gesture in progress, else the current file: the version to keep and save. */
   settledFile(): LevelFile;
   /**
-   * One step of the history, or, when the last step was made under the same `gesture` and is not sealed, a part of that step: keys held down, letters typed.
+   * Makes one step of the history. If the last step has the same `gesture` and is not sealed, it is extended instead: keys held
+   * down, letters typed.
    */
   change(label: string, recipe: Recipe, options?: { readonly gesture?: string }): ChangeResult;
-  /** Puts another file in its place, as one step: what came from the disk, a merge, a text. */
+  /** Replaces the file in one step: by a version from disk, a merge, a text. */
   replace(label: string, file: LevelFile): ChangeResult;
   begin(label: string): Gesture;
-  /** Ends what `gesture` joins, and a gesture that is going on: the field lost the focus, the key was let go. */
+  /** Seals the last step and ends a gesture in progress: the field lost the focus, the key was released. */
   seal(): void;
   undo(): boolean;
   redo(): boolean;
-  /** Undoes or redoes until so many steps are done. */
+  /** Undoes or redoes until `done` steps are done. */
   goTo(done: number): void;
-  /** Labels of all steps, the oldest first; the first `done` are done. */
+  /** The labels of all steps, oldest first; the first `done` of them are done. */
   labels(): string[];
-  /** Every change of what is seen, those within a gesture included. @returns stops it */
+  /** Calls back on every visible change, including those within a gesture. @returns stops it */
   subscribe(listener: (event: DocumentEvent) => void): () => void;
-  /** What is to be kept: changes outside of gestures, gestures once they are committed, undo and redo. @returns stops it */
+  /** Calls back on every change to keep: changes outside gestures, committed gestures, undo and redo. @returns stops it */
   onStep(listener: (event: DocumentEvent) => void): () => void;
 }
 
-/** The last step while it may still grow. */
+/** The last step while it may be extended. */
 interface Growing {
   readonly gesture: string;
   readonly before: LevelFile;
@@ -89,7 +90,7 @@ interface Growing {
 
 /** Keys of the objects that are new in a file. */
 function addedKeys(before: LevelFile, after: LevelFile): string[] {
-  // most changes bring none
+  // most changes add none
   const hasSame = (list: (typeof OBJECT_LISTS)[number]) => {
     const [old, now] = [before[list] ?? [], after[list] ?? []];
     return old === now || (old.length === now.length && now.every(({ id }, i) => id === old[i].id));
@@ -101,8 +102,8 @@ function addedKeys(before: LevelFile, after: LevelFile): string[] {
 
 /**
  * Opens a level for editing.
- * @param file a valid level; missing ids are added, which is no step of the history
- * @throws RangeError when the file is not a valid level
+ * @param file a valid level; missing ids are added, which is not a step of the history
+ * @throws RangeError if the file is not a valid level
  */
 export function createEditedLevel(file: LevelFile): EditedLevel {
   const first = settle(file, null);
@@ -122,7 +123,10 @@ export function createEditedLevel(file: LevelFile): EditedLevel {
   };
   const store = createStore<DocumentState>(state);
 
-  /** @param known the patches that lead there; null: they are found when somebody asks, which nobody does while hundreds of objects are dragged */
+  /**
+   * @param known the patches to the new file; null: computed on demand, which never happens while hundreds of objects are
+   * dragged
+   */
   const show = (kind: DocumentEvent['kind'], label: string, file: LevelFile, known: readonly Patch[] | null): DocumentEvent => {
     const event = eventOf(kind, label, current, file, known);
     current = freeze(file, true);
@@ -229,7 +233,7 @@ export function createEditedLevel(file: LevelFile): EditedLevel {
   };
 }
 
-/** @param known the patches that lead there; null: they are found when somebody asks */
+/** @param known the patches to the new file; null: computed on demand */
 function eventOf(
   kind: DocumentEvent['kind'],
   label: string,

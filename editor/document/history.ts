@@ -7,12 +7,12 @@ interface Step {
   readonly inverse: readonly Patch[];
 }
 
-/** The steps that led to a level, and those that were undone since. It grows at its end alone. */
+/** The steps that led to a level, and those that were undone. Steps are only added at the end. */
 export class History {
   private readonly steps: Step[] = [];
   private count = 0;
 
-  /** How many steps are done. */
+  /** The number of steps done. */
   get done(): number {
     return this.count;
   }
@@ -29,30 +29,30 @@ export class History {
     return this.count < this.steps.length ? this.steps[this.count].label : null;
   }
 
-  /** Labels of all steps, the oldest first. */
+  /** The labels of all steps, oldest first. */
   labels(): string[] {
     return this.steps.map(({ label }) => label);
   }
 
-  /** Adds a step; what was undone is forgotten. @param patches from `before` to `after` */
+  /** Adds a step and discards the undone ones. @param patches from `before` to `after` */
   record(label: string, before: LevelFile, after: LevelFile, patches: readonly Patch[]): void {
     this.steps.length = this.count;
     this.steps.push({ label, patches, inverse: diffFiles(after, before) });
     this.count++;
   }
 
-  /** Whether the last step may grow: it is done, and nothing was undone. */
+  /** Whether the last step may be extended: there is one, and nothing was undone after it. */
   get mayGrow(): boolean {
     return this.count === this.steps.length && this.count > 0;
   }
 
-  /** The last step leads from `before` to `after` instead. */
+  /** Replaces the last step by one from `before` to `after`. */
   recordAgain(label: string, before: LevelFile, after: LevelFile): void {
     this.count--;
     this.record(label, before, after, diffFiles(before, after));
   }
 
-  /** Goes a step. @returns its label, and the patches to be applied; null where there is none */
+  /** Undoes or redoes a step. @returns its label and the patches to apply; null if there is none */
   go(kind: 'undo' | 'redo'): { readonly label: string; readonly patches: readonly Patch[] } | null {
     const step = this.steps[kind === 'undo' ? this.count - 1 : this.count];
     if (step === undefined) return null;

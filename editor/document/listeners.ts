@@ -1,8 +1,8 @@
-/** Who hears of events of one kind. */
+/** The listeners for events of one kind. */
 export interface Listeners<E> {
-  /** @returns takes it back */
+  /** @returns removes it */
   add(listener: (event: E) => void): () => void;
-  /** Calls all that are there now. */
+  /** Calls all current listeners. */
   call(event: E): void;
 }
 

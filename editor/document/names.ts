@@ -1,10 +1,10 @@
 import { appearanceOfObject } from '../../schema/index.ts';
 import type { FoundObject } from './objects.ts';
 
-/** A word or words as they begin a line: `Black hole`. */
+/** With a capital letter at the beginning: `Black hole`. */
 export const titled = (words: string): string => `${words.charAt(0).toUpperCase()}${words.slice(1)}`;
 
-/** `Hot asteroid 3`: the number counts within its list, from 1. */
+/** `Hot asteroid 3`; the number is the position in its list, from 1. */
 export function nameOf({ kind, list, index, object }: FoundObject): string {
   const title = titled(appearanceOfObject(kind, object).one);
   return list === null ? title : `${title} ${index + 1}`;

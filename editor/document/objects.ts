@@ -9,7 +9,10 @@ import {
   type SingleKind,
 } from '../../schema/index.ts';
 
-/** Which object: its id, or the kind of one that every level has once and that has none. No id begins with @. */
+/**
+ * The key of an object: its id, or its kind for the objects that every level has exactly once, which have no id. No id begins
+ * with @.
+ */
 export type ObjectKey = string;
 
 const keyOf = (kind: SingleKind): ObjectKey => `@${kind}`;
@@ -17,7 +20,7 @@ const keyOf = (kind: SingleKind): ObjectKey => `@${kind}`;
 export const ASTRONAUT = keyOf('astronaut');
 export const BLACK_HOLE = keyOf('blackHole');
 
-/** An object of a level with what all kinds have; `radius` is missing where a default stands for it, and on the astronaut. */
+/** An object with the fields that all kinds have; `radius` is missing where the default applies, and for the astronaut. */
 export interface PlacedObject {
   id?: string | undefined;
   x: number;
@@ -28,11 +31,11 @@ export interface PlacedObject {
 export interface FoundObject {
   readonly key: ObjectKey;
   readonly kind: ObjectKind;
-  /** null where a level has exactly one: the astronaut and the black hole */
+  /** null for objects that a level has exactly once: the astronaut and the black hole */
   readonly list: ObjectList | null;
-  /** within its list; 0 without one */
+  /** index in its list; 0 without one */
   readonly index: number;
-  /** as the file says it; frozen */
+  /** as in the file; frozen */
   readonly object: PlacedObject;
   /** JSON pointer into the file */
   readonly pointer: string;
@@ -40,7 +43,7 @@ export interface FoundObject {
 
 const known = new WeakMap<LevelFile, ReadonlyMap<ObjectKey, FoundObject>>();
 
-/** Every object of a file by its key: those that a level has once, then the lists in the order of the file. Made once a file. */
+/** All objects of a file by key: first the single ones, then the lists in file order. Computed once per file. */
 export function objectsOf(file: LevelFile): ReadonlyMap<ObjectKey, FoundObject> {
   const made = known.get(file);
   if (made !== undefined) return made;
@@ -60,7 +63,7 @@ export function objectsOf(file: LevelFile): ReadonlyMap<ObjectKey, FoundObject> 
   return objects;
 }
 
-/** The key of the object that a JSON pointer leads to or into; null when it leads to none: to go to a problem. */
+/** The key of the object that a JSON pointer leads to or into, for going to a problem; null if there is none. */
 export function keyAt(file: LevelFile, pointer: string): ObjectKey | null {
   const [, part, index] = pointer.split('/');
   const single = SINGLE_KINDS.find((kind) => kind === part);
@@ -69,15 +72,18 @@ export function keyAt(file: LevelFile, pointer: string): ObjectKey | null {
   return list === undefined ? null : (file[list]?.[Number(index)]?.id ?? null);
 }
 
-/** A list of a file that a recipe is changing, as it is now, without drafts: to be replaced as a whole. A thousand drafts would take milliseconds. */
+/**
+ * The current list of a file that a recipe is changing, without drafts, to be replaced as a whole. A thousand drafts would take
+ * milliseconds.
+ */
 export function plainList(draft: LevelFile, list: ObjectList): readonly PlacedObject[] {
   const objects: PlacedObject[] = draft[list] ?? [];
   return isDraft(objects) ? current(objects) : objects;
 }
 
 /**
- * Puts changed copies in the place of the objects with these keys. Keys of objects that are no longer there are passed over.
- * @param change gives the changed copy, in which only numbers, texts and flags are new; what it is given is frozen
+ * Replaces the objects with these keys by changed copies. Keys of objects that no longer exist are skipped.
+ * @param change returns the changed copy, in which only numbers, texts and flags may be new; its argument is frozen
  */
 export function changeObjects(
   draft: LevelFile,
@@ -97,7 +103,7 @@ export function changeObjects(
     const objects = plainList(draft, list);
     const kind = kindOfList(list);
     if (!objects.some(({ id }) => id !== undefined && wanted.has(id))) continue;
-    // immer walks through what is not frozen, in search of drafts: a list of a thousand would take milliseconds
+    // Immer searches everything that is not frozen for drafts: with a list of a thousand objects that would take milliseconds.
     draft[list] = Object.freeze(
       objects.map((object) =>
         object.id !== undefined && wanted.has(object.id) ? Object.freeze(change(object, object.id, kind)) : object,

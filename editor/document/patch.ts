@@ -4,8 +4,8 @@ import type { LevelFile } from '../../schema/index.ts';
 enablePatches();
 
 /**
- * One difference between two level files. `path` leads from the root; in a list `add` inserts before its index and `remove` closes the gap,
- * so that patches are to be applied in order.
+ * One difference between two level files. `path` leads from the root. In a list, `add` inserts before its index and `remove`
+ * closes the gap, so patches must be applied in order.
  */
 export interface Patch {
   readonly op: 'add' | 'remove' | 'replace';
@@ -18,14 +18,14 @@ type Json = { readonly [key: string]: unknown };
 
 const isObject = (value: unknown): value is Json => typeof value === 'object' && value !== null && !Array.isArray(value);
 
-/** What an entry of a list is known by, wherever it stands: objects by their id, runs by their name, holds by nothing. */
+/** What identifies an entry of a list at any index: the id of an object, the name of a run; holds have nothing. */
 function nameOf(entry: unknown): string | null {
   if (!isObject(entry)) return null;
   if (typeof entry.id === 'string') return entry.id;
   return typeof entry.name === 'string' ? entry.name : null;
 }
 
-/** The names of all entries, or null when one has none or two have the same. */
+/** The names of all entries; null if one has none or two are equal. */
 function namesOf(list: readonly unknown[]): string[] | null {
   const names: string[] = [];
   for (const entry of list) {
@@ -80,7 +80,7 @@ function diffObjects(before: Json, after: Json, path: Path, into: Patch[]): void
   for (const [key, value] of Object.entries(after)) {
     const inner = [...path, key];
     if (!Object.hasOwn(before, key)) into.push({ op: 'add', path: inner, value });
-    // what others keep under x- keys is theirs: it changes as a whole
+    // values under x- keys belong to other programs and are replaced as a whole
     else if (!key.startsWith('x-')) diffValue(before[key], value, inner, into);
     else if (!isSame(before[key], value)) into.push({ op: 'replace', path: inner, value });
   }
@@ -93,7 +93,7 @@ function diffValue(before: unknown, after: unknown, path: Path, into: Patch[]): 
   else into.push({ op: 'replace', path, value: after });
 }
 
-/** Whether two JSON values are the same, whatever the order of their keys. */
+/** Whether two JSON values are equal, in any order of keys. */
 export function isSame(a: unknown, b: unknown): boolean {
   if (a === b) return true;
   if (Array.isArray(a) && Array.isArray(b)) return a.length === b.length && a.every((entry, i) => isSame(entry, b[i]));
@@ -104,8 +104,8 @@ export function isSame(a: unknown, b: unknown): boolean {
 }
 
 /**
- * What turns one file into another. What both share is passed over, so a file that was changed in one place costs next to nothing.
- * Objects are followed by id and runs by name: taking one of a thousand out is one patch.
+ * The patches from one file to another. Shared parts are skipped, so a change in one place costs next to nothing. Objects are
+ * matched by id and runs by name: deleting one of a thousand is one patch.
  */
 export function diffFiles(before: LevelFile, after: LevelFile): Patch[] {
   const patches: Patch[] = [];
@@ -113,6 +113,6 @@ export function diffFiles(before: LevelFile, after: LevelFile): Patch[] {
   return patches;
 }
 
-/** The file with the patches applied, in order. @throws when they don't fit the file */
+/** Applies patches in order. @throws if they don't fit the file */
 export const applyPatches = (file: LevelFile, patches: readonly Patch[]): LevelFile =>
   immerApply(file, patches as readonly ImmerPatch[] as ImmerPatch[]);

@@ -1,7 +1,7 @@
 import { KINDS, type ObjectKind, placesIn } from '../../schema/index.ts';
 import type { FoundObject, PlacedObject } from './objects.ts';
 
-/** A place of the level, px. */
+/** A place in the level, px. */
 interface Place {
   readonly x: number;
   readonly y: number;
@@ -9,13 +9,13 @@ interface Place {
 
 type Numbers = Record<string, number>;
 
-/** Where an object is: for most kinds one place, for some several, the first of which is its own `x` and `y`. */
+/** The places of an object: one for most kinds; for kinds with several, the first is its `x` and `y`. */
 export const placesOf = ({ kind, object }: Pick<FoundObject, 'kind' | 'object'>): readonly Place[] => placesIn(kind, object);
 
 /**
- * A copy of an object with its places changed.
- * @param change where a place comes to, from where it is
- * @param only index of the one place that is changed; all of them when left out
+ * A copy of an object with changed places.
+ * @param change returns the new place
+ * @param only index of the only place to change; all of them if absent
  */
 export function withPlaces<T extends PlacedObject>(
   kind: ObjectKind,
@@ -34,6 +34,6 @@ export function withPlaces<T extends PlacedObject>(
   return changed;
 }
 
-/** A copy of an object, all of it moved by so many px. @param only index of the one place that moves; all of them when left out */
+/** A copy of an object, moved by `dx`, `dy` px. @param only index of the only place to move; all of them if absent */
 export const shifted = <T extends PlacedObject>(kind: ObjectKind, object: T, dx: number, dy: number, only?: number): T =>
   withPlaces(kind, object, ({ x, y }) => ({ x: x + dx, y: y + dy }), only);

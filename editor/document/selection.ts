@@ -2,23 +2,23 @@ import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { EditedLevel } from './document.ts';
 import { type ObjectKey, objectsOf } from './objects.ts';
 
-/** What is selected: neither saved nor undone. */
+/** The selection, which is neither saved nor part of the history. */
 export interface Selection {
-  /** In the order in which they were selected; all of them exist. */
+  /** In order of selection; all of them exist. */
   readonly keys: readonly ObjectKey[];
-  /** Selected holds: indices into the run's holds as `holdsOf` gives them. */
+  /** Selected holds: indices into the run's holds as `holdsOf` returns them. */
   readonly holds: readonly number[];
-  /** Name of the run the holds are of; null when no hold is selected. */
+  /** The run of the selected holds; null if no hold is selected. */
   readonly run: string | null;
 }
 
 export interface SelectionStore {
   readonly store: StoreApi<Selection>;
   keys(): readonly ObjectKey[];
-  /** Selects these alone; what does not exist is passed over. Holds are no longer selected. */
+  /** Selects exactly these objects; missing ones are skipped. Holds are deselected. */
   select(keys: Iterable<ObjectKey>): void;
   add(keys: Iterable<ObjectKey>): void;
-  /** Takes it away when it is selected, else adds it. */
+  /** Removes a selected object from the selection, adds any other. */
   toggle(key: ObjectKey): void;
   selectAll(): void;
   selectHolds(run: string, holds: Iterable<number>): void;
@@ -29,7 +29,7 @@ export interface SelectionStore {
 
 const NONE: Selection = { keys: [], holds: [], run: null };
 
-/** A selection in a level. When objects, runs or holds vanish it is mended. */
+/** A selection in a level. Objects, runs and holds that disappear are deselected. */
 export function createSelection(level: EditedLevel): SelectionStore {
   const store = createStore<Selection>(() => NONE);
   const set = (next: Selection) => store.setState(next, true);

@@ -18,7 +18,7 @@ import {
   withIds,
 } from '../../schema/index.ts';
 
-/** Why a change was not made, for the person who asked for it. */
+/** Why a change was refused, for the user. */
 export interface Refusal {
   readonly message: string;
   readonly hint: string;
@@ -29,12 +29,12 @@ export type Settled = { readonly ok: true; readonly file: LevelFile } | { readon
 type Json = { [key: string]: unknown };
 type Shape = { readonly [key: string]: { safeParse(value: unknown): { success: boolean } } };
 
-/** What an object of a file may have. */
+/** The fields that an object of a file may have. */
 interface Fields {
   readonly shape: Shape;
-  /** What its numbers may be. */
+  /** The ranges of its numbers. */
   readonly limits: Readonly<Record<string, readonly [least: number, most: number]>>;
-  /** What it must have. */
+  /** Its required fields. */
   readonly required: readonly string[];
 }
 
@@ -77,21 +77,21 @@ const refuse = (message: string, hint: string): never => {
   throw new Refused({ message, hint });
 };
 
-/** The text, cut to so many characters; no pair of surrogates is cut in two. */
+/** Cuts a text to a length without splitting a surrogate pair. */
 function cut(text: string, most: number): string {
   if (text.length <= most) return text;
   const last = text.charCodeAt(most - 1);
   return text.slice(0, last >= 0xd800 && last < 0xdc00 ? most - 1 : most);
 }
 
-/** What a field is to be; undefined leaves it out. */
+/** The settled value of a field; undefined omits it. */
 function settleField(key: string, value: unknown, fields: Fields, what: string): unknown {
   if (value === undefined || key.startsWith('x-')) return value;
-  if (!Object.hasOwn(fields.shape, key)) refuse(`${what} has no ${key}`, 'Keys of your own begin with x-.');
+  if (!Object.hasOwn(fields.shape, key)) refuse(`${what} has no ${key}`, 'Custom keys begin with x-.');
   if (typeof value === 'number' && Object.hasOwn(fields.limits, key)) {
-    if (Number.isNaN(value)) refuse(`${key} of ${what} would be no number`, 'Type a number.');
+    if (Number.isNaN(value)) refuse(`${key} of ${what} would not be a number`, 'Type a number.');
     const [least, most] = fields.limits[key];
-    // + 0 turns -0, which a file writes as 0, into 0
+    // + 0 turns -0 into 0, which is how a file stores it
     return Math.min(most, Math.max(least, value)) + 0;
   }
   if (typeof value === 'string' && Object.hasOwn(TEXT_LIMITS, key)) return cut(value, TEXT_LIMITS[key]);
@@ -102,8 +102,8 @@ function settleField(key: string, value: unknown, fields: Fields, what: string):
 }
 
 /**
- * @param old one that has been settled: a field that is the same in both is passed over
- * @returns the same object when nothing is to be mended
+ * @param old an object that is settled: fields equal in both are skipped
+ * @returns the same object if nothing changes
  */
 function settleFields<T extends object>(value: T, fields: Fields, what: string, old?: object): T {
   let mended: Json | null = null;
@@ -123,7 +123,7 @@ function settleFields<T extends object>(value: T, fields: Fields, what: string, 
   return (mended as T | null) ?? value;
 }
 
-/** The same list when none of its entries is mended. */
+/** Returns the same list if none of its entries changes. */
 function settleEach<T>(
   list: readonly T[],
   old: readonly T[] | undefined,
@@ -132,7 +132,7 @@ function settleEach<T>(
   if (list === old) return list;
   let mended: T[] | null = null;
   for (let i = 0; i < list.length; i++) {
-    // what was there before has been settled before
+    // unchanged entries are settled already
     if (old !== undefined && list[i] === old[i]) continue;
     const settled = settle(list[i], old?.[i]);
     if (settled === list[i]) continue;
@@ -147,10 +147,10 @@ type RunFile = NonNullable<LevelFile['runs']>[number];
 const tickOf = (tick: number): number => Math.min(LIMITS.tick, Math.max(0, Math.round(tick)));
 
 function settleHolds(holds: RunFile['holds']): RunFile['holds'] {
-  if (holds.length > LIMITS.holds) refuse(`a run can have ${LIMITS.holds} holds at most`, 'Take some out.');
+  if (holds.length > LIMITS.holds) refuse(`a run can have ${LIMITS.holds} holds at most`, 'Delete some of them.');
   let isFine = true;
   for (const [press, release] of holds) {
-    if (Number.isNaN(press + release)) refuse('a hold would begin or end at no number', 'Type a whole number of ticks.');
+    if (Number.isNaN(press + release)) refuse('a hold would not begin and end at a number', 'Type a whole number of ticks.');
     if (!Object.is(tickOf(press), press) || tickOf(release) !== release || release <= press) isFine = false;
   }
   if (isFine) return holds;
@@ -170,7 +170,7 @@ function settleRun(value: RunFile): RunFile {
   return settled.name === name && settled.holds === holds && rest === others ? value : { ...rest, ...settled };
 }
 
-/** A copy in which an id that stands twice stays with its first owner. */
+/** A copy in which an id that occurs twice stays with its first owner. */
 function withoutSharedIds(file: LevelFile): LevelFile {
   const taken = new Set<string>();
   const settled = { ...file };
@@ -211,31 +211,32 @@ function settleTop(file: LevelFile, before: LevelFile | null): LevelFile {
   }
   if (file.rules !== undefined && file.rules !== before?.rules) {
     if (typeof file.rules !== 'object' || file.rules === null || Array.isArray(file.rules))
-      refuse(`rules of a level can't be ${JSON.stringify(file.rules)}`, 'Give them as numbers by their names.');
+      refuse(`rules of a level can't be ${JSON.stringify(file.rules)}`, 'Give an object of rule names and numbers.');
     settled.rules = settleFields(file.rules, OF_RULES, 'the rules', before?.rules);
   }
   for (const list of OBJECT_LISTS) {
     const objects = file[list];
     if (objects === undefined) continue;
-    if (objects.length > LIMITS.objects) refuse(`a level can have ${LIMITS.objects} ${list} at most`, 'Take some out.');
+    if (objects.length > LIMITS.objects) refuse(`a level can have ${LIMITS.objects} ${list} at most`, 'Delete some of them.');
     const fields = OF_KIND[kindOfList(list)];
     settled[list] = settleEach<object>(objects, before?.[list], (object, old) =>
       settleFields(object, fields, `one of the ${list}`, old),
     ) as never;
   }
   if (file.runs !== undefined && file.runs !== before?.runs) {
-    if (file.runs.length > LIMITS.runs) refuse(`a level can have ${LIMITS.runs} runs at most`, 'Take some out.');
+    if (file.runs.length > LIMITS.runs) refuse(`a level can have ${LIMITS.runs} runs at most`, 'Delete some of them.');
     settled.runs = settleEach(file.runs, before?.runs, (value) => settleRun(value)) as RunFile[];
     const names = settled.runs.map(({ name }) => name);
     const twice = names.find((name, i) => names.indexOf(name) !== i);
-    if (twice !== undefined) refuse(`there is a run called ${JSON.stringify(twice)} already`, 'Choose another name.');
+    if (twice !== undefined) refuse(`a run called ${JSON.stringify(twice)} already exists`, 'Choose another name.');
   }
   return settled;
 }
 
 /**
- * Makes a valid level of what a recipe left: numbers are brought within their limits, texts cut, ticks rounded, empty holds dropped, missing ids added.
- * What no valid level is near to is refused. Everything that is shared with `before`, which is settled, is passed over.
+ * Makes a valid level of the result of a recipe: limits numbers to their ranges, cuts texts, rounds ticks, drops empty holds,
+ * adds missing ids. What is not close to a valid level is refused. Everything shared with `before`, which is settled, is
+ * skipped.
  */
 export function settle(file: LevelFile, before: LevelFile | null): Settled {
   try {

@@ -3,25 +3,25 @@ import { createStore, type StoreApi } from 'zustand/vanilla';
 
 const settingsSchema = z.object({
   theme: z.enum(['system', 'dark', 'light']),
-  /** What draws the canvas; a page keeps the one it began with. */
+  /** The renderer; a page keeps the one it started with. */
   renderer: z.enum(['automatic', 'webgl', 'canvas']),
-  /** px between the lines of the grid */
+  /** px between grid lines */
   grid: z.number().min(1).max(256),
   snapToGrid: z.boolean(),
   snapToObjects: z.boolean(),
   sound: z.boolean(),
   /** 0 to 1 */
   volume: z.number().min(0).max(1),
-  /** `KeyboardEvent.code` of the key that is the gun in a playtest */
+  /** `KeyboardEvent.code` of the gun key in a playtest */
   gunKey: z.string(),
-  /** Whether the run's way is shown in a playtest, too. */
+  /** Whether the run's path is shown in a playtest as well. */
   runInPlay: z.boolean(),
   reduceMotion: z.enum(['system', 'yes', 'no']),
   accuracy: z.enum(['arcade', 'fast', 'standard', 'precise']),
   tourSeen: z.boolean(),
 });
 
-/** What a person prefers; kept in this browser, the same for all levels. */
+/** The user's preferences, kept in this browser for all levels. */
 export type Settings = z.infer<typeof settingsSchema>;
 export type SettingsStore = StoreApi<Settings>;
 
@@ -42,13 +42,13 @@ const DEFAULTS: Settings = {
 
 const KEY = 'gravity-quest-editor-settings';
 
-/** Reads what was kept, one setting at a time: one that can't be read falls back to its default and costs no other. */
+/** Reads the stored settings one by one: an invalid one falls back to its default without affecting the others. */
 function restored(text: string | null): Settings {
   let kept: unknown = null;
   try {
     kept = JSON.parse(text ?? 'null');
   } catch {
-    // nothing usable was kept
+    // nothing usable was stored
   }
   if (typeof kept !== 'object' || kept === null) return DEFAULTS;
   const settings: Record<string, unknown> = { ...DEFAULTS };
@@ -61,7 +61,7 @@ function restored(text: string | null): Settings {
 
 /**
  * The settings, kept in `storage` from now on.
- * @param storage the page's localStorage, or null where the browser refuses one
+ * @param storage the page's localStorage, or null if the browser refuses one
  */
 export function createSettings(storage: Pick<Storage, 'getItem' | 'setItem'> | null): SettingsStore {
   const store = createStore<Settings>(() => restored(storage?.getItem(KEY) ?? null));
@@ -69,7 +69,7 @@ export function createSettings(storage: Pick<Storage, 'getItem' | 'setItem'> | n
     try {
       storage?.setItem(KEY, JSON.stringify(settings));
     } catch {
-      // a full or forbidden storage: the settings hold until the page is closed
+      // the storage is full or forbidden: the settings last until the page is closed
     }
   });
   return store;

@@ -2,16 +2,16 @@ import type { ButtonHTMLAttributes, ReactNode } from 'react';
 import { Hint } from './Hint.tsx';
 
 interface ButtonProps extends Omit<ButtonHTMLAttributes<HTMLButtonElement>, 'title'> {
-  /** What it does, for the tooltip and, without a text, for who can't see it. */
+  /** What it does, for the tooltip; also its accessible name if it has no text. */
   readonly hint: string;
-  /** Its key, as people write it. */
+  /** The key as it is displayed. */
   readonly shortcut?: string;
   readonly icon?: ReactNode;
   readonly look?: 'plain' | 'outlined' | 'main' | 'danger';
   readonly pressed?: boolean;
 }
 
-/** A button with a tooltip; with an icon alone it is named by its hint. */
+/** A button with a tooltip; without a text, its hint is its accessible name. */
 export function Button({ hint, shortcut, icon, look = 'plain', pressed, children, className = '', ...rest }: ButtonProps) {
   const bare = children === undefined || children === null;
   const classes = `button button--${look}${bare ? ' button--bare' : ''} ${className}`.trim();

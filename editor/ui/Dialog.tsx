@@ -6,14 +6,14 @@ import { Button } from './Button.tsx';
 interface DialogProps {
   readonly open: boolean;
   readonly title: string;
-  /** A sentence under the title. */
+  /** A sentence below the title. */
   readonly about: string;
   readonly wide?: boolean;
   readonly onClose: () => void;
   readonly children: ReactNode;
 }
 
-/** A modal dialog: keeps the focus inside, Esc closes it, the focus goes back to where it was. */
+/** A modal dialog: it traps the focus, Esc closes it, and the focus returns to where it was. */
 export function Dialog({ open, title, about, wide = false, onClose, children }: DialogProps) {
   return (
     <Radix.Root open={open} onOpenChange={(next) => !next && onClose()}>
@@ -22,14 +22,14 @@ export function Dialog({ open, title, about, wide = false, onClose, children }: 
         <Radix.Content
           className={wide ? 'dialog dialog--wide' : 'dialog'}
           onOpenAutoFocus={(event) => {
-            // the first button would show its tooltip, and Esc would close that alone
+            // a focused button would show its tooltip, and Esc would close only that
             event.preventDefault();
             const content = event.currentTarget as HTMLElement;
             const first = content.querySelector<HTMLElement>('input:not([type=file]), select, textarea');
             (first ?? content).focus();
           }}
           onCloseAutoFocus={(event) => {
-            // what closed it has given the focus to something, or keepFocus has
+            // the action that closed it may have set the focus, or keepFocus has
             if (document.activeElement !== document.body) event.preventDefault();
           }}
         >

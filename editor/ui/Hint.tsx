@@ -7,7 +7,7 @@ interface HintProps {
   readonly children: ReactNode;
 }
 
-/** A tooltip on the one element inside. */
+/** A tooltip for the one element inside. */
 export function Hint({ text, shortcut, children }: HintProps) {
   return (
     <Tooltip.Root>

@@ -2,22 +2,22 @@ import { type KeyboardEvent, type PointerEvent, useId, useRef, useState } from '
 
 interface NumberFieldProps {
   readonly label: string;
-  /** null: the selected objects have different values */
+  /** null: the selected objects differ */
   readonly value: number | null;
   readonly min: number;
   readonly max: number;
-  /** What an arrow key or a px of dragging changes it by; Shift 10 times, Alt a tenth of it. */
+  /** The change per arrow key or px of a drag; 10 times as much with Shift, a tenth with Alt. */
   readonly step?: number;
   readonly whole?: boolean;
   readonly unit?: string;
   readonly about?: string;
   readonly disabled?: boolean;
-  /** @param gesture the same for all changes of one drag, so that they are one step of undo; null: a step of its own */
+  /** @param gesture equal for all changes of one drag, which then form one undo step; null: a step of its own */
   readonly onChange: (value: number, gesture: string | null) => void;
   readonly onGestureEnd?: () => void;
 }
 
-/** A sum of terms is worth typing (`665+32`); anything else that is no number is refused. */
+/** Parses a number or a sum of numbers (`665+32`); null for anything else. */
 function parse(text: string): number | null {
   const clean = text.replaceAll(',', '.').replaceAll(/\s/g, '');
   if (!/^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?([+-](\d+\.?\d*|\.\d+))*$/i.test(clean)) return null;
@@ -27,20 +27,23 @@ function parse(text: string): number | null {
 
 const shown = (value: number | null): string => (value === null ? '' : String(Number(value.toFixed(6))));
 
-/** What stands in a field and is not taken over. */
+/** Typed text that is not applied. */
 interface Draft {
   readonly text: string;
-  /** The value that it is to replace: once that is another one, the draft is about nothing any more. */
+  /** The value that it should replace: if the value changes, the draft is discarded. */
   readonly of: number | null;
-  /** Whether Enter was pressed or the field left, and it could not be taken over. */
+  /** Whether Enter or blur tried to apply the text, and it was refused. */
   readonly isRefused: boolean;
 }
 
-/** A number that can be typed, stepped with the arrow keys, and dragged by its label. What can't be taken over stays to be mended, and says why. */
+/**
+ * A number that can be typed, stepped with the arrow keys, and dragged by its label. Refused text stays so that it can be
+ * corrected, with the reason beside it.
+ */
 export function NumberField(props: NumberFieldProps) {
   const { label, value, min, max, step = 1, whole = false, unit, about, disabled = false, onChange, onGestureEnd } = props;
   const id = useId();
-  // what is being typed, until Enter or leaving the field takes it over
+  // typed text, until Enter or blur applies it
   const [kept, setKept] = useState<Draft | null>(null);
   const draft = kept !== null && kept.of === value ? kept : null;
   const drag = useRef<{ from: number; x: number; gesture: string } | null>(null);
@@ -53,7 +56,7 @@ export function NumberField(props: NumberFieldProps) {
   const typed = draft === null ? value : parse(draft.text);
   const problem = (): string | null => {
     if (draft === null) return null;
-    // who replaces a number begins with nothing; several different values show none
+    // An empty field is the start of typing a new number; a field for differing values is empty anyway.
     if (isEmpty) return draft.isRefused && value !== null ? 'expected a number, found nothing' : null;
     if (typed === null) return `expected a number, found "${draft.text}"`;
     if (typed < min || typed > max) return `expected ${min} to ${max}${unit === undefined ? '' : ` ${unit}`}, found ${typed}`;
@@ -132,7 +135,8 @@ export function NumberField(props: NumberFieldProps) {
       />
       {error !== null && (
         <span id={`${id}-error`} className="number__error" role="alert">
-          {error}. {value === null ? 'Nothing is changed' : `It is still ${shown(value)}`}: type another, or Esc puts it back.
+          {error}. {value === null ? 'Nothing was changed' : `It is still ${shown(value)}`}: type another number, or press Esc to
+          restore it.
         </span>
       )}
     </div>

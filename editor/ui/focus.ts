@@ -1,30 +1,31 @@
-/** So many places are remembered: more than lie over one another. */
+/** number of remembered places, more than are ever stacked */
 const REMEMBERED = 12;
 
-/** Where the work is: what has the keys when nothing else has them. */
+/** The home of the focus: the canvas, or a replacement. */
 const homeOf = (page: Document): HTMLElement | null =>
   page.querySelector<HTMLElement>('main :is([tabindex="0"], button:enabled)');
 
-/** Gives the focus to the canvas; where no level is open, to the first thing that can be done instead. */
+/** Focuses the canvas; if no level is open, the first usable button instead. */
 export function focusHome(): void {
   homeOf(document)?.focus({ preventScroll: true });
 }
 
-/** Whether it takes the focus without doing anything: a tab that is not in front comes to the front by it. */
+/** Whether focusing has no side effect; focusing a tab that is not in front would select it. */
 const isQuiet = (element: HTMLElement): boolean =>
   element.checkVisibility() && !element.matches('[role=tab][aria-selected="false"]');
 
-/** Whether it can not have the focus any more. */
+/** Whether it can no longer have the focus. */
 const isGone = (element: HTMLElement): boolean =>
   !element.isConnected || element.matches(':disabled') || element.closest('[inert], [hidden]') !== null;
 
 /**
- * Keeps the focus when what has it goes: a dialog that is closed, a row that is deleted, a button that can't be pressed any more. It goes to where it
- * was before, or to the canvas: on the page's body the next Tab begins at the top again, and a screen reader is silent.
+ * Restores the focus when its element disappears: a dialog is closed, a row is deleted, a button is disabled. The focus goes to
+ * where it was before, or to the canvas. On the page's body, the next Tab would start at the top, and screen readers would be
+ * silent.
  * @returns stops it
  */
 export function keepFocus(page: Document): () => void {
-  // 'home' is one place, though each level has a canvas of its own
+  // 'home' is one place, although each level has its own canvas
   let places: readonly (HTMLElement | 'home')[] = [];
   let last: HTMLElement | null = null;
   const onFocus = ({ target }: FocusEvent) => {
@@ -38,7 +39,7 @@ export function keepFocus(page: Document): () => void {
   };
   const look = () => {
     const now = page.activeElement;
-    // a press on nothing in particular takes the focus away as well: that is wanted
+    // Clicking on empty space also removes the focus, which is intended.
     if (last === null || (now !== page.body && now !== last) || !isGone(last)) return;
     last = null;
     const place = places.find((other) => other === 'home' || (!isGone(other) && isQuiet(other))) ?? 'home';

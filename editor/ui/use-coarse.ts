@@ -7,8 +7,8 @@ function subscribe(listener: () => void): () => void {
   return () => coarse.removeEventListener('change', listener);
 }
 
-/** Whether a finger is what points here; the component follows it. */
+/** Whether the pointer is a finger; re-renders when that changes. */
 export const useCoarse = (): boolean => useSyncExternalStore(subscribe, () => coarse.matches);
 
-/** px that a finger hits with ease, each way */
+/** px that a finger can hit easily, in each direction */
 export const FINGER = 44;

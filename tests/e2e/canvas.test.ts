@@ -153,7 +153,7 @@ inChromium('the canvas in Chromium', ({ on }) => {
       await until(() => expect(asteroids(file('01'))).toEqual([A, B, C]));
       await page.evaluate(() => navigator.clipboard.writeText('a shopping list'));
       await page.keyboard.press('Control+v');
-      await page.getByText('the clipboard holds no objects of a level').waitFor();
+      await page.getByText('the clipboard contains no objects of a level').waitFor();
     }),
   );
 

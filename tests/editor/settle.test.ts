@@ -184,7 +184,7 @@ describe('what no level is near to is refused', () => {
     ['a level has no colour', { colour: 'red' }],
     ['recoil of a level', { recoil: 'yes' }],
     ['range of a level', { range: '7' }],
-    ['range of a level would be no number', { range: Number.NaN }],
+    ['range of a level would not be a number', { range: Number.NaN }],
     ['the astronaut has no x', { astronaut: { y: 1 } }],
     ['the astronaut has no y', { astronaut: { x: 1, y: undefined } }],
     ['y of the astronaut', { astronaut: { x: 1, y: null } }],

@@ -2,10 +2,13 @@ import { fieldsOf, isRequired, KINDS, listOf, type Placeable, placedAs } from '.
 import type { Recipe } from '../document.ts';
 import { plainList } from '../objects.ts';
 
-/** How far the second place of a new object is to the right of the first, in radii: beside it, with room to take each. */
+/** distance of a new object's second place from the first, to the right, in radii: enough to grab each */
 const BESIDE = 4;
 
-/** A new object at a place in px; its id comes from what it is and where. @param radius px; when left out the usual one of its kind */
+/**
+ * Adds an object at a place in px; its id is derived from its kind and place. @param radius px; by default the usual one of its
+ * kind
+ */
 export function addObject(placeable: Placeable, x: number, y: number, radius?: number): Recipe {
   return (draft) => {
     const { kind, flag } = placedAs(placeable);

@@ -3,10 +3,13 @@ import type { Recipe } from '../document.ts';
 import { type ObjectKey, type PlacedObject, plainList } from '../objects.ts';
 import { shifted } from '../places.ts';
 
-/** Objects on their way between levels: lists as a level file has them, without ids. */
+/** Objects for the clipboard: lists as in a level file, without ids. */
 export type Clipping = { [list in ObjectList]?: PlacedObject[] };
 
-/** The objects as JSON text for the clipboard, as a part of a level file; null when nothing of it can be copied (a level has one astronaut and one black hole). */
+/**
+ * The objects as JSON text for the clipboard, as a part of a level file; null if none of them can be copied (a level has one
+ * astronaut and one black hole).
+ */
 export function copyObjects(file: LevelFile, keys: Iterable<ObjectKey>): string | null {
   const wanted = new Set(keys);
   const rows: string[] = [];
@@ -19,7 +22,7 @@ export function copyObjects(file: LevelFile, keys: Iterable<ObjectKey>): string 
   return rows.length === 0 ? null : `{\n${rows.join(',\n')}\n}\n`;
 }
 
-/** Copies of objects beside them, so many px away. */
+/** Copies objects to a place `dx`, `dy` px away. */
 export function duplicateObjects(keys: Iterable<ObjectKey>, dx: number, dy: number): Recipe {
   return (draft) => {
     const wanted = new Set(keys);

@@ -2,7 +2,7 @@ import { OBJECT_LISTS } from '../../../schema/index.ts';
 import type { Recipe } from '../document.ts';
 import { type ObjectKey, plainList } from '../objects.ts';
 
-/** Takes objects out of the level. The astronaut and the black hole stay: a level has exactly one of each. */
+/** Deletes objects. The astronaut and the black hole stay: a level has exactly one of each. */
 export function deleteObjects(keys: Iterable<ObjectKey>): Recipe {
   return (draft) => {
     const gone = new Set(keys);

@@ -4,7 +4,7 @@ import type { Recipe } from '../document.ts';
 
 type Span = [press: number, release: number];
 
-/** The holds of a run as they act: sorted, joined where they overlap. All indices of holds are into these. */
+/** The effective holds of a run: sorted, and joined where they overlap. All indices of holds refer to these. */
 export function holdsOf(file: LevelFile, run: string): Hold[] {
   return joinHolds(file.runs?.find(({ name }) => name === run)?.holds ?? []);
 }
@@ -18,12 +18,12 @@ function onHolds(run: string, change: (holds: Span[]) => Span[]): Recipe {
 
 const clamp = (value: number, least: number, most: number): number => Math.max(least, Math.min(most, value));
 
-// neighbours keep a tick of coasting between them, or they would be one hold
+// neighbours stay at least a tick apart, or they would be one hold
 const leastPress = (holds: readonly Span[], index: number): number => (index === 0 ? 0 : holds[index - 1][1] + 1);
 const mostRelease = (holds: readonly Span[], index: number): number =>
   index === holds.length - 1 ? LIMITS.tick : holds[index + 1][0] - 1;
 
-/** By how much everything from an index on can move. */
+/** How far everything from an index on can move. */
 const rippleRoom = (holds: readonly Span[], index: number, from: number): [least: number, most: number] => [
   (index === 0 ? 0 : holds[index - 1][1] + 1) - from,
   LIMITS.tick - holds[holds.length - 1][1],
@@ -34,7 +34,7 @@ function shiftFrom(holds: Span[], index: number, by: number): void {
 }
 
 export interface RippleOption {
-  /** Everything after it moves along (Alt); otherwise it stops a tick before its neighbours. */
+  /** Whether everything later moves as well (Alt); otherwise the hold stops a tick before its neighbours. */
   readonly ripple?: boolean;
 }
 
@@ -55,7 +55,10 @@ export function moveHold(run: string, index: number, by: number, { ripple = fals
   });
 }
 
-/** Moves one edge of a hold to a tick; it stays a tick long at least. With ripple everything after the edge moves along. */
+/**
+ * Moves one edge of a hold to a tick; the hold stays at least one tick long. With ripple everything after the edge moves as
+ * well.
+ */
 export function stretchHold(
   run: string,
   index: number,
@@ -84,7 +87,7 @@ export function stretchHold(
   });
 }
 
-/** Adds a hold; what it overlaps becomes one with it. */
+/** Adds a hold; overlapping holds are joined with it. */
 export function addHold(run: string, press: number, release: number): Recipe {
   return onHolds(run, (holds) =>
     joinHolds([...holds, [Math.round(Math.min(press, release)), Math.round(Math.max(press, release))]]).map(
@@ -93,7 +96,7 @@ export function addHold(run: string, press: number, release: number): Recipe {
   );
 }
 
-/** Lets go for one tick inside a hold, so that there are two. Does nothing at a tick where neither side would be left. */
+/** Releases the gun for one tick inside a hold, which makes two. Does nothing at a tick where one of them would be empty. */
 export function splitHold(run: string, index: number, tick: number): Recipe {
   return onHolds(run, (holds) => {
     const hold = holds[index];
@@ -104,7 +107,7 @@ export function splitHold(run: string, index: number, tick: number): Recipe {
   });
 }
 
-/** Takes holds out. With ripple, what follows each comes earlier by its length. */
+/** Deletes holds. With ripple, later holds move earlier by the length of each. */
 export function deleteHolds(run: string, indices: Iterable<number>, { ripple = false }: RippleOption = {}): Recipe {
   return onHolds(run, (holds) => {
     const gone = new Set(indices);
@@ -114,7 +117,7 @@ export function deleteHolds(run: string, indices: Iterable<number>, { ripple = f
       if (gone.has(i)) earlier += ripple ? release - press : 0;
       else left.push([press - earlier, release - earlier]);
     }
-    // what closes up may touch: it would be one hold
+    // holds that touch after that are joined
     return joinHolds(left).map(([press, release]): Span => [press, release]);
   });
 }

@@ -3,7 +3,7 @@ import type { Recipe } from '../document.ts';
 
 type RulesOfFile = NonNullable<LevelFile['rules']>;
 
-/** Sets a rule of the level; undefined leaves it out, so that the folder's or the game's own holds. */
+/** Sets a rule of the level; undefined removes it, so that the folder's rule or the game's default applies. */
 export const setRule =
   (name: RuleName, value: number | undefined): Recipe =>
   (draft) => {
@@ -11,7 +11,7 @@ export const setRule =
     put(draft, value === undefined ? others : { ...others, [name]: value });
   };
 
-/** Leaves out all rules of the level; what others keep beside them stays. */
+/** Removes all rules of the level; custom keys beside them stay. */
 export const resetRules: Recipe = (draft) => {
   const kept = Object.entries(draft.rules ?? {}).filter(([key]) => !(RULE_NAMES as readonly string[]).includes(key));
   put(draft, Object.fromEntries(kept) as RulesOfFile);

@@ -5,7 +5,7 @@ type RunFile = NonNullable<LevelFile['runs']>[number];
 
 const runsOf = (draft: LevelFile): RunFile[] => draft.runs ?? [];
 
-/** A name that no run of the level has: the wanted one, or with a number behind it. */
+/** A free name for a run: the wanted one, or one with a number appended. */
 export function freeRunName(file: LevelFile, wanted: string): string {
   const taken = new Set(file.runs?.map(({ name }) => name));
   let name = wanted.slice(0, 70);
@@ -13,7 +13,7 @@ export function freeRunName(file: LevelFile, wanted: string): string {
   return name;
 }
 
-/** Adds a run at the end, or first when it is to be the one that is shown: a recording becomes the proof. */
+/** Adds a run at the end, or first if it is to be the main run. */
 export function addRun(name: string, holds: readonly Hold[], place: 'first' | 'last' = 'last'): Recipe {
   return (draft) => {
     const run = { name, holds: holds.map(([press, release]): [number, number] => [press, release]) };
@@ -36,7 +36,7 @@ export function deleteRun(name: string): Recipe {
   };
 }
 
-/** A copy right after it, called `as`. */
+/** Copies a run to a place right after it. @param as name of the copy */
 export function duplicateRun(name: string, as: string): Recipe {
   return (draft) => {
     const runs = runsOf(draft);
@@ -47,7 +47,7 @@ export function duplicateRun(name: string, as: string): Recipe {
   };
 }
 
-/** Moves a run to another place: the first one is shown. */
+/** Moves a run to another place in the list; pictures show the first. */
 export function reorderRun(name: string, index: number): Recipe {
   return (draft) => {
     const runs = runsOf(draft);
@@ -58,7 +58,7 @@ export function reorderRun(name: string, index: number): Recipe {
   };
 }
 
-/** Puts other holds in place of a run's: a recording, a solution that was found. */
+/** Replaces the holds of a run, by an attempt or a run that a search found. */
 export function replaceHolds(name: string, holds: readonly Hold[]): Recipe {
   return (draft) => {
     const run = runsOf(draft).find((run) => run.name === name);

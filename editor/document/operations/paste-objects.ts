@@ -11,11 +11,11 @@ export type ClippingReading =
   | { readonly ok: false; readonly refusal: Refusal };
 
 const NOTHING: Refusal = {
-  message: 'the clipboard holds no objects of a level',
+  message: 'the clipboard contains no objects of a level',
   hint: 'Copy objects in the editor, or the text of a level file.',
 };
 
-/** Reads what `copyObjects` wrote, or a whole level file: what is in its lists. */
+/** Reads the lists from what `copyObjects` wrote, or from a whole level file. */
 export function readClipping(text: string): ClippingReading {
   let value: unknown;
   try {
@@ -25,7 +25,7 @@ export function readClipping(text: string): ClippingReading {
   }
   if (typeof value !== 'object' || value === null || Array.isArray(value)) return { ok: false, refusal: NOTHING };
   const lists = Object.fromEntries(OBJECT_LISTS.map((list) => [list, (value as Record<string, unknown>)[list]]));
-  // the lists are checked as those of a level, so that problems are reported in the same words
+  // the lists are checked as part of a level, so that problems are reported in the same words
   const singles = Object.fromEntries(SINGLE_KINDS.map((kind) => [kind, { x: 0, y: 0 }]));
   const level = { version: LEVEL_VERSION, name: 'clipboard', ...singles, ...lists };
   const reading = readLevel(JSON.stringify(level));
@@ -53,7 +53,7 @@ export function middleOf(clipping: Clipping): { x: number; y: number } {
   return { x: middle(all.map(({ x }) => x)), y: middle(all.map(({ y }) => y)) };
 }
 
-/** Adds the objects of a clipping, moved by so many px; they get ids of their own. */
+/** Adds the objects of a clipping, moved by `dx`, `dy` px; they get new ids. */
 export function pasteObjects(clipping: Clipping, dx = 0, dy = 0): Recipe {
   return (draft) => {
     for (const list of OBJECT_LISTS) {

@@ -2,7 +2,10 @@ import { OBJECT_LISTS } from '../../../schema/index.ts';
 import type { Recipe } from '../document.ts';
 import { type ObjectKey, plainList } from '../objects.ts';
 
-/** Moves an object to another place in its list: on ties the first asteroid is the target, where fields overlap the first one acts. */
+/**
+ * Moves an object to another place in its list. The order matters: of asteroids at equal distance the first is the target, and
+ * of overlapping fields the first acts.
+ */
 export function reorderObject(key: ObjectKey, index: number): Recipe {
   return (draft) => {
     for (const list of OBJECT_LISTS) {

@@ -2,7 +2,7 @@ import { fieldsOf, KINDS, type LevelFile, OBJECT_KINDS, type ObjectKind } from '
 import type { Recipe } from '../document.ts';
 import { changeObjects, type FoundObject, type ObjectKey, objectsOf } from '../objects.ts';
 
-/** Radii that stand for those that a file leaves out, px; null where it can't leave them out. */
+/** the default radii, px; null for kinds whose radius is required */
 const USUAL = Object.fromEntries(
   OBJECT_KINDS.map((kind) => {
     const field = fieldsOf(kind).find(([name]) => name === KINDS[kind].radius)?.[1];
@@ -10,12 +10,12 @@ const USUAL = Object.fromEntries(
   }),
 ) as Readonly<Record<ObjectKind, number | null>>;
 
-/** The radius an object has in px, its default when the file leaves it out; null for the astronaut, who is a box. */
+/** The radius of an object in px, its default if the file has none; null for the astronaut, who is a box. */
 export function radiusOf({ kind, object }: Pick<FoundObject, 'kind' | 'object'>): number | null {
   return KINDS[kind].radius === null ? null : (object.radius ?? USUAL[kind]);
 }
 
-/** Gives objects a radius, px; the astronaut has none and is passed over. */
+/** Sets the radius of objects, px; the astronaut has none and is skipped. */
 export function setRadius(keys: Iterable<ObjectKey>, radius: number): Recipe {
   const wanted = [...keys];
   return (draft) =>
@@ -23,8 +23,8 @@ export function setRadius(keys: Iterable<ObjectKey>, radius: number): Recipe {
 }
 
 /**
- * Scales radii by a factor, each from what it is in `file`.
- * @param file the level as it was before: the draft may leave defaults out
+ * Scales radii by a factor, relative to `file`.
+ * @param file the level before the gesture: radii in the draft may be absent
  */
 export function scaleRadius(file: LevelFile, keys: Iterable<ObjectKey>, factor: number): Recipe {
   const objects = objectsOf(file);
