@@ -3,7 +3,10 @@ import type { Hold, Level } from '../../schema/index.ts';
 import type { ShownRun } from './answer.ts';
 import type { SceneRecord } from './scene-record.ts';
 
-/** Which run proves the level, or null; and whether some were given up. The one that did last time is asked first. */
+/**
+ * Finds a run that completes the level, or null, and says whether all runs were simulated. The run found last time is tried
+ * first.
+ */
 export function findProvingRun(
   record: SceneRecord,
   level: Level,

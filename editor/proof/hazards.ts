@@ -1,14 +1,14 @@
 import type { Scene } from '../../engine/index.ts';
 import type { Way } from './march.ts';
 
-/** What could kill her. */
+/** An object that is deadly to touch. */
 export interface Hazard {
   readonly kind: 'nova' | 'asteroid' | 'alien';
-  /** within the level's own list of that kind */
+  /** index in the level's list of that kind */
   readonly index: number;
 }
 
-/** Hazards in one numbering: novae, hot asteroids, aliens; where they are at a tick. */
+/** All hazards in one numbering: novae, hot asteroids, aliens; and their positions at a tick. */
 export class Hazards {
   readonly count: number;
   private readonly hot: number;
@@ -28,7 +28,7 @@ export class Hazards {
     return { kind: 'alien', index: i - novae.count - this.hot };
   }
 
-  /** Writes x, y, radius of hazard `i` at a tick; @returns whether it is still there */
+  /** Writes x, y, radius of hazard `i` at a tick. @returns whether it still exists */
   at(i: number, tick: number, out: Float64Array): boolean {
     const { scene, way, hot } = this;
     const { novae, targets, coldCount, aliens } = scene;
@@ -53,7 +53,7 @@ export class Hazards {
     return isThere;
   }
 
-  /** Whether it never stirs on the way. */
+  /** Whether it never moves during the run. */
   isStill(i: number): boolean {
     const { scene, way, hot } = this;
     const { novae, targets, coldCount } = scene;

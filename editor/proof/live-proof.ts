@@ -7,36 +7,39 @@ import { AT_REST, WHILE_DRAGGED } from './patience.ts';
 import { createProver } from './prover.ts';
 import { type Reach, reachOf } from './reach.ts';
 
-/** The proof of the open level, up to date after every change. */
+/** The live simulation and verdict of the open level, updated with every change. */
 export interface ProofStore {
   readonly store: StoreApi<LiveProof>;
   proof(): LiveProof;
-  /** How far along time the shown run is to be shown. */
+  /** How far along time the shown run should be displayed. */
   readonly reach: StoreApi<Reach>;
-  /** Which run is shown; the first one when it is null or there is none of that name. */
+  /** Selects the shown run; the first one if the name is null or unknown. */
   showRun(name: string | null): void;
   setAccuracy(accuracy: AccuracyName): void;
-  /** Rules that the folder sets from now on. */
+  /** Sets the rules of the folder. */
   setFolderRules(rules: OwnRules): void;
   /** Stops following the level. */
   close(): void;
 }
 
 export interface ProofOptions {
-  /** Name of the run that is shown at first. */
+  /** The run shown at first. */
   readonly run?: string | null;
-  /** Rules that the folder sets, which hold where the level has none of its own. */
+  /** The rules of the folder, which apply where the level sets none. */
   readonly rules?: OwnRules;
-  /** Whether the level is played at all. */
+  /** Whether the level is simulated at all. */
   readonly checked?: boolean;
-  /** Calls back once the page has rested for so many ms: then an answer may take longer. @returns takes it back */
+  /** Calls back once the page has been at rest for `ms`: then an answer may take longer. @returns cancels it */
   readonly afterRest?: (ms: number, call: () => void) => () => void;
 }
 
-/** ms without a change before what took too long is tried with more patience */
+/** ms without a change before an incomplete answer is tried with more patience */
 const REST = 120;
 
-/** Follows a level: its proof is made anew within every change, so that one frame shows both. What would keep the page from its next frame is left out. */
+/**
+ * Follows a level and computes its proof anew within every change, so that one frame shows both. What would delay the next
+ * frame is left out.
+ */
 export function createProofStore(
   level: EditedLevel,
   accuracy: AccuracyName,
@@ -45,7 +48,7 @@ export function createProofStore(
   const prover = createProver();
   let asked = { run, accuracy, rules };
   let forget = () => {};
-  // who never asks again has to wait for all of it
+  // without a second try, everything is computed at once
   const most = (patience: number) => (afterRest === undefined ? Number.POSITIVE_INFINITY : patience);
   const prove = (patience: number) => prover.prove({ file: level.file(), ...asked, patience: checked ? most(patience) : 0 });
   const store = createStore<LiveProof>(() => prove(WHILE_DRAGGED));
@@ -57,7 +60,7 @@ export function createProofStore(
     if (now.ticks !== before.ticks || now.formerEnd !== before.formerEnd || now.run !== before.run) reach.setState(now, true);
   };
   const show = (proof: LiveProof) => {
-    // first: whoever is told of the proof shows it that far
+    // first, as subscribers of the proof use the new reach
     stretch(proof);
     store.setState(proof, true);
   };
@@ -74,7 +77,7 @@ export function createProofStore(
   rest();
   const stops = [
     level.subscribe(update),
-    // the hand has let go
+    // the gesture has ended
     level.onStep(() => stretch(store.getState())),
   ];
   return {

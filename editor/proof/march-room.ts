@@ -1,7 +1,10 @@
 import { STATE_SIZE } from '../../engine/index.ts';
 import { Tracks } from './tracks.ts';
 
-/** Arrays for ways and snapshots. Whoever marches scene after scene keeps them: a large level would fill megabytes anew with every move of the pointer. */
+/**
+ * Arrays for trajectories and snapshots. They are reused from scene to scene: a large level would allocate megabytes with every
+ * move of the pointer.
+ */
 export class MarchRoom {
   states = new Float64Array(0);
   held = new Uint8Array(0);
@@ -11,7 +14,7 @@ export class MarchRoom {
   alienState = new Float64Array(0);
   asteroidState = new Float64Array(0);
 
-  /** Makes it ready for a scene: what it held of another one is forgotten. */
+  /** Prepares the arrays for a scene and discards those of another one. */
   prepare(aliens: number, asteroids: number): void {
     this.aliens.clear(aliens);
     this.asteroids.clear(asteroids);
@@ -19,7 +22,7 @@ export class MarchRoom {
     this.asteroidState = new Float64Array(asteroids * this.asteroids.size);
   }
 
-  /** Makes room for so many entries. */
+  /** Makes room for a number of entries. */
   grow(entries: number): void {
     if (this.held.length >= entries) return;
     const room = Math.max(entries, 2 * this.held.length, 1202);

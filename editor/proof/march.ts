@@ -13,40 +13,40 @@ import { MarchRoom } from './march-room.ts';
 import type { Tracks } from './tracks.ts';
 
 /**
- * Where she was at every tick of a run, in arrays that are written anew by the next run: what is kept longer must be copied.
- * Entry k stands for the time k / 60 s; `count` entries are filled.
+ * Her states at every tick of a run. The arrays are overwritten by the next run: copy what must be kept. Entry k stands for the
+ * time k / 60 s; `count` entries are filled.
  */
 export interface Way {
   readonly count: number;
-  /** x, y (px), vx, vy (px/s), cos, sin of the box's x axis: `STATE_SIZE` doubles an entry. */
+  /** x, y (px), vx, vy (px/s), cos, sin of the box's x axis: `STATE_SIZE` doubles per entry. */
   readonly states: Float64Array;
-  /** 1 where the gun is held in the tick that begins with this entry. */
+  /** 1 if the gun is held in the tick that begins with this entry. */
   readonly held: Uint8Array;
   /** x, y, alive of every alien. */
   readonly aliens: Tracks;
-  /** x, y of every asteroid in the level's order; none where recoil is off and they stand still. */
+  /** x, y of every asteroid in the level's order; none if recoil is off, as they stay in place. */
   readonly asteroids: Tracks;
-  /** Her state when the run ended, between two ticks mostly: as in `states`. */
+  /** Her state at the end of the run, which is usually between two ticks; as in `states`. */
   readonly last: Float64Array;
 }
 
-/** How a run of a march ended. */
+/** The result of a run. */
 export interface Marched {
   readonly way: Way;
-  /** Whether it was given up before the end. */
+  /** Whether it was stopped before the end. */
   readonly isCut: boolean;
-  /** null: nothing ended it within the time */
+  /** null: nothing ended it within the time limit */
   readonly ending: Ending | null;
-  /** Indices of the minerals collected, in the order in which they were; two of one tick in the level's order. */
+  /** Indices of the collected minerals in order of collection; those of one tick in the level's order. */
   readonly minerals: readonly { readonly index: number; readonly tick: number }[];
-  /** The tick from which on it was simulated; all before was known from the last run. */
+  /** The tick from which on it was simulated; earlier ticks were known from the last run. */
   readonly resumedFrom: number;
 }
 
-/** A snapshot every so many ticks: half of them is simulated twice at most, about. */
+/** ticks between snapshots; on average, half of them are simulated again */
 const SNAPSHOT_TICKS = 60;
 
-/** The first tick at which two scripts differ; infinite where they are the same. Both sorted and disjoint. */
+/** The first tick at which two scripts of holds differ; infinite if they are equal. Both must be sorted and disjoint. */
 export function firstDifference(a: readonly Hold[], b: readonly Hold[]): number {
   for (let i = 0; i < Math.max(a.length, b.length); i++) {
     if (i >= a.length) return b[i][0];
@@ -58,27 +58,27 @@ export function firstDifference(a: readonly Hold[], b: readonly Hold[]): number 
 }
 
 /**
- * Plays scripts of one scene tick by tick and keeps the way. A script that begins as the last one did is taken up where they part, with the same bits
- * as from the start.
+ * Simulates scripts of holds in one scene tick by tick and records the trajectory. A script that begins like the previous one
+ * continues from where they differ, with the same bits as from the start.
  */
 export class March {
   private readonly simulation: Simulation;
-  /** Under `arcade` the entry for time 0 is the state after the first frame, as in its recordings. */
+  /** With `arcade`, the entry for time 0 is the state after the first frame, as in its recordings. */
   private readonly ahead: number;
   private readonly last = new Float64Array(STATE_SIZE);
   private readonly state = new Float64Array(STATE_SIZE);
   private minerals: { index: number; tick: number }[] = [];
   private readonly collected: Uint8Array;
   private played: readonly Hold[] | null = null;
-  /** How many of the room's snapshots are of the script played. */
+  /** The number of the room's snapshots that belong to the current script. */
   private kept = 0;
   private count = 0;
   private ticks = 0;
 
   /**
-   * @param room no other march may use it from now on
-   * @param budget what may be played; a run that uses it up is cut
-   * @throws WorkLimitReached where it is too small for the start
+   * @param room must not be used by another march from now on
+   * @param budget limits the work; a run that uses it up is cut
+   * @throws WorkLimitReached if it is too small for the start
    */
   constructor(
     readonly scene: Scene,
@@ -93,8 +93,8 @@ export class March {
   }
 
   /**
-   * @param holds sorted and disjoint, as `joinHolds` gives them
-   * @param isLate asked before each tick: whether to give up. Asked again for the same script, it goes on about where it gave up.
+   * @param holds sorted and disjoint, as from `joinHolds`
+   * @param isLate called before each tick: whether to stop. A later call with the same script continues near that point.
    */
   run(holds: readonly Hold[], isLate: () => boolean = () => false): Marched {
     const resumedFrom = this.goBack(holds);
@@ -114,7 +114,7 @@ export class March {
       if (this.ahead === 0) this.write();
       this.hold(tick, isHeld);
       if (!this.advance(isHeld)) {
-        // what it left in the middle of a tick is not looked at
+        // the incomplete state within a tick is ignored
         this.ticks = tick;
         this.count = Math.max(1, this.count);
         this.last.set(this.room.states.subarray(STATE_SIZE * (this.count - 1), STATE_SIZE * this.count));
@@ -132,7 +132,7 @@ export class March {
     return { way: this.way(), isCut, ending: simulation.ending, minerals: [...this.minerals], resumedFrom };
   }
 
-  /** @returns false: the budget is used up */
+  /** @returns false if the budget is used up */
   private advance(isHeld: boolean): boolean {
     try {
       this.simulation.advance(1, isHeld);
@@ -149,7 +149,7 @@ export class March {
     return { count, states, held, aliens, asteroids, last };
   }
 
-  /** Goes back to the last snapshot that the script shares with the one played before. @returns its tick */
+  /** Restores the last snapshot that the script shares with the previous one. @returns its tick */
   private goBack(holds: readonly Hold[]): number {
     const shared = this.played === null ? 0 : Math.min(firstDifference(this.played, holds), this.ticks);
     const index = Math.min(Math.floor(shared / SNAPSHOT_TICKS), this.kept - 1);
@@ -193,7 +193,7 @@ export class March {
     room.grow(count + 2);
     simulation.readState(state);
     room.states.set(state, STATE_SIZE * count);
-    // of hundreds that sleep none need be looked at in every tick
+    // sleeping aliens, of which there may be hundreds, need not be read at every tick
     if (room.aliens.count > 0 && (count === 0 || simulation.mayAliensHaveStirred)) {
       simulation.readAliens(room.alienState);
       room.aliens.write(count, room.alienState);

@@ -2,38 +2,38 @@ import { boxCircleGap, type Scene, STATE_SIZE } from '../../engine/index.ts';
 import { type Hazard, Hazards } from './hazards.ts';
 import type { Way } from './march.ts';
 
-/** A place where she passes a hazard closely. */
+/** A moment at which she passes a hazard closely. */
 export interface NearMiss extends Hazard {
   readonly tick: number;
   /** between her box and the hazard, px */
   readonly gap: number;
 }
 
-/** Along a way, an entry a tick. */
+/** Along a trajectory, one entry per tick. */
 export interface Margins {
-  /** px between her box and the nearest hazard; infinite where the level has none */
+  /** px between her box and the nearest hazard; infinite if the level has none */
   readonly gap: Float32Array;
   /** px/s */
   readonly speed: Float32Array;
-  /** in the order of time */
+  /** in order of time */
   readonly nearMisses: readonly NearMiss[];
 }
 
-/** What is passed nearer than this is a near miss, px: the height of her box in the original game. */
+/** a distance below this is a near miss, px: the height of her box in the original game */
 export const NEAR = 32;
-/** Within so many ticks the same hazard is missed once. */
+/** several dips near the same hazard within this many ticks are one near miss */
 const ONE_PASS = 30;
-/** Ticks for which the hazards that can be nearest are looked up once. */
+/** ticks for which the hazards that can be nearest are determined at once */
 const STRETCH = 16;
 
-/** Hazards that stand still all the way, in arrays; and the others. */
+/** Hazards that stay in place during the whole run, as arrays; and the others. */
 interface Still {
   readonly count: number;
   readonly index: Int32Array;
   readonly x: Float64Array;
   readonly y: Float64Array;
   readonly radius: Float64Array;
-  /** to be written: px from her to the rim of each */
+  /** output: px from her to the rim of each */
   readonly rims: Float64Array;
   readonly others: readonly number[];
 }
@@ -41,7 +41,7 @@ interface Still {
 function sortOut(hazards: Hazards): Still {
   const circle = new Float64Array(3);
   const all = Array.from({ length: hazards.count }, (_, i) => i);
-  // what has burst in the very first moment is nowhere
+  // an alien that explodes at the very first moment has no position
   const index = Int32Array.from(all.filter((i) => hazards.isStill(i) && hazards.at(i, 0, circle)));
   const [x, y, radius, rims] = [0, 1, 2, 3].map(() => new Float64Array(index.length));
   for (const [k, i] of index.entries()) {
@@ -51,7 +51,7 @@ function sortOut(hazards: Hazards): Still {
   return { count: index.length, index, x, y, radius, rims, others: all.filter((i) => !hazards.isStill(i)) };
 }
 
-/** How far she gets from where she is at `from` before `to`, px. */
+/** Her largest distance between `from` and `to` from where she is at `from`, px. */
 function strayFrom(way: Way, from: number, to: number): number {
   const { states } = way;
   let most = 0;
@@ -63,7 +63,7 @@ function strayFrom(way: Way, from: number, to: number): number {
   return Math.sqrt(most);
 }
 
-/** The hazards that can be the nearest somewhere in [from, to): those that move always, of the others what bounds allow. */
+/** The hazards that can be nearest within [from, to): all moving ones, and those at rest that the bounds allow. */
 function candidates({ box }: Scene, way: Way, from: number, to: number, still: Still, into: number[]): void {
   into.length = 0;
   const stray = strayFrom(way, from, to);
@@ -83,7 +83,7 @@ function candidates({ box }: Scene, way: Way, from: number, to: number, still: S
   into.push(...still.others);
 }
 
-/** Clearance and speed along a way, and where it was close. */
+/** Clearance and speed along a trajectory, and its near misses. */
 export function marginsOf(scene: Scene, way: Way): Margins {
   const { count, states } = way;
   const gap = new Float32Array(count).fill(Number.POSITIVE_INFINITY);

@@ -1,25 +1,25 @@
 import type { Level } from '../../schema/index.ts';
 
-/** What of a level the page has not played, since it would have been kept too busy. A worker plays it all. */
+/** What the page did not simulate of a level, to stay responsive. A worker simulates all of it. */
 export type Limit =
-  /** The person wants nothing played. */
+  /** checks are off: nothing is simulated */
   | 'unchecked'
-  /** Nothing: its very start takes too much work. */
+  /** nothing: even the start takes too much work */
   | 'everything'
-  /** The shown run, from the end of its way on. */
+  /** the shown run from the end of its trajectory on */
   | 'run'
-  /** The shown run is whole; other runs may complete the level. */
+  /** other runs, which may complete the level; the shown run is complete */
   | 'others';
 
-/** So long the page may be kept by one answer while something is dragged, ms: the hand sees ten of them a second. */
+/** ms that an answer may block the page during a drag: the user sees ten or more updates per second */
 export const WHILE_DRAGGED = 60;
-/** And once it has come to rest. */
+/** the same once the level is at rest */
 export const AT_REST = 400;
 
-/** Pieces of motion that the page plays for one answer: within a single tick, too, where nobody looks at the clock. */
+/** pieces of motion that the page simulates per answer; also limits the work within a tick, where the clock is not read */
 export const MOST_WORK = 50_000;
 
-/** The level without what makes it slow: for whoever shows a level that is not played. */
+/** The level without everything that makes it slow, to show a level that is not simulated. */
 export const bareOf = (level: Level): Level => ({
   ...level,
   asteroids: [],
@@ -30,16 +30,16 @@ export const bareOf = (level: Level): Level => ({
   runs: [],
 });
 
-/** Why a level is not played to its end, for people. */
+/** Why a level is not simulated to its end, in words. */
 export function limitInWords(limit: Limit): string {
   switch (limit) {
     case 'unchecked':
-      return 'not played: checks are off for this level';
+      return 'not simulated: checks are off for this level';
     case 'everything':
-      return 'work limit: the level takes too much work to be played while it is edited';
+      return 'work limit: the level takes too much work to be simulated while it is edited';
     case 'run':
-      return 'work limit: the run takes too much work to be played to its end while it is edited';
+      return 'work limit: the run takes too much work to be simulated to its end while it is edited';
     case 'others':
-      return 'work limit: not all runs of the level could be played while it is edited';
+      return 'work limit: not all runs of the level could be simulated while it is edited';
   }
 }

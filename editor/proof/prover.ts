@@ -12,7 +12,7 @@ import { showRun } from './show-run.ts';
 import { toldProblems } from './told.ts';
 
 export interface Prover {
-  /** The same question gives the same object. */
+  /** Equal questions give the same object. */
   prove(question: Question): LiveProof;
 }
 
@@ -20,17 +20,17 @@ const NO_RULES: OwnRules = {};
 
 const NOTHING_PROVED = { impossible: null, minerals: [] };
 
-/** What the runs of a level show: each is simulated in full, once. */
+/** The findings of a level's runs; each is simulated completely, once. */
 function findingsIn(known: SceneRecord, level: Level): RunFindings {
   const runs = level.runs.map(({ holds }) => known.full(joinHolds(holds)));
   return examineRuns(level, runs, asGqCheck(known.accuracy, new WorkBudget()));
 }
 
 /**
- * Answers what the editor shows, again and again while a level changes. While only runs change the scene is kept, and while only the end of the shown run
- * changes its beginning is.
- * @param now a clock in ms, to tell what an answer cost
- * @param most pieces of motion that are played for one answer to who is not infinitely patient
+ * Computes what the editor shows, again and again while a level changes. If only runs change, the scene is kept; if only the
+ * end of the shown run changes, its beginning is kept.
+ * @param now a clock in ms, for the cost of an answer
+ * @param most pieces of motion that are simulated per answer if the patience is limited
  */
 export function createProver(now: () => number = () => performance.now(), most = MOST_WORK): Prover {
   const scenes = createSceneKeeper();
@@ -43,7 +43,7 @@ export function createProver(now: () => number = () => performance.now(), most =
         if (answer.run.name === asked) return answer;
       }
       const start = now();
-      // the same one for another run or with more patience: who follows the level sees that it is
+      // the same object for another run or more patience, so that subscribers see no change of the level
       const level = answer?.file === file && answer.rules === rules ? answer.level : resolveLevel(file, rules);
       const isPatient = patience === Number.POSITIVE_INFINITY;
       const begun = patience === 0 ? null : scenes.played(file, level, accuracy, isPatient ? patience : most);
@@ -77,7 +77,7 @@ export function createProver(now: () => number = () => performance.now(), most =
         provenBy,
         ms: now() - start,
         get findings() {
-          // a worker finds those of levels that take long
+          // a worker computes the findings of levels that take long
           if (limit === null) findings ??= findingsIn(known, level);
           return findings;
         },

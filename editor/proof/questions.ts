@@ -2,15 +2,15 @@ import type { AccuracyName } from '../../engine/index.ts';
 import type { Level } from '../../schema/index.ts';
 import type { LiveProof } from './answer.ts';
 
-/** What a worker is to prove of a level. */
+/** What a worker should prove about a level. */
 export interface ProofQuestion {
   readonly level: Level;
   readonly accuracy: AccuracyName;
-  /** Indices of the minerals that some run collects: these need no question. null: the page does not know. */
+  /** Indices of the minerals that some run collects, which need no proof. null: the page does not know. */
   readonly collected: readonly number[] | null;
 }
 
-/** What a worker is to prove of the level; null: a run shows all there is, or nothing is to be looked at. */
+/** What a worker should prove about the level; null: the runs reach everything, or checks are off. */
 export function toProve(proof: LiveProof): ProofQuestion | null {
   const { level, accuracy, verdict, run, limit } = proof;
   if (limit === 'unchecked') return null;
@@ -18,7 +18,7 @@ export function toProve(proof: LiveProof): ProofQuestion | null {
   return { level, accuracy, collected: proof.findings?.collected ?? null };
 }
 
-/** What a worker is to play since the page has left it out; null: nothing. */
+/** What a worker should simulate because the page left it out; null: nothing. */
 export const toPlay = ({
   level,
   accuracy,

@@ -5,17 +5,17 @@ import { bareOf } from './patience.ts';
 import { playsAlike } from './plays-alike.ts';
 import { SceneRecord } from './scene-record.ts';
 
-/** Keeps what is known of the last scene for as long as levels play alike. */
+/** Keeps the record of the last scene while levels play alike. */
 export interface SceneKeeper {
-  /** @param work pieces of motion for one answer @returns null: the level takes too much work to be begun */
+  /** @param work pieces of motion per answer @returns null if even the start takes too much work */
   played(file: LevelFile, level: Level, accuracy: AccuracyName, work: number): SceneRecord | null;
-  /** What is shown of a level that is not played: she stands at the start. */
+  /** The record for a level that is not simulated: she stands at the start. */
   still(file: LevelFile, level: Level, accuracy: AccuracyName): SceneRecord;
 }
 
-/** One that has kept nothing yet. */
+/** A new scene keeper. */
 export function createSceneKeeper(): SceneKeeper {
-  // both keep their ways in the same arrays: there is one of the two at a time
+  // both records share the same arrays, as only one of them exists at a time
   const room = new MarchRoom();
   let played: SceneRecord | null = null;
   let still: SceneRecord | null = null;

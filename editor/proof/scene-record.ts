@@ -18,7 +18,7 @@ import type { Hold, Level, LevelFile } from '../../schema/index.ts';
 import { March } from './march.ts';
 import type { MarchRoom } from './march-room.ts';
 
-/** Ticks between two looks at the clock. */
+/** ticks between two readings of the clock */
 const STRIDE = 60;
 
 export const MAX_TICKS = Math.round(DEFAULT_MAX_TIME * TICK_RATE);
@@ -26,11 +26,11 @@ export const MAX_TICKS = Math.round(DEFAULT_MAX_TIME * TICK_RATE);
 export const toEnd = (ending: Ending | null): RunEnd =>
   ending ?? { outcome: 'timeout', with: null, time: MAX_TICKS * TICK, tick: MAX_TICKS };
 
-/** What is known of one scene: runs by their holds. */
+/** Everything known about one scene: runs by their holds. */
 export class SceneRecord {
   readonly scene: Scene;
   readonly march: March;
-  /** What is played for one answer. */
+  /** The work limit per answer. */
   readonly budget: WorkBudget;
   private readonly ends = new Map<string, RunEnd>();
   private readonly fulls = new Map<string, Run>();
@@ -40,7 +40,7 @@ export class SceneRecord {
     readonly level: Level,
     readonly accuracy: AccuracyName,
     room: MarchRoom,
-    /** pieces of motion for one answer */
+    /** pieces of motion per answer */
     readonly work: number,
   ) {
     this.scene = compile(level, accuracy);
@@ -48,7 +48,7 @@ export class SceneRecord {
     this.march = new March(this.scene, MAX_TICKS, room, this.budget);
   }
 
-  /** How a script ends; nothing else is recorded. @param holds sorted and disjoint @returns null: it was given up */
+  /** How a script ends; nothing else is recorded. @param holds sorted and disjoint @returns null if it was stopped */
   end(holds: readonly Hold[], isLate: () => boolean): RunEnd | null {
     const key = holds.join();
     const known = this.ends.get(key);
@@ -71,7 +71,7 @@ export class SceneRecord {
   full(holds: readonly Hold[]): Run {
     const key = holds.join();
     const run = this.fulls.get(key) ?? simulate(this.scene, holds);
-    // dragging a hold asks for a new one each time
+    // dragging a hold requests a new run each time
     if (this.fulls.size > 64) this.fulls.clear();
     this.fulls.set(key, run);
     return run;

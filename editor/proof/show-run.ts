@@ -5,7 +5,9 @@ import type { ShownRun } from './answer.ts';
 import { firstDifference, type Marched } from './march.ts';
 import { type SceneRecord, toEnd } from './scene-record.ts';
 
-/** Of several minerals touched in one frame `arcade` takes only one away, but counts them all: only the full record knows them. */
+/**
+ * If several minerals are touched in one frame, `arcade` removes only one but counts them all; only the full record knows them.
+ */
 function takenInFrames(run: Run): Marched['minerals'] {
   const first = new Map<number, number>();
   for (const { index, time } of run.minerals) if (!first.has(index)) first.set(index, Math.round(time * TICK_RATE));
@@ -13,10 +15,10 @@ function takenInFrames(run: Run): Marched['minerals'] {
 }
 
 /**
- * Plays the run that is shown, tick by tick.
- * @param wanted its name; the first run where there is none of that name
- * @param shown holds of the run shown last; null: none was
- * @param isLate asked before each tick: whether to give up
+ * Simulates the shown run tick by tick.
+ * @param wanted its name; the first run if there is none of that name
+ * @param shown holds of the previously shown run; null: none
+ * @param isLate called before each tick: whether to stop
  */
 export function showRun(
   known: SceneRecord,
@@ -27,7 +29,7 @@ export function showRun(
 ): ShownRun & { readonly isCut: boolean } {
   const run = level.runs.find(({ name }) => name === wanted) ?? level.runs[0];
   const joined = joinHolds(run?.holds ?? []);
-  // the same list as before, so that who shows it sees that it is
+  // the same list as before if it is equal, so that subscribers see no change
   const before = shown ?? joined;
   const holds = firstDifference(before, joined) === Number.POSITIVE_INFINITY ? before : joined;
   const { way, ending, minerals, resumedFrom, isCut } = known.march.run(holds, isLate);

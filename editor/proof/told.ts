@@ -16,34 +16,36 @@ import type { LiveProof } from './answer.ts';
 import { PAGE_HINTS } from './hints.ts';
 import { limitProblem, proofsGivenUp } from './left-out.ts';
 
-/** What a worker has proved of a level. */
+/** What a worker has proved about a level. */
 export interface Proved {
   readonly impossible: Proof | null;
   readonly minerals: readonly LostMineral[];
-  /** Why what is left was not looked for to the end; null: it was, or is going on. */
+  /** Why the search for proofs ended early; null: it did not, or is still running. */
   readonly gaveUp?: string | null;
 }
 
-/** What a worker has found out about a level that the page does not play itself. */
+/** What a worker found out about a level that the page does not simulate itself. */
 export interface FoundByWorker {
-  /** null: it gave up, too */
+  /** null: it gave up as well */
   readonly result: RunFindings | null;
-  /** Why it did. */
+  /** Why it gave up. */
   readonly message: string;
 }
 
-/** The verdict on a level as far as it is known. @param worker null: it was not asked, or is not done */
+/** The verdict on a level as far as it is known. @param worker null: not asked, or not done */
 export function toldVerdict(
   { verdict: own }: Pick<LiveProof, 'verdict'>,
   worker: FoundByWorker | null,
   { impossible }: Pick<Proved, 'impossible'>,
 ): LevelVerdict {
   const played = worker === null || worker.result === null ? null : verdictOfFindings({ ...worker.result, ...unproved });
-  // a run that completes it is enough
+  // one run that completes the level is enough
   return onceProved(own === 'completable' ? own : (played ?? own), impossible !== null);
 }
 
-/** The problems of a level as far as they are known; `line` and `column` are null. @param worker null: it was not asked, or is not done */
+/**
+ * The problems of a level as far as they are known; `line` and `column` are null. @param worker null: not asked, or not done
+ */
 export function toldProblems(
   { findings: own, limit }: Pick<LiveProof, 'findings' | 'limit'>,
   worker: FoundByWorker | null,

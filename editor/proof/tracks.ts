@@ -1,25 +1,25 @@
-/** Entries for which a track has room at first. */
+/** initial number of entries of a track */
 const ROOM = 256;
 
 /**
- * Where many bodies are at every entry of a way, `size` doubles each. Most of a large level never stirs: of a body that is where it was at first nothing
- * is written, however many entries there are. The arrays are kept from way to way.
+ * The positions of many objects at every entry of a trajectory, `size` doubles each. Most objects of a large level never move:
+ * for an object at its initial state nothing is stored, however many entries there are. The arrays are reused.
  */
 export class Tracks {
-  /** How many bodies there are. */
+  /** The number of objects. */
   count = 0;
-  /** What each body begins with. */
+  /** The initial state of each object. */
   private start = new Float64Array(0);
-  /** The entry from which on a body's track is written; infinite while it has not stirred. */
+  /** The entry from which on an object's track is stored; infinite while it has not moved. */
   private readonly since: number[] = [];
   private readonly written: Float64Array[] = [];
-  /** Whether any body's track is written. */
+  /** Whether the track of any object is stored. */
   private haveStirred = false;
 
-  /** @param size doubles that say how one body is */
+  /** @param size doubles per object */
   constructor(readonly size: number) {}
 
-  /** Begins anew. @param count of bodies */
+  /** Starts over. @param count number of objects */
   clear(count: number): void {
     this.count = count;
     if (this.start.length < count * this.size) this.start = new Float64Array(count * this.size);
@@ -27,7 +27,7 @@ export class Tracks {
     this.haveStirred = false;
   }
 
-  /** Writes an entry; those that come after it are forgotten, those before it must be written. @param states of all bodies, one after the other */
+  /** Writes an entry and discards later ones; earlier ones must have been written. @param states of all objects in order */
   write(entry: number, states: Float64Array): void {
     const { count, size, start, since } = this;
     if (entry === 0) {
@@ -36,7 +36,7 @@ export class Tracks {
       this.haveStirred = false;
       return;
     }
-    // most of the time nothing has, and this is asked in every tick
+    // usually nothing has moved, and this is called in every tick
     if (!this.haveStirred && !stirs(states, start, 0, size * count)) return;
     this.haveStirred = false;
     for (let i = 0; i < count; i++) {
@@ -48,12 +48,12 @@ export class Tracks {
     }
   }
 
-  /** Whether a body ever is elsewhere, or otherwise, than at first. */
+  /** Whether an object ever differs from its initial state. */
   stirs(body: number): boolean {
     return this.since[body] < Number.POSITIVE_INFINITY;
   }
 
-  /** Writes how a body is at an entry into `out`, from `at` on. */
+  /** Copies the state of an object at an entry to `out`, from `at` on. */
   read(body: number, entry: number, out: Float64Array, at = 0): void {
     const { size, start, since, written } = this;
     const from = since[body];
@@ -61,7 +61,7 @@ export class Tracks {
     for (let k = 0; k < size; k++) out[at + k] = list[o + k];
   }
 
-  /** How all bodies are at an entry, one after the other. */
+  /** The states of all objects at an entry, in order. */
   all(entry: number): Float64Array {
     const out = new Float64Array(this.count * this.size);
     for (let i = 0; i < this.count; i++) this.read(i, entry, out, this.size * i);

@@ -1,6 +1,6 @@
 import type { WorkerPort } from './workers.ts';
 
-/** A worker of the page. */
+/** Starts a worker of the page. */
 export function spawnPageWorker(): WorkerPort {
   const worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' });
   return {

@@ -16,41 +16,41 @@ import type {
   Success,
 } from '../../solver/index.ts';
 
-/** A level as a job is to play it. */
+/** A level to simulate in a job. */
 export interface Played {
   readonly level: Level;
   readonly accuracy: AccuracyName;
 }
 
-/** What can be asked of a worker, by kind. */
+/** The requests to a worker, by kind. */
 export interface Requests {
-  /** Looks for runs for so long, ms; null: until it is cancelled or nothing can get better. */
+  /** Searches for runs within a budget, ms; null: until cancelled or nothing can improve. */
   solve: Played & {
     readonly goal: Goal;
     readonly objective: Objective;
     readonly count: number;
-    /** Runs to start from; those that don't do what is asked are passed over. */
+    /** Runs to start from; those that don't meet the goal are skipped. */
     readonly known: readonly (readonly Hold[])[];
     readonly seed: number;
     readonly lane: number;
     readonly budget: number | null;
   };
-  /** How much a run forgives. */
+  /** The robustness of a run. */
   robustness: Played & { readonly holds: readonly Hold[]; readonly goal: Goal };
-  /** Where she goes when one edge slips by as much as it may. */
+  /** Her path when one edge slips by its slack. */
   fan: Played & { readonly holds: readonly Hold[]; readonly goal: Goal };
-  /** How hard the level is; by the best run that is found within the budget (ms) where none is given. */
+  /** How hard the level is, measured with the best run found within the budget (ms) if none is given. */
   difficulty: Played & { readonly holds: readonly Hold[] | null; readonly goal: Goal; readonly budget: number };
   /**
-   * Whether the black hole or a mineral can be proved to be out of reach, for whatever runs. Minerals that some run collects are not asked about:
-   * `collected` names them; null: the level's runs are to be played for that.
+   * Proves, if possible, that no run reaches the black hole or a mineral. Minerals that some run collects are left out:
+   * `collected` lists them; null: the level's runs are simulated to find out.
    */
   proofs: Played & { readonly collected: readonly number[] | null };
-  /** What the runs of a level show, all of them played. */
+  /** The findings of all runs of a level. */
   check: Played;
-  /** What accuracy costs for this level and run. */
+  /** Errors and costs of all settings for this level and run. */
   accuracy: { readonly level: Level; readonly holds: readonly Hold[] };
-  /** A small picture of a level file, and its verdict; `rules`: those that its folder sets, none when left out. */
+  /** A small picture of a level file, and its verdict; `rules`: those of its folder, none if absent. */
   thumbnail: {
     readonly text: string;
     readonly rules?: OwnRules;
@@ -58,7 +58,7 @@ export interface Requests {
     readonly width: number;
     readonly theme: 'dark' | 'light';
   };
-  /** A new level, completable. */
+  /** A new level that can be completed. */
   generate: { readonly options: GeneratorOptions };
 }
 
@@ -67,13 +67,13 @@ export type JobKind = keyof Requests;
 export interface Solving {
   readonly effort: Effort;
   readonly closest: Closest | null;
-  /** Best first. */
+  /** best first */
   readonly solutions: readonly Solution[];
   readonly explored: Explored;
   readonly finished: boolean;
 }
 
-/** Where she goes when an edge comes earlier or later by its slack. */
+/** Her path when an edge comes earlier or later by its slack. */
 export interface FanWay {
   /** 2 i for the press of hold i, 2 i + 1 for its release */
   readonly edge: number;
@@ -99,7 +99,7 @@ export interface Setting {
   readonly sameVerdict: boolean;
 }
 
-/** What a job gives in the end. */
+/** The results of jobs. */
 export interface Results {
   solve: Solving;
   robustness: Robustness;
@@ -115,11 +115,11 @@ export interface Results {
     readonly verdict: LevelVerdict | 'invalid';
     readonly minerals: number;
   };
-  /** `difficulty` is the grade, 1 to 10. */
+  /** `grade`: 1 to 10 */
   generate: { readonly file: LevelFile; readonly grade: number };
 }
 
-/** What a job tells on the way: what it has so far. */
+/** The intermediate results that jobs report. */
 export interface Progresses {
   solve: Solving;
   robustness: { readonly slack: readonly EdgeSlack[]; readonly p40: Success };
@@ -142,5 +142,5 @@ export type FromWorker =
   | { readonly type: 'failed'; readonly job: number; readonly message: string }
   | { readonly type: 'cancelled'; readonly job: number };
 
-/** Ticks between two points of a fan's way. */
+/** ticks between two points of a fan's path */
 export const FAN_TICKS = 3;

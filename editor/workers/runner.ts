@@ -4,16 +4,16 @@ import type { Start, Work } from './work.ts';
 
 export interface RunnerOptions {
   readonly post: (message: FromWorker) => void;
-  /** Calls back once messages that have arrived were heard. */
+  /** Calls back after the messages that have already arrived. */
   readonly later: (call: () => void) => void;
   /** ms */
   readonly now: () => number;
 }
 
-/** How long steps are made without a look at the messages, ms. */
+/** ms of work between two looks at the messages */
 const SLICE = 12;
 
-/** Does jobs one after the other, in slices, so that a cancel is heard within one. @returns what is to be called with each message */
+/** Does jobs one after the other, in slices, so that a cancel takes effect within one. @returns the handler for messages */
 export function createRunner({ post, later, now }: RunnerOptions): (message: ToWorker) => void {
   const waiting: Extract<ToWorker, { type: 'start' }>[] = [];
   let current: { readonly job: number; readonly work: Work<JobKind> } | null = null;

@@ -1,7 +1,7 @@
 import type { FromWorker, ToWorker } from './protocol.ts';
 import { createRunner } from './runner.ts';
 
-// a message to oneself is heard after those that came before it, and sooner than a timer
+// a message to itself is received after earlier messages, and sooner than a timer fires
 const turn = new MessageChannel();
 const calls: (() => void)[] = [];
 turn.port1.onmessage = () => calls.shift()?.();

@@ -1,49 +1,52 @@
 import type { FromWorker, JobKind, Progresses, Requests, Results, ToWorker } from './protocol.ts';
 
-/** What of a Worker is needed. */
+/** The part of a Worker that is needed. */
 export interface WorkerPort {
   postMessage(message: ToWorker): void;
-  /** Called with every message, and with `failed` for every job when the worker dies. */
+  /** Called with every message. */
   onMessage(listener: (message: FromWorker) => void): void;
   onDeath(listener: (reason: string) => void): void;
   terminate(): void;
 }
 
-/** How a job came to its end. */
+/** How a job ended. */
 export type JobEnd<K extends JobKind> =
   | { readonly kind: 'done'; readonly result: Results[K] }
   | { readonly kind: 'cancelled' }
-  /** It took more work than anybody is to wait for. */
+  /** it reached its time limit */
   | { readonly kind: 'gaveUp'; readonly message: string }
   | { readonly kind: 'failed'; readonly message: string };
 
 export interface Job<K extends JobKind> {
   /** Never rejects. */
   readonly end: Promise<JobEnd<K>>;
-  /** Ends it at once: nothing is reported after this. */
+  /** Cancels it at once: nothing is reported after this. */
   cancel(): void;
 }
 
 export interface Workers {
-  /** Starts a job, or puts it behind those that wait. @param onProgress what it has so far */
+  /** Starts a job or queues it. @param onProgress called with intermediate results */
   start<K extends JobKind>(kind: K, request: Requests[K], onProgress?: (progress: Progresses[K]) => void): Job<K>;
-  /** Cancels everything and ends the workers. */
+  /** Cancels all jobs and ends the workers. */
   close(): void;
 }
 
 export interface WorkersOptions {
   readonly spawn: () => WorkerPort;
-  /** Calls back after so many ms. @returns takes the request back */
+  /** Calls back after `ms`. @returns cancels it */
   readonly after: (ms: number, call: () => void) => () => void;
 }
 
-/** Searches would keep what is shown while one edits waiting: they have a worker of their own. */
+/** Searches have a worker of their own, so that they do not delay what is shown during editing. */
 const LONG: ReadonlySet<JobKind> = new Set(['solve', 'difficulty', 'generate', 'accuracy']);
 
-/** What follows every change must not wait for what takes longer, nor for a worker that is begun anew because that could not be cancelled. */
+/**
+ * Jobs that follow every change must not wait for longer ones, nor for a worker that is restarted because a job could not be
+ * cancelled.
+ */
 const QUICK: ReadonlySet<JobKind> = new Set(['fan', 'check']);
 
-/** What nobody has set a time for is given up after so long, ms: a level can be made so that it takes hours. */
+/** ms after which a job without a time limit of its own is stopped, as a level can be made to take hours */
 const MOST: Readonly<Record<JobKind, number | null>> = {
   check: 20_000,
   proofs: 20_000,
@@ -51,13 +54,13 @@ const MOST: Readonly<Record<JobKind, number | null>> = {
   fan: 20_000,
   robustness: 120_000,
   accuracy: 60_000,
-  // these have a time of their own or go on until they are stopped
+  // these have a time limit of their own or run until they are cancelled
   solve: null,
   difficulty: null,
   generate: null,
 };
 
-/** A worker that has not answered a cancel by then is in the middle of a long step: it is ended, ms. */
+/** ms that a worker has to answer a cancel; after that it is in a long step, and is ended */
 const PATIENCE = 30;
 
 interface Running {
@@ -68,12 +71,12 @@ interface Running {
   readonly settle: (end: JobEnd<JobKind>) => void;
 }
 
-/** One worker and the jobs that were given to it, in order. */
+/** One worker and its jobs, in order. */
 class Lane {
   private port: WorkerPort | null = null;
   private jobs: Running[] = [];
   private waiting = new Map<number, () => void>();
-  /** The job that is being done, and what takes back that it is given up. */
+  /** The current job, and the function that cancels its time limit. */
   private timed: { readonly id: number; readonly stop: () => void } | null = null;
 
   constructor(private readonly options: WorkersOptions) {}
@@ -104,7 +107,7 @@ class Lane {
     this.end();
   }
 
-  /** The first of the jobs is being done: it has so long from now on. */
+  /** Starts the time limit of the first job, which is the current one. */
   private time(): void {
     const first = this.jobs[0];
     if (first?.id === this.timed?.id) return;
@@ -114,7 +117,7 @@ class Lane {
     if (first === undefined || most === null) return;
     const stop = this.options.after(most, () => {
       this.jobs = this.jobs.filter((other) => other !== first);
-      first.settle({ kind: 'gaveUp', message: `work limit: it was given up after ${most / 1000} s` });
+      first.settle({ kind: 'gaveUp', message: `work limit: stopped after ${most / 1000} s` });
       this.renew();
       this.time();
     });
@@ -165,14 +168,14 @@ class Lane {
     this.waiting.clear();
   }
 
-  /** Another worker for the jobs that are left. */
+  /** Starts another worker for the remaining jobs. */
   private renew(): void {
     this.end();
     for (const job of this.jobs) this.send(job);
   }
 }
 
-/** Workers for long, short and quick jobs; started when they are first needed. */
+/** Workers for long, short and quick jobs, started on demand. */
 export function createWorkers(options: WorkersOptions): Workers {
   const lanes = { long: new Lane(options), short: new Lane(options), quick: new Lane(options) };
   let last = 0;

@@ -2,10 +2,10 @@ import { DEFAULT_MAX_TIME } from '../../../engine/index.ts';
 import { measureWorkPrecision } from '../../../engine/work-precision/index.ts';
 import type { Start } from '../work.ts';
 
-/** How long the timing may take, ms. */
+/** ms for the timing */
 const BUDGET = 1500;
 
-/** Measures what accuracy costs for one level and run. */
+/** Measures errors and costs of all settings for one level and run. */
 export const accuracy: Start<'accuracy'> = function* ({ level, holds }, now) {
   yield null;
   const measured = measureWorkPrecision(level, holds, { maxTime: DEFAULT_MAX_TIME, now, budget: BUDGET });

@@ -3,7 +3,7 @@ import { compile, WorkBudget } from '../../../engine/index.ts';
 import { asGqCheck } from '../../proof/index.ts';
 import type { Start } from '../work.ts';
 
-/** What the runs of a level show, played to their end as far as `gq check` plays them: for levels that would keep the page too busy. */
+/** The findings of a level's runs, simulated as far as `gq check` does: for levels that would block the page. */
 export const check: Start<'check'> = function* ({ level, accuracy }) {
   yield null;
   const options = asGqCheck(accuracy, new WorkBudget());

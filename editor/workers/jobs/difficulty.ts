@@ -3,11 +3,11 @@ import { createSolver, measureDifficulty } from '../../../solver/index.ts';
 import type { Start } from '../work.ts';
 import { search } from './solve.ts';
 
-/** Ticks for what is looked for on the side, a run with all minerals and one without each asteroid: what somebody waits for. */
+/** effort in ticks for the secondary searches: a run with all minerals, and one without each asteroid */
 const EFFORT = 400_000;
 const ASTEROID_EFFORT = 100_000;
 
-/** Measures how hard a level is; looks for a run first where none is given. */
+/** Measures how hard a level is; searches for a run first if none is given. */
 export const difficulty: Start<'difficulty'> = function* ({ level, accuracy, holds, goal, budget }, now) {
   const scene = compile(level, accuracy);
   const known = level.runs.map(({ holds: own }) => own);

@@ -14,7 +14,7 @@ import type { Start } from '../work.ts';
 
 const MAX_TICKS = DEFAULT_MAX_TIME * TICK_RATE;
 
-/** The holds with one edge moved by so many ticks. */
+/** The holds with one edge moved by `shift` ticks. */
 function shifted(holds: readonly Hold[], edge: number, shift: number): Hold[] {
   const moved = holds.map(([press, release], i): Hold => {
     if (i !== edge >> 1) return [press, release];
@@ -23,7 +23,7 @@ function shifted(holds: readonly Hold[], edge: number, shift: number): Hold[] {
   return joinHolds(moved);
 }
 
-/** Plays a script and keeps where she is from a tick on. */
+/** Simulates holds and records her positions from a tick on. */
 function wayFrom(simulation: Simulation, holds: readonly Hold[], from: number): Float32Array {
   const state = new Float64Array(STATE_SIZE);
   const points: number[] = [];
@@ -44,7 +44,7 @@ function wayFrom(simulation: Simulation, holds: readonly Hold[], from: number): 
   return Float32Array.from(points);
 }
 
-/** Where she goes when one edge slips by its slack, for every edge, earlier and later. */
+/** Her path when one edge slips by its slack, for every edge, earlier and later. */
 export const fan: Start<'fan'> = function* ({ level, accuracy, holds, goal }) {
   const scene = compile(level, accuracy);
   const joined = joinHolds(holds);

@@ -1,7 +1,7 @@
 import { createGenerator } from '../../../solver/index.ts';
 import { createPacer, type Start } from '../work.ts';
 
-/** Makes a level from a seed; goes on until there is one. */
+/** Generates a level from a seed; runs until it succeeds. */
 export const generate: Start<'generate'> = function* ({ options }, now) {
   const generator = createGenerator(options);
   const pace = createPacer(now);

@@ -10,7 +10,7 @@ import { robustness } from './robustness.ts';
 import { solve } from './solve.ts';
 import { thumbnail } from './thumbnail.ts';
 
-/** Everything a worker can do. */
+/** All jobs of a worker. */
 export const JOBS: { readonly [K in JobKind]: Start<K> } = {
   solve,
   robustness,

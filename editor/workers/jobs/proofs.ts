@@ -5,7 +5,7 @@ import type { Start } from '../work.ts';
 
 const MAX_TICKS = Math.round(DEFAULT_MAX_TIME * TICK_RATE);
 
-/** Proves what can't be reached, with as much work as `gq check` allows. Nothing is given that the separate checker doesn't confirm. */
+/** Proves what can't be reached, with as much work as `gq check` allows. Every result is confirmed by the separate checker. */
 export const proofs: Start<'proofs'> = function* ({ level, accuracy, collected }) {
   const budget = new WorkBudget(DEFAULT_MAX_WORK / 2);
   const setting = ACCURACIES[accuracy];

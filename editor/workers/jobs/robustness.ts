@@ -2,10 +2,10 @@ import { compile } from '../../../engine/index.ts';
 import { BRIEF_CERTIFY_RUNS, findSlackInSteps, measureRobustnessInSteps, successInSteps } from '../../../solver/index.ts';
 import type { Start } from '../work.ts';
 
-/** Executions for the first word; the last one has as many as `gq solve` tries. */
+/** attempts for the first estimate; the final one has as many as in `gq solve` */
 const FIRST_SAMPLES = 100;
 
-/** Measures what a run forgives: slack and a rough probability first. */
+/** Measures the robustness of a run: slack and a rough estimate of success first. */
 export const robustness: Start<'robustness'> = function* ({ level, accuracy, holds, goal }) {
   const scene = compile(level, accuracy);
   const slack = yield* findSlackInSteps(scene, holds, goal);

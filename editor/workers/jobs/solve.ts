@@ -3,7 +3,7 @@ import { createSolver, type SolveOptions, type Solver } from '../../../solver/in
 import type { Solving } from '../protocol.ts';
 import { createPacer, type Start } from '../work.ts';
 
-/** ms between two words from a search that has found nothing new. */
+/** ms between two reports of a search that has found nothing new */
 const TELL = 250;
 
 const toSolving = ({ effort, closest, solutions, explored, finished }: Solver): Solving => ({
@@ -14,7 +14,7 @@ const toSolving = ({ effort, closest, solutions, explored, finished }: Solver): 
   finished,
 });
 
-/** Solves for so long, telling every better run at once. */
+/** Searches for a limited time and reports every better run at once. */
 export function* search(solver: Solver, budget: number | null, now: () => number): Generator<Solving | null, Solving, void> {
   const start = now();
   const pace = createPacer(now);
@@ -30,6 +30,6 @@ export function* search(solver: Solver, budget: number | null, now: () => number
   return toSolving(solver);
 }
 
-/** Looks for runs. */
+/** Searches for runs. */
 export const solve: Start<'solve'> = ({ level, accuracy, budget, ...options }, now) =>
   search(createSolver(compile(level, accuracy), options satisfies SolveOptions), budget, now);

@@ -16,7 +16,7 @@ import type { Start } from '../work.ts';
 
 const MAX_TICKS = Math.round(DEFAULT_MAX_TIME * TICK_RATE);
 
-/** Draws a level file small, with a run that completes it where it has one; its verdict is that of `gq check`. */
+/** Draws a small picture of a level file, with a run that completes it if there is one, and gives the verdict of `gq check`. */
 export const thumbnail: Start<'thumbnail'> = function* ({ text, rules, accuracy, width, theme }) {
   const reading = readLevel(text, { byteOrderMark: 'skip', rules });
   if (!reading.ok) return { svg: '', verdict: 'invalid', minerals: 0 };
@@ -42,7 +42,7 @@ export const thumbnail: Start<'thumbnail'> = function* ({ text, rules, accuracy,
   });
   const shown = completing ?? runs[0];
   const looks = { width, theme, words: false };
-  // the way of a run that cost too much is not drawn
+  // the path of a run that cost too much is not drawn
   const svg =
     shown === undefined || shown.stopped !== null ? null : withinWork(budget, () => renderSvg(level, { run: shown, ...looks }));
   return { svg: svg ?? renderSvg(level, looks), verdict, minerals: shown === undefined ? 0 : countMinerals(shown) };
