@@ -130,11 +130,11 @@ function EmptyScreen() {
   const list = useStore(workspace.store, (state) => state.list);
   const error = useStore(workspace.store, (state) => state.error);
   const refused = useStore(workspace.store, (state) => state.refused);
-  const mended = list?.levels.find(({ id, status }) => id === refused?.id && status === 'valid')?.id;
+  const fixedId = list?.levels.find(({ id, status }) => id === refused?.id && status === 'valid')?.id;
   // A refused file opens as soon as it is fixed on disk.
   useEffect(() => {
-    if (mended !== undefined) void openListed(editor, mended);
-  }, [editor, mended]);
+    if (fixedId !== undefined) void openListed(editor, fixedId);
+  }, [editor, fixedId]);
   return (
     <>
       <header className="topbar">

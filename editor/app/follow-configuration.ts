@@ -18,8 +18,8 @@ export function followConfiguration({ workspace, notices }: Editor): void {
   const tell = (now: FolderRules, before: FolderRules | null) => {
     if (now.problems.length > 0) {
       const wrong = problemsInWords(now.file ?? 'gq.config.json', now.problems);
-      const meanwhile = `Until this is fixed, levels still use ${rulesInWords(now.own)}.`;
-      notices.show('error', `${wrong} ${meanwhile}`, { topic: TOPIC });
+      const inEffect = `Until this is fixed, levels still use ${rulesInWords(now.own)}.`;
+      notices.show('error', `${wrong} ${inEffect}`, { topic: TOPIC });
       return;
     }
     notices.settle(TOPIC);

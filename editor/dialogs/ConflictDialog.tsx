@@ -34,9 +34,8 @@ function Disagreement({ onClose }: { readonly onClose: () => void }) {
   }, [isOver, asText, onClose]);
   if (asText) return <TextDialog id={opened.id()} fromDisk onClose={() => setAsText(false)} />;
   if (state.kind === 'conflict') return <Merge conflicts={state.conflicts} onClose={onClose} />;
-  if (state.kind === 'deleted') return <Displaced problems={null} onMend={() => {}} onClose={onClose} />;
-  if (state.kind === 'unreadable')
-    return <Displaced problems={state.problems} onMend={() => setAsText(true)} onClose={onClose} />;
+  if (state.kind === 'deleted') return <Displaced problems={null} onFix={() => {}} onClose={onClose} />;
+  if (state.kind === 'unreadable') return <Displaced problems={state.problems} onFix={() => setAsText(true)} onClose={onClose} />;
   return null;
 }
 
@@ -169,11 +168,11 @@ interface DisplacedProps {
   /** Why the file can't be read; null if it was deleted. */
   readonly problems: readonly Problem[] | null;
   /** Called to fix the file as text. */
-  readonly onMend: () => void;
+  readonly onFix: () => void;
   readonly onClose: () => void;
 }
 
-function Displaced({ problems, onMend, onClose }: DisplacedProps) {
+function Displaced({ problems, onFix, onClose }: DisplacedProps) {
   const editor = useEditor();
   const { workspace } = editor;
   const { opened, document } = useLevel();
@@ -183,7 +182,7 @@ function Displaced({ problems, onMend, onClose }: DisplacedProps) {
     const added = await addLevels(editor, folderOf(id), [{ stem, file: document.file() }]);
     if (added.length > 0) onClose();
   };
-  const letGo = async () => {
+  const acceptDeletion = async () => {
     onClose();
     await editor.workspace.refresh();
     const next = workspace.store.getState().list?.levels.find((entry) => entry.status === 'valid' && entry.id !== id);
@@ -230,11 +229,11 @@ function Displaced({ problems, onMend, onClose }: DisplacedProps) {
           Save mine as a new level
         </Button>
         {isDeleted ? (
-          <Button hint="Close this level; the file stays deleted" look="danger" onClick={() => void letGo()}>
+          <Button hint="Close this level; the file stays deleted" look="danger" onClick={() => void acceptDeletion()}>
             Accept the deletion and close
           </Button>
         ) : (
-          <Button hint="Show the file on disk and fix it" look="outlined" onClick={onMend}>
+          <Button hint="Show the file on disk and fix it" look="outlined" onClick={onFix}>
             Fix the file as text
           </Button>
         )}

@@ -39,7 +39,7 @@ export function createSelection(level: EditedLevel): SelectionStore {
   };
   const keys = () => store.getState().keys;
 
-  const mend = () => {
+  const dropMissing = () => {
     const { keys, holds, run } = store.getState();
     const objects = objectsOf(level.file());
     const kept = keys.filter((key) => objects.has(key));
@@ -59,9 +59,9 @@ export function createSelection(level: EditedLevel): SelectionStore {
     selectHolds(run, holds) {
       const chosen = [...new Set(holds)].sort((a, b) => a - b);
       set({ keys: [], holds: chosen, run: chosen.length === 0 ? null : run });
-      mend();
+      dropMissing();
     },
     clear: () => set(NONE),
-    close: level.subscribe(mend),
+    close: level.subscribe(dropMissing),
   };
 }

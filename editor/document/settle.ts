@@ -106,21 +106,21 @@ function settleField(key: string, value: unknown, fields: Fields, what: string):
  * @returns the same object if nothing changes
  */
 function settleFields<T extends object>(value: T, fields: Fields, what: string, old?: object): T {
-  let mended: Json | null = null;
+  let changed: Json | null = null;
   const before = old as Json | undefined;
   for (const key of Object.keys(value)) {
     const field = (value as Json)[key];
     if (before !== undefined && field !== undefined && Object.is(before[key], field)) continue;
     const settled = settleField(key, field, fields, what);
     if (field !== undefined && Object.is(settled, field)) continue;
-    mended ??= { ...value } as Json;
-    if (settled === undefined) delete mended[key];
-    else mended[key] = settled;
+    changed ??= { ...value } as Json;
+    if (settled === undefined) delete changed[key];
+    else changed[key] = settled;
   }
   for (const key of fields.required) {
-    if (!Object.hasOwn(mended ?? value, key)) refuse(`${what} has no ${key}`, `Give it a ${key}.`);
+    if (!Object.hasOwn(changed ?? value, key)) refuse(`${what} has no ${key}`, `Give it a ${key}.`);
   }
-  return (mended as T | null) ?? value;
+  return (changed as T | null) ?? value;
 }
 
 /** Returns the same list if none of its entries changes. */
@@ -130,16 +130,16 @@ function settleEach<T>(
   settle: (entry: T, old: T | undefined) => T,
 ): readonly T[] {
   if (list === old) return list;
-  let mended: T[] | null = null;
+  let changed: T[] | null = null;
   for (let i = 0; i < list.length; i++) {
     // unchanged entries are settled already
     if (old !== undefined && list[i] === old[i]) continue;
     const settled = settle(list[i], old?.[i]);
     if (settled === list[i]) continue;
-    mended ??= [...list];
-    mended[i] = settled;
+    changed ??= [...list];
+    changed[i] = settled;
   }
-  return mended ?? list;
+  return changed ?? list;
 }
 
 type RunFile = NonNullable<LevelFile['runs']>[number];

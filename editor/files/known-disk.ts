@@ -45,7 +45,7 @@ export class KnownDisk {
     this.onDisk?.(file, etag);
   }
 
-  /** This version may be on disk from now on. @returns takes that back, if it was not sent after all */
+  /** This version may be on disk from now on. @returns undoes this, if it was not sent after all */
   sends(file: LevelFile): () => void {
     const before = this.sent;
     this.now = { ...this.now, sent: [...before.filter((other) => other !== file), file] };

@@ -46,12 +46,12 @@ const UNREACHABLE = storageError(
   'is gq edit still running? Start it again in the same folder and open the address it prints',
 );
 
-const ANEW = 'Open the address that gq edit printed last, or start gq edit again in the folder and open its new address';
+const OPEN_AGAIN = 'Open the address that gq edit printed last, or start gq edit again in the folder and open its new address';
 
 const NO_TOKEN = storageError(
   'wrong-token',
   'this address lacks the key to the levels: only the full address that gq edit prints contains it, bookmarks and new tabs do not',
-  ANEW,
+  OPEN_AGAIN,
 );
 
 /** The folder behind `gq edit`. */
@@ -89,7 +89,8 @@ export function createServerStorage(options: ServerOptions): LevelStorage {
       const parsed = errorResponseSchema.safeParse(value);
       if (parsed.success) {
         const { code, message, hint, problems = [], current = null } = parsed.data.error;
-        if (code === 'wrong-token') return { ok: false, error: token === '' ? NO_TOKEN : storageError(code, message, ANEW) };
+        if (code === 'wrong-token')
+          return { ok: false, error: token === '' ? NO_TOKEN : storageError(code, message, OPEN_AGAIN) };
         return { ok: false, error: { code, message, hint, problems, current } };
       }
     }

@@ -162,7 +162,7 @@ class KeptSteps implements LevelJournal {
   /** Writes pending changes, as far as the limit of writes in flight allows. */
   private pump(): void {
     if (this.broken !== null) {
-      if (this.flying === 0) void this.mend();
+      if (this.flying === 0) void this.rewrite();
       return;
     }
     while (this.flying < MOST_WRITES && (this.entries.length > 0 || Object.keys(this.change).length > 0)) void this.send();
@@ -185,12 +185,12 @@ class KeptSteps implements LevelJournal {
       this.over(upTo);
       this.showWorks();
       this.pump();
-    } else if (this.flying === 0) await this.mend();
+    } else if (this.flying === 0) await this.rewrite();
     this.rested();
   }
 
   /** Writes the whole state, replacing whatever is stored. */
-  private async mend(): Promise<void> {
+  private async rewrite(): Promise<void> {
     const { place, parts, number: upTo } = this;
     const { error } = this.broken as { readonly error: unknown };
     this.flying++;

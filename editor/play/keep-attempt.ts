@@ -42,13 +42,12 @@ export function makeProof(parts: Parts, attempt: Attempt): void {
     return;
   }
   const label = `Keep attempt ${number} as a run`;
-  const mends = provenBy === null && run.name !== null;
-  const name = mends ? run.name : freeRunName(document.file(), run.name === null ? 'solution' : 'played');
-  if (!changed(parts, document.change(label, mends ? replaceHolds(name, holds) : addRun(name, holds, 'first')))) return;
+  const replaces = provenBy === null && run.name !== null;
+  const name = replaces ? run.name : freeRunName(document.file(), run.name === null ? 'solution' : 'played');
+  if (!changed(parts, document.change(label, replaces ? replaceHolds(name, holds) : addRun(name, holds, 'first')))) return;
   session.setState({ run: name });
-  notices.show(
-    'info',
-    `${mends ? `Attempt ${number} replaces the holds of the run “${name}”.` : `Attempt ${number} is kept as the first run, “${name}”.`}`,
-    TOPIC,
-  );
+  const text = replaces
+    ? `Attempt ${number} replaces the holds of the run “${name}”.`
+    : `Attempt ${number} is kept as the first run, “${name}”.`;
+  notices.show('info', text, TOPIC);
 }

@@ -22,9 +22,9 @@ const LONGEST_FRAME = 0.25;
 /** A person's attempt: the engine advances tick by tick with the button as it is at each tick. */
 export interface Playtest {
   readonly tick: number;
-  /** The tick at which the person takes over; before it the run's own holds are played. */
+  /** The tick at which the user takes over; before it the run's own holds are played. */
   readonly startTick: number;
-  /** null while the attempt goes on */
+  /** null while the attempt lasts */
   readonly end: RunEnd | null;
   readonly held: boolean;
   readonly minerals: number;
@@ -156,7 +156,7 @@ class PlayedRun implements Playtest {
 
 /**
  * Starts an attempt.
- * @param from the run whose beginning is played first, and the tick at which the person takes over; null: from the start
+ * @param from the run whose beginning is played first, and the tick at which the user takes over; null: from the start
  */
 export function createPlaytest(scene: Scene, from: { readonly holds: readonly Hold[]; readonly tick: number } | null): Playtest {
   if (from === null) return new PlayedRun(scene, [], 0);

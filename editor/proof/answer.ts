@@ -30,7 +30,7 @@ export interface ShownRun extends RunEnd {
   readonly way: Way;
   /** the collected minerals, each once, with the tick */
   readonly minerals: Marched['minerals'];
-  /** The tick from which on the run was simulated anew. */
+  /** The tick from which on the run was simulated again. */
   readonly resumedFrom: number;
 }
 

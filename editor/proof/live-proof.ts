@@ -37,7 +37,7 @@ export interface ProofOptions {
 const REST = 120;
 
 /**
- * Follows a level and computes its proof anew within every change, so that one frame shows both. What would delay the next
+ * Follows a level and computes its proof again within every change, so that one frame shows both. What would delay the next
  * frame is left out.
  */
 export function createProofStore(

@@ -131,7 +131,7 @@ inChromium('the ends of holds in Chromium', ({ on }) => {
           [1800, 2400],
         ]);
         const { zoom: before } = await firstHold(page);
-        await page.getByRole('button', { name: 'Zoom in on the timeline' }).tap();
+        await page.getByRole('button', { name: 'Zoom the timeline in' }).tap();
         await until(async () => expect((await firstHold(page)).zoom / before).toBeCloseTo(1.5, 1));
       },
       { context: { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true } },

@@ -282,7 +282,7 @@ inChromium('panels in Chromium', ({ on }) => {
       await until(async () =>
         expect(JSON.parse(await page.evaluate(() => navigator.clipboard.readText()))).toEqual(JSON.parse(text('01'))),
       );
-      await dialog.getByRole('img', { name: 'The level as it will be exported' }).waitFor();
+      await dialog.getByRole('img', { name: 'Preview of the exported level' }).waitFor();
       await dialog.getByRole('tab', { name: 'Link' }).click();
       const link = await until(async () => {
         const found = await dialog.getByRole('textbox', { name: 'Link with the level' }).inputValue();

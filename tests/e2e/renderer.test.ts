@@ -54,7 +54,7 @@ inChromium('the renderer in Chromium', ({ on }) => {
         await saved();
         expect(await drawnBy(page)).toBe('canvas');
         await command(page, 'Settings');
-        await dialog.getByText('The address of this page asks for Canvas, and it wins over this setting.').waitFor();
+        await dialog.getByText('The address of this page sets the renderer to Canvas, which overrides this setting.').waitFor();
         expect(await dialog.getByRole('combobox', { name: 'Renderer' }).inputValue()).toBe('webgl');
       },
       { context: { reducedMotion: 'reduce', viewport: { width: 900, height: 700 } }, query: 'renderer=gpu' },

@@ -169,7 +169,7 @@ inChromium('rules in Chromium', ({ on }) => {
         await reads(page, 'pull', '38');
         await listed.getByRole('treeitem', { name: /First Swing completable/ }).waitFor();
         await messages(page)
-          .getByText('gq.config.json has changed: levels without rules of their own are played by pull 38 px/s2.')
+          .getByText('gq.config.json has changed: levels without rules of their own now use pull 38 px/s2.')
           .waitFor();
 
         // what is wrong is told with its place, and what it set before goes on
@@ -207,7 +207,7 @@ inChromium('rules in Chromium', ({ on }) => {
         await command(page, 'Import, export, link');
         const dialog = page.getByRole('dialog', { name: 'Import, export, link' });
         await dialog.getByRole('tab', { name: 'Link' }).click();
-        await dialog.getByText(/The rules of gq\.config\.json are written into it/).waitFor();
+        await dialog.getByText(/The link includes the rules of gq\.config\.json/).waitFor();
         const link = await dialog.getByRole('textbox', { name: 'Link with the level' }).inputValue();
         await dialog.getByRole('tab', { name: 'Export' }).click();
         await dialog.getByRole('button', { name: 'Copy as text' }).click();

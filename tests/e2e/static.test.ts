@@ -259,7 +259,7 @@ else {
       });
       const page = await one.open(hosted.address);
       await page.getByText('No levels here yet.').waitFor();
-      await page.getByText(/changes that are not saved are lost/).waitFor();
+      await page.getByText(/unsaved changes are lost/).waitFor();
       await page.getByRole('main').getByRole('button', { name: 'New level' }).click();
       await page.getByRole('dialog', { name: 'New level' }).getByRole('button', { name: 'Create' }).click();
       await page
@@ -267,7 +267,7 @@ else {
         .filter({ hasText: /^in this tab only$/ })
         .waitFor();
       await page.evaluate("sessionStorage.setItem('answers', 'yes'); answer()");
-      await page.getByRole('button', { name: 'Add them and load the page again' }).click();
+      await page.getByRole('button', { name: 'Add them and reload' }).click();
       await until(async () => expect(await page.getByRole('tree', { name: 'Levels' }).getByRole('treeitem').count()).toBe(2));
       await saved(page);
       await one.context.close();

@@ -250,7 +250,7 @@ inChromium('the timeline in Chromium', ({ on }) => {
       expect(seconds).toBeGreaterThan(1.8);
       await page.keyboard.press('k');
       const events = page.getByRole('list', { name: 'Events of the run' });
-      await events.getByText('mineral 1 is taken').waitFor({ state: 'attached' });
+      await events.getByText('mineral 1 is collected').waitFor({ state: 'attached' });
       await events.getByText('reaches the black hole').waitFor({ state: 'attached' });
       await page.getByRole('img', { name: /^Speed and clearance along the run/ }).waitFor();
     }),

@@ -31,14 +31,14 @@ interface ProblemCardProps {
   readonly fixTitle: string | null;
 }
 
-/** Memoized: rendering dozens of cards anew would take milliseconds. */
+/** Memoized: rendering dozens of cards again would take milliseconds. */
 const ProblemCard = memo(function ProblemCard({ problem, place, fixTitle }: ProblemCardProps) {
   const editor = useEditor();
   const level = useLevel();
   const { code, severity, message, hint, pointer } = problem;
   const Icon = ICONS[severity];
   const explanation = explanationOf(code);
-  const mend = () => {
+  const applyFix = () => {
     const fix = quickFixOf(level.document.file(), problem);
     if (fix !== null) level.document.change(fix.title, fix.recipe);
   };
@@ -57,7 +57,7 @@ const ProblemCard = memo(function ProblemCard({ problem, place, fixTitle }: Prob
           </Button>
         )}
         {fixTitle !== null && (
-          <Button hint="Fix it now; no run changes" look="outlined" onClick={mend}>
+          <Button hint="Fix it now; no run changes" look="outlined" onClick={applyFix}>
             {fixTitle}
           </Button>
         )}

@@ -11,7 +11,7 @@ export function TreeMenu({ entries, children }: { readonly entries: readonly Men
         <ContextMenu.Content className="menu" collisionPadding={8}>
           {entries.map((entry, index) =>
             entry === null ? (
-              // biome-ignore lint/suspicious/noArrayIndexKey: lines have no name, and the menu is made anew each time
+              // biome-ignore lint/suspicious/noArrayIndexKey: lines have no name, and the menu is rebuilt each time
               <ContextMenu.Separator key={index} className="menu__line" />
             ) : (
               <Fragment key={entry.title}>
