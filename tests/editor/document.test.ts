@@ -300,7 +300,7 @@ describe('values', () => {
   });
 
   it.each<[string, Recipe]>([
-    ['no number', setObjectProperty(['aa'], 'x', Number.NaN)],
+    ['not be a number', setObjectProperty(['aa'], 'x', Number.NaN)],
     ['the astronaut has no radius', setObjectProperty([ASTRONAUT], 'radius', 5)],
     ['no hot', setObjectProperty(['zz'], 'hot', true)],
     ['has no radius', setObjectProperty(['aa'], 'radius', undefined)],

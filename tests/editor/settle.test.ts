@@ -138,7 +138,7 @@ describe('what a recipe leaves', () => {
       [5, Number.NaN],
       [Number.NEGATIVE_INFINITY, Number.POSITIVE_INFINITY],
     ])
-      expect(refused({ ...PLAIN, runs: [{ name: 'run', holds: [hold] }] })).toContain('no number');
+      expect(refused({ ...PLAIN, runs: [{ name: 'run', holds: [hold] }] })).toContain('not begin and end at a number');
   });
 
   it('has an id of its own on every object: the first one keeps what stands twice', () => {
