@@ -1,0 +1,199 @@
+import { spawnSync } from 'node:child_process';
+import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join } from 'node:path';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { parse as parseYaml } from 'yaml';
+import { brokenLinks, missingFiles } from './docs/links.ts';
+import { ALL_PAGES, PROJECT, RUN_PAGES, readPage, shownIn } from './docs/page.ts';
+import { type Commands, openTerminal, readCommands, type Terminal, wordsOf } from './docs/terminal.ts';
+
+// Reads the pages as their reader does, from top to bottom: makes the files, runs the commands, compares what is printed.
+// `npm run docs:outputs` rewrites what is printed in the pages instead.
+
+const isUpdating = import.meta.env.MODE === 'update-docs';
+const manifest = JSON.parse(readFileSync(join(PROJECT, 'package.json'), 'utf8'));
+
+let commands: Commands;
+beforeAll(async () => {
+  commands = await readCommands();
+});
+
+/** The seconds that a search took are the only printed figure that differs from machine to machine. */
+const withoutSeconds = (text: string): string => text.replace(/(, )\d+\.\d s(, seed )/g, '$1N s$2');
+
+/** What a page says in the section about what is not there yet is left out: it names what does not exist. */
+const withoutMissing = (prose: string): string => prose.replace(/^## Not there yet\n[\s\S]*?(?=^## |(?![\s\S]))/m, '');
+
+describe.each(RUN_PAGES)('%s', (path) => {
+  const page = readPage(path);
+  let terminal: Terminal;
+  const printed = new Map<number, string>();
+
+  beforeAll(() => {
+    terminal = openTerminal();
+  });
+
+  afterAll(() => {
+    terminal.close();
+    if (!isUpdating) return;
+    const lines = page.text.split('\n');
+    for (const block of page.blocks.filter(({ language }) => language === 'console').reverse()) {
+      const fresh = shownIn(block).flatMap(({ command, printed: shown, line }) => {
+        const now = printed.get(line) ?? shown;
+        return [`$ ${command}`, ...(now === '' ? [] : now.split('\n'))];
+      });
+      lines.splice(block.line - 1, block.code.split('\n').length, ...fresh);
+    }
+    if (lines.join('\n') !== page.text) writeFileSync(join(PROJECT, path), lines.join('\n'));
+  });
+
+  const steps = page.blocks.flatMap((block) => {
+    const { language, title, code, line } = block;
+    if (title !== undefined) {
+      return [{ step: `line ${line}: the reader makes ${title}`, take: () => terminal.write(title, `${code}\n`) }];
+    }
+    if (language !== 'console') return [];
+    return shownIn(block).map(({ command, printed: shown, line }) => ({
+      step: `line ${line}: ${command}`,
+      take: async () => {
+        const now = await terminal.run(command);
+        if (withoutSeconds(now) === withoutSeconds(shown)) return;
+        printed.set(line, now);
+        if (!isUpdating) expect(withoutSeconds(now)).toBe(withoutSeconds(shown));
+      },
+    }));
+  });
+  if (steps.length > 0) it.each(steps)('$step', ({ take }) => take());
+
+  it('has code that can be read', () => {
+    for (const { language, code, line, title } of page.blocks) {
+      const where = `${path}:${line}`;
+      if (language === 'json') expect(() => JSON.parse(/^\s*[{[]/.test(code) ? code : `{${code}}`), where).not.toThrow();
+      if (language === 'yaml') expect(() => parseYaml(code), where).not.toThrow();
+      if (language === 'js' || language === 'ts')
+        expect(title, `${where}: a program needs a file name, and a line that runs it`).toBeDefined();
+      if (title !== undefined) expect(page.text, `${where}: the page names the file`).toContain(`\`${title}\``);
+    }
+  });
+
+  it('runs its programs', () => {
+    const lines = page.blocks.filter(({ language }) => language === 'console').flatMap(shownIn);
+    for (const { language, title } of page.blocks) {
+      if (language === 'js') expect(lines.map(({ command }) => command)).toContain(`node ${title}`);
+    }
+  });
+
+  it('names commands and options that exist', () => {
+    const lines = page.blocks
+      .filter(({ language }) => language !== 'console')
+      .flatMap(({ code, line }) => code.split('\n').map((text, i) => ({ text, line: line + i })));
+    for (const { text, line } of lines) {
+      const found = /(?:^|- run: |&& |<!-- )npx gq (.*?)(?: -->)?$/.exec(text.trim());
+      if (found === null) continue;
+      const [command] = found[1].split(/ [|>] /);
+      expect(commands.problemOf(wordsOf(command)), `${path}:${line}`).toBeNull();
+    }
+    const spans = [...withoutMissing(page.prose).matchAll(/`([^`\n]+)`/g)].map(([, span]) => span);
+    for (const span of spans) {
+      const gq = /^(?:npx )?gq ([a-z]+)(.*)$/.exec(span);
+      const flags = span.match(/(?<![\w-])--[a-z][a-z-]*/g) ?? [];
+      if (gq !== null) {
+        expect([...commands.names], span).toContain(gq[1]);
+        for (const flag of flags) expect([...commands.optionsOf(gq[1])], span).toContain(flag);
+      } else if (/^--[a-z]/.test(span)) {
+        for (const flag of flags) expect([...commands.allOptions], span).toContain(flag);
+      }
+    }
+  });
+});
+
+describe.each(ALL_PAGES)('%s', (path) => {
+  const page = readPage(path);
+
+  it('has links and pictures that are there', () => {
+    expect(brokenLinks(page)).toEqual([]);
+  });
+
+  it('names npm scripts and files that exist', () => {
+    const scripts = [...page.text.matchAll(/npm run (?:--silent )?([a-z][\w:-]*)/g)].map(([, script]) => script);
+    expect(scripts.filter((script) => manifest.scripts[script] === undefined && !script.endsWith(':'))).toEqual([]);
+    if (path !== 'CHANGELOG.md') expect(missingFiles(page)).toEqual([]);
+    const packed = [...page.text.matchAll(/gravity-quest-toolkit-(\d+\.\d+\.\d+)\.tgz/g)].map(([, version]) => version);
+    expect(packed.filter((version) => version !== manifest.version)).toEqual([]);
+  });
+});
+
+describe('README.md', () => {
+  const { text, prose } = readPage('README.md');
+
+  it('has at most 1,300 words', () => {
+    expect(text.trim().split(/\s+/).length).toBeLessThanOrEqual(1300);
+  });
+
+  it('says of no command that it is missing when it is there', () => {
+    const section = /^## Not there yet\n([\s\S]*?)(?=^## |(?![\s\S]))/m.exec(prose)?.[1] ?? '';
+    const named = [...section.matchAll(/`gq ([a-z-]+)/g)].map(([, name]) => name);
+    expect(named.length).toBeGreaterThan(3);
+    expect(named.filter((name) => commands.names.has(name))).toEqual([]);
+    const options = [...section.matchAll(/`(--[a-z-]+)`/g)].map(([, flag]) => flag);
+    expect(options.filter((flag) => commands.allOptions.has(flag))).toEqual([]);
+  });
+});
+
+describe('programs in the pages', () => {
+  const programs = RUN_PAGES.map(readPage).flatMap(({ path, blocks }) =>
+    blocks
+      .filter(({ language, title }) => title !== undefined && (language === 'js' || language === 'ts'))
+      .map(({ code, title }) => ({ name: `${path.replace(/\W/g, '-')}/${title}`, code })),
+  );
+
+  it('fit the types of the library', () => {
+    const directory = mkdtempSync(join(tmpdir(), 'gq-docs-'));
+    try {
+      mkdirSync(join(directory, 'node_modules'));
+      symlinkSync(PROJECT, join(directory, 'node_modules/gravity-quest-toolkit'), 'junction');
+      symlinkSync(join(PROJECT, 'node_modules/@types'), join(directory, 'node_modules/@types'), 'junction');
+      writeFileSync(join(directory, 'package.json'), '{ "type": "module" }');
+      const compilerOptions = { noEmit: true, allowJs: true, checkJs: true, strict: true, module: 'nodenext', types: ['node'] };
+      writeFileSync(
+        join(directory, 'tsconfig.json'),
+        JSON.stringify({ compilerOptions, files: programs.map(({ name }) => name) }),
+      );
+      for (const { name, code } of programs) {
+        mkdirSync(dirname(join(directory, name)), { recursive: true });
+        writeFileSync(join(directory, name), code);
+      }
+      const tsc = join(PROJECT, 'node_modules/typescript/bin/tsc');
+      const ended = spawnSync(process.execPath, [tsc, '-p', directory], { encoding: 'utf8' });
+      expect(ended.stdout + ended.stderr).toBe('');
+      expect(programs.length).toBeGreaterThan(1);
+    } finally {
+      rmSync(directory, { recursive: true, force: true });
+    }
+  });
+});
+
+describe('pictures', () => {
+  const texts = RUN_PAGES.map((path) => readPage(path).text).join('\n');
+  const makers = [...texts.matchAll(/npx gq render (\S+) -o (docs\/\S+\.svg)((?: --[a-z-]+| \w+)*)/g)];
+  const drawn = new Map(
+    makers.map(([, level, picture, rest]) => [picture, ['gq', 'render', level, '-o', '-', ...rest.trim().split(' ')]]),
+  );
+  const measured = ['docs/accuracy.svg', 'docs/tunnelling.svg'];
+
+  it('are all made by a command that a page names', () => {
+    const all = readdirSync(join(PROJECT, 'docs')).filter((name) => name.endsWith('.svg'));
+    expect(all.map((name) => `docs/${name}`).sort()).toEqual([...new Set([...drawn.keys(), ...measured])].sort());
+  });
+
+  it.each([...drawn])('%s is what its command makes', async (picture, words) => {
+    const terminal = openTerminal();
+    const made = `${await terminal.run(`npx ${words.join(' ')}`)}\n`;
+    terminal.close();
+    const file = join(PROJECT, picture);
+    if (isUpdating) writeFileSync(file, made);
+    else expect(made.trimEnd() === readFileSync(file, 'utf8').trimEnd(), `npm run docs:outputs makes ${picture} anew`).toBe(true);
+    expect(existsSync(file)).toBe(true);
+  });
+});
