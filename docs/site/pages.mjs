@@ -1,0 +1,44 @@
+// The pages of the site, in the order of its sidebar: the file in the project and the name of the page.
+export const GROUPS = [
+  {
+    text: 'Start',
+    pages: [
+      { file: 'README.md', name: 'start', text: 'Start here' },
+      { file: 'docs/tutorial.md', name: 'tutorial', text: 'Tutorial' },
+      { file: 'docs/recipes.md', name: 'recipes', text: 'Recipes' },
+      { file: 'docs/editor.md', name: 'editor', text: 'Editor' },
+      { file: 'docs/ci.md', name: 'ci', text: 'CI' },
+    ],
+  },
+  {
+    text: 'Levels',
+    pages: [
+      { file: 'docs/level-format.md', name: 'level-format', text: 'Level format' },
+      { file: 'docs/tune.md', name: 'tune', text: 'Rules and tuning' },
+      { file: 'docs/difficulty.md', name: 'difficulty', text: 'Difficulty and new levels' },
+      { file: 'docs/import-and-export.md', name: 'import-and-export', text: 'Import and export' },
+    ],
+  },
+  {
+    text: 'How it works',
+    pages: [
+      { file: 'docs/accuracy.md', name: 'accuracy', text: 'Accuracy' },
+      { file: 'docs/effects.md', name: 'effects', text: 'Effects' },
+      { file: 'docs/determinism.md', name: 'determinism', text: 'Determinism' },
+      { file: 'docs/proofs.md', name: 'proofs', text: 'Proofs' },
+      { file: 'docs/library.md', name: 'library', text: 'Library' },
+      { file: 'docs/glossary.md', name: 'glossary', text: 'Glossary' },
+    ],
+  },
+  {
+    text: 'Project',
+    pages: [
+      { file: 'ARCHITECTURE.md', name: 'architecture', text: 'Architecture' },
+      { file: 'CONTRIBUTING.md', name: 'contributing', text: 'Contributing' },
+      { file: 'CHANGELOG.md', name: 'changelog', text: 'Changelog' },
+      { file: 'bench/README.md', name: 'benchmarks', text: 'Benchmarks' },
+    ],
+  },
+];
+
+export const PAGES = GROUPS.flatMap(({ pages }) => pages);
