@@ -141,6 +141,35 @@ describe('README.md', () => {
   });
 });
 
+describe('docs/accuracy.md', () => {
+  const measured = JSON.parse(readFileSync(join(PROJECT, 'docs/accuracy.json'), 'utf8'));
+  const { text } = readPage('docs/accuracy.md');
+  const rows = [...text.matchAll(/^\| (`\w+`|[\w -]+ 60 Hz) +\|(.*\d of \d+) *\|$/gm)];
+  const settings = new Map(
+    [...measured.methods, ...measured.peers.filter(({ rate }: { rate: number }) => rate === 60)].map((setting) => [
+      setting.name,
+      setting,
+    ]),
+  );
+
+  it.each(rows.map(([, name, cells]) => ({ name, cells })))('has the figures of docs/accuracy.json: $name', ({ name, cells }) => {
+    const { error, cost, otherOutcomes, runs } = settings.get(name.replaceAll('`', '').replace(' 60 Hz', ''));
+    const shown = cells.split('|').map((cell) => cell.trim());
+    const figures = [error.median, error.p90, error.worst, cost];
+    for (const [i, figure] of figures.entries()) {
+      const digits = shown[i].replace(/e.*/, '').replace(/\D/g, '').length;
+      expect(Number(shown[i])).toBe(Number(figure.toPrecision(digits)));
+    }
+    expect(shown[4]).toBe(`${otherOutcomes} of ${runs}`);
+  });
+
+  it('names the runs and the machine', () => {
+    expect(rows.length).toBeGreaterThan(5);
+    expect(text).toContain(`the ${measured.runs} runs of the shipped levels`);
+    expect(text).toContain(`(${measured.machine.cpu}, Node ${measured.machine.node.slice(1)})`);
+  });
+});
+
 describe('programs in the pages', () => {
   const programs = RUN_PAGES.map(readPage).flatMap(({ path, blocks }) =>
     blocks
