@@ -37,6 +37,7 @@ export const ALL_PAGES: readonly string[] = [
   ...RUN_PAGES,
   'ARCHITECTURE.md',
   'CONTRIBUTING.md',
+  'SECURITY.md',
   'CHANGELOG.md',
   'bench/README.md',
 ];
