@@ -13,6 +13,7 @@ import {
 import { createJournal, createMemoryStore } from '../../editor/journal/index.ts';
 import type { EditEvent } from '../../schema/index.ts';
 import { levelText, makeFolder, put, serve } from '../server/running.ts';
+import { until } from '../until.ts';
 
 let made: ReturnType<typeof makeFolder>;
 let server: Awaited<ReturnType<typeof serve>>;
@@ -31,9 +32,6 @@ const fetchFrom =
 const storageOf = (client: string, token = server.page.token): LevelStorage => {
   const origin = `http://127.0.0.1:${server.port}`;
   return createServerStorage({ origin, token, client, fetch: fetchFrom(origin) });
-};
-const until = async (test: () => boolean) => {
-  while (!test()) await new Promise((resolve) => setTimeout(resolve, 10));
 };
 const onDisk = (id: string) => readFileSync(join(made.folder, `${id}.level.json`), 'utf8');
 

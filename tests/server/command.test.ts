@@ -3,10 +3,11 @@ import { connect, createServer, type Server } from 'node:net';
 import { networkInterfaces } from 'node:os';
 import { delimiter, join } from 'node:path';
 import process from 'node:process';
-import { setTimeout } from 'node:timers/promises';
 import { afterAll, describe, expect, it } from 'vitest';
+import { interruptAt } from '../../bench/soak/interrupted/step.ts';
 import { readPage } from '../../cli/edit/page-files.ts';
 import { EDIT_API } from '../../schema/index.ts';
+import { until } from '../until.ts';
 import { gqEdit } from './command.ts';
 import { levelPath, levelText, makeFolder, pageOf, put } from './running.ts';
 
@@ -62,18 +63,19 @@ describe('gq edit', () => {
   it.runIf(process.platform !== 'win32')(
     'ends with 130 on Ctrl-C and 143 on SIGTERM, with pages that listen, and leaves nothing half-written',
     async () => {
-      for (const [signal, code] of [
-        ['SIGINT', 130],
-        ['SIGTERM', 143],
+      for (const [signal, code, step] of [
+        ['SIGINT', 130, 'openSync'],
+        ['SIGTERM', 143, 'renameSync'],
       ] as const) {
-        const edit = await gqEdit(['levels', '--port', '0'], { cwd });
+        // it comes to the server right before one of the steps of writing a file
+        const env = interruptAt({ of: step, number: step === 'openSync' ? 4 : 1, after: 'output', signals: [signal] });
+        const edit = await gqEdit(['levels', '--port', '0'], { cwd, env });
         const page = pageOf(edit);
         const { etag, text } = (await page.get(levelPath('a'))).json() as { etag: string; text: string };
         const listening = page.get(EDIT_API.EVENTS).catch(() => 'let go');
         const next = levelText(`after ${signal}`, 1);
         const writing = page.send('PUT', levelPath('a'), { text: next, client: 'c' }, { 'If-Match': etag }).catch(() => null);
-        await setTimeout(code === 130 ? 0 : 3);
-        expect(await edit.end(signal)).toEqual({ code, signal: null });
+        expect(await edit.ended).toEqual({ code, signal: null });
         expect(await listening).toBe('let go');
         const done = await writing;
         const now = readFileSync(join(cwd, 'levels/a.level.json'), 'utf8');
@@ -133,11 +135,11 @@ describe('gq edit', () => {
     chmodSync(join(cwd, 'bin/xdg-open'), 0o755);
     const env = { PATH: `${join(cwd, 'bin')}${delimiter}${process.env.PATH}` };
     const edit = await gqEdit(['levels', '--port', '0', '--open'], { cwd, env });
-    while (!existsSync(opened) || !readFileSync(opened, 'utf8').endsWith('\n')) await setTimeout(10);
+    await until(() => existsSync(opened) && readFileSync(opened, 'utf8').endsWith('\n'));
     expect(readFileSync(opened, 'utf8')).toBe(`1\n${edit.address}\n`);
     await edit.end('SIGTERM');
     const lost = await gqEdit(['levels', '--port', '0', '--open'], { cwd, env: { PATH: join(cwd, 'empty') } });
-    while (lost.said().stderr === '') await setTimeout(10);
+    await until(() => lost.said().stderr !== '');
     expect(lost.said().stderr).toMatch(
       /^the browser could not be opened \(xdg-open: no such file or directory\): open the address above yourself\n$/,
     );

@@ -10,6 +10,7 @@ export interface RunningEdit {
   readonly address: string;
   /** All it has said so far. */
   readonly said: () => { stdout: string; stderr: string };
+  readonly ended: Promise<{ code: number | null; signal: NodeJS.Signals | null }>;
   /** Sends a signal and waits for the end. */
   end(signal: NodeJS.Signals): Promise<{ code: number | null; signal: NodeJS.Signals | null }>;
 }
@@ -55,7 +56,7 @@ export function gqEdit(args: readonly string[], { cwd, env, maxFileSize, user }:
     child.stdout.on('data', (data: Buffer) => {
       said.stdout += data.toString();
       const address = /http:\/\/127\.0\.0\.1:(\d+)\/#token=\S+/.exec(said.stdout);
-      if (address !== null) resolve({ child, port: Number(address[1]), address: address[0], said: () => said, end });
+      if (address !== null) resolve({ child, port: Number(address[1]), address: address[0], said: () => said, ended, end });
     });
   });
 }

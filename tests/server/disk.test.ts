@@ -28,6 +28,12 @@ vi.mock('node:fs', async (original) => {
   return { ...fs, ...Object.fromEntries(names.map((name) => [name, watched(name)])) };
 });
 
+// waiting for a lock takes no time, and somebody else may do something meanwhile
+vi.mock('node:timers/promises', async (original) => ({
+  ...(await original<typeof import('node:timers/promises')>()),
+  setTimeout: async () => disk.before?.('wait', ''),
+}));
+
 let made: ReturnType<typeof makeFolder>;
 beforeEach(() => {
   made = makeFolder({ '01.level.json': levelText('A') });
@@ -76,14 +82,14 @@ describe('what somebody else does at the last moment', () => {
     let stolen = false;
     let kept = '';
     disk.before = (step, path) => {
-      if (step !== 'renameSync' || stolen || path !== lock) return;
-      stolen = true;
-      writeFileSync(lock, 'theirs');
-      setTimeout(() => {
+      if (step === 'renameSync' && path === lock && !stolen) {
+        stolen = true;
+        writeFileSync(lock, 'theirs');
+      } else if (step === 'wait' && kept === '') {
         kept = readFileSync(lock, 'utf8');
         // and they are done
         utimesSync(lock, new Date(0), new Date(0));
-      }, 60);
+      }
     };
     await oneAtATime(made.folder, () => undefined);
     expect(stolen).toBe(true);

@@ -1,106 +1,35 @@
-import { spawn, spawnSync } from 'node:child_process';
-import { existsSync, readdirSync, readFileSync, rmSync, utimesSync } from 'node:fs';
+import { spawnSync } from 'node:child_process';
+import { existsSync, readdirSync, readFileSync, utimesSync } from 'node:fs';
 import { hostname } from 'node:os';
 import { join } from 'node:path';
 import process from 'node:process';
-import { setTimeout } from 'node:timers/promises';
-import { fileURLToPath } from 'node:url';
-import { describe, expect, it } from 'vitest';
+import fc from 'fast-check';
+import { expect, it } from 'vitest';
+import { killWriterAt } from '../../bench/soak/interrupted/killed-writer.ts';
+import { interruptAt } from '../../bench/soak/interrupted/step.ts';
 import { openLevelFolder } from '../../cli/edit/level-folder.ts';
-import { readLevel } from '../../schema/index.ts';
 import { gqEdit } from './command.ts';
-import { everythingIn, levelPath, levelText, makeFolder, pageOf } from './running.ts';
+import { levelPath, levelText, makeFolder, pageOf } from './running.ts';
 
-// kill -9 at any moment: every file is whole, what was acknowledged is there, and the next run goes on.
-
-/** A text of a few pages, so that writing it takes a while. */
-const long = (name: string): string => JSON.stringify({ ...JSON.parse(levelText(name)), 'x-note': 'x'.repeat(200_000) });
-
-const built = fileURLToPath(new URL('../../dist/cli/edit/level-folder.js', import.meta.url));
-
-/** Overwrites, moves, orders, deletes and restores without end, and says each change once it is acknowledged. */
-const WORKER = `
-  import { writeSync } from 'node:fs';
-  const { openLevelFolder } = await import(process.env.BUILT);
-  const levels = openLevelFolder(process.env.FOLDER, 'levels');
-  const say = (text) => writeSync(1, text + '\\n');
-  const tag = (id) => levels.read(id).etag;
-  for (let n = Number(process.env.FROM); ; n++) {
-    const text = process.env.TEXT.replace('NAME', 'n' + n) + ' '.repeat(200000);
-    say('writing ' + n);
-    await levels.write('kept', text, { etag: tag('kept') }, 'c');
-    say('written ' + n);
-    await levels.order('ring', ['ring/02', 'ring/03', 'ring/01'], 'c');
-    await levels.rename('moved', 'moved-2', tag('moved'), 'c');
-    await levels.rename('moved-2', 'moved', tag('moved-2'), 'c');
-    const { trashed } = await levels.remove('gone', tag('gone'), 'c');
-    await levels.restore(trashed.trash, undefined, 'c');
-  }`;
-
-const TEXT = levelText('NAME');
-const original: Record<string, string> = {
-  moved: levelText('moved'),
-  gone: levelText('gone'),
-  'ring/01': levelText('1'),
-  'ring/02': levelText('2'),
-  'ring/03': levelText('3'),
-};
-const files = Object.fromEntries(Object.entries(original).map(([id, text]) => [`${id}.level.json`, text]));
-const fresh = () => makeFolder({ 'kept.level.json': TEXT.replace('NAME', 'between'), ...files });
-
-/** Starts the worker, kills it, and looks at what it leaves. @returns whether it was writing at that moment */
-async function killOnce(folder: string, from: number): Promise<boolean> {
-  const child = spawn(process.execPath, ['--input-type=module', '-e', WORKER], {
-    env: { ...process.env, BUILT: built, FOLDER: folder, FROM: String(from), TEXT },
-    stdio: ['ignore', 'pipe', 'inherit'],
-  });
-  let said = '';
-  child.stdout.on('data', (data: Buffer) => {
-    said += data.toString();
-  });
-  const ended = new Promise((resolve) => child.on('close', resolve));
-  while (!said.includes('writing') && child.exitCode === null) await setTimeout(1);
-  await setTimeout(Math.random() * 25);
-  child.kill('SIGKILL');
-  await ended;
-  expect(child.signalCode).toBe('SIGKILL');
-
-  const [what, number] = said.trim().split('\n').at(-1)?.split(' ') ?? [];
-  const n = Number(number);
-  const kept = readLevel(readFileSync(join(folder, 'kept.level.json')));
-  const before = n === from ? 'between' : `n${n - 1}`;
-  expect(what === 'written' ? [`n${n}`] : [`n${n}`, before]).toContain(kept.ok ? kept.level.name : kept.problems);
-  const contents = Object.entries(everythingIn(folder)).filter(([file]) => file.endsWith('.level.json'));
-  for (const [id, text] of Object.entries(original))
-    expect(
-      contents.map(([, content]) => content),
-      id,
-    ).toContain(text);
-  for (const [file, content] of contents) expect(readLevel(content).ok, file).toBe(true);
-
-  // the next run goes on, though the lock may be left
-  const levels = openLevelFolder(folder, 'levels');
-  const between = TEXT.replace('NAME', 'between');
-  expect((await levels.write('kept', between, { etag: levels.read('kept').etag ?? '' }, 'c')).entry.name).toBe('between');
-  return what === 'writing';
-}
+// kill -9 at any step: every file is whole, what was acknowledged is there, and the next run goes on. A few steps are drawn here;
+// `npm run bench:soak -- --attack writers` tries all of them.
 
 it('leaves every file whole, old or new, and nothing lost', async () => {
-  const lane = async (): Promise<number> => {
-    let made = fresh();
-    let whileWriting = 0;
-    for (let round = 0; round < 25; round++) {
-      if (await killOnce(made.folder, round * 1000)) whileWriting++;
-      // a file left under two names keeps the worker from moving it again
-      made.remove();
-      made = fresh();
-    }
-    made.remove();
-    return whileWriting;
-  };
-  const whileWriting = await Promise.all([lane(), lane(), lane(), lane()]);
-  // or this test has tested little
-  expect(whileWriting.reduce((sum, n) => sum + n)).toBeGreaterThan(5);
+  const whole = await killWriterAt(0);
+  expect(whole.wrong).toEqual([]);
+  const steps = whole.steps ?? 0;
+  await fc.assert(
+    fc.asyncProperty(fc.noBias(fc.integer({ min: 1, max: steps })), async (step) => {
+      expect(await killWriterAt(step), `at step ${step} of ${steps}`).toEqual({ steps: null, wrong: [] });
+    }),
+    { numRuns: 6, endOnFailure: true },
+  );
+});
+
+it('leaves a level whole when it is killed as it begins to write the content', async () => {
+  // the first content is that of the lock
+  for (const write of [1, 2])
+    expect(await killWriterAt(write, 'writeSync'), `write ${write}`).toEqual({ steps: null, wrong: [] });
 });
 
 it('what was not finished is kept for a person to see, unless it is being written just now', () => {
@@ -117,59 +46,45 @@ it('what was not finished is kept for a person to see, unless it is being writte
   made.remove();
 });
 
-describe('the lock of a run that was killed', () => {
+it('the lock of a run that was killed is passed over when its process is gone, or when it is old', async () => {
   const lockWith = (content: string) => makeFolder({ 'a.level.json': levelText('a'), '.gq-edit.lock': content });
-  const writeTo = (folder: string): Promise<unknown> => {
+  const { pid } = spawnSync(process.execPath, ['-e', '']);
+  const dead = lockWith(`${pid} ${hostname()} x`);
+  const old = lockWith(`${process.pid} elsewhere x`);
+  utimesSync(join(old.folder, '.gq-edit.lock'), 0, 0);
+  for (const { folder, remove } of [dead, old]) {
     const levels = openLevelFolder(folder, 'levels');
-    return levels.write('a', levelText('new'), { etag: levels.read('a').etag ?? '' }, 'c');
-  };
-  const names = (folder: string): string[] => readdirSync(folder);
-
-  it('is passed over when its process is gone, or when it is old', async () => {
-    const { pid } = spawnSync(process.execPath, ['-e', '']);
-    const dead = lockWith(`${pid} ${hostname()} x`);
-    await writeTo(dead.folder);
-    const old = lockWith(`${process.pid} elsewhere x`);
-    utimesSync(join(old.folder, '.gq-edit.lock'), 0, 0);
-    await writeTo(old.folder);
-    for (const { folder, remove } of [dead, old]) {
-      expect(names(folder)).toEqual(['a.level.json']);
-      remove();
-    }
-  });
-
-  it('is waited for when its process lives', async () => {
-    const made = lockWith(`${process.pid} ${hostname()} x`);
-    const writing = writeTo(made.folder);
-    for (let i = 0; i < 5; i++) await setTimeout(10);
-    expect(readFileSync(join(made.folder, 'a.level.json'), 'utf8')).toBe(levelText('a'));
-    rmSync(join(made.folder, '.gq-edit.lock'));
-    await writing;
-    expect(readFileSync(join(made.folder, 'a.level.json'), 'utf8')).toBe(levelText('new'));
-    made.remove();
-  });
+    await levels.write('a', levelText('new'), { etag: levels.read('a').etag ?? '' }, 'c');
+    expect(readdirSync(folder)).toEqual(['a.level.json']);
+    remove();
+  }
 });
 
 it('keeps what a server has acknowledged', async () => {
-  const made = makeFolder({ 'a.level.json': long('start') });
-  for (let round = 0; round < 8; round++) {
-    const edit = await gqEdit(['.', '--port', '0'], { cwd: made.folder });
-    const page = pageOf(edit);
-    let { etag, text } = (await page.get(levelPath('a'))).json() as { etag: string; text: string };
-    let next = text;
-    const writing = (async () => {
-      for (let n = 0; ; n++) {
-        next = long(`${round}.${n}`);
-        const answer = await page.send('PUT', levelPath('a'), { text: next, client: 'c' }, { 'If-Match': etag });
-        expect(answer.status).toBe(200);
-        text = next;
-        etag = String(answer.headers.etag);
-      }
-    })().catch((error) => expect(error.code).toMatch(/^ECONN/));
-    await setTimeout(20 + Math.random() * 60);
-    await edit.end('SIGKILL');
-    await writing;
-    expect([text, next]).toContain(readFileSync(join(made.folder, 'a.level.json'), 'utf8'));
-  }
-  made.remove();
+  await fc.assert(
+    // within the first write that it is asked for, or one of the next
+    fc.asyncProperty(fc.noBias(fc.integer({ min: 1, max: 60 })), async (number) => {
+      const made = makeFolder({ 'a.level.json': levelText('start') });
+      const env = interruptAt({ of: 'change', number, after: 'output', signals: ['SIGKILL'] });
+      const edit = await gqEdit(['.', '--port', '0'], { cwd: made.folder, env });
+      const page = pageOf(edit);
+      let acknowledged = levelText('start');
+      let sent = acknowledged;
+      const writeOn = async (): Promise<void> => {
+        let { etag } = (await page.get(levelPath('a'))).json() as { etag: string };
+        for (let n = 0; ; n++) {
+          sent = levelText(`n${n}`);
+          const answer = await page.send('PUT', levelPath('a'), { text: sent, client: 'c' }, { 'If-Match': etag });
+          expect(answer.status).toBe(200);
+          acknowledged = sent;
+          etag = String(answer.headers.etag);
+        }
+      };
+      await expect(writeOn()).rejects.toMatchObject({ code: expect.stringMatching(/^ECONN/) });
+      expect(await edit.ended).toEqual({ code: null, signal: 'SIGKILL' });
+      expect([acknowledged, sent]).toContain(readFileSync(join(made.folder, 'a.level.json'), 'utf8'));
+      made.remove();
+    }),
+    { numRuns: 3, endOnFailure: true },
+  );
 });
