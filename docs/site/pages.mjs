@@ -1,4 +1,5 @@
-// The pages of the site, in the order of its sidebar: the file in the project and the name of the page.
+// The pages of the site, in the order of its sidebar: the file in the project and the name of the page. The API reference
+// follows the pages of the group that `hasReference`.
 export const GROUPS = [
   {
     text: 'Start',
@@ -26,17 +27,25 @@ export const GROUPS = [
       { file: 'docs/effects.md', name: 'effects', text: 'Effects' },
       { file: 'docs/determinism.md', name: 'determinism', text: 'Determinism' },
       { file: 'docs/proofs.md', name: 'proofs', text: 'Proofs' },
-      { file: 'docs/library.md', name: 'library', text: 'Library' },
       { file: 'docs/glossary.md', name: 'glossary', text: 'Glossary' },
     ],
   },
   {
-    text: 'Project',
+    text: 'Programs',
+    hasReference: true,
+    pages: [{ file: 'docs/library.md', name: 'library', text: 'Library' }],
+  },
+  {
+    text: 'Changing the toolkit',
     pages: [
-      { file: 'ARCHITECTURE.md', name: 'architecture', text: 'Architecture' },
       { file: 'CONTRIBUTING.md', name: 'contributing', text: 'Contributing' },
-      { file: 'CHANGELOG.md', name: 'changelog', text: 'Changelog' },
+      { file: 'ARCHITECTURE.md', name: 'architecture', text: 'Architecture' },
+      { file: 'docs/engine.md', name: 'engine', text: 'How the engine works' },
+      { file: 'docs/extending.md', name: 'extending', text: 'Extending the toolkit' },
+      { file: 'docs/decisions.md', name: 'decisions', text: 'Where the rules leave a choice' },
       { file: 'bench/README.md', name: 'benchmarks', text: 'Benchmarks' },
+      { file: 'SECURITY.md', name: 'security', text: 'Security' },
+      { file: 'CHANGELOG.md', name: 'changelog', text: 'Changelog' },
     ],
   },
 ];

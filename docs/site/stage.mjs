@@ -1,24 +1,35 @@
 import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { dirname, extname, join, posix } from 'node:path';
+import process from 'node:process';
 import { fileURLToPath } from 'node:url';
 import { HOME } from './home.mjs';
 import { PAGES } from './pages.mjs';
+import { referencePages } from './reference.mjs';
 
 export const PROJECT = fileURLToPath(new URL('../..', import.meta.url));
 
 /** Where VitePress finds the pages. */
 export const STAGE = join(PROJECT, 'dist/docs-pages');
 
+/** Where VitePress writes the site. */
+export const SITE = join(PROJECT, 'dist/docs');
+
+/** Path of the site on its server, with a slash at both ends. */
+export const BASE = `/${process.env.DOCS_BASE ?? ''}/`.replace(/\/+/g, '/');
+
 const PICTURES = ['.svg', '.png'];
 
 /**
  * Lays out the pages for VitePress. Links keep to the site: a link to a file or folder of the source leads to its text.
- * @throws Error when a link leads nowhere, or a page of docs/ is not in the sidebar
+ * @throws Error when a link leads nowhere, or a page of docs/ or of the project's folder is not in the sidebar
  */
 export function stagePages() {
   const listed = new Map(PAGES.map(({ file, name }) => [file, `${name}.md`]));
-  const missing = readdirSync(join(PROJECT, 'docs')).filter((name) => name.endsWith('.md') && !listed.has(`docs/${name}`));
+  const written = ['', 'docs/'].flatMap((folder) => readdirSync(join(PROJECT, folder)).map((name) => `${folder}${name}`));
+  const missing = written.filter((path) => path.endsWith('.md') && !listed.has(path));
   if (missing.length > 0) throw new Error(`docs/site/pages.mjs does not list ${missing.join(', ')}`);
+  const absent = [...listed.keys()].filter((path) => !existsSync(join(PROJECT, path)));
+  if (absent.length > 0) throw new Error(`docs/site/pages.mjs lists ${absent.join(', ')}, which do not exist`);
 
   rmSync(STAGE, { recursive: true, force: true });
   mkdirSync(STAGE, { recursive: true });
@@ -77,6 +88,7 @@ export function stagePages() {
   };
 
   for (const { file, name } of PAGES) put(`${name}.md`, staged(file).join('\n'));
+  for (const { path, text } of referencePages()) put(`api/${path}`, text);
   put('index.md', `---\n${JSON.stringify(HOME)}\n---\n\n${staged('docs/site/index.md').join('\n')}`);
   put('public/firewalk.svg', readFileSync(join(PROJECT, 'docs/firewalk.svg')));
   put('public/icon.svg', readFileSync(join(PROJECT, 'editor/public/icon.svg')));

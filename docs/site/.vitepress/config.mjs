@@ -1,9 +1,8 @@
-import { existsSync } from 'node:fs';
 import { join } from 'node:path';
-import process from 'node:process';
 import { defineConfig } from 'vitepress';
 import { GROUPS } from '../pages.mjs';
-import { PROJECT, STAGE } from '../stage.mjs';
+import { referenceSidebar } from '../reference.mjs';
+import { BASE, PROJECT, SITE, STAGE } from '../stage.mjs';
 
 // as GitHub makes anchors, so that links work there and here
 const slugify = (heading) =>
@@ -13,23 +12,19 @@ const slugify = (heading) =>
     .replace(/[^\p{L}\p{N}\s_-]/gu, '')
     .replace(/\s/g, '-');
 
-const hasReference = existsSync(join(PROJECT, 'dist/api'));
-const reference = { text: 'API', link: '/api/index.html', target: '_self' };
-
-const base = process.env.DOCS_BASE ?? '/';
+const API = { text: 'API', link: '/api/' };
 
 export default defineConfig({
   title: 'Gravity Quest toolkit',
   description: 'Check, solve, edit and measure levels of Gravity Quest.',
   lang: 'en',
-  base,
-  head: [['link', { rel: 'icon', href: `${base}icon.svg`, type: 'image/svg+xml' }]],
+  base: BASE,
+  head: [['link', { rel: 'icon', href: `${BASE}icon.svg`, type: 'image/svg+xml' }]],
   srcDir: STAGE,
-  outDir: join(PROJECT, 'dist/docs'),
+  outDir: SITE,
   cacheDir: join(PROJECT, 'node_modules/.cache/vitepress'),
-  // a link that leads nowhere fails the build
-  ignoreDeadLinks: [/^\/api\//],
   markdown: {
+    theme: { light: 'github-light-high-contrast', dark: 'github-dark-high-contrast' },
     anchor: { slugify },
     config(md) {
       const fence = md.renderer.rules.fence;
@@ -47,21 +42,25 @@ export default defineConfig({
     },
   },
   themeConfig: {
-    search: { provider: 'local' },
+    search: {
+      provider: 'local',
+      // what is written for readers stands before the API, which names the same words on many pages
+      options: { miniSearch: { searchOptions: { boostDocument: (id) => (id.includes('/api/') ? 0.4 : 1) } } },
+    },
     outline: [2, 3],
     nav: [
       { text: 'Start', link: '/start' },
       { text: 'Tutorial', link: '/tutorial' },
       { text: 'Level format', link: '/level-format' },
       { text: 'Glossary', link: '/glossary' },
-      ...(hasReference ? [reference] : []),
+      { ...API, activeMatch: '^/api/' },
     ],
-    sidebar: GROUPS.map(({ text, pages }) => ({
-      text,
-      items: [
-        ...pages.map((page) => ({ text: page.text, link: `/${page.name}` })),
-        ...(hasReference && text === 'How it works' ? [reference] : []),
-      ],
-    })),
+    sidebar: {
+      '/api/': [{ text: 'API', link: '/api/', items: [] }, ...referenceSidebar()],
+      '/': GROUPS.map(({ text, pages, hasReference }) => ({
+        text,
+        items: [...pages.map((page) => ({ text: page.text, link: `/${page.name}` })), ...(hasReference ? [API] : [])],
+      })),
+    },
   },
 });

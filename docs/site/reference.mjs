@@ -1,0 +1,44 @@
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+/** Where `npm run reference` writes the API reference. */
+const REFERENCE = fileURLToPath(new URL('../../dist/reference', import.meta.url));
+
+const MODULES = ['engine', 'schema', 'solver'];
+
+/** Folders of a module, in the order of the sidebar. */
+const KINDS = [
+  { folder: 'functions', text: 'Functions' },
+  { folder: 'classes', text: 'Classes' },
+  { folder: 'interfaces', text: 'Interfaces' },
+  { folder: 'type-aliases', text: 'Types' },
+  { folder: 'variables', text: 'Variables' },
+];
+
+/**
+ * Lists the pages of the API reference.
+ * @returns {{ path: string, text: string }[]} paths in the folder of the reference, and the Markdown of each page
+ * @throws Error when the reference has not been made
+ */
+export function referencePages() {
+  if (!existsSync(REFERENCE)) throw new Error('dist/reference is missing: npm run reference makes it');
+  const files = readdirSync(REFERENCE, { recursive: true }).filter((path) => path.endsWith('.md'));
+  return files.map((path) => ({ path: path.replaceAll('\\', '/'), text: readFileSync(join(REFERENCE, path), 'utf8') }));
+}
+
+/** Makes the sidebar of the API reference. The reference has been made. */
+export function referenceSidebar() {
+  const namesIn = (folder) => (existsSync(folder) ? readdirSync(folder) : []).map((file) => file.replace(/\.md$/, ''));
+  return MODULES.map((module) => ({
+    text: module,
+    link: `/api/${module}/`,
+    items: KINDS.map(({ folder, text }) => ({
+      text,
+      collapsed: true,
+      items: namesIn(join(REFERENCE, module, folder))
+        .sort((a, b) => a.localeCompare(b))
+        .map((name) => ({ text: name, link: `/api/${module}/${folder}/${name}` })),
+    })).filter(({ items }) => items.length > 0),
+  }));
+}
