@@ -14,6 +14,8 @@ export const CHROMIUM = process.env.CHROMIUM ?? '/usr/bin/chromium';
 export const CHROMIUM_ARGS = [
   ...['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking'],
   ...['--disable-component-update', '--disable-sync', '--mute-audio'],
+  // Chromium would load pages of its own for the address bar of every window: more work for the processor than a page of ours
+  '--disable-features=WebUIOmniboxPopup,WebUIOmniboxAimPopup,SpareRendererForSitePerProcess',
   // without a graphics card the processor draws what WebGL is asked for
   '--enable-unsafe-swiftshader',
 ];
