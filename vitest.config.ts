@@ -15,7 +15,8 @@ export default defineConfig({
         test: { name: 'node', include: ['tests/**/*.test.ts'], exclude: [...configDefaults.exclude, IN_BROWSERS] },
       },
       // `npm run test:browser`: everything that needs Chromium or Firefox
-      { extends: true, test: { name: 'browser', include: [IN_BROWSERS] } },
+      // its files are not isolated from one another: those that one worker runs share a Chromium
+      { extends: true, test: { name: 'browser', include: [IN_BROWSERS], globalSetup: 'tests/e2e/profiles.ts', isolate: false } },
     ],
     // a skipped test is loud on a developer's machine and an error in CI: see .ci/run
     reporters: ['default'],

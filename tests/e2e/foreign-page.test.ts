@@ -2,16 +2,15 @@ import { existsSync, readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { join } from 'node:path';
-import { chromium } from 'playwright-core';
 import puppeteer from 'puppeteer-core';
 import { describe, expect, it } from 'vitest';
 import { EDIT_API } from '../../schema/index.ts';
 import { declareMissing } from '../missing.ts';
 import { levelText, makeFolder, serve } from '../server/running.ts';
+import { CHROMIUM, sharedChromium } from './chromium.ts';
 
 // What real browsers send and let pass: the page itself gets through, a page of another server on this machine does not.
 
-const CHROMIUM = process.env.CHROMIUM ?? '/usr/bin/chromium';
 const FIREFOX = process.env.FIREFOX ?? '/usr/bin/firefox-esr';
 
 /** As much of a page of either driver as is used here. */
@@ -124,12 +123,11 @@ async function tryIn(browser: { newPage(): Promise<DriverPage> }): Promise<void>
 describe('in a real browser the page saves, and a page of another server can not', () => {
   if (existsSync(CHROMIUM)) {
     it('Chromium', async () => {
-      const args = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking'];
-      const browser = await chromium.launch({ executablePath: CHROMIUM, headless: true, args });
+      const context = await (await sharedChromium()).newContext();
       try {
-        await tryIn(browser);
+        await tryIn(context);
       } finally {
-        await browser.close();
+        await context.close();
       }
     });
   } else {

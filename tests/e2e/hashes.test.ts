@@ -1,12 +1,11 @@
 import { existsSync } from 'node:fs';
-import { chromium } from 'playwright-core';
 import puppeteer from 'puppeteer-core';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { bundleEngine } from '../browsers/bundle.ts';
 import { committedTable, questions, tableOf } from '../browsers/hash-table.ts';
 import { hashedRuns } from '../browsers/scenes.ts';
 import { declareMissing } from '../missing.ts';
-import { CHROMIUM, CHROMIUM_ARGS } from './stage.ts';
+import { CHROMIUM, sharedChromium } from './chromium.ts';
 
 const committed = committedTable();
 const runs = hashedRuns();
@@ -30,14 +29,14 @@ describe('hashes of runs', () => {
 
   if (existsSync(CHROMIUM)) {
     it('in Chromium are the committed ones', async () => {
-      const browser = await chromium.launch({ executablePath: CHROMIUM, headless: true, args: CHROMIUM_ARGS });
+      const context = await (await sharedChromium()).newContext();
       try {
-        const page = await browser.newPage();
+        const page = await context.newPage();
         await page.addScriptTag({ content: bundle });
         const answers = await page.evaluate(answersInPage, asked);
         expect(tableOf(runs, answers)).toEqual(committed);
       } finally {
-        await browser.close();
+        await context.close();
       }
     });
   } else {

@@ -43,7 +43,7 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
         await until(() => expect(file('01').blackHole.y).toBe(320));
         await until(() => expect(placeOf(file('01'), 'a1')).toMatchObject({ x: 400, y: 201 }));
       },
-      { complaints: OUTAGE },
+      { complaints: OUTAGE, ownProcess: true },
     ),
   );
 
@@ -68,7 +68,7 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
         await again.page.getByRole('button', { name: /^Undo: Recovered/ }).click();
         await until(() => expect(placeOf(file('01'), 'a1')).toMatchObject(A));
       },
-      { complaints: OUTAGE },
+      { complaints: OUTAGE, ownProcess: true },
     ),
   );
 
@@ -121,7 +121,7 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
         await saving(again.page, /^saved$/);
         expect(placeOf(file('01'), 'a1')).toMatchObject({ x: 400, y: 201 });
       },
-      { complaints: OUTAGE },
+      { complaints: OUTAGE, ownProcess: true },
     ),
   );
 
@@ -159,7 +159,7 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
         await dialog.getByRole('button', { name: 'Open' }).click();
         await until(() => expect(placeOf(file('01'), 'a1')).toMatchObject({ x: 400, y: 201 }));
       },
-      { complaints: OUTAGE },
+      { complaints: OUTAGE, ownProcess: true },
     ),
   );
 
@@ -190,7 +190,7 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
         await saving(again.page, /^saved$/);
         await until(() => expect(placeOf(file('01'), 'a1')).toMatchObject({ x: 400, y: 201 }));
       },
-      { complaints: OUTAGE },
+      { complaints: OUTAGE, ownProcess: true },
     ),
   );
 

@@ -1,24 +1,17 @@
 import { chmodSync, existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import process from 'node:process';
-import { type Browser, type BrowserContext, type BrowserContextOptions, chromium, type Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect } from 'vitest';
+import { fileURLToPath } from 'node:url';
+import type { BrowserContext, BrowserContextOptions, Page } from 'playwright-core';
+import { describe, expect } from 'vitest';
+import { startServer } from '../../cli/edit/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
 import { declareMissing } from '../missing.ts';
-import { gqEdit, type RunningEdit } from '../server/command.ts';
+import { gqEdit } from '../server/command.ts';
 import { makeFolder, put } from '../server/running.ts';
 import { type Canvas, canvasOf } from './canvas.ts';
+import { CHROMIUM, sharedChromium } from './chromium.ts';
 import { PATIENCE } from './until.ts';
-
-export const CHROMIUM = process.env.CHROMIUM ?? '/usr/bin/chromium';
-export const CHROMIUM_ARGS = [
-  ...['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking'],
-  ...['--disable-component-update', '--disable-sync', '--mute-audio'],
-  // Chromium would load pages of its own for the address bar of every window: more work for the processor than a page of ours
-  '--disable-features=WebUIOmniboxPopup,WebUIOmniboxAimPopup,SpareRendererForSitePerProcess',
-  // without a graphics card the processor draws what WebGL is asked for
-  '--enable-unsafe-swiftshader',
-];
 
 export interface StageOptions {
   readonly context?: BrowserContextOptions;
@@ -26,12 +19,23 @@ export interface StageOptions {
   readonly firstTime?: boolean;
   /** The level files may not be written. */
   readonly readOnly?: boolean;
+  /** The server is a process, as a person starts it: it can be killed. Otherwise it runs in the process of the test. */
+  readonly ownProcess?: boolean;
   /** Other files in the folder, by name. */
   readonly others?: Readonly<Record<string, string>>;
   /** What the browser may complain of on its console. */
   readonly complaints?: RegExp;
   /** What is asked for in the page's address: `renderer=webgl`. */
   readonly query?: string;
+}
+
+interface StageServer {
+  readonly port: number;
+  /** With the token of this run. */
+  readonly address: string;
+  /** What went wrong in it: what it wrote to stderr, or the errors that it caught in this process. */
+  complaints(): string;
+  end(signal: 'SIGTERM' | 'SIGKILL'): Promise<unknown>;
 }
 
 /** A folder of levels, a server on it, and a person in front of its page. */
@@ -41,7 +45,7 @@ export interface Stage {
   readonly page: Page;
   readonly canvas: Canvas;
   /** The server that runs now. */
-  server(): RunningEdit;
+  server(): StageServer;
   /** Another page of the same person, on the same server. */
   open(): Promise<{ page: Page; canvas: Canvas }>;
   /** The text of a level's file. */
@@ -52,7 +56,7 @@ export interface Stage {
   write(id: string, content: unknown): void;
   /** Waits until the page says that all is on the disk. */
   saved(): Promise<void>;
-  /** Ends the server as a crash does. */
+  /** Ends the server as a crash does; it has a process of its own. */
   killServer(): Promise<void>;
   /** Starts it again on the same folder, port and token, as far as it can. */
   startServer(port?: number): Promise<void>;
@@ -69,6 +73,30 @@ export interface Browsers {
 
 /** Runs in a page before its own scripts: settings that are there already stay. */
 const KNOWN = `localStorage['gravity-quest-editor-settings'] ??= '{"tourSeen":true}'`;
+
+/** Runs in a page before its own scripts: about 20 frames a second are drawn, not 60, which would cost half a processor. */
+export function drawFewerFrames(): void {
+  const ask = window.requestAnimationFrame.bind(window);
+  const cancels = new Map<number, () => void>();
+  let last = 0;
+  window.requestAnimationFrame = (callback) => {
+    const id = ++last;
+    const timer = setTimeout(() => {
+      const frame = ask((now) => {
+        cancels.delete(id);
+        callback(now);
+      });
+      cancels.set(id, () => cancelFrame(frame));
+    }, 34);
+    cancels.set(id, () => clearTimeout(timer));
+    return id;
+  };
+  const cancelFrame = window.cancelAnimationFrame.bind(window);
+  window.cancelAnimationFrame = (id) => {
+    cancels.get(id)?.();
+    cancels.delete(id);
+  };
+}
 
 /** Opens a level's page and waits until it can be used. */
 async function enter(context: BrowserContext, address: string, complaints: string[]): Promise<{ page: Page; canvas: Canvas }> {
@@ -88,6 +116,24 @@ const textOf = (content: unknown): string => (typeof content === 'string' ? cont
 /** Number of the user who owns nothing. */
 const NOBODY = 65534;
 
+const BUILT_PAGE = fileURLToPath(new URL('../../dist/editor', import.meta.url));
+
+/** Serves a folder from this process, which costs much less than a process. */
+async function serveHere(folder: string): Promise<StageServer> {
+  let complaints = '';
+  const onCrash = (error: unknown) => {
+    complaints += `${error instanceof Error ? error.stack : error}\n`;
+  };
+  const { port, address, close } = await startServer({ folder, port: 0, configFrom: folder, page: BUILT_PAGE, onCrash });
+  return { port, address, complaints: () => complaints, end: close };
+}
+
+/** Serves the folder from a process of its own. */
+async function serveThere(folder: string, port: number, user: number | undefined): Promise<StageServer> {
+  const { said, ...server } = await gqEdit(['.', '--port', String(port)], { cwd: folder, user });
+  return { ...server, complaints: () => said().stderr };
+}
+
 /** Prints what the pages show as assistive technology reads it: a failure on another machine can't be looked at. */
 async function tellPages(context: BrowserContext, complaints: readonly string[]): Promise<void> {
   for (const page of context.pages()) {
@@ -100,25 +146,27 @@ async function tellPages(context: BrowserContext, complaints: readonly string[])
   if (complaints.length > 0) console.error('complaints of the pages:', complaints);
 }
 
-/** Suites in one Chromium that all tests of the file share; each test has a folder, a server and a profile of its own. */
+/** Suites in the Chromium of the worker; each test has a folder, a server and a profile of its own. */
 export function inChromium(suite: string, declare: (browsers: Browsers) => void): void {
   if (!existsSync(CHROMIUM)) {
     declareMissing(suite, `no browser at ${CHROMIUM}: install Chromium or name it in CHROMIUM`);
     return;
   }
   describe(suite, () => {
-    let browser: Browser;
-    beforeAll(async () => {
-      browser = await chromium.launch({ executablePath: CHROMIUM, headless: true, args: CHROMIUM_ARGS });
-    });
-    afterAll(() => browser.close());
-
     declare({
       on:
         (
           levels,
           play,
-          { context: wanted = {}, firstTime = false, complaints: expected, readOnly = false, query = '', others = {} } = {},
+          {
+            context: wanted = {},
+            firstTime = false,
+            complaints: expected,
+            readOnly = false,
+            ownProcess = readOnly,
+            query = '',
+            others = {},
+          } = {},
         ) =>
         async () => {
           const files = Object.entries(levels).map(([id, content]) => [`${id}.level.json`, textOf(content)] as const);
@@ -127,8 +175,10 @@ export function inChromium(suite: string, declare: (browsers: Browsers) => void)
           // root may write everything: then the server is somebody who may not
           const user = readOnly && process.getuid?.() === 0 ? NOBODY : undefined;
           if (user !== undefined) chmodSync(folder, 0o755);
-          let server = await gqEdit(['.', '--port', '0'], { cwd: folder, user });
+          let server = ownProcess ? await serveThere(folder, 0, user) : await serveHere(folder);
+          const browser = await sharedChromium();
           const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...wanted });
+          await context.addInitScript(drawFewerFrames);
           // the tour would lie over the page
           if (!firstTime) await context.addInitScript(KNOWN);
           const complaints: string[] = [];
@@ -157,13 +207,15 @@ export function inChromium(suite: string, declare: (browsers: Browsers) => void)
                   .filter({ hasText: /^saved$/ })
                   .waitFor(),
               async killServer() {
+                expect(ownProcess, 'only a server that is a process can be killed').toBe(true);
                 await server.end('SIGKILL');
               },
               async startServer(port = server.port) {
-                server = await gqEdit(['.', '--port', String(port)], { cwd: folder });
+                server = await serveThere(folder, port, user);
               },
             });
             expect(complaints.filter((complaint) => expected?.test(complaint) !== true)).toEqual([]);
+            expect(server.complaints(), 'complaints of the server').toBe('');
           } catch (error) {
             await tellPages(context, complaints);
             throw error;

@@ -4,13 +4,14 @@ import type { AddressInfo } from 'node:net';
 import { extname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { deflateRawSync } from 'node:zlib';
-import { type Browser, type BrowserContext, chromium, type Page } from 'playwright-core';
+import type { Browser, BrowserContext, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { readLevel } from '../../schema/index.ts';
 import { declareMissing } from '../missing.ts';
+import { CHROMIUM, sharedChromium } from './chromium.ts';
 import { verdict } from './commands.ts';
 import { straight } from './levels.ts';
-import { CHROMIUM, CHROMIUM_ARGS } from './stage.ts';
+import { drawFewerFrames } from './stage.ts';
 import { PATIENCE, until } from './until.ts';
 
 // The built page on a host that serves files and nothing else, below a folder of its own: levels are kept in the browser.
@@ -50,13 +51,9 @@ else {
     let browser: Browser;
     let hosted: Awaited<ReturnType<typeof host>>;
     beforeAll(async () => {
-      [browser, hosted] = await Promise.all([
-        chromium.launch({ executablePath: CHROMIUM, headless: true, args: CHROMIUM_ARGS }),
-        host(),
-      ]);
+      [browser, hosted] = await Promise.all([sharedChromium(), host()]);
     });
-    afterAll(async () => {
-      await browser.close();
+    afterAll(() => {
       hosted.server.close();
     });
 
@@ -65,6 +62,7 @@ else {
       complaints: string[],
     ): Promise<{ context: BrowserContext; open: (address: string) => Promise<Page> }> => {
       const context = await browser.newContext({ viewport: { width: 1280, height: 800 } });
+      await context.addInitScript(drawFewerFrames);
       await context.addInitScript(() => {
         localStorage['gravity-quest-editor-settings'] ??= '{"tourSeen":true}';
         for (const name of ['showOpenFilePicker', 'showSaveFilePicker'])

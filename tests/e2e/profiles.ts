@@ -1,0 +1,18 @@
+import { mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import type { TestProject } from 'vitest/node';
+
+declare module 'vitest' {
+  interface ProvidedContext {
+    /** The folder in which the browsers of the workers keep their profiles. */
+    profiles: string;
+  }
+}
+
+/** Runs once before all browser tests. @returns what removes the profiles after them: a worker that is ended has no time for it */
+export default function setup(project: TestProject): () => void {
+  const folder = mkdtempSync(join(tmpdir(), 'gq-profiles-'));
+  project.provide('profiles', folder);
+  return () => rmSync(folder, { recursive: true, force: true, maxRetries: 10, retryDelay: 100 });
+}
