@@ -4,7 +4,7 @@ import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { verdict } from './commands.ts';
 import { straight } from './levels.ts';
-import { inChromium } from './stage.ts';
+import { hurry, inChromium } from './stage.ts';
 import { until } from './until.ts';
 
 const firewalk = () => readFileSync(join(import.meta.dirname, '..', '..', 'levels', '16-firewalk.level.json'), 'utf8');
@@ -14,11 +14,11 @@ const theEnd = (page: Page) => playtest(page).getByRole('status');
 
 inChromium('attempts that do not get through, in Chromium', ({ on }) => {
   it(
-    'become the last run, by key or button, and one that was left is kept as well',
+    'become the last run, by key or button, also one that was left before its end',
     on({ '16': firewalk() }, async ({ page, file }) => {
       await verdict(page, 'completable');
       const names = () => file('16').runs?.map(({ name }) => name);
-      await page.getByRole('button', { name: '2×' }).click();
+      await hurry(page, 4);
       await page.getByRole('button', { name: 'Play', exact: true }).click();
       // without a press she drifts into a nova
       await theEnd(page).getByText('Not completed').waitFor();
@@ -36,7 +36,8 @@ inChromium('attempts that do not get through, in Chromium', ({ on }) => {
       await verdict(page, 'completable');
       await page.getByRole('combobox', { name: 'Run' }).selectOption('solution');
 
-      // left before it is over: slow, so that there is all the time in the world for it
+      // an attempt that is left before it ends: slowly, so that it does not end first
+      await hurry(page, 1);
       await page.getByRole('button', { name: '¼×' }).click();
       await page.getByRole('button', { name: 'Play', exact: true }).click();
       await page.keyboard.down('x');
@@ -55,13 +56,13 @@ inChromium('attempts that do not get through, in Chromium', ({ on }) => {
   );
 
   it(
-    'neither is one that got through a level that has changed since',
+    'an attempt that completed the level before it changed becomes the last run as well',
     on(
       { '01': straight({ astronaut: { x: 200, y: 304, vx: 60 }, blackHole: { x: 400, y: 304 } }) },
       async ({ page, canvas, file }) => {
         await verdict(page, 'completable');
         await canvas.fit(file('01'));
-        await page.getByRole('button', { name: '2×' }).click();
+        await hurry(page, 4);
         await page.getByRole('button', { name: 'Play', exact: true }).click();
         await theEnd(page).getByText('Level completed').waitFor();
         await playtest(page).getByRole('button', { name: 'Keep as a run' }).waitFor();

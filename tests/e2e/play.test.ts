@@ -5,11 +5,14 @@ import { gq } from '../cli/gq.ts';
 import { verdict } from './commands.ts';
 import { straight } from './levels.ts';
 import { type Heard, listenToSound } from './sound.ts';
-import { inChromium } from './stage.ts';
+import { hurry, inChromium } from './stage.ts';
 import { until } from './until.ts';
 
 const playtest = (page: Page) => page.getByRole('application', { name: /^Playtest/ });
 const theEnd = (page: Page) => playtest(page).getByRole('status');
+/** Times faster than in real time: 0.2 s of the game a frame. The tests of the kept run and of the sound play in real time. */
+const FAST = 4;
+
 /** She is under way to the black hole, and there within seconds. */
 const quick = () => straight({ astronaut: { x: 200, y: 304, vx: 60 }, blackHole: { x: 400, y: 304 }, runs: undefined });
 /** What the page says of how an attempt ended: its kind and its time. */
@@ -53,7 +56,7 @@ inChromium('playing in Chromium', ({ on }) => {
       await until(async () => expect(await shown.textContent()).toBe(hash));
       await page.getByRole('button', { name: 'Copy the hash of the run' }).click();
       await until(async () => expect(await page.evaluate('navigator.clipboard.readText()')).toBe(hash));
-      // another run has another one
+      // another run has another hash
       await page.getByRole('button', { name: 'New empty run' }).click();
       await until(async () => expect(await shown.textContent()).not.toBe(hash));
       const drift = await gq(['simulate', path, '--holds', 'none', '--format', 'json']);
@@ -62,11 +65,12 @@ inChromium('playing in Chromium', ({ on }) => {
   );
 
   it(
-    'death stays out of the way: again, by another key, then back to editing with the same view',
+    'after a death a key starts again, and Esc goes back to editing with the same view',
     on(
       { '01': straight({ asteroids: [{ id: 'rock', x: 448, y: 304, radius: 16, hot: true }], minerals: [], runs: undefined }) },
       async ({ page, canvas, file, saved, text }) => {
         await saved();
+        await hurry(page, FAST);
         const before = text('01');
         await canvas.fit(file('01'));
         const zoom = await page.getByText(/^\d+ %$/).textContent();
@@ -83,7 +87,7 @@ inChromium('playing in Chromium', ({ on }) => {
         await page.keyboard.press('Escape');
         await playtest(page).waitFor({ state: 'hidden' });
         expect(await page.getByText(/^\d+ %$/).textContent()).toBe(zoom);
-        // the same place is under the pointer as before, and attempts alone change nothing
+        // attempts alone change nothing in the file, and a click selects what it selected before
         expect(text('01')).toBe(before);
         await canvas.click({ x: 448, y: 304 });
         await page.keyboard.press('ArrowUp');
@@ -93,9 +97,10 @@ inChromium('playing in Chromium', ({ on }) => {
   );
 
   it(
-    'the buttons at the end answer Space and Enter as well; elsewhere these are the gun and keeping the attempt',
+    'the buttons at the end answer Space and Enter; elsewhere Space is the gun and Enter keeps the attempt',
     on({ '01': quick() }, async ({ page, file, saved }) => {
       await saved();
+      await hurry(page, FAST);
       await page.getByRole('button', { name: 'Play', exact: true }).click();
       await page.keyboard.down('Space');
       await theEnd(page).waitFor();
@@ -104,7 +109,7 @@ inChromium('playing in Chromium', ({ on }) => {
       await again.focus();
       await page.keyboard.press('Space');
       await theEnd(page).waitFor({ state: 'hidden' });
-      // the same key is the gun again
+      // now the same key is the gun again
       await page.keyboard.down('Space');
       await theEnd(page).waitFor();
       await page.keyboard.up('Space');
@@ -120,7 +125,7 @@ inChromium('playing in Chromium', ({ on }) => {
   );
 
   it(
-    'the gun can be heard while it is held, the end as well; not with the sound off',
+    'the gun sounds while it is held, and so does the end; with the sound off nothing does',
     on({ '01': quick() }, async ({ page, context, saved }) => {
       await context.addInitScript(listenToSound);
       await page.reload();
@@ -128,7 +133,7 @@ inChromium('playing in Chromium', ({ on }) => {
       const heard = () => page.evaluate(() => (window as unknown as { heard: Heard }).heard);
       await page.keyboard.press('Space');
       await playtest(page).waitFor();
-      // nothing is to be heard yet, so there is no sound at all
+      // no sound is set up before the first one is needed
       expect(await heard()).toEqual({ contexts: 0, oscillators: 0, levels: [] });
       await page.keyboard.down('Space');
       await until(async () => expect((await heard()).levels.at(-1)).toBeGreaterThan(0));
@@ -155,11 +160,12 @@ inChromium('playing in Chromium', ({ on }) => {
   );
 
   it(
-    'attempts stay as ghosts on the canvas, to be hidden, kept as runs and forgotten',
+    'attempts stay on the canvas as ghosts, which can be hidden, kept as runs and forgotten',
     on(
       { '01': straight({ runs: undefined, asteroids: [{ id: 'rock', x: 448, y: 304, radius: 16, hot: true }], minerals: [] }) },
       async ({ page, canvas, file, saved }) => {
         await saved();
+        await hurry(page, FAST);
         await canvas.fit(file('01'));
         // between her start and the asteroid that ends it
         const middle = canvas.at({ x: 330, y: 304 });
@@ -193,7 +199,7 @@ inChromium('playing in Chromium', ({ on }) => {
   );
 
   it(
-    'play goes on from the scrubbed tick with what the run did before',
+    'a playtest starts at the scrubbed tick and keeps what the run did before it',
     on(
       {
         '01': straight({
@@ -210,6 +216,7 @@ inChromium('playing in Chromium', ({ on }) => {
       },
       async ({ page, file }) => {
         await verdict(page, 'broken');
+        await hurry(page, FAST);
         await page.getByRole('slider', { name: 'Time' }).focus();
         await page.keyboard.press('Home');
         for (let i = 0; i < 3; i++) await page.keyboard.press('Shift+ArrowRight');
@@ -221,7 +228,7 @@ inChromium('playing in Chromium', ({ on }) => {
         expect(await theEnd(page).textContent()).toContain('She reaches the black hole');
         await page.keyboard.press('Enter');
         await verdict(page, 'completable');
-        // it took the place of the run that did not get through
+        // the attempt replaces the run that did not get through
         const runs = await until(() => {
           const found = file('01').runs ?? [];
           expect(found[0].holds[0][1]).not.toBe(40);

@@ -8,7 +8,7 @@ import { SWING } from '../editor/swing-level.ts';
 import { put } from '../server/running.ts';
 import { complaintsAbout } from './axe.ts';
 import { command, verdict } from './commands.ts';
-import { inChromium } from './stage.ts';
+import { inChromium, nextFrames } from './stage.ts';
 import { until } from './until.ts';
 
 const shots = process.env.GQ_SHOTS;
@@ -266,7 +266,7 @@ inChromium('rules in Chromium', ({ on }) => {
         const places = async () => {
           await until(async () => {
             const one = await slider(page, 'pull').boundingBox();
-            await page.waitForTimeout(100);
+            await nextFrames(page);
             expect(await slider(page, 'pull').boundingBox()).toEqual(one);
           });
           const box = await slider(page, 'pull').boundingBox();

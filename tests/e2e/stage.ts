@@ -19,7 +19,7 @@ export interface StageOptions {
   readonly firstTime?: boolean;
   /** The level files may not be written. */
   readonly readOnly?: boolean;
-  /** The server is a process, as a person starts it: it can be killed. Otherwise it runs in the process of the test. */
+  /** The server is a process in the folder, as a person starts it, and can be killed. Otherwise it runs in the process of the test. */
   readonly ownProcess?: boolean;
   /** Other files in the folder, by name. */
   readonly others?: Readonly<Record<string, string>>;
@@ -74,29 +74,60 @@ export interface Browsers {
 /** Runs in a page before its own scripts: settings that are there already stay. */
 const KNOWN = `localStorage['gravity-quest-editor-settings'] ??= '{"tourSeen":true}'`;
 
-/** Runs in a page before its own scripts: about 20 frames a second are drawn, not 60, which would cost half a processor. */
-export function drawFewerFrames(): void {
+/**
+ * Runs in a page before its own scripts.
+ * About 20 frames a second are drawn, not 60, which would cost half a processor.
+ * The clock of the frames and of `performance.now` can run faster or stand still: see `hurry` and `pass`. Timers and dates are
+ * not touched.
+ */
+export function paceFrames(): void {
+  const now = performance.now.bind(performance);
+  const clock = { rate: 1, real: 0, shown: 0 };
+  const shownAt = (real: number) => clock.shown + (real - clock.real) * clock.rate;
+  performance.now = () => shownAt(now());
+  const setRate = (rate: number) => {
+    const real = now();
+    Object.assign(clock, { rate, real, shown: shownAt(real) });
+  };
+  const pass = (ms: number) => {
+    clock.shown += ms;
+  };
+  Object.assign(window, { setRate, pass });
+
   const ask = window.requestAnimationFrame.bind(window);
+  const cancel = window.cancelAnimationFrame.bind(window);
   const cancels = new Map<number, () => void>();
   let last = 0;
   window.requestAnimationFrame = (callback) => {
     const id = ++last;
     const timer = setTimeout(() => {
-      const frame = ask((now) => {
+      const frame = ask((real) => {
         cancels.delete(id);
-        callback(now);
+        callback(shownAt(real));
       });
-      cancels.set(id, () => cancelFrame(frame));
+      cancels.set(id, () => cancel(frame));
     }, 34);
     cancels.set(id, () => clearTimeout(timer));
     return id;
   };
-  const cancelFrame = window.cancelAnimationFrame.bind(window);
   window.cancelAnimationFrame = (id) => {
     cancels.get(id)?.();
     cancels.delete(id);
   };
 }
+
+/**
+ * Sets the pace of what is played on the page, until the page is loaded anew.
+ * @param rate seconds of the frames' clock per second; 0: the clock stands still; a playtest takes up to 0.25 s a frame
+ */
+export const hurry = (page: Page, rate: number): Promise<void> => page.evaluate(`setRate(${rate})`);
+
+/** Lets time pass on the clock of the frames, all at once. */
+export const pass = (page: Page, ms: number): Promise<void> => page.evaluate(`pass(${ms})`);
+
+/** Waits for two frames: what the page has changed is drawn. */
+export const nextFrames = (page: Page): Promise<unknown> =>
+  page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
 
 /** Opens a level's page and waits until it can be used. */
 async function enter(context: BrowserContext, address: string, complaints: string[]): Promise<{ page: Page; canvas: Canvas }> {
@@ -178,7 +209,7 @@ export function inChromium(suite: string, declare: (browsers: Browsers) => void)
           let server = ownProcess ? await serveThere(folder, 0, user) : await serveHere(folder);
           const browser = await sharedChromium();
           const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...wanted });
-          await context.addInitScript(drawFewerFrames);
+          await context.addInitScript(paceFrames);
           // the tour would lie over the page
           if (!firstTime) await context.addInitScript(KNOWN);
           const complaints: string[] = [];

@@ -11,7 +11,7 @@ import { declareMissing } from '../missing.ts';
 import { CHROMIUM, sharedChromium } from './chromium.ts';
 import { verdict } from './commands.ts';
 import { straight } from './levels.ts';
-import { drawFewerFrames } from './stage.ts';
+import { paceFrames } from './stage.ts';
 import { PATIENCE, until } from './until.ts';
 
 // The built page on a host that serves files and nothing else, below a folder of its own: levels are kept in the browser.
@@ -62,7 +62,7 @@ else {
       complaints: string[],
     ): Promise<{ context: BrowserContext; open: (address: string) => Promise<Page> }> => {
       const context = await browser.newContext({ viewport: { width: 1280, height: 800 } });
-      await context.addInitScript(drawFewerFrames);
+      await context.addInitScript(paceFrames);
       await context.addInitScript(() => {
         localStorage['gravity-quest-editor-settings'] ??= '{"tourSeen":true}';
         for (const name of ['showOpenFilePicker', 'showSaveFilePicker'])
