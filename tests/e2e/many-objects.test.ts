@@ -65,7 +65,7 @@ const dragAndLook = (page: Page, from: Point, by: readonly Point[]): Promise<See
         canvas.dispatchEvent(new PointerEvent('pointermove', { bubbles: true, pointerType: 'mouse', ...place }));
         seen = await drawnFrame();
       }
-      for (let i = 0; i < 90; i++) await frame();
+      for (let i = 0; i < 30; i++) await frame();
       const rest = await drawnFrame();
       CanvasRenderingContext2D.prototype.drawImage = drawImage;
       let difference = 0;
