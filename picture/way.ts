@@ -35,7 +35,7 @@ export function heldTimes(run: Run): [from: number, to: number][] {
 
 /**
  * Divides a run into consecutive stretches without gaps in time, sampled at 60 Hz and at each press and release, and cut where
- * a wormhole moves her.
+ * an effect moves her at once.
  */
 export function stretchesOf(run: Run): Stretch[] {
   const end = run.trajectory.duration;

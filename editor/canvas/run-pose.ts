@@ -29,7 +29,7 @@ export function poseAt(proof: LiveProof, tick: number): Pose {
   const ended = tick >= count - 1;
   const k = Math.max(0, Math.min(count - 1, Math.floor(tick)));
   const isStraight = !ended && !isJump(states, k * STATE_SIZE, (k + 1) * STATE_SIZE, TICK);
-  // A wormhole moves her at once: there is no position in between, so she waits for the next tick.
+  // An effect may move her at once: there is no position in between, so she waits for the next tick.
   const share = isStraight ? Math.max(0, tick - k) : 0;
   const between = (i: number) =>
     states[k * STATE_SIZE + i] * (1 - share) + (share > 0 ? states[(k + 1) * STATE_SIZE + i] * share : 0);

@@ -1,9 +1,10 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { windyScene } from '../../bench/soak/windy-scene.ts';
+import { windyDegenerateScene, windyScene } from '../../bench/soak/windy-scene.ts';
 import { compile, createSimulation, EFFECTS, STATE_SIZE, simulate, TICK, WorkBudget } from '../../engine/index.ts';
-import { type Level, RULE_NAMES } from '../../schema/index.ts';
+import { KINDS, type Level, LISTED_KINDS, listOf, OBJECT_LISTS, RULE_NAMES } from '../../schema/index.ts';
 import { accuracyNames } from './accuracies.ts';
+import { arbitraryLevel, arbitraryPlayableLevel } from './arbitrary-level.ts';
 import { plainLevel } from './plain-level.ts';
 
 // What effects declare is what provers and warnings argue with: it must be true of what they do.
@@ -21,6 +22,21 @@ describe('what an effect declares', () => {
   it('what can happen has an order of its own, from 1 on', () => {
     const kinds = EFFECTS.flatMap(({ events = [] }) => events.map(({ kind }) => kind));
     expect(kinds.sort((a, b) => a - b)).toEqual(kinds.map((_, i) => i + 1));
+  });
+});
+
+// A property says nothing about a kind of object that its levels never have.
+describe('random levels', () => {
+  const many = (levels: fc.Arbitrary<Level>) => fc.sample(levels, 200);
+  const additions = LISTED_KINDS.filter((kind) => KINDS[kind].original === null).map(listOf);
+
+  it.each([
+    ['arbitraryLevel', OBJECT_LISTS, many(arbitraryLevel)],
+    ['arbitraryPlayableLevel', OBJECT_LISTS, many(arbitraryPlayableLevel)],
+    ['windyScene', additions, Array.from({ length: 50 }, (_, seed) => windyScene(seed).level)],
+    ['windyDegenerateScene', additions, Array.from({ length: 50 }, (_, seed) => windyDegenerateScene(seed).level)],
+  ])('of %s have objects of every kind', (_, lists, levels) => {
+    expect(lists.filter((list) => levels.every((level) => level[list].length === 0))).toEqual([]);
   });
 });
 

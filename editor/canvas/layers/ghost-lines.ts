@@ -12,7 +12,7 @@ export type Line = readonly number[];
 
 /**
  * Splits a path of which only positions are known into continuous lines. It is cut where a step differs from both its
- * neighbours, as no step of a flight does: there a wormhole moved her.
+ * neighbours, as no step of a flight does: there an effect moved her at once.
  * @param points x, y in px, two entries per tick
  */
 export function linesOf(points: Float32Array): Line[] {

@@ -146,7 +146,7 @@ export class WayLayer {
   }
 }
 
-/** Whether a wormhole moves her between the last tick and the end of the run, which is at most a tick later. */
+/** Whether an effect moves her at once between the last tick and the end of the run, which is at most a tick later. */
 function endsInJump(states: Float64Array, count: number, last: Float64Array): boolean {
   const from = (count - 1) * STATE_SIZE;
   const both = new Float64Array(2 * STATE_SIZE);
