@@ -75,14 +75,8 @@ export function proveMineralsLost(
   budget: WorkBudget = new WorkBudget(),
 ): LostMineral[] {
   if (!isAccuracyName(accuracy.name) || asked.length === 0) return [];
-  // Minerals do not influence the motion, so the others can be left out.
-  const only = { ...level, minerals: asked.map((index) => level.minerals[index]) };
-  return proveMineralsUnreachable(only, { accuracy: accuracy.name, maxTime: maxTicks * TICK, budget }).flatMap((proof) => {
-    if (proof.about.kind !== 'mineral' || !verifyProof(only, proof).ok) return [];
-    const index = asked[proof.about.index];
-    const named = { ...proof, about: { kind: 'mineral', index } as const };
-    return [
-      { index, proof: { ...named, reason: proof.reason.replaceAll(`minerals[${proof.about.index}]`, `minerals[${index}]`) } },
-    ];
-  });
+  const options = { accuracy: accuracy.name, maxTime: maxTicks * TICK, budget };
+  return proveMineralsUnreachable(level, options, asked).flatMap((proof) =>
+    proof.about.kind === 'mineral' && verifyProof(level, proof).ok ? [{ index: proof.about.index, proof }] : [],
+  );
 }

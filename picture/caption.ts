@@ -1,5 +1,5 @@
 import type { Run } from '../engine/index.ts';
-import { type Hold, type Level, nameWhenTouched } from '../schema/index.ts';
+import { type Hold, type Level, touchedName } from '../schema/index.ts';
 import { drawLegend, type LegendEntry } from './legend.ts';
 import { drawSeveralTimelines, type NamedRun } from './several.ts';
 import { drawText, textWidth, wrapText } from './text.ts';
@@ -15,7 +15,7 @@ export function outcomeText(level: Level, run: Run): string {
   const time = `${run.time.toFixed(2)} s`;
   const what = {
     completed: `completed in ${time}`,
-    collided: `burned by ${run.with === null ? 'a hazard' : `${nameWhenTouched(run.with.kind)} ${run.with.index}`} at ${time}`,
+    collided: `burned by ${run.with === null ? 'a hazard' : touchedName(run.with.kind, run.with.index)} at ${time}`,
     lost: `lost at ${time}`,
     timeout: `nothing ended it in ${time}`,
   }[run.outcome];

@@ -1,6 +1,7 @@
 import { quote } from './format-value.ts';
 import { OBJECT_LISTS } from './kinds.ts';
-import { type Finding, MAX_FINDINGS, toWords } from './problem.ts';
+import { entryName, toWords } from './names.ts';
+import { type Finding, MAX_FINDINGS } from './problem.ts';
 
 const listOf = (value: unknown): readonly unknown[] => (Array.isArray(value) ? value : []);
 
@@ -16,24 +17,24 @@ function checkIds(level: unknown, into: Finding[]): void {
       if (typeof id !== 'string') continue;
       const owner = first.get(id);
       if (owner === undefined) {
-        first.set(id, `${list}[${i}]`);
+        first.set(id, entryName(list, i));
         continue;
       }
       const path = [list, i, 'id'];
-      const message = `${toWords(path)}: the id ${quote(id)} belongs to ${owner} already`;
+      const message = `${toWords(path)}: the id ${quote(id)} already belongs to ${owner}`;
       into.push({ code: 'duplicate-id', message, hint: 'Remove it here: gq fmt writes a new one.', path, part: 'value' });
     }
   }
 }
 
-function checkHold(hold: unknown, run: number, index: number, into: Finding[]): void {
+function checkHold(hold: unknown, run: number, index: number, level: unknown, into: Finding[]): void {
   if (!Array.isArray(hold) || hold.length !== 2) return;
   const [press, release] = hold as unknown[];
   if (typeof press !== 'number' || typeof release !== 'number' || release > press) return;
   const path = ['runs', run, 'holds', index];
   const problem = release === press ? 'never holds the gun' : 'is reversed';
   const hint = release === press ? 'Remove it, or release later.' : `Write [${release}, ${press}].`;
-  const message = `${toWords(path)}: the hold [${press}, ${release}] ${problem}: release must come after press`;
+  const message = `${toWords(path, level)}: [${press}, ${release}] ${problem}: the release must come after the press`;
   into.push({ code: 'reversed-hold', message, hint, path, part: 'value' });
 }
 
@@ -45,13 +46,13 @@ function checkRuns(level: unknown, into: Finding[]): void {
     const owner = typeof name === 'string' && name !== '' ? first.get(name) : undefined;
     if (typeof name === 'string' && owner === undefined) {
       first.set(name, r);
-    } else if (typeof name === 'string') {
+    } else if (typeof name === 'string' && owner !== undefined) {
       const path = ['runs', r, 'name'];
-      const message = `${toWords(path)}: the name ${quote(name)} belongs to runs[${owner}] already`;
+      const message = `${toWords(path)}: the name ${quote(name)} already belongs to run ${owner + 1}`;
       into.push({ code: 'duplicate-run-name', message, hint: 'Rename one of the two.', path, part: 'value' });
     }
     const holds = listOf(keyOf(runs[r], 'holds'));
-    for (let h = 0; h < holds.length && into.length < MAX_FINDINGS; h++) checkHold(holds[h], r, h, into);
+    for (let h = 0; h < holds.length && into.length < MAX_FINDINGS; h++) checkHold(holds[h], r, h, level, into);
   }
 }
 

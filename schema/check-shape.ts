@@ -4,7 +4,8 @@ import { formatValue, quote } from './format-value.ts';
 import { KINDS, LISTED_KINDS, OBJECT_KINDS, OBJECT_LISTS, SINGLE_KINDS } from './kinds.ts';
 import { LEVEL_VERSION, levelSchema, OBJECT_SCHEMAS } from './level.ts';
 import { LIMITS } from './limits.ts';
-import { type Finding, MAX_FINDINGS, type Path, toWords } from './problem.ts';
+import { toWords } from './names.ts';
+import { type Finding, MAX_FINDINGS, type Path, toPointer } from './problem.ts';
 import { rulesSchema } from './rules.ts';
 
 const { shape } = levelSchema;
@@ -85,18 +86,22 @@ function keysAt(path: Path): string[] {
 
 const found = (path: Path, code: Finding['code'], message: string, hint: string): Finding => ({
   code,
-  message: path.length === 0 ? message : `${toWords(path)}: ${message}`,
+  message,
   hint,
   path,
   part: 'value',
 });
 
-function unknownKey(path: Path, key: string): { finding: Finding; meant: string | null } {
+/** A finding about a value, which its message names first. @param level what the path leads into */
+const named = (finding: Finding, level: unknown): Finding =>
+  finding.path.length === 0 ? finding : { ...finding, message: `${toWords(finding.path, level)}: ${finding.message}` };
+
+function unknownKey(path: Path, key: string, level: unknown): { finding: Finding; meant: string | null } {
   const known = keysAt(path);
   const original = Object.hasOwn(NAMES_OF_THE_ORIGINAL, key) ? NAMES_OF_THE_ORIGINAL[key] : '';
   const isOriginal = known.includes(original);
   const meant = isOriginal ? original : closestName(key, known);
-  const where = path.length === 0 ? '' : ` in ${toWords(path)}`;
+  const where = path.length === 0 ? '' : ` in ${toWords(path, level)}`;
   const guess = meant === null ? '' : `: did you mean "${meant}"?`;
   let hint = `Known keys are ${known.join(', ')}. Keys of your own begin with x-.`;
   if (isOriginal) hint = `Write "${meant}"; gq import reads files of the original game.`;
@@ -105,14 +110,14 @@ function unknownKey(path: Path, key: string): { finding: Finding; meant: string 
   return { finding: { code: 'unknown-key', message, hint, path: [...path, key], part: 'key' }, meant };
 }
 
-function missingKey(path: Path): Finding {
+function missingKey(path: Path, level: unknown): Finding {
   const object = path.slice(0, -1);
   const key = String(path[path.length - 1]);
   if (object.length === 0 && key === 'version') {
     const hint = `Add "version": ${LEVEL_VERSION} as the first key.`;
     return { code: 'missing-version', message: 'the key "version" is missing', hint, path: object, part: 'value' };
   }
-  const where = object.length === 0 ? '' : ` in ${toWords(object)}`;
+  const where = object.length === 0 ? '' : ` in ${toWords(object, level)}`;
   return {
     code: 'missing-key',
     message: `the key "${key}" is missing${where}`,
@@ -167,8 +172,11 @@ function toFinding(issue: z.core.$ZodIssue, path: Path, value: unknown): Finding
   return found(path, 'unsupported-version', message, `Write "version": ${LEVEL_VERSION}.`);
 }
 
-/** Checks one part of a level and puts what zod finds into words. */
-function checkPart(schema: z.core.$ZodType, part: unknown, base: Path, into: Finding[]): void {
+/**
+ * Checks one part of a level and puts what zod finds into words.
+ * @param level the whole level, for the names of its runs
+ */
+function checkPart(schema: z.core.$ZodType, part: unknown, base: Path, level: unknown, into: Finding[]): void {
   const parsed = z.safeParse(schema, part);
   if (parsed.success) return;
   const meant = new Set<string>();
@@ -178,9 +186,9 @@ function checkPart(schema: z.core.$ZodType, part: unknown, base: Path, into: Fin
     const path = [...base, ...(issue.path as Path)];
     for (const key of issue.keys) {
       if (into.length >= MAX_FINDINGS) return;
-      const unknown = unknownKey(path, key);
+      const unknown = unknownKey(path, key, level);
       into.push(unknown.finding);
-      if (unknown.meant !== null) meant.add(toWords([...path, unknown.meant]));
+      if (unknown.meant !== null) meant.add(toPointer([...path, unknown.meant]));
     }
   }
   for (const issue of parsed.error.issues) {
@@ -188,33 +196,32 @@ function checkPart(schema: z.core.$ZodType, part: unknown, base: Path, into: Fin
     if (into.length >= MAX_FINDINGS) return;
     const inner = issue.path as Path;
     const path = [...base, ...inner];
-    const words = toWords(path);
+    const pointer = toPointer(path);
     // one problem per value is enough: the first is the most basic one
-    if (seen.has(words)) continue;
-    seen.add(words);
+    if (seen.has(pointer)) continue;
+    seen.add(pointer);
     const value = valueAt(part, inner);
-    if (value !== undefined) into.push(toFinding(issue, path, value));
+    if (value !== undefined) into.push(named(toFinding(issue, path, value), level));
     // a misspelt key is one problem, not two
-    else if (!meant.has(words)) into.push(missingKey(path));
+    else if (!meant.has(pointer)) into.push(missingKey(path, level));
   }
 }
 
-function checkLength(list: readonly unknown[], most: number, path: Path, into: Finding[]): boolean {
+function checkLength(list: readonly unknown[], most: number, path: Path, level: unknown, into: Finding[]): boolean {
   if (list.length <= most) return true;
-  into.push(
-    found(path, 'too-many', `expected at most ${most} entries, found ${list.length}`, 'Remove entries, or split the level.'),
-  );
+  const message = `expected at most ${most} entries, found ${list.length}`;
+  into.push(named(found(path, 'too-many', message, 'Remove entries, or split the level.'), level));
   return false;
 }
 
-function checkRuns(runs: readonly unknown[], into: Finding[]): void {
+function checkRuns(runs: readonly unknown[], level: unknown, into: Finding[]): void {
   for (let r = 0; r < runs.length && into.length < MAX_FINDINGS; r++) {
     const run = runs[r];
     const holds = isObject(run) && Array.isArray(run.holds) ? run.holds : null;
-    checkPart(parts().run, holds === null ? run : { ...(run as object), holds: [] }, ['runs', r], into);
-    if (holds === null || !checkLength(holds, LIMITS.holds, ['runs', r, 'holds'], into)) continue;
+    checkPart(parts().run, holds === null ? run : { ...(run as object), holds: [] }, ['runs', r], level, into);
+    if (holds === null || !checkLength(holds, LIMITS.holds, ['runs', r, 'holds'], level, into)) continue;
     for (let h = 0; h < holds.length && into.length < MAX_FINDINGS; h++) {
-      checkPart(parts().hold, holds[h], ['runs', r, 'holds', h], into);
+      checkPart(parts().hold, holds[h], ['runs', r, 'holds', h], level, into);
     }
   }
 }
@@ -228,16 +235,17 @@ export function checkShape(value: unknown): Finding[] {
   if (!isObject(value)) return [wrongType([], 'object', value)];
   const hollow = { ...value };
   for (const list of [...OBJECT_LISTS, 'runs']) if (Array.isArray(hollow[list])) hollow[list] = [];
-  checkPart(parts().root, hollow, [], findings);
+  checkPart(parts().root, hollow, [], value, findings);
   for (const list of OBJECT_LISTS) {
     const entries = value[list];
-    if (!Array.isArray(entries) || !checkLength(entries, LIMITS.objects, [list], findings)) continue;
+    if (!Array.isArray(entries) || !checkLength(entries, LIMITS.objects, [list], value, findings)) continue;
     const schema = parts().elements[list];
     for (let i = 0; i < entries.length && findings.length < MAX_FINDINGS; i++) {
-      checkPart(schema, entries[i], [list, i], findings);
+      checkPart(schema, entries[i], [list, i], value, findings);
     }
   }
-  if (Array.isArray(value.runs) && checkLength(value.runs, LIMITS.runs, ['runs'], findings)) checkRuns(value.runs, findings);
+  if (Array.isArray(value.runs) && checkLength(value.runs, LIMITS.runs, ['runs'], value, findings))
+    checkRuns(value.runs, value, findings);
   return findings;
 }
 
@@ -251,6 +259,6 @@ export function checkFolderRules(value: unknown): Finding[] {
     const message = `expected the configuration of a folder, an object in { }, found ${formatValue(value)}`;
     return [found([], 'wrong-type', message, 'Write { "rules": { } }.')];
   }
-  if (value.rules !== undefined) checkPart(rulesSchema, value.rules, ['rules'], findings);
+  if (value.rules !== undefined) checkPart(rulesSchema, value.rules, ['rules'], value, findings);
   return findings;
 }

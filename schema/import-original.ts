@@ -3,7 +3,8 @@ import { withIds } from './ids.ts';
 import { fieldsOf, isRequired, KINDS, OBJECT_KINDS, type ObjectKind } from './kinds.ts';
 import { LEVEL_VERSION, type LevelFile } from './level.ts';
 import { LIMITS } from './limits.ts';
-import { type Finding, MAX_FINDINGS, type Path, type Problem, toWords } from './problem.ts';
+import { toWords } from './names.ts';
+import { type Finding, MAX_FINDINGS, type Path, type Problem } from './problem.ts';
 import { readJson, toProblems } from './read-json.ts';
 
 /** A level of the original game, as a level file. */

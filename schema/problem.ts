@@ -51,14 +51,3 @@ export function fromPointer(pointer: string): string[] {
     .slice(1)
     .map((step) => step.replaceAll('~1', '/').replaceAll('~0', '~'));
 }
-
-/** A path as people write it: `asteroids[3].radius`; '' for the root. */
-export function toWords(path: Path): string {
-  let words = '';
-  for (const step of path) {
-    if (typeof step === 'number') words += `[${step}]`;
-    else if (!/^[\w$-]+$/.test(step)) words += `[${JSON.stringify(step)}]`;
-    else words += words === '' ? step : `.${step}`;
-  }
-  return words;
-}

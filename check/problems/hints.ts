@@ -1,12 +1,5 @@
-import type { FirstIndex } from '../words/index.ts';
-
-/**
- * Words that depend on where problems are read: the command line or the editor. They say how objects are numbered there and
- * what can be done there.
- */
+/** Words that depend on where problems are read, the command line or the editor: they say what can be done there. */
 export interface Hints {
-  /** The number of the first object of a kind. */
-  readonly first: FirstIndex;
   /** How to give a level its first run. */
   readonly firstRun: string;
   /**

@@ -1,3 +1,4 @@
+import { objectName } from '../../schema/index.ts';
 import type { LostMineral } from '../proofs.ts';
 import type { CheckProblem } from './problem.ts';
 
@@ -5,7 +6,7 @@ import type { CheckProblem } from './problem.ts';
 export const mineralLost = ({ index, proof }: LostMineral): CheckProblem => ({
   code: 'mineral-never-collectable',
   severity: 'warning',
-  message: `nobody can collect minerals[${index}]: ${proof.reason}`,
+  message: `nobody can collect ${objectName('mineral', index)}: ${proof.reason}`,
   hint: `proved (${proof.code}), and confirmed by a separate checker: move the mineral, or what keeps her from it`,
   pointer: `/minerals/${index}`,
 });

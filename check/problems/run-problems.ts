@@ -29,7 +29,7 @@ export function failedRun(
   return {
     code: 'run-does-not-complete',
     severity: isCompletable ? 'warning' : 'error',
-    message: `run ${JSON.stringify(run.name)} does not complete the level under ${accuracy}: ${outcomeInWords(run, range, hints.first)}`,
+    message: `run ${JSON.stringify(run.name)} does not complete the level under ${accuracy}: ${outcomeInWords(run, range)}`,
     hint: `${todo}${hints.seeRun(run.name)}`,
     pointer: `/runs/${index}`,
   };
@@ -43,7 +43,7 @@ export function hangingRun({ index, name, ends }: AccuracyHang, range: number, h
   const good = ends.filter(({ end }) => end.outcome === 'completed').map(({ accuracy }) => accuracy);
   const bad = ends
     .filter(({ end }) => end.outcome !== 'completed')
-    .map(({ accuracy, end }) => `${accuracy} (${outcomeInWords(end, range, hints.first)})`);
+    .map(({ accuracy, end }) => `${accuracy} (${outcomeInWords(end, range)})`);
   return {
     code: 'verdict-hangs-on-accuracy',
     severity: 'warning',

@@ -4,7 +4,6 @@ export { holdsInWords } from './holds.ts';
 export {
   bodyInWords,
   countMinerals,
-  type FirstIndex,
   outcomeAsPredicate,
   outcomeInWords,
   type RunEnd,

@@ -1,5 +1,5 @@
 import type { Outcome, Run, Touched } from '../../engine/index.ts';
-import { KINDS, nameWhenTouched } from '../../schema/index.ts';
+import { touchedName } from '../../schema/index.ts';
 
 /** How a run ended. */
 export interface RunEnd {
@@ -13,27 +13,22 @@ export interface RunEnd {
   readonly tick: number;
 }
 
-/** The number of the first object of a kind: 0 in JSON, 1 in words for people. */
-export type FirstIndex = 0 | 1;
-
 /** Names an object: `nova 2`, `the black hole`. */
-export const bodyInWords = ({ kind, index }: Touched, first: FirstIndex = 0): string =>
-  KINDS[kind].list === null ? `the ${KINDS[kind].one}` : `${nameWhenTouched(kind)} ${first + index}`;
+export const bodyInWords = ({ kind, index }: Touched): string => touchedName(kind, index);
 
-const touchedInWords = (touched: Touched | null, first: FirstIndex): string =>
-  touched === null ? 'something' : bodyInWords(touched, first);
+const touchedInWords = (touched: Touched | null): string => (touched === null ? 'something' : bodyInWords(touched));
 
 /**
  * How a run ended, for a report: `collided with nova 2 at 3.217 s (tick 193)`.
  * @param range range of the level, px
  */
-export function outcomeInWords(end: RunEnd, range: number, first: FirstIndex = 0): string {
+export function outcomeInWords(end: RunEnd, range: number): string {
   const when = `at ${end.time.toFixed(3)} s (tick ${end.tick})`;
   switch (end.outcome) {
     case 'completed':
       return `completed ${when}`;
     case 'collided':
-      return `collided with ${touchedInWords(end.with, first)} ${when}`;
+      return `collided with ${touchedInWords(end.with)} ${when}`;
     case 'lost':
       return `lost ${when}: farther than ${range} px from every asteroid`;
     case 'timeout':
@@ -51,7 +46,7 @@ export function outcomeAsPredicate(end: RunEnd, range: number): string {
     case 'completed':
       return `reaches the black hole ${when}`;
     case 'collided':
-      return `collides with ${touchedInWords(end.with, 1)} ${when}`;
+      return `collides with ${touchedInWords(end.with)} ${when}`;
     case 'lost':
       return `is lost ${when}, farther than ${range} px from every asteroid`;
     case 'timeout':
@@ -68,7 +63,7 @@ export function reasonInWords(end: RunEnd, range: number): string | null {
     case 'completed':
       return null;
     case 'collided':
-      return `hits ${touchedInWords(end.with, 1)}`;
+      return `hits ${touchedInWords(end.with)}`;
     case 'lost':
       return `lost: farther than ${range} px from every asteroid`;
     case 'timeout':

@@ -6,7 +6,6 @@ import { shellPath } from '../shown-path.ts';
 export function commandHints(file: string): Hints {
   const path = shellPath(file);
   return {
-    first: 0,
     firstRun: `let one be found: gq solve ${path} --write; or add "runs": [{ "name": "solution", "holds": [[press, release], ...] }], in ticks of 1/60 s`,
     seeRun: (name) => `; see gq simulate ${path} --run ${JSON.stringify(name)}`,
     seeAccuracies: (name) => `; see gq accuracy ${path} --run ${JSON.stringify(name)}`,

@@ -2,7 +2,7 @@ import { proveGoalImpossible } from '../../check/index.ts';
 import { effortInWords, outcomeInWords, plural } from '../../check/words/index.ts';
 import { type Accuracy, compile, joinHolds, type Scene, simulate, TICK, TICK_RATE } from '../../engine/index.ts';
 import type { RenderOptions } from '../../picture/index.ts';
-import type { Hold, Level } from '../../schema/index.ts';
+import { type Hold, type Level, objectName } from '../../schema/index.ts';
 import { createRandom, createSearch, type Goal, proofPicture, type Search } from '../../solver/index.ts';
 import type { ChosenRun } from '../chosen-run.ts';
 import { percent } from '../report-parts/index.ts';
@@ -134,6 +134,6 @@ const nearestTime = (tick: number): number => tick * TICK;
 export function viewProof({ level, accuracy, maxTime }: Subject, goal: Goal): View | null {
   const proof = proveGoalImpossible(level, accuracy, goal, Math.round(maxTime * TICK_RATE));
   if (proof === null) return null;
-  const what = proof.about.kind === 'blackHole' ? 'impossible' : `mineral ${proof.about.index} is out of reach`;
+  const what = proof.about.kind === 'blackHole' ? 'impossible' : `${objectName('mineral', proof.about.index)} is out of reach`;
   return { title: `${level.name}: ${what}`, note: `Proved: ${proof.reason}.`, proof: proofPicture(level, proof) };
 }

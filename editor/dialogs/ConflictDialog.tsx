@@ -2,7 +2,6 @@ import { useEffect, useMemo, useState } from 'react';
 import { useStore } from 'zustand';
 import { formatLevel, type LevelFile, type Problem } from '../../schema/index.ts';
 import { LevelContext, useDocument, useEditor, useLevel, useSession } from '../context/index.ts';
-import { inPageWords } from '../document/index.ts';
 import { type Choices, type Conflict, folderOf, mergeLevels, readStored, type Side } from '../files/index.ts';
 import { addLevels, openListed, stemOf, TextDialog } from '../panels/levels/index.ts';
 import { Button, Dialog } from '../ui/index.ts';
@@ -209,7 +208,7 @@ function Displaced({ problems, onFix, onClose }: DisplacedProps) {
           {problems.slice(0, 3).map(({ code, pointer, line, column, message, hint }) => (
             <li key={`${code} ${pointer} ${line}`}>
               {line !== null && <span className="astext__place">{`${line}:${column} `}</span>}
-              {inPageWords(message)}. <span className="astext__hint">{inPageWords(hint)}</span>
+              {message}. <span className="astext__hint">{hint}</span>
             </li>
           ))}
         </ul>

@@ -17,7 +17,6 @@ export {
   objectsOf,
 } from './objects.ts';
 export * from './operations/index.ts';
-export { inPageWords } from './page-words.ts';
 export { applyPatches, diffFiles, isSame, type Patch } from './patch.ts';
 export { placesOf } from './places.ts';
 export { createSelection, type SelectionStore } from './selection.ts';

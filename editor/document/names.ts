@@ -1,11 +1,8 @@
-import { appearanceOfObject } from '../../schema/index.ts';
+import { objectName } from '../../schema/index.ts';
 import type { FoundObject } from './objects.ts';
 
 /** With a capital letter at the beginning: `Black hole`. */
 export const titled = (words: string): string => `${words.charAt(0).toUpperCase()}${words.slice(1)}`;
 
 /** `Hot asteroid 3`; the number is the position in its list, from 1. */
-export function nameOf({ kind, list, index, object }: FoundObject): string {
-  const title = titled(appearanceOfObject(kind, object).one);
-  return list === null ? title : `${title} ${index + 1}`;
-}
+export const nameOf = ({ kind, index, object }: FoundObject): string => titled(objectName(kind, index, object));

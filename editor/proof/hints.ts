@@ -2,7 +2,6 @@ import type { Hints } from '../../check/index.ts';
 
 /** Hints of problems on the page. */
 export const PAGE_HINTS: Hints = {
-  first: 1,
   firstRun: 'play the level and keep an attempt as a run, or let the solver find a run',
   // both are visible: the run on the canvas, the others a click away
   seeRun: () => '',

@@ -1,5 +1,4 @@
 import { formatLevel, type LevelFile, type Problem } from '../../schema/index.ts';
-import { inPageWords } from '../document/index.ts';
 import { readText } from '../files/index.ts';
 
 /** A link, or why there is none. */
@@ -80,7 +79,7 @@ export async function levelOf(fragment: string): Promise<Linked | null> {
   if (reading.ok) return reading;
   return {
     ok: false,
-    message: `the link contains no valid level: ${inPageWords(reading.problems[0].message)}`,
+    message: `the link contains no valid level: ${reading.problems[0].message}`,
     problems: reading.problems,
   };
 }

@@ -150,5 +150,5 @@ export function strongestOf(effects: readonly Effect[], level: Level, rules: Rul
  */
 export function effectEventInWords({ effect, what, index }: Extract<RunEvent, { type: 'effect' }>): string {
   const tell = EFFECTS.find(({ name }) => name === effect)?.tells?.[what];
-  return tell === undefined ? `${effect} ${index}: ${what}` : tell(index);
+  return tell === undefined ? `${effect} ${index + 1}: ${what}` : tell(index);
 }

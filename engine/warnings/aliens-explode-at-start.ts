@@ -1,3 +1,4 @@
+import { objectName } from '../../schema/index.ts';
 import { distance, px } from './geometry.ts';
 import { overlaps } from './pairs.ts';
 import type { Rule } from './warning.ts';
@@ -16,7 +17,7 @@ export const aliensExplodeAtStart: Rule = {
     for (const [a, b] of overlaps(aliens)) {
       const reach = a.radius + b.radius;
       yield {
-        message: `aliens[${a.i}] and aliens[${b.i}] explode at the start: centres ${px(distance(a, b))} apart, and they touch below ${px(reach)}`,
+        message: `${objectName('alien', a.i)} and ${objectName('alien', b.i)} explode at the start: their centres are ${px(distance(a, b))} apart, and they touch below ${px(reach)}`,
         hint: `move them apart by ${px(reach - distance(a, b))} or more`,
         pointer: `/aliens/${a.i}`,
       };

@@ -1,4 +1,4 @@
-import type { Level } from '../../schema/index.ts';
+import { type Level, objectName } from '../../schema/index.ts';
 
 /** A solid circle of a level, which she may touch. Lengths are in px. */
 export interface Body {
@@ -33,8 +33,11 @@ export function bodiesOf(level: Level): Body[] {
 /** The JSON pointer of a body in the level file. */
 export const pointerOf = ({ kind, index }: Body): string => (kind === 'black hole' ? '/blackHole' : `/${LIST_OF[kind]}/${index}`);
 
-/** The name of a body in a sentence: `nova novae[2]`. */
-export const nameOf = ({ kind, index }: Body): string => (kind === 'black hole' ? kind : `${kind} ${LIST_OF[kind]}[${index}]`);
+/** The name of a body in a sentence: `nova 3`, `the black hole`. */
+export function nameOf({ kind, index }: Body): string {
+  if (kind === 'black hole') return 'the black hole';
+  return kind === 'hot asteroid' ? objectName('asteroid', index, { hot: true }) : objectName(kind, index);
+}
 
 /** Whether touching it ends a run with `collided`. */
 export const isHazard = ({ kind }: Body): boolean => kind === 'nova' || kind === 'hot asteroid' || kind === 'alien';

@@ -1,3 +1,4 @@
+import { objectName } from '../../schema/index.ts';
 import { nameOf, staysPut } from './bodies.ts';
 import { covers, distance, px } from './geometry.ts';
 import { overlapsBetween } from './pairs.ts';
@@ -20,7 +21,7 @@ export const mineralCovered: Rule = {
     for (const [mineral, hazard] of overlapsBetween(minerals, hazards)) {
       if (told.has(mineral.index) || !covers(hazard, mineral)) continue;
       told.add(mineral.index);
-      const name = `minerals[${mineral.index}]`;
+      const name = objectName('mineral', mineral.index);
       const apart = distance(hazard, mineral);
       yield {
         message: `${name} lies inside ${nameOf(hazard)}: centres ${px(apart)} apart, radius ${px(mineral.radius)} against ${px(hazard.radius)}`,

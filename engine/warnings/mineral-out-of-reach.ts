@@ -1,3 +1,4 @@
+import { objectName } from '../../schema/index.ts';
 import { outOfReach, RULE_OF_REACH } from './out-of-reach.ts';
 import type { Rule } from './warning.ts';
 
@@ -12,7 +13,7 @@ export const mineralOutOfReach: Rule = {
   },
   *find(subject) {
     for (const [i, mineral] of subject.level.minerals.entries()) {
-      yield* outOfReach(subject, `minerals[${i}]`, mineral, `/minerals/${i}`);
+      yield* outOfReach(subject, objectName('mineral', i), mineral, `/minerals/${i}`);
     }
   },
 };

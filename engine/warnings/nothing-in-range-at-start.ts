@@ -1,3 +1,4 @@
+import { objectName } from '../../schema/index.ts';
 import { distance, px } from './geometry.ts';
 import type { Rule } from './warning.ts';
 
@@ -30,7 +31,7 @@ export const nothingInRangeAtStart: Rule = {
     }
     if (least <= range) return;
     yield {
-      message: `the astronaut is lost at the start: the nearest asteroid, asteroids[${nearest}], is ${px(least)} away, the range is ${px(range)}`,
+      message: `the astronaut is lost at the start: the nearest asteroid, ${objectName('asteroid', nearest)}, is ${px(least)} away, the range is ${px(range)}`,
       hint: `bring one of them ${px(least - range)} nearer, or raise range to ${px(least)} or more`,
       pointer: '/astronaut',
     };

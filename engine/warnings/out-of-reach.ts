@@ -1,3 +1,4 @@
+import { objectName } from '../../schema/index.ts';
 import { px } from './geometry.ts';
 import type { Finding, Subject } from './warning.ts';
 
@@ -19,7 +20,7 @@ export function* outOfReach(
   const whom = reach.hasIslands ? 'the nearest asteroid she can come to' : 'the nearest asteroid';
   yield {
     message:
-      `${what} is out of reach: ${whom}, asteroids[${nearest.index}], is ${px(nearest.distance)} away, ` +
+      `${what} is out of reach: ${whom}, ${objectName('asteroid', nearest.index)}, is ${px(nearest.distance)} away, ` +
       `and farther than ${px(limit)} she is lost before she touches it (range ${px(level.range)})`,
     hint: `bring ${what} and an asteroid ${px(nearest.distance - limit)} nearer to each other, and more to give the player room, or raise the range`,
     pointer,

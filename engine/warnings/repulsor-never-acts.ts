@@ -1,3 +1,4 @@
+import { objectName } from '../../schema/index.ts';
 import { covers, distance, px } from './geometry.ts';
 import { overlaps } from './pairs.ts';
 import type { Rule } from './warning.ts';
@@ -18,11 +19,13 @@ export const repulsorNeverActs: Rule = {
       // at the very same place, the warning `same-place` is enough
       if (told.has(later.i) || distance(first, later) === 0 || !covers(first, later)) continue;
       told.add(later.i);
+      const name = objectName('repulsor', later.i);
+      const other = objectName('repulsor', first.i);
       yield {
         message:
-          `repulsors[${later.i}] never pushes: it lies inside repulsors[${first.i}], which comes first ` +
+          `${name} never pushes: it lies inside ${other}, which comes first ` +
           `(centres ${px(distance(first, later))} apart, radius ${px(later.radius)} against ${px(first.radius)})`,
-        hint: `put repulsors[${later.i}] before repulsors[${first.i}], move it or delete it`,
+        hint: `put ${name} before ${other}, move it or delete it`,
         pointer: `/repulsors/${later.i}`,
       };
     }

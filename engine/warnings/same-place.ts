@@ -1,4 +1,4 @@
-import { OBJECT_LISTS } from '../../schema/index.ts';
+import { entryName, OBJECT_LISTS } from '../../schema/index.ts';
 import type { Rule } from './warning.ts';
 
 /** A copy that was never moved from its original. */
@@ -14,8 +14,8 @@ export const samePlace: Rule = {
     for (const list of OBJECT_LISTS) {
       for (const [i, first] of copies[list]) {
         yield {
-          message: `${list}[${i}] has the same centre as ${list}[${first}]: 0 px apart`,
-          hint: `move or delete ${list}[${i}]`,
+          message: `${entryName(list, i)} has the same centre as ${entryName(list, first)}: 0 px apart`,
+          hint: `move or delete ${entryName(list, i)}`,
           pointer: `/${list}/${i}`,
         };
       }

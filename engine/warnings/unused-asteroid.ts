@@ -1,4 +1,4 @@
-import type { Level } from '../../schema/index.ts';
+import { type Level, objectName } from '../../schema/index.ts';
 import type { Run } from '../simulate.ts';
 import { STATE_SIZE } from '../simulation.ts';
 import { px } from './geometry.ts';
@@ -31,7 +31,7 @@ export const unusedAsteroid: Rule = {
       if (used.has(i)) continue;
       yield {
         message:
-          `asteroids[${i}] is not used: none of ${completed.length} completing run${completed.length === 1 ? '' : 's'} targets it, ` +
+          `${objectName('asteroid', i)} is not used: none of ${completed.length} completing run${completed.length === 1 ? '' : 's'} targets it, ` +
           `and another asteroid is always within the range of ${px(level.range)}`,
         hint: 'delete it or add a run that uses it; if it is scenery or a lure, leave it',
         pointer: `/asteroids/${i}`,

@@ -1,3 +1,4 @@
+import { objectName } from '../../schema/index.ts';
 import type { About, Proof } from './proof.ts';
 import { exitOf, mouthDiscs } from './rims.ts';
 import { distance, surelyLess } from './rounding.ts';
@@ -42,7 +43,7 @@ export function proveOutOfRange(setting: Setting, about: About, goal: Thing): Pr
     reason:
       nearest < 0
         ? `${subject(about)} is out of reach: no asteroid is in range of the start, so she is lost at once`
-        : `${subject(about)} is ${px(least)} from ${whom}, asteroids[${nearest}], she is lost beyond ${px(level.range)} and her box touches it ` +
+        : `${subject(about)} is ${px(least)} from ${whom}, ${objectName('asteroid', nearest)}, she is lost beyond ${px(level.range)} and her box touches it ` +
           `from at most ${px(goal.touch)}: move it or add an asteroid ${all ? '' : 'she can come to '}within ${px(limit)} of it`,
     covers: jump > 0 ? ALL_ACCURACIES : CONTINUOUS,
     maxTime: level.recoil ? maxTime : null,

@@ -1,4 +1,5 @@
 import { type Box, TICK } from '../../engine/index.ts';
+import { objectName } from '../../schema/index.ts';
 import { speedAfter, unbentSpeed } from './assumptions.ts';
 import { type StandingCircle, standingCircles } from './blockers.ts';
 import { findDeadEnd } from './dead-end.ts';
@@ -358,7 +359,7 @@ function reasonOf({ level }: Setting, about: About, line: Line, { back, front }:
       : `on one side is ${end(front)}, on the other ${end(back)}`;
   const before = [back, front].some(({ by }) => by.kind === 'dead-end') ? ' before a dead end' : '';
   return (
-    `${subject(about)} is not on the line that she is bound to: from rest the gun pulls her straight towards asteroids[${line.target}], ` +
+    `${subject(about)} is not on the line that she is bound to: from rest the gun pulls her straight towards ${objectName('asteroid', line.target)}, ` +
     `no other asteroid becomes nearer${before}${level.repulsors.length > 0 ? ' and no field is in the way' : ''}, and ${where}: ` +
     'give her some speed at the start, move the start, or bring another asteroid nearer to that line'
   );

@@ -85,20 +85,26 @@ export function proveBy(prover: Prover, level: Level, about: About, options: Pro
 }
 
 /**
- * Tries to prove of each mineral that no run can collect it. In levels with more than 64 minerals only the cheap provers are
+/**
+ * Tries to prove of each mineral that no run can collect it. When there are more than 64 of them, only the cheap provers are
  * used.
  * @param level the level
  * @param options the accuracy, the length of the longest run and a limit on the work
- * @returns one proof for each mineral that is proved unreachable, in the order of the level's list
+ * @param asked indices of the minerals to examine; all of them by default
+ * @returns one proof for each mineral that is proved unreachable, in the order of `asked`
  */
-export function proveMineralsUnreachable(level: Level, options: ProveOptions = {}): Proof[] {
+export function proveMineralsUnreachable(
+  level: Level,
+  options: ProveOptions = {},
+  asked: readonly number[] = [...level.minerals.keys()],
+): Proof[] {
   const settings = settingsOf(level, options);
   // Whether all runs end soon does not depend on the mineral, so it is decided once.
   let isSoonOver: boolean | null = null;
-  return level.minerals.flatMap((mineral, index) => {
+  return asked.flatMap((index) => {
     const about = { kind: 'mineral', index } as const;
-    const goal = thingOf(level, mineral);
-    const proof = prove(settings, level.minerals.length <= MOST_MINERALS ? [...CHEAP, ...DEAR] : CHEAP, about, goal, options);
+    const goal = thingOf(level, level.minerals[index]);
+    const proof = prove(settings, asked.length <= MOST_MINERALS ? [...CHEAP, ...DEAR] : CHEAP, about, goal, options);
     if (proof !== null) return proof;
     isSoonOver ??= proveSoonOver(settings, { kind: 'blackHole' }, thingOf(level, level.blackHole), options) !== null;
     return isSoonOver ? (proveSoonOver(settings, about, goal, options) ?? []) : [];

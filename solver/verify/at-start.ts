@@ -1,3 +1,4 @@
+import { objectName } from '../../schema/index.ts';
 import type { ThingRef } from '../proofs/index.ts';
 import type { Claim } from './claim.ts';
 import { apart, isIndex, less } from './rounded.ts';
@@ -10,7 +11,7 @@ const START = { x: 0, y: 0 };
  */
 export function checkNothingInRange(claim: Claim): string | null {
   const near = claim.level.asteroids.findIndex((a) => !less(claim.level.range, apart(claim.place(a), START)));
-  if (near >= 0) return `asteroids[${near}] is not farther from the start than the range`;
+  if (near >= 0) return `${objectName('asteroid', near)} is not farther from the start than the range`;
   return less(claim.touch, apart(claim.thing, START)) ? null : 'she may touch it at the start';
 }
 

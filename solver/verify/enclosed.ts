@@ -1,3 +1,4 @@
+import { objectName } from '../../schema/index.ts';
 import type { BarrierEdge, Blocker } from '../proofs/index.ts';
 import type { Claim } from './claim.ts';
 import { standingHazard } from './hazards.ts';
@@ -23,10 +24,10 @@ export function checkEnclosed(claim: Claim, barrier: readonly BarrierEdge[]): st
   for (const [i, { by }] of barrier.entries()) {
     const a = corners[i];
     const b = corners[(i + 1) % corners.length];
-    if (!less(touch, distanceToSegment(claim.thing, a, b))) return `she may touch it from edge ${i} of the barrier`;
-    if (!less(0, distanceToSegment(START, a, b))) return `the start lies on edge ${i} of the barrier`;
+    if (!less(touch, distanceToSegment(claim.thing, a, b))) return `she may touch it from edge ${i + 1} of the barrier`;
+    if (!less(0, distanceToSegment(START, a, b))) return `the start lies on edge ${i + 1} of the barrier`;
     const why = by?.kind === 'range' ? checkOutside(claim, a, b) : checkHazard(claim, by, a, b);
-    if (why !== null) return `edge ${i} of the barrier: ${why}`;
+    if (why !== null) return `edge ${i + 1} of the barrier: ${why}`;
   }
   if (isInside(corners, START) === isInside(corners, claim.thing)) return 'the barrier does not lie between the start and it';
   return checkMouths(claim, corners);
@@ -49,7 +50,7 @@ function checkOutside(claim: Claim, a: Point, b: Point): string | null {
     const reach = claim.level.range + claim.drift(i) + claim.jump / 2;
     return !less(reach, distanceToSegment(claim.place(asteroid), a, b));
   });
-  return near < 0 ? null : `it is in range of asteroids[${near}]`;
+  return near < 0 ? null : `it is in range of ${objectName('asteroid', near)}`;
 }
 
 /**

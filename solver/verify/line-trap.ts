@@ -1,4 +1,5 @@
 import { TICK } from '../../engine/index.ts';
+import { objectName } from '../../schema/index.ts';
 import type { Drift, LineEnd, LineTrap } from '../proofs/index.ts';
 import { speedAfter, unlimited } from './assumptions.ts';
 import type { Claim } from './claim.ts';
@@ -80,16 +81,16 @@ export function checkLineTrap(claim: Claim, { target, back, front, drift }: Line
       const toOther = apart({ x: at, y: 0 }, { x: line.along(other), y: line.aside(other) });
       const isDeadEnd = (at === to ? front : back).by?.kind === 'dead-end';
       const isNearer = isDeadEnd ? toTarget < toOther + TIE : less(toTarget + 2 * TUBE, toOther);
-      if (!isNearer) return `asteroids[${i}] may be the nearer one on the stretch`;
+      if (!isNearer) return `${objectName('asteroid', i)} may be the nearer one on the stretch`;
     }
   }
   for (const [i, field] of repulsors.entries()) {
     if (!less(field.radius + TUBE, gap(line, claim.place(field), from, to, 0, 0)))
-      return `repulsors[${i}] may push her on the stretch`;
+      return `${objectName('repulsor', i)} may push her on the stretch`;
   }
   for (const [i, wind] of claim.level.winds.entries()) {
     if (!less(wind.radius + TUBE, gap(line, claim.place(wind), from, to, 0, 0)))
-      return `winds[${i}] may blow on her on the stretch`;
+      return `${objectName('wind', i)} may blow on her on the stretch`;
   }
   if (mouthsOf(claim).some((mouth) => !less(mouth.radius + TUBE, gap(line, mouth, from, to, 0, 0))))
     return 'a wormhole may take her off the stretch';

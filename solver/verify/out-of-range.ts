@@ -1,3 +1,4 @@
+import { objectName } from '../../schema/index.ts';
 import type { Claim } from './claim.ts';
 import { mouthsOf } from './mouths.ts';
 import { apart, isIndex, less } from './rounded.ts';
@@ -24,13 +25,15 @@ export function checkOutOfRange(claim: Claim, listed: readonly number[], listedM
   for (const [i, a] of place.entries()) {
     if (inside.has(i)) {
       const reach = range + claim.drift(i) + claim.touch;
-      if (!less(reach, apart(a, claim.thing))) return `she may touch it in range of asteroids[${i}]`;
+      if (!less(reach, apart(a, claim.thing))) return `she may touch it in range of ${objectName('asteroid', i)}`;
       continue;
     }
-    if (!less(range + claim.drift(i), apart(a, START))) return `asteroids[${i}] is in range of the start and not listed`;
+    if (!less(range + claim.drift(i), apart(a, START)))
+      return `${objectName('asteroid', i)} is in range of the start and not listed`;
     for (const j of inside) {
       const gap = 2 * range + claim.drift(i) + claim.drift(j) + claim.jump;
-      if (!less(gap, apart(a, place[j]))) return `asteroids[${i}] is not listed, and she may come to it from asteroids[${j}]`;
+      if (!less(gap, apart(a, place[j])))
+        return `${objectName('asteroid', i)} is not listed, and she may come to it from ${objectName('asteroid', j)}`;
     }
   }
   const taken = new Set(listedMouths);
@@ -41,13 +44,13 @@ export function checkOutOfRange(claim: Claim, listed: readonly number[], listedM
     const comesOut = (n: number) => !less(mouths[n].radius + claim.jump + reach, apart(mouths[n].exit, mouth));
     if (!taken.has(m)) {
       const from = listed.find(comesFrom);
-      if (from !== undefined) return `a mouth is not listed, and she may come to it from asteroids[${from}]`;
+      if (from !== undefined) return `a mouth is not listed, and she may come to it from ${objectName('asteroid', from)}`;
       if (listedMouths.some(comesOut)) return 'a mouth is not listed, and she may come to it out of another';
       continue;
     }
     if (!less(reach + claim.touch, apart(mouth.exit, claim.thing))) return 'she may touch it as she comes out of a mouth';
     const missing = place.findIndex((a, i) => !inside.has(i) && !less(range + claim.drift(i) + reach, apart(a, mouth.exit)));
-    if (missing >= 0) return `asteroids[${missing}] is not listed, and she may come out of a mouth in range of it`;
+    if (missing >= 0) return `${objectName('asteroid', missing)} is not listed, and she may come out of a mouth in range of it`;
   }
   return null;
 }

@@ -117,7 +117,7 @@ describe('gq check', () => {
     const warning = problems.find((p: { code: string }) => p.code === 'verdict-hangs-on-accuracy');
     expect(warning).toMatchObject({ severity: 'warning', pointer: '/runs/0' });
     expect(warning.message).toMatch(
-      /completes the level under arcade, but not under precise \(collided with nova 0 .*fast .*standard/,
+      /completes the level under arcade, but not under precise \(collided with nova 1 .*fast .*standard/,
     );
   });
 

@@ -1,4 +1,3 @@
-import { inPageWords } from '../../editor/document/index.ts';
 import { readText } from '../../editor/files/index.ts';
 import {
   createProver,
@@ -48,7 +47,7 @@ function proved(proof: LiveProof): Proved {
 }
 
 const shown = ({ code, severity, message, pointer, line, column }: Problem): Said['problems'][number] => {
-  return { code, severity, message: inPageWords(message), pointer, line, column };
+  return { code, severity, message, pointer, line, column };
 };
 
 export interface OnThePage {

@@ -3,7 +3,6 @@ import { join } from 'node:path';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { HEAVY_LEVELS } from '../../bench/soak/heavy-levels.ts';
 import { rulesOnDisk } from '../../cli/edit/rules-on-disk.ts';
-import { inPageWords } from '../../editor/document/index.ts';
 import { ACCURACIES, type AccuracyName } from '../../engine/index.ts';
 import { checkReportSchema, type LevelReport, type OwnRules } from '../../schema/index.ts';
 import { gq, makeFiles } from '../cli/gq.ts';
@@ -15,21 +14,6 @@ const root = join(import.meta.dirname, '..', '..');
 
 /** The permitted differences between the two, with reasons; everything else must be equal. */
 const EXCEPTIONS = {
-  'objects are counted from 1': {
-    why: 'the command line speaks of a file, whose lists begin with 0, the page of what is seen, where people begin with 1',
-    applies: () => true,
-    // References into lists (`minerals[0]`) have the same form in both; the panel translates them when it shows them.
-    onThePage: ({ verdict, problems }: Said): Said => ({
-      verdict,
-      problems: problems.map((problem) => ({
-        ...problem,
-        message: inPageWords(problem.message).replace(
-          /\b(collided with (?:nova|hot asteroid|alien)) (\d+)/g,
-          (_, what: string, index: string) => `${what} ${Number(index) + 1}`,
-        ),
-      })),
-    }),
-  },
   'a byte order mark is skipped': {
     why: 'the page reads what other programs wrote and writes it anew without the mark; in a file that is checked it would stay',
     applies: ({ problems }: Said) => problems.some(({ code }) => code === 'byte-order-mark'),
@@ -113,14 +97,13 @@ function compare({ source }: LevelSource, accuracy: AccuracyName, byCommand: Sai
     for (const [hit] of message.matchAll(/collided with (?:nova|hot asteroid|alien)/g)) told.add(hit);
     if (code === 'proved-impossible') told.add(`${code} ${pointer}`);
   }
-  const { 'objects are counted from 1': counting, 'a byte order mark is skipped': mark } = EXCEPTIONS;
+  const { 'a byte order mark is skipped': mark } = EXCEPTIONS;
   const onPage = onThePage(source, accuracy, { rules });
   if (mark.applies(byCommand)) {
     expect(onPage.problems.map(({ code }) => code)).not.toContain('byte-order-mark');
     return;
   }
-  const expected = counting.onThePage(byCommand);
-  expect(onPage).toEqual(byCommand.verdict === 'invalid' ? expected : withoutPlaces(expected));
+  expect(onPage).toEqual(byCommand.verdict === 'invalid' ? byCommand : withoutPlaces(byCommand));
 }
 
 describe.each(Object.keys(ACCURACIES) as AccuracyName[])('the page and gq check agree at %s about', (accuracy) => {
@@ -176,8 +159,7 @@ describe('the page and gq check agree', () => {
     const said = await onTheCommandLine(few, 'precise');
     let left = 0;
     for (const [i, { source }] of few.entries()) {
-      const expected = withoutPlaces(EXCEPTIONS['objects are counted from 1'].onThePage(said[i]));
-      expect(onThePage(source, 'precise', { most: 3 })).toEqual(expected);
+      expect(onThePage(source, 'precise', { most: 3 })).toEqual(withoutPlaces(said[i]));
       left++;
     }
     expect(left).toBeGreaterThan(20);

@@ -170,7 +170,7 @@ describe('each rule tells what is wrong, and is silent a hair beside it', () => 
 
   test('the distances told are the distances', () => {
     const [warning] = findWarnings(level({ blackHole: { x: 450, y: 0 } }));
-    expect(warning.message).toContain('asteroids[0], is 300 px away');
+    expect(warning.message).toContain('asteroid 1, is 300 px away');
     expect(warning.message).toContain('286.868 px');
     expect(warning.hint).toContain('13.132 px');
   });
@@ -189,7 +189,7 @@ describe('unused-asteroid', () => {
   };
 
   test('tells an asteroid that no completing run targets', () => {
-    // pressed for a moment at x = 128, where asteroid 0 is the nearest
+    // pressed for a moment at x = 128, where asteroid 1 is the nearest
     const found = simulated(straight, [[128, 129]]);
     expect(found.map(({ pointer }) => pointer)).toEqual(['/asteroids/1']);
   });
@@ -269,7 +269,7 @@ describe('properties', () => {
     const novae = Array.from({ length: 300 }, (_, i) => cold(50 * (i % 20), 400 + 50 * Math.floor(i / 20)));
     novae[17] = cold(novae[16].x + 20, novae[16].y);
     const found = findWarnings(level({ novae })).filter(({ code }) => code === 'overlapping');
-    expect(found.map(({ pointer, message }) => [pointer, message.includes('novae[17]')])).toEqual([['/novae/16', true]]);
+    expect(found.map(({ pointer, message }) => [pointer, message.includes('nova 18')])).toEqual([['/novae/16', true]]);
   });
 
   test('a level with thousands of the same mistake is told a few, and that there are more', () => {

@@ -121,7 +121,7 @@ describe('a picture shows what the run did', () => {
 
   test.each<[string, LevelFile, string]>([
     ['completed', DROP, 'completed in'],
-    ['collided', { ...DROP, novae: [{ x: 0, y: 200, radius: 16 }] }, 'burned by nova 0'],
+    ['collided', { ...DROP, novae: [{ x: 0, y: 200, radius: 16 }] }, 'burned by nova 1'],
     ['lost', { ...DROP, astronaut: { x: 0, y: 0, vx: -90 } }, 'lost at'],
   ])('%s is marked as such', (outcome, file, words) => {
     const end = play(file, HOLDS);

@@ -220,7 +220,7 @@ const PROBLEMS: Readonly<Record<string, readonly (readonly [source: string, mess
   'Remove the quotes.': [
     [small(',"range":"7"'), 'range: expected a number, found the text "7"'],
     [small(',"range":"-7.5"'), 'range: expected a number, found the text "-7.5"'],
-    [hold('["1",2]'), 'runs[0].holds[0][0]: expected a number, found the text "1"'],
+    [hold('["1",2]'), 'run "a", hold 1, press: expected a number, found the text "1"'],
     [small(',"recoil":"true"'), 'recoil: expected true or false, found the text "true"'],
     [small(',"recoil":"false"'), 'recoil: expected true or false, found the text "false"'],
   ],
@@ -244,31 +244,31 @@ const PROBLEMS: Readonly<Record<string, readonly (readonly [source: string, mess
     [small(',"novae":{}'), 'novae: expected a list in [ ], found an object'],
   ],
   'Write an object in { }.': [
-    [small(',"novae":[7]'), 'novae[0]: expected an object in { }, found the number 7'],
-    [small(',"novae":[[]]'), 'novae[0]: expected an object in { }, found an empty list'],
-    [small(',"runs":[null]'), 'runs[0]: expected an object in { }, found null'],
+    [small(',"novae":[7]'), 'nova 1: expected an object in { }, found the number 7'],
+    [small(',"novae":[[]]'), 'nova 1: expected an object in { }, found an empty list'],
+    [small(',"runs":[null]'), 'run 1: expected an object in { }, found null'],
     [small('').replace('{"x":1,"y":2}', '7'), 'astronaut: expected an object in { }, found the number 7'],
   ],
   'Write a pair [press, release].': [
-    [hold('[1,2,3]'), 'runs[0].holds[0]: expected a pair [press, release], found a list of 3'],
-    [hold('[1]'), 'runs[0].holds[0]: expected a pair [press, release], found a list of 1'],
-    [hold('{}'), 'runs[0].holds[0]: expected a pair [press, release], found an object'],
+    [hold('[1,2,3]'), 'run "a", hold 1: expected a pair [press, release], found a list of 3'],
+    [hold('[1]'), 'run "a", hold 1: expected a pair [press, release], found a list of 1'],
+    [hold('{}'), 'run "a", hold 1: expected a pair [press, release], found an object'],
   ],
-  'Write 3.': [[hold('[1,2.5]'), 'runs[0].holds[0][1]: expected a whole number, found 2.5']],
-  'Write 2.': [[hold('[2.4,9]'), 'runs[0].holds[0][0]: expected a whole number, found 2.4']],
-  'Write [2, 5].': [[hold('[5,2]'), 'runs[0].holds[0]: the hold [5, 2] is reversed: release must come after press']],
+  'Write 3.': [[hold('[1,2.5]'), 'run "a", hold 1, release: expected a whole number, found 2.5']],
+  'Write 2.': [[hold('[2.4,9]'), 'run "a", hold 1, press: expected a whole number, found 2.4']],
+  'Write [2, 5].': [[hold('[5,2]'), 'run "a", hold 1: [5, 2] is reversed: the release must come after the press']],
   'Remove it, or release later.': [
-    [hold('[5,5]'), 'runs[0].holds[0]: the hold [5, 5] never holds the gun: release must come after press'],
+    [hold('[5,5]'), 'run "a", hold 1: [5, 5] never holds the gun: the release must come after the press'],
   ],
   'Write "astronaut"; gq import reads files of the original game.': [
     [small(',"player":1'), 'unknown key "player": did you mean "astronaut"?'],
   ],
   'Write "hot"; gq import reads files of the original game.': [
-    [small(',"asteroids":[{"x":1,"y":2,"radius":3,"enemy":true}]'), 'unknown key "enemy" in asteroids[0]: did you mean "hot"?'],
+    [small(',"asteroids":[{"x":1,"y":2,"radius":3,"enemy":true}]'), 'unknown key "enemy" in asteroid 1: did you mean "hot"?'],
   ],
   'Write "range", or begin a key of your own with x-.': [[small(',"rnage":1'), 'unknown key "rnage": did you mean "range"?']],
   'Write "holds", or begin a key of your own with x-.': [
-    [small(',"runs":[{"name":"a","holds":[],"hold":1}]'), 'unknown key "hold" in runs[0]: did you mean "holds"?'],
+    [small(',"runs":[{"name":"a","holds":[],"hold":1}]'), 'unknown key "hold" in run "a": did you mean "holds"?'],
   ],
   [`Known keys are ${TOP}. Keys of your own begin with x-.`]: [
     [small(',"gravity":1'), 'unknown key "gravity"'],
@@ -277,8 +277,8 @@ const PROBLEMS: Readonly<Record<string, readonly (readonly [source: string, mess
     [small(',"toString":1'), 'unknown key "toString"'],
   ],
   'Known keys are id, x, y, radius. Keys of your own begin with x-.': [
-    [nova(',"a b":1'), 'unknown key "a b" in novae[0]'],
-    [nova(',"player":1'), 'unknown key "player" in novae[0]'],
+    [nova(',"a b":1'), 'unknown key "a b" in nova 1'],
+    [nova(',"player":1'), 'unknown key "player" in nova 1'],
   ],
   'Keep one of them, without the list around it: "astronaut": { "x": 0, "y": 0 }.': [
     [
@@ -287,7 +287,7 @@ const PROBLEMS: Readonly<Record<string, readonly (readonly [source: string, mess
     ],
   ],
   'Keep one of them, without the list around it: "blackHole": { "x": 0, "y": 0 }.': [
-    [small('').replace('{"x":1,"y":3}', '[]'), 'blackHole: a level has exactly one black hole, found an empty list'],
+    [small('').replace('{"x":1,"y":3}', '[]'), 'black hole: a level has exactly one black hole, found an empty list'],
   ],
   'A level is one object in { }; gq import reads the list of levels of the original game.': [
     ['[]', 'expected a level, an object in { }, found an empty list'],
@@ -298,7 +298,7 @@ const PROBLEMS: Readonly<Record<string, readonly (readonly [source: string, mess
   'Write a number of at most 1000000.': [[small(',"range":1e7'), 'range: expected a number of at most 1000000, found 10000000']],
   'Write a name.': [[small('').replace('"a"', '""'), 'name: expected a text that says something, found ""']],
   'Shorten it.': [[small('').replace('"a"', `"${'a'.repeat(121)}"`), 'name: expected at most 120 characters, found 121']],
-  'Add "radius".': [[small(',"novae":[{"x":1,"y":2}]'), 'the key "radius" is missing in novae[0]']],
+  'Add "radius".': [[small(',"novae":[{"x":1,"y":2}]'), 'the key "radius" is missing in nova 1']],
   'Add "name".': [[small('').replace('"name":"a",', ''), 'the key "name" is missing']],
   'Add "version": 1 as the first key.': [[small('').replace('"version":1,', ''), 'the key "version" is missing']],
   'Write "version": 1.': [
@@ -312,19 +312,19 @@ const PROBLEMS: Readonly<Record<string, readonly (readonly [source: string, mess
     [small('').replace('1', '2'), 'version: this file has version 2 of the format, this toolkit reads up to 1'],
   ],
   'Correct it, or remove it: gq fmt writes a new one.': [
-    [nova(',"id":"A"'), 'novae[0].id: expected 2 to 16 of the characters a-z and 0-9, found the text "A"'],
+    [nova(',"id":"A"'), 'nova 1, id: expected 2 to 16 of the characters a-z and 0-9, found the text "A"'],
   ],
   'Remove it here: gq fmt writes a new one.': [
-    [nova(',"id":"aa"},{"id":"aa","x":1,"y":2,"radius":3'), 'novae[1].id: the id "aa" belongs to novae[0] already'],
+    [nova(',"id":"aa"},{"id":"aa","x":1,"y":2,"radius":3'), 'nova 2, id: the id "aa" already belongs to nova 1'],
     [
       small(',"novae":[{"id":"aa","x":1,"y":2,"radius":3}],"aliens":[{"x":1,"y":2},{"id":"aa","x":1,"y":2}]'),
-      'aliens[1].id: the id "aa" belongs to novae[0] already',
+      'alien 2, id: the id "aa" already belongs to nova 1',
     ],
   ],
   'Rename one of the two.': [
     [
       small(',"runs":[{"name":"b","holds":[]},{"name":"a","holds":[]},{"name":"a","holds":[]}]'),
-      'runs[2].name: the name "a" belongs to runs[1] already',
+      'run 3, name: the name "a" already belongs to run 2',
     ],
   ],
 };

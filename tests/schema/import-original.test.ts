@@ -91,14 +91,14 @@ describe('importing levels of the original game', () => {
     ['nothing but placeholders', '[{}, {}]', '1:1 nothing-to-import  | there is no level in this file'],
     ['an empty list', '[]', '1:1 nothing-to-import  | there is no level in this file'],
     ['a number', '7', '1:1 wrong-type  | expected a level object of the original game or a list of them, found the number 7'],
-    ['a number in the list', '[{}, 7]', '1:6 wrong-type /1 | [1]: expected an object in { }, found the number 7'],
+    ['a number in the list', '[{}, 7]', '1:6 wrong-type /1 | entry 2: expected an object in { }, found the number 7'],
     ['not JSON', '[{},]', '1:4 trailing-comma  | expected a value after the comma, found "]"'],
     [
       'a key twice',
       '[{"player":{"x":1,"x":1,"y":2},"target":{"x":1,"y":2}}]',
       '1:19 duplicate-key /0/player/x | the key "x" stands more than once in this object',
     ],
-    ['no target', '[{"player":{"x":1,"y":2}}]', '1:2 missing-key /0 | the key "target" is missing in [0]'],
+    ['no target', '[{"player":{"x":1,"y":2}}]', '1:2 missing-key /0 | the key "target" is missing in entry 1'],
     ['no y', '{"player":{"x":1},"target":{"x":1,"y":2}}', '1:11 missing-key /player | the key "y" is missing in player'],
     [
       'a list of players',
@@ -110,26 +110,26 @@ describe('importing levels of the original game', () => {
   });
 
   test.each([
-    ['"asteroids":[{"x":1,"y":2}]', 'missing-key /asteroids/0 | the key "radius" is missing in asteroids[0]'],
+    ['"asteroids":[{"x":1,"y":2}]', 'missing-key /asteroids/0 | the key "radius" is missing in asteroid 1'],
     [
       '"novae":[{"x":1,"y":2,"radius":"0"}]',
-      'out-of-limits /novae/0/radius | novae[0].radius: expected a number from 0.001 to 1000000, found 0',
+      'out-of-limits /novae/0/radius | nova 1, radius: expected a number from 0.001 to 1000000, found 0',
     ],
     [
       '"novae":[{"x":1,"y":2,"radius":"1e2"}]',
-      'wrong-type /novae/0/radius | novae[0].radius: expected a number or a text of digits, found the text "1e2"',
+      'wrong-type /novae/0/radius | nova 1, radius: expected a number or a text of digits, found the text "1e2"',
     ],
-    ['"novae":[{"x":"1","y":2,"radius":1}]', 'wrong-type /novae/0/x | novae[0].x: expected a number, found the text "1"'],
+    ['"novae":[{"x":"1","y":2,"radius":1}]', 'wrong-type /novae/0/x | nova 1, x: expected a number, found the text "1"'],
     [
       '"goodies":[{"x":1e300,"y":2}]',
-      'out-of-limits /goodies/0/x | goodies[0].x: expected a number from -1000000000 to 1000000000, found 1e+300',
+      'out-of-limits /goodies/0/x | goodies, entry 1, x: expected a number from -1000000000 to 1000000000, found 1e+300',
     ],
     [
       '"asteroids":[{"x":1,"y":2,"radius":1,"enemy":1}]',
-      'wrong-type /asteroids/0/enemy | asteroids[0].enemy: expected true or false, found the number 1',
+      'wrong-type /asteroids/0/enemy | asteroid 1, enemy: expected true or false, found the number 1',
     ],
     ['"aliens":{}', 'wrong-type /aliens | aliens: expected a list in [ ], found an object'],
-    ['"aliens":[null]', 'wrong-type /aliens/0 | aliens[0]: expected an object in { }, found null'],
+    ['"aliens":[null]', 'wrong-type /aliens/0 | alien 1: expected an object in { }, found null'],
     ['"maxDistance":-1', 'out-of-limits /maxDistance | maxDistance: expected a number from 0.001 to 1000000, found -1'],
   ])('a level with %s', (rest, problem) => {
     const said = problems(`{"player":{"x":1,"y":2},"target":{"x":3,"y":4,"radius":5},${rest}}`);

@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { importOriginal, type Problem, readLevel } from '../../schema/index.ts';
-import { toWords } from '../../schema/problem.ts';
+import { toWords } from '../../schema/names.ts';
 
 const small = (rest: string) => `{"version":1,"name":"a","astronaut":{"x":1,"y":2},"blackHole":{"x":1,"y":3}${rest}}`;
 const problemsOf = (source: string | Uint8Array): Problem[] => {
@@ -90,9 +90,19 @@ describe('the pointer of a problem', () => {
 
   test('is told in words, with quotes where a key is no word', () => {
     expect(toWords([])).toBe('');
-    expect(toWords(['runs', 0, 'holds', 1])).toBe('runs[0].holds[1]');
-    expect(toWords(['a b', 0, 'c', 'd"'])).toBe('["a b"][0].c["d\\""]');
-    expect(toWords(['$schema', 'x-note'])).toBe('$schema.x-note');
+    expect(toWords(['asteroids', 3, 'radius'])).toBe('asteroid 4, radius');
+    expect(toWords(['blackHole', 'x'])).toBe('black hole, x');
+    expect(toWords(['runs', 0, 'holds', 1, 0])).toBe('run 1, hold 2, press');
+    expect(toWords(['a b', 0, 'c', 'd"'])).toBe('"a b", entry 1, c, "d\\""');
+    expect(toWords(['$schema', 'x-note'])).toBe('$schema, x-note');
+  });
+
+  test('calls a run by its name, but by its number where two have the same', () => {
+    const path = ['runs', 1, 'holds', 2, 1];
+    expect(toWords(path, { runs: [{ name: 'solution' }, { name: 'other' }] })).toBe('run "other", hold 3, release');
+    expect(toWords(path, { runs: [{ name: 'other' }, { name: 'other' }] })).toBe('run 2, hold 3, release');
+    for (const name of ['', 7, undefined]) expect(toWords(path, { runs: [null, { name }] })).toBe('run 2, hold 3, release');
+    for (const level of [null, { runs: 7 }, { runs: [] }]) expect(toWords(path, level)).toBe('run 2, hold 3, release');
   });
 });
 

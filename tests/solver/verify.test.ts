@@ -129,7 +129,7 @@ describe('what the checker says', () => {
     ['starts-in-hazard', { novae: [] }, 'it names a hazard that the level does not have'],
     ['flowpipe', { astronaut: { x: 0, y: 0, vx: 60 }, blackHole: { x: 60, y: 0 } }, 'she may touch it in step'],
     ['flowpipe', { aliens: [], blackHole: { x: 300, y: 300 } }, 'it names a hazard that there is not'],
-    ['nothing-in-range', { astronaut: { x: -50, y: 0 } }, 'asteroids[0] is not farther from the start than the range'],
+    ['nothing-in-range', { astronaut: { x: -50, y: 0 } }, 'asteroid 1 is not farther from the start than the range'],
   ])('%s: %j', (code, more, words) => {
     expect(why(level(more), proofOf(code))).toContain(words);
   });

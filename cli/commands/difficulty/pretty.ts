@@ -1,5 +1,6 @@
 import { holdsInWords, plural } from '../../../check/words/index.ts';
 import { TICK } from '../../../engine/index.ts';
+import { objectName } from '../../../schema/index.ts';
 import type { Difficulty, GradeWord } from '../../../solver/index.ts';
 import type { Colors } from '../../colors.ts';
 import type { MeasuredLevel } from '../../difficulty/index.ts';
@@ -84,7 +85,7 @@ function detail({ name, runName, difficulty }: Hard, colors: Colors): string {
   ]);
   lines.push(['one press', onePressInWords(onePress)]);
   for (const { asteroid, use, run: way } of withoutAsteroid) {
-    lines.push([`asteroid ${asteroid}`, `${USES[use]}${way === null ? '' : `: ${holdsInWords(way.holds)}`}`]);
+    lines.push([objectName('asteroid', asteroid), `${USES[use]}${way === null ? '' : `: ${holdsInWords(way.holds)}`}`]);
   }
   const title = `${colors.bold(visibleLine(name))}: ${paint(grade.word, colors)(`${grade.word}, ${grade.value.toFixed(1)} of 10`)}`;
   return `${title}\n${lines.map(([label, text]) => `${label.padEnd(12)}${visible(text)}\n`).join('')}\n`;

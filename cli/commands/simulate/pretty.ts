@@ -1,6 +1,6 @@
 import { bodyInWords, countMinerals, outcomeInWords } from '../../../check/words/index.ts';
 import { effectEventInWords, type Run, type RunEvent } from '../../../engine/index.ts';
-import type { Level, RunReport } from '../../../schema/index.ts';
+import { type Level, objectName, type RunReport } from '../../../schema/index.ts';
 import type { Colors } from '../../colors.ts';
 import { visibleLine } from '../../visible.ts';
 
@@ -37,20 +37,20 @@ function eventInWords(event: RunEvent): string {
     case 'release':
       return event.type;
     case 'target':
-      return `target: asteroid ${event.index}`;
+      return `target: ${objectName('asteroid', event.index)}`;
     case 'mineral':
-      return `mineral ${event.index} collected`;
+      return `${objectName('mineral', event.index)} collected`;
     case 'enter':
     case 'leave':
-      return `${event.type}s the field of repulsor ${event.index}`;
+      return `${event.type}s the field of ${objectName('repulsor', event.index)}`;
     case 'effect':
       return effectEventInWords(event);
     case 'wake':
-      return `alien ${event.index} wakes`;
+      return `${objectName('alien', event.index)} wakes`;
     case 'sleep':
-      return `alien ${event.index} falls asleep`;
+      return `${objectName('alien', event.index)} falls asleep`;
     case 'explosion':
-      return `aliens ${event.aliens.join(' and ')} explode`;
+      return `${event.aliens.map((index) => objectName('alien', index)).join(' and ')} explode`;
     case 'completed':
     case 'collided':
     case 'lost':

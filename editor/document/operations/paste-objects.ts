@@ -1,7 +1,6 @@
 import { kindOfList, LEVEL_VERSION, OBJECT_LISTS, readLevel, SINGLE_KINDS } from '../../../schema/index.ts';
 import type { Recipe } from '../document.ts';
 import { type PlacedObject, plainList } from '../objects.ts';
-import { inPageWords } from '../page-words.ts';
 import { placesOf, shifted } from '../places.ts';
 import type { Refusal } from '../settle.ts';
 import type { Clipping } from './copy-objects.ts';
@@ -31,7 +30,7 @@ export function readClipping(text: string): ClippingReading {
   const reading = readLevel(JSON.stringify(level));
   if (!reading.ok) {
     const [{ message, hint }] = reading.problems;
-    return { ok: false, refusal: { message: inPageWords(message), hint: inPageWords(hint) } };
+    return { ok: false, refusal: { message, hint } };
   }
   const clipping: Clipping = {};
   let count = 0;

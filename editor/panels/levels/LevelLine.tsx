@@ -3,7 +3,6 @@ import { useEffect, useMemo } from 'react';
 import { useStore } from 'zustand';
 import type { LevelEntry } from '../../../schema/index.ts';
 import { type OpenLevel, useEditor, useFolderRules, usePageTheme } from '../../context/index.ts';
-import { inPageWords } from '../../document/index.ts';
 import { problemsInWords } from '../../files/index.ts';
 import { useVerdict } from '../solver/index.ts';
 import { MoreButton } from '../tree/index.ts';
@@ -47,7 +46,7 @@ function placeOf({ problems: [first] }: LevelEntry): string {
 /** A level in the list: its picture, name and verdict. @param open the level if it is open, else null */
 export function LevelLine({ entry, title, open }: { entry: LevelEntry; title: string; open: OpenLevel | null }) {
   const { url, verdict } = useThumbnail(entry);
-  const wrong = entry.problems.length === 0 ? null : inPageWords(entry.problems[0].message);
+  const wrong = entry.problems.length === 0 ? null : entry.problems[0].message;
   const number = entry.name === null ? undefined : /^\d+(?=[ ._-])/.exec(stemOf(entry.id))?.[0];
   return (
     <>

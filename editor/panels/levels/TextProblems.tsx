@@ -1,6 +1,5 @@
 import { CircleCheck, TriangleAlert } from 'lucide-react';
 import type { Problem } from '../../../schema/index.ts';
-import { inPageWords } from '../../document/index.ts';
 
 interface TextProblemsProps {
   readonly problems: readonly Problem[];
@@ -29,7 +28,7 @@ export function TextProblems({ problems, onGoTo }: TextProblemsProps) {
               </span>
             )}
             <span>
-              {inPageWords(message)} <span className="astext__hint">{inPageWords(hint)}</span>
+              {message} <span className="astext__hint">{hint}</span>
             </span>
           </button>
         </li>

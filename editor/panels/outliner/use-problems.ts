@@ -1,6 +1,6 @@
 import { useEffect, useState } from 'react';
 import { useLevel } from '../../context/index.ts';
-import { inPageWords, keyAt, type ObjectKey } from '../../document/index.ts';
+import { keyAt, type ObjectKey } from '../../document/index.ts';
 import { afterRest } from '../parts/index.ts';
 
 /** ms without a change before problems are looked for, which simulates every run */
@@ -16,7 +16,7 @@ export function useProblems(): ReadonlyMap<ObjectKey, readonly string[]> {
       const byKey = new Map<ObjectKey, string[]>();
       for (const { pointer, message } of problems) {
         const key = keyAt(file, pointer);
-        if (key !== null) byKey.set(key, [...(byKey.get(key) ?? []), inPageWords(message)]);
+        if (key !== null) byKey.set(key, [...(byKey.get(key) ?? []), message]);
       }
       setFound(byKey);
     };

@@ -2,7 +2,7 @@ import { CircleCheck, CircleX, TriangleAlert } from 'lucide-react';
 import { memo } from 'react';
 import type { LevelFile, Problem } from '../../../schema/index.ts';
 import { useEditor, useLevel } from '../../context/index.ts';
-import { inPageWords, keyAt, nameOf, objectsOf } from '../../document/index.ts';
+import { keyAt, nameOf, objectsOf } from '../../document/index.ts';
 import { Button } from '../../ui/index.ts';
 import { plural } from '../figures/index.ts';
 import { explanationOf } from './explanations.ts';
@@ -47,9 +47,9 @@ const ProblemCard = memo(function ProblemCard({ problem, place, fixTitle }: Prob
       <p className="problem__head">
         <Icon size={15} aria-hidden />
         <span className="problem__severity">{severity}</span>
-        <span className="problem__message">{inPageWords(message)}</span>
+        <span className="problem__message">{message}</span>
       </p>
-      <p className="part__note">{inPageWords(hint)}</p>
+      <p className="part__note">{hint}</p>
       <div className="part__row">
         {pointer !== '' && (
           <Button hint="Select it and bring it into view" look="outlined" onClick={() => goToProblem(editor, level, problem)}>

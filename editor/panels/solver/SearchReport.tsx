@@ -2,7 +2,6 @@ import { Check, CircleCheck, CircleHelp, CircleX, Info, Plus, Replace, TriangleA
 import { useStore } from 'zustand';
 import { mineralsNeeded } from '../../../solver/index.ts';
 import { useDocument, useEditor, useProof, useSession } from '../../context/index.ts';
-import { inPageWords } from '../../document/index.ts';
 import { Button } from '../../ui/index.ts';
 import { about, percent, plural, seconds } from '../figures/index.ts';
 import { Progress } from '../parts/index.ts';
@@ -114,7 +113,7 @@ export function SearchReport() {
       {note !== null && <p className="part__note">{note}</p>}
       {mineralProofs.map(({ index, proof }) => (
         <p key={index} className="standing tone--warn">
-          <TriangleAlert size={15} aria-hidden /> Mineral {index + 1} can never be collected: {inPageWords(proof.reason)}
+          <TriangleAlert size={15} aria-hidden /> Mineral {index + 1} can never be collected: {proof.reason}
         </p>
       ))}
       {solving !== null && (

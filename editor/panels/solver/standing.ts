@@ -1,6 +1,5 @@
 import { closestInWords } from '../../../check/words/index.ts';
 import { mineralsNeeded } from '../../../solver/index.ts';
-import { inPageWords } from '../../document/index.ts';
 import { pixels, plural } from '../figures/index.ts';
 import { goalOf, type SearchSettings } from './search-settings.ts';
 import type { SearchState } from './search-state.ts';
@@ -79,7 +78,7 @@ export function standingOf(state: SearchState, own: OwnRuns, count: number, want
   const { phase, found, impossible, isHopeless, isOld, message, settings } = state;
   const asked = settings === null ? '' : askedInWords(settings, count);
   const withTone = (tone: Standing['tone'], text: string): Standing => ({ tone, text, note: null });
-  if (impossible !== null) return withTone('bad', `Proved impossible: ${inPageWords(impossible.reason)}.`);
+  if (impossible !== null) return withTone('bad', `Proved impossible: ${impossible.reason}.`);
   if (isHopeless && found.length === 0)
     return withTone('bad', `Proved: no run completes the level${asked}.${ownInWords(own, asked)}`);
   if (phase === 'failed') return withTone('bad', `The search failed: ${message}. Start it again; the level is unchanged.`);

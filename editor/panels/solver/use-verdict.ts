@@ -1,7 +1,6 @@
 import { useStore } from 'zustand';
 import type { LevelVerdict } from '../../../check/index.ts';
 import { type OpenLevel, useEditor } from '../../context/index.ts';
-import { inPageWords } from '../../document/index.ts';
 import { limitInWords, toldVerdict } from '../../proof/index.ts';
 import { checkedOf } from './check-watch.ts';
 import { solverSessionOf } from './solver-session.ts';
@@ -25,7 +24,7 @@ export function useVerdict(level: OpenLevel): Verdict {
   const impossible = useStore(solver.proofs.store, (proved) => proved.impossible);
   const verdict = toldVerdict({ verdict: own }, checked, { impossible });
   if (verdict === 'completable') return { verdict, reason: null, limit: null };
-  if (impossible !== null) return { verdict, reason: inPageWords(impossible.reason), limit: null };
+  if (impossible !== null) return { verdict, reason: impossible.reason, limit: null };
   if (limit === null || checked?.result != null) return { verdict, reason: null, limit: null };
   const words = checked === null ? limitInWords(limit) : checked.message;
   return { verdict, reason: null, limit: words };

@@ -1,3 +1,4 @@
+import { objectName } from '../../../schema/index.ts';
 import { whereAny } from '../count.ts';
 import type { Effect } from '../effect.ts';
 import { windsOf } from './discs.ts';
@@ -9,7 +10,10 @@ export const winds: Effect = {
   summary: () => 'a steady acceleration while her centre is inside, beside whatever else acts',
   calledFor: whereAny('winds', 'wind'),
   force: wind,
-  tells: { enter: (index) => `comes into wind ${index}`, leave: (index) => `leaves wind ${index}` },
+  tells: {
+    enter: (index) => `enters ${objectName('wind', index)}`,
+    leave: (index) => `leaves ${objectName('wind', index)}`,
+  },
   prepare: windsOf,
   frame: windFrame,
   events: [enterWind, leaveWind],

@@ -1,3 +1,4 @@
+import { objectName } from '../../../schema/index.ts';
 import { whereAny } from '../count.ts';
 import type { Effect } from '../effect.ts';
 import { enterMouth, leaveMouth, stayPut } from './events.ts';
@@ -9,7 +10,7 @@ export const wormholes: Effect = {
   summary: () => 'her centre comes into a mouth and is in the other one at once, with her velocity and turn',
   calledFor: whereAny('wormholes', 'wormhole'),
   jumps: true,
-  tells: { jump: (index) => `goes through wormhole ${index}` },
+  tells: { jump: (index) => `goes through ${objectName('wormhole', index)}` },
   prepare: mouthsOf,
   frame: wormholeFrame,
   events: [enterMouth, leaveMouth],

@@ -31,7 +31,7 @@ const inRange = (place: (d: number) => ReturnType<typeof at>): NearMiss => ({
   truth: RANGE,
   safe: 'above',
   slack: [1e-7, 1.6e-7],
-  says: 'asteroids[1] is not farther from the start than the range',
+  says: 'asteroid 2 is not farther from the start than the range',
 });
 
 describe('nothing-in-range', () => {
@@ -56,7 +56,7 @@ describe('nothing-in-range', () => {
 });
 
 it('nothing-in-range: the first asteroid counts like any other', () => {
-  expect(whyNot(levelWith({ asteroids: [at(249, 0)] }), nowhere)).toContain('asteroids[0]');
+  expect(whyNot(levelWith({ asteroids: [at(249, 0)] }), nowhere)).toContain('asteroid 1');
   expect(whyNot(levelWith({ asteroids: [at(251, 0)] }), nowhere)).toBeNull();
 });
 

@@ -96,7 +96,7 @@ describe('a dead end', () => {
 
   it('begins where the other asteroid is equally near, neither before nor behind', () => {
     expect(whyNot(scene(), trap({}, 127.999))).toBe('the asteroid before may be the nearest again');
-    expect(whyNot(scene(), trap({}, 128.001))).toBe('asteroids[1] may be the nearer one on the stretch');
+    expect(whyNot(scene(), trap({}, 128.001))).toBe('asteroid 2 may be the nearer one on the stretch');
   });
 
   it('has an axis and a step', () => {
@@ -163,7 +163,7 @@ describe('a dead end', () => {
     });
     expect(whyNot(level(), swung(-34))).toBeNull();
     expect(whyNot(level(), swung(-33.999))).toBe('the asteroid before may be the nearest again');
-    expect(whyNot(level(), swung(-34.001))).toBe('asteroids[1] may be the nearer one on the stretch');
+    expect(whyNot(level(), swung(-34.001))).toBe('asteroid 2 may be the nearer one on the stretch');
     expect(
       whyNot(level({ novae: [moved(SOURCE.novae[0]), moved(at(176, 0, 11)), moved(SOURCE.novae[2])] }), swung(-34)),
     ).not.toBeNull();

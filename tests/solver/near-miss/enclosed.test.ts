@@ -62,21 +62,21 @@ describe('enclosed', () => {
       truth: 40 + BOX.halfWidth,
       safe: 'below',
       slack: [1e-7, 1.2e-7],
-      says: 'edge 1 of the barrier: it leaves the hazard it names',
+      says: 'edge 2 of the barrier: it leaves the hazard it names',
     },
     'the second end of an edge leaves the hazard': {
       why: (n) => topEdge(-20, n),
       truth: 40 + BOX.halfWidth,
       safe: 'below',
       slack: [1e-7, 1.2e-7],
-      says: 'edge 1 of the barrier: it leaves the hazard it names',
+      says: 'edge 2 of the barrier: it leaves the hazard it names',
     },
     'with frames an edge is no nearer to the rim than a chord of a jump': {
       why: (n) => topEdge(-n, 20, { covers: FRAMES }),
       truth: Math.sqrt(50 * 50 - (frames / 2) ** 2),
       safe: 'below',
       slack: [1e-7, 2e-7],
-      says: 'edge 1 of the barrier: it leaves the hazard it names',
+      says: 'edge 2 of the barrier: it leaves the hazard it names',
     },
     'a hazard that is smaller than a jump': {
       // At the speed limit a frame takes her 23.57 px; half of that is more than a nova of 1.7 px plus the circle in her box.
@@ -106,28 +106,28 @@ describe('enclosed', () => {
       truth: 18 + BOX.halfDiagonal,
       safe: 'above',
       slack: [ROUNDED + 1e-7, ROUNDED + 1.5e-7],
-      says: 'she may touch it from edge 1 of the barrier',
+      says: 'she may touch it from edge 2 of the barrier',
     },
     'the thing beyond a corner': {
       why: (d) => whyNot(pen({ blackHole: spot(100 + 0.6 * d, 100 + 0.8 * d) }), walls(100)),
       truth: 18 + BOX.halfDiagonal,
       safe: 'above',
       slack: [ROUNDED + 1e-7, ROUNDED + 1.5e-7],
-      says: 'she may touch it from edge 1 of the barrier',
+      says: 'she may touch it from edge 2 of the barrier',
     },
     'the thing beyond the other end of an edge': {
       why: (d) => whyNot(pen({ blackHole: spot(-100 - 0.8 * d, -100 - 0.6 * d) }), walls(100)),
       truth: 18 + BOX.halfDiagonal,
       safe: 'above',
       slack: [ROUNDED + 1e-7, ROUNDED + 1.5e-7],
-      says: 'she may touch it from edge 0 of the barrier',
+      says: 'she may touch it from edge 1 of the barrier',
     },
     'with frames the thing a jump farther': {
       why: (d) => whyNot(pen({ blackHole: spot(0, -100 - d) }), walls(90), { covers: FRAMES }),
       truth: 18 + BOX.halfDiagonal + jumpOf(500, 500) - 10,
       safe: 'above',
       slack: [ROUNDED + 1e-7, ROUNDED + 1.5e-7],
-      says: 'she may touch it from edge 0 of the barrier',
+      says: 'she may touch it from edge 1 of the barrier',
       reach: 1,
     },
     'a rock in range of an edge': {
@@ -135,7 +135,7 @@ describe('enclosed', () => {
       truth: RANGE,
       safe: 'above',
       slack: [1e-7, 2e-7],
-      says: 'edge 2 of the barrier: it is in range of asteroids[1]',
+      says: 'edge 3 of the barrier: it is in range of asteroid 2',
     },
     'a rock in range of a corner': {
       why: (d) =>
@@ -146,7 +146,7 @@ describe('enclosed', () => {
       truth: RANGE,
       safe: 'above',
       slack: [1e-7, 2e-7],
-      says: 'of the barrier: it is in range of asteroids[0]',
+      says: 'of the barrier: it is in range of asteroid 1',
     },
     'a rock that recoil drags into range of an edge': {
       why: (d) =>
@@ -158,7 +158,7 @@ describe('enclosed', () => {
       truth: RANGE + 400 / (2 * 10) / 2,
       safe: 'above',
       slack: [0.1, 0.101],
-      says: 'edge 3 of the barrier: it is in range of asteroids[0]',
+      says: 'edge 4 of the barrier: it is in range of asteroid 1',
     },
     'with frames an edge out of range by half a jump': {
       why: (d) =>
@@ -171,7 +171,7 @@ describe('enclosed', () => {
       truth: Array.from({ length: 50 }).reduce<number>((d) => RANGE + jumpOf(850, 100 + d + RANGE, 700) / 2, RANGE),
       safe: 'above',
       slack: [1e-7, 3e-7],
-      says: 'edge 2 of the barrier: it is in range of asteroids[0]',
+      says: 'edge 3 of the barrier: it is in range of asteroid 1',
       reach: 2,
     },
     'a hot asteroid that recoil drags': {
@@ -189,7 +189,7 @@ describe('enclosed', () => {
       safe: 'above',
       // 1 % of 1.8 px.
       slack: [0.0176, 0.018],
-      says: 'edge 0 of the barrier: it leaves the hazard it names',
+      says: 'edge 1 of the barrier: it leaves the hazard it names',
     },
   });
 
@@ -197,12 +197,12 @@ describe('enclosed', () => {
     const level = levelWith({ blackHole: spot(600, 0) });
     const through = (x: number) =>
       whyNot(level, barrier([x, -50, range], [x, 50, range], [x - 200, 50, range], [x - 200, -50, range]));
-    for (const x of [0, 5e-8, -5e-8]) expect(through(x)).toBe('the start lies on edge 0 of the barrier');
+    for (const x of [0, 5e-8, -5e-8]) expect(through(x)).toBe('the start lies on edge 1 of the barrier');
     expect(through(3e-7)).toBeNull();
     expect(through(-3e-7)).toBe('the barrier does not lie between the start and it');
     const below = (y: number) =>
       whyNot(level, barrier([-50, y, range], [50, y, range], [50, y - 200, range], [-50, y - 200, range]));
-    for (const y of [0, 5e-8, -5e-8]) expect(below(y)).toBe('the start lies on edge 0 of the barrier');
+    for (const y of [0, 5e-8, -5e-8]) expect(below(y)).toBe('the start lies on edge 1 of the barrier');
     expect(below(3e-7)).toBeNull();
     expect(below(-3e-7)).toBe('the barrier does not lie between the start and it');
   });
@@ -214,7 +214,7 @@ describe('enclosed', () => {
         barrier([-100, -100, blocker as Blocker], [100, -100, nova(1)], [100, 100, nova(2)], [-100, 100, nova(3)]),
         asked,
       );
-    const none = 'edge 0 of the barrier: what it names is no hazard that stands still';
+    const none = 'edge 1 of the barrier: what it names is no hazard that stands still';
     const top = at(0, -600, 600);
     expect(by({ kind: 'asteroid', index: 1 }, { asteroids: [at(0, 20), hot(0, -600, 600)] })).toBeNull();
     expect(by({ kind: 'asteroid', index: 1 }, { asteroids: [at(0, 20), top] })).toBe(none);
@@ -222,7 +222,7 @@ describe('enclosed', () => {
     expect(by({ kind: 'alien', index: 0 }, { aliens: [top] })).toBe(none);
     expect(by({ kind: 'nova', index: 4 })).toBe(none);
     expect(by({ kind: 'nova', index: -1 })).toBe(none);
-    expect(by({ kind: 'nova', index: 0 })).toBe('edge 0 of the barrier: it leaves the hazard it names');
+    expect(by({ kind: 'nova', index: 0 })).toBe('edge 1 of the barrier: it leaves the hazard it names');
     expect(by(undefined)).toBe(none);
     expect(by({ kind: 'repulsor' as never, index: 0 }, { repulsors: [top] })).toBe(none);
     // Touching the black hole ends the run before a mineral beyond it.

@@ -147,21 +147,21 @@ describe('line-trap', () => {
       truth: 40,
       safe: 'above',
       slack: slackOf(1),
-      says: 'repulsors[0] may push her on the stretch',
+      says: 'repulsor 1 may push her on the stretch',
     },
     'a repulsor beyond the front': {
       why: (d) => whyNot(swing({ repulsors: [on(2000, 0, 40), on(180 + d, 0, 40)] }), between),
       truth: 40,
       safe: 'above',
       slack: slackOf(2),
-      says: 'repulsors[1] may push her on the stretch',
+      says: 'repulsor 2 may push her on the stretch',
     },
     'a repulsor beyond the back': {
       why: (d) => whyNot(swing({ repulsors: [on(-60 - 0.6 * d, -0.8 * d, 40)] }), between),
       truth: 40,
       safe: 'above',
       slack: slackOf(1.6),
-      says: 'repulsors[0] may push her on the stretch',
+      says: 'repulsor 1 may push her on the stretch',
     },
     // A tie at 180 px, 120 px from the target, is the end of the stretch.
     'another asteroid as near as the target at the front': {
@@ -169,21 +169,21 @@ describe('line-trap', () => {
       truth: 120,
       safe: 'above',
       slack: [0.0299, 0.0301],
-      says: 'asteroids[1] may be the nearer one on the stretch',
+      says: 'asteroid 2 may be the nearer one on the stretch',
     },
     'another asteroid as near as the target at the back': {
       why: (d) => whyNot(swing({ asteroids: [on(60), on(-60, -d), on(-4000)] }), between),
       truth: 120,
       safe: 'above',
       slack: [0.0299, 0.0301],
-      says: 'asteroids[1] may be the nearer one on the stretch',
+      says: 'asteroid 2 may be the nearer one on the stretch',
     },
     'another asteroid on the line': {
       why: (d) => whyNot(swing({ asteroids: [on(60), on(180 + d)] }), between),
       truth: 120,
       safe: 'above',
       slack: [0.0299, 0.0402],
-      says: 'asteroids[1] may be the nearer one on the stretch',
+      says: 'asteroid 2 may be the nearer one on the stretch',
     },
   });
 
@@ -358,7 +358,7 @@ describe('line-trap with recoil', () => {
       truth: 64 - 20 + 18.5,
       safe: 'above',
       slack: [0.0299, 0.0301],
-      says: 'asteroids[1] may be the nearer one on the stretch',
+      says: 'asteroid 2 may be the nearer one on the stretch',
     },
     'another rock, once recoil has carried the target away from the back': {
       why: (d) =>
@@ -370,7 +370,7 @@ describe('line-trap with recoil', () => {
       truth: 30 + 20 + 19,
       safe: 'above',
       slack: [0.0299, 0.0301],
-      says: 'asteroids[1] may be the nearer one on the stretch',
+      says: 'asteroid 2 may be the nearer one on the stretch',
     },
     'a fall to where recoil may have brought the centre': {
       why: (d) =>

@@ -38,7 +38,7 @@ const beyondRange = (place: (d: number) => { x: number; y: number }, d0 = 0): Ne
   truth: d0 + RANGE + 18 + BOX.halfDiagonal,
   safe: 'above',
   slack: [ROUNDED + 1e-7, ROUNDED + 3e-7],
-  says: 'she may touch it in range of asteroids[0]',
+  says: 'she may touch it in range of asteroid 1',
 });
 
 describe('out-of-range', () => {
@@ -52,7 +52,7 @@ describe('out-of-range', () => {
       truth: RANGE + 7 + BOX.halfDiagonal,
       safe: 'above',
       slack: [ROUNDED + 1e-7, ROUNDED + 3e-7],
-      says: 'she may touch it in range of asteroids[0]',
+      says: 'she may touch it in range of asteroid 1',
     },
     'a rock that recoil drags': {
       why: (d) => {
@@ -63,14 +63,14 @@ describe('out-of-range', () => {
       safe: 'above',
       // 1 % of 11.27 px.
       slack: [0.1126 + ROUNDED, 0.1128 + ROUNDED],
-      says: 'she may touch it in range of asteroids[0]',
+      says: 'she may touch it in range of asteroid 1',
     },
     'a rock that is not listed, in range of the start': {
       why: (d) => whyNot(levelWith({ asteroids: [at(0, d)], blackHole: spot(5000, 0) }), lists(), { covers: ALL }),
       truth: RANGE,
       safe: 'above',
       slack: [1e-7, 2e-7],
-      says: 'asteroids[0] is in range of the start and not listed',
+      says: 'asteroid 1 is in range of the start and not listed',
     },
     'a rock that is not listed, and that recoil drags': {
       why: (d) => {
@@ -80,14 +80,14 @@ describe('out-of-range', () => {
       truth: RANGE + recoilWay(10, 60) / 1.01,
       safe: 'above',
       slack: [0.899, 0.901],
-      says: 'asteroids[0] is in range of the start and not listed',
+      says: 'asteroid 1 is in range of the start and not listed',
     },
     'two ranges that touch': {
       why: (d) => whyNot(levelWith({ asteroids: [at(-100, 0), at(-100, d)], blackHole: spot(5000, 0) }), lists(0)),
       truth: 2 * RANGE,
       safe: 'above',
       slack: [1e-7, 3e-7],
-      says: 'asteroids[1] is not listed, and she may come to it from asteroids[0]',
+      says: 'asteroid 2 is not listed, and she may come to it from asteroid 1',
     },
     'two ranges that touch once recoil has dragged both': {
       why: (d) => {
@@ -97,7 +97,7 @@ describe('out-of-range', () => {
       truth: 2 * RANGE + (recoilWay(10, 20) + recoilWay(40, 20)) / 1.01,
       safe: 'above',
       slack: [0.124, 0.126],
-      says: 'asteroids[1] is not listed, and she may come to it from asteroids[0]',
+      says: 'asteroid 2 is not listed, and she may come to it from asteroid 1',
     },
     'a black hole that her corner touches at the start': {
       why: (d) => whyNot(levelWith({ asteroids: [], blackHole: spot(CORNER.x * d, -CORNER.y * d) }), lists()),
@@ -121,7 +121,7 @@ describe('out-of-range', () => {
     const level = levelWith({ asteroids: [at(100, 0)], recoil: true });
     expect(whyNot(level, lists(0))).toBe('with recoil it needs to say how long a run may last');
     expect(whyNot(level, lists(0), { maxTime: 60 })).toBeNull();
-    expect(whyNot(level, lists(0), { maxTime: 900 })).toBe('she may touch it in range of asteroids[0]');
+    expect(whyNot(level, lists(0), { maxTime: 900 })).toBe('she may touch it in range of asteroid 1');
   });
 });
 
@@ -159,7 +159,7 @@ describe('out-of-range in frames', () => {
     const needs = (d: number) => 2 * range + farthestJump(v, ...size(d));
     let truth = 2 * range;
     for (let i = 0; i < 50; i++) truth = needs(truth);
-    return { why, truth, safe: 'above', slack: [1e-7, 2e-4], says: 'she may come to it from asteroids[0]', reach: 3 };
+    return { why, truth, safe: 'above', slack: [1e-7, 2e-4], says: 'she may come to it from asteroid 1', reach: 3 };
   };
   const v = { vx: 300, vy: -400 };
   nearMisses({

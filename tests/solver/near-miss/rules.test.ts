@@ -62,7 +62,7 @@ describe('the box', () => {
       safe: 'below',
       // Half the diagonal is rounded up to a thousandth.
       slack: [0, 0.01],
-      says: 'she may touch it in range of asteroids[0]',
+      says: 'she may touch it in range of asteroid 1',
     },
   };
   nearMisses(cases);
@@ -141,7 +141,7 @@ describe('recoil', () => {
       truth: (left * 20) / (SECONDS * SECONDS),
       safe: 'below',
       slack: [0, (0.011 * left * 20) / (SECONDS * SECONDS)],
-      says: 'she may touch it in range of asteroids[0]',
+      says: 'she may touch it in range of asteroid 1',
       reach: 2,
     },
   });

@@ -35,7 +35,7 @@ describe('a line keeps clear of winds and mouths', () => {
       truth: 40,
       safe: 'above',
       slack,
-      says: 'winds[0] may blow on her on the stretch',
+      says: 'wind 1 may blow on her on the stretch',
     },
     'a mouth beside it': {
       why: (d) => swing({ wormholes: [wormhole(on(100, d), AFAR, 25)] }),
@@ -68,21 +68,21 @@ describe('out-of-range, through a wormhole', () => {
       truth: RANGE + 30,
       safe: 'above',
       slack,
-      says: 'a mouth is not listed, and she may come to it from asteroids[0]',
+      says: 'a mouth is not listed, and she may come to it from asteroid 1',
     },
     'the same by frames': {
       why: (d) => says([0], [], { wormholes: [wormhole(spot(100 + d, 0), AFAR, 30)] }, true),
       truth: RANGE + 30 + FRAME,
       safe: 'above',
       slack,
-      says: 'a mouth is not listed, and she may come to it from asteroids[0]',
+      says: 'a mouth is not listed, and she may come to it from asteroid 1',
     },
     'an asteroid just in range of where she comes out': {
       why: (d) => says([0], [0, 1], { wormholes: [wormhole(spot(150, 0), spot(0, 3000 - d), 30)] }),
       truth: RANGE + 30,
       safe: 'above',
       slack,
-      says: 'asteroids[1] is not listed, and she may come out of a mouth in range of it',
+      says: 'asteroid 2 is not listed, and she may come out of a mouth in range of it',
     },
     'the thing just in touch of where she comes out': {
       why: (d) => says([0], [0, 1], { wormholes: [wormhole(spot(150, 0), spot(9000 - d, 0), 30)] }),
