@@ -146,7 +146,7 @@ export function strongestOf(effects: readonly Effect[], level: Level, rules: Rul
  * Puts an effect's own event into words.
  *
  * @param event - an event of type `effect`
- * @returns a sentence without its subject, which is the astronaut: `goes through wormhole 0`
+ * @returns a sentence without its subject, which is the astronaut: `goes through wormhole 1`
  */
 export function effectEventInWords({ effect, what, index }: Extract<RunEvent, { type: 'effect' }>): string {
   const tell = EFFECTS.find(({ name }) => name === effect)?.tells?.[what];
