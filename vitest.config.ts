@@ -1,3 +1,4 @@
+import { fileURLToPath } from 'node:url';
 import { configDefaults, defineConfig } from 'vitest/config';
 import { propertySettings } from './tests/property-settings.ts';
 
@@ -5,22 +6,28 @@ import { propertySettings } from './tests/property-settings.ts';
 const PATIENCE = 180_000 * Math.max(1, propertySettings(process.env).runs);
 
 const IN_BROWSERS = 'tests/e2e/**/*.test.ts';
+const NODE = ['tests/**/*.test.ts'];
+const NO_NODE = [...configDefaults.exclude, IN_BROWSERS];
+const ALONE = ['tests/server/**/*.test.ts', 'tests/editor/**/*.test.ts', 'tests/cli/**/*.test.ts'];
 
 export default defineConfig({
+  // properties get one seed for all, see there
+  resolve: { alias: [{ find: /^fast-check$/, replacement: fileURLToPath(new URL('tests/fast-check.ts', import.meta.url)) }] },
   test: {
     projects: [
-      // `npm test`: everything that needs no browser
+      // `npm test`: everything that needs no browser. The files of a worker share modules, so that those are loaded once,
       {
         extends: true,
-        test: { name: 'node', include: ['tests/**/*.test.ts'], exclude: [...configDefaults.exclude, IN_BROWSERS] },
+        test: { name: 'node', include: NODE, exclude: [...NO_NODE, ...ALONE], isolate: false },
       },
+      // but for those that replace modules or globals.
+      { extends: true, test: { name: 'node-alone', include: ALONE, exclude: NO_NODE } },
       // `npm run test:browser`: everything that needs Chromium or Firefox
       // its files are not isolated from one another: those that one worker runs share a Chromium
       { extends: true, test: { name: 'browser', include: [IN_BROWSERS], globalSetup: 'tests/e2e/profiles.ts', isolate: false } },
     ],
     // a skipped test is loud on a developer's machine and an error in CI: see .ci/run
     reporters: ['default'],
-    setupFiles: ['tests/property-seed.ts'],
     testTimeout: PATIENCE,
     hookTimeout: PATIENCE,
     // two workers: more would only wait for each other on the machines this runs on

@@ -17,7 +17,7 @@ export default defineConfig({
       name: 'mutants',
       enforce: 'pre',
       resolveId(id, importer) {
-        const isTest = importer?.startsWith(`${root}tests/`) && !importer.includes('/tests/property-seed');
+        const isTest = importer?.startsWith(`${root}tests/`);
         return id === 'vitest' && isTest ? standIn : null;
       },
       transform(code, id) {
@@ -36,9 +36,9 @@ export default defineConfig({
       },
     },
   ],
+  resolve: { alias: [{ find: /^fast-check$/, replacement: `${root}tests/fast-check.ts` }] },
   test: {
     include: ['bench/mutation/session.ts'],
-    setupFiles: ['tests/property-seed.ts'],
     reporters: ['dot'],
     pool: 'forks',
     maxWorkers: 1,
