@@ -14,9 +14,13 @@ import {
 import type { Hold, Level } from '../../schema/index.ts';
 import { continuousNames } from '../engine/accuracies.ts';
 import { type PlainLevel, plainLevel } from '../engine/plain-level.ts';
+import { once } from '../once.ts';
 import { real } from '../real.ts';
 import { bounceByBounce } from './bounce.ts';
-import { type Slid, slideByAngle } from './slide-by-angle.ts';
+import { slideByAngle as computeSlide, type Slid } from './slide-by-angle.ts';
+
+// Every accuracy is compared with the same slides.
+const slideByAngle = once(computeSlide);
 
 /** s, by which she may come off too early or too late. */
 const OFF = { precise: 1e-9, standard: 1e-6, fast: 1e-3 };
@@ -93,34 +97,34 @@ describe.each(continuousNames)('bounces lower than 1e-6 px count as sliding: %s'
   });
 });
 
-describe.each(continuousNames)('sliding on a rim at the speed limit: %s', (accuracy) => {
-  /** By the angle, in small steps: at the limit along y until what acts would drive her back along it. */
-  function slideAtLimit(level: Level, seconds: number): [x: number, y: number, vy: number] {
-    const { radius } = level.repulsors[0];
-    const [target] = level.asteroids;
-    const h = 1e-4;
-    let angle = Math.atan2(level.astronaut.y, level.astronaut.x);
-    let turn = (level.astronaut.vy * Math.cos(angle) - level.astronaut.vx * Math.sin(angle)) / radius;
-    // acceleration of the angle when she is free
-    const bends = (angle: number, turn: number) => {
-      const [c, s] = [Math.cos(angle), Math.sin(angle)];
-      const [wx, wy] = [target.x - radius * c, target.y - radius * s];
-      const f = 39 * (1 / Math.hypot(wx, wy) - 1 / level.range);
-      const out = f * (wx * c + wy * s);
-      const share = (20 + radius * turn * turn) / (20 - out);
-      return (share * f * (wy * c - wx * s)) / radius;
-    };
-    for (let n = 0; n < seconds / h - 0.5; n++) {
-      const along = bends(angle, turn);
-      const middle = bends(angle + (turn * h) / 2, turn + (along * h) / 2);
-      angle += turn * h + (along * h * h) / 2;
-      turn += middle * h;
-      const limit = 1000 / (radius * Math.abs(Math.cos(angle)));
-      if (Math.abs(turn) > limit) turn = Math.sign(turn) * limit;
-    }
-    return [radius * Math.cos(angle), radius * Math.sin(angle), radius * turn * Math.cos(angle)];
+/** By the angle, in small steps: at the limit along y until what acts would drive her back along it. */
+const slideAtLimit = once((level: Level, seconds: number): [x: number, y: number, vy: number] => {
+  const { radius } = level.repulsors[0];
+  const [target] = level.asteroids;
+  const h = 1e-4;
+  let angle = Math.atan2(level.astronaut.y, level.astronaut.x);
+  let turn = (level.astronaut.vy * Math.cos(angle) - level.astronaut.vx * Math.sin(angle)) / radius;
+  // acceleration of the angle when she is free
+  const bends = (angle: number, turn: number) => {
+    const [c, s] = [Math.cos(angle), Math.sin(angle)];
+    const [wx, wy] = [target.x - radius * c, target.y - radius * s];
+    const f = 39 * (1 / Math.hypot(wx, wy) - 1 / level.range);
+    const out = f * (wx * c + wy * s);
+    const share = (20 + radius * turn * turn) / (20 - out);
+    return (share * f * (wy * c - wx * s)) / radius;
+  };
+  for (let n = 0; n < seconds / h - 0.5; n++) {
+    const along = bends(angle, turn);
+    const middle = bends(angle + (turn * h) / 2, turn + (along * h) / 2);
+    angle += turn * h + (along * h * h) / 2;
+    turn += middle * h;
+    const limit = 1000 / (radius * Math.abs(Math.cos(angle)));
+    if (Math.abs(turn) > limit) turn = Math.sign(turn) * limit;
   }
+  return [radius * Math.cos(angle), radius * Math.sin(angle), radius * turn * Math.cos(angle)];
+});
 
+describe.each(continuousNames)('sliding on a rim at the speed limit: %s', (accuracy) => {
   it('the limit holds her until the forces would drive her back', () => {
     const radius = 5e4;
     for (const sign of [1, -1]) {
