@@ -1,6 +1,7 @@
 import { isMainThread, parentPort, Worker, workerData } from 'node:worker_threads';
 import { optionValue } from './harness.ts';
 import { attackProofs } from './soak/attack-proofs.ts';
+import { attackProperties } from './soak/attack-properties.ts';
 import { attackSignals } from './soak/attack-signals.ts';
 import { attackWriters } from './soak/attack-writers.ts';
 import { checkBySteps } from './soak/by-steps.ts';
@@ -142,7 +143,15 @@ async function attackScenes(attack: Attack, from: number, scenes: number, second
   if (counts.bug > 0 || done === from) process.exitCode = 1;
 }
 
-const ALL_ATTACKS = [...(Object.keys(ATTACKS) as Attack[]), 'small-steps', 'contacts', 'proofs', 'signals', 'writers'] as const;
+const ALL_ATTACKS = [
+  ...(Object.keys(ATTACKS) as Attack[]),
+  'small-steps',
+  'contacts',
+  'properties',
+  'proofs',
+  'signals',
+  'writers',
+] as const;
 
 const isScenes = (attack: string): attack is Attack => Object.hasOwn(ATTACKS, attack);
 
@@ -169,6 +178,7 @@ async function main(): Promise<void> {
     else if (attack === 'contacts') attackContacts(from, seeds, Date.now() + 1000 * seconds);
     else if (attack === 'signals') await attackSignals(from, seeds, Date.now() + 1000 * seconds);
     else if (attack === 'writers') await attackWriters(from, seeds, Date.now() + 1000 * seconds);
+    else if (attack === 'properties') attackProperties(from, Date.now() + 1000 * seconds);
     else attackProofs(seconds);
   }
 }

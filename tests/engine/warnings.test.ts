@@ -260,7 +260,7 @@ describe('properties', () => {
         if (found.has('nothing-in-range-at-start /astronaut')) expect([result.outcome, result.time]).toEqual(['lost', 0]);
         for (const { index } of result.minerals) expect(found).not.toContain(`mineral-out-of-reach /minerals/${index}`);
       }),
-      { numRuns: 500 },
+      { numRuns: 150 },
     );
   });
 

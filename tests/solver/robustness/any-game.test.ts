@@ -141,10 +141,10 @@ it('a certificate tries every combination, and nothing else', () => {
       const played = history(game, counterexample);
       expect((itself ? all(largest + 1) : [holds]).some((run) => history(game, run) === played)).toBe(true);
     }),
-    { numRuns: 400 },
+    { numRuns: 150 },
   );
   // Every answer has occurred.
-  for (const times of proved) expect(times).toBeGreaterThan(10);
+  for (const times of proved) expect(times).toBeGreaterThan(4);
 });
 
 it('the slack of an edge is how far it can move alone, each way', () => {
