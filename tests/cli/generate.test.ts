@@ -1,7 +1,7 @@
 import { readdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { setTimeout } from 'node:timers/promises';
 import { afterAll, describe, expect, it } from 'vitest';
+import { interruptAt } from '../../bench/soak/interrupted/step.ts';
 import { generatedPath, keepLevel } from '../../cli/generate/keep-level.ts';
 import { formatLevel, generateReportSchema, type LevelFile } from '../../schema/index.ts';
 import type { Generated } from '../../solver/index.ts';
@@ -92,13 +92,10 @@ describe('gq generate', () => {
   it.runIf(process.platform === 'linux')(
     'ends on a signal without a report; files that were written by then are whole',
     async () => {
-      const ready = `process.on('newListener', (name) => name === 'SIGINT' && process._rawDebug('ready'));`;
       const { code, stdout } = await gqProcess('generate --out stopped --count 500 --difficulty hard --format json'.split(' '), {
         cwd,
-        env: { NODE_OPTIONS: `--import=data:text/javascript,${encodeURIComponent(ready)}` },
-        during: (child: import('node:child_process').ChildProcess) => {
-          child.stderr?.once('data', () => void setTimeout(500).then(() => child.kill('SIGINT')));
-        },
+        // the signal comes as the first thread begins
+        env: interruptAt({ of: 'online', number: 1, signals: ['SIGINT'] }),
       });
       expect(code).toBe(130);
       expect(stdout).toBe('');

@@ -1,9 +1,9 @@
-import { type ChildProcess, execFileSync, spawn } from 'node:child_process';
+import { execFileSync, spawn } from 'node:child_process';
 import { closeSync, constants, mkdirSync, openSync, readFileSync, symlinkSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import process from 'node:process';
-import { setTimeout } from 'node:timers/promises';
 import { afterAll, describe, expect, it } from 'vitest';
+import { interruptAt } from '../../bench/soak/interrupted/step.ts';
 import { findLevelFiles } from '../../cli/files.ts';
 import { fallThrough, gq, gqProcess, MAIN, makeFiles } from './gq.ts';
 
@@ -85,9 +85,15 @@ it('writes a large report whole into a slow pipe', async () => {
     ['simulate', 'good.level.json', '--accuracy', 'arcade', '--sample', '10000', '--format', 'json'],
     {
       cwd,
+      env: interruptAt({ of: 'output', number: 1, say: 'the report begins' }),
       during: (child) => {
+        // one piece of each turn of the loop, and none before the report begins
         child.stdout?.pause();
-        void setTimeout(300).then(() => child.stdout?.resume());
+        child.stderr?.once('data', () => child.stdout?.resume());
+        child.stdout?.on('data', () => {
+          child.stdout?.pause();
+          setImmediate(() => child.stdout?.resume());
+        });
       },
     },
   );
@@ -106,23 +112,14 @@ it.runIf(process.platform === 'linux')('tells a full disk behind stdout, with ex
 });
 
 describe.runIf(process.platform === 'linux')('a signal', () => {
-  // says when the process listens for signals: before that the system ends it
-  const ready = `process.on('newListener', (name) => name === 'SIGTERM' && setImmediate(() => process._rawDebug('ready')));`;
-  const env = { NODE_OPTIONS: `--import=data:text/javascript,${encodeURIComponent(ready)}` };
-  const interrupt = (signal: NodeJS.Signals) => (child: ChildProcess) => {
-    child.stderr?.once('data', () => void setTimeout(200).then(() => child.kill(signal)));
-  };
-
   it('ends the work and its workers with 130 or 143, and writes nothing', async () => {
     const args = ['check', 'long', '--format', 'json', '--accuracy', 'arcade', '--max-time', '3600'];
-    for (const jobs of ['1', '2']) {
-      const [int, term] = await Promise.all([
-        gqProcess([...args, '--jobs', jobs], { cwd, env, during: interrupt('SIGINT') }),
-        gqProcess([...args, '--jobs', jobs], { cwd, env, during: interrupt('SIGTERM') }),
-      ]);
-      expect(int).toEqual({ code: 130, signal: null, stdout: '', stderr: 'ready\n' });
-      expect(term).toEqual({ code: 143, signal: null, stdout: '', stderr: 'ready\n' });
-    }
+    const [int, term] = await Promise.all([
+      gqProcess([...args, '--jobs', '1'], { cwd, env: interruptAt({ of: 'online', number: 1, signals: ['SIGINT'] }) }),
+      gqProcess([...args, '--jobs', '2'], { cwd, env: interruptAt({ of: 'online', number: 2, signals: ['SIGTERM'] }) }),
+    ]);
+    expect(int).toEqual({ code: 130, signal: null, stdout: '', stderr: '' });
+    expect(term).toEqual({ code: 143, signal: null, stdout: '', stderr: '' });
   });
 
   it('ends at once what waits for a pipe, or for the reader of its report', async () => {
@@ -130,18 +127,15 @@ describe.runIf(process.platform === 'linux')('a signal', () => {
     // for both, so that nobody waits for the other to open it
     const pipe = openSync(join(cwd, 'pipe'), constants.O_RDWR);
     const noSamples = ['simulate', 'good.level.json', '--sample', '10000', '--format', 'json'];
-    for (const [args, stdio] of [
-      [
-        ['check', '/dev/stdin'],
-        [pipe, 'ignore', 'ignore'],
-      ],
-      [noSamples, ['ignore', pipe, 'ignore']],
+    for (const [args, stdio, of] of [
+      [['check', '/dev/stdin'], [pipe, 'ignore', 'pipe'], 'readSync'],
+      [noSamples, ['ignore', pipe, 'pipe'], 'output'],
     ] as const) {
-      const child = spawn(process.execPath, [MAIN, ...args], { cwd, stdio: [...stdio] });
+      const env = { ...process.env, ...interruptAt({ of, number: 1, say: 'waits' }) };
+      const child = spawn(process.execPath, [MAIN, ...args], { cwd, env, stdio: [...stdio] });
       const ended = new Promise((resolve) => child.on('close', (code, signal) => resolve([code, signal])));
-      // long enough to wait for it on most machines; it ends so at every moment
-      await setTimeout(1500);
-      child.kill('SIGINT');
+      // right before it waits: a handler would be called only after the wait, which never ends
+      child.stderr?.once('data', () => child.kill('SIGINT'));
       expect(await ended).toEqual([null, 'SIGINT']);
     }
     closeSync(pipe);

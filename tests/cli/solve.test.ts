@@ -1,9 +1,9 @@
-import { type ChildProcess, execFileSync } from 'node:child_process';
+import { execFileSync } from 'node:child_process';
 import { existsSync, lstatSync, readFileSync, symlinkSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import process from 'node:process';
-import { setTimeout } from 'node:timers/promises';
 import { afterAll, describe, expect, it } from 'vitest';
+import { interruptAt } from '../../bench/soak/interrupted/step.ts';
 import { formatLevel, readLevel, solveReportSchema } from '../../schema/index.ts';
 import { type Proof, verifyProof } from '../../solver/index.ts';
 import { fallThrough, gq, gqProcess, MAIN, makeFiles } from './gq.ts';
@@ -210,25 +210,21 @@ describe('bad input', () => {
 });
 
 describe.runIf(process.platform === 'linux')('a search that goes on', () => {
-  // says when signals are caught: as the threads begin
-  const ready = `process.on('newListener', (name) => name === 'SIGINT' && process._rawDebug('ready'));`;
-  const env = { NODE_OPTIONS: `--import=data:text/javascript,${encodeURIComponent(ready)}` };
-
   // no run of it forgives so much that the search ends by itself
   const ENDLESS = withoutRuns('17-watchdog');
 
   it('is ended by a signal with 130 or 143; nothing is reported, and nothing written', async () => {
-    for (const [signal, code] of [
-      ['SIGINT', 130],
-      ['SIGTERM', 143],
+    for (const [signal, code, answers] of [
+      ['SIGINT', 130, 1],
+      ['SIGTERM', 143, 4],
     ] as const) {
       writeFileSync(join(cwd, 'stop.level.json'), ENDLESS);
-      const ended = await gqProcess('solve stop.level.json --budget 600 --write --format json'.split(' '), {
+      const ended = await gqProcess('solve stop.level.json --effort 1000000000 --write --format json'.split(' '), {
         cwd,
-        env,
-        during: (child: ChildProcess) => child.stderr?.once('data', () => void setTimeout(1500).then(() => child.kill(signal))),
+        // the signal comes with an answer of a thread
+        env: interruptAt({ of: 'message', number: answers, signals: [signal] }),
       });
-      expect(ended).toEqual({ code, signal: null, stdout: '', stderr: 'ready\n' });
+      expect(ended).toEqual({ code, signal: null, stdout: '', stderr: '' });
       expect(inDirectory(cwd, 'stop.level.json')).toBe(ENDLESS);
     }
   });
@@ -236,10 +232,10 @@ describe.runIf(process.platform === 'linux')('a search that goes on', () => {
   it('does not write into a file that has changed meanwhile; what was found is reported', async () => {
     writeFileSync(join(cwd, 'changed.level.json'), fallThrough({ runs: undefined }));
     const other = fallThrough();
+    const change = { path: join(cwd, 'changed.level.json'), text: other };
     const ended = await gqProcess('solve changed.level.json --effort 400000 --write --format json'.split(' '), {
       cwd,
-      env,
-      during: (child: ChildProcess) => child.stderr?.once('data', () => writeFileSync(join(cwd, 'changed.level.json'), other)),
+      env: interruptAt({ of: 'message', number: 1, write: change }),
     });
     expect(inDirectory(cwd, 'changed.level.json')).toBe(other);
     expect(report(ended).found).toBe(true);
@@ -248,8 +244,11 @@ describe.runIf(process.platform === 'linux')('a search that goes on', () => {
   });
 
   it.runIf(existsSync(SCRIPT))('progress is told on a terminal, and taken away again', () => {
-    const command = `'${process.execPath}' '${MAIN}' solve needle.level.json --budget 3`;
-    const terminal = execFileSync(SCRIPT, ['-qec', `${command} 2>&1 || true`, '/dev/null'], { cwd, encoding: 'utf8' });
+    // progress is shown after half a second: here every look at the clock takes a second
+    const slow = 'const now = performance.now(); let looks = 0; performance.now = () => now + 1000 * looks++;';
+    const env = { ...process.env, NODE_OPTIONS: `--import=data:text/javascript,${encodeURIComponent(slow)}` };
+    const command = `'${process.execPath}' '${MAIN}' solve needle.level.json --effort 400000`;
+    const terminal = execFileSync(SCRIPT, ['-qec', `${command} 2>&1 || true`, '/dev/null'], { cwd, env, encoding: 'utf8' });
     const [, ...lines] = terminal.split('\r\u001b[2K');
     expect(lines[0]).toMatch(/^solving, \d+ s, [\d.]+ million ticks: no run yet, closest [\d.]+ px; Ctrl-C ends$/);
     expect(lines.at(-1)).not.toContain('solving');
