@@ -4,16 +4,30 @@ import { runInPool } from '../../cli/pool.ts';
 const module = (source: string): URL => new URL(`data:text/javascript,${encodeURIComponent(source)}`);
 
 it('gives one result a task in the order of the tasks, and tells of each as it ends', async () => {
-  const later = module('export default (ms) => new Promise((resolve) => setTimeout(resolve, ms, ms))');
+  // each waits until as many tasks were told of as its number says
+  const inTurn = module(`export default ({ turn, shared }) => {
+    const told = new Int32Array(shared);
+    for (let count = 0; (count = Atomics.load(told, 0)) !== turn; ) Atomics.wait(told, 0, count);
+    return turn;
+  }`);
+  const shared = new SharedArrayBuffer(4);
+  const tasks = [2, 0, 1].map((turn) => ({ turn, shared }));
   const told: [number, number][] = [];
-  const results = await runInPool<number, number>(later, [300, 1, 2], 3, (done, ms) => void told.push([done, ms]));
-  expect(results).toEqual([300, 1, 2]);
-  expect(told.map(([done]) => done)).toEqual([1, 2, 3]);
-  expect(told[2]).toEqual([3, 300]);
+  const results = await runInPool<(typeof tasks)[number], number>(inTurn, tasks, 3, (done, turn) => {
+    told.push([done, turn]);
+    Atomics.add(new Int32Array(shared), 0, 1);
+    Atomics.notify(new Int32Array(shared), 0);
+  });
+  expect(results).toEqual([2, 0, 1]);
+  expect(told).toEqual([
+    [1, 0],
+    [2, 1],
+    [3, 2],
+  ]);
 });
 
 it('ends with what a task throws, or who is told of it, while others go on', async () => {
-  const endless = module('export default (n) => n === 1 ? n : new Promise((resolve) => setTimeout(resolve, 1e6))');
+  const endless = module('export default (n) => n === 1 ? n : new Promise(() => {})');
   const told = runInPool<number, number>(endless, [1, 2, 3], 2, async () => {
     throw new Error('told');
   });
