@@ -46,7 +46,7 @@ inChromium('comfort in Chromium', ({ on }) => {
 
       await page.keyboard.press('?');
       const sheet = page.getByRole('dialog', { name: 'Shortcuts and gestures' });
-      for (const text of ['Undo', 'Duplicate', 'Play from the start', 'Ctrl+D', 'drag its rim', 'moves a copy']) {
+      for (const text of ['Undo', 'Duplicate', 'Play from the start', 'Ctrl+D', 'drag its rim', 'move a copy']) {
         await sheet.getByText(text, { exact: true }).first().waitFor();
       }
       await page.keyboard.press('Escape');
