@@ -62,7 +62,7 @@ inChromium('focus in Chromium', ({ on }) => {
       await runs.focus();
       await page.keyboard.press('Enter');
       await page.keyboard.press('Control+k');
-      await page.keyboard.type('light or dark');
+      await page.keyboard.type('light and dark');
       await page.keyboard.press('Enter');
       await palette.waitFor({ state: 'hidden' });
       await hasFocus(page, 'Runs');
