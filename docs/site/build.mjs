@@ -1,4 +1,4 @@
-// Builds the documents as a static site with search into dist/docs: node docs/site/build.mjs, after npm run reference.
+// Builds the documents as a static site with search into dist/docs: node docs/site/build.mjs, after npm run build and npm run reference.
 // DOCS_BASE is the path of the site on its server, such as /gravity-quest-toolkit/; without it, the site is at the root.
 import { rmSync } from 'node:fs';
 import { join } from 'node:path';

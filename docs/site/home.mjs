@@ -7,7 +7,8 @@ export const HOME = {
     tagline:
       'Check levels, find runs, prove levels impossible, measure how hard they are: on the command line and in the browser.',
     image: {
-      src: '/firewalk.svg',
+      dark: '/firewalk.svg',
+      light: '/light-firewalk.svg',
       alt: 'The level Firewalk: a run past three hot asteroids and three novae into the black hole',
     },
     actions: [

@@ -4,6 +4,7 @@ import process from 'node:process';
 import { fileURLToPath } from 'node:url';
 import { HOME } from './home.mjs';
 import { PAGES } from './pages.mjs';
+import { lightVersions } from './pictures.mjs';
 import { referencePages } from './reference.mjs';
 
 export const PROJECT = fileURLToPath(new URL('../..', import.meta.url));
@@ -74,6 +75,17 @@ export function stagePages() {
     return sourcePage(path);
   };
 
+  // of a picture with two versions, the theme shows the one in the colours of the page
+  const light = lightVersions(PROJECT, ['docs/site/index.md', ...listed.keys()]);
+  const linkOf = (page, words, target) => {
+    const dark = `${words}(${targetOf(page, target)})`;
+    const path = posix.join(posix.dirname(page), target);
+    if (!words.startsWith('!') || !light.has(path)) return dark;
+    const name = `pictures/light-${posix.basename(path)}`;
+    put(name, light.get(path));
+    return `${dark}{.only-dark}${words}(/${name}){.only-light}`;
+  };
+
   const staged = (page) => {
     let isCode = false;
     const lines = readFileSync(join(PROJECT, page), 'utf8').split('\n');
@@ -83,7 +95,7 @@ export function stagePages() {
       const link = /`[^`]*`(?!\])|(!?\[(?:[^\]`]|`[^`]*`)*\])\(([^)\s]+)\)/g;
       return isCode
         ? line
-        : line.replace(link, (all, words, target) => (words === undefined ? all : `${words}(${targetOf(page, target)})`));
+        : line.replace(link, (all, words, target) => (words === undefined ? all : linkOf(page, words, target)));
     });
   };
 
@@ -91,6 +103,7 @@ export function stagePages() {
   for (const { path, text } of referencePages()) put(`api/${path}`, text);
   put('index.md', `---\n${JSON.stringify(HOME)}\n---\n\n${staged('docs/site/index.md').join('\n')}`);
   put('public/firewalk.svg', readFileSync(join(PROJECT, 'docs/firewalk.svg')));
+  put('public/light-firewalk.svg', light.get('docs/firewalk.svg'));
   put('public/icon.svg', readFileSync(join(PROJECT, 'editor/public/icon.svg')));
   if (problems.length > 0) throw new Error(problems.join('\n'));
 }

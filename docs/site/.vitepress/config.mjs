@@ -45,7 +45,7 @@ export default defineConfig({
     search: {
       provider: 'local',
       // what is written for readers stands before the API, which names the same words on many pages
-      options: { miniSearch: { searchOptions: { boostDocument: (id) => (id.includes('/api/') ? 0.4 : 1) } } },
+      options: { miniSearch: { searchOptions: { boostDocument: (id) => (id.includes('/api/') ? 0.2 : 1) } } },
     },
     outline: [2, 3],
     nav: [
