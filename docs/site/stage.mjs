@@ -18,6 +18,8 @@ export const SITE = join(PROJECT, 'dist/docs');
 /** Path of the site on its server, with a slash at both ends. */
 export const BASE = `/${process.env.DOCS_BASE ?? ''}/`.replace(/\/+/g, '/');
 
+const ASKS_SYSTEM = '@media (prefers-color-scheme:dark)';
+
 const PICTURES = ['.svg', '.png'];
 
 /**
@@ -80,9 +82,14 @@ export function stagePages() {
   const linkOf = (page, words, target) => {
     const dark = `${words}(${targetOf(page, target)})`;
     const path = posix.join(posix.dirname(page), target);
-    if (!words.startsWith('!') || !light.has(path)) return dark;
     const name = `pictures/light-${posix.basename(path)}`;
-    put(name, light.get(path));
+    const svg = path.endsWith('.svg') && existsSync(join(PROJECT, path)) ? readFileSync(join(PROJECT, path), 'utf8') : '';
+    if (words.startsWith('!') && svg.includes(ASKS_SYSTEM)) {
+      // a chart asks the system for its colours, but the reader may choose others
+      put(`pictures/${posix.basename(path)}`, svg.replaceAll(ASKS_SYSTEM, '@media all'));
+      put(name, svg.replaceAll(ASKS_SYSTEM, '@media not all'));
+    } else if (words.startsWith('!') && light.has(path)) put(name, light.get(path));
+    else return dark;
     return `${dark}{.only-dark}${words}(/${name}){.only-light}`;
   };
 
