@@ -25,7 +25,7 @@ export function declare(command: Command, _finish: (result: CommandResult) => vo
     .addHelpText(
       'after',
       `
-Prints an address that works until the command ends (Ctrl-C); whoever has it can change the levels in the folder, nobody else can.
+Prints an address that works until the command ends (Ctrl-C); anyone who has it can change the levels in the folder, nobody else can.
 Levels are played under the rules of gq.config.json, as by other commands, and the page follows it when it is changed.
 Changes are saved as they are made, each file whole or not at all; deleted levels are kept in DIR/.gq-trash.
 
