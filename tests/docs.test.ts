@@ -11,7 +11,8 @@ import { type Commands, openTerminal, readCommands, type Terminal, wordsOf } fro
 // Reads the pages as their reader does, from top to bottom: makes the files, runs the commands, compares what is printed.
 // `npm run docs:outputs` rewrites what is printed in the pages instead.
 
-const isUpdating = import.meta.env.MODE === 'update-docs';
+// as snapshots are: `vitest --update`
+const isUpdating = (): boolean => expect.getState().snapshotState.snapshotUpdateState === 'all';
 const manifest = JSON.parse(readFileSync(join(PROJECT, 'package.json'), 'utf8'));
 
 let commands: Commands;
@@ -28,6 +29,7 @@ const withoutMissing = (prose: string): string => prose.replace(/^## Not there y
 describe.each(RUN_PAGES)('%s', (path) => {
   const page = readPage(path);
   let terminal: Terminal;
+  /** What commands print now where the page shows something else, by the line of the command. Only while updating. */
   const printed = new Map<number, string>();
 
   beforeAll(() => {
@@ -36,7 +38,7 @@ describe.each(RUN_PAGES)('%s', (path) => {
 
   afterAll(() => {
     terminal.close();
-    if (!isUpdating) return;
+    if (printed.size === 0) return;
     const lines = page.text.split('\n');
     for (const block of page.blocks.filter(({ language }) => language === 'console').reverse()) {
       const fresh = shownIn(block).flatMap(({ command, printed: shown, line }) => {
@@ -59,8 +61,8 @@ describe.each(RUN_PAGES)('%s', (path) => {
       take: async () => {
         const now = await terminal.run(command);
         if (withoutSeconds(now) === withoutSeconds(shown)) return;
-        printed.set(line, now);
-        if (!isUpdating) expect(withoutSeconds(now)).toBe(withoutSeconds(shown));
+        if (isUpdating()) printed.set(line, now);
+        else expect(withoutSeconds(now)).toBe(withoutSeconds(shown));
       },
     }));
   });
@@ -221,7 +223,7 @@ describe('pictures', () => {
     const made = `${await terminal.run(`npx ${words.join(' ')}`)}\n`;
     terminal.close();
     const file = join(PROJECT, picture);
-    if (isUpdating) writeFileSync(file, made);
+    if (isUpdating()) writeFileSync(file, made);
     else expect(made.trimEnd() === readFileSync(file, 'utf8').trimEnd(), `npm run docs:outputs makes ${picture} anew`).toBe(true);
     expect(existsSync(file)).toBe(true);
   });
