@@ -57,7 +57,7 @@ describe('gq difficulty', () => {
       /\nwindow {6}/,
       /\nno press {4}does not complete it\n/,
       /\none press {3}/,
-      /\nasteroid 0 {2}/,
+      /\nasteroid 1 {2}/,
     ])
       expect(ended.stdout).toMatch(line);
     const svg = readFileSync(join(cwd, 'one.svg'), 'utf8');

@@ -36,7 +36,7 @@ describe('what draws the canvas', () => {
       const { complaint, ...chosen } = choose('webgl', search, 'software');
       expect(chosen).toEqual({ name: 'webgl', setting: 'webgl' });
       expect(complaint).toContain(`“${search.slice(10)}”`);
-      expect(complaint).toContain('expected webgl or canvas');
+      expect(complaint).toContain('the renderer webgl or canvas');
     }
   });
 });
