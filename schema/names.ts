@@ -16,6 +16,7 @@ const numbered = (words: string, index: number): string => `${words} ${index + 1
 
 /**
  * What to call an object of a level: `asteroid 4`, `black hole`.
+ * @param kind what it is
  * @param index in the level's list of that kind, from 0
  * @param object as a file or a level has it; with it a hot asteroid is called one: `hot asteroid 4`
  */
@@ -24,7 +25,11 @@ export function objectName(kind: ObjectKind, index: number, object: object = {})
   return KINDS[kind].list === null ? one : numbered(one, index);
 }
 
-/** What to call an object that ends a run when it is touched: `hot asteroid 4`, `the black hole`. */
+/**
+ * What to call an object that ends a run when it is touched: `hot asteroid 4`, `the black hole`.
+ * @param kind what it is
+ * @param index in the level's list of that kind, from 0
+ */
 export const touchedName = (kind: ObjectKind, index: number): string =>
   KINDS[kind].list === null ? `the ${KINDS[kind].one}` : numbered(nameWhenTouched(kind), index);
 
@@ -80,5 +85,9 @@ export function toWords(path: Path, level?: unknown): string {
   return words.join(', ');
 }
 
-/** What to call an entry of a list of objects: `asteroid 4`. */
+/**
+ * What to call an entry of a list of objects: `asteroid 4`.
+ * @param list the list's key in a level file
+ * @param index in that list, from 0
+ */
 export const entryName = (list: ObjectList, index: number): string => objectName(kindOfList(list), index);

@@ -27,10 +27,21 @@ export function referencePages() {
   return files.map((path) => ({ path: path.replaceAll('\\', '/'), text: readFileSync(join(REFERENCE, path), 'utf8') }));
 }
 
-/** Makes the sidebar of the API reference. The reference has been made. */
-export function referenceSidebar() {
+/**
+ * Makes the sidebars of the API reference: for each module one that lists its own names only, which keeps pages small. The
+ * reference has been made.
+ */
+export function referenceSidebars() {
+  const api = { text: 'API', link: '/api/' };
+  const closed = MODULES.map((module) => ({ text: module, link: `/api/${module}/` }));
+  const sidebars = MODULES.map((module, i) => [`/api/${module}/`, [{ ...api, items: closed.with(i, opened(module)) }]]);
+  return { '/api/': [{ ...api, items: closed }], ...Object.fromEntries(sidebars) };
+}
+
+/** A module with all its names. */
+function opened(module) {
   const namesIn = (folder) => (existsSync(folder) ? readdirSync(folder) : []).map((file) => file.replace(/\.md$/, ''));
-  return MODULES.map((module) => ({
+  return {
     text: module,
     link: `/api/${module}/`,
     items: KINDS.map(({ folder, text }) => ({
@@ -40,5 +51,5 @@ export function referenceSidebar() {
         .sort((a, b) => a.localeCompare(b))
         .map((name) => ({ text: name, link: `/api/${module}/${folder}/${name}` })),
     })).filter(({ items }) => items.length > 0),
-  }));
+  };
 }

@@ -29,7 +29,7 @@ export function CheatSheet() {
       open={open}
       wide
       title="Shortcuts and gestures"
-      about="Every command is also in the palette."
+      about="Search (Ctrl K) finds every command."
       onClose={() => session.setState({ overlay: null })}
     >
       <div className="sheet">

@@ -1,7 +1,7 @@
 import { join } from 'node:path';
 import { defineConfig } from 'vitepress';
 import { GROUPS } from '../pages.mjs';
-import { referenceSidebar } from '../reference.mjs';
+import { referenceSidebars } from '../reference.mjs';
 import { BASE, PROJECT, SITE, STAGE } from '../stage.mjs';
 
 // as GitHub makes anchors, so that links work there and here
@@ -56,7 +56,7 @@ export default defineConfig({
       { ...API, activeMatch: '^/api/' },
     ],
     sidebar: {
-      '/api/': [{ text: 'API', link: '/api/', items: [] }, ...referenceSidebar()],
+      ...referenceSidebars(),
       '/': GROUPS.map(({ text, pages, hasReference }) => ({
         text,
         items: [...pages.map((page) => ({ text: page.text, link: `/${page.name}` })), ...(hasReference ? [API] : [])],

@@ -52,7 +52,7 @@ function FoundCard({ found, place, minerals }: { readonly found: Found; readonly
         )}
         {p40 !== null && (
           <span title="Success with timing noise of 40 ms on every press and release">
-            P(40 ms) {percent(p40)}
+            {percent(p40)} at 40 ms
             {certified && (
               <Check size={12} className="found__certified" aria-label=", certified: all shifts by up to 2 ticks succeed" />
             )}
