@@ -43,7 +43,7 @@ export function completingRuns(
   const runs = level.runs.flatMap(({ name, holds }, i): CompletingRun[] =>
     ends[i].outcome === 'completed' ? [{ holds, name: `run ${JSON.stringify(name)}`, pointer: `/runs/${i}` }] : [],
   );
-  return found === null ? runs : [...runs, { holds: found, name: 'the run that was found', pointer: '' }];
+  return found === null ? runs : [...runs, { holds: found, name: 'the run that a search found', pointer: '' }];
 }
 
 /**

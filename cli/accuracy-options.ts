@@ -27,27 +27,31 @@ export function addAccuracyOptions(command: Command): Command {
       ),
     )
     .addOption(
-      new Option('--integrator <name>', 'a setting of your own instead: how motion is advanced').choices([
+      new Option('--integrator <name>', 'custom setting instead of --accuracy: the integrator').choices([
         'euler',
         'verlet',
         'rk4',
         'taylor',
       ]),
     )
-    .option('--rate <hz>', 'its steps a second, of euler, verlet and rk4', numberOption('steps a second', 0, HIGHEST_RATE))
-    .option('--tolerance <px>', 'its error a second, of taylor', parseTolerance)
+    .option(
+      '--rate <hz>',
+      'custom setting: steps per second, for euler, verlet and rk4',
+      numberOption('steps a second', 0, HIGHEST_RATE),
+    )
+    .option('--tolerance <px>', 'custom setting: error per second, for taylor', parseTolerance)
     .addOption(
-      new Option('--contact <test>', 'its contact test: along the whole way, or once a frame (default: "swept")').choices([
-        'frame',
-        'swept',
-      ]),
+      new Option(
+        '--contact <test>',
+        'custom setting: contact test, along the whole path or once a frame (default: "swept")',
+      ).choices(['frame', 'swept']),
     );
 }
 
 const parseTolerance = (text: string): number => {
   const value = numberOption('an error in px', 0, 1)(text);
   if (value >= TIGHTEST) return value;
-  throw new InvalidArgumentError(`expected an error of at least ${TIGHTEST} px: doubles round by more than that`);
+  throw new InvalidArgumentError(`expected an error of at least ${TIGHTEST} px: rounding of doubles exceeds anything smaller`);
 };
 
 /**
@@ -67,10 +71,12 @@ export function customAccuracy({ accuracy, integrator, rate, tolerance, contact 
     const part =
       rate !== undefined ? '--rate' : tolerance !== undefined ? '--tolerance' : contact !== undefined ? '--contact' : '';
     if (part === '') return null;
-    throw new Failure(`${part} is a part of a setting of your own: expected --integrator with it, ${EXAMPLES}`);
+    throw new Failure(`${part} is part of a custom setting: expected --integrator with it, ${EXAMPLES}`);
   }
   if (accuracy !== undefined) {
-    throw new Failure(`--accuracy ${accuracy} and --integrator ${integrator} exclude each other: give a name or the parts`);
+    throw new Failure(
+      `--accuracy ${accuracy} and --integrator ${integrator} cannot be combined: give a name or the parts of a custom setting`,
+    );
   }
   if (integrator === 'taylor') {
     if (rate !== undefined) {
@@ -79,7 +85,7 @@ export function customAccuracy({ accuracy, integrator, rate, tolerance, contact 
       );
     }
     if (tolerance === undefined) {
-      throw new Failure('--integrator taylor: expected --tolerance with it, an error in px, for example --tolerance 1e-6');
+      throw new Failure('--integrator taylor: expected --tolerance with it (an error in px), for example --tolerance 1e-6');
     }
   } else {
     if (tolerance !== undefined) {
@@ -88,7 +94,7 @@ export function customAccuracy({ accuracy, integrator, rate, tolerance, contact 
       );
     }
     if (rate === undefined) {
-      throw new Failure(`--integrator ${integrator}: expected --rate with it, steps a second, for example --rate 120`);
+      throw new Failure(`--integrator ${integrator}: expected --rate with it (steps per second), for example --rate 120`);
     }
   }
   return accuracyOf({ integrator, rate: rate ?? null, tolerance: tolerance ?? null, contact: contact ?? 'swept' });

@@ -17,7 +17,7 @@ export function chooseRun(
   options: { readonly run?: string; readonly holds?: readonly Hold[] },
 ): ChosenRun {
   if (options.run !== undefined && options.holds !== undefined) {
-    throw new Failure('--run and --holds exclude each other: a run has its own holds; give one of the two');
+    throw new Failure('--run and --holds cannot be combined: a run has its own holds; give one of the two');
   }
   if (options.holds !== undefined)
     return { name: options.holds.length === 0 ? 'she drifts' : 'holds from the command line', holds: options.holds };
@@ -30,6 +30,6 @@ export function chooseRun(
   }
   const first = level.runs[0];
   if (first === undefined)
-    throw new Failure(`${file}: the level has no run; give one with --holds 12-96,130-188, or --holds none to let her drift`);
+    throw new Failure(`${file}: the level has no run; give holds with --holds 12-96,130-188, or --holds none to let her drift`);
   return { name: `run ${JSON.stringify(first.name)}`, holds: first.holds };
 }

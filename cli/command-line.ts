@@ -47,12 +47,14 @@ async function perform(args: readonly string[]): Promise<CommandResult> {
 function createProgram(): Command {
   const program = new Command('gq');
   program
-    .description('Level-design toolkit for Gravity Quest: checks that levels can be completed.')
+    .description(
+      'Level-design toolkit for Gravity Quest: make levels, check that they can be completed, and measure how hard they are.',
+    )
     .version(readVersion(), '-V, --version', 'print the version')
     .helpOption('-h, --help', 'show help')
     .helpCommand('help [command]', 'show help for a command')
     .exitOverride()
-    .showHelpAfterError("(gq --help lists the commands, gq COMMAND --help a command's options)")
+    .showHelpAfterError('(gq --help lists the commands; gq COMMAND --help lists the options of a command)')
     .configureOutput({ outputError: (text, write) => write(visible(text)) })
     .addHelpText(
       'after',
@@ -60,11 +62,11 @@ function createProgram(): Command {
 Examples:
   $ gq check                          every level under levels/
   $ gq check levels --format github   the same, as annotations of a pull request
-  $ gq simulate levels/01-first-pull.level.json  what happens in its first run
+  $ gq simulate levels/01-first-pull.level.json  play its first run
   $ gq explain unknown-key            what a problem means
 
-Exit codes: 0 every level is completable, or the command did what was asked; 1 a level is not, or is invalid;
-2 it could not be done: bad option, nothing matched, unreadable file; 130 and 143 on SIGINT and SIGTERM.`,
+Exit codes: 0 every level is completable, or the command did what was asked; 1 a level is not completable or is invalid;
+2 the command failed: bad option, nothing matched, unreadable file; 130 and 143 on SIGINT and SIGTERM.`,
     );
   return program;
 }
@@ -83,14 +85,14 @@ function reportError(error: unknown): number {
 function describeError(error: unknown): string {
   if (error instanceof Failure) return `error: ${visible(error.message)}\n`;
   const stack = error instanceof Error ? (error.stack ?? error.message) : String(error);
-  return `gq crashed: this is a bug in gq, please report it with the level and the command line.\n${visible(stack)}\n`;
+  return `gq crashed. This is a bug in gq: please report it, with the level and the command line.\n${visible(stack)}\n`;
 }
 
 function watchStreams(): void {
   process.stdout.on('error', (error: NodeJS.ErrnoException) => {
     // the reader has gone away (`gq check | head -1`): it has what it wanted
     if (error.code === 'EPIPE') return;
-    process.stderr.write(`error: can't write to the standard output: ${error.message}\n`);
+    process.stderr.write(`error: can't write to standard output: ${error.message}\n`);
     process.exitCode = 2;
   });
   // nowhere left to complain to

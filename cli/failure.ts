@@ -10,7 +10,7 @@ const REASONS: Record<string, string> = {
   EACCES: 'permission denied',
   EPERM: 'not permitted',
   ENOENT: 'no such file or directory',
-  ENOTDIR: 'a part of its path is a file, not a directory',
+  ENOTDIR: 'part of its path is a file, not a directory',
   EISDIR: 'is a directory',
   EEXIST: 'a file of that name is in the way',
   ELOOP: 'its symbolic links go round in circles',

@@ -27,7 +27,7 @@ export async function findLevelFiles(paths: readonly string[]): Promise<FoundFil
     else for (const file of found) files.push(file);
   }
   if (unmatched.length > 0) {
-    const hint = 'expected a level file, a directory that holds *.level.json, or a pattern like "levels/*.json"';
+    const hint = 'expected a level file, a directory that contains *.level.json, or a pattern like "levels/*.json"';
     throw new Failure(
       `nothing was done: ${unmatched.length === 1 ? 'a path matches' : 'paths match'} no level file\n${unmatched.map((u) => `  ${u}\n`).join('')}${hint}`,
     );
@@ -42,7 +42,7 @@ async function expand(path: string, unreadable: { path: string; reason: string }
   if (!(stats instanceof Error)) {
     if (!stats.isDirectory()) return [path];
     const found = walk(path, (name) => LEVEL_FILE.test(name), unreadable);
-    return found.length > 0 || unreadable.length > before ? found : 'the directory holds no *.level.json';
+    return found.length > 0 || unreadable.length > before ? found : 'the directory contains no *.level.json';
   }
   if (!/[*?]/.test(path)) {
     // with it comes the schema, which a check leaves to its workers

@@ -17,5 +17,5 @@ export function folderRules(): OwnRules {
   const read = readFolderRules(readBytes(file));
   if (read.ok) return read.rules;
   const problems = showFileProblems(file, showProblems(read.problems, read.text), colorsFor(process.stderr));
-  throw new Failure(`nothing was done: the configuration is not valid\n${problems.trimEnd()}`);
+  throw new Failure(`nothing was done: the configuration is not valid:\n${problems.trimEnd()}`);
 }

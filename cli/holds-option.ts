@@ -2,7 +2,7 @@ import { InvalidArgumentError } from 'commander';
 import type { Hold } from '../schema/index.ts';
 
 const MAX_TICK = 216_000;
-const EXPECTED = 'expected holds in ticks of 1/60 s, in order of time, each press-release, like 12-96,130-188; or none';
+const EXPECTED = 'expected holds in ticks of 1/60 s, each as press-release, in order of time, like 12-96,130-188; or none';
 
 /**
  * Reads the value of `--holds`: `12-96,130-188` or `none`.
@@ -30,7 +30,7 @@ export function parseHolds(text: string): Hold[] {
       return fail(at, `expected the tick of a ${what} here (a whole number from 0 to ${MAX_TICK}), ${found}`);
     }
     const tick = Number(digits);
-    if (tick > MAX_TICK) fail(at, `tick ${digits} is beyond ${MAX_TICK}, which is an hour`);
+    if (tick > MAX_TICK) fail(at, `tick ${digits} is later than ${MAX_TICK}, which is an hour`);
     at += digits.length;
     skipSpace();
     return tick;
@@ -46,7 +46,7 @@ export function parseHolds(text: string): Hold[] {
     if (release <= press) fail(start, `the release (${release}) must be later than the press (${press})`);
     const last = holds.at(-1);
     if (last !== undefined && press < last[1]) {
-      fail(start, `this hold begins at ${press}, before the one before it ends (${last[1]})`);
+      fail(start, `this hold begins at ${press}, before the previous one ends (${last[1]})`);
     }
     holds.push([press, release]);
     if (at === text.length) return holds;

@@ -9,7 +9,7 @@ export function numberOption(what: string, above: number, max: number): (text: s
   return (text) => {
     const value = /^\s*$/.test(text) ? Number.NaN : Number(text);
     if (value > above && value <= max) return value;
-    throw new InvalidArgumentError(`expected ${what} above ${above}, at most ${max}`);
+    throw new InvalidArgumentError(`expected ${what}: more than ${above}, at most ${max}`);
   };
 }
 
@@ -23,15 +23,15 @@ export function wholeNumberOption(what: string, min: number, max: number): (text
 }
 
 export const formatOption = (...formats: string[]): Option =>
-  new Option('--format <format>', 'how to report').choices(formats).default(formats[0]);
+  new Option('--format <format>', 'format of the report').choices(formats).default(formats[0]);
 
 export const maxTimeOption = (): Option =>
-  new Option('--max-time <seconds>', 'simulated time after which a run is a timeout')
+  new Option('--max-time <seconds>', 'simulated time after which the outcome is a timeout')
     .argParser((text: string) => {
       const seconds = numberOption('seconds', 0, LONGEST_RUN)(text);
       // a run has whole ticks
       if (Math.round(seconds * TICK_RATE) > 0) return seconds;
-      throw new InvalidArgumentError(`expected seconds for a tick, 1/${TICK_RATE} s, at least, at most ${LONGEST_RUN}`);
+      throw new InvalidArgumentError(`expected seconds: at least one tick (1/${TICK_RATE} s), at most ${LONGEST_RUN}`);
     })
     .default(DEFAULT_MAX_TIME);
 
@@ -39,16 +39,18 @@ export const maxTimeOption = (): Option =>
 const MOST_WORK = 1e12;
 
 export const maxWorkOption = (): Option =>
-  new Option('--max-work <pieces>', 'work a level may cost, in pieces of motion')
+  new Option('--max-work <pieces>', 'most work that one level may cost, in pieces of motion')
     .argParser(wholeNumberOption('pieces of motion', 1, MOST_WORK))
     .default(DEFAULT_MAX_WORK);
 
 export const LARGEST_SEED = 2 ** 32 - 1;
 
 export const seedOption = (): Option =>
-  new Option('--seed <n>', 'chance of the search').argParser(wholeNumberOption('a seed', 0, LARGEST_SEED)).default(0);
+  new Option('--seed <n>', 'seed of the random numbers: the same seed gives the same result')
+    .argParser(wholeNumberOption('a seed', 0, LARGEST_SEED))
+    .default(0);
 
 export const jobsOption = (most: number): Option =>
-  new Option('-j, --jobs <n>', 'worker threads at most')
+  new Option('-j, --jobs <n>', 'most worker threads to use')
     .argParser(wholeNumberOption('a number of threads', 1, 256))
     .default(most);

@@ -33,12 +33,12 @@ export function addSearchOptions(command: Command, per = ''): Command {
   return command
     .option(
       '--budget <seconds>',
-      `search no longer than this${per} (default: ${DEFAULT_BUDGET}, or as long as --effort takes)`,
+      `search at most this long${per} (default: ${DEFAULT_BUDGET}, or as long as --effort takes)`,
       numberOption('seconds', 0, LONGEST_BUDGET),
     )
     .option(
       '--effort <ticks>',
-      `simulate no more ticks of 1/60 s than this${per}: the same answer on every machine`,
+      `simulate at most this many ticks of 1/60 s${per}: gives the same answer on every machine`,
       wholeNumberOption('a number of ticks', 1, Number.MAX_SAFE_INTEGER),
     )
     .addOption(seedOption());
@@ -51,9 +51,7 @@ export const limitsOf = ({ budget, effort }: SearchOptions): Limits => ({
 });
 
 export const mineralsOption = (): Option =>
-  new Option('--minerals <any|all|n>', 'how many different minerals to collect on the way')
-    .argParser(parseMinerals)
-    .default('any');
+  new Option('--minerals <any|all|n>', 'how many minerals the run must collect').argParser(parseMinerals).default('any');
 
 function parseMinerals(text: string): Goal['minerals'] {
   if (text === 'any' || text === 'all') return text;
@@ -65,7 +63,10 @@ function parseMinerals(text: string): Goal['minerals'] {
 const OBJECTIVES: readonly Objective[] = ['robust', 'first', 'presses', 'time'];
 
 export const objectiveOption = (): Option =>
-  new Option('--objective <what>', 'what the best run is: the one that forgives most, any, fewest presses, shortest time')
+  new Option(
+    '--objective <what>',
+    'which run is the best: the one that forgives most (robust), the first found, fewest presses, shortest time',
+  )
     .choices(OBJECTIVES)
     .default('robust');
 

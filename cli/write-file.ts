@@ -35,7 +35,7 @@ export async function writeWhole(path: string, content: string | Uint8Array): Pr
 export function replaceRegular(path: string, content: Uint8Array): void {
   tryTo(path, () => {
     const target = followed(path);
-    if (statSync(target, { throwIfNoEntry: false })?.isFile() === false) throw new Error('what is there is not a regular file');
+    if (statSync(target, { throwIfNoEntry: false })?.isFile() === false) throw new Error('it is not a regular file');
     replace(target, content);
   });
 }

@@ -17,7 +17,7 @@ export function outcomeText(level: Level, run: Run): string {
     completed: `completed in ${time}`,
     collided: `burned by ${run.with === null ? 'a hazard' : touchedName(run.with.kind, run.with.index)} at ${time}`,
     lost: `lost at ${time}`,
-    timeout: `nothing ended it in ${time}`,
+    timeout: `not over after ${time}`,
   }[run.outcome];
   const all = level.minerals.length;
   // `arcade` may count one mineral twice.

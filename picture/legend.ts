@@ -52,7 +52,7 @@ function entriesOf(level: Level, theme: Theme, runs: 'none' | 'one' | 'several',
         icon: `<path d="M-10 3C-4-4 4-4 10-1" fill="none" stroke="${theme.gun}" stroke-width="4.6" stroke-linecap="round"/>`,
       },
       {
-        label: runs === 'one' ? 'coasting, a dot each second' : 'coasting',
+        label: runs === 'one' ? 'coasting, one dot per second' : 'coasting',
         icon: `<path d="M-10 0H10" stroke="${theme.coast}" stroke-width="1.5"/>${runs === 'one' ? dots : ''}`,
       },
     );

@@ -56,8 +56,8 @@ function discStyle(theme: Theme, role: Role): string {
 
 const WORDS: Record<Role, string> = {
   blocked: 'what keeps her out',
-  reach: 'all she can come to',
-  range: 'beyond these she is lost',
+  reach: 'everywhere she can go',
+  range: 'outside these she is lost',
   thing: 'from here she would touch it',
   barrier: "can't be crossed",
   stretch: "can't be left",

@@ -135,7 +135,7 @@ function wrongType(path: Path, expected: string, value: unknown): Finding {
   }
   if (path.length === 0) {
     const hint = 'A level is one object in { }; gq import reads the list of levels of the original game.';
-    return found(path, 'wrong-type', `expected a level, an object in { }, found ${formatValue(value)}`, hint);
+    return found(path, 'wrong-type', `expected a level (an object in { }), found ${formatValue(value)}`, hint);
   }
   if (expected === 'int' && typeof value === 'number') {
     return found(path, 'not-whole', `expected a whole number, found ${value}`, `Write ${Math.round(value)}.`);
@@ -152,7 +152,7 @@ function outOfLimits(path: Path, issue: z.core.$ZodIssueTooBig | z.core.$ZodIssu
   const isBig = issue.code === 'too_big';
   const limit = Number(isBig ? issue.maximum : issue.minimum);
   if (typeof value === 'string') {
-    if (!isBig) return found(path, 'empty-text', 'expected a text that says something, found ""', 'Write a name.');
+    if (!isBig) return found(path, 'empty-text', 'expected a name, found an empty text', 'Write a name.');
     const message = `expected at most ${limit} characters, found ${value.length}`;
     return found(path, 'text-too-long', message, 'Shorten it.');
   }
@@ -256,7 +256,7 @@ export function checkShape(value: unknown): Finding[] {
 export function checkFolderRules(value: unknown): Finding[] {
   const findings: Finding[] = [];
   if (!isObject(value)) {
-    const message = `expected the configuration of a folder, an object in { }, found ${formatValue(value)}`;
+    const message = `expected the configuration of a folder (an object in { }), found ${formatValue(value)}`;
     return [found([], 'wrong-type', message, 'Write { "rules": { } }.')];
   }
   if (value.rules !== undefined) checkPart(rulesSchema, value.rules, ['rules'], value, findings);

@@ -241,7 +241,7 @@ export function importOriginal(source: Uint8Array | string, options: { readonly 
         'Write an object with player and target.',
       );
     } else if (Object.keys(entry).length === 0) {
-      skipped.push(isList ? `[${i}]` : '{}');
+      skipped.push(isList ? toWords([i]) : 'the object');
     } else {
       const file = readLevelObject(reader, entry, path, `Level ${number}`, options.recoil);
       levels.push({ slug: `level-${String(number).padStart(2, '0')}`, file: withIds(file) });
@@ -249,16 +249,16 @@ export function importOriginal(source: Uint8Array | string, options: { readonly 
   }
   const findings = [...json.findings, ...reader.findings];
   if (findings.length === 0 && levels.length === 0) {
-    const hint = 'Check that it is the file with the level objects.';
+    const hint = 'Check that this is the file with the level objects.';
     findings.push({ code: 'nothing-to-import', message: 'there is no level in this file', hint, path: [], part: 'value' });
   }
   if (findings.length > 0) return { ok: false, problems: toProblems(findings, locator), text };
 
   const notes: string[] = [];
-  if (skipped.length > 0) notes.push(`skipped ${skipped.join(', ')}: empty (placeholders of the menu)`);
+  if (skipped.length > 0) notes.push(`skipped ${skipped.join(', ')}: empty (a placeholder of the menu)`);
   if (reader.ignored.size > 0) {
     const keys = [...reader.ignored].map(([key, count]) => `${key} (${count} times)`.replace('(1 times)', '(once)'));
-    notes.push(`ignored keys without a meaning here: ${keys.join(', ')}`);
+    notes.push(`ignored keys that have no meaning here: ${keys.join(', ')}`);
   }
   return { ok: true, levels, notes };
 }

@@ -66,7 +66,7 @@ function asComment({ text, offset, expected }: Unexpected): Finding | null {
 function asQuote({ text, offset, expected }: Unexpected): Finding | null {
   const c = text[offset];
   if (!"'`‘’‚“”„«»".includes(c)) return null;
-  const message = `expected ${expected}, found the quote ${c}: JSON knows only "`;
+  const message = `expected ${expected}, found the quote ${c}: JSON has only "`;
   return failureAt('wrong-quotes', offset, message, 'Use straight double quotes.');
 }
 

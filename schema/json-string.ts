@@ -34,7 +34,7 @@ function scanEscape(text: string, start: number): number | Finding {
     return start + 5;
   }
   if ('"\\/bfnrt'.includes(letter)) return start + 1;
-  const message = `there is no escape \\${quote(letter).slice(1, -1)} in JSON`;
+  const message = `JSON has no escape \\${quote(letter).slice(1, -1)}`;
   return failureAt('invalid-json', start, message, 'Write \\\\ for a backslash.');
 }
 

@@ -60,7 +60,7 @@ export class OpenBrackets {
     if (set !== null) set.add(key);
     else if (seen.length > MANY_KEYS) this.keySets[d] = new Set(seen);
     if (isRepeated && this.repeated.length < MAX_FINDINGS) {
-      const message = `the key ${quote(key)} stands more than once in this object`;
+      const message = `this object has the key ${quote(key)} more than once`;
       this.repeated.push({ code: 'duplicate-key', message, hint: 'Keep one of them.', path: this.path(), part: 'key', offset });
     }
   }

@@ -30,7 +30,7 @@ const MARK = '\ufeff';
 function markFinding(isWanted: boolean): Finding[] {
   if (!isWanted) return [];
   const message = 'the file begins with a byte order mark (EF BB BF)';
-  const hint = 'Save it as UTF-8 without BOM; gq fmt removes the mark.';
+  const hint = 'Save it as UTF-8 without a BOM; gq fmt removes the mark.';
   return [{ code: 'byte-order-mark', message, hint, path: [], part: 'value', offset: 0 }];
 }
 
@@ -81,7 +81,7 @@ export function toProblems(findings: readonly Finding[], locator: Locator): Prob
       code: 'more-problems',
       severity: 'error',
       message: `and ${findings.length >= MAX_FINDINGS ? 'at least ' : ''}${rest} more`,
-      hint: 'Fix the ones above first, and check again.',
+      hint: 'Fix the problems above first, then check again.',
       pointer: '',
       line: null,
       column: null,

@@ -63,16 +63,16 @@ function olderVersion(value: unknown, migrations: readonly Migration[]): { from:
   if (version === LEVEL_VERSION) return null;
   const place = { path: ['version'], part: 'value' } as const;
   if (typeof version !== 'number' || !Number.isInteger(version) || version < 0) {
-    const message = `version: expected the version of the format, ${LEVEL_VERSION}, found ${formatValue(version)}`;
+    const message = `version: expected ${LEVEL_VERSION}, the version of the format, found ${formatValue(version)}`;
     return { code: 'unsupported-version', message, hint: `Write "version": ${LEVEL_VERSION}.`, ...place };
   }
   if (version > LEVEL_VERSION) {
-    const message = `version: this file has version ${version} of the format, this toolkit reads up to ${LEVEL_VERSION}`;
+    const message = `version: this file uses version ${version} of the format; this toolkit reads versions up to ${LEVEL_VERSION}`;
     return { code: 'newer-version', message, hint: 'Update the toolkit (gravity-quest-toolkit).', ...place };
   }
   for (let v = version; v < LEVEL_VERSION; v++) {
     if (migrations.some((migration) => migration.from === v)) continue;
-    const message = `version: there is no version ${v} of the format`;
+    const message = `version: the format has no version ${v}`;
     return { code: 'unsupported-version', message, hint: `Write "version": ${LEVEL_VERSION}.`, ...place };
   }
   return { from: version };

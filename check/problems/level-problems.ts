@@ -16,18 +16,18 @@ export function foundRun(holds: readonly Hold[], hasRuns: boolean, hints: Search
     'found-run',
     'warning',
     `${scripted}; a search found one that does: ${holdsInWords(holds)}`,
-    `keep it, so that the next check need not search${hints?.keepFound ?? ''}`,
+    `keep this run, so that the next check need not search${hints?.keepFound ?? ''}`,
   );
 }
 
 /** The problem of a level for which a search found nothing. */
 export function noRunFound({ effort, closest }: Searched, hints: SearchHints | undefined): CheckProblem {
   const by = closest === null ? '' : (hints?.nearestRun(holdsInWords(closest.holds)) ?? '');
-  const near = closest === null ? '' : `; the nearest was ${closestInWords(closest)}${by}`;
+  const near = closest === null ? '' : `; closest approach ${closestInWords(closest)}${by}`;
   return aboutLevel(
     'no-run-found',
     'error',
-    `a search found no run that completes the level, and no proof that there is none: ${effortInWords(effort)} simulated${near}`,
+    `a search found no run that completes the level, and no proof that there is none: it simulated ${effortInWords(effort)}${near}`,
     hints?.nothingFound ?? '',
   );
 }
@@ -40,7 +40,7 @@ export const provedImpossible = ({ code, reason }: Proof, { seeProof }: Hints): 
   code: 'proved-impossible',
   severity: 'error',
   message: `nobody can complete this level: ${reason}`,
-  hint: `proved (${code}), and confirmed by a separate checker${seeProof}`,
+  hint: `this is proved (${code}) and confirmed by a separate checker${seeProof}`,
   pointer: ABOUT_THE_END.has(code) ? '/blackHole' : '/astronaut',
 });
 

@@ -7,6 +7,6 @@ export const mineralLost = ({ index, proof }: LostMineral): CheckProblem => ({
   code: 'mineral-never-collectable',
   severity: 'warning',
   message: `nobody can collect ${objectName('mineral', index)}: ${proof.reason}`,
-  hint: `proved (${proof.code}), and confirmed by a separate checker: move the mineral, or what keeps her from it`,
+  hint: `this is proved (${proof.code}) and confirmed by a separate checker: move the mineral, or what keeps her from it`,
   pointer: `/minerals/${index}`,
 });

@@ -25,7 +25,9 @@ export function failedRun(
   isCompletable: boolean,
   hints: Hints,
 ): CheckProblem {
-  const todo = isCompletable ? 'another run does: mend this one or take it out' : 'move what is in the way or change the run';
+  const todo = isCompletable
+    ? 'another run completes it: correct this one or delete it'
+    : 'move what is in the way, or change the run';
   return {
     code: 'run-does-not-complete',
     severity: isCompletable ? 'warning' : 'error',
@@ -48,7 +50,7 @@ export function hangingRun({ index, name, ends }: AccuracyHang, range: number, h
     code: 'verdict-hangs-on-accuracy',
     severity: 'warning',
     message: `run ${JSON.stringify(name)} completes the level under ${good.join(', ')}, but not under ${bad.join(', ')}`,
-    hint: `it hangs by a hair: give it more room, or change the run${hints.seeAccuracies(name)}`,
+    hint: `the outcome is very close: give her more room, or change the run${hints.seeAccuracies(name)}`,
     pointer: `/runs/${index}`,
   };
 }
@@ -58,12 +60,12 @@ export function tightRun(run: TightRun, hint: string): CheckProblem {
   const { name, ticks, required, pointer } = run;
   const wanted = wantedTicks(required);
   const message = run.isExhausted
-    ? `${name}: that all its presses and releases may be off by ${plural(wanted, 'tick')} was not proved with ${MOST_RUNS} runs; ${plural(ticks, 'tick')} was`
-    : `${name} may have its presses and releases off by ${plural(ticks, 'tick')}, not by ${plural(ticks + 1, 'tick')}${exampleOf(run)}`;
+    ? `${name}: ${MOST_RUNS} simulated runs did not prove that all its presses and releases may be off by ${plural(wanted, 'tick')}; they proved ${plural(ticks, 'tick')}`
+    : `${name}: its presses and releases may all be off by ${plural(ticks, 'tick')}, but not by ${plural(ticks + 1, 'tick')}${exampleOf(run)}`;
   return {
     code: required === null ? 'low-slack' : 'slack-below-required',
     severity: required === null ? 'warning' : 'error',
-    message: required === null ? message : `${message}; ${wanted} required`,
+    message: required === null ? message : `${message}; required: ${wanted}`,
     hint,
     pointer,
   };

@@ -18,87 +18,88 @@ interface Meaning {
 const MEANINGS = {
   'run-does-not-complete': {
     severity: 'error',
-    title: 'a scripted run does not end in the black hole',
+    title: 'a run does not complete the level',
     why: () =>
-      'A run is the proof that a level can be completed. When none of them completes it the level is broken: nobody knows a way ' +
-      'through. Beside a run that does complete it this is a warning: the failing one proves nothing.',
+      'A run shows that a level can be completed. When a level has runs and none of them completes it, the level is broken. If another ' +
+      'run completes the level, this is only a warning: the level can be completed, and the failing run shows nothing.',
   },
   'no-run': {
     severity: 'error',
     title: 'the level has no run',
     why: () =>
-      'Without a run that completes it nothing shows that a player can complete the level: it is unproven, and `gq check` is not green.',
+      'Without a run that completes it, nothing shows that a player can complete the level. The level is unproven, and `gq check` fails.',
   },
   'found-run': {
     severity: 'warning',
-    title: 'the level is completable, but not by a run of its own',
+    title: 'a search completed the level, but none of its own runs does',
     why: () =>
-      '`gq check --solve` found a run where no scripted one completes the level. It was replayed from the start, so the level can be ' +
-      'completed; but the next check has to search again, and a search with another seed or budget may not find it.',
+      'None of the runs in the file completes the level, but `gq check --solve` found one that does. That run was replayed from the ' +
+      'start, so the level can be completed. The next check has to search again, and with another seed or budget it may find nothing.',
   },
   'no-run-found': {
     severity: 'error',
     title: 'a search found neither a run nor a proof that there is none',
     why: () =>
-      'Nothing is known: the level may be impossible, or very hard. The message says how much was tried and how near it came; that ' +
-      'is no proof. A level that nobody can show to be completable should not be shipped.',
+      'The level may be impossible, or only very hard. The message says how much was tried and gives the closest approach to the black ' +
+      'hole; neither proves anything. Do not ship a level that nobody can show to be completable.',
   },
   'proved-impossible': {
     severity: 'error',
     title: 'nobody can complete the level',
     why: ({ longestRun }) =>
-      'It is proved that no way of pressing and releasing leads to the black hole: out of range of everything reachable, enclosed by ' +
-      'what is deadly, bound to a line, and the like. The proof is rigorous for the game at this accuracy, rounding included, for ' +
-      `runs as long as ${longestRun}, and a separate small checker has confirmed its certificate.`,
+      'It is proved that no sequence of presses and releases leads to the black hole: because it is out of range of every asteroid that ' +
+      'she can reach, for example, or closed off by hazards, or beside a line that she cannot leave. The proof is rigorous for the game ' +
+      `at this accuracy, rounding included, for runs of up to ${longestRun}. A separate small checker has confirmed its certificate.`,
   },
   'mineral-never-collectable': {
     severity: 'warning',
     title: 'nobody can collect a mineral',
-    why: () =>
-      'It is proved, as for the black hole, that no run touches this mineral: "all minerals" can never be achieved in this level.',
+    why: () => 'It is proved that no run touches this mineral, so nobody can complete this level with all minerals.',
   },
   'low-slack': {
     severity: 'warning',
-    title: 'a run forgives nothing',
+    title: 'a run forgives no error in its timing',
     why: () =>
-      'Presses and releases that come one tick (1/60 s) too early or too late can make it fail: every combination was tried. People ' +
-      'are off by 30 ms and more, so this run shows that the level can be completed, hardly that somebody will. It is looked for by ' +
-      '`gq check --solve` and `--require-slack` alone, since it takes long.',
+      'The run can fail when its presses and releases come one tick (1/60 s) too early or too late; every combination was tried. People ' +
+      'are off by 30 ms and more. So the run shows that the level can be completed, but a player will hardly manage to play it. Only ' +
+      '`gq check --solve` and `--require-slack` look for this, because it takes long.',
   },
   'slack-below-required': {
     severity: 'error',
-    title: 'a run forgives less than --require-slack asks for',
+    title: 'a run forgives less than --require-slack requires',
     why: () =>
-      '`gq check --require-slack K` asks that every run that completes a level still does when all its presses and releases are off by ' +
-      'up to K ticks (1/60 s), in every combination. The message has a combination that fails. The verdict stays: the level is completable.',
+      '`gq check --require-slack K` requires every run that completes a level to complete it even when all its presses and releases are ' +
+      'off by up to K ticks (1/60 s), in every combination. The message names a combination that fails. The verdict is still completable.',
   },
   'verdict-hangs-on-accuracy': {
     severity: 'warning',
     title: 'a run completes the level at some accuracies and not at others',
     why: () =>
-      'She passes something deadly, a change of target or the edge of the range so closely that how exactly the motion is simulated ' +
-      'decides how the run ends. A player, whose hand is less exact than any of these, would hardly succeed that way. Under `arcade`, ' +
-      "the original's frames, runs differ most: what was found there often doesn't hold in continuous time, and the other way round. " +
-      'A run that fails everywhere, in whatever ways, is not reported.',
+      'She passes so close to a hazard, a change of target or the edge of the range that the outcome depends on how exactly the motion ' +
+      'is simulated. A player cannot time a press that exactly, and would hardly succeed this way. Runs differ most under `arcade`, ' +
+      "the original's frames: a run found there often fails in continuous time, and the other way round. " +
+      'A run that fails at every accuracy is not reported, even if it fails in different ways.',
   },
   'work-limit': {
     severity: 'error',
     title: 'the level costs more work than allowed',
     why: ({ mostWork }) =>
-      'Levels may come from strangers, and a valid one can be made to take hours: thousands of aliens awake, orbits of a thousandth of a ' +
-      'pixel, runs of a thousand presses. So work is counted, in pieces of motion and what takes as long as one, and memory of recordings ' +
-      `in bytes; the count is the same on every machine. Past ${mostWork} a level whose runs were not played to the end is unproven. ` +
-      'Where a run has completed it the verdict stays, and this is a warning of what was left out.',
+      'Levels may come from strangers, and a valid level can be made to take hours: thousands of aliens awake, orbits of a thousandth of ' +
+      'a pixel, runs of a thousand presses. So a check counts its work in pieces of motion, or what takes as long as one, and the memory ' +
+      `of recordings in bytes. The counts are the same on every machine. When they reach ${mostWork}, the check stops, and a level whose ` +
+      'runs were not played to the end is unproven. If a run has completed the level, the verdict stays, and this is only a warning that ' +
+      'says what was left out.',
   },
   'unreadable-file': {
     severity: 'error',
-    title: 'a file or directory can not be read',
-    why: () => 'A level that was not read was not checked. The check ends with exit code 2, so that nobody takes it for a pass.',
+    title: 'a file or directory cannot be read',
+    why: () =>
+      'A level that cannot be read is not checked. The check ends with exit code 2, so that nobody mistakes it for a pass.',
   },
   crashed: {
     severity: 'error',
     title: 'gq failed on this level',
-    why: () => 'This is a bug in gq, not in the level: every input should end in a verdict.',
+    why: () => 'This is a bug in gq, not in the level: every file should get a verdict.',
   },
 } as const satisfies Record<string, Meaning>;
 

@@ -32,7 +32,7 @@ export function outcomeInWords(end: RunEnd, range: number): string {
     case 'lost':
       return `lost ${when}: farther than ${range} px from every asteroid`;
     case 'timeout':
-      return `nothing ended it within ${Number(end.time.toFixed(3))} s`;
+      return `not over after ${Number(end.time.toFixed(3))} s`;
   }
 }
 
@@ -50,7 +50,7 @@ export function outcomeAsPredicate(end: RunEnd, range: number): string {
     case 'lost':
       return `is lost ${when}, farther than ${range} px from every asteroid`;
     case 'timeout':
-      return `goes on without an end for ${end.time} s`;
+      return `is not over after ${end.time} s`;
   }
 }
 
@@ -67,7 +67,7 @@ export function reasonInWords(end: RunEnd, range: number): string | null {
     case 'lost':
       return `lost: farther than ${range} px from every asteroid`;
     case 'timeout':
-      return `still under way after ${end.time} s`;
+      return `not over after ${end.time} s`;
   }
 }
 

@@ -21,8 +21,8 @@ export function accuracyPretty(report: AccuracyReport, colors: Colors): string {
   const { reference, methods } = measured;
   const how = `${reference.outcome} at ${reference.time.toFixed(6)} s`;
   let text = `${colors.bold(visibleLine(level))}, ${visibleLine(run)}: ${how}\n`;
-  text += `Errors are largest distances at ticks before the end to a run at tolerance ${reference.tolerance.toExponential()} px, `;
-  text += `known to ${brief(reference.floor)} px:\nwhat rounding of doubles leaves of it. Costs are microseconds of computing per simulated second.\n\n`;
+  text += `An error is the largest distance, at ticks before the end, from a run at tolerance ${reference.tolerance.toExponential()} px. That run is itself `;
+  text += `known to ${brief(reference.floor)} px,\nthe limit set by rounding of doubles. A cost is in microseconds of computing per simulated second.\n\n`;
 
   const end = (m: Measured): string => {
     if (!m.sameVerdict) return `! ${m.outcome} at ${m.time.toFixed(3)} s`;
@@ -76,7 +76,7 @@ function conclusion({ measured: { methods, reference }, cheapest }: AccuracyRepo
   let text =
     failed.length === 0
       ? 'The outcome is the same at every setting.\n'
-      : `Another outcome than ${reference.outcome} at ${failed.length} of ${methods.length} settings: ${inGroups(failed, methods)}.\n`;
+      : `${failed.length} of ${methods.length} settings have another outcome than ${reference.outcome}: ${inGroups(failed, methods)}.\n`;
   if (cheapest === null) return `${text}No setting has the same outcome and an error below ${GOOD_ENOUGH} px.\n`;
   const { name } = cheapest.accuracy;
   text += `Cheapest with the same outcome and an error below ${GOOD_ENOUGH} px: ${name} (${brief(cheapest.cost.minimum)} us/s, ${brief(cheapest.error)} px)`;

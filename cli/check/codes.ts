@@ -4,22 +4,22 @@ import { type Advice, type CheckCode, explainCodes } from '../../check/words/ind
 const ADVICE: Readonly<Record<CheckCode, Advice>> = {
   'run-does-not-complete': {
     fix:
-      'Look at what happens with `gq simulate LEVEL --run NAME` or `gq render LEVEL --run NAME -o run.svg`, then move what is in ' +
-      'the way, change the holds, or take the run out.',
+      'See how the run ends with `gq simulate LEVEL --run NAME` or `gq render LEVEL --run NAME -o run.svg`. Then move what is in ' +
+      'the way, change the holds, or delete the run.',
   },
   'no-run': {
     fix:
-      'Let one be found with `gq solve LEVEL --write`, or add one: a name, and the ticks (1/60 s) in which the gun is held, ' +
+      'Find one with `gq solve LEVEL --write`, or add one: a name, and the ticks (1/60 s) in which the gun is held, as ' +
       '[press, release). `gq check --solve` searches without writing.',
     example: '"runs": [\n  { "name": "solution", "holds": [[12, 96], [130, 188]] }\n]',
   },
   'found-run': {
-    fix: 'Keep it: `gq solve LEVEL --write` finds a run, the one that forgives most, and puts it into the file.',
+    fix: 'Keep such a run: `gq solve LEVEL --write` finds the one that forgives most and adds it to the file.',
   },
   'no-run-found': {
     fix:
-      'Draw the nearest with `gq render LEVEL --holds ... -o near.svg`, or where the search has been with `gq render LEVEL ' +
-      '--explored -o explored.svg`. Make the level easier, or search longer with `gq solve LEVEL --budget 60`.',
+      'Draw the run of the closest approach with `gq render LEVEL --holds ... -o near.svg`, or where the search has been with `gq render ' +
+      'LEVEL --explored -o explored.svg`. Make the level easier, or search longer with `gq solve LEVEL --budget 60`.',
   },
   'proved-impossible': {
     fix:
@@ -27,35 +27,35 @@ const ADVICE: Readonly<Record<CheckCode, Advice>> = {
       'certificate.',
   },
   'mineral-never-collectable': {
-    also: 'It takes up to a tenth of a second a level, so of more than 64 files at once it is looked for with --solve only.',
+    also: 'The proof takes up to a tenth of a second for each level. So when more than 64 files are checked, it is attempted only with --solve.',
     fix: 'Move the mineral, or what keeps her from it, as the message says.',
   },
   'low-slack': {
     fix:
-      'Give her more room where `gq difficulty LEVEL` shows the smallest window, or take a run that forgives more: `gq solve LEVEL` ' +
+      'Give her more room where `gq difficulty LEVEL` shows the smallest window, or use a run that forgives more: `gq solve LEVEL` ' +
       'looks for the one that forgives most.',
   },
   'slack-below-required': {
     fix:
-      'Give her more room where `gq difficulty LEVEL` shows the smallest window, replace the run by one that forgives more (`gq solve ' +
-      'LEVEL`), or ask for less.',
+      'Give her more room where `gq difficulty LEVEL` shows the smallest window, replace the run with one that forgives more (`gq solve ' +
+      'LEVEL`), or require less.',
   },
   'verdict-hangs-on-accuracy': {
     fix:
-      'Look at what each accuracy makes of it with `gq accuracy LEVEL --run NAME`, and at where it is close with `gq simulate LEVEL ' +
-      '--run NAME` (its clearance). Give her more room there, or find a run that keeps away. If the level is only ever played at ' +
-      'one accuracy, check it with that one.',
+      'Compare the accuracies with `gq accuracy LEVEL --run NAME`, and see where she passes a hazard closely with `gq simulate LEVEL ' +
+      '--run NAME` (its clearance). Give her more room there, or find a run that keeps its distance. If the level is only ever played ' +
+      'at one accuracy, check it with that one.',
   },
   'work-limit': {
     fix:
-      'The message says what ran out, and where. Take out what the level does not need, or the runs that prove nothing; or allow more ' +
-      'with `gq check --max-work N` where you know the level. The default lets the check of any file end within seconds.',
+      'The message says what was exceeded and where. Delete what the level does not need, or runs that show nothing. If you know the ' +
+      'level, you can allow more with `gq check --max-work N`. With the default, the check of any file ends within seconds.',
   },
   'unreadable-file': {
     fix: 'Make the file readable, or leave it out of the paths that are checked.',
   },
   crashed: {
-    fix: 'Please report it with the level file and the message.',
+    fix: 'Please report it, with the level file and the message.',
   },
 };
 

@@ -6,17 +6,17 @@ import { shellPath } from '../shown-path.ts';
 export function commandHints(file: string): Hints {
   const path = shellPath(file);
   return {
-    firstRun: `let one be found: gq solve ${path} --write; or add "runs": [{ "name": "solution", "holds": [[press, release], ...] }], in ticks of 1/60 s`,
-    seeRun: (name) => `; see gq simulate ${path} --run ${JSON.stringify(name)}`,
-    seeAccuracies: (name) => `; see gq accuracy ${path} --run ${JSON.stringify(name)}`,
-    moreWork: ', or allow more work with --max-work; see gq explain work-limit',
-    seeProof: `: gq render ${path} --proof -o proof.svg draws why`,
+    firstRun: `find one with gq solve ${path} --write, or add "runs": [{ "name": "solution", "holds": [[press, release], ...] }], in ticks of 1/60 s`,
+    seeRun: (name) => `; to see how it ends: gq simulate ${path} --run ${JSON.stringify(name)}`,
+    seeAccuracies: (name) => `; to compare all accuracies: gq accuracy ${path} --run ${JSON.stringify(name)}`,
+    moreWork: ', or allow more work with --max-work; gq explain work-limit says more',
+    seeProof: `; to see why: gq render ${path} --proof -o proof.svg`,
     search: {
       keepFound: `: gq solve ${path} --write`,
-      nothingFound: 'look at the nearest with gq render --holds, make the level easier, or search longer: --budget, gq solve',
+      nothingFound: 'draw that run with gq render --holds, make the level easier, or search longer with --budget or gq solve',
       nearestRun: byHolds,
       tightRun:
-        'give her more room where it is tight (gq difficulty shows each edge), or look for a run that forgives more: gq solve',
+        'give her more room where timing is tight (gq difficulty shows the slack of each press and release), or find a run that forgives more with gq solve',
     },
   };
 }

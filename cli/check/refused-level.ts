@@ -4,7 +4,7 @@ import type { CheckedLevel } from './checked-level.ts';
 
 /** The report of a file that can't be read. */
 export function unreadableLevel(file: string, message: string): CheckedLevel {
-  const hint = 'nothing is known of this level: make the file readable, or leave it out';
+  const hint = 'this level was not checked: make the file readable, or leave it out';
   return { ...refusedLevel(file, 'invalid', [problemOfFile('unreadable-file', message, hint)]), unreadable: true };
 }
 
@@ -12,7 +12,7 @@ export function unreadableLevel(file: string, message: string): CheckedLevel {
 export function crashedLevel(file: string, error: unknown): CheckedLevel {
   const message = `checking this level crashed: ${error instanceof Error ? error.message : String(error)}`;
   return refusedLevel(file, 'crashed', [
-    problemOfFile('crashed', message, 'this is a bug in gq: please report it with the level file'),
+    problemOfFile('crashed', message, 'this is a bug in gq: please report it, with the level file'),
   ]);
 }
 

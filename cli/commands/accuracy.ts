@@ -31,12 +31,12 @@ interface Options extends AccuracyOptions {
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
   addAccuracyOptions(command)
     .description(
-      'What accuracy costs in time for a run of a level: error and cost of every setting, and the cheapest that will do.',
+      'Measure the error and the cost of every accuracy for one run of a level, and name the cheapest that is good enough.',
     )
     .argument('<level>', 'a level file')
-    .option('--run <name>', 'a run of the level; its first when left out')
-    .option('--holds <holds>', 'this run instead: 12-96,130-188 (ticks); none: she drifts', parseHolds)
-    .option('--svg <file>', 'draw the work-precision diagram into FILE.svg')
+    .option('--run <name>', 'the run to play (default: the first)')
+    .option('--holds <holds>', 'play these holds instead, in ticks: 12-96,130-188; none: she drifts', parseHolds)
+    .option('--svg <file>', 'write a work-precision diagram to FILE.svg')
     .addOption(
       new Option('--theme <theme>', 'colours of the diagram; auto follows the viewer')
         .choices(['auto', 'light', 'dark'])
@@ -47,10 +47,11 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     .addHelpText(
       'after',
       `
-Every named accuracy is measured, euler, verlet and rk4 at 15 to 960 Hz and taylor at 1e-2 to 1e-9 px, each with contacts
-swept and at frames; a setting of your own comes on top. Timing takes about ${BUDGET / 1000} s; costs are the least of several turns.
+Measures every named accuracy, euler, verlet and rk4 at 15 to 960 Hz, and taylor at 1e-2 to 1e-9 px, each with swept contacts
+and with contacts tested once a frame. With --integrator it also measures that custom setting. Timing takes about ${BUDGET / 1000} s; a cost
+is the least of several measurements.
 
-Exit code: 0; 1 when the level is invalid; 2 when it could not be read or the diagram not be written.
+Exit code: 0; 1 when the level is invalid; 2 when it could not be read or the diagram could not be written.
 
 Examples:
   $ gq accuracy levels/01-first-pull.level.json
@@ -98,8 +99,8 @@ async function measure(file: string, options: Options): Promise<CommandResult> {
 function draw({ level, run, measured, asked }: AccuracyReport, theme: Ground): string {
   const { outcome, time, tolerance, floor } = measured.reference;
   const subtitle = [
-    `${outcome} at ${time.toFixed(3)} s. Error: largest distance, at ticks before the end,`,
-    `to a run at tolerance ${tolerance.toExponential()} px, which is known to ${brief(floor)} px`,
+    `${outcome} at ${time.toFixed(3)} s. Error: the largest distance, at ticks before the end,`,
+    `from a run at tolerance ${tolerance.toExponential()} px, which is itself known to ${brief(floor)} px`,
   ];
   const named = [...Object.keys(ACCURACIES), ...(asked === null ? [] : [asked.name])];
   return drawDiagram(levelDiagram(`What accuracy costs: ${level}, ${run}`, subtitle, measured, named), theme);

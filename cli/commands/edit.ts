@@ -14,23 +14,23 @@ interface EditOptions {
 
 export function declare(command: Command, _finish: (result: CommandResult) => void): void {
   command
-    .description('Edit the levels of a folder in the browser: the run and its verdict are live while a level is changed.')
+    .description('Edit the levels of a folder in the browser. The run and its verdict follow every change at once.')
     .argument('[dir]', 'folder of level files', 'levels')
     .option(
       '--port <n>',
-      `port on 127.0.0.1; 0 for any (default: the folder's last one, else ${DEFAULT_PORT}, or the next that is free)`,
+      `port on 127.0.0.1; 0 for any free port (default: the last one used for this folder, else ${DEFAULT_PORT} or the next free one)`,
       wholeNumberOption('a port', 0, 65535),
     )
     .option('--open', 'open the browser')
     .addHelpText(
       'after',
       `
-Prints an address that works until the command ends (Ctrl-C); anyone who has it can change the levels in the folder, nobody else can.
-Levels are played under the rules of gq.config.json, as by other commands, and the page follows it when it is changed.
-Changes are saved as they are made, each file whole or not at all; deleted levels are kept in DIR/.gq-trash.
+Prints an address that works until the command ends (Ctrl-C). Anybody who has the address can change the levels in the folder;
+nobody else can. As in other commands, levels are played under the rules of gq.config.json; the page follows changes to that file.
+Changes are saved as they are made, each file completely or not at all. Deleted levels are kept in DIR/.gq-trash.
 
-Exit code: 130 on Ctrl-C; 2 when it could not start: no such folder, the port is taken, gq.config.json is not
-valid.
+Exit code: 130 on Ctrl-C; 2 when it could not start: the folder does not exist, the port is taken, or gq.config.json is
+not valid.
 
 Examples:
   $ gq edit
@@ -45,7 +45,7 @@ async function edit(folder: string, options: EditOptions): Promise<void> {
   const print = (text: string): void => void process.stderr.write(visible(text));
   const onCrash = (error: unknown): void => {
     const stack = error instanceof Error ? error.stack : String(error);
-    print(`gq edit goes on, but this is a bug in gq, please report it:\n${stack}\n`);
+    print(`gq edit continues, but this is a bug in gq; please report it:\n${stack}\n`);
   };
   // its loop is free but for short moments, and a file that is being written is finished
   catchSignals();
@@ -55,7 +55,9 @@ async function edit(folder: string, options: EditOptions): Promise<void> {
   // unlike other commands' reports this is needed before the end
   process.stdout.write(announcement(folder, server, options));
   if (options.open) {
-    openBrowser(server.address, (why) => print(`the browser could not be opened (${why}): open the address above yourself\n`));
+    openBrowser(server.address, (why) =>
+      print(`the browser could not be opened (${why}): open the address above in a browser\n`),
+    );
   }
   await new Promise<never>(() => {});
 }
@@ -64,11 +66,11 @@ function announcement(folder: string, { address, port, portBefore }: EditServer,
   const notes: string[] = [];
   const usual = portBefore ?? DEFAULT_PORT;
   const isOther = options.port === undefined && port !== usual;
-  if (isOther) notes.push(`Port ${usual} is taken, perhaps by another gq edit: this one has ${port}.`);
+  if (isOther) notes.push(`Port ${usual} is taken, perhaps by another gq edit; this one uses ${port}.`);
   if (portBefore !== null && portBefore !== port && options.port !== 0) {
     const old = `http://127.0.0.1:${portBefore}/`;
     notes.push(
-      `What a page of the last time could not save is kept by the browser under ${old}: gq edit --port ${portBefore} finds it.`,
+      `If a page could not save its changes last time, the browser keeps them under ${old}: gq edit --port ${portBefore} finds them.`,
     );
   }
   const note = notes.length === 0 ? '' : `${notes.join(' ')}\n`;

@@ -12,7 +12,7 @@ export const COMMANDS: readonly CommandEntry[] = [
   { name: 'check', summary: 'check that every level can be completed', load: () => import('./check/index.ts') },
   {
     name: 'simulate',
-    summary: 'play one run of a level and say in full what happens',
+    summary: 'play one run of a level and report everything that happens',
     load: () => import('./simulate/index.ts'),
   },
   {
@@ -22,21 +22,33 @@ export const COMMANDS: readonly CommandEntry[] = [
   },
   {
     name: 'difficulty',
-    summary: 'how hard levels are: success under timing noise, slack, shortcuts',
+    summary: 'measure how hard levels are: success under timing noise, slack, shortcuts',
     load: () => import('./difficulty/index.ts'),
   },
-  { name: 'tune', summary: "what a change of the game's rules does to each level", load: () => import('./tune/index.ts') },
+  { name: 'tune', summary: "show what a change of the game's rules does to each level", load: () => import('./tune/index.ts') },
   {
     name: 'generate',
-    summary: 'new levels from a seed, a size and a wanted difficulty',
+    summary: 'make new levels from a seed, a size and a difficulty',
     load: () => import('./generate/index.ts'),
   },
-  { name: 'accuracy', summary: 'what accuracy costs in time, for one run of a level', load: () => import('./accuracy.ts') },
-  { name: 'inspect', summary: 'what a level calls for: effects, counts, warnings', load: () => import('./inspect/index.ts') },
+  {
+    name: 'accuracy',
+    summary: 'measure error and cost of every accuracy, for one run of a level',
+    load: () => import('./accuracy.ts'),
+  },
+  {
+    name: 'inspect',
+    summary: 'show what a level calls for: effects, counts, warnings',
+    load: () => import('./inspect/index.ts'),
+  },
   { name: 'render', summary: 'draw a level and its run as SVG or PNG', load: () => import('./render.ts') },
   { name: 'import', summary: "turn the original game's levels into level files", load: () => import('./import/index.ts') },
-  { name: 'fmt', summary: 'lay level files out canonically', load: () => import('./fmt/index.ts') },
+  { name: 'fmt', summary: 'format level files', load: () => import('./fmt/index.ts') },
   { name: 'schema', summary: 'print the JSON Schema of a level file', load: () => import('./schema.ts') },
-  { name: 'explain', summary: 'what a problem means, why it matters, how to fix it', load: () => import('./explain/index.ts') },
-  { name: 'edit', summary: 'edit levels in the browser, with the run and its verdict live', load: () => import('./edit.ts') },
+  {
+    name: 'explain',
+    summary: 'explain a problem: what it means, why it matters, how to fix it',
+    load: () => import('./explain/index.ts'),
+  },
+  { name: 'edit', summary: 'edit levels in the browser, with a live run and verdict', load: () => import('./edit.ts') },
 ];

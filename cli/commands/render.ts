@@ -54,26 +54,26 @@ interface Options extends AccuracyOptions {
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
   addAccuracyOptions(command)
-    .description('Draw a level with one of its runs, or what the solver knows of it.')
+    .description('Draw a level with one of its runs, or with what a search or a proof shows.')
     .argument('<level>', 'a level file')
-    .requiredOption('-o, --output <file>', 'FILE.svg or FILE.png; - writes SVG to the standard output')
-    .option('--run <name>', 'the run to draw; the first when left out')
+    .requiredOption('-o, --output <file>', 'FILE.svg or FILE.png; - writes SVG to standard output')
+    .option('--run <name>', 'the run to draw (default: the first)')
     .option('--no-run', 'draw the level alone')
-    .option('--holds <holds>', 'draw this run instead: 12-96,130-188 (ticks); none: she drifts', parseHolds)
-    .option('--all-runs', 'draw every run of the level, each in a colour')
+    .option('--holds <holds>', 'draw these holds instead, in ticks: 12-96,130-188; none: she drifts', parseHolds)
+    .option('--all-runs', 'draw every run of the level, each in a colour of its own')
     .option(
       '--solve <n>',
-      "draw so many really different runs that a search finds, which starts from the level's own",
+      "search for N clearly different runs, starting from the level's own, and draw them",
       wholeNumberOption('a number of runs', 1, 20),
     )
     .option('--explored', 'draw where a search for runs has been')
-    .option('--closest', 'draw the nearest that a search came to the black hole')
+    .option('--closest', 'draw the run of the closest approach of a search')
     .option(
       '--fan <ticks>',
-      'draw where the run goes when its presses and releases are off by up to so many ticks',
+      'draw where the run goes when its presses and releases are off by up to TICKS',
       wholeNumberOption('a number of ticks', 1, 60),
     )
-    .option('--proof', 'draw why nobody can complete it, or with --minerals not collect so many')
+    .option('--proof', 'draw why nobody can complete the level, or not with as many minerals as --minerals says')
     .addOption(mineralsOption())
     .option(
       '--effort <ticks>',
@@ -88,10 +88,10 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     .addHelpText(
       'after',
       `
---explored and --closest go together; the other views are for themselves. --seed is the chance of searches and of the fan.
+--explored and --closest can be combined; every other view is drawn alone. --seed is for searches and for the fan.
 
-Exit code: 0; 1 when the level is invalid, or when there is no run or no proof to draw; 2 when it could not be read or the
-picture not be written.
+Exit code: 0; 1 when the level is invalid, or when there is no run or no proof to draw; 2 when it could not be read or
+the picture could not be written.
 
 Examples:
   $ gq render levels/01-first-pull.level.json -o first.svg
@@ -110,7 +110,7 @@ async function render(file: string, options: Options): Promise<CommandResult> {
   const kind = output === '-' ? '.svg' : extname(output).toLowerCase();
   if (kind !== '.svg' && kind !== '.png') {
     throw new Failure(
-      `--output ${namedPath(output)}: expected a name that ends in .svg or .png, or - for SVG on the standard output`,
+      `--output ${namedPath(output)}: expected a name that ends in .svg or .png, or - for SVG on standard output`,
     );
   }
   expectOneView(options);
@@ -133,14 +133,14 @@ async function viewOf(file: string, subject: Subject, options: Options): Promise
   const goal: Goal = { minerals };
   expectMinerals(file, level, minerals);
   if (options.proof) {
-    return viewProof(subject, goal) ?? nothing(`${file}: there is no proof that nobody can do it: gq solve may find a run`);
+    return viewProof(subject, goal) ?? nothing(`${file}: no proof was found that nobody can do it: gq solve may find a run`);
   }
   if (options.allRuns) return level.runs.length > 0 ? viewAllRuns(subject) : nothing(`${file}: the level has no run to draw`);
   if (solve !== undefined) {
     const solved = await solveFor(subject, goal, { count: solve, effort, seed });
     return solved.runs.length > 0
       ? viewSolved(subject, solved, solve)
-      : nothing(`${file}: no run was found; see gq solve ${shellPath(file)}`);
+      : nothing(`${file}: no run was found; search longer with gq solve ${shellPath(file)}`);
   }
   const explicit = wanted !== undefined || holds !== undefined;
   if (options.explored || options.closest) {
@@ -185,10 +185,10 @@ function expectOneView({ run, holds, allRuns, solve, explored, closest, fan, pro
     fan !== undefined && '--fan',
     proof && '--proof',
   ].filter((view) => typeof view === 'string');
-  if (views.length > 1) throw new Failure(`${views.join(' and ')} exclude each other: give one of them`);
-  if (run === false && holds !== undefined) throw new Failure('--no-run and --holds exclude each other: give one of the two');
-  if (run === false && fan !== undefined) throw new Failure('--no-run and --fan exclude each other: the fan is of a run');
+  if (views.length > 1) throw new Failure(`${views.join(' and ')} cannot be combined: give one of them`);
+  if (run === false && holds !== undefined) throw new Failure('--no-run and --holds cannot be combined: give one of the two');
+  if (run === false && fan !== undefined) throw new Failure('--no-run and --fan cannot be combined: the fan shows a run');
   const others = views.filter((view) => view !== '--fan' && view !== '--explored');
   const given = typeof run === 'string' ? '--run' : holds !== undefined ? '--holds' : null;
-  if (given !== null && others.length > 0) throw new Failure(`${given} and ${others[0]} exclude each other: give one of the two`);
+  if (given !== null && others.length > 0) throw new Failure(`${given} and ${others[0]} cannot be combined: give one of the two`);
 }

@@ -8,7 +8,7 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     .addHelpText(
       'after',
       `
-Editors use it for completion in level files that name it in "$schema".
+Text editors use it to complete and check level files that name it in "$schema".
 
 Examples:
   $ gq schema > level.schema.json`,

@@ -41,7 +41,7 @@ const failed = (why: string): Measured => ({ runName: null, difficulty: null, cu
 function measure(level: Level, settings: MeasureSettings): Measured {
   const { accuracy, goal, effort, seed, inFull } = settings;
   if (typeof goal.minerals === 'number' && goal.minerals > level.minerals.length) {
-    return failed(`it has only ${level.minerals.length} of ${goal.minerals} minerals`);
+    return failed(`it has only ${level.minerals.length} of the ${goal.minerals} minerals required`);
   }
   const scene = compile(level, accuracy);
   const maxTicks = Math.round(settings.maxTime * TICK_RATE);
@@ -74,13 +74,13 @@ function chooseRun(scene: Scene, { goal, run, search, effort, seed, accuracy }: 
   const scripted = search ? undefined : level.runs.find(({ holds }) => verifyRun(scene, holds, goal, maxTicks) !== null);
   if (scripted !== undefined) return scripted;
   const proof = proveGoalImpossible(level, accuracy, goal, maxTicks);
-  if (proof !== null) return { why: `impossible, proved: ${proof.reason}` };
+  if (proof !== null) return { why: `proved impossible: ${proof.reason}` };
   const known = level.runs.map(({ holds }) => holds);
   const solver = createSolver(scene, { goal, seed, maxTicks, objective: 'robust', known });
   solver.advance(effort);
   if (solver.best !== null) return { name: null, holds: solver.best.holds };
-  const near = solver.closest === null ? '' : `, the nearest ${closestRunInWords(solver.closest)}`;
-  return { why: `no run was found: ${effortInWords(solver.effort)}${near}` };
+  const near = solver.closest === null ? '' : `, closest approach ${closestRunInWords(solver.closest)}`;
+  return { why: `no run was found after simulating ${effortInWords(solver.effort)}${near}` };
 }
 
 function curveOf(scene: Scene, holds: readonly (readonly [number, number])[], { goal, seed }: MeasureSettings): Success[] {

@@ -35,7 +35,8 @@ export function createApi(levels: LevelFolder): ReadonlyMap<string, Answer> {
     const base = baseOf(c.env.incoming);
     const { text, client } = await readBody(c.env.incoming, writeRequestSchema);
     // a half of a character would be stored as another one
-    if (/\p{Surrogate}/u.test(text)) throw new Refusal('bad-request', 'the text holds half a character', 'Send whole ones.');
+    if (/\p{Surrogate}/u.test(text))
+      throw new Refusal('bad-request', 'the text contains half of a character (a lone surrogate)', 'Send complete characters.');
     const { entry, created } = await levels.write(id, text, base, client);
     return c.json({ entry }, created ? 201 : 200, tagged(entry.etag));
   };

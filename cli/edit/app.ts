@@ -47,7 +47,9 @@ export function createApp({ api, page, token, port, onCrash }: AppOptions): Hono
   app.onError((error, c) => {
     if (!(error instanceof Refusal)) onCrash(error);
     const refusal =
-      error instanceof Refusal ? error : new Refusal('failed', 'gq edit has failed at this', 'Please report this bug in gq.');
+      error instanceof Refusal
+        ? error
+        : new Refusal('failed', 'gq edit failed on this request', 'This is a bug in gq: please report it.');
     // what is left of a body that was refused is not read
     if (refusal.code === 'body-too-large') c.header('Connection', 'close');
     return c.json(bodyOf(refusal), statusOf(refusal) as ContentfulStatusCode);
@@ -64,8 +66,8 @@ function answerPage(c: EditContext, file: PageFile): Response {
 function noAnswer(api: ReadonlyMap<string, Answer>, method: string, address: string): Refusal {
   const methods = [...api.keys()].map((key) => key.split(' ')).filter(([, known]) => known === address);
   if (methods.length > 0) return wrongMethod(methods.map(([known]) => known).join(', '), method);
-  return new Refusal('unknown-address', 'there is nothing at this address', 'Open the address that gq edit has printed.');
+  return new Refusal('unknown-address', 'there is nothing at this address', 'Open the address that gq edit printed.');
 }
 
 const wrongMethod = (expected: string, found: string): Refusal =>
-  new Refusal('wrong-method', `expected ${expected}, found ${found}`, 'Is the page of this version of gq?');
+  new Refusal('wrong-method', `expected ${expected}, found ${found}`, 'Reload the page: it may come from another version of gq.');

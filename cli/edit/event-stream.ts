@@ -33,7 +33,7 @@ export function* inParts(event: EditEvent): Generator<EditEvent> {
 export function createEventStreams(known: KnownLevels): { open(): ReadableStream<Uint8Array> } {
   let count = 0;
   const open = (): ReadableStream<Uint8Array> => {
-    if (count >= MAX_STREAMS) throw new Refusal('busy', `${MAX_STREAMS} pages listen already`, 'Close some of the tabs.');
+    if (count >= MAX_STREAMS) throw new Refusal('busy', `${MAX_STREAMS} pages are already connected`, 'Close some of the tabs.');
     count++;
     const encoder = new TextEncoder();
     let waiting: EditEvent[] = [...inParts({ type: 'list', list: known.list() })];

@@ -3,7 +3,7 @@ import type { IncomingMessage } from 'node:http';
 import { EDIT_API } from '../../schema/index.ts';
 import { Refusal } from './refusal.ts';
 
-const OPEN_IT_ANEW = 'Open the address that gq edit has printed.';
+const OPEN_IT_ANEW = 'Open the address that gq edit printed.';
 
 /**
  * Lets only requests pass that the editor's own page, or a person who opens it, has sent to this very server. Any website a
@@ -19,12 +19,12 @@ export function guard(incoming: IncomingMessage, port: number): void {
     throw new Refusal('wrong-host', `expected Host: 127.0.0.1:${port}, found ${quoted(host)}`, OPEN_IT_ANEW);
   }
   if (headers.upgrade !== undefined || /\bupgrade\b/i.test(headers.connection ?? '')) {
-    throw new Refusal('upgrade-refused', 'this server speaks HTTP/1.1 alone, no WebSocket', 'Send the request without Upgrade.');
+    throw new Refusal('upgrade-refused', 'this server speaks only HTTP/1.1, not WebSocket', 'Send the request without Upgrade.');
   }
   const reads = method === 'GET' || method === 'HEAD';
   const site = headers['sec-fetch-site'];
   if (site !== undefined && site !== 'same-origin' && !(reads && !isApi(url) && (site === 'none' || opensPage(incoming)))) {
-    throw new Refusal('foreign-page', `a page of another site (${quoted(String(site))}) has sent this request`, OPEN_IT_ANEW);
+    throw new Refusal('foreign-page', `a page of another site (${quoted(String(site))}) sent this request`, OPEN_IT_ANEW);
   }
   // browsers send Origin with everything that is not GET or HEAD
   const { origin } = headers;

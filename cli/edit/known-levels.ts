@@ -87,7 +87,7 @@ class FolderReports implements KnownLevels {
     if (this.unread === 0) return;
     setImmediate()
       .then(() => this.readRest(files.slice(READ_AT_ONCE)))
-      .catch((error) => this.addTrouble(`the folder could not be read to its end: ${systemReason(error)}`));
+      .catch((error) => this.addTrouble(`the folder could not be read completely: ${systemReason(error)}`));
   }
 
   list(): ListResponse {

@@ -37,7 +37,7 @@ export function findLevels(root: string): LevelFilesFound {
     try {
       entries = readdirSync(directory, { withFileTypes: true });
     } catch (error) {
-      troubles.push(`${directory}: can't be looked into: ${systemReason(error)}`);
+      troubles.push(`${directory}: the folder can't be read: ${systemReason(error)}`);
       continue;
     }
     folders.push(folder);

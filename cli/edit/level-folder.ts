@@ -142,7 +142,7 @@ class FolderOnDisk implements LevelFolder {
 
   async restore(trash: string, wanted: string | undefined, client: string): Promise<LevelEntry> {
     const found = findTrash(this.root).find(({ entry }) => entry.trash === trash);
-    if (found === undefined) throw unknownLevel(trash, 'among the deleted ones');
+    if (found === undefined) throw unknownLevel(trash, 'among the deleted levels');
     const to = wanted ?? found.entry.id;
     return this.change([to], client, () => {
       if (!moveFile(found.file.path, this.placeFor(to))) throw nameTaken(this.nameOf(to));
@@ -161,7 +161,7 @@ class FolderOnDisk implements LevelFolder {
       const wanted = new Set(ids);
       if (there.length !== ids.length || wanted.size !== ids.length || !there.every((id) => wanted.has(id))) {
         const where = join(this.shown, folder);
-        throw new Refusal('list-changed', `these are not the levels of ${where}`, 'Load the list, then order it.');
+        throw new Refusal('list-changed', `these are not the levels of ${where}`, 'Load the list again, then order it.');
       }
       for (const { from } of renamed) {
         const found = files.get(from) as LevelFileFound;
@@ -200,8 +200,8 @@ class FolderOnDisk implements LevelFolder {
     const found = findLevel(this.root, id);
     const current = found === undefined ? null : this.reader.read(found);
     if (current?.etag === etag) return current;
-    const what = current === null ? 'is no longer there' : 'is another one on the disk than the change was made from';
-    const hint = 'Put the change and what is on the disk together, then save again.';
+    const what = current === null ? 'is no longer there' : 'has changed on the disk since the version that was edited';
+    const hint = 'Combine your change with what is on the disk, then save again.';
     throw new Refusal('conflict', `${this.nameOf(id)} ${what}`, hint, { current });
   }
 

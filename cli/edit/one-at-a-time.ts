@@ -32,7 +32,11 @@ export async function oneAtATime<T>(root: string, work: () => T): Promise<T> {
   const mine = `${process.pid} ${hostname()} ${randomBytes(8).toString('hex')}`;
   for (let tries = 0; !take(path, mine); tries++) {
     if (tries >= TRIES) {
-      throw new Refusal('busy', `another gq edit holds ${path}`, 'Try again. If no other gq edit is running, remove that file.');
+      throw new Refusal(
+        'busy',
+        `another gq edit has locked ${path}`,
+        'Try again. If no other gq edit is running, remove that file.',
+      );
     }
     removeStale(path);
     await setTimeout(WAIT);
@@ -107,7 +111,7 @@ function removeForeign(path: string): void {
     else rmSync(path);
   } catch (error) {
     if ((error as NodeJS.ErrnoException).code === 'ENOENT' || isFileOrNothing(path)) return;
-    throw new Refusal('not-writable', `${path} is in the way: it is no file of gq edit`, 'Move it away, then save again.');
+    throw new Refusal('not-writable', `${path} is in the way: it is not a file of gq edit`, 'Move it away, then save again.');
   }
 }
 

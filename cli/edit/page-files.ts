@@ -49,7 +49,7 @@ export function readPage(folder: string): ReadonlyMap<string, PageFile> {
       files.set(address, { content, type, etag, isForever: address.startsWith('/assets/') });
     }
   } catch (error) {
-    throw new Failure(`the editor's page can't be read: ${folder}: ${systemReason(error)}; npm run build makes it anew`);
+    throw new Failure(`the editor's page can't be read: ${folder}: ${systemReason(error)}; npm run build makes it again`);
   }
   const index = files.get('/index.html');
   if (index === undefined)

@@ -56,7 +56,7 @@ export function createEntryReader(nameOf: (id: string) => string): EntryReader {
       judgement: null,
     });
     if (isLink) {
-      return refuse("it is a symbolic link, which the editor doesn't follow", 'Open the folder of the file it leads to.');
+      return refuse("it is a symbolic link, which the editor doesn't follow", 'Open the folder of the file that it points to.');
     }
     let bytes: Uint8Array;
     try {
@@ -65,7 +65,7 @@ export function createEntryReader(nameOf: (id: string) => string): EntryReader {
       return refuse(`it can't be read: ${systemReason(error)}`, 'Make the file readable.');
     }
     if (bytes.length > MAX_FILE_SIZE)
-      return refuse('it is larger than 8 MiB', 'Is it a level? Rename it if not.', 'file-too-large');
+      return refuse('it is larger than 8 MiB', 'Check that it is a level; rename it if it is not.', 'file-too-large');
     const etag = etagOf(bytes);
     const judgement = judgementOf(etag, bytes);
     const { status, name, problems } = judgement;

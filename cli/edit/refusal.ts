@@ -35,15 +35,15 @@ export function refusalOf(error: unknown, file: string): Refusal {
   if (error instanceof Refusal) return error;
   const code = (error as NodeJS.ErrnoException | null)?.code ?? '';
   const message = `${file}: can't be written: ${systemReason(error)}`;
-  if (FULL.has(code)) return new Refusal('disk-full', message, 'Make room on the disk, then save again; the file is as it was.');
+  if (FULL.has(code)) return new Refusal('disk-full', message, 'Make room on the disk, then save again; the file is unchanged.');
   if (FORBIDDEN.has(code)) {
     return new Refusal(
       'not-writable',
       message,
-      'Allow writing to the file and to its folder, then save again; the file is as it was.',
+      'Allow writing to the file and to its folder, then save again; the file is unchanged.',
     );
   }
   if (code === 'ENOENT')
-    return new Refusal('unknown-folder', message, 'Was the folder moved or removed? Put it back, then save again.');
-  return new Refusal('failed', message, 'The file is as it was. Try again; if it stays so, look at the folder and the disk.');
+    return new Refusal('unknown-folder', message, 'If the folder was moved or removed, put it back, then save again.');
+  return new Refusal('failed', message, 'The file is unchanged. Try again; if it fails again, look at the folder and the disk.');
 }

@@ -14,7 +14,7 @@ export function refuseWayOut(path: string): void {
   throw new Refusal(
     'unknown-folder',
     `${folder} is now reached through a link, which the editor doesn't follow`,
-    'Start gq edit anew.',
+    'Start gq edit again.',
   );
 }
 
@@ -25,7 +25,7 @@ export function refuseInvalid(content: Uint8Array): void {
   const { problems } = read;
   const many = problems.length === 1 ? 'a problem' : `${problems.length} problems`;
   const message = `the text is not a valid level: it has ${many}`;
-  throw new Refusal('invalid-level', message, 'Fix what the problems say, then save again; the file is as it was.', { problems });
+  throw new Refusal('invalid-level', message, 'Fix the problems, then save again; the file is unchanged.', { problems });
 }
 
 /** Refuses to change a file that may not be written. */
@@ -35,27 +35,30 @@ export function refuseReadOnly({ file, readOnly }: LevelEntry): void {
 }
 
 export function badName(name: string): Refusal {
-  const hint = 'Use up to 80 letters a-z, digits, spaces, _ and -, beginning with a letter or digit, without .level.json.';
-  return new Refusal('bad-name', `${quoted(name)} can't be the name of a level file on every system`, hint);
+  const hint = 'Use at most 80 letters a-z, digits, spaces, _ and -, begin with a letter or digit, and leave out .level.json.';
+  return new Refusal('bad-name', `${quoted(name)} is not a name that a level file can have on every system`, hint);
 }
 
 export const unknownLevel = (id: string, where: string): Refusal =>
-  new Refusal('unknown-level', `there is no level ${quoted(id)} ${where}`, 'Was it renamed or removed? Load the list again.');
+  new Refusal(
+    'unknown-level',
+    `there is no level ${quoted(id)} ${where}`,
+    'It may have been renamed or removed: load the list again.',
+  );
 
 export const unknownFolder = (folder: string, shown: string): Refusal =>
   new Refusal(
     'unknown-folder',
     `there is no folder ${quoted(folder)} in ${shown}`,
-    'Make the folder first, or take another one.',
+    'Create the folder first, or choose another one.',
   );
 
-export const nameTaken = (file: string): Refusal =>
-  new Refusal('name-taken', `there is already something named ${file}`, 'Take another name.');
+export const nameTaken = (file: string): Refusal => new Refusal('name-taken', `${file} already exists`, 'Choose another name.');
 
 export const alreadyThere = (file: string, current: ReadResponse | null): Refusal =>
   current === null
     ? nameTaken(file)
-    : new Refusal('conflict', `${file} is already there`, 'Take another name, or open the level that is there.', { current });
+    : new Refusal('conflict', `${file} already exists`, 'Choose another name, or open the existing level.', { current });
 
 /** A text from outside, short enough for a message. */
 function quoted(text: string): string {

@@ -18,7 +18,7 @@ export async function readBody<T>(incoming: IncomingMessage, schema: z.ZodType<T
     throw new Refusal(
       'wrong-content-type',
       `expected Content-Type: application/json alone, found ${found}`,
-      'Send JSON, not encoded.',
+      'Send JSON without a Content-Encoding.',
     );
   }
   if (Number(length ?? 0) > LIMIT) throw tooLarge();
@@ -32,7 +32,11 @@ export async function readBody<T>(incoming: IncomingMessage, schema: z.ZodType<T
   const parsed = schema.safeParse(value);
   if (!parsed.success) {
     const [issue] = parsed.error.issues;
-    throw new Refusal('bad-request', `the body: ${issue.path.join('.')}: ${issue.message}`, 'Is the page of this version of gq?');
+    throw new Refusal(
+      'bad-request',
+      `the body: ${issue.path.join('.')}: ${issue.message}`,
+      'Reload the page: it may come from another version of gq.',
+    );
   }
   return parsed.data;
 }
@@ -57,8 +61,8 @@ function readAtMost(incoming: IncomingMessage): Promise<Buffer> {
 const tooLarge = (): Refusal =>
   new Refusal(
     'body-too-large',
-    'a request may have 1 MiB, this one has more',
-    'A level of so many objects is not for this editor: change its file with another one.',
+    'a request may have at most 1 MiB; this one has more',
+    'This editor cannot save a level with so many objects: edit the file with a text editor.',
   );
 
 /** The one parameter `id` of a query. @throws Refusal bad-request */
@@ -94,5 +98,5 @@ const missing = (): Refusal =>
   new Refusal(
     'base-missing',
     'expected If-Match: with the etag of the content that the change was made from',
-    'Send the etag as it was given, quotes and all; for a new level, If-None-Match: * in its place.',
+    'Send the etag exactly as it was received, with its quotes; for a new level send If-None-Match: * instead.',
   );

@@ -119,8 +119,10 @@ async function listen(server: Server, port: number | null, before: number | null
 function listenOn(server: Server, port: number): Promise<void> {
   return new Promise((resolve, reject) => {
     const onError = (error: NodeJS.ErrnoException): void => {
-      const why = error.code === 'EADDRINUSE' ? 'something else listens there, perhaps another gq edit' : systemReason(error);
-      reject(new Failure(`--port ${port}: can't listen on it: ${why}; give another one, or none to take one that is free`));
+      const why = error.code === 'EADDRINUSE' ? 'the port is in use, perhaps by another gq edit' : systemReason(error);
+      reject(
+        new Failure(`--port ${port}: can't listen on it: ${why}; give another port, or leave the option out to take a free one`),
+      );
     };
     server.once('error', onError);
     server.listen({ port, host: '127.0.0.1', exclusive: true }, () => {

@@ -32,7 +32,7 @@ export function moveToTrash(root: string, { id, path }: LevelFileFound, now: Dat
   const { folder, name } = splitId(id);
   const to = pathOfNew(join(root, TRASH, stamp), folder, name);
   mkdirSync(dirname(to), { recursive: true });
-  if (!moveFile(path, to)) throw new Error(`${to} has come into being just now`);
+  if (!moveFile(path, to)) throw new Error(`${to} was created in the meantime`);
   return { trash: `${stamp}/${id}`, id, deleted: now.toISOString() };
 }
 
@@ -41,7 +41,11 @@ export function makeStampFolder(root: string, now: Date): string {
   const trash = join(root, TRASH);
   if (!isRealFolder(trash)) {
     if (lstatSync(trash, { throwIfNoEntry: false }) !== undefined) {
-      throw new Refusal('not-writable', `${trash} is not a folder`, 'Deleted levels go there: move away what is in its place.');
+      throw new Refusal(
+        'not-writable',
+        `${trash} is not a folder`,
+        'Deleted levels are kept there: move away what is in its place.',
+      );
     }
     mkdirSync(trash);
   }

@@ -50,6 +50,6 @@ export function makeDirectory(directory: string): void {
   try {
     tryFolder(directory);
   } catch (error) {
-    fail('no file can be made in it', error);
+    fail('no file can be created in it', error);
   }
 }

@@ -52,7 +52,7 @@ export function viewSolved({ level }: Subject, { runs, effort }: Solved, wanted:
     note: `A search ${tried}.`,
     ways,
     ...(runs.length < wanted && {
-      remark: `found ${runs.length} of ${wanted} really different runs: the search ${tried}; a larger --effort or another --seed may find more`,
+      remark: `found ${runs.length} of ${wanted} clearly different runs: the search ${tried}; a larger --effort or another --seed may find more`,
     }),
   };
 }
@@ -79,8 +79,8 @@ export function viewFan(subject: Subject, chosen: ChosenRun, ticks: number, seed
     ...viewRun(subject, chosen),
     fan,
     note:
-      `${won} of ${fan.length} executions complete it with presses and releases up to ${plural(ticks, 'tick')} (${ms} ms) too early or ` +
-      'too late: each alone to either side, the rest by chance.',
+      `${won} of ${fan.length} attempts complete it with presses and releases up to ${plural(ticks, 'tick')} (${ms} ms) too early or ` +
+      'too late: each shifted alone in both directions, and all of them at random.',
   };
 }
 

@@ -35,9 +35,9 @@ export function robustnessLines(robustness: Robustness): [label: string, text: s
   const sure =
     ticks === 0
       ? ''
-      : `${plural(ticks, 'tick')} (${(1000 * ticks * TICK).toFixed(0)} ms): every shift of all edges by up to so much succeeds`;
-  const beyond = decided ? '' : `; ${plural(ticks + 1, 'tick')} not decided, there are too many shifts to try`;
-  const all = (sure || (decided ? 'no tick: some shift of all edges by one tick fails' : 'no tick')) + beyond;
+      : `${plural(ticks, 'tick')} (${(1000 * ticks * TICK).toFixed(0)} ms): all presses and releases may be off by up to that, in every combination`;
+  const beyond = decided ? '' : `; ${plural(ticks + 1, 'tick')} undecided: too many combinations to try`;
+  const all = (sure || (decided ? 'no tick: some combination that is off by one tick fails' : 'no tick')) + beyond;
   const edges = slack.map(
     ({ earlier, later }, i) => `${i % 2 === 0 ? 'press' : 'release'} ${1 + (i >> 1)} -${earlier} +${later}`,
   );

@@ -48,7 +48,7 @@ export function addRuns(
     replaceFile(real, content, () => {
       if (Buffer.compare(readBytes(real), base) === 0) return;
       throw new Failure(
-        `${path}: changed while the search went on, so nothing was written: solve it anew, or add the run by hand`,
+        `${path}: the file changed during the search, so nothing was written: run gq solve again, or add the run by hand`,
       );
     });
   } catch (error) {

@@ -34,13 +34,15 @@ function parseName(text: string): RuleName {
   if (known !== undefined) return known;
   const close = closestName(text, RULE_NAMES);
   const guess = close === null ? '' : ` (did you mean ${close}?)`;
-  throw new InvalidArgumentError(`unknown rule ${JSON.stringify(text)}${guess}; rules are ${RULE_NAMES.join(', ')}`);
+  throw new InvalidArgumentError(`unknown rule ${JSON.stringify(text)}${guess}; the rules are ${RULE_NAMES.join(', ')}`);
 }
 
 function parseValue(rule: RuleName, text: string): RuleValue {
   const match = NUMBER.exec(text);
   if (match === null) {
-    throw new InvalidArgumentError(`expected a number, or a share of the level's value like 1.1x, found ${JSON.stringify(text)}`);
+    throw new InvalidArgumentError(
+      `expected a number, or a multiple of the level's value like 1.1x, found ${JSON.stringify(text)}`,
+    );
   }
   const amount = Number(match[1]);
   const isRelative = match[2] === 'x';
@@ -70,7 +72,7 @@ export function parseSweep(text: string): Sweep {
   const rule = parseName(match[1]);
   const [from, to] = [parseValue(rule, match[2]), parseValue(rule, match[3])];
   if (from.isRelative !== to.isRelative) {
-    throw new InvalidArgumentError('expected both ends as numbers, or both as shares like 0.8x..1.2x');
+    throw new InvalidArgumentError('expected both ends as numbers, or both as multiples like 0.8x..1.2x');
   }
   if (from.amount >= to.amount) throw new InvalidArgumentError(`expected FROM below TO, found ${match[2]}..${match[3]}`);
   const count = Number(match[4]);

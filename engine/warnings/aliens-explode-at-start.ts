@@ -9,8 +9,8 @@ export const aliensExplodeAtStart: Rule = {
     code: 'aliens-explode-at-start',
     severity: 'warning',
     title: 'two aliens touch at the start',
-    why: 'Two aliens that touch explode. These overlap in the level as it stands, so they explode as it begins and never play a part.',
-    fix: 'Move them apart, farther than the sum of their radii; or leave them out.',
+    why: 'Two aliens that touch explode. These two overlap at the start, so they explode as the level begins and never play a part.',
+    fix: 'Move them apart by more than the sum of their radii, or delete them.',
   },
   *find({ level }) {
     const aliens = level.aliens.map(({ x, y, radius }, i) => ({ x, y, radius, i }));
@@ -18,7 +18,7 @@ export const aliensExplodeAtStart: Rule = {
       const reach = a.radius + b.radius;
       yield {
         message: `${objectName('alien', a.i)} and ${objectName('alien', b.i)} explode at the start: their centres are ${px(distance(a, b))} apart, and they touch below ${px(reach)}`,
-        hint: `move them apart by ${px(reach - distance(a, b))} or more`,
+        hint: `move one of them ${px(reach - distance(a, b))} or more away from the other`,
         pointer: `/aliens/${a.i}`,
       };
     }

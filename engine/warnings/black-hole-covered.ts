@@ -7,18 +7,18 @@ export const blackHoleCovered: Rule = {
   explanation: {
     code: 'black-hole-covered',
     severity: 'warning',
-    title: 'something deadly covers the black hole',
-    why: 'The whole disc of the black hole lies inside a nova, a hot asteroid or an alien: who touches the black hole touches that too, and when both fall on the same instant the hazard wins. An alien, and with recoil a hot asteroid, can be drawn away; a nova stays.',
-    fix: 'Move the hazard until the side of the black hole that she should come from is free.',
+    title: 'a hazard covers the black hole',
+    why: 'The whole disc of the black hole lies inside a nova, a hot asteroid or an alien. She cannot touch the black hole without touching the hazard, and when she touches both at the same instant the hazard wins. An alien can be lured away, and so can a hot asteroid in a level with recoil; a nova stays where it is.',
+    fix: 'Move the hazard until she can reach the black hole from the intended side.',
   },
   *find({ level, bodies }) {
     for (const body of bodies) {
       if (!isHazard(body) || !covers(body, level.blackHole)) continue;
-      const moves = staysPut(body, level.recoil) ? '' : ', at least until it moves';
+      const moves = staysPut(body, level.recoil) ? '' : ', at least until the hazard moves';
       yield {
         message:
-          `${nameOf(body)} covers the black hole: centres ${px(distance(body, level.blackHole))} apart, ` +
-          `radius ${px(body.radius)} against ${px(level.blackHole.radius)}${moves}`,
+          `${nameOf(body)} covers the black hole: the centres are ${px(distance(body, level.blackHole))} apart, ` +
+          `the radii ${px(body.radius)} and ${px(level.blackHole.radius)}${moves}`,
         hint: `move ${nameOf(body)} away from the black hole, or make it smaller`,
         pointer: '/blackHole',
       };

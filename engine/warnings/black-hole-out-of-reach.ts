@@ -7,8 +7,8 @@ export const blackHoleOutOfReach: Rule = {
     code: 'black-hole-out-of-reach',
     severity: 'warning',
     title: 'the black hole is out of reach of every asteroid',
-    why: `${RULE_OF_REACH} So nobody can touch this black hole: the level can't be completed.`,
-    fix: 'Put an asteroid nearer to the black hole, a stepping stone in the gap before it, or raise the range.',
+    why: `${RULE_OF_REACH} So nobody can touch this black hole, and the level cannot be completed.`,
+    fix: 'Put an asteroid nearer to the black hole, put one into the gap before it, or raise the range.',
   },
   find: (subject) => outOfReach(subject, 'the black hole', subject.level.blackHole, '/blackHole'),
 };

@@ -7,8 +7,8 @@ export const holdsOverlap: Rule = {
     code: 'holds-overlap',
     severity: 'warning',
     title: 'holds of a run overlap or touch',
-    why: 'The gun is one button: while one hold lasts another can’t begin. Holds that overlap or touch are played as one, so a release and a press in the script never happen.',
-    fix: 'Join them into one hold, or let the second begin at least a tick after the first ends.',
+    why: 'The gun has one button: while one hold lasts, another cannot begin. Holds that overlap or touch are played as one, so a release and a press that the run lists never happen.',
+    fix: 'Join them into one hold, or begin the second at least one tick after the first ends.',
   },
   *find({ level }) {
     for (const [r, { name, holds }] of level.runs.entries()) {
@@ -21,8 +21,8 @@ export const holdsOverlap: Rule = {
           const end = holds[last][1];
           const how = press === end ? `touch at tick ${end}` : `overlap by ${Math.min(end, release) - press} ticks`;
           yield {
-            message: `run '${name}': the holds ${holdText(holds[last])} and ${holdText(holds[i])} ${how} and are played as one`,
-            hint: `write ${holdText([holds[last][0], Math.max(end, release)])} instead of both, or press after tick ${end}`,
+            message: `run ${JSON.stringify(name)}, holds ${last + 1} and ${i + 1}: ${holdText(holds[last])} and ${holdText(holds[i])} ${how} and are played as one`,
+            hint: `write ${holdText([holds[last][0], Math.max(end, release)])} instead of the two, or press after tick ${end}`,
             pointer: `/runs/${r}/holds/${i}`,
           };
         }

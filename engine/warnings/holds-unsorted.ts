@@ -6,8 +6,8 @@ export const holdsUnsorted: Rule = {
   explanation: {
     code: 'holds-unsorted',
     severity: 'warning',
-    title: 'holds of a run are not in order of time',
-    why: 'The holds are played in order of time, wherever they stand in the list. A list that says otherwise misleads who reads it or compares two versions.',
+    title: 'the holds of a run are not in order of time',
+    why: 'Holds are played in order of time, wherever they stand in the list. A list in another order misleads people who read it or compare two versions.',
     fix: 'Sort the holds by their first number.',
   },
   *find({ level }) {
@@ -15,7 +15,7 @@ export const holdsUnsorted: Rule = {
       const i = holds.findIndex(([press], k) => k > 0 && press < holds[k - 1][0]);
       if (i < 0) continue;
       yield {
-        message: `run '${name}': the hold ${holdText(holds[i])} comes after ${holdText(holds[i - 1])}, which presses later`,
+        message: `run ${JSON.stringify(name)}, hold ${i + 1}: ${holdText(holds[i])} comes after ${holdText(holds[i - 1])}, which presses later`,
         hint: 'sort the holds by their first number',
         pointer: `/runs/${r}/holds/${i}`,
       };

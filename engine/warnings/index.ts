@@ -47,7 +47,7 @@ export const WARNING_CODES: readonly WarningExplanation[] = RULES.map((rule) => 
 export const MAX_WARNINGS_PER_CODE = 20;
 
 /** The message of that additional warning. */
-export const MORE_WARNINGS = `there are more of these: only the first ${MAX_WARNINGS_PER_CODE} are told`;
+export const MORE_WARNINGS = `the level has more warnings of this kind: only the first ${MAX_WARNINGS_PER_CODE} are listed`;
 
 /**
  * Finds what the designer of a valid level most likely did not intend. It examines the level only; nothing is simulated.
@@ -70,7 +70,7 @@ export function findWarnings(level: Level, runs: readonly Run[] = []): Warning[]
           code,
           severity,
           message: MORE_WARNINGS,
-          hint: 'mend these first, then check again',
+          hint: 'fix these first, then check again',
           pointer: '',
         });
         break;

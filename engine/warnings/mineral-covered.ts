@@ -9,9 +9,9 @@ export const mineralCovered: Rule = {
   explanation: {
     code: 'mineral-covered',
     severity: 'warning',
-    title: 'a mineral lies inside something deadly',
-    why: 'The whole disc of the mineral lies inside a nova, or inside a hot asteroid that stays where it is: who touches the mineral burns in the same instant.',
-    fix: 'Move the mineral out until at least a part of it can be touched from outside.',
+    title: 'a mineral lies inside a hazard',
+    why: 'The whole disc of the mineral lies inside a nova, or inside a hot asteroid that stays where it is. She cannot touch the mineral without touching the hazard, which ends the run.',
+    fix: 'Move the mineral out until at least part of it can be touched from outside.',
   },
   *find({ level, bodies }) {
     const hazards = bodies.filter((body) => staysPut(body, level.recoil));
@@ -24,7 +24,7 @@ export const mineralCovered: Rule = {
       const name = objectName('mineral', mineral.index);
       const apart = distance(hazard, mineral);
       yield {
-        message: `${name} lies inside ${nameOf(hazard)}: centres ${px(apart)} apart, radius ${px(mineral.radius)} against ${px(hazard.radius)}`,
+        message: `${name} lies inside ${nameOf(hazard)}: the centres are ${px(apart)} apart, the radii ${px(mineral.radius)} and ${px(hazard.radius)}`,
         hint: `move ${name} outwards by more than ${px(hazard.radius - mineral.radius - apart)}`,
         pointer: `/minerals/${mineral.index}`,
       };

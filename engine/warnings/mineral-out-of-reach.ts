@@ -9,7 +9,7 @@ export const mineralOutOfReach: Rule = {
     severity: 'warning',
     title: 'a mineral is out of reach of every asteroid',
     why: `${RULE_OF_REACH} So nobody can collect this mineral.`,
-    fix: 'Put the mineral nearer to an asteroid, an asteroid nearer to the mineral, or raise the range.',
+    fix: 'Move the mineral and an asteroid nearer to each other, or raise the range.',
   },
   *find(subject) {
     for (const [i, mineral] of subject.level.minerals.entries()) {

@@ -7,15 +7,15 @@ export const nothingInRangeAtStart: Rule = {
   explanation: {
     code: 'nothing-in-range-at-start',
     severity: 'warning',
-    title: 'no asteroid is within range at the start',
-    why: 'Farther than the range from the centre of every asteroid she is lost. Here that is so at the very start: every run ends at once.',
-    fix: 'Start her nearer to an asteroid, put an asteroid nearer to her, or give the level a larger `range`.',
+    title: 'no asteroid is in range at the start',
+    why: 'She is lost when she is farther than the range from the centre of every asteroid. In this level that is so at the start: every run ends as it begins.',
+    fix: 'Move the astronaut and an asteroid nearer to each other, or give the level a larger `range`.',
   },
   *find({ level }) {
     const { astronaut, asteroids, range } = level;
     if (asteroids.length === 0) {
       yield {
-        message: 'the level has no asteroid, so that the astronaut is lost at the start',
+        message: 'the astronaut is lost at the start: the level has no asteroid',
         hint: `put an asteroid within ${px(range)} of the astronaut`,
         pointer: '/astronaut',
       };
@@ -32,7 +32,7 @@ export const nothingInRangeAtStart: Rule = {
     if (least <= range) return;
     yield {
       message: `the astronaut is lost at the start: the nearest asteroid, ${objectName('asteroid', nearest)}, is ${px(least)} away, the range is ${px(range)}`,
-      hint: `bring one of them ${px(least - range)} nearer, or raise range to ${px(least)} or more`,
+      hint: `move an asteroid and the astronaut ${px(least - range)} nearer to each other, or raise the range to ${px(least)} or more`,
       pointer: '/astronaut',
     };
   },

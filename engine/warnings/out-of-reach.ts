@@ -4,8 +4,8 @@ import type { Finding, Subject } from './warning.ts';
 
 /** The reasoning that both explanations share. */
 export const RULE_OF_REACH =
-  'She is lost farther than the range from the centre of every asteroid, and her box reaches at most 18.9 px beyond her centre. ' +
-  'Only asteroids count that she can come to, hopping from range to range. With recoil, the warning allows for how far asteroids can drift in 60 s.';
+  'She is lost when she is farther than the range from the centre of every asteroid, and her collision box reaches at most 18.9 px beyond her centre. ' +
+  'Only asteroids that she can reach count, going from the range of one into the range of the next. In a level with recoil the warning allows for how far asteroids can drift in 60 s.';
 
 /** Yields a finding if an object cannot be touched. */
 export function* outOfReach(
@@ -17,12 +17,12 @@ export function* outOfReach(
   const nearest = reach.nearest(thing);
   const limit = reach.limit(thing.radius);
   if (nearest === null || nearest.distance < limit) return;
-  const whom = reach.hasIslands ? 'the nearest asteroid she can come to' : 'the nearest asteroid';
+  const whom = reach.hasIslands ? 'the nearest asteroid she can reach' : 'the nearest asteroid';
   yield {
     message:
       `${what} is out of reach: ${whom}, ${objectName('asteroid', nearest.index)}, is ${px(nearest.distance)} away, ` +
-      `and farther than ${px(limit)} she is lost before she touches it (range ${px(level.range)})`,
-    hint: `bring ${what} and an asteroid ${px(nearest.distance - limit)} nearer to each other, and more to give the player room, or raise the range`,
+      `and beyond ${px(limit)} she is lost before she touches it (range ${px(level.range)})`,
+    hint: `bring ${what} and an asteroid at least ${px(nearest.distance - limit)} nearer to each other (more gives the player room), or raise the range`,
     pointer,
   };
 }

@@ -8,9 +8,9 @@ export const overlapping: Rule = {
   explanation: {
     code: 'overlapping',
     severity: 'warning',
-    title: 'two solid things overlap',
-    why: 'An asteroid, nova, alien or black hole reaches into another: the player sees one shape where there are two, and can’t tell which of them acts. Nothing breaks; it is seldom meant.',
-    fix: 'Move them apart. A wall needs no overlap: a gap of less than 20 px lets nobody through.',
+    title: 'two solid objects overlap',
+    why: 'An asteroid, nova, alien or black hole reaches into another. The player sees one shape where there are two and cannot tell which of them acts. The level still works, but this is seldom intended.',
+    fix: 'Move them apart. A wall needs no overlap: she does not fit through a gap of less than 20 px.',
   },
   *find({ level, bodies, copies }) {
     // copies are reported by `same-place` and would fill the list here
@@ -20,8 +20,8 @@ export const overlapping: Rule = {
       if (b.kind === 'black hole' && isHazard(a) && covers(a, level.blackHole)) continue;
       const depth = px(a.radius + b.radius - distance(a, b));
       yield {
-        message: `${nameOf(a)} and ${nameOf(b)} overlap by ${depth}: centres ${px(distance(a, b))} apart, radii ${px(a.radius)} and ${px(b.radius)}`,
-        hint: `move them apart by ${depth}`,
+        message: `${nameOf(a)} and ${nameOf(b)} overlap by ${depth}: the centres are ${px(distance(a, b))} apart, the radii ${px(a.radius)} and ${px(b.radius)}`,
+        hint: `move one of them ${depth} away from the other`,
         pointer: pointerOf(a),
       };
     }

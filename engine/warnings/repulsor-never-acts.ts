@@ -9,7 +9,7 @@ export const repulsorNeverActs: Rule = {
     code: 'repulsor-never-acts',
     severity: 'warning',
     title: 'a repulsor lies inside an earlier one',
-    why: 'Where repulsors overlap, the first in the level’s list wins. This one lies wholly inside an earlier one, so it never pushes.',
+    why: 'Where repulsors overlap, only the first in the level’s list pushes. This one lies entirely inside an earlier one, so it never pushes.',
     fix: 'Move it out, delete it, or put it before the larger one in the list.',
   },
   *find({ level }) {
@@ -23,9 +23,9 @@ export const repulsorNeverActs: Rule = {
       const other = objectName('repulsor', first.i);
       yield {
         message:
-          `${name} never pushes: it lies inside ${other}, which comes first ` +
-          `(centres ${px(distance(first, later))} apart, radius ${px(later.radius)} against ${px(first.radius)})`,
-        hint: `put ${name} before ${other}, move it or delete it`,
+          `${name} never pushes: it lies inside ${other}, which comes first in the list ` +
+          `(the centres are ${px(distance(first, later))} apart, the radii ${px(later.radius)} and ${px(first.radius)})`,
+        hint: `put ${name} before ${other} in the list, move it or delete it`,
         pointer: `/repulsors/${later.i}`,
       };
     }

@@ -8,8 +8,8 @@ export const touchesBlackHoleAtStart: Rule = {
     code: 'touches-black-hole-at-start',
     severity: 'warning',
     title: 'the level is completed as it begins',
-    why: 'The astronaut starts with her box inside the black hole. Touching it completes the level, so there is nothing to play.',
-    fix: 'Move the astronaut or the black hole until there is a way to go between them.',
+    why: 'At the start her collision box touches the black hole. Touching it completes the level, so there is nothing to play.',
+    fix: 'Move the astronaut or the black hole until there is some distance between them.',
   },
   *find({ level, box }) {
     const { astronaut, blackHole } = level;

@@ -16,8 +16,8 @@ export const unusedAsteroid: Rule = {
     code: 'unused-asteroid',
     severity: 'warning',
     title: 'no run needs this asteroid',
-    why: 'In no run that completes the level does the gun target this asteroid, and she never depends on it to stay in range. It may be scenery or a lure, then all is well; it may be left over, or the level may be meant to be played another way than its runs show. Hot asteroids are not told: an obstacle is a use.',
-    fix: 'Delete it, add a run that uses it, or leave it if it is there to look at or to mislead.',
+    why: 'No run that completes the level targets this asteroid or needs it to keep her in range. If it is scenery or a lure, nothing is wrong. It may also be left over, or the level may be meant to be played in a way that none of its runs shows. Hot asteroids are never reported, because they are obstacles.',
+    fix: 'Delete it, or add a run that uses it. If it is scenery or a lure, leave it.',
   },
   *find({ level, runs }) {
     const completed = runs.filter((run) => run.outcome === 'completed');
@@ -31,7 +31,7 @@ export const unusedAsteroid: Rule = {
       if (used.has(i)) continue;
       yield {
         message:
-          `${objectName('asteroid', i)} is not used: none of ${completed.length} completing run${completed.length === 1 ? '' : 's'} targets it, ` +
+          `${objectName('asteroid', i)} is not used: ${completed.length === 1 ? 'the run that completes the level does not target it' : `none of the ${completed.length} runs that complete the level targets it`}, ` +
           `and another asteroid is always within the range of ${px(level.range)}`,
         hint: 'delete it or add a run that uses it; if it is scenery or a lure, leave it',
         pointer: `/asteroids/${i}`,

@@ -231,7 +231,7 @@ export function drawDiagram(diagram: Diagram, ground: Ground = 'auto'): string {
       drawn += ink('text', write(kind === 'peer' ? 'other engines' : name, LEGEND.left + 35, at));
       at += LEGEND.step;
     }
-    const notes = ['hollow: a run ends', 'with another outcome'];
+    const notes = ['hollow: a run has', 'another outcome'];
     if (runs > 1) notes.push('', 'marks: median run', 'whiskers: to the', '90th percentile');
     drawn += ink('muted', notes.map((note, i) => write(note, LEGEND.left, at + 14 + 16 * i, { size: 7.5 })).join(''));
     return drawn;

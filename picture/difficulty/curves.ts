@@ -115,7 +115,7 @@ export function drawCurves(curves: readonly SuccessCurve[], plot: Plot, ground: 
         const at = top + 10 + 26 * i;
         const dashed = dash === '' ? '' : ` stroke-dasharray="${dash}"`;
         const sample = `<path d="M${right + 24} ${at - 3}h26" stroke="currentColor" stroke-width="1.9" fill="none"${dashed}/>`;
-        const what = half === null ? `half beyond ${most} ms` : `half at ${half.toFixed(0)} ms`;
+        const what = half === null ? `half above ${most} ms` : `half at ${half.toFixed(0)} ms`;
         return (
           inked(ground, ink, sample) +
           inked(ground, 'text', write(name, right + 58, at, { maxWidth: 180 })) +

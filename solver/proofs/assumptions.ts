@@ -58,7 +58,7 @@ export const effectsOf = (level: Level): readonly string[] => [
 /** Why a prover says nothing where these effects act; null when it understands all of them. */
 export function whyNotTried(prover: Prover, effects: readonly string[]): string | null {
   const other = effects.filter((name) => !UNDERSTOOD[prover].includes(name));
-  return other.length === 0 ? null : `the level calls for ${other.join(', ')}, which ${prover} does not understand`;
+  return other.length === 0 ? null : `the level calls for ${other.join(', ')}, which ${prover} does not cover`;
 }
 
 /** The greatest possible acceleration, px/s²: the gun and a field never act at the same time, and winds add to either. */

@@ -19,14 +19,14 @@ export function proveNothingInRange(setting: Setting, about: About, goal: Thing)
   if (!away.every((d) => surelyLess(range, d)) || !surelyLess(goal.touch, distance(goal, START))) return null;
   const where =
     asteroids.length === 0
-      ? 'there is no asteroid at all'
+      ? 'the level has no asteroid'
       : `the nearest asteroid is ${px(away.reduce((a, b) => Math.min(a, b)))} away`;
   return {
     code: 'nothing-in-range',
     about,
     reason:
-      `no asteroid is in range of the start: she is lost farther than ${px(range)} from every asteroid, and ${where}; ` +
-      `so she is lost at once and ${subject(about)} is never touched: put an asteroid within ${px(range)} of the start, or move the start`,
+      `no asteroid is in range of the start: she is lost when she is farther than ${px(range)} from every asteroid, and ${where}; ` +
+      `so the run is over as it begins, and she never touches ${subject(about)}: put an asteroid within ${px(range)} of the start, or move the start`,
     covers: ALL_ACCURACIES,
     maxTime: null,
     certificate: { kind: 'nothing-in-range' },
@@ -47,7 +47,7 @@ export function proveStartsInHazard(setting: Setting, about: About, goal: Thing)
   return {
     code: 'starts-in-hazard',
     about,
-    reason: `the run is over at once: her box overlaps ${thing(hazard.ref)} as it stands at the start: move the start or ${thing(hazard.ref)}`,
+    reason: `the run is over as it begins: at the start her collision box overlaps ${thing(hazard.ref)}: move the start or ${thing(hazard.ref)}`,
     covers: clear && hazard.anyTurn ? ALL_ACCURACIES : CONTINUOUS,
     maxTime: null,
     certificate: { kind: 'starts-in-hazard', hazard: hazard.ref },

@@ -44,7 +44,7 @@ export function proveCovered(setting: Setting, about: About, goal: Thing): Proof
     code: 'covered',
     about,
     reason:
-      `${subject(about)} is covered by ${names.join(', ')}: wherever her box of ${px(rules.boxWidth)} by ${px(rules.boxHeight)} touches it, it touches a hazard before: ` +
+      `${subject(about)} is covered by ${names.join(', ')}: wherever her collision box of ${px(rules.boxWidth)} by ${px(rules.boxHeight)} touches it, the box touches a hazard first: ` +
       `move ${names.length > 1 ? 'one of them' : names[0]} away from it`,
     covers: CONTINUOUS,
     maxTime: level.recoil ? maxTime : null,

@@ -69,14 +69,14 @@ export function startAxis({ level: { asteroids, astronaut } }: Setting): readonl
 
 /** Lists in words what ends the runs. */
 export function whatEnds(endedBy: readonly Blocker[]): string {
-  const names = endedBy.map((by) => (by.kind === 'range' ? 'the end of the range' : thing(by)));
+  const names = endedBy.map((by) => (by.kind === 'range' ? 'the edge of the range' : thing(by)));
   const last = names.pop();
   return names.length > 0 ? `${names.join(', ')} or ${last}` : `${last}`;
 }
 
 function reasonOf(about: About, seconds: number, endedBy: readonly Blocker[]): string {
   return (
-    `${subject(about)} is never reached: with the speed she has at the start every run ends within ${Math.ceil(seconds * 10) / 10} s ` +
-    `at ${whatEnds(endedBy)}, whatever is pressed: start slower, elsewhere or in another direction, or clear her way`
+    `${subject(about)} is never reached: with her velocity at the start, every run ends within ${Math.ceil(seconds * 10) / 10} s ` +
+    `at ${whatEnds(endedBy)}, whatever the player presses: start slower, elsewhere or in another direction, or clear her path`
   );
 }

@@ -300,13 +300,13 @@ const MOST_NAMED = 8;
 /** @param width the narrowest gap that her box can pass, px */
 function reasonOf(about: About, barrier: readonly BarrierEdge[], width: number): string {
   const names = new Set<string>();
-  for (const { by } of barrier) names.add(by.kind === 'range' ? 'the end of the range' : thing(by));
+  for (const { by } of barrier) names.add(by.kind === 'range' ? 'the edge of the range' : thing(by));
   const list = [...names];
   const named = list.length > MOST_NAMED ? [...list.slice(0, MOST_NAMED), `${list.length - MOST_NAMED} more`] : list;
   const last = named.pop();
   const what = named.length > 0 ? `${named.join(', ')} and ${last}` : `${last}`;
   return (
-    `${subject(about)} is closed off from the start by ${what}: between them is no gap of ${px(width)}, the least her box can pass: ` +
+    `${subject(about)} is closed off from the start by ${what}: her collision box needs a gap of ${px(width)}, and there is none: ` +
     'move or remove one of them'
   );
 }

@@ -65,8 +65,8 @@ export function proveFlowpipe(setting: Setting, about: About, goal: Thing): Proo
       code: 'flowpipe',
       about,
       reason:
-        `${subject(about)} is never reached: with the speed she has at the start every run ends within ${seconds} s ` +
-        `at ${whatEnds(endedBy)}, whatever is pressed: start slower, elsewhere or in another direction, or clear her way`,
+        `${subject(about)} is never reached: with her velocity at the start, every run ends within ${seconds} s ` +
+        `at ${whatEnds(endedBy)}, whatever the player presses: start slower, elsewhere or in another direction, or clear her path`,
       covers: CONTINUOUS,
       maxTime: level.recoil ? maxTime : null,
       certificate: { kind: 'flowpipe', grid, layers },

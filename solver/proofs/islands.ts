@@ -36,15 +36,15 @@ export function proveOutOfRange(setting: Setting, about: About, goal: Thing): Pr
   }
   const all = reached.length === level.asteroids.length;
   const limit = level.range + goal.touch;
-  const whom = all ? 'the nearest asteroid' : 'the nearest asteroid she can come to';
+  const whom = all ? 'the nearest asteroid' : 'the nearest asteroid she can reach';
   return {
     code: 'out-of-range',
     about,
     reason:
       nearest < 0
-        ? `${subject(about)} is out of reach: no asteroid is in range of the start, so she is lost at once`
-        : `${subject(about)} is ${px(least)} from ${whom}, ${objectName('asteroid', nearest)}, she is lost beyond ${px(level.range)} and her box touches it ` +
-          `from at most ${px(goal.touch)}: move it or add an asteroid ${all ? '' : 'she can come to '}within ${px(limit)} of it`,
+        ? `${subject(about)} is out of reach: no asteroid is in range of the start, so she is lost as the run begins`
+        : `${subject(about)} is ${px(least)} from ${whom}, ${objectName('asteroid', nearest)}; she is lost beyond ${px(level.range)}, and her collision box touches it ` +
+          `from at most ${px(goal.touch)}: move it, or add an asteroid ${all ? '' : 'that she can reach '}within ${px(limit)} of it`,
     covers: jump > 0 ? ALL_ACCURACIES : CONTINUOUS,
     maxTime: level.recoil ? maxTime : null,
     certificate: { kind: 'out-of-range', asteroids: reached, ...(discs.length > 0 ? { mouths } : {}) },

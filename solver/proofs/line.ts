@@ -347,20 +347,20 @@ function distanceToStretch(line: Line, from: number, to: number, p: { x: number;
 function reasonOf({ level }: Setting, about: About, line: Line, { back, front }: Trap): string {
   const end = ({ at, by }: LineEnd): string =>
     by.kind === 'range'
-      ? `the end of the range at ${px(Math.abs(at))}`
+      ? `the edge of the range at ${px(Math.abs(at))}`
       : by.kind === 'start'
         ? 'the start'
         : by.kind === 'dead-end'
-          ? `a dead end after ${px(Math.abs(at))}, where another asteroid pulls her and all ways lead into hazards`
-          : `${thing(by)}, which her box hits after ${px(Math.abs(at))}`;
+          ? `a dead end after ${px(Math.abs(at))}, where another asteroid pulls her and every path leads into a hazard`
+          : `${thing(by)}, which her collision box hits after ${px(Math.abs(at))}`;
   const where =
     back.by.kind === 'start'
       ? `she can only fall towards ${end(front)}`
-      : `on one side is ${end(front)}, on the other ${end(back)}`;
+      : `the line ends at ${end(front)} on one side and at ${end(back)} on the other`;
   const before = [back, front].some(({ by }) => by.kind === 'dead-end') ? ' before a dead end' : '';
   return (
-    `${subject(about)} is not on the line that she is bound to: from rest the gun pulls her straight towards ${objectName('asteroid', line.target)}, ` +
-    `no other asteroid becomes nearer${before}${level.repulsors.length > 0 ? ' and no field is in the way' : ''}, and ${where}: ` +
+    `${subject(about)} is not on the line that she cannot leave: she starts at rest, and the gun pulls her straight towards ${objectName('asteroid', line.target)}, ` +
+    `no other asteroid becomes nearer${before}${level.repulsors.length > 0 ? ' and no repulsor is in the way' : ''}, and ${where}: ` +
     'give her some speed at the start, move the start, or bring another asteroid nearer to that line'
   );
 }

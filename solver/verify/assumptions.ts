@@ -45,11 +45,9 @@ export function whyNotKnown(kind: unknown, level: Level): string | null {
   const known = typeof kind === 'string' ? KNOWS.get(kind) : undefined;
   if (known === undefined) return 'its kind is unknown';
   const rule = Object.keys(level.rules ?? {}).find((name) => !Object.hasOwn(NUMBERS, name));
-  if (rule !== undefined) return `the level has a rule of its own, ${rule}, which no proof knows`;
+  if (rule !== undefined) return `the level sets the rule ${rule}, which no proof covers`;
   const unknown = EFFECTS.find((effect) => !known.has(effect.name) && effect.calledFor(level).called);
-  return unknown === undefined
-    ? null
-    : `the level calls for the effect ${unknown.name}, which a proof of this kind does not know`;
+  return unknown === undefined ? null : `the level calls for the effect ${unknown.name}, which proofs of this kind do not cover`;
 }
 
 /** The greatest possible acceleration, px/s²: a field replaces the gun, and winds add to both and to each other. */

@@ -25,7 +25,7 @@ interface Poses {
  */
 export function checkCovered(claim: Claim): string | null {
   // A frame in which she touches both completes the level.
-  if (claim.frames) return 'with frames the black hole comes before hazards';
+  if (claim.frames) return 'with frames the black hole is tested before hazards';
   if (!less(claim.touch, apart(claim.thing, START))) return 'she may touch it at the start';
   // A wormhole may put her where she could not be otherwise, and there a mineral counts before a hazard.
   if (claim.about.kind === 'mineral' && claim.level.wormholes.length > 0) return 'a wormhole may take her to it';
@@ -39,7 +39,7 @@ export function checkCovered(claim: Claim): string | null {
   // Half a turn does not change the box.
   const waiting = [quarter({ x: 1, y: 0 }, { x: 0, y: 1 }), quarter({ x: 0, y: 1 }, { x: -1, y: 0 })];
   for (let looked = 0; waiting.length > 0; looked++) {
-    if (looked > MOST) return 'it takes too many poses to see whether it is covered';
+    if (looked > MOST) return 'deciding whether it is covered takes too many poses';
     const poses = waiting.pop() as Poses;
     const middle = unit({ x: poses.from.x + poses.to.x, y: poses.from.y + poses.to.y });
     const shift = poses.half * 1.4143;

@@ -82,16 +82,16 @@ export interface Leaving {
  */
 export function checkDeadEnd(claim: Claim, { axis, step }: DeadEnd, { apex, ahead, before, length }: Leaving): string | null {
   // A fixed step may use the push of a place some px away, where pushes have other slopes.
-  if (claim.steps) return 'with fixed steps her way may turn past the pushes there';
+  if (claim.steps) return 'with fixed steps her path may turn further than the pushes there allow';
   if (claim.level.recoil) return 'with recoil the border between two asteroids moves';
   if (claim.frames) return 'with frames she may jump over the border between two asteroids';
   if (!Array.isArray(axis) || axis.length !== 2 || !(Math.abs(axis[0] * axis[0] + axis[1] * axis[1] - 1) < 1e-9))
-    return 'its axis is no direction';
-  if (!(typeof step === 'number' && step >= 0.25 && step <= 4)) return 'its step is none';
+    return 'its axis is not a direction';
+  if (!(typeof step === 'number' && step >= 0.25 && step <= 4)) return 'its step is not valid';
   const scene = sceneAlong(claim, axis, apex, before);
   const along = ahead.x * axis[0] + ahead.y * axis[1];
   const start = (ahead.y * axis[0] - ahead.x * axis[1]) / along;
-  if (!(along > 0 && Math.abs(start) <= STEEP)) return 'she does not come along its axis';
+  if (!(along > 0 && Math.abs(start) <= STEEP)) return 'she does not move along its axis';
 
   let slopes: Interval = [start - ASKEW, start + ASKEW];
   const first = [-BESIDE, BESIDE].flatMap((place) => slopes.map((slope) => ({ place, slope })));
@@ -105,8 +105,8 @@ export function checkDeadEnd(claim: Claim, { axis, step }: DeadEnd, { apex, ahea
       // speed.
       for (const { place } of stage.ways) farthest = Math.max(farthest, Math.abs(place) + (n + 1 + STEEP) * step);
       if (!less(speedAfter(claim.push, length + 2 * farthest), unlimited(claim.rules, claim.push)))
-        return 'she may come to the speed limit';
-      if (++looked > MOST) return 'it takes too many stages to follow her';
+        return 'she may reach the speed limit';
+      if (++looked > MOST) return 'following her takes too many stages';
       const after = follow(scene, stage, n * step, step);
       if (typeof after === 'string') return after;
       slopes = hull(slopes, extent(after.ways.map(({ slope }) => slope)));
@@ -116,7 +116,7 @@ export function checkDeadEnd(claim: Claim, { axis, step }: DeadEnd, { apex, ahea
   }
   const { takers, old } = scene;
   const goesOn = (taker: Point) => slopes.every((slope) => less(old.x + slope * old.y, taker.x + slope * taker.y));
-  return takers.some(goesOn) ? null : 'the asteroid before may be the nearest again';
+  return takers.some(goesOn) ? null : 'the previous asteroid may be the nearest again';
 }
 
 interface Scene {
@@ -182,7 +182,7 @@ function follow(scene: Scene, { ways, box }: Stage, x: number, step: number): St
       const beside = { x: Math.max(0, x - c.x, c.x - x - step), y: Math.max(0, low - swing - c.y, c.y - high - swing) };
       return !less(radius + DEPTH, apart(beside, { x: 0, y: 0 }));
     };
-    if (scene.strange.some(mayEnter)) return 'a wind or a wormhole may take her off her way';
+    if (scene.strange.some(mayEnter)) return 'a wind or a wormhole may take her off her path';
     const sources = sourcesWithin(scene, x, step, low - swing, high + swing);
     if (sources === null) return 'something may push her back along its axis';
     const after = widened(ways, x, step, swing, sources);

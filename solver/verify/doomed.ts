@@ -58,15 +58,15 @@ const times = (a: Interval, b: Interval): Interval => {
  * `pushes`).
  */
 export function checkDoomed(claim: Claim, { grid, layers }: Doomed): string | null {
-  if (!isGrid(grid)) return 'its grid is none';
-  if (!areLayers(layers)) return 'its sets are none';
+  if (!isGrid(grid)) return 'its grid is not valid';
+  if (!areLayers(layers)) return 'its sets are not valid';
   const { x, y, vx, vy } = claim.level.astronaut;
-  if (claim.frames && Math.max(Math.abs(x), Math.abs(y)) > FAR_OUT) return 'with frames places so far out are too coarse';
+  if (claim.frames && Math.max(Math.abs(x), Math.abs(y)) > FAR_OUT) return 'with frames, rounding is too coarse so far out';
   const scene = turnedScene(claim, grid.axis);
   const seconds = grid.frames * TICK;
   // Each step begins no faster than the first one, or far from the limit on both axes, and stays below the limit.
   const fastest = Math.max(Math.sqrt(vx * vx + vy * vy), 1.4143 * farFromLimit(claim.rules));
-  if (!(fastest + claim.push * (seconds + TICK) <= claim.rules.speedLimit)) return 'she may come to the speed limit in a step';
+  if (!(fastest + claim.push * (seconds + TICK) <= claim.rules.speedLimit)) return 'she may reach the speed limit within a step';
   const blocked = blockedDiscs(claim, scene);
   let after: Box[] = [startOf(scene)];
   let looked = 0;
@@ -74,23 +74,23 @@ export function checkDoomed(claim: Claim, { grid, layers }: Doomed): string | nu
     const boxes = (layers[n] ?? []).map(boxOf);
     const inCells = new Map(boxes.map((box) => [cellOf(box, grid), box]));
     for (const piece of pieces(after, grid)) {
-      if (++looked > MOST_PIECES) return 'it takes too many boxes to follow her';
+      if (++looked > MOST_PIECES) return 'following her takes too many boxes';
       const box = inCells.get(cellOf(piece, grid));
       if (box !== undefined && holds(box, piece)) continue;
       if (n === 0 || !isOver(scene, blocked, piece, n * seconds))
         return n < layers.length
-          ? `its sets do not hold all that she may do by step ${n}`
-          : `some runs may go on after ${n} steps`;
+          ? `its sets do not contain everything she may do by step ${n}`
+          : `some runs may continue after ${n} steps`;
     }
     after = [];
     for (const box of boxes) {
       const way = placesWithin(box, seconds, claim.push);
       if (!(distances(scene.thing, way)[0] > claim.touch + ROUNDING)) return `she may touch it in step ${n + 1}`;
       const mayJump = scene.mouths.some((mouth) => !(distances(mouth, way)[0] > mouth.radius + ON_RIM));
-      if (mayJump) return `she may come to a wormhole in step ${n + 1}`;
+      if (mayJump) return `she may enter a wormhole in step ${n + 1}`;
       const moved = advance(box, ...accelerations(claim.rules, scene, way, (n + 1) * seconds), seconds);
       if (!(Math.max(-moved.vx[0], moved.vx[1], -moved.vy[0], moved.vy[1]) <= farFromLimit(claim.rules)))
-        return 'she may come to the speed limit';
+        return 'she may reach the speed limit';
       after.push(moved);
     }
   }

@@ -15,9 +15,9 @@ const START = { x: 0, y: 0 };
  * side.
  */
 export function checkEnclosed(claim: Claim, barrier: readonly BarrierEdge[]): string | null {
-  if (!Array.isArray(barrier) || barrier.length < 3) return 'its barrier is no closed line';
+  if (!Array.isArray(barrier) || barrier.length < 3) return 'its barrier is not a closed line';
   if (!barrier.every((edge) => Number.isFinite(edge?.x) && Number.isFinite(edge?.y)))
-    return 'a corner of its barrier is no place';
+    return 'a corner of its barrier is not a point';
   const corners = barrier.map(({ x, y }) => claim.place({ x, y }));
   // In frames, an observation that shows her touching the object may follow a jump over the barrier.
   const touch = claim.touch + claim.jump;
@@ -59,7 +59,7 @@ function checkOutside(claim: Claim, a: Point, b: Point): string | null {
  */
 function checkHazard(claim: Claim, by: Blocker, a: Point, b: Point): string | null {
   const hazard = standingHazard(claim, by);
-  if (hazard === null) return 'what it names is no hazard that stands still';
+  if (hazard === null) return 'it names something other than a hazard that stands still';
   const r = hazard.radius + claim.inner;
   if (!less(claim.jump / 2, r)) return 'she may jump over it';
   const radius = Math.sqrt(r * r - (claim.jump * claim.jump) / 4);

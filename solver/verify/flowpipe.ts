@@ -75,34 +75,34 @@ interface Bundle {
  * have ended is empty or out of range. No place of a step may be near the object, a wind or a mouth.
  */
 export function checkFlowpipe(claim: Claim, { grid, layers }: Flowpipe): string | null {
-  if (claim.frames) return 'with frames she is pushed and looked at once a frame only';
-  if (!isGrid(grid)) return 'its grid is none';
-  if (!Array.isArray(layers)) return 'its steps are none';
+  if (claim.frames) return 'with frames pushes and contacts happen only once a frame';
+  if (!isGrid(grid)) return 'its grid is not valid';
+  if (!Array.isArray(layers)) return 'its steps are not valid';
   const seconds = grid.frames * TICK;
   const { vx, vy } = claim.level.astronaut;
   if (Math.sqrt(vx * vx + vy * vy) + claim.push * seconds * grid.steps > farFromLimit(claim.rules))
-    return 'she may come to the speed limit';
+    return 'she may reach the speed limit';
   const scene: Scene = { ...turnedScene(claim, grid.axis), claim, seconds, times: [Math.floor(grid.steps / 3), grid.steps] };
   let bundles: ReadonlyMap<number, Bundle> = new Map([[0, startOf(scene)]]);
   let made = 0;
   for (let step = 1; bundles.size > 0; step++) {
-    const goOn = `some runs may go on after ${step - 1} steps`;
+    const goOn = `some runs may continue after ${step - 1} steps`;
     if (step > grid.steps) return goOn;
     const ways = new Map([...bundles].map(([k, bundle]) => [k, wayTo(bundle, step, seconds, claim.push)]));
     for (const way of ways.values()) {
       if (!(distances(scene.thing, way).least > claim.touch + ROUNDING)) return `she may touch it in step ${step}`;
       const mayEnter = (disc: Circle) => !(distances(disc, way).least > disc.radius + ON_RIM);
-      if (scene.winds.some(mayEnter)) return `a wind may blow on her in step ${step}`;
-      if (scene.mouths.some(mayEnter)) return `she may come to a wormhole in step ${step}`;
+      if (scene.winds.some(mayEnter)) return `a wind may act on her in step ${step}`;
+      if (scene.mouths.some(mayEnter)) return `she may enter a wormhole in step ${step}`;
     }
     if (step > layers.length) return goOn;
     const next = new Map<number, Bundle>();
     for (const [k, bundle] of bundles) {
       for (const [n, after] of afterStep(scene, bundle, ways.get(k) as Area, step).entries()) {
         const pieces = piecesOf(scene, after, step, layers[step - 1]?.[k]?.[n]);
-        if (pieces === null) return `it does not say how a set goes on in step ${step}`;
+        if (pieces === null) return `it does not say how a set continues in step ${step}`;
         made += pieces.length;
-        if (made > MOST) return 'it takes too many pieces to follow her';
+        if (made > MOST) return 'following her takes too many pieces';
         const why = takeOver(scene, pieces, step, next);
         if (why !== null) return why;
       }
@@ -121,7 +121,7 @@ function takeOver(scene: Scene, pieces: readonly Piece[], step: number, next: Ma
     const left = piece && withoutStrips(scene, piece, off, step);
     if (left === null) continue;
     if (typeof left === 'string') return left;
-    if (to === null && !isLost(scene, left, step)) return `some of what it calls over goes on after step ${step}`;
+    if (to === null && !isLost(scene, left, step)) return `a part that it says is over continues after step ${step}`;
     if (to === null) continue;
     const there = next.get(to);
     next.set(to, there === undefined ? left : either(there, left));
@@ -311,7 +311,7 @@ function withoutStrips(scene: Scene, bundle: Bundle, off: readonly Strip[], step
   let octagon = bundle.atTimes[step] as Octagon;
   for (const { by, side, at } of off) {
     const hazard = hazardAt(scene, bundle, by, step * scene.seconds);
-    if (hazard === null) return 'it names a hazard that there is not';
+    if (hazard === null) return 'it names a hazard that the level does not have';
     const nearest = Math.max(at, -octagon[back(side)]);
     const [a, b] = [COMPASS[side], COMPASS[(side + 2) % AROUND]];
     const corners = [octagon[side], nearest].flatMap((far) =>

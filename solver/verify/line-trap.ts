@@ -45,10 +45,10 @@ interface Line {
  */
 export function checkLineTrap(claim: Claim, { target, back, front, drift }: LineTrap): string | null {
   const { astronaut, asteroids, repulsors } = claim.level;
-  if (astronaut.vx !== 0 || astronaut.vy !== 0) return 'she does not rest at the start';
+  if (astronaut.vx !== 0 || astronaut.vy !== 0) return 'she is not at rest at the start';
   if (!isIndex(target, asteroids)) return 'it names an asteroid that the level does not have';
   if (!Number.isFinite(back?.at) || !Number.isFinite(front?.at) || !(back.at <= 0 && front.at >= 0))
-    return 'its stretch does not hold the start';
+    return 'its stretch does not contain the start';
   const centre = apart(claim.place(asteroids[target]), START);
   if (!less(TUBE, centre)) return 'the asteroid is where she starts: there is no line';
   const u = { x: claim.place(asteroids[target]).x / centre, y: claim.place(asteroids[target]).y / centre };
@@ -66,7 +66,7 @@ export function checkLineTrap(claim: Claim, { target, back, front, drift }: Line
   };
   const why = back.by?.kind === 'start' ? checkOneWay(claim, line, back, front) : checkBothWays(claim, line, back, front);
   if (why !== null) return why;
-  if (mayBend(claim, line, back, front)) return 'she may come to the speed limit, and off the line';
+  if (mayBend(claim, line, back, front)) return 'she may reach the speed limit and leave the line';
 
   // A dead end begins where another asteroid is equally near: she is on the line up to there.
   const from = back.by?.kind === 'dead-end' ? back.at : back.at - TUBE;
@@ -90,7 +90,7 @@ export function checkLineTrap(claim: Claim, { target, back, front, drift }: Line
   }
   for (const [i, wind] of claim.level.winds.entries()) {
     if (!less(wind.radius + TUBE, gap(line, claim.place(wind), from, to, 0, 0)))
-      return `${objectName('wind', i)} may blow on her on the stretch`;
+      return `${objectName('wind', i)} may act on her on the stretch`;
   }
   if (mouthsOf(claim).some((mouth) => !less(mouth.radius + TUBE, gap(line, mouth, from, to, 0, 0))))
     return 'a wormhole may take her off the stretch';
@@ -187,7 +187,7 @@ function checkOneWay(claim: Claim, line: Line, back: LineEnd, front: LineEnd): s
     if (!less(claim.jump + met + TUBE, line.radius + claim.box.halfWidth)) return 'the asteroid may jump over her';
     return checkRounding(claim, line, front.at);
   }
-  if (!less(front.at + claim.jump + TUBE, line.nearest)) return 'she may come to the centre of the asteroid';
+  if (!less(front.at + claim.jump + TUBE, line.nearest)) return 'she may reach the centre of the asteroid';
   return checkHazard(claim, line, front) ?? checkRounding(claim, line, front.at);
 }
 
@@ -200,7 +200,7 @@ function checkRounding(claim: Claim, line: Line, end: number): string | null {
   const { astronaut, asteroids, recoil, range } = claim.level;
   const { x, y, radius } = asteroids[line.target];
   if (x === astronaut.x || y === astronaut.y) return null;
-  if (claim.seconds === null) return 'with frames it needs to say for how long rounding may add up';
+  if (claim.seconds === null) return 'with frames it must say for how long rounding may add up';
   const speed = 1.01 * speedAfter(claim.push, end + claim.jump) + 1;
   // The asteroid gains at most the ratio of the accelerations times her speed, see driftOnFall.
   const pull = claim.rules.pull * (1 - (line.centre + TUBE) / range);
@@ -209,7 +209,7 @@ function checkRounding(claim: Claim, line: Line, end: number): string | null {
   const rockSpeed = (1.01 * kick * speed) / pull;
   // The speed limit of one axis would take the asteroid off the line.
   if (recoil && !less(rockSpeed, unlimited(claim.rules, kick)))
-    return 'the asteroid may come to the speed limit, and off the line';
+    return 'the asteroid may reach the speed limit and leave the line';
   const { beside, slope } = offLine({
     centre: line.centre,
     nearest: line.nearest - end - TUBE,
@@ -253,7 +253,7 @@ function checkHazard(claim: Claim, line: Line, { at, by }: LineEnd): string | nu
   const still: Claim = { ...claim, drift: (i) => (i === line.target ? claim.drift(i) : 0) };
   const isThing = by?.kind !== 'start' && by?.kind !== 'range' && by?.kind !== 'dead-end';
   const hazard = isThing ? standingHazard(still, by) : null;
-  if (hazard === null) return 'what it names at an end of the stretch is no hazard that stands still';
+  if (hazard === null) return 'at an end of the stretch it names something other than a hazard that stands still';
   const dy = Math.max(0, line.aside(hazard) - claim.box.halfHeight + TUBE);
   for (const place of [at, at + claim.jump]) {
     const dx = Math.max(0, Math.abs(line.along(hazard) - place) - claim.box.halfWidth) + TUBE;

@@ -33,7 +33,7 @@ export function checkOutOfRange(claim: Claim, listed: readonly number[], listedM
     for (const j of inside) {
       const gap = 2 * range + claim.drift(i) + claim.drift(j) + claim.jump;
       if (!less(gap, apart(a, place[j])))
-        return `${objectName('asteroid', i)} is not listed, and she may come to it from ${objectName('asteroid', j)}`;
+        return `${objectName('asteroid', i)} is not listed, and she may reach it from ${objectName('asteroid', j)}`;
     }
   }
   const taken = new Set(listedMouths);
@@ -44,8 +44,8 @@ export function checkOutOfRange(claim: Claim, listed: readonly number[], listedM
     const comesOut = (n: number) => !less(mouths[n].radius + claim.jump + reach, apart(mouths[n].exit, mouth));
     if (!taken.has(m)) {
       const from = listed.find(comesFrom);
-      if (from !== undefined) return `a mouth is not listed, and she may come to it from ${objectName('asteroid', from)}`;
-      if (listedMouths.some(comesOut)) return 'a mouth is not listed, and she may come to it out of another';
+      if (from !== undefined) return `a mouth is not listed, and she may reach it from ${objectName('asteroid', from)}`;
+      if (listedMouths.some(comesOut)) return 'a mouth is not listed, and she may reach it out of another';
       continue;
     }
     if (!less(reach + claim.touch, apart(mouth.exit, claim.thing))) return 'she may touch it as she comes out of a mouth';

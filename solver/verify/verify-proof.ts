@@ -49,7 +49,7 @@ const wrong = (why: string): Verification => ({ ok: false, why });
 export function verifyProof(level: Level, proof: Proof): Verification {
   const { about, covers, maxTime, certificate, code } = proof;
   if (about?.kind !== 'blackHole' && !(about?.kind === 'mineral' && isIndex(about.index, level.minerals))) {
-    return wrong('it is about nothing that the level has');
+    return wrong('it is about an object that the level does not have');
   }
   if (
     !Array.isArray(covers) ||
@@ -58,9 +58,8 @@ export function verifyProof(level: Level, proof: Proof): Verification {
   ) {
     return wrong('it does not say which accuracies it covers');
   }
-  if (maxTime !== null && !(typeof maxTime === 'number' && maxTime > 0)) return wrong('its longest run is no length of time');
-  if (maxTime === null && level.recoil && needsTime(certificate))
-    return wrong('with recoil it needs to say how long a run may last');
+  if (maxTime !== null && !(typeof maxTime === 'number' && maxTime > 0)) return wrong('its longest run is not a length of time');
+  if (maxTime === null && level.recoil && needsTime(certificate)) return wrong('with recoil it must say how long a run may last');
   if (certificate?.kind !== code) return wrong('its certificate is of another kind');
   const unknown = whyNotKnown(code, level);
   if (unknown !== null) return wrong(unknown);

@@ -127,7 +127,7 @@ describe('a path that matches nothing', () => {
     );
     expect({ code, stdout }).toEqual({ code: 2, stdout: '' });
     expect(stderr).toContain('  nowhere: no such file or directory\n');
-    expect(stderr).toContain('  nothing: the directory holds no *.level.json\n');
+    expect(stderr).toContain('  nothing: the directory contains no *.level.json\n');
     expect(stderr).toContain('  fine/*.lvl: no file matches this pattern\n');
     expect(stderr).toContain('  fine/god.level.json: no such file or directory (did you mean good.level.json?)\n');
     expect(stderr).not.toContain('fine/good.level.json:');
@@ -160,7 +160,7 @@ describe('a path that matches nothing', () => {
 it('holds on the command line that make no sense are refused with a caret under the place', async () => {
   const { code, stdout, stderr } = await gq(['simulate', 'fine/good.level.json', '--holds', '12-96,90-188'], { cwd });
   expect({ code, stdout }).toEqual({ code: 2, stdout: '' });
-  expect(stderr).toContain('\n  12-96,90-188\n        ^ this hold begins at 90, before the one before it ends (96)\n');
+  expect(stderr).toContain('\n  12-96,90-188\n        ^ this hold begins at 90, before the previous one ends (96)\n');
 });
 
 describe('options that make no sense', () => {
@@ -170,19 +170,19 @@ describe('options that make no sense', () => {
     [['check', '--accuracy', 'perfect'], /'perfect' is invalid.*arcade/],
     [['check', '--format', 'xml'], /'xml' is invalid.*pretty, json, github/],
     [['check', '--jobs', '0'], /'0' is invalid.*a whole number from 1 to 256/],
-    [['check', '--max-time', 'soon'], /'soon' is invalid.*expected seconds above 0, at most 3600/],
+    [['check', '--max-time', 'soon'], /'soon' is invalid.*expected seconds: more than 0, at most 3600/],
     [['check', '--max-time', '1e999'], /'1e999' is invalid/],
-    [['check', '--max-time', '0.001'], /'0\.001' is invalid.*expected seconds for a tick, 1\/60 s, at least/],
+    [['check', '--max-time', '0.001'], /'0\.001' is invalid.*expected seconds: at least one tick \(1\/60 s\), at most/],
     [['simulate'], /missing required argument 'level'/],
     [['simulate', 'a', 'b'], /too many arguments/],
     [['simulate', ''], /^error: "": can't be read/],
-    [['import', 'originals.json', '--out', ''], /^error: --out "": the directory can't be made/],
+    [['import', 'originals.json', '--out', ''], /^error: --out "": the directory can't be created/],
     [['edit', ''], /^error: "": can't be opened: .*mkdir ""/],
     [['simulate', 'fine/good.level.json', '--sample', '-1'], /'-1' is invalid/],
-    [['simulate', 'fine/good.level.json', '--sample', '10000', '--max-time', '3600'], /may give more than 1000000 samples/],
+    [['simulate', 'fine/good.level.json', '--sample', '10000', '--max-time', '3600'], /can give more than 1000000 samples/],
     [['simulate', 'fine/good.level.json', '--recoil', 'maybe'], /'maybe' is invalid.*on, off/],
     [['simulate', 'fine/good.level.json', '--run', 'hodl'], /no run is named "hodl" \(did you mean hold\?\); it has "hold"/],
-    [['simulate', 'fine/good.level.json', '--run', 'hold', '--holds', 'none'], /exclude each other/],
+    [['simulate', 'fine/good.level.json', '--run', 'hold', '--holds', 'none'], /--run and --holds cannot be combined/],
     [['render', 'fine/good.level.json'], /required option '-o, --output <file>'/],
     [['render', 'fine/good.level.json', '-o', 'picture.gif'], /ends in \.svg or \.png/],
     [['import', 'originals.json'], /required option '--out <dir>'/],
@@ -201,7 +201,7 @@ describe('options that make no sense', () => {
 });
 
 describe('an output that cannot be written', () => {
-  it('is told, and nothing is left half written', async () => {
+  it('is reported, and nothing is left half written', async () => {
     const before = readdirSync(cwd);
     const ended = await Promise.all([
       gq(['import', 'originals.json', '--out', 'a-file/levels'], { cwd }),
@@ -211,7 +211,7 @@ describe('an output that cannot be written', () => {
     ]);
     for (const { code, stdout, stderr } of ended) {
       expect({ code, stdout }).toEqual({ code: 2, stdout: '' });
-      expect(stderr).toMatch(/^error: .*(can't be made|can't be written): .+/);
+      expect(stderr).toMatch(/^error: .*(can't be created|can't be written): .+/);
     }
     expect(readdirSync(cwd)).toEqual(before);
     expect(readFileSync(join(cwd, 'a-file'), 'utf8')).toBe('not a directory');

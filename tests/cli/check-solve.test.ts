@@ -61,7 +61,7 @@ describe('without --solve', () => {
     for (const option of ['--budget', '--effort']) {
       const ended = await gq(['check', 'a', option, '5'], { cwd });
       expect(ended).toMatchObject({ code: 2, stdout: '' });
-      expect(ended.stderr).toContain(`${option} says how long --solve searches`);
+      expect(ended.stderr).toContain(`${option} limits the search of --solve`);
     }
   });
 });
@@ -87,7 +87,9 @@ describe('--solve', () => {
     expect(found.problems[0].message).toContain(found.run?.holds.map((hold) => hold.join('-')).join(','));
     expect(codesOf(good)).toEqual([]);
     expect(codesOf(needle).filter((code) => code.startsWith('error'))).toEqual(['error no-run-found']);
-    expect(needle.problems[0].message).toMatch(/\d+ runs, \d+ ticks simulated; the nearest was [\d.]+ px from the black hole/);
+    expect(needle.problems[0].message).toMatch(
+      /it simulated \d+ runs, \d+ ticks; closest approach [\d.]+ px from the black hole/,
+    );
     expect(needle.run).toBeNull();
   });
 
@@ -111,7 +113,7 @@ describe('--require-slack', () => {
     expect([code, levels[0].verdict]).toEqual([1, 'completable']);
     const [problem] = levels[0].problems.filter((p) => p.code === 'slack-below-required');
     expect(problem).toMatchObject({ severity: 'error', pointer: '/runs/0' });
-    const [, fails] = /: (\S+) instead of \S+ fails; 4 required$/.exec(problem.message) ?? [];
+    const [, fails] = /: (\S+) instead of \S+ fails; required: 4$/.exec(problem.message) ?? [];
     const { stdout } = await gq(['simulate', solution, '--holds', fails, '--format', 'json']);
     expect(JSON.parse(stdout).outcome).not.toBe('completed');
   });

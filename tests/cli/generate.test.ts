@@ -107,7 +107,7 @@ describe('gq generate', () => {
     const { code, stdout, stderr } = await generate('--out /proc/self --count 500 --difficulty hard');
     expect({ code, stdout }).toEqual({ code: 2, stdout: '' });
     expect(stderr).toMatch(
-      /^error: --out \/proc\/self: no file can be made in it: .+; expected a directory that can be written\n$/,
+      /^error: --out \/proc\/self: no file can be created in it: .+; expected a directory that can be written\n$/,
     );
   });
 
@@ -120,9 +120,9 @@ describe('gq generate', () => {
     ['--out x --ingredients hot,cold', 'found "cold"'],
     [
       '--out x --ingredients winds,wormhole',
-      'expected some of hot, repulsors, aliens, recoil, wormholes, winds, with commas between, or none; found "wormhole"',
+      'expected none, or some of hot, repulsors, aliens, recoil, wormholes, winds, separated by commas; found "wormhole"',
     ],
-    ['--out kept/none/x', "the directory can't be made"],
+    ['--out kept/none/x', "the directory can't be created"],
   ])('%s: exit code 2, and what was expected', async (args, message) => {
     const { code, stdout, stderr } = await generate(args);
     expect({ code, stdout }).toEqual({ code: 2, stdout: '' });

@@ -45,14 +45,14 @@ describe('says what was expected, and where', () => {
   const WRONG: readonly [holds: string, caret: number, why: string][] = [
     ['96-12', 0, 'the release (12) must be later than the press (96)'],
     ['12-12', 0, 'the release (12) must be later'],
-    ['12-96,90-188', 6, 'this hold begins at 90, before the one before it ends (96)'],
+    ['12-96,90-188', 6, 'this hold begins at 90, before the previous one ends (96)'],
     ['-5-10', 0, 'expected the tick of a press here'],
     ['12-x', 3, 'expected the tick of a release here (a whole number from 0 to 216000), found "x"'],
     ['12', 2, 'expected "-" and the tick of the release after 12'],
     ['12-96;', 5, 'expected "," and another hold, or the end'],
     ['12-96,', 6, 'found the end'],
     ['1.5-3', 1, 'expected "-"'],
-    ['0-99999999999999999999', 2, 'is beyond 216000'],
+    ['0-99999999999999999999', 2, 'is later than 216000'],
   ];
 
   it.each(WRONG)('%s', (text, caret, why) => {

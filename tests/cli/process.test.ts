@@ -108,7 +108,7 @@ it.runIf(process.platform === 'linux')('tells a full disk behind stdout, with ex
     cwd,
     encoding: 'utf8',
   });
-  expect(text).toMatch(/^error: can't write to the standard output: .*ENOSPC.*\n2\n$/);
+  expect(text).toMatch(/^error: can't write to standard output: .*ENOSPC.*\n2\n$/);
 });
 
 describe.runIf(process.platform === 'linux')('a signal', () => {

@@ -39,7 +39,7 @@ describe('gq render', () => {
     ]);
     expect([whole.code, whole.stderr]).toEqual([0, '']);
     expect([part.code, count(part.stdout, 'ways')]).toEqual([0, 1]);
-    expect(part.stderr).toMatch(/^found [123] of 4 really different runs: .* --effort .* --seed .*\n$/);
+    expect(part.stderr).toMatch(/^found [123] of 4 clearly different runs: .* --effort .* --seed .*\n$/);
     expect(part.stdout).toMatch(/<title>[^<]*: [123] of 4 runs found</);
   });
 
@@ -50,7 +50,7 @@ describe('gq render', () => {
   });
 
   it.each([
-    ['through.level.json --proof', 'there is no proof'],
+    ['through.level.json --proof', 'no proof was found'],
     ['needle.level.json --all-runs', 'the level has no run to draw'],
     ['needle.level.json --solve 1 --effort 1000', 'no run was found'],
   ])('%s: exit code 1, there is nothing to draw', async (args, message) => {
@@ -60,9 +60,9 @@ describe('gq render', () => {
   });
 
   it.each([
-    ['through.level.json --all-runs --proof', '--all-runs and --proof exclude each other'],
-    ['through.level.json --all-runs --run hold', '--run and --all-runs exclude each other'],
-    ['through.level.json --fan 2 --no-run', '--no-run and --fan exclude each other'],
+    ['through.level.json --all-runs --proof', '--all-runs and --proof cannot be combined'],
+    ['through.level.json --all-runs --run hold', '--run and --all-runs cannot be combined'],
+    ['through.level.json --fan 2 --no-run', '--no-run and --fan cannot be combined'],
     ['through.level.json --fan 0', 'expected a number of ticks'],
     ['through.level.json --explored --minerals 1', 'has only 0 minerals'],
     ['needle.level.json --fan 2', 'the level has no run'],

@@ -112,7 +112,7 @@ describe('no run', () => {
     const proof = { ...impossible, about: { kind: 'blackHole' }, covers: ['precise'], maxTime: null } as unknown as Proof;
     expect(read.ok && verifyProof(read.level, proof)).toEqual({ ok: true });
     const pretty = await solve('away.level.json');
-    expect(pretty.stdout).toContain('\nimpossible, proved: the black hole is');
+    expect(pretty.stdout).toContain('\nproved impossible: the black hole is');
   });
 
   it('because none was found: says how much was tried and the nearest, which is a real run; exit code 1', async () => {
@@ -125,7 +125,7 @@ describe('no run', () => {
     const pretty = await solve('needle.level.json --effort 200000');
     expect(pretty).toMatchObject({ code: 1, stderr: '' });
     expect(pretty.stdout).toMatch(
-      /no run found, which does not prove that there is none\n\neffort .*\nclosest +[\d.]+ px from the black hole/,
+      /no run found; this does not prove that there is none\n\neffort .*\nclosest +[\d.]+ px from the black hole/,
     );
   });
 
@@ -141,7 +141,7 @@ describe('--write', () => {
   it('adds the run in the canonical layout and changes nothing else', async () => {
     const before = JSON.parse(inDirectory(cwd, 'taken.level.json'));
     const { code, stderr } = await write('taken.level.json');
-    expect({ code, stderr }).toEqual({ code: 0, stderr: 'wrote run "solution-2" into taken.level.json\n' });
+    expect({ code, stderr }).toEqual({ code: 0, stderr: 'wrote run "solution-2" to taken.level.json\n' });
     const text = inDirectory(cwd, 'taken.level.json');
     const after = JSON.parse(text);
     expect(text).toBe(formatLevel(after));
@@ -154,10 +154,10 @@ describe('--write', () => {
   it('says so when the run is there already', async () => {
     writeFileSync(join(cwd, 'twice.level.json'), fallThrough({ runs: undefined }));
     const first = await write('twice.level.json', ' --run mine');
-    expect(first.stderr).toBe('wrote run "mine" into twice.level.json\n');
+    expect(first.stderr).toBe('wrote run "mine" to twice.level.json\n');
     const text = inDirectory(cwd, 'twice.level.json');
     const second = await write('twice.level.json');
-    expect(second).toMatchObject({ code: 0, stderr: 'twice.level.json has this run already: "mine"\n' });
+    expect(second).toMatchObject({ code: 0, stderr: 'twice.level.json already has this run: "mine"\n' });
     expect(inDirectory(cwd, 'twice.level.json')).toBe(text);
   });
 
@@ -187,10 +187,10 @@ describe('bad input', () => {
   it.each([
     ['through.level.json --minerals 2', 'has only 0 minerals'],
     ['through.level.json --minerals most', 'expected any, all or a whole number'],
-    ['through.level.json --run mine', 'give --write, too'],
-    ['taken.level.json --write --run solution', 'a run is named "solution" already'],
+    ['through.level.json --run mine', 'give --write as well'],
+    ['taken.level.json --write --run solution', 'a run is already named "solution"'],
     [`through.level.json --write --run ${'x'.repeat(81)}`, 'expected a name of 1 to 80 characters, found 81'],
-    ['through.level.json --budget 0', 'expected seconds above 0'],
+    ['through.level.json --budget 0', 'expected seconds: more than 0'],
     ['through.level.json --effort 0', 'expected a number of ticks'],
     ['through.level.json --count 0', 'expected a number of runs'],
     ['through.level.json --seed -1', 'expected a seed'],
@@ -240,17 +240,19 @@ describe.runIf(process.platform === 'linux')('a search that goes on', () => {
     expect(inDirectory(cwd, 'changed.level.json')).toBe(other);
     expect(report(ended).found).toBe(true);
     expect(ended.code).toBe(2);
-    expect(ended.stderr).toContain('changed while the search went on, so nothing was written');
+    expect(ended.stderr).toContain('the file changed during the search, so nothing was written');
   });
 
-  it.runIf(existsSync(SCRIPT))('progress is told on a terminal, and taken away again', () => {
+  it.runIf(existsSync(SCRIPT))('progress is shown on a terminal, and taken away again', () => {
     // progress is shown after half a second: here every look at the clock takes a second
     const slow = 'const now = performance.now(); let looks = 0; performance.now = () => now + 1000 * looks++;';
     const env = { ...process.env, NODE_OPTIONS: `--import=data:text/javascript,${encodeURIComponent(slow)}` };
     const command = `'${process.execPath}' '${MAIN}' solve needle.level.json --effort 400000`;
     const terminal = execFileSync(SCRIPT, ['-qec', `${command} 2>&1 || true`, '/dev/null'], { cwd, env, encoding: 'utf8' });
     const [, ...lines] = terminal.split('\r\u001b[2K');
-    expect(lines[0]).toMatch(/^solving, \d+ s, [\d.]+ million ticks: no run yet, closest [\d.]+ px; Ctrl-C ends$/);
+    expect(lines[0]).toMatch(
+      /^solving, \d+ s, [\d.]+ million ticks: no run yet, closest approach [\d.]+ px; Ctrl-C ends the search$/,
+    );
     expect(lines.at(-1)).not.toContain('solving');
     expect(terminal).toContain('no run found');
   });

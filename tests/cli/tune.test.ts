@@ -134,10 +134,10 @@ describe('gq tune', () => {
     ['--sweep pull=2x..1x:3', 'expected FROM below TO'],
     ['--sweep pull=1x..2x:1', 'expected 2 to 1001 values'],
     ['--sweep pusch=1x..2x:3', 'did you mean push?'],
-    ['--sweep pull=1x..2x:3 --set pull=2x', 'exclude each other'],
-    ['--set pull=40 --budget 3', 'give --solve, too'],
+    ['--sweep pull=1x..2x:3 --set pull=2x', 'cannot be combined'],
+    ['--set pull=40 --budget 3', 'give --solve as well'],
     ['--set pull=40 --svg picture.png', 'ends in .svg'],
-    ['', 'nothing is changed'],
+    ['', 'no rule is changed'],
   ])('refuses %s', async (args, words) => {
     const { code, stderr } = await gq(['tune', 'levels/01-through.level.json', ...args.split(' ').filter((arg) => arg !== '')], {
       cwd,

@@ -201,7 +201,7 @@ describe.runIf(process.platform !== 'win32')('what stands in the way', () => {
       ['to-pipe', /it is a named pipe/],
       ['socket', /socket/],
       ['zero', /larger than|file-too-large/],
-      ['folder.level.json', /is a directory|it is a folder|holds no/],
+      ['folder.level.json', /is a directory|it is a folder|contains no/],
     ] as const) {
       for (const command of ['check', 'simulate', 'solve', 'fmt', 'difficulty', 'import --out out']) {
         const { code, stdout, stderr, signal } = await run(`${command} ${name}`);
@@ -260,7 +260,7 @@ it('says how many problems are not shown', async () => {
   expect(wrong.stdout).toContain('more-problems: and at least 980 more\n');
   expect(wrong.stdout).not.toContain('1 more problem');
   const crowded = await gq(['check', 'crowd.level.json'], { cwd });
-  expect(crowded.stdout).toContain('overlapping: there are more of these: only the first 20 are told\n');
+  expect(crowded.stdout).toContain('overlapping: the level has more warnings of this kind: only the first 20 are listed\n');
   expect(crowded.stdout).not.toContain('1 more problem');
 });
 

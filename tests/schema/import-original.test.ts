@@ -71,8 +71,8 @@ describe('importing levels of the original game', () => {
       ['level-03', 'Level 3', undefined],
     ]);
     expect(notes).toEqual([
-      'skipped [0], [2]: empty (placeholders of the menu)',
-      'ignored keys without a meaning here: key (4 times)',
+      'skipped entry 1, entry 3: empty (a placeholder of the menu)',
+      'ignored keys that have no meaning here: key (4 times)',
     ]);
   });
 
@@ -96,7 +96,7 @@ describe('importing levels of the original game', () => {
     [
       'a key twice',
       '[{"player":{"x":1,"x":1,"y":2},"target":{"x":1,"y":2}}]',
-      '1:19 duplicate-key /0/player/x | the key "x" stands more than once in this object',
+      '1:19 duplicate-key /0/player/x | this object has the key "x" more than once',
     ],
     ['no target', '[{"player":{"x":1,"y":2}}]', '1:2 missing-key /0 | the key "target" is missing in entry 1'],
     ['no y', '{"player":{"x":1},"target":{"x":1,"y":2}}', '1:11 missing-key /player | the key "y" is missing in player'],

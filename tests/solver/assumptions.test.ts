@@ -39,7 +39,7 @@ describe.each(KINDS)('%s', (kind) => {
     expect(proveBy(kind, level, HOLE)).toBeNull();
     expect(verifyProof(level, proof)).toEqual({
       ok: false,
-      why: 'the level calls for the effect test-wind, which a proof of this kind does not know',
+      why: 'the level calls for the effect test-wind, which proofs of this kind do not cover',
     });
     game.pop();
     expect(proveBy(kind, level, HOLE)).toEqual(proof);
@@ -49,7 +49,7 @@ describe.each(KINDS)('%s', (kind) => {
   it('gives the reason', () => {
     expect(whyNotTried(kind, effectsOf(level))).toBeNull();
     blow();
-    expect(whyNotTried(kind, effectsOf(level))).toBe(`the level calls for test-wind, which ${kind} does not understand`);
+    expect(whyNotTried(kind, effectsOf(level))).toBe(`the level calls for test-wind, which ${kind} does not cover`);
   });
 });
 
@@ -80,13 +80,11 @@ describe('a rule of which the proofs know nothing', () => {
   it.each(KINDS)('%s: has no proof with it, and the checker refuses the old one', (kind) => {
     const level = levelFor(kind);
     const proof = proveBy(kind, level, HOLE) as Proof;
-    expect(whyNotTried(kind, effectsOf(withRule(level)))).toBe(
-      `the level calls for the rule drag, which ${kind} does not understand`,
-    );
+    expect(whyNotTried(kind, effectsOf(withRule(level)))).toBe(`the level calls for the rule drag, which ${kind} does not cover`);
     expect(proveBy(kind, withRule(level), HOLE)).toBeNull();
     expect(verifyProof(withRule(level), proof)).toEqual({
       ok: false,
-      why: 'the level has a rule of its own, drag, which no proof knows',
+      why: 'the level sets the rule drag, which no proof covers',
     });
   });
 });

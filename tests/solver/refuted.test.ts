@@ -58,7 +58,7 @@ describe('a line along an axis', () => {
     const proof: Proof = { ...found, certificate: wider };
     expect(verifyProof(along, proof)).toEqual({ ok: true });
     const slanted = { ...along, asteroids: [{ ...along.asteroids[0], y: 400 }] };
-    expect(verifyProof(slanted, proof)).toEqual({ ok: false, why: 'she may come to the speed limit, and off the line' });
+    expect(verifyProof(slanted, proof)).toEqual({ ok: false, why: 'she may reach the speed limit and leave the line' });
     expect(proveImpossible(slanted, { accuracy: 'precise' })).toBeNull();
     expect(proveImpossible({ ...along, recoil: true }, { accuracy: 'precise' })).toBeNull();
   });

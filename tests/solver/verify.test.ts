@@ -123,12 +123,12 @@ describe('what the checker says', () => {
   };
 
   it.each([
-    ['enclosed', { novae: [] }, 'what it names is no hazard that stands still'],
+    ['enclosed', { novae: [] }, 'it names something other than a hazard that stands still'],
     ['line-trap', { novae: [at(220, 60)] }, 'the hazard at an end of the stretch may not stop her'],
-    ['line-trap', { novae: [at(220, 0)], astronaut: { x: 0, y: 0, vx: 1 } }, 'she does not rest at the start'],
+    ['line-trap', { novae: [at(220, 0)], astronaut: { x: 0, y: 0, vx: 1 } }, 'she is not at rest at the start'],
     ['starts-in-hazard', { novae: [] }, 'it names a hazard that the level does not have'],
     ['flowpipe', { astronaut: { x: 0, y: 0, vx: 60 }, blackHole: { x: 60, y: 0 } }, 'she may touch it in step'],
-    ['flowpipe', { aliens: [], blackHole: { x: 300, y: 300 } }, 'it names a hazard that there is not'],
+    ['flowpipe', { aliens: [], blackHole: { x: 300, y: 300 } }, 'it names a hazard that the level does not have'],
     ['nothing-in-range', { astronaut: { x: -50, y: 0 } }, 'asteroid 1 is not farther from the start than the range'],
   ])('%s: %j', (code, more, words) => {
     expect(why(level(more), proofOf(code))).toContain(words);

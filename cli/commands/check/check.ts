@@ -29,13 +29,13 @@ interface CheckOptions extends AccuracyOptions, SearchOptions {
 }
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  addSearchOptions(addAccuracyOptions(command), ' a level')
-    .description('Read, validate and replay every level, and say which can be completed.')
+  addSearchOptions(addAccuracyOptions(command), ' for each level')
+    .description('Read and validate every level, replay its runs, and report which levels can be completed.')
     .argument('[path...]', 'level files, directories, or quoted patterns with * ** ?', ['levels'])
-    .option('--solve', 'search for a run where no scripted one completes a level, and warn of runs that forgive nothing')
+    .option('--solve', 'search for a run where none in the file completes the level, and warn of runs that forgive no error')
     .option(
       '--require-slack <ticks>',
-      'every run that completes a level must forgive so many ticks: all shifts of all its presses and releases by up to so much succeed',
+      'require that every run that completes a level still does when all its presses and releases are off by up to TICKS',
       wholeNumberOption('a number of ticks', 0, 60),
     )
     .addOption(maxTimeOption())
@@ -45,21 +45,22 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     .addHelpText(
       'after',
       `
-A directory stands for every *.level.json below it (hidden directories and node_modules left out); a file is read whatever
-its name. Verdicts: completable, broken (it has runs, none completes it), unproven (no run), impossible (proved: nobody can
-complete it), invalid, crashed. A level that costs more than --max-work is unproven: work is counted, and the same on every
-machine; the default lets the check of any file end within seconds. --budget, --effort and --seed are for --solve. That nobody can collect a mineral is proved with
---solve, or when at most ${FEW_FILES} files are checked.
+A directory stands for every *.level.json below it, except in hidden directories and node_modules. A file is read whatever its
+name is. Verdicts: completable; broken (it has runs, and none completes it); unproven (no run shows that it can be completed);
+impossible (it is proved that nobody can complete it); invalid; crashed. A level that costs more work than --max-work allows is
+unproven. Work is counted, so it is the same on every machine; with the default, the check of any file ends within seconds.
+--budget, --effort and --seed are for --solve. Proofs that nobody can collect a mineral are attempted with --solve, or when at
+most ${FEW_FILES} files are checked.
 
-Exit code: 2 when a path matches nothing (then nothing is checked), or when a file could not be read or gq failed on it
-(the other levels are reported all the same); else 1 when a level is anything but completable, or forgives less than
---require-slack; else 0.
+Exit code: 2 when a path matches nothing (then nothing is checked), or when a file could not be read or gq failed on it (the
+other levels are still reported); otherwise 1 when a level is not completable, or a run forgives less than --require-slack;
+otherwise 0.
 
 Examples:
   $ gq check                             every level under levels/
   $ gq check levels extra/a.level.json   a directory and a file
-  $ gq check --solve --budget 30 drafts  look for runs, half a minute a level at most
-  $ gq check --require-slack 2           for CI: every scripted run can be played with 33 ms of error
+  $ gq check --solve --budget 30 drafts  search for runs, at most half a minute for each level
+  $ gq check --require-slack 2           for CI: every run forgives errors of 33 ms
   $ gq check --format json | jq .summary
   $ gq check --format github             annotations for a pull request`,
     )
@@ -84,7 +85,8 @@ async function check(paths: readonly string[], options: CheckOptions): Promise<C
   const progress = createProgress('checked', files.length);
   const reports: CheckedLevel[] = await checkFiles(files, settings, options.jobs, progress.update);
   progress.clear();
-  for (const { path, reason } of unreadable) reports.push(unreadableLevel(path, `${path}: can't be looked into: ${reason}`));
+  for (const { path, reason } of unreadable)
+    reports.push(unreadableLevel(path, `${path}: the directory can't be read: ${reason}`));
   return { output: report(reports, options.format), exitCode: exitCodeOf(reports) };
 }
 
@@ -92,7 +94,7 @@ function searchOf(options: CheckOptions): CheckSettings['search'] {
   const { solve, budget, effort, seed } = options;
   if (solve) return { limits: limitsOf(options), seed };
   const part = budget !== undefined ? '--budget' : effort !== undefined ? '--effort' : null;
-  if (part !== null) throw new Failure(`${part} says how long --solve searches: give --solve, too`);
+  if (part !== null) throw new Failure(`${part} limits the search of --solve: give --solve as well`);
   return null;
 }
 

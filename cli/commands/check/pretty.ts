@@ -7,11 +7,11 @@ import { alignColumns, showFileProblems } from '../../report-parts/index.ts';
 import { visibleLine } from '../../visible.ts';
 
 const WHAT_TO_DO: Record<Exclude<Verdict, 'completable'>, string> = {
-  broken: 'change the level or a run; gq simulate shows what happens',
+  broken: 'change the level or a run; gq simulate shows how a run ends',
   unproven: 'gq solve looks for a run',
   impossible: 'change the level',
-  invalid: 'mend what is said above',
-  crashed: 'please report it with the level',
+  invalid: 'fix the problems above',
+  crashed: 'please report it, with the level',
 };
 
 /** What `check` found out, for a person: a line a level, its problems below it, and a summary. */
@@ -42,5 +42,10 @@ function row({ verdict, file, name, run, found, mineralCount }: CheckedLevel): s
   const minerals = mineralCount === 0 ? 'no minerals' : `${countMinerals(run)} of ${plural(mineralCount, 'mineral')}`;
   const near = run.clearance;
   const clearance = near === null ? 'nothing deadly' : `${near.distance.toFixed(1)} px clear of ${bodyInWords(near)}`;
-  return [...cells, `${run.time.toFixed(2)} s`, minerals, found === null ? clearance : `${clearance}, by a run that was found`];
+  return [
+    ...cells,
+    `${run.time.toFixed(2)} s`,
+    minerals,
+    found === null ? clearance : `${clearance}, in a run that a search found`,
+  ];
 }

@@ -37,21 +37,21 @@ interface Options extends AccuracyOptions {
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
   addAccuracyOptions(command)
-    .description('How hard levels are: success under timing noise, slack, random play, shortcuts, and a grade.')
+    .description('Measure how hard levels are: success under timing noise, slack, random play, shortcuts, and a grade.')
     .argument('<path...>', 'level files, directories, or quoted patterns with * ** ?')
-    .option('--run <name>', 'the run to measure; else the first that completes the level, or one that a search finds')
-    .option('--search', "measure the run that forgives most of the level's own and those that a search finds")
+    .option('--run <name>', 'the run to measure (default: the first that completes the level, or one that a search finds)')
+    .option('--search', "measure the run that forgives most, among the level's own and those that a search finds")
     .addOption(mineralsOption())
     .option(
       '--effort <ticks>',
-      'ticks of 1/60 s to simulate where a run has to be found',
+      'ticks of 1/60 s to simulate when a search for a run is needed',
       wholeNumberOption('a number of ticks', 1, Number.MAX_SAFE_INTEGER),
       DEFAULT_EFFORT,
     )
     .addOption(seedOption())
     .option(
       '--svg <file>',
-      'draw success over timing noise into FILE.svg, of one level with the window of each press and release',
+      'write a picture of success over timing noise to FILE.svg; for one level also the slack of each press and release',
     )
     .addOption(
       new Option('--theme <theme>', 'colours of the picture; auto follows the viewer')
@@ -64,11 +64,12 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     .addHelpText(
       'after',
       `
-Noise: each press and release is off by an independent Gaussian error; people are off by 30 to 60 ms. The grade is an estimate,
-made from the other numbers and not fitted to players. Of a single level it is also said what all its minerals take beyond, and
-whether it can be completed without pressing, with one press, and without each asteroid that the run uses.
+Timing noise shifts each press and release by an independent Gaussian error; people are off by 30 to 60 ms. The grade is an
+estimate made from the other numbers; it is not fitted to players. For a single level the report also says what collecting all
+minerals costs, and whether the level can be completed without pressing, with one press, and without each asteroid that the run
+uses.
 
-Exit code: 0 when every level was measured; 1 when one has no run that can be, or is invalid; 2 when one could not be read.
+Exit code: 0 when every level was measured; 1 when a level is invalid or has no run to measure; 2 when a file could not be read.
 
 Examples:
   $ gq difficulty levels                                  a table, the easiest first
@@ -83,7 +84,7 @@ async function measure(paths: readonly string[], options: Options): Promise<Comm
   const { svg, theme, format, jobs } = options;
   if (svg !== undefined && !/\.svg$/i.test(svg)) throw new Failure(`--svg ${svg}: expected a name that ends in .svg`);
   if (options.run !== undefined && options.search)
-    throw new Failure('--run and --search exclude each other: give one of the two');
+    throw new Failure('--run and --search cannot be combined: give one of the two');
   const accuracy = chooseAccuracy(options);
   const { files, unreadable } = await findLevelFiles(paths);
   const settings: MeasureSettings = {
@@ -102,10 +103,10 @@ async function measure(paths: readonly string[], options: Options): Promise<Comm
   const levels = await measureLevels(files, settings, jobs, progress.update);
   progress.clear();
   const code = Math.max(0, ...levels.map((level) => level.code), ...unreadable.map(() => 2)) as 0 | 1 | 2;
-  const messages = unreadable.map(({ path, reason }) => `error: ${visibleLine(path)}: can't be looked into: ${reason}\n`);
+  const messages = unreadable.map(({ path, reason }) => `error: ${visibleLine(path)}: the directory can't be read: ${reason}\n`);
   if (svg !== undefined) {
     const picture = pictureOf(levels, accuracy.name);
-    if (picture === null) messages.push(`${visibleLine(svg)} was not written: nothing was measured\n`);
+    if (picture === null) messages.push(`${visibleLine(svg)} was not written: no level was measured\n`);
     else {
       await writeWhole(svg, drawDifficulty(picture, theme));
       messages.push(`wrote ${visibleLine(svg)}\n`);
@@ -145,7 +146,7 @@ function pictureOf(levels: readonly MeasuredLevel[], accuracy: string): Difficul
     title: `How hard ${name} is: ${grade.word}, ${grade.value.toFixed(1)} of 10`,
     subtitle: [
       `${run}, ${accuracy}: ${length.toFixed(2)} s, ${plural(presses, 'press', 'presses')}`,
-      `every shift of all presses and releases by up to ${plural(robustness.certifiedTicks, 'tick')} succeeds; the grade is an estimate`,
+      `succeeds with all presses and releases off by up to ${plural(robustness.certifiedTicks, 'tick')}; the grade is an estimate`,
     ],
     curves,
     edges: robustness.slack.map(({ earlier, later }, i) => ({

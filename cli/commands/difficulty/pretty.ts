@@ -17,7 +17,7 @@ export function difficultyPretty(levels: readonly MeasuredLevel[], colors: Color
       ? showFileProblems(file, problems, colors)
       : `${visibleLine(file)}: ${colors.yellow('not measured')}: ${visibleLine(why)}\n`,
   );
-  const grade = measured.length === 0 ? '' : 'the grade, 1 to 10, is an estimate made from the other numbers\n';
+  const grade = measured.length === 0 ? '' : 'the grade (1 to 10) is an estimate made from the other numbers\n';
   return `${text}${reported.join('')}${grade}`;
 }
 
@@ -56,10 +56,10 @@ const paint = (word: GradeWord, colors: Colors) =>
   word === 'hard' || word === 'brutal' ? colors.red : word === 'medium' ? colors.yellow : colors.green;
 
 const USES = {
-  avoidable: 'can be left unused',
-  replaceable: 'can be left out of the level',
+  avoidable: 'is not needed: a run completes the level without using it',
+  replaceable: 'could be deleted: a run completes the level without it',
   needed: 'is needed: without it the level is proved impossible',
-  unknown: 'is most likely needed: no way without it was found',
+  unknown: 'is most likely needed: no run without it was found',
 } as const;
 
 function detail({ name, runName, difficulty }: Hard, colors: Colors): string {
@@ -73,11 +73,11 @@ function detail({ name, runName, difficulty }: Hard, colors: Colors): string {
     ...robustnessLines(robustness),
     [
       'half at',
-      `${sigmaInWords(sigmaAtHalf)} of timing noise every second attempt succeeds${capped ? '' : ` (${low.toFixed(0)} to ${high.toFixed(0)} ms)`}`,
+      `${sigmaInWords(sigmaAtHalf)} of timing noise: every second attempt succeeds${capped ? '' : ` (${low.toFixed(0)} to ${high.toFixed(0)} ms)`}`,
     ],
   ];
   if (smallestWindow !== null) lines.push(['window', `${windowInWords(smallestWindow)} for the tightest press or release`]);
-  lines.push(['random', `${percent(randomPlay.share)} of ${randomPlay.samples} random games win`]);
+  lines.push(['random', `${percent(randomPlay.share)} of ${randomPlay.samples} random runs complete it`]);
   if (mineralsExtra !== null) lines.push(['minerals', mineralsInWords(mineralsExtra)]);
   lines.push([
     'no press',
@@ -96,11 +96,11 @@ function mineralsInWords({ time, presses, p40 }: NonNullable<Difficulty['mineral
   const quick = than(time, `${Math.abs(time).toFixed(2)} s`, 'quicker', 'slower');
   const many = than(presses, plural(Math.abs(presses), 'press', 'presses'), 'fewer', 'more');
   const sure = than(p40, `${Math.abs(100 * p40).toFixed(1)} points`, 'less', 'more');
-  return `taking all of them is ${quick}, with ${many} and ${sure} of success at 40 ms`;
+  return `collecting all of them is ${quick}, with ${many} and ${sure} of success at 40 ms`;
 }
 
 function onePressInWords({ count, tried, example }: Difficulty['shortcuts']['onePress']): string {
-  if (count === 0) return `never completes it, of ${tried} pairs of press and release`;
-  const way = example === null ? '' : `, as ${holdsInWords(example.holds)}`;
-  return `completes it in ${count} of ${tried} pairs of press and release (${percent(count / tried)})${way}`;
+  if (count === 0) return `never completes it (${tried} pairs of press and release tried)`;
+  const way = example === null ? '' : `, for example ${holdsInWords(example.holds)}`;
+  return `completes it with ${count} of ${tried} pairs of press and release (${percent(count / tried)})${way}`;
 }

@@ -14,7 +14,7 @@ const ALL = [...CHECK_CODES, ...CODES, ...WARNING_CODES];
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
   command
-    .description('What a problem means, why it matters and how to fix it. Without a code: every code in a line.')
+    .description('Explain a problem: what it means, why it matters and how to fix it. Without a code, list every code on a line.')
     .argument('[code]', 'the code of a problem, as reports name it')
     .addOption(formatOption('pretty', 'json'))
     .addHelpText(
@@ -35,7 +35,7 @@ function explain(code: string | undefined, format: 'pretty' | 'json'): CommandRe
   const found = ALL.find((entry) => entry.code === code);
   if (found === undefined) {
     const codes = ALL.map((entry) => entry.code);
-    throw new Failure(`no problem has the code ${JSON.stringify(code)}${didYouMean(code, codes)}; gq explain lists every code`);
+    throw new Failure(`no problem has the code ${JSON.stringify(code)}${didYouMean(code, codes)}; gq explain lists all codes`);
   }
   return { output: format === 'json' ? `${JSON.stringify(found)}\n` : explainPretty(found, colors), exitCode: 0 };
 }

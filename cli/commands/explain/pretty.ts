@@ -15,7 +15,7 @@ export function explainPretty({ code, severity, title, why, fix, example }: Code
 /** Every code in a line. */
 export function listCodes(codes: readonly CodeExplanation[], colors: Colors): string {
   const lines = alignColumns(codes.map(({ code, severity, title }) => [code, severity, title]));
-  return `${lines.join('\n')}\n\n${colors.dim('gq explain CODE says more')}\n`;
+  return `${lines.join('\n')}\n\n${colors.dim('gq explain CODE says more about one')}\n`;
 }
 
 function wrap(text: string): string {

@@ -21,7 +21,7 @@ interface FmtOptions {
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
   command
     .description(
-      'Give level files their one canonical layout, and ids to objects that have none. What they say stays the same; an invalid file is left alone.',
+      'Format level files, and give an id to every object that has none. The content stays the same; an invalid file is left alone.',
     )
     .argument('[path...]', 'level files, directories, or quoted patterns with * ** ?', ['levels'])
     .option('--check', 'only report which files would change')
@@ -29,7 +29,7 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     .addHelpText(
       'after',
       `
-Exit code: 0; 1 when a file is invalid or, with --check, would change; 2 when one could not be read or written.
+Exit code: 0; 1 when a file is invalid or, with --check, would change; 2 when a file could not be read or written.
 
 Examples:
   $ gq fmt
@@ -42,7 +42,7 @@ Examples:
 async function fmt(paths: readonly string[], options: FmtOptions): Promise<CommandResult> {
   const { files, unreadable } = await findLevelFiles(paths);
   const done: FormattedFile[] = [];
-  const failures = unreadable.map(({ path, reason }) => `error: ${visibleLine(path)}: can't be looked into: ${reason}\n`);
+  const failures = unreadable.map(({ path, reason }) => `error: ${visibleLine(path)}: the directory can't be read: ${reason}\n`);
   for (const file of files) {
     await hearSignals();
     try {

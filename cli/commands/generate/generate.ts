@@ -39,20 +39,27 @@ interface Options {
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
   command
-    .description('New levels from a seed, a size and a wanted difficulty, each proved completable by runs that forgive.')
-    .requiredOption('--out <dir>', 'directory for the level files; made when missing')
-    .option('--count <n>', 'so many levels, each from a seed of its own', wholeNumberOption('a number of levels', 1, 10_000), 1)
+    .description(
+      'Make new levels from a seed, a size and a difficulty. Every level comes with runs that complete it and forgive errors.',
+    )
+    .requiredOption('--out <dir>', 'directory for the level files; it is created when missing')
+    .option(
+      '--count <n>',
+      'how many levels to make, each from a seed of its own',
+      wholeNumberOption('a number of levels', 1, 10_000),
+      1,
+    )
     .addOption(seedOption())
     .option('--size <size>', 'small, medium, large, or WIDTHxHEIGHT in px', parseSize, 'medium')
     .option('--difficulty <d>', 'easy, medium, hard, or a grade from 1 to 10', parseDifficulty, 'medium')
     .option(
       '--ingredients <list>',
-      `what may be in them beside asteroids, novae and minerals: ${INGREDIENTS.join(',')} or none (default: "${USUAL_INGREDIENTS.join(',')}")`,
+      `what levels may contain besides asteroids, novae and minerals: ${INGREDIENTS.join(',')} or none (default: "${USUAL_INGREDIENTS.join(',')}")`,
       parseIngredients,
     )
     .option(
       '--effort <ticks>',
-      'ticks of 1/60 s to simulate for each level at most',
+      'most ticks of 1/60 s to simulate for each level',
       wholeNumberOption('a number of ticks', 1, Number.MAX_SAFE_INTEGER),
       DEFAULT_EFFORT,
     )
@@ -61,13 +68,14 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     .addHelpText(
       'after',
       `
-A level is kept only when its run "solution" forgives as much as the difficulty asks for, at accuracies precise and arcade, when a
-run "all-minerals" collects everything, and when neither no press nor hardly any single press completes it. The level of a seed is
-the same on every machine and for any --jobs: the files of seeds S, S + 1, ... are named after level and seed. No file that is
-there is overwritten. Rules that gq.config.json sets go into the files, so that they stay completable. Ctrl-C ends the work; files that were written by then stay.
+A level is kept only if its run "solution" forgives as much as the difficulty requires, at the accuracies precise and arcade; if a
+run "all-minerals" collects every mineral; and if drifting does not complete it and hardly any single press does. The level of a
+seed is the same on every machine and for any --jobs. Levels are made from the seeds S, S + 1, ..., and a file is named after its
+level and its seed. Existing files are never overwritten. Rules that gq.config.json sets are written into the files, so that the
+levels stay completable. Ctrl-C ends the command; the files written so far stay.
 
-Exit code: 0 when every level was made; 1 when nothing good enough came of a seed; 2 when one could not be written, or another
-file has its name; 130 and 143 after SIGINT and SIGTERM.
+Exit code: 0 when every level was made; 1 when a seed gave no good level; 2 when a file could not be written, or another file
+has its name; 130 and 143 after SIGINT and SIGTERM.
 
 Examples:
   $ gq generate --out drafts
@@ -108,7 +116,10 @@ async function generate(options: Options): Promise<CommandResult> {
   const output = options.format === 'json' ? generateJson(report) : generatePretty(report, colorsFor(process.stdout));
   const taken = done.filter(({ status }) => status === 'in the way');
   const messages = taken
-    .map(({ file }) => `error: ${visibleLine(file ?? '')}: another file is there and stays; give another --out or --seed\n`)
+    .map(
+      ({ file }) =>
+        `error: ${visibleLine(file ?? '')}: another file with this name exists and was not overwritten; give another --out or --seed\n`,
+    )
     .join('');
   const exitCode = taken.length > 0 ? 2 : done.some(({ status }) => status === 'nothing') ? 1 : 0;
   return { output, messages, exitCode };
@@ -162,6 +173,6 @@ function parseIngredients(text: string): readonly Ingredient[] {
   const unknown = wanted.find((part) => !INGREDIENTS.includes(part as Ingredient));
   if (unknown === undefined) return wanted as Ingredient[];
   throw new InvalidArgumentError(
-    `expected some of ${INGREDIENTS.join(', ')}, with commas between, or none; found ${JSON.stringify(unknown)}`,
+    `expected none, or some of ${INGREDIENTS.join(', ')}, separated by commas; found ${JSON.stringify(unknown)}`,
   );
 }

@@ -26,6 +26,6 @@ export function generatePretty({ levels, rejected }: GenerateReport, colors: Col
   });
   const written = levels.filter(({ status }) => status === 'written').length;
   const thrown =
-    rejected === 0 ? '' : `; ${plural(rejected, 'layout')} thrown away: not completable, not robust, too easy or too hard`;
+    rejected === 0 ? '' : `; ${plural(rejected, 'layout')} rejected: not completable, not robust, too easy or too hard`;
   return `${lines.join('')}${plural(written, 'level')} written${thrown}\n`;
 }

@@ -33,18 +33,18 @@ interface Target extends ImportedFile {
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
   command
     .description("Turn the original game's levels (a JSON array of its level objects, or one object) into level files.")
-    .argument('<file>', 'JSON of the original levels')
-    .requiredOption('--out <dir>', 'directory for the level files; made when missing')
+    .argument('<file>', 'JSON file with the original levels')
+    .requiredOption('--out <dir>', 'directory for the level files; it is created when missing')
     .addOption(
       new Option('--recoil <on|off>', 'whether the levels have recoil, as the original has').choices(['on', 'off']).default('on'),
     )
-    .option('--force', 'overwrite level files that are there and differ')
+    .option('--force', 'overwrite existing level files that differ')
     .addOption(formatOption('pretty', 'json'))
     .addHelpText(
       'after',
       `
-Either every level is written or none. Exit code: 0; 1 when the file is not what the original has; 2 when it could not be
-read or the levels not be written.
+Writes either every level or none. Exit code: 0; 1 when the file does not have the original's format; 2 when it could not be
+read or the levels could not be written.
 
 Examples:
   $ gq import levels.json --out imported
@@ -71,7 +71,7 @@ async function importFile(file: string, options: ImportOptions): Promise<Command
   if (differing.length > 0 && options.force !== true) {
     const names = differing.map((target) => `  ${target.file}\n`).join('');
     throw new Failure(
-      `nothing was written: these files are there and differ\n${names}give another --out, or --force to overwrite them`,
+      `nothing was written, because these files exist and differ:\n${names}give another --out, or --force to overwrite them`,
     );
   }
   await writeAll(options.out, targets);
@@ -82,11 +82,11 @@ async function importFile(file: string, options: ImportOptions): Promise<Command
 function contentOf(path: string): Uint8Array | null {
   try {
     const bytes = readRegularFile(path, MAX_FILE_SIZE);
-    if (bytes.length > MAX_FILE_SIZE) throw new Error('it is larger than a level may be: move it away');
+    if (bytes.length > MAX_FILE_SIZE) throw new Error('it is larger than a level file may be: move it away');
     return bytes;
   } catch (error) {
     if (['ENOENT', 'ENOTDIR'].includes((error as NodeJS.ErrnoException).code ?? '')) return null;
-    throw new Failure(`${path}: a file is to be written here, but what is there can't be read: ${systemReason(error)}`);
+    throw new Failure(`${path}: gq import writes a file here, but the existing one can't be read: ${systemReason(error)}`);
   }
 }
 
@@ -122,7 +122,7 @@ function makeDirectory(directory: string): string | undefined {
     return mkdirSync(directory, { recursive: true });
   } catch (error) {
     throw new Failure(
-      `--out ${namedPath(directory)}: the directory can't be made: ${systemReason(error)}; expected a directory that can be written`,
+      `--out ${namedPath(directory)}: the directory can't be created: ${systemReason(error)}; expected a directory that can be written`,
     );
   }
 }

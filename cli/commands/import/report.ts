@@ -21,6 +21,8 @@ export const importJson = (imported: Imported): string => `${JSON.stringify(impo
 export function importPretty({ files, notes }: Imported): string {
   const lines = files.map(({ file, status }) => `${status} ${visibleLine(file)}`);
   lines.push(...notes.map((note) => `note: ${visibleLine(note)}`));
-  lines.push(`${plural(files.length, 'level')} imported; gq check says which can be completed once they have runs`);
+  lines.push(
+    `${plural(files.length, 'level')} imported; gq solve LEVEL --write adds a run to one, and gq check shows which can be completed`,
+  );
   return `${lines.join('\n')}\n`;
 }

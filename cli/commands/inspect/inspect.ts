@@ -17,14 +17,16 @@ interface InspectOptions extends AccuracyOptions {
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
   addAccuracyOptions(command)
-    .description('What a level calls for: the effects simulated for it and those not, with the reason; counts; warnings.')
+    .description('Show what a level calls for: which effects are simulated and which are not, with the reason; counts; warnings.')
     .argument('<level>', 'a level file')
     .addOption(maxTimeOption())
     .addOption(formatOption('pretty', 'json'))
     .addHelpText(
       'after',
       `
-Work and modes are those of the level's first run. Exit code: 0; 1 when the level is invalid; 2 when it could not be read.
+Work and modes are those of the level's first run.
+
+Exit code: 0; 1 when the level is invalid; 2 when it could not be read.
 
 Examples:
   $ gq inspect levels/01-first-pull.level.json

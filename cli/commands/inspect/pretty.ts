@@ -11,14 +11,14 @@ export function inspectPretty({ file, level, effects, counts, modes, work, probl
       .map((line) => `  ${line}\n`)
       .join('');
   const has = COUNTED.filter(({ key }) => counts[key] > 0).map(({ key, one, many }) => plural(counts[key], one, many));
-  let text = `${colors.bold(visibleLine(level))}: ${has.length === 0 ? 'nothing but the black hole' : has.join(', ')}\n`;
+  let text = `${colors.bold(visibleLine(level))}: ${has.length === 0 ? 'only the black hole' : has.join(', ')}\n`;
   text += `\n${colors.bold('simulated')}\n${list(effects.simulated)}`;
   if (effects.notCalledFor.length > 0) text += `\n${colors.bold('not called for')}\n${list(effects.notCalledFor)}`;
   if (work.pieces > 0) {
     const { pieces, forceEvaluations, guards, roots } = work;
-    text += `\nits first run takes ${pieces} pieces of motion, ${forceEvaluations} force evaluations, ${guards} guards, ${roots} roots\n`;
+    text += `\nthe first run takes ${pieces} pieces of motion, ${forceEvaluations} force evaluations, ${guards} guards, ${roots} roots\n`;
     const spent = modes.map(({ name, share }) => `${(100 * share).toFixed(1)} % ${name}`);
-    text += `its time: ${spent.join(', ')}\n`;
+    text += `time by kind of motion: ${spent.join(', ')}\n`;
   }
   if (problems.length > 0) text += `\n${showFileProblems(file, problems, colors)}`;
   return text;

@@ -26,17 +26,19 @@ interface SimulateOptions extends AccuracyOptions {
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
   addAccuracyOptions(command)
-    .description('Play one run of a level and say in full what happens.')
+    .description('Play one run of a level and report everything that happens.')
     .argument('<level>', 'a level file')
-    .option('--run <name>', 'a run of the level; its first when left out')
+    .option('--run <name>', 'the run to play (default: the first)')
     .option(
       '--holds <holds>',
-      'ticks of 1/60 s in which the gun is held, [press, release): 12-96,130-188; none: she drifts',
+      'play these holds instead, in ticks of 1/60 s, [press, release): 12-96,130-188; none: she drifts',
       parseHolds,
     )
     .addOption(maxTimeOption())
-    .option('--sample <hz>', 'give her state so many times a second', numberOption('samples a second', 0, 10_000))
-    .addOption(new Option('--recoil <on|off>', 'play with or without recoil, whatever the level says').choices(['on', 'off']))
+    .option('--sample <hz>', 'report her state HZ times a second', numberOption('samples a second', 0, 10_000))
+    .addOption(
+      new Option('--recoil <on|off>', 'turn recoil on or off for this run (default: as the level has it)').choices(['on', 'off']),
+    )
     .addOption(formatOption('pretty', 'json'))
     .addHelpText(
       'after',
@@ -57,7 +59,7 @@ function play(file: string, options: SimulateOptions): CommandResult {
   const accuracy = chooseAccuracy(options);
   if (sample !== undefined && sample * maxTime > MAX_SAMPLES) {
     throw new Failure(
-      `--sample ${sample} over --max-time ${maxTime} may give more than ${MAX_SAMPLES} samples: lower one of the two`,
+      `--sample ${sample} over --max-time ${maxTime} can give more than ${MAX_SAMPLES} samples: lower one of the two`,
     );
   }
   const opened = openLevel(file);

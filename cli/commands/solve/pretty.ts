@@ -11,15 +11,15 @@ export function solvePretty(settings: SolveSettings, solved: Solved, colors: Col
   const head = `${colors.bold(visibleLine(level.name))}, ${accuracy.name}`;
   if (impossible !== null) {
     return (
-      `${head}\n${colors.red('impossible')}, proved: ${visible(impossible.reason)}\n\n` +
-      `${rows([['proof', `${impossible.code}; a separate checker confirms its certificate (--format json shows it)`]])}`
+      `${head}\n${colors.red('proved impossible')}: ${visible(impossible.reason)}\n\n` +
+      `${rows([['proof', `${impossible.code}; a separate checker has confirmed its certificate (--format json shows it)`]])}`
     );
   }
   const spent: [string, string] = ['effort', `${effortInWords(effort)}, ${solved.seconds.toFixed(1)} s, seed ${settings.seed}`];
   if (runs.length === 0) {
     const lines: [string, string][] = [spent];
     if (closest !== null) lines.push(['closest', closestRunInWords(closest)]);
-    return `${head}\n${colors.yellow('no run found')}, which does not prove that there is none\n\n${rows(lines)}`;
+    return `${head}\n${colors.yellow('no run found')}; this does not prove that there is none\n\n${rows(lines)}`;
   }
   const parts = runs.map((run, i) => {
     const title = runs.length === 1 ? '' : `${colors.bold(`${i + 1} of ${runs.length}`)}: `;

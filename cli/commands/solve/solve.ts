@@ -39,24 +39,26 @@ interface Options extends AccuracyOptions, SearchOptions {
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
   addSearchOptions(addAccuracyOptions(command))
-    .description('Find a run that completes a level, and the one that forgives bad timing most; or prove that there is none.')
+    .description(
+      'Find a run that completes a level, by default the one that forgives bad timing most, or prove that there is none.',
+    )
     .argument('<level>', 'a level file')
     .addOption(mineralsOption())
     .addOption(objectiveOption())
-    .option('--count <n>', 'so many really different runs', wholeNumberOption('a number of runs', 1, 100), 1)
-    .option('--write', 'put the runs into the level file, behind those it has')
-    .option('--run <name>', 'with --write: the name of the run (default: "solution", or the next free one)')
+    .option('--count <n>', 'how many clearly different runs to find', wholeNumberOption('a number of runs', 1, 100), 1)
+    .option('--write', 'add the runs to the level file, after those it has')
+    .option('--run <name>', 'with --write: the name of the run (default: "solution", or the next free name)')
     .addOption(maxTimeOption())
     .addOption(jobsOption(availableParallelism()))
     .addOption(formatOption('pretty', 'json'))
     .addHelpText(
       'after',
       `
-The search starts from those of the level's own runs that get there. Every run is replayed from the start before it is reported:
-gq simulate --holds gives the same hash. A search ends early when nothing can get better, and by --budget with the best so far.
-Ctrl-C ends it without a report, and nothing is written.
+The search starts from the level's own runs that reach the goal. Every run is replayed from the start before it is reported:
+gq simulate --holds gives the same hash. The search ends early when no better run is possible, and at the end of --budget with
+the best run so far. Ctrl-C ends it without a report, and nothing is written.
 
-Exit code: 0 when a run was found; 1 when none was, when it is proved that there is none, or when the level is invalid;
+Exit code: 0 when a run was found; 1 when none was found, when it is proved that there is none, or when the level is invalid;
 2 when the level could not be read or written; 130 and 143 after SIGINT and SIGTERM.
 
 Examples:
@@ -94,7 +96,7 @@ async function solve(file: string, options: Options): Promise<CommandResult> {
   const count = solved.runs.length;
   const fewer =
     found && count < options.count
-      ? `found ${count} of ${options.count} really different runs: a larger --budget or another --seed may find more\n`
+      ? `found ${count} of ${options.count} clearly different runs: a larger --budget or another --seed may find more\n`
       : '';
   if (!options.write) return { output: report, messages: fewer, exitCode };
   if (!found) return { output: report, messages: 'nothing was written: no run was found\n', exitCode };
@@ -128,8 +130,8 @@ function write(file: string, { bytes, document }: OpenedFile, { runs }: Solved, 
   return addRuns(file, bytes, document.file, found, name)
     .map((run) =>
       run.status === 'written'
-        ? `wrote run ${JSON.stringify(run.name)} into ${file}\n`
-        : `${file} has this run already: ${JSON.stringify(run.name)}\n`,
+        ? `wrote run ${JSON.stringify(run.name)} to ${file}\n`
+        : `${file} already has this run: ${JSON.stringify(run.name)}\n`,
     )
     .map((text) => `${visibleLine(text.trimEnd())}\n`)
     .join('');
@@ -139,11 +141,11 @@ const LONGEST_NAME = 80;
 
 function expectRunName(file: string, { runs }: Level, { run, write }: Options): void {
   if (run === undefined) return;
-  if (!write) throw new Failure('--run names the run that --write writes: give --write, too');
+  if (!write) throw new Failure('--run names the run that --write writes: give --write as well');
   if (run.length === 0 || run.length > LONGEST_NAME) {
     throw new Failure(`--run: expected a name of 1 to ${LONGEST_NAME} characters, found ${run.length}`);
   }
   if (runs.some(({ name }) => name === run)) {
-    throw new Failure(`${file}: a run is named ${JSON.stringify(run)} already: expected a name that is free`);
+    throw new Failure(`${file}: a run is already named ${JSON.stringify(run)}: expected another name`);
   }
 }

@@ -41,13 +41,19 @@ interface Options extends AccuracyOptions, SearchOptions {
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
   const described = addAccuracyOptions(command)
-    .description("What a change of the game's rules does to each level: whether its run survives, and where it would not.")
+    .description(
+      "Show what a change of the game's rules does to each level: whether its run still completes it, and from which value on it does not.",
+    )
     .argument('<path...>', 'level files, directories, or quoted patterns with * ** ?')
-    .option('--set <rule=value>', "a rule's value, or a share of each level's own like 1.1x; as often as wanted", parseChange)
-    .option('--sweep <rule=from..to:count>', 'values of one rule, evenly, like pull=0.8x..1.2x:41', parseSweep)
-    .option('--solve', "search where none of the level's runs is left, at every value");
+    .option(
+      '--set <rule=value>',
+      "set a rule to a value, or to a multiple of each level's own like 1.1x; can be given several times",
+      parseChange,
+    )
+    .option('--sweep <rule=from..to:count>', 'try evenly spaced values of one rule, like pull=0.8x..1.2x:41', parseSweep)
+    .option('--solve', "search for a run at every value at which none of the level's own completes it");
   addSearchOptions(described, ' for each level and value')
-    .option('--svg <file>', 'draw what becomes of the levels into FILE.svg')
+    .option('--svg <file>', 'write a picture of the result to FILE.svg')
     .addOption(
       new Option('--theme <theme>', 'colours of the picture; auto follows the viewer')
         .choices(['auto', 'light', 'dark'])
@@ -60,12 +66,12 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     .addHelpText(
       'after',
       `
-A level's run is the first that completes it. The interval behind each level is where that run goes on completing it while one rule
-changes: to a thousandth of the level's value, from value to value outwards; < and > say that it never failed. Without a sweep a rule
-is tried from half to twice the level's value. The levels whose run fails first come first.
+The run of a level is the first that completes it. The interval after each level is where that run still completes it while one
+rule changes, searched outwards from the level's value and exact to a thousandth of it; < and > mean that the run never failed on
+that side. Without a sweep, values from half to twice the level's own are tried. The most fragile levels come first.
 
-Exit code: 0 when every level was looked at; 1 when a file is not a valid level; 2 when it could not be done: bad option, nothing
-matched, unreadable file.
+Exit code: 0 when every level was measured; 1 when a file is not a valid level; 2 for a bad option, when nothing matches, or when
+a file could not be read.
 
 Examples:
   $ gq tune levels --set pull=1.1x
@@ -78,13 +84,13 @@ Examples:
 async function tune(paths: readonly string[], options: Options): Promise<CommandResult> {
   const { set: changes = [], sweep = null, svg } = options;
   if (changes.length === 0 && sweep === null) {
-    throw new Failure('nothing is changed: give --set or --sweep, for example --set pull=1.1x');
+    throw new Failure('no rule is changed: give --set or --sweep, for example --set pull=1.1x');
   }
   if (sweep !== null && changes.some(({ rule }) => rule === sweep.rule)) {
-    throw new Failure(`--set ${sweep.rule} and --sweep ${sweep.rule} exclude each other: give one of the two`);
+    throw new Failure(`--set ${sweep.rule} and --sweep ${sweep.rule} cannot be combined: give one of the two`);
   }
   if (!options.solve && (options.budget !== undefined || options.effort !== undefined)) {
-    throw new Failure('--budget and --effort say how long --solve searches: give --solve, too');
+    throw new Failure('--budget and --effort limit the search of --solve: give --solve as well');
   }
   if (svg !== undefined && !/\.svg$/i.test(svg)) throw new Failure(`--svg ${svg}: expected a name that ends in .svg`);
   const settings: TuneSettings = {
@@ -106,7 +112,7 @@ async function tune(paths: readonly string[], options: Options): Promise<Command
   }
   const colors = colorsFor(process.stderr);
   const messages = [
-    ...unreadable.map(({ path, reason }) => `error: ${visibleLine(path)}: can't be looked into: ${reason}\n`),
+    ...unreadable.map(({ path, reason }) => `error: ${visibleLine(path)}: the directory can't be read: ${reason}\n`),
     ...levels.filter(({ code }) => code === 2).map(({ why }) => `error: ${visibleLine(why)}\n`),
     ...levels.map(({ file, problems }) => showFileProblems(file, problems, colors)),
   ];

@@ -11,7 +11,8 @@ const { HELD, TARGET } = SLOTS;
 
 export const gun: Effect = {
   name: 'gun',
-  summary: ({ pull }) => `held, pulls her to the nearest asteroid: ${pull} (1 - d / range) px/s2, and turns her towards it`,
+  summary: ({ pull }) =>
+    `while held, pulls her towards the nearest asteroid at ${pull} (1 - d / range) px/s2 and turns her towards it`,
   calledFor: whereAny('asteroids', 'asteroid'),
   rules: ['pull'],
   force: gunPull,

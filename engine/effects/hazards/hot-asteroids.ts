@@ -22,7 +22,7 @@ export const touchHot = eventRule({
 
 export const hotAsteroids: Effect = {
   name: 'hot-asteroids',
-  summary: () => 'burn on touch, and pull like cold ones',
+  summary: () => 'end the run on touch, and pull like cold asteroids',
   calledFor: (level) => {
     const n = level.asteroids.filter((a) => a.hot).length;
     return n > 0

@@ -21,7 +21,7 @@ export const touchNova = eventRule({
 
 export const novae: Effect = {
   name: 'novae',
-  summary: () => 'burn on touch',
+  summary: () => 'end the run on touch',
   calledFor: whereAny('novae', 'nova'),
   kills: true,
   events: [touchNova],

@@ -45,7 +45,7 @@ function isOutOfRange(m: Motion, target: number): boolean {
 
 export const range: Effect = {
   name: 'range',
-  summary: () => 'farther than the range from every asteroid she is lost',
+  summary: () => 'she is lost when she is farther than the range from every asteroid',
   calledFor: () => ({ called: true, because: 'every level has one' }),
   events: [leaveRange],
   layOut(m) {

@@ -6,7 +6,7 @@ export const recoil: Effect = {
   summary: ({ recoil: strength }) =>
     `the target of the gun accelerates towards her at ${strength} / diameter px/s2 and keeps its velocity after release`,
   calledFor: (level) => {
-    if (!level.recoil) return { called: false, because: 'the level leaves recoil off' };
+    if (!level.recoil) return { called: false, because: 'the level does not turn recoil on' };
     if (level.asteroids.length === 0) return { called: false, because: 'no asteroids' };
     return { called: true, because: 'the level turns recoil on' };
   },

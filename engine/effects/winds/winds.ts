@@ -7,7 +7,7 @@ import { windFrame } from './frame.ts';
 
 export const winds: Effect = {
   name: 'winds',
-  summary: () => 'a steady acceleration while her centre is inside, beside whatever else acts',
+  summary: () => 'a steady acceleration while her centre is inside, added to whatever else acts on her',
   calledFor: whereAny('winds', 'wind'),
   force: wind,
   tells: {

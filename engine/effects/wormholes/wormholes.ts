@@ -7,7 +7,7 @@ import { mouthsOf } from './mouths.ts';
 
 export const wormholes: Effect = {
   name: 'wormholes',
-  summary: () => 'her centre comes into a mouth and is in the other one at once, with her velocity and turn',
+  summary: () => 'when her centre enters one mouth, she goes on from the other, with her velocity and angle',
   calledFor: whereAny('wormholes', 'wormhole'),
   jumps: true,
   tells: { jump: (index) => `goes through ${objectName('wormhole', index)}` },

@@ -68,7 +68,7 @@ interface Edge {
 const AWAY = 'she may turn away from its axis';
 const PUSHED = 'something may push her back along its axis';
 const TOUCHES = 'she may touch it off the line';
-const BEFORE = 'the asteroid before may be the nearest again';
+const BEFORE = 'the previous asteroid may be the nearest again';
 
 const first = (x: number, y: number, radius = 32) => ({ novae: [BACK, at(x, y, radius), BELOW] });
 const third = (x: number, y: number) => ({ asteroids: [...TWO, at(x, y)] });
@@ -348,7 +348,7 @@ const edges: Readonly<Record<string, Edge>> = {
     safe: 'below',
     says: TOUCHES,
   },
-  'the speed limit': { of: long, edge: 12_452.019, safe: 'below', says: 'she may come to the speed limit' },
+  'the speed limit': { of: long, edge: 12_452.019, safe: 'below', says: 'she may reach the speed limit' },
 };
 
 describe.each(Object.entries(TURNS))('a dead end, %s', (_, turn) => {

@@ -95,12 +95,12 @@ describe('a dead end', () => {
   });
 
   it('begins where the other asteroid is equally near, neither before nor behind', () => {
-    expect(whyNot(scene(), trap({}, 127.999))).toBe('the asteroid before may be the nearest again');
+    expect(whyNot(scene(), trap({}, 127.999))).toBe('the previous asteroid may be the nearest again');
     expect(whyNot(scene(), trap({}, 128.001))).toBe('asteroid 2 may be the nearer one on the stretch');
   });
 
   it('has an axis and a step', () => {
-    const axis = 'its axis is no direction';
+    const axis = 'its axis is not a direction';
     for (const bad of [
       undefined,
       null,
@@ -117,10 +117,10 @@ describe('a dead end', () => {
       expect(whyNot(scene(), trap({ axis: bad as never })), JSON.stringify(bad)).toBe(axis);
     }
     for (const step of [0.2499, 4.001, 0, -1, Number.NaN, '1' as never, null as never]) {
-      expect(whyNot(scene(), trap({ step }))).toBe('its step is none');
+      expect(whyNot(scene(), trap({ step }))).toBe('its step is not valid');
     }
-    for (const step of [0.25, 0.5, 2, 4]) expect(whyNot(scene(), trap({ step }))).not.toBe('its step is none');
-    const aside = 'she does not come along its axis';
+    for (const step of [0.25, 0.5, 2, 4]) expect(whyNot(scene(), trap({ step }))).not.toBe('its step is not valid');
+    const aside = 'she does not move along its axis';
     expect(whyNot(scene(), trap({ axis: [-1, 0] }))).toBe(aside);
     expect(whyNot(scene(), trap({ axis: [0, 1] }))).toBe(aside);
     expect(whyNot(scene(), trap({ axis: [0.12, -Math.sqrt(1 - 0.12 ** 2)] }))).toBe(aside);
@@ -162,7 +162,7 @@ describe('a dead end', () => {
       drift: null,
     });
     expect(whyNot(level(), swung(-34))).toBeNull();
-    expect(whyNot(level(), swung(-33.999))).toBe('the asteroid before may be the nearest again');
+    expect(whyNot(level(), swung(-33.999))).toBe('the previous asteroid may be the nearest again');
     expect(whyNot(level(), swung(-34.001))).toBe('asteroid 2 may be the nearer one on the stretch');
     expect(
       whyNot(level({ novae: [moved(SOURCE.novae[0]), moved(at(176, 0, 11)), moved(SOURCE.novae[2])] }), swung(-34)),

@@ -214,7 +214,7 @@ describe('enclosed', () => {
         barrier([-100, -100, blocker as Blocker], [100, -100, nova(1)], [100, 100, nova(2)], [-100, 100, nova(3)]),
         asked,
       );
-    const none = 'edge 1 of the barrier: what it names is no hazard that stands still';
+    const none = 'edge 1 of the barrier: it names something other than a hazard that stands still';
     const top = at(0, -600, 600);
     expect(by({ kind: 'asteroid', index: 1 }, { asteroids: [at(0, 20), hot(0, -600, 600)] })).toBeNull();
     expect(by({ kind: 'asteroid', index: 1 }, { asteroids: [at(0, 20), top] })).toBe(none);
@@ -238,9 +238,9 @@ describe('enclosed', () => {
     const whole = square(600, 0, 100).barrier;
     const why = (list: unknown) => whyNot(level, { kind: 'enclosed', barrier: list as never });
     expect(why(whole)).toBeNull();
-    expect(why(whole.slice(0, 3))).not.toBe('its barrier is no closed line');
+    expect(why(whole.slice(0, 3))).not.toBe('its barrier is not a closed line');
     for (const list of [undefined, null, 'line', [], whole.slice(0, 2), { length: 4 }])
-      expect(why(list)).toBe('its barrier is no closed line');
+      expect(why(list)).toBe('its barrier is not a closed line');
     // A repeated corner is an edge of length 0.
     expect(why([...whole, whole[3]])).toBeNull();
     const triangle = barrier([500, -100, range], [800, 0, range], [500, 100, range]).barrier;
@@ -254,7 +254,7 @@ describe('enclosed', () => {
       { x: 1, y: Number.NaN, by: range },
       { x: '1', y: 0, by: range },
     ])
-      expect(why([...whole, corner])).toBe('a corner of its barrier is no place');
+      expect(why([...whole, corner])).toBe('a corner of its barrier is not a point');
   });
 
   it('is a line between the start and the object, however it winds: the number of its crossings decides on which side they are', () => {

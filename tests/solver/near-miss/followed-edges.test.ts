@@ -65,7 +65,7 @@ interface Edge {
 }
 
 const TOUCHES = 'she may touch it in step';
-const FAST = 'she may come to the speed limit';
+const FAST = 'she may reach the speed limit';
 const MINERAL: Asked = { about: { kind: 'mineral', index: 0 } };
 const SECONDS: Asked = { maxTime: 60 };
 const LEFT = [-40, 0] as const;
@@ -458,7 +458,7 @@ describe.each(['doomed', 'flowpipe'] as const)('%s, measured', (kind: Kind) => {
           : flowpipeBy({ axis, frames: 4, ...SIZES.flowpipe, ...grid, steps });
       const why = (value: number) => whyNot(levelOf(of(value), turn), certificate, asked);
       const begins = [edge[kind] ?? 0].flat()[kind === 'flowpipe' && Array.isArray(edge.flowpipe) ? n : 0];
-      expect(why(begins - sign * 0.01)).toContain(says ?? `some runs may go on after ${steps} steps`);
+      expect(why(begins - sign * 0.01)).toContain(says ?? `some runs may continue after ${steps} steps`);
       expect(why(begins + sign * 0.01)).toBeNull();
     }
   });

@@ -23,10 +23,10 @@ describe.each([
   it('a malformed grid', () => {
     const accepted = (more: object) => whyNot(AWAY, follow(30, more));
     expect(accepted({})).toBeNull();
-    expect(accepted({ cell: 0.25 })).not.toBe('its grid is none');
-    expect(accepted({ cell: 1000 })).not.toBe('its grid is none');
-    expect(accepted({ frames: 1, steps: 60 })).not.toBe('its grid is none');
-    expect(accepted({ frames: 60, ...(isPipe && { steps: 3 }) })).not.toBe('its grid is none');
+    expect(accepted({ cell: 0.25 })).not.toBe('its grid is not valid');
+    expect(accepted({ cell: 1000 })).not.toBe('its grid is not valid');
+    expect(accepted({ frames: 1, steps: 60 })).not.toBe('its grid is not valid');
+    expect(accepted({ frames: 60, ...(isPipe && { steps: 3 }) })).not.toBe('its grid is not valid');
     const none: object[] = [
       ...[0.2499, 0, -8, 1000.1, Number.NaN, '8', null].map((cell) => ({ cell })),
       ...[0, 61, 1.5, '4', null].map((frames) => ({ frames })),
@@ -36,16 +36,16 @@ describe.each([
       ),
       ...(isPipe ? [0, 65, 1.5, '4'].map((turns) => ({ turns })) : [0.2499, 1000.1, '4', null].map((bin) => ({ bin }))),
     ];
-    for (const more of none) expect(accepted(more), JSON.stringify(more)).toBe('its grid is none');
+    for (const more of none) expect(accepted(more), JSON.stringify(more)).toBe('its grid is not valid');
     if (isPipe) {
-      expect(accepted({ steps: 400 })).not.toBe('its grid is none');
-      expect(accepted({ turns: 1 })).not.toBe('its grid is none');
-      expect(accepted({ turns: 64 })).not.toBe('its grid is none');
+      expect(accepted({ steps: 400 })).not.toBe('its grid is not valid');
+      expect(accepted({ turns: 1 })).not.toBe('its grid is not valid');
+      expect(accepted({ turns: 64 })).not.toBe('its grid is not valid');
     } else {
-      expect(accepted({ bin: 0.25 })).not.toBe('its grid is none');
-      expect(accepted({ bin: 1000 })).not.toBe('its grid is none');
+      expect(accepted({ bin: 0.25 })).not.toBe('its grid is not valid');
+      expect(accepted({ bin: 1000 })).not.toBe('its grid is not valid');
     }
-    expect(whyNot(AWAY, { ...follow(30), grid: undefined } as never)).toBe('its grid is none');
+    expect(whyNot(AWAY, { ...follow(30), grid: undefined } as never)).toBe('its grid is not valid');
   });
 });
 
@@ -59,7 +59,7 @@ describe('the sets of doomed', () => {
   it('an additional box does no harm', () => expect(withBox(far)).toBeNull());
 
   it('boxes are eight numbers, each least before its greatest, none too large', () => {
-    const none = 'its sets are none';
+    const none = 'its sets are not valid';
     for (const layers of [undefined, null, {}, 'all', [...DOOMED.layers, null], [...DOOMED.layers, {}]])
       expect(accepted(layers), JSON.stringify(layers)).toBe(none);
     for (const box of [undefined, null, {}, 8, [], far.slice(1), [...far, 0], { ...far, length: 8 }])
@@ -77,17 +77,17 @@ describe('the sets of doomed', () => {
     const count = DOOMED.layers.flat().length;
     const more = (n: number) => accepted([[...first, ...Array.from({ length: n }, () => far)], ...rest]);
     expect(more(20_000 - count)).toBeNull();
-    expect(more(20_001 - count)).toBe('its sets are none');
+    expect(more(20_001 - count)).toBe('its sets are not valid');
   });
 
   it('no sets contain nothing', () => {
-    expect(accepted([])).toBe('some runs may go on after 0 steps');
-    expect(accepted([[], []])).toBe('its sets do not hold all that she may do by step 0');
+    expect(accepted([])).toBe('some runs may continue after 0 steps');
+    expect(accepted([[], []])).toBe('its sets do not contain everything she may do by step 0');
     // Frames test the black hole before hazards, so it says nothing that the run ends at once.
     const atOnce = levelWith({ astronaut: { ...ORIGIN, vx: -60, vy: 0 }, asteroids: [at(200, 0)], novae: [at(0, 0, 30)] });
     const touching = { ...atOnce, blackHole: { ...atOnce.blackHole, ...ORIGIN } };
     for (const level of [atOnce, touching])
-      expect(whyNot(level, { ...DOOMED, layers: [] }, { covers: FRAMES })).toBe('some runs may go on after 0 steps');
+      expect(whyNot(level, { ...DOOMED, layers: [] }, { covers: FRAMES })).toBe('some runs may continue after 0 steps');
   });
 });
 
@@ -102,7 +102,7 @@ describe('in frames', () => {
     });
     return whyNot(level, doomed, { covers: FRAMES });
   };
-  const coarse = 'with frames places so far out are too coarse';
+  const coarse = 'with frames, rounding is too coarse so far out';
 
   it.each([
     [1, 0],

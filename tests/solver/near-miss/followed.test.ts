@@ -66,7 +66,7 @@ describe.each([
     const measured = isPipe ? ofPipe : ofDoomed;
     return [measured - 0.03, measured + 0.03];
   };
-  const goesOn = (steps: number) => `some runs may go on after ${steps} steps`;
+  const goesOn = (steps: number) => `some runs may continue after ${steps} steps`;
   const turn = playedEdge(50, 90, (x) => outcome(turning(x)) === 'collided');
   const cases: Record<string, NearMiss> = {
     'the speed to get out of range': {
@@ -188,7 +188,7 @@ describe.each([
       truth: (isPipe ? 500 - 39 * 10 * 4 * TICK : 500) + 1e-6,
       safe: 'below',
       slack: [0, 1e-5],
-      says: 'she may come to the speed limit',
+      says: 'she may reach the speed limit',
     },
   };
   nearMisses(cases);
@@ -218,7 +218,7 @@ describe.each([
 describe('doomed alone', () => {
   it('holds for frames, too, with one rule for both', () => {
     expect(whyNot(turning(60), doomed(60), { covers: FRAMES })).toBeNull();
-    expect(whyNot(turning(75), doomed(60), { covers: FRAMES })).toBe('some runs may go on after 60 steps');
+    expect(whyNot(turning(75), doomed(60), { covers: FRAMES })).toBe('some runs may continue after 60 steps');
   });
 
   it('examines no more pieces of boxes than allowed', () => {
@@ -226,7 +226,7 @@ describe('doomed alone', () => {
     const grid = { axis: [1, 0], cell: 0.25, bin: 0.25, frames: 1 } as const;
     const { layers } = doomedBy(grid, 1)(level);
     const lost = [-9000, -8000, -9000, -8000, -300, 300, -300, 300];
-    expect(whyNot(level, { kind: 'doomed', grid, layers: [[lost, ...layers[0]]] })).toBe('it takes too many boxes to follow her');
+    expect(whyNot(level, { kind: 'doomed', grid, layers: [[lost, ...layers[0]]] })).toBe('following her takes too many boxes');
   });
 
   nearMisses({
@@ -236,7 +236,7 @@ describe('doomed alone', () => {
       truth: 30 + BOX.halfHeight,
       safe: 'below',
       slack: [8, 8.3],
-      says: 'some runs may go on after 40 steps',
+      says: 'some runs may continue after 40 steps',
       reach: 10,
       grain: 0.05,
     },
@@ -246,7 +246,7 @@ describe('doomed alone', () => {
 describe('flowpipe alone', () => {
   const fine = { cell: 3.5, frames: 2, turns: 8 };
   const past = (more: Partial<LevelFile>) => moving(60, 0, { asteroids: [at(150, 0)], blackHole: spot(300, 0), ...more });
-  const says = 'some runs may go on after 22 steps';
+  const says = 'some runs may continue after 22 steps';
   nearMisses({
     'an alien beside her way': {
       why: (y) => whyNot(past({ aliens: [at(70, y, 25)] }), flowpipe(22, fine)),
@@ -289,7 +289,7 @@ describe('flowpipe alone', () => {
   it('does not cover frames', () => {
     expect(whyNot(turning(60), flowpipe(60))).toBeNull();
     expect(whyNot(turning(60), flowpipe(60), { covers: FRAMES })).toBe(
-      'with frames she is pushed and looked at once a frame only',
+      'with frames pushes and contacts happen only once a frame',
     );
   });
 
@@ -301,11 +301,11 @@ describe('flowpipe alone', () => {
     const parts = Array.from({ length: 159 * 159 }, () => ({ off: [], to: 0 }));
     const cut = { cuts: [far, far, [], []], parts };
     expect(whyNot(level, { ...made, layers: [[[cut, cut]], ...made.layers.slice(1)] })).toBe(
-      'it does not say how a set goes on in step 1',
+      'it does not say how a set continues in step 1',
     );
     const half = { cuts: [far.slice(0, 100), far.slice(0, 124), [], []], parts: parts.slice(0, 101 * 125) };
     expect(whyNot(level, { ...made, layers: [[[half, half]], ...made.layers.slice(1)] })).toBe(
-      'it takes too many pieces to follow her',
+      'following her takes too many pieces',
     );
   });
 });

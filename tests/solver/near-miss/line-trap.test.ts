@@ -77,7 +77,7 @@ describe('line-trap', () => {
       truth: 60,
       safe: 'below',
       slack: slackOf(1),
-      says: 'she may come to the centre of the asteroid',
+      says: 'she may reach the centre of the asteroid',
     },
     'a black hole beside the line': {
       why: (d) => whyNot(swing({ blackHole: on(100, d, 18) }), between),
@@ -197,13 +197,13 @@ describe('line-trap', () => {
   });
 
   it('refuses what it does not know', () => {
-    const rests = 'she does not rest at the start';
+    const rests = 'she is not at rest at the start';
     expect(whyNot(fall({ astronaut: { ...ORIGIN, vx: 0, vy: 1e-9 } }), trap(start, nova(20)))).toBe(rests);
     expect(whyNot(fall({ astronaut: { ...ORIGIN, vx: 1e-9, vy: 0 } }), trap(start, nova(20)))).toBe(rests);
     for (const target of [1, -1, 0.5, '0' as never]) {
       expect(whyNot(fall(), trap(start, nova(20), null, target))).toBe('it names an asteroid that the level does not have');
     }
-    const ends = 'its stretch does not hold the start';
+    const ends = 'its stretch does not contain the start';
     for (const [back, front] of [
       [undefined, nova(20)],
       [start, undefined],
@@ -222,19 +222,19 @@ describe('line-trap', () => {
     for (const by of [undefined, null]) {
       const end = { at: -60, by } as never;
       expect(whyNot(swing(), trap(end, nova(180, 1)))).toBe(
-        'what it names at an end of the stretch is no hazard that stands still',
+        'at an end of the stretch it names something other than a hazard that stands still',
       );
       expect(whyNot(fall(), trap(start, { at: 20, by } as never))).toBe(
-        'what it names at an end of the stretch is no hazard that stands still',
+        'at an end of the stretch it names something other than a hazard that stands still',
       );
     }
     expect(whyNot(swing(), trap(nova(-60, 0), start))).toBe(
-      'what it names at an end of the stretch is no hazard that stands still',
+      'at an end of the stretch it names something other than a hazard that stands still',
     );
   });
 
   it('an end is a hazard that stands still', () => {
-    const none = 'what it names at an end of the stretch is no hazard that stands still';
+    const none = 'at an end of the stretch it names something other than a hazard that stands still';
     const by = (end: unknown, more: Partial<LevelFile> = {}) =>
       whyNot(swing(more), trap(nova(-60, 0), { at: 180, by: end as never }));
     expect(by({ kind: 'nova', index: 1 })).toBeNull();
@@ -379,7 +379,7 @@ describe('line-trap with recoil', () => {
       truth: 60 / (1 + 1 / (20 * PULL * (1 - 60 / RANGE))),
       safe: 'below',
       slack: [0.01, 0.012],
-      says: 'she may come to the centre of the asteroid',
+      says: 'she may reach the centre of the asteroid',
     },
     'a fall with a pull that is too weak to tell': {
       why: (d) =>
@@ -389,7 +389,7 @@ describe('line-trap with recoil', () => {
       truth: 249.995 - 3600 / 800,
       safe: 'below',
       slack: [0.05, 0.06],
-      says: 'she may come to the centre of the asteroid',
+      says: 'she may reach the centre of the asteroid',
     },
   });
 

@@ -87,7 +87,7 @@ describe('out-of-range', () => {
       truth: 2 * RANGE,
       safe: 'above',
       slack: [1e-7, 3e-7],
-      says: 'asteroid 2 is not listed, and she may come to it from asteroid 1',
+      says: 'asteroid 2 is not listed, and she may reach it from asteroid 1',
     },
     'two ranges that touch once recoil has dragged both': {
       why: (d) => {
@@ -97,7 +97,7 @@ describe('out-of-range', () => {
       truth: 2 * RANGE + (recoilWay(10, 20) + recoilWay(40, 20)) / 1.01,
       safe: 'above',
       slack: [0.124, 0.126],
-      says: 'asteroid 2 is not listed, and she may come to it from asteroid 1',
+      says: 'asteroid 2 is not listed, and she may reach it from asteroid 1',
     },
     'a black hole that her corner touches at the start': {
       why: (d) => whyNot(levelWith({ asteroids: [], blackHole: spot(CORNER.x * d, -CORNER.y * d) }), lists()),
@@ -119,7 +119,7 @@ describe('out-of-range', () => {
 
   it('with recoil it must state how long a run may last', () => {
     const level = levelWith({ asteroids: [at(100, 0)], recoil: true });
-    expect(whyNot(level, lists(0))).toBe('with recoil it needs to say how long a run may last');
+    expect(whyNot(level, lists(0))).toBe('with recoil it must say how long a run may last');
     expect(whyNot(level, lists(0), { maxTime: 60 })).toBeNull();
     expect(whyNot(level, lists(0), { maxTime: 900 })).toBe('she may touch it in range of asteroid 1');
   });
@@ -159,7 +159,7 @@ describe('out-of-range in frames', () => {
     const needs = (d: number) => 2 * range + farthestJump(v, ...size(d));
     let truth = 2 * range;
     for (let i = 0; i < 50; i++) truth = needs(truth);
-    return { why, truth, safe: 'above', slack: [1e-7, 2e-4], says: 'she may come to it from asteroid 1', reach: 3 };
+    return { why, truth, safe: 'above', slack: [1e-7, 2e-4], says: 'she may reach it from asteroid 1', reach: 3 };
   };
   const v = { vx: 300, vy: -400 };
   nearMisses({
@@ -197,7 +197,7 @@ describe('out-of-range in frames', () => {
     let truth = 500;
     for (let i = 0; i < 50; i++)
       truth = 500 + 2 * drift + farthestJump({ vx: 0, vy: 0 }, truth + 500 + 2 * drift, 500 + 2 * drift);
-    expect(why(truth)).toContain('she may come to it');
+    expect(why(truth)).toContain('she may reach it');
     expect(why(truth + 2e-4)).toBeNull();
   });
 
@@ -214,7 +214,7 @@ describe('out-of-range in frames', () => {
     expect(jumped.length).toBeGreaterThan(0);
     for (const x of offsets) {
       expect(simulate(compile(level(9, x), 'precise'), []).outcome).toBe('lost');
-      expect(whyNot(level(9, x), lists(0), { covers: FRAMES })).toContain('she may come to it');
+      expect(whyNot(level(9, x), lists(0), { covers: FRAMES })).toContain('she may reach it');
       expect(whyNot(level(9, x), lists(0))).toBeNull();
     }
   });

@@ -88,7 +88,7 @@ describe('pull and speed limit', () => {
       truth: fastest(PULL),
       safe: 'above',
       slack: [0.001 * fastest(PULL), 0.011 * fastest(PULL)],
-      says: 'she may come to the speed limit',
+      says: 'she may reach the speed limit',
       reach: 10,
     },
     'a pull that takes her to the limit': {
@@ -96,7 +96,7 @@ describe('pull and speed limit', () => {
       truth: (500 * 500) / 6000,
       safe: 'below',
       slack: [0.1, 1],
-      says: 'she may come to the speed limit',
+      says: 'she may reach the speed limit',
       reach: 2,
     },
   });
@@ -119,7 +119,7 @@ describe('pull and speed limit', () => {
       truth: 10 / (Math.SQRT2 * TICK),
       safe: 'below',
       slack: [0.02, 0.03],
-      says: 'and she may come to it from',
+      says: 'and she may reach it from',
     },
   });
 });

@@ -12,7 +12,7 @@ const with_ = (more: object, of = level) => {
 
 describe('the statements of a proof about itself', () => {
   it('is about the black hole, or a mineral of the level', () => {
-    const absent = 'it is about nothing that the level has';
+    const absent = 'it is about an object that the level does not have';
     expect(with_({})).toBeNull();
     expect(with_({ about: { kind: 'mineral', index: 0 } })).toBeNull();
     const none = [
@@ -47,7 +47,7 @@ describe('the statements of a proof about itself', () => {
   it('holds for a length of time, or for any', () => {
     for (const maxTime of [1e-9, 0.5, 60, null]) expect(with_({ maxTime })).toBeNull();
     for (const maxTime of [0, -1, Number.NaN, '60', [60], undefined, {}])
-      expect(with_({ maxTime })).toBe('its longest run is no length of time');
+      expect(with_({ maxTime })).toBe('its longest run is not a length of time');
   });
 
   it('needs no time, with recoil, where the start alone decides', () => {
@@ -56,7 +56,7 @@ describe('the statements of a proof about itself', () => {
     const hazard = { kind: 'starts-in-hazard', hazard: { kind: 'nova', index: 0 } } as const;
     expect(with_({ maxTime: null, code: hazard.kind, certificate: hazard }, dragged)).toBeNull();
     const far = { kind: 'out-of-range', asteroids: [] } as const;
-    const needs = 'with recoil it needs to say how long a run may last';
+    const needs = 'with recoil it must say how long a run may last';
     expect(with_({ maxTime: null, code: far.kind, certificate: far }, dragged)).toBe(needs);
     for (const certificate of [undefined, null, {}]) expect(with_({ maxTime: null, certificate }, dragged)).toBe(needs);
   });

@@ -35,7 +35,7 @@ describe('a line keeps clear of winds and mouths', () => {
       truth: 40,
       safe: 'above',
       slack,
-      says: 'wind 1 may blow on her on the stretch',
+      says: 'wind 1 may act on her on the stretch',
     },
     'a mouth beside it': {
       why: (d) => swing({ wormholes: [wormhole(on(100, d), AFAR, 25)] }),
@@ -68,14 +68,14 @@ describe('out-of-range, through a wormhole', () => {
       truth: RANGE + 30,
       safe: 'above',
       slack,
-      says: 'a mouth is not listed, and she may come to it from asteroid 1',
+      says: 'a mouth is not listed, and she may reach it from asteroid 1',
     },
     'the same by frames': {
       why: (d) => says([0], [], { wormholes: [wormhole(spot(100 + d, 0), AFAR, 30)] }, true),
       truth: RANGE + 30 + FRAME,
       safe: 'above',
       slack,
-      says: 'a mouth is not listed, and she may come to it from asteroid 1',
+      says: 'a mouth is not listed, and she may reach it from asteroid 1',
     },
     'an asteroid just in range of where she comes out': {
       why: (d) => says([0], [0, 1], { wormholes: [wormhole(spot(150, 0), spot(0, 3000 - d), 30)] }),
@@ -99,7 +99,7 @@ describe('out-of-range, through a wormhole', () => {
       truth: 50,
       safe: 'above',
       slack,
-      says: 'a mouth is not listed, and she may come to it out of another',
+      says: 'a mouth is not listed, and she may reach it out of another',
     },
   });
 });
@@ -150,7 +150,7 @@ describe('doomed keeps clear of mouths', () => {
       truth: 10,
       safe: 'above',
       slack: [0.2, 0.3],
-      says: 'she may come to a wormhole in step',
+      says: 'she may enter a wormhole in step',
       reach: 9,
     },
   });
