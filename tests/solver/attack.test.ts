@@ -54,6 +54,7 @@ describe('levels that a known run completes, under any rules, with winds and wor
     // Otherwise the test would be vacuous.
     expect(tally.completed).toBeGreaterThan(3);
     expect(tally.collected).toBeGreaterThan(20);
-    expect(tally.proved).toBeGreaterThan(20);
+    // what the twins' certificates were made from
+    expect(tally.twins).toBeGreaterThan(3);
   });
 });
