@@ -8,19 +8,19 @@ const PATIENCE = 180_000 * Math.max(1, propertySettings(process.env).runs);
 const IN_BROWSERS = 'tests/e2e/**/*.test.ts';
 const NODE = ['tests/**/*.test.ts'];
 const NO_NODE = [...configDefaults.exclude, IN_BROWSERS];
-const ALONE = ['tests/server/**/*.test.ts', 'tests/editor/**/*.test.ts', 'tests/cli/**/*.test.ts'];
+// They replace modules of Node. `vi.mock` reaches only what is loaded after it, so that each needs modules of its own.
+const ALONE = ['disk', 'full-disk', 'locks', 'other-systems', 'refusals', 'watch'].map((name) => `tests/server/${name}.test.ts`);
 
 export default defineConfig({
   // properties get one seed for all, see there
   resolve: { alias: [{ find: /^fast-check$/, replacement: fileURLToPath(new URL('tests/fast-check.ts', import.meta.url)) }] },
   test: {
     projects: [
-      // `npm test`: everything that needs no browser. The files of a worker share modules, so that those are loaded once,
+      // `npm test`: everything that needs no browser. The files of a worker share modules, so that those are loaded once.
       {
         extends: true,
         test: { name: 'node', include: NODE, exclude: [...NO_NODE, ...ALONE], isolate: false },
       },
-      // but for those that replace modules or globals.
       { extends: true, test: { name: 'node-alone', include: ALONE, exclude: NO_NODE } },
       // `npm run test:browser`: everything that needs Chromium or Firefox
       // its files are not isolated from one another: those that one worker runs share a Chromium
