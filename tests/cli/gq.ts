@@ -51,16 +51,30 @@ function startWarmProcess(): WarmProcess {
   return started;
 }
 
+// the commands of the shared process, one after the other
+let earlier: Promise<unknown> = Promise.resolve();
+
 /**
- * Runs gq to its end. The commands of a test file share a process, in which they run one after the other, so that only the first
+ * Runs gq to its end. The commands of a worker share a process, in which they run one after the other, so that only the first
  * pays for the start. Tests about the process itself use `gqProcess`.
  */
 export function gq(args: readonly string[], { cwd = process.cwd() }: { readonly cwd?: string } = {}): Promise<Ended> {
+  // the time limit of a command begins when those before it have ended
+  const ended = earlier.then(() => ask(args, cwd));
+  earlier = ended.catch(() => undefined);
+  return ended;
+}
+
+function ask(args: readonly string[], cwd: string): Promise<Ended> {
   warm ??= startWarmProcess();
   const { child, waiting } = warm;
   const id = warm.asked++;
   return new Promise<Ended>((resolve, reject) => {
-    const killer = setTimeout(() => child.kill('SIGKILL'), TOO_LONG);
+    const killer = setTimeout(() => {
+      reject(new Error(`gq ${args.join(' ')}: took more than ${TOO_LONG / 1000} s`));
+      child.kill('SIGKILL');
+      if (warm?.child === child) warm = null;
+    }, TOO_LONG);
     waiting.set(id, {
       resolve(ended) {
         clearTimeout(killer);

@@ -24,7 +24,11 @@ const files = makeFiles({
 const cwd = files.directory;
 afterAll(files.remove);
 
-const solve = (args: string) => gq(['solve', ...args.split(' ')], { cwd });
+/** One thread, unless the arguments say otherwise: the start of a thread takes longer than most of these searches. */
+const solve = (args: string) => {
+  const jobs = args.includes('--jobs') ? [] : ['--jobs', '1'];
+  return gq(['solve', ...args.split(' '), ...jobs], { cwd });
+};
 const report = ({ stdout }: { stdout: string }) => solveReportSchema.parse(JSON.parse(stdout));
 
 describe('a run that is found', () => {
@@ -45,6 +49,8 @@ describe('a run that is found', () => {
       'first',
       '--effort',
       '20000000',
+      '--jobs',
+      '1',
       '--format',
       'json',
     ]);
@@ -62,25 +68,25 @@ describe('a run that is found', () => {
   });
 
   it("is the level's own where that gets there, and only any will do", async () => {
-    const file = shipped('15-three-swings');
+    const file = shipped('01-first-pull');
     const own = JSON.parse(readFileSync(file, 'utf8')).runs[0].holds;
-    const found = report(await gq(['solve', file, '--objective', 'first', '--effort', '40000', '--format', 'json']));
+    const found = report(await solve(`${file} --objective first --effort 40000 --format json`));
     expect(found).toMatchObject({ found: true, holds: own });
   });
 
   it('is the same for any number of threads, with the same effort', async () => {
-    for (const args of ['--objective robust --effort 1000000 --count 2', '--objective first --effort 4000000 --seed 5']) {
+    for (const args of ['--objective robust --effort 300000 --count 2', '--objective first --effort 4000000 --seed 5']) {
       const ended = await Promise.all(
-        ['1', '2', '3'].map((jobs) => solve(`first-swing.level.json ${args} --format json --jobs ${jobs}`)),
+        ['1', '3'].map((jobs) => solve(`first-swing.level.json ${args} --format json --jobs ${jobs}`)),
       );
-      const [one, ...others] = ended.map(({ stdout }) => withoutTimes(stdout));
-      expect(others).toEqual([one, one]);
+      const [one, three] = ended.map(({ stdout }) => withoutTimes(stdout));
+      expect(three).toBe(one);
       expect(JSON.parse(one).found).toBe(true);
     }
   });
 
   it('comes with others when several are wanted, the best first and at the top', async () => {
-    const found = report(await solve('first-swing.level.json --objective time --effort 2000000 --count 3 --format json'));
+    const found = report(await solve('first-swing.level.json --objective time --effort 1000000 --count 3 --format json'));
     const { solutions = [], ...best } = found;
     expect(solutions.length).toBeGreaterThan(1);
     expect(solutions[0]).toEqual(best);
@@ -88,7 +94,7 @@ describe('a run that is found', () => {
   });
 
   it('is told to people with what it forgives', async () => {
-    const { code, stdout, stderr } = await solve('through.level.json --effort 100000');
+    const { code, stdout, stderr } = await solve('through.level.json --effort 10000');
     expect({ code, stderr }).toEqual({ code: 0, stderr: '' });
     for (const part of [
       /^Straight through, precise\ncompleted at/,
@@ -116,13 +122,13 @@ describe('no run', () => {
   });
 
   it('because none was found: says how much was tried and the nearest, which is a real run; exit code 1', async () => {
-    const ended = await solve('needle.level.json --effort 200000 --format json');
+    const ended = await solve('needle.level.json --effort 60000 --format json');
     expect(ended.code).toBe(1);
     const { found, closest, impossible, effort, robustness } = report(ended);
     expect({ found, impossible, robustness }).toEqual({ found: false, impossible: null, robustness: null });
-    expect(effort.ticks).toBeGreaterThanOrEqual(200_000);
+    expect(effort.ticks).toBeGreaterThanOrEqual(60_000);
     expect(closest?.distance).toBeGreaterThan(0);
-    const pretty = await solve('needle.level.json --effort 200000');
+    const pretty = await solve('needle.level.json --effort 60000');
     expect(pretty).toMatchObject({ code: 1, stderr: '' });
     expect(pretty.stdout).toMatch(
       /no run found; this does not prove that there is none\n\neffort .*\nclosest +[\d.]+ px from the black hole/,
@@ -233,7 +239,7 @@ describe.runIf(process.platform === 'linux')('a search that goes on', () => {
     writeFileSync(join(cwd, 'changed.level.json'), fallThrough({ runs: undefined }));
     const other = fallThrough();
     const change = { path: join(cwd, 'changed.level.json'), text: other };
-    const ended = await gqProcess('solve changed.level.json --effort 400000 --write --format json'.split(' '), {
+    const ended = await gqProcess('solve changed.level.json --objective first --effort 400000 --write --format json'.split(' '), {
       cwd,
       env: interruptAt({ of: 'message', number: 1, write: change }),
     });
@@ -247,7 +253,7 @@ describe.runIf(process.platform === 'linux')('a search that goes on', () => {
     // progress is shown after half a second: here every look at the clock takes a second
     const slow = 'const now = performance.now(); let looks = 0; performance.now = () => now + 1000 * looks++;';
     const env = { ...process.env, NODE_OPTIONS: `--import=data:text/javascript,${encodeURIComponent(slow)}` };
-    const command = `'${process.execPath}' '${MAIN}' solve needle.level.json --effort 400000`;
+    const command = `'${process.execPath}' '${MAIN}' solve needle.level.json --effort 100000 --jobs 1`;
     const terminal = execFileSync(SCRIPT, ['-qec', `${command} 2>&1 || true`, '/dev/null'], { cwd, env, encoding: 'utf8' });
     const [, ...lines] = terminal.split('\r\u001b[2K');
     expect(lines[0]).toMatch(
