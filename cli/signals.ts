@@ -2,14 +2,14 @@ import { constants } from 'node:os';
 import process from 'node:process';
 import { setImmediate } from 'node:timers/promises';
 
-// A signal that nobody catches ends a process at once, whatever it is at, and a shell reports 130 or 143. That is the rule here, since a
-// handler of ours is called only when the event loop comes round: never during long work, nor while a write waits for its reader.
-// Signals are caught only where they must not cut something in two, and where the loop is free. The way back is the danger: a signal that
-// was caught, and whose handler is taken away before the loop has called it, is lost. So the loop goes round first (`hearSignals`).
+// A signal without a handler ends the process at once, and a shell reports 130 or 143. That is the default here: the event loop
+// calls a handler only when it is free, not during long work, nor while a write waits for its reader. Signals are caught only
+// during work that they must not interrupt, and while the loop is free. Removing a handler is risky: a signal that was caught
+// is lost if its handler is removed before the loop has called it. So the loop runs first (`hearSignals`).
 
 const SIGNALS = ['SIGINT', 'SIGTERM'] as const;
 
-/** Windows has no such exit codes, and process 1 (of a container) is not ended by what it doesn't catch: they always catch. */
+/** Windows has no such exit codes, and a signal without a handler doesn't end process 1 (of a container): both always catch. */
 const ALWAYS_CATCHES = process.platform === 'win32' || process.pid === 1;
 
 let isCatching = false;
@@ -24,8 +24,8 @@ const end = (signal: NodeJS.Signals): void => {
 };
 
 /**
- * From now on the event loop ends the process, workers and all, with 130 on SIGINT and 143 on SIGTERM. For work that leaves the loop free:
- * the rest is to be done before, or behind `leaveSignals`.
+ * From now on a signal ends the process and its workers through the event loop: with 130 on SIGINT and 143 on SIGTERM. This is
+ * for work that leaves the loop free; other work belongs before this call, or after `leaveSignals`.
  */
 export function catchSignals(): void {
   if (isCatching) return;
@@ -33,15 +33,15 @@ export function catchSignals(): void {
   for (const signal of SIGNALS) process.on(signal, end);
 }
 
-/** Ends the process when a signal has been caught by now; does nothing where none is caught. */
+/** Ends the process if a signal has been caught; does nothing while signals are not caught. */
 export async function hearSignals(): Promise<void> {
   if (!isCatching) return;
-  // the first turn may begin behind the place where the loop looks
+  // the first turn may begin after the loop has already looked for signals
   await setImmediate();
   await setImmediate();
 }
 
-/** Ends the process when a signal has been caught by now, and leaves later ones to the system. */
+/** Ends the process if a signal has been caught, and leaves later ones to the system. */
 export async function leaveSignals(): Promise<void> {
   await hearSignals();
   if (!isCatching || ALWAYS_CATCHES) return;
@@ -49,14 +49,14 @@ export async function leaveSignals(): Promise<void> {
   for (const signal of SIGNALS) process.off(signal, end);
 }
 
-/** At the start of the process. */
+/** Called at the start of the process. */
 export function beginSignals(): void {
   if (ALWAYS_CATCHES) catchSignals();
 }
 
 /**
- * Does short synchronous work that no signal is to cut in two, such as writing a file. One that came before ends the process before
- * it, one that comes meanwhile right after it.
+ * Does short synchronous work that no signal may interrupt, such as writing a file. An earlier signal ends the process before
+ * the work, and a signal during the work ends it right afterwards.
  */
 export async function uncut<T>(work: () => T): Promise<T> {
   catchSignals();
@@ -69,8 +69,8 @@ export async function uncut<T>(work: () => T): Promise<T> {
 }
 
 /**
- * Does several short steps, all or none.
- * @param takeBack undoes the steps that were done, when a signal comes before the last, or one of them throws
+ * Does several short steps: all or none.
+ * @param takeBack undoes the steps that were done, if a signal comes before the last one or a step throws
  */
 export async function allOrNone(steps: Iterable<() => void>, takeBack: () => void): Promise<void> {
   catchSignals();

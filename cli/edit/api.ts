@@ -15,10 +15,10 @@ import { baseOf, etagGiven, idOf, readBody } from './request.ts';
 
 export type EditContext = Context<{ Bindings: HttpBindings }>;
 
-/** What answers a request; it may throw a `Refusal`. */
+/** Answers a request; may throw a `Refusal`. */
 export type Answer = (c: EditContext, query: URLSearchParams) => Response | Promise<Response>;
 
-/** What answers each `METHOD /address` of `EDIT_API`. */
+/** The answer function of each `METHOD /address` of `EDIT_API`. */
 export function createApi(levels: LevelFolder): ReadonlyMap<string, Answer> {
   const streams = createEventStreams(levels.known);
   const { LEVELS, LEVEL, RENAME, DUPLICATE, DELETE, TRASH, RESTORE, ORDER, EVENTS } = EDIT_API;
@@ -34,7 +34,7 @@ export function createApi(levels: LevelFolder): ReadonlyMap<string, Answer> {
     const id = idOf(query);
     const base = baseOf(c.env.incoming);
     const { text, client } = await readBody(c.env.incoming, writeRequestSchema);
-    // a half of a character would be stored as another one
+    // an unpaired surrogate would be stored as a different character
     if (/\p{Surrogate}/u.test(text))
       throw new Refusal('bad-request', 'the text contains half of a character (a lone surrogate)', 'Send complete characters.');
     const { entry, created } = await levels.write(id, text, base, client);

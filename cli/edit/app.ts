@@ -13,17 +13,17 @@ export interface AppOptions {
   readonly token: string;
   /** The port that the server listens on, once it does. */
   readonly port: () => number;
-  /** Told of errors that are nobody's fault but ours. */
+  /** Called with errors that are bugs of gq, not mistakes of the user. */
   readonly onCrash: (error: unknown) => void;
 }
 
-/** The page and the API behind one door. */
+/** The page and the API in one app. */
 export function createApp({ api, page, token, port, onCrash }: AppOptions): Hono<{ Bindings: HttpBindings }> {
   const answer = (c: EditContext): Response | Promise<Response> => {
     const { incoming } = c.env;
     guard(incoming, port());
     const { method = '', url = '' } = incoming;
-    // as it came over the wire: nothing is decoded or resolved, so there is nothing to smuggle in
+    // the raw URL: nothing is decoded or resolved, so no encoding can disguise an address
     const question = url.indexOf('?');
     const address = question < 0 ? url : url.slice(0, question);
     const file = page.get(address);
@@ -50,7 +50,7 @@ export function createApp({ api, page, token, port, onCrash }: AppOptions): Hono
       error instanceof Refusal
         ? error
         : new Refusal('failed', 'gq edit failed on this request', 'This is a bug in gq: please report it.');
-    // what is left of a body that was refused is not read
+    // the rest of a refused body is not read
     if (refusal.code === 'body-too-large') c.header('Connection', 'close');
     return c.json(bodyOf(refusal), statusOf(refusal) as ContentfulStatusCode);
   });

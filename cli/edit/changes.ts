@@ -1,15 +1,15 @@
 import type { EditEvent, LevelEntry, ListResponse } from '../../schema/index.ts';
 
 /**
- * What happened between two looks at a folder. A file that is gone and a new one with its content were renamed.
- * @param by whose changes they are
+ * The events between two states of a folder. If a file is gone and a new file has its content, the file was renamed.
+ * @param by the client that made the changes; null: another program
  */
 export function changesBetween(before: ListResponse, after: ListResponse, by: string | null): EditEvent[] {
   const old = new Map(before.levels.map((entry) => [entry.id, entry]));
   const now = new Map(after.levels.map((entry) => [entry.id, entry]));
   const gone = before.levels.filter(({ id }) => !now.has(id));
   const byContent = new Map<string, LevelEntry[]>();
-  // the first one is taken first
+  // reversed, because `pop` takes the last one: the first must come first
   for (const entry of gone.toReversed()) {
     if (entry.etag === null) continue;
     const same = byContent.get(entry.etag);
@@ -35,5 +35,5 @@ export function changesBetween(before: ListResponse, after: ListResponse, by: st
   return events;
 }
 
-/** An entry that was not read anew is the same object. */
+/** Compares identity first: an entry that was not read again is the same object. */
 const isSame = (a: unknown, b: unknown): boolean => a === b || JSON.stringify(a) === JSON.stringify(b);

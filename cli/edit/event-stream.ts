@@ -2,19 +2,19 @@ import { EDIT_API, type EditEvent, type LevelEntry } from '../../schema/index.ts
 import type { KnownLevels } from './known-levels.ts';
 import { Refusal } from './refusal.ts';
 
-/** Pages that listen at a time. */
+/** The largest number of pages that listen at the same time. */
 const MAX_STREAMS = 32;
 
-/** Bytes that are sent ahead of what a page has read. */
+/** The number of bytes that may be sent before the page reads them. */
 const AHEAD = 1024 * 1024;
 
-/** Events that wait for a page that sleeps; then it is let go, and hears the whole list when it comes back. */
+/** The largest number of events that wait for a page. Then its stream is closed; a page that reconnects gets the whole list. */
 const MAX_WAITING = 10_000;
 
-/** Levels in one event. */
+/** The largest number of levels in one event. */
 const TOGETHER = 1000;
 
-/** An event in parts that are not too large to send: a list is followed by what `read` tells. */
+/** Divides an event into parts that are small enough to send: a `list` event, then `read` events with the other levels. */
 export function* inParts(event: EditEvent): Generator<EditEvent> {
   if (event.type !== 'list' || event.list.levels.length <= TOGETHER) {
     yield event;
@@ -29,7 +29,7 @@ export function* inParts(event: EditEvent): Generator<EditEvent> {
   }
 }
 
-/** Streams of what goes on in a folder, one a page. */
+/** Streams of the events of a folder, one for each page. */
 export function createEventStreams(known: KnownLevels): { open(): ReadableStream<Uint8Array> } {
   let count = 0;
   const open = (): ReadableStream<Uint8Array> => {
@@ -55,11 +55,11 @@ export function createEventStreams(known: KnownLevels): { open(): ReadableStream
       {
         start(controller) {
           const beat = setInterval(() => {
-            // a page that has not read what it was sent knows that the server lives
+            // while data waits to be read, no heartbeat is needed
             if (!isOver && (controller.desiredSize ?? 0) > 0) controller.enqueue(encoder.encode(': still here\n\n'));
           }, EDIT_API.HEARTBEAT * 1000);
           const hush = known.listen((event) => {
-            // what a new list says is all there is to say
+            // a new list replaces all earlier events
             if (event.type === 'list') waiting = [];
             waiting.push(...inParts(event));
             sendSome(controller);

@@ -6,15 +6,15 @@ import { Refusal } from './refusal.ts';
 const OPEN_IT_ANEW = 'Open the address that gq edit printed.';
 
 /**
- * Lets only requests pass that the editor's own page, or a person who opens it, has sent to this very server. Any website a
- * person visits can make their browser send requests to 127.0.0.1; what they can't forge are Host, Origin and Sec-Fetch-*.
- * Looks at what came over the wire, before anything has been parsed, decoded or joined.
+ * Accepts only requests that the editor's own page sends to this server, or that open the page. Any website can make a
+ * visitor's browser send requests to 127.0.0.1, but it can't forge the headers Host, Origin and Sec-Fetch-*.
+ * Checks the raw request, before anything is parsed, decoded or joined.
  * @throws Refusal
  */
 export function guard(incoming: IncomingMessage, port: number): void {
   const { headers, method = '', url = '' } = incoming;
   const host = onlyHost(incoming);
-  // a name that an attacker has made to lead to 127.0.0.1 (DNS rebinding) is still their name
+  // an attacker can make a host name resolve to 127.0.0.1 (DNS rebinding), but Host still contains that name
   if (host === null || !hostsOf(port).includes(host)) {
     throw new Refusal('wrong-host', `expected Host: 127.0.0.1:${port}, found ${quoted(host)}`, OPEN_IT_ANEW);
   }
@@ -44,17 +44,17 @@ const digest = (text: string): Buffer => createHash('sha256').update(text).diges
 
 const isApi = (url: string): boolean => url.startsWith('/api/');
 
-/** A link on any page may lead to the editor's page, which does nothing without the token; it may not be put into a frame. */
+/** Any page may link to the editor's page, which does nothing without the token, but no page may put it into a frame. */
 const opensPage = ({ headers, url = '' }: IncomingMessage): boolean =>
   /^\/(index\.html)?(\?|$)/.test(url) && headers['sec-fetch-mode'] === 'navigate' && headers['sec-fetch-dest'] === 'document';
 
 function hostsOf(port: number): string[] {
   const names = ['127.0.0.1', 'localhost'];
-  // a browser leaves the port of http out
+  // browsers omit port 80
   return names.flatMap((name) => (port === 80 ? [name, `${name}:80`] : [`${name}:${port}`]));
 }
 
-/** The Host, when there is exactly one. */
+/** The Host header, if there is exactly one. */
 function onlyHost({ rawHeaders }: IncomingMessage): string | null {
   const hosts = rawHeaders.filter((_, i) => i % 2 === 1 && rawHeaders[i - 1].toLowerCase() === 'host');
   return hosts.length === 1 ? hosts[0] : null;

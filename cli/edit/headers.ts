@@ -1,6 +1,6 @@
 /**
- * What every answer says. Inline styles are let in since libraries of widgets put style elements into the page; nothing that a
- * style names can leave for another host.
+ * The headers of every answer. Inline styles are allowed because widget libraries add style elements to the page; a style can't
+ * load anything from another host.
  */
 export const SECURITY_HEADERS: Readonly<Record<string, string>> = {
   'Content-Security-Policy': [

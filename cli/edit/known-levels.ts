@@ -9,40 +9,43 @@ import type { EntryReader } from './read-entry.ts';
 import { NO_CONFIG, type RulesOnDisk } from './rules-on-disk.ts';
 import { SortedEntries } from './sorted-entries.ts';
 
-/** What has been reported of a folder to everybody, kept the same as the disk. */
+/** The state of a folder as reported to all listeners, kept up to date with the disk. */
 export interface KnownLevels {
-  /** What is known now. */
+  /** The current state. */
   list(): ListResponse;
-  /** Looks at the whole folder and announces what other programs have changed. @returns the list as it is then; what is known while it is read for the first time */
+  /**
+   * Reads the whole folder again and announces the changes of other programs. @returns the new list; during the first reading
+   * of the folder, the list so far
+   */
   refresh(): Promise<ListResponse>;
-  /** Looks at the configuration and announces it where it is another one. */
+  /** Reads the configuration again and announces the rules if they have changed. */
   refreshRules(): void;
-  /** Looks at some files alone and announces what `by` has done to them; null: another program. */
+  /** Reads only these files again and announces their changes. @param by the client that made them; null: another program */
   announce(ids: readonly string[], by: string | null): void;
-  /** Reports what goes on from now on. @returns how to end it */
+  /** Reports events from now on. @returns a function that stops it */
   listen(listener: (event: EditEvent) => void): () => void;
-  /** Something about the folder that a person should know from now on. */
+  /** Adds a message about the folder that the user should see from now on. */
   addTrouble(message: string): void;
-  /** Reads no further. */
+  /** Stops reading. */
   end(): void;
 }
 
-/** So many files are read before anybody asks; of larger folders the rest is reported as it is read. */
+/** The number of files that are read at once; in larger folders, the rest is read later and reported bit by bit. */
 const READ_AT_ONCE = 500;
 
-/** Levels that are reported together while a folder is read for the first time. */
+/** The number of levels in one report during the first reading of a folder. */
 const REPORTED_TOGETHER = 1000;
 
-/** How long the disk is read before others get their turn, ms. */
+/** ms of reading before the event loop gets a turn */
 const SLICE = 20;
 
-/** Of more files than this the whole folder is looked at. */
+/** For more files than this, the whole folder is listed. */
 const FEW = 20;
 
 /**
- * Reads a folder and keeps up with it.
- * @param shown the folder as a person named it
- * @param rulesNow what its configuration sets; nothing when left out
+ * Reads a folder and follows its changes.
+ * @param shown the folder as the user named it
+ * @param rulesNow reads the rules of the folder's configuration; by default there are none
  */
 export const createKnownLevels = (
   root: string,
@@ -58,14 +61,14 @@ class FolderReports implements KnownLevels {
   private readonly levels: SortedEntries;
   private folders: readonly string[];
   private rules: FolderRules;
-  /** Of the last look. */
+  /** The folders that could not be read the last time. */
   private lookTroubles: readonly string[];
-  /** Files of a large folder that are still to be read for the first time. */
+  /** The number of files that have not been read yet. */
   private unread: number;
   private isOver = false;
-  /** Ids that were announced during a look at the whole folder, which may have seen them before that. */
+  /** Ids that were announced while the whole folder was being read, which may have read them before the change. */
   private announced = new Set<string>();
-  /** The look that goes on, and the one after it. */
+  /** The refresh in progress, and the one after it. */
   private current: Promise<void> = Promise.resolve();
   private next: Promise<void> | null = null;
 
@@ -95,13 +98,13 @@ class FolderReports implements KnownLevels {
     return { folder, folders: [...folders], levels: [...levels.all], rules, troubles: [...troubles, ...lookTroubles], unread };
   }
 
-  // who asks while a look goes on gets the next one, which begins after the question
+  // a call during a refresh gets the next refresh, which begins after the call
   async refresh(): Promise<ListResponse> {
     this.refreshRules();
     this.next ??= this.current.then(() => {
       this.next = null;
       const look = this.lookAtAll();
-      // one that fails is its asker's business, and not that of the next
+      // a failure concerns the callers of this refresh, not those of the next one
       this.current = look.catch(() => {});
       return look;
     });
@@ -157,13 +160,13 @@ class FolderReports implements KnownLevels {
       try {
         listener(event);
       } catch {
-        // who can't hear any more is nobody else's business, least of all of who has just written
+        // a broken listener must not disturb the others, nor the request whose change is reported
         this.listeners.delete(listener);
       }
     }
   }
 
-  /** Reads what is left of a large folder, bit by bit. */
+  /** Reads the rest of a large folder, bit by bit. */
   private async readRest(rest: readonly LevelFileFound[]): Promise<void> {
     const { levels, reader } = this;
     let together: LevelEntry[] = [];
@@ -172,7 +175,7 @@ class FolderReports implements KnownLevels {
       if (this.isOver) return;
       together.push(reader.entry(file));
       if (together.length >= REPORTED_TOGETHER || i === rest.length - 1) {
-        // one that was made or changed meanwhile is known already
+        // levels that were created or changed in the meantime are already known
         const news = together.filter(({ id }) => levels.get(id) === undefined);
         for (const entry of news) levels.put(entry);
         this.unread = rest.length - 1 - i;

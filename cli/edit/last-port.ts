@@ -5,13 +5,13 @@ import process from 'node:process';
 import { replaceFile } from '../disk.ts';
 import { readRegularFile } from '../regular-file.ts';
 
-/** bytes */
+/** bytes; a port number is shorter */
 const LONGEST = 16;
 
-/** Folders that are remembered. */
+/** The largest number of folders that are remembered. */
 const MOST = 1000;
 
-/** Where a person's programs keep what they remember, a file for each folder that was edited. */
+/** The user's directory for program state; it contains a file for each edited folder. */
 function fileOf(folder: string): string {
   const { XDG_STATE_HOME, LOCALAPPDATA } = process.env;
   const own = process.platform === 'win32' ? LOCALAPPDATA : XDG_STATE_HOME;
@@ -21,8 +21,8 @@ function fileOf(folder: string): string {
 }
 
 /**
- * The port that a folder was edited on the last time; null where that is not known.
- * @param folder its id, as the list of its levels has it
+ * The port on which a folder was last edited; null if it is not known.
+ * @param folder its id, as in the list of its levels
  */
 export function lastPort(folder: string): number | null {
   try {
@@ -34,7 +34,7 @@ export function lastPort(folder: string): number | null {
   }
 }
 
-/** Remembers it for the next time, where anything can be remembered. */
+/** Remembers the port for the next run, if it can be stored. */
 export function keepPort(folder: string, port: number): void {
   try {
     const file = fileOf(folder);
@@ -42,7 +42,7 @@ export function keepPort(folder: string, port: number): void {
     replaceFile(file, Buffer.from(`${port}\n`), () => {});
     forgetOldest(dirname(file));
   } catch {
-    // no home, or one that can't be written: the next run takes the usual port
+    // no home directory, or not writable: the next run uses the usual port
   }
 }
 

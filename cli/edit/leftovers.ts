@@ -6,13 +6,13 @@ import { ASIDE } from './one-at-a-time.ts';
 import { makeStampFolder, TRASH } from './trash.ts';
 
 /**
- * Cleans up behind processes that were killed. What one had begun to write was never acknowledged, but is perhaps somebody's work: it goes
- * to the trash, but for what is empty. A lock that was moved aside is of no use to anybody.
- * @param age ms: what was touched later may be another process's that is at work
+ * Cleans up after processes that were killed. Unfinished files were never acknowledged, but may contain somebody's work: they
+ * go to the trash unless they are empty. Locks that were moved aside are deleted.
+ * @param age ms; younger files may belong to a process that is still running
  */
 export function collectLeftovers(root: string, folders: readonly string[], now: Date, age: number): void {
   let stamp: string | null = null;
-  // a time to come is no time
+  // the absolute difference: a time in the future comes from a wrong clock and counts as old
   const isOld = (path: string, touched: 'mtimeMs' | 'ctimeMs'): boolean => {
     const stats = lstatSync(path, { throwIfNoEntry: false });
     return stats?.isFile() === true && Math.abs(now.getTime() - stats[touched]) > age;
@@ -20,7 +20,7 @@ export function collectLeftovers(root: string, folders: readonly string[], now: 
   for (const folder of [...folders, TRASH]) {
     for (const name of namesIn(root, folder)) {
       const path = join(root, folder, name);
-      // a lock is old when it is moved aside: what counts is when that was
+      // ctime is when the lock was moved aside; its mtime is older
       if (folder === '' && ASIDE.test(name) && isOld(path, 'ctimeMs')) rmSync(path, { force: true });
       if (!UNFINISHED.test(name) || !isOld(path, 'mtimeMs')) continue;
       if (folder === TRASH || lstatSync(path).size === 0) rmSync(path, { force: true });

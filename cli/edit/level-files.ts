@@ -6,25 +6,25 @@ export const SUFFIX = '.level.json';
 
 /** A level file below a folder. */
 export interface LevelFileFound {
-  /** Path below the folder, with slashes, without .level.json. */
+  /** The path relative to the folder, with slashes, without .level.json. */
   readonly id: string;
   readonly path: string;
-  /** A symbolic link: it is listed and never followed. */
+  /** Whether it is a symbolic link: listed, but never followed. */
   readonly isLink: boolean;
 }
 
 export interface LevelFilesFound {
-  /** By id, in the order of play. */
+  /** The level files by id, in order of play. */
   readonly files: ReadonlyMap<string, LevelFileFound>;
-  /** '' and every real folder below, with slashes; not those that are hidden, nor node_modules. */
+  /** '' and every folder below, with slashes; without links, hidden folders and node_modules. */
   readonly folders: readonly string[];
-  /** Folders that could not be looked into, for people. */
+  /** Messages about folders that could not be read. */
   readonly troubles: readonly string[];
 }
 
 /**
- * Every `*.level.json` below a folder, as it is now. An id that a request names is looked up here and nowhere else: no text that
- * comes from outside is ever made into a path of a file that is read, moved or overwritten.
+ * Every `*.level.json` below a folder, as it is now. The id in a request is only looked up among these files: no text of a
+ * request ever becomes the path of a file that is read, moved or overwritten.
  */
 export function findLevels(root: string): LevelFilesFound {
   const files: LevelFileFound[] = [];
@@ -54,7 +54,7 @@ export function findLevels(root: string): LevelFilesFound {
 
 const isShown = (folder: string): boolean => !folder.startsWith('.') && folder !== 'node_modules';
 
-/** The names in a folder as they are written there, whatever else a system takes for the same; none where it can't be looked into. */
+/** The names in a folder, spelt as on the disk even if the system ignores case; none if the folder can't be read. */
 export function namesIn(root: string, folder: string): string[] {
   try {
     return readdirSync(join(root, folder));
@@ -66,7 +66,7 @@ export function namesIn(root: string, folder: string): string[] {
 const isFolder = (root: string, folder: string): boolean =>
   lstatSync(join(root, folder), { throwIfNoEntry: false })?.isDirectory() === true;
 
-/** Folders whose path passes part by part. */
+/** The folders below `root` whose names all pass when compared with the parts of `folder`. */
 function foldersLike(root: string, folder: string, passes: (name: string, wanted: string) => boolean): string[] {
   let found = [''];
   for (const part of folder === '' ? [] : folder.split('/')) {
@@ -80,14 +80,14 @@ function foldersLike(root: string, folder: string, passes: (name: string, wanted
   return found;
 }
 
-/** Whether there is such a folder that levels can be put into. */
+/** Whether this is an existing folder that may contain levels: not a link, and not hidden. */
 export const hasFolder = (root: string, folder: string): boolean =>
   foldersLike(root, folder, (name, wanted) => name === wanted).length > 0;
 
-/** The level file of one id, as `findLevels` would find it, without a look at all others. */
+/** The level file of one id as `findLevels` finds it, but without listing all the others. */
 export function findLevel(root: string, id: string): LevelFileFound | undefined {
   const { folder, name } = splitId(id);
-  // an id is written in one way: /a is not a
+  // an id has one spelling: /a is not a
   if (name === '' || joinId(folder, name) !== id || !hasFolder(root, folder) || !namesIn(root, folder).includes(name + SUFFIX))
     return undefined;
   const path = pathOfNew(root, folder, name);
@@ -96,7 +96,7 @@ export function findLevel(root: string, id: string): LevelFileFound | undefined 
   return { id, path, isLink: stats.isSymbolicLink() };
 }
 
-/** The ids of level files that are this one but for the case of letters. */
+/** The ids of level files that differ from this one at most by the case of letters. */
 export function findLike(root: string, id: string): string[] {
   const { folder, name } = splitId(id);
   const isLike = (a: string, b: string): boolean => a.toLowerCase() === b.toLowerCase();
@@ -107,10 +107,10 @@ export function findLike(root: string, id: string): string[] {
   );
 }
 
-/** Where the file of an id that `LEVEL_ID_PART` lets pass is put, in a folder that `findLevels` has found. */
+/** The path of a new level file. @param folder one that `findLevels` has found @param name matches `LEVEL_ID_PART` */
 export const pathOfNew = (root: string, folder: string, name: string): string => join(root, folder, name + SUFFIX);
 
-/** The folder of an id ('' for the outermost), and the name in it. */
+/** The folder of an id ('' for the root) and the name in it. */
 export function splitId(id: string): { folder: string; name: string } {
   const slash = id.lastIndexOf('/');
   return { folder: slash < 0 ? '' : id.slice(0, slash), name: id.slice(slash + 1) };
@@ -118,13 +118,13 @@ export function splitId(id: string): { folder: string; name: string } {
 
 export const joinId = (folder: string, name: string): string => (folder === '' ? name : `${folder}/${name}`);
 
-// en: the order must not hang on the language of the machine
+// en: the order must not depend on the language of the machine
 const collator = new Intl.Collator('en', { numeric: true });
 
-/** By folders and names, numbers by their value: `2-b` before `10-a`. */
+/** Compares by folder, then by name, with numbers by value: `2-b` before `10-a`. */
 export const inOrderOfPlay = (a: string, b: string): number => comparePaths(a.split('/'), b.split('/'));
 
-/** Splitting every id at every comparison takes most of the time of many: each is split once. */
+/** Splits each id only once: splitting at every comparison would take most of the time of a long sort. */
 function inOrder(files: readonly LevelFileFound[]): LevelFileFound[] {
   const keyed = files.map((file) => ({ file, parts: file.id.split('/') }));
   keyed.sort((a, b) => comparePaths(a.parts, b.parts));

@@ -29,38 +29,39 @@ import { namesInOrder } from './reorder.ts';
 import type { RulesOnDisk } from './rules-on-disk.ts';
 import { findTrash, moveToTrash } from './trash.ts';
 
-/** What a change rests on: the etag of the content that was seen, or that there was no such file. */
+/** What a change is based on: the etag of the content that the client knows, or that there is no such file. */
 export type Base = { readonly etag: string } | 'no-file';
 
 /**
- * The levels of one folder on the disk. Every question looks at the disk anew; nothing is changed but what was named, by an id
- * that is there, with the content it was seen with. What is refused has changed nothing: every method may throw a `Refusal`.
+ * The levels of one folder on the disk. Every call looks at the disk again. A change affects only the file that is named by an
+ * existing id, and only if it still has the content that the client knows. Every method may throw a `Refusal`; then nothing
+ * has changed.
  */
 export interface LevelFolder {
   readonly known: KnownLevels;
   read(id: string): ReadResponse;
-  /** Stores a text as it is, when it is a valid level. */
+  /** Stores a text unchanged, if it is a valid level. */
   write(id: string, text: string, base: Base, client: string): Promise<{ entry: LevelEntry; created: boolean }>;
   rename(id: string, to: string, etag: string, client: string): Promise<LevelEntry>;
   duplicate(id: string, to: string, etag: string, client: string): Promise<LevelEntry>;
-  /** Moves it to the trash. */
+  /** Moves a level to the trash. */
   remove(id: string, etag: string, client: string): Promise<DeleteResponse>;
   trash(): TrashResponse;
-  /** @param to where it goes; its old id when undefined */
+  /** @param to its new id; by default its old one */
   restore(trash: string, to: string | undefined, client: string): Promise<LevelEntry>;
-  /** Renames the files of one folder so that they sort as wanted; `ids` must be all there are. */
+  /** Renames the files of one folder so that they sort as wanted. @param ids all ids of the folder, in the wanted order */
   order(folder: string, ids: readonly string[], client: string): Promise<OrderResponse>;
-  /** Nothing is read or cleaned up from now on. */
+  /** Stops reading and cleaning up. */
   end(): void;
 }
 
-/** ms: an unfinished file that old is no longer being written */
+/** ms; an unfinished file older than this is no longer being written */
 const ABANDONED_AFTER = 60_000;
 
 /**
  * @param root the folder's real path
- * @param shown the folder as a person named it
- * @param rulesNow what its configuration sets; nothing when left out
+ * @param shown the folder as the user named it
+ * @param rulesNow reads the rules of the folder's configuration; by default there are none
  */
 export const openLevelFolder = (root: string, shown: string, rulesNow?: RulesOnDisk): LevelFolder =>
   new FolderOnDisk(root, shown, rulesNow);
@@ -78,7 +79,7 @@ class FolderOnDisk implements LevelFolder {
     this.reader = createEntryReader((id) => this.nameOf(id));
     this.known = createKnownLevels(root, shown, this.reader, rulesNow);
     this.collect();
-    // what was left just now, too; nothing waits for that
+    // once more later, for files that were too young now; the process does not wait for this timer
     this.again = setTimeout(() => this.collect(), 2 * ABANDONED_AFTER).unref();
   }
 
@@ -93,7 +94,7 @@ class FolderOnDisk implements LevelFolder {
     refuseInvalid(content);
     return this.change([id], client, () => {
       const found = findLevel(root, id);
-      // the same again: the answer to the last time was lost
+      // a repeated request: the answer to the first one was lost
       const isDone = found !== undefined && reader.read(found).etag === etagOf(content);
       if (isDone) return { entry: this.entryNow(id), created: false };
       if (base === 'no-file') {
@@ -178,12 +179,12 @@ class FolderOnDisk implements LevelFolder {
     this.known.end();
   };
 
-  /** The file of a level as a person names it. */
+  /** The path of a level as the user sees it. */
   private nameOf(id: string): string {
     return join(this.shown, `${id}.level.json`);
   }
 
-  /** @throws Refusal where there is none */
+  /** @throws Refusal if there is none */
   private find(id: string): LevelFileFound {
     const found = findLevel(this.root, id);
     if (found === undefined) throw unknownLevel(id, `in ${this.shown}`);
@@ -195,7 +196,7 @@ class FolderOnDisk implements LevelFolder {
     return entryOf(this.reader.read(this.find(id)));
   }
 
-  /** The file as it is, when that is the content it was seen with. */
+  /** The file as it is now. @throws Refusal if it does not have the content that the client knows */
   private onBase(id: string, etag: string): ReadResponse {
     const found = findLevel(this.root, id);
     const current = found === undefined ? null : this.reader.read(found);
@@ -205,14 +206,14 @@ class FolderOnDisk implements LevelFolder {
     throw new Refusal('conflict', `${this.nameOf(id)} ${what}`, hint, { current });
   }
 
-  /** Where a new file may stand, or one that is called otherwise now. */
+  /** The path for a new or renamed file. @param now its current id, if it is renamed @throws Refusal if it is not allowed */
   private placeFor(id: string, now: string | null = null): string {
     const { root } = this;
     const { folder, name } = splitId(id);
     if (!LEVEL_ID_PART.test(name)) throw badName(name);
-    // an id is written in one way: /a is not a
+    // an id has one spelling: /a is not a
     if (joinId(folder, name) !== id || !hasFolder(root, folder)) throw unknownFolder(folder, this.shown);
-    // A and a are one file on some systems, and which of the two a checkout leaves there is chance
+    // A and a are the same file on some systems, where a checkout keeps only one of them, by chance
     const twin = findLike(root, id).find((other) => other !== id && other !== now);
     if (twin !== undefined) throw nameTaken(this.nameOf(twin));
     const path = pathOfNew(root, folder, name);
@@ -220,7 +221,7 @@ class FolderOnDisk implements LevelFolder {
     return path;
   }
 
-  /** Does a change while nobody else does one, and reports to everybody what it did to these files. */
+  /** Makes a change while no other `gq edit` makes one, and announces its effect on these files. */
   private async change<T>(ids: readonly string[], client: string, work: () => T): Promise<T> {
     try {
       return await oneAtATime(this.root, () => {
@@ -239,7 +240,7 @@ class FolderOnDisk implements LevelFolder {
     try {
       collectLeftovers(this.root, this.known.list().folders, new Date(), ABANDONED_AFTER);
     } catch {
-      // a folder that can't be written: nothing of ours is in it
+      // if the folder can't be written, it contains nothing to clean up
     }
   }
 }

@@ -4,9 +4,9 @@ import { nameTaken } from './refusals.ts';
 import { inSafeOrder, type Move } from './reorder.ts';
 
 /**
- * Renames the files of levels: every one or none.
- * @param nameOf the file of a level as a person names it
- * @throws Refusal when a name is taken
+ * Renames the files of levels: all or none.
+ * @param nameOf the path of a level as the user sees it
+ * @throws Refusal if a name is taken
  */
 export function moveAll(root: string, moves: readonly Move[], nameOf: (id: string) => string): void {
   const pathIn = (id: string): string => pathOfNew(root, '', id);

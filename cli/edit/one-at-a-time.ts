@@ -9,23 +9,23 @@ import { Refusal } from './refusal.ts';
 
 const LOCK = '.gq-edit.lock';
 
-/** A lock that was moved aside to be removed; a process that was killed leaves one behind. */
+/** The name of a lock that was moved aside to be deleted; a process that is killed leaves it behind. */
 export const ASIDE = /^\.gq-edit\.lock\.[0-9a-f]{16}$/;
 
-/** bytes: what a lock says is shorter */
+/** bytes; a lock is shorter */
 const LONGEST = 1024;
 
-/** ms; a change takes a few, so what is older was left by a process that is no more, or that sleeps */
+/** ms; a change takes a few ms, so the process of an older lock has ended or is suspended */
 const STALE_AFTER = 10_000;
 
-/** ms between two tries, and how many there are: together longer than it takes until a lock is stale */
+/** ms between two tries, and their number: together longer than it takes until a lock is stale */
 const WAIT = 10;
 const TRIES = 1500;
 
 /**
- * Does synchronous work while no other `gq edit` on the same folder does any: what one of them has compared with the disk,
- * another can't change before it is replaced. Other programs know nothing of this.
- * @throws Refusal when others go on for too long, and what the operating system says when the folder can't be written
+ * Does synchronous work while no other `gq edit` changes the same folder: no other can change a file between the comparison with
+ * the disk and the replacement. Other programs ignore this lock.
+ * @throws Refusal if others hold the lock for too long; a system error if the folder can't be written
  */
 export async function oneAtATime<T>(root: string, work: () => T): Promise<T> {
   const path = join(root, LOCK);
@@ -50,10 +50,10 @@ export async function oneAtATime<T>(root: string, work: () => T): Promise<T> {
 
 function release(path: string, mine: string): void {
   try {
-    // after a long sleep somebody else may hold it
+    // after a long suspension another process may hold the lock
     if (contentOf(path) === mine) rmSync(path, { force: true });
   } catch {
-    // the work is done all the same; the lock grows stale
+    // the work is done anyway, and the lock becomes stale
   }
 }
 
@@ -86,10 +86,10 @@ function removeStale(path: string): void {
   const aside = `${path}.${randomBytes(8).toString('hex')}`;
   try {
     renameSync(path, aside);
-    // between the look and the move another process may have done the same, and taken the lock
+    // between reading and moving, another process may have removed the stale lock and taken a new one: that one is put back
     if (contentOf(aside) !== seen) linkSync(aside, path);
   } catch {
-    // somebody else was quicker
+    // another process was faster
   }
   rmSync(aside, { force: true });
 }
@@ -98,13 +98,13 @@ function isStale(path: string, content: string): boolean {
   const [pid, host] = content.split(' ');
   if (host === hostname() && isDead(Number(pid))) return true;
   const stats = lstatSync(path, { throwIfNoEntry: false });
-  // one from a time to come was made by a clock that was wrong
+  // the absolute difference: a lock from the future was made by a wrong clock
   return stats !== undefined && Math.abs(Date.now() - stats.mtimeMs) > STALE_AFTER;
 }
 
 const isFileOrNothing = (path: string): boolean => lstatSync(path, { throwIfNoEntry: false })?.isFile() ?? true;
 
-/** No `gq edit` makes a link, a pipe or a folder its lock. @throws Refusal when it can't be removed without a loss */
+/** Removes a link, a pipe or a folder in place of the lock. @throws Refusal if that is impossible without a loss */
 function removeForeign(path: string): void {
   try {
     if (lstatSync(path).isDirectory()) rmdirSync(path);

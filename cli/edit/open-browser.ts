@@ -2,7 +2,7 @@ import { spawn } from 'node:child_process';
 import process from 'node:process';
 import { systemReason } from '../failure.ts';
 
-/** What opens an address in the browser a person has chosen; no shell reads it. */
+/** The command that opens an address in the user's default browser; no shell interprets it. */
 function opener(address: string): [command: string, args: string[]] {
   if (process.platform === 'darwin') return ['open', [address]];
   if (process.platform === 'win32') return ['rundll32', ['url.dll,FileProtocolHandler', address]];
@@ -11,7 +11,7 @@ function opener(address: string): [command: string, args: string[]] {
 
 /**
  * Opens an address in the browser.
- * @param onFailure called with why it could not be opened
+ * @param onFailure called with the reason if it can't be opened
  */
 export function openBrowser(address: string, onFailure: (why: string) => void): void {
   const [command, args] = opener(address);

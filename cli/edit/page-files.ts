@@ -9,7 +9,7 @@ export interface PageFile {
   readonly content: Uint8Array<ArrayBuffer>;
   readonly type: string;
   readonly etag: string;
-  /** Its name says its content: it never changes. */
+  /** Whether the name contains a hash of the content, so that the file never changes. */
   readonly isForever: boolean;
 }
 
@@ -28,13 +28,13 @@ const TYPES: Readonly<Record<string, string>> = {
   '.map': 'application/json',
 };
 
-/** Where `npm run build` puts the editor. */
+/** The folder into which `npm run build` puts the editor. */
 export const PAGE = fileURLToPath(new URL('../../editor', import.meta.url));
 
 /**
- * The built page: every address that is served, with what it serves. Read once, so that an address is looked up and never
- * becomes a path, and a build in the meantime mixes no two versions.
- * @throws Failure when there is none
+ * The files of the built page by address. They are read once: an address is only looked up and never becomes a path, and a later
+ * build can't mix two versions.
+ * @throws Failure if there is no built page
  */
 export function readPage(folder: string): ReadonlyMap<string, PageFile> {
   const files = new Map<string, PageFile>();

@@ -7,10 +7,10 @@ import { readRegularFile } from '../regular-file.ts';
 import { whyNotWritable } from '../writable.ts';
 import type { LevelFileFound } from './level-files.ts';
 
-/** A strong entity tag of a content, quotes and all. */
+/** The strong entity tag of a content, including the quotes. */
 export const etagOf = (bytes: Uint8Array): string => `"${createHash('sha256').update(bytes).digest('hex')}"`;
 
-/** What a content is, whichever file has it. Without its text: there may be very many. */
+/** What a content is, independent of the file. Without the text, as there may be very many. */
 interface Judgement {
   readonly status: 'valid' | 'invalid';
   readonly name: string | null;
@@ -24,28 +24,28 @@ function judge(bytes: Uint8Array): Judgement & { readonly text: string } {
     : { status: 'invalid', name: null, problems: read.problems, text: read.text };
 }
 
-/** Reads files and judges them; a content that it has seen is known by its hash. */
+/** Reads and validates level files. It remembers contents by their hash, so that each is validated only once. */
 export interface EntryReader {
-  /** Reads the file. Never throws: what can't be read says why. */
+  /** Reads the file. Never throws: the result says why a file can't be read. */
   read(found: LevelFileFound): ReadResponse;
   /**
-   * What a list says of the file: what it said the last time, the same object, where the system says that nothing has touched the file
-   * since. For lists alone: what is changed is always read.
+   * The list entry of the file: the same object as the last time if, according to the system, the file is untouched since. For
+   * lists only: before a change, the file is always read.
    */
   entry(found: LevelFileFound): LevelEntry;
-  /** Forgets what is in no list any more. */
+  /** Forgets everything that is not in these entries. */
   keepOnly(entries: readonly LevelEntry[]): void;
 }
 
-/** ms; a file that was touched so shortly before it was read may be touched again without a later time being noted */
+/** ms; a file modified so recently may be modified again without a new timestamp */
 const COARSEST_CLOCK = 2000;
 
-/** @param nameOf the path of a file as people know it, from its id */
+/** @param nameOf the path of a level as the user sees it */
 export function createEntryReader(nameOf: (id: string) => string): EntryReader {
   const judged = new Map<string, Judgement>();
   const listed = new Map<string, { readonly mark: string; readonly entry: LevelEntry }>();
 
-  /** @param judgementOf of a content with this etag */
+  /** @param judgementOf judges a content with this etag */
   const look = <J extends Judgement>(
     { id, path, isLink }: LevelFileFound,
     judgementOf: (etag: string, bytes: Uint8Array) => J,
@@ -104,7 +104,7 @@ export function createEntryReader(nameOf: (id: string) => string): EntryReader {
   return { read, entry, keepOnly };
 }
 
-/** What the system notes of a file when anybody touches it; null where it may be touched again unnoticed. */
+/** File attributes that change whenever the file is modified; null if a modification could go unnoticed. */
 function markOf({ path, isLink }: LevelFileFound): string | null {
   try {
     const file = lstatSync(path, { bigint: true });
@@ -127,7 +127,7 @@ function unreadable(id: string, file: string, why: string, hint: string, code = 
   return { id, file, etag: null, status: 'unreadable', name: null, problems: [problem], readOnly: why };
 }
 
-// a link that took the file's place since it was listed is not followed; Windows knows no such flag
+// if a link has replaced the file since it was listed, it is not followed; Windows has no such flag
 const NO_FOLLOW = constants.O_NOFOLLOW ?? 0;
 
 function whyReadOnly(path: string): string | null {

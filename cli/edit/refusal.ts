@@ -6,7 +6,7 @@ interface Details {
   readonly current?: ReadResponse | null;
 }
 
-/** A request that is not carried out. Nothing has changed on the disk. */
+/** Thrown when a request is refused; nothing has changed on the disk. */
 export class Refusal extends Error {
   override readonly name = 'Refusal';
   readonly code: EditErrorCode;
@@ -30,7 +30,7 @@ export const bodyOf = ({ code, message, hint, details }: Refusal): ErrorResponse
 const FULL = new Set(['ENOSPC', 'EDQUOT', 'EFBIG']);
 const FORBIDDEN = new Set(['EACCES', 'EPERM', 'EROFS']);
 
-/** What the operating system said to a change, as the answer to the page. A refusal stays what it is. */
+/** A system error during a change as a refusal for the page. A `Refusal` is returned unchanged. */
 export function refusalOf(error: unknown, file: string): Refusal {
   if (error instanceof Refusal) return error;
   const code = (error as NodeJS.ErrnoException | null)?.code ?? '';

@@ -3,7 +3,7 @@ import { dirname } from 'node:path';
 import { type LevelEntry, type ReadResponse, readLevel } from '../../schema/index.ts';
 import { Refusal, refusalOf } from './refusal.ts';
 
-/** Refuses a path whose folder is reached through a link, or has become one: it may be anywhere. */
+/** Refuses a path whose folder is, or is reached through, a link: it may lead anywhere. */
 export function refuseWayOut(path: string): void {
   const folder = dirname(path);
   try {
@@ -18,7 +18,7 @@ export function refuseWayOut(path: string): void {
   );
 }
 
-/** Refuses what is no valid level. */
+/** Refuses a content that is not a valid level. */
 export function refuseInvalid(content: Uint8Array): void {
   const read = readLevel(content);
   if (read.ok) return;
@@ -28,7 +28,7 @@ export function refuseInvalid(content: Uint8Array): void {
   throw new Refusal('invalid-level', message, 'Fix the problems, then save again; the file is unchanged.', { problems });
 }
 
-/** Refuses to change a file that may not be written. */
+/** Refuses a file that is not writable. */
 export function refuseReadOnly({ file, readOnly }: LevelEntry): void {
   if (readOnly === null) return;
   throw new Refusal('not-writable', `${file}: ${readOnly}`, 'Allow writing to it, or save under another name.');
@@ -60,7 +60,7 @@ export const alreadyThere = (file: string, current: ReadResponse | null): Refusa
     ? nameTaken(file)
     : new Refusal('conflict', `${file} already exists`, 'Choose another name, or open the existing level.', { current });
 
-/** A text from outside, short enough for a message. */
+/** Quotes a text from a request and shortens it for a message. */
 function quoted(text: string): string {
   return JSON.stringify(text.length > 80 ? `${text.slice(0, 80)}…` : text);
 }

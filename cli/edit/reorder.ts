@@ -1,6 +1,6 @@
 import { inOrderOfPlay } from './level-files.ts';
 
-// up to nine digits, so that they are numbers without rounding
+// at most nine digits, so that the numbers are exact
 const NUMBERED = /^(\d{1,9})(?=$|[ ._-])(.*)$/;
 
 interface Name {
@@ -14,10 +14,10 @@ function parse(name: string): Name {
 }
 
 /**
- * What the files of one folder are to be called so that they sort as wanted, by the numbers their names begin with. Numbers
- * that are there are dealt out anew, gaps and all; when one is missing or there twice, all are counted from 1.
+ * New names for the files of one folder, so that they sort in the wanted order by their leading numbers. The existing numbers are
+ * reassigned, including gaps; if a name has no number or two have the same, the files are numbered from 1.
  * @param wanted the names, without folder and suffix, in the wanted order
- * @returns the new names, in the same order; those of files that may stay as they are unchanged
+ * @returns the new names in the same order; names that already fit stay the same
  */
 export function namesInOrder(wanted: readonly string[]): string[] {
   if (wanted.every((name, i) => i === 0 || inOrderOfPlay(wanted[i - 1], name) < 0)) return [...wanted];
@@ -36,9 +36,9 @@ export interface Move {
 }
 
 /**
- * Renamings put into an order in which none takes the place of a file that is still there. A ring of them begins by moving one
- * aside, under a name that is itself that of a level, so that it is seen if the renaming is cut short.
- * @param aside a free name for a name
+ * Orders renamings so that none overwrites a file that still has to move. In a cycle, one file is first moved aside; its
+ * temporary name is also a level name, so that the file stays visible if the renaming is interrupted.
+ * @param aside returns a free temporary name
  */
 export function inSafeOrder(moves: readonly Move[], aside: (name: string) => string): Move[] {
   const waiting = new Map(moves.filter(({ from, to }) => from !== to).map(({ from, to }) => [from, to]));

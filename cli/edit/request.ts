@@ -7,12 +7,12 @@ import { Refusal } from './refusal.ts';
 const LIMIT = EDIT_API.MAX_BODY_SIZE;
 
 /**
- * The body of a request, as its schema has it.
+ * Reads the body of a request and validates it by its schema.
  * @throws Refusal wrong-content-type, body-too-large, bad-request
  */
 export async function readBody<T>(incoming: IncomingMessage, schema: z.ZodType<T>): Promise<T> {
   const { 'content-type': type, 'content-encoding': encoding, 'content-length': length } = incoming.headers;
-  // other types, which forms can send, are not what a page of ours sends
+  // the editor's page sends only JSON; forms of other sites can send only other types
   if (type !== 'application/json' || encoding !== undefined) {
     const found = encoding === undefined ? (type ?? 'none') : `${type ?? 'none'}, ${encoding}`;
     throw new Refusal(
@@ -41,7 +41,7 @@ export async function readBody<T>(incoming: IncomingMessage, schema: z.ZodType<T
   return parsed.data;
 }
 
-/** The bytes of a body, which may say nothing of its length. */
+/** Reads a body, which may have no Content-Length, up to the limit. */
 function readAtMost(incoming: IncomingMessage): Promise<Buffer> {
   return new Promise((resolve, reject) => {
     const pieces: Buffer[] = [];
@@ -65,7 +65,7 @@ const tooLarge = (): Refusal =>
     'This editor cannot save a level with so many objects: edit the file with a text editor.',
   );
 
-/** The one parameter `id` of a query. @throws Refusal bad-request */
+/** The `id` of a query, which must be its only parameter. @throws Refusal bad-request */
 export function idOf(query: URLSearchParams): string {
   const [[key, id] = ['', '']] = query;
   if (query.size === 1 && key === 'id' && id !== '') return id;
@@ -78,7 +78,7 @@ export function idOf(query: URLSearchParams): string {
 
 const STRONG_TAG = /^"[0-9a-f]{64}"$/;
 
-/** What a change rests on. @throws Refusal base-missing: nothing is ever overwritten unseen, not by `If-Match: *` either */
+/** What a change is based on. @throws Refusal base-missing, also for `If-Match: *`: unseen content is never overwritten */
 export function baseOf({ headers }: IncomingMessage): Base {
   const { 'if-match': match, 'if-none-match': noneMatch } = headers;
   if (noneMatch === '*' && match === undefined) return 'no-file';
@@ -86,7 +86,7 @@ export function baseOf({ headers }: IncomingMessage): Base {
   throw missing();
 }
 
-/** The etag that a file must have. @throws Refusal base-missing */
+/** The etag that the file must have. @throws Refusal base-missing */
 export const etagGiven = ({ headers }: IncomingMessage): string => etagOf(headers['if-match']);
 
 function etagOf(match: string | undefined): string {

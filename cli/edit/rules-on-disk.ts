@@ -3,15 +3,15 @@ import { findConfig } from '../config-file.ts';
 import { Failure } from '../failure.ts';
 import { readBytes } from '../read-bytes.ts';
 
-/** What the configuration sets now. */
+/** Returns the rules that the configuration sets now. */
 export type RulesOnDisk = () => FolderRules;
 
 export const NO_CONFIG: FolderRules = { file: null, own: {}, problems: [] };
 
 /**
- * Looks for the rules that the configuration of a folder sets, anew at every call. While the configuration is not valid those hold that it set
- * before.
- * @param folder from where it is looked for, upwards
+ * Reads the rules from the configuration of a folder again at every call. While the configuration is invalid, its last valid
+ * rules apply.
+ * @param folder the search for the configuration starts here and goes upwards
  */
 export function rulesOnDisk(folder: string): RulesOnDisk {
   let last = NO_CONFIG;

@@ -16,30 +16,30 @@ import { rulesOnDisk } from './rules-on-disk.ts';
 import { watchFolder } from './watch.ts';
 import { watchConfig } from './watch-config.ts';
 
-/** A page keeps unsaved work under its address, port and all: the same port finds it again, so a folder keeps the one it had. */
+/** A browser keeps unsaved work under the page's address, which includes the port. So a folder keeps the port that it had. */
 export const DEFAULT_PORT = 4747;
 
-/** Ports that are tried when nobody asked for one. */
+/** The number of ports to try if the user asked for none. */
 const TRIED = 20;
 
 export interface EditServer {
   readonly port: number;
-  /** The port of the last time; null where that is not known. */
+  /** The folder's last port; null if it is not known. */
   readonly portBefore: number | null;
-  /** With the token of this run. */
+  /** Contains the token of this run. */
   readonly address: string;
-  /** Lets everybody go. */
+  /** Closes all connections and stops the server. */
   close(): Promise<void>;
 }
 
 export interface EditServerOptions {
-  /** The folder as a person named it. */
+  /** The folder as the user named it. */
   readonly folder: string;
-  /** 0: any, that of the last time if it is free; null: that of the last time, else `DEFAULT_PORT`, or the next that is free. */
+  /** The last port if it is free; else for 0 any, for null the first free one from `DEFAULT_PORT` on. Others: exactly that port. */
   readonly port: number | null;
-  /** The folder from which `gq.config.json` is looked for, upwards. */
+  /** The search for `gq.config.json` starts in this folder and goes upwards. */
   readonly configFrom: string;
-  /** The folder of the built page. */
+  /** The folder that contains the built page. */
   readonly page: string;
   readonly onCrash: (error: unknown) => void;
 }
@@ -65,11 +65,11 @@ export async function startServer({ folder, port, configFrom, page, onCrash }: E
     overrideGlobalObjects: false,
     serverOptions: { maxHeaderSize: 16 * 1024 },
   }) as Server;
-  // nobody is to hold a connection open that asks for nothing
+  // a client must not hold a connection open without sending a request
   server.headersTimeout = 10_000;
   server.requestTimeout = 60_000;
   const { id } = levels.known.list().folder;
-  // who asks for any port gets the last one that was any
+  // `--port 0` has a memory of its own: it reuses the last port that was chosen for `--port 0`
   const memory = port === 0 ? `${id}-any` : id;
   const before = lastPort(memory);
   await listen(server, port, before);
@@ -81,7 +81,7 @@ export async function startServer({ folder, port, configFrom, page, onCrash }: E
     server.closeAllConnections();
     await new Promise((resolve) => server.close(resolve));
   };
-  // one that is taken now is kept: what a page could not save is there
+  // without `--port`, the known last port stays remembered even if it is taken now: the browser may keep unsaved work under it
   if (before === null || port !== null) keepPort(memory, listening);
   return {
     port: listening,

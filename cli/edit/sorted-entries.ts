@@ -1,9 +1,9 @@
 import type { LevelEntry } from '../../schema/index.ts';
 import { inOrderOfPlay } from './level-files.ts';
 
-/** Levels of a folder in the order of play. */
+/** The levels of a folder in order of play. */
 export class SortedEntries {
-  /** @param entries in that order */
+  /** @param entries in order of play */
   constructor(private entries: LevelEntry[]) {}
 
   get all(): readonly LevelEntry[] {
@@ -15,11 +15,11 @@ export class SortedEntries {
     return entry?.id === id ? entry : undefined;
   }
 
-  /** Puts an entry in its place, instead of the one of its id. */
+  /** Inserts an entry at its place, or replaces the one with the same id. */
   put(entry: LevelEntry): void {
     const { entries } = this;
     const last = entries.at(-1);
-    // most come in order
+    // most entries arrive in order
     const place = last === undefined || inOrderOfPlay(last.id, entry.id) < 0 ? entries.length : this.placeOf(entry.id);
     entries.splice(place, entries[place]?.id === entry.id ? 1 : 0, entry);
   }
@@ -29,12 +29,12 @@ export class SortedEntries {
     if (this.entries[place]?.id === id) this.entries.splice(place, 1);
   }
 
-  /** @param entries in the order of play */
+  /** Replaces all entries. @param entries in order of play */
   replace(entries: LevelEntry[]): void {
     this.entries = entries;
   }
 
-  /** Where an id is, or belongs. */
+  /** The index of an id, or the index at which it would be inserted. */
   private placeOf(id: string): number {
     const { entries } = this;
     let [low, high] = [0, entries.length];

@@ -5,12 +5,12 @@ import { createFile, isTaken, moveFile } from '../disk.ts';
 import { findLevels, type LevelFileFound, pathOfNew, splitId } from './level-files.ts';
 import { Refusal } from './refusal.ts';
 
-/** Holds what was deleted, below a folder for each time: `.gq-trash/2026-01-31T12-00-00.000Z/world-2/01-start.level.json`. */
+/** Contains a folder for each deletion: `.gq-trash/2026-01-31T12-00-00.000Z/world-2/01-start.level.json`. */
 export const TRASH = '.gq-trash';
 
 const STAMP = /^(\d{4}-\d\d-\d\d)T(\d\d)-(\d\d)-(\d\d\.\d{3}Z)(?:_\d+)?$/;
 
-/** What `.gq-trash` holds, the last one deleted first. */
+/** The levels in `.gq-trash`, the last deleted first. */
 export function findTrash(root: string): { entry: TrashEntry; file: LevelFileFound }[] {
   const found: { entry: TrashEntry; file: LevelFileFound }[] = [];
   if (!isRealFolder(join(root, TRASH))) return found;
@@ -26,7 +26,7 @@ export function findTrash(root: string): { entry: TrashEntry; file: LevelFileFou
   return found;
 }
 
-/** Moves a level into the trash. @throws what the operating system says */
+/** Moves a level to the trash. @throws system errors */
 export function moveToTrash(root: string, { id, path }: LevelFileFound, now: Date): TrashEntry {
   const stamp = makeStampFolder(root, now);
   const { folder, name } = splitId(id);
@@ -36,7 +36,7 @@ export function moveToTrash(root: string, { id, path }: LevelFileFound, now: Dat
   return { trash: `${stamp}/${id}`, id, deleted: now.toISOString() };
 }
 
-/** A new folder of its own for each deletion, so that none meets another. */
+/** Makes a new folder for a deletion, so that names in the trash never clash. */
 export function makeStampFolder(root: string, now: Date): string {
   const trash = join(root, TRASH);
   if (!isRealFolder(trash)) {
@@ -49,7 +49,7 @@ export function makeStampFolder(root: string, now: Date): string {
     }
     mkdirSync(trash);
   }
-  // what was deleted is not to be committed
+  // keeps deleted levels out of commits
   if (!isTaken(join(trash, '.gitignore'))) createFile(join(trash, '.gitignore'), Buffer.from('*\n'));
   const stamp = now.toISOString().replaceAll(':', '-');
   for (let n = 1; ; n++) {

@@ -2,14 +2,14 @@ import { type FSWatcher, watch } from 'node:fs';
 import { CONFIG_NAME, configFolders } from '../config-file.ts';
 import type { KnownLevels } from './known-levels.ts';
 
-/** ms from a change until the configuration is read: who writes it may not be done */
+/** ms from a change until the configuration is read: the program that writes it may not have finished */
 const PATIENCE = 60;
 
 /**
- * Looks at the rules of the configuration whenever it may have changed: it may come and go in any folder in which it is looked for. What is not
- * seen this way is seen at the next load of the list.
- * @param folder from where it is looked for, upwards
- * @returns how to end it
+ * Reads the rules of the configuration again when it may have changed: it may appear or vanish in any folder of the search. A
+ * change that goes unnoticed shows at the next load of the list.
+ * @param folder the search for the configuration starts here and goes upwards
+ * @returns a function that stops it
  */
 export function watchConfig(folder: string, known: Pick<KnownLevels, 'refreshRules'>): () => void {
   let timer: NodeJS.Timeout | null = null;
@@ -22,7 +22,7 @@ export function watchConfig(folder: string, known: Pick<KnownLevels, 'refreshRul
       const watcher = watch(at, { persistent: false }, (_, name) => {
         if (name === null || name === CONFIG_NAME) timer ??= setTimeout(look, PATIENCE);
       });
-      // a folder that is gone, or may not be watched, has nothing to tell
+      // the folder is gone or can't be watched: its changes go unnoticed
       watcher.on('error', () => watcher.close());
       return [watcher];
     } catch {

@@ -5,15 +5,16 @@ import { systemReason } from '../failure.ts';
 import type { KnownLevels } from './known-levels.ts';
 import { SUFFIX } from './level-files.ts';
 
-/** ms from the first change until the folder is looked at: a checkout touches many files, and one file more than once */
+/** ms from the first change until the folder is read: a checkout changes many files, and some more than once */
 const PATIENCE = 60;
 
-/** Linux tells of a folder what happens to the files in it; others of all that is below it, too. */
-const TELLS_OF_ALL = process.platform === 'darwin' || process.platform === 'win32';
+/** Whether the system can watch a folder with everything below it. Linux reports only changes of the files directly in it. */
+const IS_RECURSIVE = process.platform === 'darwin' || process.platform === 'win32';
 
 /**
- * Looks at a folder, or at single files, whenever something there has changed. What is not seen this way is seen at the next save or load of the list.
- * @returns how to end it
+ * Reads changed files, or the whole folder, again whenever something in it changes. A change that goes unnoticed shows at the
+ * next save or load of the list.
+ * @returns a function that stops it
  */
 export function watchFolder(root: string, known: KnownLevels): () => void {
   const watchers = new Map<string, { readonly watcher: FSWatcher; readonly inode: number }>();
@@ -37,7 +38,7 @@ export function watchFolder(root: string, known: KnownLevels): () => void {
     const below = name === null ? null : join(folder, name).split(sep).join('/');
     if (below === null) lookAtAll = true;
     else if (below.endsWith(SUFFIX)) touched.add(below.slice(0, -SUFFIX.length));
-    // a folder, perhaps; those that are hidden are of no interest
+    // it may be a folder; hidden ones do not matter
     else if (!below.split('/').some((part) => part.startsWith('.') || part === 'node_modules')) lookAtAll = true;
     if (lookAtAll || touched.size > 0) timer ??= setTimeout(() => look().catch(fail), PATIENCE);
   };
@@ -54,8 +55,8 @@ export function watchFolder(root: string, known: KnownLevels): () => void {
     watchers.delete(folder);
     if (inode === undefined) return;
     try {
-      const watcher = watch(path, { persistent: false, recursive: TELLS_OF_ALL }, (_, name) => {
-        // that the folder itself was moved is reported under its own name
+      const watcher = watch(path, { persistent: false, recursive: IS_RECURSIVE }, (_, name) => {
+        // an event with the folder's own name means that the folder itself was moved
         heard(folder, name === basename(path) ? null : name);
       });
       watcher.on('error', fail);
@@ -66,7 +67,7 @@ export function watchFolder(root: string, known: KnownLevels): () => void {
   };
 
   const followFolders = (): void => {
-    const folders = TELLS_OF_ALL ? [''] : known.list().folders;
+    const folders = IS_RECURSIVE ? [''] : known.list().folders;
     const wanted = new Set(['', ...folders]);
     for (const [folder, { watcher }] of watchers) {
       if (wanted.has(folder)) continue;
@@ -77,7 +78,7 @@ export function watchFolder(root: string, known: KnownLevels): () => void {
   };
 
   followFolders();
-  // what happened before somebody watched
+  // finds changes that happened before the watchers started
   lookAtAll = true;
   timer = setTimeout(() => look().catch(fail), PATIENCE);
   return () => {
