@@ -3,7 +3,7 @@ import { ACCURACIES, type Accuracy, type AccuracyName, accuracyOf, DEFAULT_ACCUR
 import { Failure } from './failure.ts';
 import { numberOption } from './options.ts';
 
-/** What the options that `addAccuracyOptions` declares leave behind. */
+/** The values of the options that `addAccuracyOptions` declares. */
 export interface AccuracyOptions {
   readonly accuracy?: AccuracyName;
   readonly integrator?: 'euler' | 'verlet' | 'rk4' | 'taylor';
@@ -13,12 +13,12 @@ export interface AccuracyOptions {
 }
 
 const HIGHEST_RATE = 100_000;
-/** px: below this the rounding of doubles is all that is left */
+/** px; below this, only the rounding of doubles is left */
 const TIGHTEST = 1e-14;
 
 const EXAMPLES = 'for example --integrator rk4 --rate 120, or --integrator taylor --tolerance 1e-6';
 
-/** Declares `--accuracy` and the parts of a setting of one's own. */
+/** Declares `--accuracy` and the options of a custom setting. */
 export function addAccuracyOptions(command: Command): Command {
   return command
     .addOption(
@@ -55,16 +55,16 @@ const parseTolerance = (text: string): number => {
 };
 
 /**
- * The accuracy that the options ask for; the default one when they ask for none.
- * @throws Failure when they don't go together
+ * The accuracy that the options select, or the default.
+ * @throws Failure if they contradict each other
  */
 export function chooseAccuracy(options: AccuracyOptions): Accuracy {
   return customAccuracy(options) ?? ACCURACIES[options.accuracy ?? DEFAULT_ACCURACY];
 }
 
 /**
- * The setting of their own that the options spell out; null when they don't.
- * @throws Failure when they don't go together
+ * The custom setting that the options describe; null if there is none.
+ * @throws Failure if they contradict each other
  */
 export function customAccuracy({ accuracy, integrator, rate, tolerance, contact }: AccuracyOptions): Accuracy | null {
   if (integrator === undefined) {

@@ -8,8 +8,8 @@ export interface ChosenRun {
 }
 
 /**
- * The run that `--run` and `--holds` ask for; the level's first when neither is given.
- * @throws Failure when there is no such run
+ * The run that `--run` or `--holds` selects; by default the level's first.
+ * @throws Failure if there is no such run
  */
 export function chooseRun(
   file: string,

@@ -1,7 +1,7 @@
 import { codeFrame, type Problem } from '../schema/index.ts';
 import { MAX_SHOWN, type ShownProblem } from './shown-problem.ts';
 
-/** Adds the lines of the file around it to each of the problems that will be shown and have a place in it. */
+/** Adds the surrounding lines of the file to each problem that will be shown and has a place in the file. */
 export function showProblems(problems: readonly Problem[], text: string): ShownProblem[] {
   return problems.map((problem, i) => ({
     ...problem,

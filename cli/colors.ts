@@ -3,10 +3,10 @@ import pc from 'picocolors';
 
 export type Colors = ReturnType<typeof pc.createColors>;
 
-/** No colours at all: for files, pipes and tests. */
+/** No colours: for files, pipes and tests. */
 export const PLAIN: Colors = pc.createColors(false);
 
-/** Colours for a stream: on a terminal, unless NO_COLOR says no or TERM is dumb; FORCE_COLOR asks for them anywhere. */
+/** Colours for a stream: used on a terminal, unless NO_COLOR is set or TERM is dumb, and always with FORCE_COLOR. */
 export function colorsFor(stream: { readonly isTTY?: boolean }): Colors {
   const { NO_COLOR, FORCE_COLOR, TERM } = process.env;
   if (NO_COLOR) return PLAIN;

@@ -17,7 +17,7 @@ export async function runCommandLine(args: readonly string[]): Promise<number> {
   watchStreams();
   try {
     const result = await perform(args);
-    // from here on a signal ends the process even while a reader lets it wait
+    // from here on a signal ends the process even while a write waits for its reader
     await leaveSignals();
     if (result.messages) process.stderr.write(result.messages);
     if (result.output !== undefined && result.output.length > 0) process.stdout.write(result.output);
@@ -76,7 +76,7 @@ function readVersion(): string {
 }
 
 function reportError(error: unknown): number {
-  // commander has written its message, or the help that was asked for, by then
+  // commander has already written its message or the help
   if (error instanceof CommanderError) return error.exitCode === 0 ? 0 : 2;
   process.stderr.write(describeError(error));
   return 2;
@@ -90,12 +90,12 @@ function describeError(error: unknown): string {
 
 function watchStreams(): void {
   process.stdout.on('error', (error: NodeJS.ErrnoException) => {
-    // the reader has gone away (`gq check | head -1`): it has what it wanted
+    // the reader has closed the pipe (`gq check | head -1`), which is no error
     if (error.code === 'EPIPE') return;
     process.stderr.write(`error: can't write to standard output: ${error.message}\n`);
     process.exitCode = 2;
   });
-  // nowhere left to complain to
+  // errors of stderr can't be reported anywhere
   process.stderr.on('error', () => {});
   process.on('uncaughtException', (error) => {
     process.stderr.write(describeError(error));

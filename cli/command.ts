@@ -1,17 +1,17 @@
 import type { Command } from 'commander';
 
-/** What a command leaves behind. It writes nothing itself, so that nothing partial is ever written. */
+/** The result of a command. Commands do not write to stdout themselves, so that no partial report is ever written. */
 export interface CommandResult {
-  /** For stdout: the report, whole. */
+  /** The whole report, for stdout. */
   readonly output?: string | Uint8Array;
-  /** For stderr: what a person should know beside the report. */
+  /** Messages for people besides the report, for stderr. */
   readonly messages?: string;
-  /** 0 done, and every level is completable; 1 at least one level is not, or is invalid; 2 it could not be done. */
+  /** 0: done, and every level is completable; 1: at least one level is not, or is invalid; 2: the command could not be done. */
   readonly exitCode: 0 | 1 | 2;
 }
 
-/** The face of a file in commands/. */
+/** The interface of a module in commands/. */
 export interface CommandModule {
-  /** Declares arguments, options and help, and hands the result of the work to `finish`. */
+  /** Declares arguments, options, help and the action, which passes its result to `finish`. */
   declare(command: Command, finish: (result: CommandResult) => void): void;
 }

@@ -4,7 +4,7 @@ import process from 'node:process';
 
 export const CONFIG_NAME = 'gq.config.json';
 
-/** Folders in which the configuration of a folder is looked for, the nearest first. */
+/** The folders to search for the configuration of a folder, the nearest first. */
 export function configFolders(folder: string): string[] {
   const folders: string[] = [];
   for (let at = resolve(folder); ; at = dirname(at)) {
@@ -14,9 +14,9 @@ export function configFolders(folder: string): string[] {
 }
 
 /**
- * The configuration that holds in a folder: the nearest `gq.config.json` from there upwards to the root of the repository, the first
- * folder with a `.git`; where there is none, to the root of the file system.
- * @returns its path as it is shorter to read; null where there is none
+ * The configuration that applies in a folder: the nearest `gq.config.json` on the way up to the root of the repository, the
+ * first folder with a `.git`; without a repository, to the root of the file system.
+ * @returns its path relative to the working directory; null if there is none
  */
 export function findConfig(folder: string = process.cwd()): string | null {
   const path = configFolders(folder)

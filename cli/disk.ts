@@ -14,17 +14,17 @@ import {
 import { dirname, join } from 'node:path';
 import process from 'node:process';
 
-// everything here is synchronous: a signal is handled, and another request served, only before or after a change, never in the middle of it
+// everything here is synchronous: signals and other requests are handled before or after a change, never during one
 
-/** Whether anything, a broken link too, stands at a path. */
+/** Whether anything exists at a path, including a broken link. */
 export const isTaken = (path: string): boolean => lstatSync(path, { throwIfNoEntry: false }) !== undefined;
 
-/** The name of a file that is not finished; a process that was killed leaves one behind. */
+/** The name of an unfinished file; a process that is killed leaves it behind. */
 export const UNFINISHED = /^\.gq-edit-[0-9a-f]{16}\.tmp$/;
 
 /**
- * Writes a content beside the place where it will stand, whole and on the disk, then hands it to `place`.
- * @param place moves the file; what it throws leaves everything as it was
+ * Writes a content completely to a temporary file in the folder of `path` and syncs it to the disk, then calls `place`.
+ * @param place moves the temporary file; if it throws, nothing has changed
  */
 function withUnfinished(path: string, content: Uint8Array, place: (unfinished: string) => void): void {
   const unfinished = join(dirname(path), `.gq-edit-${randomBytes(8).toString('hex')}.tmp`);
@@ -32,7 +32,7 @@ function withUnfinished(path: string, content: Uint8Array, place: (unfinished: s
     const descriptor = openSync(unfinished, 'wx', 0o666);
     try {
       keepOwnerAndMode(descriptor, path);
-      // all of it or an error: one write to a disk that is nearly full may write less than it was given
+      // writeFileSync writes everything or throws; a single writeSync may write less if the disk is nearly full
       writeFileSync(descriptor, content);
       fsyncSync(descriptor);
     } finally {
@@ -46,8 +46,8 @@ function withUnfinished(path: string, content: Uint8Array, place: (unfinished: s
 }
 
 /**
- * Puts a content in the place of a file, which is the old one or the new one at every moment, whatever happens.
- * @param isBase looks, at the last moment, whether the file is still the one to be replaced; throws when it is not
+ * Replaces the content of a file atomically: at every moment, the file is either the old or the new one.
+ * @param isBase called right before the replacement; throws if the file has changed and must not be replaced
  */
 export function replaceFile(path: string, content: Uint8Array, isBase: () => void): void {
   withUnfinished(path, content, (unfinished) => {
@@ -57,8 +57,8 @@ export function replaceFile(path: string, content: Uint8Array, isBase: () => voi
 }
 
 /**
- * Makes a new file, whole or not at all.
- * @returns false when something of that name is there; it stays
+ * Creates a new file: completely or not at all.
+ * @returns false if the name is taken; nothing changes then
  */
 export function createFile(path: string, content: Uint8Array): boolean {
   let made = false;
@@ -68,14 +68,14 @@ export function createFile(path: string, content: Uint8Array): boolean {
   return made;
 }
 
-/** Makes a file in a folder and takes it away again: what the operating system says of it is thrown before work whose result will go there. */
+/** Creates a file in a folder and deletes it again, to throw system errors before the work whose result is written there. */
 export function tryFolder(folder: string): void {
   withUnfinished(join(folder, 'tried'), new Uint8Array(), () => {});
 }
 
 /**
- * Moves a file to a free name. A process killed in the middle leaves it under both.
- * @returns false when something of the new name is there; both stay
+ * Moves a file to a free name. If the process is killed in the middle, the file has both names.
+ * @returns false if the new name is taken; nothing changes then
  */
 export function moveFile(from: string, to: string): boolean {
   if (isOnlyCase(from, to)) renamePatiently(from, to);
@@ -94,10 +94,10 @@ function removeOldName(from: string, to: string): void {
   }
 }
 
-/** What file systems without hard links say. */
+/** Error codes of file systems without hard links. */
 const NO_LINKS = new Set(['EPERM', 'ENOTSUP', 'EOPNOTSUPP', 'ENOSYS', 'EMLINK', 'EINVAL']);
 
-/** Gives a file a second name, or, where there are no hard links, a new one: a link never takes another file's place, as a rename would. */
+/** Gives a file a second name by a hard link, which unlike a rename never replaces a file; renames it if links don't work. */
 function linkOrRename(from: string, to: string): boolean {
   try {
     linkSync(from, to);
@@ -112,7 +112,7 @@ function linkOrRename(from: string, to: string): boolean {
   return true;
 }
 
-/** On a file system that takes `A` and `a` for the same name. */
+/** Whether two names differ only in case and name the same file, as on file systems that ignore case. */
 function isOnlyCase(from: string, to: string): boolean {
   if (from === to || from.toLowerCase() !== to.toLowerCase()) return false;
   const [a, b] = [lstatSync(from), lstatSync(to, { throwIfNoEntry: false })];
@@ -121,7 +121,7 @@ function isOnlyCase(from: string, to: string): boolean {
 
 const WINDOWS_TRIES = 10;
 
-/** On Windows a scanner may hold a file for a moment. */
+/** Renames a file, with several tries on Windows, where a virus scanner may lock a file for a moment. */
 function renamePatiently(from: string, to: string): void {
   for (let left = process.platform === 'win32' ? WINDOWS_TRIES : 1; ; left--) {
     try {
@@ -136,7 +136,7 @@ function renamePatiently(from: string, to: string): void {
 
 function keepOwnerAndMode(descriptor: number, path: string): void {
   const old = lstatSync(path, { throwIfNoEntry: false });
-  // a link's own mode says nothing
+  // the mode of a link has no meaning
   if (old === undefined || !old.isFile()) return;
   fchmodSync(descriptor, old.mode & 0o7777);
   if (process.getuid === undefined || (process.getuid() === old.uid && process.getgid?.() === old.gid)) return;
@@ -144,11 +144,11 @@ function keepOwnerAndMode(descriptor: number, path: string): void {
     fchownSync(descriptor, old.uid, old.gid);
     fchmodSync(descriptor, old.mode & 0o7777);
   } catch {
-    // only an administrator may give files away: it becomes the writer's, as with every other editor
+    // only root may change the owner: without it, the file gets the owner of this process, as with other editors
   }
 }
 
-/** So that a new name outlives a loss of power. */
+/** Syncs a folder to the disk, so that a new name survives a power failure. */
 function syncFolder(folder: string): void {
   try {
     const descriptor = openSync(folder, 'r');
@@ -158,6 +158,6 @@ function syncFolder(folder: string): void {
       closeSync(descriptor);
     }
   } catch {
-    // Windows can't, and some network file systems; the file itself is on the disk
+    // Windows and some network file systems can't do this; the file itself is already synced
   }
 }

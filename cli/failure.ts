@@ -1,6 +1,6 @@
 /**
- * Something a person can put right kept a command from doing its work: it ends with exit code 2 and this message,
- * without a stack. The message says what was expected, what was found, and what to do.
+ * An error that the user can fix: the command ends with exit code 2 and this message, without a stack. The message says what
+ * was expected, what was found, and what to do.
  */
 export class Failure extends Error {
   override readonly name = 'Failure';
@@ -20,7 +20,7 @@ const REASONS: Record<string, string> = {
   EMFILE: 'too many open files',
 };
 
-/** What the operating system said, in words. */
+/** A system error in words. */
 export function systemReason(error: unknown): string {
   const code = (error as NodeJS.ErrnoException | null)?.code;
   if (code !== undefined && REASONS[code] !== undefined) return REASONS[code];

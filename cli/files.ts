@@ -6,16 +6,16 @@ import { namedPath } from './shown-path.ts';
 const LEVEL_FILE = /\.level\.json$/;
 
 export interface FoundFiles {
-  /** Paths as they were given, a directory's files below it sorted by path; each file once. */
+  /** Each file once, in the order of the given paths; the files of a directory are sorted by path. */
   readonly files: readonly string[];
-  /** Parts of a directory that could not be looked into. */
+  /** Directories that could not be read. */
   readonly unreadable: readonly { readonly path: string; readonly reason: string }[];
 }
 
 /**
- * The level files that paths stand for. A file is taken whatever its name; a directory stands for every `*.level.json`
- * below it, but for hidden directories and node_modules; a path with `*`, `**` or `?` that names no file, for what matches it.
- * @throws Failure naming every path that stands for nothing
+ * Finds the level files that paths name. A file counts whatever its name; a directory stands for every `*.level.json` below it,
+ * except in hidden directories and node_modules; a path with `*`, `**` or `?` that is not a file is a pattern.
+ * @throws Failure with every path that matches nothing
  */
 export async function findLevelFiles(paths: readonly string[]): Promise<FoundFiles> {
   const files: string[] = [];
@@ -35,7 +35,7 @@ export async function findLevelFiles(paths: readonly string[]): Promise<FoundFil
   return { files: once(files), unreadable };
 }
 
-/** The files that a path stands for, or why it stands for none. */
+/** The files that a path names, or why there are none. */
 async function expand(path: string, unreadable: { path: string; reason: string }[]): Promise<string[] | string> {
   const before = unreadable.length;
   const stats = statOrError(path);
@@ -45,7 +45,7 @@ async function expand(path: string, unreadable: { path: string; reason: string }
     return found.length > 0 || unreadable.length > before ? found : 'the directory contains no *.level.json';
   }
   if (!/[*?]/.test(path)) {
-    // with it comes the schema, which a check leaves to its workers
+    // imported only if needed: it loads the schema, which a check leaves to its workers
     const { siblingHint } = await import('./sibling-hint.ts');
     return systemReason(stats) + siblingHint(path);
   }
@@ -58,7 +58,7 @@ async function expand(path: string, unreadable: { path: string; reason: string }
   return found.length > 0 || unreadable.length > before ? found : 'no file matches this pattern';
 }
 
-/** Every file below a directory whose path passes, sorted by path; follows links, but goes into no directory twice. */
+/** Every file below a directory whose path passes, sorted by path. Follows links, but enters no directory twice. */
 function walk(root: string, passes: (path: string) => boolean, unreadable: { path: string; reason: string }[]): string[] {
   const found: string[] = [];
   const seen = new Set<string>();
@@ -81,7 +81,7 @@ function walk(root: string, passes: (path: string) => boolean, unreadable: { pat
       if (!(kind instanceof Error) && kind.isDirectory()) {
         if (!entry.name.startsWith('.') && entry.name !== 'node_modules') pending.push(path);
       } else if (passes(path) && (kind instanceof Error || kind.isFile())) {
-        // a link that leads nowhere is kept: reading it says what is wrong
+        // a broken link is kept: reading it reports the error
         found.push(path);
       }
     }
@@ -89,7 +89,7 @@ function walk(root: string, passes: (path: string) => boolean, unreadable: { pat
   return found.sort((a, b) => (a < b ? -1 : a > b ? 1 : 0));
 }
 
-/** `*` and `?` stand for characters of one name, `**` for any directories. */
+/** Compiles a pattern: `*` and `?` match characters of one name, `**` matches any directories. */
 function globToRegExp(pattern: string): RegExp {
   const source = pattern.replace(/\*\*\/|\*+|\?|[^*?]+/g, (part) => {
     if (part === '**/') return '(?:.*/)?';
@@ -111,7 +111,7 @@ function once(files: readonly string[]): string[] {
   });
 }
 
-/** What stands at a path, or why that can't be said. */
+/** The stats of a path, or the error. */
 export function statOrError(path: string): Stats | Error {
   try {
     return statSync(path);

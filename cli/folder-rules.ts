@@ -8,8 +8,8 @@ import { readBytes } from './read-bytes.ts';
 import { showFileProblems } from './report-parts/index.ts';
 
 /**
- * The rules that the configuration of the working directory sets for its levels; none where there is no configuration.
- * @throws Failure when it can't be read, or is not valid, with every problem and its place
+ * The rules that the configuration of the working directory sets for its levels; none if there is no configuration.
+ * @throws Failure if it can't be read or is invalid, with every problem and its place
  */
 export function folderRules(): OwnRules {
   const file = findConfig();

@@ -14,7 +14,7 @@ export function parseHolds(text: string): Hold[] {
   let at = 0;
 
   const fail = (place: number, why: string): never => {
-    // a value of many thousand characters is shown around the place
+    // of a very long value, only the part around the place is shown
     const from = Math.max(0, place - 60);
     const shown = text.slice(from, from + 120).replace(/\s/g, ' ');
     throw new InvalidArgumentError(`${EXPECTED}\n  ${shown}\n  ${' '.repeat(place - from)}^ ${why}`);

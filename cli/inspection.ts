@@ -2,16 +2,16 @@ import type { Mode, Scene, Work } from '../engine/index.ts';
 import { isVariant, KINDS, type Level, LISTED_KINDS, type ListedKind, listOf } from '../schema/index.ts';
 import type { ShownProblem } from './shown-problem.ts';
 
-/** What `gq inspect` finds out about a level. */
+/** The results of `gq inspect` for a level. */
 export interface Inspection {
   readonly file: string;
-  /** The level's name. */
+  /** The name of the level. */
   readonly level: string;
   readonly effects: Scene['effects'];
   readonly counts: Readonly<Record<string, number>>;
   /** How the time of the first run is spent; empty without a run. */
   readonly modes: readonly Mode[];
-  /** What the first run cost. */
+  /** The cost of the first run. */
   readonly work: Work;
   readonly problems: readonly ShownProblem[];
 }
@@ -23,7 +23,7 @@ interface Counted {
   count(level: Level): number;
 }
 
-/** `hot asteroids` as a key: `hotAsteroids` */
+/** Makes a key of words: `hot asteroids` becomes `hotAsteroids`. */
 const keyOf = (words: string): string => words.replace(/ (.)/g, (_, letter: string) => letter.toUpperCase());
 
 function countedOf(kind: ListedKind): Counted[] {
@@ -43,12 +43,12 @@ function countedOf(kind: ListedKind): Counted[] {
   return [plain, { key: keyOf(variant.many), one: variant.one, many: variant.many, count: countIf(true) }];
 }
 
-/** What is counted in a level: those of each kind and of its variant apart, and the runs. */
+/** What is counted in a level: the objects of each kind, with variants apart, and the runs. */
 export const COUNTED: readonly Counted[] = [
   ...LISTED_KINDS.flatMap(countedOf),
   { key: 'runs', one: 'run', many: 'runs', count: (level) => level.runs.length },
 ];
 
-/** How many of everything a level has. */
+/** Counts everything in a level. */
 export const countObjects = (level: Level): Record<string, number> =>
   Object.fromEntries(COUNTED.map(({ key, count }) => [key, count(level)]));

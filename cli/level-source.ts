@@ -14,15 +14,15 @@ export interface OpenedLevel {
   readonly document: LevelDocument;
 }
 
-/** With the bytes of its file, by which a change is noticed. */
+/** A level with the bytes of its file, to notice later changes of the file. */
 export interface OpenedFile extends OpenedLevel {
   readonly bytes: Uint8Array;
 }
 
 /**
- * Reads the one level that a command is about, under the rules of the working directory.
- * @returns the level, or what the command is to leave behind when the file is not a valid level
- * @throws Failure when the file, or the configuration, can't be read
+ * Reads the level that a command works on, with the rules of the working directory.
+ * @returns the level, or the result of the command if the file is not a valid level
+ * @throws Failure if the file or the configuration can't be read
  */
 export function openLevel(file: string): OpenedFile | CommandResult {
   const bytes = readBytes(file);
@@ -31,7 +31,7 @@ export function openLevel(file: string): OpenedFile | CommandResult {
   return { messages: showFileProblems(file, showProblems(read.problems, read.text), colorsFor(process.stderr)), exitCode: 1 };
 }
 
-/** What looks wrong in a valid level and in the runs of it that were simulated, with places. */
+/** The warnings about a valid level and its simulated runs, with places. */
 export function warningsOf({ level, document }: OpenedLevel, runs: readonly Run[]): ShownProblem[] {
   const warnings = findWarnings(level, runs);
   return warnings.length === 0
@@ -42,7 +42,7 @@ export function warningsOf({ level, document }: OpenedLevel, runs: readonly Run[
       );
 }
 
-/** A problem that is known by its JSON pointer, with the place of that pointer in the file. */
+/** Adds the line and column of a problem's JSON pointer. */
 export function placed(problem: Omit<Problem, 'line' | 'column'>, document: LevelDocument): Problem {
   if (problem.pointer === '') return { ...problem, line: null, column: null };
   return { ...problem, ...document.locate(problem.pointer) };

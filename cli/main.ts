@@ -2,11 +2,11 @@
 import { readFileSync } from 'node:fs';
 import process from 'node:process';
 
-// what a command needs is loaded only once it is known which: `gq --version` must start as fast as node itself
+// each command loads what it needs itself: `gq --version` must start as fast as node does
 const args = process.argv.slice(2);
 if (args.length === 1 && (args[0] === '--version' || args[0] === '-V')) {
   const manifest = readFileSync(new URL('../../package.json', import.meta.url), 'utf8');
-  // a reader that has gone away (`gq --version | true`) is no reason to complain
+  // a closed pipe (`gq --version | true`) is no error
   process.stdout.on('error', () => {});
   process.stdout.write(`${JSON.parse(manifest).version}\n`);
 } else {

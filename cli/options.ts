@@ -1,10 +1,10 @@
 import { InvalidArgumentError, Option } from 'commander';
 import { DEFAULT_MAX_TIME, DEFAULT_MAX_WORK, TICK_RATE } from '../engine/index.ts';
 
-/** The longest run that is ever simulated, s: an hour, as far as a level file's holds reach. */
+/** s; the longest run that is ever simulated: one hour, the limit of holds in a level file */
 const LONGEST_RUN = 3600;
 
-/** Reads a number within bounds. */
+/** Parses a number within bounds. */
 export function numberOption(what: string, above: number, max: number): (text: string) => number {
   return (text) => {
     const value = /^\s*$/.test(text) ? Number.NaN : Number(text);
@@ -13,7 +13,7 @@ export function numberOption(what: string, above: number, max: number): (text: s
   };
 }
 
-/** Reads a whole number within bounds. */
+/** Parses a whole number within bounds. */
 export function wholeNumberOption(what: string, min: number, max: number): (text: string) => number {
   return (text) => {
     const value = Number(text);
@@ -35,7 +35,7 @@ export const maxTimeOption = (): Option =>
     })
     .default(DEFAULT_MAX_TIME);
 
-/** More work than this is not allowed by an option either: counts stay whole numbers. */
+/** The largest work that an option may allow: counts must stay exact whole numbers. */
 const MOST_WORK = 1e12;
 
 export const maxWorkOption = (): Option =>

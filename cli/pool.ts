@@ -1,12 +1,12 @@
 import { catchSignals } from './signals.ts';
 
 /**
- * Does tasks in worker threads.
- * @param filename URL of a module whose default export does one task
- * @param jobs the most threads
+ * Runs tasks in worker threads.
+ * @param filename URL of a module whose default export runs one task
+ * @param jobs the largest number of threads
  * @param onDone called after each task, in the order in which they end
- * @returns one result a task, in the same order
- * @throws what a task, or `onDone`, threw
+ * @returns one result for each task, in the same order
+ * @throws errors of a task or of `onDone`
  */
 export async function runInPool<Task, Result>(
   filename: URL,

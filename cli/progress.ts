@@ -4,13 +4,13 @@ const WAIT = 500;
 const CLEAR = '\r\u001b[2K';
 
 export interface StatusLine {
-  /** Shows a text in place of the last one. */
+  /** Shows a text in place of the previous one. */
   show(text: string): void;
   /** Takes the line away. */
   clear(): void;
 }
 
-/** One line on stderr when that is a terminal and the work takes over half a second; nothing otherwise. */
+/** A status line on stderr, shown only on a terminal and after half a second of work. */
 export function createStatusLine(): StatusLine {
   if (!process.stderr.isTTY) return { show: () => {}, clear: () => {} };
   const start = performance.now();
@@ -19,7 +19,7 @@ export function createStatusLine(): StatusLine {
     show(text) {
       if (performance.now() - start < WAIT) return;
       shown = true;
-      // a line that wraps could not be taken away
+      // a wrapped line could not be cleared
       process.stderr.write(CLEAR + text.slice(0, (process.stderr.columns || 80) - 1));
     },
     clear() {
@@ -30,13 +30,13 @@ export function createStatusLine(): StatusLine {
 }
 
 export interface Progress {
-  /** Shows how far the work is. */
+  /** Shows the number of items that are done. */
   update(done: number): void;
   /** Takes the line away. */
   clear(): void;
 }
 
-/** Says how many of `total` are done. */
+/** Shows how many of `total` items are done. */
 export function createProgress(what: string, total: number): Progress {
   const line = createStatusLine();
   return { update: (done) => line.show(`${what}: ${done} of ${total}`), clear: line.clear };

@@ -6,9 +6,10 @@ import { namedPath } from './shown-path.ts';
 import { siblingHint } from './sibling-hint.ts';
 
 /**
- * A file's bytes; of one larger than `MAX_FILE_SIZE` only the first so many and a few more, which readers refuse. A pipe that the shell
- * has made (`<(command)`, /dev/stdin) is read to its end, however long that takes; one that has a name is refused, since nobody may ever write to it.
- * @throws Failure saying why it can't be read
+ * Reads the bytes of a file; of one larger than `MAX_FILE_SIZE` only slightly more than that, which readers then refuse.
+ * A pipe of the shell (`<(command)`, /dev/stdin) is read to its end, however long that takes; a named pipe is refused, because
+ * there may never be a writer.
+ * @throws Failure with the reason if it can't be read
  */
 export function readBytes(path: string): Uint8Array {
   try {
@@ -20,18 +21,18 @@ export function readBytes(path: string): Uint8Array {
 
 function hintFor(path: string, error: unknown): string {
   const code = (error as NodeJS.ErrnoException).code;
-  // what a folder lists so can't be asked for: the bytes of its name are lost
+  // a listed name that is not UTF-8 can't be opened: its bytes are lost in the conversion
   if (code === 'ENOENT') return path.includes('\ufffd') ? '; its name is not UTF-8: rename it' : siblingHint(path);
   if (error instanceof NotAFile) return code === 'EISDIR' ? '; expected a file' : '; expected a file, or /dev/stdin for a pipe';
   return code === 'ENXIO' ? ' (is it a socket?); expected a file' : '';
 }
 
-/** Whether reading may wait for somebody: a device, a pipe without a name of its own, or one that was opened for us. */
+/** Whether reading may block: a character device, an unnamed pipe, or a pipe that the shell has opened under /dev. */
 export function isStream(path: string, stats: Stats): boolean {
   return stats.isCharacterDevice() || (stats.isFIFO() && (path.startsWith('/dev/') || !hasName(path)));
 }
 
-/** What /dev/fd/63 leads to is found in no folder. */
+/** Whether a path leads to a file in a folder; /dev/fd/63 does not. */
 function hasName(path: string): boolean {
   try {
     return !realpathSync.native(path).startsWith('/dev/');

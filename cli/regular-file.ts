@@ -1,9 +1,10 @@
 import { closeSync, constants, fstatSync, openSync, readSync } from 'node:fs';
 
-// a pipe is not waited for: whether it is one is asked of what was opened, since a path may be another thing a moment later. Windows knows no such flag
+// non-blocking, as opening a pipe must not wait for its writer. The type is checked after opening, because the path may lead to
+// another file a moment later. Windows has no such flag.
 const AT_ONCE = constants.O_RDONLY | (constants.O_NONBLOCK ?? 0);
 
-/** What was found where a regular file was expected. */
+/** Thrown if a path leads to something other than a regular file. */
 export class NotAFile extends Error {
   override readonly name = 'NotAFile';
   /** EISDIR for a folder, else null. */
@@ -16,10 +17,10 @@ export class NotAFile extends Error {
 }
 
 /**
- * The bytes of a regular file; of one that has more than `limit` only the first so many and a few more. Never waits for anybody, and takes
- * no more memory than that, whatever stands at the path.
- * @param flags besides reading: `constants.O_NOFOLLOW`
- * @throws NotAFile, and what the operating system says
+ * Reads the bytes of a regular file; of one longer than `limit` only slightly more than that. Never blocks and needs no more
+ * memory than that, whatever the path leads to.
+ * @param flags for opening, such as `constants.O_NOFOLLOW`
+ * @throws NotAFile, and system errors
  */
 export function readRegularFile(path: string, limit: number, flags = 0): Uint8Array {
   const descriptor = openSync(path, AT_ONCE | flags);
@@ -34,7 +35,7 @@ export function readRegularFile(path: string, limit: number, flags = 0): Uint8Ar
   }
 }
 
-/** Reads to the end, or a bit more than `limit` bytes. In pieces: a pipe has no size to ask for, and a device may have no end. */
+/** Reads to the end, or slightly more than `limit` bytes; in pieces, as a pipe has no size and a device may have no end. */
 export function readBeyond(descriptor: number, limit: number): Uint8Array {
   const pieces: Uint8Array[] = [];
   let total = 0;

@@ -2,8 +2,8 @@ import { type Run, STATE_SIZE } from '../engine/index.ts';
 import type { Hold, Level, RunReport } from '../schema/index.ts';
 
 /**
- * A run as `gq simulate --format json` gives it.
- * @param sampleRate samples a second, at k / sampleRate s from the start to the end of the run; null for none
+ * A run as in the output of `gq simulate --format json`.
+ * @param sampleRate samples per second, at k / sampleRate s from the start to the end of the run; null for none
  */
 export function reportRun(
   level: Level,
@@ -24,7 +24,7 @@ export function reportRun(
     minerals: [...run.minerals],
     events: [...run.events],
     clearance: run.clearance,
-    // the engine knows directions only: an angle is for people, and its last bit may differ between processors
+    // the engine uses directions, not angles: an angle is for people, and its last bit may differ between processors
     final: { x, y, vx, vy, angle: Math.atan2(sin, cos) },
     samples: sampleRate === null ? [] : sample(run, sampleRate),
     hash: run.hash,

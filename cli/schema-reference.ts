@@ -8,8 +8,9 @@ const TOOLKIT = 'gravity-quest-toolkit';
 const LARGEST_MANIFEST = 1024 * 1024;
 
 /**
- * What a level file in `directory` says in `$schema`: the path, with slashes, to the JSON Schema of the toolkit that the
- * project around it has installed, or is; null where there is none, since a path that leads out of a project holds on one machine only.
+ * The value of `$schema` for a level file in `directory`: the path, with slashes, to the JSON Schema of the toolkit that the
+ * surrounding project has installed, or that is the project itself. null if there is none: a path that leads out of the project
+ * would work on this machine only.
  */
 export function schemaReference(directory: string): string | null {
   const from = resolve(directory);
@@ -30,7 +31,7 @@ function isToolkit(directory: string): boolean {
       JSON.parse(Buffer.from(readRegularFile(join(directory, 'package.json'), LARGEST_MANIFEST)).toString()).name === TOOLKIT
     );
   } catch {
-    // no such file, or one that is no JSON: another project's business
+    // no such file, or not JSON: that does not concern this project
     return false;
   }
 }

@@ -5,30 +5,30 @@ import type { Goal, Objective } from '../solver/index.ts';
 import { Failure } from './failure.ts';
 import { numberOption, seedOption, wholeNumberOption } from './options.ts';
 
-/** s of wall time, where neither time nor effort is given */
+/** s of wall time; applies if neither time nor effort is given */
 export const DEFAULT_BUDGET = 10;
 
-/** s: nobody waits longer than a day */
+/** s; the longest budget is one day */
 const LONGEST_BUDGET = 86_400;
 
 const MOST_MINERALS = 20_000;
 
-/** When a search ends, at the latest. */
+/** The limits of a search. */
 export interface Limits {
-  /** s of wall time; null: as long as it takes */
+  /** s of wall time; null: no limit */
   readonly budget: number | null;
-  /** ticks simulated in all; null: no limit */
+  /** simulated ticks in total; null: no limit */
   readonly effort: number | null;
 }
 
-/** What `addSearchOptions` leaves behind. */
+/** The values of the options that `addSearchOptions` declares. */
 export interface SearchOptions {
   readonly budget?: number;
   readonly effort?: number;
   readonly seed: number;
 }
 
-/** Declares how long to search, and from which seed. */
+/** Declares the options for the limits and the seed of a search. */
 export function addSearchOptions(command: Command, per = ''): Command {
   return command
     .option(
@@ -44,7 +44,7 @@ export function addSearchOptions(command: Command, per = ''): Command {
     .addOption(seedOption());
 }
 
-/** The limits that the options ask for. */
+/** The limits that the options set. */
 export const limitsOf = ({ budget, effort }: SearchOptions): Limits => ({
   budget: budget ?? (effort === undefined ? DEFAULT_BUDGET : null),
   effort: effort ?? null,
@@ -70,7 +70,7 @@ export const objectiveOption = (): Option =>
     .choices(OBJECTIVES)
     .default('robust');
 
-/** @throws Failure when a level has fewer minerals than are wanted */
+/** @throws Failure if a level has fewer minerals than are wanted */
 export function expectMinerals(file: string, { minerals }: Level, wanted: Goal['minerals']): void {
   if (typeof wanted !== 'number' || wanted <= minerals.length) return;
   throw new Failure(`--minerals ${wanted}: ${file} has only ${plural(minerals.length, 'mineral')}`);

@@ -1,5 +1,5 @@
-/** A path as it can be typed into a shell. */
+/** A path quoted for a shell. */
 export const shellPath = (file: string): string => (/^[\w./\\:-]+$/.test(file) ? file : JSON.stringify(file));
 
-/** A path within a message, where an empty one would not be seen. */
+/** A path for a message, in which an empty path must be visible. */
 export const namedPath = (file: string): string => (file === '' ? '""' : file);

@@ -1,9 +1,9 @@
 import type { Problem } from '../schema/index.ts';
 
-/** A problem made ready to be shown: with the lines of the file around it. */
+/** A problem with the surrounding lines of the file. */
 export interface ShownProblem extends Problem {
   readonly frame: string | null;
 }
 
-/** Of one file a person is shown so many problems at most. */
+/** The largest number of problems that are shown for one file. */
 export const MAX_SHOWN = 20;

@@ -1,8 +1,8 @@
 const asEscape = (character: string): string => `\\u${character.charCodeAt(0).toString(16).padStart(4, '0')}`;
 
 /**
- * Text from a file or the command line made safe to print: control characters, which could move the cursor or colour the
- * terminal, are written as \u escapes; so are those that turn the direction of writing. Newlines and tabs stay.
+ * Makes text from a file or the command line safe to print. Control characters, which could move the cursor or colour the
+ * terminal, become \u escapes; so do characters that change the writing direction. Newlines and tabs stay.
  */
 export function visible(text: string): string {
   // biome-ignore lint/suspicious/noControlCharactersInRegex: control characters are what this looks for

@@ -1,7 +1,7 @@
 import { accessSync, constants, statSync } from 'node:fs';
 import { systemReason } from './failure.ts';
 
-/** Why a file that is there is not to be written, for people; null when it may be. What is read-only stays so for an administrator, too, who could write it. */
+/** Why an existing file must not be written, for people; null if it may. A read-only file counts as such even for root. */
 export function whyNotWritable(path: string): string | null {
   try {
     accessSync(path, constants.W_OK);

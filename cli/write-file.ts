@@ -5,7 +5,7 @@ import { Failure, systemReason } from './failure.ts';
 import { uncut } from './signals.ts';
 import { whyNotWritable } from './writable.ts';
 
-/** Where a path leads when links are followed, also to where nothing is yet. */
+/** Resolves the links of a path, even if its target does not exist yet. */
 function followed(path: string): string {
   const stats = lstatSync(path, { throwIfNoEntry: false });
   if (stats === undefined) return path;
@@ -13,25 +13,25 @@ function followed(path: string): string {
     return realpathSync(path);
   } catch (error) {
     if ((error as NodeJS.ErrnoException).code !== 'ENOENT' || !stats.isSymbolicLink()) throw error;
-    // a link beside it is followed in turn; the system has found no ring
+    // the target may be another link; a cycle is impossible here, as the system has already reported ENOENT
     return followed(resolve(realpathSync(dirname(path)), readlinkSync(path)));
   }
 }
 
 /**
- * Writes a file whole or not at all, and keeps the mode of one that exists. A device or pipe is written to as it is.
- * @throws Failure saying why it can't be written
+ * Writes a file completely or not at all, and keeps the mode of an existing file. A device or pipe is written directly.
+ * @throws Failure with the reason if it can't be written
  */
 export async function writeWhole(path: string, content: string | Uint8Array): Promise<void> {
   const bytes = typeof content === 'string' ? Buffer.from(content) : content;
   const target = tryTo(path, () => followed(path));
   const stats = statSync(target, { throwIfNoEntry: false });
-  // its reader may let us wait, and a signal is to end that
+  // writing may wait for a reader, and a signal must be able to end that
   if (stats !== undefined && !stats.isFile()) return tryTo(path, () => writeFileSync(target, bytes));
   await uncut(() => tryTo(path, () => replace(target, bytes)));
 }
 
-/** The same within other work that no signal cuts; only for a regular file, or where none is. */
+/** The same within work that no signal may interrupt; only for a regular file, or a path without a file. */
 export function replaceRegular(path: string, content: Uint8Array): void {
   tryTo(path, () => {
     const target = followed(path);

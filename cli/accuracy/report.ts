@@ -2,18 +2,18 @@ import type { Accuracy } from '../../engine/index.ts';
 import { GOOD_ENOUGH, type Measured, type WorkPrecision } from '../../engine/work-precision/index.ts';
 import type { Hold } from '../../schema/index.ts';
 
-/** What `accuracy` found out about a run of a level. */
+/** The results of `accuracy` for a run of a level. */
 export interface AccuracyReport {
   readonly file: string;
   /** The level's name. */
   readonly level: string;
-  /** What the run is called. */
+  /** The name of the run. */
   readonly run: string;
   readonly holds: readonly Hold[];
   readonly measured: WorkPrecision;
   /** The cheapest setting with the reference's outcome and an error below {@link GOOD_ENOUGH}. */
   readonly cheapest: Measured | null;
-  /** The setting that was asked for on the command line. */
+  /** The setting that the command line asks for. */
   readonly asked: Accuracy | null;
 }
 
@@ -30,7 +30,7 @@ const methodJson = ({ accuracy, error, cost, outcome, time, sameVerdict }: Measu
   sameVerdict,
 });
 
-/** What `accuracy` found out, for a program: errors in px, costs in microseconds per simulated second, times in s. */
+/** The results of `accuracy` as JSON: errors in px, costs in microseconds per simulated second, times in s. */
 export function accuracyJson({ level, holds, measured, cheapest }: AccuracyReport): string {
   const { tolerance, outcome, time, floor } = measured.reference;
   const report = {

@@ -8,14 +8,14 @@ import type { AccuracyReport } from './report.ts';
 const COLUMNS = ['setting', 'error, px', 'cost, us/s', 'end', 'frame tests: cost', 'end'];
 const RIGHT = [1, 2, 4];
 
-/** A length, a time or a cost with two digits that matter: 12, 0.034, 5.6e-7. */
+/** A length, a time or a cost with two significant digits: 12, 0.034, 5.6e-7. */
 export function brief(value: number): string {
   if (value === 0) return '0';
   if (value < 1e-3 || value >= 1e5) return value.toExponential(1);
   return value >= 100 ? value.toFixed(0) : String(Number(value.toPrecision(2)));
 }
 
-/** What `accuracy` found out, for a designer: every setting, those with a name, and what it comes to. */
+/** The results of `accuracy` for people: all settings, the named ones, and a summary. */
 export function accuracyPretty(report: AccuracyReport, colors: Colors): string {
   const { level, run, measured, cheapest, asked } = report;
   const { reference, methods } = measured;
@@ -85,7 +85,7 @@ function conclusion({ measured: { methods, reference }, cheapest }: AccuracyRepo
   return `${text};\nprecise costs ${brief(precise.cost.minimum / cheapest.cost.minimum)} times as much, with an error of ${brief(precise.error)} px.\n`;
 }
 
-/** `every euler with frame tests, verlet 15 Hz`: settings by name, but for whole groups. */
+/** Names settings, with whole groups in short: `every euler with frame tests, verlet 15 Hz`. */
 function inGroups(failed: readonly Measured[], methods: readonly Measured[]): string {
   const groupOf = ({ accuracy: { integrator, contact } }: Measured): string =>
     integrator === 'arcade' ? integrator : `every ${integrator} with ${contact === 'frame' ? 'frame tests' : 'swept contacts'}`;

@@ -5,20 +5,20 @@ import type { CheckedLevel, CheckSettings } from './checked-level.ts';
 import { crashedLevel } from './refused-level.ts';
 import type { Batch } from './worker.ts';
 
-/** Fewer files than this are checked faster without workers, which take about as long to start. */
+/** Fewer files than this are checked faster without workers, because starting them takes about as long. */
 const MANY_FILES = 64;
 
-/** Beyond this the work goes to a worker however few files there are, so that Ctrl-C is heard at once: bytes times longest run in s. */
+/** bytes times the longest run in s; more work than this goes to workers even for few files: Ctrl-C must take effect at once */
 const MUCH_WORK = 256 * 1024 * 60;
 
-/** How long the main thread works before it listens for signals again, ms. */
+/** ms of work on the main thread between two checks for signals */
 const SLICE = 20;
 
 /**
  * Checks level files.
- * @param jobs the most worker threads to use; what comes out doesn't depend on it
- * @param onProgress called now and then with how many are done
- * @returns one report a file, in the same order
+ * @param jobs the largest number of worker threads; the reports don't depend on it
+ * @param onProgress called now and then with the number of files that are done
+ * @returns one report for each file, in the same order
  */
 export async function checkFiles(
   files: readonly string[],
@@ -27,7 +27,7 @@ export async function checkFiles(
   onProgress: (done: number) => void,
 ): Promise<CheckedLevel[]> {
   const stats = files.map((file) => statOrError(file));
-  // a pipe may keep its reader waiting for ever, and a worker that waits can't be ended
+  // reading a pipe may block forever, and a blocked worker can't be ended
   const waiting = files.filter((file, i) => !(stats[i] instanceof Error) && isStream(file, stats[i]));
   const others = new Set(waiting);
   const regular = files.filter((file) => !others.has(file));
@@ -43,7 +43,7 @@ export async function checkFiles(
   return files.map((file) => byFile.get(file)!);
 }
 
-/** A level may take seconds. */
+/** Whether a level may take seconds. */
 const isLong = ({ search, requireSlack }: CheckSettings): boolean => search !== null || requireSlack !== null;
 
 async function checkWaiting(files: readonly string[], settings: CheckSettings): Promise<CheckedLevel[]> {
@@ -56,7 +56,7 @@ async function checkHere(
   settings: CheckSettings,
   onProgress: (done: number) => void,
 ): Promise<CheckedLevel[]> {
-  // schema and engine are loaded by the thread that needs them
+  // only the thread that checks loads schema and engine
   const { checkLevel } = await import('./check-level.ts');
   const reports: CheckedLevel[] = [];
   let listened = performance.now();
@@ -78,7 +78,7 @@ async function checkInWorkers(
 ): Promise<CheckedLevel[]> {
   const { Tinypool } = await import('tinypool');
   catchSignals();
-  // several batches a worker, so that none waits long for another that got the slow levels
+  // several batches for each worker, so that none waits long for one with slow levels
   const size = isLong(settings) ? 1 : Math.max(1, Math.min(32, Math.ceil(files.length / (4 * jobs))));
   const threads = Math.min(jobs, Math.ceil(files.length / size));
   const pool = new Tinypool({
@@ -99,7 +99,7 @@ async function checkInWorkers(
       return await pool.run({ files: batch, settings } satisfies Batch);
     } catch (error) {
       if (batch.length === 1) return [crashedLevel(batch[0], error)];
-      // a worker that died took the batch along: one level at a time, the one that kills it stands alone
+      // the worker died with the whole batch: check its levels one at a time to find the one that kills it
       return (await Promise.all(batch.map((file) => runBatch([file])))).flat();
     }
   };

@@ -25,7 +25,7 @@ import { commandHints } from './hints.ts';
 import { crashedLevel, refusedLevel, unreadableLevel } from './refused-level.ts';
 import { searchLevel } from './search-level.ts';
 
-/** Reads and validates one level file and replays its scripted runs in order. Never throws: what goes wrong is a verdict. */
+/** Reads and validates one level file and replays its runs in order. Never throws: errors become verdicts. */
 export function checkLevel(file: string, settings: CheckSettings): CheckedLevel {
   const start = performance.now();
   const report = judge(file, settings);
@@ -43,7 +43,7 @@ function judge(file: string, settings: CheckSettings): CheckedLevel {
 
 function replay(file: string, { level, document }: OpenedLevel, settings: CheckSettings): CheckedLevel {
   const { accuracy, maxTime, maxWork = DEFAULT_MAX_WORK, requireSlack, search } = settings;
-  // a budget for each part of a check, so that none of them starves another
+  // each part of a check has a budget of its own, so that none uses up another's
   const budget = new WorkBudget(maxWork);
   const proofs = new WorkBudget(maxWork / 2);
   const scene = compile(level, accuracy);
@@ -59,7 +59,7 @@ function replay(file: string, { level, document }: OpenedLevel, settings: CheckS
   const findings = findingsOf(runs, {
     impossible,
     searched,
-    // nobody waits for what nobody has asked for
+    // measuring slack takes long: only on request
     tight: isSlackAskedFor ? tightRuns(scene, completingRuns(level, scripted, found?.holds ?? null), requireSlack) : [],
     lost: proveMineralsLost(level, accuracy, asked, ticksOf(settings), proofs),
   });
@@ -78,7 +78,7 @@ function replay(file: string, { level, document }: OpenedLevel, settings: CheckS
   };
 }
 
-/** A run and what came of it. */
+/** Holds and their simulated run. */
 interface PlayedRun {
   readonly holds: readonly Hold[];
   readonly run: Run;
@@ -94,7 +94,7 @@ interface WithoutRun {
 
 const NOT_NEEDED: WithoutRun = { impossible: null, searched: null, found: null };
 
-/** What can be found out of a level that none of its own runs completes: proofs are always tried, a search is made when asked for. */
+/** For a level that none of its own runs completes: always tries proofs, and searches on request. */
 function withoutRun(scene: Scene, settings: CheckSettings, budget: WorkBudget): WithoutRun {
   const { accuracy, search, maxTime } = settings;
   const impossible = proveGoalImpossible(scene.level, accuracy, { minerals: 'any' }, ticksOf(settings), budget);
@@ -110,7 +110,7 @@ function withoutRun(scene: Scene, settings: CheckSettings, budget: WorkBudget): 
 const chosen = (runs: readonly { readonly holds: readonly Hold[] }[], played: readonly Run[], index: number): PlayedRun | null =>
   runs.length === 0 ? null : { holds: runs[index].holds, run: played[index] };
 
-/** The run that is shown: in brief, and in full where that is asked for. One that was stopped, or of which too much would be asked, is not told. */
+/** The shown run, in brief and on request in full; null if the run was stopped or a report would cost too much work. */
 function inWords(
   level: OpenedLevel['level'],
   shown: PlayedRun | null,

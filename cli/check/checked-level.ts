@@ -3,52 +3,52 @@ import type { Hold, OwnRules, RunReport, Verdict } from '../../schema/index.ts';
 import type { Limits } from '../search-options.ts';
 import type { ShownProblem } from '../shown-problem.ts';
 
-/** What a line about a run says. */
+/** The data for one line about a run. */
 export type RunInBrief = Pick<RunReport, 'time' | 'minerals' | 'clearance'>;
 
-/** What `check` found out about one level file. */
+/** The results of `check` for one level file. */
 export interface CheckedLevel {
   readonly file: string;
-  /** The level's name; the file's where it is not a valid level. */
+  /** The name of the level, or of the file if it is not a valid level. */
   readonly name: string;
   readonly verdict: Verdict;
-  /** The first run that completes the level, scripted or found, else its first run. */
+  /** The first run that completes the level, its own or one found by a search; else its first run. */
   readonly run: RunInBrief | null;
-  /** Its holds when no script has it: a search found it. */
+  /** The holds of that run if a search found it; else null. */
   readonly found: readonly Hold[] | null;
-  /** The same run in full; null where the settings don't ask for it. */
+  /** The same run in full; null if the settings don't ask for it. */
   readonly report: RunReport | null;
-  /** How many minerals the level has. */
+  /** The number of minerals in the level. */
   readonly mineralCount: number;
   readonly problems: readonly ShownProblem[];
-  /** The file itself could not be read. */
+  /** Whether the file itself could not be read. */
   readonly unreadable: boolean;
-  /** How long reading and replaying took, ms of wall time. */
+  /** ms of wall time for reading and replaying */
   readonly ms: number;
 }
 
-/** How a level is to be checked. */
+/** How to check a level. */
 export interface CheckSettings {
   readonly accuracy: Accuracy;
   /** s of simulated time after which a run is a timeout */
   readonly maxTime: number;
-  /** Whether runs are reported in full: the hash, which covers every sample, takes an eighth of the time of a check. */
+  /** Whether runs are reported in full; the hash covers every sample and takes an eighth of the time of a check. */
   readonly inFull: boolean;
-  /** Whether it is tried to prove that minerals which no run collects can't be: up to 0.1 s a level. */
+  /** Whether to try to prove that minerals which no run collects can't be collected: takes up to 0.1 s for each level. */
   readonly proveMinerals: boolean;
-  /** How to search where no scripted run completes a level; null: not at all. */
+  /** How to search if no run of the level completes it; null: not at all. */
   readonly search: SearchSettings | null;
-  /** Ticks by which all presses and releases of each run that completes a level may be off; null: nothing is required. */
+  /** Ticks by which every press and release of each completing run must be allowed to move; null: no requirement. */
   readonly requireSlack: number | null;
-  /** Work that a level may cost, pieces of motion; the engine's default when left out. */
+  /** The largest work for one level, in pieces of motion; by default the engine's limit. */
   readonly maxWork?: number;
-  /** Rules that the folder sets; none when left out. */
+  /** The folder's rules; none by default. */
   readonly rules?: OwnRules;
 }
 
-/** How a level without a run that completes it is searched. */
+/** How to search a level that none of its runs completes. */
 export interface SearchSettings {
-  /** for each level */
+  /** The limits for each level. */
   readonly limits: Limits;
   readonly seed: number;
 }

@@ -1,6 +1,6 @@
 import { type Advice, type CheckCode, explainCodes } from '../../check/words/index.ts';
 
-/** What to do on the command line about the problems that only checking a level can show. */
+/** Hints for the command line about problems that only a check can find. */
 const ADVICE: Readonly<Record<CheckCode, Advice>> = {
   'run-does-not-complete': {
     fix:
@@ -59,5 +59,5 @@ const ADVICE: Readonly<Record<CheckCode, Advice>> = {
   },
 };
 
-/** The problems that only checking a level can show, explained. */
+/** Explanations of the problems that only a check can find. */
 export const CHECK_CODES = explainCodes(ADVICE, { longestRun: '--max-time', mostWork: '--max-work' });

@@ -2,7 +2,7 @@ import type { Hints } from '../../check/index.ts';
 import { byHolds } from '../report-parts/index.ts';
 import { shellPath } from '../shown-path.ts';
 
-/** What to do about a problem of a level file on the command line. */
+/** Hints for the command line about the problems of a level file. */
 export function commandHints(file: string): Hints {
   const path = shellPath(file);
   return {

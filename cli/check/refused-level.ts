@@ -2,13 +2,13 @@ import { basename } from 'node:path';
 import type { ShownProblem } from '../shown-problem.ts';
 import type { CheckedLevel } from './checked-level.ts';
 
-/** The report of a file that can't be read. */
+/** The report for a file that can't be read. */
 export function unreadableLevel(file: string, message: string): CheckedLevel {
   const hint = 'this level was not checked: make the file readable, or leave it out';
   return { ...refusedLevel(file, 'invalid', [problemOfFile('unreadable-file', message, hint)]), unreadable: true };
 }
 
-/** The report of a level on which the toolkit itself fell over. */
+/** The report for a level that makes the toolkit itself fail. */
 export function crashedLevel(file: string, error: unknown): CheckedLevel {
   const message = `checking this level crashed: ${error instanceof Error ? error.message : String(error)}`;
   return refusedLevel(file, 'crashed', [
@@ -27,7 +27,7 @@ const problemOfFile = (code: string, message: string, hint: string): ShownProble
   frame: null,
 });
 
-/** The report of a file of which nothing but its problems is known. */
+/** The report for a file of which only the problems are known. */
 export function refusedLevel(file: string, verdict: 'invalid' | 'crashed', problems: readonly ShownProblem[]): CheckedLevel {
   return {
     file,

@@ -3,12 +3,12 @@ import { type Scene, TICK_RATE } from '../../engine/index.ts';
 import { createSolver } from '../../solver/index.ts';
 import type { CheckSettings, SearchSettings } from './checked-level.ts';
 
-/** Ticks simulated between two looks at the clock. */
+/** Simulated ticks between two looks at the clock. */
 const SLICE = 50_000;
 
 /**
- * Looks for a run that completes a level: for any, or, where slack is required, for the one that forgives most.
- * Takes the thread it is called from as long as the limits allow.
+ * Searches for a run that completes a level: for any run, or if slack is required, for the most robust one.
+ * Blocks the calling thread for as long as the limits allow.
  */
 export function searchLevel(scene: Scene, { limits, seed }: SearchSettings, { maxTime, requireSlack }: CheckSettings): Searched {
   const objective = requireSlack === null ? 'first' : 'robust';

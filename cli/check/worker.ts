@@ -1,7 +1,7 @@
 import { checkLevel } from './check-level.ts';
 import type { CheckedLevel, CheckSettings } from './checked-level.ts';
 
-/** What one message to a worker asks for. */
+/** A message to a worker. */
 export interface Batch {
   readonly files: readonly string[];
   readonly settings: CheckSettings;

@@ -16,7 +16,7 @@ import { formatOption, maxTimeOption } from '../options.ts';
 import { visibleLine } from '../visible.ts';
 import { writeWhole } from '../write-file.ts';
 
-/** How long the timing takes, ms. */
+/** ms for the timing */
 const BUDGET = 3000;
 
 interface Options extends AccuracyOptions {

@@ -40,19 +40,19 @@ Examples:
     .action(edit);
 }
 
-/** Ends by a signal alone. */
+/** Runs until a signal ends it. */
 async function edit(folder: string, options: EditOptions): Promise<void> {
   const print = (text: string): void => void process.stderr.write(visible(text));
   const onCrash = (error: unknown): void => {
     const stack = error instanceof Error ? error.stack : String(error);
     print(`gq edit continues, but this is a bug in gq; please report it:\n${stack}\n`);
   };
-  // its loop is free but for short moments, and a file that is being written is finished
+  // the server leaves the event loop free except for short moments, and finishes a file that it is writing
   catchSignals();
-  // a configuration that is not valid keeps it from starting; from then on the page says so
+  // an invalid configuration is an error at the start; later the page reports it
   folderRules();
   const server = await startServer({ folder, port: options.port ?? null, configFrom: process.cwd(), page: PAGE, onCrash });
-  // unlike other commands' reports this is needed before the end
+  // unlike the reports of other commands, the address is needed before the command ends
   process.stdout.write(announcement(folder, server, options));
   if (options.open) {
     openBrowser(server.address, (why) =>

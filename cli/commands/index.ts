@@ -3,7 +3,7 @@ import type { CommandModule } from '../command.ts';
 interface CommandEntry {
   readonly name: string;
   readonly summary: string;
-  /** A command's module, and with it the engine or the renderer, is loaded only when it is the one asked for. */
+  /** Loads the command's module, and with it the engine or the renderer: only for the command that is used. */
   readonly load: () => Promise<CommandModule>;
 }
 

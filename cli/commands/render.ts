@@ -31,7 +31,7 @@ import { writeWhole } from '../write-file.ts';
 
 const DEFAULT_WIDTH = 1200;
 
-/** Ticks simulated for a picture of a search, where nothing else is said. */
+/** The default effort for a picture of a search, ticks. */
 const DEFAULT_EFFORT = 2_000_000;
 
 interface Options extends AccuracyOptions {
@@ -126,7 +126,7 @@ async function render(file: string, options: Options): Promise<CommandResult> {
   return { messages: `${said}wrote ${visibleLine(output)}\n`, exitCode: 0 };
 }
 
-/** What the options ask to be shown, or what the command is to leave behind when there is no such thing. */
+/** The view that the options select, or the result of the command if there is nothing to show. */
 async function viewOf(file: string, subject: Subject, options: Options): Promise<View | CommandResult> {
   const { run: wanted, holds, minerals, effort, seed, solve } = options;
   const { level } = subject;
@@ -176,7 +176,7 @@ function solveFor(
   return solveLevel(settings, { limits, jobs: availableParallelism(), onRound: () => {} });
 }
 
-/** @throws Failure when the options ask for views that don't go into one picture */
+/** @throws Failure if the options select views that can't be combined in one picture */
 function expectOneView({ run, holds, allRuns, solve, explored, closest, fan, proof }: Options): void {
   const views = [
     allRuns && '--all-runs',

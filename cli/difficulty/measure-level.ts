@@ -10,15 +10,15 @@ import { readBytes } from '../read-bytes.ts';
 import { closestRunInWords } from '../report-parts/index.ts';
 import type { MeasuredLevel, MeasureSettings, MeasureTask } from './measured-level.ts';
 
-/** Noises at which a curve is sampled, ms; success at 0 is certain. */
+/** ms; the noises at which a curve is sampled. Success at 0 is certain. */
 const SIGMAS = [10, 20, 30, 40, 50, 60, 80, 100, 130, 160, 200, 250, 300] as const;
 
 const CURVE_SAMPLES = 1000;
 
-/** Among several levels one press is tried at every fourth tick: a sixteenth of all pairs. */
+/** With several levels, single holds are tried at every fourth tick only: a sixteenth of all pairs of press and release. */
 const ONE_PRESS_STRIDE = 4;
 
-/** Measures how hard one level file is. Throws only where gq itself fails. */
+/** Measures the difficulty of one level file. Throws only if gq itself fails. */
 export function measureLevel({ file, settings }: MeasureTask): MeasuredLevel {
   const fileName = basename(file).replace(/(\.level)?\.json$/, '');
   const nothing = { file, name: fileName, runName: null, difficulty: null, curve: [], problems: [] } as const;
@@ -62,7 +62,7 @@ function measure(level: Level, settings: MeasureSettings): Measured {
 
 type Chosen = { readonly name: string | null; readonly holds: readonly (readonly [number, number])[] } | { readonly why: string };
 
-/** The run to measure: the one asked for, the first of the level's that meets the goal, or one that a search finds. */
+/** The run to measure: the selected one, else the level's first run that meets the goal, else one that a search finds. */
 function chooseRun(scene: Scene, { goal, run, search, effort, seed, accuracy }: MeasureSettings, maxTicks: number): Chosen {
   const { level } = scene;
   if (run !== null) {

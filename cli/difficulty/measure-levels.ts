@@ -2,10 +2,10 @@ import { runInPool } from '../pool.ts';
 import type { MeasuredLevel, MeasureSettings, MeasureTask } from './measured-level.ts';
 
 /**
- * Measures how hard level files are, in worker threads.
- * @param jobs the most threads
- * @param onProgress called after each file with how many are done
- * @returns one report a file, in the same order
+ * Measures the difficulty of level files in worker threads.
+ * @param jobs the largest number of threads
+ * @param onProgress called after each file with the number of files that are done
+ * @returns one report for each file, in the same order
  */
 export function measureLevels(
   files: readonly string[],

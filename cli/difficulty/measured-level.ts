@@ -3,46 +3,46 @@ import type { OwnRules } from '../../schema/index.ts';
 import type { Difficulty, Goal, Success } from '../../solver/index.ts';
 import type { ShownProblem } from '../shown-problem.ts';
 
-/** How hard one level file was found to be. */
+/** The measured difficulty of one level file. */
 export interface MeasuredLevel {
   readonly file: string;
-  /** The level's name; the file's where it is not a valid level. */
+  /** The name of the level, or of the file if it is not a valid level. */
   readonly name: string;
-  /** The run that was measured is this one of the level's; null: it was found. */
+  /** The name of the measured run; null: a search found it. */
   readonly runName: string | null;
   readonly difficulty: Difficulty | null;
-  /** Success at more noises; empty unless asked for. */
+  /** Success at more noises; empty unless requested. */
   readonly curve: readonly Success[];
-  /** Why there is no difficulty; empty when there is one. */
+  /** Why there is no difficulty; empty if there is one. */
   readonly why: string;
-  /** Of a file that is not a valid level. */
+  /** The problems of a file that is not a valid level. */
   readonly problems: readonly ShownProblem[];
-  /** 0 measured, 1 there is nothing to measure, 2 the file could not be read */
+  /** 0: measured; 1: there is nothing to measure; 2: the file could not be read */
   readonly code: 0 | 1 | 2;
 }
 
-/** What is measured, and how. */
+/** What to measure, and how. */
 export interface MeasureSettings {
-  /** Rules that the folder sets. */
+  /** The folder's rules. */
   readonly rules: OwnRules;
   readonly accuracy: Accuracy;
   readonly goal: Goal;
-  /** The run to measure; null: the first that meets the goal. */
+  /** The name of the run to measure; null: the first that meets the goal. */
   readonly run: string | null;
-  /** Measure the most robust run that a search finds, whatever runs there are. */
+  /** Whether to measure the most robust run that a search finds, even if the level has runs. */
   readonly search: boolean;
-  /** Ticks simulated to find a run. */
+  /** The effort to find a run, ticks. */
   readonly effort: number;
   readonly seed: number;
   /** s */
   readonly maxTime: number;
-  /** What takes longest, too: what minerals cost beyond, ways round each asteroid, and one press at every tick. */
+  /** Whether to do the slowest parts, too: the cost of minerals, ways round each asteroid, and single holds at every tick. */
   readonly inFull: boolean;
-  /** Success at more noises, for a picture. */
+  /** Whether to measure success at more noises, for a picture. */
   readonly withCurve: boolean;
 }
 
-/** One task of a worker. */
+/** A task for a worker. */
 export interface MeasureTask {
   readonly file: string;
   readonly settings: MeasureSettings;

@@ -23,8 +23,8 @@ const WAIT = 10;
 const TRIES = 1500;
 
 /**
- * Does synchronous work while no other `gq edit` changes the same folder: no other can change a file between the comparison with
- * the disk and the replacement. Other programs ignore this lock.
+ * Does synchronous work while no other `gq edit` changes the same folder: no other can change a file after it was compared with
+ * the disk and before it is replaced. Other programs ignore this lock.
  * @throws Refusal if others hold the lock for too long; a system error if the folder can't be written
  */
 export async function oneAtATime<T>(root: string, work: () => T): Promise<T> {

@@ -32,8 +32,8 @@ const TYPES: Readonly<Record<string, string>> = {
 export const PAGE = fileURLToPath(new URL('../../editor', import.meta.url));
 
 /**
- * The files of the built page by address. They are read once: an address is only looked up and never becomes a path, and a later
- * build can't mix two versions.
+ * The files of the built page by address. They are read once: an address is only looked up and never becomes a path, and a
+ * later build can't mix two versions.
  * @throws Failure if there is no built page
  */
 export function readPage(folder: string): ReadonlyMap<string, PageFile> {

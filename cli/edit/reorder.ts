@@ -14,8 +14,8 @@ function parse(name: string): Name {
 }
 
 /**
- * New names for the files of one folder, so that they sort in the wanted order by their leading numbers. The existing numbers are
- * reassigned, including gaps; if a name has no number or two have the same, the files are numbered from 1.
+ * New names for the files of one folder, so that they sort in the wanted order by their leading numbers. The existing numbers
+ * are reassigned, including gaps; if a name has no number or two have the same, the files are numbered from 1.
  * @param wanted the names, without folder and suffix, in the wanted order
  * @returns the new names in the same order; names that already fit stay the same
  */

@@ -35,7 +35,7 @@ export interface EditServer {
 export interface EditServerOptions {
   /** The folder as the user named it. */
   readonly folder: string;
-  /** The last port if it is free; else for 0 any, for null the first free one from `DEFAULT_PORT` on. Others: exactly that port. */
+  /** 0 and null: the last port, if it is free; else 0 is any port, and null the first free one from `DEFAULT_PORT` on. */
   readonly port: number | null;
   /** The search for `gq.config.json` starts in this folder and goes upwards. */
   readonly configFrom: string;

@@ -8,10 +8,10 @@ import { NotAFile, readRegularFile } from '../regular-file.ts';
 import { schemaReference } from '../schema-reference.ts';
 import { namedPath } from '../shown-path.ts';
 
-/** What became of a level that was made: `in the way` is another file of that name, which stays. */
+/** What happened to a generated level; `in the way`: another file has its name, which is not overwritten. */
 export type Kept = 'written' | 'unchanged' | 'in the way';
 
-/** The file of a level: by its name and its seed, so that the same seed is the same file. */
+/** The file name of a level, made from its name and seed, so that the same seed gives the same file. */
 export function generatedPath(directory: string, name: string, seed: number): string {
   const slug = name
     .toLowerCase()
@@ -21,8 +21,8 @@ export function generatedPath(directory: string, name: string, seed: number): st
 }
 
 /**
- * Writes a level into a file that is not there yet, whole or not at all.
- * @throws Failure when it can't be written
+ * Writes a level to a new file: completely or not at all.
+ * @throws Failure if it can't be written
  */
 export function keepLevel(directory: string, path: string, { level }: Generated): Kept {
   const $schema = schemaReference(directory) ?? undefined;
@@ -36,7 +36,7 @@ export function keepLevel(directory: string, path: string, { level }: Generated)
   }
 }
 
-/** Makes the directory where it is missing, and looks whether levels can be written into it. @throws Failure when they can't be */
+/** Creates the directory if it is missing, and tries to write into it. @throws Failure if that fails */
 export function makeDirectory(directory: string): void {
   const fail = (what: string, error: unknown): never => {
     const reason = systemReason(error);

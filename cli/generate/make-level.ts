@@ -2,28 +2,28 @@ import { compile, simulate } from '../../engine/index.ts';
 import { resolveLevel } from '../../schema/index.ts';
 import { createGenerator, type Generated, type GeneratorOptions } from '../../solver/index.ts';
 
-/** One task of a worker: a level from a seed. */
+/** A task for a worker: to generate a level from a seed. */
 export interface GenerateTask {
   readonly options: GeneratorOptions;
-  /** Ticks simulated at most. */
+  /** The largest effort, ticks. */
   readonly effort: number;
 }
 
-/** What came of a seed. */
+/** The result for a seed. */
 export interface MadeLevel {
   readonly seed: number;
-  /** null: nothing that was good enough within the effort */
+  /** null: no layout was good enough within the effort */
   readonly made: Generated | null;
-  /** Of its run `solution`, s; null when nothing was made. */
+  /** The time of its run `solution`, s; null if there is no level. */
   readonly length: number | null;
-  /** Layouts begun; all but the last came to nothing, the last, too, when nothing was made. */
+  /** The number of layouts that were begun; all but the last failed, and without a level the last one, too. */
   readonly attempts: number;
   readonly ticks: number;
 }
 
 const SLICE = 1_000_000;
 
-/** Makes a level; takes the thread it is called from until it is done. */
+/** Generates a level; blocks the calling thread until it is done. */
 export function makeLevel({ options, effort }: GenerateTask): MadeLevel {
   const generator = createGenerator(options);
   while (generator.result === null && generator.effort.ticks < effort) {

@@ -2,9 +2,9 @@ import { runInPool } from '../pool.ts';
 import type { GenerateTask, MadeLevel } from './make-level.ts';
 
 /**
- * Makes levels in worker threads.
- * @param jobs the most threads
- * @param onMade called with each as it is done; the levels are made when it has ended for all
+ * Generates levels in worker threads. Resolves after `onMade` has finished for every level.
+ * @param jobs the largest number of threads
+ * @param onMade called with each level as soon as it is done
  */
 export async function makeLevels(
   tasks: readonly GenerateTask[],

@@ -8,13 +8,13 @@ import type { ChosenRun } from '../chosen-run.ts';
 import { percent } from '../report-parts/index.ts';
 import type { Solved } from '../solve/index.ts';
 
-/** What a picture shows, but for its size and colours. */
+/** What a picture shows, apart from its size and colours. */
 export interface View extends Omit<RenderOptions, 'width' | 'theme'> {
-  /** What is reported to the person beside the picture: where it shows less than was asked for. */
+  /** A message for people if the picture shows less than was requested. */
   readonly remark?: string;
 }
 
-/** What is drawn, and how it is played. */
+/** What to draw, and how to simulate it. */
 export interface Subject {
   readonly level: Level;
   readonly accuracy: Accuracy;
@@ -37,7 +37,7 @@ export function viewAllRuns({ level, accuracy, maxTime }: Subject): View {
   return { ways };
 }
 
-/** Really different runs that a search found. @param wanted how many were asked for */
+/** Really different runs that a search found. @param wanted the number that was requested */
 export function viewSolved({ level }: Subject, { runs, effort }: Solved, wanted: number): View {
   const ways = runs.map(({ run, holds, robustness }) => {
     const presses = plural(holds.length, 'press', 'presses');
@@ -57,12 +57,12 @@ export function viewSolved({ level }: Subject, { runs, effort }: Solved, wanted:
   };
 }
 
-/** Executions that are tried for a fan. */
+/** The number of executions in a fan. */
 const FAN = 80;
 
 /**
- * Where a run goes when each of its presses and releases is off by up to `ticks`: each edge alone to either side, and all
- * of them by chance.
+ * The paths of a run whose presses and releases are off by up to `ticks`: each edge alone to either side, and all of them at
+ * random.
  */
 export function viewFan(subject: Subject, chosen: ChosenRun, ticks: number, seed: number): View {
   const { level, accuracy, maxTime } = subject;
@@ -84,7 +84,7 @@ export function viewFan(subject: Subject, chosen: ChosenRun, ticks: number, seed
   };
 }
 
-/** The run with its edges shifted: one that is released before it is pressed vanishes, ticks below 0 are 0. */
+/** The holds with shifted edges. A hold that would end before it begins is dropped; ticks below 0 become 0. */
 function shifted(edges: readonly number[], shifts: readonly number[]): Hold[] {
   const at = (i: number): number => Math.max(0, edges[i] + shifts[i]);
   const holds: Hold[] = [];
@@ -92,7 +92,7 @@ function shifted(edges: readonly number[], shifts: readonly number[]): Hold[] {
   return [...joinHolds(holds)];
 }
 
-/** How a search for pictures is made. */
+/** The settings of a search for pictures. */
 export interface Exploration {
   readonly goal: Goal;
   readonly seed: number;
@@ -102,7 +102,7 @@ export interface Exploration {
   readonly nearest: boolean;
 }
 
-/** Where a search has been, the nearest it came, or both. */
+/** The places that a search has visited, its closest run, or both. */
 export function viewExploration(subject: Subject, { goal, seed, effort, heat, nearest }: Exploration): View {
   const { level, accuracy, maxTime } = subject;
   const scene = compile(level, accuracy);
@@ -123,14 +123,14 @@ function nearestRun(scene: Scene, { solutions, closest }: Search, maxTime: numbe
   const [solution] = solutions;
   if (solution !== undefined) return { run: simulate(scene, solution.holds, { maxTime }), holds: solution.holds };
   if (closest === null) return {};
-  // drawn up to a little after the moment
+  // the path is drawn up to shortly after the closest moment
   const run = simulate(scene, closest.holds, { maxTime: Math.min(maxTime, (closest.tick + 1) * TICK) });
   return { run, holds: closest.holds, nearest: nearestTime(closest.tick) };
 }
 
 const nearestTime = (tick: number): number => tick * TICK;
 
-/** Why the goal can't be reached; null where there is no proof. */
+/** The proof that the goal can't be reached; null if there is none. */
 export function viewProof({ level, accuracy, maxTime }: Subject, goal: Goal): View | null {
   const proof = proveGoalImpossible(level, accuracy, goal, Math.round(maxTime * TICK_RATE));
   if (proof === null) return null;

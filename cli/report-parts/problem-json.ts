@@ -1,6 +1,6 @@
 import type { CheckReport, Problem } from '../../schema/index.ts';
 
-/** A problem as every JSON report gives it. */
+/** A problem as in every JSON report. */
 export function problemJson({
   code,
   severity,

@@ -4,12 +4,12 @@ import type { Colors } from '../colors.ts';
 import { MAX_SHOWN, type ShownProblem } from '../shown-problem.ts';
 import { visible, visibleLine } from '../visible.ts';
 
-/** `file:line:col`, or the file alone where a problem is about all of it. */
+/** `file:line:col`, or only the file if a problem concerns all of it. */
 function place(file: string, { line, column }: ShownProblem): string {
   return visibleLine(line === null ? file : `${file}:${line}:${column ?? 1}`);
 }
 
-/** One problem for a person: its place first, then what, the lines around it, and what to do. */
+/** One problem for people: its place first, then the message, the lines around it, and the hint. */
 export function showProblem(file: string, problem: ShownProblem, colors: Colors): string {
   const paint = problem.severity === 'error' ? colors.red : colors.yellow;
   const head = `${place(file, problem)}: ${paint(problem.severity)} ${colors.dim(problem.code)}: ${visibleLine(problem.message)}`;
@@ -20,9 +20,9 @@ export function showProblem(file: string, problem: ShownProblem, colors: Colors)
 
 const isCount = ({ code, message }: ShownProblem): boolean => code === 'more-problems' || message === MORE_WARNINGS;
 
-/** The problems of one file; of very many only the first. */
+/** The problems of one file; if there are very many, only the first. */
 export function showFileProblems(file: string, problems: readonly ShownProblem[], colors: Colors): string {
-  // what only says how many were left out earlier is no problem of its own
+  // an entry that only says how many problems were left out earlier is not counted as a problem
   const counts = problems.filter(isCount);
   const all = counts.length === 0 ? problems : problems.filter((problem) => !isCount(problem));
   const shown = all.slice(0, MAX_SHOWN).map((problem) => showProblem(file, problem, colors));

@@ -5,7 +5,7 @@ import type { Robustness } from '../../solver/index.ts';
 
 const SIGMAS = ['p30', 'p40', 'p60', 'p80'] as const;
 
-/** What a run forgives, as JSON reports have it. */
+/** The robustness of a run as in JSON reports. */
 export function robustnessJson(robustness: Robustness): RobustnessReport {
   const { p30, p40, p60, p80, certifiedTicks, decided, slack } = robustness;
   const interval = ({ low, high }: typeof p30): [number, number] => [low, high];
@@ -22,13 +22,13 @@ export function robustnessJson(robustness: Robustness): RobustnessReport {
   };
 }
 
-/** `99.2 %`, and never 100 or 0 % for what is not all or nothing. */
+/** `99.2 %`; 100 % and 0 % only if the value is exactly that. */
 export function percent(share: number): string {
   if (share === 0 || share === 1) return `${100 * share} %`;
   return `${Math.min(99.9, Math.max(0.1, 100 * share)).toFixed(1)} %`;
 }
 
-/** The same for a person: lines of a label and what it says. */
+/** The robustness of a run for people: lines with a label and a value. */
 export function robustnessLines(robustness: Robustness): [label: string, text: string][] {
   const { certifiedTicks: ticks, slack, p40, decided } = robustness;
   const success = SIGMAS.map((key) => `${percent(robustness[key].p)} at ${robustness[key].sigma} ms`).join(', ');

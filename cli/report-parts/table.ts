@@ -1,6 +1,6 @@
 /**
- * Rows of cells as lines: every column as wide as its widest cell, no space at the ends.
- * @param right the columns, from 0, that are set to the right
+ * Formats rows of cells as lines. Every column is as wide as its widest cell; lines have no trailing spaces.
+ * @param right the columns, from 0, that are aligned to the right
  */
 export function alignColumns(rows: readonly (readonly string[])[], right: readonly number[] = []): string[] {
   const widths: number[] = [];
@@ -12,5 +12,5 @@ export function alignColumns(rows: readonly (readonly string[])[], right: readon
   return rows.map((row) => row.map(pad).join('  ').trimEnd());
 }
 
-/** Characters, not UTF-16 code units. */
+/** The number of characters, not of UTF-16 code units. */
 const length = (cell: string): number => [...cell].length;

@@ -5,21 +5,21 @@ import { Failure, systemReason } from '../failure.ts';
 import { readBytes } from '../read-bytes.ts';
 import { whyNotWritable } from '../writable.ts';
 
-/** A run that was put into a level file, or is there already under this name. */
+/** A run that was added to a level file, or that was already there under this name. */
 export interface AddedRun {
   readonly name: string;
   readonly status: 'written' | 'already there';
 }
 
-/** What a run that was found is called when nothing else is said. */
+/** The default name of a run that was found. */
 const DEFAULT_NAME = 'solution';
 
 /**
- * Puts runs into a level file, behind those it has, in the canonical layout; nothing else in it changes.
+ * Appends runs to a level file and writes it in the canonical layout; no other data changes.
  * @param base the bytes that were read before the search
- * @param file what they say
- * @param wanted the name of the first run; `solution` or the next free one when null
- * @throws Failure when the file has changed since, or can't be written
+ * @param file the parsed bytes
+ * @param wanted the name of the first run; null: `solution`, or the next free name
+ * @throws Failure if the file has changed since, or can't be written
  */
 export function addRuns(
   path: string,
@@ -43,7 +43,7 @@ export function addRuns(
   if (added.every(({ status }) => status === 'already there')) return added;
   const content = Buffer.from(formatLevel({ ...file, runs }));
   try {
-    // a link stays one: what it leads to is replaced
+    // a link stays a link: the file that it leads to is replaced
     const real = realpathSync(path);
     replaceFile(real, content, () => {
       if (Buffer.compare(readBytes(real), base) === 0) return;
@@ -58,13 +58,13 @@ export function addRuns(
   return added;
 }
 
-/** Looks before a long search whether its result could be written. @throws Failure when it could not */
+/** Checks before a long search whether its result can be written. @throws Failure if it can't */
 export function expectWritable(path: string): void {
   const why = whyNotWritable(path);
   if (why !== null) throw new Failure(`${path}: --write can't write it: ${why}`);
 }
 
-/** The name itself, or with the first number behind it that is free. */
+/** The name itself if it is free, else with the first number that makes it free. */
 function freeName(name: string, taken: readonly string[]): string {
   if (!taken.includes(name)) return name;
   for (let i = 2; ; i++) if (!taken.includes(`${name}-${i}`)) return `${name}-${i}`;

@@ -2,16 +2,16 @@ import type { Hold } from '../../schema/index.ts';
 import type { Closest, Effort, Robustness, Solution } from '../../solver/index.ts';
 import type { SolveSettings } from './settings.ts';
 
-/** What a worker thread starts with. */
+/** The data that a worker thread starts with. */
 export interface WorkerData {
   readonly settings: SolveSettings;
-  /** The lanes that are its own. */
+  /** The lanes of this worker. */
   readonly lanes: readonly number[];
-  /** An Int32: anything but 0 asks to stop soon. */
+  /** An Int32; any value but 0 is a request to stop soon. */
   readonly stop: SharedArrayBuffer;
 }
 
-/** What a worker is asked for, each answered once. */
+/** A request to a worker; each gets one answer. */
 export type Request =
   | { readonly kind: 'advance'; readonly to: number }
   | { readonly kind: 'measure'; readonly holds: readonly Hold[] };
@@ -21,7 +21,7 @@ export interface LaneState {
   readonly effort: Effort;
   readonly closest: Closest | null;
   readonly solutions: readonly Solution[];
-  /** Nothing can get better. */
+  /** Whether nothing can improve any more. */
   readonly finished: boolean;
 }
 

@@ -1,6 +1,6 @@
 import type { Found } from './worker-pool.ts';
 
-/** What a search has so far, on a line. */
+/** The progress of a search in one line. */
 export function progressText({ solutions, effort, closest }: Found, seconds: number): string {
   const so = `solving, ${seconds.toFixed(0)} s, ${(effort.ticks / 1e6).toFixed(1)} million ticks: `;
   const [best] = solutions;

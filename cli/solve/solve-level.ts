@@ -7,34 +7,34 @@ import { catchSignals, leaveSignals } from '../signals.ts';
 import type { SolveSettings } from './settings.ts';
 import { type Found, startWorkerPool } from './worker-pool.ts';
 
-/** A run that was found, replayed, with what it forgives. */
+/** A run that was found and replayed, with its robustness. */
 export interface SolvedRun {
   readonly holds: readonly Hold[];
   readonly run: Run;
   readonly robustness: Robustness;
 }
 
-/** What came out of solving a level. */
+/** The result of solving a level. */
 export interface Solved {
-  /** Best first; empty when none was found. */
+  /** Best first; empty if none was found. */
   readonly runs: readonly SolvedRun[];
   readonly effort: Effort;
   /** s of wall time */
   readonly seconds: number;
-  /** null when a run was found, or nothing was tried */
+  /** null if a run was found or nothing was tried */
   readonly closest: Closest | null;
-  /** The proof that there is no run; nothing was searched then. */
+  /** The proof that there is no run; then there was no search. */
   readonly impossible: Proof | null;
 }
 
 export interface SolveOptions {
   readonly limits: Limits;
-  /** The most threads; what comes out does not depend on it. */
+  /** The largest number of threads; the result does not depend on it. */
   readonly jobs: number;
   readonly onRound: (found: Found) => void;
 }
 
-/** Tries to prove that there is no run, then searches for one, in threads of its own. */
+/** Tries to prove that there is no run, then searches for one in worker threads. */
 export async function solveLevel(settings: SolveSettings, { limits, jobs, onRound }: SolveOptions): Promise<Solved> {
   const start = performance.now();
   const since = (): number => (performance.now() - start) / 1000;
@@ -45,7 +45,7 @@ export async function solveLevel(settings: SolveSettings, { limits, jobs, onRoun
   const { solutions, effort, closest, measured } = await searchInThreads();
   const scene = compile(level, accuracy);
   const runs = solutions.map(({ holds }, i): SolvedRun => {
-    // what is reported is what a replay from the start shows
+    // the report describes a replay from the start
     const run = simulate(scene, holds, { maxTime: maxTicks * TICK });
     if (run.outcome !== 'completed')
       throw new Error(`a run that was found does not complete the level: ${JSON.stringify(holds)}`);
@@ -61,7 +61,7 @@ export async function solveLevel(settings: SolveSettings, { limits, jobs, onRoun
       return { ...found, measured: await pool.measure(found.solutions.map(({ holds }) => holds)) };
     } finally {
       await pool.close();
-      // a replay may take long
+      // replays may take long and block the loop: from here on a signal must end the process at once
       await leaveSignals();
     }
   }

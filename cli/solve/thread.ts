@@ -3,9 +3,9 @@ import type { Answer, Request, WorkerData } from './messages.ts';
 
 type AnswerOf<K> = Extract<Answer, { kind: K }>;
 
-/** A worker thread that answers questions, one after the other. */
+/** A worker thread that answers requests one after the other. */
 export interface Thread {
-  /** @throws Error with what went wrong in the thread */
+  /** @throws the error of the thread */
   ask<K extends Request['kind']>(request: Request & { kind: K }, kind: K): Promise<AnswerOf<K>>;
   end(): Promise<unknown>;
 }
@@ -13,7 +13,7 @@ export interface Thread {
 /** Starts a worker thread that searches. */
 export function startThread(workerData: WorkerData): Thread {
   const worker = new Worker(new URL('./worker.js', import.meta.url), { workerData });
-  // one that died is reported to whoever asks next
+  // if the worker has died, the next request throws its error
   let failure: Error | null = null;
   worker.on('error', (error) => {
     failure = error instanceof Error ? error : new Error(String(error));

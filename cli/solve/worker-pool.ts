@@ -5,22 +5,22 @@ import type { LaneState } from './messages.ts';
 import { LANES, rounds, type SolveSettings } from './settings.ts';
 import { startThread } from './thread.ts';
 
-/** What the lanes have found together. */
+/** The combined results of all lanes. */
 export interface Found {
   readonly effort: Effort;
   readonly closest: Closest | null;
-  /** Best first, really different ones. */
+  /** Really different runs, best first. */
   readonly solutions: readonly Solution[];
 }
 
-/** Threads that search together. */
+/** Threads that share a search. */
 export interface WorkerPool {
   /**
-   * Searches until nothing can get better, or a limit is reached.
-   * @param onRound called with what there is by then
+   * Searches until nothing can improve or a limit is reached.
+   * @param onRound called after each round with the results so far
    */
   search(limits: Limits, onRound: (found: Found) => void): Promise<Found>;
-  /** How much each of these runs forgives. */
+  /** Measures the robustness of each of these runs. */
   measure(runs: readonly (readonly Hold[])[]): Promise<readonly Robustness[]>;
   /** Ends the threads. */
   close(): Promise<void>;
@@ -28,7 +28,7 @@ export interface WorkerPool {
 
 /**
  * Starts worker threads that share the lanes of a search.
- * @param jobs the most threads; what they find does not depend on it
+ * @param jobs the largest number of threads; the result does not depend on it
  */
 export function startWorkerPool(settings: SolveSettings, jobs: number): WorkerPool {
   const threads = Math.min(jobs, LANES);
@@ -42,21 +42,21 @@ export function startWorkerPool(settings: SolveSettings, jobs: number): WorkerPo
     Atomics.store(stopped, 0, 1);
   };
 
-  /** Every lane at so many ticks in all, or where it was stopped. */
+  /** Advances every lane to a total number of ticks, unless it is stopped before. */
   async function advance(to: number): Promise<LaneState[]> {
     const answers = await Promise.all(workers.map((worker) => worker.ask({ kind: 'advance', to }, 'advance')));
     return answers.flatMap((answer) => answer.lanes).sort((a, b) => a.lane - b.lane);
   }
 
   async function search({ budget, effort }: Limits, onRound: (found: Found) => void): Promise<Found> {
-    // a thread takes a while to start, and runs that are known are looked at however short the budget
+    // before the clock starts: threads take a while to start, and known runs are evaluated even with a very short budget
     let states = await advance(1);
     const clock = budget === null ? undefined : setTimeout(halt, 1000 * budget);
     try {
       for (const to of rounds(effort)) {
         states = await advance(to);
         onRound(together(states, settings.count));
-        // the lanes meet after each round, so that who is done first doesn't depend on who had more threads
+        // the lanes wait for each other after each round, so that the result does not depend on the number of threads
         if (isStopped() || states.some((state) => state.finished)) break;
       }
       return together(states, settings.count);

@@ -3,19 +3,19 @@ import { compile } from '../../engine/index.ts';
 import { createSolver, measureRobustness, type Solver } from '../../solver/index.ts';
 import type { Answer, LaneState, Request, WorkerData } from './messages.ts';
 
-/** Executions behind each probability. */
+/** The number of executions for each probability. */
 const SAMPLES = 1000;
 
-/** Runs simulated at most to certify a run. */
+/** The largest number of simulated runs to certify a run. */
 const MOST_RUNS = 50_000;
 
-/** Ticks simulated before a worker looks whether it is to stop. */
+/** Simulated ticks between two checks for a request to stop. */
 const SLICE = 50_000;
 
 interface Lane {
   readonly lane: number;
   readonly solver: Solver;
-  /** Ticks that it was asked to simulate: it stops a little beyond. */
+  /** The requested ticks; the solver may simulate slightly more. */
   asked: number;
 }
 
@@ -28,7 +28,7 @@ const own = lanes.map((lane): Lane => {
 });
 
 function advance(lane: Lane, to: number): void {
-  // what is known is looked at even by a search that is stopped as it begins
+  // the first slice evaluates the known runs: it runs even if the search is stopped at once
   while (lane.asked < to && !lane.solver.finished && (lane.asked === 0 || Atomics.load(stopped, 0) === 0)) {
     const ticks = Math.min(SLICE, to - lane.asked);
     lane.solver.advance(ticks);

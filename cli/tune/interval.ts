@@ -1,7 +1,7 @@
-/** To this part of a level's value its threshold is found. */
+/** The precision of a threshold, as a share of the level's value. */
 const PRECISION = 1e-3;
 
-/** Values that work, and how sure it is that there are no others beyond. */
+/** An interval of values that work, and whether each end is a real bound. */
 export interface Interval {
   readonly low: number;
   readonly high: number;
@@ -9,7 +9,7 @@ export interface Interval {
   readonly isHighBound: boolean;
 }
 
-/** The way from a value that works through others, up to the first that doesn't: then by halving. */
+/** Goes from a value that works through the others to the first that fails, then narrows the threshold by bisection. */
 function follow(own: number, others: readonly number[], works: (value: number) => boolean): { end: number; isBound: boolean } {
   let good = own;
   for (const value of others) {
@@ -29,9 +29,10 @@ function follow(own: number, others: readonly number[], works: (value: number) =
 }
 
 /**
- * The interval around a value in which something works: it is looked at the given values, outwards, and between the last that
- * works and the first that doesn't by bisection, to a thousandth of the value. What fails between two values that work is not seen.
- * @returns null where it doesn't work at the value itself
+ * The interval around a value in which something works. It tries the given values outwards, and narrows the threshold between
+ * the last that works and the first that fails by bisection, to a thousandth of the value. A failure between two values that
+ * work goes unnoticed.
+ * @returns null if it doesn't work at the value itself
  */
 export function intervalAround(own: number, values: readonly number[], works: (value: number) => boolean): Interval | null {
   if (!works(own)) return null;

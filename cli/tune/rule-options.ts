@@ -1,30 +1,30 @@
 import { InvalidArgumentError } from 'commander';
 import { closestName, RULE_NAMES, RULES, type RuleName } from '../../schema/index.ts';
 
-/** A value of a rule: itself, or a share of the value that a level has. */
+/** A value for a rule: absolute, or a share of the level's value. */
 export interface RuleValue {
   readonly amount: number;
   readonly isRelative: boolean;
 }
 
-/** A rule and the value it is set to. */
+/** A rule and its new value. */
 export interface Change extends RuleValue {
   readonly rule: RuleName;
 }
 
-/** Values of a rule, evenly from one to another. */
+/** Evenly spaced values of a rule. */
 export interface Sweep {
   readonly rule: RuleName;
   readonly from: number;
   readonly to: number;
-  /** 2 at least */
+  /** at least 2 */
   readonly count: number;
   readonly isRelative: boolean;
 }
 
 const MOST_VALUES = 1001;
 
-/** Shares of a level's value beyond which there is nothing to look for. */
+/** The allowed shares of a level's value. */
 const MOST_RELATIVE = 1000;
 
 const NUMBER = /^(\d+(?:\.\d+)?|\.\d+)(x?)$/;
@@ -54,7 +54,7 @@ function parseValue(rule: RuleName, text: string): RuleValue {
   return { amount, isRelative };
 }
 
-/** Reads `pull=1.1x` or `pull=45`, after those given before it. */
+/** Parses `pull=1.1x` or `pull=45` and appends it to the previous changes. */
 export function parseChange(text: string, before: readonly Change[] = []): readonly Change[] {
   const at = text.indexOf('=');
   if (at < 0) throw new InvalidArgumentError('expected RULE=VALUE, for example pull=1.1x or pull=45');
@@ -63,7 +63,7 @@ export function parseChange(text: string, before: readonly Change[] = []): reado
   return [...before, { rule, ...parseValue(rule, text.slice(at + 1)) }];
 }
 
-/** Reads `pull=0.8x..1.2x:41`. */
+/** Parses `pull=0.8x..1.2x:41`. */
 export function parseSweep(text: string): Sweep {
   const match = /^([^=]*)=(.+?)\.\.(.+):(\d+)$/.exec(text);
   if (match === null) {
@@ -80,6 +80,6 @@ export function parseSweep(text: string): Sweep {
   return { rule, from: from.amount, to: to.amount, count, isRelative: from.isRelative };
 }
 
-/** The values of a sweep, as they were asked for: numbers, or shares of a level's value. */
+/** The values of a sweep, as given: absolute, or shares of a level's value. */
 export const amountsOf = ({ from, to, count }: Sweep): number[] =>
   Array.from({ length: count }, (_, i) => from + ((to - from) * i) / (count - 1));

@@ -19,16 +19,16 @@ import { intervalAround } from './interval.ts';
 import { amountsOf, type RuleValue } from './rule-options.ts';
 import type { RuleInterval, TunedLevel, TunedValue, TuneSettings, TuneTask } from './tuned-level.ts';
 
-/** Shares of a level's value at which a rule is tried where no sweep says others: from half to twice. */
+/** The shares of a level's value at which a rule is tried without a sweep: from half to twice. */
 const TRIED = Array.from({ length: 31 }, (_, i) => 0.5 + i / 20);
 
-/** Ticks simulated between two looks at the clock. */
+/** Simulated ticks between two looks at the clock. */
 const SLICE = 50_000;
 
-/** A value that a rule can't have in this level. */
+/** Thrown for a value that is not allowed for a rule of this level. */
 class OutOfRange extends Error {}
 
-/** Looks what changes of rules do to one level file. Throws only where gq itself fails. */
+/** Finds the effects of changed rules on one level file. Throws only if gq itself fails. */
 export function tuneLevel({ file, settings }: TuneTask): TunedLevel {
   const name = basename(file).replace(/(\.level)?\.json$/, '');
   const nothing = { file, name, run: null, values: [], intervals: [], room: null, problems: [], why: '', code: 0 } as const;
@@ -79,7 +79,7 @@ function tune(level: Level, settings: TuneSettings): Tuned {
   return { run: base?.name ?? null, values, intervals, room: roomOf(intervals) };
 }
 
-/** The least share of its own value by which a rule may change; 0 where its run fails as it is. */
+/** The smallest share of the level's own value by which a rule may change; 0 if the run fails without a change. */
 function roomOf(intervals: readonly RuleInterval[]): number | null {
   let room: number | null = null;
   for (const { own, low, high, isLowBound, isHighBound } of intervals) {
@@ -109,7 +109,7 @@ function firstThatCompletes(level: Level, rules: OwnRules, settings: TuneSetting
   return level.runs.find(({ holds }) => completes(scene, holds, settings)) ?? null;
 }
 
-/** Every bit of a run; null where that takes more work than is allowed. */
+/** A hash of every bit of a run; null if that takes more work than is allowed. */
 function hashOf(level: Level, rules: OwnRules, holds: readonly Hold[], settings: TuneSettings): string | null {
   const { maxTime, maxWork } = settings;
   try {
@@ -140,7 +140,7 @@ function judge(
   return { value, state: found === null ? 'unproven' : 'other', holds: found };
 }
 
-/** A run that completes a scene; null: none was found within the limits. */
+/** Searches for a run that completes a scene; null: none was found within the limits. */
 function search(scene: Scene, { limits, seed }: NonNullable<TuneSettings['search']>, maxTicks: number): readonly Hold[] | null {
   const solver = createSolver(scene, { objective: 'first', seed, maxTicks });
   const end = limits.budget === null ? Number.POSITIVE_INFINITY : performance.now() + 1000 * limits.budget;

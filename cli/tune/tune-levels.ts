@@ -2,10 +2,10 @@ import { runInPool } from '../pool.ts';
 import type { TunedLevel, TuneSettings, TuneTask } from './tuned-level.ts';
 
 /**
- * Looks what changes of rules do to level files, in worker threads.
- * @param jobs the most threads
- * @param onProgress called after each file with how many are done
- * @returns one entry a file, those first whose run fails first; of equals in the order of the files
+ * Finds the effects of changed rules on level files in worker threads.
+ * @param jobs the largest number of threads
+ * @param onProgress called after each file with the number of files that are done
+ * @returns one entry for each file, sorted by the smallest change that makes its run fail, then in the order of the files
  */
 export async function tuneLevels(
   files: readonly string[],

@@ -4,70 +4,70 @@ import type { Limits } from '../search-options.ts';
 import type { ShownProblem } from '../shown-problem.ts';
 import type { Change, Sweep } from './rule-options.ts';
 
-/** What is changed, and how it is looked at. */
+/** Which rules to change, and how to find the effects. */
 export interface TuneSettings {
   readonly accuracy: Accuracy;
   /** s of simulated time after which a run is a timeout */
   readonly maxTime: number;
-  /** Pieces of motion that a replay may cost. */
+  /** The largest work of a replay, in pieces of motion. */
   readonly maxWork: number;
-  /** Rules that the folder sets. */
+  /** The folder's rules. */
   readonly rules: OwnRules;
-  /** Made together. */
+  /** Changes that apply together. */
   readonly changes: readonly Change[];
-  /** On top of the changes; null: these alone. */
+  /** A sweep on top of the changes; null: none. */
   readonly sweep: Sweep | null;
-  /** How to search where no run of the level's own is left; null: not at all. */
+  /** How to search if none of the level's own runs completes it any more; null: not at all. */
   readonly search: { readonly limits: Limits; readonly seed: number } | null;
 }
 
-/** One task of a worker. */
+/** A task for a worker. */
 export interface TuneTask {
   readonly file: string;
   readonly settings: TuneSettings;
 }
 
-/** `kept`: its run completes the level still; `other`: another run does. */
+/** `kept`: its run still completes the level; `other`: another run does. */
 export type TunedState = 'kept' | 'other' | 'unproven' | 'impossible';
 
-/** A level under one choice of rules. */
+/** A level with one choice of rules. */
 export interface TunedValue {
-  /** Of the swept rule; null without a sweep. */
+  /** The value of the swept rule; null without a sweep. */
   readonly value: number | null;
   readonly state: TunedState;
-  /** The other run. */
+  /** The holds of the other run. */
   readonly holds: readonly Hold[] | null;
 }
 
-/** How far a rule may go from a level's own value. */
+/** How far a rule may differ from the level's own value. */
 export interface RuleInterval {
   readonly rule: RuleName;
-  /** The level's value, without the changes. */
+  /** The level's value without the changes. */
   readonly own: number;
-  /** Least and greatest value around its own with which its run completes the level; null where it doesn't with its own. */
+  /** The smallest and largest value around its own with which its run completes the level; null if it fails with its own. */
   readonly low: number | null;
   readonly high: number | null;
-  /** Whether the run fails beyond that end; false: no value was tried beyond. */
+  /** Whether the run fails beyond this end; false: no value beyond was tried. */
   readonly isLowBound: boolean;
   readonly isHighBound: boolean;
-  /** Whether its run is another, in any bit, at an end of what was tried than at its own value. */
+  /** Whether any bit of its run at the smallest or largest tried value differs from that at its own value. */
   readonly matters: boolean;
 }
 
-/** What a change of rules does to one level file. */
+/** The effects of changed rules on one level file. */
 export interface TunedLevel {
   readonly file: string;
   readonly name: string;
-  /** The run that is looked at: the first that completes the level; null: none does. */
+  /** The name of the examined run, the first that completes the level; null: none does. */
   readonly run: string | null;
   readonly values: readonly TunedValue[];
   readonly intervals: readonly RuleInterval[];
-  /** The least share of its own value by which a rule may change before its run fails; null: it never did. */
+  /** The smallest share of its own value by which a rule changes before its run fails; null: it never failed. */
   readonly room: number | null;
-  /** Of a file that is not a valid level. */
+  /** The problems of a file that is not a valid level. */
   readonly problems: readonly ShownProblem[];
-  /** Why there is nothing to tell; empty when there is. */
+  /** Why there are no results; empty if there are. */
   readonly why: string;
-  /** 0 looked at, 1 not a valid level, 2 it can't be read or a value is out of a rule's range */
+  /** 0: done; 1: not a valid level; 2: the file can't be read or a value is out of a rule's range */
   readonly code: 0 | 1 | 2;
 }

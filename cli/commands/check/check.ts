@@ -16,7 +16,10 @@ import { checkGithub } from './github.ts';
 import { checkJson } from './json.ts';
 import { checkPretty } from './pretty.ts';
 
-/** Of more files than this minerals are not proved to be out of reach unless --solve takes its time anyway: a thousand levels have to be checked while somebody waits. */
+/**
+ * With more files than this, proofs about minerals are not tried, unless --solve takes its time anyway: a check of a thousand
+ * levels must not keep the user waiting.
+ */
 const FEW_FILES = 64;
 
 interface CheckOptions extends AccuracyOptions, SearchOptions {
@@ -70,7 +73,7 @@ Examples:
 async function check(paths: readonly string[], options: CheckOptions): Promise<CommandResult> {
   const search = searchOf(options);
   const { files, unreadable } = await findLevelFiles(paths);
-  // schema comes with it, which is else left to the workers
+  // imported only if needed: it loads the schema, which usually only the workers load
   const rules = findConfig() === null ? {} : (await import('../../folder-rules.ts')).folderRules();
   const settings: CheckSettings = {
     rules,

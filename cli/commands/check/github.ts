@@ -2,7 +2,7 @@ import { plural } from '../../../check/words/index.ts';
 import type { CheckedLevel } from '../../check/index.ts';
 import { summarize } from '../../check/index.ts';
 
-/** What `check` found out, as workflow commands that GitHub shows at the lines of a pull request, and a line of summary. */
+/** The results of `check` as workflow commands, which GitHub shows at the lines of a pull request, and a summary line. */
 export function checkGithub(reports: readonly CheckedLevel[]): string {
   let text = '';
   for (const { file, problems } of reports) {

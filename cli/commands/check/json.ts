@@ -3,7 +3,7 @@ import type { CheckedLevel } from '../../check/index.ts';
 import { summarize } from '../../check/index.ts';
 import { problemJson } from '../../report-parts/index.ts';
 
-/** What `check` found out, runs in full, for a program. But for `ms` it is the same whenever and with however many workers it is made. */
+/** The results of `check` as JSON, with runs in full. Except for `ms`, it does not depend on time or the number of workers. */
 export function checkJson(reports: readonly CheckedLevel[]): string {
   const report: CheckReport = {
     levels: reports.map(({ file, name, verdict, report, problems, ms }) => {

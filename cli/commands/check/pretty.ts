@@ -14,7 +14,7 @@ const WHAT_TO_DO: Record<Exclude<Verdict, 'completable'>, string> = {
   crashed: 'please report it, with the level',
 };
 
-/** What `check` found out, for a person: a line a level, its problems below it, and a summary. */
+/** The results of `check` for people: a line for each level with its problems below, and a summary. */
 export function checkPretty(reports: readonly CheckedLevel[], colors: Colors): string {
   const lines = alignColumns(reports.map(row), [TIME_COLUMN]);
   const paint = (verdict: Verdict): ((text: string) => string) =>
@@ -35,7 +35,7 @@ export function checkPretty(reports: readonly CheckedLevel[], colors: Colors): s
 
 const TIME_COLUMN = 3;
 
-/** verdict, file, name, time, minerals, clearance */
+/** The cells of a line: verdict, file, name, time, minerals, clearance. */
 function row({ verdict, file, name, run, found, mineralCount }: CheckedLevel): string[] {
   const cells = [verdict, visibleLine(file), verdict === 'invalid' || verdict === 'crashed' ? '' : visibleLine(name)];
   if (verdict !== 'completable' || run === null) return cells;

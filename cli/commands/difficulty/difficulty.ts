@@ -19,7 +19,7 @@ import { writeWhole } from '../../write-file.ts';
 import { difficultyJson } from './json.ts';
 import { difficultyPretty } from './pretty.ts';
 
-/** Ticks simulated to find a run, where nothing else is said. */
+/** The default effort to find a run, ticks. */
 const DEFAULT_EFFORT = 5_000_000;
 
 interface Options extends AccuracyOptions {
@@ -116,7 +116,7 @@ async function measure(paths: readonly string[], options: Options): Promise<Comm
   return { output, messages: messages.join(''), exitCode: code };
 }
 
-/** More curves than this in one picture can't be told apart. */
+/** With more curves than this, a picture is not readable. */
 const MOST_CURVES = 12;
 
 function pictureOf(levels: readonly MeasuredLevel[], accuracy: string): DifficultyPicture | null {

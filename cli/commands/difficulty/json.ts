@@ -3,7 +3,7 @@ import type { Candidate } from '../../../solver/index.ts';
 import type { MeasuredLevel } from '../../difficulty/index.ts';
 import { problemJson, robustnessJson } from '../../report-parts/index.ts';
 
-/** How hard levels are, for a program. */
+/** The difficulty of levels as JSON. */
 export function difficultyJson(levels: readonly MeasuredLevel[]): string {
   const report: DifficultyReport = { levels: levels.map(levelJson) };
   return `${JSON.stringify(report)}\n`;

@@ -7,7 +7,7 @@ import type { MeasuredLevel } from '../../difficulty/index.ts';
 import { alignColumns, percent, robustnessLines, showFileProblems } from '../../report-parts/index.ts';
 import { visible, visibleLine } from '../../visible.ts';
 
-/** How hard levels are, for a person: one in detail, several as a table, the easiest first. */
+/** The difficulty of levels for people: one level in detail, several as a table with the easiest first. */
 export function difficultyPretty(levels: readonly MeasuredLevel[], colors: Colors): string {
   const measured = levels.filter(hasDifficulty);
   const text = levels.length === 1 && measured.length === 1 ? detail(measured[0], colors) : table(measured, colors);

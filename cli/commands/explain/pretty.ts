@@ -4,7 +4,7 @@ import { alignColumns } from '../../report-parts/index.ts';
 
 const WIDTH = 100;
 
-/** One code in full, for a person. */
+/** The explanation of one code for people. */
 export function explainPretty({ code, severity, title, why, fix, example }: CodeExplanation, colors: Colors): string {
   const paint = severity === 'error' ? colors.red : colors.yellow;
   let text = `${colors.bold(code)} (${paint(severity)}): ${title}\n\n${wrap(why)}\n\n${colors.bold('How to fix it')}\n${wrap(fix)}\n`;
@@ -12,7 +12,7 @@ export function explainPretty({ code, severity, title, why, fix, example }: Code
   return text;
 }
 
-/** Every code in a line. */
+/** One line for each code. */
 export function listCodes(codes: readonly CodeExplanation[], colors: Colors): string {
   const lines = alignColumns(codes.map(({ code, severity, title }) => [code, severity, title]));
   return `${lines.join('\n')}\n\n${colors.dim('gq explain CODE says more about one')}\n`;

@@ -55,7 +55,7 @@ async function fmt(paths: readonly string[], options: FmtOptions): Promise<Comma
   }
   const output = options.format === 'json' ? fmtJson(done) : fmtPretty(done, colorsFor(process.stdout));
   const clean = done.every(({ status }) => status === 'unchanged' || status === 'formatted');
-  // where a folder could not be looked into, and nothing else was found, there is nothing to count
+  // if a folder could not be read and no file was found, there is nothing to count
   return {
     output: done.length === 0 && options.format === 'pretty' ? '' : output,
     messages: failures.join(''),

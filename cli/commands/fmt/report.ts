@@ -6,22 +6,22 @@ import { visibleLine } from '../../visible.ts';
 
 export interface FormattedFile {
   readonly file: string;
-  /** failed: it could not be read or written, and is as it was. */
+  /** `failed`: the file could not be read or written, and is unchanged. */
   readonly status: 'unchanged' | 'formatted' | 'would change' | 'invalid' | 'failed';
   readonly problems: readonly ShownProblem[];
 }
 
-/** What `fmt` did, for a program. */
+/** The results of `fmt` as JSON. */
 export function fmtJson(files: readonly FormattedFile[]): string {
   const list = files.map(({ file, status, problems }) => ({ file, status, problems: problems.map(problemJson) }));
   return `${JSON.stringify({ files: list })}\n`;
 }
 
-/** What `fmt` did, for a person: the files that were not as they should be, and a count. */
+/** The results of `fmt` for people: the files that were not in the canonical layout or are invalid, and counts. */
 export function fmtPretty(files: readonly FormattedFile[], colors: Colors): string {
   let text = '';
   for (const { file, status, problems } of files) {
-    // why one failed is reported on the side
+    // the reason for a failure goes to stderr
     if (status === 'unchanged' || status === 'failed') continue;
     const paint = status === 'invalid' ? colors.red : colors.yellow;
     text += `${paint(status)} ${visibleLine(file)}\n${showFileProblems(file, problems, colors)}`;

@@ -22,7 +22,7 @@ import { uncut } from '../../signals.ts';
 import { visibleLine } from '../../visible.ts';
 import { generateJson, generatePretty } from './report.ts';
 
-/** Ticks simulated for a level at most, where nothing else is said: minutes. */
+/** The default effort for each level, ticks: takes minutes. */
 const DEFAULT_EFFORT = 500_000_000;
 
 interface Options {
@@ -87,7 +87,7 @@ Examples:
 
 async function generate(options: Options): Promise<CommandResult> {
   const { out, count, seed, size, difficulty, ingredients, effort, jobs } = options;
-  // each can be made again by its own seed
+  // each level has a seed of its own, with which it can be generated again
   if (seed + count - 1 > LARGEST_SEED)
     throw new Failure(`--seed ${seed} --count ${count}: expected seeds up to ${LARGEST_SEED}, found up to ${seed + count - 1}`);
   const rules = folderRules();
@@ -101,7 +101,7 @@ async function generate(options: Options): Promise<CommandResult> {
   try {
     await makeLevels(tasks, jobs, async (n, made) => {
       progress.update(n);
-      // kept at once: what is done stays, whatever happens to the rest
+      // written at once, so that finished levels stay even if the command is interrupted
       await uncut(() => void done.push(keep(out, made)));
     });
   } finally {

@@ -4,10 +4,10 @@ import type { Colors } from '../../colors.ts';
 import { alignColumns, percent } from '../../report-parts/index.ts';
 import { visibleLine } from '../../visible.ts';
 
-/** What `generate` did, for a program. */
+/** The results of `generate` as JSON. */
 export const generateJson = (report: GenerateReport): string => `${JSON.stringify(report)}\n`;
 
-/** What `generate` did, for a person. */
+/** The results of `generate` for people. */
 export function generatePretty({ levels, rejected }: GenerateReport, colors: Colors): string {
   const rows = levels.map(({ file, seed, status, grade, p40, certifiedTicks, length, presses, attempts }) => [
     status,

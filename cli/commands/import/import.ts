@@ -26,7 +26,7 @@ interface ImportOptions {
 
 interface Target extends ImportedFile {
   readonly content: Uint8Array;
-  /** What is there; null for nothing. */
+  /** The current content of the file; null if there is none. */
   readonly before: Uint8Array | null;
 }
 
@@ -90,7 +90,7 @@ function contentOf(path: string): Uint8Array | null {
   }
 }
 
-/** Writes every file, or leaves everything as it was, also when a signal comes meanwhile. */
+/** Writes all files or none, even if a signal interrupts it. */
 async function writeAll(directory: string, targets: readonly Target[]): Promise<void> {
   const done: Target[] = [];
   let made: string | undefined;
@@ -116,7 +116,7 @@ async function writeAll(directory: string, targets: readonly Target[]): Promise<
   );
 }
 
-/** @returns the outermost directory that was made, if any */
+/** @returns the outermost directory that was created, if any */
 function makeDirectory(directory: string): string | undefined {
   try {
     return mkdirSync(directory, { recursive: true });
@@ -127,7 +127,7 @@ function makeDirectory(directory: string): string | undefined {
   }
 }
 
-/** Removes empty directories from the innermost outwards. */
+/** Removes empty directories, the innermost first. */
 function removeDirectories(innermost: string, outermost: string): void {
   const last = resolve(outermost);
   for (let at = resolve(innermost); at.length >= last.length; at = dirname(at)) rmdirSync(at);

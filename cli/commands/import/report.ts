@@ -10,14 +10,14 @@ export interface ImportedFile {
 
 export interface Imported {
   readonly files: readonly ImportedFile[];
-  /** What was skipped or ignored, a sentence each. */
+  /** What was skipped or ignored, one sentence for each. */
   readonly notes: readonly string[];
 }
 
-/** What `import` did, for a program. */
+/** The results of `import` as JSON. */
 export const importJson = (imported: Imported): string => `${JSON.stringify(imported)}\n`;
 
-/** What `import` did, for a person. */
+/** The results of `import` for people. */
 export function importPretty({ files, notes }: Imported): string {
   const lines = files.map(({ file, status }) => `${status} ${visibleLine(file)}`);
   lines.push(...notes.map((note) => `note: ${visibleLine(note)}`));

@@ -4,7 +4,7 @@ import { COUNTED, type Inspection } from '../../inspection.ts';
 import { alignColumns, showFileProblems } from '../../report-parts/index.ts';
 import { visibleLine } from '../../visible.ts';
 
-/** What `inspect` found out, for a person. */
+/** The results of `inspect` for people. */
 export function inspectPretty({ file, level, effects, counts, modes, work, problems }: Inspection, colors: Colors): string {
   const list = (rows: readonly { readonly name: string; readonly because: string }[]): string =>
     alignColumns(rows.map(({ name, because }) => [name, because]))

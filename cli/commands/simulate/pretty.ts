@@ -4,7 +4,7 @@ import { type Level, objectName, type RunReport } from '../../../schema/index.ts
 import type { Colors } from '../../colors.ts';
 import { visibleLine } from '../../visible.ts';
 
-/** One run in full, for a person. */
+/** One run in full for people. */
 export function simulatePretty(level: Level, runName: string, run: Run, report: RunReport, colors: Colors): string {
   const paint = run.outcome === 'completed' ? colors.green : colors.red;
   const { x, y, vx, vy, angle } = report.final;

@@ -3,7 +3,7 @@ import type { Solution } from '../../../solver/index.ts';
 import { robustnessJson } from '../../report-parts/index.ts';
 import type { Solved, SolvedRun, SolveSettings } from '../../solve/index.ts';
 
-/** What `solve` found, for a program. */
+/** The results of `solve` as JSON. */
 export function solveJson({ level, accuracy, seed, count }: SolveSettings, solved: Solved): string {
   const { runs, closest, impossible } = solved;
   const effort = { ...solved.effort, seconds: solved.seconds, seed };

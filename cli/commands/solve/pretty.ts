@@ -4,7 +4,7 @@ import { closestRunInWords, robustnessLines } from '../../report-parts/index.ts'
 import type { Solved, SolvedRun, SolveSettings } from '../../solve/index.ts';
 import { visible, visibleLine } from '../../visible.ts';
 
-/** What `solve` found, for a person. */
+/** The results of `solve` for people. */
 export function solvePretty(settings: SolveSettings, solved: Solved, colors: Colors): string {
   const { level, accuracy } = settings;
   const { runs, effort, impossible, closest } = solved;

@@ -105,7 +105,7 @@ async function solve(file: string, options: Options): Promise<CommandResult> {
     return { output: report, messages: fewer + messages, exitCode };
   } catch (error) {
     if (!(error instanceof Failure)) throw error;
-    // what was found is not lost
+    // the runs that were found are reported even if they can't be written
     return { output: report, messages: `error: ${visibleLine(error.message)}\n`, exitCode: 2 };
   }
 }
@@ -124,7 +124,7 @@ async function search(settings: SolveSettings, options: Options): Promise<Solved
   }
 }
 
-/** @returns what is reported to a person */
+/** @returns the message about it for people */
 function write(file: string, { bytes, document }: OpenedFile, { runs }: Solved, name: string | null): string {
   const found = runs.map(({ holds }) => holds);
   return addRuns(file, bytes, document.file, found, name)

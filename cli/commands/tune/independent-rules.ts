@@ -1,7 +1,7 @@
 import { RULE_NAMES, type RuleName } from '../../../schema/index.ts';
 import type { TunedLevel } from '../../tune/index.ts';
 
-/** Rules that were tried, and that no level depends on. */
+/** The rules that were tried and that no level depends on. */
 export function independentRules(levels: readonly TunedLevel[]): RuleName[] {
   const intervals = levels.flatMap((level) => level.intervals);
   return RULE_NAMES.filter((name) => {

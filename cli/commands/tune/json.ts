@@ -2,7 +2,7 @@ import type { TuneReport } from '../../../schema/index.ts';
 import { amountsOf, type TunedLevel, type TuneSettings } from '../../tune/index.ts';
 import { independentRules } from './independent-rules.ts';
 
-/** What changes of rules do, for a program. */
+/** The results of `tune` as JSON. */
 export function tuneJson(levels: readonly TunedLevel[], { accuracy, changes, sweep }: TuneSettings): string {
   const report: TuneReport = {
     version: 1,

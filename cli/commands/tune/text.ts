@@ -5,7 +5,7 @@ import type { Change, RuleInterval, Sweep, TunedLevel, TunedState, TuneSettings 
 import { visibleLine } from '../../visible.ts';
 import { independentRules } from './independent-rules.ts';
 
-/** Columns of the matrix at most: with name and interval 80 characters. */
+/** The largest number of columns of the matrix: a line with name and interval has 80 characters. */
 const MOST_COLUMNS = 41;
 const NAME = 20;
 
@@ -21,7 +21,7 @@ const WORST: readonly TunedState[] = ['impossible', 'unproven', 'other', 'kept']
 const brief = (value: number): string => String(Number(value.toPrecision(4)));
 const amount = (value: number, isRelative: boolean): string => `${brief(value)}${isRelative ? 'x' : ''}`;
 
-/** `37.1..>46.8`: beyond > and < nothing was tried. */
+/** An interval such as `37.1..>46.8`; nothing was tried beyond a number with > or <. */
 function intervalText({ run }: TunedLevel, { low, high, isLowBound, isHighBound }: RuleInterval): string {
   if (run === null) return 'no run';
   if (low === null || high === null) return 'its run fails';
@@ -35,7 +35,7 @@ function nameText({ name }: TunedLevel): string {
 
 const changeText = ({ rule, amount: value, isRelative }: Change): string => `${rule}=${amount(value, isRelative)}`;
 
-/** One sign for each value; of more than fit, the worst of neighbours. */
+/** One sign for each value; if there are too many, neighbours share the sign of the worst. */
 function matrixRow(states: readonly TunedState[]): string {
   const columns = Math.min(MOST_COLUMNS, states.length);
   return Array.from({ length: columns }, (_, c) => {
@@ -46,7 +46,7 @@ function matrixRow(states: readonly TunedState[]): string {
   }).join('');
 }
 
-/** Marks the levels' own values where a scale of shares has room for them. */
+/** Marks the levels' own values, if there is room for them on a scale of shares. */
 function withOwn(scale: string, from: number, to: number, columns: number, isRelative: boolean): string {
   const at = Math.round(((1 - from) / (to - from)) * (columns - 1));
   const isFree = scale.slice(Math.max(0, at - 1), at + 3) === '    ';
@@ -66,7 +66,7 @@ function matrix(levels: readonly TunedLevel[], { rule, from, to, count, isRelati
   ];
 }
 
-/** One line a level, and one more for each further rule. */
+/** One line for each level, and one more for each further rule. */
 function list(levels: readonly TunedLevel[]): string[] {
   return levels.flatMap((level) => {
     const state = (level.values[0] === undefined ? '' : WORDS[level.values[0].state]).padEnd(20);
@@ -77,7 +77,7 @@ function list(levels: readonly TunedLevel[]): string[] {
   });
 }
 
-/** What changes of rules do, for a person: at most 80 characters a line. */
+/** The results of `tune` for people: at most 80 characters in a line. */
 export function tuneText(levels: readonly TunedLevel[], { accuracy, changes, sweep }: TuneSettings, colors: Colors): string {
   const looked = levels.filter(({ code }) => code === 0);
   const set = changes.map(changeText).join(' ');
