@@ -7,7 +7,7 @@ import { fallThrough, gq, makeFiles } from './gq.ts';
 const good = fallThrough();
 const asteroid = (radius: string): string => good.replace('"radius":16', `"radius":${radius}`);
 
-// each: what the file holds, the code of the problem, and where it is; all are valid levels but for one thing
+// content of the file, code of the problem, and its place; apart from that problem, each is a valid level
 const INVALID: readonly [name: string, content: string | Uint8Array, code: string, place: string][] = [
   ['empty', '', 'empty-file', ':1:1'],
   [
@@ -57,7 +57,7 @@ const cwd = files.directory;
 afterAll(files.remove);
 
 describe('an invalid file', () => {
-  it('is told with its place, a code that explain knows, and exit code 1', async () => {
+  it('is reported with its place, a code that explain knows, and exit code 1', async () => {
     const { code, signal, stdout, stderr } = await gq(['check', 'invalid', '--format', 'json'], { cwd });
     expect({ code, signal, stderr }).toEqual({ code: 1, signal: null, stderr: '' });
     const report = JSON.parse(stdout);
@@ -72,7 +72,7 @@ describe('an invalid file', () => {
     }
   });
 
-  it('is told as file:line:col first in pretty form, and does not flood the terminal', async () => {
+  it('is reported with file:line:col first in pretty form, and does not flood the terminal', async () => {
     const { code, stdout } = await gq(['check', 'invalid'], { cwd });
     expect(code).toBe(1);
     for (const [name, , , place] of INVALID) expect(stdout).toContain(`\ninvalid/${name}.level.json${place}`);
@@ -80,7 +80,7 @@ describe('an invalid file', () => {
     expect(Math.max(...stdout.split('\n').map((line) => line.length))).toBeLessThan(1000);
   });
 
-  it('is refused alike by every command that reads one level', async () => {
+  it('is refused in the same way by every command that reads one level', async () => {
     const commands = [['simulate'], ['inspect'], ['render', '-o', 'out.svg']];
     const ended = await Promise.all(
       commands.map(([name, ...rest]) => gq([name, 'invalid/unknown-key.level.json', ...rest], { cwd })),
@@ -92,7 +92,7 @@ describe('an invalid file', () => {
     expect(existsSync(join(cwd, 'out.svg'))).toBe(false);
   });
 
-  it('is left alone by fmt', async () => {
+  it('is not changed by fmt', async () => {
     const before = readFileSync(join(cwd, 'invalid/unknown-key.level.json'), 'utf8');
     const { code, stdout } = await gq(['fmt', 'invalid/unknown-key.level.json'], { cwd });
     expect(code).toBe(1);
@@ -101,7 +101,7 @@ describe('an invalid file', () => {
   });
 });
 
-it('a level of 100,000 asteroids and one with overlapping holds end in a verdict', async () => {
+it('a level of 100,000 asteroids and one with overlapping holds get a verdict', async () => {
   const { code, stdout, stderr } = await gq(['check', 'fine', '--format', 'json'], { cwd });
   expect(stderr).toBe('');
   const verdicts = JSON.parse(stdout).levels.map((l: { file: string; verdict: string }) => [l.file, l.verdict]);
@@ -112,7 +112,7 @@ it('a level of 100,000 asteroids and one with overlapping holds end in a verdict
   expect(code).toBe(1);
 });
 
-it('a byte order mark is a problem with a way out', async () => {
+it('a byte order mark is a problem with a hint', async () => {
   const checked = await gq(['check', 'bom', '--format', 'json'], { cwd });
   const [level] = JSON.parse(checked.stdout).levels;
   expect(level.problems.map((p: { code: string }) => p.code)).toContain('byte-order-mark');
@@ -120,7 +120,7 @@ it('a byte order mark is a problem with a way out', async () => {
 });
 
 describe('a path that matches nothing', () => {
-  it('is named, every one, even beside one that matches, and nothing is checked', async () => {
+  it('is an error that names every such path, even if another path matches, and nothing is checked', async () => {
     const { code, stdout, stderr } = await gq(
       ['check', 'nowhere', 'fine/good.level.json', 'nothing', 'fine/*.lvl', 'fine/god.level.json'],
       { cwd },
@@ -143,7 +143,7 @@ describe('a path that matches nothing', () => {
     expect(ended[2].stderr).toContain('  "": no such file or directory\n');
   });
 
-  it('is told for a single level, as is a directory in its place', async () => {
+  it('is an error for commands that read one level, and so is a directory', async () => {
     const [missing, directory] = await Promise.all([
       gq(['simulate', 'fine/goood.level.json'], { cwd }),
       gq(['inspect', 'fine'], { cwd }),
@@ -157,13 +157,13 @@ describe('a path that matches nothing', () => {
   });
 });
 
-it('holds on the command line that make no sense are refused with a caret under the place', async () => {
+it('invalid holds on the command line are refused with a caret under the place', async () => {
   const { code, stdout, stderr } = await gq(['simulate', 'fine/good.level.json', '--holds', '12-96,90-188'], { cwd });
   expect({ code, stdout }).toEqual({ code: 2, stdout: '' });
   expect(stderr).toContain('\n  12-96,90-188\n        ^ this hold begins at 90, before the previous one ends (96)\n');
 });
 
-describe('options that make no sense', () => {
+describe('invalid options', () => {
   const WRONG: readonly [args: string[], message: RegExp][] = [
     [['chek'], /unknown command 'chek'\n\(Did you mean check\?\)/],
     [['check', '--acuracy', 'arcade'], /unknown option '--acuracy'\n\(Did you mean --accuracy\?\)/],
@@ -190,7 +190,7 @@ describe('options that make no sense', () => {
     [[], /Usage: gq/],
   ];
 
-  it('are refused with exit code 2, all of it on stderr', async () => {
+  it('are refused with exit code 2 and a message on stderr only', async () => {
     const ended = await Promise.all(WRONG.map(([args]) => gq(args, { cwd })));
     for (const [i, [args, message]] of WRONG.entries()) {
       const { code, stdout, stderr } = ended[i];
@@ -201,7 +201,7 @@ describe('options that make no sense', () => {
 });
 
 describe('an output that cannot be written', () => {
-  it('is reported, and nothing is left half written', async () => {
+  it('is reported, and no partial file is left behind', async () => {
     const before = readdirSync(cwd);
     const ended = await Promise.all([
       gq(['import', 'originals.json', '--out', 'a-file/levels'], { cwd }),

@@ -32,7 +32,7 @@ const verdicts = (levels: readonly LevelReport[]) => levels.map(({ name, verdict
 const codesOf = ({ problems }: LevelReport) => problems.map(({ code, severity }) => `${severity} ${code}`);
 
 describe('without --solve', () => {
-  it('proofs are tried all the same, and searches are not', async () => {
+  it('tries proofs, but no searches', async () => {
     const { code, levels } = await check('a');
     expect(code).toBe(1);
     expect(verdicts(levels)).toEqual([
@@ -42,13 +42,13 @@ describe('without --solve', () => {
       'Straight through: completable',
       'Needle: unproven',
     ]);
-    // what is proved is not warned of, too
+    // a proved problem is not reported as a warning as well
     expect(codesOf(levels[0])).toEqual(['error proved-impossible', 'error run-does-not-complete']);
     expect(levels[0].problems[0]).toMatchObject({ pointer: '/blackHole', line: 1 });
     expect(codesOf(levels[2])).toEqual(['error no-run']);
   });
 
-  it('a mineral that nobody can collect is a warning, others are not told of', async () => {
+  it('warns of a mineral that nobody can collect, and of no others', async () => {
     const { code, levels } = await check('mineral.level.json');
     expect(code).toBe(0);
     expect(levels[0].problems.filter((p) => p.code === 'mineral-never-collectable')).toMatchObject([
@@ -57,7 +57,7 @@ describe('without --solve', () => {
     expect(codesOf(levels[0])).not.toContain('warning mineral-out-of-reach');
   });
 
-  it('how long to search is refused', async () => {
+  it('refuses the limits of a search', async () => {
     for (const option of ['--budget', '--effort']) {
       const ended = await gq(['check', 'a', option, '5'], { cwd });
       expect(ended).toMatchObject({ code: 2, stdout: '' });
@@ -67,7 +67,7 @@ describe('without --solve', () => {
 });
 
 describe('--solve', () => {
-  it('gives every level an honest verdict, the same for any number of threads', async () => {
+  it('gives every level the right verdict, the same for any number of threads', async () => {
     const [one, two] = await Promise.all(['1', '2'].map((jobs) => check(`a --solve --effort 1500000 --jobs ${jobs}`)));
     expect(withoutTimes(two.stdout)).toBe(withoutTimes(one.stdout));
     const { code, levels } = one;
@@ -80,7 +80,7 @@ describe('--solve', () => {
       'Needle: unproven',
     ]);
     const [, broken, found, good, needle] = levels;
-    // one that was found proves the level, and says that no script does
+    // a run that was found proves the level, and a problem says that none of its own runs does
     expect(codesOf(broken)).toEqual(expect.arrayContaining(['warning found-run', 'warning run-does-not-complete']));
     expect(codesOf(found)).toContain('warning found-run');
     expect(found.run).toMatchObject({ outcome: 'completed' });
@@ -93,7 +93,7 @@ describe('--solve', () => {
     expect(needle.run).toBeNull();
   });
 
-  it('a level that a found run completes is green, once it is written without a search, too', async () => {
+  it('passes a level that a found run completes; once the run is written, it passes without a search, too', async () => {
     const args = ['--objective', 'first', '--effort', '4000000', '--write'];
     expect((await check('own.level.json --solve --effort 4000000')).code).toBe(0);
     expect((await gq(['solve', 'own.level.json', ...args], { cwd })).code).toBe(0);
@@ -106,7 +106,7 @@ describe('--solve', () => {
 describe('--require-slack', () => {
   const solution = shipped('04-slingshot');
 
-  it('is met up to what is certified, and an error beyond, with an example that fails; the verdict stays', async () => {
+  it('passes up to the certified ticks, and beyond is an error with a failing example; the verdict stays', async () => {
     const met = await check(`${solution} --require-slack 2`);
     expect([met.code, met.levels[0].problems]).toEqual([0, []]);
     const { code, levels } = await check(`${solution} --require-slack 4`);
@@ -118,8 +118,8 @@ describe('--require-slack', () => {
     expect(JSON.parse(stdout).outcome).not.toBe('completed');
   });
 
-  it('is a warning where levels are searched and nothing is required', async () => {
-    // found by hand: the last tick at which letting go still leads into the black hole
+  it('is not needed for a warning about little slack: --solve suffices', async () => {
+    // found by hand: the last tick of a release that still leads into the black hole
     const text = withoutRuns('02-first-swing');
     const last = lastRelease(text, 150, 435);
     writeFileSync(
@@ -140,7 +140,7 @@ describe('--require-slack', () => {
     for (let at = release; ; at++) if (simulate(scene, [[press, at]]).outcome !== 'completed') return at - 1;
   }
 
-  it.each(['-1', '61', 'two'])('%s is refused', async (value) => {
+  it.each(['-1', '61', 'two'])('refuses %s', async (value) => {
     const ended = await gq(['check', 'a', '--require-slack', value], { cwd });
     expect(ended).toMatchObject({ code: 2, stdout: '' });
     expect(ended.stderr).toContain('expected a number of ticks');

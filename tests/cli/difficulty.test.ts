@@ -27,7 +27,7 @@ const difficulty = async (args: string) => {
 };
 
 describe('gq difficulty', () => {
-  it('measures each level it can, says why not of the others, and is the same for any number of threads', async () => {
+  it('measures each level it can, gives the reason for the others, and has the same result for any number of threads', async () => {
     const ended = await Promise.all(['1', '2'].map((jobs) => difficulty(`d --effort 3000000 --jobs ${jobs}`)));
     expect(ended[1].stdout).toBe(ended[0].stdout);
     const { code, levels } = ended[0];
@@ -40,7 +40,7 @@ describe('gq difficulty', () => {
     expect(unsolved.measured?.run.name).toBeNull();
   });
 
-  it('is a table of several levels, the easiest first', async () => {
+  it('prints a table of several levels, the easiest first', async () => {
     const { code, stdout } = await gq(['difficulty', 'd', '--effort', '3000000'], { cwd });
     expect(code).toBe(1);
     const grades = [...stdout.matchAll(/^ +(\d+\.\d) {2}\w+ /gm)].map(([, grade]) => Number(grade));
@@ -49,7 +49,7 @@ describe('gq difficulty', () => {
     expect(stdout).toContain('d/away.level.json: not measured: proved impossible');
   });
 
-  it('says of one level what else it takes, and draws it', async () => {
+  it('prints the details of a single level, and draws it', async () => {
     const ended = await gq(['difficulty', shipped('02-first-swing'), '--svg', 'one.svg', '--effort', '300000'], { cwd });
     expect(ended).toMatchObject({ code: 0, stderr: 'wrote one.svg\n' });
     for (const line of [
@@ -64,19 +64,19 @@ describe('gq difficulty', () => {
     expect(svg).toMatch(/^<svg [^>]*><title>How hard First Swing is: /);
   });
 
-  it('measures the run that is asked for, and only one that completes the level', async () => {
+  it('measures the selected run, which must complete the level', async () => {
     const named = await difficulty('named.level.json --run all');
     expect([named.code, named.levels[0].measured?.run.name]).toEqual([0, 'all']);
     const never = await difficulty('named.level.json --run never');
     expect([never.code, never.levels[0].why]).toEqual([1, 'run "never" does not complete it']);
     const missing = await difficulty('named.level.json --run nobody');
     expect([missing.code, missing.levels[0].why]).toEqual([1, 'it has no run named "nobody"']);
-    // the first that completes it
+    // by default: the first run that completes it
     expect((await difficulty('named.level.json')).levels[0].measured?.run.name).toBe('all');
   });
 
-  it("--search goes on from the level's own runs", async () => {
-    // too little for a search from nothing
+  it("--search starts from the level's own runs", async () => {
+    // too little effort for a search without known runs
     const alone = await difficulty('alone.level.json --search --effort 100');
     expect([alone.code, alone.levels[0].why]).toEqual([
       1,
@@ -91,7 +91,7 @@ describe('gq difficulty', () => {
     ['named.level.json --svg picture.png', 'expected a name that ends in .svg'],
     ['nowhere', 'matches no level file'],
     ['named.level.json --effort 1.5', 'expected a number of ticks'],
-  ])('gq difficulty %s: exit code 2, and what was expected', async (args, message) => {
+  ])('gq difficulty %s: exit code 2 and a message that says what was expected', async (args, message) => {
     const { code, stdout, stderr } = await gq(['difficulty', ...args.split(' ')], { cwd });
     expect({ code, stdout }).toEqual({ code: 2, stdout: '' });
     expect(stderr).toContain(message);

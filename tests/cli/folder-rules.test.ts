@@ -11,7 +11,7 @@ const FILES = {
   'levels/plain.level.json': level(),
   'levels/usual.level.json': level({ pull: 39 }),
   'levels/deep/strong.level.json': level({ pull: 200 }),
-  // another repository, without a configuration of its own
+  // another repository, without its own configuration
   'other/.git/HEAD': '',
   'other/plain.level.json': level(),
 };
@@ -30,7 +30,7 @@ const hashOf = async (args: string, folder = '.'): Promise<string> => {
 };
 
 describe('rules of gq.config.json', () => {
-  it('hold for levels that have none of their own, key by key, from any folder of the repository', async () => {
+  it('apply to levels that do not set them, key by key, from any folder of the repository', async () => {
     const said = makeFiles({
       'both.level.json': level({ pull: 100, boxHeight: 40 }),
       'box.level.json': level({ boxHeight: 40 }),
@@ -48,14 +48,14 @@ describe('rules of gq.config.json', () => {
       expect(await hashOf('plain.level.json', 'levels')).toBe(both);
       expect(await hashOf('../plain.level.json', 'levels/deep')).toBe(both);
       expect(await hashOf('levels/usual.level.json')).toBe(await outside('box.level.json'));
-      // the working directory decides, not where the file is
+      // the working directory counts, not the folder of the file
       expect(await hashOf('plain.level.json', 'other')).toBe(await outside('own.level.json'));
     } finally {
       said.remove();
     }
   });
 
-  it('are those of check, difficulty, inspect, accuracy, solve and render, too', async () => {
+  it('also apply in check, difficulty, inspect, accuracy, solve and render', async () => {
     const reports = async (args: string, folder?: string) =>
       (await run(args, folder)).stdout.replace(/"(ms|cost|seconds)":[\d.e-]+/g, '');
     const same = async (args: (file: string) => string) => {
@@ -70,7 +70,7 @@ describe('rules of gq.config.json', () => {
     await same((file) => `render ${file} -o -`);
   });
 
-  it('are not written into files by fmt, and levels stay as they are', async () => {
+  it('are not written to files by fmt', async () => {
     const before = await run('fmt levels/plain.level.json');
     expect(before.code).toBe(0);
     const { stdout } = await run('check levels --format json');
@@ -78,7 +78,7 @@ describe('rules of gq.config.json', () => {
     expect(await hashOf('levels/plain.level.json')).not.toBe(await hashOf('levels/usual.level.json'));
   });
 
-  it('are nothing that gq edit has to say at its start: its page plays by them', async () => {
+  it('do not make gq edit print anything at its start: its page uses them', async () => {
     const { stdout, code } = await gqProcess(['edit', 'levels', '--port', '0'], {
       cwd: files.directory,
       during: (child) => child.stdout?.once('data', () => child.kill('SIGTERM')),
@@ -94,7 +94,7 @@ describe('rules of gq.config.json', () => {
     ['{ "rules": [] }', ':1:12', 'expected an object'],
     ['[]', ':1:1', 'expected the configuration of a folder'],
     ['{ "rules": { "pull": 3 }', ':1:', 'error'],
-  ])('that are wrong are told with their place: %s', async (config, place, words) => {
+  ])('are errors with a place if they are invalid: %s', async (config, place, words) => {
     const wrong = makeFiles({ 'gq.config.json': config, 'a.level.json': level() });
     try {
       for (const args of [

@@ -13,7 +13,7 @@ afterAll(remove);
 
 const generate = (args: string) => gq(['generate', ...args.split(' ')], { cwd });
 
-describe('a level that was made', () => {
+describe('a generated level', () => {
   const level = JSON.parse(fallThrough({ name: 'Gentle Bend!' })) as LevelFile;
   const made = { level } as Generated;
   const directory = join(cwd, 'kept');
@@ -22,7 +22,7 @@ describe('a level that was made', () => {
     expect(generatedPath('out', level.name, 7)).toBe(join('out', 'gentle-bend-7.level.json'));
   });
 
-  it('is written once, and never over another file', () => {
+  it('is written once, and never overwrites another file', () => {
     const path = generatedPath(directory, level.name, 7);
     expect(keepLevel(directory, path, made)).toBe('written');
     expect(inDirectory(directory, 'gentle-bend-7.level.json')).toBe(formatLevel(level));
@@ -35,12 +35,12 @@ describe('a level that was made', () => {
 });
 
 describe('gq generate', () => {
-  it('has no seed past the last, for any of its levels', async () => {
+  it('refuses a seed with which any of its levels would exceed the largest seed', async () => {
     const last = 2 ** 32 - 1;
     const { code, stderr } = await generate(`--out past --seed ${last - 1} --count 3`);
     expect(code).toBe(2);
     expect(stderr).toContain(`--seed ${last - 1} --count 3: expected seeds up to ${last}, found up to ${last + 1}`);
-    // the last one itself is none of these
+    // the largest seed itself is allowed
     const fits = await generate(`--out past --seed ${last - 1} --count 2 --effort 1`);
     expect(fits.code).toBe(1);
     expect(fits.stderr).not.toContain('expected seeds up to');
@@ -62,7 +62,7 @@ describe('gq generate', () => {
     expect(check.stdout).not.toContain('warning');
   });
 
-  it('puts in winds and wormholes where they are asked for', async () => {
+  it('adds winds and wormholes on request', async () => {
     const options = '--size small --difficulty easy --ingredients winds,wormholes --effort 40000000';
     const ended = await generate(`--out windy --seed 0 ${options} --format json`);
     expect(ended).toMatchObject({ code: 0, stderr: '' });
@@ -74,7 +74,7 @@ describe('gq generate', () => {
     expect(check.stdout).not.toContain('warning');
   });
 
-  it('comes to the same for any number of threads', async () => {
+  it('gives the same result for any number of threads', async () => {
     const ended = await Promise.all(
       ['1', '2'].map((jobs) => generate(`--out same --count 3 ${EASY} --effort 700000 --format json --jobs ${jobs}`)),
     );
@@ -82,7 +82,7 @@ describe('gq generate', () => {
     expect(JSON.parse(ended[0].stdout).levels.map(({ seed }: { seed: number }) => seed)).toEqual([0, 1, 2]);
   });
 
-  it('writes nothing and exits with 1 when nothing is good enough', async () => {
+  it('writes nothing and exits with 1 if no level is good enough', async () => {
     const { code, stdout } = await generate('--out empty --effort 1 --format json');
     expect(code).toBe(1);
     expect(JSON.parse(stdout).levels).toMatchObject([{ seed: 0, status: 'nothing', file: null }]);
@@ -94,7 +94,7 @@ describe('gq generate', () => {
     async () => {
       const { code, stdout } = await gqProcess('generate --out stopped --count 500 --difficulty hard --format json'.split(' '), {
         cwd,
-        // the signal comes as the first thread begins
+        // the signal arrives when the first thread starts
         env: interruptAt({ of: 'online', number: 1, signals: ['SIGINT'] }),
       });
       expect(code).toBe(130);
@@ -103,7 +103,7 @@ describe('gq generate', () => {
     },
   );
 
-  it.runIf(process.platform === 'linux')('says before the work that the folder takes no files', async () => {
+  it.runIf(process.platform === 'linux')('reports before the work that the folder is not writable', async () => {
     const { code, stdout, stderr } = await generate('--out /proc/self --count 500 --difficulty hard');
     expect({ code, stdout }).toEqual({ code: 2, stdout: '' });
     expect(stderr).toMatch(
@@ -123,7 +123,7 @@ describe('gq generate', () => {
       'expected none, or some of hot, repulsors, aliens, recoil, wormholes, winds, separated by commas; found "wormhole"',
     ],
     ['--out kept/none/x', "the directory can't be created"],
-  ])('%s: exit code 2, and what was expected', async (args, message) => {
+  ])('%s: exit code 2 and a message that says what was expected', async (args, message) => {
     const { code, stdout, stderr } = await generate(args);
     expect({ code, stdout }).toEqual({ code: 2, stdout: '' });
     expect(stderr).toContain(message);

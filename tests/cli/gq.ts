@@ -5,7 +5,7 @@ import { dirname, join } from 'node:path';
 import process from 'node:process';
 import { fileURLToPath } from 'node:url';
 
-/** The command line as it is shipped; `npm test` builds it first. */
+/** The shipped command line; `npm test` builds it first. */
 export const MAIN = fileURLToPath(new URL('../../dist/cli/main.js', import.meta.url));
 
 const WARM = fileURLToPath(new URL('./warm-process.mjs', import.meta.url));
@@ -17,10 +17,10 @@ export interface Ended {
   readonly stderr: string;
 }
 
-/** ms: only what hangs takes so long, however busy the machine */
+/** ms; only a process that hangs takes this long, even on a busy machine */
 const TOO_LONG = 120_000;
 
-/** What a person has set for colours is no business of a test. */
+/** The environment without the user's settings for colours, which must not affect tests. */
 function quietEnvironment(): NodeJS.ProcessEnv {
   const { FORCE_COLOR: _, ...rest } = process.env;
   return { ...rest, NO_COLOR: '1' };
@@ -45,7 +45,7 @@ function startWarmProcess(): WarmProcess {
     if (warm === started) warm = null;
     for (const { reject } of started.waiting.values()) reject(new Error(`gq ended its process with ${signal ?? code}`));
   });
-  // it ends with the process that has started it, and does not keep that one from ending
+  // it ends with the process that has started it, and does not keep that process alive
   child.unref();
   child.channel?.unref();
   return started;
@@ -55,8 +55,8 @@ function startWarmProcess(): WarmProcess {
 let earlier: Promise<unknown> = Promise.resolve();
 
 /**
- * Runs gq to its end. The commands of a worker share a process, in which they run one after the other, so that only the first
- * pays for the start. Tests about the process itself use `gqProcess`.
+ * Runs gq to its end. The commands of a worker run one after the other in a shared process, so that the start-up time is
+ * spent only once. Tests about the process itself use `gqProcess`.
  */
 export function gq(args: readonly string[], { cwd = process.cwd() }: { readonly cwd?: string } = {}): Promise<Ended> {
   // the time limit of a command begins when those before it have ended
@@ -96,7 +96,7 @@ export interface ProcessOptions {
   readonly during?: (child: ChildProcess) => void;
 }
 
-/** Runs gq to its end in a process of its own, as a shell does; one that hangs is killed, and ends with a signal. */
+/** Runs gq to its end in a process of its own, as a shell does. A process that hangs is killed, and so ends with a signal. */
 export function gqProcess(args: readonly string[], { cwd, env, during }: ProcessOptions = {}): Promise<Ended> {
   return new Promise((resolve, reject) => {
     const child = spawn(process.execPath, [MAIN, ...args], { cwd, env: { ...quietEnvironment(), ...env } });
@@ -114,7 +114,7 @@ export function gqProcess(args: readonly string[], { cwd, env, during }: Process
   });
 }
 
-/** A directory of its own for a test, and what it holds: file names and contents. */
+/** Makes a directory for a test. @param files its file names and contents */
 export function makeFiles(files: Readonly<Record<string, string | Uint8Array>>): { directory: string; remove: () => void } {
   const directory = mkdtempSync(join(tmpdir(), 'gq-'));
   for (const [name, content] of Object.entries(files)) {

@@ -3,7 +3,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { parseHolds } from '../../cli/holds-option.ts';
 
-// holds in order, none overlapping; some touch
+// holds in order that do not overlap; some touch
 const holds = fc.array(fc.tuple(fc.nat(50), fc.integer({ min: 1, max: 50 })), { minLength: 1, maxLength: 20 }).map((gaps) => {
   let at = 0;
   return gaps.map(([wait, length]): [number, number] => {
@@ -13,7 +13,7 @@ const holds = fc.array(fc.tuple(fc.nat(50), fc.integer({ min: 1, max: 50 })), { 
   });
 });
 
-it('reads what is written as press-release pairs, with or without spaces', () => {
+it('reads press-release pairs, with or without spaces', () => {
   fc.assert(
     fc.property(holds, fc.constantFrom(',', ', ', ' , '), (list, comma) => {
       expect(parseHolds(list.map(([press, release]) => `${press}-${release}`).join(comma))).toEqual(list);
@@ -22,7 +22,7 @@ it('reads what is written as press-release pairs, with or without spaces', () =>
   expect(parseHolds('none')).toEqual([]);
 });
 
-it('refuses anything else with a caret under a place in it, and never gives holds that are reversed or overlap', () => {
+it('refuses anything else with a caret under a place in it, and never returns reversed or overlapping holds', () => {
   fc.assert(
     fc.property(fc.string({ unit: fc.constantFrom('0', '1', '9', '-', ',', ' ', '.', 'x', '\t'), maxLength: 12 }), (text) => {
       try {
@@ -41,7 +41,7 @@ it('refuses anything else with a caret under a place in it, and never gives hold
   );
 });
 
-describe('says what was expected, and where', () => {
+describe('reports what was expected, and where', () => {
   const WRONG: readonly [holds: string, caret: number, why: string][] = [
     ['96-12', 0, 'the release (12) must be later than the press (96)'],
     ['12-12', 0, 'the release (12) must be later'],
@@ -62,7 +62,7 @@ describe('says what was expected, and where', () => {
   });
 });
 
-it('shows only the part around the place of a very long value', () => {
+it('shows only the part around the place if the value is very long', () => {
   const text = `${Array.from({ length: 5000 }, (_, i) => `${2 * i}-${2 * i + 1}`).join(',')};`;
   expect(() => parseHolds(text)).toThrow(/\^ expected "," and another hold, or the end$/);
   try {

@@ -2,18 +2,18 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
-/** Path of a shipped level. */
+/** The path of a shipped level. */
 export const shipped = (slug: string): string => fileURLToPath(new URL(`../../levels/${slug}.level.json`, import.meta.url));
 
-/** A shipped level's file, without its runs. */
+/** The file of a shipped level, without its runs. */
 export function withoutRuns(slug: string): string {
   const file = JSON.parse(readFileSync(shipped(slug), 'utf8'));
   return JSON.stringify({ ...file, $schema: undefined, runs: undefined });
 }
 
 /**
- * The black hole in a ring of novae with one gap that is hardly wider than her box: no proof closes it, and no search that
- * is short comes through.
+ * The black hole in a ring of novae with one gap that is hardly wider than the collision box: no proof excludes it, and no
+ * short search gets through.
  */
 export function narrowGap(): string {
   const [x, y] = [420, 120];
@@ -34,7 +34,7 @@ export function narrowGap(): string {
   });
 }
 
-/** Of the output of gq, what doesn't depend on how fast the machine is. */
+/** The output of gq without the parts that depend on the speed of the machine. */
 export const withoutTimes = (text: string): string =>
   text.replace(/"(ms|seconds)":[\d.e-]+/g, '"$1":0').replace(/, \d+\.\d s, seed/g, ', 0.0 s, seed');
 

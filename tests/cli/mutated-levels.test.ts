@@ -46,7 +46,7 @@ const weird = fc.oneof(
 
 type Mutation = { kind: 'number' | 'cut' | 'insert' | 'key'; at: number; with: string; length: number };
 const mutation: fc.Arbitrary<Mutation> = fc.record({
-  // most keep the syntax, so that more than the reader of JSON is put to the test
+  // most mutations keep the syntax valid, so that they test more than the JSON reader
   kind: fc.constantFrom('number', 'number', 'number', 'number', 'cut', 'insert', 'key'),
   at: fc.nat(1_000_000),
   with: weird,
@@ -76,19 +76,19 @@ it.each([ACCURACIES.arcade, ACCURACIES.precise])(
         const checked = checkLevel(file, { ...SETTINGS, accuracy });
         expect(checked.verdict).not.toBe('crashed');
         seen.add(checked.verdict);
-        // a number that is not finite is null in JSON, and refused by the schema
+        // a number that is not finite becomes null in JSON, which the schema refuses
         const report = checkReportSchema.parse(JSON.parse(checkJson([checked])));
         expect(report.levels[0].problems.length > 0 || checked.verdict === 'completable').toBe(true);
         expect(checkPretty([checked], PLAIN)).toContain(checked.verdict);
       }),
       { numRuns: 600 },
     );
-    // the mutations reach past the reader
+    // some mutations get past the reader
     expect([...seen].sort()).toEqual(['broken', 'completable', 'impossible', 'invalid']);
   },
 );
 
-it('any bytes at all end in a verdict', () => {
+it('any bytes get a verdict', () => {
   fc.assert(
     fc.property(fc.uint8Array({ maxLength: 200 }), (bytes) => {
       writeFileSync(file, bytes);

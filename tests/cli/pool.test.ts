@@ -3,8 +3,8 @@ import { runInPool } from '../../cli/pool.ts';
 
 const module = (source: string): URL => new URL(`data:text/javascript,${encodeURIComponent(source)}`);
 
-it('gives one result a task in the order of the tasks, and tells of each as it ends', async () => {
-  // each waits until as many tasks were told of as its number says
+it('gives one result for each task in the order of the tasks, and reports each as it ends', async () => {
+  // task n waits until n tasks have been reported
   const inTurn = module(`export default ({ turn, shared }) => {
     const told = new Int32Array(shared);
     for (let count = 0; (count = Atomics.load(told, 0)) !== turn; ) Atomics.wait(told, 0, count);
@@ -26,7 +26,7 @@ it('gives one result a task in the order of the tasks, and tells of each as it e
   ]);
 });
 
-it('ends with what a task throws, or who is told of it, while others go on', async () => {
+it('rejects with the error of a task or of the callback, while others go on', async () => {
   const endless = module('export default (n) => n === 1 ? n : new Promise(() => {})');
   const told = runInPool<number, number>(endless, [1, 2, 3], 2, async () => {
     throw new Error('told');

@@ -22,7 +22,7 @@ afterAll(files.remove);
 
 const withoutTimes = (json: string): string => json.replace(/"ms":[\d.e-]+/g, '"ms":0');
 
-it('says its version, and help for every command, on stdout', async () => {
+it('prints its version, and help for every command, on stdout', async () => {
   const { version } = JSON.parse(readFileSync(new URL('../../package.json', import.meta.url), 'utf8'));
   const names = [
     'check',
@@ -54,7 +54,7 @@ it('says its version, and help for every command, on stdout', async () => {
   expect(helps.at(-1)).toEqual(helps[0]);
 });
 
-it('gives the same output however many workers it has', async () => {
+it('prints the same output with any number of workers', async () => {
   const ended = await Promise.all(
     ['1', '2', '7'].map((jobs) => gq(['check', 'many', '--format', 'json', '--jobs', jobs], { cwd })),
   );
@@ -67,8 +67,8 @@ it('gives the same output however many workers it has', async () => {
   expect(ended.map(({ code }) => code)).toEqual([0, 0, 0]);
 });
 
-describe('a reader that goes away', () => {
-  it('ends the writer quietly, with the exit code of the check', () => {
+describe('a reader that closes the pipe', () => {
+  it('ends gq quietly, with the exit code of the check', () => {
     const pipe = (command: string) =>
       execFileSync('bash', ['-c', `${command} 2>err; echo "\${PIPESTATUS[0]}"; cat err`, '--', process.execPath, MAIN], {
         cwd,
@@ -80,14 +80,14 @@ describe('a reader that goes away', () => {
   });
 });
 
-it('writes a large report whole into a slow pipe', async () => {
+it('writes a large report completely to a slow pipe', async () => {
   const { code, stdout } = await gqProcess(
     ['simulate', 'good.level.json', '--accuracy', 'arcade', '--sample', '10000', '--format', 'json'],
     {
       cwd,
       env: interruptAt({ of: 'output', number: 1, say: 'the report begins' }),
       during: (child) => {
-        // one piece of each turn of the loop, and none before the report begins
+        // reads one piece in each turn of the loop, and none before the report begins
         child.stdout?.pause();
         child.stderr?.once('data', () => child.stdout?.resume());
         child.stdout?.on('data', () => {
@@ -103,7 +103,7 @@ it('writes a large report whole into a slow pipe', async () => {
   expect(report.samples.at(-1)[0]).toBeLessThanOrEqual(report.time);
 });
 
-it.runIf(process.platform === 'linux')('tells a full disk behind stdout, with exit code 2', () => {
+it.runIf(process.platform === 'linux')('reports a full disk behind stdout, with exit code 2', () => {
   const text = execFileSync('bash', ['-c', '"$1" "$2" check many 2>&1 >/dev/full; echo $?', '--', process.execPath, MAIN], {
     cwd,
     encoding: 'utf8',
@@ -112,7 +112,7 @@ it.runIf(process.platform === 'linux')('tells a full disk behind stdout, with ex
 });
 
 describe.runIf(process.platform === 'linux')('a signal', () => {
-  it('ends the work and its workers with 130 or 143, and writes nothing', async () => {
+  it('ends gq and its workers with 130 or 143, and nothing is written', async () => {
     const args = ['check', 'long', '--format', 'json', '--accuracy', 'arcade', '--max-time', '3600'];
     const [int, term] = await Promise.all([
       gqProcess([...args, '--jobs', '1'], { cwd, env: interruptAt({ of: 'online', number: 1, signals: ['SIGINT'] }) }),
@@ -122,9 +122,9 @@ describe.runIf(process.platform === 'linux')('a signal', () => {
     expect(term).toEqual({ code: 143, signal: null, stdout: '', stderr: '' });
   });
 
-  it('ends at once what waits for a pipe, or for the reader of its report', async () => {
+  it('ends gq at once while it waits for a pipe, or for the reader of its report', async () => {
     execFileSync('mkfifo', [join(cwd, 'pipe')]);
-    // for both, so that nobody waits for the other to open it
+    // opened for reading and writing, so that opening does not wait for the other end
     const pipe = openSync(join(cwd, 'pipe'), constants.O_RDWR);
     const noSamples = ['simulate', 'good.level.json', '--sample', '10000', '--format', 'json'];
     for (const [args, stdio, of] of [
@@ -134,7 +134,7 @@ describe.runIf(process.platform === 'linux')('a signal', () => {
       const env = { ...process.env, ...interruptAt({ of, number: 1, say: 'waits' }) };
       const child = spawn(process.execPath, [MAIN, ...args], { cwd, env, stdio: [...stdio] });
       const ended = new Promise((resolve) => child.on('close', (code, signal) => resolve([code, signal])));
-      // right before it waits: a handler would be called only after the wait, which never ends
+      // right before gq waits: a handler would be called only after the wait, which never ends
       child.stderr?.once('data', () => child.kill('SIGINT'));
       expect(await ended).toEqual([null, 'SIGINT']);
     }
@@ -143,7 +143,7 @@ describe.runIf(process.platform === 'linux')('a signal', () => {
 });
 
 describe('colours', () => {
-  it('are left out of pipes and with NO_COLOR, and forced by FORCE_COLOR', async () => {
+  it('are not used in pipes and with NO_COLOR, and are always used with FORCE_COLOR', async () => {
     const env = { NO_COLOR: '', CI: 'true' };
     const [piped, forced, none] = await Promise.all([
       gqProcess(['check', 'good.level.json'], { cwd, env }),
@@ -155,7 +155,7 @@ describe('colours', () => {
     expect(none.stdout).toBe(piped.stdout);
   });
 
-  it('of a level itself never reach the terminal', async () => {
+  it('in the text of a level never reach the terminal', async () => {
     writeFileSync(
       join(cwd, 'evil.level.json'),
       fallThrough({ name: 'red \u001b[31m \u009b\u202e', runs: [{ name: '\u001b]0;title\u0007', holds: [] }] }),
@@ -168,14 +168,14 @@ describe('colours', () => {
       gq(['simulate', 'evil.level.json', '--run', '\u001b[1m'], { cwd }),
       gq(['check', '\u001b[1m'], { cwd }),
     ]);
-    // but for newlines
+    // except newlines
     for (const { stdout, stderr } of ended) expect((stdout + stderr).replaceAll('\n', '')).not.toMatch(/[\p{Cc}\u202e]/u);
     expect(ended[0].stdout).toContain('red \\u001b[31m');
   });
 });
 
-describe('what stands in a directory', () => {
-  it('is read once, links followed, loops and what is hidden left out; a link to nowhere is exit code 2 and the rest is checked', async () => {
+describe('the files of a directory', () => {
+  it('are read once: links are followed, loops and hidden files left out; a broken link is exit code 2, and the rest is checked', async () => {
     const root = join(cwd, 'tree');
     for (const name of ['sub/deep', '.git', 'node_modules/x', 'named.level.json'])
       mkdirSync(join(root, name), { recursive: true });
@@ -199,7 +199,7 @@ describe('what stands in a directory', () => {
     expect(summary).toEqual({ completable: 4, broken: 0, unproven: 0, impossible: 0, invalid: 1, crashed: 0 });
   });
 
-  it('can be picked by patterns, too', async () => {
+  it('can also be selected by patterns', async () => {
     const files = async (pattern: string) => (await findLevelFiles([`${cwd}/${pattern}`])).files;
     expect(await files('many/1?.level.json')).toEqual(Array.from({ length: 10 }, (_, i) => `${cwd}/many/1${i}.level.json`));
     expect(await files('**/b*.json')).toEqual([`${cwd}/tree/sub/deep/b.level.json`]);

@@ -24,15 +24,15 @@ describe('gq render', () => {
     ['through.level.json --explored --run hold --effort 50000', 'way', 1],
     ['away.level.json --proof', 'proof', 1],
     ['through.level.json --solve 1 --effort 100000', 'ways', 1],
-    // far too little for a search from nothing
+    // far too little effort for a search without known runs
     [`${shipped('12-detour')} --solve 1 --effort 100`, 'ways', 1],
-  ])('%s has %s', async (args, kind, expected) => {
+  ])('%s draws %s', async (args, kind, expected) => {
     const { code, stdout, stderr } = await render(args);
     expect({ code, stderr, drawn: count(stdout, kind) }).toEqual({ code: 0, stderr: '', drawn: expected });
     expect(stdout).not.toMatch(/NaN|undefined|Infinity/);
   });
 
-  it('--solve says when it has found fewer runs than asked for, wherever the picture goes', async () => {
+  it('--solve says if it has found fewer runs than requested, wherever the picture goes', async () => {
     const [whole, part] = await Promise.all([
       render('through.level.json --solve 1 --effort 100000'),
       render(`${shipped('12-detour')} --solve 4 --effort 100`),
@@ -43,7 +43,7 @@ describe('gq render', () => {
     expect(part.stdout).toMatch(/<title>[^<]*: [123] of 4 runs found</);
   });
 
-  it('draws the same picture again', async () => {
+  it('draws the same picture every time', async () => {
     const args = 'needle.level.json --closest --explored --effort 60000 --seed 3';
     const [one, two] = await Promise.all([render(args), render(args)]);
     expect(two.stdout).toBe(one.stdout);
@@ -53,7 +53,7 @@ describe('gq render', () => {
     ['through.level.json --proof', 'no proof was found'],
     ['needle.level.json --all-runs', 'the level has no run to draw'],
     ['needle.level.json --solve 1 --effort 1000', 'no run was found'],
-  ])('%s: exit code 1, there is nothing to draw', async (args, message) => {
+  ])('%s: exit code 1 if there is nothing to draw', async (args, message) => {
     const { code, stdout, stderr } = await render(args);
     expect({ code, stdout }).toEqual({ code: 1, stdout: '' });
     expect(stderr).toContain(message);
@@ -66,7 +66,7 @@ describe('gq render', () => {
     ['through.level.json --fan 0', 'expected a number of ticks'],
     ['through.level.json --explored --minerals 1', 'has only 0 minerals'],
     ['needle.level.json --fan 2', 'the level has no run'],
-  ])('%s: exit code 2, and what was expected', async (args, message) => {
+  ])('%s: exit code 2 and a message that says what was expected', async (args, message) => {
     const { code, stdout, stderr } = await render(args);
     expect({ code, stdout }).toEqual({ code: 2, stdout: '' });
     expect(stderr).toContain(message);

@@ -6,7 +6,7 @@ import { withoutTimes } from './levels.ts';
 
 const cwd = fileURLToPath(new URL('./fixtures', import.meta.url));
 
-// name of the folder under fixtures/ with the whole expected output (vitest -u writes it anew), arguments, exit code
+// name of the folder under fixtures/ with the whole expected output (updated by vitest -u), arguments, exit code
 const CASES: readonly [name: string, args: string, code: number][] = [
   ['check-pretty', 'check levels --accuracy arcade', 1],
   ['check-json', 'check levels --accuracy arcade --format json', 1],
@@ -39,7 +39,7 @@ describe.each(CASES)('%s', (name, args, code) => {
   });
 });
 
-it('reports in JSON have the published shapes, and a verdict carries the run as simulate gives it', async () => {
+it('reports in JSON have the published shapes, and a verdict contains the same run as simulate', async () => {
   const [check, simulate] = await Promise.all([
     gq('check levels --accuracy arcade --format json'.split(' '), { cwd }),
     gq('simulate levels/01-through.level.json --accuracy arcade --format json'.split(' '), { cwd }),

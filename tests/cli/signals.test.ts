@@ -2,8 +2,8 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { runWhole, SIGNALLED_COMMANDS, signalAt } from '../../bench/soak/interrupted/signalled-command.ts';
 
-// A signal ends every command with 130 or 143, at whatever step it comes, and nothing is written after it. A few steps of each command
-// are drawn here, more of those that write files; `npm run bench:soak -- --attack signals` tries all of them.
+// A signal ends every command with 130 or 143, at whatever step it arrives, and nothing is written afterwards. This test draws
+// a few steps of each command, more for commands that write files; `npm run bench:soak -- --attack signals` tries all of them.
 
 const SIGNALS: readonly (readonly NodeJS.Signals[])[] = [['SIGINT'], ['SIGTERM'], ['SIGINT', 'SIGTERM', 'SIGINT']];
 
@@ -31,7 +31,7 @@ describe.runIf(process.platform !== 'win32')('a signal at any step', () => {
       }),
       { numRuns, endOnFailure: true },
     );
-    // the number of steps varies a little with the threads: the last ones may be missing
+    // the number of steps varies slightly with the threads: the last ones may be missing
     expect(heard).toBeGreaterThan(0);
   });
 });

@@ -37,7 +37,7 @@ describe('a run that is found', () => {
     [shipped('02-first-swing'), 'arcade', 'all'],
     [shipped('07-nova-lane'), 'fast', '1'],
     [shipped('11-blind-date'), 'precise', 'any'],
-  ])('in %s under %s with %s minerals is what gq simulate confirms, bit for bit', async (file, accuracy, minerals) => {
+  ])('in %s under %s with %s minerals is confirmed by gq simulate, bit for bit', async (file, accuracy, minerals) => {
     const ended = await gq([
       'solve',
       file,
@@ -67,7 +67,7 @@ describe('a run that is found', () => {
     expect(found.robustness?.slack).toHaveLength(2 * (found.holds?.length ?? 0));
   });
 
-  it("is the level's own where that gets there, and only any will do", async () => {
+  it("is the level's own run if that reaches the goal and any run will do", async () => {
     const file = shipped('01-first-pull');
     const own = JSON.parse(readFileSync(file, 'utf8')).runs[0].holds;
     const found = report(await solve(`${file} --objective first --effort 40000 --format json`));
@@ -85,7 +85,7 @@ describe('a run that is found', () => {
     }
   });
 
-  it('comes with others when several are wanted, the best first and at the top', async () => {
+  it('comes with others if several are wanted; the best is first and at the top', async () => {
     const found = report(await solve('first-swing.level.json --objective time --effort 1000000 --count 3 --format json'));
     const { solutions = [], ...best } = found;
     expect(solutions.length).toBeGreaterThan(1);
@@ -93,7 +93,7 @@ describe('a run that is found', () => {
     expect(new Set(solutions.map(({ holds }) => JSON.stringify(holds))).size).toBe(solutions.length);
   });
 
-  it('is told to people with what it forgives', async () => {
+  it('is reported to people with its robustness', async () => {
     const { code, stdout, stderr } = await solve('through.level.json --effort 10000');
     expect({ code, stderr }).toEqual({ code: 0, stderr: '' });
     for (const part of [
@@ -109,7 +109,7 @@ describe('a run that is found', () => {
 });
 
 describe('no run', () => {
-  it('because it is proved that there is none: a certificate that the checker takes, exit code 1', async () => {
+  it('proved: prints a certificate that the checker confirms, with exit code 1', async () => {
     const ended = await solve('away.level.json --format json');
     expect(ended.code).toBe(1);
     const { found, holds, impossible, effort } = report(ended);
@@ -121,7 +121,7 @@ describe('no run', () => {
     expect(pretty.stdout).toContain('\nproved impossible: the black hole is');
   });
 
-  it('because none was found: says how much was tried and the nearest, which is a real run; exit code 1', async () => {
+  it('not found: prints the effort and the closest run, which is a real run, with exit code 1', async () => {
     const ended = await solve('needle.level.json --effort 60000 --format json');
     expect(ended.code).toBe(1);
     const { found, closest, impossible, effort, robustness } = report(ended);
@@ -135,7 +135,7 @@ describe('no run', () => {
     );
   });
 
-  it('in a setting of one’s own is never called impossible', async () => {
+  it('with a custom setting is never called impossible', async () => {
     const { impossible } = report(await solve('away.level.json --integrator rk4 --rate 90 --effort 1000 --format json'));
     expect(impossible).toBeNull();
   });
@@ -157,7 +157,7 @@ describe('--write', () => {
     expect(check.stdout).toMatch(/^completable/);
   });
 
-  it('says so when the run is there already', async () => {
+  it('says so if the file already has the run', async () => {
     writeFileSync(join(cwd, 'twice.level.json'), fallThrough({ runs: undefined }));
     const first = await write('twice.level.json', ' --run mine');
     expect(first.stderr).toBe('wrote run "mine" to twice.level.json\n');
@@ -167,7 +167,7 @@ describe('--write', () => {
     expect(inDirectory(cwd, 'twice.level.json')).toBe(text);
   });
 
-  it('writes through a link, which stays one', async () => {
+  it('writes through a link, which stays a link', async () => {
     writeFileSync(join(cwd, 'real.level.json'), fallThrough({ runs: undefined }));
     symlinkSync('real.level.json', join(cwd, 'link.level.json'));
     expect((await write('link.level.json')).code).toBe(0);
@@ -175,7 +175,7 @@ describe('--write', () => {
     expect(JSON.parse(inDirectory(cwd, 'real.level.json')).runs).toHaveLength(1);
   });
 
-  it('writes nothing when nothing was found', async () => {
+  it('writes nothing if nothing was found', async () => {
     const text = inDirectory(cwd, 'needle.level.json');
     const { code, stderr } = await solve('needle.level.json --effort 40000 --write');
     expect({ code, stderr }).toEqual({ code: 1, stderr: 'nothing was written: no run was found\n' });
@@ -183,7 +183,7 @@ describe('--write', () => {
   });
 });
 
-it("looks at the level's own runs however short the budget", async () => {
+it("evaluates the level's own runs even with a very short budget", async () => {
   const ended = await solve('through.level.json --budget 0.001 --format json');
   expect(ended.code).toBe(0);
   expect(report(ended)).toMatchObject({ found: true, outcome: 'completed' });
@@ -202,7 +202,7 @@ describe('bad input', () => {
     ['through.level.json --seed -1', 'expected a seed'],
     ['through.level.json --objective best', 'Allowed choices are robust, first, presses, time'],
     ['missing.level.json', "can't be read"],
-  ])('gq solve %s: exit code 2, and what was expected', async (args, message) => {
+  ])('gq solve %s: exit code 2 and a message that says what was expected', async (args, message) => {
     const { code, stdout, stderr } = await solve(args);
     expect({ code, stdout }).toEqual({ code: 2, stdout: '' });
     expect(stderr).toContain(message);
@@ -215,11 +215,11 @@ describe('bad input', () => {
   });
 });
 
-describe.runIf(process.platform === 'linux')('a search that goes on', () => {
-  // no run of it forgives so much that the search ends by itself
+describe.runIf(process.platform === 'linux')('a running search', () => {
+  // no run of this level is so robust that the search ends by itself
   const ENDLESS = withoutRuns('17-watchdog');
 
-  it('is ended by a signal with 130 or 143; nothing is reported, and nothing written', async () => {
+  it('ends on a signal with 130 or 143, and nothing is reported or written', async () => {
     for (const [signal, code, answers] of [
       ['SIGINT', 130, 1],
       ['SIGTERM', 143, 4],
@@ -227,7 +227,7 @@ describe.runIf(process.platform === 'linux')('a search that goes on', () => {
       writeFileSync(join(cwd, 'stop.level.json'), ENDLESS);
       const ended = await gqProcess('solve stop.level.json --effort 1000000000 --write --format json'.split(' '), {
         cwd,
-        // the signal comes with an answer of a thread
+        // the signal arrives together with the answer of a thread
         env: interruptAt({ of: 'message', number: answers, signals: [signal] }),
       });
       expect(ended).toEqual({ code, signal: null, stdout: '', stderr: '' });
@@ -235,7 +235,7 @@ describe.runIf(process.platform === 'linux')('a search that goes on', () => {
     }
   });
 
-  it('does not write into a file that has changed meanwhile; what was found is reported', async () => {
+  it('does not write to a file that has changed in the meantime, but reports the run', async () => {
     writeFileSync(join(cwd, 'changed.level.json'), fallThrough({ runs: undefined }));
     const other = fallThrough();
     const change = { path: join(cwd, 'changed.level.json'), text: other };
@@ -249,8 +249,8 @@ describe.runIf(process.platform === 'linux')('a search that goes on', () => {
     expect(ended.stderr).toContain('the file changed during the search, so nothing was written');
   });
 
-  it.runIf(existsSync(SCRIPT))('progress is shown on a terminal, and taken away again', () => {
-    // progress is shown after half a second: here every look at the clock takes a second
+  it.runIf(existsSync(SCRIPT))('shows its progress on a terminal, and clears it', () => {
+    // progress appears after half a second: here every look at the clock advances it by a second
     const slow = 'const now = performance.now(); let looks = 0; performance.now = () => now + 1000 * looks++;';
     const env = { ...process.env, NODE_OPTIONS: `--import=data:text/javascript,${encodeURIComponent(slow)}` };
     const command = `'${process.execPath}' '${MAIN}' solve needle.level.json --effort 100000 --jobs 1`;

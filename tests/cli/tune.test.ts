@@ -11,7 +11,7 @@ import { fallThrough, gq, makeFiles } from './gq.ts';
 const cwd = fileURLToPath(new URL('./fixtures', import.meta.url));
 const LEVELS = fileURLToPath(new URL('../../levels', import.meta.url));
 
-// name of the folder under fixtures/ with the whole expected output (vitest -u writes it anew), arguments, exit code
+// name of the folder under fixtures/ with the whole expected output (updated by vitest -u), arguments, exit code
 const CASES: readonly [name: string, args: string, code: number][] = [
   ['tune-sweep', 'tune ../../../levels --sweep pull=0.8x..1.2x:41', 0],
   ['tune-set', 'tune ../../../levels/1*.level.json --set pull=1.05x --set alienSight=160', 0],
@@ -36,7 +36,7 @@ const json = async (args: readonly string[], folder = cwd) => {
 };
 
 describe('gq tune', () => {
-  it('says of each value and each threshold what a replay says, the same for any number of threads', async () => {
+  it('agrees with replays at each value and threshold, for any number of threads', async () => {
     const args = [LEVELS, '--sweep', 'pull=0.9x..1.1x:9', '--accuracy', 'fast'];
     const report = await json([...args, '--jobs', '1']);
     expect(await json([...args, '--jobs', '3'])).toEqual(report);
@@ -52,7 +52,7 @@ describe('gq tune', () => {
       for (const { low, high, own, isLowBound, isHighBound } of intervals) {
         if (low === null || high === null) continue;
         expect(works(low) && works(high)).toBe(true);
-        // the halving has ended between here and a thousandth farther
+        // bisection has ended between here and a thousandth farther
         if (isLowBound) bounds++;
         if (isHighBound) bounds++;
         expect(low).toBeLessThanOrEqual(own);
@@ -64,7 +64,7 @@ describe('gq tune', () => {
     expect(rooms).toEqual([...rooms].sort((a, b) => a - b));
   });
 
-  it('finds another run where it is asked to search', async () => {
+  it('finds another run if a search is requested', async () => {
     const file = join(LEVELS, '03-let-go.level.json');
     const args = [file, '--set', 'pull=0.9x', '--accuracy', 'fast'];
     const valueWith = async (...more: string[]) => (await json([...args, ...more])).levels[0].values[0];
@@ -90,7 +90,7 @@ describe('gq tune', () => {
     expect(report.independent).toEqual(['push', 'alienPull']);
   });
 
-  it('starts from the rules of the folder, and of the level before them', async () => {
+  it('starts from the rules of the level, and of the folder where the level has none', async () => {
     const { directory, remove } = makeFiles({
       'gq.config.json': '{ "rules": { "pull": 50 } }',
       'a.level.json': fallThrough(),
@@ -149,7 +149,7 @@ describe('gq tune', () => {
 });
 
 describe('the interval around a value', () => {
-  it('ends where it stops working, to a thousandth of the value', () => {
+  it('ends at the threshold, to a thousandth of the value', () => {
     const value = fc.integer({ min: 1, max: 1000 }).map((k) => k / 7);
     fc.assert(
       fc.property(value, value, value, fc.integer({ min: 2, max: 60 }), (own, below, above, count) => {

@@ -31,7 +31,7 @@ async function check(args: string): Promise<{ code: number | null; level: LevelR
 const limitsOf = ({ problems }: LevelReport) => problems.filter(({ code }) => code === 'work-limit');
 
 describe('--max-work', () => {
-  it('past it a level is unproven, and the problem says which run and how much work', async () => {
+  it('makes a level unproven beyond the limit, with a problem that names the run and the work', async () => {
     const { code, level } = await check('--max-work 3000 orbit.level.json');
     expect(code).toBe(1);
     expect(level.verdict).toBe('unproven');
@@ -42,12 +42,12 @@ describe('--max-work', () => {
     );
   });
 
-  it.each(['orbit', 'holds', 'awake'])('is the same every time: %s', async (name) => {
+  it.each(['orbit', 'holds', 'awake'])('stops at the same point every time: %s', async (name) => {
     const [one, other] = await Promise.all([1, 2].map(() => check(`--max-work 2000 ${name}.level.json`)));
     expect({ ...one.level, ms: 0 }).toEqual({ ...other.level, ms: 0 });
   });
 
-  it('where a run has completed the level it stays completable, with a warning of what was left out', async () => {
+  it('leaves a level completable if a run has completed it, with a warning about what was left out', async () => {
     const { code, level } = await check('--max-work 400 second.level.json');
     expect(code).toBe(0);
     expect(level.verdict).toBe('completable');
@@ -57,13 +57,13 @@ describe('--max-work', () => {
     );
   });
 
-  it('says nothing where the work suffices', async () => {
+  it('reports nothing if the work stays within the limit', async () => {
     const { code, level } = await check('good.level.json');
     expect(code).toBe(0);
     expect(limitsOf(level)).toEqual([]);
   });
 
-  it('refuses what is no number of pieces', async () => {
+  it('refuses a value that is not a number of pieces', async () => {
     const { code, stderr } = await gq(['check', '--max-work', '0', 'good.level.json'], { cwd });
     expect(code).toBe(2);
     expect(stderr).toContain('expected pieces of motion: a whole number from 1');

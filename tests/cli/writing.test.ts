@@ -36,7 +36,7 @@ afterAll(files.remove);
 const read = (name: string): string => readFileSync(join(cwd, name), 'utf8');
 
 describe('import', () => {
-  it('writes level files, says what it skipped, and never overwrites a different file unasked', async () => {
+  it('writes level files, reports what it skipped, and never overwrites a different file unasked', async () => {
     const first = await gq(['import', 'originals.json', '--out', 'new/levels'], { cwd });
     expect(first).toMatchObject({ code: 0, stderr: '' });
     const written = readdirSync(join(cwd, 'new/levels')).sort();
@@ -70,7 +70,7 @@ describe('import', () => {
     expect(fmt).toMatchObject({ code: 0, stdout: '2 files: 2 unchanged\n' });
   });
 
-  it('names the JSON Schema of the toolkit where the project has installed it, and none where there is none', async () => {
+  it('names the JSON Schema of the toolkit if the project has installed it, else none', async () => {
     const project = makeFiles({ 'node_modules/gravity-quest-toolkit/schema/level.schema.json': '{}' });
     const ended = await gq(['import', join(cwd, 'originals.json'), '--out', 'a/b'], { cwd: project.directory });
     expect(ended.code).toBe(0);
@@ -88,15 +88,15 @@ describe('import', () => {
     expect(schemaReference(root)).toBe('schema/level.schema.json');
   });
 
-  it('tells what is wrong with its place, and makes no directory then', async () => {
+  it('reports problems with their places, and then makes no directory', async () => {
     const { code, stdout, stderr } = await gq(['import', 'not-originals.json', '--out', 'never'], { cwd });
     expect({ code, stdout }).toEqual({ code: 1, stdout: '' });
     expect(stderr).toMatch(/^not-originals\.json:1:\d+: error /);
     expect(existsSync(join(cwd, 'never'))).toBe(false);
   });
 
-  it('takes back what it wrote when a later file cannot be written', async () => {
-    // a directory in the place of the second level
+  it('removes the files it wrote if a later file cannot be written', async () => {
+    // a directory has the name of the second level
     const trap = makeFiles({ 'out/level-02.level.json/x': '' });
     const { code, stderr } = await gq(['import', join(cwd, 'originals.json'), '--out', 'out'], { cwd: trap.directory });
     expect(code).toBe(2);
@@ -107,7 +107,7 @@ describe('import', () => {
 });
 
 describe('fmt', () => {
-  it('rewrites only what is not canonical, keeps modes and x- keys, and leaves invalid files alone', async () => {
+  it('rewrites only files that are not canonical, keeps modes and x- keys, and does not change invalid files', async () => {
     chmodSync(join(cwd, 'untidy/a.level.json'), 0o640);
     const before = read('untidy/a.level.json');
     const only = await gq(['fmt', '--check', 'untidy'], { cwd });
@@ -136,7 +136,7 @@ describe('fmt', () => {
   });
 });
 
-describe.runIf(process.platform !== 'win32')('what stands in the way', () => {
+describe.runIf(process.platform !== 'win32')('special files', () => {
   const place = makeFiles({
     'a.level.json': fallThrough(),
     'b.level.json': fallThrough(),
@@ -148,7 +148,7 @@ describe.runIf(process.platform !== 'win32')('what stands in the way', () => {
   const at = (name: string): string => join(here, name);
   const run = (args: string) => gq(args.split(' '), { cwd: here });
 
-  it('a link to where nothing is yet is followed, and the new file has the mode of every new one', async () => {
+  it('a broken link is followed, and the new file has the usual mode', async () => {
     symlinkSync('later.svg', at('first.svg'));
     symlinkSync('first.svg', at('link.svg'));
     expect(await run('render a.level.json -o link.svg')).toMatchObject({ code: 0 });
@@ -167,7 +167,7 @@ describe.runIf(process.platform !== 'win32')('what stands in the way', () => {
     }
   });
 
-  it('a file that is read-only stays as it is, for an administrator, too', async () => {
+  it('a read-only file is not changed, even by root', async () => {
     const text = readFileSync(at('b.level.json'), 'utf8');
     for (const name of ['b.level.json', 'drawn.svg', 'level-01.level.json']) {
       if (name !== 'b.level.json') writeFileSync(at(name), text);
@@ -190,7 +190,7 @@ describe.runIf(process.platform !== 'win32')('what stands in the way', () => {
     expect(readdirSync(here).filter((name) => name.includes('tmp'))).toEqual([]);
   });
 
-  it('a named pipe, a socket, a device without end, a folder: none is waited for', async () => {
+  it('a named pipe, a socket, an endless device and a folder never make a command wait', async () => {
     execFileSync('mkfifo', [at('pipe'), at('all/pipe.level.json'), at('package.json')]);
     mkdirSync(at('folder.level.json'));
     symlinkSync('/dev/zero', at('zero'));
@@ -212,7 +212,7 @@ describe.runIf(process.platform !== 'win32')('what stands in the way', () => {
     }
     socket.close();
     expect(await run('check all')).toMatchObject({ code: 0 });
-    // import looks for the project around it, and for what is there
+    // import looks for the surrounding project and for existing files
     execFileSync('mkfifo', [at('pipes.level.json')]);
     mkdirSync(at('taken'));
     execFileSync('mkfifo', [at('taken/level-01.level.json')]);
@@ -220,7 +220,7 @@ describe.runIf(process.platform !== 'win32')('what stands in the way', () => {
     expect(await run('import originals.json --out new/deep')).toMatchObject({ code: 0 });
   });
 
-  it.runIf(process.platform === 'linux')('a name that is not UTF-8 is told, and the rest is checked', async () => {
+  it.runIf(process.platform === 'linux')('a name that is not UTF-8 is reported, and the rest is checked', async () => {
     mkdirSync(at('odd'));
     for (const name of ['ok.level.json', Buffer.from([0x6f, 0xff, ...Buffer.from('.level.json')])]) {
       writeFileSync(Buffer.concat([Buffer.from(`${at('odd')}/`), Buffer.from(name)]), fallThrough());
@@ -231,7 +231,7 @@ describe.runIf(process.platform !== 'win32')('what stands in the way', () => {
     expect(stdout).toContain('2 levels: 1 completable, 1 invalid');
   });
 
-  it('a pipe that the shell has made is read to its end', () => {
+  it('a pipe of the shell is read to its end', () => {
     const script = '"$0" "$1" check <(cat a.level.json) <(cat a.level.json) && cat a.level.json | "$0" "$1" simulate /dev/stdin';
     const { status, stdout } = spawnSync('bash', ['-c', script, process.execPath, MAIN], { cwd: here, encoding: 'utf8' });
     expect(stdout).toContain('2 levels: 2 completable');
@@ -239,7 +239,7 @@ describe.runIf(process.platform !== 'win32')('what stands in the way', () => {
     expect(status).toBe(0);
   });
 
-  it('fmt counts what failed, and says nothing of files where there are none', async () => {
+  it('fmt counts the files that fail', async () => {
     mkdirSync(at('lost'));
     symlinkSync('nowhere', at('lost/gone.level.json'));
     const { code, stdout, stderr } = await run('fmt lost all/x.level.json');
@@ -251,7 +251,7 @@ describe.runIf(process.platform !== 'win32')('what stands in the way', () => {
   });
 });
 
-it('says how many problems are not shown', async () => {
+it('reports the number of problems that are not shown', async () => {
   const novae = Array.from({ length: 3000 }, (_, i) => ({ x: 40 * i, y: 5000, radius: 'wide' }));
   const crowd = Array.from({ length: 60 }, (_, i) => ({ x: i, y: 5000, radius: 16 }));
   writeFileSync(join(cwd, 'wrong.level.json'), fallThrough({ novae }));
@@ -284,11 +284,11 @@ describe('render', () => {
   });
 });
 
-it.runIf(process.platform !== 'win32')('a disk that takes only a part of a file keeps the old one whole', () => {
+it.runIf(process.platform !== 'win32')('the old file stays whole if the disk has room for only a part of the new one', () => {
   const novae = Array.from({ length: 120 }, (_, i) => ({ x: 40 * i, y: 5000, radius: 16 }));
   const compact = fallThrough({ novae });
   writeFileSync(join(cwd, 'crowded.level.json'), compact);
-  // the kernel's own limit for the size of files, KiB: it takes what fits and refuses the rest, as a full disk does
+  // the kernel's limit for file sizes, KiB: it writes what fits and refuses the rest, like a full disk
   const script = `trap '' XFSZ; ulimit -f 5; exec "$0" "$1" fmt crowded.level.json`;
   const { status, stderr } = spawnSync('bash', ['-c', script, process.execPath, MAIN], { cwd, encoding: 'utf8' });
   expect(stderr).toMatch(/crowded\.level\.json: can't be written: /);
@@ -297,7 +297,7 @@ it.runIf(process.platform !== 'win32')('a disk that takes only a part of a file 
   expect(readdirSync(cwd).filter((name) => name.includes('tmp'))).toEqual([]);
 });
 
-it('schema prints the JSON Schema that is published', async () => {
+it('schema prints the published JSON Schema', async () => {
   const { code, stdout } = await gq(['schema']);
   expect(code).toBe(0);
   expect(JSON.parse(stdout)).toMatchObject({ $schema: expect.stringContaining('json-schema.org'), type: 'object' });
