@@ -46,7 +46,7 @@ const post = (path: string, body: object, headers?: Record<string, string>): Pro
 const errorOf = (answer: Answered) => ({ status: answer.status, ...errorResponseSchema.parse(answer.json()).error });
 
 describe('the list', () => {
-  it('has every level below the folder, in the order of play', async () => {
+  it('contains every level below the folder, in order of play', async () => {
     const { levels, folders, troubles, folder } = await list();
     expect(levels.map(({ id, name, status }) => [id, name, status])).toEqual([
       ['1-a', 'A', 'valid'],
@@ -62,7 +62,7 @@ describe('the list', () => {
     await other.close();
   });
 
-  it('has what can not be read, with why, and leaves it as it is', async () => {
+  it('contains files that can not be read, with the reason', async () => {
     put(made.folder, 'bad.level.json', '{\n  "version": 1,\n}');
     put(made.folder, 'latin.level.json', Buffer.from([0x7b, 0xe9, 0x7d]));
     put(made.folder, 'large.level.json', ' '.repeat(9 * 1024 * 1024));
@@ -83,8 +83,8 @@ describe('the list', () => {
     expect(everythingIn(made.folder)).toEqual(before);
   });
 
-  it('says what may not be written', async () => {
-    if (process.getuid?.() === 0) return; // an administrator may write everything
+  it('marks files that are not writable', async () => {
+    if (process.getuid?.() === 0) return; // root may write everything
     chmodSync(join(made.folder, '02-b.level.json'), 0o444);
     expect((await list()).levels[1].readOnly).toMatch(/permission denied/);
     const answer = await write('02-b', levelText('new'), { 'If-Match': await etag('02-b') });
@@ -93,7 +93,7 @@ describe('the list', () => {
 });
 
 describe('writing', () => {
-  it('stores the text as it is, and gives the etag of it', async () => {
+  it('stores the text unchanged, and returns its etag', async () => {
     const text = levelText('Ünïcode 🚀').replaceAll('\n', '\r\n');
     chmodSync(join(made.folder, '02-b.level.json'), 0o640);
     const answer = await write('02-b', text, { 'If-Match': await etag('02-b') });
@@ -106,7 +106,7 @@ describe('writing', () => {
     expect(readdirSync(made.folder).filter((name) => name.startsWith('.'))).toEqual([]);
   });
 
-  it('refuses when the disk has another content, and shows it', async () => {
+  it('is refused if the content on the disk differs, which the answer contains', async () => {
     const base = await etag('02-b');
     put(made.folder, '02-b.level.json', levelText('from git'));
     const answer = await write('02-b', levelText('mine'), { 'If-Match': base });
@@ -114,12 +114,12 @@ describe('writing', () => {
     expect({ status, code }).toEqual({ status: 412, code: 'conflict' });
     expect(current).toMatchObject({ text: levelText('from git'), name: 'from git' });
     expect(on('02-b.level.json')).toBe(levelText('from git'));
-    // on top of what was shown it goes through
+    // based on that content, it succeeds
     expect((await write('02-b', levelText('merged'), { 'If-Match': current?.etag ?? '' })).status).toBe(200);
     expect(on('02-b.level.json')).toBe(levelText('merged'));
   });
 
-  it('refuses when the file is gone, and makes it anew when asked to', async () => {
+  it('is refused if the file is gone, and creates it again on request', async () => {
     const base = await etag('world/01-w');
     rmSync(join(made.folder, 'world/01-w.level.json'));
     const gone = errorOf(await write('world/01-w', levelText('mine'), { 'If-Match': base }));
@@ -129,7 +129,7 @@ describe('writing', () => {
     expect(on('world/01-w.level.json')).toBe(levelText('mine'));
   });
 
-  it('takes the same again for done: the answer may have been lost', async () => {
+  it('accepts the same request twice, as the first answer may have been lost', async () => {
     const base = await etag('02-b');
     const answers = [
       await write('02-b', levelText('new'), { 'If-Match': base }),
@@ -141,7 +141,7 @@ describe('writing', () => {
     expect(new Set(answers.map(({ headers }) => headers.etag)).size).toBe(1);
   });
 
-  it('refuses what is no valid level, with problems and places; an invalid file may be replaced by a valid text', async () => {
+  it('refuses an invalid level, with problems and places; a valid text may replace an invalid file', async () => {
     put(made.folder, 'bad.level.json', '{');
     const answer = errorOf(await write('bad', levelText('x').replace('"y": 0', '"y": "0"'), { 'If-Match': await etag('bad') }));
     expect(answer).toMatchObject({ status: 422, code: 'invalid-level' });
@@ -151,7 +151,7 @@ describe('writing', () => {
     expect(on('bad.level.json')).toBe(levelText('mended'));
   });
 
-  it('makes no name that is another file on other systems, and no folder', async () => {
+  it('creates no name that clashes on other systems, and no folder', async () => {
     const fresh = { 'If-None-Match': '*' };
     expect(errorOf(await write('02-B', levelText('x'), fresh))).toMatchObject({ status: 409, code: 'name-taken' });
     expect(errorOf(await write('nowhere/x', levelText('x'), fresh))).toMatchObject({ status: 404, code: 'unknown-folder' });
@@ -163,7 +163,7 @@ describe('writing', () => {
 });
 
 describe('renaming, copying, deleting', () => {
-  it('renames, and never onto another file', async () => {
+  it('renames a level, but never to the name of another file', async () => {
     const base = { 'If-Match': await etag('02-b') };
     expect((await post(EDIT_API.RENAME, { id: '02-b', to: 'world/02-b' }, base)).status).toBe(200);
     expect(await ids()).toEqual(['1-a', '10-c', 'world/01-w', 'world/02-b']);
@@ -186,7 +186,7 @@ describe('renaming, copying, deleting', () => {
     expect(on('10-c.level.json')).toBe(levelText('C'));
   });
 
-  it('keeps what is deleted, time after time, and brings it back, never onto another file', async () => {
+  it('keeps every deleted level and restores it, but never over another file', async () => {
     const base = { 'If-Match': await etag('world/01-w') };
     const { trashed } = deleteResponseSchema.parse((await post(EDIT_API.DELETE, { id: 'world/01-w' }, base)).json());
     await write('world/01-w', levelText('W'), { 'If-None-Match': '*' });
@@ -208,7 +208,7 @@ describe('renaming, copying, deleting', () => {
     expect(trashResponseSchema.parse((await server.page.get(EDIT_API.TRASH)).json()).trash).toHaveLength(1);
   });
 
-  it('deletes into no link', async () => {
+  it('refuses to delete if the trash is a link', async () => {
     const outside = makeFolder({});
     symlinkSync(outside.folder, join(made.folder, '.gq-trash'));
     const answer = await post(EDIT_API.DELETE, { id: '02-b' }, { 'If-Match': await etag('02-b') });
@@ -220,7 +220,7 @@ describe('renaming, copying, deleting', () => {
 });
 
 describe('the order', () => {
-  it('is that of the names, which are dealt out anew', async () => {
+  it('is that of the names, whose numbers are reassigned', async () => {
     const answer = await post(EDIT_API.ORDER, { folder: '', ids: ['10-c', '1-a', '02-b'] });
     const { renamed, levels } = orderResponseSchema.parse(answer.json());
     expect(renamed).toEqual([
@@ -236,7 +236,7 @@ describe('the order', () => {
     ]);
   });
 
-  it('goes round in a ring', async () => {
+  it('can exchange names in a cycle', async () => {
     for (const n of [1, 2, 3]) put(made.folder, `ring/0${n}.level.json`, levelText(`${n}`));
     const answer = await post(EDIT_API.ORDER, { folder: 'ring', ids: ['ring/03', 'ring/01', 'ring/02'] });
     expect(answer.status).toBe(200);
@@ -244,7 +244,7 @@ describe('the order', () => {
     expect(readdirSync(join(made.folder, 'ring'))).toHaveLength(3);
   });
 
-  it('is refused when the list is not that of the folder', async () => {
+  it('is refused if the ids are not those of the folder', async () => {
     for (const wrong of [['1-a', '02-b'], ['1-a', '02-b', '02-b'], ['1-a', '02-b', 'world/01-w'], []]) {
       expect(errorOf(await post(EDIT_API.ORDER, { folder: '', ids: wrong }))).toMatchObject({
         status: 409,
@@ -256,7 +256,7 @@ describe('the order', () => {
 });
 
 describe('the page', () => {
-  it('is served by a list of its files, under a strict policy', async () => {
+  it('is served from a list of its files, with a strict policy', async () => {
     const [root, index, script] = await Promise.all(
       ['/', '/index.html', '/assets/index-abc.js'].map((path) => server.page.get(path)),
     );

@@ -5,8 +5,8 @@ import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { EDIT_API, errorResponseSchema } from '../../schema/index.ts';
 import { type Asked, everythingIn, levelPath, levelText, makeFolder, put, serve } from './running.ts';
 
-// What websites, and files that come with a level folder, could try against a server on a person's own machine. Each attack
-// gets a 4xx and leaves the folder, and all around it, as it was.
+// What websites, and files in a shared level folder, could try against a server on the user's own machine. Each attack gets a
+// 4xx and changes nothing in the folder or around it.
 
 let around: ReturnType<typeof makeFolder>;
 let folder: string;
@@ -53,7 +53,7 @@ const large = (bytes: number): string => {
 type Attack = [name: string, status: number, attack: () => Asked];
 
 const foreign: Attack[] = [
-  // CVE-2025-24964, CVE-2026-27148: what a form or a simple request of a foreign page can send
+  // CVE-2025-24964, CVE-2026-27148: requests that a form or a simple request of a foreign page can send
   [
     'a foreign page posts text/plain',
     403,
@@ -149,7 +149,7 @@ const foreign: Attack[] = [
 ];
 
 const names: Attack[] = [
-  // CVE-2025-24010: names that lead to 127.0.0.1 (DNS rebinding)
+  // CVE-2025-24010: host names that resolve to 127.0.0.1 (DNS rebinding)
   ['a name of the attacker', 403, () => withHeaders({ Host: `evil.example:${port()}`, Origin: `http://evil.example:${port()}` })],
   ['a name that begins like ours', 403, () => withHeaders({ Host: `127.0.0.1.evil.example:${port()}` })],
   ['a name that ends like ours', 403, () => withHeaders({ Host: `evil.localhost:${port()}` })],
@@ -315,7 +315,7 @@ const methods: Attack[] = [
   ['an empty id', 400, () => ({ path: `${EDIT_API.LEVEL}?id=` })],
 ];
 
-/** Addresses that a careless server would make into paths; nothing is served by them, with or without a token. */
+/** Addresses that a careless server would turn into paths; none is served, with or without a token. */
 const ADDRESSES = [
   '/../secret.level.json', '/levels/../../secret.level.json', '/%2e%2e/secret.level.json', '/..%2fsecret.level.json', '/..%5csecret.level.json',
   '/assets/..%2f..%2fpackage.json', '/assets/../index.html', '/assets//index-abc.js', '//127.0.0.1/index.html', '/assets/%69ndex-abc.js', '/assets/index-abc.js/',
@@ -323,7 +323,7 @@ const ADDRESSES = [
   '/api', '/api/', '/api/level/', '/api/levels/', '/api/LEVELS', '/api//levels', '/api/./levels', '/api/x/../levels', '/%61pi/levels', '/api%2flevels', '/api/levels%00', '/api/levels;x',
 ]; // biome-ignore format: a list
 
-/** Ids that lead out of the folder, or to what is not on the list, for a careless server. */
+/** Ids that would lead a careless server out of the folder, or to files that are not in the list. */
 const IDS = [
   '../secret', '..', '.', '../../secret', 'sub/../../secret', 'sub/../a', './a', 'a/', '/a', '//a', 'sub//b', 'a/../a', '..\\secret', 'sub\\b', '..%2fsecret', '%2e%2e%2fsecret', '..%252fsecret',
   '%2e%2e/secret', '....//secret', '..;/secret', '..\u2215secret', '\uff0e\uff0e/secret', '\uff0e\uff0e\uff0fsecret', '..\u0000/secret', 'a\u0000', 'a\u0000.level.json', 'secret\u0000/../a',
@@ -349,7 +349,7 @@ const tryAll = (attacks: Attack[]): void => {
   });
 };
 
-it('lets the page itself through: each attack differs from it in one thing', async () => {
+it('accepts the requests of the page itself, from which each attack differs in one thing', async () => {
   const same = JSON.stringify({ text: levelText('a'), client });
   expect((await server.page.ask({ ...overwrite(), body: same })).status).toBe(200);
   expect(
@@ -366,7 +366,7 @@ it('lets the page itself through: each attack differs from it in one thing', asy
 });
 
 describe('requests of foreign pages', () => tryAll(foreign));
-describe('names that are not ours', () => tryAll(names));
+describe('foreign host names', () => tryAll(names));
 describe('tokens', () => tryAll(tokens));
 describe('bodies', () => tryAll(shapes));
 describe('bases', () => tryAll(bases));
@@ -381,7 +381,7 @@ describe.each(IDS.map((id) => [JSON.stringify(id.slice(0, 40)), id]))('the id %s
     expect(answer.text).not.toContain('"secret"');
     expect(everythingIn(around.folder)).toEqual(before);
   };
-  it('is not read, nor written, nor made, however it is encoded', async () => {
+  it('is never read, written or created, however it is encoded', async () => {
     for (const encoded of [encodeURIComponent(id), encodeURIComponent(encodeURIComponent(id))]) {
       const path = `${EDIT_API.LEVEL}?id=${encoded}`;
       await expectRefused({ path });
@@ -389,7 +389,7 @@ describe.each(IDS.map((id) => [JSON.stringify(id.slice(0, 40)), id]))('the id %s
     }
     await expectRefused({ method: 'PUT', path: levelPath(id), body, headers: { 'If-None-Match': '*' } });
   });
-  it('is no place for another level, nor one to take a level from', async () => {
+  it('is refused as the target or the source of a level', async () => {
     const send = (path: string, what: object): Promise<void> =>
       expectRefused({ method: 'POST', path, headers: { 'If-Match': tag }, body: JSON.stringify({ ...what, client }) });
     await send(EDIT_API.RENAME, { id: 'a', to: id });
@@ -404,7 +404,7 @@ describe.each(IDS.map((id) => [JSON.stringify(id.slice(0, 40)), id]))('the id %s
 });
 
 describe('links', () => {
-  it('are listed, and neither read nor written nor moved', async () => {
+  it('are listed, but never read, written or moved', async () => {
     const listed = (await server.page.get(EDIT_API.LEVELS)).json() as { levels: { id: string }[] };
     expect(listed.levels.map(({ id }) => id)).toEqual(['a', 'broken', 'link', 'sub/b']);
     const read = (await server.page.get(levelPath('link'))).json();
@@ -427,7 +427,7 @@ describe('links', () => {
   });
 });
 
-/** Sends bytes as they are. @returns the status line of the answer, or what became of the connection */
+/** Sends raw bytes. @returns the status line of the answer, or what happened to the connection */
 const raw = (bytes: string): Promise<string> =>
   new Promise((resolve) => {
     const socket = connect(server.port, '127.0.0.1');
@@ -440,7 +440,7 @@ const raw = (bytes: string): Promise<string> =>
     socket.end(bytes);
   });
 
-describe('what no HTTP library would send', () => {
+describe('requests that no HTTP library would send', () => {
   const rest = (): string => `${EDIT_API.TOKEN_HEADER}: ${server.page.token}\r\nConnection: close\r\n`;
   const host = (): string => `Host: 127.0.0.1:${port()}\r\n`;
   it.each([
@@ -467,7 +467,7 @@ describe('what no HTTP library would send', () => {
     expect(everythingIn(around.folder)).toEqual(before);
   });
 
-  it('a body that says it is too large is not waited for', async () => {
+  it('a body that is declared too large is not waited for', async () => {
     const head = `PUT ${levelPath('a')} HTTP/1.1\r\n${host()}Origin: http://127.0.0.1:${port()}\r\nContent-Type: application/json\r\nIf-Match: ${tag}\r\n`;
     const socket = connect(server.port, '127.0.0.1');
     const answered = new Promise<string>((resolve) => socket.once('data', (data) => resolve(data.toString('latin1'))));
@@ -476,12 +476,12 @@ describe('what no HTTP library would send', () => {
     socket.destroy();
   });
 
-  it('a body cut short is no change', async () => {
+  it('an incomplete body changes nothing', async () => {
     const head = `PUT ${levelPath('a')} HTTP/1.1\r\n${host()}Origin: http://127.0.0.1:${port()}\r\nContent-Type: application/json\r\nIf-Match: ${tag}\r\n${rest()}`;
     await raw(`${head}Content-Length: ${body.length + 1}\r\n\r\n${body}`);
     await raw(`${head}Transfer-Encoding: chunked\r\n\r\n${body.length.toString(16)}\r\n${body}\r\n`);
     expect(everythingIn(around.folder)).toEqual(before);
-    // the very same, whole, is one
+    // the same request with the whole body makes the change
     expect(await raw(`${head}Content-Length: ${body.length}\r\n\r\n${body}`)).toBe('HTTP/1.1 200 OK');
     expect(everythingIn(around.folder)).toEqual({ ...before, 'levels/a.level.json': text });
     put(folder, 'a.level.json', levelText('a'));

@@ -13,7 +13,7 @@ const entry = (id: string, content: number): LevelEntry => ({
   readOnly: null,
 });
 
-/** A folder of a few files with a few contents, so that the same content is often there twice. */
+/** A folder of a few files with a few contents, so that two files often have the same content. */
 const folder = fc
   .record({ contents: fc.dictionary(fc.constantFrom('a', 'b', 'c', 'd', 'e'), fc.nat(3)), troubles: fc.subarray(['t']) })
   .map(
@@ -27,7 +27,7 @@ const folder = fc
     }),
   );
 
-/** What a page knows after it has heard of something. */
+/** The state that a page knows after an event. */
 function hear(known: Map<string, LevelEntry>, event: EditEvent): Map<string, LevelEntry> {
   const next = new Map(known);
   if (event.type === 'list') return new Map(event.list.levels.map((level) => [level.id, level]));
@@ -45,7 +45,7 @@ function hear(known: Map<string, LevelEntry>, event: EditEvent): Map<string, Lev
   return next.set(event.entry.id, event.entry);
 }
 
-it('a page that hears every event knows what is there', () => {
+it('a page that gets every event knows the current state', () => {
   fc.assert(
     fc.property(folder, folder, (before, after) => {
       const events = changesBetween(before, after, null);
@@ -58,7 +58,7 @@ it('a page that hears every event knows what is there', () => {
   );
 });
 
-it('nothing new is no event', () => {
+it('no change gives no event', () => {
   fc.assert(
     fc.property(folder, (same) => {
       expect(changesBetween(same, structuredClone(same), 'me')).toEqual([]);

@@ -38,7 +38,7 @@ const connects = (host: string, port: number): Promise<boolean> =>
   });
 
 describe('gq edit', () => {
-  it('serves the built page and the levels of ./levels, on 127.0.0.1 alone', async () => {
+  it('serves the built page and the levels of ./levels, on 127.0.0.1 only', async () => {
     const edit = await gqEdit(['--port', '0'], { cwd });
     const page = pageOf(edit);
     const html = (await page.get('/')).text;
@@ -67,7 +67,7 @@ describe('gq edit', () => {
         ['SIGINT', 130, 'openSync'],
         ['SIGTERM', 143, 'renameSync'],
       ] as const) {
-        // it comes to the server right before one of the steps of writing a file
+        // the signal arrives right before one of the steps of writing a file
         const env = interruptAt({ of: step, number: step === 'openSync' ? 4 : 1, after: 'output', signals: [signal] });
         const edit = await gqEdit(['levels', '--port', '0'], { cwd, env });
         const page = pageOf(edit);
@@ -85,7 +85,7 @@ describe('gq edit', () => {
     },
   );
 
-  it('says what is wrong with a folder', async () => {
+  it('reports what is wrong with a folder', async () => {
     expect(await refusal(['nowhere'])).toMatchObject({
       code: 2,
       stdout: '',
@@ -100,7 +100,7 @@ describe('gq edit', () => {
     await empty.end('SIGTERM');
   });
 
-  it('says when a port is taken, and takes the next one when nobody asked for it', async () => {
+  it('reports that a port is taken; without --port, it takes the next one', async () => {
     const first = await gqEdit([], { cwd });
     const second = await gqEdit([], { cwd });
     expect(second.port).not.toBe(first.port);
@@ -116,7 +116,7 @@ describe('gq edit', () => {
     (await listenOn(first.port)).close();
   });
 
-  it('serves one folder twice: what one of them does, the other knows', async () => {
+  it('can serve a folder twice: each server sees the changes of the other', async () => {
     const [one, two] = await Promise.all([
       gqEdit(['levels', '--port', '0'], { cwd }),
       gqEdit(['levels', '--port', '0'], { cwd }),
@@ -129,7 +129,7 @@ describe('gq edit', () => {
     await Promise.all([one.end('SIGTERM'), two.end('SIGTERM')]);
   });
 
-  it.runIf(process.platform === 'linux')('opens the browser without a shell, and says when it can not', async () => {
+  it.runIf(process.platform === 'linux')('opens the browser without a shell, and reports a failure', async () => {
     const opened = join(cwd, 'opened');
     put(cwd, 'bin/xdg-open', `#!/bin/sh\nprintf '%s\\n' "$#" "$@" > '${opened}'\n`);
     chmodSync(join(cwd, 'bin/xdg-open'), 0o755);
@@ -148,7 +148,7 @@ describe('gq edit', () => {
 });
 
 describe('a page that is not built', () => {
-  it('is said to be missing', () => {
+  it('is reported as missing', () => {
     expect(() => readPage(join(cwd, 'nowhere'))).toThrow(/nowhere: no such file or directory; npm run build/);
     expect(() => readPage(join(cwd, 'levels'))).toThrow(/expected .*index\.html; npm run build/);
   });

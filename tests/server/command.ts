@@ -8,7 +8,7 @@ export interface RunningEdit {
   readonly child: ChildProcess;
   readonly port: number;
   readonly address: string;
-  /** All it has said so far. */
+  /** All output so far. */
   readonly said: () => { stdout: string; stderr: string };
   readonly ended: Promise<{ code: number | null; signal: NodeJS.Signals | null }>;
   /** Sends a signal and waits for the end. */
@@ -18,13 +18,13 @@ export interface RunningEdit {
 export interface GqEditOptions {
   readonly cwd: string;
   readonly env?: NodeJS.ProcessEnv;
-  /** KiB that a file may grow to. */
+  /** The largest size of a file, KiB. */
   readonly maxFileSize?: number;
-  /** Number of the user it runs as; only root may choose. */
+  /** The id of the user it runs as; only root may choose. */
   readonly user?: number;
 }
 
-/** Starts the built `gq edit` and waits until it says its address; rejects with what it said when it ends before. */
+/** Starts the built `gq edit` and waits until it prints its address; rejects with its output if it ends before. */
 export function gqEdit(args: readonly string[], { cwd, env, maxFileSize, user }: GqEditOptions): Promise<RunningEdit> {
   const [command, all] =
     maxFileSize === undefined
@@ -32,7 +32,7 @@ export function gqEdit(args: readonly string[], { cwd, env, maxFileSize, user }:
       : ['bash', ['-c', `ulimit -f ${maxFileSize} && exec "$@"`, '--', process.execPath, MAIN, 'edit', ...args]];
   const child = spawn(command, all, {
     cwd,
-    // servers remember their ports: not in the home of who runs the tests
+    // servers remember their ports, which must not happen in the home of the user who runs the tests
     env: { XDG_STATE_HOME: join(tmpdir(), 'gq-test-state'), ...process.env, ...env },
     stdio: ['ignore', 'pipe', 'pipe'],
     ...(user === undefined ? {} : { uid: user, gid: user }),

@@ -6,7 +6,7 @@ import { readLevel } from '../../schema/index.ts';
 import { gqEdit } from './command.ts';
 import { levelPath, levelText, makeFolder, type Page, pageOf, serve } from './running.ts';
 
-// Each writer adds its own marks to a level that others write to at the same time. What was acknowledged is never lost.
+// Each writer adds its own marks to a level that others write at the same time. An acknowledged mark is never lost.
 
 const start = (): string => JSON.stringify({ ...JSON.parse(levelText('shared')), 'x-marks': [] });
 const marksIn = (text: string): string[] => JSON.parse(text)['x-marks'];
@@ -15,7 +15,7 @@ const withMark = (text: string, mark: string): string =>
 
 type Seen = { etag: string; text: string };
 
-/** Adds a mark as the editor would: on top of what it last saw, and after a conflict on top of what is there now. */
+/** Adds a mark as the editor would: to the content that it last saw, and after a conflict to the current one. */
 async function add(page: Page, id: string, seen: Seen, mark: string): Promise<Seen> {
   for (let base = seen; ; ) {
     const text = withMark(base.text, mark);
@@ -31,7 +31,7 @@ async function add(page: Page, id: string, seen: Seen, mark: string): Promise<Se
 const read = async (page: Page, id: string): Promise<Seen> => (await page.get(levelPath(id))).json();
 
 describe('writers at the same time', () => {
-  it('lose nothing that was acknowledged, over two servers, with another program in between', async () => {
+  it('lose no acknowledged change with two servers and another program in between', async () => {
     const made = makeFolder({});
     const servers = await Promise.all([serve(made.folder), serve(made.folder)]);
     const writer = fc.record({
@@ -60,7 +60,7 @@ describe('writers at the same time', () => {
               acknowledged[id].push(`${w}.${i}`);
             }
           });
-          // a program that knows nothing of us, and writes at once
+          // a program that ignores the lock and writes immediately
           const other = async (): Promise<void> => {
             for (const [i, turns] of others.entries()) {
               await pause(turns);
@@ -87,7 +87,7 @@ describe('writers at the same time', () => {
     made.remove();
   });
 
-  it('make one new level, whoever is first', async () => {
+  it('create a new level only once', async () => {
     const made = makeFolder({});
     const servers = await Promise.all([serve(made.folder), serve(made.folder)]);
     for (let round = 0; round < 10; round++) {
@@ -112,7 +112,7 @@ describe('writers at the same time', () => {
     made.remove();
   });
 
-  it('lose nothing over processes', async () => {
+  it('lose nothing in several processes', async () => {
     const made = makeFolder({ 'one.level.json': start() });
     const edits = await Promise.all([1, 2, 3].map(() => gqEdit(['.', '--port', '0'], { cwd: made.folder })));
     await Promise.all(

@@ -3,15 +3,15 @@ import { type AppOptions, createApp } from '../../cli/edit/app.ts';
 import { guard } from '../../cli/edit/guard.ts';
 import { Refusal } from '../../cli/edit/refusal.ts';
 
-/** A request as Node has it when it comes. */
+/** An incoming request as Node represents it. */
 const incoming = (headers: Record<string, string>, method = 'GET', url = '/api/levels') => ({
   ...{ method, url, headers },
   rawHeaders: Object.entries(headers).flat(),
   headersDistinct: Object.fromEntries(Object.entries(headers).map(([name, value]) => [name, [value]])),
 });
 
-describe('an error that is nobody’s fault but ours', () => {
-  it('is told to whoever watches the server, and said to the page without a word of what it is', async () => {
+describe('an error that is a bug of gq', () => {
+  it('is passed to onCrash, and reported to the page without any details', async () => {
     const crashes: unknown[] = [];
     const errors = [new Error('secret'), new Refusal('busy', 'busy now', 'Wait.'), new TypeError('other')];
     const options: AppOptions = {
@@ -42,7 +42,7 @@ describe('an error that is nobody’s fault but ours', () => {
   });
 });
 
-it('an upgrade is refused, however it is asked for', () => {
+it('an upgrade is refused, however it is requested', () => {
   const asked = (headers: Record<string, string>) => {
     try {
       guard(incoming({ host: '127.0.0.1:4747', ...headers }) as never, 4747);
@@ -65,7 +65,7 @@ describe('the host of a request', () => {
       return false;
     }
   };
-  it('has the port of the server, which a browser leaves out where it is that of http', () => {
+  it('contains the port of the server, which a browser omits if it is 80', () => {
     const hosts = [
       '127.0.0.1',
       'localhost',

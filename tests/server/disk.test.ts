@@ -6,7 +6,7 @@ import { openLevelFolder } from '../../cli/edit/level-folder.ts';
 import { oneAtATime } from '../../cli/edit/one-at-a-time.ts';
 import { levelText, makeFolder } from './running.ts';
 
-// What is done to the disk, in which order, and what somebody else does in between.
+// The steps on the disk, their order, and what another process does in between.
 
 const disk = vi.hoisted(() => ({ steps: [] as string[], before: null as null | ((step: string, path: string) => void) }));
 
@@ -16,7 +16,7 @@ vi.mock('node:fs', async (original) => {
     const real = fs[name] as (...args: unknown[]) => unknown;
     return (...args: unknown[]): unknown => {
       const hook = disk.before;
-      // what the hook does itself is not watched
+      // steps of the hook itself are not recorded
       disk.before = null;
       hook?.(name, String(args[0]));
       disk.before = hook;
@@ -28,7 +28,7 @@ vi.mock('node:fs', async (original) => {
   return { ...fs, ...Object.fromEntries(names.map((name) => [name, watched(name)])) };
 });
 
-// waiting for a lock takes no time, and somebody else may do something meanwhile
+// waiting for a lock takes no time, and a hook may act for another process in the meantime
 vi.mock('node:timers/promises', async (original) => ({
   ...(await original<typeof import('node:timers/promises')>()),
   setTimeout: async () => disk.before?.('wait', ''),
@@ -44,22 +44,22 @@ afterEach(() => {
   made.remove();
 });
 
-describe('a content is on the disk before it has its name', () => {
-  it('when it takes the place of another, and the folder that names it after that', () => {
+describe('a content is synced to the disk before it gets its name', () => {
+  it('if it replaces another, and the folder is synced after that', () => {
     replaceFile(join(made.folder, '01.level.json'), Buffer.from('new'), () => {});
     const [write, sync, rename, ...rest] = disk.steps;
     expect([write, sync, rename]).toEqual(['writeFileSync', 'fsyncSync', 'renameSync']);
     if (process.platform !== 'win32') expect(rest).toEqual(['fsyncSync']);
   });
 
-  it('when it is new', () => {
+  it('if it is new', () => {
     expect(createFile(join(made.folder, '02.level.json'), Buffer.from('new'))).toBe(true);
     expect(disk.steps.slice(0, 3)).toEqual(['writeFileSync', 'fsyncSync', 'linkSync']);
   });
 });
 
-describe('what somebody else does at the last moment', () => {
-  it('another program that writes the level while the new one is written keeps what it wrote', async () => {
+describe('changes by others at the last moment', () => {
+  it('a level that another program writes during a write is not overwritten', async () => {
     const path = join(made.folder, '01.level.json');
     const levels = openLevelFolder(made.folder, 'levels');
     const etag = levels.read('01').etag ?? '';
@@ -74,9 +74,9 @@ describe('what somebody else does at the last moment', () => {
     expect(readFileSync(path, 'utf8')).toBe(levelText('theirs'));
   });
 
-  it('a lock that another took between the look at a stale one and its removal is given back', async () => {
+  it('a lock that another process takes between reading a stale one and removing it is put back', async () => {
     const lock = join(made.folder, '.gq-edit.lock');
-    // of a process that is no more
+    // of a process that has ended
     writeFileSync(lock, '999999999 nowhere 0123456789abcdef');
     utimesSync(lock, new Date(0), new Date(0));
     let stolen = false;
@@ -87,7 +87,7 @@ describe('what somebody else does at the last moment', () => {
         writeFileSync(lock, 'theirs');
       } else if (step === 'wait' && kept === '') {
         kept = readFileSync(lock, 'utf8');
-        // and they are done
+        // and the other process is done
         utimesSync(lock, new Date(0), new Date(0));
       }
     };

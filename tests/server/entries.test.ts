@@ -38,7 +38,7 @@ describe('the levels below a folder', () => {
     symlinkSync('w', path('way'));
   });
 
-  it('are all but what is hidden, reached through a link or called otherwise; a link is named as one', () => {
+  it('are all but hidden ones, those behind links and files with other names; a link is listed as one', () => {
     const { files, folders, troubles } = findLevels(made.folder);
     expect([...files.values()].map(({ id, isLink }) => (isLink ? `${id}, a link` : id))).toEqual([
       'a',
@@ -56,7 +56,7 @@ describe('the levels below a folder', () => {
     }
   });
 
-  it('are found one by one by their own name alone', () => {
+  it('are found one by one by their exact name only', () => {
     const others = [
       '',
       'A',
@@ -95,7 +95,7 @@ describe('the levels below a folder', () => {
       expect([folder, hasFolder(made.folder, folder)]).toEqual([folder, folders.includes(folder)]);
   });
 
-  it.runIf(process.platform === 'linux')('are like others that differ by the case of letters in any part of their path', () => {
+  it.runIf(process.platform === 'linux')('are similar to others that differ only in case in any part of their path', () => {
     level('W2/x');
     level('w2/X');
     expect(findLike(made.folder, 'w2/x').sort()).toEqual(['W2/x', 'w2/X']);
@@ -107,7 +107,7 @@ describe('the levels below a folder', () => {
     ]).toEqual([['a'], ['A b'], [], []]);
   });
 
-  it('have ids of a folder and a name', () => {
+  it('have ids that consist of a folder and a name', () => {
     expect(['a', 'w/b', 'w/v/c', ''].map(splitId)).toEqual([
       { folder: '', name: 'a' },
       { folder: 'w', name: 'b' },
@@ -117,7 +117,7 @@ describe('the levels below a folder', () => {
     for (const id of ['a', 'w/b', 'w/v/c']) expect(joinId(splitId(id).folder, splitId(id).name)).toBe(id);
   });
 
-  it('are in an order: by their parts, numbers by their value, and never equal unless they are the same', () => {
+  it('are sorted by their parts, with numbers by value, and are equal only if they are the same', () => {
     const part = fc.constantFrom('1', '01', '2', '10', 'a', 'A', 'ä', 'b', '2-b', '10-a', '');
     const id = fc.array(part, { minLength: 1, maxLength: 3 }).map((parts) => parts.join('/'));
     fc.assert(
@@ -132,7 +132,7 @@ describe('the levels below a folder', () => {
   });
 });
 
-describe('what is known of a file', () => {
+describe('the entry of a file', () => {
   const reader = () => createEntryReader((id) => `shown/${id}`);
   const found = (id: string) => {
     const file = findLevels(made.folder).files.get(id);
@@ -141,7 +141,7 @@ describe('what is known of a file', () => {
   };
   const later = (ms: number) => vi.spyOn(Date, 'now').mockReturnValue(statSync(path('a.level.json')).ctimeMs + ms);
 
-  it('is the same object for a list as long as nothing has touched it, once it is 2 s old', () => {
+  it('is the same object in every list while the file is unchanged, once it is 2 s old', () => {
     level('a');
     const known = reader();
     for (const [age, isSame] of [
@@ -169,7 +169,7 @@ describe('what is known of a file', () => {
     known.keepOnly([]);
     expect(known.entry(found('a'))).not.toBe(again);
     expect(known.entry(found('a'))).toEqual(again);
-    // while it may be touched unnoticed it is read each time, and so it is after that
+    // while a change could go unnoticed, it is read each time, and also right after that
     later(0);
     known.entry(found('a'));
     later(1e9);
@@ -177,7 +177,7 @@ describe('what is known of a file', () => {
     expect(known.entry(found('a'))).toBe(fresh);
   });
 
-  it('is read anew, with its text, whenever it is to be changed', () => {
+  it('is read again, with its text, before every change', () => {
     level('a');
     const known = reader();
     later(1e9);
@@ -186,7 +186,7 @@ describe('what is known of a file', () => {
     expect(known.entry(found('a'))).not.toHaveProperty('text');
   });
 
-  it('says why it can not be read', () => {
+  it('contains the reason why the file can not be read', () => {
     level('a');
     symlinkSync('a.level.json', path('link.level.json'));
     writeFileSync(path('large.level.json'), Buffer.alloc(8 * 1024 * 1024 + 1));
@@ -208,7 +208,7 @@ describe('what is known of a file', () => {
   });
 });
 
-describe('what was deleted', () => {
+describe('the trash', () => {
   const now = new Date('2026-01-31T12:00:00.000Z');
   const file = (id: string) => {
     const found = findLevel(made.folder, id);
@@ -216,7 +216,7 @@ describe('what was deleted', () => {
     return found;
   };
 
-  it('is below a folder for each time, the last one first', () => {
+  it('contains a folder for each deletion, and lists the last one first', () => {
     expect(findTrash(made.folder)).toEqual([]);
     level('w/a');
     const first = moveToTrash(made.folder, file('w/a'), now);
@@ -235,13 +235,13 @@ describe('what was deleted', () => {
       '.gq-trash/.gitignore': '*\n',
       '.gq-trash/2026-01-31T12-00-00.000Z_2/w/a.level.json': levelText('second'),
     });
-    // what a person has written there stays
+    // a file that the user has changed stays
     put(made.folder, '.gq-trash/.gitignore', 'mine');
     expect(makeStampFolder(made.folder, now)).toBe('2026-01-31T12-00-00.000Z_3');
     expect(everythingIn(made.folder)['.gq-trash/.gitignore']).toBe('mine');
   });
 
-  it('is nothing that stands elsewhere there, that is a link or is reached through one', () => {
+  it('contains nothing outside its folders, and no links or files behind links', () => {
     level('a');
     moveToTrash(made.folder, file('a'), now);
     const stamp = path('.gq-trash/2026-01-31T12-00-00.000Z');
@@ -271,7 +271,7 @@ describe('what was deleted', () => {
   });
 });
 
-describe('what everybody has been told of a folder', () => {
+describe('the reported state of a folder', () => {
   const open = () => {
     const known = createKnownLevels(
       made.folder,
@@ -294,7 +294,7 @@ describe('what everybody has been told of a folder', () => {
             : event.type,
     );
 
-  it('is what the disk had when somebody looked, and in the order of play', async () => {
+  it('is that of the disk at the last refresh, in order of play', async () => {
     for (const id of ['1', '10', '2']) level(id);
     const { known, events, ids } = open();
     expect([ids(), known.list().unread, known.list().folder.path]).toEqual([['1', '2', '10'], 0, 'shown']);
@@ -307,7 +307,7 @@ describe('what everybody has been told of a folder', () => {
     expect(events).toHaveLength(4);
   });
 
-  it('has what was announced in its place, each of it once, with who did it', () => {
+  it('contains announced levels at their places, and each event occurs once with the client', () => {
     for (const id of ['1', '3', '5']) level(id);
     const { known, events, ids } = open();
     for (const id of ['0', '2', '4', '6']) level(id);
@@ -322,7 +322,7 @@ describe('what everybody has been told of a folder', () => {
     expect([ids(), words(events)]).toEqual([['0', '2', '3', '4', '6', '9'], ['1 to 9']]);
   });
 
-  it('has what is new between the last two there, and what is changed last in its place', () => {
+  it('contains a new level between the last two, and a changed last level at its place', () => {
     for (const id of ['1', '3']) level(id);
     const { known, ids } = open();
     level('2');
@@ -340,7 +340,7 @@ describe('what everybody has been told of a folder', () => {
     expect(ids()).toEqual(['1', '2', '3']);
   });
 
-  it('is the same whether few are announced or so many that the whole folder is looked at', () => {
+  it('is the same if few levels are announced or so many that the whole folder is listed', () => {
     const all = Array.from({ length: 30 }, (_, i) => `${i}`);
     const { known, events, ids } = open();
     for (const count of [20, 21, 30]) {
@@ -354,7 +354,7 @@ describe('what everybody has been told of a folder', () => {
     expect(events).toHaveLength(2 * (20 + 21 + 30));
   });
 
-  it('keeps what was announced while the whole folder was looked at', async () => {
+  it('keeps what is announced while the whole folder is being read', async () => {
     level('a');
     const { known, ids } = open();
     const looking = known.refresh();
@@ -362,7 +362,7 @@ describe('what everybody has been told of a folder', () => {
     known.announce(['b'], 'me');
     await looking;
     expect(ids()).toEqual(['a', 'b']);
-    // who asks while a look goes on is told of one that began after it asked
+    // a refresh that is requested during another one begins after the request
     const first = known.refresh();
     level('c');
     const second = known.refresh();
@@ -370,7 +370,7 @@ describe('what everybody has been told of a folder', () => {
     expect((await second).levels.map(({ id }) => id)).toEqual(['a', 'b', 'c']);
   });
 
-  it('is heard until somebody stops listening or can not hear; a trouble is told once', () => {
+  it('is reported until a listener stops or fails; a trouble is reported once', () => {
     const { known, events } = open();
     let times = 0;
     const stop = known.listen(() => times++);

@@ -19,9 +19,9 @@ afterEach(async () => {
 });
 
 interface Listener {
-  /** The next event that passes, all before it left out. */
+  /** The next event that passes; skips earlier ones. */
   until(passes: (event: EditEvent) => boolean): Promise<EditEvent>;
-  /** All so far. */
+  /** All events so far. */
   readonly heard: readonly EditEvent[];
   end(): void;
 }
@@ -64,7 +64,7 @@ function listen(): Promise<Listener> {
 
 const read = async (id: string): Promise<ReadResponse> => (await server.page.get(levelPath(id))).json();
 
-it('the list comes first, then what others do: change, make, rename, remove', async () => {
+it('the list comes first, then the changes by others: change, create, rename, delete', async () => {
   const listener = await listen();
   expect(await listener.until(() => true)).toMatchObject({ type: 'list', list: { levels: [{ id: 'a' }, { id: 'sub/b' }] } });
 
@@ -93,7 +93,7 @@ it('the list comes first, then what others do: change, make, rename, remove', as
   listener.end();
 });
 
-it("a page's own changes carry its name, and are told once, to all", async () => {
+it("a page's own changes carry its name, and are reported once to every page", async () => {
   const [one, two] = await Promise.all([listen(), listen()]);
   const { etag } = await read('a');
   const answer = await server.page.send(
@@ -105,7 +105,7 @@ it("a page's own changes carry its name, and are told once, to all", async () =>
   const tag = String(answer.headers.etag);
   await server.page.send('POST', EDIT_API.RENAME, { id: 'a', to: 'c', client: 'page-1' }, { 'If-Match': tag });
   await server.page.send('POST', EDIT_API.DELETE, { id: 'c', client: 'page-2' }, { 'If-Match': tag });
-  // the watcher has looked by the time it tells of this one
+  // when this event arrives, the watcher has seen the earlier changes, too
   put(made.folder, 'last.level.json', levelText('last'));
   for (const listener of [one, two]) {
     await listener.until((e) => e.type === 'changed' && e.entry.id === 'last');
@@ -119,7 +119,7 @@ it("a page's own changes carry its name, and are told once, to all", async () =>
   }
 });
 
-it('what a checkout does is told', async () => {
+it('the changes of a checkout are reported', async () => {
   const git = (...args: string[]) =>
     execFileSync('git', ['-c', 'user.name=t', '-c', 'user.email=t@example.org', '-c', 'commit.gpgsign=false', ...args], {
       cwd: made.folder,
@@ -133,7 +133,7 @@ it('what a checkout does is told', async () => {
   put(made.folder, 'a.level.json', levelText('other'));
   git('add', '.');
   git('commit', '-m', 'two');
-  // while git runs the server, in the same process, stands still: what is changed back by then it never sees
+  // git blocks this process, including the server, which never sees changes that are undone before git ends
   const lookNow = () => server.page.get(EDIT_API.LEVELS);
   await lookNow();
   const listener = await listen();
@@ -145,7 +145,7 @@ it('what a checkout does is told', async () => {
   listener.end();
 });
 
-it('a folder that goes away is told, and comes back', async () => {
+it('a folder that vanishes and comes back is reported', async () => {
   const listener = await listen();
   const away = `${made.folder}-away`;
   renameSync(made.folder, away);
@@ -164,12 +164,12 @@ it('a folder that goes away is told, and comes back', async () => {
   listener.end();
 });
 
-it('pages that go away are forgotten: many may come after each other, not too many at once', async () => {
+it('closed pages are forgotten: many may connect one after the other, but not too many at once', async () => {
   for (let i = 0; i < 40; i++) {
     const listener = await listen();
     await listener.until(() => true);
     listener.end();
-    // it is free once the server has heard of the end
+    // the place is free once the server has noticed the end
     while ((await server.page.get(EDIT_API.TRASH)).status !== 200);
   }
   const listeners = await Promise.all(Array.from({ length: 20 }, listen));

@@ -4,7 +4,7 @@ import { createEntryReader } from '../../cli/edit/read-entry.ts';
 import type { EditEvent } from '../../schema/index.ts';
 import { levelText, makeFolder } from './running.ts';
 
-// A folder of more levels than are read at once.
+// A folder with more levels than are read at once.
 
 let made: ReturnType<typeof makeFolder>;
 const COUNT = 1700;
@@ -28,10 +28,10 @@ const turns = async (count: number) => {
   for (let i = 0; i < count; i++) await new Promise(setImmediate);
 };
 
-it('is read on, and told in parts of 1000 with what is left, until all is known', async () => {
+it('a large folder is read bit by bit, and reported in parts of 1000 with the number of unread files', async () => {
   const { known, events } = open();
   expect([known.list().levels.length, known.list().unread, events]).toEqual([500, COUNT - 500, []]);
-  // while it is read nothing else is looked at
+  // a refresh during the first reading reads nothing
   expect((await known.refresh()).unread).toBe(COUNT - 500);
   for (let i = 0; i < 5000 && known.list().unread > 0; i++) await turns(1);
   await turns(5);
@@ -45,7 +45,7 @@ it('is read on, and told in parts of 1000 with what is left, until all is known'
   expect(events).toHaveLength(2);
 });
 
-it('is read no further once nobody wants to know', async () => {
+it('a large folder is not read any further after end()', async () => {
   const { known, events } = open();
   known.end();
   await turns(200);

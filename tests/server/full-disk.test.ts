@@ -8,7 +8,7 @@ import { Refusal } from '../../cli/edit/refusal.ts';
 import { gqEdit } from './command.ts';
 import { everythingIn, levelPath, levelText, makeFolder, pageOf } from './running.ts';
 
-// A disk may fail at every single step. Whatever the step, a change is refused and nothing has changed, or it is done.
+// A disk may fail at every step. Whatever the step, either the change is refused and nothing has changed, or it is done.
 
 const disk = vi.hoisted(() => ({ failAt: -1, code: '', steps: 0, failed: '' }));
 
@@ -17,7 +17,7 @@ vi.mock('node:fs', async (original) => {
   type Step = 'openSync' | 'writeFileSync' | 'writeSync' | 'fsyncSync' | 'linkSync' | 'renameSync' | 'mkdirSync' | 'rmSync';
   const isChange = (name: Step, args: unknown[]): boolean => {
     if (name === 'openSync') return args[1] === 'wx';
-    // a step that only cleans up may leave something behind, and nothing else
+    // a failing cleanup may leave something behind, and nothing else
     return name !== 'rmSync' || String(args[0]).endsWith('.level.json');
   };
   const failing = (name: Step) => {
@@ -25,7 +25,7 @@ vi.mock('node:fs', async (original) => {
     return (...args: unknown[]): unknown => {
       if (isChange(name, args) && disk.steps++ === disk.failAt) {
         disk.failed = name;
-        // a disk that is full takes the first part
+        // a full disk takes the first part
         if (name === 'writeFileSync') real(args[0], (args[1] as Buffer).subarray(0, 10));
         throw Object.assign(new Error(`${disk.code}: ${name}`), { code: disk.code });
       }
@@ -43,7 +43,7 @@ beforeEach(() => {
 });
 afterEach(() => made.remove());
 
-/** All but folders made for what is deleted. */
+/** Everything except the folders of the trash. */
 const levelsIn = (folder: string): Record<string, string> =>
   Object.fromEntries(
     Object.entries(everythingIn(folder)).filter(([name, content]) => content !== 'folder' && !name.endsWith('.gitignore')),
@@ -85,7 +85,7 @@ describe.each(['ENOSPC', 'EDQUOT', 'EROFS', 'EACCES', 'EIO', 'EPERM'])('%s', (co
         expect(after).not.toEqual(before);
         expect(Object.keys(after).filter((name) => name.includes('tmp') || name.includes('lock'))).toEqual([]);
       }
-      // the next one goes through
+      // the next change succeeds
       const next = await levels.write('02', levelText('next'), { etag: levels.read('02').etag ?? '' }, client);
       expect(next.entry.name).toBe('next');
       if (disk.failed === '') break;
@@ -98,7 +98,7 @@ describe.each(['ENOSPC', 'EDQUOT', 'EROFS', 'EACCES', 'EIO', 'EPERM'])('%s', (co
 it.runIf(process.platform !== 'win32')(
   'a disk that takes only a part of the text keeps the old one, and goes on with smaller ones',
   async () => {
-    // the kernel's own limit for the size of files, KiB: it takes what fits and refuses the rest, as a full disk does
+    // the kernel's limit for file sizes, KiB: it writes what fits and refuses the rest, like a full disk
     const server = await gqEdit(['.', '--port', '0'], { cwd: made.folder, maxFileSize: 8 });
     const page = pageOf(server);
     const { etag } = (await page.get(levelPath('01'))).json() as { etag: string };

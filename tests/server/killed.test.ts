@@ -11,10 +11,10 @@ import { openLevelFolder } from '../../cli/edit/level-folder.ts';
 import { gqEdit } from './command.ts';
 import { levelPath, levelText, makeFolder, pageOf } from './running.ts';
 
-// kill -9 at any step: every file is whole, what was acknowledged is there, and the next run goes on. A few steps are drawn here;
-// `npm run bench:soak -- --attack writers` tries all of them.
+// kill -9 at any step: every file is whole, acknowledged changes are there, and the next run works. This test draws a few
+// steps; `npm run bench:soak -- --attack writers` tries all of them.
 
-it('leaves every file whole, old or new, and nothing lost', async () => {
+it('every file is whole, old or new, and nothing is lost', async () => {
   const whole = await killWriterAt(0);
   expect(whole.wrong).toEqual([]);
   const steps = whole.steps ?? 0;
@@ -26,13 +26,13 @@ it('leaves every file whole, old or new, and nothing lost', async () => {
   );
 });
 
-it('leaves a level whole when it is killed as it begins to write the content', async () => {
-  // of the lock, then of the level
+it('a level is whole after a kill at the beginning of a write', async () => {
+  // first the write of the lock, then that of the level
   for (const write of ['writeSync', 'writeFileSync'])
     expect(await killWriterAt(1, write), write).toEqual({ steps: null, wrong: [] });
 });
 
-it('what was not finished is kept for a person to see, unless it is being written just now', () => {
+it('unfinished files are kept in the trash, unless they are still being written', () => {
   const names = ['.gq-edit-0123456789abcdef.tmp', 'ring/.gq-edit-00112233445566aa.tmp', '.gq-edit-fedcba9876543210.tmp'];
   const made = makeFolder({
     'ring/01.level.json': levelText('1'),
@@ -46,7 +46,7 @@ it('what was not finished is kept for a person to see, unless it is being writte
   made.remove();
 });
 
-it('the lock of a run that was killed is passed over when its process is gone, or when it is old', async () => {
+it('the lock of a killed run is ignored if its process is gone, or if it is old', async () => {
   const lockWith = (content: string) => makeFolder({ 'a.level.json': levelText('a'), '.gq-edit.lock': content });
   const { pid } = spawnSync(process.execPath, ['-e', '']);
   const dead = lockWith(`${pid} ${hostname()} x`);
@@ -60,9 +60,9 @@ it('the lock of a run that was killed is passed over when its process is gone, o
   }
 });
 
-it('keeps what a server has acknowledged', async () => {
+it('acknowledged changes are kept', async () => {
   await fc.assert(
-    // within the first write that it is asked for, or one of the next
+    // during the first write that is requested, or one of the next
     fc.asyncProperty(fc.noBias(fc.integer({ min: 1, max: 60 })), async (number) => {
       const made = makeFolder({ 'a.level.json': levelText('start') });
       const env = interruptAt({ of: 'change', number, after: 'output', signals: ['SIGKILL'] });

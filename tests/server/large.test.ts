@@ -26,7 +26,7 @@ const listOf = (levels: LevelEntry[]): ListResponse => ({
   unread: 0,
 });
 
-/** Reads events of a stream until one passes. */
+/** Reads events from a stream until one passes. */
 async function readUntil(stream: ReadableStream<Uint8Array>, passes: (event: EditEvent) => boolean): Promise<EditEvent[]> {
   const heard: EditEvent[] = [];
   const reader = stream.pipeThrough(new TextDecoderStream() as ReadableWritablePair<string, Uint8Array>).getReader();
@@ -44,7 +44,7 @@ async function readUntil(stream: ReadableStream<Uint8Array>, passes: (event: Edi
   }
 }
 
-it('a page that reads nothing is let go in the end; others hear everything', async () => {
+it('a page that reads nothing is disconnected in the end, and others get everything', async () => {
   const listeners = new Set<(event: EditEvent) => void>();
   const known = {
     list: () => listOf([entry('a')]),
@@ -64,14 +64,14 @@ it('a page that reads nothing is let go in the end; others hear everything', asy
   expect(listeners.size).toBe(1);
   for (const listener of [...listeners]) listener({ type: 'changed', entry: entry('last'), by: null });
   expect(await awake).toHaveLength(12_002);
-  // it ends, and with an error for nobody
+  // it ends without an error
   const rest = await readUntil(asleep, () => false);
   expect(rest[0]).toEqual({ type: 'list', list: listOf([entry('a')]) });
   expect(rest.length).toBeLessThan(12_002);
 });
 
-it('a list of more than 16 MiB is told to all, and what is saved then is answered and told', async () => {
-  // each with 20 problems that are told at length
+it('a list of more than 16 MiB is sent to all, and later saves are answered and reported', async () => {
+  // each with 20 long problems
   const broken = JSON.stringify({
     ...JSON.parse(levelText('x')),
     novae: Array(25).fill({ x: 'x'.repeat(300), y: 0, radius: 1 }),
@@ -107,7 +107,7 @@ it('a list of more than 16 MiB is told to all, and what is saved then is answere
   made.remove();
 });
 
-it('what is changed while a large folder is read for the first time is told as it is then, and each level once', async () => {
+it('a level that changes during the first reading is reported in its new state, and each level once', async () => {
   const made = makeFolder(Object.fromEntries(Array.from({ length: 3000 }, (_, i) => [`${i}.level.json`, levelText(`${i}`)])));
   const levels = openLevelFolder(made.folder, 'levels');
   const page = new Map<string, string | null>();

@@ -46,13 +46,13 @@ describe.runIf(process.platform === 'linux')('in the place of the lock', () => {
         utimesSync(lock(), 4e9, 4e9);
       },
     ],
-  ])('%s is waited for by nobody', async (_, stand) => {
+  ])('%s does not make anybody wait', async (_, stand) => {
     stand();
     expect((await write()).entry.name).toBe('new');
     expect(readdirSync(made.folder)).toEqual(['a.level.json']);
   });
 
-  it('a folder that holds something stays, and is named', async () => {
+  it('a folder that is not empty stays, and is named', async () => {
     mkdirSync(lock());
     writeFileSync(join(lock(), 'work'), '');
     await expect(write()).rejects.toMatchObject({
@@ -63,13 +63,13 @@ describe.runIf(process.platform === 'linux')('in the place of the lock', () => {
   });
 });
 
-it.runIf(process.platform !== 'win32')('a level that is read-only is not overwritten, by an administrator neither', async () => {
+it.runIf(process.platform !== 'win32')('a read-only level is not overwritten, even by root', async () => {
   chmodSync(join(made.folder, 'a.level.json'), 0o444);
   await expect(write()).rejects.toMatchObject({ code: 'not-writable' });
   expect(readFileSync(join(made.folder, 'a.level.json'), 'utf8')).toBe(levelText('a'));
 });
 
-it('what killed processes have left is cleaned up once nobody can be at it any more', () => {
+it('leftovers of killed processes are cleaned up once no process can still be using them', () => {
   const [work, empty, inTrash] = ['0123456789abcdef', '00112233445566aa', '00112233445566bb'].map((hex) => `.gq-edit-${hex}.tmp`);
   put(made.folder, work, levelText('work'));
   put(made.folder, empty, '');
@@ -89,7 +89,7 @@ it('what killed processes have left is cleaned up once nobody can be at it any m
   expect(kept.map((name) => after[name])).toEqual([levelText('work')]);
 });
 
-it('what killed processes have left is old, too, when it comes from a time to come, and goes to the trash together', () => {
+it('leftovers from the future count as old, too, and go to the trash together', () => {
   const now = Date.now();
   const unfinished = ['0123456789abcdef', '00112233445566aa'].map((hex) => `.gq-edit-${hex}.tmp`);
   for (const [i, name] of unfinished.entries()) {
@@ -111,7 +111,7 @@ it('what killed processes have left is old, too, when it comes from a time to co
   ]);
 });
 
-it('a folder keeps its port, and is told where its edits are when that is taken', async () => {
+it('a folder keeps its port; if that is taken, gq edit says where unsaved edits are', async () => {
   const env = { XDG_STATE_HOME: mkdtempSync(join(tmpdir(), 'gq-state-')) };
   const start = (...args: string[]) => gqEdit(['.', ...args], { cwd: made.folder, env });
   const any = await start('--port', '0');
@@ -134,7 +134,7 @@ it('a folder keeps its port, and is told where its edits are when that is taken'
   expect(third.said().stdout).toContain(`http://127.0.0.1:${first.port}/: gq edit --port ${first.port} finds it`);
   await third.end('SIGTERM');
   await new Promise((resolve) => taken.close(resolve));
-  // it was not forgotten
+  // the old port was not forgotten
   const fourth = await start();
   expect(fourth.port).toBe(first.port);
   await fourth.end('SIGTERM');

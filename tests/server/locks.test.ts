@@ -6,7 +6,7 @@ import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { ASIDE, oneAtATime } from '../../cli/edit/one-at-a-time.ts';
 import { makeFolder } from './running.ts';
 
-// Waits take no time here: they are counted, and something happens in the middle of them.
+// Waits take no time here: they are counted, and a hook acts in the middle of them.
 
 const waits = vi.hoisted(() => ({ ms: [] as number[], meanwhile: (() => undefined) as (count: number) => void }));
 vi.mock('node:timers/promises', async (original) => ({
@@ -43,7 +43,7 @@ afterEach(() => {
   made.remove();
 });
 const names = () => readdirSync(made.folder);
-/** A lock that was touched so many ms ago. */
+/** A lock that was modified this many ms ago. */
 const lockOf = (text: string, age = 0): void => {
   writeFileSync(lock, text);
   const then = (Date.now() - age) / 1000;
@@ -52,7 +52,7 @@ const lockOf = (text: string, age = 0): void => {
 const here = `${process.pid} ${hostname()} 0123456789abcdef`;
 
 describe('work on a folder', () => {
-  it('is done under a lock that says whose it is, and that nobody else may read; it is gone when the work is done or fails', async () => {
+  it('happens under a private lock that names its owner, and that is removed when the work is done or fails', async () => {
     const result = await oneAtATime(made.folder, () => {
       expect(readFileSync(lock, 'utf8')).toMatch(new RegExp(`^${process.pid} ${hostname()} [0-9a-f]{16}$`));
       if (process.platform !== 'win32') expect(lstatSync(lock).mode & 0o777).toBe(0o600);
@@ -67,7 +67,7 @@ describe('work on a folder', () => {
     await expect(oneAtATime(join(made.folder, 'nowhere'), () => 7)).rejects.toThrow('ENOENT');
   });
 
-  it('waits for another process that lives, 10 ms each time, and leaves its lock alone', async () => {
+  it('waits for a living process, 10 ms each time, and does not touch its lock', async () => {
     lockOf(here);
     waits.meanwhile = (count) => {
       expect(readFileSync(lock, 'utf8')).toBe(here);
@@ -102,12 +102,12 @@ describe('work on a folder', () => {
       await oneAtATime(made.folder, () => {});
       expect([age, waits.ms.length, names()]).toEqual([age, isStale ? 1 : 3, []]);
     }
-    // under a name by which it is known when this process is killed here
+    // under a name by which the next run knows it if this process is killed here
     expect(renamed.to).toHaveLength(2);
     for (const name of renamed.to) expect(name.slice(made.folder.length + 1)).toMatch(ASIDE);
   });
 
-  it('does not wait for a process of this machine that is no more, and does for one that it may not ask', async () => {
+  it('does not wait for an ended process of this machine, but does for one of another user', async () => {
     const kill = vi.spyOn(process, 'kill');
     for (const [code, waited] of [
       ['ESRCH', 1],
@@ -125,7 +125,7 @@ describe('work on a folder', () => {
       await oneAtATime(made.folder, () => {});
       expect([code, waits.ms.length, names()]).toEqual([code, waited, []]);
     }
-    // one of another machine is not asked for here
+    // a process of another machine is not looked up here
     kill.mockClear();
     lockOf('4711 elsewhere 0123456789abcdef');
     waits.meanwhile = () => rmSync(lock, { force: true });
@@ -133,7 +133,7 @@ describe('work on a folder', () => {
     expect(kill).not.toHaveBeenCalled();
   });
 
-  it('leaves the lock to whoever has it by the time the work is done', async () => {
+  it('does not remove the lock if another process holds it when the work is done', async () => {
     await oneAtATime(made.folder, () => writeFileSync(lock, 'theirs'));
     expect(readFileSync(lock, 'utf8')).toBe('theirs');
     rmSync(lock);

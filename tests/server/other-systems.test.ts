@@ -5,7 +5,7 @@ import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { createFile, isTaken, moveFile, replaceFile, tryFolder, UNFINISHED } from '../../cli/disk.ts';
 import { makeFolder } from './running.ts';
 
-// Disks and systems that are not the one the tests run on: without links, without cases of letters, with scanners that hold files.
+// Disks and systems other than the one of the tests: without links, ignoring case, with scanners that lock files.
 
 type Step =
   | 'closeSync'
@@ -21,7 +21,7 @@ type Call = readonly [step: Step, ...args: unknown[]];
 
 const disk = vi.hoisted(() => ({
   calls: [] as unknown[],
-  /** Stands in for a step; undefined: it is done as it is. */
+  /** Replaces a step; undefined: the step is done as usual. */
   instead: (() => undefined) as (call: Call) => undefined | { readonly value: unknown },
 }));
 
@@ -88,7 +88,7 @@ describe('a disk without links', () => {
     },
   );
 
-  it('is another thing than one that fails, where nothing happens', () => {
+  it('is not the same as a disk that fails, on which nothing happens', () => {
     for (const code of ['EACCES', 'EIO', 'ENOSPC', '']) {
       disk.instead = ([step]) => (step === 'linkSync' ? fails(code) : undefined);
       expect(() => moveFile(path('a'), path('c'))).toThrow(code);
@@ -98,8 +98,8 @@ describe('a disk without links', () => {
   });
 });
 
-describe('a file that is moved', () => {
-  it('has its new name and no longer its old one, and both folders know', () => {
+describe('a moved file', () => {
+  it('has its new name only, and both folders are synced', () => {
     expect(moveFile(path('a'), path('sub/a'))).toBe(true);
     expect([content('a'), content('sub/a'), count('fsyncSync')]).toEqual([null, 'A', 2]);
     disk.calls = [];
@@ -107,18 +107,18 @@ describe('a file that is moved', () => {
     expect([content('b'), content('c'), count('fsyncSync')]).toEqual([null, 'B', 1]);
   });
 
-  it('stays where it is when something of that name is there, be it the file itself', () => {
+  it('stays where it is if the new name is taken, even by the file itself', () => {
     expect([moveFile(path('a'), path('b')), moveFile(path('a'), path('a'))]).toEqual([false, false]);
     expect([content('a'), content('b'), count('fsyncSync')]).toEqual(['A', 'B', 0]);
   });
 
-  it('has its old name alone when that can not be taken away', () => {
+  it('has its old name only if that can not be removed', () => {
     disk.instead = ([step, name]) => (step === 'rmSync' && name === path('a') ? fails('EPERM') : undefined);
     expect(() => moveFile(path('a'), path('c'))).toThrow('EPERM');
     expect(names()).toEqual(['a', 'b', 'sub']);
   });
 
-  it('is moved when somebody else takes its old name away at the same time', () => {
+  it('is moved even if another process removes the old name at the same time', () => {
     disk.instead = ([step, name]) => {
       if (step === 'rmSync' && name === path('a')) unlinkSync(path('a'));
       return undefined;
@@ -126,7 +126,7 @@ describe('a file that is moved', () => {
     expect([moveFile(path('a'), path('c')), content('a'), content('c')]).toEqual([true, null, 'A']);
   });
 
-  it('is renamed where A and a are one file, and only there', () => {
+  it('is renamed only where A and a are the same file', () => {
     const foreign = { dev: statSync(path('a')).dev, ino: statSync(path('a')).ino };
     const twin = (found: object | undefined) => {
       disk.calls = [];
@@ -141,15 +141,15 @@ describe('a file that is moved', () => {
     twin(foreign);
     expect([moveFile(path('a'), path('A')), count('linkSync'), count('renameSync')]).toEqual([true, 0, 1]);
     expect(names()).toEqual(['A', 'b', 'sub']);
-    // other letters are another name, whatever the numbers say
+    // other letters are another name, even if the inode numbers are the same
     disk.calls = [];
     disk.instead = ([step, name]) => (step === 'lstatSync' && name === path('c') ? { value: foreign } : undefined);
     expect([moveFile(path('A'), path('c')), count('linkSync')]).toEqual([true, 1]);
   });
 });
 
-describe('a file that is held for a moment', () => {
-  /** Refuses so many renames. */
+describe('a file that is locked for a moment', () => {
+  /** Makes this many renames fail. */
   const held = (times: number, code: string) => {
     let left = times;
     disk.calls = [];
@@ -157,14 +157,14 @@ describe('a file that is held for a moment', () => {
   };
   const replace = () => replaceFile(path('a'), Buffer.from('new'), () => {});
 
-  it.each(['EPERM', 'EACCES', 'EBUSY'])('is waited for on Windows, ten times (%s)', (code) => {
+  it.each(['EPERM', 'EACCES', 'EBUSY'])('is renamed with up to ten tries on Windows (%s)', (code) => {
     Object.defineProperty(process, 'platform', { value: 'win32' });
     const wait = vi.spyOn(Atomics, 'wait').mockReturnValue('timed-out');
     held(9, code);
     replace();
     expect([content('a'), count('renameSync'), wait.mock.calls.length]).toEqual(['new', 10, 9]);
     for (const [array, index, value, ms] of wait.mock.calls) {
-      // it would not wait for what is another value already
+      // Atomics.wait does not wait if the value differs
       expect([array[index as number], ms]).toEqual([value, 20]);
     }
     held(10, code);
@@ -173,7 +173,7 @@ describe('a file that is held for a moment', () => {
     wait.mockRestore();
   });
 
-  it('is not waited for elsewhere, nor when something else is wrong', () => {
+  it('is tried once on other systems, and after other errors', () => {
     held(1, 'EBUSY');
     expect(replace).toThrow('EBUSY');
     expect(count('renameSync')).toBe(1);
@@ -187,7 +187,7 @@ describe('a file that is held for a moment', () => {
   });
 });
 
-describe('a file that takes the place of another', () => {
+describe('a file that replaces another', () => {
   const replace = () => replaceFile(path('a'), Buffer.from('new'), () => {});
   const of = (step: Step) => calls().filter(([name]) => name === step);
   const owner = (uid: number, gid: number, mode: number) => {
@@ -197,7 +197,7 @@ describe('a file that takes the place of another', () => {
       step === 'lstatSync' && name === path('a') ? { value: stats } : step === 'fchownSync' ? { value: undefined } : undefined;
   };
 
-  it.runIf(platform !== 'win32')('has all of its mode', () => {
+  it.runIf(platform !== 'win32')('gets the complete mode of the old file', () => {
     for (const mode of [0o640, 0o444, 0o777, 0o6755, 0o1600]) {
       owner(getuid?.() ?? 0, getgid?.() ?? 0, mode);
       replace();
@@ -207,7 +207,7 @@ describe('a file that takes the place of another', () => {
     }
   });
 
-  it('has its owner, who is another than the writer, and then its mode again, which a change of owner may take away', () => {
+  it('gets the owner of the old file, and then its mode again, which a change of owner may clear', () => {
     Object.assign(process, { getuid: () => 10, getgid: () => 20 });
     for (const [uid, gid] of [
       [11, 20],
@@ -223,7 +223,7 @@ describe('a file that takes the place of another', () => {
     owner(10, 20, 0o644);
     replace();
     expect(of('fchownSync')).toEqual([]);
-    // where there are no owners
+    // on systems without owners
     Object.assign(process, { getuid: undefined, getgid: undefined });
     owner(11, 21, 0o644);
     replace();
@@ -231,7 +231,7 @@ describe('a file that takes the place of another', () => {
     expect(content('a')).toBe('new');
   });
 
-  it("is the writer's where only an administrator may give files away", () => {
+  it('belongs to the writer if only root may change owners', () => {
     Object.assign(process, { getuid: () => 10, getgid: () => 20 });
     owner(11, 21, 0o644);
     const before = disk.instead;
@@ -240,7 +240,7 @@ describe('a file that takes the place of another', () => {
     expect([content('a'), of('fchmodSync').length]).toEqual(['new', 1]);
   });
 
-  it('has the mode of a file, and not of a link or a folder in its place; a new one has the usual', () => {
+  it('gets the mode of a file, but not of a link or a folder; a new file gets the usual mode', () => {
     symlinkSync('b', path('link'));
     replaceFile(path('link'), Buffer.from('L'), () => {});
     expect([content('link'), of('fchmodSync')]).toEqual(['L', []]);
@@ -251,7 +251,7 @@ describe('a file that takes the place of another', () => {
     expect(opened.map(([, , , mode]) => mode)).toEqual([0o666, 0o666]);
   });
 
-  it('is written under a name that nobody takes for a level', () => {
+  it('is written under a name that is not a level name', () => {
     const seen: unknown[] = [];
     replaceFile(path('a'), Buffer.from('new'), () => seen.push(...names().filter((name) => UNFINISHED.test(name))));
     expect(seen).toHaveLength(1);
@@ -261,7 +261,7 @@ describe('a file that takes the place of another', () => {
   });
 });
 
-it('a folder is tried before work is done for it, and nothing stays in it', () => {
+it('tryFolder leaves nothing behind in the folder', () => {
   tryFolder(made.folder);
   expect(names()).toEqual(['a', 'b', 'sub']);
   expect(calls().some(([step, name]) => step === 'openSync' && String(name).startsWith(path('.gq-edit-')))).toBe(true);
@@ -270,13 +270,13 @@ it('a folder is tried before work is done for it, and nothing stays in it', () =
   expect(() => tryFolder(made.folder)).toThrow('EROFS');
 });
 
-it('a folder that can not be told to keep its names is no reason to refuse, and is closed again', () => {
+it('a folder that can not be synced is no error, and is closed again', () => {
   disk.instead = ([step, name]) => (step === 'openSync' && name === made.folder ? fails('EISDIR') : undefined);
   expect(createFile(path('c'), Buffer.from('C'))).toBe(true);
   expect(content('c')).toBe('C');
 });
 
-it('every file and folder that was opened is closed again, whatever fails', () => {
+it('every opened file and folder is closed again, whatever fails', () => {
   const acts = [
     () => replaceFile(path('a'), Buffer.from('new'), () => {}),
     () => createFile(path('c'), Buffer.from('C')),
@@ -299,7 +299,7 @@ it('every file and folder that was opened is closed again, whatever fails', () =
   expect([total.opened > 10, total.failed > 3]).toEqual([true, true]);
 });
 
-it('a name is taken by a file, a folder, a link and a broken one', () => {
+it('a name is taken by a file, a folder, a link or a broken link', () => {
   symlinkSync('nowhere', path('broken'));
   writeFileSync(path('c'), '');
   expect(['a', 'sub', 'broken', 'c', 'd', 'sub/a'].map((name) => isTaken(path(name)))).toEqual([

@@ -21,7 +21,7 @@ afterEach(() => {
 });
 
 describe.runIf(process.platform !== 'win32')('the port of a folder', () => {
-  it('is what was kept last, for each folder its own', () => {
+  it('is the last one kept, separately for each folder', () => {
     expect(lastPort('one')).toBeNull();
     keepPort('one', 4747);
     keepPort('two', 1);
@@ -31,7 +31,7 @@ describe.runIf(process.platform !== 'win32')('the port of a folder', () => {
     expect(readFileSync(join(ports(), 'one'), 'utf8')).toBe('65535\n');
   });
 
-  it('is not known where something else stands in its place', () => {
+  it('is not known if its file contains anything else', () => {
     keepPort('one', 4747);
     for (const text of ['', '4747', '0\n', '65536\n', '99999\n', '-1\n', '4747\n\n', 'x\n', '123456\n', ' 1\n', '1e3\n']) {
       writeFileSync(join(ports(), 'one'), text);
@@ -42,14 +42,14 @@ describe.runIf(process.platform !== 'win32')('the port of a folder', () => {
     expect(lastPort('one')).toBeNull();
   });
 
-  it('is kept where it can be, and no folder for it is made up from half a path', () => {
+  it('is kept only where possible, never below a relative path', () => {
     rmSync(state, { recursive: true });
     writeFileSync(state, 'a file');
     keepPort('one', 4747);
     expect(lastPort('one')).toBeNull();
   });
 
-  it.runIf(process.platform === 'linux')('is kept below the home of a person who names no place for it, or half of one', () => {
+  it.runIf(process.platform === 'linux')('is kept below the home directory without a usable XDG_STATE_HOME', () => {
     const home = process.env.HOME;
     const at = join(state, '.local', 'state', 'gravity-quest-toolkit', 'edit-ports');
     try {
@@ -65,7 +65,7 @@ describe.runIf(process.platform !== 'win32')('the port of a folder', () => {
     }
   });
 
-  it.runIf(process.platform === 'linux')('is kept where Windows keeps such things, on Windows', () => {
+  it.runIf(process.platform === 'linux')('is kept in the usual place of Windows on Windows', () => {
     const { platform } = process;
     const local = process.env.LOCALAPPDATA;
     try {
@@ -115,7 +115,7 @@ describe.runIf(process.platform !== 'win32')('a server', () => {
     return { port: (server.address() as { port: number }).port, close: () => new Promise((done) => server.close(done)) };
   };
 
-  it('takes the port that it was given or refuses, and says what it had before', async () => {
+  it('takes the requested port or fails, and reports the last one', async () => {
     const at = made();
     const other = await listener();
     await expect(start(at, other.port)).rejects.toThrow(`--port ${other.port}: can't listen on it: something else listens there`);
@@ -127,7 +127,7 @@ describe.runIf(process.platform !== 'win32')('a server', () => {
     const next = await start(at, null);
     expect([next.port, next.portBefore]).toEqual([other.port, other.port]);
     await next.close();
-    // another one that was given is the one to find from then on
+    // another requested port becomes the remembered one
     const third = await listener();
     await third.close();
     await (await start(at, third.port)).close();
@@ -136,7 +136,7 @@ describe.runIf(process.platform !== 'win32')('a server', () => {
     await last.close();
   });
 
-  it('takes any port again where it was given none, and another one while that is taken, which stays the one to find', async () => {
+  it('reuses the port of --port 0; while that is taken it uses another, which becomes the remembered one', async () => {
     const at = made();
     const first = await start(at, 0);
     expect(first.portBefore).toBeNull();
@@ -151,7 +151,7 @@ describe.runIf(process.platform !== 'win32')('a server', () => {
     await other.close();
   });
 
-  it('says what is wrong with the folder and with the page', async () => {
+  it('reports what is wrong with the folder and with the page', async () => {
     const at = made();
     await expect(start({ ...at, levels: join(at.levels, 'nowhere') }, 0)).rejects.toThrow('nowhere');
     await expect(start({ ...at, levels: join(at.levels, 'a.level.json') }, 0)).rejects.toThrow(/a\.level\.json/);

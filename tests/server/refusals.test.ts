@@ -7,7 +7,7 @@ import { Refusal, refusalOf } from '../../cli/edit/refusal.ts';
 import { EDIT_API } from '../../schema/index.ts';
 import { levelPath, levelText, makeFolder, serve } from './running.ts';
 
-// What a refusal says, and with which words; and what stands in the way of a change.
+// The texts of refusals, and the obstacles to a change.
 
 const disk = vi.hoisted(() => ({ fails: null as null | ((step: string, path: string) => string | undefined) }));
 vi.mock('node:fs', async (original) => {
@@ -58,8 +58,8 @@ const said = async (work: () => unknown) => {
 };
 const other = `"${'0'.repeat(64)}"`;
 
-describe('a refusal names what it is about', () => {
-  it('a level that is not there, or is another one by now', async () => {
+describe('a refusal names', () => {
+  it('a level that does not exist, or that has changed', async () => {
     const long = 'x'.repeat(100);
     expect(await said(() => levels.read('nowhere'))).toBe('unknown-level: there is no level "nowhere" in levels');
     expect(await said(() => levels.read('x'.repeat(80)))).toBe(`unknown-level: there is no level "${'x'.repeat(80)}" in levels`);
@@ -83,7 +83,7 @@ describe('a refusal names what it is about', () => {
     ]);
   });
 
-  it('a name that is taken or can not be one, a folder that is not there', async () => {
+  it('a name that is taken or not allowed, and a folder that does not exist', async () => {
     const write = (id: string) => levels.write(id, levelText('x'), 'no-file', client);
     expect(await said(() => write('con'))).toBe('bad-name: "con" can\'t be the name of a level file on every system');
     expect(await said(() => write('x/new'))).toBe('unknown-folder: there is no folder "x" in levels');
@@ -96,13 +96,13 @@ describe('a refusal names what it is about', () => {
     expect(await said(() => levels.duplicate('01', '01', etag('01'), client))).toBe(
       'name-taken: there is already something named levels/01.level.json',
     );
-    // its own name is no other's, in whichever case of letters
+    // its own name is not taken, in any case of letters
     expect((await levels.rename('bad', 'BAD', etag('bad'), client)).id).toBe('BAD');
     expect((await levels.rename('BAD', 'BAD', etag('BAD'), client)).id).toBe('BAD');
     expect(readdirSync(made.folder).sort()).toEqual(['01.level.json', '02.level.json', 'BAD.level.json', 'w']);
   });
 
-  it('how many problems a text has', async () => {
+  it('the number of problems of a text', async () => {
     const write = (text: string) => levels.write('01', text, { etag: etag('01') }, client);
     expect(await said(() => write('{'))).toBe('invalid-level: the text is not a valid level: it has a problem');
     const two = await refusal(() => write(levelText('x').replaceAll('"y": 0', '"y": "0"')));
@@ -110,7 +110,7 @@ describe('a refusal names what it is about', () => {
     expect(await said(() => levels.duplicate('bad', 'new', etag('bad'), client))).toMatch(/^invalid-level/);
   });
 
-  it('the folder, when it is about no single level', async () => {
+  it('the folder, if it concerns no single level', async () => {
     disk.fails = (step) => (step === 'openSync' ? 'EACCES' : undefined);
     const { message } = await refusal(() => levels.order('', ['01', '02', 'bad'], client));
     expect(message).toMatch(/^levels: can't be written: /);
@@ -121,7 +121,7 @@ describe('a refusal names what it is about', () => {
     expect(wrong).toMatchObject({ code: 'list-changed', message: 'these are not the levels of levels/w' });
   });
 
-  it.runIf(process.platform !== 'win32')('a level that may not be written, whatever is to be done to it', async () => {
+  it.runIf(process.platform !== 'win32')('a level that is not writable, for every kind of change', async () => {
     chmodSync(join(made.folder, '01.level.json'), 0o444);
     const changes = [
       () => levels.write('01', levelText('x'), { etag: etag('01') }, client),
@@ -131,7 +131,7 @@ describe('a refusal names what it is about', () => {
     ];
     for (const change of changes)
       expect(await said(change)).toMatch(/^not-writable: levels\/01\.level\.json: the file can't be written/);
-    // the same again is done already
+    // the same request again is already done
     expect(await levels.write('01', levelText('A'), { etag: other }, client)).toMatchObject({
       created: false,
       entry: { name: 'A' },
@@ -139,7 +139,7 @@ describe('a refusal names what it is about', () => {
     expect((await levels.duplicate('01', 'copy', etag('01'), client)).name).toBe('A');
   });
 
-  it('what the operating system says', () => {
+  it('the error of the operating system', () => {
     const words: [code: string, refusal: string][] = [
       ['ENOSPC', 'disk-full'],
       ['EDQUOT', 'disk-full'],
@@ -162,7 +162,7 @@ describe('a refusal names what it is about', () => {
 });
 
 describe('an order that fails in the middle', () => {
-  it('is taken back, all of it', async () => {
+  it('is undone completely', async () => {
     for (const at of [0, 1]) {
       let links = 0;
       disk.fails = (step) => (step === 'linkSync' && links++ === at ? 'EIO' : undefined);
@@ -173,11 +173,11 @@ describe('an order that fails in the middle', () => {
     }
     const { renamed } = await levels.order('', ['bad', '02', '01'], client);
     expect(renamed.map(({ from, to }) => `${from} to ${to}`)).toEqual(['bad to 01-bad', '01 to 03']);
-    // once more, it is in order
+    // the second try succeeds
     expect((await levels.order('', ['01-bad', '02', '03'], client)).renamed).toEqual([]);
   });
 
-  it('goes round in a ring over a name that is free', async () => {
+  it('exchanges names in a cycle through a free name', async () => {
     await levels.write('02-moved-1', levelText('in the way'), 'no-file', client);
     await levels.order('w', ['w/03'], client);
     const ids = () => levels.known.list().levels.map(({ id, name }) => `${id} ${name}`);
@@ -189,7 +189,7 @@ describe('an order that fails in the middle', () => {
 });
 
 describe('a folder that has become a link', () => {
-  it('is not gone through any more', async () => {
+  it('is not followed any more', async () => {
     const at = join(made.folder, 'w');
     const { renameSync } = await vi.importActual<typeof import('node:fs')>('node:fs');
     const inside = levels.read('w/03');
@@ -200,7 +200,7 @@ describe('a folder that has become a link', () => {
     expect(await said(() => levels.write('w/new', levelText('x'), 'no-file', client))).toMatch(/^unknown-folder/);
   });
 
-  it('above all, too, says so', async () => {
+  it('is reported, even if it is the root', async () => {
     const away = makeFolder({ 'levels/a.level.json': levelText('a') });
     const root = join(away.folder, 'levels');
     const moved = openLevelFolder(root, 'levels');
@@ -216,7 +216,7 @@ describe('a folder that has become a link', () => {
   });
 });
 
-it('answers have the statuses that the page expects', async () => {
+it('answers have the status codes that the page expects', async () => {
   const server = await serve(made.folder);
   const { page } = server;
   const statuses: Record<string, number> = {};

@@ -14,7 +14,7 @@ const name = fc.oneof(
 );
 const names = fc.uniqueArray(name, { maxLength: 12 }).chain((all) => fc.shuffledSubarray(all, { minLength: all.length }));
 
-it('names sort as wanted, are all different, and keep what they say', () => {
+it('names sort as wanted, are all different, and keep their text', () => {
   fc.assert(
     fc.property(names, (wanted) => {
       const named = namesInOrder(wanted);
@@ -24,21 +24,21 @@ it('names sort as wanted, are all different, and keep what they say', () => {
         const words = /[a-c]*$/.exec(old)?.[0] ?? '';
         expect(named[i].endsWith(words)).toBe(true);
       }
-      // once in order, they stay
+      // names that are in order stay the same
       expect(namesInOrder(named)).toEqual(named);
     }),
     { numRuns: 2000 },
   );
 });
 
-it('keeps the gaps that are there, and names that need not change', () => {
+it('keeps existing gaps, and names that need not change', () => {
   expect(namesInOrder(['30-c', '10-a', '20-b'])).toEqual(['10-c', '20-a', '30-b']);
   expect(namesInOrder(['01-a', '03-c', '02-b', '04-d'])).toEqual(['01-a', '02-c', '03-b', '04-d']);
   expect(namesInOrder(['b', 'a'])).toEqual(['01-b', '02-a']);
   expect(namesInOrder(['a', 'b'])).toEqual(['a', 'b']);
 });
 
-it('moves no file onto one that is still there, and each to its place', () => {
+it('moves each file to its place, and never onto one that still has to move', () => {
   const permutation = fc.integer({ min: 1, max: 9 }).chain((n) => {
     const all = Array.from({ length: n }, (_, i) => `f${i}`);
     return fc

@@ -1,4 +1,4 @@
-// What the page hears of the rules that a folder's configuration sets.
+// What the page learns about the rules that a folder's configuration sets.
 
 import { mkdirSync, renameSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
@@ -13,9 +13,9 @@ let made: ReturnType<typeof makeFolder>;
 let server: Awaited<ReturnType<typeof serve>>;
 
 beforeEach(async () => {
-  // the levels are in a folder below, as they mostly are
+  // the levels are in a subfolder, as usual
   made = makeFolder({ 'levels/a.level.json': levelText('A'), [CONFIG]: '{ "rules": { "pull": 45 } }' });
-  // what lies above it is of no interest
+  // configurations above the repository do not matter
   mkdirSync(join(made.folder, '.git'));
   server = await serve(join(made.folder, 'levels'));
 });
@@ -27,7 +27,7 @@ afterEach(async () => {
 
 const listed = async (): Promise<FolderRules> => ((await server.page.get(EDIT_API.LEVELS)).json() as ListResponse).rules;
 
-it('a list says what holds and where it is from, looked at anew', async () => {
+it('a list contains the current rules and their file', async () => {
   expect(await listed()).toEqual({ file: expect.stringMatching(/gq\.config\.json$/), own: { pull: 45 }, problems: [] });
   put(made.folder, CONFIG, '{ "rules": { "push": 3, "x-why": 1 }, "accuracy": "arcade" }');
   expect(await listed()).toMatchObject({ own: { push: 3 }, problems: [] });
@@ -35,7 +35,7 @@ it('a list says what holds and where it is from, looked at anew', async () => {
   expect(await listed()).toEqual({ file: null, own: {}, problems: [] });
 });
 
-it('what is wrong is told with its place; what was set before holds, until it is mended or gone', async () => {
+it('an error is reported with its place; the previous rules apply until it is fixed or the file is gone', async () => {
   put(made.folder, CONFIG, '{\n  "rules": { "pul": 3 }\n}');
   const wrong = await listed();
   expect(wrong.own).toEqual({ pull: 45 });
@@ -46,7 +46,7 @@ it('what is wrong is told with its place; what was set before holds, until it is
   expect(await listed()).toMatchObject({ own: {}, problems: [] });
 });
 
-it('one that can not be read is told, too', () => {
+it('a configuration that can not be read is reported, too', () => {
   if (process.platform === 'win32') return;
   const look = rulesOnDisk(made.folder);
   expect(look().own).toEqual({ pull: 45 });
@@ -58,7 +58,7 @@ it('one that can not be read is told, too', () => {
   });
 });
 
-/** What a page hears after the list. */
+/** The events of a page after the list. */
 async function listen(): Promise<{ next: () => Promise<FolderRules>; end: () => Promise<void> }> {
   const { port, token } = server.page;
   const abort = new AbortController();
@@ -94,14 +94,14 @@ async function listen(): Promise<{ next: () => Promise<FolderRules>; end: () => 
   };
 }
 
-it('whoever listens hears of every change once: written, put in its place, gone, made again', async () => {
+it('listeners get every change once: written, replaced, deleted, created again', async () => {
   const { next, end } = await listen();
   put(made.folder, CONFIG, '{ "rules": { "pull": 50 } }');
   expect(await next()).toMatchObject({ own: { pull: 50 } });
   put(made.folder, 'other.json', '{ "rules": { "pull": 60 } }');
   renameSync(join(made.folder, 'other.json'), join(made.folder, CONFIG));
   expect(await next()).toMatchObject({ own: { pull: 60 } });
-  // the same rules in other letters are no news; what is heard next is what comes after
+  // the same rules in another layout give no event: the next event is that of the next change
   put(made.folder, CONFIG, '{ "rules": {"pull":60} }');
   await listed();
   rmSync(join(made.folder, CONFIG));

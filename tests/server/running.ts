@@ -6,7 +6,7 @@ import process from 'node:process';
 import { type EditServer, startServer } from '../../cli/edit/index.ts';
 import { EDIT_API } from '../../schema/index.ts';
 
-// servers remember their ports: not in the home of who runs the tests
+// servers remember their ports, which must not happen in the home of the user who runs the tests
 process.env.XDG_STATE_HOME ??= join(tmpdir(), 'gq-test-state');
 
 /** The text of a valid level. */
@@ -21,22 +21,22 @@ export interface Answered {
   readonly json: () => never;
 }
 
-/** What a request says; `path` goes over the wire as it is. */
+/** A request; `path` is sent unchanged. */
 export interface Asked {
   readonly method?: string;
   readonly path?: string;
-  /** On top of what the page sends; undefined leaves one out. */
+  /** Headers in addition to those of the page; undefined removes one. */
   readonly headers?: Readonly<Record<string, string | string[] | undefined>>;
   readonly body?: string | Uint8Array;
 }
 
-/** A page of a server, which can be made to lie. */
+/** A page of a server that can also send forged requests. */
 export interface Page {
   readonly port: number;
   readonly token: string;
   ask(asked: Asked): Promise<Answered>;
   get(path: string): Promise<Answered>;
-  /** Sends JSON; `headers` name the base. */
+  /** Sends JSON; the base of the change goes into `headers`. */
   send(method: string, path: string, body: unknown, headers?: Asked['headers']): Promise<Answered>;
 }
 
@@ -73,7 +73,7 @@ export function pageOf(server: Pick<EditServer, 'port' | 'address'>): Page {
   };
 }
 
-/** A folder of its own with files in it: names and contents. */
+/** Makes a folder. @param files names and contents */
 export function makeFolder(files: Readonly<Record<string, string | Uint8Array>>): { folder: string; remove: () => void } {
   const folder = mkdtempSync(join(tmpdir(), 'gq-edit-'));
   for (const [name, content] of Object.entries(files)) put(folder, name, content);
@@ -85,7 +85,7 @@ export function put(folder: string, name: string, content: string | Uint8Array):
   writeFileSync(join(folder, name), content);
 }
 
-/** Everything below a folder: what files hold, where links lead. */
+/** Everything below a folder: the contents of files, the targets of links. */
 export function everythingIn(folder: string): Record<string, string> {
   const found: Record<string, string> = {};
   for (const entry of readdirSync(folder, { recursive: true, withFileTypes: true })) {
@@ -97,10 +97,10 @@ export function everythingIn(folder: string): Record<string, string> {
   return found;
 }
 
-/** A built page, as small as can be. */
+/** A minimal built page. */
 export const PAGE_FILES = { 'index.html': '<!doctype html><title>page</title>', 'assets/index-abc.js': 'export {};\n' };
 
-/** Starts a server on a folder, with a page of its own. */
+/** Starts a server on a folder, and a page of it. */
 export async function serve(folder: string): Promise<EditServer & { page: Page; crashes: readonly unknown[] }> {
   const built = makeFolder(PAGE_FILES);
   const crashes: unknown[] = [];

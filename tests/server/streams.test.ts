@@ -41,7 +41,7 @@ afterEach(() => {
 });
 
 const decode = (bytes: Uint8Array | undefined) => new TextDecoder().decode(bytes);
-/** What a stream has to say until it would be waited for. */
+/** Everything that can be read from a stream without waiting. */
 async function said(reader: ReadableStreamDefaultReader<Uint8Array>): Promise<string[]> {
   const all: string[] = [];
   for (;;) {
@@ -57,7 +57,7 @@ async function said(reader: ReadableStreamDefaultReader<Uint8Array>): Promise<st
 const pending = new WeakMap<object, Promise<ReadableStreamReadResult<Uint8Array>>>();
 const line = (event: EditEvent) => `data: ${JSON.stringify(event)}\n\n`;
 
-it('a list of any length is told in parts, each level once and in its order, and the last part says that it is the last', () => {
+it('a list of any length is sent in parts, with each level once and in order, and the last part is marked', () => {
   fc.assert(
     fc.property(fc.nat(5000), fc.nat(3), (count, unread) => {
       const list = { ...listOf(...Array.from({ length: count }, (_, i) => `${i}`)), unread };
@@ -76,7 +76,7 @@ it('a list of any length is told in parts, each level once and in its order, and
 });
 
 describe('a stream of events', () => {
-  it('begins with the list, and goes on with what happens', async () => {
+  it('begins with the list, and continues with events', async () => {
     const reader = streams.open().getReader();
     tell(removed('x'));
     tell(removed('y'));
@@ -85,7 +85,7 @@ describe('a stream of events', () => {
     expect(await said(reader)).toEqual([line(removed('z'))]);
   });
 
-  it('says every 10 s that the server is there, and no longer when it has ended', async () => {
+  it('sends a heartbeat every 10 s until it ends', async () => {
     const reader = streams.open().getReader();
     await said(reader);
     vi.advanceTimersByTime(EDIT_API.HEARTBEAT * 1000 - 1);
@@ -100,7 +100,7 @@ describe('a stream of events', () => {
     vi.advanceTimersByTime(60_000);
   });
 
-  it('of a page that reads nothing has no more than 1 MiB on its way, and a new list in place of what waits', async () => {
+  it('sends at most 1 MiB ahead to a page that reads nothing, and a new list replaces waiting events', async () => {
     const reader = streams.open().getReader();
     const long = removed('x'.repeat(100_000));
     for (let i = 0; i < 20; i++) tell(long);
@@ -109,13 +109,13 @@ describe('a stream of events', () => {
     tell(removed('last'));
     const all = await said(reader);
     const count = (text: string) => all.filter((one) => one === text).length;
-    // the first list, and what fits into 1 MiB with one more
+    // the first list, the events that fit into 1 MiB, and one more
     expect(count(line(long))).toBe(11);
     expect(all.slice(-2)).toEqual([line({ type: 'list', list: listOf('b') }), line(removed('last'))]);
     expect(all).toHaveLength(14);
   });
 
-  it('is open for 32 pages, and for others when one of them has gone, however often it goes', async () => {
+  it('is open for 32 pages at a time, and a page that leaves makes room for one other, however often it leaves', async () => {
     const open = Array.from({ length: 32 }, () => streams.open());
     const refused = () => {
       try {
@@ -134,7 +134,7 @@ describe('a stream of events', () => {
     expect(listeners.size).toBe(32);
   });
 
-  it('ends when more than 10,000 events wait for it, and makes room for another page', async () => {
+  it('ends if more than 10,000 events wait, and makes room for another page', async () => {
     const all = Array.from({ length: 32 }, () => streams.open());
     const asleep = all[0].getReader();
     tell(removed('x'.repeat(2 ** 20)));
@@ -144,7 +144,7 @@ describe('a stream of events', () => {
     expect(listeners.size).toBe(1);
     tell(removed('z'));
     expect([listeners.size, vi.getTimerCount()]).toEqual([0, 0]);
-    // what was on its way arrives, and then it is over
+    // what was already sent arrives, and then the stream ends
     expect((await said(asleep)).length).toBe(2);
     expect(await asleep.read()).toEqual({ done: true, value: undefined });
     expect(() => Array.from({ length: 32 }, () => streams.open())).not.toThrow();

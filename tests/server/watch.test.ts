@@ -7,7 +7,7 @@ import type { KnownLevels } from '../../cli/edit/known-levels.ts';
 import { watchFolder } from '../../cli/edit/watch.ts';
 import { makeFolder } from './running.ts';
 
-// What is made of what the system tells of a folder; that it tells it, the tests of events say.
+// How events of the system are handled; events.test.ts tests that the system sends them.
 
 interface Watcher extends EventEmitter {
   readonly path: string;
@@ -60,7 +60,7 @@ afterEach(() => {
 const path = (folder: string) => (folder === '' ? made.folder : join(made.folder, folder));
 const open = () => (system.watchers as Watcher[]).filter(({ isClosed }) => !isClosed);
 const of = (folder: string) => open().find((watcher) => watcher.path === path(folder)) as Watcher;
-/** What is said by the time that it is looked. */
+/** What is reported within `ms`, in which the watcher reads the folder. */
 async function look(ms = 60): Promise<string[]> {
   await vi.advanceTimersByTimeAsync(ms);
   return said.splice(0);
@@ -72,8 +72,8 @@ async function start(): Promise<void> {
   expect(vi.getTimerCount()).toBe(0);
 }
 
-describe.runIf(process.platform === 'linux')('a folder that is watched', () => {
-  it('is looked at once at the start, and then only at the levels that were touched, together', async () => {
+describe.runIf(process.platform === 'linux')('a watched folder', () => {
+  it('is read completely at the start, and later only the changed levels are, together', async () => {
     await start();
     of('').tell('a.level.json');
     expect(await look(30)).toEqual([]);
@@ -86,7 +86,7 @@ describe.runIf(process.platform === 'linux')('a folder that is watched', () => {
     expect(await look()).toEqual(['announce a by null']);
   });
 
-  it('is looked at as a whole when a folder may have come or gone, and not for what is hidden', async () => {
+  it('is read completely when a folder may have appeared or vanished, but not for hidden ones', async () => {
     mkdirSync(path('w'));
     folders.push('w');
     await start();
@@ -111,7 +111,7 @@ describe.runIf(process.platform === 'linux')('a folder that is watched', () => {
     }
   });
 
-  it('has all its folders watched as they come and go, each once', async () => {
+  it('has each of its folders watched once, also when folders appear and vanish', async () => {
     mkdirSync(path('w'));
     folders.push('w');
     await start();
@@ -130,7 +130,7 @@ describe.runIf(process.platform === 'linux')('a folder that is watched', () => {
         .sort(),
     ).toEqual(['', 'v', 'w'].map(path).sort());
     expect([of(''), of('w')]).toEqual([root, before]);
-    // another folder of the same name is another folder: made while the old one is there, so that it has another number
+    // a new folder of the same name, made while the old one still exists, so that its inode differs
     mkdirSync(path('next'));
     rmSync(path('w'), { recursive: true });
     mkdirSync(path('w'));
@@ -149,7 +149,7 @@ describe.runIf(process.platform === 'linux')('a folder that is watched', () => {
     expect(open().map((watcher) => watcher.path)).toEqual([path('')]);
   });
 
-  it('that can not be watched is a trouble that is told, and the others are watched', async () => {
+  it('is reported if it can not be watched, and the other folders are watched', async () => {
     for (const name of ['v', 'w']) mkdirSync(path(name));
     folders.push('v', 'w');
     system.refuses = path('v');
@@ -164,12 +164,12 @@ describe.runIf(process.platform === 'linux')('a folder that is watched', () => {
     expect(await look()).toEqual([trouble]);
   });
 
-  it('is let go of, and nothing more is said', async () => {
+  it('is released at the end, and nothing more is reported', async () => {
     await start();
     of('').tell('a.level.json');
     stop();
     expect([await look(1000), open(), vi.getTimerCount()]).toEqual([[], [], 0]);
-    // while it is looked at
+    // during a read
     let go = () => {};
     known.refresh = () =>
       new Promise((resolve) => {
