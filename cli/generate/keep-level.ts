@@ -45,7 +45,7 @@ export function makeDirectory(directory: string): void {
   try {
     mkdirSync(directory, { recursive: true });
   } catch (error) {
-    fail("the directory can't be made", error);
+    fail("the directory can't be created", error);
   }
   try {
     tryFolder(directory);

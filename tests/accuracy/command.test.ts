@@ -79,10 +79,10 @@ describe('gq accuracy', () => {
     ['--integrator taylor', /expected --tolerance/],
     ['--integrator taylor --rate 60', /taylor chooses its own steps: expected --tolerance/],
     ['--integrator taylor --tolerance 1e-30', /expected an error of at least/],
-    ['--integrator taylor --tolerance -1', /expected an error in px above 0/],
-    ['--integrator verlet --rate 0', /expected steps a second above 0/],
+    ['--integrator taylor --tolerance -1', /expected an error in px: more than 0/],
+    ['--integrator verlet --rate 0', /expected steps a second: more than 0/],
     ['--integrator leapfrog --rate 60', /Allowed choices are euler, verlet, rk4, taylor/],
-    ['--accuracy fast --integrator rk4 --rate 60', /exclude each other/],
+    ['--accuracy fast --integrator rk4 --rate 60', /cannot be combined/],
   ])('%s ends with 2 and what was expected', async (options, message) => {
     const { code, stdout, stderr } = await gq(['accuracy', 'swing.level.json', ...options.split(' ')], { cwd });
     expect({ code, stdout }).toEqual({ code: 2, stdout: '' });

@@ -53,7 +53,7 @@ describe('--max-work', () => {
     expect(level.verdict).toBe('completable');
     expect(limitsOf(level)[0]).toMatchObject({ severity: 'warning' });
     expect(limitsOf(level)[0].message).toMatch(
-      /^run "taps \d+" was not played beyond tick \d+, and \d+ runs after it were not played at all: /,
+      /^run "taps \d+" was not played beyond tick \d+, and the \d+ runs after it were not played at all: /,
     );
   });
 

@@ -109,7 +109,7 @@ describe('gq edit', () => {
     expect(busy).toMatchObject({
       code: 2,
       stdout: '',
-      stderr: expect.stringMatching(/^error: --port \d+: .*perhaps another gq edit; give another one/),
+      stderr: expect.stringMatching(/^error: --port \d+: .*perhaps by another gq edit; give another port/),
     });
     for (const wrong of ['x', '-1', '65536', '1.5']) expect(await refusal(['--port', wrong])).toMatchObject({ code: 2 });
     await Promise.all([first.end('SIGTERM'), second.end('SIGTERM')]);
@@ -141,7 +141,7 @@ describe('gq edit', () => {
     const lost = await gqEdit(['levels', '--port', '0', '--open'], { cwd, env: { PATH: join(cwd, 'empty') } });
     await until(() => lost.said().stderr !== '');
     expect(lost.said().stderr).toMatch(
-      /^the browser could not be opened \(xdg-open: no such file or directory\): open the address above yourself\n$/,
+      /^the browser could not be opened \(xdg-open: no such file or directory\): open the address above in a browser\n$/,
     );
     await lost.end('SIGTERM');
   });

@@ -34,7 +34,7 @@ describe('an error that is a bug of gq', () => {
       const answer = await app.request('/api/levels', {}, env as never);
       return [answer.status, ((await answer.json()) as { error: object }).error];
     };
-    const failed = { code: 'failed', message: 'gq edit has failed at this', hint: 'Please report this bug in gq.' };
+    const failed = { code: 'failed', message: 'gq edit failed on this request', hint: 'This is a bug in gq: please report it.' };
     expect(await ask()).toEqual([500, failed]);
     expect(await ask()).toEqual([503, { code: 'busy', message: 'busy now', hint: 'Wait.' }]);
     expect(await ask()).toEqual([500, failed]);

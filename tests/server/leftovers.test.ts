@@ -129,9 +129,9 @@ it('a folder keeps its port; if that is taken, gq edit says where unsaved edits 
   const taken = createServer().listen(first.port, '127.0.0.1');
   const third = await start();
   expect(third.port).not.toBe(first.port);
-  const said = `Port ${first.port} is taken, perhaps by another gq edit: this one has ${third.port}. What a page of the last time`;
+  const said = `Port ${first.port} is taken, perhaps by another gq edit; this one uses ${third.port}. If a page could not save its changes last time`;
   expect(third.said().stdout).toContain(said);
-  expect(third.said().stdout).toContain(`http://127.0.0.1:${first.port}/: gq edit --port ${first.port} finds it`);
+  expect(third.said().stdout).toContain(`http://127.0.0.1:${first.port}/: gq edit --port ${first.port} finds them`);
   await third.end('SIGTERM');
   await new Promise((resolve) => taken.close(resolve));
   // the old port was not forgotten

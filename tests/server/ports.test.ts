@@ -118,7 +118,7 @@ describe.runIf(process.platform !== 'win32')('a server', () => {
   it('takes the requested port or fails, and reports the last one', async () => {
     const at = made();
     const other = await listener();
-    await expect(start(at, other.port)).rejects.toThrow(`--port ${other.port}: can't listen on it: something else listens there`);
+    await expect(start(at, other.port)).rejects.toThrow(`--port ${other.port}: can't listen on it: the port is in use`);
     await other.close();
     const server = await start(at, other.port);
     expect([server.port, server.portBefore]).toEqual([other.port, null]);

@@ -65,12 +65,12 @@ describe('a refusal names', () => {
     expect(await said(() => levels.read('x'.repeat(80)))).toBe(`unknown-level: there is no level "${'x'.repeat(80)}" in levels`);
     expect(await said(() => levels.read(long))).toBe(`unknown-level: there is no level "${'x'.repeat(80)}…" in levels`);
     expect(await said(() => levels.restore('nowhere', undefined, client))).toBe(
-      'unknown-level: there is no level "nowhere" among the deleted ones',
+      'unknown-level: there is no level "nowhere" among the deleted levels',
     );
     const changed = await refusal(() => levels.write('01', levelText('x'), { etag: other }, client));
     expect([changed.code, changed.message, changed.details.current?.text]).toEqual([
       'conflict',
-      'levels/01.level.json is another one on the disk than the change was made from',
+      'levels/01.level.json has changed on the disk since the version that was edited',
       levelText('A'),
     ]);
     const gone = await refusal(() => levels.write('new', levelText('x'), { etag: other }, client));
@@ -78,23 +78,23 @@ describe('a refusal names', () => {
     const there = await refusal(() => levels.write('01', levelText('x'), 'no-file', client));
     expect([there.code, there.message, there.details.current?.text]).toEqual([
       'conflict',
-      'levels/01.level.json is already there',
+      'levels/01.level.json already exists',
       levelText('A'),
     ]);
   });
 
   it('a name that is taken or not allowed, and a folder that does not exist', async () => {
     const write = (id: string) => levels.write(id, levelText('x'), 'no-file', client);
-    expect(await said(() => write('con'))).toBe('bad-name: "con" can\'t be the name of a level file on every system');
+    expect(await said(() => write('con'))).toBe('bad-name: "con" is not a name that a level file can have on every system');
     expect(await said(() => write('x/new'))).toBe('unknown-folder: there is no folder "x" in levels');
     expect(await said(() => write('/new'))).toBe('unknown-folder: there is no folder "" in levels');
     expect(await said(() => write('W/new'))).toBe('unknown-folder: there is no folder "W" in levels');
-    expect(await said(() => write('BAD'))).toBe('name-taken: there is already something named levels/bad.level.json');
+    expect(await said(() => write('BAD'))).toBe('name-taken: levels/bad.level.json already exists');
     expect(await said(() => levels.rename('01', '02', etag('01'), client))).toBe(
-      'name-taken: there is already something named levels/02.level.json',
+      'name-taken: levels/02.level.json already exists',
     );
     expect(await said(() => levels.duplicate('01', '01', etag('01'), client))).toBe(
-      'name-taken: there is already something named levels/01.level.json',
+      'name-taken: levels/01.level.json already exists',
     );
     // its own name is not taken, in any case of letters
     expect((await levels.rename('bad', 'BAD', etag('bad'), client)).id).toBe('BAD');

@@ -252,10 +252,10 @@ describe('the options', () => {
 
   it('the reason says what a designer can do', () => {
     expect(proveImpossible(level({ blackHole: { x: 562, y: 0 } }))?.reason).toBe(
-      'the black hole is 412 px from the nearest asteroid, asteroid 1, she is lost beyond 250 px and her box touches it from at most ' +
-        '36.9 px: move it or add an asteroid within 286.9 px of it',
+      'the black hole is 412 px from the nearest asteroid, asteroid 1; she is lost beyond 250 px, and her collision box touches it from at most ' +
+        '36.9 px: move it, or add an asteroid within 286.9 px of it',
     );
-    expect(proveImpossible(level({ novae: [at(80, 30)] }))?.reason).toContain('nova 1, which her box hits after');
+    expect(proveImpossible(level({ novae: [at(80, 30)] }))?.reason).toContain('nova 1, which her collision box hits after');
     expect(proveImpossible(level({ ...roomy, novae: ring(300, 0, 70) }))?.reason).toContain(
       'is closed off from the start by nova 12, nova 11',
     );
