@@ -115,8 +115,29 @@ function asWord({ text, offset, mode, expected }: Unexpected): Finding | null {
 
 function asMissingPunctuation({ text, offset, mode, expected }: Unexpected): Finding {
   const c = text[offset];
-  const found = mode === 'after' && c === '"' ? 'a text' : quote(c);
-  return failureAt('invalid-json', offset, `expected ${expected}, found ${found}`, hintFor(mode));
+  if (mode !== 'after') return failureAt('invalid-json', offset, `expected ${expected}, found ${quote(c)}`, hintFor(mode));
+  const word = isDigit(c.charCodeAt(0)) ? '' : wordAt(text, offset);
+  const found = c === '"' ? textAt(text, offset) : word === '' ? c : word;
+  const hint = word === '' || LITERALS.includes(word) ? hintFor(mode) : hintForWord(text, offset);
+  return failureAt('invalid-json', offset, `expected ${expected}, found ${quote(found)}`, hint);
+}
+
+/** The content of the text whose opening quote is at an offset, as far as its line goes. */
+function textAt(text: string, offset: number): string {
+  const raw = /[^"\\\n\r]*(?:\\.[^"\\\n\r]*)*/y.exec(text.slice(offset + 1, offset + 1000))?.[0] ?? '';
+  try {
+    return String(JSON.parse(`"${raw}"`));
+  } catch {
+    return raw;
+  }
+}
+
+/** What to do about a bare word after a value: a unit after a number, the rest of a text that a quote ended, or a key. */
+function hintForWord(text: string, offset: number): string {
+  const before = /[^\s][^\S\n\r]*$/.exec(text.slice(Math.max(0, offset - 100), offset))?.[0][0] ?? '';
+  if (/\d/.test(before)) return 'Remove it: a number is written without a unit.';
+  if (before === '"') return 'Write \\" for a quote within a text.';
+  return 'Add a comma before it, if one is missing, and put it in double quotes.';
 }
 
 function hintFor(mode: Expected): string {

@@ -18,11 +18,11 @@ inChromium('a file that another program made unreadable, in Chromium', ({ on }) 
       const saving = page.getByRole('status', { name: 'Saving' });
       const row = page.getByRole('tree', { name: 'Levels' }).getByRole('treeitem').first();
       const problems = page.getByRole('list', { name: 'Problems' });
-      const place = /01\.level\.json:3:3: expected "," or "}", found a text.*comma/;
+      const place = /01\.level\.json:3:3: expected "," or "}", found "name".*comma/;
       write('01', TYPO);
       await saving.filter({ hasText: /^file can't be read$/ }).waitFor();
       await row.getByText('invalid').waitFor();
-      await row.getByText('3:3 expected "," or "}", found a text').waitFor();
+      await row.getByText('3:3 expected "," or "}", found "name"').waitFor();
       await problems.getByText(place).waitFor();
       await page.getByRole('list', { name: 'Messages' }).getByText(place).waitFor();
       // the level is all there, and what is done now is not lost
