@@ -42,12 +42,15 @@ async function expand(path: string, unreadable: { path: string; reason: string }
   if (!(stats instanceof Error)) {
     if (!stats.isDirectory()) return [path];
     const found = walk(path, (name) => LEVEL_FILE.test(name), unreadable);
-    return found.length > 0 || unreadable.length > before ? found : 'the directory contains no *.level.json';
+    if (found.length > 0 || unreadable.length > before) return found;
+    // as below, the schema comes with it
+    const { isNearlyLevelName, nearLevelsHint } = await import('./near-levels.ts');
+    return `the directory contains no *.level.json${nearLevelsHint(walk(path, isNearlyLevelName, []))}`;
   }
   if (!/[*?]/.test(path)) {
     // imported only if needed: it loads the schema, which a check leaves to its workers
     const { siblingHint } = await import('./sibling-hint.ts');
-    return systemReason(stats) + siblingHint(path);
+    return systemReason(stats) + ((stats as NodeJS.ErrnoException).code === 'ENOENT' ? siblingHint(path) : '');
   }
   const pattern = path.split(sep).join('/');
   const fixed = pattern.slice(0, pattern.search(/[*?]/));

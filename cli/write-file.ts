@@ -1,7 +1,8 @@
-import { lstatSync, readlinkSync, realpathSync, statSync, writeFileSync } from 'node:fs';
+import { existsSync, lstatSync, readlinkSync, realpathSync, statSync, writeFileSync } from 'node:fs';
 import { dirname, resolve } from 'node:path';
 import { replaceFile } from './disk.ts';
 import { Failure, systemReason } from './failure.ts';
+import { shellPath } from './shown-path.ts';
 import { uncut } from './signals.ts';
 import { whyNotWritable } from './writable.ts';
 
@@ -46,10 +47,17 @@ function replace(target: string, bytes: Uint8Array): void {
   replaceFile(target, bytes, () => {});
 }
 
+/** What to do when the folder of a new file is missing. */
+function missingFolder(path: string, error: unknown): string {
+  const folder = dirname(path);
+  const isMissing = (error as NodeJS.ErrnoException).code === 'ENOENT' && !existsSync(folder);
+  return isMissing ? `; make the folder ${shellPath(folder)} first` : '';
+}
+
 function tryTo<T>(path: string, work: () => T): T {
   try {
     return work();
   } catch (error) {
-    throw new Failure(`${path}: can't be written: ${systemReason(error)}`);
+    throw new Failure(`${path}: can't be written: ${systemReason(error)}${missingFolder(path, error)}`);
   }
 }

@@ -1,4 +1,4 @@
-import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, symlinkSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { afterAll, describe, expect, it } from 'vitest';
 import { CODES } from '../../schema/index.ts';
@@ -216,4 +216,57 @@ describe('an output that cannot be written', () => {
     expect(readdirSync(cwd)).toEqual(before);
     expect(readFileSync(join(cwd, 'a-file'), 'utf8')).toBe('not a directory');
   });
+});
+
+describe('what gq suggests for a path', () => {
+  it('is a level file under another name, in a directory without a level', async () => {
+    mkdirSync(join(cwd, 'nearly'));
+    for (const name of ['far2.json', 'x.level.json.txt'])
+      copyFileSync(join(cwd, 'fine/good.level.json'), join(cwd, 'nearly', name));
+    for (const name of ['package.json', 'notes.txt']) writeFileSync(join(cwd, 'nearly', name), '{}');
+    const { code, stderr } = await gq(['check', 'nearly'], { cwd });
+    expect(code).toBe(2);
+    expect(stderr).toContain(
+      '  nearly: the directory contains no *.level.json; nearly/far2.json looks like a level: did you mean to call it far2.level.json?; ' +
+        'nearly/x.level.json.txt looks like a level: did you mean to call it x.level.json?\n',
+    );
+  });
+
+  it('is where a symbolic link leads that leads nowhere, and not the link itself', async () => {
+    mkdirSync(join(cwd, 'links'));
+    symlinkSync('nowhere.json', join(cwd, 'links/dangling.level.json'));
+    for (const path of ['links', 'links/dangling.level.json']) {
+      const ended = await gq(['check', path], { cwd });
+      expect(ended.code).toBe(2);
+      const said = ended.stdout + ended.stderr;
+      expect(said).toContain('links/dangling.level.json');
+      expect(said).toContain('; it is a symbolic link to nowhere.json, which leads nowhere');
+      expect(said).not.toContain('did you mean');
+    }
+  });
+
+  it('is no file whose name has only the ending in common', async () => {
+    const { stderr } = await gq(['check', 'fine/deleted.level.json', 'fine/good.json'], { cwd });
+    expect(stderr).toContain('  fine/deleted.level.json: no such file or directory\n');
+    expect(stderr).toContain('  fine/good.json: no such file or directory (did you mean good.level.json?)\n');
+  });
+
+  it('is to make the folder of a picture', async () => {
+    const { code, stderr } = await gq(['render', 'fine/good.level.json', '-o', 'nodir/x.svg'], { cwd });
+    expect(code).toBe(2);
+    expect(stderr).toBe("error: nodir/x.svg: can't be written: no such file or directory; make the folder nodir first\n");
+  });
+});
+
+it('gq explain knows the kinds of proof', async () => {
+  const { code, stdout } = await gq(['explain', 'out-of-range']);
+  expect(code).toBe(0);
+  expect(stdout).toMatch(/^out-of-range \(kind of proof\): the object is out of range/);
+  for (const part of ['What to do\n', 'docs/proofs.md, "The kinds of proof"']) expect(stdout).toContain(part);
+  const { proofs } = JSON.parse((await gq(['explain', '--format', 'json'])).stdout);
+  const page = readFileSync(join(import.meta.dirname, '../../docs/proofs.md'), 'utf8');
+  for (const { code } of proofs as { code: string }[]) {
+    expect(page).toContain(`**\`${code}\`**.`);
+    expect((await gq(['explain', code])).code).toBe(0);
+  }
 });

@@ -26,6 +26,9 @@ export function checkPretty(reports: readonly CheckedLevel[], colors: Colors): s
   const summary = summarize(reports);
   const counts = Object.entries(summary).filter(([, count]) => count > 0);
   text += `\n${colors.bold(plural(reports.length, 'level'))}: ${counts.map(([v, count]) => paint(v as Verdict)(`${count} ${v}`)).join(', ')}\n`;
+  const tight = reports.filter(({ problems }) => problems.some(({ code }) => code === 'slack-below-required')).length;
+  if (tight > 0)
+    text += `${colors.red(`${plural(tight, 'level')} ${tight === 1 ? 'forgives' : 'forgive'} less than --require-slack requires`)}\n`;
   for (const [verdict] of counts as [Verdict, number][]) {
     if (verdict !== 'completable') text += `${verdict}: ${VERDICT_MEANS[verdict]}: ${WHAT_TO_DO[verdict]}\n`;
   }

@@ -8,21 +8,27 @@ import type { CommandResult } from '../../command.ts';
 import { didYouMean } from '../../did-you-mean.ts';
 import { Failure } from '../../failure.ts';
 import { formatOption } from '../../options.ts';
-import { explainPretty, listCodes } from './pretty.ts';
+import { explainPretty, explainProof, listCodes } from './pretty.ts';
+import { PROOF_KINDS } from './proofs.ts';
 
 const ALL = [...CHECK_CODES, ...CODES, ...WARNING_CODES];
+/** A code that is also one of a problem is explained as that. */
+const PROOFS = PROOF_KINDS.filter(({ code }) => !ALL.some((problem) => problem.code === code));
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
   command
-    .description('Explain a problem: what it means, why it matters and how to fix it. Without a code, list every code on a line.')
-    .argument('[code]', 'the code of a problem, as reports name it')
+    .description(
+      'Explain a problem (what it means, why it matters, how to fix it) or a kind of proof. Without a code, list every code on a line.',
+    )
+    .argument('[code]', 'the code of a problem or a kind of proof, as reports name it')
     .addOption(formatOption('pretty', 'json'))
     .addHelpText(
       'after',
       `
 Examples:
   $ gq explain
-  $ gq explain unknown-key`,
+  $ gq explain unknown-key
+  $ gq explain out-of-range    a kind of proof`,
     )
     .action((code: string | undefined, { format }: { format: 'pretty' | 'json' }) => finish(explain(code, format)));
 }
@@ -30,12 +36,20 @@ Examples:
 function explain(code: string | undefined, format: 'pretty' | 'json'): CommandResult {
   const colors = colorsFor(process.stdout);
   if (code === undefined) {
-    return { output: format === 'json' ? `${JSON.stringify({ codes: ALL })}\n` : listCodes(ALL, colors), exitCode: 0 };
+    return {
+      output: format === 'json' ? `${JSON.stringify({ codes: ALL, proofs: PROOF_KINDS })}\n` : listCodes(ALL, PROOFS, colors),
+      exitCode: 0,
+    };
   }
+  const proof = PROOFS.find((entry) => entry.code === code);
+  if (proof !== undefined)
+    return { output: format === 'json' ? `${JSON.stringify(proof)}\n` : explainProof(proof, colors), exitCode: 0 };
   const found = ALL.find((entry) => entry.code === code);
   if (found === undefined) {
-    const codes = ALL.map((entry) => entry.code);
-    throw new Failure(`no problem has the code ${JSON.stringify(code)}${didYouMean(code, codes)}; gq explain lists all codes`);
+    const codes = [...ALL, ...PROOFS].map((entry) => entry.code);
+    throw new Failure(
+      `no problem or kind of proof has the code ${JSON.stringify(code)}${didYouMean(code, codes)}; gq explain lists all codes`,
+    );
   }
   return { output: format === 'json' ? `${JSON.stringify(found)}\n` : explainPretty(found, colors), exitCode: 0 };
 }

@@ -1,6 +1,7 @@
 import type { CodeExplanation } from '../../../schema/index.ts';
 import type { Colors } from '../../colors.ts';
 import { alignColumns } from '../../report-parts/index.ts';
+import type { ProofExplanation } from './proofs.ts';
 
 const WIDTH = 100;
 
@@ -12,9 +13,17 @@ export function explainPretty({ code, severity, title, why, fix, example }: Code
   return text;
 }
 
-/** One line for each code. */
-export function listCodes(codes: readonly CodeExplanation[], colors: Colors): string {
-  const lines = alignColumns(codes.map(({ code, severity, title }) => [code, severity, title]));
+/** One kind of proof in full, for a person. */
+export function explainProof({ code, title, why, fix, see }: ProofExplanation, colors: Colors): string {
+  return `${colors.bold(code)} (kind of proof): ${title}\n\n${wrap(why)}\n\n${colors.bold('What to do')}\n${wrap(fix)}\n\nThe full argument: ${see}\n`;
+}
+
+/** Every code and every kind of proof on a line. */
+export function listCodes(codes: readonly CodeExplanation[], proofs: readonly ProofExplanation[], colors: Colors): string {
+  const lines = alignColumns([
+    ...codes.map(({ code, severity, title }) => [code, severity, title]),
+    ...proofs.map(({ code, title }) => [code, 'proof', title]),
+  ]);
   return `${lines.join('\n')}\n\n${colors.dim('gq explain CODE says more about one')}\n`;
 }
 

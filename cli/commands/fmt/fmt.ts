@@ -53,7 +53,7 @@ async function fmt(paths: readonly string[], options: FmtOptions): Promise<Comma
       done.push({ file, status: 'failed', problems: [] });
     }
   }
-  const output = options.format === 'json' ? fmtJson(done) : fmtPretty(done, colorsFor(process.stdout));
+  const output = options.format === 'json' ? fmtJson(done) : fmtPretty(done, paths, colorsFor(process.stdout));
   const clean = done.every(({ status }) => status === 'unchanged' || status === 'formatted');
   // if a folder could not be read and no file was found, there is nothing to count
   return {

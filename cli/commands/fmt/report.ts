@@ -1,6 +1,7 @@
 import { plural } from '../../../check/words/index.ts';
 import type { Colors } from '../../colors.ts';
 import { problemJson, showFileProblems } from '../../report-parts/index.ts';
+import { shellPath } from '../../shown-path.ts';
 import type { ShownProblem } from '../../shown-problem.ts';
 import { visibleLine } from '../../visible.ts';
 
@@ -17,8 +18,8 @@ export function fmtJson(files: readonly FormattedFile[]): string {
   return `${JSON.stringify({ files: list })}\n`;
 }
 
-/** The results of `fmt` for people: the files that were not in the canonical layout or are invalid, and counts. */
-export function fmtPretty(files: readonly FormattedFile[], colors: Colors): string {
+/** What `fmt` did to the files of these paths, for a person: the files that were not as they should be, and a count. */
+export function fmtPretty(files: readonly FormattedFile[], paths: readonly string[], colors: Colors): string {
   let text = '';
   for (const { file, status, problems } of files) {
     // the reason for a failure goes to stderr
@@ -30,5 +31,7 @@ export function fmtPretty(files: readonly FormattedFile[], colors: Colors): stri
     .map((status) => [status, files.filter((file) => file.status === status).length] as const)
     .filter(([, count]) => count > 0)
     .map(([status, count]) => `${count} ${status}`);
-  return `${text}${plural(files.length, 'file')}: ${counts.join(', ')}\n`;
+  const wouldChange = files.some(({ status }) => status === 'would change');
+  const todo = wouldChange ? `to format what would change: gq fmt ${paths.map(shellPath).join(' ')}\n` : '';
+  return `${text}${plural(files.length, 'file')}: ${counts.join(', ')}\n${todo}`;
 }
