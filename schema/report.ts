@@ -24,7 +24,7 @@ export const runReportSchema = z.strictObject({
   clearance: z
     .strictObject({ distance: z.number().describe('px'), kind, index, time })
     .nullable()
-    .describe('The nearest she came to something deadly.'),
+    .describe('The closest that she came to a hazard.'),
   final: z.strictObject({ x: z.number(), y: z.number(), vx: z.number(), vy: z.number(), angle: z.number() }),
   samples: z
     .array(z.tuple([z.number(), z.number(), z.number(), z.number(), z.number(), z.number()]))
@@ -77,7 +77,7 @@ export const robustnessReportSchema = z.strictObject({
   certifiedTicks: z
     .int()
     .min(0)
-    .describe('Every combination of shifts of all presses and releases by up to so many ticks was tried, and succeeds.'),
+    .describe('All presses and releases may be off by up to this many ticks: every combination was tried, and succeeds.'),
   decided: z.boolean().describe('Whether some shift by one tick more is known to fail; false where there were too many to try.'),
   slack: z
     .array(z.tuple([z.int().min(0), z.int().min(0)]))
@@ -173,7 +173,10 @@ const measuredDifficulty = z.strictObject({
       count: z.int(),
       tried: z.int(),
       length: z.int().describe('Presses and releases were tried up to this tick.'),
-      stride: z.int().min(1).describe('At multiples of so many ticks: 1, every tick, in the report on a single level.'),
+      stride: z
+        .int()
+        .min(1)
+        .describe('Only multiples of this many ticks were tried: 1, every tick, in the report on a single level.'),
       example: runFound.nullable(),
     }),
     withoutAsteroid: z.array(

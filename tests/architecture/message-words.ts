@@ -55,7 +55,21 @@ const ZERO = new RegExp(`\\b(?:${KIND_NAMES}|run|hold) 0\\b`, 'i');
 const KIND_AT_END = new RegExp(`\\b(?:${KIND_NAMES}) $`, 'i');
 
 /** Words and phrases that a plain text has no use for. */
-const PHRASES: readonly RegExp[] = [/\bwhoever\b/i];
+const PHRASES: readonly RegExp[] = [
+  /\b(?:is|are) told\b/i,
+  /\bwhoever\b/i,
+  /\bmend\b/i,
+  /\ball is well\b/i,
+  /\breally different\b/i,
+  /\bcanonically\b/i,
+  /\bhangs? (?:by|on)\b/i,
+  /\bexclude each other\b/i,
+  /\blooked into\b/i,
+  /\bsomething deadly\b/i,
+  /\bso (?:much|many) (?:as|succeeds?|levels|runs|times|ticks)\b/i,
+  /\bits \w+ is none\b/i,
+  /\bdoes not understand\b/i,
+];
 /** What the original calls a mineral: only the import of its files speaks of it. */
 const GOODIES = /\bgoodies\b/i;
 
