@@ -70,7 +70,7 @@ describe('arcade has the bits of a loop that looks at everything in every frame'
     ['playable', arbitraryPlayableLevel],
     ['crowded', crowdedLevel],
   ] as const)('on %s levels', (_, level) => {
-    fc.assert(fc.property(level, plan, compareWithPlain), { numRuns: 400 });
+    fc.assert(fc.property(level, plan, compareWithPlain), { numRuns: 150 });
   });
 
   it.each([
@@ -79,7 +79,7 @@ describe('arcade has the bits of a loop that looks at everything in every frame'
     ['crowded', crowdedLevel],
   ] as const)('on %s levels with rules of their own', (_, level) => {
     const ruled = fc.record({ level, rules: arbitraryRules }).map((made) => ({ ...made.level, rules: made.rules }));
-    fc.assert(fc.property(ruled, plan, compareWithPlain), { numRuns: 300 });
+    fc.assert(fc.property(ruled, plan, compareWithPlain), { numRuns: 100 });
   });
 
   it('where an alien that starts from rest has less than 2 px to go', () => {
@@ -100,7 +100,7 @@ describe('arcade has the bits of a loop that looks at everything in every frame'
           { ticks: 90, held: false },
         ]);
       }),
-      { numRuns: 300 },
+      { numRuns: 100 },
     );
   });
 
@@ -117,7 +117,7 @@ describe('arcade has the bits of a loop that looks at everything in every frame'
         const asteroids = field(200, 16, 45).map((a, i) => ({ ...a, hot: i % 9 === 0 }));
         compareWithPlain({ ...level, recoil, asteroids, novae: field(150, 7, 20), minerals: field(140, 7, 3) }, steps);
       }),
-      { numRuns: 60 },
+      { numRuns: 25 },
     );
   });
 
@@ -156,7 +156,7 @@ describe('arcade has the bits of a loop that looks at everything in every frame'
           { ticks: waited, held: false },
         ]);
       }),
-      { numRuns: 500 },
+      { numRuns: 150 },
     );
   });
 });

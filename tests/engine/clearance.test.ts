@@ -64,9 +64,9 @@ it('the clearance is found however short she comes so near', () => {
       expect(run.clearance.distance).toBeLessThanOrEqual(-made.depth + 1e-6);
       thin++;
     }),
-    { numRuns: 3000, endOnFailure: true },
+    { numRuns: 1000, endOnFailure: true },
   );
-  expect(thin).toBeGreaterThan(30);
+  expect(thin).toBeGreaterThan(10);
 });
 
 it('the clearance knows of asteroids that drift by where recoil has sent them', () => {

@@ -16,10 +16,10 @@ describe('what she touches by next to nothing', () => {
         counts[finding.what]++;
         expect(finding).not.toHaveProperty('why');
       }),
-      { numRuns: 2500, endOnFailure: true },
+      { numRuns: 800, endOnFailure: true },
     );
-    expect(counts.hit).toBeGreaterThan(300);
-    expect(counts.missed).toBeGreaterThan(300);
+    expect(counts.hit).toBeGreaterThan(90);
+    expect(counts.missed).toBeGreaterThan(90);
   });
 
   it('is found with a corner 0.001 px deep in a nova of 1e6 px', () => {

@@ -9,11 +9,11 @@ const seeds = (count: number) => Array.from({ length: count }, (_, seed) => seed
 // a taste of bench/soak.ts, which looks at as many as one likes
 describe('scenes with winds and wormholes', () => {
   it('keep every rule at every accuracy, whole or split, at two tolerances', () => {
-    expect(seeds(150).flatMap((seed) => checkScene(windyScene(seed), seed).filter(({ kind }) => kind === 'bug'))).toEqual([]);
+    expect(seeds(50).flatMap((seed) => checkScene(windyScene(seed), seed).filter(({ kind }) => kind === 'bug'))).toEqual([]);
   });
 
   it('take no pieces without end, where she starts on rims, in mouths and between forces in balance', () => {
-    expect(seeds(60).flatMap((seed) => checkPieces(windyDegenerateScene(seed)).filter(({ kind }) => kind === 'bug'))).toEqual([]);
+    expect(seeds(20).flatMap((seed) => checkPieces(windyDegenerateScene(seed)).filter(({ kind }) => kind === 'bug'))).toEqual([]);
   });
 
   it('take no pieces without end where the mouths of a wormhole all but coincide', () => {
@@ -25,7 +25,7 @@ describe('scenes with winds and wormholes', () => {
 
   it('end where another program of nothing but small steps ends', () => {
     let [agreeing, jumps, crossings] = [0, 0, 0];
-    for (const seed of seeds(80)) {
+    for (const seed of seeds(30)) {
       const finding = checkBySteps(steppableScene(seed));
       expect({ seed, finding }).not.toHaveProperty('finding.why');
       if (finding.what !== 'agrees') continue;
@@ -33,8 +33,8 @@ describe('scenes with winds and wormholes', () => {
       jumps += finding.jumps;
       crossings += finding.crossings;
     }
-    expect(agreeing).toBeGreaterThan(30);
-    expect(jumps).toBeGreaterThan(5);
-    expect(crossings).toBeGreaterThan(10);
+    expect(agreeing).toBeGreaterThan(10);
+    expect(jumps).toBeGreaterThan(3);
+    expect(crossings).toBeGreaterThan(5);
   });
 });
