@@ -65,7 +65,7 @@ it.each(['fast', 'standard', 'precise', 'arcade'] as const)(
         expect(byTick.ending).toEqual(whole.ending);
         expect([...c]).toEqual([...b]);
       }),
-      { numRuns: 300 },
+      { numRuns: 100 },
     );
     if (accuracy !== 'arcade') expect(crossings).toBeGreaterThan(50);
   },
