@@ -10,7 +10,7 @@ it('keeps every rule in random scenes, at every accuracy, whole or split, at two
       const bugs = checkScene(randomScene(seed), seed).filter((finding) => finding.kind === 'bug');
       expect(bugs).toEqual([]);
     }),
-    // a scene is made from its seed as a whole: a smaller seed is no simpler scene
-    { numRuns: 100, endOnFailure: true },
+    // A scene is made from its seed as a whole: a smaller seed is no simpler scene. In the example she returns to an alien that fell asleep.
+    { numRuns: 100, endOnFailure: true, examples: [[933_097_368]] },
   );
 });
