@@ -20,6 +20,9 @@ const SEEDS: Readonly<Partial<Record<Prover, number>>> = {
   'dead-end': 12,
 };
 
+/** The first seed, where the levels of earlier ones take seconds each. `npm run bench:soak` attacks those as well. */
+const FIRST: Readonly<Partial<Record<Prover, number>>> = { flowpipe: 12 };
+
 const ENOUGH = 6;
 
 /** Kinds that have no proof for an accuracy. */
@@ -36,7 +39,8 @@ describe.each(ALL_PROVERS)('false claims: %s', (prover) => {
     const tally = emptyTally();
     // For some seeds the levels have nothing to prove.
     const levels = SEEDS[prover] ?? 6;
-    for (let seed = 0; seed < 10 * levels && (tally.levels < levels || tally.claims < ENOUGH); seed++)
+    const first = FIRST[prover] ?? 0;
+    for (let seed = first; seed < first + 10 * levels && (tally.levels < levels || tally.claims < ENOUGH); seed++)
       attackLevel(prover, accuracy, seed, SMALL, tally);
     expect(tally.accepted.map(({ by, seed, about }) => ({ by, seed, about }))).toEqual([]);
     // Otherwise the test would be vacuous.
