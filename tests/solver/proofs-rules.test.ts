@@ -81,6 +81,9 @@ describe('lemma: nothing pulls more than the strongest push, as the engine sees 
   });
 });
 
+/** Proofs in levels that the run does not complete. */
+const ENOUGH = 20;
+
 describe('a level that a run completes is never proved impossible, whatever its rules', () => {
   it.each(accuracyNames)('%s', (accuracy) => {
     let completed = 0;
@@ -89,16 +92,19 @@ describe('a level that a run completes is never proved impossible, whatever its 
       fc.property(fc.oneof(crowdedLevel, windyLevel), someRules, someHolds, (of, rules, holds) => {
         const level = { ...of, rules };
         const run = simulate(compile(level, accuracy), holds, { maxTime: 30 });
+        const completes = run.outcome === 'completed';
+        // Otherwise either answer may be right; a number of proofs shows that there are any to be had.
+        if (!completes && proved > ENOUGH) return;
         const proof = proveImpossible(level, { accuracy, maxTime: 30 });
-        if (proof !== null) proved++;
-        if (run.outcome !== 'completed') return;
-        completed++;
-        expect(proof).toBeNull();
+        if (completes) {
+          completed++;
+          expect(proof).toBeNull();
+        } else if (proof !== null) proved++;
       }),
       { numRuns: 150 },
     );
     expect(completed).toBeGreaterThan(3);
-    expect(proved).toBeGreaterThan(20);
+    expect(proved).toBeGreaterThan(ENOUGH);
   });
 });
 

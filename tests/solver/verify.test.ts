@@ -51,21 +51,29 @@ const CHANGES: ((old: Json) => Json | undefined)[] = [
   (old) => (Array.isArray(old) ? [...old, 'arcade', 0] : 'arcade'),
 ];
 
-const known = new Map<string, boolean>();
+/** Of larger certificates, so many changes are tried. */
+const MOST_CHANGES = 1200;
+
+const known = new Map<string, Proof | null>();
 
 /** Whether the prover confirms a claim: about the object, at each accuracy that the proof claims to cover. */
 function isTrue(of: Level, { about, covers, maxTime }: Proof): boolean {
-  return covers.every((accuracy) => {
+  const confirmed = new Set<string>();
+  // The proof for the last accuracy mostly covers the others.
+  return covers.toReversed().every((accuracy) => {
+    if (confirmed.has(accuracy)) return true;
     const key = JSON.stringify([of, about, accuracy, maxTime]);
     const options = { accuracy, maxTime: maxTime ?? 60 };
     const prove = () =>
       about.kind === 'blackHole'
-        ? proveImpossible(of, options) !== null
-        : proveMineralsUnreachable({ ...of, minerals: of.minerals.slice(0, about.index + 1) }, options).some(
+        ? proveImpossible(of, options)
+        : (proveMineralsUnreachable({ ...of, minerals: of.minerals.slice(0, about.index + 1) }, options).find(
             (proof) => proof.about.kind === 'mineral' && proof.about.index === about.index,
-          );
+          ) ?? null);
     if (!known.has(key)) known.set(key, prove());
-    return known.get(key);
+    const proof = known.get(key) ?? null;
+    for (const name of proof?.covers ?? []) confirmed.add(name);
+    return proof !== null;
   });
 }
 
@@ -86,13 +94,16 @@ describe.each(Object.keys(LEVELS))('a certificate of the kind %s', (code) => {
   it('any change to the proof is rejected, or its claim is still true', () => {
     const places = ways(proof as unknown as Json).filter(([first]) => first !== 'reason');
     let rejected = 0;
-    for (const way of places) {
-      for (const change of CHANGES) {
-        const tampered = (changed(proof as unknown as Json, way, change) ?? {}) as unknown as Proof;
-        const verdict = verifyProof(LEVELS[code], tampered);
-        if (verdict.ok) expect(`${way.join('.')}: ${isTrue(LEVELS[code], tampered)}`).toBe(`${way.join('.')}: true`);
-        else rejected++;
-      }
+    const tamper = (way: (string | number)[], change: (old: Json) => Json | undefined) => {
+      const tampered = (changed(proof as unknown as Json, way, change) ?? {}) as unknown as Proof;
+      const verdict = verifyProof(LEVELS[code], tampered);
+      if (verdict.ok) expect(`${way.join('.')}: ${isTrue(LEVELS[code], tampered)}`).toBe(`${way.join('.')}: true`);
+      else rejected++;
+    };
+    if (places.length * CHANGES.length <= MOST_CHANGES) {
+      for (const way of places) for (const change of CHANGES) tamper(way, change);
+    } else {
+      fc.assert(fc.property(fc.constantFrom(...places), fc.constantFrom(...CHANGES), tamper), { numRuns: MOST_CHANGES });
     }
     expect(rejected).toBeGreaterThan(15);
   });
@@ -105,7 +116,7 @@ describe.each(Object.keys(LEVELS))('a certificate of the kind %s', (code) => {
         const edited = changed(LEVELS[code] as unknown as Json, numbers[which], moved) as unknown as Level;
         if (verifyProof(edited, proof).ok) expect(isTrue(edited, proof) || (isTight && findsNothing(edited))).toBe(true);
       }),
-      { numRuns: 60 },
+      { numRuns: code === 'flowpipe' ? 25 : 60 },
     );
   });
 
