@@ -82,7 +82,8 @@ describe.each(['arcade', 'precise'] as const)('at %s', (accuracy) => {
             expect(all(largest + 1).some((moved) => plays(found, moved, counterexample ?? []))).toBe(true);
         }
       }),
-      { numRuns: runs },
+      // Fewer miss a certificate that tries extreme shifts only.
+      { numRuns: accuracy === 'arcade' ? 30 : 8 },
     );
     expect(proved).toBeGreaterThan(0);
     expect(close).toBeGreaterThan(0);
