@@ -1,7 +1,7 @@
 import { runWhole, SIGNALLED_COMMANDS, signalAt } from './interrupted/signalled-command.ts';
 
 /**
- * Sends signals to commands before each of their steps, command after command; the exit code becomes 1 when one ends otherwise than
+ * Sends signals to commands before each of their steps, command after command, each for an equal share of the time; the exit code becomes 1 when one ends otherwise than
  * it should, or writes on.
  * @param from the first step
  * @param most steps of each command
@@ -10,11 +10,13 @@ import { runWhole, SIGNALLED_COMMANDS, signalAt } from './interrupted/signalled-
 export async function attackSignals(from: number, most: number, until: number): Promise<void> {
   let tried = 0;
   let bugs = 0;
-  for (const [name, command] of Object.entries(SIGNALLED_COMMANDS)) {
+  const commands = Object.entries(SIGNALLED_COMMANDS);
+  for (const [i, [name, command]] of commands.entries()) {
+    const share = Date.now() + (until - Date.now()) / (commands.length - i);
     const whole = await runWhole(command);
     const last = Math.min(whole.steps, from + most);
     let step = from;
-    for (; step < last && Date.now() < until; step++) {
+    for (; step < last && Date.now() < share; step++) {
       for (const signals of [['SIGINT'], ['SIGTERM'], ['SIGTERM', 'SIGINT', 'SIGTERM']] as const) {
         const wrong = await signalAt(whole, 1 + step, signals);
         if (wrong === null) continue;
