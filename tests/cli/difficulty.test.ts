@@ -28,7 +28,7 @@ const difficulty = async (args: string) => {
 
 describe('gq difficulty', () => {
   it('measures each level it can, gives the reason for the others, and has the same result for any number of threads', async () => {
-    const ended = await Promise.all(['1', '2'].map((jobs) => difficulty(`d --effort 3000000 --jobs ${jobs}`)));
+    const ended = await Promise.all(['1', '2'].map((jobs) => difficulty(`d --effort 400000 --jobs ${jobs}`)));
     expect(ended[1].stdout).toBe(ended[0].stdout);
     const { code, levels } = ended[0];
     expect(code).toBe(1);
@@ -41,7 +41,7 @@ describe('gq difficulty', () => {
   });
 
   it('prints a table of several levels, the easiest first', async () => {
-    const { code, stdout } = await gq(['difficulty', 'd', '--effort', '3000000'], { cwd });
+    const { code, stdout } = await gq(['difficulty', 'd', '--effort', '400000', '--jobs', '1'], { cwd });
     expect(code).toBe(1);
     const grades = [...stdout.matchAll(/^ +(\d+\.\d) {2}\w+ /gm)].map(([, grade]) => Number(grade));
     expect(grades).toEqual(grades.toSorted((a, b) => a - b));
@@ -50,7 +50,7 @@ describe('gq difficulty', () => {
   });
 
   it('prints the details of a single level, and draws it', async () => {
-    const ended = await gq(['difficulty', shipped('02-first-swing'), '--svg', 'one.svg', '--effort', '300000'], { cwd });
+    const ended = await gq(['difficulty', shipped('02-first-swing'), '--svg', 'one.svg', '--jobs', '1'], { cwd });
     expect(ended).toMatchObject({ code: 0, stderr: 'wrote one.svg\n' });
     for (const line of [
       /^First Swing: \w+, \d\.\d of 10\n/,
@@ -65,24 +65,24 @@ describe('gq difficulty', () => {
   });
 
   it('measures the selected run, which must complete the level', async () => {
-    const named = await difficulty('named.level.json --run all');
+    const named = await difficulty('named.level.json --run all --jobs 1');
     expect([named.code, named.levels[0].measured?.run.name]).toEqual([0, 'all']);
-    const never = await difficulty('named.level.json --run never');
+    const never = await difficulty('named.level.json --run never --jobs 1');
     expect([never.code, never.levels[0].why]).toEqual([1, 'run "never" does not complete it']);
-    const missing = await difficulty('named.level.json --run nobody');
+    const missing = await difficulty('named.level.json --run nobody --jobs 1');
     expect([missing.code, missing.levels[0].why]).toEqual([1, 'it has no run named "nobody"']);
     // by default: the first run that completes it
-    expect((await difficulty('named.level.json')).levels[0].measured?.run.name).toBe('all');
+    expect((await difficulty('named.level.json --jobs 1')).levels[0].measured?.run.name).toBe('all');
   });
 
   it("--search starts from the level's own runs", async () => {
     // too little effort for a search without known runs
-    const alone = await difficulty('alone.level.json --search --effort 100');
+    const alone = await difficulty('alone.level.json --search --effort 100 --jobs 1');
     expect([alone.code, alone.levels[0].why]).toEqual([
       1,
       expect.stringMatching(/^no run was found after simulating \d+ runs?, \d+ ticks/),
     ]);
-    const { code, levels } = await difficulty(`${shipped('12-detour')} --search --effort 100`);
+    const { code, levels } = await difficulty(`${shipped('12-detour')} --search --effort 100 --jobs 1`);
     expect([code, levels[0].measured?.run.name]).toEqual([0, null]);
   });
 

@@ -64,9 +64,9 @@ describe('rules of gq.config.json', () => {
       expect(await reports(args('plain.level.json'), 'other')).not.toBe(here);
     };
     await same((file) => `check ${file} --format json`);
-    await same((file) => `difficulty ${file} --format json`);
+    await same((file) => `difficulty ${file} --jobs 1 --format json`);
     await same((file) => `inspect ${file} --accuracy arcade --format json`);
-    await same((file) => `solve ${file} --effort 20000 --format json`);
+    await same((file) => `solve ${file} --objective first --effort 10000 --jobs 1 --format json`);
     await same((file) => `render ${file} -o -`);
   });
 

@@ -55,16 +55,14 @@ it('prints its version, and help for every command, on stdout', async () => {
 });
 
 it('prints the same output with any number of workers', async () => {
-  const ended = await Promise.all(
-    ['1', '2', '7'].map((jobs) => gq(['check', 'many', '--format', 'json', '--jobs', jobs], { cwd })),
-  );
+  const ended = await Promise.all(['1', '4'].map((jobs) => gq(['check', 'many', '--format', 'json', '--jobs', jobs], { cwd })));
   const reports = ended.map(({ stdout }) => withoutTimes(stdout));
   expect(new Set(reports).size).toBe(1);
   const names = JSON.parse(reports[0]).levels.map((level: { name: string }) => level.name);
   expect(names).toEqual(
     Array.from({ length: 130 }, (_, i) => `Level ${i}`).sort((a, b) => (`${a.slice(6)}.` < `${b.slice(6)}.` ? -1 : 1)),
   );
-  expect(ended.map(({ code }) => code)).toEqual([0, 0, 0]);
+  expect(ended.map(({ code }) => code)).toEqual([0, 0]);
 });
 
 describe('a reader that closes the pipe', () => {
@@ -104,10 +102,14 @@ it('writes a large report completely to a slow pipe', async () => {
 });
 
 it.runIf(process.platform === 'linux')('reports a full disk behind stdout, with exit code 2', () => {
-  const text = execFileSync('bash', ['-c', '"$1" "$2" check many 2>&1 >/dev/full; echo $?', '--', process.execPath, MAIN], {
-    cwd,
-    encoding: 'utf8',
-  });
+  const text = execFileSync(
+    'bash',
+    ['-c', '"$1" "$2" check good.level.json 2>&1 >/dev/full; echo $?', '--', process.execPath, MAIN],
+    {
+      cwd,
+      encoding: 'utf8',
+    },
+  );
   expect(text).toMatch(/^error: can't write to standard output: .*ENOSPC.*\n2\n$/);
 });
 

@@ -10,9 +10,9 @@ const SIGNALS: readonly (readonly NodeJS.Signals[])[] = [['SIGINT'], ['SIGTERM']
 const DRAWN: readonly [name: keyof typeof SIGNALLED_COMMANDS, steps: number][] = [
   ['check', 1],
   ['simulate', 1],
-  ['solve', 3],
-  ['generate', 3],
-  ['render', 3],
+  ['solve', 2],
+  ['generate', 2],
+  ['render', 2],
   ['fmt', 3],
   ['import', 3],
 ];
