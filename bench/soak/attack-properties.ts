@@ -1,8 +1,18 @@
 import { spawnSync } from 'node:child_process';
 
-const FOLDERS = ['engine', 'solver', 'hard-cases', 'schema', 'render', 'truth', 'browsers', 'check'].map(
-  (name) => `tests/${name}`,
-);
+const FOLDERS = [
+  'engine',
+  'solver',
+  'hard-cases',
+  'schema',
+  'render',
+  'truth',
+  'browsers',
+  'check',
+  'editor',
+  'cli',
+  'server',
+].map((name) => `tests/${name}`);
 
 /** `npm test` tries few examples of each property, so that it does not take long. */
 const TIMES = 10;

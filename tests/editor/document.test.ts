@@ -174,7 +174,7 @@ describe('any sequence of operations', () => {
         expect(level.file()).toStrictEqual(end);
         expect(level.store.getState()).toMatchObject({ done, steps });
       }),
-      { numRuns: 400 },
+      { numRuns: 100 },
     );
   });
 
@@ -194,7 +194,7 @@ describe('any sequence of operations', () => {
         expect(seen).toStrictEqual(level.file());
         expect(kept).toStrictEqual(level.file());
       }),
-      { numRuns: 200 },
+      { numRuns: 100 },
     );
   });
 });

@@ -68,7 +68,7 @@ describe('merging', () => {
         expect(mergeLevels(base, base, a)).toEqual({ file: a, conflicts: [] });
         expect(mergeLevels(base, a, a)).toEqual({ file: a, conflicts: [] });
       }),
-      { numRuns: 300 },
+      { numRuns: 100 },
     );
   });
 
@@ -91,7 +91,7 @@ describe('merging', () => {
             for (const { id } of side[list] ?? []) if (!old.has(id)) expect(kept.has(id)).toBe(true);
         }
       }),
-      { numRuns: 300 },
+      { numRuns: 100 },
     );
   });
 
@@ -105,7 +105,7 @@ describe('merging', () => {
         // what they have of it is theirs, all through
         expect(isSame(mergeLevels(base, theirs, mine).file, chosen.file)).toBe(true);
       }),
-      { numRuns: 200 },
+      { numRuns: 100 },
     );
   });
 
