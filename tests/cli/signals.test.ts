@@ -1,25 +1,34 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { runWhole, SIGNALLED_COMMANDS, signalAt } from '../../bench/soak/interrupted/signalled-command.ts';
+import { once } from '../once.ts';
 
 // A signal ends every command with 130 or 143, at whatever step it arrives, and nothing is written afterwards. This test draws
 // a few steps of each command, more for commands that write files; `npm run bench:soak -- --attack signals` tries all of them.
+
+const wholeRun = once((name: keyof typeof SIGNALLED_COMMANDS) => runWhole(SIGNALLED_COMMANDS[name]));
 
 const SIGNALS: readonly (readonly NodeJS.Signals[])[] = [['SIGINT'], ['SIGTERM'], ['SIGINT', 'SIGTERM', 'SIGINT']];
 
 const DRAWN: readonly [name: keyof typeof SIGNALLED_COMMANDS, steps: number][] = [
   ['check', 1],
   ['simulate', 1],
-  ['solve', 2],
+  ['solve', 1],
   ['generate', 2],
-  ['render', 2],
-  ['fmt', 3],
-  ['import', 3],
+  ['render', 1],
+  ['fmt', 2],
+  ['import', 2],
 ];
 
 describe.runIf(process.platform !== 'win32')('a signal at any step', () => {
+  it.each(['solve', 'render', 'fmt', 'import'] as const)('of gq %s that writes a file: the file is finished', async (name) => {
+    const whole = await wholeRun(name);
+    // the content is written, and the file not yet in its place
+    expect(await signalAt(whole, 1, ['SIGTERM'], 'fsyncSync')).toEqual([]);
+  });
+
   it.each(DRAWN)('of gq %s', async (name, numRuns) => {
-    const whole = await runWhole(SIGNALLED_COMMANDS[name]);
+    const whole = await wholeRun(name);
     let heard = 0;
     const fraction = fc.noBias(fc.integer({ min: 0, max: 2 ** 30 - 1 }));
     await fc.assert(

@@ -23,7 +23,7 @@ export const SIGNALLED_COMMANDS = {
   simulate: 'simulate a.level.json --holds none --max-time 100 --sample 90 --format json',
   inspect: 'inspect long/1.level.json --max-time 3600',
   explain: 'explain',
-  solve: 'solve swing.level.json --effort 100000 --jobs 2 --write',
+  solve: 'solve swing.level.json --objective first --effort 400000 --jobs 2 --write',
   difficulty: 'difficulty a.level.json long/1.level.json --effort 20000 --jobs 2 --svg d.svg',
   generate: 'generate --out made/new --count 2 --effort 100000 --difficulty easy --size small --ingredients none --jobs 2',
   render: 'render a.level.json -o a.png --width 320',
@@ -82,8 +82,8 @@ interface Ending {
   readonly steps: number | null;
 }
 
-/** Runs a command in a folder of its own, and sends it signals before a step; to its end when the step is 0. */
-async function run(command: string, number: number, signals: readonly NodeJS.Signals[]): Promise<Ending> {
+/** Runs a command in a folder of its own, and sends it signals before a step; to its end when the step is 0. `of`: which steps count. */
+async function run(command: string, number: number, signals: readonly NodeJS.Signals[], of?: string): Promise<Ending> {
   const place = mkdtempSync(join(tmpdir(), 'gq-signal-'));
   try {
     // the output lies beside the files that the command works on
@@ -97,7 +97,7 @@ async function run(command: string, number: number, signals: readonly NodeJS.Sig
     const start = contentOf(home);
     const [copy, count] = [join(place, 'copy'), join(place, 'count')];
     const main = join(projectFolder(), 'dist/cli/main.js');
-    const env = { ...process.env, ...interruptAt({ number, signals, copy: { from: home, to: copy }, count }) };
+    const env = { ...process.env, ...interruptAt({ of, number, signals, copy: { from: home, to: copy }, count }) };
     const child = spawn(process.execPath, [main, ...command.split(' ')], {
       cwd: join(home, 'work'),
       env,
@@ -147,11 +147,17 @@ const settled = (command: string, text: string): string =>
 /**
  * Sends signals to a command before one of its steps. It must end with 130 or 143, or by the signal; a file that is being written is
  * finished (`import` takes back what it wrote), and nothing else is written.
+ * @param of which steps count; all when left out
  * @returns what is wrong; null when the command ended before that step
  */
-export async function signalAt(whole: WholeRun, step: number, signals: readonly NodeJS.Signals[]): Promise<string[] | null> {
+export async function signalAt(
+  whole: WholeRun,
+  step: number,
+  signals: readonly NodeJS.Signals[],
+  of?: string,
+): Promise<string[] | null> {
   const { command } = whole;
-  const { before, after, code, signal } = await run(command, step, signals);
+  const { before, after, code, signal } = await run(command, step, signals, of);
   if (before === null) return null;
   const wrong: string[] = [];
   const end = signal ?? (code === 130 ? 'SIGINT' : code === 143 ? 'SIGTERM' : code);
