@@ -78,7 +78,7 @@ const file = fc.record({
   'x-mine': own,
 });
 
-/** Any valid level file with an id on every object, as the editor opens it: small, with x- keys, lists missing or empty. */
+/** Any small valid level file as the editor opens it: with an id on every object, x- keys, and missing or empty lists. */
 export const arbitraryFile: fc.Arbitrary<LevelFile> = file.map((value) => {
   const reading = readLevel(formatLevel(value as unknown as LevelFile));
   if (!reading.ok) throw new Error(reading.problems[0].message);

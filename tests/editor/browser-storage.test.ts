@@ -32,7 +32,7 @@ beforeEach(async () => {
 });
 
 describe('levels in the browser', () => {
-  it('are told in the shapes of the server', async () => {
+  it('have the same shapes as those of the server', async () => {
     const list = await storage.list();
     expect(listResponseSchema.safeParse(list.ok && list.value)).toMatchObject({ success: true });
     await storage.write('a', text('A'), await etagOf('a'));
@@ -48,7 +48,7 @@ describe('levels in the browser', () => {
     ]);
   });
 
-  it('can be renamed in their place, duplicated, deleted and brought back', async () => {
+  it('can be renamed in place, duplicated, deleted and restored', async () => {
     await storage.rename('b', 'z', await etagOf('b'));
     await storage.duplicate('z', 'y', await etagOf('z'));
     expect(await ids()).toEqual(['a', 'z', 'c', 'y']);
@@ -60,7 +60,7 @@ describe('levels in the browser', () => {
     expect(await storage.read('b')).toMatchObject({ ok: true, value: { name: 'b' } });
   });
 
-  it('are not written over by a page that has an older one, nor by what is no level, nor under a name that is taken', async () => {
+  it('are not overwritten by a page with an older version, by an invalid level, or under a taken name', async () => {
     const old = await etagOf('a');
     await other.write('a', text('newer'), old);
     expect(await storage.write('a', text('mine'), old)).toMatchObject({
@@ -75,12 +75,12 @@ describe('levels in the browser', () => {
     expect(await ids()).toEqual(['a', 'b', 'c']);
   });
 
-  it('keep their order by play, also when a name is a number', async () => {
+  it('stay in order of play, also with numeric names', async () => {
     await storage.write('10', text('ten'), null);
     expect(await ids()).toEqual(['a', 'b', 'c', '10']);
   });
 
-  it('that have no room say so', async () => {
+  it('report that there is no space', async () => {
     const full = createBrowserStorage(
       {
         get: async () => undefined,
@@ -95,7 +95,7 @@ describe('levels in the browser', () => {
     });
   });
 
-  it('whose database fails say so, and why', async () => {
+  it('report the error of the database', async () => {
     for (const [thrown, why] of [
       [new DOMException('denied', 'SecurityError'), 'denied'],
       ['no reason', 'no reason'],
@@ -116,8 +116,8 @@ describe('levels in the browser', () => {
     }
   });
 
-  it('are what the last look of a database at them found, should it look twice', async () => {
-    // as one does whose transaction is begun again
+  it('are those of the last call if the database calls an update twice', async () => {
+    // as a database does that restarts a transaction
     const kept: unknown[] = [];
     const database = createKeyValues();
     await createBrowserStorage(database, null, () => 0).write('a', text('a'), null);
@@ -141,7 +141,7 @@ describe('levels in the browser', () => {
     expect(await twice(full, undefined).write('a', text('new'), null)).toMatchObject({ ok: true, value: { name: 'new' } });
   });
 
-  it('never have an etag twice, and come back from the trash alone and to a free name', async () => {
+  it('never get the same etag twice, and are restored only from the trash and to a free name', async () => {
     const etags = new Set([await etagOf('a')]);
     for (let i = 0; i < 20; i++) {
       await storage.write('a', text('same'), await etagOf('a'));
@@ -171,7 +171,7 @@ describe('levels in the browser', () => {
     expect(await storage.restore(names[0])).toMatchObject({ ok: true, value: { id: 'a', name: 'same' } });
   });
 
-  it('are written in their place, and put into an order that names each of them', async () => {
+  it('are written in place, and reordered only by a list of all of them', async () => {
     await storage.write('b', text('B'), await etagOf('b'));
     expect(await ids()).toEqual(['a', 'b', 'c']);
     for (const wrong of [
@@ -187,12 +187,12 @@ describe('levels in the browser', () => {
       value: { renamed: [], levels: [{ id: 'c' }, {}, {}] },
     });
     expect(await ids()).toEqual(['c', 'a', 'b']);
-    // another case of letters is the same name, but for the level that has it
+    // a name that differs only in case is taken, except for the level itself
     expect(await storage.rename('b', 'B', await etagOf('b'))).toMatchObject({ ok: true, value: { id: 'B', name: 'B' } });
     expect(await storage.duplicate('B', 'b', await etagOf('B'))).toMatchObject({ ok: false, error: { code: 'name-taken' } });
   });
 
-  it('are told of by name, from where and in which list, until the page stops listening', async () => {
+  it('are reported to other pages of the same list until the page stops listening', async () => {
     const told: unknown[] = [];
     const stop = other.watch(
       (event) => told.push(event),
@@ -213,7 +213,7 @@ describe('levels in the browser', () => {
     stop();
     const count = told.length;
     await storage.write('n', text('n'), null);
-    // nor what it had asked for before
+    // nor the answer to an earlier request
     const stopAtOnce = other.watch(
       (event) => told.push(event),
       () => {},
@@ -223,7 +223,7 @@ describe('levels in the browser', () => {
     expect(told).toHaveLength(count);
   });
 
-  it('that are none are shown as such, and may be mended', async () => {
+  it('are listed as invalid if they are not levels, and can be fixed', async () => {
     const database = createKeyValues();
     const shelf = createBrowserStorage(database, null, () => 0);
     await shelf.write('a', text('a'), null);

@@ -33,7 +33,7 @@ const row = (key: string, more: Partial<TreeRow> = {}): TreeRow => ({
 const text = fc.array(fc.constantFrom('a', 'b', 'c', 'd'), { maxLength: 12 }).map((lines) => lines.join('\n'));
 
 describe('differences between texts', () => {
-  test('what is not new is the old text, what is not old is the new one', () => {
+  test('the lines that are not new make up the old text, and those that are not old the new one', () => {
     fc.assert(
       fc.property(text, text, (before, after) => {
         const lines = diffLines(before, after);
@@ -44,12 +44,12 @@ describe('differences between texts', () => {
     );
   });
 
-  test('no line is both taken out and put in when one stays the same', () => {
+  test('an unchanged line is not both removed and added', () => {
     expect(diffLines('a\nb\nc', 'a\nx\nc').map(({ kind }) => kind)).toEqual(['same', 'old', 'new', 'same']);
     expect(diffLines('a\nb', 'a\nb').every(({ kind }) => kind === 'same')).toBe(true);
   });
 
-  test('long texts that share little are replaced as a whole, and right', () => {
+  test('long texts that share little are replaced as a whole', () => {
     const before = Array.from({ length: 2000 }, (_, i) => `old ${i}`).join('\n');
     const after = Array.from({ length: 2000 }, (_, i) => `new ${i}`).join('\n');
     const lines = diffLines(before, after);
@@ -68,7 +68,7 @@ test('values of a conflict in words', () => {
 });
 
 describe('names of files', () => {
-  test('a free one is free whatever the size of its letters, and the wanted one where that is free', () => {
+  test('a free name is free in any case of letters, and is the wanted one if that is free', () => {
     const levels = [entry('Loop'), entry('loop-2'), entry('world/loop')];
     expect(freeId(levels, '', 'loop')).toBe('loop-3');
     expect(freeId(levels, 'world', 'swing')).toBe('world/swing');
@@ -88,7 +88,7 @@ describe('names of files', () => {
     );
   });
 
-  test('a new level goes on with the numbers of its folder, if all have one', () => {
+  test('a new level continues the numbers of its folder, if all levels have one', () => {
     expect(nextNumber([entry('01-a'), entry('18-b')], '')).toBe('19-');
     expect(nextNumber([entry('007-a')], '')).toBe('008-');
     expect(nextNumber([entry('01-a'), entry('b')], '')).toBe('');
@@ -100,19 +100,19 @@ describe('names of files', () => {
 describe('rows of levels', () => {
   const levels = [entry('01-a', 'First Pull'), entry('02-b', null), entry('w/01-c', 'Hot Rock'), entry('w/02-d', 'Swing')];
 
-  test('levels of a folder hang below it, and can be folded away', () => {
+  test('the levels of a folder are below it, and can be collapsed', () => {
     const keys = (folded: string[]) => levelRows(levels, new Set(folded), '').map(({ key }) => key);
     expect(keys([])).toEqual(['01-a', '02-b', 'w/', 'w/01-c', 'w/02-d']);
     expect(keys(['w'])).toEqual(['01-a', '02-b', 'w/']);
   });
 
-  test('a search looks at names and files, opens folders, and lets nothing be moved', () => {
+  test('a search looks at names and files, expands folders, and disables moving', () => {
     const rows = levelRows(levels, new Set(['w']), 'rock w/');
     expect(rows.map(({ key }) => key)).toEqual(['w/', 'w/01-c']);
     expect(rows.every(({ list }) => list === null)).toBe(true);
   });
 
-  test('what is no valid level says so', () => {
+  test('an invalid level is marked', () => {
     expect(levelRows(levels, new Set(), '02-b')[0].label).toBe('02-b, invalid');
   });
 });
@@ -127,14 +127,14 @@ describe('rows of a tree', () => {
     expect(stepFrom([], 'a', 1)).toBeNull();
   });
 
-  test('the row above in the tree, and all leaves on the way', () => {
+  test('parentOf finds the row above in the tree, and leavesBetween all leaves from one row to another', () => {
     expect(parentOf(rows, 'c')?.key).toBe('k');
     expect(parentOf(rows, 'd')).toBeNull();
     expect(leavesBetween(rows, 'd', 'a')).toEqual(['a', 'b', 'c', 'd']);
     expect(leavesBetween(rows, 'gone', 'b')).toEqual(['b']);
   });
 
-  test('a row goes where the line shows: as taking it out and putting it there does', () => {
+  test('a row moves to where the line is drawn', () => {
     const list = ['p', 'q', 'r', 's', 't'];
     const index = fc.nat({ max: list.length - 1 });
     fc.assert(
@@ -153,7 +153,7 @@ describe('rows of a tree', () => {
   });
 });
 
-test('the outline has every object once, and none of a kind that is folded', () => {
+test('the outline lists every object once, and none of a collapsed kind', () => {
   const file = TEMPLATES[2].make('Thrown', 7);
   const shown = objectRows(file, new Set()).filter(({ found }) => found !== null);
   expect(shown).toHaveLength(2 + 7 + 3);

@@ -68,7 +68,7 @@ const PLAIN: LevelFile = {
 const open = (more: Partial<LevelFile> = {}) => createEditedLevel({ ...PLAIN, ...more });
 const holds = (level: EditedLevel) => level.file().runs?.[0].holds;
 
-/** Everything a person can do, with numbers from anywhere. */
+/** Every operation of the user, with arbitrary numbers. */
 type Act = (level: EditedLevel) => void;
 const wild = fc.oneof(
   { weight: 5, arbitrary: fc.integer({ min: -300, max: 900 }) },
@@ -156,7 +156,7 @@ const isValid = (file: LevelFile) => {
 };
 
 describe('any sequence of operations', () => {
-  it('leaves a level that reads back the same; undoing all gives the start bit for bit, redoing all the end', () => {
+  it('leaves a level that reads back the same; undoing everything restores the start bit for bit, and redoing the end', () => {
     fc.assert(
       fc.property(arbitraryFile, fc.array(arbitraryAct, { minLength: 1, maxLength: 12 }), (file, acts) => {
         const level = createEditedLevel(file);
@@ -178,7 +178,7 @@ describe('any sequence of operations', () => {
     );
   });
 
-  it('is told as patches: live ones lead from what was seen to what is seen, steps from what was kept to what is kept', () => {
+  it('is reported as patches: live ones between the shown states, and steps between the stored states', () => {
     fc.assert(
       fc.property(arbitraryFile, fc.array(arbitraryAct, { maxLength: 8 }), (file, acts) => {
         const level = createEditedLevel(file);
@@ -211,7 +211,7 @@ describe('patches', () => {
     );
   });
 
-  it('name one object when one of many is taken out', () => {
+  it('name one object if one of many is removed', () => {
     const many = { ...PLAIN, novae: Array.from({ length: 1000 }, (_, i) => ({ id: `n${i}`, x: i, y: 0, radius: 16 })) };
     const level = createEditedLevel(many);
     const steps: DocumentEvent[] = [];
@@ -222,7 +222,7 @@ describe('patches', () => {
 });
 
 describe('history', () => {
-  it('joins changes of one gesture, and no others', () => {
+  it('joins the changes of one gesture, and no others', () => {
     const level = open();
     for (let i = 0; i < 5; i++) level.change('Nudge', moveObjects(['aa'], 1, 0), { gesture: 'nudge aa' });
     expect(level.labels()).toEqual(['Nudge']);
@@ -243,7 +243,7 @@ describe('history', () => {
     expect(level.labels()).toHaveLength(2);
   });
 
-  it('has a drag as one step, whose way is given anew each time; escape leaves no trace', () => {
+  it('makes a drag one step, of which each update replaces the last; Escape leaves no trace', () => {
     const level = open();
     const drag = level.begin('Move');
     drag.set(moveObjects(['aa'], 50, 0));
@@ -259,7 +259,7 @@ describe('history', () => {
     expect(level.labels()).toEqual(['Move']);
   });
 
-  it('ends a drag when something else changes the level, and keeps what was dragged so far', () => {
+  it('ends a drag when something else changes the level, and keeps the drag so far', () => {
     const level = open();
     const drag = level.begin('Move');
     drag.set(moveObjects(['aa'], 1, 0));
@@ -270,7 +270,7 @@ describe('history', () => {
     expect(level.labels()).toEqual(['Move', 'Changed on disk']);
   });
 
-  it('forgets what was undone once something else is done, and nothing before', () => {
+  it('forgets undone steps after another change, and no earlier ones', () => {
     const level = open();
     for (const name of ['one', 'two', 'three']) level.change(name, setLevelProperty('name', name));
     level.undo();
@@ -280,7 +280,7 @@ describe('history', () => {
     expect(level.redo()).toBe(false);
   });
 
-  it('has no step for what changes nothing', () => {
+  it('adds no step for an operation that changes nothing', () => {
     const level = open();
     level.change('Nothing', moveObjects(['aa'], 0, 0));
     level.change('Nothing', moveObjects(['nowhere'], 5, 0));
@@ -290,7 +290,7 @@ describe('history', () => {
 });
 
 describe('values', () => {
-  it('are brought within their limits', () => {
+  it('are clamped to their limits', () => {
     const level = open();
     level.change('Type', setObjectProperty(['aa'], 'x', 1e300));
     level.change('Type', setObjectProperty(['aa'], 'radius', -4));
@@ -308,14 +308,14 @@ describe('values', () => {
     ['a run called "solution" already', addRun('solution', [])],
     ['a run needs a name', renameRun('solution', '')],
     ['has no colour', (draft) => void Object.assign(draft.astronaut, { colour: 'red' })],
-  ])('are refused when nothing valid is near: %s', (message, recipe) => {
+  ])('are refused if no valid value is close: %s', (message, recipe) => {
     const level = open();
     const result = level.change('Type', recipe);
     expect(result).toMatchObject({ ok: false, refusal: { message: expect.stringContaining(message) } });
     expect(level.file()).toStrictEqual(createEditedLevel(PLAIN).file());
   });
 
-  it('of others (x-) stay', () => {
+  it('of other programs (x-) stay', () => {
     const level = open({ 'x-tool': { a: [1] } } as Partial<LevelFile>);
     level.change('Move', moveObjects(['aa'], 1, 1));
     expect(level.file()).toMatchObject({ 'x-tool': { a: [1] } });
@@ -323,7 +323,7 @@ describe('values', () => {
 });
 
 describe('objects', () => {
-  it('that are new are told, so that they can be selected', () => {
+  it('are reported when they are new, so that they can be selected', () => {
     const level = open();
     const selection = createSelection(level);
     const result = level.change('Add', addObject('hot', 1, 2));
@@ -334,7 +334,7 @@ describe('objects', () => {
     expect(selection.keys()).toEqual([]);
   });
 
-  it('go between levels as text, and keep all but their id', () => {
+  it('can be copied between levels as text, and keep everything except their id', () => {
     const text = copyObjects(PLAIN, ['bb', 'zz', ASTRONAUT]) ?? '';
     const reading = readClipping(text);
     expect(reading).toMatchObject({ ok: true, count: 2, clipping: { asteroids: [{ x: 110, y: 40, radius: 32, hot: true }] } });
@@ -352,7 +352,7 @@ describe('objects', () => {
     },
   );
 
-  it('are brought into line by their rims and spread by their centres', () => {
+  it('are aligned by their rims and distributed by their centres', () => {
     const level = open();
     level.change('Align', alignObjects(level.file(), ['aa', 'bb', 'cc'], 'left'));
     expect(level.file().asteroids?.map(({ x, radius }) => x - radius)).toEqual([-6, -6, -6]);
@@ -361,13 +361,13 @@ describe('objects', () => {
     expect(level.file().asteroids?.map(({ x }) => x)).toEqual([10, 205, 400]);
   });
 
-  it('are found by what a problem points at', () => {
+  it('are found by the pointer of a problem', () => {
     expect(['/asteroids/1/x', '/astronaut', '/blackHole/radius', '/aliens/0', '/runs/0', ''].map((p) => keyAt(PLAIN, p))).toEqual(
       ['bb', ASTRONAUT, BLACK_HOLE, 'zz', null, null],
     );
   });
 
-  it('that are duplicated, and duplicated again at the same place, differ in their ids', () => {
+  it('get different ids if they are duplicated twice at the same place', () => {
     const level = open();
     for (let i = 0; i < 3; i++) level.change('Duplicate', duplicateObjects(['aa'], 0, 0));
     const ids = OBJECT_LISTS.flatMap((list) => (level.file()[list] ?? []).map(({ id }) => id));
@@ -376,7 +376,7 @@ describe('objects', () => {
 });
 
 describe('holds', () => {
-  it('stop a tick before their neighbours, and push them along with Alt', () => {
+  it('stop one tick before their neighbours, and with Alt push them along', () => {
     const level = open();
     level.change('Move', moveHold('solution', 1, 1000));
     expect(holds(level)).toEqual([
@@ -407,7 +407,7 @@ describe('holds', () => {
     ]);
   });
 
-  it('are split by letting go for a tick, and not where nothing would be left', () => {
+  it('are split by a release of one tick, but not where nothing would be left', () => {
     const level = open();
     level.change('Split', splitHold('solution', 2, 70));
     expect(holds(level)).toEqual([
@@ -420,7 +420,7 @@ describe('holds', () => {
     expect(holds(level)).toHaveLength(4);
   });
 
-  it('close the gap with Alt when one is taken out', () => {
+  it('close the gap with Alt if one is removed', () => {
     const level = open();
     level.change('Delete', deleteHolds('solution', [1], { ripple: true }));
     expect(holds(level)).toEqual([
@@ -429,7 +429,7 @@ describe('holds', () => {
     ]);
   });
 
-  it('are told apart as they act, whatever order the file has', () => {
+  it('are sorted by time and joined where they overlap, whatever their order in the file', () => {
     const level = open({
       runs: [
         {
@@ -453,7 +453,7 @@ describe('holds', () => {
     ]);
   });
 
-  it('that are selected and vanish are no longer selected', () => {
+  it('are deselected when they vanish', () => {
     const level = open();
     const selection = createSelection(level);
     selection.selectHolds('solution', [0, 2]);

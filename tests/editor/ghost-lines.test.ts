@@ -14,7 +14,7 @@ const through = (vx: number) => ({
   wormholes: [{ id: null, x: 100, y: 0, toX: 400, toY: 300, radius: 20 }],
 });
 
-/** The longest stroke of some lines, px. */
+/** The longest segment of some lines, px. */
 const longest = (lines: ReturnType<typeof linesOf>): number =>
   Math.max(
     0,
@@ -26,31 +26,31 @@ const longest = (lines: ReturnType<typeof linesOf>): number =>
   );
 
 describe.each(accuracyNames)('the lines of a ghost at %s', (accuracy) => {
-  it.each([20, 60, 300, 900])('are cut where a wormhole moves her at %d px/s', (vx) => {
+  it.each([20, 60, 300, 900])('are interrupted where a wormhole moves her at %d px/s', (vx) => {
     const scene = compile(through(vx), accuracy);
     const points = wayOf(scene, [], Math.round((200 / vx) * 60));
     const lines = linesOf(points);
     expect(lines).toHaveLength(2);
-    // three ticks are a stroke
+    // a segment has three ticks
     expect(longest(lines)).toBeLessThan(3 * TICK * vx + 1e-3);
-    // of a way known every third tick, filled in
+    // a path that is known at every third tick, and interpolated
     const rare = points.filter((_, i) => Math.floor(i / 2) % 3 === 0);
     expect(linesOf(everyTick(rare, 3))).toHaveLength(2);
   });
 
-  it('are one where nothing moves her at once, however she flies', () => {
+  it('are one line without jumps, however she flies', () => {
     for (let seed = 0; seed < 150; seed++) {
       const { level, holds } = randomScene(seed);
       const points = wayOf(compile(level, accuracy), holds, 300);
       const lines = linesOf(points);
       expect({ seed, lines: lines.length }).toEqual({ seed, lines: 1 });
-      // all of it is drawn, but for what is left of the last stroke
+      // all of it is drawn, except the rest of the last segment
       expect(lines[0].length).toBe(2 * Math.ceil(points.length / 6));
     }
   });
 });
 
-it('the run that is played back is never between the mouths', () => {
+it('playback never shows her between the mouths of a wormhole', () => {
   const file: LevelFile = {
     version: 1,
     name: 'Through',
@@ -66,7 +66,7 @@ it('the run that is played back is never between the mouths', () => {
   for (let tick = 0; tick < proof.run.way.count - 1; tick += 1 / 8) {
     const pose = poseAt(proof, tick);
     const step = Math.hypot(pose.x - before.x, pose.y - before.y);
-    // an eighth of a tick at 60 px/s; the leap waits for its tick
+    // an eighth of a tick at 60 px/s; the jump happens at a tick
     if (step > 400) leaps++;
     else expect(step).toBeLessThan(0.2);
     before = pose;

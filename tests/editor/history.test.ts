@@ -30,7 +30,7 @@ const PLAIN: LevelFile = {
 const named = (name: string) => setLevelProperty('name', name);
 
 describe('the history', () => {
-  it('says what undo and redo would do, and how far it is', () => {
+  it('reports what undo and redo would do, and the position', () => {
     const level = createEditedLevel(PLAIN);
     const state = () => {
       const { file, revision, ...rest } = level.store.getState();
@@ -58,7 +58,7 @@ describe('the history', () => {
     expect(state()).toEqual({ undoLabel: 'Drag', redoLabel: null, done: 1, steps: 1 });
   });
 
-  it('has another number for every content that is seen', () => {
+  it('has a different number for every content that is shown', () => {
     const level = createEditedLevel(PLAIN);
     const seen = [level.store.getState().revision];
     level.subscribe(() => seen.push(level.store.getState().revision));
@@ -74,7 +74,7 @@ describe('the history', () => {
     expect(new Set(seen).size).toBe(7);
   });
 
-  it('tells of a drag while it is seen, and keeps it once, when it ends', () => {
+  it('reports a drag while it is shown, and stores it once at its end', () => {
     const level = createEditedLevel(PLAIN);
     const [seen, kept]: DocumentEvent[][] = [[], []];
     const stops = [level.subscribe((event) => seen.push(event)), level.onStep((event) => kept.push(event))];
@@ -96,7 +96,7 @@ describe('the history', () => {
     level.redo();
     expect(kept.map(({ kind, label }) => `${kind} ${label}`)).toEqual(['change Drag', 'undo Drag', 'redo Drag']);
     expect(seen.map(({ kind }) => kind)).toEqual(['change', 'change', 'undo', 'redo']);
-    // a drag that comes back to where it began leaves nothing
+    // a drag that returns to its start leaves no step
     const back = level.begin('Back');
     back.set(named('x'));
     back.set(named('c'));
@@ -109,7 +109,7 @@ describe('the history', () => {
     expect([seen.length, kept.length]).toEqual([6, 3]);
   });
 
-  it('has a drag end with whatever else is done, and none of it is lost', () => {
+  it('ends a drag when anything else is done, and loses neither', () => {
     const others: ((level: ReturnType<typeof createEditedLevel>) => void)[] = [
       (level) => level.seal(),
       (level) => void level.change('other', named('other')),
@@ -131,7 +131,7 @@ describe('the history', () => {
     }
   });
 
-  it('joins what one gesture did with one step, told part by part and undone at once', () => {
+  it('joins the parts of one gesture in one step, reported one by one and undone together', () => {
     const level = createEditedLevel(PLAIN);
     level.change('before', named('before'));
     const kept: DocumentEvent[] = [];
@@ -143,7 +143,7 @@ describe('the history', () => {
     expect(level.file()).toMatchObject({ name: 'before', novae: [{ x: 0 }, {}, {}] });
     level.redo();
     expect(level.file().novae?.[0].x).toBe(3);
-    // other things in between end it
+    // any other change in between ends it
     const between: (() => void)[] = [
       () => void level.change('other', named('x')),
       () => void level.replace('other', { ...level.file(), name: 'y' }),
@@ -160,7 +160,7 @@ describe('the history', () => {
     }
   });
 
-  it('says which objects a change has brought', () => {
+  it('reports the objects that a change has added', () => {
     const level = createEditedLevel(PLAIN);
     expect(level.change('Move', moveObjects(['aa'], 1, 0))).toEqual({ ok: true, added: [] });
     const added = level.change('Add', addObject('nova', 5, 5));
@@ -170,7 +170,7 @@ describe('the history', () => {
     expect(swapped).toEqual({ ok: true, added: ['dd'] });
     const drag = level.begin('Drag');
     expect(drag.set(addObject('alien', 1, 1))).toMatchObject({ ok: true, added: [expect.any(String)] });
-    // since the drag began, however often it is set
+    // since the beginning of the drag, however often it is updated
     expect(drag.set(addObject('alien', 1, 1))).toMatchObject({ ok: true, added: [expect.any(String)] });
     expect(drag.set((draft) => void Object.assign(draft, { name: '' }))).toMatchObject({ ok: false });
     drag.cancel();
@@ -178,7 +178,7 @@ describe('the history', () => {
     expect(empty.change('Add', addObject('nova', 5, 5))).toEqual({ ok: true, added: [empty.file().novae?.[0].id] });
   });
 
-  it('is over for a drag that was cancelled, and gives it away no more', () => {
+  it('ends a cancelled drag, which does not appear any more', () => {
     const level = createEditedLevel(PLAIN);
     const drag = level.begin('Drag');
     drag.set(named('dragged'));
@@ -192,7 +192,7 @@ describe('the history', () => {
     expect(level.settledFile().name).toBe('later');
   });
 
-  it('gives files that nobody can change', () => {
+  it('returns files that are frozen', () => {
     const isFrozen = (value: unknown): boolean =>
       typeof value !== 'object' || value === null || (Object.isFrozen(value) && Object.values(value).every(isFrozen));
     const level = createEditedLevel(structuredClone(PLAIN));
@@ -211,7 +211,7 @@ describe('patches', () => {
   const holds = entries.map((list) => list.map((c): [number, number] => [c.charCodeAt(0), 200]));
   const withHolds = (list: [number, number][]): LevelFile => ({ ...PLAIN, runs: [{ name: 'run', holds: list }] });
 
-  it('take the middle out of a list of holds, or put it in, and touch nothing of what stands before and after it', () => {
+  it('remove or add the middle of a list of holds, and do not touch the rest', () => {
     fc.assert(
       fc.property(holds, holds, holds, holds, (head, a, b, tail) => {
         fc.pre(a.length !== b.length);
@@ -225,7 +225,7 @@ describe('patches', () => {
     );
   });
 
-  it('name what is new, gone or other by its place, and a list that is in another order as a whole', () => {
+  it('name added, removed and changed values by their place, and a reordered list as a whole', () => {
     const [aa, bb, cc] = PLAIN.novae ?? [];
     const dd = { ...aa, id: 'dd' };
     const to = (novae: LevelFile['novae']): Patch[] => diffFiles(PLAIN, { ...PLAIN, novae });
@@ -253,7 +253,7 @@ describe('patches', () => {
     expect(diffFiles(PLAIN, { ...PLAIN, runs: [] })).toEqual([{ op: 'remove', path: ['runs', 0] }]);
   });
 
-  it('are none between values that are the same whatever the order of their keys, and some between all others', () => {
+  it('are empty between values that differ at most in the order of keys, and not between others', () => {
     const shuffled = (value: unknown): unknown => {
       if (Array.isArray(value)) return value.map(shuffled);
       if (typeof value !== 'object' || value === null) return value;
@@ -288,7 +288,7 @@ describe('patches', () => {
     expect(isSame({ a: undefined }, {})).toBe(false);
   });
 
-  it('are none between a file and itself with lists that are missing or empty, unless one is missing and the other empty', () => {
+  it('are empty between a file and itself, except between a missing and an empty list', () => {
     fc.assert(
       fc.property(arbitraryFile, arbitraryFile, (a, b) => {
         expect(diffFiles(a, b).length === 0).toBe(isSame(a, b));
@@ -300,7 +300,7 @@ describe('patches', () => {
 });
 
 describe('the selection', () => {
-  it('is of objects that exist, each once, in the order in which they were selected', () => {
+  it('contains existing objects, each once, in the order of their selection', () => {
     const selection = createSelection(createEditedLevel(PLAIN));
     selection.select(['cc', 'nowhere', 'aa', 'cc']);
     expect(selection.keys()).toEqual(['cc', 'aa']);
@@ -317,7 +317,7 @@ describe('the selection', () => {
     expect(selection.store.getState()).toEqual({ keys: [], holds: [], run: null });
   });
 
-  it('is of objects or of holds', () => {
+  it('contains objects or holds, not both', () => {
     const selection = createSelection(createEditedLevel(PLAIN));
     for (const act of [
       () => selection.select(['aa']),
@@ -338,7 +338,7 @@ describe('the selection', () => {
     expect(selection.store.getState()).toEqual({ keys: [], holds: [], run: null });
   });
 
-  it('loses what vanishes, as long as it follows the level, and is told of nothing else', () => {
+  it('loses what vanishes while it follows the level, and reports nothing else', () => {
     const level = createEditedLevel(PLAIN);
     const selection = createSelection(level);
     let times = 0;

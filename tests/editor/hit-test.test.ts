@@ -17,17 +17,17 @@ const keys = (count: number) =>
 const at = (x: number, zoom: number, selected: number) =>
   hitTest(level(), boxOf(DEFAULT_RULES), { x, y: 500 }, REACH.mouse / zoom, keys(selected))?.part;
 
-describe('what the pointer takes', () => {
-  it('is the rim of a selected object, its middle, and nothing farther than it reaches', () => {
+describe('the pointer', () => {
+  it('hits the rim or the middle of a selected object, and nothing beyond its reach', () => {
     expect([0, 14, 19, 24].map((x) => at(x, 1, 1))).toEqual(['body', 'rim', 'rim', undefined]);
     expect(at(14, 1, 0)).toBe('body');
   });
 
-  it('is never the rim of an object too small on the screen to tell it from the middle', () => {
+  it('never hits the rim of an object that is too small on the screen', () => {
     expect([0, 8, 16, 30].map((x) => at(x, 0.08, 1))).toEqual(['body', 'body', 'body', 'body']);
   });
 
-  it('is never the rim where many are selected, which have no handles', () => {
+  it('never hits a rim if many objects are selected, which have no handles', () => {
     expect([12, 13].map((selected) => at(14, 1, selected))).toEqual(['rim', 'body']);
   });
 });

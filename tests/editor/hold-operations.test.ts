@@ -37,7 +37,7 @@ const fileAfter = (file: LevelFile, recipe: Recipe): LevelFile => {
 const holdsAfter = (holds: readonly Hold[], recipe: Recipe): readonly Hold[] =>
   holdsOf(fileAfter(levelWith([{ name: 'run', holds: holds.map(([press, release]) => [press, release]) }]), recipe), 'run');
 
-/** Holds with a tick between them at least; every other time they end where ticks do. */
+/** Holds with at least one tick between them; every other time they end at the last tick. */
 const someHolds: fc.Arbitrary<Hold[]> = fc
   .record({
     parts: fc.array(fc.tuple(fc.integer({ min: 1, max: 6 }), fc.integer({ min: 1, max: 6 })), { minLength: 1, maxLength: 4 }),
@@ -60,7 +60,7 @@ const ticks = fc.oneof(fc.integer({ min: -25, max: 25 }), fc.constantFrom(-1000,
 const isPlayable = (holds: readonly Hold[]): boolean =>
   holds.every(([press, release], i) => press < release && press >= (i === 0 ? 0 : holds[i - 1][1] + 1) && release <= LIMITS.tick);
 
-/** What one comes to who walks from 0 towards `wanted`, tick by tick, as long as the holds are playable. */
+/** Steps from 0 towards `wanted`, tick by tick, while the holds are playable. @returns the last playable holds */
 function walk(wanted: number, holdsAt: (way: number) => readonly Hold[]): readonly Hold[] {
   let way = 0;
   while (way !== wanted && isPlayable(holdsAt(way + Math.sign(wanted)))) way += Math.sign(wanted);
@@ -69,7 +69,7 @@ function walk(wanted: number, holdsAt: (way: number) => readonly Hold[]): readon
 
 const ripples = [false, true];
 
-it('a hold is moved as far as its neighbours, or with ripple the first tick and the last one, let it', () => {
+it('a hold moves up to its neighbours, or with ripple up to the first and last tick', () => {
   fc.assert(
     fc.property(picked, ticks, fc.constantFrom(...ripples), ({ holds, index }, by, ripple) => {
       const moves = (i: number) => (ripple ? i >= index : i === index);
@@ -80,7 +80,7 @@ it('a hold is moved as far as its neighbours, or with ripple the first tick and 
   );
 });
 
-it('an edge of a hold goes as far as its neighbours and its other edge let it; with ripple what follows goes along', () => {
+it('an edge of a hold moves up to its neighbours and its other edge; with ripple, later holds move along', () => {
   fc.assert(
     fc.property(
       picked,
@@ -103,7 +103,7 @@ it('an edge of a hold goes as far as its neighbours and its other edge let it; w
   );
 });
 
-it('a run that is not there has no holds, and nothing can be done to them', () => {
+it('a run that does not exist has no holds, and operations on it do nothing', () => {
   for (const file of [levelWith(undefined), levelWith([]), levelWith([{ name: 'other', holds: [[1, 2]] }])]) {
     expect(holdsOf(file, 'run')).toEqual([]);
     for (const recipe of [moveHold('run', 0, 1), addHold('run', 1, 2), renameRun('run', 'x'), replaceHolds('run', [])])
@@ -111,7 +111,7 @@ it('a run that is not there has no holds, and nothing can be done to them', () =
   }
 });
 
-it('ticks are rounded, what is not there is passed over, and nothing ripples unasked', () => {
+it('ticks are rounded, missing holds are skipped, and ripple is off by default', () => {
   const holds: Hold[] = [
     [10, 20],
     [30, 40],
@@ -120,7 +120,7 @@ it('ticks are rounded, what is not there is passed over, and nothing ripples una
   expect(holdsAfter(holds, moveHold('run', 0, 1.6))).toEqual([[12, 22], holds[1]]);
   expect(holdsAfter(holds, stretchHold('run', 0, 'release', 21.6))).toEqual([[10, 22], holds[1]]);
   expect(holdsAfter(holds, addHold('run', 49.6, 52.4))).toEqual([...holds, [50, 52]]);
-  // without ripple, when nothing is said
+  // without ripple by default
   expect(holdsAfter(holds, deleteHolds('run', [0]))).toEqual([holds[1]]);
   expect(holdsAfter(holds, moveHold('run', 0, 3))).toEqual([[13, 23], holds[1]]);
   expect(holdsAfter(holds, stretchHold('run', 0, 'press', 13))).toEqual([[13, 20], holds[1]]);
@@ -140,7 +140,7 @@ it('ticks are rounded, what is not there is passed over, and nothing ripples una
     expect(holdsAfter(holds, recipe)).toEqual(holds);
 });
 
-it('a hold is split at every tick that leaves something on both sides', () => {
+it('a hold can be split at every tick that leaves something on both sides', () => {
   fc.assert(
     fc.property(picked, fc.integer({ min: -2, max: 9 }), ({ holds, index }, n) => {
       const [press, release] = holds[index];
@@ -155,7 +155,7 @@ it('a hold is split at every tick that leaves something on both sides', () => {
   );
 });
 
-it('a hold that is added joins those that it touches, whichever end is given first', () => {
+it('an added hold joins those that it touches, whichever end is given first', () => {
   fc.assert(
     fc.property(someHolds, fc.nat(40), fc.nat(40), (holds, a, b) => {
       const near = holds[0][0];
@@ -166,7 +166,7 @@ it('a hold that is added joins those that it touches, whichever end is given fir
   );
 });
 
-it('holds that are taken out leave the others where they are; with ripple the gaps stay as long as they were', () => {
+it('removing holds does not move the others; with ripple, the gaps keep their lengths', () => {
   fc.assert(
     fc.property(someHolds, fc.subarray([0, 1, 2, 3]), fc.constantFrom(...ripples), (holds, gone, ripple) => {
       const earlier = (i: number) =>
@@ -180,7 +180,7 @@ it('holds that are taken out leave the others where they are; with ripple the ga
 const runs = fc.uniqueArray(fc.constantFrom('a', 'b', 'c', 'd'), { minLength: 1 });
 const runFile = (name: string) => ({ name, holds: [[1, 2 + name.charCodeAt(0)]] as [number, number][], 'x-of': name });
 
-it('runs are added at either end, copied behind themselves, renamed and taken out', () => {
+it('runs can be added at either end, duplicated, renamed and removed', () => {
   fc.assert(
     fc.property(runs, fc.nat(3), (names, n) => {
       const file = levelWith(names.map(runFile));
@@ -196,14 +196,14 @@ it('runs are added at either end, copied behind themselves, renamed and taken ou
       expect(fileAfter(file, renameRun(one, 'new')).runs).toEqual(all.with(index, { ...runFile(one), name: 'new' }));
       expect(fileAfter(file, replaceHolds(one, [[3, 4]])).runs).toEqual(all.with(index, { ...runFile(one), holds: [[3, 4]] }));
       const left = all.toSpliced(index, 1);
-      // a list that is empty is left out
+      // an empty list is omitted
       expect(fileAfter(file, deleteRun(one)).runs).toEqual(left.length === 0 ? undefined : left);
     }),
   );
   expect(fileAfter(levelWith(undefined), addRun('new', [])).runs).toEqual([{ name: 'new', holds: [] }]);
 });
 
-it('a run is moved to a place in the list, or to its end where there is none', () => {
+it('a run moves to a place in the list, or to the end if there is no such place', () => {
   fc.assert(
     fc.property(runs, fc.nat(3), fc.integer({ min: -3, max: 6 }), (names, n, to) => {
       const one = names[n % names.length];
@@ -215,7 +215,7 @@ it('a run is moved to a place in the list, or to its end where there is none', (
   );
 });
 
-it('a free name is the wanted one, or that with the least number from 2 on; a long one is cut', () => {
+it('a free name is the wanted one, or has the smallest free number from 2 on; a long name is cut', () => {
   const file = (...names: string[]) => levelWith(names.map((name) => ({ name, holds: [] })));
   expect(freeRunName(levelWith(undefined), 'run')).toBe('run');
   expect(freeRunName(file('other'), 'run')).toBe('run');

@@ -7,7 +7,7 @@ import { FILE, TurnedClock } from './stage.ts';
 
 const clock = () => 1000;
 
-/** A store that fails when told to, and that loses nothing of what it has said it kept. */
+/** A store that fails on demand, and that loses nothing that it has confirmed. */
 function unreliable(): JournalStore & { fails: Error | null; writes: number } {
   const store = createMemoryStore();
   return {
@@ -31,7 +31,7 @@ const begin = (store: JournalStore | null = createMemoryStore()) => {
 const move = (dx: number) => moveObjects(['aa'], dx, 0);
 
 describe('the journal', () => {
-  it('has everything that was done since the disk, in a page that begins anew', async () => {
+  it('contains every change since the version on disk, after a restart of the page', async () => {
     const store = createMemoryStore();
     const { level, kept } = begin(store);
     level.change('Move', move(1));
@@ -47,7 +47,7 @@ describe('the journal', () => {
     expect((await createJournal(store, clock).recover('07'))?.file.asteroids?.[0].x).toBe(111);
   });
 
-  it('has nothing to recover once all is on the disk, and of a level never opened', async () => {
+  it('has nothing to recover when everything is on disk, and for a level that was never opened', async () => {
     const store = createMemoryStore();
     const { journal, level, kept } = begin(store);
     await kept.settled();
@@ -61,7 +61,7 @@ describe('the journal', () => {
     expect(await journal.unsaved()).toEqual([]);
   });
 
-  it('keeps what was done while a save was on its way', async () => {
+  it('keeps changes that are made during a save', async () => {
     const store = createMemoryStore();
     const { journal, level, kept } = begin(store);
     level.change('Move', move(1));
@@ -78,7 +78,7 @@ describe('the journal', () => {
     expect(await journal.unsaved()).toEqual([{ place: '07', time: 1000 }]);
   });
 
-  it('has the level and the new base after a merge', async () => {
+  it('contains the level and the new base after a merge', async () => {
     const store = createMemoryStore();
     const { journal, level, kept } = begin(store);
     level.change('Move', move(1));
@@ -93,7 +93,7 @@ describe('the journal', () => {
     });
   });
 
-  it('knows every state that may have been written, folded or not, and none of them once one is known to be', async () => {
+  it('knows every state that may have been written, folded or not, until one is known to be on disk', async () => {
     const store = createMemoryStore();
     const { journal, level, kept } = begin(store);
     const places = async () => (await journal.recover('07'))?.base.sent.map(({ asteroids }) => asteroids?.[0].x);
@@ -113,7 +113,7 @@ describe('the journal', () => {
     expect(await places()).toEqual([263]);
   });
 
-  it('says when it has what is sent to the disk, or could not keep it', async () => {
+  it('reports when it has stored what is sent to the disk, or that it failed', async () => {
     const gates: (() => void)[] = [];
     const slow = createMemoryStore();
     const store: JournalStore = {
@@ -141,7 +141,7 @@ describe('the journal', () => {
     void kept.onSent(level.file()).then(() => said.push('failed'));
     await open();
     expect(said).toEqual(['first', 'second']);
-    // what failed is tried once more, all of it at once
+    // everything that failed is tried again together
     await open();
     expect(said).toEqual(['first', 'second']);
     await open();
@@ -149,7 +149,7 @@ describe('the journal', () => {
     await kept.onSent(level.file());
   });
 
-  it('sends every step at once, whatever is on its way, and calls it kept only when all before it is', async () => {
+  it('sends every step immediately, and reports it as kept only when all earlier ones are', async () => {
     const gates: (() => void)[] = [];
     const slow = createMemoryStore();
     const sent: number[] = [];
@@ -178,7 +178,7 @@ describe('the journal', () => {
     expect(kept.keeping.getState()).toBe('keeping');
     await open();
     expect(kept.keeping.getState()).toBe('kept');
-    // not without end: a database that hangs is not given more and more
+    // but not without limit: a database that hangs does not get more and more
     for (let i = 0; i < 100; i++) level.change('Move', move(1));
     expect(sent.length).toBeLessThan(20);
     for (let i = 0; i < 20; i++) await open();
@@ -186,7 +186,7 @@ describe('the journal', () => {
     expect((await slow.read('07'))?.entries).toHaveLength(103);
   });
 
-  it('tries again by itself after a failure, and does not call kept what is not', async () => {
+  it('retries automatically after a failure, and reports only stored steps as kept', async () => {
     const store = unreliable();
     const clock = new TurnedClock();
     const journal = createJournal(store, () => 1000, clock.after.bind(clock));
@@ -212,9 +212,9 @@ describe('the journal', () => {
     expect(store.writes).toBe(writes);
   });
 
-  it('has everything after all when its data are cleared under it', async () => {
+  it('stores everything again if its data are cleared', async () => {
     const store = createMemoryStore();
-    // as a database does that was made anew
+    // as a recreated database does
     const cleared: JournalStore = {
       ...store,
       async write(change) {
@@ -234,7 +234,7 @@ describe('the journal', () => {
     expect(await createJournal(store, () => 1).recover('07')).toMatchObject({ file: { asteroids: [{ x: 13 }] }, lost: 0 });
   });
 
-  it('goes over to a database that answers late, and says what it has until then', async () => {
+  it('switches to a database that answers late, and reports its state until then', async () => {
     const { journal, level, kept } = begin(null);
     level.change('Move', move(1));
     await kept.settled();
@@ -245,7 +245,7 @@ describe('the journal', () => {
     journal.adopt(store);
     journal.adopt(createMemoryStore());
     expect([times, journal.state.getState().kind]).toEqual([1, 'working']);
-    // what it follows is followed anew by whoever had it followed
+    // its callers have to follow their levels again
     expect(await journal.recover('07')).toBeNull();
     kept.close();
     const again = journal.follow('07', level, { file: FILE, etag: '"1"' });
@@ -254,7 +254,7 @@ describe('the journal', () => {
     expect((await createJournal(store, () => 1).recover('07'))?.file.asteroids?.[0].x).toBe(11);
   });
 
-  it('keeps what was recovered until it is on the disk, if the page dies again at once', async () => {
+  it('keeps recovered changes until they are on disk, even if the page dies again at once', async () => {
     const store = createMemoryStore();
     const { level, kept, base } = begin(store);
     level.change('Move', move(1));
@@ -267,7 +267,7 @@ describe('the journal', () => {
     expect((await createJournal(store, clock).recover('07'))?.file.asteroids?.[0].x).toBe(11);
   });
 
-  it('recovers whatever was kept at whatever moment the page dies', async () => {
+  it('recovers everything that was kept, at whatever moment the page dies', async () => {
     await fc.assert(
       fc.asyncProperty(
         fc.array(fc.oneof(fc.constantFrom('change', 'undo', 'redo', 'save', 'wait', 'fail', 'mend'), fc.constant('change')), {
@@ -291,7 +291,7 @@ describe('the journal', () => {
             }
           }
           store.fails = null;
-          // one more change, and all that failed before is kept with it
+          // one more change stores everything that failed before
           level.change('last', move(1000));
           await kept.settled();
           const recovery = await createJournal(store, clock).recover('07');
@@ -304,7 +304,7 @@ describe('the journal', () => {
     );
   });
 
-  it('stays small: many steps become one text', async () => {
+  it('stays small: many steps are folded into one text', async () => {
     const store = createMemoryStore();
     const { level, kept } = begin(store);
     for (let i = 0; i < 1000; i++) level.change('Move', move(1));
@@ -313,7 +313,7 @@ describe('the journal', () => {
     expect((await createJournal(store, clock).recover('07'))?.file.asteroids?.[0].x).toBe(1010);
   });
 
-  it('makes room when there is none, by forgetting what is on the disk anyway; and says so when that does not help', async () => {
+  it('makes space by deleting what is on disk anyway, and reports if that does not help', async () => {
     const store = unreliable();
     const other = createJournal(store, clock).follow('01', createEditedLevel(FILE), { file: FILE, etag: '"1"' });
     await other.settled();
@@ -331,7 +331,7 @@ describe('the journal', () => {
     expect((await journal.recover('07'))?.file.asteroids?.[0].x).toBe(12);
   });
 
-  it('says that nothing is kept where the browser has no database, and goes on', async () => {
+  it('reports that nothing is kept if the browser has no database, and continues', async () => {
     const { journal, level, kept } = begin(null);
     level.change('Move', move(1));
     await kept.settled();
@@ -339,7 +339,7 @@ describe('the journal', () => {
     expect((await journal.recover('07'))?.labels).toEqual(['Move']);
   });
 
-  it('takes what it can of a damaged journal, and says how much was lost', async () => {
+  it('recovers what it can from a damaged journal, and reports how much was lost', async () => {
     const store = createMemoryStore();
     const { journal, level, kept } = begin(store);
     level.change('one', move(1));

@@ -1,4 +1,5 @@
-// The editor follows the table of kinds: each kind has a drawing, a tool, fields, a row in the outline, and every operation keeps it valid and whole.
+// The editor follows the table of kinds: each kind has a drawing, a tool, fields and a row in the outline, and every operation
+// keeps it valid and complete.
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
@@ -67,7 +68,7 @@ const fileAfter = (file: LevelFile, recipe: Recipe): LevelFile => {
   return level.file();
 };
 
-/** A level with one of what can be placed, and that one. */
+/** A level with one placed object, and that object. */
 const withOne = (placeable: (typeof PLACEABLES)[number]): { file: LevelFile; found: FoundObject } => {
   const file = fileAfter(BARE, addObject(placeable, 40, 60));
   const found = [...objectsOf(file).values()].find(({ list }) => list !== null);
@@ -75,7 +76,7 @@ const withOne = (placeable: (typeof PLACEABLES)[number]): { file: LevelFile; fou
   return { file, found };
 };
 
-/** A brush that only counts what it fills and strokes. */
+/** A brush that only counts fills and strokes. */
 function countingBrush(): { brush: Brush; drawn: () => number } {
   let drawn = 0;
   const set = new Map<string | symbol, unknown>();
@@ -97,7 +98,7 @@ function countingBrush(): { brush: Brush; drawn: () => number } {
 }
 
 describe.each(OBJECT_KINDS)('%s on the canvas', (kind) => {
-  it('has textures of its own that draw something in both themes', () => {
+  it('has its own textures, which draw something in both themes', () => {
     for (const [name, draw] of Object.entries(ON_CANVAS[kind].textures)) {
       const owners = OBJECT_KINDS.filter((one) => Object.hasOwn(ON_CANVAS[one].textures, name));
       expect(owners).toEqual([kind]);
@@ -110,7 +111,7 @@ describe.each(OBJECT_KINDS)('%s on the canvas', (kind) => {
     }
   });
 
-  it('has a sign', () => {
+  it('has an icon', () => {
     for (const isVariant of [false, true]) expect(signOf(kind, isVariant).Icon).toBeDefined();
     expect(signOf(kind, true) === signOf(kind, false)).toBe(KINDS[kind].variant === undefined);
   });
@@ -134,14 +135,14 @@ describe.each(PLACEABLES)('a new %s', (placeable) => {
   const { file, found } = withOne(placeable);
   const radius = radiusOf(found) ?? 0;
 
-  it('is of its kind, valid, where it was put, and has a tool', () => {
+  it('has its kind, is valid, is at its place, and has a tool', () => {
     expect(TOOLS).toContain(placeable);
     expect(found).toMatchObject({ kind, list: listOf(kind), object: { x: 40, y: 60 } });
     if (flag !== null) expect(found.object).toMatchObject({ [flag]: true });
     expect(readLevel(formatLevel(file)).ok).toBe(true);
   });
 
-  it('has its places beside each other, so that each can be taken', () => {
+  it('has its places beside each other, so that each can be dragged', () => {
     const places = placesOf(found);
     expect(places).toHaveLength(KINDS[kind].places.length);
     for (const [i, place] of places.entries()) {
@@ -151,7 +152,7 @@ describe.each(PLACEABLES)('a new %s', (placeable) => {
     }
   });
 
-  it('is caught by a marquee around any of its places, and lies in the level’s extent with all of them', () => {
+  it('is selected by a marquee around any of its places, and all its places count for the level’s extent', () => {
     for (const { x, y } of placesOf(found)) {
       expect(objectsIn(file, her, { left: x - 1, top: y - 1, right: x + 1, bottom: y + 1 })).toEqual([found.key]);
       const box = extentOf(file, her, [found.key]);
@@ -160,7 +161,7 @@ describe.each(PLACEABLES)('a new %s', (placeable) => {
     }
   });
 
-  it('is what others snap to at all of its places, and one of its places can snap to another', () => {
+  it('attracts snapping at all of its places, and one of its places can snap to another', () => {
     const others = snapTargets(file, her, []).x.map(({ at }) => at);
     for (const { x } of placesOf(found)) expect(others).toEqual(expect.arrayContaining([x - radius, x, x + radius]));
     const [, ...second] = placesOf(found);
@@ -172,7 +173,7 @@ describe.each(PLACEABLES)('a new %s', (placeable) => {
     }
   });
 
-  it('is drawn of images whose textures there are, and put where it is', () => {
+  it('is drawn at its place with existing textures', () => {
     const parts = ON_CANVAS[kind].parts(found);
     expect(parts.length).toBeGreaterThan(0);
     for (const { texture } of parts) expect([...Object.keys(ON_CANVAS[kind].textures), ...SHARED]).toContain(texture);
@@ -201,7 +202,7 @@ describe.each(PLACEABLES)('a new %s', (placeable) => {
     for (const { x, y } of at) expect(Math.hypot(x - 40, y - 60)).toBeLessThan(2 * radius);
   });
 
-  it('stands in the outline under its kind', () => {
+  it('is listed in the outline under its kind', () => {
     const rows = objectRows(file, new Set());
     const row = rows.find(({ key }) => key === found.key);
     expect(row).toMatchObject({ title: nameOf(found), depth: 2 });
@@ -209,7 +210,7 @@ describe.each(PLACEABLES)('a new %s', (placeable) => {
     expect(rows.find((one) => one.depth === 1 && one.kind === kind)?.title.toLowerCase()).toBe(KINDS[kind].many);
   });
 
-  it('is moved as a whole, or at one place alone', () => {
+  it('can be moved as a whole, or at one place only', () => {
     const before = placesOf(found);
     const placesAfter = (recipe: Recipe) => {
       const moved = objectsOf(fileAfter(file, recipe)).get(found.key);
@@ -223,7 +224,7 @@ describe.each(PLACEABLES)('a new %s', (placeable) => {
     }
   });
 
-  it('keeps a place whole where two people moved it, whichever is chosen', () => {
+  it('keeps both coordinates of a place together in a merge, whichever side is chosen', () => {
     for (const i of placesOf(found).keys()) {
       const mine = fileAfter(file, moveObjects([found.key], 5, 0, i));
       const theirs = fileAfter(file, moveObjects([found.key], 0, 5, i));
@@ -232,7 +233,7 @@ describe.each(PLACEABLES)('a new %s', (placeable) => {
       const { file: merged } = mergeLevels(file, mine, theirs, new Map([[conflicts[0].key, 'theirs']]));
       expect(merged).toEqual(theirs);
     }
-    // what only one of them did is taken from each
+    // changes by one side only are taken from both
     const mine = fileAfter(file, moveObjects([found.key], 5, 5));
     const theirs = fileAfter(file, setRadius([found.key], 99));
     const both = mergeLevels(file, mine, theirs);
@@ -249,7 +250,7 @@ describe('effects, as the editor names them', () => {
   );
   const level = resolveLevel(file);
 
-  it.each(PLACEABLES)('%s: its effect can be left out, and takes all of them along', (placeable) => {
+  it.each(PLACEABLES)('%s: a level without its effect has none of them', (placeable) => {
     const { kind, flag } = placedAs(placeable);
     const without = EFFECTS.flatMap(({ name }) => withoutEffect(level, name) ?? []);
     const isThere = (list: readonly object[]) => list.some((object) => flag === null || (object as { [flag]?: boolean })[flag]);
@@ -258,7 +259,7 @@ describe('effects, as the editor names them', () => {
     expect(without.some((one) => !isThere(one[listOf(kind)]))).toBe(placeable !== 'asteroid');
   });
 
-  it('what is left out is no longer called for', () => {
+  it('a switched-off effect is not called for any more', () => {
     for (const { name, calledFor } of EFFECTS) {
       const without = withoutEffect(level, name);
       expect(calledFor(level).called, name).toBe(true);
@@ -275,7 +276,7 @@ describe('a wind on the canvas', () => {
     return sign;
   };
 
-  it('points where it blows, the larger the stronger, and always so large that it is seen', () => {
+  it('points in its direction, is larger the stronger it is, and is always visible', () => {
     fc.assert(
       fc.property(
         fc.double({ min: 0.01, max: 100, noNaN: true }),
@@ -293,7 +294,7 @@ describe('a wind on the canvas', () => {
     );
   });
 
-  it('has another sign where it is still', () => {
+  it('has another icon without strength', () => {
     expect(signOfWind(0, 0).texture).toBe('calm');
   });
 });
@@ -321,7 +322,7 @@ describe('operations on a level of any kinds', () => {
     ];
   };
 
-  it('leave a level that is read as it was written', () => {
+  it('leave a level that reads back the same', () => {
     fc.assert(
       fc.property(arbitraryFile, fc.nat(), fc.nat(), fc.nat(), number, number, (file, i, k, n, a, b) => {
         const keys = [...objectsOf(file).keys()];
@@ -334,7 +335,7 @@ describe('operations on a level of any kinds', () => {
     );
   });
 
-  it('bring what is copied from one level into another with all its places', () => {
+  it('copy objects between levels with all their places', () => {
     fc.assert(
       fc.property(arbitraryFile, (file) => {
         const text = copyObjects(file, objectsOf(file).keys());

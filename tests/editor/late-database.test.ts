@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { inTimeOrLate } from '../../editor/files/page-surroundings.ts';
 import { breathe, TurnedClock } from './stage.ts';
 
-/** What has come of it by now. */
+/** The state of a promise so far. */
 function watched<T>(opening: ReturnType<typeof inTimeOrLate<T>>) {
   const seen: { inTime?: T | null; late?: T } = {};
   void opening.then(({ inTime, late }) => {
@@ -14,15 +14,15 @@ function watched<T>(opening: ReturnType<typeof inTimeOrLate<T>>) {
   return seen;
 }
 
-describe('what may never answer', () => {
-  it('is there when it answers', async () => {
+describe('a database that may never answer', () => {
+  it('is used when it answers', async () => {
     const clock = new TurnedClock();
     const seen = watched(inTimeOrLate(async () => 'levels', clock));
     await breathe();
     expect(seen).toEqual({ inTime: 'levels', late: 'levels' });
   });
 
-  it('is waited for no longer than 3 s, and taken when it comes after all', async () => {
+  it('is waited for at most 3 s, and used if it answers later', async () => {
     const clock = new TurnedClock();
     let answer = (_: string) => {};
     const seen = watched(
@@ -44,7 +44,7 @@ describe('what may never answer', () => {
     expect(seen).toEqual({ inTime: null, late: 'levels' });
   });
 
-  it('is not waited for where it is refused, and tried again', async () => {
+  it('is not waited for if it is refused, but tried again', async () => {
     const clock = new TurnedClock();
     let times = 0;
     const seen = watched(

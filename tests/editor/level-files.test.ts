@@ -45,7 +45,7 @@ const listed = () => workspace.store.getState().list?.levels.map(({ id }) => id)
 const shown = () => workspace.store.getState().opened?.id();
 const complaints = () => editor.notices.store.getState().filter(({ severity }) => severity !== 'info');
 
-describe('what an action made is opened', () => {
+describe('the result of an action is opened', () => {
   const removed = async (id: string): Promise<string> => {
     await workspace.remove(entry(id));
     const trash = await workspace.storage.trash();
@@ -70,7 +70,7 @@ describe('what an action made is opened', () => {
       await act();
       expect(shown()).toBe(id);
     });
-    it(`${what}: not when another level was opened meanwhile`, async () => {
+    it(`${what}: not if another level was opened in the meantime`, async () => {
       const act = await prepare();
       const acting = act();
       await openListed(editor, 'c');
@@ -82,7 +82,7 @@ describe('what an action made is opened', () => {
 });
 
 describe('another order', () => {
-  it('is what was wanted where another program has added and removed levels that the page has not heard of', async () => {
+  it('is correct even if another program has added and removed levels unknown to the page', async () => {
     await line.write('d', formatLevel(fileOf('d')), null);
     await line.remove('c', entry('c').etag ?? '');
     await orderLevels(editor, '', ['c', 'b', 'a']);

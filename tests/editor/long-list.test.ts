@@ -22,7 +22,7 @@ const listOf = (ids: readonly string[], unread: number): ListResponse => ({
   unread,
 });
 
-/** A page on a storage that has only a list and events. */
+/** A page with a storage that has only a list and events. */
 async function pageOn(first: ListResponse) {
   let tell: (event: EditEvent) => void = () => {};
   const storage = {
@@ -40,7 +40,7 @@ async function pageOn(first: ListResponse) {
   return { tell: (event: EditEvent) => tell(event), ids, unread, workspace };
 }
 
-it('a list that comes in parts grows, each level once', async () => {
+it('a list that arrives in parts grows, with each level once', async () => {
   const page = await pageOn(listOf(['a', 'b'], 3));
   page.tell({ type: 'list', list: listOf(['a', 'b'], 3) });
   page.tell({ type: 'read', levels: [entry('c'), entry('d')], unread: 1 });
@@ -49,7 +49,7 @@ it('a list that comes in parts grows, each level once', async () => {
   expect([page.ids(), page.unread()]).toEqual([['a', 'b', 'c', 'd', 'e'], 0]);
 });
 
-it('a new list in parts takes nothing off the screen before it is whole, and then what is gone', async () => {
+it('a new list in parts removes levels from the screen only once it is complete', async () => {
   const page = await pageOn(listOf(['a', 'b', 'c', 'd'], 0));
   page.tell({ type: 'list', list: { ...listOf(['a'], 2), levels: [entry('a', 'new name')] } });
   expect([page.ids(), page.unread()]).toEqual([['a', 'b', 'c', 'd'], 2]);

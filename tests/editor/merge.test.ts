@@ -21,7 +21,7 @@ const rocks = (...asteroids: Asteroid[]): LevelFile => ({ ...BASE, asteroids });
 const [aa, bb, cc] = BASE.asteroids as [Asteroid, Asteroid, Asteroid];
 const ids = (file: LevelFile) => file.asteroids?.map(({ id }) => id);
 
-/** Changes of a file, each by one side alone: to which a number says. */
+/** Changes of a file, each by one side only, which a number selects. */
 const arbitraryFork = arbitraryFile.chain((base) =>
   fc
     .record({ base: fc.constant(base), turns: fc.array(fc.nat(3), { minLength: 40, maxLength: 40 }), added: arbitraryFile })
@@ -61,7 +61,7 @@ const arbitraryFork = arbitraryFile.chain((base) =>
 );
 
 describe('merging', () => {
-  it('takes the side that changed, whichever it is, and what both have', () => {
+  it('takes the side that changed, whichever it is, and equal changes of both', () => {
     fc.assert(
       fc.property(arbitraryFile, arbitraryFile, (base, a) => {
         expect(mergeLevels(base, a, base)).toEqual({ file: a, conflicts: [] });
@@ -72,7 +72,7 @@ describe('merging', () => {
     );
   });
 
-  it('of changes that do not meet has no conflict and does not ask who is who', () => {
+  it('has no conflict for separate changes, and does not depend on which side is mine', () => {
     fc.assert(
       fc.property(arbitraryFork, ({ base, mine, theirs }) => {
         const one = mergeLevels(base, mine, theirs);
@@ -83,7 +83,7 @@ describe('merging', () => {
         expect(isSame(mergeLevels(mine, one.file, mine).file, one.file)).toBe(true);
         expect(mergeLevels(theirs, one.file, theirs).conflicts).toEqual([]);
         expect(settle(one.file, null)).toMatchObject({ ok: true });
-        // everything that anybody added is there
+        // the additions of both sides are there
         for (const list of OBJECT_LISTS) {
           const kept = new Set(one.file[list]?.map(({ id }) => id));
           const old = new Set(base[list]?.map(({ id }) => id));
@@ -95,21 +95,21 @@ describe('merging', () => {
     );
   });
 
-  it('of anything gives a level, and one side or the other when told so for every conflict', () => {
+  it('always gives a level, and takes the chosen side in every conflict', () => {
     fc.assert(
       fc.property(arbitraryFile, arbitraryFile, arbitraryFile, (base, mine, theirs) => {
         const { file, conflicts } = mergeLevels(base, mine, theirs);
         expect(settle(file, null)).toMatchObject({ ok: true });
         const chosen = mergeLevels(base, mine, theirs, new Map(conflicts.map(({ key }) => [key, 'theirs'])));
         expect(chosen.conflicts.map(({ key }) => key)).toEqual(conflicts.map(({ key }) => key));
-        // what they have of it is theirs, all through
+        // the values that they have are theirs everywhere
         expect(isSame(mergeLevels(base, theirs, mine).file, chosen.file)).toBe(true);
       }),
       { numRuns: 100 },
     );
   });
 
-  it('puts different properties of one object together, and different objects', () => {
+  it('combines changes of different properties and of different objects', () => {
     const mine = rocks({ ...aa, x: 50 }, bb, cc);
     const theirs = rocks({ ...aa, radius: 32 }, { ...bb, hot: true }, cc);
     expect(mergeLevels(BASE, mine, theirs)).toEqual({
@@ -118,7 +118,7 @@ describe('merging', () => {
     });
   });
 
-  it('asks where both changed the same, for each property, and a place is one', () => {
+  it('reports a conflict for each property that both changed; a place is one property', () => {
     const mine = rocks({ ...aa, x: 50, radius: 20 }, bb, cc);
     const theirs = rocks({ ...aa, y: 70, radius: 30 }, bb, cc);
     const { conflicts, file } = mergeLevels(BASE, mine, theirs);
@@ -137,7 +137,7 @@ describe('merging', () => {
     expect(chosen.file.asteroids?.[0]).toMatchObject({ x: 50, y: 0, radius: 30 });
   });
 
-  it('asks when one took out what the other changed', () => {
+  it('reports a conflict if one side removed what the other changed', () => {
     const { conflicts, file } = mergeLevels(BASE, rocks(bb, cc), rocks({ ...aa, x: 9 }, bb, cc));
     expect(conflicts).toMatchObject([{ key: 'asteroids/aa', mine: undefined, theirs: { x: 9 } }]);
     expect(ids(file)).toEqual(['bb', 'cc']);
@@ -146,7 +146,7 @@ describe('merging', () => {
     ).toEqual(['aa', 'bb', 'cc']);
   });
 
-  it('keeps the order that one side made, and asks when both made one', () => {
+  it('keeps the order of the side that changed it, and reports a conflict if both did', () => {
     expect(ids(mergeLevels(BASE, rocks(cc, aa, bb), rocks(aa, bb, cc, { ...aa, id: 'dd' })).file)).toEqual([
       'cc',
       'dd',
@@ -156,7 +156,7 @@ describe('merging', () => {
     expect(mergeLevels(BASE, rocks(cc, aa, bb), rocks(bb, aa, cc)).conflicts).toMatchObject([{ key: 'asteroids/order' }]);
   });
 
-  it('asks for the astronaut, the black hole and the level by their names', () => {
+  it('names the astronaut, the black hole and the level in conflicts', () => {
     const mine = { ...BASE, name: 'm', astronaut: { x: 1, y: 0 }, blackHole: { x: 301, y: 0, radius: 20 } };
     const theirs = { ...BASE, name: 't', astronaut: { x: 2, y: 0, vx: 5 }, blackHole: { x: 300, y: 0, radius: 30 } };
     const { conflicts, file } = mergeLevels(BASE, mine, theirs);
@@ -168,18 +168,18 @@ describe('merging', () => {
     expect(file).toMatchObject({ name: 'm', astronaut: { x: 1, y: 0, vx: 5 }, blackHole: { x: 301, y: 0, radius: 20 } });
   });
 
-  it('puts what both added at one place in an order of its own, whoever is who', () => {
+  it('puts additions of both sides at one place in a fixed order, whichever side is mine', () => {
     const [dd, ee] = ['dd', 'ee'].map((id) => ({ ...aa, id }));
     for (const [mine, theirs] of [
       [rocks(aa, dd, bb, cc), rocks(aa, ee, bb, cc)],
       [rocks(aa, ee, bb, cc), rocks(aa, dd, bb, cc)],
     ])
       expect(ids(mergeLevels(BASE, mine, theirs).file)).toEqual(['aa', 'dd', 'ee', 'bb', 'cc']);
-    // in front of all, and behind the last
+    // before all others, and after the last
     expect(ids(mergeLevels(BASE, rocks(dd, aa, bb, cc), rocks(aa, bb, cc, ee)).file)).toEqual(['dd', 'aa', 'bb', 'cc', 'ee']);
   });
 
-  it('knows runs by name, and their holds are one thing', () => {
+  it('identifies runs by name, and treats their holds as one value', () => {
     const runs = (...list: [string, [number, number][]][]): LevelFile => ({
       ...BASE,
       runs: list.map(([name, holds]) => ({ name, holds })),

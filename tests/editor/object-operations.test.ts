@@ -50,7 +50,7 @@ interface Listed {
   y: number;
 }
 
-/** Some objects of a kind, without what may be left out but for the radius. */
+/** Some objects of a kind, with required fields and possibly a radius. */
 const some = (kind: ListedKind): fc.Arbitrary<Listed[]> => {
   const fields = fieldsOf(kind).flatMap(([name, field]): [string, fc.Arbitrary<unknown>][] => {
     if (name === KINDS[kind].radius) return [[name, isRequired(field) ? radius : fc.option(radius, { nil: undefined })]];
@@ -64,7 +64,7 @@ const lists = Object.fromEntries(LISTED_KINDS.map((kind) => [listOf(kind), some(
   fc.Arbitrary<Listed[]>
 >;
 
-/** Small levels with whole numbers, an id on every object, some radii left to their defaults, and lists that are missing. */
+/** Small levels with whole numbers, an id on every object, some default radii, and missing lists. */
 const smallFile: fc.Arbitrary<LevelFile> = fc
   .record({
     astronaut: fc.record({ x: coordinate, y: coordinate }),
@@ -99,7 +99,7 @@ const fileAfter = (file: LevelFile, recipe: Recipe): LevelFile => {
 const foundIn = (file: LevelFile, key: string) => objectsOf(file).get(key) as FoundObject;
 const places = (file: LevelFile) => new Map([...objectsOf(file)].map(([key, { object }]) => [key, { x: object.x, y: object.y }]));
 
-/** A level with some of its objects changed, and nothing else. */
+/** A level in which only some objects are changed. */
 function changed(file: LevelFile, keys: readonly string[], change: (found: FoundObject) => object): LevelFile {
   const one = (key: string) => (keys.includes(key) ? change(foundIn(file, key)) : foundIn(file, key).object);
   return {
@@ -114,14 +114,14 @@ function changed(file: LevelFile, keys: readonly string[], change: (found: Found
   } as LevelFile;
 }
 
-/** The usual size of what leaves its radius out. */
+/** The default size of objects without a radius. */
 const usual: Partial<Record<string, number>> = { blackHole: 18, alien: 25, mineral: 7 };
 const half = ({ kind, object }: FoundObject, axis: 'x' | 'y'): number =>
   kind === 'astronaut' ? (axis === 'x' ? 10 : 16) : (object.radius ?? (usual[kind] as number));
 
 type Numbers = Record<string, number>;
 
-/** An object moved as a whole. */
+/** An object, moved as a whole. */
 function moved({ kind, object }: Pick<FoundObject, 'kind' | 'object'>, dx: number, dy: number): FoundObject['object'] {
   const numbers = object as unknown as Numbers;
   const at = KINDS[kind].places.flatMap(([x, y]) => [
@@ -131,7 +131,7 @@ function moved({ kind, object }: Pick<FoundObject, 'kind' | 'object'>, dx: numbe
   return { ...object, ...Object.fromEntries(at) };
 }
 
-/** The least and the most of what an object covers along an axis, around all of its places. */
+/** The smallest and largest coordinate of an object along an axis, with all its places. */
 function ends(found: FoundObject, axis: 'x' | 'y'): [low: number, high: number] {
   const along = KINDS[found.kind].places.map((pair) => (found.object as unknown as Numbers)[pair[axis === 'x' ? 0 : 1]]);
   return [Math.min(...along) - half(found, axis), Math.max(...along) + half(found, axis)];
@@ -140,7 +140,7 @@ function ends(found: FoundObject, axis: 'x' | 'y'): [low: number, high: number] 
 const middleAlong = (found: FoundObject, axis: 'x' | 'y'): number => (ends(found, axis)[0] + ends(found, axis)[1]) / 2;
 
 describe('objects', () => {
-  it('are moved, the chosen ones alone', () => {
+  it('are moved if they are chosen, and no others', () => {
     fc.assert(
       fc.property(withKeys, coordinate, coordinate, ({ file, keys }, dx, dy) => {
         const expected = changed(file, keys, (found) => moved(found, dx, dy));
@@ -149,7 +149,7 @@ describe('objects', () => {
     );
   });
 
-  it('are changed by two recipes in one step as by one after the other', () => {
+  it('are changed by two recipes in one step as by two steps', () => {
     fc.assert(
       fc.property(withKeys, withKeys, coordinate, ({ file, keys }, other, dx) => {
         const [one, two] = [moveObjects(keys, dx, 1), moveObjects([...other.keys, ...keys], 1, dx)];
@@ -162,7 +162,7 @@ describe('objects', () => {
     );
   });
 
-  it('have one edge in line with the outermost of them, and stay where they are along the other axis', () => {
+  it('are aligned with the outermost one, and do not move along the other axis', () => {
     const edges: [Edge, 'x' | 'y', -1 | 0 | 1][] = [
       ['left', 'x', -1],
       ['centre', 'x', 0],
@@ -188,7 +188,7 @@ describe('objects', () => {
     );
   });
 
-  it('are spread evenly between the outermost two, in the order in which they stand', () => {
+  it('are distributed evenly between the outermost two, in their order', () => {
     fc.assert(
       fc.property(withKeys, fc.constantFrom<'x' | 'y'>('x', 'y'), ({ file, keys }, axis) => {
         const spread = fileAfter(file, distributeObjects(file, keys, axis));
@@ -210,7 +210,7 @@ describe('objects', () => {
     );
   });
 
-  it('are taken out, but for the two that every level has; a list that is empty is left out', () => {
+  it('can be removed, except the two that every level has; an empty list is omitted', () => {
     fc.assert(
       fc.property(withKeys, ({ file, keys }) => {
         const gone = fileAfter(file, deleteObjects(keys));
@@ -221,7 +221,7 @@ describe('objects', () => {
     );
   });
 
-  it('are copied beside themselves, at the end of their list, with all that they have', () => {
+  it('are duplicated beside themselves, at the end of their list, with all fields', () => {
     fc.assert(
       fc.property(withKeys, coordinate, coordinate, ({ file, keys }, dx, dy) => {
         const level = createEditedLevel(file);
@@ -244,7 +244,7 @@ describe('objects', () => {
     );
   });
 
-  it('come from the clipboard as they went there, moved; what was there stays before them', () => {
+  it('are pasted as they were copied, but moved, after the existing objects', () => {
     fc.assert(
       fc.property(withKeys, smallFile, coordinate, coordinate, ({ file, keys }, into, dx, dy) => {
         const text = copyObjects(file, keys);
@@ -273,7 +273,7 @@ describe('objects', () => {
     );
   });
 
-  it('come from the text of a whole level, too', () => {
+  it('can also be pasted from the text of a whole level', () => {
     fc.assert(
       fc.property(smallFile, (file) => {
         const count = OBJECT_LISTS.reduce((sum, list) => sum + (file[list]?.length ?? 0), 0);
@@ -282,18 +282,18 @@ describe('objects', () => {
     );
   });
 
-  it('come from no other JSON', () => {
+  it('can not be pasted from other JSON', () => {
     for (const text of ['null', '7', '"asteroids"', 'true', '[{"asteroids":[]}]', '{"asteroids":null}', '{"runs":[]}'])
       expect(readClipping(text).ok).toBe(false);
   });
 
-  it('are pasted where they were when no way is given', () => {
+  it('are pasted at their old place if no offset is given', () => {
     const clipping = { novae: [{ x: 3, y: 4, radius: 16 }] };
     const empty: LevelFile = { version: 1, name: 'a', astronaut: { x: 0, y: 0 }, blackHole: { x: 0, y: 0 } };
     expect(fileAfter(empty, pasteObjects(clipping)).novae).toMatchObject(clipping.novae);
   });
 
-  it('go to a place in their list, or to its end where there is none', () => {
+  it('move to a place in their list, or to the end if there is no such place', () => {
     fc.assert(
       fc.property(smallFile, fc.nat(30), fc.integer({ min: -3, max: 6 }), (file, n, to) => {
         const key = [...objectsOf(file).keys()][n % objectsOf(file).size];
@@ -309,7 +309,7 @@ describe('objects', () => {
     );
   });
 
-  it('have the radius that the file says, or the usual one of their kind; she has none', () => {
+  it('have the radius of the file, or the default of their kind; the astronaut has none', () => {
     fc.assert(
       fc.property(smallFile, (file) => {
         for (const found of objectsOf(file).values())
@@ -320,7 +320,7 @@ describe('objects', () => {
     expect(radiusOf(nova)).toBeNull();
   });
 
-  it('are given a radius, or scaled from the one they have; she is passed over', () => {
+  it('can get a radius, or be scaled; the astronaut is skipped', () => {
     fc.assert(
       fc.property(withKeys, radius, ({ file, keys }, size) => {
         const round = keys.filter((key) => key !== ASTRONAUT);
@@ -334,7 +334,7 @@ describe('objects', () => {
     );
   });
 
-  it('and the level have a property that is typed, or leave it out', () => {
+  it('and the level can get a typed property, or omit it', () => {
     const level = createEditedLevel({
       ...{ version: 1, name: 'a', astronaut: { x: 0, y: 0 }, blackHole: { x: 0, y: 0 }, range: 100, recoil: true },
     });
@@ -343,7 +343,7 @@ describe('objects', () => {
     expect(level.file()).toEqual({ version: 1, name: 'a', astronaut: { x: 0, y: 0 }, blackHole: { x: 0, y: 0 }, range: 300 });
   });
 
-  it('have a property that is typed, and no longer one that is left out', () => {
+  it('can get a typed property, and lose an omitted one', () => {
     const level: LevelFile = {
       version: 1,
       name: 'a',
@@ -367,7 +367,7 @@ describe('objects', () => {
     ]);
   });
 
-  it('are placed with the usual radius of their kind, or the given one, behind the others', () => {
+  it('are placed after the others, with the default radius of their kind or the given one', () => {
     const kinds: [Placeable, (typeof OBJECT_LISTS)[number], number | undefined][] = [
       ['asteroid', 'asteroids', 16],
       ['hot', 'asteroids', 16],
@@ -400,7 +400,7 @@ describe('objects', () => {
     );
   });
 
-  it('are known by their keys, kinds, places in the lists and pointers', () => {
+  it('are identified by key, kind, index in the list and pointer', () => {
     fc.assert(
       fc.property(smallFile, (file) => {
         const objects = [...objectsOf(file).values()];
@@ -420,7 +420,7 @@ describe('objects', () => {
         expect(keyAt({ ...file, novae: undefined }, '/novae/0')).toBeNull();
       }),
     );
-    // a level that is not settled yet
+    // a level that has not been settled yet
     const bare: LevelFile = {
       version: 1,
       name: 'a',

@@ -13,13 +13,13 @@ function keeper() {
 }
 
 describe('marks of levels that are being opened', () => {
-  it('are what the next page knows of one that hung', () => {
+  it('tell the next page which level made the previous one hang', () => {
     const { storage } = keeper();
     const hung = createOpeningMarks(storage);
     hung.set('folder/07');
     hung.set('folder/08');
     hung.clear('folder/08');
-    // its own opening is no reason to hold anything back
+    // the page's own mark does not count
     expect(hung.has('folder/07')).toBe(false);
     const next = createOpeningMarks(storage);
     expect(next.has('folder/07')).toBe(true);
@@ -29,7 +29,7 @@ describe('marks of levels that are being opened', () => {
     expect(createOpeningMarks(storage).has('folder/07')).toBe(false);
   });
 
-  it('are gone when a page is left while it opens one, but not those of others', () => {
+  it('are removed if a page is left while it opens a level, but not those of other pages', () => {
     const { storage } = keeper();
     createOpeningMarks(storage).set('folder/01');
     const left = createOpeningMarks(storage);
@@ -39,7 +39,7 @@ describe('marks of levels that are being opened', () => {
     expect([next.has('folder/01'), next.has('folder/02')]).toEqual([true, false]);
   });
 
-  it('do no harm where nothing is kept, or where something else is', () => {
+  it('are ignored if nothing or something else is stored', () => {
     const { storage, kept } = keeper();
     for (const junk of ['', '{', '{"a":1}', 'null', '[1, null, "x"]']) {
       kept.set('gravity-quest-editor-opening', junk);
@@ -66,7 +66,7 @@ describe('marks of levels that are being opened', () => {
     expect(createOpeningMarks(storage).has('level 999')).toBe(true);
     expect(createOpeningMarks(storage).has('level 950')).toBe(true);
     expect(createOpeningMarks(storage).has('level 949')).toBe(false);
-    // one that is marked again and again takes the place of no other
+    // marking one level again and again removes no other mark
     for (let i = 0; i < 100; i++) createOpeningMarks(storage).set('level 999');
     expect(createOpeningMarks(storage).has('level 950')).toBe(true);
   });

@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { pageSurroundings } from '../../editor/files/index.ts';
 
-// A page whose database is refused: what it does with one, the tests in browsers say.
+// A page whose database is refused; the browser tests cover pages with a database.
 
 beforeEach(() => {
   vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] });
@@ -16,7 +16,7 @@ afterEach(() => {
   vi.unstubAllGlobals();
 });
 
-/** A tab on an address whose server answers with a status; null: nobody answers. */
+/** A tab on an address whose server answers with a status; null: no answer. */
 function windowOn(address: string, status: number | null, kept: string | null = null) {
   const asked: { path: string; token: string | null }[] = [];
   const page = {
@@ -35,7 +35,7 @@ function windowOn(address: string, status: number | null, kept: string | null = 
 const text = JSON.stringify({ version: 1, name: 'a', astronaut: { x: 0, y: 0 }, blackHole: { x: 300, y: 0 } });
 
 describe('a page', () => {
-  it('that gq edit has not served has the levels of its browser; they last no longer than the page while there is no database', async () => {
+  it('that gq edit has not served has the levels of its browser, and only its own ones without a database', async () => {
     for (const [address, status] of [
       ['https://example.org/', 200],
       ['https://example.org/', 401],
@@ -54,7 +54,7 @@ describe('a page', () => {
     }
   });
 
-  it('that gq edit has served has the levels behind it, with its token, or without one says so', async () => {
+  it('that gq edit has served has the levels of its folder, or reports that the token is missing', async () => {
     const given = windowOn('http://127.0.0.1:4747/#token=secret', 500, 'secret');
     const { storage, lateLevels } = await pageSurroundings(given.page);
     expect([storage.kind, storage.lasts, lateLevels]).toEqual(['server', true, null]);

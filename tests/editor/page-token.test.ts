@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { mayBeServed, type TokenPage, takeToken } from '../../editor/files/page-token.ts';
 
-/** A tab on an address; what is put into its history is its address from then on. */
+/** A tab on an address, which history.replaceState changes. */
 function tab(address: string, { keeps = true, kept = new Map<string, string>() } = {}) {
   let url = new URL(address);
   const page: TokenPage = {
@@ -33,17 +33,17 @@ function tab(address: string, { keeps = true, kept = new Map<string, string>() }
 const ROOT = 'http://127.0.0.1:4747/';
 
 describe('the token of gq edit', () => {
-  it('is taken out of the address, and is there when the page is loaded anew', () => {
+  it('is removed from the address, and is still known after a reload', () => {
     const first = tab(`${ROOT}?a=b#token=abc-_123`);
     expect(takeToken(first.page)).toBe('abc-_123');
     expect(first.address()).toBe(`${ROOT}?a=b`);
     expect(takeToken(tab(ROOT, { kept: first.kept }).page)).toBe('abc-_123');
-    // the address that is printed by the next run
+    // the address that the next run prints
     expect(takeToken(tab(`${ROOT}#token=next`, { kept: first.kept }).page)).toBe('next');
     expect(takeToken(tab(ROOT, { kept: first.kept }).page)).toBe('next');
   });
 
-  it('leaves what else the fragment carries', () => {
+  it('leaves the rest of the fragment', () => {
     fc.assert(
       fc.property(
         fc.stringMatching(/^[\w-]{1,40}$/),
@@ -60,7 +60,7 @@ describe('the token of gq edit', () => {
     );
   });
 
-  it('stays in the address where the tab keeps nothing: it could not be loaded anew', () => {
+  it('stays in the address if the tab can not store it, so that a reload works', () => {
     const { page, address } = tab(`${ROOT}#token=abc`, { keeps: false });
     expect(takeToken(page)).toBe('abc');
     expect(address()).toBe(`${ROOT}#token=abc`);
@@ -72,7 +72,7 @@ describe('the token of gq edit', () => {
     'https://127.0.0.1:4747/#token=abc',
     'http://127.0.0.1:8000/game/#token=abc',
     'http://example.org/#token=abc',
-  ])('is none where gq edit serves nothing: %s', (address) => {
+  ])('is null on a page that gq edit does not serve: %s', (address) => {
     const { page, kept, address: now } = tab(address);
     expect(mayBeServed(page)).toBe(false);
     expect(takeToken(page)).toBeNull();
@@ -80,7 +80,7 @@ describe('the token of gq edit', () => {
     expect(now()).toBe(address);
   });
 
-  it('is none in a tab without one', () => {
+  it('is null in a tab without one', () => {
     expect(takeToken(tab(ROOT).page)).toBeNull();
     expect(takeToken(tab(`${ROOT}#token=`).page)).toBeNull();
     expect(takeToken(tab(`${ROOT}#level=abc`).page)).toBeNull();

@@ -16,7 +16,7 @@ import { breathe, createChannels, createKeyValues, createLine, LockKeeper, Turne
 
 const FILE: LevelFile = { version: 1, name: 'base', astronaut: { x: 0, y: 0 }, blackHole: { x: 300, y: 0 } };
 
-/** One browser on one folder: several pages, other programs, a server that comes and goes. */
+/** One browser on one folder, with several pages, other programs, and a server that comes and goes. */
 class Browser {
   readonly clock = new TurnedClock();
   readonly locks = new LockKeeper();
@@ -31,7 +31,7 @@ class Browser {
     const name = `page ${++this.pages}`;
     const line = createLine(this.disk);
     let isAlive = true;
-    /** Of a page that is gone nothing comes any more: no answer, no call. */
+    /** A closed page sends nothing any more: no answer, no call. */
     const whileAlive =
       <T extends unknown[], R>(act: (...args: T) => Promise<R>) =>
       (...args: T): Promise<R> =>
@@ -58,7 +58,7 @@ class Browser {
       },
     });
     await workspace.start();
-    /** The page is gone, at once: nothing it would still do happens. */
+    /** Closes the page at once: none of its pending work happens. */
     const kill = () => {
       isAlive = false;
       line.isCut = true;
@@ -80,7 +80,7 @@ class Browser {
     return reading.file;
   }
 
-  /** A checkout, another tool. */
+  /** A write by another program, such as a checkout. */
   async byOthers(change: (file: LevelFile) => LevelFile): Promise<void> {
     for (;;) {
       const answer = await this.disk.read('07');
@@ -107,7 +107,7 @@ const opening = async (workspace: Workspace): Promise<OpenedLevel> => {
 };
 
 describe('a page', () => {
-  it('opens a level, saves it, and has its history when it comes back to it', async () => {
+  it('opens a level, saves it, and keeps its history until it is opened again', async () => {
     const at = await browser();
     await at.disk.write('08', formatLevel({ ...FILE, name: 'eight' }), null);
     const { workspace } = await at.page();
@@ -122,7 +122,7 @@ describe('a page', () => {
     expect((await at.file()).name).toBe('base');
   });
 
-  it('that died has what it had not saved when it begins anew, and not once more after that', async () => {
+  it('that died recovers unsaved changes after a restart, and only once', async () => {
     const at = await browser();
     const first = await at.page();
     await first.workspace.open('07');
@@ -144,7 +144,7 @@ describe('a page', () => {
     expect(opened(third.workspace)?.recovered).toBeNull();
   });
 
-  it('that died before its write was answered goes on from what it had written', async () => {
+  it('that died before the answer to its write continues from that version', async () => {
     const at = await browser();
     const first = await at.page();
     await first.workspace.open('07');
@@ -163,7 +163,7 @@ describe('a page', () => {
     expect(opened(second.workspace)?.recovered).toMatchObject({ labels: ['Rename', 'Rename'] });
   });
 
-  it('that died before its last write was answered has nothing to recover', async () => {
+  it('that died before the answer to its last write has nothing to recover', async () => {
     const at = await browser();
     const first = await at.page();
     await first.workspace.open('07');
@@ -177,7 +177,7 @@ describe('a page', () => {
     expect(opened(second.workspace)?.recovered).toBeNull();
   });
 
-  it('opens a level whose journal does not answer, says so, and has what was left in it once it does', async () => {
+  it('opens a level whose journal does not answer, reports that, and recovers its changes later', async () => {
     const at = await browser();
     const first = await at.page();
     const before = await opening(first.workspace);
@@ -201,7 +201,7 @@ describe('a page', () => {
     expect(await at.file()).toMatchObject({ name: 'meanwhile', description: 'left' });
   });
 
-  it('shows a file that is no level as text, and leaves it alone', async () => {
+  it('shows a file that is not a level as text, and does not change it', async () => {
     const at = await browser();
     const { workspace, line } = await at.page();
     line.read = async (id) => {
@@ -220,7 +220,7 @@ describe('a page', () => {
     expect(line.writes).toBe(0);
   });
 
-  it('renames the level it has open and goes on saving it', async () => {
+  it('renames the open level and continues to save it', async () => {
     const at = await browser();
     const { workspace } = await at.page();
     await workspace.open('07');
@@ -237,7 +237,7 @@ describe('a page', () => {
 });
 
 describe('two pages on one level', () => {
-  it('have one that writes and one that follows; the other becomes the writer when the first is gone', async () => {
+  it('are one writer and one reader, which becomes the writer when the first is gone', async () => {
     const at = await browser();
     const [a, b] = [await at.page(), await at.page()];
     await a.workspace.open('07');
@@ -245,7 +245,7 @@ describe('two pages on one level', () => {
     expect([role(a.workspace), role(b.workspace)]).toEqual(['writer', 'reader']);
     expect(opened(b.workspace)?.saver.store.getState()).toMatchObject({ kind: 'readOnly', unsaved: false });
     opened(a.workspace)?.level.change('Rename', setLevelProperty('name', 'by a'));
-    // a large level is not written out while the person waits
+    // the user does not wait while a large level is written out
     await at.clock.pass(100);
     await breathe();
     expect(opened(b.workspace)?.level.file().name).toBe('by a');
@@ -259,7 +259,7 @@ describe('two pages on one level', () => {
     expect((await at.file()).name).toBe('by b');
   });
 
-  it('hand over on demand, with everything written first', async () => {
+  it('hand over on demand, after everything is written', async () => {
     const at = await browser();
     const [a, b] = [await at.page(), await at.page()];
     await a.workspace.open('07');
@@ -276,7 +276,7 @@ describe('two pages on one level', () => {
     expect(a.line.writes).toBe(1);
   });
 
-  it('have one writer still when the level gets another name, and so has who opens it by that', async () => {
+  it('still have one writer after a rename, also for a page that opens the level by its new name', async () => {
     const at = await browser();
     const [a, b, c] = [await at.page(), await at.page(), await at.page()];
     await a.workspace.open('07');
@@ -303,7 +303,7 @@ describe('two pages on one level', () => {
     expect(answer.ok && answer.value.text).toContain('by another');
   });
 
-  it('let the level be taken from a page that does not answer, and from one that died with unsaved changes', async () => {
+  it('can take the level from a page that does not answer, and from one that died with unsaved changes', async () => {
     const at = await browser();
     const [a, b] = [await at.page(), await at.page()];
     await a.workspace.open('07');
@@ -337,7 +337,7 @@ describe('whatever happens', () => {
     { weight: 4, arbitrary: fc.record({ what: fc.constant('wait' as const), page: fc.constantFrom(1, 100, 300, 3000) }) },
   );
 
-  it('nothing that was added is lost: pages die, lines are cut, others write, levels are taken over', async () => {
+  it('no addition is lost if pages die, connections break, others write and levels are taken over', async () => {
     await fc.assert(
       fc.asyncProperty(fc.array(act, { minLength: 5, maxLength: 25 }), async (acts) => {
         const at = await browser();
@@ -353,7 +353,7 @@ describe('whatever happens', () => {
           } else if (what === 'edit' && role(one.workspace) === 'writer' && saveState(one.workspace) !== 'readOnly') {
             added.push(added.length + 1);
             opened(one.workspace)?.level.change('Add', addObject('mineral', added.length, 0));
-            // the journal has it as soon as the browser has had a moment
+            // the journal stores it after a moment
             await breathe();
           } else if (what === 'cut') one.line.isCut = true;
           else if (what === 'lose answers') one.line.losesAnswers = true;
@@ -375,7 +375,7 @@ describe('whatever happens', () => {
           line.link('up');
         }
         await at.clock.pass(30_000);
-        // what a page could not hand over in time it still has: it is written once that page may write again
+        // changes that a page could not hand over in time are written once the page may write again
         for (const { workspace } of pages) {
           opened(workspace)?.lock.takeOver();
           await at.clock.pass(30_000);

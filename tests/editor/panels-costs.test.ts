@@ -32,7 +32,7 @@ const LEVEL: Level = resolveLevel(FILE);
 const HOLDS = [[10, 200]] as const;
 
 describe('what an effect costs', () => {
-  it('is looked at in a level that no longer calls for it, and is otherwise the same', () => {
+  it('is measured in a level that does not call for the effect, and is otherwise the same', () => {
     const called = (level: Level) =>
       compile(level)
         .effects.simulated.map(({ name }) => name)
@@ -56,7 +56,7 @@ describe('what an effect costs', () => {
     }
   });
 
-  it('is the work that is saved where she flies the same way, and nothing where she flies another', () => {
+  it('is the saved work if her path is the same, and unknown if it differs', () => {
     const full = simulate(compile(LEVEL), HOLDS);
     const nova = costOf(LEVEL, 'precise', HOLDS, full, 'novae');
     expect(nova.kind).toBe('same');
@@ -66,7 +66,7 @@ describe('what an effect costs', () => {
     expect(costOf(LEVEL, 'precise', HOLDS, full, 'gun').kind).toBe('always');
   });
 
-  it('is told with how far it may be trusted', () => {
+  it('is reported with its uncertainty', () => {
     const slow = (round: number) => (round % 5 === 0 ? 40 : 0);
     const base = Array.from({ length: 24 }, (_, i) => 12 + slow(i));
     const clear = savingOf(
@@ -74,7 +74,7 @@ describe('what an effect costs', () => {
       Array.from({ length: 24 }, (_, i) => 9 + slow(i + 2)),
     );
     expect(clear).toEqual({ all: 12, saved: 3, low: 3, high: 3 });
-    // one half of the rounds says it saves, the other that it costs
+    // half of the rounds show a gain, the others a loss
     const noise = savingOf(
       base,
       Array.from({ length: 24 }, (_, i) => (i % 2 === 0 ? 11 : 13)),
@@ -92,7 +92,7 @@ describe('timing in turns', () => {
     },
   });
 
-  it('gives each player its time per simulated second, whatever the others take, also by a coarse clock', async () => {
+  it('measures the time of each player per simulated second, independent of the others, also with a coarse clock', async () => {
     const clock = { time: 0 };
     const options = { now: () => Math.floor(10 * clock.time) / 10, pause: async () => {}, signal: new AbortController().signal };
     const samples = await timeInTurns([player(clock, 0.03), player(clock, 0.5), player(clock, 7)], options);
@@ -103,7 +103,7 @@ describe('timing in turns', () => {
     }
   });
 
-  it('pauses after every sample, none of which is much longer than it must be', async () => {
+  it('pauses after every sample, and samples are not much longer than necessary', async () => {
     const clock = { time: 0 };
     let last = 0;
     let longest = 0;
@@ -118,7 +118,7 @@ describe('timing in turns', () => {
     expect(pauses).toBe(27);
   });
 
-  it('stops when it is aborted', async () => {
+  it('stops on abort', async () => {
     const clock = { time: 0 };
     const abort = new AbortController();
     const pause = async () => abort.abort();
@@ -128,7 +128,7 @@ describe('timing in turns', () => {
 });
 
 describe('the named settings', () => {
-  it('are compared with precise, which differs from itself by nothing', () => {
+  it('are compared with precise, whose own error is 0', () => {
     const results = new Map<string, NamedResult>([...compareNamed(LEVEL, HOLDS)].map((result) => [result.name, result]));
     expect([...results.keys()].sort()).toEqual([...NAMES].sort());
     expect(results.get('precise')).toMatchObject({ difference: 0, sameVerdict: true });
@@ -140,7 +140,7 @@ describe('the named settings', () => {
     }
   });
 
-  it('have their place in the diagram, the one in use ringed, in the theme of the page', () => {
+  it('are points in the diagram, in the theme of the page, with a ring around the current one', () => {
     const settings = METHODS.map(({ name }, i) => ({
       name,
       error: 10 ** -(i % 9),
@@ -154,7 +154,7 @@ describe('the named settings', () => {
     expect(svg.match(/<circle[^>]*r="9"/g)).toHaveLength(1);
     expect(svg).not.toBe(draw('precise', 'dark'));
     expect(svg).not.toBe(draw('fast', 'light'));
-    // no style of its own: it must not reach into the page
+    // no style element, which would affect the whole page
     expect(svg).not.toContain('<style');
     expect(svg).not.toContain('<1>');
   });

@@ -39,7 +39,7 @@ const provenFile = (file: LevelFile): LiveProof =>
 
 const SUBJECTS: readonly Subject[] = ['level', ...OBJECT_KINDS];
 
-/** What an object of a kind must have. */
+/** The required fields of a kind. */
 const leastOf = (kind: ObjectKind) =>
   Object.fromEntries(fieldsOfKind(kind).flatMap(([name, field]) => (isRequired(field) ? [[name, 1]] : [])));
 
@@ -53,7 +53,7 @@ function levelWith(subject: Subject, key: string, value: unknown): unknown {
 }
 
 describe('fields of the inspector', () => {
-  it('have the limits of the schema: the ends are valid, what lies beyond is not', () => {
+  it('have the limits of the schema: the ends are valid, values beyond are not', () => {
     for (const subject of SUBJECTS) {
       for (const { key, type, least, most } of fieldsOf(subject).fields) {
         const accepts = (value: unknown) => levelSchema.safeParse(levelWith(subject, key, value)).success;
@@ -72,7 +72,7 @@ describe('fields of the inspector', () => {
     }
   });
 
-  it('are all that a person can set, and nothing else', () => {
+  it('are all settable properties, and no others', () => {
     const keys = Object.fromEntries(SUBJECTS.map((subject) => [subject, fieldsOf(subject).fields.map(({ key }) => key)]));
     expect(keys).toEqual({
       ...keys,
@@ -88,28 +88,28 @@ describe('fields of the inspector', () => {
     for (const subject of SUBJECTS) for (const { about } of fieldsOf(subject).fields) expect(about).not.toBe('');
   });
 
-  it('know the default that stands for what is left out, and none for what can not be', () => {
+  it('know the default of an optional property; a required one has none', () => {
     for (const subject of SUBJECTS) {
       for (const { key, fallback } of fieldsOf(subject).fields) {
         const canBeLeftOut = levelSchema.safeParse(levelWith(subject, key, undefined)).success;
         expect([subject, key, fallback !== undefined]).toEqual([subject, key, canBeLeftOut]);
         if (!canBeLeftOut) continue;
-        // written or left out, it is the same level
+        // with the default written or omitted, it is the same level
         const written = resolveLevel(levelWith(subject, key, fallback) as LevelFile);
         expect(resolveLevel(levelWith(subject, key, undefined) as LevelFile)).toEqual(written);
       }
     }
   });
 
-  it('that several kinds share are those each of them has', () => {
+  it('of several kinds are those that all of them have', () => {
     expect(sharedFields(['asteroid', 'mineral']).map(({ key }) => key)).toEqual(['x', 'y', 'radius']);
     expect(sharedFields(['astronaut', 'mineral']).map(({ key }) => key)).toEqual(['x', 'y']);
-    // an asteroid has no default: there is nothing to go back to
+    // an asteroid has no default to reset to
     expect(sharedFields(['asteroid', 'mineral']).find(({ key }) => key === 'radius')?.fallback).toBeUndefined();
     expect(sharedFields(['mineral', 'mineral']).find(({ key }) => key === 'radius')?.fallback).toBe(7);
   });
 
-  it('show what all selected objects have, and null where they differ', () => {
+  it('show the common value of all selected objects, or null if they differ', () => {
     fc.assert(
       fc.property(arbitraryFile, (file) => {
         const level = createEditedLevel(file).file();
@@ -126,8 +126,8 @@ describe('fields of the inspector', () => {
   });
 });
 
-describe('what the run does with an object', () => {
-  it('never comes nearer to a hazard than the clearance of the run, and as near to one of them but for the way of a tick', () => {
+describe('the effect of the run on an object', () => {
+  it('gives no smaller distance to a hazard than the clearance, and for one hazard the same, up to the motion of a tick', () => {
     let checked = 0;
     for (const file of SHIPPED) {
       const proof = provenFile(file);
@@ -146,7 +146,7 @@ describe('what the run does with an object', () => {
     expect(checked).toBeGreaterThan(5);
   });
 
-  it('the pulls of all asteroids together are the time the gun is held', () => {
+  it('lists the pulls of asteroids, which in total take as long as the gun is held', () => {
     for (const file of SHIPPED) {
       const { full, level, run } = provenFile(file);
       const pulled = level.asteroids.flatMap((_, i) => pullsOf(full?.events ?? [], i, run.time));
@@ -158,7 +158,7 @@ describe('what the run does with an object', () => {
     }
   });
 
-  it('tells of every mineral whether it is taken', () => {
+  it('says for every mineral whether it is collected', () => {
     for (const file of SHIPPED) {
       const proof = provenFile(file);
       for (const found of objectsOf(proof.file).values()) {
@@ -170,7 +170,7 @@ describe('what the run does with an object', () => {
     }
   });
 
-  it('ends at the black hole where it completes the level, at a tick of the run', () => {
+  it('says at which tick of the run the black hole completes it', () => {
     for (const file of SHIPPED) {
       const proof = provenFile(file);
       const hole = [...objectsOf(proof.file).values()].find(({ kind }) => kind === 'blackHole');
@@ -179,7 +179,7 @@ describe('what the run does with an object', () => {
     }
   });
 
-  it('is told of an alien that lies on her but for less than any number can tell', () => {
+  it('is given for an alien that overlaps her by less than rounding', () => {
     const file = withIds({
       version: 1,
       name: 'Level',
@@ -193,7 +193,7 @@ describe('what the run does with an object', () => {
     for (const { value } of facts) expect(value).not.toMatch(/NaN/);
   });
 
-  it('is told for every object of any level', () => {
+  it('is given for every object of any level', () => {
     fc.assert(
       fc.property(arbitraryFile, (file) => {
         const proof = provenFile(file);

@@ -54,7 +54,7 @@ describe('a quick fix', () => {
     expect(document.file().runs?.[0]).toEqual({ name: 'fine', holds: [[5, 20]] });
   });
 
-  it('is offered for nothing that somebody has to decide', () => {
+  it('is not offered if the user has to decide', () => {
     const document = createEditedLevel({ ...fileWith([[10, 20]]), blackHole: { x: 9000, y: 0 } });
     const { problems } = prove(document.file());
     expect(problems.length).toBeGreaterThan(0);
@@ -62,7 +62,7 @@ describe('a quick fix', () => {
   });
 });
 
-it('every code that can be told has an explanation', () => {
+it('every code has an explanation', () => {
   const codes = [...CODES, ...WARNING_CODES].map(({ code }) => code);
   for (const code of [
     ...codes,
@@ -80,7 +80,7 @@ it('every code that can be told has an explanation', () => {
   expect(explanationOf('no-such-code')).toBeNull();
 });
 
-describe('problems that are shown', () => {
+describe('shown problems', () => {
   const problem: fc.Arbitrary<Problem> = fc.record({
     code: fc.constantFrom('a', 'b'),
     severity: fc.constantFrom('error', 'warning'),
@@ -92,12 +92,12 @@ describe('problems that are shown', () => {
   });
   const problems = fc.array(problem, { maxLength: 6 });
 
-  it('say what was found, and stay the same objects where nothing is new', () => {
+  it('are those that were found, and stay the same objects without changes', () => {
     fc.assert(
       fc.property(problems, problems, (before, now) => {
         const kept = keepSame(before, now);
         expect(kept).toEqual(now);
-        // what was told twice may stand for each other
+        // equal problems may replace each other
         for (const one of kept) expect(before.includes(one) || now.includes(one)).toBe(true);
         const known = before.filter(
           (old, i) =>
@@ -111,7 +111,7 @@ describe('problems that are shown', () => {
     );
   });
 
-  it('have names of their own, which new ones before them leave alone', () => {
+  it('have unique keys, which do not change if new ones come before them', () => {
     fc.assert(
       fc.property(problems, problem, (list, other) => {
         const keys = keysOf(list);

@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { afterRest } from '../../editor/panels/parts/after-rest.ts';
 
-/** Frames that are asked for and begin when the test says so. */
+/** Requested frames, which the test runs. */
 function stageFrames() {
   const asked = new Map<number, () => void>();
   let last = 0;
@@ -20,7 +20,7 @@ function stageFrames() {
   };
 }
 
-describe('what waits until the page rests', () => {
+describe('a call that waits until the page rests', () => {
   let frames: ReturnType<typeof stageFrames>;
   beforeEach(() => {
     vi.useFakeTimers();
@@ -32,7 +32,7 @@ describe('what waits until the page rests', () => {
     vi.unstubAllGlobals();
   });
 
-  it('is called so many ms after the second frame, however long that takes', () => {
+  it('is made the given ms after the second frame, however long that takes', () => {
     const call = vi.fn();
     afterRest(100, call);
     vi.advanceTimersByTime(500);
@@ -49,7 +49,7 @@ describe('what waits until the page rests', () => {
     expect(frames.asked.size).toBe(0);
   });
 
-  it.each([0, 1, 2])('is not called once it was taken back after %i frames, and keeps no other one', (count) => {
+  it.each([0, 1, 2])('is not made if it is cancelled after %i frames, which does not affect others', (count) => {
     const [dropped, other] = [vi.fn(), vi.fn()];
     const forget = afterRest(100, dropped);
     afterRest(100, other);
@@ -61,7 +61,7 @@ describe('what waits until the page rests', () => {
     expect(other).toHaveBeenCalledTimes(1);
   });
 
-  it('shares the frames, and one that comes later has two of its own', () => {
+  it('shares frames with others; a later one waits for two more', () => {
     const [early, late] = [vi.fn(), vi.fn()];
     afterRest(100, early);
     frames.frame();
@@ -75,7 +75,7 @@ describe('what waits until the page rests', () => {
     expect(late).toHaveBeenCalledTimes(1);
   });
 
-  it('is called where no frames are shown, too', () => {
+  it('is also made if no frames are shown', () => {
     const call = vi.fn();
     afterRest(100, call);
     vi.advanceTimersByTime(1099);

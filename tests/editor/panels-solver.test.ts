@@ -30,7 +30,7 @@ function readShipped(name: string) {
   return reading.document.file;
 }
 
-/** Workers that do nothing of themselves: a test says what they tell. */
+/** Workers that do nothing by themselves: tests send their messages. */
 class StagedWorkers implements Pick<Workers, 'start'> {
   readonly jobs: {
     readonly kind: JobKind;
@@ -118,7 +118,7 @@ afterEach(() => {
 const NOTHING_PROVED = { impossible: null, minerals: [] };
 
 describe('a search', () => {
-  it('asks for what was set', () => {
+  it('requests what was set', () => {
     const { search, workers, settings, document } = stage();
     const known = (document.file().runs ?? []).map(({ holds }) => holds);
     expect(known.length).toBeGreaterThan(0);
@@ -139,7 +139,7 @@ describe('a search', () => {
     expect(goalOf({ ...settings.getState(), some: 9 }, 2)).toEqual({ minerals: 2 });
   });
 
-  it('shows the closest approach until it has found something, then what it found; ghosts of others stay', () => {
+  it('shows the closest approach until it finds runs, then those; other ghosts stay', () => {
     const { search, workers, holds, solving, looks, overlay } = stage();
     search.start();
     workers.last('solve').tell(solving());
@@ -153,7 +153,7 @@ describe('a search', () => {
     expect(search.store.getState().phase).toBe('idle');
   });
 
-  it('shows one alone while it is pointed at', () => {
+  it('shows only one run while the pointer is on it', () => {
     const { search, workers, holds, solving, looks, scene } = stage();
     const [[press, release], ...rest] = holds;
     const other: Hold[] = [[press, release - 1], ...rest];
@@ -167,7 +167,7 @@ describe('a search', () => {
     expect(looks()).toHaveLength(3);
   });
 
-  it('leaves the list as it is while one of it is pointed at, and shows what came meanwhile after that', () => {
+  it('does not change the list while the pointer is on it, and shows new runs afterwards', () => {
     const { search, workers, holds, solving } = stage();
     const [[press, release], ...rest] = holds;
     const other: Hold[] = [[press, release - 1], ...rest];
@@ -186,7 +186,7 @@ describe('a search', () => {
     expect(listed()).toEqual([]);
   });
 
-  it('that is cancelled keeps what it found and hears no more', () => {
+  it('keeps its results when it is cancelled, and ignores later messages', () => {
     const { search, workers, holds, solving, looks } = stage();
     search.start();
     workers.last('solve').tell(solving(holds));
@@ -197,7 +197,7 @@ describe('a search', () => {
     expect(looks()).toHaveLength(2);
   });
 
-  it('that is started anew forgets the last one, which is no longer heard', async () => {
+  it('forgets the last search when it is restarted, and ignores its messages', async () => {
     const { search, workers, holds, solving } = stage();
     search.start();
     const first = workers.last('solve');
@@ -209,7 +209,7 @@ describe('a search', () => {
     expect(search.store.getState()).toMatchObject({ phase: 'running', found: [] });
   });
 
-  it('says that it broke down', async () => {
+  it('reports that it has failed', async () => {
     const { search, workers } = stage();
     search.start();
     workers.last('solve').end({ kind: 'failed', message: 'out of memory' });
@@ -217,7 +217,7 @@ describe('a search', () => {
     expect(search.store.getState()).toMatchObject({ phase: 'failed', message: 'out of memory' });
   });
 
-  it('ends when it is proved that there is nothing to find', async () => {
+  it('ends when a proof shows that there is nothing to find', async () => {
     const { search, workers, document, overlay, proof } = stage();
     document.change('far away', (draft) => {
       draft.blackHole.x = 90_000;
@@ -232,7 +232,7 @@ describe('a search', () => {
     expect(overlay.getState().proof?.discs.length).toBeGreaterThan(0);
   });
 
-  it('ends when a mineral is proved to be out of reach, but only where it is asked for', async () => {
+  it('ends when a mineral is proved to be out of reach, but only if it is required', async () => {
     for (const minerals of ['any', 'all'] as const) {
       const { search, workers, settings, document, proof } = stage();
       settings.setState({ minerals });
@@ -250,12 +250,12 @@ describe('a search', () => {
     }
   });
 
-  it('stops when the level changes, and tries what it found in the level as it is', () => {
+  it('stops when the level changes, and tries its runs in the changed level', () => {
     const { search, workers, document, holds, solving, overlay } = stage();
     search.start();
     workers.last('proofs').tell(NOTHING_PROVED);
     workers.last('solve').tell(solving(holds));
-    // a name changes nothing that is played
+    // a new name does not affect the motion
     document.change('rename', setLevelProperty('name', 'Another'));
     vi.advanceTimersByTime(1000);
     expect(search.store.getState()).toMatchObject({ phase: 'running', found: [{ works: true }] });
@@ -271,7 +271,7 @@ describe('a search', () => {
     expect(search.store.getState().found).toMatchObject([{ works: true }]);
   });
 
-  it('puts a run into the level, as the proof where there was none, in one step that can be undone', () => {
+  it('adds a run to the level, as the main run if none completes it, in one step that can be undone', () => {
     const { search, document, session, proof, holds } = stage('04-slingshot', false);
     search.use(holds);
     expect(document.file().runs).toEqual([{ name: 'solution', holds }]);
@@ -286,8 +286,8 @@ describe('a search', () => {
   });
 });
 
-describe('what a found run is called, and where it comes', () => {
-  it('tells what it was looked for, where the level is proved already', () => {
+describe('the name and place of an added run', () => {
+  it('contains the goal of the search, if the level is already completable', () => {
     const { search, document, workers, settings, holds, solving } = stage();
     const [, other] = document.file().runs ?? [];
     settings.setState({ objective: 'time' });
@@ -302,7 +302,7 @@ describe('what a found run is called, and where it comes', () => {
     expect(names()?.at(-1)).toBe('one press');
   });
 
-  it('comes first where no run completes the level, but not when it does not either', () => {
+  it('is the first if no other run completes the level, but not if it does not either', () => {
     const { search, document, workers, proof, holds, solving } = stage('04-slingshot', false);
     document.change('try', addRun('solution', [[1, 2]]));
     search.start();
@@ -332,8 +332,8 @@ it.each([
   expect(extraInWords(time, presses)).toBe(words);
 });
 
-describe('ways of ghosts', () => {
-  it('are where she is at every tick', () => {
+describe('paths of ghosts', () => {
+  it('are her positions at every tick', () => {
     const { scene, holds } = stage();
     const run = simulate(scene, holds);
     const points = wayOf(scene, holds);
@@ -346,13 +346,13 @@ describe('ways of ghosts', () => {
     expect(wayOf(scene, holds, 10)).toEqual(points.slice(0, 22));
   });
 
-  it('are filled in on straight lines where they are known seldom', () => {
+  it('are interpolated along straight lines between sparse points', () => {
     expect([...everyTick(Float32Array.of(0, 0, 3, 6, 3, 0), 3)]).toEqual([0, 0, 1, 2, 2, 4, 3, 6, 3, 4, 3, 2, 3, 0]);
     expect([...everyTick(Float32Array.of(5, 6), 3)]).toEqual([5, 6]);
   });
 });
 
-describe('the watch over what the shown run forgives', () => {
+describe('the watch over the robustness of the shown run', () => {
   const watched = () => {
     const on = stage();
     const after = (ms: number, call: () => void) => on.clock.after(ms, call);
@@ -360,7 +360,7 @@ describe('the watch over what the shown run forgives', () => {
     return { ...on, watch };
   };
   const NO_FAN = { kind: 'done', result: { slack: [], ways: [] } } as const;
-  /** The level rests, and the fan is there. */
+  /** Waits until the level rests, and answers with the fan. */
   const settle = async (
     { clock, workers }: Pick<ReturnType<typeof stage>, 'clock' | 'workers'>,
     fan: JobEnd<JobKind> = NO_FAN,
@@ -370,7 +370,7 @@ describe('the watch over what the shown run forgives', () => {
     await breathe();
   };
 
-  it('measures once things have settled, and tells timeline and canvas', async () => {
+  it('measures after a pause in the changes, and informs timeline and canvas', async () => {
     const { workers, clock, watch, level, holds, scene, looks } = watched();
     expect(workers.jobs).toHaveLength(0);
     const result = measureRobustness(scene, holds, ANY, { samples: 50 });
@@ -387,7 +387,7 @@ describe('the watch over what the shown run forgives', () => {
     expect(looks()).toEqual(['attempt-1', 'slack-1--2']);
   });
 
-  it('forgets at once what was so when the run or the level changes, and hears the old answers no more', async () => {
+  it('forgets its results when the run or the level changes, and ignores old answers', async () => {
     for (const isRun of [true, false]) {
       const { workers, clock, watch, level, holds, scene, document, looks } = watched();
       await settle({ clock, workers });
@@ -413,7 +413,7 @@ describe('the watch over what the shown run forgives', () => {
     }
   });
 
-  it('asks for the fan when a gesture ends, for all else once it has rested, and for nothing while something is dragged', async () => {
+  it('requests the fan at the end of a gesture, the rest after a pause, and nothing during a drag', async () => {
     const { workers, clock, document } = watched();
     await settle({ clock, workers });
     const asked = () => workers.jobs.slice(2).map(({ kind, isCancelled }) => `${kind}${isCancelled ? ', cancelled' : ''}`);
@@ -433,7 +433,7 @@ describe('the watch over what the shown run forgives', () => {
     expect(asked()).toEqual(['fan', 'robustness']);
   });
 
-  it('does not ask about a run that fails', async () => {
+  it('requests nothing for a run that fails', async () => {
     const { workers, clock, watch, document } = watched();
     document.change('fails', (draft) => {
       draft.runs = [{ name: 'solution', holds: [] }];
@@ -443,7 +443,7 @@ describe('the watch over what the shown run forgives', () => {
     expect(watch.store.getState().phase).toBe('fails');
   });
 
-  it('asks for the minerals the run takes when it is told so', async () => {
+  it('requires the minerals of the run on request', async () => {
     const { workers, clock, watch, proof } = watched();
     await settle({ clock, workers });
     expect(workers.last('robustness').request.goal).toEqual(ANY);
@@ -456,11 +456,11 @@ describe('the watch over what the shown run forgives', () => {
 });
 
 describe('the watch over proofs', () => {
-  it('asks about a level that no run completes, and forgets the answer when the level changes', async () => {
+  it('requests proofs for a level that no run completes, and forgets the answer when the level changes', async () => {
     const { level, workers, clock, document, proof } = stage();
     const watch = watchProofs({ level, workers, afterRest: (ms, call) => clock.after(ms, call) });
     await clock.pass(2000);
-    // a run takes all there is: nothing is left to prove
+    // a run collects all minerals: nothing is left to prove
     expect(proof.proof().run.minerals).toHaveLength(proof.proof().level.minerals.length);
     expect(workers.jobs).toHaveLength(0);
     document.change('far away', (draft) => {
@@ -485,7 +485,7 @@ describe('the watch over proofs', () => {
 });
 
 describe('difficulty', () => {
-  it('is measured by the shown run where it completes the level, else by one that is looked for; it grows old with the level', async () => {
+  it('is measured with the shown run if it completes the level, else with one from a search, and becomes outdated with changes', async () => {
     const { level, workers, settings, holds, document } = stage();
     const difficulty = createDifficultySession({ level, workers, settings });
     difficulty.start();

@@ -27,13 +27,13 @@ const ACCURACY_NAMES = Object.keys(ACCURACIES) as AccuracyName[];
 const accuracy = fc.constantFrom(...ACCURACY_NAMES);
 const TICKS = 900;
 
-/** Bit for bit, and quick to compare. */
+/** A bit-exact text that is quick to compare. */
 const bytes = (list: ArrayLike<number>): string => Buffer.from(Float64Array.from(list).buffer).toString('base64');
 
-/** How all bodies are at every entry. */
+/** The state of all bodies at every entry. */
 const placesOf = (tracks: Tracks, count: number): number[] => Array.from({ length: count }, (_, k) => [...tracks.all(k)]).flat();
 
-/** Everything a march says of a way, copied: the arrays are its own. */
+/** A copy of everything that a march returns, as it reuses its arrays. */
 const copied = ({ way, ending, minerals }: ReturnType<March['run']>) => ({
   ending,
   minerals,
@@ -45,9 +45,9 @@ const copied = ({ way, ending, minerals }: ReturnType<March['run']>) => ({
 });
 
 describe('a march', () => {
-  it('that goes on from where two scripts part has the bits of one from the start', () => {
+  it('that continues where two scripts differ has the same bits as one from the start', () => {
     let resumed = 0;
-    // kept from scene to scene, as the page does
+    // reused for all scenes, as in the page
     const room = new MarchRoom();
     fc.assert(
       fc.property(
@@ -60,7 +60,7 @@ describe('a march', () => {
           const march = new March(scene, TICKS, room);
           const first = scripts[0];
           for (const script of scripts) {
-            // what comes before `part` is the same in all
+            // everything before `part` is the same in all
             const early = first.filter(([, release]) => release < part);
             const holds = joinHolds([...early, ...script.map(([a, b]) => [Math.max(a, part), Math.max(b, part)] as const)]);
             const again = march.run(holds);
@@ -76,11 +76,11 @@ describe('a march', () => {
       ),
       { numRuns: 50 },
     );
-    // or the test would not be about going on
+    // otherwise the test would not test continuing
     expect(resumed).toBeGreaterThan(20);
   });
 
-  it('goes the way that simulate records, and ends as it does', () => {
+  it('has the same path and end as simulate records', () => {
     fc.assert(
       fc.property(arbitraryPlayableLevel, accuracy, arbitraryHolds(TICKS), (level, name, script) => {
         const scene = compile(level, name);
@@ -106,7 +106,7 @@ describe('a march', () => {
     );
   });
 
-  it('has aliens and asteroids where they are at every tick, though it writes those alone that stir', () => {
+  it('has the places of aliens and asteroids at every tick, though it writes only those that move', () => {
     let stirred = 0;
     fc.assert(
       fc.property(arbitraryPlayableLevel, accuracy, arbitraryHolds(TICKS), (level, name, script) => {
@@ -118,7 +118,7 @@ describe('a march', () => {
         const asteroids = new Float64Array(2 * way.asteroids.count);
         expect([way.aliens.count, way.asteroids.count]).toEqual([level.aliens.length, level.recoil ? level.asteroids.length : 0]);
         for (let k = 0; k < way.count; k++) {
-          // frames have their first state after the first of them
+          // frames have their first state after the first frame
           const ticks = name === 'arcade' ? k + 1 : k;
           if (ticks > 0)
             simulation.advance(
@@ -137,7 +137,7 @@ describe('a march', () => {
     expect(stirred).toBeGreaterThan(10);
   });
 
-  it('knows where two scripts part', () => {
+  it('finds where two scripts begin to differ', () => {
     expect(firstDifference([[1, 5]], [[1, 5]])).toBe(Number.POSITIVE_INFINITY);
     expect(firstDifference([[1, 5]], [[1, 6]])).toBe(5);
     expect(firstDifference([[1, 5]], [[2, 5]])).toBe(1);
@@ -159,7 +159,7 @@ describe('the live proof', () => {
   if (!reading.ok) throw new Error('expected a level');
   const grandTour = reading.document.file;
 
-  it('keeps the scene while only runs change, and the beginning of the run while only its end does', () => {
+  it('keeps the scene if only runs change, and the beginning of the run if only its end changes', () => {
     const level = createEditedLevel(grandTour);
     const proof = createProofStore(level, 'precise');
     const { scene, run } = proof.proof();
@@ -176,7 +176,7 @@ describe('the live proof', () => {
     expect(proof.proof().run.resumedFrom).toBe(0);
   });
 
-  it('follows every change, drags and undo included', () => {
+  it('follows every change, including drags and undo', () => {
     const level = createEditedLevel(grandTour);
     const proof = createProofStore(level, 'precise');
     const fresh = (): LiveProof => createProver().prove({ file: level.file(), run: null, accuracy: 'precise' });
@@ -200,7 +200,7 @@ describe('the live proof', () => {
     expect(told(proof.proof())).toEqual(told(fresh()));
   });
 
-  it('lets her drift where there is no run', () => {
+  it('lets her drift if there is no run', () => {
     const { runs: _, ...file } = grandTour;
     const proof = createProver().prove({ file, run: 'solution', accuracy: 'precise' });
     expect(proof).toMatchObject({ verdict: 'unproven', provenBy: null, run: { name: null, holds: [] } });
@@ -208,7 +208,7 @@ describe('the live proof', () => {
     expect(proof.problems[0]).toMatchObject({ code: 'no-run', severity: 'error' });
   });
 
-  it('finds the run that proves the level, whichever is shown', () => {
+  it('finds the run that completes the level, whichever is shown', () => {
     const holds = grandTour.runs?.[0].holds ?? [];
     const file: LevelFile = {
       ...grandTour,
@@ -231,7 +231,7 @@ describe('the live proof', () => {
 });
 
 describe('margins', () => {
-  it('are the gap to the nearest of all hazards at every tick, though most are passed over', () => {
+  it('are the distance to the nearest hazard at every tick, though most hazards are skipped', () => {
     fc.assert(
       fc.property(arbitraryPlayableLevel, accuracy, arbitraryHolds(TICKS), (level, name, holds) => {
         const prover = createProver();
@@ -267,7 +267,7 @@ describe('margins', () => {
     );
   });
 
-  it('name what was nearly touched, once a pass', () => {
+  it('name each near miss once', () => {
     const file: LevelFile = {
       version: 1,
       name: 'lane',
@@ -293,7 +293,7 @@ describe('margins', () => {
 });
 
 describe('a proof that takes too long', () => {
-  /** A clock that goes on by a step with every look. */
+  /** A clock that advances by a step at every reading. */
   const ticking = (step: number) => {
     let time = 0;
     return () => (time += step);
@@ -307,7 +307,7 @@ describe('a proof that takes too long', () => {
     held: [...way.held.subarray(0, way.count)],
   });
 
-  it('is cut where the patience ends, says so, and is not called broken', () => {
+  it('is interrupted at its time limit, which it reports, and is not called broken', () => {
     const cut = createProver(ticking(1)).prove({ file, run: null, accuracy: 'precise', patience: 50 });
     expect(cut).toMatchObject({ limit: 'run', verdict: 'unproven', provenBy: null, full: null });
     expect(cut.run.way.count).toBeLessThan(60);
@@ -318,7 +318,7 @@ describe('a proof that takes too long', () => {
     );
   });
 
-  it('goes on when it is asked with more patience, with the bits of one that was never cut', () => {
+  it('continues with a longer limit, with the same bits as without an interruption', () => {
     const full = wayOf(whole());
     for (const patience of [5, 61, 130, 200]) {
       const prover = createProver(ticking(1));
@@ -327,12 +327,12 @@ describe('a proof that takes too long', () => {
       const done = prover.prove({ ...question, patience: 1e6 });
       expect(done.limit).toBeNull();
       expect(wayOf(done)).toEqual(full);
-      // less patience does not take back what is known
+      // a shorter limit does not discard results
       expect(prover.prove({ ...question, patience: 1 })).toBe(done);
     }
   });
 
-  it('says when other runs were not asked', () => {
+  it('reports that other runs were not simulated', () => {
     const [first] = file.runs ?? [];
     const failing = { name: 'drift', holds: [] };
     const many = Array.from({ length: 300 }, (_, i) => ({ name: `r${i}`, holds: [[i, i + 1]] as [number, number][] }));
@@ -347,7 +347,7 @@ describe('a proof that takes too long', () => {
     });
   });
 
-  it('is cut within a tick that takes too much work, and is not begun where nothing is to be played', () => {
+  it('is interrupted within a tick that takes too much work, and does not start if there is nothing to simulate', () => {
     const question = { file, run: null, accuracy: 'precise', patience: 1e6 } as const;
     let cuts = 0;
     for (const work of [3, 10, 20, 40]) {
@@ -360,7 +360,7 @@ describe('a proof that takes too long', () => {
       const seen = STATE_SIZE * (cut.run.way.count - 1);
       expect(wayOf(cut).states.slice(0, seen)).toEqual(wayOf(whole()).states.slice(0, seen));
       expect([...cut.run.way.last].every(Number.isFinite)).toBe(true);
-      // whoever waits without end gets all of it
+      // without a limit it is complete
       expect(wayOf(prover.prove({ ...question, patience: Number.POSITIVE_INFINITY }))).toEqual(wayOf(whole()));
     }
     expect(cuts).toBeGreaterThan(1);
@@ -379,7 +379,7 @@ describe('a proof that takes too long', () => {
       full: null,
       level: { aliens: { length: 2000 } },
     });
-    // and back: both keep their ways in the same arrays
+    // and back: both store their paths in the same arrays
     expect(wayOf(prover.prove({ ...question, patience: Number.POSITIVE_INFINITY }))).toEqual(wayOf(whole()));
     const other = createProver();
     const off = other.prove({ file, run: null, accuracy: 'precise', patience: 0 });

@@ -5,15 +5,15 @@ import type { Settings } from '../../editor/settings/index.ts';
 const choose = (setting: Settings['renderer'], search: string, offer: 'none' | 'software' | 'card') =>
   chooseRenderer(setting, search, (need) => (need === 'card' ? offer === 'card' : offer !== 'none'));
 
-describe('what draws the canvas', () => {
-  it('is a graphics card where there is one, else a plain canvas, while nobody asks for either', () => {
+describe('the renderer of the canvas', () => {
+  it('is WebGL with a graphics card, else a plain canvas, by default', () => {
     expect(choose('automatic', '', 'card')).toEqual({ name: 'webgl', setting: 'automatic', complaint: null });
     for (const offer of ['software', 'none'] as const) {
       expect(choose('automatic', '', offer)).toEqual({ name: 'canvas', setting: 'automatic', complaint: null });
     }
   });
 
-  it('is what the setting says, but the address wins', () => {
+  it('is that of the setting, but the address takes precedence', () => {
     for (const offer of ['card', 'software'] as const) {
       expect(choose('webgl', '', offer)).toEqual({ name: 'webgl', setting: 'webgl', complaint: null });
       expect(choose('canvas', '', offer)).toEqual({ name: 'canvas', setting: 'canvas', complaint: null });
@@ -22,7 +22,7 @@ describe('what draws the canvas', () => {
     }
   });
 
-  it('is a plain canvas where WebGL is asked for and there is none, and says who asked', () => {
+  it('is a plain canvas if WebGL is requested but missing, and names the source of the request', () => {
     const bySetting = choose('webgl', '', 'none');
     expect(bySetting).toMatchObject({ name: 'canvas', setting: 'webgl' });
     expect(bySetting.complaint).toContain('the setting “Renderer”');
@@ -31,7 +31,7 @@ describe('what draws the canvas', () => {
     expect(byAddress.complaint).toContain('the address of this page');
   });
 
-  it('follows the setting where the address asks for what is unknown, and says what was expected and found', () => {
+  it('follows the setting if the address has an unknown value, and reports what was expected and found', () => {
     for (const search of ['?renderer=gpu', '?renderer=', '?renderer=WebGL']) {
       const { complaint, ...chosen } = choose('webgl', search, 'software');
       expect(chosen).toEqual({ name: 'webgl', setting: 'webgl' });

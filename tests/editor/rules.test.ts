@@ -1,4 +1,4 @@
-// Rules in the editor: how they are settled, set, given back, merged, told, slid; and that the proof is of them.
+// Rules in the editor: clamping, setting, resetting, merging, display, sliders; and that the proof uses them.
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
@@ -28,7 +28,7 @@ const name = fc.constantFrom(...RULE_NAMES);
 const value = fc.oneof(fc.double({ noNaN: true }), fc.integer({ min: -2000, max: 20_000 }));
 
 describe('rules of an open level', () => {
-  it('are brought within their limits, whatever they are set to, and leave a valid level', () => {
+  it('are clamped to their limits, and leave a valid level', () => {
     fc.assert(
       fc.property(fc.array(fc.tuple(name, fc.option(value, { nil: undefined })), { maxLength: 6 }), (changes) => {
         const level = createEditedLevel(SWING);
@@ -41,14 +41,14 @@ describe('rules of an open level', () => {
         expect(level.file().rules ?? {}).toEqual(expected);
         expect('rules' in level.file()).toBe(Object.keys(expected).length > 0);
         expect(readLevel(formatLevel(level.file())).ok).toBe(true);
-        // all of it is taken back
+        // everything is undone
         while (level.undo());
         expect(level.file()).toEqual(createEditedLevel(SWING).file());
       }),
     );
   });
 
-  it('that are no rules, or no numbers, are refused', () => {
+  it('are refused if they are unknown or not numbers', () => {
     for (const rules of [{ pul: 3 }, { pull: '3' }, { pull: Number.NaN }, [], 7, null]) {
       const level = createEditedLevel(SWING);
       const result = level.change('Set', (draft) => void Object.assign(draft, { rules }));
@@ -56,7 +56,7 @@ describe('rules of an open level', () => {
     }
   });
 
-  it('are given back all at once, but not what others keep beside them', () => {
+  it('can all be reset at once, which keeps the keys of other programs', () => {
     const level = createEditedLevel({ ...SWING, rules: { pull: 45, push: 3, 'x-why': 'a test' } } as LevelFile);
     level.change('Reset', resetRules);
     expect(level.file().rules).toEqual({ 'x-why': 'a test' });
@@ -89,7 +89,7 @@ describe('the proof', () => {
     return { outcome, time };
   };
 
-  it('follows a rule that is dragged, and goes back with it', () => {
+  it('follows a rule while it is dragged, and when that is cancelled', () => {
     const level = createEditedLevel(SWING);
     const proof = createProofStore(level, 'precise');
     expect(proof.proof().verdict).toBe('completable');
@@ -107,7 +107,7 @@ describe('the proof', () => {
     proof.close();
   });
 
-  it("is under the folder's rules where the level has none, and follows them", () => {
+  it("uses the folder's rules if the level has none, and follows their changes", () => {
     const level = createEditedLevel(SWING);
     const proof = createProofStore(level, 'precise', { rules: { pull: 45 } });
     expect([proof.proof().verdict, shown(proof)]).toEqual(['broken', end(SWING, { pull: 45 })]);
@@ -121,14 +121,14 @@ describe('the proof', () => {
     proof.close();
   });
 
-  it('keeps its level while neither the file nor the rules change, and its scene while both play alike', () => {
+  it('keeps its level if neither the file nor the rules change, and its scene if the motion stays the same', () => {
     const prover = createProver(() => 0);
     const rules = { pull: 45 };
     const question = { file: SWING, rules, run: null, accuracy: 'precise' } as const;
     const first = prover.prove(question);
     expect(prover.prove(question)).toBe(first);
     expect(prover.prove({ ...question, run: 'other' }).level).toBe(first.level);
-    // the same numbers from elsewhere are the same scene
+    // the same numbers from another source give the same scene
     expect(prover.prove({ ...question, file: { ...SWING, rules }, rules: {} }).scene).toBe(first.scene);
     expect(prover.prove({ ...question, rules: { pull: 46 } }).scene.rules.pull).toBe(46);
   });
@@ -140,7 +140,7 @@ describe('the rules of a list', () => {
     rules,
   });
 
-  it('are the same objects as before where they say the same: who follows them sees that nothing has changed', () => {
+  it('are the same objects as before if they are equal, so that subscribers see no change', () => {
     const before = list({ file: 'gq.config.json', own: { pull: 45 }, problems: [] });
     const again = structuredClone(before);
     expect(withKeptRules(again, before).rules).toBe(before.rules);
@@ -163,7 +163,7 @@ describe('a rule in the inspector', () => {
     return { value, isOwn, fallback, from, says: originOf(pull) };
   };
 
-  it('says what holds, what would hold without the level, and where that is from', () => {
+  it('shows its value, the value without the level, and the source of that', () => {
     expect(pullOf(undefined, NONE)).toEqual({ value: 39, isOwn: false, fallback: 39, from: null, says: null });
     const says = "Set by this level; the game's default is 39.";
     expect(pullOf({ pull: 30 }, NONE)).toEqual({ value: 30, isOwn: true, fallback: 39, from: null, says });
@@ -179,7 +179,7 @@ describe('a rule in the inspector', () => {
     });
   });
 
-  it('has the value by which the level is played', () => {
+  it('shows the value that the simulation uses', () => {
     const rules = fc.record(
       Object.fromEntries(RULE_NAMES.map((rule) => [rule, fc.constantFrom(RULES[rule].most, RULES[rule].default, undefined)])),
     ) as fc.Arbitrary<OwnRules>;
@@ -192,9 +192,9 @@ describe('a rule in the inspector', () => {
     );
   });
 
-  it('has a name of its own', () => {
+  it('has a unique name', () => {
     expect(RULE_NAMES.map(ruleLabel)).toContain('speed limit');
-    // the level has a switch of that name
+    // the level already has a switch of that name
     expect(ruleLabel('recoil')).toBe('recoil strength');
     expect(new Set(RULE_NAMES.map(ruleLabel)).size).toBe(RULE_NAMES.length);
   });
@@ -203,7 +203,7 @@ describe('a rule in the inspector', () => {
 describe.each(RULE_NAMES)('the slider of %s', (rule) => {
   const { least, most, default: usual } = RULES[rule];
 
-  it('has all values of the rule and no other, in order, and stands where its value is', () => {
+  it('has exactly the values of the rule, in order, and is at the place of its value', () => {
     expect([valueAt(RULES[rule], 0), valueAt(RULES[rule], SLIDER_END)]).toEqual([least, most]);
     fc.assert(
       fc.property(
@@ -213,7 +213,7 @@ describe.each(RULE_NAMES)('the slider of %s', (rule) => {
           const [one, other] = [valueAt(RULES[rule], Math.min(a, b)), valueAt(RULES[rule], Math.max(a, b))];
           expect(one).toBeLessThanOrEqual(other);
           expect(rulesSchema.safeParse({ [rule]: one }).success).toBe(true);
-          // a rounded value is its own neighbour
+          // neighbours may round to the same value
           expect(valueAt(RULES[rule], positionOf(RULES[rule], one))).toBe(one);
         },
       ),
@@ -228,7 +228,7 @@ describe.each(RULE_NAMES)('the slider of %s', (rule) => {
     );
   });
 
-  it("has room about the game's own value, which can be found again, and steps that are small beside it", () => {
+  it("has room around the game's default, which can be set exactly, and small steps", () => {
     const at = positionOf(RULES[rule], usual);
     expect(at).toBeGreaterThan(SLIDER_END / 4);
     expect(valueAt(RULES[rule], at)).toBe(usual);

@@ -35,7 +35,7 @@ const byOthers = async (change: (file: LevelFile) => LevelFile) => {
   const answer = await disk.read('07');
   if (answer.ok) await disk.write('07', formatLevel(change(await onDisk())), answer.value.etag);
 };
-/** When each write was tried, ms. */
+/** The times of the attempts to write, ms. */
 function timesOfWrites(): number[] {
   const times: number[] = [];
   const write = line.write.bind(line);
@@ -64,7 +64,7 @@ describe('when a saver writes', () => {
     expect(times.slice(1).map((time) => time - start)).toEqual([2000, 3100]);
   });
 
-  it('again after 0.5, 1, 2 and 5 s, and then every 10, while nobody answers; all anew after an answer', async () => {
+  it('again after 0.5, 1, 2 and 5 s, and then every 10 s without an answer; an answer resets this', async () => {
     const times = timesOfWrites();
     const saver = saverOf();
     line.isCut = true;
@@ -72,11 +72,11 @@ describe('when a saver writes', () => {
     await clock.pass(40_000);
     const waits = () => times.map((time, i) => time - (times[i - 1] ?? 0));
     expect(waits()).toEqual([200, 500, 1000, 2000, 5000, 10_000, 10_000, 10_000]);
-    // a change, and that nothing is unsaved, do not ask more often
+    // neither a change nor its undoing leads to more attempts
     move(1);
     await clock.pass(1000);
     expect(times).toHaveLength(8);
-    // at once when the line may be back, and then as at the beginning
+    // at once when the connection may be back, and then with the first intervals again
     const again = clock.now();
     saver.retry();
     await clock.pass(2000);
@@ -95,7 +95,7 @@ describe('when a saver writes', () => {
     expect(times.map((time) => time - start)).toEqual([200, 700, 1700]);
   });
 
-  it('at once what the page did not know to be on the disk when it began', async () => {
+  it('at once if the page did not know at its start that the version is on disk', async () => {
     const saver = saverOf({ base: { file: FILE, etag: null } });
     expect(saver.store.getState()).toEqual({ kind: 'unsaved' });
     expect(saver.isUnsaved()).toBe(true);
@@ -104,7 +104,7 @@ describe('when a saver writes', () => {
     expect(times[0]).toBe(200);
   });
 
-  it('what differs from an older base that it goes on from', async () => {
+  it('changes since an older base from which it continues', async () => {
     const saver = saverOf();
     const older = { ...FILE, name: 'older' };
     saver.restart({ file: older, etag });
@@ -113,7 +113,7 @@ describe('when a saver writes', () => {
     expect([line.writes, saver.isUnsaved()]).toEqual([1, false]);
   });
 
-  it('nothing when nothing is unsaved, when it is closed, or when it may not', async () => {
+  it('nothing if there are no changes, if it is closed, or if it may not write', async () => {
     const saver = saverOf();
     expect(await saver.flush()).toBe(true);
     saver.retry();
@@ -133,7 +133,7 @@ describe('when a saver writes', () => {
     expect(line.writes).toBe(0);
   });
 
-  it('what is unsaved at once when it is told to, with what comes meanwhile; and says so when it does not get through', async () => {
+  it('at once on request, including changes in the meantime, and reports a failure', async () => {
     const saver = saverOf();
     let open = () => {};
     line.gate = new Promise((resolve) => {
@@ -152,7 +152,7 @@ describe('when a saver writes', () => {
     expect(line.writes).toBe(5);
   });
 
-  it('under its new id once the level has one', async () => {
+  it('under the new id after a rename', async () => {
     const saver = saverOf();
     const renamed = await disk.rename('07', '09', etag ?? '');
     saver.moved('09', renamed.ok ? (renamed.value.etag ?? '') : '');
@@ -165,7 +165,7 @@ describe('when a saver writes', () => {
 });
 
 describe('what a saver shows', () => {
-  it('while another page has the level: its own changes alone are unsaved', async () => {
+  it('while another page has the level: only its own changes are unsaved', async () => {
     const saver = saverOf();
     const state = () => saver.store.getState();
     saver.setReadOnly('another tab', true);
@@ -180,7 +180,7 @@ describe('what a saver shows', () => {
     expect(state()).toEqual({ kind: 'saved' });
   });
 
-  it('of a file that may not be written: why, and nothing of it while it is tried all the same', async () => {
+  it('of a file that is not writable: the reason, but not during another attempt', async () => {
     const saver = saverOf({ unwritable: 'its folder can not be written' });
     const kinds = [saver.store.getState().kind];
     saver.store.subscribe(({ kind }) => kinds.push(kind));
@@ -196,7 +196,7 @@ describe('what a saver shows', () => {
     expect(saver.store.getState().kind).toBe('readOnly');
   });
 
-  it('of an error: what is wrong and what to do; nobody there is another thing than a disk that fails', async () => {
+  it('of an error: what is wrong and what to do; no answer differs from a failing disk', async () => {
     for (const [code, kind] of [
       ['unreachable', 'offline'],
       ['disk-full', 'failing'],
@@ -208,7 +208,7 @@ describe('what a saver shows', () => {
       move(1);
       await clock.pass(201);
       expect(saver.store.getState()).toEqual({ kind, message: 'why', hint: 'do' });
-      // only where the disk has refused it for certain is it known not to be there
+      // only a definite refusal shows that the version is not on disk
       expect(saver.base().sent ?? []).toHaveLength(code === 'disk-full' ? 0 : 1);
       level.undo();
       expect(saver.isUnsaved()).toBe(code !== 'disk-full');
@@ -216,7 +216,7 @@ describe('what a saver shows', () => {
     }
   });
 
-  it('of a level that is gone from the disk, or is none any more: it waits for keepMine, and nothing else goes on', async () => {
+  it('of a file that is gone or not a level any more: it waits for keepMine', async () => {
     for (const reason of ['deleted', 'invalid', 'unreadable'] as const) {
       const text = reason === 'invalid' ? '{' : null;
       const read: LevelStorage['read'] = async (id) => {
@@ -245,7 +245,7 @@ describe('what a saver shows', () => {
     }
   });
 
-  it('of one that comes back as it was: nothing, and it goes on', async () => {
+  it('of a file that comes back unchanged: nothing, and it continues', async () => {
     const answers = [storageError('unknown-level', 'gone', 'look')];
     const read: LevelStorage['read'] = async (id) => {
       const error = answers.shift();
@@ -256,7 +256,7 @@ describe('what a saver shows', () => {
     await breathe();
     expect(saver.store.getState().kind).toBe('deleted');
     move(1);
-    // told of what it knows already it looks all the same, since it is blocked
+    // it reads even a known version again, because it is blocked
     saver.refresh(etag);
     await clock.pass(500);
     expect(saver.store.getState()).toEqual({ kind: 'saved' });
@@ -275,7 +275,7 @@ describe('what a saver shows', () => {
 });
 
 describe('what a saver reads', () => {
-  it('is nothing when it is told of what it knows', async () => {
+  it('is nothing for a version that it knows', async () => {
     let reads = 0;
     const read: LevelStorage['read'] = (id) => {
       reads++;
@@ -291,13 +291,13 @@ describe('what a saver reads', () => {
     expect(reads).toBe(2);
   });
 
-  it('is no reason to forget that nobody answers', async () => {
+  it('does not hide that writes get no answer', async () => {
     const saver = saverOf();
     line.isCut = true;
     move(1);
     await clock.pass(300);
     expect(saver.store.getState().kind).toBe('offline');
-    // an error of reading says nothing new
+    // an error of reading changes nothing
     saver.refresh();
     await breathe();
     expect(saver.store.getState().kind).toBe('offline');
@@ -310,7 +310,7 @@ describe('what a saver reads', () => {
     line.write = write;
   });
 
-  it('is taken over as a step of its own, and what it did not know is asked about only by who may write', async () => {
+  it('becomes a separate step, and an unknown change is a conflict only for a page that may write', async () => {
     const saver = saverOf();
     saver.setReadOnly('another tab');
     level.change('Rename', setLevelProperty('name', 'mine'));
@@ -328,7 +328,7 @@ describe('what a saver reads', () => {
     level.undo();
     await clock.pass(500);
     expect((await onDisk()).name).toBe('mine');
-    // where there is nothing to choose
+    // without a conflict
     saver.keepMine();
     saver.takeTheirs();
     saver.resolve(new Map());
@@ -336,7 +336,7 @@ describe('what a saver reads', () => {
     expect([level.file().name, line.writes, saver.store.getState().kind]).toEqual(['mine', 2, 'saved']);
   });
 
-  it('is known to whoever keeps a journal, as is what is sent', async () => {
+  it('is reported to the journal, as are sent versions', async () => {
     const told: string[] = [];
     const saver = createSaver('07', level, {
       storage: line,

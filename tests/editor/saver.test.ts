@@ -46,7 +46,7 @@ beforeEach(async () => {
 });
 
 describe('saving', () => {
-  it('follows the last change within half a second, once for many', async () => {
+  it('happens within half a second after the last change, once for many', async () => {
     expect(state()).toEqual({ kind: 'saved' });
     for (let i = 0; i < 10; i++) {
       move(1);
@@ -85,7 +85,7 @@ describe('saving', () => {
     move(1);
     await clock.pass(2000);
     expect([line.writes, state().kind]).toEqual([2, 'saved']);
-    // another page has taken the level over meanwhile
+    // another page has taken over the level in the meantime
     move(1);
     await clock.pass(300);
     saver.setReadOnly('another tab');
@@ -94,7 +94,7 @@ describe('saving', () => {
     expect([line.writes, state().kind]).toEqual([2, 'readOnly']);
   });
 
-  it('leaves a drag that is going on out of it', async () => {
+  it('leaves out a drag in progress', async () => {
     const drag = level.begin('Drag');
     drag.set(moveObjects(['aa'], 100, 0));
     level.subscribe(() => {});
@@ -105,7 +105,7 @@ describe('saving', () => {
     expect((await onDisk()).asteroids?.[0].x).toBe(110);
   });
 
-  it('has one request on its way at most, and writes what came meanwhile after it', async () => {
+  it('sends at most one request at a time, and writes later changes after it', async () => {
     let open = () => {};
     line.gate = new Promise((resolve) => {
       open = () => resolve();
@@ -124,7 +124,7 @@ describe('saving', () => {
     expect(state()).toEqual({ kind: 'saved' });
   });
 
-  it('writes nothing when undo leads back to what is on the disk', async () => {
+  it('writes nothing if undo leads back to the version on disk', async () => {
     move(1);
     level.undo();
     expect(state()).toEqual({ kind: 'saved' });
@@ -132,7 +132,7 @@ describe('saving', () => {
     expect(line.writes).toBe(0);
   });
 
-  it('tries again ever more rarely while nobody answers, and at once when the line is back', async () => {
+  it('retries at growing intervals without an answer, and at once when the connection is back', async () => {
     line.isCut = true;
     move(1);
     await clock.pass(60_000);
@@ -149,7 +149,7 @@ describe('saving', () => {
     expect((await onDisk()).asteroids?.[0].x).toBe(12);
   });
 
-  it('writes nothing while it may not, and all of it once it may', async () => {
+  it('writes nothing while it may not, and everything once it may', async () => {
     saver.setReadOnly('another tab');
     move(1);
     await clock.pass(5000);
@@ -161,8 +161,8 @@ describe('saving', () => {
   });
 });
 
-describe('a file that may not be written', () => {
-  it('is tried again, and has everything once it may be', async () => {
+describe('a file that is not writable', () => {
+  it('is tried again, and gets everything once it is writable', async () => {
     line.readOnly = 'its folder can not be written';
     move(1);
     await clock.pass(500);
@@ -177,7 +177,7 @@ describe('a file that may not be written', () => {
     expect((await onDisk()).asteroids?.[0].x).toBe(12);
   });
 
-  it('says so before anything is changed, and no longer once it may be', async () => {
+  it('is reported before any change, and until it is writable', async () => {
     line.readOnly = 'the file can not be written';
     saver.refresh();
     await breathe();
@@ -190,7 +190,7 @@ describe('a file that may not be written', () => {
 });
 
 describe('a change on the disk', () => {
-  it('appears at once where nothing is unsaved, as a step that can be undone', async () => {
+  it('appears at once without unsaved changes, as a step that can be undone', async () => {
     await byOthers((file) => ({ ...file, name: 'theirs' }));
     saver.refresh();
     await breathe();
@@ -201,7 +201,7 @@ describe('a change on the disk', () => {
     expect((await onDisk()).name).toBe('base');
   });
 
-  it('is put together with what is unsaved, and both are written', async () => {
+  it('is merged with unsaved changes, and both are written', async () => {
     move(5);
     await byOthers((file) => ({ ...file, name: 'theirs' }));
     saver.refresh();
@@ -210,7 +210,7 @@ describe('a change on the disk', () => {
     expect(state()).toEqual({ kind: 'saved' });
   });
 
-  it('that nobody told of is found when writing', async () => {
+  it('that was not reported is found when writing', async () => {
     move(5);
     await byOthers((file) => ({ ...file, name: 'theirs' }));
     await clock.pass(500);
@@ -218,7 +218,7 @@ describe('a change on the disk', () => {
     expect(level.file().name).toBe('theirs');
   });
 
-  it('keeps a drag that is going on', async () => {
+  it('does not disturb a drag in progress', async () => {
     const drag = level.begin('Drag');
     drag.set(moveObjects(['aa'], 7, 0));
     await byOthers((file) => ({ ...file, name: 'theirs' }));
@@ -227,14 +227,14 @@ describe('a change on the disk', () => {
     expect(await onDisk()).toMatchObject({ name: 'theirs', asteroids: [{ x: 17 }] });
   });
 
-  it('that was read before our own write does not bring the old state back', async () => {
+  it('that was read before our own write does not restore the old state', async () => {
     let open = () => {};
     line.gate = new Promise((resolve) => {
       open = () => resolve();
     });
     move(5);
     await clock.pass(300);
-    // an event arrives while our write is on its way
+    // an event arrives during our write
     saver.refresh();
     await breathe();
     line.gate = null;
@@ -244,7 +244,7 @@ describe('a change on the disk', () => {
     expect((await onDisk()).asteroids?.[0].x).toBe(15);
   });
 
-  it('that was read before our own write, and told after it, does not either', async () => {
+  it('that was read before our own write, and reported after it, does not either', async () => {
     let open = () => {};
     line.readGate = new Promise((resolve) => {
       open = () => resolve();
@@ -260,7 +260,7 @@ describe('a change on the disk', () => {
     expect((await onDisk()).asteroids?.[0].x).toBe(15);
   });
 
-  it('that was read while the second of two writes was on its way does not either', async () => {
+  it('that was read during the second of two writes does not either', async () => {
     const gates: (() => void)[] = [];
     const write = line.write.bind(line);
     line.write = async (...all) => {
@@ -270,7 +270,7 @@ describe('a change on the disk', () => {
     await byOthers((file) => ({ ...file, name: 'theirs' }));
     move(5);
     await clock.pass(300);
-    // waits for the first write, which does not fit what is there; the merged level is written at once
+    // waits for the first write, which conflicts with the file; the merged level is written at once
     const flushed = saver.flush();
     let openRead = () => {};
     line.readGate = new Promise((resolve) => {
@@ -279,7 +279,7 @@ describe('a change on the disk', () => {
     saver.refresh();
     gates[0]();
     await breathe();
-    // what was read before it was written arrives after its answer
+    // a version that was read before the write arrives after the answer to the write
     gates[1]();
     await flushed;
     openRead();
@@ -288,7 +288,7 @@ describe('a change on the disk', () => {
     expect(await onDisk()).toMatchObject({ name: 'theirs', asteroids: [{ x: 15 }] });
   });
 
-  it('of the same thing asks, writes nothing meanwhile, and goes on with what was chosen', async () => {
+  it('of the same property is a conflict: nothing is written until the user chooses', async () => {
     level.change('Rename', setLevelProperty('name', 'mine'));
     move(5);
     await byOthers((file) => ({ ...file, name: 'theirs', asteroids: [{ id: 'aa', x: 99, y: 20, radius: 16 }] }));
@@ -304,7 +304,7 @@ describe('a change on the disk', () => {
     expect(state()).toEqual({ kind: 'saved' });
   });
 
-  it('can be taken as it is, or written over', async () => {
+  it('can be accepted as it is, or overwritten', async () => {
     for (const act of ['takeTheirs', 'keepMine'] as const) {
       level.change('Rename', setLevelProperty('name', `mine ${act}`));
       await byOthers((file) => ({ ...file, name: `theirs ${act}` }));
@@ -318,7 +318,7 @@ describe('a change on the disk', () => {
     }
   });
 
-  it('that takes the level away leaves it in the page; it can be written again', async () => {
+  it('that deletes the level leaves it in the page, which can write it again', async () => {
     const answer = await disk.read('07');
     if (answer.ok) await disk.remove('07', answer.value.etag ?? '');
     saver.refresh();
@@ -333,7 +333,7 @@ describe('a change on the disk', () => {
     expect(state()).toEqual({ kind: 'saved' });
   });
 
-  it('that is no level is never written over unasked', async () => {
+  it('that is not a valid level is never overwritten unasked', async () => {
     const damaged = {
       ...line,
       read: async (id: string) => {
@@ -370,18 +370,18 @@ describe('a write whose answer was lost', () => {
     await clock.pass(30_000);
   };
 
-  it('is no change by others: what was done after it goes on from there', async () => {
+  it('is no change by others: later changes are based on it', async () => {
     move(1);
     await mend();
     expect(state()).toEqual({ kind: 'saved' });
     expect((await onDisk()).asteroids?.[0].x).toBe(16);
   });
 
-  it('is not known to be on the disk, nor not to be: taking it back is written', async () => {
+  it('may be on disk or not: undoing it is written', async () => {
     level.undo();
     expect(saver.isUnsaved()).toBe(true);
     line.isCut = false;
-    // the server tells what it has as soon as it is there again
+    // the server sends its state as soon as it is back
     saver.refresh();
     await clock.pass(30_000);
     expect(level.file().asteroids?.[0].x).toBe(10);
@@ -389,7 +389,7 @@ describe('a write whose answer was lost', () => {
     expect(state()).toEqual({ kind: 'saved' });
   });
 
-  it('may be an earlier one of several', async () => {
+  it('may be an earlier one of several writes', async () => {
     move(1);
     await clock.pass(30_000);
     move(1);
@@ -398,7 +398,7 @@ describe('a write whose answer was lost', () => {
     expect((await onDisk()).asteroids?.[0].x).toBe(17);
   });
 
-  it('and that others have changed elsewhere since is put together with what was done after it', async () => {
+  it('and that others have changed elsewhere is merged with later changes', async () => {
     move(1);
     await byOthers((file) => ({ ...file, name: 'theirs' }));
     await mend();
@@ -406,7 +406,7 @@ describe('a write whose answer was lost', () => {
     expect(await onDisk()).toMatchObject({ name: 'theirs', asteroids: [{ x: 16 }] });
   });
 
-  it('and that others have changed elsewhere is taken back where it was taken back', async () => {
+  it('and that others have changed elsewhere is undone if it was undone here', async () => {
     level.undo();
     await byOthers((file) => ({ ...file, name: 'theirs' }));
     await mend();
@@ -414,12 +414,12 @@ describe('a write whose answer was lost', () => {
     expect(await onDisk()).toMatchObject({ name: 'theirs', asteroids: [{ x: 10 }] });
   });
 
-  it('is known again when others had taken it away and brought it back', async () => {
+  it('is recognised after others have removed and restored the file', async () => {
     await mend();
     line.write = async (id, text, base) => {
       const written = await disk.write(id, text, base);
       if (!written.ok) return written;
-      // before the answer the level is moved away, as a checkout does
+      // before the answer, the level is removed, as by a checkout
       await disk.rename('07', '07-away', written.value.etag ?? '');
       return disk.read('07') as Promise<Answer<never>>;
     };
@@ -436,7 +436,7 @@ describe('a write whose answer was lost', () => {
     expect((await onDisk()).asteroids?.[0].x).toBe(17);
   });
 
-  it('and that others have changed in the same place is asked about', async () => {
+  it('and that others have changed at the same place is a conflict', async () => {
     move(1);
     await byOthers((file) => ({ ...file, asteroids: [{ id: 'aa', x: 99, y: 20, radius: 16 }] }));
     await mend();

@@ -145,13 +145,13 @@ describe('requests', () => {
           cache: 'no-store',
         },
       ]);
-      // what was refused
+      // refusals
       const error = { code: 'conflict', message: 'why', hint: 'do' };
       answer = () => json({ error: { ...error, problems: [], current: null } }, 412);
       expect(await ask(storageWith())).toEqual({ ok: false, error: { ...error, problems: [], current: null } });
       answer = () => json({ error }, 412);
       expect(await ask(storageWith())).toEqual({ ok: false, error: { ...error, problems: [], current: null } });
-      // what makes no sense
+      // answers that are not understood
       for (const [status, odd] of [
         [200, { error }],
         [200, 7],
@@ -175,7 +175,7 @@ describe('requests', () => {
     },
   );
 
-  it('without the right token say which address is to be opened', async () => {
+  it('without the right token say which address to open', async () => {
     const error = { code: 'wrong-token', message: 'another run', hint: 'as the server has it' };
     answer = () => json({ error }, 401);
     const hint = expect.stringContaining('Open the address that gq edit printed last');
@@ -188,7 +188,7 @@ describe('requests', () => {
 });
 
 describe('the stream of events', () => {
-  /** A server whose stream a test feeds; each request gets a stream of its own. */
+  /** A server whose streams a test feeds; each request gets its own stream. */
   function stream() {
     const streams: ReadableStreamDefaultController<Uint8Array>[] = [];
     answer = (signal) =>
@@ -215,7 +215,7 @@ describe('the stream of events', () => {
   const changed = (id: string, by: string | null = null): EditEvent => ({ type: 'changed', entry: entry(id), by });
   const block = (event: EditEvent) => `data: ${JSON.stringify(event)}\n\n`;
 
-  it('is told in order, however it is cut in pieces; what is not understood, and what the page did itself, is passed over', async () => {
+  it('is reported in order, however it is cut; unknown events and those of the page itself are skipped', async () => {
     const part = fc.oneof(
       fc.constantFrom('a', 'bü🚀').map((id) => ({ text: block(changed(id)), told: [id] })),
       fc.constant({ text: `event: x\nid: 7\n${block(changed('named'))}`, told: ['named'] }),
@@ -258,7 +258,7 @@ describe('the stream of events', () => {
     );
   });
 
-  it('is opened again after 0.25, 0.5, 1, 2 and 5 s, and then every 5 s, while nobody answers', async () => {
+  it('is opened again after 0.25, 0.5, 1, 2 and 5 s, and then every 5 s without an answer', async () => {
     const times: number[] = [];
     answer = () => {
       times.push(clock.now());
@@ -277,7 +277,7 @@ describe('the stream of events', () => {
     expect(times).toHaveLength(8);
   });
 
-  it('that ends is opened anew; as soon as it says something the waits begin anew, too', async () => {
+  it('is opened again when it ends; the first data reset the intervals', async () => {
     const { streams, events, links, send, stop } = stream();
     await breathe();
     for (let i = 0; i < 4; i++) {
@@ -293,7 +293,7 @@ describe('the stream of events', () => {
     stop();
   });
 
-  it('that says nothing for 25 s is given up, and not one that says so little', async () => {
+  it('is given up after 25 s of silence, but not if it sends heartbeats', async () => {
     const { streams, links, send, stop } = stream();
     await breathe();
     for (let i = 0; i < 5; i++) {
@@ -308,7 +308,7 @@ describe('the stream of events', () => {
     stop();
   });
 
-  it('that ended is not waited for any more, and takes no other with it', async () => {
+  it('has no effect on a later stream once it has ended', async () => {
     const { streams, send, stop } = stream();
     await breathe();
     await send(': still here\n\n');
@@ -321,7 +321,7 @@ describe('the stream of events', () => {
     stop();
   });
 
-  it('of another run is asked for all the same, and what it is stays told', async () => {
+  it('is still requested from a server of another run, and the state stays reported', async () => {
     answer = () => json({ error: { code: 'wrong-token', message: '', hint: '' } }, 401);
     const links: string[] = [];
     const stop = storageWith().watch(
@@ -346,7 +346,7 @@ describe('the stream of events', () => {
     expect([links, requests.length]).toEqual([['otherRun'], before]);
   });
 
-  it('tells nothing more once it is stopped', async () => {
+  it('reports nothing after it is stopped', async () => {
     const { streams, events, links, send, stop } = stream();
     await breathe();
     await send(block(changed('a')));

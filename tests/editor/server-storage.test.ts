@@ -20,7 +20,7 @@ let server: Awaited<ReturnType<typeof serve>>;
 let storage: LevelStorage;
 const stops: (() => void)[] = [];
 
-/** A page's fetch: a browser adds where the page came from. */
+/** The fetch function of a page, with the Origin header that a browser adds. */
 const fetchFrom =
   (origin: string): typeof fetch =>
   (input, init) =>
@@ -66,7 +66,7 @@ describe('the folder behind gq edit', () => {
     expect(await storage.write('04-new', levelText('N'), null)).toMatchObject({ ok: true, value: { id: '04-new' } });
   });
 
-  it('says what is there instead of the base', async () => {
+  it('returns the current state if it differs from the base', async () => {
     expect(await storage.write('01-a', levelText('X'), `"${'0'.repeat(64)}"`)).toMatchObject({
       ok: false,
       error: { code: 'conflict', current: { text: levelText('A') } },
@@ -80,7 +80,7 @@ describe('the folder behind gq edit', () => {
     expect(onDisk('01-a')).toBe(levelText('A'));
   });
 
-  it('is renamed, duplicated, deleted, restored and put in order', async () => {
+  it('can be renamed, duplicated, deleted, restored and reordered', async () => {
     const etagOf = async (id: string) => {
       const read = await storage.read(id);
       return read.ok ? (read.value.etag ?? '') : '';
@@ -97,7 +97,7 @@ describe('the folder behind gq edit', () => {
     expect(await storage.order('', [...ids].reverse())).toMatchObject({ ok: true });
   });
 
-  it('tells what others do, and not what the page itself did', async () => {
+  it('reports the changes of others, but not those of the page itself', async () => {
     const events: EditEvent[] = [];
     const links: Link[] = [];
     stops.push(
@@ -122,7 +122,7 @@ describe('the folder behind gq edit', () => {
     expect(links).toEqual(['up']);
   });
 
-  it('that is gone is unreachable; told so, and told when it is back', async () => {
+  it('is reported as unreachable when its server is gone, and when it is back', async () => {
     const links: Link[] = [];
     stops.push(
       storage.watch(
@@ -137,7 +137,7 @@ describe('the folder behind gq edit', () => {
     expect(links).toEqual(['up', 'gone']);
   });
 
-  it('refuses a page of another run, and tells it', async () => {
+  it('refuses a page of another run, which is reported', async () => {
     const links: Link[] = [];
     stops.push(
       storageOf('page-3', 'wrong').watch(
@@ -169,7 +169,7 @@ describe('a page on it', () => {
   };
   const levelIn = (workspace: Workspace) => workspace.store.getState().opened?.level;
 
-  it('saves by itself, and shows what a tool writes while nothing is unsaved', async () => {
+  it('saves automatically, and shows the changes of a tool without unsaved changes', async () => {
     const workspace = await open();
     await workspace.open('01-a');
     levelIn(workspace)?.change('Rename', setLevelProperty('name', 'from the page'));
@@ -182,13 +182,13 @@ describe('a page on it', () => {
     await until(() => onDisk('01-a').includes('from the page'));
   });
 
-  it('orders levels, and each goes on with its own history', async () => {
+  it('reorders levels, and each keeps its own history', async () => {
     const workspace = await open();
     await workspace.open('01-a');
     levelIn(workspace)?.change('Rename', setLevelProperty('name', 'A, changed'));
     await workspace.open('02-b');
     levelIn(workspace)?.change('Rename', setLevelProperty('name', 'B, changed'));
-    // what is unsaved is written first
+    // unsaved changes are written first
     const ordered = await workspace.order('', ['02-b', '01-a', '03-bad']);
     expect(ordered.ok && ordered.value.renamed).toHaveLength(2);
     const [b, a] = workspace.store.getState().list?.levels.map(({ id }) => id) ?? [];
@@ -203,7 +203,7 @@ describe('a page on it', () => {
     await until(() => onDisk(a).includes('"A"'));
   });
 
-  it('copies, deletes and brings back levels with what was not saved yet', async () => {
+  it('copies, deletes and restores levels including unsaved changes', async () => {
     const workspace = await open();
     const entry = (id: string) => {
       const found = workspace.store.getState().list?.levels.find((level) => level.id === id);
@@ -222,7 +222,7 @@ describe('a page on it', () => {
     expect(existsSync(join(made.folder, '01-a.level.json'))).toBe(false);
     expect(await workspace.restore(removed.value.trashed.trash)).toMatchObject({ ok: true, value: { name: 'two' } });
     expect(entry('01-a').name).toBe('two');
-    // somebody else has changed it since the list: nothing is done, and the list is asked for again
+    // the level has changed since the list: nothing is done, and the list is requested again
     put(made.folder, '04-copy.level.json', levelText('three'));
     expect(await workspace.remove({ ...entry('04-copy'), etag: `"${'0'.repeat(64)}"` })).toMatchObject({
       ok: false,
@@ -231,7 +231,7 @@ describe('a page on it', () => {
     expect(entry('04-copy').name).toBe('three');
   });
 
-  it('opens what is no level as text', async () => {
+  it('opens a file that is not a level as text', async () => {
     const workspace = await open();
     expect(await workspace.open('03-bad')).toMatchObject({
       ok: false,

@@ -18,8 +18,8 @@ const refused = (file: object): string => {
 };
 const ids = (file: LevelFile) => OBJECT_LISTS.flatMap((list) => (file[list] ?? []).map(({ id }) => id));
 
-describe('what a recipe leaves', () => {
-  it('is the same object, all through, when there is nothing to mend', () => {
+describe('the result of a recipe', () => {
+  it('is completely the same object if there is nothing to fix', () => {
     fc.assert(
       fc.property(arbitraryFile, (file) => {
         for (const before of [null, structuredClone(file), file]) {
@@ -33,7 +33,7 @@ describe('what a recipe leaves', () => {
     );
   });
 
-  it('is not changed itself', () => {
+  it('is not mutated', () => {
     const file = Object.freeze({
       ...PLAIN,
       range: 1e9,
@@ -48,7 +48,7 @@ describe('what a recipe leaves', () => {
     });
   });
 
-  it('has every number brought to the nearest one within its limits, and -0 to 0', () => {
+  it('has every number clamped to its limits, and 0 for -0', () => {
     const number = fc.oneof(
       fc.double({ noNaN: true }),
       fc.double({ min: -2e9, max: 2e9, noNaN: true }),
@@ -76,13 +76,13 @@ describe('what a recipe leaves', () => {
           astronaut: { x: within(a, place), y: within(b, place), vx: within(b, speed), vy: within(c, speed) },
           novae: [{ id: 'aa', x: within(a, place), y: within(b, place), radius: within(c, size) }],
         });
-        // known from before or not
+        // with or without the previous state
         expect(settled(file, now)).toStrictEqual(now);
       }),
     );
   });
 
-  it('has texts cut to their length, and no character in two', () => {
+  it('has texts cut to their limit, without splitting a character', () => {
     const cases = [
       ['name', 120],
       ['description', 2000],
@@ -93,7 +93,7 @@ describe('what a recipe leaves', () => {
       expect(settled({ ...PLAIN, [key]: text(most, 'nn') })[key]).toBe(text(most, ''));
       expect(settled({ ...PLAIN, [key]: text(most - 2, '🚀') })[key]).toBe(text(most - 2, '🚀'));
       expect(settled({ ...PLAIN, [key]: text(most - 1, '🚀') })[key]).toBe(text(most - 1, ''));
-      // the first and the last of the units that begin a pair, and those beside them
+      // the first and last high surrogates, and their neighbours
       for (const [unit, length] of [
         ['\ud800', most - 1],
         ['\udbff', most - 1],
@@ -106,7 +106,7 @@ describe('what a recipe leaves', () => {
     expect(settled({ ...PLAIN, runs: [run] }).runs?.[0].name).toBe('r'.repeat(80));
   });
 
-  it('has keys with undefined left out, and keys of others as they are', () => {
+  it('has no keys with undefined, and unchanged keys of other programs', () => {
     const file = { ...PLAIN, range: undefined, 'x-own': [Number.NaN], astronaut: { x: 0, y: 0, vx: undefined, 'x-a': 'b' } };
     expect(settled(file)).toStrictEqual({ ...PLAIN, 'x-own': [Number.NaN], astronaut: { x: 0, y: 0, 'x-a': 'b' } });
     expect(Object.keys(settled({ ...PLAIN, novae: undefined, runs: undefined }))).toEqual(Object.keys(PLAIN));
@@ -141,7 +141,7 @@ describe('what a recipe leaves', () => {
       expect(refused({ ...PLAIN, runs: [{ name: 'run', holds: [hold] }] })).toContain('not begin and end at a number');
   });
 
-  it('has an id of its own on every object: the first one keeps what stands twice', () => {
+  it('has a unique id on every object: of two equal ids, the first object keeps its id', () => {
     const rock = (id: unknown, x: number) => ({ id, x, y: 0, radius: 16 });
     const file = {
       ...PLAIN,
@@ -154,7 +154,7 @@ describe('what a recipe leaves', () => {
     expect(new Set(ids(now)).size).toBe(8);
     for (const id of ids(now)) expect(id).toMatch(/^[a-z0-9]{2,16}$/);
     expect(readLevel(formatLevel(now)).ok).toBe(true);
-    // what is known from before
+    // with the previous state
     const recipes: Recipe[] = [
       (draft) => void draft.asteroids?.push(rock('aa', 9) as never),
       (draft) => void draft.asteroids?.splice(1, 1),
@@ -175,7 +175,7 @@ describe('what a recipe leaves', () => {
   });
 });
 
-describe('what no level is near to is refused', () => {
+describe('values without a close valid level are refused', () => {
   const hold = [1, 2];
   it.each<[message: string, more: object]>([
     ['version 1', { version: 2 }],
@@ -202,7 +202,7 @@ describe('what no level is near to is refused', () => {
     expect(refused({ ...PLAIN, ...more })).toContain(message);
   });
 
-  it('but as many as the format takes are not', () => {
+  it('but not as many entries as the format allows', () => {
     const full = {
       ...PLAIN,
       novae: Array.from({ length: LIMITS.objects }, (_, i) => ({ id: `n${i}`, x: i, y: 2, radius: 3 })),
@@ -214,7 +214,7 @@ describe('what no level is near to is refused', () => {
     expect(settled(full)).toStrictEqual(full);
   });
 
-  it('and not mended where it was fine before, either', () => {
+  it('and not replaced by the previous valid value', () => {
     const before = settled({ ...PLAIN, novae: [{ id: 'aa', x: 1, y: 2, radius: 3 }] });
     for (const novae of [
       [{ id: 'aa', x: Number.NaN, y: 2, radius: 3 }],
@@ -228,7 +228,7 @@ describe('what no level is near to is refused', () => {
     expect(settle({ ...before, blackHole: { x: 1 } } as LevelFile, before).ok).toBe(false);
   });
 
-  it('an error in what a recipe does is no refusal', () => {
+  it('an exception in a recipe is no refusal', () => {
     expect(() => settle({ ...PLAIN, astronaut: null } as never, null)).toThrow(TypeError);
     expect(() => createEditedLevel({ ...PLAIN, name: '' })).toThrow(/not a valid level: a level needs a name/);
   });

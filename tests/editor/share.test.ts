@@ -47,8 +47,8 @@ const arbitraryRules: fc.Arbitrary<OwnRules> = fc.record(
   ),
 );
 
-describe('a level that leaves a folder, or comes into one', () => {
-  it('plays by the same rules there as where it was, and only what the folder decides is written', () => {
+describe('a level that leaves or enters a folder', () => {
+  it('keeps its rules, and only rules that the folder sets are written', () => {
     fc.assert(
       fc.property(arbitraryFile, arbitraryRules, (file, folder) => {
         const left = leavingFolder(file, folder);
@@ -62,7 +62,7 @@ describe('a level that leaves a folder, or comes into one', () => {
           expect(moved.rules ?? {}).toMatchObject(file.rules ?? {});
           for (const name of RULE_NAMES) if (folder[name] === undefined) expect(moved.rules?.[name]).toBe(file.rules?.[name]);
         }
-        // once is enough, and where the folder sets nothing there is nothing to write
+        // a second time changes nothing, nor does a folder without rules
         expect(leavingFolder(left, folder)).toBe(left);
         expect(enteringFolder(come, folder)).toBe(come);
         expect(leavingFolder(file, {})).toBe(file);
@@ -73,7 +73,7 @@ describe('a level that leaves a folder, or comes into one', () => {
 });
 
 describe('a link', () => {
-  it('carries any small level there and back', async () => {
+  it('contains any small level, which reads back the same', async () => {
     await fc.assert(
       fc.asyncProperty(arbitraryFile, async (file) => {
         const link = await linkTo(file, PAGE);
@@ -87,7 +87,7 @@ describe('a link', () => {
     );
   });
 
-  it('is refused for a level that it could not carry through a chat program', async () => {
+  it('is refused if the level is too large for a link in a chat program', async () => {
     const novae = Array.from({ length: 2000 }, (_, i) => ({ x: Math.sin(i) * 1e6, y: Math.cos(i) * 1e6, radius: 16 }));
     expect(await linkTo({ ...fileOf(firewalk), novae }, PAGE)).toMatchObject({
       ok: false,
@@ -95,18 +95,18 @@ describe('a link', () => {
     });
   });
 
-  it.each(['#level=', '#level=!!!', '#level=AAAA', '#token=x&level=abc'])('that is damaged says so: %s', async (fragment) => {
+  it.each(['#level=', '#level=!!!', '#level=AAAA', '#token=x&level=abc'])('is reported as damaged: %s', async (fragment) => {
     expect(await levelOf(fragment)).toMatchObject({ ok: false, message: expect.stringContaining('damaged') });
   });
 
-  it('that carries something else says what', async () => {
+  it('is reported with its problem if it does not contain a level', async () => {
     const { url } = (await linkTo(fileOf(firewalk), PAGE)) as { url: string };
     expect(await levelOf('#token=abc')).toBeNull();
     expect(await levelOf('')).toBeNull();
     expect(await levelOf(url.slice(url.indexOf('#'), -20))).toMatchObject({ ok: false });
   });
 
-  it('does not unpack without end', async () => {
+  it('does not unpack without limit', async () => {
     const zeros = new Blob([new Uint8Array(50_000_000)]).stream().pipeThrough(new CompressionStream('deflate-raw'));
     const packed = Buffer.from(await new Response(zeros).arrayBuffer()).toString('base64url');
     expect(await levelOf(`#level=${packed}`)).toMatchObject({ ok: false });
@@ -132,12 +132,12 @@ describe('importing', () => {
     expect(without.ok && without.levels[0].file.recoil).toBe(undefined);
   });
 
-  it.each(['', '{', '{"version": 1}', '[{"player": 1}]'])('says what is wrong with %s', (text) => {
+  it.each(['', '{', '{"version": 1}', '[{"player": 1}]'])('reports what is wrong with %s', (text) => {
     const read = importLevels(text, 'x.json');
     expect(!read.ok && read.problems[0].message).toMatch(/./);
   });
 
-  it('names files so that every system takes them', () => {
+  it('gives files names that every system accepts', () => {
     expect(['07 Sling Shot!.level.json', 'Ünïcode.json', '???', `${'a'.repeat(200)}.json`, '-x-.json'].map(slugOf)).toEqual([
       '07-sling-shot',
       'uenicode',
@@ -156,7 +156,7 @@ describe('importing', () => {
 });
 
 describe('exporting', () => {
-  it('gives the file that gq reads, and a picture with the run', async () => {
+  it('gives a file that gq reads, and a picture with the run', async () => {
     const file = fileOf(firewalk);
     const { name, blob } = levelFile('world/16-firewalk', file);
     expect([name, await blob.text()]).toEqual(['16-firewalk.level.json', formatLevel(file)]);
@@ -178,7 +178,7 @@ describe('templates', () => {
     }
   });
 
-  it('prove themselves where they have a run, and have nothing wrong at the start', () => {
+  it('are completable if they have a run, and have no problems at the start', () => {
     for (const { id, make } of TEMPLATES) {
       for (let seed = 0; seed < 20; seed++) {
         const { verdict, problems } = createProver().prove({ file: make('New', seed), run: null, accuracy: 'precise' });
@@ -188,7 +188,7 @@ describe('templates', () => {
     }
   });
 
-  it('throw seven asteroids and three novae, 100 px from the border', () => {
+  it('place seven asteroids and three novae at random, 100 px from the border', () => {
     const thrown = TEMPLATES.find(({ id }) => id === 'random');
     for (let seed = 0; seed < 50; seed++) {
       const file = thrown?.make('New', seed) as LevelFile;
@@ -200,7 +200,7 @@ describe('templates', () => {
   });
 });
 
-describe('a link of somebody who means harm', () => {
+describe('a malicious link', () => {
   const packed = async (text: string): Promise<string> => {
     const stream = new Blob([text]).stream().pipeThrough(new CompressionStream('deflate-raw'));
     return `#level=${Buffer.from(await new Response(stream).arrayBuffer()).toString('base64url')}`;
@@ -211,12 +211,12 @@ describe('a link of somebody who means harm', () => {
     ['__proto__', `{${LEVEL}, "__proto__": {"polluted": 1}}`],
     ['constructor', `{${LEVEL}, "constructor": {"prototype": {"polluted": 1}}}`],
     ['prototypes within', `{${LEVEL}, "asteroids": [{"x": 1, "y": 1, "radius": 9, "__proto__": {"polluted": 1}}]}`],
-  ])('has no key that is none of a level: %s', async (_, text) => {
+  ])('is refused with a key that no level has: %s', async (_, text) => {
     expect(await levelOf(await packed(text))).toMatchObject({ ok: false, message: expect.stringContaining('no valid level') });
     expect(({} as { polluted?: unknown }).polluted).toBeUndefined();
   });
 
-  it('changes no prototype by what stands under keys of its own, through editing, undo, patches and merging', async () => {
+  it('changes no prototype by its extra keys, through editing, undo, patches and merging', async () => {
     const own = '"x-own": {"__proto__": {"polluted": 1}, "constructor": {"prototype": {"polluted": 2}}}';
     const linked = await levelOf(await packed(`{${LEVEL}, ${own}, "x-__proto__": {"polluted": 3}}`));
     if (linked?.ok !== true) throw new Error('it is a valid level');
@@ -237,11 +237,11 @@ describe('a link of somebody who means harm', () => {
     ['brackets', `{${LEVEL}, "x-deep": ${'['.repeat(100_000)}${']'.repeat(100_000)}}`],
     ['objects', `{${LEVEL}, "x-deep": ${'{"a":'.repeat(100_000)}1${'}'.repeat(100_000)}}`],
     ['no end', `{${LEVEL}, "x-deep": ${'['.repeat(400_000)}`],
-  ])('that nests without end is refused: %s', async (_, text) => {
+  ])('is refused with deep nesting: %s', async (_, text) => {
     expect(await levelOf(await packed(text))).toMatchObject({ ok: false });
   });
 
-  it('is said to be damaged, whatever its letters are', async () => {
+  it('is reported as damaged, whatever its characters are', async () => {
     await fc.assert(
       fc.asyncProperty(fc.string({ unit: 'binary', maxLength: 60 }), async (text) => {
         const linked = await levelOf(`#level=${text.replaceAll('&', '')}`);
@@ -250,7 +250,7 @@ describe('a link of somebody who means harm', () => {
     );
   });
 
-  it('to the ends of space is asked about and opened like any other: numbers at their limits', async () => {
+  it('with numbers at their limits is opened like any other', async () => {
     const far = { x: 1e9, y: -1e9 };
     const text = JSON.stringify({
       version: 1,
@@ -264,7 +264,7 @@ describe('a link of somebody who means harm', () => {
       runs: [{ name: 'r', holds: [[0, 1]] }],
     });
     const linked = await levelOf(await packed(text));
-    // what the limits are is the schema's matter: here it is either refused or whole
+    // the schema decides about the limits: here the level is either refused or complete
     if (linked?.ok !== true) {
       expect(linked).toMatchObject({ ok: false, message: expect.stringContaining('no valid level') });
       return;
@@ -280,8 +280,8 @@ describe('a link of somebody who means harm', () => {
   });
 });
 
-describe('what a link brings', () => {
-  it('is told in numbers, with a warning where there is much of it', () => {
+describe('the content of a link', () => {
+  it('is described in numbers, with a warning if there is much', () => {
     const file = fileOf(firewalk);
     const survey = surveyLink(file, formatLevel(file));
     expect(survey.counts).toMatch(/asteroids?, .*runs? with \d+ holds?$/);

@@ -43,15 +43,15 @@ const say = (changes: Partial<SearchState>, own: Parameters<typeof standingOf>[1
 const all = { ...settings, minerals: 'all' } as const;
 const some = { ...settings, minerals: 'some', some: 2 } as const;
 
-describe('what the solver says', () => {
-  it('names the minerals where some are asked for, and only there', () => {
+describe('the message of the solver', () => {
+  it('mentions minerals only if some are required', () => {
     expect([settings, some, all].map((one) => askedInWords(one, COUNT))).toEqual([
       '',
       ' with at least 2 of 3 minerals',
       ' with all 3 minerals',
     ]);
     expect(askedInWords(all, 1)).toBe(' with the mineral');
-    // of none all is any
+    // all of none is any
     expect(askedInWords(all, 0)).toBe('');
     for (const phase of ['running', 'done', 'cancelled', 'stale', 'failed'] as const)
       for (const distance of [null, 0, 42])
@@ -61,7 +61,7 @@ describe('what the solver says', () => {
               expect(say({ phase, solving: solving(distance), found: ways, isOld }, own)).not.toContain('mineral');
   });
 
-  it('that nothing was found, why it ended, what that means, and what the own runs show', () => {
+  it('says that nothing was found, why the search ended, what that means, and what the own runs show', () => {
     expect(say({})).toBe(
       'The 10 s are over: no run into the black hole was found. This does not prove that there is none. The closest approach, shown on the canvas, was 42 px from the black hole at 1.00 s.',
     );
@@ -80,7 +80,7 @@ describe('what the solver says', () => {
     );
   });
 
-  it('how many of those looked for were found', () => {
+  it('says how many of the wanted runs were found', () => {
     expect(say({ phase: 'running', found: found(true) })).toBe('1 different run found so far | Looked for up to 5 runs.');
     expect(say({ found: found(true, true), settings: some })).toBe(
       '2 different runs found | Looked for up to 5 runs with at least 2 of 3 minerals. The 10 s are over. More time or another seed may find more.',
@@ -91,7 +91,7 @@ describe('what the solver says', () => {
     expect(say({ found: found(true, true, true, true, true) })).toBe('5 different runs found | Looked for up to 5 runs.');
   });
 
-  it('what became of it once the level has changed', () => {
+  it('says what holds after a change of the level', () => {
     expect(say({ phase: 'stale', isOld: true, found: found(true, false), solving: null })).toBe(
       'The level changed, so the search stopped. 1 of 2 runs found before the level changed still works.',
     );

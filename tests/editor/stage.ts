@@ -2,7 +2,7 @@ import type { Channel, KeyValues, LevelStorage, Timers } from '../../editor/file
 import { type Link, storageError } from '../../editor/files/level-storage.ts';
 import type { EditEvent, LevelFile } from '../../schema/index.ts';
 
-/** A small level that tests of files begin with. */
+/** A small level with which tests of files start. */
 export const FILE: LevelFile = {
   version: 1,
   name: 'base',
@@ -11,7 +11,7 @@ export const FILE: LevelFile = {
   asteroids: [{ id: 'aa', x: 10, y: 20, radius: 16 }],
 };
 
-/** A clock that stands until it is turned. */
+/** A clock that stands still until a test advances it. */
 export class TurnedClock implements Timers {
   private time = 0;
   private waiting: { readonly at: number; readonly call: () => void }[] = [];
@@ -26,7 +26,7 @@ export class TurnedClock implements Timers {
     };
   }
 
-  /** Lets so many ms go by, and everything happen that is due, promises included. */
+  /** Advances the clock by some ms, and runs everything that is due, including promises. */
   async pass(ms: number): Promise<void> {
     const until = this.time + ms;
     await breathe();
@@ -42,7 +42,7 @@ export class TurnedClock implements Timers {
   }
 }
 
-/** Lets promises go on until nothing more happens of itself. */
+/** Runs promises until nothing more happens by itself. */
 export async function breathe(): Promise<void> {
   for (let i = 0; i < 3; i++) await new Promise((resolve) => setImmediate(resolve));
 }
@@ -57,7 +57,7 @@ export function createKeyValues(): KeyValues {
   };
 }
 
-/** Channels between the pages of one browser: messages arrive later, and not where they came from. */
+/** Channels between the pages of one browser: messages arrive later, and not at their sender. */
 export function createChannels(): (name: string) => Channel {
   const open = new Map<string, Set<{ listeners: ((event: { data: unknown }) => void)[] }>>();
   return (name) => {
@@ -85,7 +85,7 @@ interface Waiting {
   readonly reject: (error: Error) => void;
 }
 
-/** Web Locks as pages see them, with pages that can be killed. */
+/** Web Locks for pages that can be killed. */
 export class LockKeeper {
   private readonly dead = new Set<string>();
   private readonly held = new Map<string, Waiting>();
@@ -156,12 +156,12 @@ export class LockKeeper {
   }
 }
 
-/** A storage that can be cut off, and requests of which can be held back. */
+/** A storage that can be disconnected, and whose requests can be delayed. */
 export function createLine(storage: LevelStorage): LevelStorage & {
   isCut: boolean;
-  /** What is written arrives, and the answer does not. */
+  /** Writes arrive, but their answers do not. */
   losesAnswers: boolean;
-  /** Why nothing may be written; null when it may. */
+  /** Why nothing may be written; null if writing works. */
   readOnly: string | null;
   writes: number;
   gate: Promise<void> | null;

@@ -1,6 +1,6 @@
 import type { LevelFile } from '../../schema/index.ts';
 
-/** Her way hangs on the pull: at 39 px/s2 the run completes it, from 41 and below 37 it does not. */
+/** Her path depends on the pull: at 39 px/s2 the run completes the level, from 41 on and below 37 it does not. */
 export const SWING: LevelFile = {
   version: 1,
   name: 'First Swing',

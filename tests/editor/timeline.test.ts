@@ -18,11 +18,11 @@ function firewalk() {
   return { document, proof, ticks: () => proof.reach.getState().ticks, end: () => proof.proof().run.way.count - 1 };
 }
 
-/** Hot asteroid 2, and where it stands in the way. */
+/** Hot asteroid 2, and a place at which it blocks the path. */
 const [BLOCKER, IN_THE_WAY] = [['3nt2'], [-8, -40]] as const;
 
-describe('how far along time a run is shown', () => {
-  it('is as far as its end while it completes the level, and as before once it breaks', () => {
+describe('the shown length of a run', () => {
+  it('reaches to its end while it completes the level, and stays when it breaks', () => {
     const { document, proof, ticks, end } = firewalk();
     const before = end();
     expect(ticks()).toBe(before);
@@ -36,7 +36,7 @@ describe('how far along time a run is shown', () => {
     expect(holdsInWords(proof.proof().run.holds, reachedBy(proof.proof()))).toBe('3 holds');
   });
 
-  it('does not shrink under the hand, and does once that lets go', () => {
+  it('does not shrink during a drag, but after it', () => {
     const { document, ticks, end } = firewalk();
     document.change('longer', replaceHolds('solution', [[0, 1500]]));
     expect(ticks()).toBe(1500);
@@ -51,7 +51,7 @@ describe('how far along time a run is shown', () => {
     expect(end()).toBeLessThan(1300);
   });
 
-  it('goes to the end of a hold that lasts longer than the run, but not to any', () => {
+  it('includes a hold that ends after the run, up to a limit', () => {
     const { document, proof, ticks, end } = firewalk();
     const until = (release: number) =>
       document.change(
@@ -70,7 +70,7 @@ describe('how far along time a run is shown', () => {
     expect(ticks()).toBe(2 * end());
   });
 
-  it('begins anew with another run', () => {
+  it('is computed again for another run', () => {
     const { document, proof, ticks, end } = firewalk();
     document.change('longer', replaceHolds('solution', [[0, 1500]]));
     proof.showRun('all-minerals');
@@ -78,7 +78,7 @@ describe('how far along time a run is shown', () => {
   });
 });
 
-describe('what the pointer takes of the holds', () => {
+describe('the part of a hold under the pointer', () => {
   const scale = { from: 0, zoom: 1 };
   const long: Hold[] = [[100, 200]];
   it.each([
@@ -94,13 +94,13 @@ describe('what the pointer takes of the holds', () => {
     expect(gripAt(long, scale, x, 'fine')?.part ?? null).toBe(part);
   });
 
-  it('leaves a short bar its middle', () => {
+  it('includes the middle even of a short bar', () => {
     const short: Hold[] = [[100, 109]];
     const parts = [98, 101, 104.5, 108, 111].map((x) => gripAt(short, scale, x, 'fine')?.part);
     expect(parts).toEqual(['press', 'press', 'body', 'release', 'release']);
   });
 
-  it('is the nearest edge where several are near', () => {
+  it('is the nearest edge if several are close', () => {
     const close: Hold[] = [
       [100, 200],
       [204, 300],
@@ -124,7 +124,7 @@ describe('what the pointer takes of the holds', () => {
   });
 });
 
-it('attempts that were only begun make room for others first', () => {
+it('unfinished attempts are dropped first to make room', () => {
   const attempts = createAttempts();
   const end = { outcome: 'lost', with: null, time: 1, tick: 60 } as const;
   const rest = { holds: [], tick: 60, minerals: 0, accuracy: 'precise', points: new Float32Array() } as const;

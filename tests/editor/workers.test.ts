@@ -29,12 +29,12 @@ const ANY = { minerals: 'any' } as const;
 const level = levelOf('02-first-swing');
 const holds = level.runs[0].holds;
 
-/** A worker in this thread, whose slices are made one at a time. */
+/** A worker in this thread, which does one slice at a time. */
 function bench() {
   const heard: FromWorker[] = [];
   const due: (() => void)[] = [];
   let time = 0;
-  // a clock of its own: a look at it takes a millisecond
+  // its own clock, which advances by a millisecond at every reading
   const hear = createRunner({
     post: (message) => heard.push(structuredClone(message)),
     later: (call) => due.push(call),
@@ -60,7 +60,7 @@ function doJob<K extends JobKind>(kind: K, request: Requests[K]): { result: Resu
 }
 
 describe('jobs', () => {
-  it('find a run, tell it before the end, and it holds', () => {
+  it('find a run, report it before the end, and it completes the level', () => {
     const { runs: _, ...bare } = level;
     const request = {
       level: { ...bare, runs: [] },
@@ -79,13 +79,13 @@ describe('jobs', () => {
     expect(result.explored.cells.length).toBeGreaterThan(0);
   });
 
-  it('tell slack first, then how much a run forgives', () => {
+  it('report slack first, then the robustness', () => {
     const { result, told } = doJob('robustness', { level, accuracy: 'precise', holds, goal: ANY });
     expect(told).toMatchObject([{ slack: result.slack, p40: { samples: 100 } }]);
     expect(result.slack).toEqual(findSlack(compile(level), holds, ANY));
   });
 
-  it('give the ways of a fan: every one still reaches the black hole', () => {
+  it('return the paths of a fan, which all still reach the black hole', () => {
     const { result, told } = doJob('fan', { level, accuracy: 'precise', holds, goal: ANY });
     expect(told).toEqual([{ slack: findSlack(compile(level), holds, ANY) }]);
     const ways = (result as Fan).ways;
@@ -103,9 +103,9 @@ describe('jobs', () => {
     }
   });
 
-  it('measure difficulty by the given run, and by one they look for', () => {
+  it('measure difficulty with a given run, or with one from a search', () => {
     expect(doJob('difficulty', { level, accuracy: 'precise', holds, goal: ANY, budget: 100 }).result?.presses).toBe(holds.length);
-    // from the level's own runs on, where there is no time for a search from nothing
+    // starts from the level's own runs, as there is no time for a search without them
     const little = { accuracy: 'precise', holds: null, goal: ANY, budget: 2 } as const;
     expect(doJob('difficulty', { level, ...little }).result).not.toBeNull();
     expect(doJob('difficulty', { level: { ...level, runs: [] }, ...little }).result).toBeNull();
@@ -113,7 +113,7 @@ describe('jobs', () => {
     expect(doJob('difficulty', { level: impossible, accuracy: 'precise', holds: null, goal: ANY, budget: 50 }).result).toBeNull();
   });
 
-  it('prove what is out of reach, of the mineral it is about', () => {
+  it('prove which minerals are out of reach', () => {
     const { x, y } = level.asteroids[0];
     const far = { id: 'far', x: x + 5000, y, radius: 7 };
     const { result } = doJob('proofs', {
@@ -130,7 +130,7 @@ describe('jobs', () => {
     expect(gone.result.impossible).not.toBeNull();
   });
 
-  it('draw a level small, with its verdict', () => {
+  it('draw a small picture of a level, with its verdict', () => {
     const request = { accuracy: 'precise', width: 200, theme: 'dark' } as const;
     const good = doJob('thumbnail', { ...request, text: textOf('02-first-swing') }).result;
     expect(good).toMatchObject({ verdict: 'completable', svg: expect.stringContaining('<svg') });
@@ -141,7 +141,7 @@ describe('jobs', () => {
     expect(doJob('thumbnail', { ...request, text: '{' }).result).toEqual({ verdict: 'invalid', svg: '', minerals: 0 });
   });
 
-  it('measure what accuracy costs', () => {
+  it('measure the cost of accuracy', () => {
     const { result } = doJob('accuracy', { level, holds });
     expect(result.settings.find(({ name }) => name === 'precise')).toMatchObject({ outcome: 'completed', sameVerdict: true });
   });
@@ -161,7 +161,7 @@ describe('a worker', () => {
   } as const;
   const start = (job: number): ToWorker => ({ type: 'start', job, kind: 'solve', request: endless });
 
-  it('hears a cancel between two slices, and goes on with what waits', () => {
+  it('handles a cancel between two slices, and continues with the next job', () => {
     const { heard, hear, slice } = bench();
     for (const job of [1, 2, 3]) hear(start(job));
     for (let i = 0; i < 2; i++) slice();
@@ -178,7 +178,7 @@ describe('a worker', () => {
     expect(heard.length).toBeGreaterThan(before);
   });
 
-  it('says when a job fails, and does the next one', () => {
+  it('reports a failing job, and does the next one', () => {
     const { heard, hear, all } = bench();
     hear({ type: 'start', job: 1, kind: 'thumbnail', request: {} as never });
     hear({ type: 'start', job: 2, kind: 'thumbnail', request: { text: '{', accuracy: 'precise', width: 1, theme: 'dark' } });
@@ -189,7 +189,7 @@ describe('a worker', () => {
     ]);
   });
 
-  it('is idle once all is done', () => {
+  it('is idle when everything is done', () => {
     const { hear, all, isIdle } = bench();
     hear({ type: 'start', job: 1, kind: 'thumbnail', request: { text: '{', accuracy: 'precise', width: 1, theme: 'dark' } });
     all();
@@ -198,7 +198,7 @@ describe('a worker', () => {
     expect(isIdle()).toBe(true);
   });
 
-  it.each([1e-5, 1e-3, 0.5])('makes steps of some milliseconds, whatever a tick costs (%s ms)', (cost) => {
+  it.each([1e-5, 1e-3, 0.5])('makes steps of a few milliseconds, whatever a tick costs (%s ms)', (cost) => {
     let time = 0;
     const pace = createPacer(() => time);
     const steps = Array.from({ length: 30 }, () => {
@@ -208,7 +208,7 @@ describe('a worker', () => {
       });
       return time - before;
     });
-    // a tick that costs more than a level can cost is not cut
+    // a tick that takes longer than any level needs is not divided
     const least = 500 * cost;
     for (const step of steps.slice(10)) expect(step).toBeLessThanOrEqual(Math.max(16, least));
     expect(steps[29]).toBeGreaterThan(8);
@@ -252,7 +252,7 @@ describe('workers', () => {
   }
   const thumb = { text: '{', accuracy: 'precise', width: 1, theme: 'dark' } as const;
 
-  it('give what a job tells and how it ends', async () => {
+  it('report the progress of a job and how it ends', async () => {
     const { ports, workers } = crew();
     const told: unknown[] = [];
     const job = workers.start('fan', { level, accuracy: 'precise', holds, goal: ANY }, (progress) => told.push(progress));
@@ -262,7 +262,7 @@ describe('workers', () => {
     expect(told).toEqual(['half']);
   });
 
-  it('cancel at once; one that does not answer is ended, and the others begin anew elsewhere', async () => {
+  it('cancel at once; a worker that does not answer is ended, and its other jobs restart elsewhere', async () => {
     const { ports, clock, workers } = crew();
     const told: unknown[] = [];
     const [stuck, next] = [
@@ -273,7 +273,7 @@ describe('workers', () => {
     expect(await stuck.end).toEqual({ kind: 'cancelled' });
     ports[0].answer({ type: 'progress', job: 1, progress: 'late' });
     expect(told).toEqual([]);
-    // it did tell something, so it was not stuck
+    // it sent a message, so it was not stuck
     await clock.pass(100);
     expect(ports).toHaveLength(1);
     const again = workers.start('proofs', { level, accuracy: 'precise', collected: [] });
@@ -286,7 +286,7 @@ describe('workers', () => {
     expect(await next.end).toEqual({ kind: 'done', result: 'new' });
   });
 
-  it('give up what takes longer than anybody waits, counted from when it is begun, and go on with the next', async () => {
+  it('stop a job at its time limit, counted from its start, and continue with the next', async () => {
     const { ports, clock, workers } = crew();
     const first = workers.start('proofs', { level, accuracy: 'precise', collected: [] });
     const second = workers.start('proofs', { level, accuracy: 'precise', collected: [] });
@@ -298,7 +298,7 @@ describe('workers', () => {
     expect(ports[0].isOver).toBe(true);
     const next = ports[2];
     expect(next.sent).toMatchObject([{ type: 'start', job: 2, kind: 'proofs' }]);
-    // its own time has only begun
+    // its own time limit has just started
     await clock.pass(15_000);
     next.answer({ type: 'done', job: 2, result: 'proved' });
     expect(await second.end).toEqual({ kind: 'done', result: 'proved' });
@@ -307,7 +307,7 @@ describe('workers', () => {
     search.cancel();
   });
 
-  it('that die say so, and are replaced when something is asked again', async () => {
+  it('are reported when they die, and replaced at the next job', async () => {
     const { ports, workers } = crew();
     const job = workers.start('thumbnail', thumb);
     ports[0].die('out of memory');
@@ -316,7 +316,7 @@ describe('workers', () => {
     expect(ports).toHaveLength(2);
   });
 
-  it('keep short jobs apart from searches, and what follows every change apart from both; end all when closed', async () => {
+  it('separate short jobs, searches and jobs that follow every change; closing ends all', async () => {
     const { ports, workers } = crew();
     const job = workers.start('generate', { options: { seed: 1 } });
     workers.start('thumbnail', thumb);

@@ -64,7 +64,7 @@ const granted = <T>(answer: Answer<T>): T => {
   if (!answer.ok) throw new Error(answer.error.message);
   return answer.value;
 };
-/** Another program writes, and the page is told. */
+/** Another program writes, and the page gets an event. */
 const byOthers = async (line: ReturnType<typeof createLine>, id: string, name: string) => {
   const written = await disk.write(id, formatLevel(fileOf(name)), (await read(id))?.etag ?? null);
   line.tell({ type: 'changed', entry: granted(written), by: null });
@@ -72,7 +72,7 @@ const byOthers = async (line: ReturnType<typeof createLine>, id: string, name: s
 };
 
 describe('the list', () => {
-  it('is asked for at the start, and an error stands in its place until it is there', async () => {
+  it('is requested at the start, and an error is shown until it arrives', async () => {
     const { workspace, line } = await page();
     expect(workspace.store.getState()).toMatchObject({ error: null, link: 'up', opened: null, refused: null });
     expect(ids(workspace)).toEqual(['a', 'b', 'c']);
@@ -87,7 +87,7 @@ describe('the list', () => {
     expect(workspace.store.getState().link).toBe('gone');
   });
 
-  it('has what is changed in its place, what is new where the storage has it, and no longer what is gone', async () => {
+  it('shows changed levels in place, new ones where the storage has them, and deleted ones no more', async () => {
     const { workspace, line } = await page();
     let lists = 0;
     const { list } = line;
@@ -101,7 +101,7 @@ describe('the list', () => {
     const made = granted(await disk.write('0', formatLevel(fileOf('new')), null));
     await disk.order('', ['0', 'a', 'b', 'c']);
     line.tell({ type: 'changed', entry: made, by: null });
-    // at once at the end, and then where it belongs
+    // first at the end, then at its place
     expect(ids(workspace)).toEqual(['a', 'b', 'c', '0']);
     await breathe();
     expect([ids(workspace), lists]).toEqual([['0', 'a', 'b', 'c'], 1]);
@@ -114,7 +114,7 @@ describe('the list', () => {
     expect([ids(workspace), lists]).toEqual([['0', 'z', 'b', 'c'], 2]);
   });
 
-  it('that a page has none of takes no event amiss', async () => {
+  it('ignores events before it has arrived', async () => {
     const { workspace, line } = await page();
     workspace.store.setState({ list: null });
     line.tell({ type: 'read', levels: [], unread: 0 });
@@ -128,7 +128,7 @@ describe('the list', () => {
     expect(workspace.store.getState().list).toBeNull();
   });
 
-  it('tells the open level when something has happened to it, and only then', async () => {
+  it('informs the open level about its own events only', async () => {
     const { workspace, line, reads } = await page();
     const one = await open(workspace, 'a');
     const before = reads();
@@ -136,7 +136,7 @@ describe('the list', () => {
     line.tell({ type: 'removed', id: 'c', by: null });
     line.tell({ type: 'list', list: granted(await disk.list()) });
     await breathe();
-    // what it knows already is not read again
+    // a known version is not read again
     expect(reads()).toBe(before);
     await byOthers(line, 'a', 'A');
     expect(one.level.file().name).toBe('A');
@@ -144,7 +144,7 @@ describe('the list', () => {
     line.tell({ type: 'list', list: granted(await disk.list()) });
     await breathe();
     expect(one.level.file().name).toBe('AA');
-    // while a list comes in parts, what was not told of yet is no news
+    // while a list arrives in parts, a missing level is not a deleted one
     const whole = granted(await disk.list());
     await disk.remove('a', (await read('a'))?.etag ?? '');
     line.tell({ type: 'list', list: { ...whole, levels: whole.levels.slice(1), unread: 1 } });
@@ -155,7 +155,7 @@ describe('the list', () => {
     expect(one.saver.store.getState()).toMatchObject({ kind: 'deleted' });
   });
 
-  it('and that it was taken away, or that the line is back', async () => {
+  it('informs it about its deletion, and about the restored connection', async () => {
     const { workspace, line } = await page();
     const one = await open(workspace, 'a');
     line.isCut = true;
@@ -176,8 +176,8 @@ describe('the list', () => {
   });
 });
 
-describe('the level that is open', () => {
-  it('is written when another is opened, when it is left and when the page is closed, with a drag that goes on', async () => {
+describe('the open level', () => {
+  it('is written when another is opened, when it is left and when the page is closed, including a drag in progress', async () => {
     const { workspace } = await page();
     const leaving: [string, () => Promise<unknown>][] = [
       ['b', () => workspace.open('a')],
@@ -195,7 +195,7 @@ describe('the level that is open', () => {
     await workspace.leave();
   });
 
-  it('is there once it is known whether this page may write it', async () => {
+  it('is shown once it is known whether this page may write it', async () => {
     let go = () => {};
     const gate = new Promise<void>((resolve) => {
       go = resolve;
@@ -216,7 +216,7 @@ describe('the level that is open', () => {
     expect(opened(workspace).saver.store.getState()).toEqual({ kind: 'saved' });
   });
 
-  it('that another page has taken while the journal was asked is only read', async () => {
+  it('is read-only if another page has taken it in the meantime', async () => {
     let go = () => {};
     let gate = new Promise<void>((resolve) => {
       go = resolve;
@@ -250,7 +250,7 @@ describe('the level that is open', () => {
     }
   });
 
-  it('stays on the screen until the next one is there, and is opened anew when it is opened again', async () => {
+  it('stays on the screen until the next one is ready, and can be opened again', async () => {
     const { workspace, line } = await page();
     const first = await open(workspace, 'a');
     let go = () => {};
@@ -264,22 +264,22 @@ describe('the level that is open', () => {
     await opening;
     const second = opened(workspace);
     expect(second.id()).toBe('b');
-    // both at the same time: one after the other
+    // two requests at the same time are handled one after the other
     await Promise.all([workspace.open('b'), workspace.open('b')]);
     expect(opened(workspace).id()).toBe('b');
     expect(opened(workspace)).not.toBe(second);
     expect(opened(workspace).lock.store.getState()).toBe('writer');
-    // the lock of the first one is free
+    // the lock of the first level is free
     const other = await page();
     expect((await open(other.workspace, 'a')).lock.store.getState()).toBe('writer');
   });
 
-  it('that can not be read is refused, and so is what is no level; neither stays when another is opened', async () => {
+  it('can not be an unreadable or invalid file, and an error disappears when another level is opened', async () => {
     const { workspace, line } = await page();
     await open(workspace, 'a');
     expect(await workspace.open('nowhere')).toMatchObject({ ok: false, kind: 'failed', error: { code: 'unknown-level' } });
     expect(workspace.store.getState()).toMatchObject({ opened: null, refused: { id: 'nowhere' } });
-    // what could not be read has no text, and the storage says why
+    // an unreadable file has no text, and the storage gives the reason
     const why: Problem = {
       ...{
         code: 'unreadable-file',
@@ -308,7 +308,7 @@ describe('the level that is open', () => {
     expect(workspace.store.getState().refused).toBeNull();
   });
 
-  it('has its history again as long as nobody has changed it', async () => {
+  it('keeps its history until somebody else changes it', async () => {
     const { workspace } = await page();
     const labels = async (id: string) => (await open(workspace, id)).level.labels();
     rename(await open(workspace, 'a'), 'A');
@@ -320,7 +320,7 @@ describe('the level that is open', () => {
     expect(opened(workspace).level.file().name).toBe('theirs');
   });
 
-  it('goes by its new name, and so do the histories of others, also when two names change places', async () => {
+  it('follows a rename, as do the histories of others, even if two levels swap names', async () => {
     const { workspace, line } = await page();
     rename(await open(workspace, 'b'), 'B');
     rename(await open(workspace, 'a'), 'A');
@@ -332,7 +332,7 @@ describe('the level that is open', () => {
     expect(await nameOnDisk('b')).toBe('A');
     expect((await open(workspace, 'd')).level.labels()).toEqual(['Rename']);
     expect((await open(workspace, 'b')).level.labels()).toEqual(['Rename']);
-    // what other programs rename is told one by one
+    // renames by other programs are reported one by one
     const away = granted(await disk.rename('b', 'e', (await read('b'))?.etag ?? ''));
     line.tell({ type: 'renamed', from: 'b', entry: away, by: null });
     await breathe();
@@ -340,18 +340,18 @@ describe('the level that is open', () => {
     rename(opened(workspace), 'E');
     await clock.pass(500);
     expect(await nameOnDisk('e')).toBe('E');
-    // of a name that is free again nothing is remembered
+    // nothing is remembered for a name that is free again
     await disk.write('b', formatLevel(fileOf('E')), null);
     expect((await open(workspace, 'b')).level.labels()).toEqual([]);
   });
 
-  it('has its names changed all at once when levels are ordered', async () => {
+  it('is renamed together with the others when levels are reordered', async () => {
     const { workspace, line } = await page();
     rename(await open(workspace, 'b'), 'B');
     await open(workspace, 'a');
     rename(opened(workspace), 'A');
     line.order = async () => {
-      // two files change places
+      // two files swap places
       const [a, b] = [await read('a'), await read('b')];
       await disk.rename('a', 'x', a?.etag ?? '');
       const toA = granted(await disk.rename('b', 'a', b?.etag ?? ''));
@@ -377,7 +377,7 @@ describe('the level that is open', () => {
     expect((await open(workspace, 'b')).level.labels()).toEqual(['Rename']);
   });
 
-  it('stands in its new place at once, whatever the storage says later; those of other folders stay', async () => {
+  it('is shown at its new place at once, before the storage answers; other folders are not affected', async () => {
     const { workspace, line } = await page();
     let go = () => {};
     const gate = new Promise<void>((resolve) => {
@@ -395,7 +395,7 @@ describe('the level that is open', () => {
     expect(ids(workspace)).toEqual(['a', 'b', 'c']);
   });
 
-  it('is written before it is copied, renamed, deleted or ordered; another one is taken as it is listed', async () => {
+  it('is written before it is copied, renamed, deleted or reordered; others are used as listed', async () => {
     const { workspace, line } = await page();
     const one = await open(workspace, 'a');
     rename(one, 'one');
@@ -409,19 +409,19 @@ describe('the level that is open', () => {
     expect(await workspace.restore(trash, 'back')).toMatchObject({ ok: true, value: { id: 'back', name: 'three' } });
     expect(ids(workspace)).toEqual(['b', 'c', 'copy', 'back']);
     expect(await workspace.rename(entry(workspace, 'b'), 'c')).toMatchObject({ ok: false, error: { code: 'name-taken' } });
-    // and what is remembered of it stays
+    // and its history stays
     rename(await open(workspace, 'b'), 'changed');
     await open(workspace, 'c');
     await workspace.refresh();
     expect(await workspace.rename(entry(workspace, 'b'), 'c')).toMatchObject({ ok: false, error: { code: 'name-taken' } });
     expect((await open(workspace, 'b')).level.labels()).toEqual(['Rename']);
     await workspace.leave();
-    // one that could not be read has no etag, and is refused
+    // an unreadable level has no etag, and is refused
     expect(await workspace.remove({ ...entry(workspace, 'b'), etag: null })).toMatchObject({
       ok: false,
       error: { code: 'conflict' },
     });
-    // after what says nothing of the list it is not asked for again
+    // errors that are not about the list do not request it again
     line.duplicate = async () => ({ ok: false, error: storageError('disk-full', 'full', 'make room') });
     line.isCut = true;
     await workspace.duplicate(entry(workspace, 'b'), 'x');
@@ -429,8 +429,8 @@ describe('the level that is open', () => {
   });
 });
 
-describe('what is kept', () => {
-  it('is said as it changes, and nothing where another page keeps it', async () => {
+describe('the journal of the open level', () => {
+  it('reports its state, or null if another page keeps it', async () => {
     const [one, two] = [await page(), await page()];
     const a = await open(one.workspace, 'a');
     const b = await open(two.workspace, 'a');
@@ -446,12 +446,12 @@ describe('what is kept', () => {
     await breathe();
     await breathe();
     expect([a.keeping.getState(), b.keeping.getState()]).toEqual([null, 'kept']);
-    // a reader that is renamed goes on reading
+    // after a rename, a reader is still a reader
     a.moved('z', '"e"');
     expect([a.id(), a.keeping.getState()]).toEqual(['z', null]);
   });
 
-  it('goes under the new name when the level is renamed, and no longer under the old one', async () => {
+  it('moves to the new name when the level is renamed', async () => {
     const { workspace, line } = await page();
     const one = await open(workspace, 'a');
     granted(await workspace.rename(entry(workspace, 'a'), 'z'));
@@ -464,7 +464,7 @@ describe('what is kept', () => {
     expect(one.keeping.getState()).toBe('kept');
   });
 
-  it('is nothing more once the level is closed', async () => {
+  it('reports nothing after the level is closed', async () => {
     const { workspace, line } = await page();
     const one = await open(workspace, 'a');
     line.isCut = true;

@@ -17,7 +17,7 @@ interface Tab {
   readonly seen: string[];
   readonly roles: Role[];
   text: string;
-  /** What it waits for before it hands the level over. */
+  /** The work that it waits for before it hands over the level. */
   before: () => Promise<unknown>;
   handedOver: number;
   role(): Role;
@@ -48,7 +48,7 @@ function tab(page: string, name = 'level', hasLocks = true): Tab {
 const rolesOf = (...tabs: Tab[]) => tabs.map((one) => one.role());
 
 describe('the pages that have a level open', () => {
-  it('have one writer, and readers who are told at once what it has', async () => {
+  it('are one writer and readers, which get its state at once', async () => {
     const a = tab('a');
     expect(a.role()).toBe('waiting');
     await breathe();
@@ -61,13 +61,13 @@ describe('the pages that have a level open', () => {
     a.lock.tell(shownOf('more'));
     c.lock.tell(shownOf('not from a reader'));
     await breathe();
-    // c has asked, and all readers hear the answer
+    // c has asked, and all readers get the answer
     expect([a.seen, b.seen]).toEqual([[], ['a', 'a', 'more']]);
-    // each is told once of what it becomes
+    // each page is informed once about its new role
     expect([a.roles, b.roles]).toEqual([['writer'], ['reader']]);
   });
 
-  it('have the next one in the row for a writer when it is closed, or killed', async () => {
+  it('have the next one as the writer when the first is closed or killed', async () => {
     const tabs = ['a', 'b', 'c', 'd'].map((page) => tab(page));
     const [a, b, c, d] = tabs;
     await breathe();
@@ -79,14 +79,14 @@ describe('the pages that have a level open', () => {
     locks.kill('b');
     await breathe();
     expect(d.role()).toBe('writer');
-    // who is closed hears nothing and becomes nothing
+    // a closed page gets no messages and no role
     expect(rolesOf(a, c)).toEqual(['writer', 'reader']);
     d.lock.tell(shownOf('late'));
     await breathe();
     expect([a.seen, c.seen.includes('late')]).toEqual([[], false]);
   });
 
-  it('are all writers where there are no locks', async () => {
+  it('are all writers without Web Locks', async () => {
     const [a, b] = [tab('a', 'level', false), tab('b', 'level', false)];
     expect(rolesOf(a, b)).toEqual(['writer', 'writer']);
     b.lock.takeOver();
@@ -98,7 +98,7 @@ describe('the pages that have a level open', () => {
     expect([a.handedOver, a.role(), a.roles, b.roles]).toEqual([0, 'writer', [], []]);
   });
 
-  it('that are closed before they know hold nothing', async () => {
+  it('hold no lock if they are closed before they get a role', async () => {
     const a = tab('a');
     a.lock.close();
     await breathe();
@@ -109,7 +109,7 @@ describe('the pages that have a level open', () => {
   });
 });
 
-/** From now on a page that is to hand over writes until what this gives is called. */
+/** From now on, a page that must hand over keeps writing. @returns a function that ends the write */
 function keepWriting(page: Tab): () => void {
   let written = () => {};
   page.before = () =>
@@ -120,7 +120,7 @@ function keepWriting(page: Tab): () => void {
 }
 
 describe('a page that takes over', () => {
-  it('waits until the other one has written, and that one is next in the row', async () => {
+  it('waits until the other page has written, which is then the next in the queue', async () => {
     const [a, b] = [tab('a'), tab('b')];
     await breathe();
     const written = keepWriting(a);
@@ -130,7 +130,7 @@ describe('a page that takes over', () => {
     written();
     await breathe();
     expect(rolesOf(a, b)).toEqual(['reader', 'writer']);
-    // it is shown what the new one has
+    // it shows the state of the new writer
     expect(a.seen).toEqual(['b']);
     await clock.pass(10_000);
     expect([rolesOf(a, b), a.roles, b.roles]).toEqual([
@@ -143,12 +143,12 @@ describe('a page that takes over', () => {
     expect(a.role()).toBe('writer');
   });
 
-  it('is it after 1.5 s when the other one does not answer, which is a reader once it wakes', async () => {
+  it('becomes the writer after 1.5 s without an answer, and the other is a reader when it wakes', async () => {
     const [a, b] = [tab('a'), tab('b')];
     await breathe();
     const written = keepWriting(a);
     b.lock.takeOver();
-    // asked again, it waits anew
+    // a second request waits again
     await clock.pass(1000);
     b.lock.takeOver();
     await clock.pass(1400);
@@ -164,7 +164,7 @@ describe('a page that takes over', () => {
     expect(a.role()).toBe('writer');
   });
 
-  it('takes nothing when it is closed meanwhile, or when it is the writer', async () => {
+  it('does nothing if it is closed in the meantime, or if it is already the writer', async () => {
     const [a, b] = [tab('a'), tab('b')];
     await breathe();
     a.lock.takeOver();
@@ -178,8 +178,8 @@ describe('a page that takes over', () => {
   });
 });
 
-describe('a level that gets another name', () => {
-  it('has the same writer, whoever opens it by the old name or the new one, and readers that follow', async () => {
+describe('a renamed level', () => {
+  it('keeps its writer for pages that open it by its old or new name, and its readers follow', async () => {
     const [a, b] = [tab('a'), tab('b')];
     await breathe();
     a.lock.moveTo('new', channel('new'));
@@ -191,7 +191,7 @@ describe('a level that gets another name', () => {
     early.lock.moveTo('new', channel('new'));
     await clock.pass(10_000);
     expect(rolesOf(a, b, late, early)).toEqual(['writer', 'reader', 'reader', 'reader']);
-    // who moved asks what there is
+    // a reader that has moved requests the state
     expect(b.seen.at(-1)).toBe('a');
     a.lock.tell(shownOf('more'));
     await breathe();
@@ -201,7 +201,7 @@ describe('a level that gets another name', () => {
     expect([b, late, early].filter((one) => one.role() === 'writer')).toHaveLength(1);
   });
 
-  it('is shown to a reader that follows it, who asks for it', async () => {
+  it('is shown by a reader that follows, which requests the state', async () => {
     const [a, b] = [tab('a'), tab('b')];
     await breathe();
     b.seen.length = 0;
@@ -212,7 +212,7 @@ describe('a level that gets another name', () => {
     expect([rolesOf(a, b), b.seen]).toEqual([['writer', 'reader'], ['a, renamed']]);
   });
 
-  it('is held under the old name for 3 s more, and is free after that', async () => {
+  it('stays locked under its old name for 3 s', async () => {
     const a = tab('a');
     await breathe();
     a.lock.moveTo('new', channel('new'));
@@ -221,7 +221,7 @@ describe('a level that gets another name', () => {
     await clock.pass(2900);
     expect(rolesOf(a, b)).toEqual(['writer', 'reader']);
     await clock.pass(200);
-    // another level may have the name now
+    // then another level may have the name
     expect(rolesOf(a, b)).toEqual(['writer', 'writer']);
     a.lock.close();
     b.lock.close();
@@ -233,7 +233,7 @@ describe('a level that gets another name', () => {
     }
   });
 
-  it('and another one soon after lets go of the first at once, and when it is closed of all', async () => {
+  it('releases the first name at once at the next rename, and all names when it is closed', async () => {
     const a = tab('a');
     await breathe();
     a.lock.moveTo('second', channel('second'));
@@ -248,7 +248,7 @@ describe('a level that gets another name', () => {
     expect(rolesOf(first, second, third)).toEqual(['writer', 'writer', 'writer']);
   });
 
-  it('stays with its writer when another page takes the old name', async () => {
+  it('stays with its writer if another page takes the old name', async () => {
     const a = tab('a');
     await breathe();
     a.lock.moveTo('new', channel('new'));
@@ -261,7 +261,7 @@ describe('a level that gets another name', () => {
     expect([rolesOf(a, b), a.roles, a.handedOver]).toEqual([['writer', 'writer'], ['writer'], 0]);
   });
 
-  it('by a reader, who does not take over any more what it had asked for', async () => {
+  it('can be renamed by a reader, which then does not take over any more', async () => {
     const [a, b] = [tab('a'), tab('b')];
     await breathe();
     a.before = () => new Promise(() => {});
@@ -275,7 +275,7 @@ describe('a level that gets another name', () => {
     expect(b.seen).not.toContain('of the old name');
   });
 
-  it('takes no message amiss', () => {
+  it('ignores unknown messages', () => {
     const listeners: ((event: { readonly data: unknown }) => void)[] = [];
     const lock = claimLevel({
       locks: null,
@@ -291,7 +291,7 @@ describe('a level that gets another name', () => {
     expect(lock.store.getState()).toBe('writer');
   });
 
-  it('hears nothing of the old name, and junk of no name', async () => {
+  it('ignores messages under the old name and junk', async () => {
     const b = tab('b');
     const c = tab('c');
     await breathe();
