@@ -10,7 +10,7 @@ const MINERAL = { x: 560, y: 480 };
 
 inChromium('dragging objects in Chromium', ({ on }) => {
   it(
-    'moves a copy with Alt while the original stays, whenever Alt is pressed, as one step that Esc takes back',
+    'moves a copy with Alt, pressed at any time, while the original stays; one step, which Esc cancels',
     on({ '01': garden() }, async ({ page, canvas, file, saved }) => {
       const rocks = () => (file('01').asteroids ?? []).map(({ id, x, y }) => ({ id, x, y }));
       const [first, ...others] = rocks();
@@ -19,7 +19,7 @@ inChromium('dragging objects in Chromium', ({ on }) => {
       await until(() => expect(rocks()).toEqual([first, ...others, { id: expect.any(String), x: 400, y: 352 }]));
       expect(rocks().map(({ id }) => id)).toContain('a1');
       expect(new Set(rocks().map(({ id }) => id)).size).toBe(4);
-      // the copy is what is selected
+      // the copy is selected
       await page.keyboard.press('ArrowDown');
       await until(() => expect(rocks()).toEqual([first, ...others, { id: expect.any(String), x: 400, y: 353 }]));
       await page.keyboard.press('Control+z');
@@ -27,7 +27,7 @@ inChromium('dragging objects in Chromium', ({ on }) => {
       await page.getByRole('button', { name: 'Nothing to undo' }).waitFor();
       await until(() => expect(rocks()).toEqual([first, ...others]));
 
-      // several, with the astronaut, who stays where she is
+      // several objects, with the astronaut, who is not copied
       await canvas.click(A);
       await canvas.click(MINERAL, ['Shift']);
       await canvas.click({ x: 200, y: 304 }, ['Shift']);
@@ -45,7 +45,7 @@ inChromium('dragging objects in Chromium', ({ on }) => {
       await until(() => expect(rocks()).toEqual([first, ...others]));
       expect(file('01').minerals).toEqual([{ id: 'm1', ...MINERAL }]);
 
-      // pressed on the way it copies, let go it moves, Esc takes all of it back
+      // Alt pressed during the drag copies, released it moves, and Esc cancels everything
       const name = (which: RegExp) => page.getByRole('region', { name: 'Inspector and tools' }).getByText(which);
       await canvas.click({ x: 300, y: 100 });
       await canvas.drag(A, {
@@ -77,7 +77,7 @@ inChromium('dragging objects in Chromium', ({ on }) => {
   );
 
   it(
-    'guides join what is dragged with what it is in line with, and end there',
+    'guides connect the dragged object with the objects that it aligns with',
     on(
       {
         '01': garden({
@@ -102,7 +102,7 @@ inChromium('dragging objects in Chromium', ({ on }) => {
             to: [{ x: 401, y: 326 }],
             before: async () => {
               await until(async () => expect(await guideAt({ x: 400, y: 260 })).toBeGreaterThan(10));
-              // where the drag began, and on the way to there
+              // at the start of the drag, and on the way back there
               expect(await guideAt({ x: 400, y: 450 })).toBe(0);
               expect(await guideAt({ x: 400, y: 560 })).toBe(0);
             },

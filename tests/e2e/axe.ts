@@ -5,11 +5,14 @@ import type { Page } from 'playwright-core';
 
 const AXE = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
-/** What is wrong with the page by the rules of WCAG 2.2 AA, and by that for names, which axe runs only when it is asked to. @param within a selector: a part of the page alone */
+/**
+ * Violations of the rules for WCAG 2.2 AA, and of the rule for names, which axe runs only on request.
+ * @param within a selector for a part of the page
+ */
 export async function complaintsAbout(page: Page, where: string, within = 'html'): Promise<string[]> {
   const violations = await page.evaluate(
     async ([source, selector]) => {
-      // a script element would need leave of the page's content security policy
+      // the page's content security policy forbids a script element
       if (!('axe' in window)) new Function(source).call(window);
       const { axe } = window as unknown as typeof window & { axe: typeof import('axe-core') };
       const { violations: found } = await axe.run(selector, {
@@ -22,7 +25,7 @@ export async function complaintsAbout(page: Page, where: string, within = 'html'
   );
   return violations.flatMap(({ id, nodes }) =>
     nodes
-      // where a hold begins and ends is a place in time: it can't be wider than the time it stands for
+      // the edges of a hold are places in time: they can't be wider than the time that they stand for
       .filter(({ html }) => !(id === 'target-size' && html.includes('hold__edge')))
       .map(({ html }) => `${where}: ${id}: ${html.slice(0, 200)}`),
   );

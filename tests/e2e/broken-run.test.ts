@@ -11,7 +11,7 @@ import { until } from './until.ts';
 
 const firewalk = () => readFileSync(join(import.meta.dirname, '..', '..', 'levels', '16-firewalk.level.json'), 'utf8');
 
-/** Left and right end of something on the page, px. */
+/** The left and right end of an element on the page, px. */
 async function span(page: Page, role: 'button' | 'slider', name: RegExp): Promise<{ left: number; right: number }> {
   const box = await page.getByRole(role, { name }).boundingBox();
   if (box === null) throw new Error(`${name} is not seen`);
@@ -20,14 +20,14 @@ async function span(page: Page, role: 'button' | 'slider', name: RegExp): Promis
 
 inChromium('a run that breaks, in Chromium', ({ on }) => {
   it(
-    'keeps its place on the timeline: what comes after the end can be seen and mended, and is told as not reached',
+    'keeps its length on the timeline: the part after its end can be seen and edited, and is marked as not reached',
     on({ '16': firewalk() }, async ({ page, canvas, file }) => {
       await verdict(page, 'completable');
       const transport = page.getByTitle(/^3 holds, /);
       expect(await transport.textContent()).toMatch(/^3 holds, reaches the black hole at/);
       await canvas.fit(file('16'));
       const before = await span(page, 'button', /^Hold 3:/);
-      // hot asteroid 2, into the way; while it is in the hand, too, nothing shrinks
+      // hot asteroid 2, onto the path; nothing shrinks, not even during the drag
       await canvas.drag(
         { x: 740, y: 640 },
         {
@@ -47,14 +47,14 @@ inChromium('a run that breaks, in Chromium', ({ on }) => {
       expect(after.right).toBeLessThan((lane?.x ?? 0) + (lane?.width ?? 0));
       await page.getByRole('button', { name: /^Hold 2:.*reached until \d\.\d\d s$/ }).waitFor();
 
-      // its way is no longer that of a proof: it ends in red, with the reason beside it
+      // its path does not have the colour of a completing run: it ends in red, with the reason beside it
       const reason = page.getByRole('note', { name: 'Where the run ends' });
       expect(await reason.textContent()).toBe('hits hot asteroid 2');
       const end = await reason.boundingBox();
       const asteroid = canvas.at(file('16').asteroids?.[1] ?? { x: 0, y: 0 });
       expect(Math.hypot((end?.x ?? 0) - asteroid.x, (end?.y ?? 0) - asteroid.y)).toBeLessThan(160);
 
-      // the third hold can still be taken hold of
+      // the third hold can still be dragged
       await page.getByRole('button', { name: /^Hold 3:/ }).click();
       await page.keyboard.press('ArrowRight');
       await until(() => expect(file('16').runs?.[0].holds[2]).toEqual([471, 761]));
@@ -67,7 +67,7 @@ inChromium('a run that breaks, in Chromium', ({ on }) => {
   );
 
   it(
-    'does not lead there in the colour of a proof, least of all where the level is proved impossible',
+    'is not drawn in the colour of a completing run, even if the level is proved impossible',
     on(
       { '01': straight({ minerals: [] }) },
       async ({ page, canvas, file }) => {

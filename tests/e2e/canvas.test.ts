@@ -14,17 +14,17 @@ const A = { x: 400, y: 200 };
 const B = { x: 560, y: 160 };
 const C = { x: 720, y: 240 };
 
-/** Waits until the file on the disk has this in it. */
+/** Waits until the file on the disk contains this. */
 const onDisk = ({ file }: Pick<Stage, 'file'>, what: object) => until(() => expect(file('01')).toMatchObject(what));
 const asteroids = (file: LevelFile) => (file.asteroids ?? []).map(({ x, y }) => ({ x, y }));
 
 inChromium('the canvas in Chromium', ({ on }) => {
   it(
-    'moves an object while the verdict follows, as one step of undo that is written to the disk',
+    'moves an object while the verdict follows, as one undo step that is written to the disk',
     on({ '01': straight() }, async ({ page, canvas, file, saved }) => {
       await verdict(page, 'completable');
       await canvas.fit(file('01'));
-      // on the way it is broken, completable and broken again: all before the button is let go
+      // during the drag it is broken, completable and broken again, all before the button is released
       await canvas.drag(
         { x: 448, y: 304 },
         {
@@ -48,7 +48,7 @@ inChromium('the canvas in Chromium', ({ on }) => {
   );
 
   it(
-    'takes objects of every kind from the toolbar to where they are dropped, and by tool and click',
+    'places objects of every kind by dropping them from the toolbar, and by tool and click',
     on({ '01': garden() }, async ({ page, canvas, file }) => {
       await canvas.fit(file('01'));
       const { x, y } = canvas.at({ x: 322, y: 102 });
@@ -57,7 +57,7 @@ inChromium('the canvas in Chromium', ({ on }) => {
         targetPosition: { x: x - (box?.x ?? 0), y: y - (box?.y ?? 0) },
       });
       await until(() => expect(asteroids(file('01'))).toContainEqual({ x: 320, y: 104 }));
-      // what was dropped is selected
+      // the dropped object is selected
       await page.keyboard.press('ArrowRight');
       await until(() => expect(asteroids(file('01'))).toContainEqual({ x: 321, y: 104 }));
 
@@ -71,14 +71,14 @@ inChromium('the canvas in Chromium', ({ on }) => {
       for (const [name, , at] of places) {
         await tool(page, name).click();
         await canvas.click({ x: at, y: 560 });
-        // one object, and the tool is laid aside
+        // after one object, the tool is deselected
         await until(async () => expect(await tool(page, 'Select').getAttribute('aria-pressed')).toBe('true'));
       }
       for (const [, list, at] of places)
         await onDisk({ file }, { [list]: expect.arrayContaining([expect.objectContaining({ x: at, y: 560 })]) });
       expect(file('01').asteroids?.at(-1)).toMatchObject({ x: 400, hot: true });
 
-      // with Shift the tool stays in hand; a drag gives the radius; without the grid a place is what it is
+      // with Shift the tool stays selected; a drag sets the radius; without the grid places are exact
       await page.keyboard.press('n');
       await canvas.click({ x: 240, y: 160 }, ['Shift']);
       await canvas.drag({ x: 240, y: 400 }, { to: [{ x: 240, y: 420 }] });
@@ -89,12 +89,12 @@ inChromium('the canvas in Chromium', ({ on }) => {
   );
 
   it(
-    'selects by click, Shift and marquee; nudges, duplicates, deletes what is selected',
+    'selects by click, Shift and marquee; nudges, duplicates and deletes the selection',
     on({ '01': garden() }, async ({ page, canvas, file, saved }) => {
       await canvas.fit(file('01'));
       await canvas.click(A);
       await canvas.click(C, ['Shift']);
-      // keys one after the other are one step
+      // consecutive keys are one step
       for (let i = 0; i < 3; i++) await page.keyboard.press('ArrowDown');
       await until(() => expect(asteroids(file('01'))).toEqual([{ x: 400, y: 203 }, B, { x: 720, y: 243 }]));
       await page.keyboard.press('Control+z');
@@ -115,10 +115,10 @@ inChromium('the canvas in Chromium', ({ on }) => {
 
       await page.keyboard.press('Control+a');
       await page.keyboard.press('Delete');
-      // an astronaut and a black hole there must be
+      // the astronaut and the black hole stay, as every level needs them
       await onDisk({ file }, { astronaut: { x: 200, y: 304 }, blackHole: { x: 904, y: 304 } });
       await until(() => expect(asteroids(file('01'))).toEqual([]));
-      // broken, until the proof is made: without an asteroid nobody can complete it
+      // broken, until it is proved that nobody can complete it without an asteroid
       await verdict(page, 'impossible');
       await canvas.click({ x: 904, y: 304 });
       await page.keyboard.press('Delete');
@@ -132,7 +132,7 @@ inChromium('the canvas in Chromium', ({ on }) => {
   );
 
   it(
-    'copies with Alt and by the clipboard, as text that is part of a level',
+    'copies with Alt, and with the clipboard as text that is part of a level',
     on({ '01': garden() }, async ({ page, canvas, file }) => {
       await canvas.fit(file('01'));
       await canvas.drag(A, { to: [{ x: 400, y: 352 }], keys: ['Alt'] });
@@ -148,7 +148,7 @@ inChromium('the canvas in Chromium', ({ on }) => {
       expect(copied).toEqual({ asteroids: [{ x: 400, y: 200, radius: 32 }], minerals: [{ x: 560, y: 480 }] });
       await page.keyboard.press('Control+v');
       await until(() => expect(asteroids(file('01'))).toEqual([A, B, C, { x: 432, y: 232 }]));
-      // the new ones are selected
+      // the new objects are selected
       await page.keyboard.press('Control+x');
       await until(() => expect(asteroids(file('01'))).toEqual([A, B, C]));
       await page.evaluate(() => navigator.clipboard.writeText('a shopping list'));
@@ -158,7 +158,7 @@ inChromium('the canvas in Chromium', ({ on }) => {
   );
 
   it(
-    'changes a radius by the rim, of all that is selected by the same factor',
+    'changes a radius by dragging the rim, of all selected objects by the same factor',
     on({ '01': garden() }, async ({ page, canvas, file }) => {
       await canvas.fit(file('01'));
       await canvas.click(A);
@@ -173,13 +173,13 @@ inChromium('the canvas in Chromium', ({ on }) => {
   );
 
   it(
-    'snaps to the grid and to other objects with guides, with Ctrl to nothing, with Shift stays on an axis',
+    'snaps to the grid and with guides to other objects; with Ctrl not at all, and with Shift along an axis',
     on({ '01': garden() }, async ({ page, canvas, file }) => {
       await canvas.fit(file('01'));
       const place = (id: string) => file('01').asteroids?.find((one) => one.id === id);
       await canvas.drag(C, { to: [{ x: 771, y: 371 }] });
       await until(() => expect(place('c1')).toMatchObject({ x: 768, y: 368 }));
-      // near to where its middle is on a line with that of A
+      // close to where its centre is aligned with that of A
       const guides = () => countColour(page, canvas.at({ x: 400, y: 344 }), 20, COLOURS.dark.guide);
       expect(await guides()).toBe(0);
       await canvas.drag(
@@ -202,7 +202,7 @@ inChromium('the canvas in Chromium', ({ on }) => {
   );
 
   it(
-    'aligns and distributes',
+    'aligns and distributes objects',
     on({ '01': garden() }, async ({ page, canvas, file }) => {
       await canvas.fit(file('01'));
       await canvas.click(A);
@@ -233,7 +233,7 @@ inChromium('the canvas in Chromium', ({ on }) => {
   );
 
   it(
-    'zooms to the pointer, pans and fits; Esc takes a gesture back',
+    'zooms to the pointer, pans and fits; Esc cancels a gesture',
     on({ '01': garden() }, async ({ page, canvas, file, saved }) => {
       await canvas.fit(file('01'));
       const zoomShown = async () => Number.parseInt((await page.getByText(/^\d+ %$/).textContent()) ?? '', 10);
@@ -242,7 +242,7 @@ inChromium('the canvas in Chromium', ({ on }) => {
       await page.mouse.move(x, y);
       await page.mouse.wheel(0, -400);
       await until(async () => expect(await zoomShown()).toBeGreaterThan(1.5 * before));
-      // what was under the pointer still is
+      // the same place is still under the pointer
       await page.mouse.click(x, y);
       await page.keyboard.press('ArrowUp');
       await until(() => expect(asteroids(file('01'))).toEqual([A, B, { x: 720, y: 239 }]));
@@ -268,7 +268,7 @@ inChromium('the canvas in Chromium', ({ on }) => {
       await until(() => expect(asteroids(file('01'))).toEqual([A, B, C]));
       await canvas.fit(file('01'));
       expect(await zoomShown()).toBe(before);
-      // all of the level stays in view when the page gets smaller, a view that somebody has chosen stays what it is
+      // if the page gets smaller, the whole level stays in view, but a view that the user has chosen does not change
       const large = page.viewportSize() ?? { width: 0, height: 0 };
       await page.setViewportSize({ width: 960, height: 600 });
       await until(async () => {
@@ -299,7 +299,7 @@ inChromium('the canvas in Chromium', ({ on }) => {
     }),
   );
 
-  // so many that those that stand still are drawn together
+  // so many that those that do not move are drawn together
   const crowd = Array.from({ length: 130 }, (_, i) => ({
     id: `m${i}`.padEnd(3, 'x'),
     x: 208 + 48 * (i % 10),
@@ -307,7 +307,7 @@ inChromium('the canvas in Chromium', ({ on }) => {
     radius: 16,
   }));
   it(
-    'shows many objects as they are, those that stand still and the one that moves',
+    'shows many objects correctly, both the resting ones and the moving one',
     on({ '01': straight({ novae: [], minerals: crowd }) }, async ({ page, canvas, file }) => {
       const [from, near, to] = [crowd[44], crowd[45], { x: 696, y: 520 }];
       const seen = async () =>
@@ -318,12 +318,12 @@ inChromium('the canvas in Chromium', ({ on }) => {
       await until(async () => expect(await seen()).toEqual([true, true, false]));
       const moved = () => until(async () => expect(await seen()).toEqual([false, true, true]));
       await canvas.drag(from, { to: [to], before: moved });
-      // selected, it has an outline: without one all that is seen is itself
+      // a selected object has an outline, which would hide it in the comparison
       await canvas.click({ x: 696, y: 640 });
       await moved();
       await page.keyboard.press('Control+z');
       await until(async () => expect(await seen()).toEqual([true, true, false]));
-      // nearer, and back
+      // zoom in and out
       await page.keyboard.press('+');
       await canvas.fit(file('01'));
       await until(async () => expect(await seen()).toEqual([true, true, false]));
@@ -331,7 +331,7 @@ inChromium('the canvas in Chromium', ({ on }) => {
   );
 
   it(
-    'undoes without a limit',
+    'undoes without limit',
     on({ '01': garden() }, async ({ page, canvas, file, text, saved }) => {
       await saved();
       const before = text('01');

@@ -7,28 +7,28 @@ import { type LevelFile, rulesOf } from '../../schema/index.ts';
 import { until } from './until.ts';
 
 export interface Drag {
-  /** Places on the way, the last one is where the button is let go. */
+  /** Places of the drag; the button is released at the last one. */
   readonly to: readonly Point[];
-  /** Keys held from before the press to after the release. */
+  /** Keys that are held from before the press until after the release. */
   readonly keys?: readonly string[];
   readonly button?: 'left' | 'middle' | 'right';
-  /** What is looked at while the button is still down. */
+  /** Called while the button is still down. */
   readonly before?: () => Promise<void>;
 }
 
-/** The canvas under a person's hands: places are px of the level. */
+/** Mouse and keyboard on the canvas; places are in px of the level. */
 export interface Canvas {
-  /** Shows all of the level and learns from its file where on the screen things are. */
+  /** Fits the level into view and computes from its file where objects are on the screen. */
   fit(file: LevelFile): Promise<void>;
-  /** Where on the page a place of the level is. */
+  /** The position on the page of a place of the level. */
   at(place: Point): Point;
   click(place: Point, keys?: readonly string[]): Promise<void>;
   drag(from: Point, drag: Drag): Promise<void>;
-  /** px of screen per px of the level, when all of it was shown last */
+  /** screen px per px of the level, as of the last fit */
   zoom(): number;
 }
 
-/** Presses keys, does something, lets go of them. */
+/** Presses keys, does something, and releases them. */
 export async function holding(page: Page, keys: readonly string[], act: () => Promise<void>): Promise<void> {
   for (const key of keys) await page.keyboard.down(key);
   await act();

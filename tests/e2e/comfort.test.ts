@@ -10,7 +10,7 @@ const motion = (page: Page) => page.locator('html').getAttribute('data-motion');
 
 inChromium('comfort in Chromium', ({ on }) => {
   it(
-    'every command has a name in the palette, every key is on the cheat sheet',
+    'every command has a name in the palette, and every key is on the cheat sheet',
     on({ '01': garden() }, async ({ page, canvas, file }) => {
       await canvas.fit(file('01'));
       await command(page, 'Select all');
@@ -26,7 +26,7 @@ inChromium('comfort in Chromium', ({ on }) => {
       await page.keyboard.press('Escape');
       await palette.waitFor({ state: 'hidden' });
 
-      // what can't be done yet says what it needs, and Enter leaves it alone
+      // an unavailable command says what it needs, and Enter does nothing
       await page.keyboard.press('Escape');
       await page.keyboard.press('Control+k');
       await palette.getByRole('combobox').fill('align');
@@ -57,7 +57,7 @@ inChromium('comfort in Chromium', ({ on }) => {
   );
 
   it(
-    'the palette goes to levels, runs and objects by their names',
+    'the palette finds levels, runs and objects by name',
     on({ '01': garden(), '02': straight() }, async ({ page, canvas, file }) => {
       await canvas.fit(file('01'));
       const palette = page.getByRole('dialog', { name: 'Commands' });
@@ -78,7 +78,7 @@ inChromium('comfort in Chromium', ({ on }) => {
   );
 
   it(
-    'light and dark, little motion, grid: as the system has it or as chosen, and kept',
+    'theme, reduced motion and grid follow the system or the setting, and are kept',
     on(
       { '01': garden() },
       async ({ page, canvas, file }) => {
@@ -111,12 +111,12 @@ inChromium('comfort in Chromium', ({ on }) => {
   );
 
   it(
-    'a phone: a finger pans, two pinch, a tap selects and places, panels come one at a time',
+    'on a phone, a finger pans, two pinch, a tap selects and places, and panels appear one at a time',
     on(
       { '01': garden() },
       async ({ page, canvas, file }) => {
         await canvas.fit(file('01'));
-        // all of the bar is there in two rows, the palette too
+        // the whole toolbar is there in two rows, with the palette
         const rows = new Set<number>();
         for (const item of await page.locator('.topbar > *:visible').all()) {
           const box = await item.boundingBox();
@@ -154,7 +154,7 @@ inChromium('comfort in Chromium', ({ on }) => {
         await send('touchEnd', []);
         await until(async () => expect(await zoom()).toBeGreaterThan(2 * before));
         await canvas.fit(file('01'));
-        // a finger on empty space moves the view: what was at one place is at another
+        // a finger on empty space moves the view
         const from = canvas.at({ x: 560, y: 360 });
         await send('touchStart', [from]);
         for (let by = 10; by <= 40; by += 10) await send('touchMove', [{ x: from.x, y: from.y + by }]);
@@ -179,7 +179,7 @@ inChromium('comfort in Chromium', ({ on }) => {
   );
 
   it(
-    'the keyboard alone: select, place, move, mend the run, play, save',
+    'the keyboard alone can select, place, move, fix the run, play and save',
     on({ '01': straight({ runs: [{ name: 'try', holds: [[0, 10]] }] }) }, async ({ page, file, saved }) => {
       await verdict(page, 'broken');
       const outline = page.getByRole('tree', { name: 'Objects of the level' });

@@ -12,6 +12,6 @@ export async function command(page: Page, title: string): Promise<void> {
 export const tool = (page: Page, name: string): Locator =>
   page.getByRole('toolbar', { name: 'Tools' }).getByRole('button', { name, exact: true });
 
-/** Waits until the badge says so. */
+/** Waits until the badge shows this verdict. */
 export const verdict = (page: Page, text: 'completable' | 'broken' | 'unproven' | 'impossible'): Promise<void> =>
   page.getByRole('status', { name: `Verdict: ${text}` }).waitFor();

@@ -1,6 +1,6 @@
 import type { Page } from 'playwright-core';
 
-/** What is pressed, typed into or chosen. */
+/** Elements to press, type into or choose. */
 const CONTROLS = [
   ...['button', 'a[href]', 'input', 'select', 'textarea', 'summary'],
   ...['[role=tab]', '[role=treeitem]', '[role=menuitem]', '[role=option]', '[role=slider]'],
@@ -8,14 +8,14 @@ const CONTROLS = [
 
 export interface Control {
   readonly name: string;
-  /** px, that of its label where a press on that counts as well */
+  /** px; that of its label, if pressing the label counts as well */
   readonly width: number;
   readonly height: number;
-  /** Whether all of it is on the page and nothing lies over it, once it is scrolled to. */
+  /** Whether it is completely on the page and not covered after scrolling to it. */
   readonly isReached: boolean;
 }
 
-/** Every control that is shown, but for those that lie on the time axis of the timeline. */
+/** Every visible control, except those on the time axis of the timeline. */
 export function controlsOf(page: Page): Promise<Control[]> {
   return page.evaluate(async (selector) => {
     const shown = [...document.querySelectorAll<HTMLElement>(selector)].filter(
@@ -26,7 +26,7 @@ export function controlsOf(page: Page): Promise<Control[]> {
     const found: Control[] = [];
     for (const element of shown) {
       element.scrollIntoView({ block: 'nearest', inline: 'nearest' });
-      // a list of any length draws its rows anew
+      // long lists replace their rows
       if (!element.isConnected) continue;
       const target = element.closest('label') ?? element;
       const box = target.getBoundingClientRect();

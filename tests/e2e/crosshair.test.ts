@@ -16,20 +16,20 @@ interface Place {
 const said = (page: Page) => page.getByRole('status', { name: 'Crosshair' });
 const hears = (page: Page, text: string | RegExp) => said(page).filter({ hasText: text }).waitFor();
 
-/** Where the crosshair is, as it is said. */
+/** The place of the crosshair, as announced. */
 async function placeOf(page: Page): Promise<Place> {
   await hears(page, /x -?[\d.]+, y -?[\d.]+/);
   const [, x, y] = /x (-?[\d.]+), y (-?[\d.]+)/.exec((await said(page).textContent()) ?? '') ?? [];
   return { x: Number(x), y: Number(y) };
 }
 
-/** Where a stride leads: the next line that way, or a px on. */
+/** The end of a stride: the next grid line in that direction, or one px. */
 function onward(from: number, way: number, size: number): number {
   if (size === 1) return from + way;
   return way > 0 ? (Math.floor(from / size) + 1) * size : (Math.ceil(from / size) - 1) * size;
 }
 
-/** Brings the crosshair there by arrows: as far as may be in strides of 8 lines of the grid of 8 px, then of one, then px by px. */
+/** Moves the crosshair by arrow keys: first in strides of 8 lines of the 8 px grid, then of one line, then px by px. */
 async function go(page: Page, to: Place): Promise<void> {
   const from = await placeOf(page);
   for (const [axis, back, on] of [
@@ -52,7 +52,7 @@ async function go(page: Page, to: Place): Promise<void> {
   await hears(page, `x ${to.x}, y ${to.y}`);
 }
 
-/** Presses an arrow so many times. */
+/** Presses an arrow key several times. */
 async function press(page: Page, arrow: string, times: number): Promise<void> {
   for (let i = 0; i < times; i++) await page.keyboard.press(arrow);
 }
@@ -63,7 +63,7 @@ const last = (file: LevelFile, list: 'asteroids' | 'novae' | 'repulsors' | 'alie
 
 inChromium('the crosshair in Chromium', ({ on }) => {
   it(
-    'every tool is used by the keyboard alone, and what comes of it is said',
+    'every tool works by the keyboard alone, and its result is announced',
     on({ '01': garden() }, async ({ page, canvas, file }) => {
       await canvas.fit(file('01'));
       const lists = [
@@ -86,7 +86,7 @@ inChromium('the crosshair in Chromium', ({ on }) => {
       }
       expect(last(file('01'), 'asteroids')).toMatchObject({ hot: true });
 
-      // with Shift the tool stays in hand; held, arrows give the radius
+      // with Shift the tool stays selected; arrows with a held key set the radius
       await page.keyboard.press('n');
       await go(page, { x: 320, y: 520 });
       await page.keyboard.press('Shift+Enter');
@@ -101,10 +101,10 @@ inChromium('the crosshair in Chromium', ({ on }) => {
   );
 
   it(
-    'a tool is chosen by its button, the view goes where the crosshair goes, Esc and the pointer put it away',
+    'a button selects a tool, the view follows the crosshair, and Esc and the pointer hide it',
     on({ '01': garden() }, async ({ page, canvas, file }) => {
       await canvas.fit(file('01'));
-      // a tool's button leads there as well, and the view goes where the crosshair goes
+      // a tool's button shows the crosshair as well, and the view follows it
       await tool(page, 'Move the view').press('Enter');
       expect(await focused(page)).toBe(true);
       await hears(page, /^Move the view\. x /);
@@ -117,7 +117,7 @@ inChromium('the crosshair in Chromium', ({ on }) => {
       const middle = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
       await until(async () => expect(await countColour(page, middle, 14, COLOURS.dark.select)).toBeGreaterThan(20));
 
-      // Esc puts both away; the crosshair is gone for the pointer, too
+      // Esc hides both; using the pointer hides the crosshair, too
       await page.keyboard.press('Escape');
       await until(async () => expect(await countColour(page, middle, 14, COLOURS.dark.select)).toBe(0));
       expect(await tool(page, 'Select').getAttribute('aria-pressed')).toBe('true');
@@ -130,12 +130,12 @@ inChromium('the crosshair in Chromium', ({ on }) => {
   );
 
   it(
-    'objects are selected, moved, resized and nudged by keys, as one step each, and Esc puts back',
+    'keys select, move, resize and nudge objects, as one step each, and Esc cancels',
     on({ '01': garden() }, async ({ page, canvas, file }) => {
       const placed = (id: string) =>
         [file('01').asteroids, file('01').minerals].flatMap((list) => list ?? []).find((one) => one.id === id);
       await canvas.fit(file('01'));
-      // nothing is selected: the arrows are the crosshair's; else they nudge
+      // without a selection, arrows move the crosshair; otherwise they nudge
       await page.keyboard.press('ArrowRight');
       await go(page, { x: 400, y: 200 });
       await hears(page, 'x 400, y 200, asteroid 1');
@@ -166,7 +166,7 @@ inChromium('the crosshair in Chromium', ({ on }) => {
       await page.keyboard.press('Control+z');
       await page.getByRole('button', { name: 'Nothing to undo' }).waitFor();
 
-      // Esc, and arrows nudge; Enter, and the crosshair is back
+      // after Esc, arrows nudge; Enter brings the crosshair back
       await page.keyboard.press('Escape');
       await page.keyboard.press('ArrowLeft');
       await until(() =>
@@ -179,7 +179,7 @@ inChromium('the crosshair in Chromium', ({ on }) => {
       await page.keyboard.press('Enter');
       await hears(page, /^x 560, y 496/);
 
-      // the astronaut, who can't be added
+      // the astronaut, who can't be added to the level
       await go(page, { x: 200, y: 304 });
       await hears(page, 'x 200, y 304, astronaut');
       await page.keyboard.press('d');
@@ -188,7 +188,7 @@ inChromium('the crosshair in Chromium', ({ on }) => {
       await page.keyboard.press('d');
       await until(() => expect(file('01').astronaut).toMatchObject({ x: 200, y: 296 }));
 
-      // a rim of what is selected
+      // a rim of the selection
       await go(page, { x: 400, y: 200 });
       await page.keyboard.press('Enter');
       await go(page, { x: 432, y: 200 });
@@ -202,18 +202,18 @@ inChromium('the crosshair in Chromium', ({ on }) => {
   );
 
   it(
-    'objects are selected in a rectangle, a held key is told when it is let go, and the crosshair waits while the focus is elsewhere',
+    'a rectangle selects objects, a held key is announced on release, and the crosshair waits while the focus is elsewhere',
     on({ '01': garden() }, async ({ page, canvas, file }) => {
       await canvas.fit(file('01'));
       await page.keyboard.press('ArrowDown');
-      // a rectangle from empty space
+      // a rectangle that begins in empty space
       await go(page, { x: 480, y: 96 });
       await page.keyboard.press('Enter');
       await hears(page, 'Nothing is selected');
       await page.keyboard.press('d');
       await hears(page, 'Selecting from x 480, y 96');
       await page.keyboard.down('Shift');
-      // the key is held: it is told once it is let go
+      // a held key is announced on release
       for (let i = 0; i < 5; i++) await page.keyboard.down('ArrowRight');
       await hears(page, 'x 512, y 96, 0 selected');
       await page.keyboard.up('ArrowRight');
@@ -234,7 +234,7 @@ inChromium('the crosshair in Chromium', ({ on }) => {
       await page.keyboard.press('Delete');
       await until(() => expect([file('01').asteroids, file('01').aliens ?? []]).toMatchObject([[{ id: 'a1' }], []]));
 
-      // away and back by Tab: the crosshair of a tool waits there
+      // away and back by Tab: the crosshair of a tool stays there
       await page.keyboard.press('m');
       await go(page, { x: 640, y: 320 });
       await page.keyboard.press('Shift+Tab');
@@ -242,7 +242,7 @@ inChromium('the crosshair in Chromium', ({ on }) => {
       await page.keyboard.press('Tab');
       await hears(page, /^x 640, y 320/);
 
-      // how all this goes is on the cheat sheet, and said of the canvas
+      // the cheat sheet and the description of the canvas explain all this
       expect(await page.getByRole('application', { name: 'Level canvas' }).getAttribute('aria-description')).toMatch(
         /crosshair.*Enter/,
       );

@@ -13,7 +13,7 @@ import { CHROMIUM, sharedChromium } from './chromium.ts';
 const root = join(dirname(fileURLToPath(import.meta.url)), '..', '..');
 const TYPES: Record<string, string> = { '.html': 'text/html', '.js': 'text/javascript' };
 
-/** What the page under test offers to the tests: the editor's own parts, on the browser's own database, locks and workers. */
+/** The interface of the page under test: parts of the editor with the browser's real database, locks and workers. */
 const ENTRY = `
 import { createEditedLevel, moveObjects } from '${root}/editor/document/index.ts';
 import { createJournal, openIndexedDbStore } from '${root}/editor/journal/index.ts';
@@ -33,7 +33,7 @@ Object.assign(window, {
     await kept.settled();
     return journal.state.getState().kind;
   },
-  // follows a level; each step then moves it and returns at once how it is kept
+  // follows a level; each step then moves it and returns at once its state in the journal
   async follow() {
     const journal = createJournal(await openIndexedDbStore(indexedDB, pageTimers.after), Date.now);
     const level = createEditedLevel(FILE);
@@ -54,7 +54,7 @@ Object.assign(window, {
   async cancelSearch() {
     const level = resolveLevel({ ...FILE, blackHole: { x: 5000, y: 0 } });
     let job;
-    // the job is under way once it reports its progress
+    // once it reports progress, the job is running
     await new Promise((resolve) => {
       job = workers.start('generate', { options: { seed: 1, difficulty: 'hard', size: 'large' } }, resolve);
     });
@@ -133,13 +133,13 @@ if (!existsSync(CHROMIUM)) {
       await second.close();
     });
 
-    it('a page that crashes right after its steps has them again, though it was never told that they are kept', async () => {
+    it('a page that crashes right after its steps recovers them, although it was never informed that they were kept', async () => {
       for (let round = 0; round < 3; round++) {
         const page = await open();
         await inPage(page, (window) => window.follow());
         const session = await page.context().newCDPSession(page);
         const crashed = page.waitForEvent('crash');
-        // three steps in a row, then the page crashes before it can do anything else
+        // three consecutive steps, then the page crashes before it can do anything else
         expect(await page.evaluate('[step(), step(), step()]')).toEqual(['keeping', 'keeping', 'keeping']);
         session.send('Page.crash').catch(() => undefined);
         await crashed;
@@ -150,7 +150,7 @@ if (!existsSync(CHROMIUM)) {
       }
     });
 
-    it('one page is the writer; it hands over when asked, and when it is closed', async () => {
+    it('one page is the writer; it hands over on request and when it is closed', async () => {
       const [a, b] = [await open(), await open()];
       await inPage(a, (window) => window.claim());
       await a.waitForFunction(`role() === 'writer'`);
@@ -164,7 +164,7 @@ if (!existsSync(CHROMIUM)) {
       await a.close();
     });
 
-    it('a job is cancelled in the middle of its work, and another worker does the next one', async () => {
+    it('a job is cancelled in the middle of its work, and another worker does the next job', async () => {
       const page = await open();
       const ends = await inPage(page, (window) => window.cancelSearch());
       expect(ends).toEqual({ kind: 'cancelled', next: 'done', proved: 'out-of-range' });

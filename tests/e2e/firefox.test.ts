@@ -16,7 +16,7 @@ import { until } from './until.ts';
 const FIREFOX = process.env.FIREFOX ?? '/usr/bin/firefox-esr';
 const CANVAS = '[role=application][aria-label="Level canvas"]';
 
-/** The core journey as in Chromium, by a driver that knows Firefox. */
+/** The same core journey as in Chromium, with a driver for Firefox. */
 async function journey(): Promise<void> {
   const { folder, remove } = makeFolder({ '01.level.json': JSON.stringify(straight({ runs: undefined })) });
   const server = await gqEdit(['.', '--port', '0'], { cwd: folder });

@@ -8,7 +8,7 @@ const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile:
 
 inChromium('what is seen first, in Chromium', ({ on }) => {
   it(
-    'the tour speaks of fingers where fingers point, and its card is whole',
+    'the tour mentions fingers on touch screens, and its card is completely visible',
     on(
       { '01': straight() },
       async ({ page }) => {
@@ -43,7 +43,7 @@ inChromium('what is seen first, in Chromium', ({ on }) => {
   );
 
   it(
-    'a page without its key says once what is missing, and looks for nothing',
+    'a page without its token says once what is missing, and does not search for levels',
     on({ '01': straight() }, async ({ context, server }) => {
       const page = await context.newPage();
       await page.goto(new URL(server().address).origin);
@@ -52,13 +52,13 @@ inChromium('what is seen first, in Chromium', ({ on }) => {
       expect(await said.count()).toBe(1);
       expect(await said.textContent()).toMatch(/^[A-Z].*\.$/);
       expect(await page.getByText('Loading levels').count()).toBe(0);
-      // nothing is offered that can't be done
+      // nothing is offered that does not work
       expect(await page.getByRole('button').allTextContents()).toEqual(['Unsaved changes']);
     }),
   );
 
   it(
-    'the next level begins at the top of its outline',
+    'the outline of the next level is scrolled to the top',
     on(
       {
         '01': garden({ minerals: Array.from({ length: 60 }, (_, i) => ({ id: `m${i}`, x: 400 + 8 * i, y: 600 })) }),
@@ -81,7 +81,7 @@ inChromium('what is seen first, in Chromium', ({ on }) => {
   );
 
   it(
-    'a panel with nothing to say takes a line, runs are told in full, and a diagram is seen where it was asked for',
+    'an empty panel takes one line, runs are described in full, and a requested diagram is in view',
     on(
       {
         '01': straight({
@@ -129,7 +129,7 @@ inChromium('what is seen first, in Chromium', ({ on }) => {
   );
 
   it(
-    'a dragged row shows where it would go, at either end of its list, and nowhere else',
+    'a dragged row shows its target, at either end of its list, and nowhere else',
     on(
       { '01': straight({ runs: ['one', 'two', 'three'].map((name) => ({ name, holds: [[0, 600]] })) }) },
       async ({ page, file }) => {
@@ -148,12 +148,12 @@ inChromium('what is seen first, in Chromium', ({ on }) => {
           await page.mouse.down();
           await page.mouse.move(x, top + 34, { steps: 5 });
         };
-        /** A hand trembles: over a new place it moves on. */
+        /** Moves the mouse to a place and slightly further, as a hand trembles. */
         const over = async (x: number, y: number) => {
           await page.mouse.move(x, y, { steps: 8 });
           await page.mouse.move(x + 2, y, { steps: 2 });
         };
-        /** The line lies at that height, and inside of the list. */
+        /** Checks that the line is at that height, and within the list. */
         const lineAt = (y: number) =>
           until(async () => {
             const [box, list] = [await line.boundingBox(), await runs.boundingBox()];
@@ -166,7 +166,7 @@ inChromium('what is seen first, in Chromium', ({ on }) => {
         const first = await row('one');
         await over(first.x, first.top + 6);
         await lineAt(first.top);
-        // away from the list it would go nowhere
+        // outside of the list there is no target
         await over(700, 300);
         await line.waitFor({ state: 'hidden' });
         await over(first.x, first.top + 6);
@@ -174,7 +174,7 @@ inChromium('what is seen first, in Chromium', ({ on }) => {
         await page.mouse.up();
         await order(['three', 'one', 'two']);
 
-        // the room below is the end of the list
+        // the space below counts as the end of the list
         await take('three');
         const last = await row('two');
         await over(last.x, last.bottom + 30);

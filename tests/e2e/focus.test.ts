@@ -5,7 +5,7 @@ import { garden, straight } from './levels.ts';
 import { inChromium } from './stage.ts';
 import { until } from './until.ts';
 
-/** What has the focus, by its name. */
+/** The name of the focused element. */
 const focused = (page: Page): Promise<string> =>
   page.evaluate(() => {
     const element = document.activeElement;
@@ -18,7 +18,7 @@ const CANVAS = 'Level canvas';
 
 inChromium('focus in Chromium', ({ on }) => {
   it(
-    'a level that was looked for is opened and has the keys: Space plays it',
+    'a level from a search is opened and gets the keyboard: Space plays it',
     on({ '01': straight(), '02': garden() }, async ({ page }) => {
       await verdict(page, 'completable');
       await page.keyboard.press('Control+p');
@@ -32,7 +32,7 @@ inChromium('focus in Chromium', ({ on }) => {
       await page.getByRole('application', { name: /^Playtest/ }).waitFor();
       await page.keyboard.press('Escape');
       await hasFocus(page, CANVAS);
-      // the one that is open already, and leaving the field without a word
+      // the level that is already open, and leaving the field without text
       await page.keyboard.press('Control+p');
       await page.keyboard.type('gard');
       await page.keyboard.press('Enter');
@@ -47,17 +47,17 @@ inChromium('focus in Chromium', ({ on }) => {
   );
 
   it(
-    'what has the focus may go, the focus never falls to the page: dialogs, the palette, a search, rows, messages',
+    'the focus never falls to the page when its element disappears: dialogs, the palette, a search, rows, messages',
     on({ '01': straight(), '02': garden({ runs: [] }) }, async ({ page }) => {
       await verdict(page, 'completable');
       const palette = page.getByRole('dialog', { name: 'Commands' });
-      // nothing had it before: the canvas has it afterwards
+      // no element had the focus before: the canvas gets it afterwards
       await page.keyboard.press('Control+k');
       await page.keyboard.press('Escape');
       await palette.waitFor({ state: 'hidden' });
       await hasFocus(page, CANVAS);
 
-      // back to where it was
+      // the focus returns
       const runs = page.getByRole('tab', { name: 'Runs' });
       await runs.focus();
       await page.keyboard.press('Enter');
@@ -77,14 +77,14 @@ inChromium('focus in Chromium', ({ on }) => {
         await page.getByRole('dialog', { name: dialog }).waitFor({ state: 'hidden' });
         await hasFocus(page, 'Runs');
       }
-      // a command of the palette that gives the focus to something keeps it there
+      // if a command of the palette sets the focus, it stays there
       await page.keyboard.press('Control+k');
       await page.keyboard.type('find a level');
       await page.keyboard.press('Enter');
       await palette.waitFor({ state: 'hidden' });
       await hasFocus(page, 'Find a level');
 
-      // a new level has a canvas of its own
+      // a new level has its own canvas
       await page.getByRole('application', { name: CANVAS }).focus();
       await page.keyboard.press('Alt+n');
       await page.getByRole('textbox', { name: 'Level name' }).fill('Fresh');
@@ -92,7 +92,7 @@ inChromium('focus in Chromium', ({ on }) => {
       await page.getByRole('heading', { name: 'Fresh', level: 1 }).waitFor();
       await hasFocus(page, CANVAS);
 
-      // the field that the solver's panel takes the place of
+      // the field that the solver's panel replaces
       await page.getByRole('textbox', { name: 'range' }).focus();
       await page.keyboard.press('Control+Enter');
       await page.getByRole('button', { name: 'Cancel' }).waitFor();
@@ -105,13 +105,13 @@ inChromium('focus in Chromium', ({ on }) => {
       while (await list.isVisible()) await page.keyboard.press('Delete');
       await until(async () => expect(await focused(page)).not.toBe('nothing'));
 
-      // undone as often as there is something to undo
+      // undo until nothing is left
       const undo = page.getByRole('button', { name: /^Undo/ });
       await undo.focus();
       while (await undo.isVisible()) await page.keyboard.press('Enter');
       await until(async () => expect(await focused(page)).not.toBe('nothing'));
 
-      // a message that is dismissed
+      // a dismissed message
       await page.keyboard.press('u');
       const dismiss = page.getByRole('button', { name: 'Dismiss' }).first();
       await dismiss.focus();

@@ -5,14 +5,14 @@ import { straight } from './levels.ts';
 import { inChromium } from './stage.ts';
 import { until } from './until.ts';
 
-/** How an element is painted, as the browser does it with the colours that are forced on it. */
+/** The painted colours of an element, with forced colours applied. */
 const look = (locator: Locator): Promise<string> =>
   locator.evaluate((element) => {
     const { backgroundColor, backgroundImage, borderBottom, color, outline, textDecoration } = getComputedStyle(element);
     return JSON.stringify({ backgroundColor, backgroundImage, borderBottom, color, outline, textDecoration });
   });
 
-/** Pairs of what is chosen and what is not. */
+/** Pairs of a selected and an unselected element. */
 const pairs = (page: Page): Readonly<Record<string, readonly [Locator, Locator]>> => ({
   tab: [page.getByRole('tab', { name: 'Inspector' }), page.getByRole('tab', { name: 'Effects' })],
   tool: [tool(page, 'Select'), tool(page, 'Asteroid')],
@@ -36,7 +36,7 @@ const pairs = (page: Page): Readonly<Record<string, readonly [Locator, Locator]>
 
 inChromium('colours of the system in Chromium', ({ on }) => {
   it(
-    'what is chosen, held and left over is told from what is not, with forced colours and with more contrast',
+    'selected, held and remaining parts are distinguishable with forced colours and with more contrast',
     on(
       {
         '01': straight({

@@ -9,11 +9,11 @@ import { declareMissing } from '../missing.ts';
 import { levelText, makeFolder, serve } from '../server/running.ts';
 import { CHROMIUM, sharedChromium } from './chromium.ts';
 
-// What real browsers send and let pass: the page itself gets through, a page of another server on this machine does not.
+// Requests of real browsers: the page itself gets through, a page of another server on this machine does not.
 
 const FIREFOX = process.env.FIREFOX ?? '/usr/bin/firefox-esr';
 
-/** As much of a page of either driver as is used here. */
+/** The part of a page that is used here, common to both drivers. */
 interface DriverPage {
   goto(address: string): Promise<unknown>;
   evaluate(script: string): Promise<unknown>;
@@ -38,7 +38,7 @@ const save = async (token: string, text: string): Promise<unknown[]> => {
   return [read.status, written.status, events.status, said, globalThis.crossOriginIsolated];
 };
 
-/** Runs in a foreign page: tries what a foreign page can try. */
+/** Runs in a foreign page: tries everything that a foreign page can try. */
 const attack = async (target: string, token: string, text: string): Promise<string[]> => {
   const body = JSON.stringify({ text, client: 'evil' });
   const attempt = (init: RequestInit, path = '/api/level?id=a') =>
@@ -89,7 +89,7 @@ async function tryIn(browser: { newPage(): Promise<DriverPage> }): Promise<void>
     const page = await browser.newPage();
     return {
       goto: (address) => page.goto(address),
-      // one of the drivers hands over a single argument
+      // one of the drivers passes only one argument
       evaluate: (work, ...all) => page.evaluate(`(${work})(...${JSON.stringify(all)})`) as Promise<never>,
     };
   };

@@ -13,14 +13,14 @@ const asked = questions(runs);
 
 const FIREFOX = process.env.FIREFOX ?? '/usr/bin/firefox-esr';
 
-/** Runs within a page that has the bundle. */
+/** Runs in a page with the bundle. */
 const answersInPage = (list: typeof asked): string[] =>
   list.map(([level, holds, accuracy]) =>
     // biome-ignore lint/suspicious/noExplicitAny: the bundle's global
     (globalThis as any).gravityQuest.hashOf(level, holds, accuracy),
   );
 
-// in Node, Bun and QuickJS: tests/browsers
+// Node, Bun and QuickJS are tested in tests/browsers
 describe('hashes of runs', () => {
   let bundle = '';
   beforeAll(async () => {

@@ -4,7 +4,7 @@ import { straight } from './levels.ts';
 import { inChromium, type Stage } from './stage.ts';
 import { until } from './until.ts';
 
-/** She is far from everything that matters for a long time. */
+/** She stays far from everything for a long time. */
 const drifting = () =>
   straight({
     runs: [
@@ -26,7 +26,7 @@ async function boxOf(page: Page, role: 'button' | 'slider' | 'application' | 'im
   return { ...box, right: box.x + box.width, bottom: box.y + box.height, middle: box.y + box.height / 2 };
 }
 
-/** The first hold as it is on the screen, and px per tick. */
+/** The first hold on the screen, and px per tick. */
 async function firstHold(page: Page) {
   const bar = await boxOf(page, 'button', /^Hold 1:/);
   const name = (await page.getByRole('button', { name: /^Hold 1:/ }).getAttribute('aria-label')) ?? '';
@@ -36,11 +36,11 @@ async function firstHold(page: Page) {
 
 inChromium('the ends of holds in Chromium', ({ on }) => {
   it(
-    'can be taken inside of the bar and outside, the middle moves it, and a legend explains what is seen',
+    'can be dragged from inside and outside of the bar, the middle moves it, and a legend explains the graphs',
     on({ '01': drifting() }, async (stage) => {
       const { page } = stage;
       await page.getByTitle(/^2 holds, /).waitFor();
-      // by as many ticks as lie in whole px
+      // by as many ticks as fit into whole px
       const drag = async (x: number, px: number) => {
         const { middle, zoom } = await firstHold(page);
         await page.mouse.move(Math.round(x), middle);
@@ -74,7 +74,7 @@ inChromium('the ends of holds in Chromium', ({ on }) => {
         [1800, 2400],
       ]);
 
-      // what the graphs are is said above them, not over them
+      // the labels of the graphs are above them and do not cover them
       const key = await page.getByText(/^speed, to \d+ px\/s$/).boundingBox();
       const graphs = await boxOf(page, 'img', /^Speed and clearance/);
       expect((key?.y ?? 0) + (key?.height ?? 0)).toBeLessThanOrEqual(graphs.y + 1);
@@ -97,7 +97,7 @@ inChromium('the ends of holds in Chromium', ({ on }) => {
   );
 
   it(
-    'have room for a finger on a phone, as the buttons around have',
+    'have room for a finger on a phone, as do the buttons around',
     on(
       { '01': drifting() },
       async (stage) => {
@@ -120,7 +120,7 @@ inChromium('the ends of holds in Chromium', ({ on }) => {
         const finger = await context.newCDPSession(page);
         const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', x: number) =>
           finger.send('Input.dispatchTouchEvent', { type, touchPoints: type === 'touchEnd' ? [] : [{ x, y: middle }] });
-        // well beside the edge
+        // clearly beside the edge
         const from = Math.round(right) + 12;
         await touch('touchStart', from);
         await touch('touchMove', from + 6);

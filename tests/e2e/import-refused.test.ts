@@ -8,7 +8,7 @@ import { until } from './until.ts';
 const PNG = [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0, 0, 0, 13, 0x49, 0x48, 0x44, 0x52];
 const ZIP = [0x50, 0x4b, 3, 4, 20, 0];
 
-/** Drops files on the page as somebody who drags them from a folder. */
+/** Drops files on the page, like a drag from a folder. */
 const drop = (page: Page, files: Readonly<Record<string, readonly number[] | string>>): Promise<void> =>
   page.evaluate((given) => {
     const dataTransfer = new DataTransfer();
@@ -20,7 +20,7 @@ const drop = (page: Page, files: Readonly<Record<string, readonly number[] | str
 
 inChromium('an import of what is no level, in Chromium', ({ on }) => {
   it(
-    'says what the file is, covers nothing that is worked with, and is gone with the next import',
+    'says what the file is, does not cover the work area, and disappears with the next import',
     on({ '01': straight() }, async ({ page, context, saved, folder }) => {
       await context.addInitScript(() => {
         delete (window as unknown as Record<string, unknown>).showOpenFilePicker;
@@ -40,7 +40,7 @@ inChromium('an import of what is no level, in Chromium', ({ on }) => {
       if (card === null || timeline === null) throw new Error('the message and the timeline are shown');
       expect(card.x).toBeGreaterThanOrEqual(timeline.x + timeline.width);
 
-      // another drop takes its place, the dialog of imports takes it away
+      // another drop replaces it, and the import dialog removes it
       await drop(page, { 'other.png': PNG });
       await messages.getByText('other.png').waitFor();
       expect(await messages.getByText('shot.png').count()).toBe(0);
@@ -49,7 +49,7 @@ inChromium('an import of what is no level, in Chromium', ({ on }) => {
       await dialog.getByRole('tab', { name: 'Import' }).click();
       await until(async () => expect(await messages.getByText('other.png').count()).toBe(0));
 
-      // what the dialog refuses it says itself, until it is closed
+      // the dialog shows its own refusals until it is closed
       const [chooser] = await Promise.all([
         page.waitForEvent('filechooser'),
         dialog.getByRole('button', { name: /^Choose files/ }).click(),

@@ -11,7 +11,7 @@ const isChosen = async (page: Page, name: string) => (await tab(page, name).getA
 
 inChromium('keys in Chromium', ({ on }) => {
   it(
-    'each letter takes one tool, or does one thing: those of the kinds are among them',
+    'each letter selects one tool or does one thing, including the letters of the kinds',
     on({ '01': straight() }, async ({ page }) => {
       await verdict(page, 'completable');
       await page.keyboard.press('?');
@@ -21,13 +21,13 @@ inChromium('keys in Chromium', ({ on }) => {
       const letters = keys.filter((key) => /^[a-z]$/.test(key));
       expect(letters.filter((letter, i) => letters.indexOf(letter) !== i)).toEqual([]);
       expect(letters).toEqual(expect.arrayContaining(PLACEABLES.map((placeable) => appearanceOf(placeable).letter)));
-      // tools and commands beside them
+      // tools and commands
       expect(letters.length).toBeGreaterThan(PLACEABLES.length + 5);
     }),
   );
 
   it(
-    'keys with Ctrl or Alt do the same whatever has the focus, but for what a text does with them',
+    'keys with Ctrl or Alt do the same whatever has the focus, except text editing',
     on({ '01': straight(), '02': straight({ name: 'Second' }) }, async ({ page, file }) => {
       await verdict(page, 'completable');
       const places: Readonly<Record<string, Locator>> = {
@@ -51,7 +51,7 @@ inChromium('keys in Chromium', ({ on }) => {
       }
       await tab(page, 'Inspector').click();
 
-      // a change is undone from a list of choices, which knows no undo of its own
+      // undo works in a select element, which has no undo of its own
       await places['an end of a hold'].focus();
       await page.keyboard.press('ArrowLeft');
       await until(() => expect(file('01').runs?.[0].holds).toEqual([[0, 599]]));
@@ -59,7 +59,7 @@ inChromium('keys in Chromium', ({ on }) => {
       await page.keyboard.press('Control+z');
       await until(() => expect(file('01').runs?.[0].holds).toEqual([[0, 600]]));
 
-      // the list of levels is looked through from a field, and the next level opened from there
+      // the next level can be opened from the search field
       await places['a number'].focus();
       await page.keyboard.press('Control+p');
       const find = page.getByRole('searchbox', { name: 'Find a level' });
@@ -67,7 +67,7 @@ inChromium('keys in Chromium', ({ on }) => {
       await page.keyboard.press('Alt+PageDown');
       await page.getByRole('heading', { name: 'Second', level: 1 }).waitFor();
 
-      // what lies over the page keeps all other keys to itself
+      // a dialog over the page receives all other keys
       await page.getByRole('button', { name: 'Settings' }).click();
       await page.getByRole('dialog', { name: 'Settings' }).waitFor();
       await page.keyboard.press('Alt+PageUp');

@@ -7,7 +7,7 @@ import { until } from './until.ts';
 
 inChromium('layers over the level in Chromium', ({ on }) => {
   it(
-    'are hidden and shown by their names, each alone, and nothing of it is in the file',
+    'can be hidden and shown one by one by name, without a change of the file',
     on(
       { '01': straight() },
       async ({ page, canvas, file, text, saved }) => {
@@ -18,9 +18,9 @@ inChromium('layers over the level in Chromium', ({ on }) => {
           const { x, y } = canvas.at(place);
           return page.screenshot({ clip: { x: x - 6, y: y - 6, width: 12, height: 12 } });
         };
-        /** Within the range of the gun, and away from all else. */
+        /** Within range, and away from everything else. */
         const inRange = { x: 448, y: 430 };
-        /** As near as her centre may come to the nova. */
+        /** The smallest distance of her centre from the nova. */
         const onMargin = { x: 448 + 32 + DEFAULT_BOX.halfWidth, y: 520 };
         for (const [layer, place, other] of [
           ['range of the gun', inRange, null],

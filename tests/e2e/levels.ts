@@ -1,4 +1,4 @@
-/** She falls from rest through a cold asteroid into the black hole behind it while the gun is held; some things stand beside. */
+/** She falls from rest through a cold asteroid into the black hole behind it while the gun is held; some objects are beside. */
 export const straight = (changes: Readonly<Record<string, unknown>> = {}): Record<string, unknown> => ({
   version: 1,
   name: 'Straight',

@@ -6,7 +6,7 @@ import { until } from './until.ts';
 
 inChromium('undo of what is done to the list of levels, in Chromium', ({ on }) => {
   it(
-    'another order and a deletion are undone and redone in their turn, between changes of levels',
+    'a new order and a deletion are undone and redone in sequence with changes of levels',
     on(
       { '01-straight': straight(), '02-garden': garden(), '03-park': garden({ name: 'Park' }) },
       async ({ page, file, canvas }) => {
@@ -19,7 +19,7 @@ inChromium('undo of what is done to the list of levels, in Chromium', ({ on }) =
         const undo = (what: string) => page.getByRole('button', { name: `Undo: ${what}` }).waitFor();
         await verdict(page, 'completable');
 
-        // a rename, then another order, then a change of the level
+        // a rename, then a new order, then a change of the level
         const name = page.getByRole('textbox', { name: 'name', exact: true });
         await name.fill('Plain');
         await until(() => expect(file('01-straight').name).toBe('Plain'));
@@ -42,12 +42,12 @@ inChromium('undo of what is done to the list of levels, in Chromium', ({ on }) =
         await page.keyboard.press('Control+z');
         await until(() => expect(file('01-straight').name).toBe('Straight'));
 
-        // all of it again
+        // redo everything
         for (let i = 0; i < 3; i++) await page.keyboard.press('Control+Shift+z');
         await order('Garden', 'Plain', 'Park');
         await until(() => expect(file('02-straight').asteroids?.[0]).toMatchObject({ y: 344 }));
 
-        // what was deleted comes back, and the level that is open meanwhile is left alone
+        // the deleted level is restored, and the open level is not affected
         await levels.focus();
         await page.keyboard.press('Delete');
         await order('Garden', 'Park');
@@ -58,7 +58,7 @@ inChromium('undo of what is done to the list of levels, in Chromium', ({ on }) =
         await page.getByRole('heading', { name: 'Plain', level: 1 }).waitFor();
         expect(file('02-straight').asteroids?.[0]).toMatchObject({ y: 344 });
       },
-      // a picture of a level may be asked for by the name that it just had
+      // a thumbnail may still be requested by the previous name
       { complaints: /404/ },
     ),
   );

@@ -14,7 +14,7 @@ const theEnd = (page: Page) => playtest(page).getByRole('status');
 
 inChromium('attempts that do not get through, in Chromium', ({ on }) => {
   it(
-    'become the last run, by key or button, also one that was left before its end',
+    'become the last run, by key or button, even if they were left before their end',
     on({ '16': firewalk() }, async ({ page, file }) => {
       await verdict(page, 'completable');
       const names = () => file('16').runs?.map(({ name }) => name);
@@ -36,7 +36,7 @@ inChromium('attempts that do not get through, in Chromium', ({ on }) => {
       await verdict(page, 'completable');
       await page.getByRole('combobox', { name: 'Run' }).selectOption('solution');
 
-      // an attempt that is left before it ends: slowly, so that it does not end first
+      // an attempt that is left before its end, at a slow pace
       await hurry(page, 1);
       await page.getByRole('button', { name: '¼×' }).click();
       await page.getByRole('button', { name: 'Play', exact: true }).click();
@@ -56,7 +56,7 @@ inChromium('attempts that do not get through, in Chromium', ({ on }) => {
   );
 
   it(
-    'an attempt that completed the level before it changed becomes the last run as well',
+    'an attempt that completed the level before a change becomes the last run as well',
     on(
       { '01': straight({ astronaut: { x: 200, y: 304, vx: 60 }, blackHole: { x: 400, y: 304 } }) },
       async ({ page, canvas, file }) => {

@@ -10,7 +10,7 @@ import { until } from './until.ts';
 const STEP = 32;
 const COLUMNS = 16;
 
-/** Rows of objects on a grid, so many px below each other. */
+/** Rows of objects on a grid, with the given distance between rows, px. */
 const rows = (name: string, from: number, count: number, radius: number, aside = 0) =>
   Array.from({ length: COLUMNS * count }, (_, k) => ({
     id: `${name}${k}`.padEnd(2, '0'),
@@ -32,13 +32,13 @@ const crowd = (): LevelFile => ({
 });
 
 interface Seen {
-  /** Pictures that were drawn in the frame. */
+  /** The number of images drawn in the frame. */
   readonly drawn: number;
-  /** Largest difference of a colour of a px between that frame and one after everything has come to rest, 0 to 255. */
+  /** The largest difference of a colour of a px between that frame and a later one at rest, 0 to 255. */
   readonly difference: number;
 }
 
-/** Moves the pointer once a frame, as a hand does, and looks at the canvas in the last of those frames, and again when nothing has moved for long. */
+/** Moves the pointer once per frame, as a hand does, and reads the canvas in the last of these frames, and again at rest. */
 const dragAndLook = (page: Page, from: Point, by: readonly Point[]): Promise<Seen> =>
   page.evaluate(
     async ([start, steps]) => {
@@ -52,7 +52,7 @@ const dragAndLook = (page: Page, from: Point, by: readonly Point[]): Promise<See
         return Reflect.apply(drawImage, this, what);
       };
       const frame = () => new Promise((resolve) => requestAnimationFrame(resolve));
-      // asked last in a frame: Phaser has drawn it by then
+      // requested last in a frame: Phaser has already drawn
       const drawnFrame = async () => {
         await frame();
         drawn = 0;
@@ -77,13 +77,13 @@ const dragAndLook = (page: Page, from: Point, by: readonly Point[]): Promise<See
 
 inChromium('hundreds of objects in Chromium', ({ on }) => {
   it(
-    'are drawn as few pictures while they are dragged, and each is where it is, below and above the same ones as at rest',
+    'are drawn as few images during a drag, at the right places and in the same order as at rest',
     on(
       { '01': crowd() },
       async ({ page, canvas, saved }) => {
         await saved();
         await canvas.fit(crowd());
-        // at that size a step of the grid is so many px of screen
+        // the size of a grid step on the screen, px
         await page.keyboard.press('Control+0');
         await until(async () => expect(await page.getByText('100 %', { exact: true }).count()).toBe(1));
         const box = await page.getByRole('application', { name: 'Level canvas' }).boundingBox();
@@ -111,7 +111,7 @@ inChromium('hundreds of objects in Chromium', ({ on }) => {
         const { drawn, difference } = await dragAndLook(page, at(start), steps);
         await page.mouse.up();
         expect(drawn).toBeLessThan(60);
-        // colours that shine through each other are rounded in another order
+        // blended colours are rounded in another order
         expect(difference).toBeLessThanOrEqual(8);
       },
       { context: { reducedMotion: 'reduce', viewport: { width: 1440, height: 900 } } },

@@ -17,7 +17,7 @@ const DIALOGS = {
 
 inChromium('names in Chromium', ({ on }) => {
   it(
-    'rows are called by all that they show, verdicts included',
+    'rows have names with everything that they show, including verdicts',
     on({ '01-straight': straight(), '02-garden': garden(), '03-torn': '{' }, async ({ page }) => {
       const levels = page.getByRole('tree', { name: 'Levels' });
       await levels.getByRole('treeitem', { name: /^01 Straight completable/ }).waitFor();
@@ -35,7 +35,7 @@ inChromium('names in Chromium', ({ on }) => {
   );
 
   it(
-    'every panel and every dialog keeps the rules for names, roles and contrast, in both themes',
+    'every panel and dialog meets the rules for names, roles and contrast, in both themes',
     on({ '01-straight': straight(), '02-garden': garden(), '03-torn': '{' }, async ({ page }) => {
       await verdict(page, 'completable');
       await page

@@ -11,9 +11,9 @@ import { inChromium } from './stage.ts';
 import { until } from './until.ts';
 
 const levels = (page: Page) => page.getByRole('tree', { name: 'Levels' });
-/** The row of a level, by its name; a number may stand before it, its verdict after it. */
+/** The row of a level by its name, possibly with a number before it and its verdict after it. */
 const level = (page: Page, name: string) => levels(page).getByRole('treeitem', { name: new RegExp(`^(\\d+ )?${name} `) });
-/** Presses a key on a row of a list: the list has the focus, one of its rows is the active one. */
+/** Presses a key on a row of a list: the list has the focus, and one of its rows is active. */
 async function press(list: Locator, row: Locator, key: string): Promise<void> {
   await row.click();
   await list.focus();
@@ -29,7 +29,7 @@ const levelFiles = (folder: string) =>
 
 inChromium('panels in Chromium', ({ on }) => {
   it(
-    'lists levels with pictures and verdicts; opens, copies between, renames, duplicates, orders, deletes and brings back',
+    'lists levels with pictures and verdicts; opens, copies, renames, duplicates, reorders, deletes and restores them',
     on(
       { '01': straight(), '02': garden() },
       async ({ page, canvas, file, folder, saved }) => {
@@ -83,7 +83,7 @@ inChromium('panels in Chromium', ({ on }) => {
   );
 
   it(
-    'makes new levels from templates, the random one by its seed',
+    'makes new levels from templates, the random one from its seed',
     on({ '01': straight() }, async ({ page, folder }) => {
       await isOpen(page, 'Straight');
       await page.keyboard.press('Alt+n');
@@ -106,7 +106,7 @@ inChromium('panels in Chromium', ({ on }) => {
   );
 
   it(
-    'the outline mirrors the canvas, the inspector types numbers, with limits and sums, and undo takes each back',
+    'the outline follows the canvas, the inspector accepts numbers and sums within limits, and undo reverts each change',
     on({ '01': garden() }, async ({ page, file }) => {
       await tab(page, 'Outline');
       await objects(page)
@@ -144,7 +144,7 @@ inChromium('panels in Chromium', ({ on }) => {
   );
 
   it(
-    'what is pointed at on the canvas is lit in the outline, and the other way round',
+    'an object under the pointer is highlighted both on the canvas and in the outline',
     on(
       { '01': garden() },
       async ({ page, canvas, file }) => {
@@ -167,7 +167,7 @@ inChromium('panels in Chromium', ({ on }) => {
   );
 
   it(
-    'runs are added, named, ordered and deleted; a problem has a way to it',
+    'runs can be added, named, reordered and deleted; a problem links to its place',
     on({ '01': straight({ minerals: [{ id: 'gem', x: 320, y: 600 }] }) }, async ({ page, file }) => {
       await tab(page, 'Runs');
       const runs = page.getByRole('tree', { name: 'Runs of the level' });
@@ -192,7 +192,7 @@ inChromium('panels in Chromium', ({ on }) => {
   );
 
   it(
-    'the solver finds a run, shows what it forgives, and measures how hard the level is',
+    'the solver finds a run, and shows its robustness and the difficulty of the level',
     on({ '01': straight({ runs: undefined }) }, async ({ page, file, folder, saved }) => {
       await verdict(page, 'unproven');
       await tab(page, 'Solver');
@@ -216,11 +216,11 @@ inChromium('panels in Chromium', ({ on }) => {
   );
 
   it(
-    'a press on a way that was found keeps its place when the search ends before the release',
+    'a found run under the pressed button stays in place if the search ends before the release',
     on({ '01': garden({ runs: undefined }) }, async ({ page }) => {
       await tab(page, 'Solver');
       const solver = page.getByRole('tabpanel', { name: 'Solver' });
-      // a search that goes on until it is stopped
+      // a search without a time limit
       await solver.getByRole('radio', { name: 'quickest' }).click();
       await solver.getByRole('textbox', { name: 'Seconds' }).fill('3600');
       await solver.getByRole('button', { name: 'Solve', exact: true }).click();
@@ -236,7 +236,7 @@ inChromium('panels in Chromium', ({ on }) => {
   );
 
   it(
-    'accuracy and effects: what each setting and each effect costs in this level',
+    'the costs of each accuracy and each effect in this level are shown',
     on({ '01': straight() }, async ({ page }) => {
       await tab(page, 'Accuracy');
       const choices = page.getByRole('radiogroup', { name: 'Accuracy' });
@@ -257,7 +257,7 @@ inChromium('panels in Chromium', ({ on }) => {
       await page.getByRole('dialog', { name: 'What accuracy costs' }).waitFor();
       await page.getByRole('button', { name: 'Close' }).click();
       await page.getByRole('dialog').waitFor({ state: 'hidden' });
-      // Esc closes the picture and nothing else
+      // Esc closes only the picture
       await tab(page, 'Outline');
       const rock = objects(page).getByRole('treeitem', { name: /^Asteroid 1/ });
       await rock.click();
@@ -273,7 +273,7 @@ inChromium('panels in Chromium', ({ on }) => {
   );
 
   it(
-    'imports and exports: text, pictures, the original’s levels, a link that carries the level',
+    'imports and exports text, pictures, original levels and links',
     on({ '01': straight() }, async ({ page, text, folder, saved }) => {
       await saved();
       await page.getByRole('button', { name: 'Import, export, link' }).click();
@@ -304,9 +304,9 @@ inChromium('panels in Chromium', ({ on }) => {
   );
 
   it(
-    'downloads the level and its picture, as lines and as pixels',
+    'downloads the level and its picture, as SVG and PNG',
     on({ '01': straight() }, async ({ page, context, text, saved }) => {
-      // without the dialog of the system, which nobody is there to answer
+      // without the dialog of the system, which a test can't answer
       await context.addInitScript(() => {
         for (const name of ['showOpenFilePicker', 'showSaveFilePicker'])
           delete (window as unknown as Record<string, unknown>)[name];
@@ -334,7 +334,7 @@ inChromium('panels in Chromium', ({ on }) => {
       expect(png).toBe('01.png');
       expect(pixels.subarray(0, 8).toString('latin1')).toBe('\x89PNG\r\n\x1a\n');
       expect(pixels.readUInt32BE(16)).toBe(640);
-      // a picture of something: one colour alone would be a few hundred bytes
+      // the picture is not empty: a single colour would take a few hundred bytes
       expect(pixels.length).toBeGreaterThan(5000);
     }),
   );

@@ -1,17 +1,17 @@
 import type { Page } from 'playwright-core';
 
-/** How far two pictures are from each other. */
+/** The difference of two pictures. */
 export interface Difference {
-  /** Share of px of which a colour differs by more than the tolerance, 0 to 1; 1 where the sizes differ. */
+  /** The share of px in which a colour differs by more than the tolerance, 0 to 1; 1 if the sizes differ. */
   readonly share: number;
-  /** Mean of the differences of all colours, 0 to 255. */
+  /** The mean difference of all colours, 0 to 255. */
   readonly mean: number;
 }
 
-/** Differences of a colour of a px up to this one are not seen, 0 to 255. */
+/** Differences of a colour up to this are not visible, 0 to 255. */
 const TOLERANCE = 12;
 
-/** Compares two PNGs px for px, in a page, which can read them. */
+/** Compares two PNGs px by px in a page, which can decode them. */
 export function compare(page: Page, one: Buffer, other: Buffer): Promise<Difference> {
   return page.evaluate(
     async ([sources, tolerance]) => {

@@ -10,12 +10,12 @@ import { until } from './until.ts';
 
 const playtest = (page: Page) => page.getByRole('application', { name: /^Playtest/ });
 const theEnd = (page: Page) => playtest(page).getByRole('status');
-/** Times faster than in real time: 0.2 s of the game a frame. The tests of the kept run and of the sound play in real time. */
+/** The speed relative to real time: 0.2 s of the game per frame. The tests of the kept run and of sound play in real time. */
 const FAST = 4;
 
-/** She is under way to the black hole, and there within seconds. */
+/** She flies to the black hole, and arrives within seconds. */
 const quick = () => straight({ astronaut: { x: 200, y: 304, vx: 60 }, blackHole: { x: 400, y: 304 }, runs: undefined });
-/** What the page says of how an attempt ended: its kind and its time. */
+/** The end of an attempt as shown on the page: its kind and time. */
 const ending = /She (reaches the black hole|collides with .*|is lost) at ([\d.]+) s/;
 
 inChromium('playing in Chromium', ({ on }) => {
@@ -65,7 +65,7 @@ inChromium('playing in Chromium', ({ on }) => {
   );
 
   it(
-    'after a death a key starts again, and Esc goes back to editing with the same view',
+    'after a death a key restarts, and Esc returns to editing with the same view',
     on(
       { '01': straight({ asteroids: [{ id: 'rock', x: 448, y: 304, radius: 16, hot: true }], minerals: [], runs: undefined }) },
       async ({ page, canvas, file, saved, text }) => {
@@ -87,7 +87,7 @@ inChromium('playing in Chromium', ({ on }) => {
         await page.keyboard.press('Escape');
         await playtest(page).waitFor({ state: 'hidden' });
         expect(await page.getByText(/^\d+ %$/).textContent()).toBe(zoom);
-        // attempts alone change nothing in the file, and a click selects what it selected before
+        // attempts do not change the file, and a click still selects objects
         expect(text('01')).toBe(before);
         await canvas.click({ x: 448, y: 304 });
         await page.keyboard.press('ArrowUp');
@@ -97,7 +97,7 @@ inChromium('playing in Chromium', ({ on }) => {
   );
 
   it(
-    'the buttons at the end answer Space and Enter; elsewhere Space is the gun and Enter keeps the attempt',
+    'Space and Enter press the buttons at the end; elsewhere Space is the gun and Enter keeps the attempt',
     on({ '01': quick() }, async ({ page, file, saved }) => {
       await saved();
       await hurry(page, FAST);
@@ -109,7 +109,7 @@ inChromium('playing in Chromium', ({ on }) => {
       await again.focus();
       await page.keyboard.press('Space');
       await theEnd(page).waitFor({ state: 'hidden' });
-      // now the same key is the gun again
+      // the same key is the gun again
       await page.keyboard.down('Space');
       await theEnd(page).waitFor();
       await page.keyboard.up('Space');
@@ -125,7 +125,7 @@ inChromium('playing in Chromium', ({ on }) => {
   );
 
   it(
-    'the gun sounds while it is held, and so does the end; with the sound off nothing does',
+    'the gun sounds while it is held, and so does the end; with the sound off there is no sound',
     on({ '01': quick() }, async ({ page, context, saved }) => {
       await context.addInitScript(listenToSound);
       await page.reload();
@@ -133,7 +133,7 @@ inChromium('playing in Chromium', ({ on }) => {
       const heard = () => page.evaluate(() => (window as unknown as { heard: Heard }).heard);
       await page.keyboard.press('Space');
       await playtest(page).waitFor();
-      // no sound is set up before the first one is needed
+      // no audio context exists before the first sound
       expect(await heard()).toEqual({ contexts: 0, oscillators: 0, levels: [] });
       await page.keyboard.down('Space');
       await until(async () => expect((await heard()).levels.at(-1)).toBeGreaterThan(0));
@@ -160,7 +160,7 @@ inChromium('playing in Chromium', ({ on }) => {
   );
 
   it(
-    'attempts stay on the canvas as ghosts, which can be hidden, kept as runs and forgotten',
+    'attempts stay on the canvas as ghosts, which can be hidden, kept as runs and deleted',
     on(
       { '01': straight({ runs: undefined, asteroids: [{ id: 'rock', x: 448, y: 304, radius: 16, hot: true }], minerals: [] }) },
       async ({ page, canvas, file, saved }) => {
@@ -199,7 +199,7 @@ inChromium('playing in Chromium', ({ on }) => {
   );
 
   it(
-    'a playtest starts at the scrubbed tick and keeps what the run did before it',
+    'a playtest starts at the scrubbed tick and keeps the run before it',
     on(
       {
         '01': straight({
@@ -228,7 +228,7 @@ inChromium('playing in Chromium', ({ on }) => {
         expect(await theEnd(page).textContent()).toContain('She reaches the black hole');
         await page.keyboard.press('Enter');
         await verdict(page, 'completable');
-        // the attempt replaces the run that did not get through
+        // the attempt replaces the run that did not complete the level
         const runs = await until(() => {
           const found = file('01').runs ?? [];
           expect(found[0].holds[0][1]).not.toBe(40);

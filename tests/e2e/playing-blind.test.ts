@@ -11,7 +11,7 @@ const playtest = (page: Page) => page.getByRole('application', { name: /^Playtes
 
 inChromium('playing in Chromium without being told how', ({ on }) => {
   it(
-    'hides the run, on the canvas and along time, until it is asked for by button or key',
+    'hides the run, on the canvas and the timeline, until a button or key shows it',
     on(
       { '01': straight({ minerals: [] }) },
       async ({ page, canvas, file }) => {
@@ -40,7 +40,7 @@ inChromium('playing in Chromium without being told how', ({ on }) => {
   );
 
   it(
-    'speaks of fingers on a phone and can be begun again and left there',
+    'mentions fingers on a phone, where it can be restarted and left',
     on(
       { '01': straight() },
       async ({ page }) => {

@@ -5,12 +5,12 @@ import type { TestProject } from 'vitest/node';
 
 declare module 'vitest' {
   interface ProvidedContext {
-    /** The folder in which the browsers of the workers keep their profiles. */
+    /** The folder for the browser profiles of all workers. */
     profiles: string;
   }
 }
 
-/** Runs once before all browser tests. @returns what removes the profiles after them: a worker that is ended has no time for it */
+/** Runs once before all browser tests. @returns removes the profiles after them, as killed workers have no time for it */
 export default function setup(project: TestProject): () => void {
   const folder = mkdtempSync(join(tmpdir(), 'gq-profiles-'));
   project.provide('profiles', folder);

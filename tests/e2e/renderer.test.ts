@@ -11,7 +11,7 @@ const drawnBy = (page: Page): Promise<'webgl' | 'canvas'> =>
 
 inChromium('the renderer in Chromium', ({ on }) => {
   it(
-    'is a setting that the next page follows; the address wins; the only canvas outlives a page without levels',
+    'is a setting for the next page; the address takes precedence; the only canvas survives a page without levels',
     on(
       { '01': straight() },
       async ({ page, canvas, file, saved }) => {
@@ -33,7 +33,7 @@ inChromium('the renderer in Chromium', ({ on }) => {
         expect(await page.evaluate((one) => one === document.querySelector('.canvas canvas'), first)).toBe(true);
         await until(async () => expect((await compare(page, before, await look())).share).toBeLessThan(0.001));
 
-        // a change is kept though the page is loaded anew at once
+        // a change is kept even if the page is reloaded at once
         await command(page, 'Select all');
         await page.keyboard.press('ArrowDown');
         await command(page, 'Settings');

@@ -1,4 +1,4 @@
-// Hands on the rules of a level, and what a folder's configuration does to them. GQ_SHOTS names a folder for pictures of the page.
+// Editing the rules of a level, and the effect of a folder's configuration. GQ_SHOTS names a folder for pictures of the page.
 import { rmSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Locator, Page } from 'playwright-core';
@@ -29,7 +29,7 @@ const messages = (page: Page): Locator => page.getByRole('list', { name: 'Messag
 
 inChromium('rules in Chromium', ({ on }) => {
   it(
-    'a rule is dragged while the verdict follows, as one step of undo, and given back',
+    'a rule is dragged while the verdict follows, as one undo step, and can be reset',
     on({ '01': swing() }, async ({ page, file, saved }) => {
       const shot = async (name: string) => {
         if (shots !== undefined) await page.screenshot({ path: `${shots}/${name}.png` });
@@ -46,12 +46,12 @@ inChromium('rules in Chromium', ({ on }) => {
       await page.mouse.down();
       await page.mouse.move(middle.x + 10, middle.y, { steps: 3 });
       await page.mouse.move(middle.x + 30, middle.y, { steps: 3 });
-      // while the hand holds it: the proof has followed, and nothing is written
+      // during the drag: the proof has followed, and nothing is written
       await verdict(page, 'broken');
       await shot('2-dragging');
       expect(file('01').rules).toBeUndefined();
       await page.mouse.move(middle.x + 40, middle.y, { steps: 3 });
-      // let go beside it
+      // released beside the slider
       await page.mouse.move(middle.x + 40, middle.y + 60);
       await page.mouse.up();
       await until(() => expect(file('01').rules?.pull).toBeGreaterThan(41));
@@ -70,7 +70,7 @@ inChromium('rules in Chromium', ({ on }) => {
   );
 
   it(
-    'a drag is taken back by Esc, whatever the hand does after it',
+    'Esc cancels a drag, whatever the mouse does after it',
     on({ '01': swing() }, async ({ page, file, saved }) => {
       await verdict(page, 'completable');
       await slider(page, 'pull').scrollIntoViewIfNeeded();
@@ -93,7 +93,7 @@ inChromium('rules in Chromium', ({ on }) => {
   );
 
   it(
-    'by keys and by typing, and all of them are given back at once',
+    'keys and typing change rules, and all can be reset at once',
     on({ '01': swing() }, async ({ page, file }) => {
       await verdict(page, 'completable');
       await page.keyboard.press('Control+k');
@@ -119,7 +119,7 @@ inChromium('rules in Chromium', ({ on }) => {
       await command(page, "Reset the level's rules");
       await verdict(page, 'completable');
       await until(() => expect(file('01').rules).toBeUndefined());
-      // keys pressed one after the other are one step, as is what was typed; in a field Ctrl Z is about its text
+      // consecutive keys are one step, and so is typing; in a field, Ctrl Z undoes text
       await page.getByRole('application', { name: 'Level canvas' }).focus();
       await page.keyboard.press('Control+z');
       await until(() => expect(file('01').rules).toEqual({ pull: 45, speedLimit: 10 }));
@@ -131,7 +131,7 @@ inChromium('rules in Chromium', ({ on }) => {
   );
 
   it(
-    'those of gq.config.json hold, say where they are from, and are followed while the page is open',
+    'those of gq.config.json apply, show their source, and are updated while the page is open',
     on(
       { '01': swing(), '02': swing({ name: 'Own', rules: { pull: 39 } }) },
       async ({ page, folder, file }) => {
@@ -147,7 +147,7 @@ inChromium('rules in Chromium', ({ on }) => {
         await reads(page, 'pull', '45');
         await rule(page, 'pull').getByText("From gq.config.json; the game's default is 39.").waitFor();
 
-        // the level's own value wins, and back is back to that of the folder
+        // the level's own value takes precedence, and a reset returns to that of the folder
         await field(page, 'pull').fill('39');
         await field(page, 'pull').press('Enter');
         await verdict(page, 'completable');
@@ -163,7 +163,7 @@ inChromium('rules in Chromium', ({ on }) => {
         await verdict(page, 'broken');
         await until(() => expect(file('01').rules).toBeUndefined());
 
-        // another program changes it
+        // another program changes the configuration
         put(folder, CONFIG, config({ pull: 38 }));
         await verdict(page, 'completable');
         await reads(page, 'pull', '38');
@@ -172,7 +172,7 @@ inChromium('rules in Chromium', ({ on }) => {
           .getByText('gq.config.json has changed: levels without rules of their own now use pull 38 px/s2.')
           .waitFor();
 
-        // what is wrong is told with its place, and what it set before goes on
+        // an error is shown with its place, and the previous rules still apply
         await field(page, 'push').fill('30');
         await field(page, 'push').press('Enter');
         put(folder, CONFIG, '{\n  "rules": { "pul": 3 }\n}\n');
@@ -199,7 +199,7 @@ inChromium('rules in Chromium', ({ on }) => {
   );
 
   it(
-    'a link and a file that leave the folder take its rules along; a level from a link keeps the rules that it came with',
+    'links and files contain the rules of the folder; a level from a link keeps its rules',
     on(
       { '01': swing(), '02': swing({ name: 'Own', rules: { pull: 39 } }) },
       async ({ page, folder, file }) => {
@@ -221,7 +221,7 @@ inChromium('rules in Chromium', ({ on }) => {
         );
         await page.keyboard.press('Escape');
 
-        // the same link where no configuration is, and one from there
+        // the same link in a folder without configuration, and a link from there
         put(folder, CONFIG, config({}));
         await verdict(page, 'completable');
         const hash = new URL(link).hash;
@@ -256,7 +256,7 @@ inChromium('rules in Chromium', ({ on }) => {
   );
 
   it(
-    'by a finger: a tap sets it, a finger that goes along it is one step, one that goes up scrolls the panel and changes nothing',
+    'a finger sets a rule by a tap or by one drag along the slider; an upward drag only scrolls the panel',
     on(
       { '01': swing() },
       async ({ page, context, file }) => {
@@ -308,13 +308,13 @@ inChromium('rules in Chromium', ({ on }) => {
   );
 
   it(
-    'her box on the canvas is that of the folder',
+    'the collision box on the canvas has the size of the folder',
     on(
       { '01': swing() },
       async ({ page, canvas, file }) => {
         await reads(page, 'box width', '120');
         await canvas.fit({ ...file('01'), rules: BOX });
-        // beside the box of the game, within that of the folder
+        // outside of the game's box, within that of the folder
         await canvas.click({ x: 500 + 40, y: 760 });
         await page.getByRole('heading', { level: 3, name: 'Astronaut' }).waitFor();
       },

@@ -5,7 +5,7 @@ import { until } from './until.ts';
 
 inChromium('names of runs in Chromium', ({ on }) => {
   it(
-    'a name that is there already, or none, stays in the field with what is wrong beside it until it is mended',
+    'a taken or empty name stays in the field with an error beside it until it is fixed',
     on(
       {
         '01': straight({
@@ -28,7 +28,7 @@ inChromium('names of runs in Chromium', ({ on }) => {
         expect(await field.getAttribute('aria-invalid')).toBe('true');
         const [of, beside] = [await field.boundingBox(), await problem.boundingBox()];
         expect(Math.abs((beside?.y ?? 0) - (of?.y ?? 0) - (of?.height ?? 0))).toBeLessThan(8);
-        // another place is clicked: what was typed is not lost
+        // after a click elsewhere, the typed text is not lost
         await page.getByRole('heading', { name: 'Runs' }).click();
         expect(await field.inputValue()).toBe('solution');
         await problem.waitFor();
@@ -40,7 +40,7 @@ inChromium('names of runs in Chromium', ({ on }) => {
         await page.keyboard.press('Enter');
         await until(() => expect(names()).toEqual(['solution', 'second']));
         await field.waitFor({ state: 'hidden' });
-        // Esc leaves it as it was
+        // Esc restores the name
         await page.keyboard.press('F2');
         await field.fill('solution');
         await page.keyboard.press('Escape');

@@ -8,7 +8,7 @@ import { garden, straight } from './levels.ts';
 import { inChromium } from './stage.ts';
 import { until } from './until.ts';
 
-/** The browser notes on its console every request that nobody answered, or that was refused. */
+/** The browser logs every request without an answer or with a refusal. */
 const OUTAGE = /Failed to load resource|ERR_/;
 
 const A = { x: 400, y: 200 };
@@ -17,7 +17,7 @@ const placeOf = (file: LevelFile, id: string) => file.asteroids?.find((one) => o
 
 inChromium('work is not lost, in Chromium', ({ on }) => {
   it(
-    'what another program writes appears at once; what both changed apart is brought together',
+    'changes by another program appear at once; separate changes by both are merged',
     on(
       { '01': garden() },
       async ({ page, canvas, file, open, write, saved, killServer, startServer }) => {
@@ -29,7 +29,7 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
         await saved();
         await until(() => expect(file('01').name).toBe('Garden'));
 
-        // while nobody writes, both change: another asteroid each
+        // while writing is paused, both change a different asteroid
         await killServer();
         await canvas.click(A);
         await page.keyboard.press('ArrowDown');
@@ -48,7 +48,7 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
   );
 
   it(
-    'a page that dies with unsaved changes has them again, and undo takes them back',
+    'a page that dies with unsaved changes recovers them, and undo reverts them',
     on(
       { '01': garden() },
       async ({ page, canvas, file, open, saved, killServer, startServer, server }) => {
@@ -73,7 +73,7 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
   );
 
   it(
-    'the token is in no address: not after the page has read it, not after a reload; without it the page says what to open',
+    'no address contains the token after the page has read it or was reloaded; without it the page says what to open',
     on(
       { '01': garden() },
       async ({ page, saved, context, server }) => {
@@ -83,7 +83,7 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
         await page.reload();
         await saved();
         expect(page.url()).toBe(bare);
-        // a bookmark, a new tab
+        // a bookmark or a new tab
         const other = await context.newPage();
         await other.goto(bare);
         await other
@@ -100,7 +100,7 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
   );
 
   it(
-    'what is not saved is said to be kept only once it is, where that is, and can be downloaded from there',
+    'unsaved changes are reported as kept only once they are, with the place, and can be downloaded',
     on(
       { '01': garden(), '02': straight() },
       async ({ page, canvas, file, open, saved, killServer, startServer, server }) => {
@@ -126,7 +126,7 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
   );
 
   it(
-    'changes of a level that is not opened again are listed, with where they are, and can be had as a file',
+    'changes of a level that is not opened again are listed with their place, and can be saved as a file',
     on(
       { '01': garden(), '02': straight() },
       async ({ page, canvas, file, open, saved, killServer, startServer, server, context }) => {
@@ -164,7 +164,7 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
   );
 
   it(
-    'a page whose server was started again says so, and what it could not save comes along to the new one',
+    'a page whose server was restarted says so, and its unsaved changes move to the new page',
     on(
       { '01': garden() },
       async ({ page, canvas, file, open, saved, killServer, startServer, server }) => {
@@ -195,7 +195,7 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
   );
 
   it(
-    'a file that is made writable again is saved without being asked',
+    'a file that becomes writable again is saved automatically',
     on(
       { '01': garden() },
       async ({ page, canvas, file, folder }) => {
@@ -215,7 +215,7 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
   );
 
   it(
-    'of two tabs one writes, the other looks on and can take over',
+    'of two tabs, one writes; the other follows and can take over',
     on({ '01': garden() }, async ({ page, canvas, file, open, saved }) => {
       await saved();
       const other = await open();
@@ -232,7 +232,7 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
       await other.canvas.click({ x: 400, y: 208 });
       await other.page.keyboard.press('Shift+ArrowDown');
       await until(() => expect(placeOf(file('01'), 'a1')).toMatchObject({ x: 400, y: 216 }));
-      // the one that looks on sees it
+      // the reader shows the change
       await other.page.close();
       await saving(page, /^saved$/);
       await page.bringToFront();
@@ -243,11 +243,11 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
   );
 
   it(
-    'where both changed the same thing a person chooses',
+    'if both changed the same property, the user chooses',
     on({ '01': garden() }, async ({ page, canvas, file, write, saved }) => {
       await canvas.fit(file('01'));
       await saved();
-      // the file changes under a drag that goes on: the drag wins, or the person is asked
+      // the file changes during a drag: either the drag wins or the user is asked
       const { x, y } = canvas.at(A);
       await page.mouse.move(x, y);
       await page.mouse.down();
@@ -274,7 +274,7 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
   );
 
   it(
-    'a file with errors is listed, is mended as text, and is not written before it is valid',
+    'a file with errors is listed, can be fixed as text, and is not written before it is valid',
     on({ '01': garden(), '02': '{ "version": 1, "name": "Torn", ' }, async ({ page, text, file, saved }) => {
       await saved();
       const torn = text('02');
@@ -294,7 +294,7 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
   );
 
   it(
-    'a file that vanishes is told, and can be written again',
+    'a file that vanishes is reported, and can be written again',
     on(
       { '01': garden(), '02': straight() },
       async ({ page, folder, file, saved }) => {
@@ -317,7 +317,7 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
   );
 
   it(
-    'a file that may not be written is looked at, and says so',
+    'a file that is not writable can be viewed, and says so',
     on(
       { '01': garden() },
       async ({ page }) => {

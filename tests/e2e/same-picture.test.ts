@@ -8,7 +8,7 @@ import { compare } from './pictures.ts';
 import { inChromium, nextFrames } from './stage.ts';
 import { until } from './until.ts';
 
-/** Small ones: what WebGL is asked for the processor draws here. */
+/** Small levels, as the processor renders WebGL here. */
 const SIZES = [
   { width: 360, height: 400 },
   { width: 400, height: 360 },
@@ -25,7 +25,7 @@ async function step(page: Page, key: 'Alt+PageDown' | 'Alt+PageUp', name: string
   await openLevel(page).filter({ hasText: name }).waitFor();
 }
 
-/** The canvas as the person sees it. */
+/** A picture of the canvas. */
 async function look(page: Page): Promise<Buffer> {
   const canvas = page.getByRole('application', { name: 'Level canvas' });
   await canvas.focus();
@@ -43,7 +43,7 @@ const lookInBothThemes = async (page: Page): Promise<{ dark: Buffer; light: Buff
   return { dark, light };
 };
 
-/** How many canvases the level was ever drawn on, counted with the one that is there now. */
+/** The number of canvases on which the level was ever drawn, including the current one. */
 const countCanvases = (page: Page): Promise<number> =>
   page.evaluate(() => {
     const seen = globalThis as { canvases?: Set<Element | null> };
@@ -55,8 +55,8 @@ const countCanvases = (page: Page): Promise<number> =>
 const OPENED = 10 * Math.ceil(propertySettings(process.env).runs);
 
 /**
- * Opens levels one after the other: two on, two back. In between it changes the theme and the size, and plays.
- * At the end theme and size are what they were.
+ * Opens levels one after the other, two forward and two back, and changes the theme and the size and plays in between.
+ * At the end, theme and size are the same as before.
  */
 async function useFor(page: Page): Promise<void> {
   let isOtherTheme = false;
@@ -84,7 +84,7 @@ async function useFor(page: Page): Promise<void> {
 inChromium('the canvas in Chromium', ({ on }) => {
   for (const renderer of ['canvas', 'webgl'] as const) {
     it(
-      `looks as on a fresh page after ten levels or more, other themes, sizes and plays, and stays one canvas, drawn by ${renderer}`,
+      `looks as on a fresh page after many levels, themes, sizes and plays, on a single canvas, drawn by ${renderer}`,
       on(
         LEVELS,
         async ({ page }) => {
@@ -105,7 +105,7 @@ inChromium('the canvas in Chromium', ({ on }) => {
             expect(share, `share of px that differ on ${theme}`).toBeLessThan(0.001);
             expect(mean, `mean difference on ${theme}`).toBeLessThan(0.2);
           }
-          // the two themes differ: what is compared is the picture
+          // the two themes differ, which shows that the comparison works
           expect((await compare(page, used.dark, used.light)).share).toBeGreaterThan(0.5);
           expect(await countCanvases(page)).toBe(1);
         },

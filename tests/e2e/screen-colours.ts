@@ -1,9 +1,9 @@
 import type { Page } from 'playwright-core';
 
 /**
- * How many px of a part of the screen have about this colour, as the person sees it.
+ * The number of px in a part of the screen that have about this colour.
  * @param colour `#rrggbb`
- * @param around half of the side of the square that is looked at, px
+ * @param around half of the side of the square, px
  */
 export async function countColour(
   page: Page,
@@ -23,7 +23,7 @@ export async function countColour(
       if (brush === null) throw new Error('no canvas');
       brush.drawImage(image, 0, 0);
       const { data } = brush.getImageData(0, 0, image.width, image.height);
-      // what makes it that colour and not a grey, so that a thin line over the dark counts as well
+      // compares the hue, so that a thin line over a dark background counts as well
       const tint = (r: number, g: number, b: number) => {
         const grey = (r + g + b) / 3;
         return [r - grey, g - grey, b - grey] as const;

@@ -6,18 +6,18 @@ import { straight } from './levels.ts';
 import { inChromium, type Stage } from './stage.ts';
 import { until } from './until.ts';
 
-/** What every page leaves to the canvas: px, and a share of the page's height. */
+/** The smallest size of the canvas on any page: px, and a share of the page's height. */
 const LEAST = { width: 320, height: 220, share: 0.45 };
 
-/** px from which on all panels stand around the canvas */
+/** px; on wider pages, all panels are around the canvas */
 const WIDE = { width: 880, height: 520 };
 
-/** px of the level from her to the black hole */
+/** px; the distance from her to the black hole in the level */
 const ACROSS = 504;
 
 const PANELS = ['Timeline', 'Levels', 'Outline', 'Runs', 'Inspector', 'Solver', 'Effects', 'Accuracy', 'Problems'];
 
-/** The canvas is large enough, all of the level is seen in much of it, and nothing sticks out of the page. */
+/** Checks that the canvas is large enough, the whole level fills most of it, and nothing extends beyond the page. */
 async function lookAtCanvas(page: Page, where: string): Promise<void> {
   const size = page.viewportSize() as { width: number; height: number };
   const canvas = page.getByRole('application', { name: 'Level canvas' });
@@ -43,7 +43,7 @@ async function lookAtCanvas(page: Page, where: string): Promise<void> {
 }
 
 async function lookAtControls(page: Page, where: string): Promise<void> {
-  // no tooltip lies over anything
+  // no tooltip covers anything
   await page.mouse.move(1, 1);
   await until(async () => {
     const missed = (await controlsOf(page)).filter(({ isReached }) => !isReached);
@@ -75,7 +75,7 @@ async function lookAt({ page }: Stage, size: { width: number; height: number }):
 
 inChromium('sizes of the page in Chromium', ({ on }) => {
   it(
-    'the canvas does not give way and every panel is reached, from a whole screen to one at 200 % zoom',
+    'the canvas stays large and every panel is reachable, from a full screen to one at 200 % zoom',
     on({ '01': straight() }, async (stage) => {
       await verdict(stage.page, 'completable');
       const sizes = [
@@ -91,7 +91,7 @@ inChromium('sizes of the page in Chromium', ({ on }) => {
   );
 
   it(
-    'the same on phones and tablets, upright and lying',
+    'the same holds on phones and tablets, in portrait and landscape',
     on(
       { '01': straight() },
       async (stage) => {

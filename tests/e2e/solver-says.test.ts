@@ -10,7 +10,7 @@ const ASIDE = [{ id: 'gem', x: 660, y: 520, radius: 7 }];
 
 inChromium('what the solver says, in Chromium', ({ on }) => {
   it(
-    'speaks of what was asked, of what the own runs show, and of no minerals where none were asked for',
+    'mentions the request and the results of the own runs, and minerals only if they were requested',
     on({ '01': straight({ minerals: ASIDE }) }, async ({ page, saved }) => {
       await saved();
       await page.getByRole('tab', { name: 'Solver' }).click();
@@ -28,7 +28,7 @@ inChromium('what the solver says, in Chromium', ({ on }) => {
       expect(await report.textContent()).not.toMatch(/asked for|No run found|with the mineral/);
       await solver.getByText(/^Looked for up to 5 runs\./).waitFor();
 
-      // the mineral is out of reach, and the level is completable all the same
+      // the mineral is out of reach, but the level is still completable
       await solve('all 1');
       await report
         .getByRole('alert')
@@ -40,7 +40,7 @@ inChromium('what the solver says, in Chromium', ({ on }) => {
   );
 
   it(
-    'where the search has been is drawn as in pictures, with a legend of numbers, in both themes',
+    'the visited places of a search are drawn as in pictures, with a legend of numbers, in both themes',
     on({ '01': garden({ runs: undefined }) }, async ({ page, saved }) => {
       await saved();
       await page.getByRole('tab', { name: 'Solver' }).click();
@@ -50,7 +50,7 @@ inChromium('what the solver says, in Chromium', ({ on }) => {
       await solver.getByRole('button', { name: 'Solve', exact: true }).click();
       await solver.getByLabel('Show the search heat map').check();
       await legend.getByText('visits of the search to each square of 32 px').waitFor();
-      // every strength has its numbers
+      // every intensity has its numbers
       await until(async () => expect(await legend.getByRole('listitem').count()).toBeGreaterThan(3));
       const labels = await legend.getByRole('listitem').allInnerTexts();
       for (const label of labels) expect(label).toMatch(/^\d[\d.kM]*(–\d[\d.kM]*)?$/);

@@ -1,13 +1,13 @@
-/** What a page has made sound with. */
+/** The sounds that a page has made. */
 export interface Heard {
   contexts: number;
-  /** Started so far. */
+  /** The number of sources started so far. */
   oscillators: number;
-  /** Levels that something was asked to go to, in order. */
+  /** The requested sound levels, in order. */
   levels: number[];
 }
 
-/** Runs in a page before its own scripts: in place of the browser's sound, something that counts. */
+/** Runs in a page before its own scripts: replaces the browser's audio by an object that counts. */
 export function listenToSound(): void {
   const heard: Heard = { contexts: 0, oscillators: 0, levels: [] };
   class Param {
@@ -19,7 +19,7 @@ export function listenToSound(): void {
     linearRampToValueAtTime() {}
     exponentialRampToValueAtTime() {}
   }
-  /** A pitch is no level. */
+  /** The parameter of a pitch, which is not recorded as a level. */
   class Pitch extends Param {
     override setTargetAtTime() {}
   }

@@ -15,55 +15,55 @@ import { PATIENCE } from './until.ts';
 
 export interface StageOptions {
   readonly context?: BrowserContextOptions;
-  /** Whether it is the first time that this person sees the editor. */
+  /** Whether this user opens the editor for the first time. */
   readonly firstTime?: boolean;
-  /** The level files may not be written. */
+  /** Whether the level files are read-only. */
   readonly readOnly?: boolean;
-  /** The server is a process in the folder, as a person starts it, and can be killed. Otherwise it runs in the process of the test. */
+  /** Whether the server is a process of its own, which can be killed; otherwise it runs in the process of the test. */
   readonly ownProcess?: boolean;
   /** Other files in the folder, by name. */
   readonly others?: Readonly<Record<string, string>>;
-  /** What the browser may complain of on its console. */
+  /** Messages that the browser may log. */
   readonly complaints?: RegExp;
-  /** What is asked for in the page's address: `renderer=webgl`. */
+  /** The query of the page's address, such as `renderer=webgl`. */
   readonly query?: string;
 }
 
 interface StageServer {
   readonly port: number;
-  /** With the token of this run. */
+  /** Contains the token of this run. */
   readonly address: string;
-  /** What went wrong in it: what it wrote to stderr, or the errors that it caught in this process. */
+  /** Its errors: stderr of the process, or the errors that were caught in this process. */
   complaints(): string;
   end(signal: 'SIGTERM' | 'SIGKILL'): Promise<unknown>;
 }
 
-/** A folder of levels, a server on it, and a person in front of its page. */
+/** A folder of levels, a server on it, and its page in a browser. */
 export interface Stage {
   readonly folder: string;
   readonly context: BrowserContext;
   readonly page: Page;
   readonly canvas: Canvas;
-  /** The server that runs now. */
+  /** The current server. */
   server(): StageServer;
-  /** Another page of the same person, on the same server. */
+  /** Opens another page of the same browser and server. */
   open(): Promise<{ page: Page; canvas: Canvas }>;
-  /** The text of a level's file. */
+  /** Reads the text of a level file. */
   text(id: string): string;
-  /** A level's file. */
+  /** Reads a level file. */
   file(id: string): LevelFile;
-  /** Writes into the folder as another program does. */
+  /** Writes a file like another program. */
   write(id: string, content: unknown): void;
-  /** Waits until the page says that all is on the disk. */
+  /** Waits until the page reports that everything is on disk. */
   saved(): Promise<void>;
-  /** Ends the server as a crash does; it has a process of its own. */
+  /** Kills the server, which must be a process of its own. */
   killServer(): Promise<void>;
-  /** Starts it again on the same folder, port and token, as far as it can. */
+  /** Starts it again on the same folder, and on the same port if possible. */
   startServer(port?: number): Promise<void>;
 }
 
 export interface Browsers {
-  /** Plays a scene on a stage of its own. */
+  /** Runs a test on a stage of its own. */
   on(
     levels: Readonly<Record<string, unknown>>,
     play: (stage: Stage) => Promise<void>,
@@ -71,14 +71,14 @@ export interface Browsers {
   ): () => Promise<void>;
 }
 
-/** Runs in a page before its own scripts: settings that are there already stay. */
+/** Runs in a page before its own scripts; existing settings stay. */
 const KNOWN = `localStorage['gravity-quest-editor-settings'] ??= '{"tourSeen":true}'`;
 
 /**
  * Runs in a page before its own scripts.
- * About 20 frames a second are drawn, not 60, which would cost half a processor.
- * The clock of the frames and of `performance.now` can run faster or stand still: see `hurry` and `pass`. Timers and dates are
- * not touched.
+ * Draws about 20 frames per second, not 60, which would use half a processor.
+ * The clock of frames and `performance.now` can run faster or stand still: see `hurry` and `pass`. Timers and dates do not
+ * change.
  */
 export function paceFrames(): void {
   const now = performance.now.bind(performance);
@@ -117,19 +117,19 @@ export function paceFrames(): void {
 }
 
 /**
- * Sets the pace of what is played on the page, until the page is loaded anew.
- * @param rate seconds of the frames' clock per second; 0: the clock stands still; a playtest takes up to 0.25 s a frame
+ * Sets the pace of frames until the page is reloaded.
+ * @param rate seconds of the frames' clock per second; 0: the clock stands still. A playtest advances at most 0.25 s per frame.
  */
 export const hurry = (page: Page, rate: number): Promise<void> => page.evaluate(`setRate(${rate})`);
 
-/** Lets time pass on the clock of the frames, all at once. */
+/** Advances the clock of the frames at once. */
 export const pass = (page: Page, ms: number): Promise<void> => page.evaluate(`pass(${ms})`);
 
-/** Waits for two frames: what the page has changed is drawn. */
+/** Waits for two frames, after which all changes are drawn. */
 export const nextFrames = (page: Page): Promise<unknown> =>
   page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
 
-/** Opens a level's page and waits until it can be used. */
+/** Opens the page of a level and waits until it is ready. */
 async function enter(context: BrowserContext, address: string, complaints: string[]): Promise<{ page: Page; canvas: Canvas }> {
   const page = await context.newPage();
   page.setDefaultTimeout(PATIENCE);
@@ -144,12 +144,12 @@ async function enter(context: BrowserContext, address: string, complaints: strin
 
 const textOf = (content: unknown): string => (typeof content === 'string' ? content : `${JSON.stringify(content, null, 2)}\n`);
 
-/** Number of the user who owns nothing. */
+/** The id of the user `nobody`. */
 const NOBODY = 65534;
 
 const BUILT_PAGE = fileURLToPath(new URL('../../dist/editor', import.meta.url));
 
-/** Serves a folder from this process, which costs much less than a process. */
+/** Serves a folder from this process, which is much cheaper than another process. */
 async function serveHere(folder: string): Promise<StageServer> {
   let complaints = '';
   const onCrash = (error: unknown) => {
@@ -165,7 +165,7 @@ async function serveThere(folder: string, port: number, user: number | undefined
   return { ...server, complaints: () => said().stderr };
 }
 
-/** Prints what the pages show as assistive technology reads it: a failure on another machine can't be looked at. */
+/** Prints the accessibility trees of the pages, as a failure on another machine can't be inspected. */
 async function tellPages(context: BrowserContext, complaints: readonly string[]): Promise<void> {
   for (const page of context.pages()) {
     try {
@@ -177,7 +177,7 @@ async function tellPages(context: BrowserContext, complaints: readonly string[])
   if (complaints.length > 0) console.error('complaints of the pages:', complaints);
 }
 
-/** Suites in the Chromium of the worker; each test has a folder, a server and a profile of its own. */
+/** Declares a suite in the Chromium of the worker; each test has its own folder, server and browser context. */
 export function inChromium(suite: string, declare: (browsers: Browsers) => void): void {
   if (!existsSync(CHROMIUM)) {
     declareMissing(suite, `no browser at ${CHROMIUM}: install Chromium or name it in CHROMIUM`);
@@ -203,14 +203,14 @@ export function inChromium(suite: string, declare: (browsers: Browsers) => void)
           const files = Object.entries(levels).map(([id, content]) => [`${id}.level.json`, textOf(content)] as const);
           const { folder, remove } = makeFolder({ ...others, ...Object.fromEntries(files) });
           if (readOnly) for (const [name] of files) chmodSync(join(folder, name), 0o444);
-          // root may write everything: then the server is somebody who may not
+          // root may write everything, so the server runs as another user
           const user = readOnly && process.getuid?.() === 0 ? NOBODY : undefined;
           if (user !== undefined) chmodSync(folder, 0o755);
           let server = ownProcess ? await serveThere(folder, 0, user) : await serveHere(folder);
           const browser = await sharedChromium();
           const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...wanted });
           await context.addInitScript(paceFrames);
-          // the tour would lie over the page
+          // the tour would cover the page
           if (!firstTime) await context.addInitScript(KNOWN);
           const complaints: string[] = [];
           const address = () => {

@@ -14,7 +14,7 @@ import { straight } from './levels.ts';
 import { paceFrames } from './stage.ts';
 import { PATIENCE, until } from './until.ts';
 
-// The built page on a host that serves files and nothing else, below a folder of its own: levels are kept in the browser.
+// The built page in a subfolder of a host that serves only files: levels are stored in the browser.
 
 const BUILT = fileURLToPath(new URL('../../dist/editor', import.meta.url));
 const TYPES: Readonly<Record<string, string>> = {
@@ -24,10 +24,10 @@ const TYPES: Readonly<Record<string, string>> = {
   '.svg': 'image/svg+xml',
 };
 
-/** A level as a link carries it. */
+/** A level as in a link. */
 const packed = (level: unknown): string => deflateRawSync(JSON.stringify(level)).toString('base64url');
 
-/** A host of files. @returns with the address of the page */
+/** Starts a host of files. @returns it with the address of the page */
 function host(): Promise<{ server: Server; address: string; asked: string[] }> {
   const asked: string[] = [];
   const server = createServer(({ url = '' }, answer) => {
@@ -57,7 +57,7 @@ else {
       hosted.server.close();
     });
 
-    /** A person with a browser of their own. */
+    /** A user with their own browser. */
     const person = async (
       complaints: string[],
     ): Promise<{ context: BrowserContext; open: (address: string) => Promise<Page> }> => {
@@ -85,7 +85,7 @@ else {
         .waitFor();
     const isOpen = (page: Page, name: string) => page.getByRole('heading', { level: 1, name, exact: true }).waitFor();
 
-    it('makes a level, edits it, has it after a reload, sends it by link, downloads it', async () => {
+    it('creates a level, edits it, keeps it after a reload, shares it by link, and downloads it', async () => {
       const complaints: string[] = [];
       const one = await person(complaints);
       const page = await one.open(hosted.address);
@@ -116,12 +116,12 @@ else {
       const link = await share.getByRole('textbox', { name: 'Link with the level' }).inputValue();
       expect(link.startsWith(`${hosted.address}#`)).toBe(true);
 
-      // another person, who has nothing yet
+      // another user, who has no levels yet
       const other = await person(complaints);
       const theirs = await other.open(link);
       const asked = theirs.getByRole('dialog', { name: 'Add the level from the link?' });
       await asked.getByText('Mine', { exact: true }).waitFor();
-      // nothing is kept of it before the person says so
+      // nothing is stored before the user confirms
       expect(new URL(theirs.url()).hash).toBe('');
       await theirs.reload();
       await theirs.getByText('No levels here yet.').waitFor();
@@ -136,12 +136,12 @@ else {
       await isOpen(theirs, 'Mine');
       expect(await theirs.getByRole('tree', { name: 'Levels' }).getByRole('treeitem').count()).toBe(1);
       await Promise.all([one.context.close(), other.context.close()]);
-      // nothing was asked of the host but its files
+      // only files were requested from the host
       expect(hosted.asked.filter((url) => !/^\/game\/($|assets\/[\w.-]+$|icon\.svg$)/.test(url))).toEqual([]);
       expect(complaints).toEqual([]);
     });
 
-    it('offers the sample levels, which are loaded when they are asked for', async () => {
+    it('offers the sample levels, which are loaded on request', async () => {
       const complaints: string[] = [];
       const one = await person(complaints);
       const page = await one.open(hosted.address);
@@ -163,7 +163,7 @@ else {
       expect(complaints).toEqual([]);
     });
 
-    it('shows what a link brings and adds nothing unasked; a link to thousands of aliens leaves the page usable, then and later', async () => {
+    it('describes the level of a link and adds nothing unasked; the page stays usable after a link to thousands of aliens', async () => {
       const complaints: string[] = [];
       const one = await person(complaints);
       const aliens = Array.from({ length: 8000 }, (_, i) => ({ x: 9 * (i % 100), y: 400 + 9 * Math.floor(i / 100), radius: 4 }));
@@ -173,7 +173,7 @@ else {
       await asked.getByRole('list', { name: 'Warnings' }).getByText('very many objects').waitFor();
       await asked.getByRole('button', { name: "Don't add" }).click();
       expect(await page.getByRole('treeitem').count()).toBe(0);
-      // another link in the same tab, as a page that opened it can send
+      // another link in the same tab, as the opener of the page can send
       await page.evaluate(
         (hash) => {
           location.hash = hash;
@@ -184,7 +184,7 @@ else {
       await isOpen(page, 'Swarm');
       const look = async () => {
         await page.getByText('work limit').first().waitFor();
-        // it is edited as any other
+        // it can be edited like any other level
         await page.getByRole('textbox', { name: 'range' }).fill('333');
         await page.keyboard.press('Enter');
         await saved(page);
@@ -197,7 +197,7 @@ else {
       expect(complaints).toEqual([]);
     });
 
-    it('does not open by itself what the last page did not survive, and can open it without playing it', async () => {
+    it('does not automatically open a level that made the last page hang, and can open it without simulating it', async () => {
       const complaints: string[] = [];
       const one = await person(complaints);
       const page = await one.open(`${hosted.address}#level=${packed(straight({ name: 'Fatal' }))}`);
@@ -205,7 +205,7 @@ else {
       await isOpen(page, 'Fatal');
       await verdict(page, 'completable');
       await until(async () => expect(await page.evaluate("localStorage['gravity-quest-editor-opening']")).toBe('[]'));
-      // as a page leaves it that hangs for good while it opens the level
+      // the mark of a page that hangs while it opens the level
       await page.evaluate(`localStorage['gravity-quest-editor-opening'] = '["this-browser/fatal"]'`);
       await page.reload();
       const asked = page.getByRole('dialog', { name: 'This level was not opened' });
@@ -224,7 +224,7 @@ else {
       expect(complaints).toEqual([]);
     });
 
-    it('works where the database never answers, says that nothing is kept, and takes it up when it answers after all', async () => {
+    it('works without an answer from the database, reports that nothing is kept, and uses the database if it answers later', async () => {
       const complaints: string[] = [];
       const one = await person(complaints);
       const first = await one.open(`${hosted.address}#level=${packed(straight({ name: 'Before' }))}`);
@@ -241,7 +241,7 @@ else {
         });
         IDBFactory.prototype.open = function (this: IDBFactory, name: string, version?: number) {
           if (sessionStorage.getItem('answers') !== null) return open.call(this, name, version);
-          // a request that nobody answers until it is let go
+          // a request without an answer until the test allows it
           const request = {} as Record<string, unknown>;
           held.push(() => {
             const real = open.call(this, name, version);

@@ -6,7 +6,7 @@ import { until } from './until.ts';
 
 inChromium('thumbnails of the levels in Chromium', ({ on }) => {
   it(
-    'the old picture stays until the new one is there, and no verdict is asked for again in another theme',
+    'the old picture stays until the new one is there, and another theme does not compute verdicts again',
     on({ '01': garden(), '02': straight() }, async ({ page, canvas, file, write }) => {
       const row = (name: string) => page.getByRole('tree', { name: 'Levels' }).getByRole('treeitem', { name });
       const source = (name: string) => row(name).locator('img').getAttribute('src');
@@ -14,7 +14,7 @@ inChromium('thumbnails of the levels in Chromium', ({ on }) => {
       await row('Straight').getByText('completable').first().waitFor();
       await row('Straight').locator('img').waitFor();
       await canvas.fit(file('01'));
-      // whatever the list shows from now on is noted
+      // records everything that the list shows from now on
       await page.evaluate(() => {
         const seen = { pictures: 2, isChecking: false };
         Object.assign(window, { seen });
@@ -34,7 +34,7 @@ inChromium('thumbnails of the levels in Chromium', ({ on }) => {
       await until(async () => expect(await source('Straight')).not.toBe(inDark));
       expect(await seen()).toEqual({ pictures: 2, isChecking: false });
 
-      // another file is another verdict, and its old picture is better than none
+      // a changed file needs a new verdict, but its old picture is better than none
       const inLight = await source('Straight');
       write('02', straight({ name: 'Straight', runs: [] }));
       await row('Straight').getByText('unproven').first().waitFor();

@@ -6,7 +6,7 @@ import { straight } from './levels.ts';
 import { hurry, inChromium, pass, type Stage } from './stage.ts';
 import { until } from './until.ts';
 
-/** She drifts along the asteroids without an end that matters: holds can be moved about. */
+/** She drifts along the asteroids for a long time, so that holds can be moved freely. */
 const drifting = () =>
   straight({
     runs: [
@@ -25,16 +25,16 @@ const drifting = () =>
 const holdsOf = ({ file }: Stage, run = 'first') => file('01').runs?.find(({ name }) => name === run)?.holds;
 const holdsAre = (stage: Stage, holds: number[][], run?: string) => until(() => expect(holdsOf(stage, run)).toEqual(holds));
 
-/** px per tick, by the first hold as it is on the screen. */
+/** px per tick, computed from the first hold on the screen. */
 async function scaleOf(page: Page): Promise<number> {
   const name = (await page.getByRole('button', { name: /^Hold 1:/ }).getAttribute('aria-label')) ?? '';
   const [, press, release] = /tick (\d+) to (\d+)/.exec(name) ?? [];
   const box = await page.getByRole('button', { name: /^Hold 1:/ }).boundingBox();
-  // the bar's own border is not in the button
+  // the border of the bar is outside of the button
   return ((box?.width ?? 0) + 2) / (Number(release) - Number(press));
 }
 
-/** Zooms into the beginning, so that holds are wide enough for fingers and the scale no longer follows the run. */
+/** Zooms in on the beginning, so that holds are wide enough for fingers and the scale does not follow the run any more. */
 async function zoomIn(page: Page): Promise<void> {
   const before = await scaleOf(page);
   const ruler = await page.getByRole('slider', { name: 'Time' }).boundingBox();
@@ -44,12 +44,12 @@ async function zoomIn(page: Page): Promise<void> {
   await until(async () => expect(await scaleOf(page)).toBeGreaterThan(4 * before));
 }
 
-/** Drags something of the timeline by so many ticks. */
+/** Drags an element of the timeline by some ticks. */
 async function dragBy(page: Page, role: 'button' | 'slider', name: RegExp, ticks: number, keys: string[] = []): Promise<void> {
   const zoom = await scaleOf(page);
   const box = await page.getByRole(role, { name }).boundingBox();
   if (box === null) throw new Error(`${name} is not seen`);
-  // a mouse is at whole px when it is pressed
+  // a press of the mouse is at whole px
   const [x, y] = [Math.round(box.x + box.width / 2), Math.round(box.y + box.height / 2)];
   await holding(page, keys, async () => {
     await page.mouse.move(x, y);
@@ -65,7 +65,7 @@ const tickIs = (page: Page, tick: number) => until(async () => expect(await tick
 
 inChromium('the timeline in Chromium', ({ on }) => {
   it(
-    'drags holds and their edges, with Alt all that follows; each is one step of undo',
+    'drags holds and their edges, with Alt also all later ones; each is one undo step',
     on({ '01': drifting() }, async (stage) => {
       const { page } = stage;
       await zoomIn(page);
@@ -81,7 +81,7 @@ inChromium('the timeline in Chromium', ({ on }) => {
         [180, 240],
         [300, 330],
       ]);
-      // it stops before its neighbour
+      // the hold stops before its neighbour
       await dragBy(page, 'button', /^Hold 2:/, 200);
       await holdsAre(stage, [
         [60, 120],
@@ -119,7 +119,7 @@ inChromium('the timeline in Chromium', ({ on }) => {
   );
 
   it(
-    'splits, adds and deletes holds, by hand and by key',
+    'splits, adds and deletes holds, by mouse and by key',
     on({ '01': drifting() }, async (stage) => {
       const { page } = stage;
       await zoomIn(page);
@@ -149,7 +149,7 @@ inChromium('the timeline in Chromium', ({ on }) => {
       ]);
       await page.keyboard.press('Control+z');
 
-      // a drag on the empty lane holds the gun there
+      // a drag on the empty lane adds a hold
       const zoom = await scaleOf(page);
       const lane = await page.getByRole('application', { name: /^Gun of the run first/ }).boundingBox();
       if (lane === null) throw new Error('no lane');
@@ -166,7 +166,7 @@ inChromium('the timeline in Chromium', ({ on }) => {
       expect(Math.abs(added[0] - 20) + Math.abs(added[1] - 50)).toBeLessThan(4);
       await page.keyboard.press('Control+z');
 
-      // keys: an edge by one and by ten ticks, one step together
+      // keys move an edge by one and by ten ticks, together one step
       await page.getByRole('slider', { name: 'Release of hold 1' }).focus();
       await page.keyboard.press('ArrowRight');
       await page.keyboard.press('Shift+ArrowRight');
@@ -181,7 +181,7 @@ inChromium('the timeline in Chromium', ({ on }) => {
         [180, 240],
         [300, 330],
       ]);
-      // and the gun from the scrubbed tick on
+      // a hold from the scrubbed tick on
       await page.getByRole('slider', { name: 'Time' }).focus();
       await page.keyboard.press('Home');
       await page.keyboard.press('i');
@@ -204,7 +204,7 @@ inChromium('the timeline in Chromium', ({ on }) => {
   );
 
   it(
-    'scrubs, steps, shows the run in slow motion and what happens in it',
+    'scrubs, steps, plays in slow motion, and shows the events of the run',
     on({ '01': straight() }, async ({ page }) => {
       await verdict(page, 'completable');
       const ruler = page.getByRole('slider', { name: 'Time' });
@@ -217,7 +217,7 @@ inChromium('the timeline in Chromium', ({ on }) => {
       await at(0.5);
       const scrubbed = await until(async () => {
         const tick = await tickShown(page);
-        // the run fills the ruler but for a little
+        // the run fills nearly the whole ruler
         expect(Math.abs(tick - 0.53 * end)).toBeLessThan(3);
         return tick;
       });
@@ -234,7 +234,7 @@ inChromium('the timeline in Chromium', ({ on }) => {
       await page.getByRole('button', { name: 'Next tick' }).click();
       await tickIs(page, 1);
 
-      // at a quarter of the pace a second is 15 ticks, not 60
+      // at a quarter of the speed, a second is 15 ticks, not 60
       await page.getByRole('button', { name: 'To the start' }).click();
       await hurry(page, 0);
       for (const [pace, ticks] of [

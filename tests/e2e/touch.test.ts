@@ -4,7 +4,7 @@ import { controlsOf } from './controls.ts';
 import { garden, straight } from './levels.ts';
 import { inChromium } from './stage.ts';
 
-/** px that a finger hits with ease, each way */
+/** px; the width and height that a finger hits easily */
 const FINGER = 44;
 
 const PANELS = ['Timeline', 'Levels', 'Outline', 'Runs', 'Inspector', 'Solver', 'Effects', 'Accuracy', 'Problems'];
@@ -20,7 +20,7 @@ const DIALOGS: Readonly<Record<string, string>> = {
 
 inChromium('a finger in Chromium', ({ on }) => {
   it(
-    'whatever is pressed is large enough for a finger, in every panel, menu and dialog',
+    'every control is large enough for a finger, in every panel, menu and dialog',
     on(
       { '01': straight(), '02': garden() },
       async ({ page }) => {

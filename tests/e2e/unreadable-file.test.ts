@@ -10,7 +10,7 @@ const TYPO = '{\n  "version": 1\n  "name": "Typo"\n}\n';
 
 inChromium('a file that another program made unreadable, in Chromium', ({ on }) => {
   it(
-    'is said everywhere with its place, the last good state stays and is edited on, and all is well once it is mended',
+    'is reported everywhere with its place, the last valid state stays editable, and saving continues once it is fixed',
     on({ '01': straight(), '02': garden() }, async ({ page, canvas, file, write, text, saved }) => {
       await canvas.fit(file('01'));
       await saved();
@@ -25,7 +25,7 @@ inChromium('a file that another program made unreadable, in Chromium', ({ on }) 
       await row.getByText('3:3 expected "," or "}", found "name"').waitFor();
       await problems.getByText(place).waitFor();
       await page.getByRole('list', { name: 'Messages' }).getByText(place).waitFor();
-      // the level is all there, and what is done now is not lost
+      // the complete level is there, and new changes are not lost
       await verdict(page, 'completable');
       await canvas.click({ x: 448, y: 520 });
       await page.keyboard.press('ArrowDown');
@@ -43,7 +43,7 @@ inChromium('a file that another program made unreadable, in Chromium', ({ on }) 
   );
 
   it(
-    'its text dialog follows the disk while nothing is typed, and offers what is there once something is',
+    'its text dialog follows the disk until the user types, and then offers the version on disk',
     on({ '01': straight(), '02': garden() }, async ({ page, file, write, saved, text }) => {
       await saved();
       const good = file('01') as LevelFile;
@@ -62,7 +62,7 @@ inChromium('a file that another program made unreadable, in Chromium', ({ on }) 
       await until(async () => expect(await field.inputValue()).toBe(mended));
       await dialog.getByText('A valid level.', { exact: true }).waitFor();
 
-      // what is typed is never taken away
+      // typed text is never discarded
       const typed = formatLevel({ ...good, name: 'Typed' });
       await field.fill(typed);
       const theirs = formatLevel({ ...good, name: 'Theirs' });
@@ -81,7 +81,7 @@ inChromium('a file that another program made unreadable, in Chromium', ({ on }) 
   );
 
   it(
-    'a page that begins with it says so, and opens it as soon as it is mended; Latin-1 is not taken for a change',
+    'a page that starts with it says so, and opens it once it is fixed; Latin-1 does not count as a change',
     on({ '01': straight(), '02': garden() }, async ({ page, folder, file, write, saved }) => {
       await saved();
       const good = file('01');

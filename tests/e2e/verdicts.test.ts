@@ -7,7 +7,7 @@ import { inChromium } from './stage.ts';
 
 inChromium('the verdict in Chromium', ({ on }) => {
   it(
-    'a black hole out of reach makes the level impossible, as gq check has it, and undo takes that back',
+    'a black hole out of reach makes the level impossible, as in gq check, and undo reverts that',
     on(
       { '01': straight(), '02': straight({ name: 'Far', blackHole: { x: 9999, y: 304 } }) },
       async ({ page, canvas, file, folder, saved }) => {

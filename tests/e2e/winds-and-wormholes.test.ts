@@ -1,4 +1,4 @@
-// Hands on kinds that have vectors or a second place. GQ_SHOTS names a folder for pictures of the page.
+// Editing kinds with vectors or a second place. GQ_SHOTS names a folder for pictures of the page.
 import { expect, it } from 'vitest';
 import { tool } from './commands.ts';
 import { inChromium } from './stage.ts';
@@ -18,7 +18,7 @@ const shots = process.env.GQ_SHOTS;
 
 inChromium('winds and wormholes', ({ on }) => {
   it(
-    'are placed, dragged, typed, undone and saved',
+    'can be placed, dragged, typed, undone and saved',
     on({ '01': LEVEL }, async ({ page, canvas, file, saved }) => {
       const shot = async (name: string) => {
         if (shots !== undefined) await page.screenshot({ path: `${shots}/${name}.png` });
@@ -27,7 +27,7 @@ inChromium('winds and wormholes', ({ on }) => {
         (file('01').wormholes ?? []).find((one) => one.id === id) ?? { x: 0, y: 0, toX: 0, toY: 0, radius: 0 };
       await canvas.fit(file('01'));
       await shot('1-open');
-      // each mouth by itself
+      // each mouth separately
       await canvas.drag({ x: 700, y: 480 }, { to: [{ x: 640, y: 520 }] });
       await until(() => expect(worm()).toMatchObject({ x: 400, y: 440, toX: 640, toY: 520 }));
       await canvas.drag({ x: 400, y: 440 }, { to: [{ x: 352, y: 400 }], before: () => shot('2-dragging-a-mouth') });
@@ -39,14 +39,14 @@ inChromium('winds and wormholes', ({ on }) => {
       await page.keyboard.press('ArrowRight');
       await until(() => expect(worm()).toMatchObject({ x: 401, y: 440, toX: 641, toY: 520 }));
       await page.keyboard.press('Control+z');
-      // a marquee about the second mouth catches it; with a rock, a drag of the group moves both mouths
+      // a marquee around the second mouth selects the wormhole; together with an asteroid, a drag moves both mouths
       await canvas.drag({ x: 580, y: 570 }, { to: [{ x: 700, y: 450 }] });
       await canvas.click({ x: 300, y: 200 }, ['Shift']);
       await shot('4-group');
       await canvas.drag({ x: 300, y: 200 }, { to: [{ x: 300, y: 240 }] });
       await until(() => {
         expect(worm().y).not.toBe(440);
-        // it may have snapped to something
+        // it may have snapped
         expect(worm()).toMatchObject({ toX: worm().x + 240, toY: worm().y + 80 });
       });
       await page.keyboard.press('Control+z');

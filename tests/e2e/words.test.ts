@@ -7,7 +7,7 @@ const rock = { x: 448, y: 304, radius: 16 };
 
 inChromium('what things are called, in Chromium', ({ on }) => {
   it(
-    'one wording for objects, a copy with a name and number of its own, file names without umlauts',
+    'objects have the same names everywhere, a copy gets its own name and number, and file names have no umlauts',
     on(
       {
         '01-start': straight({

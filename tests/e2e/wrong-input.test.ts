@@ -5,7 +5,7 @@ import { until } from './until.ts';
 
 inChromium('what is typed wrongly, in Chromium', ({ on }) => {
   it(
-    'stays in its field, which says what was expected and what was found, until it is mended or Esc puts the value back',
+    'stays in its field, which says what was expected and found, until it is fixed or Esc restores the value',
     on({ '01': garden() }, async ({ page, canvas, file, saved }) => {
       await canvas.fit(file('01'));
       await canvas.click({ x: 400, y: 200 });
@@ -35,7 +35,7 @@ inChromium('what is typed wrongly, in Chromium', ({ on }) => {
       await x.fill('410+6');
       await x.press('Enter');
       await until(() => expect(file('01').asteroids?.[0]).toMatchObject({ x: 416, y: 200 }));
-      // an undo has the last word
+      // an undo replaces the input
       await radius.fill('0');
       await x.focus();
       await isRefused(radius, '0', /^expected 0\.001 to 1000000 px, found 0\. It is still 32/);
@@ -47,7 +47,7 @@ inChromium('what is typed wrongly, in Chromium', ({ on }) => {
       await until(async () => expect(await radius.inputValue()).toBe('32'));
       expect(await radius.getAttribute('aria-invalid')).toBe('false');
 
-      // a text that the level refuses
+      // a text that is not valid in a level
       await canvas.click({ x: 300, y: 100 });
       const name = inspector.getByRole('textbox', { name: 'name', exact: true });
       await name.fill('');

@@ -26,7 +26,7 @@ const crowd = (): LevelFile => ({
   novae: field('n', 20, 1000),
 });
 
-/** Turns the wheel once a frame, in and out again. @returns how many pictures and circles were drawn in the frame with the most of them */
+/** Turns the wheel once per frame, in and out again. @returns the largest number of images and circles drawn in a frame */
 const zoomAndCount = (page: Page, turns: number): Promise<number> =>
   page.evaluate(async (count) => {
     const host = document.querySelector('.canvas');
@@ -59,7 +59,7 @@ const zoomAndCount = (page: Page, turns: number): Promise<number> =>
 
 inChromium('thousands of objects in Chromium', ({ on }) => {
   it(
-    'are not drawn one by one while the view zooms with all of them selected, and are sharp again at rest',
+    'are not drawn one by one during a zoom with all of them selected, and are sharp again at rest',
     on(
       { '01': crowd() },
       async ({ page, saved }) => {
@@ -73,14 +73,14 @@ inChromium('thousands of objects in Chromium', ({ on }) => {
           await page.mouse.move(2, 2);
           return canvas.screenshot();
         };
-        // it has come to rest when two pictures are the same
+        // the canvas is at rest when two pictures are equal
         let before = await look();
         await until(async () => {
           const last = before;
           before = await look();
           expect(before.equals(last)).toBe(true);
         });
-        // in two frames: one by one it would be more than 10,000
+        // in two frames; one by one it would be more than 10,000
         expect(await zoomAndCount(page, 8)).toBeLessThan(3000);
         await until(async () => expect((await compare(page, before, await look())).share).toBeLessThan(0.002));
       },
