@@ -4,7 +4,7 @@ import type { Level } from '../../schema/index.ts';
 import { proveImpossible } from '../../solver/index.ts';
 import { accuracyNames, holdsOf, play, shipped } from './shipped-pack.ts';
 
-// Each level has an idea; here its solution is held to it, so that a retouched level can't lose its point unseen.
+// Each level has an idea. These tests check that its solution uses it, so that a changed level can't lose its point unnoticed.
 
 type EventOf<T extends RunEvent['type']> = Extract<RunEvent, { type: T }>;
 
@@ -61,7 +61,7 @@ describe.each(accuracyNames)('under %s', (accuracy) => {
     }
   });
 
-  it('headwind: who does not pull again is blown back', () => {
+  it('headwind: without a second pull she is blown back', () => {
     const { level } = shipped('headwind');
     const [first] = holdsOf(level, 'solution');
     const run = simulate(compile(level, accuracy), [first]);
@@ -84,20 +84,20 @@ it('first-swing, running-start: she starts with a velocity', () => {
   }
 });
 
-it('vault: without the wormhole nobody gets in', () => {
+it('vault: nobody gets in without the wormhole', () => {
   const { level } = shipped('vault');
   expect(proveImpossible({ ...level, wormholes: [] })?.code).toBe('enclosed');
 });
 
-it('detour: the quick way out takes no mineral', () => {
+it('detour: the quick path collects no mineral', () => {
   expect(play(shipped('detour').level, 'solution', 'precise').minerals).toEqual([]);
 });
 
-/** Ticks between the presses, and between the releases, that are tried. */
+/** Ticks between tried presses, and between tried releases. */
 const GRID = 10;
 const LATEST = 1000;
 
-/** How many single holds [press, release) on the grid complete the level, drifting on for up to 25 s. */
+/** The number of single holds [press, release) on the grid that complete the level within 25 s of drifting. */
 function singleHoldsThatComplete(level: Level): number {
   const simulation = createSimulation(compile(level, 'arcade'));
   const isOver = (): boolean => simulation.ending !== null;
@@ -117,13 +117,13 @@ function singleHoldsThatComplete(level: Level): number {
   return count;
 }
 
-describe('a single press', () => {
-  it.each(['three-swings', 'grand-tour', 'blind-date', 'watchdog'])('%s: does not do', (slug) => {
+describe('a single hold', () => {
+  it.each(['three-swings', 'grand-tour', 'blind-date', 'watchdog'])('%s: does not complete the level', (slug) => {
     expect(singleHoldsThatComplete(shipped(slug).level)).toBe(0);
   });
 
-  // negative control: the count finds single presses where they are
-  it.each(['first-pull', 'first-swing', 'detour', 'tailwind', 'short-cut'])('%s: does', (slug) => {
+  // negative control: the count finds single holds that work
+  it.each(['first-pull', 'first-swing', 'detour', 'tailwind', 'short-cut'])('%s: completes the level', (slug) => {
     expect(singleHoldsThatComplete(shipped(slug).level)).toBeGreaterThan(0);
   });
 });

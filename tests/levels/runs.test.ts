@@ -3,11 +3,11 @@ import { type AccuracyName, compile, simulate } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import { accuracyNames, keepsPromise, pack, play } from './shipped-pack.ts';
 
-// A run is a promise that a person can keep: it holds at every accuracy, and with every edge a little early or late.
+// A run is a promise that a player can keep: it works at every accuracy, and with every edge slightly early or late.
 
 const runs = pack.flatMap(({ slug, level }) => level.runs.map((run) => ({ slug, level, name: run.name, holds: run.holds })));
 
-/** Ticks by which one edge alone is moved: 67 ms. */
+/** Ticks by which a single edge is moved: 67 ms. */
 const ONE_EDGE = [-4, -3, -2, -1, 1, 2, 3, 4];
 /** Ticks by which all edges are moved together. */
 const ALL_EDGES = [-2, -1, 1, 2];
@@ -37,14 +37,14 @@ describe.each(runs)('$slug, run $name', ({ level, name, holds }) => {
     expect(keepsPromise(level, name, play(level, name, accuracy))).toBe(true);
   });
 
-  it('is short, and its presses are apart enough for a thumb', () => {
+  it('is short, and its presses are far enough apart for a thumb', () => {
     const run = play(level, name, 'arcade');
     expect(run.time).toBeLessThan(25);
     expect(holds.length).toBeGreaterThan(0);
     expect(holds.length).toBeLessThanOrEqual(8);
     const edges = holds.flat();
     for (let i = 1; i < edges.length; i++) expect(edges[i] - edges[i - 1]).toBeGreaterThanOrEqual(6);
-    // every hold is needed: none begins after the end
+    // every hold is needed: none begins after the end of the run
     expect(holds[holds.length - 1][0]).toBeLessThan(run.tick);
   });
 
@@ -55,12 +55,12 @@ describe.each(runs)('$slug, run $name', ({ level, name, holds }) => {
   });
 });
 
-it('tells a broken promise: the first level, never pressing', () => {
+it('a broken promise is detected: the first level without a press', () => {
   const { level } = pack[0];
   expect(keepsPromise(level, 'solution', simulate(compile(level, 'arcade'), []))).toBe(false);
 });
 
-it('tells a missing mineral: a solution that leaves some', () => {
+it('a missing mineral is detected: a solution that does not collect all', () => {
   const leaves = pack.filter(({ level }) => level.minerals.length > 0 && play(level, 'solution', 'arcade').minerals.length === 0);
   expect(leaves.length).toBeGreaterThan(0);
   for (const { level } of leaves) expect(keepsPromise(level, 'all-minerals', play(level, 'solution', 'arcade'))).toBe(false);

@@ -12,7 +12,7 @@ export interface ShippedLevel {
 
 const folder = new URL('../../levels/', import.meta.url);
 
-/** Every level the project ships, in the order in which it is played. */
+/** Every shipped level, in order of play. */
 export const pack: readonly ShippedLevel[] = readdirSync(folder)
   .filter((name) => name.endsWith('.level.json'))
   .sort()
@@ -23,14 +23,14 @@ export const pack: readonly ShippedLevel[] = readdirSync(folder)
     return { slug: name.replace('.level.json', ''), text, file: reading.document.file, level: reading.level };
   });
 
-/** The shipped level whose slug ends like this. */
+/** The shipped level with this end of the slug. */
 export function shipped(slug: string): ShippedLevel {
   const found = pack.find((entry) => entry.slug.slice(3) === slug);
   if (found === undefined) throw new Error(`expected a shipped level "${slug}", found ${pack.map((e) => e.slug).join(', ')}`);
   return found;
 }
 
-/** The holds of a run by its name. */
+/** The holds of the run with this name. */
 export function holdsOf(level: Level, run: string): readonly Hold[] {
   const found = level.runs.find((r) => r.name === run);
   if (found === undefined) throw new Error(`expected a run "${run}" in ${level.name}`);
@@ -39,11 +39,11 @@ export function holdsOf(level: Level, run: string): readonly Hold[] {
 
 export const accuracyNames = Object.keys(ACCURACIES) as AccuracyName[];
 
-/** Plays a run of a level by its name. */
+/** Simulates the run with this name. */
 export const play = (level: Level, run: string, accuracy: AccuracyName): Run =>
   simulate(compile(level, accuracy), holdsOf(level, run));
 
-/** Whether a run does what its name promises: completes, and when it says so collects every mineral. */
+/** Whether a run keeps the promise of its name: it completes the level, and collects every mineral if the name says so. */
 export function keepsPromise(level: Level, runName: string, run: Run): boolean {
   if (run.outcome !== 'completed') return false;
   return runName !== 'all-minerals' || new Set(run.minerals.map((m) => m.index)).size === level.minerals.length;

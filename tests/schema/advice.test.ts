@@ -4,7 +4,7 @@ import { quote } from '../../schema/format-value.ts';
 import { OBJECT_LISTS, readLevel } from '../../schema/index.ts';
 import { scanJson } from '../../schema/scan-json.ts';
 
-// What a person is told to do about each problem, and where.
+// The hint for each problem, and its place.
 
 const END = 'found the end of the file';
 const VALUE = 'expected a value';
@@ -12,7 +12,7 @@ const ENTRY = 'expected a value or "]"';
 const KEY = 'expected a key in double quotes';
 const FIRST_KEY = 'expected a key in double quotes or "}"';
 
-/** What is not JSON, by what is to be done: the text, the offset of the marked place, and what is said of it. */
+/** Invalid JSON, by hint: the text, the offset of the marked place, and the message. */
 const FAILURES: Readonly<Record<string, readonly (readonly [source: string, offset: number, message: string])[]>> = {
   'Add what is missing, or take the file from git again.': [
     ['{"a":"\\u12', 10, `expected the closing " of the text, ${END}`],
@@ -181,7 +181,7 @@ describe('a text that is not JSON', () => {
     });
   }
 
-  test('ends for a reader before the space at its end', () => {
+  test('is reported to end before its trailing space', () => {
     fc.assert(
       fc.property(fc.array(fc.constantFrom(' ', '\n', '\r', '\t')), (space) => {
         expect(scanJson(`[1,${space.join('')}`).failure).toMatchObject({ code: 'truncated-json', offset: 3 });
@@ -189,7 +189,7 @@ describe('a text that is not JSON', () => {
     );
   });
 
-  test('is shown with the whole of a word that stands there without quotes', () => {
+  test('is reported with the complete unquoted word at the place', () => {
     const letter = fc.constantFrom(...'AZMazm_$ü09');
     fc.assert(
       fc.property(
@@ -207,7 +207,7 @@ describe('a text that is not JSON', () => {
     );
   });
 
-  test('has keys of one’s own where a key begins with x-', () => {
+  test('may have extra keys that begin with x-', () => {
     const key = fc.constantFrom('x-', 'x-a', 'x', 'a-', 'xx-', '-x-', 'X-a', '', 'x_a', '\u0078-', 'x\\u002da');
     fc.assert(
       fc.property(fc.array(key), (keys) => {
@@ -228,7 +228,7 @@ const nova = (rest: string) => small(`,"novae":[{"x":1,"y":2,"radius":3${rest}}]
 const hold = (text: string) => small(`,"runs":[{"name":"a","holds":[${text}]}]`);
 const TOP = `$schema, version, name, description, astronaut, blackHole, range, recoil, rules, ${OBJECT_LISTS.join(', ')}, runs`;
 
-/** What is no level, by what is to be done: the text, and what is said of it. */
+/** Invalid levels, by hint: the text and the message. */
 const PROBLEMS: Readonly<Record<string, readonly (readonly [source: string, message: string])[]>> = {
   'Remove the quotes.': [
     [small(',"range":"7"'), 'range: expected a number, found the text "7"'],
@@ -285,7 +285,7 @@ const PROBLEMS: Readonly<Record<string, readonly (readonly [source: string, mess
   ],
   [`Known keys are ${TOP}. Keys of your own begin with x-.`]: [
     [small(',"gravity":1'), 'unknown key "gravity"'],
-    // a name of the original, but of something else
+    // a name of the original, but for something else
     [small(',"enemy":1'), 'unknown key "enemy"'],
     [small(',"toString":1'), 'unknown key "toString"'],
   ],
@@ -342,7 +342,7 @@ const PROBLEMS: Readonly<Record<string, readonly (readonly [source: string, mess
   ],
 };
 
-describe('a text that is no level', () => {
+describe('a text that is not a level', () => {
   for (const [hint, cases] of Object.entries(PROBLEMS)) {
     test(hint.replaceAll('$', ''), () => {
       for (const [source, message] of cases) {
@@ -352,7 +352,7 @@ describe('a text that is no level', () => {
     });
   }
 
-  test('is one problem for each value, and none for a key that was only misspelt', () => {
+  test('has one problem for each value, and no extra one for a misspelt key', () => {
     const of = (source: string) => {
       const reading = readLevel(source);
       return reading.ok ? [] : reading.problems.map(({ code, pointer }) => `${code} ${pointer}`);
@@ -365,7 +365,7 @@ describe('a text that is no level', () => {
     ]);
     expect(of(nova(',"id":"A B"'))).toEqual(['bad-id /novae/0/id']);
     expect(of(small(',"player":1').replace('"astronaut":{"x":1,"y":2},', ''))).toEqual(['unknown-key /player']);
-    // what is misspelt in one place is missing in another
+    // a key that is misspelt in one place is missing in another
     expect(of(small(',"zzz":1').replace('"astronaut":{"x":1,"y":2},', ''))).toEqual(['missing-key ', 'unknown-key /zzz']);
   });
 });

@@ -14,7 +14,7 @@ import {
 
 const id = fc.option(fc.stringMatching(/^[a-z0-9]{2,16}$/), { nil: undefined });
 
-/** What stands under keys of one's own: anything. */
+/** The value of an x- key: anything. */
 const extension = fc.dictionary(
   fc.string().map((key) => `x-${key}`),
   fc.jsonValue({ maxDepth: 3 }),
@@ -76,5 +76,5 @@ function withoutRepeatedIds(level: LevelFile): LevelFile {
   return level;
 }
 
-/** Any valid level file: any keys left out, any limits reached, keys of one's own everywhere. */
+/** Any valid level file: with missing keys, values at limits, and x- keys everywhere. */
 export const arbitraryFile: fc.Arbitrary<LevelFile> = file.map((level) => withoutRepeatedIds(level as unknown as LevelFile));

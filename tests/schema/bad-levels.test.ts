@@ -6,7 +6,7 @@ import { BAD_LEVELS } from './fixtures/bad-levels.ts';
 const small = (list: string) => `{"version":1,"name":"a","astronaut":{"x":1,"y":2},"blackHole":{"x":1,"y":3},${list}}`;
 
 describe('a file that is not a level', () => {
-  test('the base of these cases is a level', () => {
+  test('the base of these cases is a valid level', () => {
     expect(readLevel(BASE).ok).toBe(true);
   });
 
@@ -24,7 +24,7 @@ describe('a file that is not a level', () => {
     }
   });
 
-  test('after 20 problems the rest is counted', () => {
+  test('problems after the first 20 are only counted', () => {
     const reading = readLevel(small(`"novae":[${Array(33).fill('7').join()}]`));
     if (reading.ok) throw new Error('was read');
     expect(reading.problems).toHaveLength(21);
@@ -32,7 +32,7 @@ describe('a file that is not a level', () => {
     expect(reading.problems[20]).toMatchObject({ code: 'more-problems', message: 'and 13 more', line: null, column: null });
   });
 
-  test('after 1000 problems counting stops', () => {
+  test('counting stops after 1000 problems', () => {
     const reading = readLevel(small(`"novae":[${Array(1100).fill('7').join()}]`));
     if (reading.ok) throw new Error('was read');
     expect(reading.problems[20].message).toBe('and at least 980 more');
@@ -52,7 +52,7 @@ describe('a file that is not a level', () => {
     expect(JSON.stringify(reading.problems).length).toBeLessThan(1000);
   });
 
-  test('every code has a case here, and every case a code', () => {
+  test('every code has a case here, and every case has a code', () => {
     const given = new Set(BAD_LEVELS.flatMap(({ problems }) => problems.map(([place]) => place.split(' ')[1])));
     const nothing = importOriginal('[{}]', { recoil: true });
     if (nothing.ok) throw new Error('was imported');
@@ -61,7 +61,7 @@ describe('a file that is not a level', () => {
     expect([...given].sort()).toEqual(CODES.map(({ code }) => code).sort());
   });
 
-  test('every explanation says something', () => {
+  test('no explanation is empty', () => {
     for (const { title, why, fix } of CODES) {
       expect(title).toMatch(/[^.]$/);
       expect(why).toMatch(/\.$/);

@@ -1,4 +1,4 @@
-/** A valid level with something of everything; tests break it in one place. */
+/** A valid level with an object of every kind; tests break it in one place. */
 export const BASE = `{
   "version": 1,
   "name": "Base",

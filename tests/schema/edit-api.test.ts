@@ -13,7 +13,7 @@ import {
 const client = 'page-1';
 
 describe('the API of gq edit', () => {
-  test('refuses with the statuses that HTTP has for it', () => {
+  test('refuses with the matching HTTP status codes', () => {
     const byStatus: Record<string, string[]> = {};
     for (const [code, status] of Object.entries(EDIT_ERRORS).sort()) {
       byStatus[STATUS_CODES[status] ?? status] ??= [];
@@ -37,7 +37,7 @@ describe('the API of gq edit', () => {
     });
   });
 
-  test('takes ids of 1 to 4096 characters, folders of as many or none, and a name from the trash', () => {
+  test('accepts ids of 1 to 4096 characters, folders of 0 to 4096, and a name from the trash', () => {
     const takes = (id: string) => deleteRequestSchema.safeParse({ id, client }).success;
     expect(['', 'a', 'a'.repeat(4096), 'a'.repeat(4097)].map(takes)).toEqual([false, true, true, false]);
     const orders = (folder: string) => orderRequestSchema.safeParse({ folder, ids: [], client }).success;
@@ -68,7 +68,7 @@ describe('the API of gq edit', () => {
     expect(names.filter((name) => LEVEL_ID_PART.test(name))).toEqual(['a', 'ab', 'a b', `a${'b'.repeat(79)}`, 'a-', 'cone']);
   });
 
-  test('may have nothing left to read, and places from the first line and column on', () => {
+  test('accepts 0 unread levels, and places from line 1 and column 1 on', () => {
     const list = (unread: number) =>
       listResponseSchema.safeParse({
         ...{ folder: { id: '', path: '', $schema: null }, folders: [], levels: [], troubles: [], unread },

@@ -10,15 +10,15 @@ function read(text: string): LevelFile {
   return reading.document.file;
 }
 
-/** As JSON sees it: without keys that are undefined, and with 0 for -0. */
+/** The value as in JSON: without undefined keys, and with 0 for -0. */
 const plain = (value: unknown): unknown => JSON.parse(JSON.stringify(value));
 
 describe('the canonical text', () => {
-  test('is what the base level is written in', () => {
+  test('is the text of the base level', () => {
     expect(formatLevel(read(BASE))).toBe(BASE);
   });
 
-  test('orders keys, keeps lists in order, keys of one’s own come last and untouched', () => {
+  test('has ordered keys, lists in their order, and unchanged x- keys last', () => {
     const text = `{"x-a":{"b":[1,{"c":null}],"x-z":[]},"runs":[{"x-r":0,"holds":[],"name":"n"}],"novae":[{"radius":2.50,"y":-0,"x-k":"ü\\u0007","x":1e3},
       {"x":1,"y":1,"radius":1}],"aliens":[],"blackHole":{"y":0.1,"x":1E-9},"astronaut":{"y":2,"x":1},"name":"a","version":1}`;
     expect(formatLevel(read(text))).toBe(`{
@@ -43,7 +43,7 @@ describe('the canonical text', () => {
 `);
   });
 
-  test('reads back as the same file, and is canonical itself', () => {
+  test('reads back as the same file, and is itself canonical', () => {
     fc.assert(
       fc.property(arbitraryFile, (file) => {
         const text = formatLevel(file);
@@ -57,7 +57,7 @@ describe('the canonical text', () => {
     );
   });
 
-  test('changes in one line when one object moves', () => {
+  test('changes in one line if one object moves', () => {
     fc.assert(
       fc.property(arbitraryFile, fc.nat(), fc.double({ min: -1000, max: 1000, noNaN: true }), (file, pick, x) => {
         const before = plain(file) as LevelFile;
@@ -74,7 +74,7 @@ describe('the canonical text', () => {
     );
   });
 
-  test('changes in one line when a hold changes', () => {
+  test('changes in one line if a hold changes', () => {
     const a = BASE.split('\n');
     const file = read(BASE);
     file.runs![0].holds[1] = [131, 190];
@@ -85,7 +85,7 @@ describe('the canonical text', () => {
     ).toEqual(['        [131, 190]']);
   });
 
-  test('keeps an own __proto__ inside a key of one’s own', () => {
+  test('keeps an own __proto__ inside an x- key', () => {
     const file = read(BASE.replace('"range"', '"x-a": { "__proto__": { "b": 1 } },\n  "range"'));
     expect(formatLevel(file)).toContain('  "x-a": { "__proto__": { "b": 1 } }\n');
   });

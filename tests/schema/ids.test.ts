@@ -17,7 +17,7 @@ const level = (asteroids: LevelFile['asteroids']): LevelFile => ({
 });
 
 describe('ids', () => {
-  test('every object gets one, those that exist stay, nothing else changes', () => {
+  test('are given to every object without one, and nothing else changes', () => {
     fc.assert(
       fc.property(arbitraryFile, (file) => {
         const before = formatLevel(file);
@@ -34,7 +34,7 @@ describe('ids', () => {
     );
   });
 
-  test('are the same in every version of the toolkit, or two people would give one object two', () => {
+  test('are the same in every version of the toolkit, so that two users do not give one object different ids', () => {
     const { asteroids, novae, minerals } = withIds({
       ...level([rock(3), rock(3)]),
       novae: [rock(3)],
@@ -44,7 +44,7 @@ describe('ids', () => {
     expect(ids).toEqual(['7kptlv', 'ww813j', '6psvun', '2rfc1q']);
   });
 
-  test('do not depend on what else is in the list', () => {
+  test('do not depend on other objects in the list', () => {
     const [alone] = withIds(level([rock(3)])).asteroids!;
     const among = withIds(level([rock(1), rock(2), rock(3)])).asteroids!;
     expect(among[2]).toEqual(alone);
@@ -56,14 +56,14 @@ describe('ids', () => {
     expect(new Set(named.map(({ id }) => id)).size).toBe(20_000);
   });
 
-  test('avoid one that an object further down has', () => {
+  test('avoid an id that a later object has', () => {
     const [{ id }] = withIds(level([rock(3)])).asteroids!;
     const named = withIds(level([rock(3), { id, ...rock(4) }])).asteroids!;
     expect(named[1].id).toBe(id);
     expect(named[0].id).not.toBe(id);
   });
 
-  test('avoid as many as are taken, one after the other', () => {
+  test('avoid any number of taken ids', () => {
     const ids = withIds(level([rock(3), rock(3), rock(3), rock(3)])).asteroids!.map(({ id }) => id);
     const taken = ids.slice(0, 3).map((id, i) => ({ id, ...rock(100 + i) }));
     const [first, second] = withIds(level([rock(3), rock(3), ...taken])).asteroids!;

@@ -39,7 +39,7 @@ const original = fc.record(
 );
 
 describe('importing levels of the original game', () => {
-  test('nothing is lost: every object arrives with its numbers, in its place in the list', () => {
+  test('keeps every object with its numbers, at its place in the list', () => {
     fc.assert(
       fc.property(original, (level) => {
         const text = formatLevel(imported(level).levels[0].file);
@@ -64,7 +64,7 @@ describe('importing levels of the original game', () => {
     );
   });
 
-  test('names follow the place in the list; empty objects are skipped and said so', () => {
+  test('names levels by their place in the list, and reports skipped empty objects', () => {
     const { levels, notes } = imported([{}, { player, target }, {}, { player, target }], false);
     expect(levels.map(({ slug, file }) => [slug, file.name, file.recoil])).toEqual([
       ['level-01', 'Level 1', undefined],
@@ -76,14 +76,14 @@ describe('importing levels of the original game', () => {
     ]);
   });
 
-  test('a single object is level 1', () => {
+  test('reads a single object as level 1', () => {
     const { levels, notes } = imported({ player: { x: 1, y: 2 }, target: { x: 3, y: 4 } });
     expect(levels.map(({ slug, file }) => [slug, file.name])).toEqual([['level-01', 'Level 1']]);
     expect(levels[0].file.blackHole.radius).toBeUndefined();
     expect(notes).toEqual([]);
   });
 
-  test('a byte order mark is passed over', () => {
+  test('ignores a byte order mark', () => {
     expect(importOriginal(`\ufeff${JSON.stringify([{ player, target }])}`, { recoil: true }).ok).toBe(true);
   });
 

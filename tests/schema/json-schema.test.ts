@@ -19,19 +19,19 @@ function* objectsIn(node: Node): Generator<Node> {
 }
 
 describe('the JSON Schema of a level', () => {
-  test('is the committed file (vitest -u writes it)', async () => {
+  test('is the committed file (updated by vitest -u)', async () => {
     await expect(formatLevelJsonSchema()).toMatchFileSnapshot('../../schema/level.schema.json');
   });
 
-  test('is draft 2020-12 and asks for what the format asks for', () => {
+  test('is draft 2020-12 and requires what the format requires', () => {
     expect(root.$schema).toBe('https://json-schema.org/draft/2020-12/schema');
     expect(root.required).toEqual(['version', 'name', 'astronaut', 'blackHole']);
     expect(Object.keys(root.properties ?? {})).toEqual(Object.keys(levelSchema.shape));
   });
 
-  test('allows keys of one’s own in every object, and no other unknown key', () => {
+  test('allows x- keys in every object, and no other unknown key', () => {
     const objects = [...objectsIn(root)];
-    // the level, its rules, its kinds of objects, a run
+    // the level, its rules, its kinds of objects, and a run
     expect(objects).toHaveLength(3 + OBJECT_KINDS.length);
     for (const object of objects) {
       expect(object.additionalProperties).toBe(false);
@@ -39,7 +39,7 @@ describe('the JSON Schema of a level', () => {
     }
   });
 
-  test('describes every number and object: the texts are the editor’s', () => {
+  test('describes every number and object, as the editor shows these texts', () => {
     for (const object of objectsIn(root)) {
       expect(object.description).toMatch(/\.$/);
       for (const [key, property] of Object.entries(object.properties ?? {}))

@@ -6,7 +6,7 @@ import { scanJson } from '../../schema/scan-json.ts';
 import { createPlaceFinder } from '../../schema/text-place.ts';
 import { decodeUtf8 } from '../../schema/utf8.ts';
 
-/** Texts near JSON: valid ones with some characters taken out, put in or replaced. */
+/** Almost valid JSON: valid texts with some characters removed, inserted or replaced. */
 const nearJson = fc
   .tuple(
     fc.oneof(
@@ -33,7 +33,7 @@ function parses(text: string): boolean {
   }
 }
 
-/** Every value in a JSON value with its path. */
+/** Every value within a JSON value, with its path. */
 function* valuesIn(value: unknown, path: (string | number)[] = []): Generator<[(string | number)[], unknown]> {
   yield [path, value];
   if (typeof value !== 'object' || value === null) return;
@@ -41,7 +41,7 @@ function* valuesIn(value: unknown, path: (string | number)[] = []): Generator<[(
 }
 
 describe('the scan of a JSON text', () => {
-  test('fails for what JSON.parse refuses, and only for that', () => {
+  test('fails exactly if JSON.parse fails', () => {
     let refused = 0;
     fc.assert(
       fc.property(nearJson, (text) => {
@@ -55,7 +55,7 @@ describe('the scan of a JSON text', () => {
       }),
       { numRuns: 3000 },
     );
-    // or the property would say nothing
+    // otherwise the property would be trivial
     expect(refused).toBeGreaterThan(500);
   });
 
@@ -84,7 +84,7 @@ describe('the scan of a JSON text', () => {
     expect(scanJson(text).failure === null).toBe(parses(text));
   });
 
-  test('finds every key that stands again in its object', () => {
+  test('finds every duplicate key of an object', () => {
     const key = fc.constantFrom('a', 'b', 'c', '__proto__', 'constructor', '', '\n');
     fc.assert(
       fc.property(fc.array(key), (names) => {
@@ -96,13 +96,13 @@ describe('the scan of a JSON text', () => {
     );
   });
 
-  test('64 deep is not too deep', () => {
+  test('accepts a depth of 64', () => {
     expect(scanJson('['.repeat(64) + ']'.repeat(64)).failure).toBeNull();
   });
 });
 
 describe('the place of a value', () => {
-  test('is where its text begins', () => {
+  test('is the beginning of its text', () => {
     fc.assert(
       fc.property(fc.jsonValue({ maxDepth: 4 }), fc.constantFrom(undefined, 1, '\t'), (value, space) => {
         const text = ` ${JSON.stringify(value, null, space)}`;
@@ -120,7 +120,7 @@ describe('the place of a value', () => {
     );
   });
 
-  test('is that of the nearest value around it when it is missing', () => {
+  test('is that of the nearest surrounding value if it is missing', () => {
     const locator = createLocator('{"a": {"b": 1}}');
     expect(locator.offsetOf('/a/c/d', 'value')).toBe(6);
     expect(locator.offsetOf('/a/b/d', 'value')).toBe(12);
@@ -131,7 +131,7 @@ describe('the place of a value', () => {
     expect(createLocator('{"a":1,"a":2}').offsetOf('/a', 'value')).toBe(11);
   });
 
-  test('line and column lead back to the offset', () => {
+  test('line and column give the offset again', () => {
     const part = fc.constantFrom('a', '\n', '\r\n', 'ü', '\t', '🚀');
     fc.assert(
       fc.property(fc.array(part), fc.nat(), (parts, n) => {
@@ -150,11 +150,11 @@ describe('UTF-8', () => {
 
   const byte = fc.oneof(
     fc.nat(255),
-    // the bytes at the edges of what may begin or go on a sequence
+    // the first and last bytes that may begin or continue a sequence
     fc.constantFrom(0x00, 0x7f, 0x80, 0x8f, 0x90, 0x9f, 0xa0, 0xbf, 0xc0, 0xc1, 0xc2, 0xdf, 0xe0, 0xed, 0xef, 0xf0, 0xf4, 0xf5),
   );
 
-  test('is refused exactly where the platform’s decoder refuses it', () => {
+  test('is refused exactly if the decoder of the platform refuses it', () => {
     fc.assert(
       fc.property(fc.array(byte, { maxLength: 6 }), (list) => {
         const bytes = Uint8Array.from(list);
@@ -170,7 +170,7 @@ describe('UTF-8', () => {
     );
   });
 
-  test('so for every pair of first bytes, with as many after them as they need', () => {
+  test('is refused exactly so for every pair of first bytes, with as many bytes after them as they need', () => {
     const disagreeing: number[][] = [];
     for (let first = 0x80; first < 0x100; first++) {
       for (let second = 0; second < 0x100; second++) {
@@ -189,7 +189,7 @@ describe('UTF-8', () => {
     expect(disagreeing).toEqual([]);
   });
 
-  test('is read like the platform’s decoder reads it', () => {
+  test('is decoded like the decoder of the platform does', () => {
     fc.assert(
       fc.property(fc.string({ unit: 'binary' }), fc.nat(20_000), (text, length) => {
         const long = text + 'a'.repeat(length) + text;
@@ -200,7 +200,7 @@ describe('UTF-8', () => {
     );
   });
 
-  test('what stands before a bad byte is kept', () => {
+  test('the text before a bad byte is kept', () => {
     fc.assert(
       fc.property(fc.string({ unit: 'binary' }), (before) => {
         const bytes = new TextEncoder().encode(before);

@@ -1,4 +1,4 @@
-// The table of kinds: that it is consistent in itself, and that the format follows it.
+// The table of kinds is consistent, and the format follows it.
 
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
@@ -40,7 +40,7 @@ const readOf = (file: LevelFile) => {
 describe.each(OBJECT_KINDS)('%s', (kind) => {
   const { list, fields, places, vectors, radius, variant, one, many, about } = KINDS[kind];
 
-  test('has fields with limits, a meaning, and a default within the limits or none', () => {
+  test('has fields with limits, a meaning, and a default within the limits if any', () => {
     for (const [name, field] of fieldsOf(kind)) {
       expect(field.about, name).not.toBe('');
       if (field.type === 'flag') continue;
@@ -55,10 +55,10 @@ describe.each(OBJECT_KINDS)('%s', (kind) => {
     }
   });
 
-  test('has places, vectors and a radius that are fields of it', () => {
+  test('has places, vectors and a radius among its fields', () => {
     expect(places[0]).toEqual(['x', 'y']);
     for (const name of places.flat()) expect(fields[name]).toMatchObject({ type: 'number', unit: 'px' });
-    // a place is where somebody puts it: nothing can stand for it
+    // a place has no default
     for (const name of places.flat()) expect(isRequired(fields[name])).toBe(true);
     for (const [x, y] of Object.values(vectors)) {
       expect(fields[x].type).toBe('number');
@@ -69,13 +69,13 @@ describe.each(OBJECT_KINDS)('%s', (kind) => {
     expect(new Set(all).size).toBe(all.length);
   });
 
-  test('has names, and a variant by a flag of its own', () => {
+  test('has names, and a variant only with a flag', () => {
     for (const words of [one, many, about]) expect(words).not.toBe('');
     expect(one).toBe(one.toLowerCase());
     if (variant !== undefined) expect(fields[variant.flag].type).toBe('flag');
   });
 
-  test('has what it must have in a new one, but for where it is', () => {
+  test('has all required fields in a new object, except the place', () => {
     if (list === null) return;
     for (const [name, field] of fieldsOf(kind)) {
       if (places.flat().includes(name) || !isRequired(field)) continue;
@@ -83,7 +83,7 @@ describe.each(OBJECT_KINDS)('%s', (kind) => {
     }
   });
 
-  test('stands in the JSON Schema with its fields, limits and what must be there', () => {
+  test('is in the JSON Schema with its fields, limits and required fields', () => {
     const { properties } = levelJsonSchema() as { properties: Record<string, Json & { items?: Json }> };
     const schema = list === null ? properties[kind] : properties[list].items;
     const own = Object.fromEntries(
@@ -99,7 +99,7 @@ describe.each(OBJECT_KINDS)('%s', (kind) => {
     expect(schema?.required).toEqual(fieldsOf(kind).flatMap(([name, field]) => (isRequired(field) ? [name] : [])));
   });
 
-  test('is resolved to its defaults where a file leaves out all it can', () => {
+  test('gets its defaults if a file omits all optional fields', () => {
     const written = Object.fromEntries(fieldsOf(kind).flatMap(([name, field]) => (isRequired(field) ? [[name, 1]] : [])));
     const expected = Object.fromEntries(fieldsOf(kind).map(([name, field]) => [name, field.default ?? 1]));
     const file = { ...BARE, ...(list === null ? { [kind]: written } : { [list]: [written] }) } as LevelFile;
@@ -111,7 +111,7 @@ describe.each(OBJECT_KINDS)('%s', (kind) => {
     ]);
   });
 
-  test('is refused with a field that it does not have, and with a number beyond its limits', () => {
+  test('is refused with an unknown field, and with a number beyond its limits', () => {
     const written: Record<string, number> = Object.fromEntries(
       fieldsOf(kind).flatMap(([name, field]) => (isRequired(field) ? [[name, 1]] : [])),
     );
@@ -131,7 +131,7 @@ describe.each(OBJECT_KINDS)('%s', (kind) => {
 });
 
 describe('the kinds', () => {
-  test('have lists, names and letters that no other has', () => {
+  test('have unique lists, names and letters', () => {
     const appearances = [
       ...OBJECT_KINDS.map((kind) => KINDS[kind]),
       ...OBJECT_KINDS.flatMap((kind) => KINDS[kind].variant ?? []),
@@ -146,7 +146,7 @@ describe('the kinds', () => {
     expect(Object.keys(NO_OBJECTS)).toEqual(OBJECT_LISTS);
   });
 
-  test('can be placed, those of which there are many and their variants', () => {
+  test('can be placed if they have a list, as can their variants', () => {
     for (const placeable of PLACEABLES) {
       const { kind, flag } = placedAs(placeable);
       const object = flag === null ? {} : { [flag]: true };
@@ -156,7 +156,7 @@ describe('the kinds', () => {
     expect(PLACEABLES).toEqual(expect.arrayContaining([...LISTED_KINDS]));
   });
 
-  test('are read, written and read again as they are, however a level is made of them', () => {
+  test('are read, written and read again unchanged in any level', () => {
     fc.assert(
       fc.property(arbitraryFile, (file) => {
         const once = readOf(withIds(file));

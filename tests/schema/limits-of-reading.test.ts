@@ -8,7 +8,7 @@ const problemsOf = (source: string | Uint8Array): Problem[] => {
   if (reading.ok) throw new Error('was read');
   return reading.problems;
 };
-/** How many problems were found, as the last of them says. */
+/** The number of problems, according to the last of them. */
 const rest = (problems: readonly Problem[]) => problems.at(-1)?.message;
 const imported = (...levels: unknown[]) => {
   const reading = importOriginal(JSON.stringify(levels), { recoil: false });
@@ -19,10 +19,10 @@ const imported = (...levels: unknown[]) => {
 describe('a file with thousands of problems', () => {
   const places = { player: { x: 1, y: 2 }, target: { x: 1, y: 2 } };
   const wrong = (count: number) => Array(count).fill(7);
-  // each lacks a radius
+  // each has no radius
   const bare = (count: number) => Array(count).fill({ x: 1, y: 2 });
 
-  test('of the original is read until 1000 are found, whatever they are', () => {
+  test('of the original is read until 1000 problems are found, whatever they are', () => {
     expect(imported({ ...places, novae: wrong(999) })).toBe('and 979 more');
     for (const list of [wrong(1000), wrong(1100), bare(1000), bare(1100)]) {
       expect(imported({ ...places, novae: list })).toBe('and at least 980 more');
@@ -31,7 +31,7 @@ describe('a file with thousands of problems', () => {
     }
   });
 
-  test('of this format, too', () => {
+  test('of this format is treated in the same way', () => {
     const of = (lists: object) => rest(problemsOf(small(`,${JSON.stringify(lists).slice(1, -1)}`)));
     const holds = (list: unknown[]) => ({ runs: [{ name: 'a', holds: list }] });
     expect(of({ novae: wrong(999) })).toBe('and 979 more');
@@ -49,7 +49,7 @@ describe('a file with thousands of problems', () => {
     expect(of(keys)).toBe('and at least 980 more');
   });
 
-  test('is told of 20, and of how many are left', () => {
+  test('gets 20 problems reported, and the number of the others', () => {
     expect(problemsOf(small(`,"novae":[${wrong(20)}]`))).toHaveLength(20);
     expect(rest(problemsOf(small(`,"novae":[${wrong(21)}]`)))).toBe('and 1 more');
   });
@@ -60,7 +60,7 @@ describe('a list', () => {
     const reading = readLevel(small(`,"${key}":[${Array(length).fill(entry)}]`));
     return reading.ok || reading.problems.map(({ message }) => message);
   };
-  test('may have as many entries as the format says, and no more', () => {
+  test('may have as many entries as the format allows, and no more', () => {
     const nova = '{"x":1,"y":2,"radius":3}';
     expect(count('novae', nova, 20_000)).toBe(true);
     expect(count('novae', nova, 20_001)).toEqual(['novae: expected at most 20000 entries, found 20001']);
@@ -70,7 +70,7 @@ describe('a list', () => {
     expect([20_000, 20_001].map(original)).toEqual([true, false]);
   });
 
-  test('of the original that is empty is left out', () => {
+  test('of the original is omitted if it is empty', () => {
     const reading = importOriginal('{"player":{"x":1,"y":2},"target":{"x":1,"y":2},"novae":[],"aliens":[{"x":1,"y":2}]}', {
       recoil: false,
     });
@@ -80,7 +80,7 @@ describe('a list', () => {
 });
 
 describe('the pointer of a problem', () => {
-  test('is that of the value around it where a key makes it longer than 500 characters', () => {
+  test('is that of the surrounding value if a key makes it longer than 500 characters', () => {
     const pointer = (length: number) => problemsOf(small(`,"${'k'.repeat(length)}":1`))[0].pointer;
     expect(pointer(499)).toBe(`/${'k'.repeat(499)}`);
     expect(pointer(500)).toBe('');
@@ -88,7 +88,7 @@ describe('the pointer of a problem', () => {
     expect(inner.pointer).toBe('/novae/0');
   });
 
-  test('is told in words, with quotes where a key is no word', () => {
+  test('is given in words, with quotes around keys that are not words', () => {
     expect(toWords([])).toBe('');
     expect(toWords(['asteroids', 3, 'radius'])).toBe('asteroid 4, radius');
     expect(toWords(['blackHole', 'x'])).toBe('black hole, x');
@@ -97,7 +97,7 @@ describe('the pointer of a problem', () => {
     expect(toWords(['$schema', 'x-note'])).toBe('$schema, x-note');
   });
 
-  test('calls a run by its name, but by its number where two have the same', () => {
+  test('names a run by its name, or by its number if two have the same name', () => {
     const path = ['runs', 1, 'holds', 2, 1];
     expect(toWords(path, { runs: [{ name: 'solution' }, { name: 'other' }] })).toBe('run "other", hold 3, release');
     expect(toWords(path, { runs: [{ name: 'other' }, { name: 'other' }] })).toBe('run 2, hold 3, release');
@@ -109,7 +109,7 @@ describe('the pointer of a problem', () => {
 describe('bytes that are not UTF-8', () => {
   const messageOf = (...bytes: number[]) => problemsOf(Uint8Array.from(bytes))[0].message;
 
-  test('look like UTF-16 where one of its two marks comes first', () => {
+  test('look like UTF-16 if they begin with one of its two marks', () => {
     const marks = [0xff, 0xfe, 0x41, 0xe9];
     const found = marks.flatMap((a) => marks.flatMap((b) => (messageOf(a, b, 0xff).includes('UTF-16') ? [[a, b]] : [])));
     expect(found).toEqual([
@@ -120,7 +120,7 @@ describe('bytes that are not UTF-8', () => {
     expect(messageOf(0x41, 0xff, 0xfe)).toBe('the byte FF at offset 1 is not UTF-8');
   });
 
-  test('are found where they stand, behind a byte order mark, too', () => {
+  test('are found at their place, also after a byte order mark', () => {
     const mark = [0xef, 0xbb, 0xbf];
     const place = (options: Parameters<typeof readLevel>[1], ...bytes: number[]) => {
       const reading = readLevel(Uint8Array.from(bytes), options);

@@ -2,8 +2,8 @@ import fc from 'fast-check';
 import { expect, test } from 'vitest';
 import { createLocator } from '../../schema/locate.ts';
 
-test('a string ends at the first quote that no backslash stands before, however many there are', () => {
-  // strings of quotes, backslashes and brackets before the value that is asked for, as keys and as values
+test('a string ends at the first unescaped quote, however many backslashes there are', () => {
+  // strings of quotes, backslashes and brackets before the located value, as keys and as values
   const tricky = fc
     .array(fc.constantFrom('"', '\\', '{', '[', ',', ':', 'a', '\n'), { maxLength: 6 })
     .map((parts) => parts.join(''));

@@ -4,7 +4,7 @@ import { closestName, editDistance } from '../../schema/closest-name.ts';
 import { quote } from '../../schema/format-value.ts';
 import { codeFrame, levelSchema } from '../../schema/index.ts';
 
-/** The distance by its definition, without a limit. */
+/** The distance by definition, without a limit. */
 function plainDistance(a: string, b: string): number {
   if (a === '' || b === '') return a.length + b.length;
   const [x, y] = [a.at(-1), b.at(-1)];
@@ -18,7 +18,7 @@ function plainDistance(a: string, b: string): number {
 const KEYS = Object.keys(levelSchema.shape);
 
 describe('did you mean', () => {
-  test('the distance is the definition’s up to the limit, and above it only above it', () => {
+  test('the distance is exact up to the limit, and beyond it is only known to be larger', () => {
     const word = fc.string({ unit: fc.constantFrom('a', 'b', 'c'), maxLength: 6 });
     fc.assert(
       fc.property(word, word, fc.nat(6), (a, b, limit) => {
@@ -29,7 +29,7 @@ describe('did you mean', () => {
     );
   });
 
-  test('one slip in any key of the format is recognised', () => {
+  test('a single typo in any key of the format is recognised', () => {
     fc.assert(
       fc.property(fc.constantFrom(...KEYS), fc.nat(), fc.constantFrom('drop', 'double', 'swap'), (key, n, slip) => {
         const i = n % (key.length - 1);
@@ -59,7 +59,7 @@ describe('did you mean', () => {
     expect(closestName('X', ['x', 'y'])).toBe('x');
   });
 
-  test('one slip is one in a short name, and one in three letters of a long one; the nearest and first is taken', () => {
+  test('one typo is allowed in a short name, and one for every three letters in a long one; the nearest and first match wins', () => {
     expect(closestName('v', ['vx', 'vy'])).toBe('vx');
     expect(closestName('xv', ['vx', 'vy'])).toBe('vx');
     expect(closestName('hto', ['hot'])).toBe('hot');
@@ -71,7 +71,7 @@ describe('did you mean', () => {
 });
 
 describe('quoted text', () => {
-  test('is short and holds nothing that steers a terminal', () => {
+  test('is short and contains no control characters', () => {
     fc.assert(
       fc.property(fc.string({ unit: 'binary' }), (text) => {
         const quoted = quote(text);
@@ -92,7 +92,7 @@ describe('the code frame', () => {
     );
   });
 
-  test('ends where the text ends', () => {
+  test('ends at the end of the text', () => {
     expect(codeFrame(text, 1, 1)).toBe(['> 1 | one', '    | ^', '  2 | two', '  3 |  three: 3'].join('\n'));
     expect(codeFrame(text, 6, 4)).toBe(['  4 | four', '  5 | five', '> 6 | six', '    |    ^'].join('\n'));
   });
@@ -103,7 +103,7 @@ describe('the code frame', () => {
     expect(frame[0][frame[1].indexOf('^')]).toBe('X');
   });
 
-  test('shows 110 characters of a line, from its begin on where the place is among the first 90', () => {
+  test('shows 110 characters of a line, from its beginning if the place is among the first 90', () => {
     const lengths = fc.oneof(fc.integer({ min: 1, max: 300 }), fc.integer({ min: 108, max: 112 }));
     const letters = Array.from({ length: 1000 }, (_, i) => 'abcdefghij'[i % 10]).join('');
     fc.assert(
@@ -121,7 +121,7 @@ describe('the code frame', () => {
     );
   });
 
-  test('the caret stands below the character, whatever stands before it', () => {
+  test('the caret is below the character, whatever comes before it', () => {
     const character = fc.constantFrom('a', '\t', 'ü', '🚀', '\u0007', '\u200b');
     fc.assert(
       fc.property(fc.array(character, { maxLength: 60 }), (before) => {

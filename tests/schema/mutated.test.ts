@@ -4,7 +4,7 @@ import { codeFrame, formatLevel, importOriginal, type Level, readLevel } from '.
 import { arbitraryFile } from './arbitrary-file.ts';
 import { BASE } from './base-level.ts';
 
-/** Pieces of text that break a level in ways of their own. */
+/** Pieces of text that break a level in special ways. */
 const PIECES = [
   ...['NaN', '1e999', '-1e308', '0', '-1', '1e-320', 'null', 'true', '[]', '{}', '""', '"', ',', '}', ']', '[', '{', '\\', '/*'],
   ...['"__proto__":1,', '"x":2,', '"x-a":[],', '"version": 2', '\ufeff', '\u0000', '\ud800', '[5,5]', '"hot": 1', '\n'],
@@ -67,8 +67,8 @@ function expectPlaces(problems: readonly { line: number | null; column: number |
   }
 }
 
-describe('a level whose text was tampered with', () => {
-  test('is read with finite numbers, or refused with places inside the text', () => {
+describe('a mutated level', () => {
+  test('is read with finite numbers, or refused with places within the text', () => {
     const seen = { read: 0, refused: 0 };
     const text = fc.oneof(fc.constant(BASE), arbitraryFile.map(formatLevel));
     fc.assert(
@@ -87,12 +87,12 @@ describe('a level whose text was tampered with', () => {
       }),
       { numRuns: 1500 },
     );
-    // or one half of the property would say nothing
+    // otherwise one half of the property would be trivial
     expect(seen.read).toBeGreaterThan(50);
     expect(seen.refused).toBeGreaterThan(500);
   });
 
-  test('so with its bytes', () => {
+  test('is treated in the same way with mutated bytes', () => {
     const bytes = new TextEncoder().encode(BASE);
     fc.assert(
       fc.property(fc.array(fc.tuple(fc.nat(bytes.length - 1), fc.nat(255)), { minLength: 1, maxLength: 4 }), (changes) => {
@@ -106,7 +106,7 @@ describe('a level whose text was tampered with', () => {
     );
   });
 
-  test('any JSON at all ends in one or the other', () => {
+  test('any JSON is either read or refused', () => {
     fc.assert(
       fc.property(fc.json({ maxDepth: 5 }), (source) => {
         for (const reading of [readLevel(source), importOriginal(source, { recoil: true })]) {

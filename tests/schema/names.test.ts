@@ -11,14 +11,14 @@ const messagesOf = (level: object): string[] => {
 };
 
 describe('objects in words', () => {
-  it('count from 1, where a level has several of a kind', () => {
+  it('are counted from 1 if a level has several of a kind', () => {
     expect(objectName('asteroid', 3)).toBe('asteroid 4');
     expect(objectName('asteroid', 0, { hot: true })).toBe('hot asteroid 1');
     expect(objectName('blackHole', 0)).toBe('black hole');
     expect(entryName('novae', 1)).toBe('nova 2');
   });
 
-  it('are called hot where only a hot asteroid ends a run', () => {
+  it('are called hot if only a hot asteroid ends a run', () => {
     expect(touchedName('asteroid', 1)).toBe('hot asteroid 2');
     expect(touchedName('alien', 0)).toBe('alien 1');
     expect(touchedName('blackHole', 0)).toBe('the black hole');
@@ -26,7 +26,7 @@ describe('objects in words', () => {
 });
 
 describe('messages about a file', () => {
-  it('name objects and runs by what they are, counted from 1', () => {
+  it('name objects by kind and runs, counted from 1', () => {
     const messages = messagesOf({
       asteroids: [
         { x: 0, y: 0, radius: 'big' },
@@ -52,7 +52,7 @@ describe('messages about a file', () => {
     ]);
   });
 
-  it('have no index of a list in warnings', () => {
+  it('contain no list index in warnings', () => {
     const rock = { x: 60, y: 0, radius: 16 };
     const words = messagesOf({
       asteroids: [rock, { ...rock, hot: true }],

@@ -9,7 +9,7 @@ function read(source: string, options = {}) {
 }
 
 describe('reading a level', () => {
-  test('fills in what is left out', () => {
+  test('fills in defaults', () => {
     const { level } = read(
       '{"version":1,"name":"a","astronaut":{"x":1,"y":2},"blackHole":{"x":3,"y":4},"aliens":[{"x":5,"y":6}]}',
     );
@@ -30,16 +30,16 @@ describe('reading a level', () => {
     });
   });
 
-  test('tells where things stand', () => {
+  test('gives the places of values', () => {
     const { document } = read(BASE);
     expect(document.locate('')).toEqual({ line: 1, column: 1 });
     expect(document.locate('/asteroids/1')).toEqual({ line: 9, column: 5 });
     expect(document.locate('/runs/0/holds/1')).toEqual({ line: 22, column: 9 });
-    // what the level leaves out is nowhere: the object that could have it is the place
+    // an omitted value has the place of the surrounding object
     expect(document.locate('/minerals/0/radius')).toEqual({ line: 15, column: 5 });
   });
 
-  test('keys of one’s own are kept anywhere, not looked into, and no part of the level', () => {
+  test('keeps x- keys anywhere without reading them, and they are no part of the level', () => {
     const own = '"x-a": { "y": [1], "x-b": null }, ';
     let source = BASE;
     for (const part of ['"version"', '"x": 712', '"x": 708, "y": 826', '"id": "k3x9qa"', '"name": "first"']) {
@@ -54,24 +54,24 @@ describe('reading a level', () => {
     }
   });
 
-  test('holds that overlap or stand out of order are read', () => {
+  test('reads holds that overlap or are out of order', () => {
     expect(read(broken('[12, 96]', '[180, 200]')).level.runs[0].holds).toEqual([
       [180, 200],
       [130, 188],
     ]);
   });
 
-  test('a byte order mark is passed over when asked', () => {
+  test('ignores a byte order mark on request', () => {
     expect(read(`\ufeff${BASE}`, { byteOrderMark: 'skip' }).document.text).toBe(BASE);
   });
 
-  test('Windows line ends are read', () => {
+  test('reads Windows line ends', () => {
     const { level, document } = read(BASE.replaceAll('\n', '\r\n'));
     expect(level).toEqual(read(BASE).level);
     expect(document.locate('/asteroids/1')).toEqual({ line: 9, column: 5 });
   });
 
-  test('-0 is 0', () => {
+  test('reads -0 as 0', () => {
     const { level } = read(broken('"x": 712, "y": 600', '"x": -0, "y": -0.0, "vx": -0'));
     expect(level.astronaut).toEqual({ x: 0, y: 0, vx: 0, vy: 0 });
     const [mineral] = read(broken('"x": 715, "y": 730', '"x": -0, "y": -0')).level.minerals;

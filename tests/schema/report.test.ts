@@ -47,7 +47,7 @@ const report: CheckReport = {
 };
 
 describe('the JSON of reports', () => {
-  test('a run and a check of the promised shape are accepted as they are', () => {
+  test('accepts a run and a check of the promised shape unchanged', () => {
     expect(runReportSchema.parse(run)).toEqual(run);
     expect(checkReportSchema.parse(report)).toEqual(report);
     const everyVerdict = Object.fromEntries(VERDICTS.map((verdict) => [verdict, 0]));
@@ -61,11 +61,11 @@ describe('the JSON of reports', () => {
     ['NaN', { ...run, time: Number.NaN }],
     ['a sample without the angle', { ...run, samples: [[0, 1, 2, 0, 0]] }],
     ['an event without a time', { ...run, events: [{ type: 'press' }] }],
-  ])('%s is refused in a run', (_, wrong) => {
+  ])('refuses %s in a run', (_, wrong) => {
     expect(runReportSchema.safeParse(wrong).success).toBe(false);
   });
 
-  test('a key less and an unknown verdict are refused', () => {
+  test('refuses a missing key and an unknown verdict', () => {
     for (const key of Object.keys(run)) {
       expect(runReportSchema.safeParse(Object.fromEntries(Object.entries(run).filter(([k]) => k !== key))).success).toBe(false);
     }
@@ -73,7 +73,7 @@ describe('the JSON of reports', () => {
   });
 });
 
-// every number at its least, and -7 where there is none
+// every number at its minimum, and -7 if there is none
 const robustness = {
   ...{ p30: 0, p40: 0, p60: 0, p80: 0, certifiedTicks: 0, decided: false, slack: [[0, 0]], samples: 0 },
   intervals: { p30: [0, 0], p40: [0, 0], p60: [0, 0], p80: [0, 0] },
@@ -141,7 +141,7 @@ describe.each<[name: string, schema: z.ZodType, least: object]>([
   ['difficulty', difficultyReportSchema, { levels: [{ file: '', name: '', problems: [problem], measured, why: null }] }],
   ['generate', generateReportSchema, { asked: 1, levels: [generated], rejected: 0 }],
 ])('the numbers of %s', (_, schema, least) => {
-  test('may be at their least, and not below; shares are 1 at most, and a grade is 10', () => {
+  test('may be at their minimum, and not below; shares are at most 1, and a grade at most 10', () => {
     expect(schema.safeParse(least)).toMatchObject({ success: true });
     for (const path of numbersIn(least)) {
       const takes = (change: (old: number) => number) => schema.safeParse(withNumber(least, path, change)).success;
@@ -154,7 +154,7 @@ describe.each<[name: string, schema: z.ZodType, least: object]>([
     }
   });
 
-  test('are whole where they count something', () => {
+  test('are whole if they are counts', () => {
     for (const path of numbersIn(least)) {
       const counts =
         /^(tick|ticks|index|line|column|runs|certifiedTicks|samples|asked|rejected|stride|asteroid|attempts|smallestWindow|seed|presses|count|tried)$/;

@@ -12,7 +12,7 @@ const renamed: Migration = {
 const OLD = broken('"version": 1', '"version": 0').replace('"blackHole"', '"hole"');
 
 describe('versions of the format', () => {
-  test('an older one is migrated, and the document says from which', () => {
+  test('an older one is migrated, and the document names the version', () => {
     const reading = readLevel(OLD, { migrations: [renamed] });
     const current = readLevel(BASE);
     if (!reading.ok || !current.ok) throw new Error('was refused');
@@ -23,12 +23,12 @@ describe('versions of the format', () => {
     expect(current.document.migratedFrom).toBeNull();
   });
 
-  test('keys of one’s own survive the migration', () => {
+  test('x- keys survive the migration', () => {
     const reading = readLevel(OLD.replace('"range"', '"x-a": [1], "range"'), { migrations: [renamed] });
     expect(reading).toMatchObject({ ok: true, document: { file: { 'x-a': [1] } } });
   });
 
-  test('problems of a migrated file point into the text as it is, at the nearest value that is there', () => {
+  test('problems of a migrated file have places in the original text, at the nearest existing value', () => {
     const reading = readLevel(OLD.replace('"radius": 18', '"radius": 0'), { migrations: [renamed] });
     expect(reading).toMatchObject({
       ok: false,
@@ -41,7 +41,7 @@ describe('versions of the format', () => {
     });
   });
 
-  test('without a chain from it, an older one is refused with one problem', () => {
+  test('an older one without a chain of migrations is refused with one problem', () => {
     const reading = readLevel(OLD);
     expect(reading).toMatchObject({ ok: false, problems: [{ code: 'unsupported-version' }] });
     if (!reading.ok) expect(reading.problems).toHaveLength(1);
