@@ -35,7 +35,7 @@ const sourcesOf = (room: string) =>
 describe.each(Object.entries(ROOMS).filter(([name]) => existsSync(join(root, name))))('room %s', (name, room) => {
   const sources = sourcesOf(name);
 
-  it('imports only what it may know, by the faces of folders', () => {
+  it('imports only allowed rooms, through the index files of folders', () => {
     expect(sources.length).toBeGreaterThan(0);
     expect(sources.flatMap(({ path, text }) => importProblems(path, text, room.bundled ? bundled : runtime))).toEqual([]);
   });
@@ -46,7 +46,7 @@ describe.each(Object.entries(ROOMS).filter(([name]) => existsSync(join(root, nam
     });
   }
 
-  it('has a tsconfig that lets the compiler keep the same walls', () => {
+  it('has a tsconfig with which the compiler enforces the same limits', () => {
     const config = JSON.parse(readFileSync(join(root, name, 'tsconfig.json'), 'utf8'));
     const references = config.references.map((r: { path: string }) => r.path.replace('../', ''));
     expect(references.filter((r: string) => !room.knows.includes(r))).toEqual([]);
@@ -60,14 +60,14 @@ describe('imports of files', () => {
   const inRooms = new Map([...graph].filter(([path]) => path.split('/')[0] in ROOMS));
   const problems = [...circlesIn(graph), ...passedFaces(inRooms)];
 
-  it('never go in a circle, and never past the face of a folder', () => {
+  it('have no cycles, and never bypass the index file of a folder', () => {
     expect(graph.size).toBeGreaterThan(500);
     expect(problems).toEqual([]);
   });
 });
 
 describe('rules are read from the level', () => {
-  // of a file's text without comments, the names that it uses
+  // the names that a file uses, without comments
   const usersOf = (names: RegExp, rooms: readonly string[]) =>
     rooms
       .flatMap(sourcesOf)
@@ -76,7 +76,7 @@ describe('rules are read from the level', () => {
       .sort();
   const rooms = Object.keys(ROOMS);
 
-  it('the original game’s are named where there is no level alone', () => {
+  it('the rules of the original game are only used where there is no level', () => {
     const allowed = {
       'engine/contact/box.ts': 'defines the box of the game’s own rules',
       'engine/contact/index.ts': 'passes it on',
@@ -89,7 +89,7 @@ describe('rules are read from the level', () => {
   });
 });
 
-describe('the walls see a circle', () => {
+describe('the check for cycles finds one', () => {
   const circles = (files: Record<string, string>) =>
     circlesIn(importGraph(Object.entries(files).map(([path, text]) => ({ path, text }))));
 
@@ -110,7 +110,7 @@ describe('the walls see a circle', () => {
     ]);
   });
 
-  it('of one file, of three, and between rooms, with the whole way around', () => {
+  it('of one file, of three, and between rooms, with its complete path', () => {
     expect(circles({ 'cli/a.ts': `import './a.ts';` })).toEqual(['cli/a.ts -> cli/a.ts']);
     expect(
       circles({
@@ -121,7 +121,7 @@ describe('the walls see a circle', () => {
     ).toEqual(['bench/d.ts -> cli/c.ts -> cli/b/a.ts -> bench/d.ts']);
   });
 
-  it('in each of several knots, beside files that stand on them', () => {
+  it('in each of several groups, beside files that depend on them', () => {
     const files = {
       'cli/a.ts': `import './b.ts'; import './x.ts';`,
       'cli/b.ts': `import './c.ts'; import './a.ts';`,
@@ -137,14 +137,14 @@ describe('the walls see a circle', () => {
     ]);
   });
 
-  it('and none where ways only meet', () => {
+  it('but none if paths only join', () => {
     expect(circles({ 'cli/a.ts': `import './b.ts'; import './c.ts';`, 'cli/b.ts': `import './c.ts';`, 'cli/c.ts': '' })).toEqual(
       [],
     );
   });
 });
 
-describe('the walls see a face passed by', () => {
+describe('the check of imports finds a bypassed index file', () => {
   const faces = ['editor/canvas/index.ts', 'editor/canvas/layers/index.ts', 'editor/panels/solver/index.ts'];
   const others = [
     'editor/canvas/colours.ts',
@@ -179,10 +179,10 @@ describe('the walls see a face passed by', () => {
     ['editor/canvas/layers/way.ts', '../colours.ts'],
     ['editor/canvas/layers/deep/a.ts', '../way.ts'],
     ['editor/main.tsx', './panels/solver/index.ts'],
-  ])('lets pass %s: %s', (path, specifier) => expect(passed(path, specifier)).toEqual([]));
+  ])('accepts %s: %s', (path, specifier) => expect(passed(path, specifier)).toEqual([]));
 });
 
-describe('the walls see a breach', () => {
+describe('the check of imports finds a violation', () => {
   const cases: [path: string, text: string, problem: RegExp][] = [
     ['schema/a.ts', `import { TICK } from '../engine/index.ts';`, /schema may not know engine\/index.ts/],
     ['schema/a.ts', `export type T = import('../engine/index.ts').Run;`, /schema may not know/],
@@ -220,11 +220,11 @@ describe('the walls see a breach', () => {
     ['editor/main.tsx', `import { App } from './app/index.ts';`],
     ['editor/app/a.ts', `import { x } from './b.ts'; import { y } from '../context/index.ts';`],
     ['engine/a.ts', `// import fs from 'node:fs'\nconst text = "import fs from 'node:fs'"; export { text };`],
-  ])('lets pass %s: %s', (path, text) => {
+  ])('accepts %s: %s', (path, text) => {
     expect(importProblems(path, text, path.startsWith('editor') ? bundled : runtime)).toEqual([]);
   });
 
-  it('sees every form of import', () => {
+  it('finds every form of import', () => {
     const text = `import a from './1.ts'; import type { B } from './2.ts'; export * from './3.ts'; export { c } from './4.ts';
       import './5.ts'; type D = import('./6.ts').D; const e = await import('./7.ts');`;
     expect(importsOf('engine/a.ts', text)).toEqual([1, 2, 3, 4, 5, 6, 7].map((n) => `./${n}.ts`));
@@ -254,12 +254,12 @@ const PURE = [
   'export const a = (s: { sin: number; cos: number }) => s.sin * s.cos;',
 ];
 
-describe('purity sees a breach', () => {
+describe('the check of purity finds a violation', () => {
   it.each(IMPURE)('%s', (text) => expect(purityProblems('engine/a.ts', text)).toHaveLength(1));
   it.each(PURE)('lets pass %s', (text) => expect(purityProblems('engine/a.ts', text)).toEqual([]));
 });
 
-describe('lint sees a breach', () => {
+describe('the linter finds a violation', () => {
   const bad: [path: string, text: string][] = [
     ...['schema', 'engine', 'solver', 'check'].flatMap((room) => IMPURE.map((text): [string, string] => [room, text])),
     ...['schema', 'engine', 'solver', 'check'].map((room): [string, string] => [room, `import a from 'node:fs'; export { a };`]),
@@ -336,10 +336,10 @@ describe('lint sees a breach', () => {
   });
 });
 
-describe('the project speaks only of itself', () => {
+describe('the project mentions only itself', () => {
   const isText = (path: string) => !readFileSync(path).subarray(0, 8000).includes(0);
 
-  it('names no path of one machine and no host of a registry', () => {
+  it('contains no path of a machine and no host of a registry', () => {
     const files = filesUnder(root).filter((path) => statSync(path).size < 5e6 && isText(path));
     expect(files.length).toBeGreaterThan(20);
     const found = files.flatMap((path) => machineWords(readFileSync(path, 'utf8')).map((word) => `${fromRoot(path)}:${word}`));

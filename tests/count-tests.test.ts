@@ -4,7 +4,7 @@ import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { afterEach, beforeEach, expect, it } from 'vitest';
 
-// .ci/count-tests.mjs decides in CI whether the tests prove anything
+// .ci/count-tests.mjs decides in CI whether all tests were run
 
 const SCRIPT = join(import.meta.dirname, '..', '.ci', 'count-tests.mjs');
 
@@ -20,11 +20,11 @@ afterEach(() => rmSync(folder, { recursive: true, force: true }));
 
 interface Reported {
   readonly success?: boolean;
-  /** Of each test, by file. */
+  /** The state of each test, by file. */
   readonly tests: Readonly<Record<string, readonly string[]>>;
 }
 
-/** Counts the tests of two reports, as vitest writes them. */
+/** Counts the tests of two reports in the format of vitest. */
 function count(...reports: readonly Reported[]): { status: number | null; stdout: string; stderr: string } {
   const paths = reports.map(({ success = true, tests }, i) => {
     const testResults = Object.entries(tests).map(([path, statuses]) => ({
@@ -46,7 +46,7 @@ it('adds up the reports', () => {
   expect(count(node, browser)).toEqual({ status: 0, stdout: '3 passed, 0 problems\n', stderr: '' });
 });
 
-it('fails when a test failed or was skipped, when a report is empty, and when vitest failed for another reason', () => {
+it('fails if a test failed or was skipped, if a report is empty, and if vitest failed for another reason', () => {
   expect(count(node, { success: false, tests: { 'e2e/b.test.ts': ['failed'] } })).toMatchObject({
     status: 1,
     stderr: expect.stringContaining('failed: tests/e2e/b.test.ts: test 0'),
@@ -59,7 +59,7 @@ it('fails when a test failed or was skipped, when a report is empty, and when vi
   expect(count(node, { ...browser, success: false })).toMatchObject({ status: 1 });
 });
 
-it('fails when a test file is in no report', () => {
+it('fails if a test file is in no report', () => {
   writeFileSync(join(folder, 'tests', 'forgotten.test.ts'), '');
   expect(count(node, browser)).toMatchObject({
     status: 1,

@@ -1,8 +1,8 @@
 import fc, { type IRawProperty, type Parameters } from '../node_modules/fast-check/lib/fast-check.js';
 import { propertySettings } from './property-settings.ts';
 
-// What tests get for `fast-check`, by an alias in vitest.config.ts. A property whose seed is drawn anew each time fails on one machine
-// and not on the next. Here all are drawn from one seed, which a hunt for bugs varies: for that, no test may keep a seed to itself.
+// Tests import this as `fast-check`, by an alias in vitest.config.ts. With a random seed, a property could fail on one machine
+// and not on the next. So all properties use one seed, which a hunt for bugs varies: therefore no test may set its own seed.
 
 const { seed, runs } = propertySettings(process.env);
 

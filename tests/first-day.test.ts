@@ -7,7 +7,7 @@ import { compile, simulate } from '../engine/index.ts';
 import { RULES, readLevel } from '../schema/index.ts';
 import { PROJECT } from './docs/page.ts';
 
-// What somebody meets on the first day: scripts, versions, templates, and the change that CONTRIBUTING.md proposes.
+// The first day of a contributor: scripts, versions, templates, and the change that CONTRIBUTING.md proposes.
 
 const read = (path: string): string => readFileSync(join(PROJECT, path), 'utf8');
 const manifest = JSON.parse(read('package.json'));
@@ -27,7 +27,7 @@ it('bench/README.md names every benchmark', () => {
   expect(missing).toEqual([]);
 });
 
-it('the change that CONTRIBUTING.md proposes breaks as many levels as it says', () => {
+it('the change that CONTRIBUTING.md proposes breaks the stated number of levels', () => {
   const from = /pulls with (\d+) px\/s2, the default of `pull`/.exec(contributing)?.[1];
   const to = /Make it (\d+)\./.exec(contributing)?.[1];
   expect(RULES.pull.default).toBe(Number(from));
@@ -57,7 +57,7 @@ it('the page is built for the browsers that docs/editor.md promises', async () =
   expect(build.target).toEqual(['chrome', 'firefox', 'safari'].map((name, i) => `${name}${promised?.[i]}`));
 });
 
-it('the templates for issues are ones that GitHub can read', () => {
+it('GitHub can read the templates for issues', () => {
   const folder = '.github/ISSUE_TEMPLATE';
   const templates = readdirSync(join(PROJECT, folder)).filter((name) => name !== 'config.yml');
   expect(templates.length).toBeGreaterThan(2);

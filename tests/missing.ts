@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
 
 /**
- * Declares a suite whose outer conditions are not met: skipped, and said so, on a developer's machine; a failure under CI,
- * where nothing unchecked may be green.
+ * Declares a suite whose requirements are missing: skipped with a reason on a developer's machine; a failure in CI, where
+ * nothing may pass unchecked.
  */
 export function declareMissing(suite: string, why: string): void {
   describe(suite, () => {

@@ -1,4 +1,4 @@
-/** The same function, which computes the answer to the same arguments once. The arguments and answers must be JSON, or like it. */
+/** The same function, which computes each result only once. Arguments and results must be JSON values. */
 export function once<A extends readonly unknown[], R>(compute: (...args: A) => R): (...args: A) => R {
   const answers = new Map<string, R>();
   return (...args) => {

@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { propertySettings } from './property-settings.ts';
 
 describe('the settings of properties', () => {
-  it('are the same everywhere unless asked otherwise', () => {
+  it('are the same everywhere by default', () => {
     expect(propertySettings({})).toEqual({ seed: 1, runs: 1 });
   });
 
@@ -26,7 +26,7 @@ describe('the settings of properties', () => {
 describe('a property', () => {
   const { seed, runs } = propertySettings(process.env);
 
-  /** The numbers a property draws. */
+  /** The numbers that a property draws. */
   function drawn(numRuns?: number): number[] {
     const numbers: number[] = [];
     fc.assert(
@@ -38,16 +38,16 @@ describe('a property', () => {
     return numbers;
   }
 
-  it('runs as often as it says, or 100 times, times what was asked for', () => {
+  it('runs as often as it says, or 100 times, multiplied by PROPERTY_RUNS', () => {
     expect(drawn(30)).toHaveLength(Math.ceil(30 * runs));
     expect(drawn()).toHaveLength(Math.ceil(100 * runs));
   });
 
-  it.runIf(seed !== null)('draws the same each time', () => {
+  it.runIf(seed !== null)('draws the same numbers every time', () => {
     expect(drawn(20)).toEqual(drawn(20));
   });
 
-  it('may not have a seed of its own', () => {
+  it('may not set its own seed', () => {
     const pass = fc.property(fc.nat(), () => {});
     expect(() => fc.assert(pass, { seed: 4 })).toThrow('expected a property without a seed of its own, found seed 4');
   });

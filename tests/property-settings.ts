@@ -1,16 +1,16 @@
-/** How the properties in tests are tried: see CONTRIBUTING.md. */
+/** The settings of properties in tests: see CONTRIBUTING.md. */
 interface PropertySettings {
-  /** of the random numbers of every property; null: a new one for each property */
+  /** The seed of every property; null: a new one for each property. */
   readonly seed: number | null;
-  /** what every property's number of runs is multiplied by, above 0 */
+  /** A factor for the number of runs of every property, above 0. */
   readonly runs: number;
 }
 
 const FIXED_SEED = 1;
 
 /**
- * The settings asked for by `PROPERTY_SEED` and `PROPERTY_RUNS`, otherwise the same on every machine and every day.
- * Throws an Error for values that are none.
+ * The settings from `PROPERTY_SEED` and `PROPERTY_RUNS`, by default the same on every machine and every day.
+ * @throws Error for invalid values
  */
 export function propertySettings(environment: Readonly<Record<string, string | undefined>>): PropertySettings {
   const { PROPERTY_SEED: seed = String(FIXED_SEED), PROPERTY_RUNS: runs = '1' } = environment;

@@ -16,7 +16,7 @@ const filesIn = (folder: string, end: RegExp): string[] =>
     )
     .sort();
 
-/** Where the original's own words are needed: its files are read there. */
+/** Files that need the words of the original, because they read its files. */
 const IMPORT = 'schema/import-original.ts';
 
 describe('the glossary', () => {
@@ -24,7 +24,7 @@ describe('the glossary', () => {
     expect(glossaryProblems(read('docs/glossary.md'))).toEqual([]);
   });
 
-  it('would be refused otherwise', () => {
+  it('is refused if it is not well-formed', () => {
     const table = (...rows: string[]) => ['| term | meaning | not |', '| --- | --- | --- |', ...rows].join('\n');
     expect(glossaryProblems(table('| tick | 1/60 s | step |'))).toEqual([]);
     expect(glossaryProblems(table())).toEqual(['1: there is no term']);
@@ -37,7 +37,7 @@ describe('the glossary', () => {
 });
 
 describe.each(['schema', 'engine', 'solver', 'check', 'cli', 'picture'])('the texts of %s', (room) => {
-  it('have none of the forms that must not come back', () => {
+  it('contain none of the banned forms', () => {
     const found = filesIn(room, /\.tsx?$/).flatMap((path) =>
       formsInSource(path, read(path), path === IMPORT).map((form) => `${path}:${form}`),
     );
@@ -45,7 +45,7 @@ describe.each(['schema', 'engine', 'solver', 'check', 'cli', 'picture'])('the te
   });
 });
 
-it('what commands print counts objects from 1', () => {
+it('the output of commands counts objects from 1', () => {
   const found = filesIn('tests/cli/fixtures', /\.txt$/)
     // JSON counts from 0
     .filter((path) => !read(path).startsWith('{'))
@@ -56,7 +56,7 @@ it('what commands print counts objects from 1', () => {
 /** «x» stands for an expression in a template. */
 const withTemplates = (code: string): string => code.replaceAll('«', ['$', '{'].join('')).replaceAll('»', '}');
 
-describe('the search for these forms', () => {
+describe('the search for banned forms', () => {
   it.each([
     ["f('the asteroids[0] is lost')", 'asteroids['],
     ['f(`the asteroids[«i»] is lost`)', 'asteroids['],
@@ -88,15 +88,15 @@ describe('the search for these forms', () => {
     'f(`asteroid «index + 1» is near`)',
     'f(`the asteroid «name» is near`)',
     "f('asteroid 1 and nova 10')",
-  ])('leaves %s alone', (code) => {
+  ])('ignores %s', (code) => {
     expect(formsInSource('a.ts', withTemplates(code))).toEqual([]);
   });
 
-  it('lets the import of original files speak of goodies', () => {
+  it('allows goodies in the import of original files', () => {
     expect(formsInSource(IMPORT, "f('all goodies of the level')", true)).toEqual([]);
   });
 
-  it('reads what a command prints', () => {
+  it('reads the output of a command', () => {
     expect(formsInOutput('fine\n18.0 px clear of nova 0, near asteroids[2]')).toEqual(['2: asteroids[', '2: nova 0']);
   });
 });
