@@ -3,8 +3,8 @@ import { DEFAULT_RULES, type Level } from '../../schema/index.ts';
 type State = readonly [x: number, y: number, vx: number, vy: number];
 
 /**
- * Held from the start, bounce after bounce on the rim of the first field: Runge-Kutta in steps of `step` s on either side, each
- * crossing of the rim located by Newton's method and begun anew from. No sliding, no mean.
+ * Bounces on the rim of the first field, with the gun held from the start: Runge-Kutta in steps of `step` s on either side.
+ * Each crossing of the rim is located by Newton's method, and the integration restarts there. No sliding, no averaging.
  * @returns place and velocity at each of `times`, in order, s
  */
 export function bounceByBounce(level: Level, times: readonly number[], step = 5e-6): State[] {

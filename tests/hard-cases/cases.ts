@@ -5,19 +5,19 @@ import { fallen } from './fall.ts';
 import { orbitByQuadrature } from './orbit-by-quadrature.ts';
 import { slideByAngle } from './slide-by-angle.ts';
 
-/** What is known of a run without the engine. What is left out is not known, or follows from the rest. */
+/** What is known about a run without the engine. Omitted values are unknown, or follow from the rest. */
 export interface Truth {
-  /** Where it comes from. */
+  /** The source of this knowledge. */
   readonly by: 'closed form' | 'exact construction' | 'integration' | 'invariants' | 'quadrature';
   readonly outcome: Outcome;
   readonly with?: Touched;
-  /** When the run ends, s. */
+  /** The time of the end of the run, s. */
   readonly time?: number;
-  /** What happens before the end, in order, with the time where it is known; presses and releases left out. */
+  /** The events before the end, in order, with the time if it is known; without presses and releases. */
   readonly events?: readonly { readonly what: string; readonly time?: number }[];
-  /** Where she is at these times, px. */
+  /** Her places at these times, px. */
   readonly places?: readonly { readonly time: number; readonly x: number; readonly y: number }[];
-  /** From `from` s on she is pulled by this asteroid alone: energy and angular momentum about it stay. */
+  /** From `from` s on, only this asteroid pulls her: energy and angular momentum about it are conserved. */
   readonly conserved?: { readonly asteroid: number; readonly from: number };
 }
 
@@ -26,14 +26,14 @@ export interface HardCase {
   readonly why: string;
   readonly level: Level;
   readonly holds: readonly Hold[];
-  /** s; {@link CASE_SECONDS} when left out */
+  /** s; {@link CASE_SECONDS} by default */
   readonly maxTime?: number;
   readonly truth: Truth;
-  /** By how much the case multiplies a small error; 1 when left out. */
+  /** The factor by which the case multiplies a small error; 1 by default. */
   readonly sensitivity?: number;
 }
 
-/** How long a case runs when it does not say, s. */
+/** The default duration of a case, s. */
 export const CASE_SECONDS = 10;
 
 const RANGE = 250;
@@ -42,7 +42,7 @@ const GAPS = [1e-3, -1e-3, 1e-6, -1e-6, 1e-9, -1e-9];
 const signed = (g: number) => (g > 0 ? `+${g}` : `${g}`);
 const upTo = (seconds: number, n: number) => Array.from({ length: n }, (_, i) => ((i + 1) * seconds) / n);
 
-/** A level with one asteroid in the game's own range. */
+/** A level with one asteroid and the default range. */
 const around = (x: number, y: number, more: PlainLevel = {}): Level =>
   plainLevel({ range: RANGE, asteroids: [{ x, y, radius: 16 }], ...more });
 
@@ -91,7 +91,7 @@ const nearRadial = (near: number, far: number, range: number, name: string, why:
       by: 'quadrature',
       outcome: 'timeout',
       conserved: { asteroid: 0, from: 0 },
-      // farthest and nearest points by turns
+      // farthest and nearest points alternate
       places: Array.from({ length: 2 * turns }, (_, i) => {
         const angle = Math.PI - ((i + 1) * turn) / 2;
         const r = i % 2 === 0 ? near : far;
@@ -176,7 +176,7 @@ const ties = (): HardCase[] => [
   }),
 ];
 
-/** Ends in the nova where the gap is negative; passes it where it is not. */
+/** Ends in the nova if the gap is negative; else passes it. */
 const grazed = (gap: number, time: number): Truth =>
   gap < 0
     ? { by: 'closed form', outcome: 'collided', with: NOVA, time, events: [] }
@@ -187,7 +187,7 @@ function corner(speed: number, r: number, gap: number): { level: Level; truth: T
   const way = 300;
   const x = 10 + 0.6 * way + (4 * r) / 5 + 0.8 * gap;
   const y = -16 + 0.8 * way - (3 * r) / 5 - 0.6 * gap;
-  // what rounding left of the gap
+  // the gap after rounding
   const left = (4 * (x - 10) - 3 * (y + 16)) / 5 - r;
   return {
     level: plainLevel({ astronaut: { vx: (3 * speed) / 5, vy: (4 * speed) / 5 }, novae: [{ x, y, radius: r }] }),
@@ -627,7 +627,7 @@ const holds = (): HardCase[] => [
   },
 ];
 
-/** Every hard case. The table is made anew on each call, so that nobody can change another's. */
+/** Every hard case. Each call makes a new table, so that callers can't change each other's. */
 export const hardCases = (): HardCase[] => [
   ...falls(),
   ...nearRadials(),

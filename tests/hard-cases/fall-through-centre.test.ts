@@ -18,7 +18,7 @@ const level = (d0: number, sideways: number): Level => ({
   runs: [],
 });
 
-/** px: what each accuracy may err by in 10 s. */
+/** px; the allowed error of each accuracy in 10 s */
 const BOUNDS = [
   ['precise', 1e-9],
   ['standard', 1e-6],
@@ -26,7 +26,7 @@ const BOUNDS = [
 ] as const;
 
 describe.each(BOUNDS)('fall through the centre at %s', (accuracy, bound) => {
-  // sideways: so little that the way is the straight one to all digits, enough that it passes beside the centre
+  // so little sideways that the path is straight to all digits, but enough to pass beside the centre
   it.each(
     [5, 20, 60, 100, 200].flatMap((d0) => [0, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10].map((sideways) => [d0, sideways] as const)),
   )('from %d px, with %d px/s sideways', (d0, sideways) => {

@@ -1,8 +1,8 @@
 import { DEFAULT_RULES } from '../../schema/index.ts';
 
 /**
- * Way fallen after `t` s from rest at distance d0, px: d(t) = M - (M - d0) cosh(t sqrt(A / M)) down to the centre, mirrored
- * beyond it, and all over again after four times as long.
+ * The distance fallen after `t` s from rest at distance d0, px: d(t) = M - (M - d0) cosh(t sqrt(A / M)) down to the centre,
+ * mirrored beyond it, and repeated after four times as long.
  * @param range M, px
  */
 export function fallen(d0: number, range: number, t: number): number {

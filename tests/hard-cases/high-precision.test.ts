@@ -4,7 +4,7 @@ import { type AccuracyName, compile, STATE_SIZE, simulate } from '../../engine/i
 import { plainLevel } from '../engine/plain-level.ts';
 
 interface NearRadial {
-  /** px beside the centre, about */
+  /** the approximate distance from the centre, px */
   readonly beside: number;
   /** px/s across at 100 px */
   readonly speed: number;
@@ -14,7 +14,7 @@ interface NearRadial {
 const file = new URL('../../bench/high-precision/near-radial.json', import.meta.url);
 const cases: NearRadial[] = JSON.parse(readFileSync(file, 'utf8'));
 
-/** px and px/s: what each accuracy may err by in a second. */
+/** px and px/s; the allowed error of each accuracy in a second */
 const BOUNDS: readonly (readonly [AccuracyName, number])[] = [
   ['precise', 1e-9],
   ['standard', 1e-3],

@@ -9,9 +9,9 @@ const RANGE = 250;
 const isHunt = propertySettings(process.env).runs >= 10;
 
 /**
- * How long she circles, s, and what the relative change of energy and angular momentum stays below. Fixed steps are many: errors grow evenly with
- * the time, and five minutes show them. In an hour at `precise` 6.5e-14 (energy) and 5.7e-13 (momentum) were measured, the more the nearer the
- * passes; in five minutes 8.3e-9 at `standard` and 5.1e-5 at `fast`.
+ * How long she circles, in s, and the allowed relative change of energy and angular momentum. In an hour at `precise`, 6.5e-14
+ * (energy) and 5.7e-13 (momentum) were measured; the closer the passes, the larger the change. With fixed steps the error grows
+ * in proportion to the time, so five minutes show it: 8.3e-9 at `standard` and 5.1e-5 at `fast`.
  */
 const BOUNDS: readonly (readonly [AccuracyName, number, number])[] = [
   ['precise', 3600, 1e-12],

@@ -1,12 +1,12 @@
 import { DEFAULT_RULES } from '../../schema/index.ts';
 
-/** An orbit about one asteroid between its nearest and its farthest distance. */
+/** An orbit around one asteroid between its smallest and its largest distance. */
 export interface Orbit {
-  /** Speed at the farthest point, across the line to the centre, px/s. */
+  /** The speed at the farthest point, at right angles to the line to the centre, px/s. */
   readonly speed: number;
-  /** From one farthest point to the next, s. */
+  /** The time from one farthest point to the next, s. */
   readonly period: number;
-  /** Angle about the centre from one farthest point to the next, radians. */
+  /** The angle about the centre from one farthest point to the next, radians. */
   readonly turn: number;
 }
 

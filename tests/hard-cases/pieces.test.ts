@@ -12,7 +12,7 @@ interface Dear {
   readonly name: string;
   readonly parts: PlainLevel;
   readonly holds: readonly Hold[];
-  /** Pieces in the dearest second: `precise`, and with fixed steps. */
+  /** The pieces of the most expensive second: at `precise`, and with fixed steps. */
   readonly most: readonly [precise: number, steps: number];
 }
 
@@ -68,27 +68,27 @@ const CASES: readonly Dear[] = [
   },
 ];
 
-describe.each(continuousNames)('pieces a second: %s', (accuracy) => {
+describe.each(continuousNames)('pieces per second: %s', (accuracy) => {
   it.each(CASES)('$name', ({ parts, holds, most }) => {
     const bound = most[accuracy === 'precise' ? 0 : 1];
     expect(dearestSecond(compile(plainLevel(parts), accuracy), holds, 3, 20_000).pieces).toBeLessThan(bound);
   });
 });
 
-it('a hunt through degenerate scenes, of which the soak makes more', () => {
+it('random degenerate scenes take bounded work (the soak tests more of them)', () => {
   const found = Array.from({ length: 20 }, (_, seed) =>
     checkPieces(degenerateScene(seed)).filter((f) => f.kind === 'bug'),
   ).flat();
   expect(found).toEqual([]);
 });
 
-/** A circle about an asteroid that recoils: both go evenly as a whole, and she goes round. */
+/** A circle around an asteroid that recoils: the two move evenly as a whole, and she circles. */
 describe.each([
   [2e-7, 0.001, 1e-10],
   [5e-6, 0.001, 1e-10],
   [1e-4, 0.01, 1e-9],
 ])('a circle of %d px about a drawn asteroid of radius %d', (size, radius, within) => {
-  it('is where it ought to be, orbit after orbit', () => {
+  it('has its exact size and place, orbit after orbit', () => {
     const kappa = 1 / (2 * radius);
     const pull = DEFAULT_RULES.pull * (1 - size / 250) + kappa;
     const rate = Math.sqrt(pull / size);
@@ -106,7 +106,7 @@ describe.each([
       run.trajectory.at(time, state);
       const [c, s] = [Math.cos(rate * time), Math.sin(rate * time)];
       const drawn = kappa / pull;
-      // what she gives the asteroid it gives back: it circles against her, and goes on with its mean velocity
+      // the asteroid circles opposite to her, and keeps its mean velocity
       const x = size * c - drawn * size * (c - 1);
       const y = size * s - drawn * size * s + drawn * speed * time;
       expect(Math.hypot(state[0] - x, state[1] - y)).toBeLessThan(within);

@@ -4,7 +4,7 @@ import type { Hold, Level } from '../../schema/index.ts';
 import { continuousNames } from '../engine/accuracies.ts';
 import { plainLevel } from '../engine/plain-level.ts';
 
-/** Whole numbers throughout, so that shifting by whole numbers loses nothing. */
+/** Only whole numbers, so that shifts by whole numbers are exact. */
 const LEVEL = plainLevel({
   range: 250,
   recoil: true,
@@ -52,11 +52,11 @@ const SHIFTS = [
 ] as const;
 
 describe.each(continuousNames)('the same level far from the origin: %s', (accuracy) => {
-  it.each(SHIFTS)('moved by %d px goes the same way', (by, within) => {
+  it.each(SHIFTS)('gives the same path after a shift by %d px', (by, within) => {
     for (const holds of HOLDS) {
       const here = simulate(compile(LEVEL, accuracy), holds, { maxTime: 20 });
       const there = simulate(compile(shifted(LEVEL, by), accuracy), holds, { maxTime: 20 });
-      // nothing but the places it is told in may differ: times to the last bit
+      // only places may differ: times are equal to the last bit
       expect([there.outcome, there.with, there.time, there.events]).toEqual([here.outcome, here.with, here.time, here.events]);
       expect(here.events.length).toBeGreaterThanOrEqual(5);
       const [a, b] = [new Float64Array(STATE_SIZE), new Float64Array(STATE_SIZE)];

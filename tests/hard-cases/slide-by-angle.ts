@@ -1,9 +1,9 @@
 import { DEFAULT_RULES, type Level } from '../../schema/index.ts';
 
-/** Where she is on the rim (px), how fast along it (px/s) and where the rock is that draws her, `time` s after she began to slide. */
+/** Her place on the rim (px), her speed along it (px/s) and the place of the target, `time` s after the slide began. */
 export interface Slid {
   readonly time: number;
-  /** Whether nothing holds her on the rim from then on. */
+  /** Whether she leaves the rim at that time. */
   readonly off: boolean;
   readonly x: number;
   readonly y: number;
@@ -12,14 +12,14 @@ export interface Slid {
   readonly rock: readonly [x: number, y: number];
 }
 
-/** Angle on the rim and its rate; place and velocity of the first asteroid. */
+/** The angle on the rim and its rate; the place and velocity of the first asteroid. */
 type State = readonly [angle: number, turn: number, x: number, y: number, vx: number, vy: number];
 
 /**
- * Sliding from the start along the rim of the first field, by the angle alone: angle'' = s f / radius, with f the force outside
- * along the rim and s the share of the time that it acts. Classical Runge-Kutta in tiny steps; the moment she comes off, when
- * the force outside no longer outweighs the centrifugal one, by shorter and shorter ones.
- * @param between what drives her in from outside: the gun, or the second field
+ * A slide from the start along the rim of the first field, by the angle only: angle'' = s f / radius, with f the force outside
+ * along the rim and s the share of the time during which it acts. Classical Runge-Kutta in tiny steps; shorter and shorter ones
+ * locate the moment she leaves the rim, when the force outside no longer exceeds the centrifugal one.
+ * @param between what pushes her in from outside: the gun, or the second field
  */
 export function slideByAngle(level: Level, until: number, between: 'gun' | 'fields' = 'gun', step = 2e-3): Slid {
   const { x: cx, y: cy, radius } = level.repulsors[0];
@@ -64,7 +64,7 @@ export function slideByAngle(level: Level, until: number, between: 'gun' | 'fiel
       time += Math.min(h, until - time);
     }
     off ||= lost;
-    // once she is known to come off, the steps only get shorter
+    // once it is known that she leaves, the steps only get shorter
     if (off) h /= 2;
   }
   const [c, s] = [Math.cos(q[0]), Math.sin(q[0])];

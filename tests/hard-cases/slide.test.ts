@@ -22,12 +22,12 @@ import { slideByAngle as computeSlide, type Slid } from './slide-by-angle.ts';
 // Every accuracy is compared with the same slides.
 const slideByAngle = once(computeSlide);
 
-/** s, by which she may come off too early or too late. */
+/** s; the allowed error of the time at which she leaves the rim */
 const OFF = { precise: 1e-9, standard: 1e-6, fast: 1e-3 };
 const HELD: Hold[] = [[0, 3600]];
 const TIMES = Array.from({ length: 12 }, (_, i) => (i + 1) / 12);
 
-/** She starts on the rim of a field of 48 px that lies between her and the asteroid. */
+/** She starts on the rim of a field of 48 px, which is between her start and the asteroid. */
 const onRim = (parts: PlainLevel = {}): Level =>
   plainLevel({
     range: 250,
@@ -97,14 +97,14 @@ describe.each(continuousNames)('bounces lower than 1e-6 px count as sliding: %s'
   });
 });
 
-/** By the angle, in small steps: at the limit along y until what acts would drive her back along it. */
+/** By the angle, in small steps: at the limit along y until the forces would push her back along it. */
 const slideAtLimit = once((level: Level, seconds: number): [x: number, y: number, vy: number] => {
   const { radius } = level.repulsors[0];
   const [target] = level.asteroids;
   const h = 1e-4;
   let angle = Math.atan2(level.astronaut.y, level.astronaut.x);
   let turn = (level.astronaut.vy * Math.cos(angle) - level.astronaut.vx * Math.sin(angle)) / radius;
-  // acceleration of the angle when she is free
+  // the acceleration of the angle without the limit
   const bends = (angle: number, turn: number) => {
     const [c, s] = [Math.cos(angle), Math.sin(angle)];
     const [wx, wy] = [target.x - radius * c, target.y - radius * s];
@@ -125,7 +125,7 @@ const slideAtLimit = once((level: Level, seconds: number): [x: number, y: number
 });
 
 describe.each(continuousNames)('sliding on a rim at the speed limit: %s', (accuracy) => {
-  it('the limit holds her until the forces would drive her back', () => {
+  it('the limit holds her until the forces would push her back', () => {
     const radius = 5e4;
     for (const sign of [1, -1]) {
       const level = onRim({
@@ -156,7 +156,7 @@ describe.each(continuousNames)('sliding on a rim, against the equation of the an
     expect(run.events.filter((e) => e.type === 'enter')).toHaveLength(1);
     for (const part of TIMES) {
       const slid = slideByAngle(level, whole.time * part);
-      // the steps of `fast` move the rock she draws
+      // the target moves in the steps of `fast`
       expect(away(run, slid)).toBeLessThan(accuracy === 'fast' && level.recoil ? 0.1 : 1e-9);
       const rocks = new Float64Array(2);
       run.trajectory.asteroidsAt(slid.time, rocks);
@@ -166,7 +166,7 @@ describe.each(continuousNames)('sliding on a rim, against the equation of the an
     else expect(leaves(run)).toBeUndefined();
   });
 
-  it('wherever on a rim she starts, however large it is and wherever the asteroid', () => {
+  it('holds for any start on a rim, any size of the rim and any place of the asteroid', () => {
     fc.assert(
       fc.property(
         real(0, 2 * Math.PI),
@@ -180,7 +180,7 @@ describe.each(continuousNames)('sliding on a rim, against the equation of the an
           const asteroid = { x: at.x + x, y: at.y + y, radius: 16 };
           const pull = -39 * (1 / Math.hypot(x, y) - 1 / 250) * (x * c + y * s);
           fc.pre(pull > 2);
-          // a share of the speed at which she would fly off
+          // a share of the speed at which she would leave the rim
           const v = share * Math.sqrt(pull * radius);
           const level = onRim({
             astronaut: { ...at, vx: -v * s, vy: v * c },
@@ -189,7 +189,7 @@ describe.each(continuousNames)('sliding on a rim, against the equation of the an
           });
           const whole = slideByAngle(level, 2, 'gun', 2e-3);
           const run = play(level, accuracy, HELD, 2);
-          // the reference errs, too, where the asteroid is close to the rim
+          // the reference also has errors if the asteroid is close to the rim
           for (const part of [0.3, 0.6, 0.9])
             expect(away(run, slideByAngle(level, part * whole.time, 'gun', 1e-3))).toBeLessThan(1e-8);
         },
@@ -198,8 +198,8 @@ describe.each(continuousNames)('sliding on a rim, against the equation of the an
     );
   });
 
-  // all but on a circle about the centre of the pull, what holds her wanes and grows by little, and only just comes to nothing
-  it('comes off where what holds her has been next to nothing for long', () => {
+  // nearly on a circle about the centre of the pull, the holding force hardly varies, and only just reaches 0
+  it('ends correctly after the holding force has been close to 0 for a long time', () => {
     let off = 0;
     for (const rest of [3e-2, 1e-3, 1e-5]) {
       for (const aside of [1e-3, 0.03, 0.4]) {
@@ -220,8 +220,8 @@ describe.each(continuousNames)('sliding on a rim, against the equation of the an
     expect(off).toBeGreaterThan(4);
   });
 
-  it('goes on at little cost however little holds her', () => {
-    // about the centre of the pull: it holds her with the same small force all the way
+  it('continues at low cost however small the holding force is', () => {
+    // around the centre of the pull, the same small force holds her all the time
     const radius = 100;
     const pull = 39 * (1 - radius / 250);
     for (const rest of [1e-2, 1e-4, 1e-6, 1e-9]) {
@@ -240,7 +240,7 @@ describe.each(continuousNames)('sliding on a rim, against the equation of the an
     }
   });
 
-  it('between two fields that push towards each other, with the gun or without', () => {
+  it('works between two fields that push towards each other, with the gun or without', () => {
     const repulsors = [
       { x: 0, y: 0, radius: 48 },
       { x: -70, y: 20, radius: 48 },
@@ -261,7 +261,7 @@ describe.each(continuousNames)('sliding on a rim, against the equation of the an
     }
   });
 
-  it('ends with the hold: straight on, or not at all from rest', () => {
+  it('ends with the hold: she flies straight on, or stays if she rests', () => {
     const level = onRim({ astronaut: { x: -48, y: 0, vy: 12 } });
     const run = play(level, accuracy, [[0, 30]], 2);
     const slid = slideByAngle(level, 0.5);
@@ -273,7 +273,7 @@ describe.each(continuousNames)('sliding on a rim, against the equation of the an
     expect(leaves(still)).toBe(1);
   });
 
-  it('touches what lies at the rim when her box does', () => {
+  it('touches objects at the rim when her box does', () => {
     const bare = onRim({ astronaut: { x: -48, y: 0, vy: 12 } });
     const gap = (time: number) => {
       const { x, y, rock } = slideByAngle(bare, time, 'gun', 2e-4);
@@ -293,7 +293,7 @@ describe.each(continuousNames)('sliding on a rim, against the equation of the an
     expect(Math.abs(run.time - before)).toBeLessThan(OFF[accuracy] / 10 + 1e-9);
   });
 
-  it('keeps the speed limit along a rim of 100,000 px', () => {
+  it('respects the speed limit along a rim of 100,000 px', () => {
     const level = plainLevel({
       range: 1e6,
       astronaut: { x: -1e5, y: 0, vy: 980 },

@@ -10,16 +10,16 @@ const arbitraryCase = fc.constantFrom(...cases);
 const ticksOf = (c: HardCase) => 60 * (c.maxTime ?? CASE_SECONDS);
 const isHeld = (c: HardCase, tick: number) => c.holds.some(([press, release]) => press <= tick && tick < release);
 
-/** Everything there is to know of where a simulation stands: its state, and what a later run could depend on. */
+/** Everything about a simulation: its state, and everything that a later run could depend on. */
 function standing(simulation: Simulation): unknown {
   const state = new Float64Array(STATE_SIZE);
   simulation.readState(state);
-  // over, only the ticks asked for may differ: an end on a tick belongs to the call before as well as to the one after
+  // at the end, only the requested ticks may differ: an end at a tick belongs to the call before and to the one after
   const all = simulation.ending === null ? [...simulation.snapshot()] : null;
   return { state: [...state], ending: simulation.ending, all };
 }
 
-/** Plays a case up to a tick; at the ticks in `cuts` advances by nothing, and goes on from a snapshot in another simulation. */
+/** Simulates a case up to a tick; at the ticks in `cuts` advances by 0 and continues from a snapshot in another simulation. */
 function playCut(c: HardCase, accuracy: (typeof accuracyNames)[number], cuts: ReadonlySet<number>): unknown {
   const scene = compile(c.level, accuracy);
   let simulation = createSimulation(scene);
@@ -38,7 +38,7 @@ function playCut(c: HardCase, accuracy: (typeof accuracyNames)[number], cuts: Re
 }
 
 describe.each(accuracyNames)('hard cases in parts: %s', (accuracy) => {
-  it('cut anywhere, with steps of no length and snapshots between, end in the same bits', () => {
+  it('give the same bits if they are split anywhere, with steps of length 0 and snapshots', () => {
     fc.assert(
       fc.property(arbitraryCase, fc.array(fc.double({ min: 0, max: 1, noNaN: true }), { maxLength: 12 }), (c, parts) => {
         const cuts = new Set(parts.map((part) => Math.floor(part * ticksOf(c))));
@@ -48,7 +48,7 @@ describe.each(accuracyNames)('hard cases in parts: %s', (accuracy) => {
     );
   });
 
-  it('holds cut into single ticks, or into two back to back, are the hold', () => {
+  it('do not change if a hold is split into single ticks or into two adjacent holds', () => {
     fc.assert(
       fc.property(arbitraryCase, fc.nat(200), fc.integer({ min: 1, max: 80 }), (c, press, length) => {
         const scene = compile(c.level, accuracy);

@@ -13,21 +13,21 @@ import { DEFAULT_RULES } from '../../schema/index.ts';
 import { accuracyNames } from '../engine/accuracies.ts';
 import { CASE_SECONDS, type HardCase, hardCases } from './cases.ts';
 
-/** Error of a place (px) and of a time (s) that each accuracy promises in a case of sensitivity 1; `arcade` moves by frames. */
+/** The error of places (px) and times (s) that each accuracy promises at sensitivity 1; `arcade` moves by frames. */
 const PROMISES: Record<Exclude<AccuracyName, 'arcade'>, { px: number; s: number }> = {
   precise: { px: 1e-9, s: 1e-9 },
   standard: { px: 1e-3, s: 1e-5 },
   fast: { px: 0.5, s: 1e-3 },
 };
 const continuous = Object.keys(PROMISES) as (keyof typeof PROMISES)[];
-/** Relative change of energy and of angular momentum over a run, at the bounds above. */
+/** The relative change of energy and angular momentum over a run, for the bounds above. */
 const DRIFT = { precise: 2e-12, standard: 1e-5, fast: 1e-2 };
 
 const cases = hardCases();
 const seconds = (c: HardCase) => c.maxTime ?? CASE_SECONDS;
 const play = (c: HardCase, accuracy: AccuracyName): Run => simulate(compile(c.level, accuracy), c.holds, { maxTime: seconds(c) });
 
-/** Everything but the button and the end, in words. */
+/** All events except presses, releases and the end, in words. */
 const happenings = (run: Run) =>
   run.events.flatMap((e) => {
     if ('aliens' in e) return [{ what: `${e.type} ${e.aliens.join(' ')}`, time: e.time }];
@@ -41,7 +41,7 @@ function invariants(level: HardCase['level'], asteroid: number, [x, y, vx, vy]: 
   return [(vx * vx + vy * vy) / 2 + DEFAULT_RULES.pull * (d - (d * d) / (2 * range)), dx * vy - dy * vx];
 }
 
-it('every case has a name of its own and says why it is hard', () => {
+it('every case has a unique name and says why it is hard', () => {
   expect(new Set(cases.map((c) => c.name)).size).toBe(cases.length);
   expect(cases.filter((c) => c.why === '')).toEqual([]);
 });
@@ -78,7 +78,7 @@ describe.each(continuous)('hard cases against their truth: %s', (accuracy) => {
       run.trajectory.at(run.time, state);
       const [energyThen, momentumThen] = invariants(c.level, asteroid, state);
       near('energy', energyThen / energy, 1, DRIFT[accuracy]);
-      // a place known to px moves a momentum by as much times the speed
+      // an error of a place, times the speed, is an error of the momentum
       near('angular momentum', momentumThen, momentum, DRIFT[accuracy] * Math.abs(momentum) + 100 * px);
     }
     expect(wrong).toEqual([]);
@@ -94,7 +94,7 @@ describe.each(accuracyNames)('hard cases keep the rules: %s', (accuracy) => {
     const times = run.events.map((e) => e.time);
     expect(times).toEqual([...times].sort((a, b) => a - b));
 
-    // unrecorded, in one go and by the tick: the same bits
+    // without recording, at once and tick by tick: the same bits
     const scene = compile(c.level, accuracy);
     const state = new Float64Array(STATE_SIZE);
     const whole = createSimulation(scene);

@@ -6,24 +6,24 @@ import { steppableScene, windyDegenerateScene, windyScene } from '../../bench/so
 
 const seeds = (count: number) => Array.from({ length: count }, (_, seed) => seed);
 
-// a taste of bench/soak.ts, which looks at as many as one likes
+// a sample of bench/soak.ts, which tests any number of scenes
 describe('scenes with winds and wormholes', () => {
-  it('keep every rule at every accuracy, whole or split, at two tolerances', () => {
+  it('obey every rule at every accuracy, whole or split, at two tolerances', () => {
     expect(seeds(50).flatMap((seed) => checkScene(windyScene(seed), seed).filter(({ kind }) => kind === 'bug'))).toEqual([]);
   });
 
-  it('take no pieces without end, where she starts on rims, in mouths and between forces in balance', () => {
+  it('take a bounded number of pieces from starts on rims, in mouths and between balanced forces', () => {
     expect(seeds(20).flatMap((seed) => checkPieces(windyDegenerateScene(seed)).filter(({ kind }) => kind === 'bug'))).toEqual([]);
   });
 
-  it('take no pieces without end where the mouths of a wormhole all but coincide', () => {
+  it('take a bounded number of pieces if the mouths of a wormhole nearly coincide', () => {
     const known = [12228, 102_462, 102_622, 10_507];
     expect(
       known.flatMap((seed) => checkPieces(windyDegenerateScene(seed)).map(({ accuracy, what }) => ({ seed, accuracy, what }))),
     ).toEqual([]);
   });
 
-  it('end where another program of nothing but small steps ends', () => {
+  it('end at the same place as in another program with small steps', () => {
     let [agreeing, jumps, crossings] = [0, 0, 0];
     for (const seed of seeds(30)) {
       const finding = checkBySteps(steppableScene(seed));
