@@ -3,12 +3,12 @@ import { ACCURACIES, type AccuracyName } from '../../engine/index.ts';
 import type { Level } from '../../schema/index.ts';
 import { arbitraryLevel, arbitraryPlayableLevel } from './arbitrary-level.ts';
 
-/** Every accuracy with a name: what is true of simulations is true at each of them. */
+/** Every named accuracy: properties of simulations hold at each of them. */
 export const accuracyNames = Object.keys(ACCURACIES) as AccuracyName[];
 
-/** Those of continuous time. */
+/** The accuracies in continuous time. */
 export const continuousNames = accuracyNames.filter((name) => name !== 'arcade');
 
-/** The levels an accuracy is tried on: `arcade` on any at all, continuous time on those in which a run can go on for a while. */
+/** The levels for tests of an accuracy: any for `arcade`; for continuous time, levels in which a run lasts for a while. */
 export const levelsFor = (accuracy: AccuracyName): Arbitrary<Level> =>
   accuracy === 'arcade' ? arbitraryLevel : arbitraryPlayableLevel;

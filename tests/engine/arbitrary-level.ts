@@ -3,10 +3,10 @@ import { type Circle, type Hold, type Level, NO_OBJECTS } from '../../schema/ind
 
 type Point = readonly [x: number, y: number];
 
-// not fc.double, which is even over bit patterns and so gives mostly numbers that are all but 0
+// not fc.double, which is uniform over bit patterns and so gives mostly numbers close to 0
 const even = (min: number, max: number) => fc.integer({ min: 0, max: 2 ** 31 - 1 }).map((k) => min + ((max - min) * k) / 2 ** 31);
 
-/** Any double between, most of them tiny. */
+/** Any double between the limits, most of them tiny. */
 const anyDouble = (min: number, max: number) => fc.double({ min, max, noNaN: true, noDefaultInfinity: true });
 
 const coordinate = fc.oneof(
@@ -21,7 +21,7 @@ const coordinate = fc.oneof(
 const point: fc.Arbitrary<Point> = fc.tuple(coordinate, coordinate);
 
 /**
- * px. Recoil is 1 / diameter px/s2: an asteroid much smaller would jump about at the speed limit.
+ * px. Recoil is 1 / diameter px/s2: a much smaller asteroid would jump around at the speed limit.
  */
 const SMALLEST_RADIUS = 1e-3;
 
@@ -43,9 +43,9 @@ const wind = fc.record({ ax: even(-100, 100), ay: fc.constantFrom(0, -20, 20, 10
 const list = <T>(item: fc.Arbitrary<T>, most: number) => fc.array(item, { maxLength: most });
 
 /**
- * Any level the schema lets pass, and the nastier the likelier: objects of every kind, piled upon each other and upon her
- * (distances of exactly 0), at exact ties and touches, with radii from a thousandth to a million px and any range,
- * recoil on and off, starting at rest or at the speed limit.
+ * Any level that the schema accepts, with a bias to difficult ones: objects of every kind on top of each other and of her
+ * (distances of exactly 0), exact ties and touches, radii from a thousandth to a million px, any range, recoil on and off,
+ * starts at rest or at the speed limit.
  */
 export const arbitraryLevel: fc.Arbitrary<Level> = fc.array(point, { minLength: 1, maxLength: 5 }).chain((shared) => {
   const place = fc.oneof({ weight: 1, arbitrary: fc.constantFrom(...shared) }, { weight: 2, arbitrary: point });
@@ -82,7 +82,7 @@ export const arbitraryLevel: fc.Arbitrary<Level> = fc.array(point, { minLength: 
   return level.map((objects): Level => ({ ...NO_OBJECTS, ...objects }));
 });
 
-/** A level in which a run can go on for a while: nothing deadly near her start, an asteroid in reach, ordinary sizes. */
+/** A level in which a run lasts for a while: no hazard near her start, an asteroid in range, ordinary sizes. */
 export const arbitraryPlayableLevel: fc.Arbitrary<Level> = fc
   .record({
     name: fc.constant('playable'),
@@ -126,7 +126,7 @@ function away(r: number): fc.Arbitrary<Circle> {
     .map(([x, y, left, up]) => ({ id: null, x: left ? -x : x, y: up ? -y : y, radius: r }));
 }
 
-/** Holds as a person may write them: in any order, overlapping, touching, empty. */
+/** Holds as users may write them: in any order, overlapping, touching, empty. */
 export const arbitraryHolds = (lastTick: number): fc.Arbitrary<Hold[]> =>
   fc.array(
     fc.tuple(fc.nat(lastTick), fc.nat(lastTick)).map(([a, b]): Hold => (a <= b ? [a, b] : [b, a])),

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { type OwnRules, RULE_NAMES, RULES, type RuleName } from '../../schema/index.ts';
 
-/** Any value of a rule: near the game's own, anywhere in the range, and its ends. */
+/** Any value of a rule: near the default, anywhere in the range, and its ends. */
 function valueFor(name: RuleName): fc.Arbitrary<number> {
   const { default: usual, least, most } = RULES[name];
   const clamp = (value: number) => Math.min(most, Math.max(least, value));
@@ -16,10 +16,10 @@ const values = Object.fromEntries(RULE_NAMES.map((name) => [name, valueFor(name)
   [name in RuleName]: fc.Arbitrary<number>;
 };
 
-/** Rules in their ranges, some of them the game's own. */
+/** Rules within their ranges, some of them defaults. */
 export const arbitraryRules: fc.Arbitrary<OwnRules> = fc.record(values, { requiredKeys: [] });
 
-/** Every choice of the least or the most of each rule. */
+/** Every combination of the smallest or largest value of each rule. */
 export const CORNERS: readonly OwnRules[] = Array.from({ length: 2 ** RULE_NAMES.length }, (_, corner) =>
   Object.fromEntries(RULE_NAMES.map((name, i) => [name, RULES[name][(corner >> i) & 1 ? 'most' : 'least']])),
 );

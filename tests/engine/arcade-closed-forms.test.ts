@@ -15,7 +15,7 @@ function stateAfter(level: PlainLevel, plan: readonly (readonly [ticks: number, 
 }
 
 describe('arcade, against the sums of semi-implicit Euler', () => {
-  it('coasts by v dt a frame, velocity untouched', () => {
+  it('coasts by v dt per frame, with constant velocity', () => {
     fc.assert(
       fc.property(number(-100, 100), number(-100, 100), number(-900, 900), number(-900, 900), fc.nat(600), (x, y, vx, vy, n) => {
         const state = stateAfter({ astronaut: { x, y, vx, vy } }, [[n, false]]);
@@ -42,7 +42,7 @@ describe('arcade, against the sums of semi-implicit Euler', () => {
       fc.property(number(100, 200), number(300, 1000), fc.integer({ min: 1, max: 60 }), (distance, range, n) => {
         const asteroids = [{ x: distance, y: 0, radius: 16 }];
         const state = stateAfter({ asteroids, range }, [[n, true]]);
-        // d after frame k: the pull that frame k - 1 saw
+        // d after frame k, with the pull as of frame k - 1
         let [d, v, a] = [distance, 0, 0];
         for (let k = 0; k < n; k++) {
           v += a * TICK;
@@ -72,7 +72,7 @@ describe('arcade, against the sums of semi-implicit Euler', () => {
     ]);
     expect(next.vy).toBeCloseTo(pull * TICK, 12);
     expect(next.y).toBeCloseTo(pull * TICK * TICK, 12);
-    // a release in frame f likewise: the pull of f - 1 still acts in f
+    // a release in frame f likewise: the pull of frame f - 1 still acts in f
     const released = stateAfter(level, [
       [5, false],
       [1, true],
@@ -82,7 +82,7 @@ describe('arcade, against the sums of semi-implicit Euler', () => {
     expect(released.y).toBeCloseTo(10 * pull * TICK * TICK, 12);
   });
 
-  it('no component of the velocity passes the speed limit', () => {
+  it('no component of the velocity exceeds the speed limit', () => {
     const level = { astronaut: { x: 50, vx: 990, vy: -999 }, repulsors: [{ x: 0, y: 0, radius: 1e6 }] };
     const state = stateAfter(level, [[300, false]]);
     expect(state.vx).toBe(DEFAULT_RULES.speedLimit);

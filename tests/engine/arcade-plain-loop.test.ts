@@ -6,12 +6,12 @@ import { arbitraryLevel, arbitraryPlayableLevel } from './arbitrary-level.ts';
 import { arbitraryRules } from './arbitrary-rules.ts';
 import { plainFrames } from './arcade-plain-loop.ts';
 
-// `arcade` leaves out what is too far to matter, frame by frame and cell by cell. Nothing may tell: not a bit of the state, on
-// any level, however it is advanced. A neighbourhood one circle short would pass every test of the shipped levels.
+// `arcade` skips objects that are too far to matter, frame by frame and cell by cell. This must not change a bit of the state,
+// on any level, however it is advanced. A neighbourhood that misses one object would pass every test of the shipped levels.
 
 const between = (min: number, max: number) => fc.integer({ min: 16 * min, max: 16 * max }).map((k) => k / 16);
 
-/** Many things around her, most of them near her way: she passes cells with anything in them, grazes, and is chased. */
+/** Many objects around her, most of them near her path: she passes cells with all kinds of objects, grazes, and is chased. */
 const crowdedLevel: fc.Arbitrary<Level> = fc
   .record({ playable: arbitraryPlayableLevel, recoil: fc.boolean(), small: fc.boolean(), range: between(150, 400) })
   .chain(({ playable, recoil, small, range }) => {
@@ -64,7 +64,7 @@ function compareWithPlain(level: Level, steps: readonly { ticks: number; held: b
   }).toEqual(expected);
 }
 
-describe('arcade has the bits of a loop that looks at everything in every frame', () => {
+describe('arcade has the same bits as a loop that checks every object in every frame', () => {
   it.each([
     ['any', arbitraryLevel],
     ['playable', arbitraryPlayableLevel],
@@ -82,8 +82,8 @@ describe('arcade has the bits of a loop that looks at everything in every frame'
     fc.assert(fc.property(ruled, plan, compareWithPlain), { numRuns: 100 });
   });
 
-  it('where an alien that starts from rest has less than 2 px to go', () => {
-    // a corner of her box points at it: only there does the box reach as far as what is looked at beforehand
+  it('if an alien that starts from rest is less than 2 px away', () => {
+    // a corner of her box points at it: only there the box reaches as far as the preselected neighbours
     const corner = DEFAULT_BOX.halfDiagonal + 25;
     const gap = fc.integer({ min: 1, max: 200 }).map((k) => k / 100);
     const quarter = fc.tuple(fc.constantFrom(-1, 1), fc.constantFrom(-1, 1));
@@ -104,7 +104,7 @@ describe('arcade has the bits of a loop that looks at everything in every frame'
     );
   });
 
-  it('where there are so many things that an index finds the near ones', () => {
+  it('if there are so many objects that an index finds the near ones', () => {
     const field = (count: number, radius: number, shift: number) =>
       Array.from({ length: count }, (_, i) => ({
         id: null,
@@ -121,8 +121,8 @@ describe('arcade has the bits of a loop that looks at everything in every frame'
     );
   });
 
-  it('where recoil drives an asteroid to the speed limit, from far away', () => {
-    // so light that it gets there, so far that all along nothing but the gun acts
+  it('if recoil drives an asteroid to the speed limit, from far away', () => {
+    // light enough to reach it, and so far away that only the gun acts all the time
     const radius = between(5, 40).map((k) => k / 1e4);
     const nowhere = { x: 9000, y: 9000, radius: 18 };
     fc.assert(
@@ -135,9 +135,9 @@ describe('arcade has the bits of a loop that looks at everything in every frame'
     );
   });
 
-  it('where a hot asteroid comes to her slowly, from farther than a neighbourhood looks', () => {
-    // at the end of the range the pull is all but 0, and recoil as strong as ever: it comes to her, and she waits at the side of her
-    // cell that is nearest to it
+  it('if a hot asteroid comes to her slowly, from beyond a neighbourhood', () => {
+    // at the end of the range the pull is nearly 0, but recoil has its full strength: the asteroid comes to her, and she waits
+    // at the nearest side of her cell
     const scene = fc.record({
       x: between(0, 4),
       y: between(10, 22),

@@ -2,7 +2,7 @@ import { boxOf, boxOverlapsCircle, EXPLOSION_FRAMES, TICK } from '../../engine/i
 import { type Level, rulesOf } from '../../schema/index.ts';
 
 /**
- * The original's frames with everything looked at in every frame, written for reading: what `arcade` must equal in every bit.
+ * The frames of the original with every object checked in every frame, written for clarity. `arcade` must have the same bits.
  * @param button whether the gun is held, by frame
  */
 export function plainFrames(level: Level, button: readonly boolean[]) {
@@ -15,7 +15,7 @@ export function plainFrames(level: Level, button: readonly boolean[]) {
   const rocks = [...cold, ...level.asteroids.filter(({ hot }) => hot)].map((a) => ({ ...a, ...still }));
   const aliens = level.aliens.map((a) => ({ ...a, ...still, exploded: false, chasesUntil: 0 }));
   const collected = minerals.map(() => false);
-  /** The mouth of a wormhole that she is in. */
+  /** The mouth of a wormhole in which she is. */
   const mouthAround = (w: number, atX: number, atY: number): 'first' | 'second' | null => {
     const { x: firstX, y: firstY, toX, toY, radius } = level.wormholes[w];
     const inside = (cx: number, cy: number) => (atX - cx) * (atX - cx) + (atY - cy) * (atY - cy) < radius * radius;
@@ -138,7 +138,7 @@ export function plainFrames(level: Level, button: readonly boolean[]) {
     collected,
     state: [x, y, vx, vy, cos, sin],
     aliens: aliens.flatMap((a) => [a.x, a.y, a.exploded ? 0 : 1]),
-    // in the level's order again
+    // restores the order of the level
     asteroids: level.asteroids.flatMap(({ hot }, i) => {
       const same = level.asteroids.slice(0, i).filter((a) => a.hot === hot).length;
       const rock = rocks[hot ? cold.length + same : same];

@@ -25,9 +25,9 @@ function aliensOf(simulation: Simulation): number[] {
   return [...out];
 }
 
-describe('slips of the original that arcade keeps', () => {
+describe('bugs of the original that arcade keeps', () => {
   it('an asteroid no longer the nearest keeps its recoil acceleration while the gun is held, until it is nearest again', () => {
-    // she flies from the first to the second; both are off her line, so that neither is passed through
+    // she flies from the first to the second; both are beside her line, so that she passes through neither
     const simulation = start({
       astronaut: { vx: 300 },
       asteroids: [
@@ -46,11 +46,11 @@ describe('slips of the original that arcade keeps', () => {
     simulation.advance(30, true);
     const later = speed();
     expect(stateOf(simulation).x).toBeGreaterThan(200);
-    // the first is not the target any more and still gains speed, by 1 / 32 px/s2 for half a second
+    // the first is not the target any more but still accelerates, by 1 / 32 px/s2 for half a second
     expect(Math.hypot(later[0] - first[0], later[1] - first[1])).toBeGreaterThan(0.9 * (1 / 32) * (31 / 60));
   });
 
-  it('several minerals touched in one frame: all count, the last goes, the others count again', () => {
+  it('several minerals touched in one frame: all count, the last disappears, the others count again', () => {
     const run = play({ minerals: [1, 2, 3].map((x) => ({ x, y: 0, radius: 7 })) });
     expect(run.minerals.map(({ index, time }) => [index, Math.round(time * 60)])).toEqual([
       [0, 0],
@@ -62,7 +62,7 @@ describe('slips of the original that arcade keeps', () => {
     ]);
   });
 
-  it('an exploded alien goes on chasing and killing, then stays where it is', () => {
+  it('an exploded alien continues to chase and kill, then stays where it is', () => {
     const level: PlainLevel = {
       astronaut: { x: 0, y: 0 },
       aliens: [
@@ -81,7 +81,7 @@ describe('slips of the original that arcade keeps', () => {
     simulation.advance(100, false);
     expect(aliensOf(simulation)).toEqual(stopped);
 
-    // and it still kills: she flies into what is left of it
+    // and it still kills: she flies into its remains
     const run = play({ ...level, astronaut: { x: 0, y: 0, vx: 20 } }, [], 10);
     expect(run).toMatchObject({ outcome: 'collided', with: { kind: 'alien', index: 0 } });
     expect(run.tick).toBeGreaterThan(EXPLOSION_FRAMES);
@@ -92,7 +92,7 @@ describe('slips of the original that arcade keeps', () => {
     expect(burned).toMatchObject({ outcome: 'collided', with: { kind: 'nova', index: 0 }, final: { vx: 0, vy: 0 } });
     const completed = play({ astronaut: { vx: 60 }, blackHole: { x: 60, y: 0, radius: 16 } }, [], 5);
     expect(completed).toMatchObject({ outcome: 'completed', with: { kind: 'blackHole' }, final: { vx: 60 } });
-    // the displacement of the frame is still made
+    // the displacement of the frame still happens
     expect(burned.final.x).toBe(completed.final.x);
   });
 });
@@ -111,7 +111,7 @@ describe('order within a frame of arcade', () => {
     expect(play({ aliens: [here] }).with).toEqual({ kind: 'alien', index: 0 });
   });
 
-  it('the checks see the positions of the frame before', () => {
+  it('the checks use the positions of the previous frame', () => {
     // 10 px from her side to the rim, 60 px/s: her box enters it in the 11th displacement, so frame 11 is the first to see it
     expect(play({ astronaut: { vx: 60 }, blackHole: { x: 36.5, y: 0, radius: 16 } }).tick).toBe(11);
   });
@@ -123,14 +123,14 @@ describe('order within a frame of arcade', () => {
 });
 
 describe('boundaries', () => {
-  it('at the range exactly she is not lost, beyond it she is', () => {
+  it('exactly at the range she is not lost, beyond it she is', () => {
     const asteroids = [{ x: 300, y: 400, radius: 16 }];
     expect(play({ asteroids, range: 500 }).outcome).toBe('timeout');
     expect(play({ asteroids, range: 500 - 2 ** -40 })).toMatchObject({ outcome: 'lost', tick: 0, with: null });
     expect(play({ asteroids: [] }).outcome).toBe('lost');
   });
 
-  it('an alien at exactly 150 px sleeps, nearer it wakes; out of sight it stops dead', () => {
+  it('an alien at exactly 150 px sleeps, nearer it wakes; out of sight it stops at once', () => {
     const wakes = (x: number) => {
       const simulation = start({ aliens: [{ x, y: 0, radius: 25 }] });
       simulation.advance(60, false);
@@ -165,13 +165,13 @@ describe('boundaries', () => {
   });
 });
 
-describe('who is the target, and which field acts', () => {
+describe('the target and the active field', () => {
   const targetOf = (asteroids: PlainLevel['asteroids']) => {
     const found = play({ asteroids }, [[0, 1]]).events.find((e) => e.type === 'target');
     return found?.type === 'target' ? found.index : null;
   };
 
-  it('the nearest; on a tie the first cold one, then the first hot one', () => {
+  it('the nearest asteroid is the target; on a tie the first cold one, then the first hot one', () => {
     const at = (x: number, hot = false) => ({ x, y: 0, radius: 16, hot });
     expect(targetOf([at(200), at(-100), at(150)])).toBe(1);
     expect(targetOf([at(100), at(-100)])).toBe(0);
@@ -179,7 +179,7 @@ describe('who is the target, and which field acts', () => {
     expect(targetOf([at(100, true), at(-100, true)])).toBe(0);
   });
 
-  it('the first field in the list wins, instead of the gun, gun on or off', () => {
+  it('the first field in the list acts instead of the gun, with the gun on or off', () => {
     const repulsors = [
       { x: -10, y: 0, radius: 48 },
       { x: 10, y: 0, radius: 48 },
@@ -190,7 +190,7 @@ describe('who is the target, and which field acts', () => {
       simulation.advance(2, held);
       expect(stateOf(simulation).vx).toBeCloseTo(20 / 60, 12);
       expect(stateOf(simulation).vy).toBe(0);
-      // held she turns to the target all the same
+      // with the gun held she still turns to the target
       expect(stateOf(simulation).sin).toBe(held ? 1 : 0);
     }
     const other = start({ repulsors: [...repulsors].reverse(), asteroids, range: 250 });

@@ -6,7 +6,7 @@ import { boxCircleGap, compile, DEFAULT_BOX, type Run, STATE_SIZE, simulate } fr
 import type { Level } from '../../schema/index.ts';
 import { plainLevel } from './plain-level.ts';
 
-/** The gap to the nearest hazard at a time, px. */
+/** The distance to the nearest hazard at a time, px. */
 function nearestHazard(level: Level, run: Run, time: number): number {
   const state = new Float64Array(STATE_SIZE);
   const aliens = new Float64Array(3 * level.aliens.length);
@@ -25,7 +25,7 @@ function nearestHazard(level: Level, run: Run, time: number): number {
   );
 }
 
-it('the clearance is reached where it says so, and nowhere is she nearer', () => {
+it('the clearance is reached at its time, and she is never nearer', () => {
   let looked = 0;
   fc.assert(
     fc.property(fc.nat(2 ** 31 - 1), fc.constantFrom(...GRAZED_AT), (seed, accuracy) => {
@@ -34,7 +34,7 @@ it('the clearance is reached where it says so, and nowhere is she nearer', () =>
       const { clearance } = run;
       if (clearance === null) return;
       const rounding = 1e-10 + 4e-15 * (Math.abs(level.astronaut.x) + Math.abs(level.astronaut.y));
-      // where the box turns at once both states are right
+      // where the box turns instantly, both states are right
       const turns = run.events.some((e) => Math.abs(e.time - clearance.time) < 1e-9);
       if (!turns) expect(Math.abs(nearestHazard(level, run, clearance.time) - clearance.distance)).toBeLessThan(rounding);
       expect(clearance.distance <= 0).toBe(run.outcome === 'collided' || clearance.distance === 0);
@@ -50,7 +50,7 @@ it('the clearance is reached where it says so, and nowhere is she nearer', () =>
   expect(looked).toBeGreaterThan(50);
 });
 
-it('the clearance is found however short she comes so near', () => {
+it('the clearance is found however briefly she is that near', () => {
   let thin = 0;
   fc.assert(
     fc.property(fc.nat(2 ** 31 - 1), fc.constantFrom(...GRAZED_AT), (seed, accuracy) => {
@@ -59,7 +59,7 @@ it('the clearance is found however short she comes so near', () => {
       const run = simulate(compile(made.level, accuracy), made.holds, { maxTime: made.until });
       if (run.outcome === 'collided' || run.clearance === null) return;
       expect(run.clearance.distance).toBeGreaterThanOrEqual(0);
-      // the run ends at a tick, perhaps before
+      // the run ends at a tick, or before
       if (made.nearest > run.time) return;
       expect(run.clearance.distance).toBeLessThanOrEqual(-made.depth + 1e-6);
       thin++;
@@ -69,7 +69,7 @@ it('the clearance is found however short she comes so near', () => {
   expect(thin).toBeGreaterThan(10);
 });
 
-it('the clearance knows of asteroids that drift by where recoil has sent them', () => {
+it('the clearance includes asteroids that drift because of recoil', () => {
   let passes = 0;
   fc.assert(
     fc.property(

@@ -19,7 +19,7 @@ const lineScene: fc.Arbitrary<LineScene> = fc.record({
   }),
 });
 
-/** How many ticks each state of the button lasts, released first. */
+/** The number of ticks of each state of the button, released first. */
 const button = fc.array(fc.integer({ min: 1, max: 200 }), { minLength: 1, maxLength: 8 });
 
 const DIRECTIONS = [
@@ -37,7 +37,7 @@ function heldBy(parts: readonly number[]): (tick: number) => boolean {
   return (tick) => held[tick] ?? parts.length % 2 === 1;
 }
 
-/** The same by the engine: places along the direction, and how far she is beside the line at most. */
+/** The same by the engine: places along the direction, and her largest distance from the line. */
 function play(
   scene: LineScene,
   [cos, sin]: readonly [number, number],
@@ -73,7 +73,7 @@ function play(
   return { run, aside };
 }
 
-/** Ticks over which runs stay within `px` of the first. */
+/** The number of ticks for which all runs stay within `px` of the first. */
 function together(px: number, [first, ...others]: readonly LineRun[]): number {
   const apart = first.findIndex((row, tick) =>
     others.some((other) => tick >= other.length || row.some((v, i) => !(Math.abs(v - other[tick][i]) <= px))),
@@ -91,7 +91,7 @@ describe('everything on one line', () => {
       fc.property(lineScene, button, fc.constantFrom(...DIRECTIONS), (scene, parts, direction) => {
         const held = heldBy(parts);
         const truth = moveOnLine(scene, TICKS, held);
-        // where a start moved by a billionth of a pixel goes elsewhere, the truth hangs on its last digits
+        // where a start that is moved by a billionth of a pixel leads elsewhere, the truth depends on the last digits
         const moved = [-1e-9, 1e-9].map((by) => moveOnLine({ ...scene, start: scene.start + by }, TICKS, held));
         const known = together(1e-7, [truth, ...moved]);
         const { run, aside } = play(scene, direction, held, accuracy);
@@ -101,15 +101,15 @@ describe('everything on one line', () => {
       }),
       { numRuns: RUNS },
     );
-    // most of them are known for most of the time
+    // for most runs, the truth is known most of the time
     expect(ticks).toBeGreaterThan(RUNS * 100);
   });
 
-  it('goes as its neighbours do, 1e-7 px beside it', () => {
+  it('moves like its neighbours, 1e-7 px beside it', () => {
     let ticks = 0;
     fc.assert(
       fc.property(lineScene, button, (scene, parts) => {
-        // at rest in the very centre of a field: the neighbours are pushed out of it
+        // at rest exactly in the centre of a field: the neighbours are pushed out of it
         fc.pre(!scene.fields.some(({ at }) => at === scene.start));
         const held = heldBy(parts);
         const beside = (by: number) => play(scene, DIRECTIONS[0], held, 'precise', by).run;
@@ -125,7 +125,7 @@ describe('everything on one line', () => {
   });
 });
 
-describe.each(continuousNames)('a rock that is dragged through her: %s', (accuracy) => {
+describe.each(continuousNames)('an asteroid that is dragged through her: %s', (accuracy) => {
   const rockAt = (parts: Parameters<typeof plainLevel>[0], seconds: number) => {
     const simulation = createSimulation(compile(plainLevel({ range: 400, recoil: true, ...parts }), accuracy));
     simulation.advance(60 * seconds, true);
@@ -134,7 +134,7 @@ describe.each(continuousNames)('a rock that is dragged through her: %s', (accura
     return { places, pieces: simulation.work.pieces };
   };
 
-  it('swings about her while she rests in the centre of a field', () => {
+  it('swings around her while she rests in the centre of a field', () => {
     // 1 / diameter = 0.625 px/s2 from 45 px away: a quarter of a swing lasts 12 s
     const at = { x: 27, y: 36 };
     for (const [seconds, way] of [
@@ -148,7 +148,7 @@ describe.each(continuousNames)('a rock that is dragged through her: %s', (accura
     }
   });
 
-  it('stays in her centre where it can follow her push', () => {
+  it('stays in her centre if it can follow her', () => {
     // 25 px/s2 against 20: it starts with her and never leaves her
     const parts = { asteroids: [{ x: 0, y: 0, radius: 0.02 }], repulsors: [{ x: -30, y: 0, radius: 300 }] };
     const { places, pieces } = rockAt(parts, 2);

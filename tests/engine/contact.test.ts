@@ -25,7 +25,7 @@ const sixtyFourths = (most: number) => fc.integer({ min: -most * SCALE, max: mos
 const exact = (x: number): bigint => BigInt(x * SCALE);
 
 /**
- * gap^2 - r^2 of box and circle in whole numbers of (n / 64 px)^2, by the definition: turn, clamp, compare. Nothing is rounded.
+ * gap^2 - r^2 of box and circle in integers of (n / 64 px)^2, by definition: turn, clamp, compare. Nothing is rounded.
  * @returns the difference and r^2 in the same unit
  */
 function exactBoxCircle(dx: number, dy: number, { c, s, n }: { c: number; s: number; n: number }, r: number) {
@@ -47,7 +47,7 @@ const boxCase = fc.record({
   r: fc.integer({ min: 1, max: 50 * SCALE }).map((k) => k / SCALE),
 });
 
-/** The smallest circle that reaches the box, or nearly: the radius is the rounded gap, give or take a few units of 1/64 px. */
+/** A circle that reaches the box, or nearly: the radius is the rounded gap, plus or minus a few units of 1/64 px. */
 const nearTouch = fc
   .tuple(sixtyFourths(60), sixtyFourths(60), direction, fc.integer({ min: -2, max: 2 }))
   .map(([dx, dy, turn, off]) => {
@@ -56,7 +56,7 @@ const nearTouch = fc
   });
 
 describe('box and circle', () => {
-  it('agree with exact arithmetic wherever rounding cannot decide, and exactly along the axes', () => {
+  it('agree with exact arithmetic except within rounding, and exactly along the axes', () => {
     let touching = 0;
     fc.assert(
       fc.property(fc.oneof(boxCase, nearTouch), ({ dx, dy, turn, r }) => {
@@ -72,12 +72,12 @@ describe('box and circle', () => {
     expect(touching).toBeGreaterThan(0);
   });
 
-  it('touching is no contact', () => {
+  it('a touch is no contact', () => {
     expect(boxOverlapsCircle(DEFAULT_BOX, 26, 0, 1, 0, 16)).toBe(false);
     expect(boxOverlapsCircle(DEFAULT_BOX, 26 - 2 ** -40, 0, 1, 0, 16)).toBe(true);
     expect(boxOverlapsCircle(DEFAULT_BOX, 0, 32, 1, 0, 16)).toBe(false);
     expect(boxOverlapsCircle(DEFAULT_BOX, 0, 32 - 2 ** -40, 1, 0, 16)).toBe(true);
-    // turned by a quarter the short side is up
+    // after a quarter turn, the short side is up
     expect(boxOverlapsCircle(DEFAULT_BOX, 0, 26, 0, 1, 16)).toBe(false);
     expect(boxOverlapsCircle(DEFAULT_BOX, 0, 31, 1, 0, 16)).toBe(true);
     expect(boxOverlapsCircle(DEFAULT_BOX, 0, 31, 0, 1, 16)).toBe(false);
@@ -130,7 +130,7 @@ describe('box and circle', () => {
     );
   });
 
-  it('half turns, quarter turns of the whole and mirrors change no bit', () => {
+  it('half turns, quarter turns of everything and mirrors change no bit', () => {
     fc.assert(
       fc.property(anyCase, ({ dx, dy, angle, r }) => {
         const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
@@ -152,7 +152,7 @@ describe('box and circle', () => {
     );
   });
 
-  it('turning box and circle together by a whole triangle changes nothing', () => {
+  it('turning box and circle together by a Pythagorean angle changes nothing', () => {
     fc.assert(
       fc.property(boxCase, fc.constantFrom(...TRIANGLES), ({ dx, dy, turn, r }, [c, s, n]) => {
         const before = boxCircleGap(DEFAULT_BOX, dx, dy, turn.c / turn.n, turn.s / turn.n, r);
@@ -175,7 +175,7 @@ describe('circle and circle', () => {
     .tuple(fc.constantFrom(...TRIANGLES), fc.integer({ min: 1, max: 50 }), fc.constantFrom(-1 / SCALE, 0, 1 / SCALE))
     .map(([[c, s, n], k, off]) => [c * k, s * k, n * k + off] as const);
 
-  it('agree with exact arithmetic, touches included', () => {
+  it('agree with exact arithmetic, including touches', () => {
     fc.assert(
       fc.property(fc.oneof(near, pythagorean), ([dx, dy, reach]) => {
         expect(circlesOverlap(dx, dy, reach)).toBe(exact(dx) ** 2n + exact(dy) ** 2n < exact(reach) ** 2n);

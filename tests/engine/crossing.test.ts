@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { expect, test } from 'vitest';
 import { crossing } from '../../engine/events/bracket.ts';
 
-/** Guards that fall below 0 at `root`, and nowhere else. */
+/** Guards that fall below 0 only at `root`. */
 const SHAPES: Record<string, (root: number, scale: number) => (t: number) => number> = {
   straight: (root, scale) => (t) => scale * (root - t),
   'bent up': (root, scale) => (t) => scale * (root - t) * (1 + scale * Math.abs(root - t)),
@@ -17,7 +17,7 @@ const SHAPES: Record<string, (root: number, scale: number) => (t: number) => num
 const scales = fc.double({ min: -6, max: 6, noNaN: true }).map((power) => 10 ** power);
 
 for (const [name, shape] of Object.entries(SHAPES)) {
-  test(`a crossing is found to the last digits of the time: ${name}`, () => {
+  test(`a crossing is found to the last digits: ${name}`, () => {
     fc.assert(
       fc.property(
         fc.double({ min: 0, max: 10, noNaN: true }),
@@ -44,7 +44,7 @@ for (const [name, shape] of Object.entries(SHAPES)) {
   });
 }
 
-test('a smooth crossing takes a handful of looks', () => {
+test('a smooth crossing takes a few evaluations', () => {
   fc.assert(
     fc.property(
       fc.double({ min: 0.01, max: 1, noNaN: true }),
@@ -62,7 +62,7 @@ test('a smooth crossing takes a handful of looks', () => {
   );
 });
 
-test('one that stands at 0 and falls at once crosses there', () => {
+test('a guard that is 0 and falls at once crosses there', () => {
   const t = crossing(0, 1e-3, (time) => -time);
   expect(t).toBeGreaterThan(0);
   expect(t).toBeLessThan(1e-18);

@@ -7,25 +7,25 @@ import { accuracyNames } from './accuracies.ts';
 import { arbitraryLevel, arbitraryPlayableLevel } from './arbitrary-level.ts';
 import { plainLevel } from './plain-level.ts';
 
-// What effects declare is what provers and warnings argue with: it must be true of what they do.
+// Provers and warnings rely on the declarations of effects, which must be true.
 
-describe('what an effect declares', () => {
-  it.each(EFFECTS)('$name: it kills where one of its events ends a run badly', ({ kills, events = [] }) => {
+describe('the declaration of an effect', () => {
+  it.each(EFFECTS)('$name: it kills if one of its events ends a run badly', ({ kills, events = [] }) => {
     expect(kills === true).toBe(events.some(({ ends }) => ends?.outcome === 'collided'));
   });
 
-  it('each rule is about one effect, or about her box', () => {
+  it('each rule belongs to one effect, or to the collision box', () => {
     const rules = EFFECTS.flatMap(({ rules: own = [] }) => own);
     expect([...rules, 'boxWidth', 'boxHeight'].sort()).toEqual([...RULE_NAMES].sort());
   });
 
-  it('what can happen has an order of its own, from 1 on', () => {
+  it('event types have unique order numbers, from 1 on', () => {
     const kinds = EFFECTS.flatMap(({ events = [] }) => events.map(({ kind }) => kind));
     expect(kinds.sort((a, b) => a - b)).toEqual(kinds.map((_, i) => i + 1));
   });
 });
 
-// A property says nothing about a kind of object that its levels never have.
+// A property does not cover a kind of object that its levels never contain.
 describe('random levels', () => {
   const many = (levels: fc.Arbitrary<Level>) => fc.sample(levels, 200);
   const additions = LISTED_KINDS.filter((kind) => KINDS[kind].original === null).map(listOf);
@@ -41,7 +41,7 @@ describe('random levels', () => {
 });
 
 describe.each(accuracyNames)('at %s', (accuracy) => {
-  it('nothing accelerates her by more than the scene says', () => {
+  it('her acceleration never exceeds the bound of the scene', () => {
     let fastest = 0;
     fc.assert(
       fc.property(fc.nat(1_000_000), (seed) => {
@@ -61,16 +61,16 @@ describe.each(accuracyNames)('at %s', (accuracy) => {
       }),
       { numRuns: 100 },
     );
-    // and the bound is none that could never be reached
+    // and the bound is not far too large
     expect(fastest).toBeGreaterThan(0.7);
   });
 
-  it('an effect takes room in a simulation where a level calls for it, and nowhere else', () => {
+  it('an effect is part of a simulation exactly if the level calls for it', () => {
     const numbers = (level: Level) => createSimulation(compile(level, accuracy)).snapshot().length;
     const plain = plainLevel();
     const wind = { id: null, x: 500, y: 0, radius: 20, ax: 1, ay: 0 };
     const wormhole = { id: null, x: 500, y: 0, toX: 700, toY: 0, radius: 20 };
-    // in continuous time winds are counted, too
+    // in continuous time, winds have a counter as well
     const own = accuracy === 'arcade' ? 0 : 1;
     expect(numbers({ ...plain, winds: [wind, wind] }) - numbers(plain)).toBe(own + 2);
     expect(numbers({ ...plain, wormholes: [wormhole, wormhole] }) - numbers(plain)).toBe(2);

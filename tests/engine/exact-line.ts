@@ -1,7 +1,7 @@
-/** px: the last bit of what is computed here is far below anything a double can say of a level. */
+/** px; the precision of these computations is far below that of doubles in a level. */
 const SHIFT = 140n;
 
-/** A double times 2^140, cut off to a whole number. */
+/** A double times 2^140, truncated to an integer. */
 function whole(x: number): bigint {
   const bits = new DataView(new ArrayBuffer(8));
   bits.setFloat64(0, x);
@@ -16,7 +16,7 @@ function whole(x: number): bigint {
 
 type Point = readonly [x: number, y: number];
 
-/** Distance of `p` from the line through `a` and `b`, px: whole numbers throughout, so that no rounding is mistaken for a distance. */
+/** The distance of `p` from the line through `a` and `b`, px; in integers, so that no rounding looks like a distance. */
 export function offLine(a: Point, b: Point, p: Point): number {
   const [ax, ay, bx, by, px, py] = [...a, ...b, ...p].map(whole);
   const cross = (bx - ax) * (py - ay) - (by - ay) * (px - ax);

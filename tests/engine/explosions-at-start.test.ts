@@ -3,10 +3,10 @@ import { compile, simulate } from '../../engine/index.ts';
 import { continuousNames } from './accuracies.ts';
 import { plainLevel } from './plain-level.ts';
 
-it.each(continuousNames)('two that overlap asleep explode at the start, whoever else just touches there: %s', (accuracy) => {
+it.each(continuousNames)('two overlapping sleeping aliens explode at the start, even if others touch then: %s', (accuracy) => {
   const level = plainLevel({
     aliens: [
-      // awake, they touch and are drawn into each other
+      // awake, they touch and move into each other
       { x: 100, y: -100, radius: 25 },
       { x: 100, y: -50, radius: 25 },
       { x: -200, y: 0, radius: 25 },

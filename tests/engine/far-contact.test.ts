@@ -4,9 +4,9 @@ import { compile, createSimulation, WorkBudget } from '../../engine/index.ts';
 import { continuousNames } from './accuracies.ts';
 import { plainLevel } from './plain-level.ts';
 
-// On a coast without an end times grow so large that the strides of a march are lost in their rounding.
-describe.each(continuousNames)('what she comes to after a million seconds is found with bounded work: %s', (accuracy) => {
-  it('however far it is', () => {
+// On an endless coast, times grow so large that the steps of a march vanish in their rounding.
+describe.each(continuousNames)('a contact after a million seconds is found with bounded work: %s', (accuracy) => {
+  it('at any distance', () => {
     fc.assert(
       fc.property(
         fc.integer({ min: 1, max: 1000 }),

@@ -8,7 +8,7 @@ import { imageOf, upended } from './image.ts';
 
 const LAST_TICK = 240;
 
-/** Every number of a run that is not finite, by its name. */
+/** The names of all numbers of a run that are not finite. */
 function notFinite(level: Level, run: Run): string[] {
   const found: string[] = [];
   const see = (name: string, value: number) => {
@@ -32,7 +32,7 @@ function notFinite(level: Level, run: Run): string[] {
 }
 
 describe.each(accuracyNames)('any level at %s', (accuracy) => {
-  it('ends in an outcome, with finite numbers, in time order', () => {
+  it('ends with an outcome, finite numbers and events in order of time', () => {
     fc.assert(
       fc.property(levelsFor(accuracy), arbitraryHolds(LAST_TICK), (level, holds) => {
         const run = simulate(compile(level, accuracy), holds, { maxTime: LAST_TICK / 60 });
@@ -69,7 +69,7 @@ describe.each(accuracyNames)('any level at %s', (accuracy) => {
     );
   });
 
-  it('stays finite where objects lie on each other, however nearly', () => {
+  it('stays finite if objects are on top of each other, however close', () => {
     const tiny = fc.oneof(
       fc.constant(0),
       fc.integer({ min: -323, max: 0 }).chain((e) => fc.constantFrom(Number(`1e${e}`), Number(`-1e${e}`))),
@@ -110,7 +110,7 @@ describe.each(accuracyNames)('any level at %s', (accuracy) => {
             minerals,
             runs: [],
           };
-          // fixed steps that pass a centre as near as that are many: as far as a budget takes them
+          // passing a centre so closely takes many fixed steps: the budget ends the run
           const budget = new WorkBudget(10_000);
           expect(notFinite(level, simulate(compile(level, accuracy), holds, { maxTime: LAST_TICK / 60, budget }))).toEqual([]);
         },

@@ -4,9 +4,9 @@ import { checkGraze, GRAZED_AT, graze } from '../../bench/soak/contacts.ts';
 import { compile, createSimulation, playScript, simulate } from '../../engine/index.ts';
 import { plainLevel } from './plain-level.ts';
 
-describe('what she touches by next to nothing', () => {
-  // bench/soak.ts looks at as many as one likes
-  it('is found, and what she misses by as little is not: every kind, moving in every way', () => {
+describe('a minimal touch', () => {
+  // bench/soak.ts tests any number of them
+  it('is found, and a miss by as little is not: every kind, in every motion', () => {
     const counts = { hit: 0, missed: 0, vague: 0, bug: 0 };
     fc.assert(
       fc.property(fc.nat(2 ** 31 - 1), fc.constantFrom(...GRAZED_AT), (seed, accuracy) => {
@@ -35,8 +35,8 @@ describe('what she touches by next to nothing', () => {
   });
 });
 
-describe('circling next to something for long', () => {
-  // on a circle of 100 px about an asteroid
+describe('circling beside an object for a long time', () => {
+  // on a circle of 100 px around an asteroid
   const circling = (parts: Parameters<typeof plainLevel>[0], d = 100) =>
     plainLevel({
       astronaut: { x: d, vy: Math.sqrt(39 * d * (1 - d / 250)) },
@@ -53,12 +53,12 @@ describe('circling next to something for long', () => {
     ['the end of the range', circling({}, 250 - 1e-9)],
   ] as const;
 
-  it.each(cases)('takes few looks: %s', (_, level) => {
+  it.each(cases)('takes few evaluations: %s', (_, level) => {
     const simulation = createSimulation(compile(level));
     playScript(simulation, [[0, 1200]], 1200);
     const { work } = simulation as unknown as { work: { guards: number; pieces: number } };
     expect(simulation.ending).toBeNull();
-    // a look beyond the first ones counts as a guard of its own
+    // every evaluation after the first ones counts as another guard
     expect(work.guards).toBeLessThan(8 * work.pieces);
     expect(work.pieces).toBeLessThan(40);
   });

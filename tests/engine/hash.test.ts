@@ -20,7 +20,7 @@ describe('hash', () => {
     );
   });
 
-  it('changes with any one bit of any number', () => {
+  it('changes with any single bit of any number', () => {
     fc.assert(
       fc.property(doubles, fc.nat(), fc.nat(63), (values, place, bit) => {
         const changed = Float64Array.from(values);
@@ -33,14 +33,14 @@ describe('hash', () => {
     );
   });
 
-  it('tells -0 from 0, order from order, and one more 0 from none', () => {
+  it('distinguishes -0 from 0, different orders, and an additional 0', () => {
     expect(hashOf([-0])).not.toBe(hashOf([0]));
     expect(hashOf([1, 2])).not.toBe(hashOf([2, 1]));
     expect(hashOf([1, 0])).not.toBe(hashOf([1]));
     expect(hashOf([0])).not.toBe(hashOf([]));
   });
 
-  it('tells where one text ends and the next begins', () => {
+  it('distinguishes where one text ends and the next begins', () => {
     const textHash = (...texts: string[]) => {
       const hash = new Hash();
       for (const text of texts) hash.addText(text);
@@ -56,7 +56,7 @@ describe('hash', () => {
     expect(seen.size).toBe(100_000);
   });
 
-  it('is what it was: a change makes every committed hash void', () => {
+  it('does not change: otherwise every committed hash is void', () => {
     expect(hashOf([1, -0, 1 / 3, 1e300])).toMatchInlineSnapshot(`"1f1205bb1857c852"`);
   });
 });

@@ -1,18 +1,18 @@
 import { KINDS, type Level, OBJECT_KINDS, type ObjectKind } from '../../schema/index.ts';
 
-/** What becomes of a place, or of a vector. */
+/** The image of a place or a vector. */
 export type Turn = (x: number, y: number) => { readonly x: number; readonly y: number };
 
-/** Left for right. */
+/** Exchanges left and right. */
 export const flipped: Turn = (x, y) => ({ x: 0 - x, y });
 
-/** Upside down. */
+/** Exchanges up and down. */
 export const upended: Turn = (x, y) => ({ x, y: 0 - y });
 
-/** x for y. */
+/** Exchanges x and y. */
 export const swapped: Turn = (x, y) => ({ x: y, y: x });
 
-/** The image of a level: of all its objects, whatever kinds there are, all places and all vectors are turned. */
+/** The image of a level: transforms all places and vectors of all objects. */
 export function imageOf(level: Level, turn: Turn): Level {
   const all = level as unknown as Readonly<Record<string, unknown>>;
   const images = OBJECT_KINDS.map((kind): [string, unknown] => {

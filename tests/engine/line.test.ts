@@ -15,7 +15,7 @@ import { continuousNames } from './accuracies.ts';
 import { offLine } from './exact-line.ts';
 import { plainLevel } from './plain-level.ts';
 
-/** Every accuracy in continuous time, and tolerances of one's own. */
+/** Every accuracy in continuous time, and custom tolerances. */
 const accuracies: readonly Accuracy[] = [
   ACCURACIES.precise,
   ACCURACIES.standard,
@@ -25,8 +25,8 @@ const accuracies: readonly Accuracy[] = [
 ];
 
 /**
- * How far beside the exact line a place may be told, px for each px of its numbers. Its coordinates are rounded, so are those of the
- * centre that it is told from, and the slope of the line.
+ * The allowed distance of a place from the exact line, px for each px of its coordinates. Its coordinates are rounded, as are
+ * those of the centre from which it is computed, and the slope of the line.
  */
 const ROUNDING = 2e-16;
 
@@ -42,7 +42,7 @@ interface Row {
   readonly recoil: boolean;
 }
 
-/** From rest: an asteroid in range, perhaps others on the line through both, as well as doubles can say. */
+/** From rest: an asteroid in range, and possibly others on the line through both, as exactly as doubles allow. */
 const row: fc.Arbitrary<Row> = fc.record({
   start: fc.oneof(fc.constant([0, 0] as const), fc.tuple(even(-500, 500), even(-500, 500))),
   first: fc
@@ -64,16 +64,16 @@ interface Point {
   readonly y: number;
 }
 
-/** Watches a simulation for being on the line from its start through the asteroid that is the first to pull. */
+/** Checks that a simulation stays on the line from its start through the first asteroid that pulls. */
 class Watch {
   private readonly state = new Float64Array(STATE_SIZE);
   private readonly asteroids: Float64Array;
   private readonly start: readonly [number, number];
   private readonly end: readonly [number, number];
   private direction: readonly [number, number] | null = null;
-  /** Largest share of what rounding allows. */
+  /** The largest deviation, as a share of the allowed one. */
   worst = 0;
-  /** Ticks at which her box, with the gun held, is not turned along one and the same pair of doubles or its negative. */
+  /** The ticks at which the direction of her box, with the gun held, is not the same pair of doubles or its negative. */
   turned = 0;
 
   constructor(readonly scene: Scene) {
@@ -85,7 +85,7 @@ class Watch {
     this.asteroids = new Float64Array(2 * asteroids.length);
   }
 
-  /** Looks at her, and at the asteroids. */
+  /** Checks her place, and those of the asteroids. */
   see(simulation: Simulation, held: boolean): void {
     const { state, asteroids, start, end } = this;
     simulation.readState(state);
@@ -106,7 +106,7 @@ class Watch {
   }
 }
 
-/** Presses and releases: how many ticks each lasts. Many are of one tick. */
+/** The lengths of presses and releases in ticks; many are one tick. */
 const script = fc.array(fc.oneof(fc.constant(1), fc.integer({ min: 1, max: 40 }), fc.integer({ min: 1, max: 150 })), {
   minLength: 4,
   maxLength: 20,
@@ -140,14 +140,14 @@ describe.each(accuracies.map((a) => [a.name, a] as const))('from rest she stays 
     expect(worst).toBeGreaterThan(0);
   });
 
-  it('however hard a search tries to take her off it', () => {
+  it('even if a search tries to move her off it', () => {
     fc.assert(
       fc.property(row, fc.nat(2 ** 30), (of, seed) => {
         const scene = compileRow(of, accuracy);
         const watch = new Watch(scene);
         const simulation = createSimulation(scene);
         const random = generator(seed);
-        // greedy: of eight ways on the one that ends farthest off the line, the slowest at the centre where they are equal
+        // greedy: of eight continuations, the one that ends farthest off the line; of equals, the slowest at the centre
         let best = simulation.snapshot();
         for (let round = 0; round < 12; round++) {
           let farthest = -1;
@@ -176,7 +176,7 @@ describe.each(accuracies.map((a) => [a.name, a] as const))('from rest she stays 
   });
 });
 
-/** Numbers from 0 to 1, the same from the same seed. */
+/** Pseudo-random numbers from 0 to 1 for a seed. */
 function generator(seed: number): () => number {
   let s = seed;
   return () => {
@@ -185,14 +185,14 @@ function generator(seed: number): () => number {
   };
 }
 
-describe.each(continuousNames)('beside the target, where only a box that sweeps round would reach: %s', (accuracy) => {
-  // 34.55 px from the asteroid's centre, square to her way: more than 18 + 16, less than 18 and half the box's diagonal
+describe.each(continuousNames)('beside the target, where only a turning box would reach: %s', (accuracy) => {
+  // 34.55 px from the asteroid's centre, at right angles to her path: more than 18 + 16, less than 18 + half the box's diagonal
   const level = plainLevel({
     range: 250,
     asteroids: [{ x: 64.2, y: 102.7, radius: 32 }],
     blackHole: { x: 34.903, y: 121.014 },
   });
-  // each was found by a search when rounding took her off the line
+  // a search found each of these when rounding moved her off the line
   const runs: readonly (readonly Hold[])[] = [
     [
       [0, 528],

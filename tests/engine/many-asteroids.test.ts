@@ -6,14 +6,14 @@ import type { Asteroid, Level } from '../../schema/index.ts';
 import { continuousNames } from './accuracies.ts';
 import { plainLevel } from './plain-level.ts';
 
-// From 128 asteroids on they are looked for through an index, below that one by one: both are to find the same.
+// From 128 asteroids on, an index finds them; below that, they are checked one by one. Both must find the same.
 
 const COUNT = 150;
 
-/** 14 rows of 14, 60 px apart, so that the start lies in the middle of four. */
+/** 14 rows of 14, 60 px apart, with the start in the middle of four. */
 const GRID = Array.from({ length: 196 }, (_, i) => ({ x: 60 * (i % 14) - 390, y: 60 * Math.floor(i / 14) - 390, radius: 2 }));
 
-/** So many asteroids that she can't come near, in no order. */
+/** Asteroids that she can't reach, in random order. */
 const farAway = ({ astronaut }: Level): Asteroid[] =>
   Array.from({ length: COUNT }, (_, i) => ({
     id: null,
@@ -30,7 +30,7 @@ const play = (
   maxTime = 10,
 ) => simulate(compile(level, accuracy), holds, { maxTime, budget: new WorkBudget(50_000) });
 
-/** What a run tells but for numbers: with asteroids counted from one of them on. */
+/** A run without numbers, with the indices of asteroids relative to the first one. */
 function told({ outcome, with: what, events }: Run, first: number): unknown {
   const own = <T extends object>(of: T, kind: string): T =>
     'index' in of && typeof of.index === 'number' && (kind === 'asteroid' || kind === 'target')
@@ -46,8 +46,8 @@ function told({ outcome, with: what, events }: Run, first: number): unknown {
   ];
 }
 
-// pieces are shorter where an index is asked, so that last digits may differ
-describe.each(continuousNames)('asteroids far away change nothing: %s', (accuracy) => {
+// pieces are shorter with an index, so that last digits may differ
+describe.each(continuousNames)('distant asteroids change nothing: %s', (accuracy) => {
   it.each([
     ['behind', 0],
     ['before', COUNT],
@@ -73,8 +73,8 @@ describe.each(continuousNames)('asteroids far away change nothing: %s', (accurac
     expect(stopped).toBeLessThan(5);
   });
 
-  // as she holds one, places are told from it; nearest may be another by now
-  it('the nearest is found wherever recoil has moved them', () => {
+  // while the gun is held, places are relative to the target, and another asteroid may have become the nearest
+  it('the nearest asteroid is found wherever recoil has moved them', () => {
     for (const recoil of [false, true]) {
       const level = plainLevel({ range: 100, recoil, astronaut: { x: 3, y: 8, vx: 70, vy: 31 }, asteroids: GRID });
       const run = play(level, accuracy, [
@@ -100,7 +100,7 @@ describe.each(continuousNames)('asteroids far away change nothing: %s', (accurac
     }
   });
 
-  it('of several at the same distance the first in the list is the target', () => {
+  it('the first in the list of several at the same distance is the target', () => {
     for (const turn of [0, 7, 60, 119]) {
       const turned = [...GRID.slice(turn), ...GRID.slice(0, turn)];
       const run = play(plainLevel({ range: 100, astronaut: { x: 0, y: 0 }, asteroids: turned }), accuracy, [[0, 5]], 0.1);

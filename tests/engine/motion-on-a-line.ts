@@ -11,18 +11,18 @@ export interface LineScene {
   readonly fields: readonly { readonly at: number; readonly radius: number }[];
 }
 
-/** Where she and the asteroids are at the end of each tick; it ends where she is lost, or before something that can't be told. */
+/** The places of her and the asteroids at the end of each tick, until she is lost or the motion can't be determined. */
 export type LineRun = number[][];
 
-/** Steps in a tick; a step is halved down to where an event is. */
+/** Steps per tick; a step with an event is halved until the event is located. */
 const STEPS = 2;
 const HALVINGS = 60;
-/** More events than this in a tick slide, or swing in no time: left to tests of their own. */
+/** More events than this in a tick mean sliding or very fast swings, which have their own tests. */
 const MOST_EVENTS = 40;
 
 /**
- * The game in one dimension, by plain Runge-Kutta steps between events that are found by bisection: shares nothing with the engine
- * but the numbers of the game. State: her place and velocity, then those of each asteroid.
+ * The game in one dimension, by plain Runge-Kutta steps between events that are found by bisection. It shares only the numbers
+ * of the game with the engine. State: her place and velocity, then those of each asteroid.
  * @param held whether the gun is held in a tick
  */
 export function moveOnLine(scene: LineScene, ticks: number, held: (tick: number) => boolean): LineRun {
@@ -31,7 +31,7 @@ export function moveOnLine(scene: LineScene, ticks: number, held: (tick: number)
   const rock = (s: readonly number[], i: number) => s[2 + 2 * i];
   const inside = fields.map(({ at, radius }) => Math.abs(scene.start - at) < radius);
   let target = -1;
-  /** on which side the target is, and the centre of the field that acts; fixed between events */
+  /** The side of the target, and the centre of the active field; fixed between events. */
   let side = 0;
   let out = 0;
   const field = () => inside.indexOf(true);
@@ -53,7 +53,7 @@ export function moveOnLine(scene: LineScene, ticks: number, held: (tick: number)
     const d = rates(plus(c, h));
     return s.map((v, i) => v + (h / 6) * (a[i] + 2 * b[i] + 2 * c[i] + d[i]));
   };
-  // each is above 0 until its event happens
+  // each guard is above 0 until its event happens
   const guards = (s: readonly number[]): number[] => [
     ...fields.map(({ at, radius }, i) => (inside[i] ? 1 : -1) * (radius - Math.abs(s[0] - at))),
     target >= 0 && side !== 0 ? side * (rock(s, target) - s[0]) : 1,
@@ -69,7 +69,7 @@ export function moveOnLine(scene: LineScene, ticks: number, held: (tick: number)
     if (guard >= fields.length + 2) target = guard - fields.length - 2;
     const [oldSide, oldOut] = [side, out];
     look();
-    // at its own crossing a sign turns, whatever rounding says
+    // the sign changes at its own crossing, regardless of rounding
     if (guard === fields.length) side = -oldSide;
     if (guard === fields.length + 1) out = -oldOut;
   };

@@ -4,7 +4,7 @@ import { boxCircleGap, compile, DEFAULT_BOX, findWarnings, simulate } from '../.
 import { type LevelFile, resolveLevel } from '../../schema/index.ts';
 import { continuousNames } from './accuracies.ts';
 
-// What happens or does not by very little, with the answer known in closed form.
+// Events that happen or fail to happen by very little, with the answer known in closed form.
 
 const level = (more: Partial<LevelFile>) =>
   resolveLevel({
@@ -19,7 +19,7 @@ const level = (more: Partial<LevelFile>) =>
 describe('the gap of her box and a circle', () => {
   const at = (dx: number, dy: number) => boxCircleGap(DEFAULT_BOX, dx, dy, 1, 0, 5);
 
-  it('is that of the nearest side, or of the corner, from all around', () => {
+  it('is that of the nearest side or corner, in all directions', () => {
     for (const [sx, sy] of [
       [1, 1],
       [-1, 1],
@@ -37,7 +37,7 @@ describe('the gap of her box and a circle', () => {
 });
 
 describe('an alien that she flies away from', () => {
-  it.each(continuousNames)('catches her when it must, though it is she who is faster at first: %s', (accuracy) => {
+  it.each(continuousNames)('catches her on time, although she is faster at first: %s', (accuracy) => {
     const chase = fc.record({
       gap: fc.double({ min: 0.05, max: 4, noNaN: true }),
       v: fc.double({ min: 0.5, max: 6, noNaN: true }),
@@ -59,7 +59,7 @@ describe('an alien that she flies away from', () => {
 });
 
 describe('the speed limit of an axis', () => {
-  // she falls towards the target, and the target towards her; both along one axis, which is the one that is limited
+  // she falls towards the target, and the target towards her, both along the axis with the limit
   const fall = (axis: 'x' | 'y', recoil: boolean) => {
     const [v, away] = [999, 240];
     const place = (n: number) => (axis === 'x' ? { x: n, y: 0 } : { x: 0, y: n });
@@ -71,7 +71,7 @@ describe('the speed limit of an axis', () => {
     const run = simulate(compile(scene, 'precise'), [[0, 3600]], { maxTime: 0.2 });
     return { v: axis === 'x' ? run.final.vx : run.final.vy, at: axis === 'x' ? run.final.x : run.final.y };
   };
-  /** Small steps of the same fall: place and speed after a fifth of a second. */
+  /** The same fall in small steps: place and speed after a fifth of a second. */
   const stepped = (recoil: boolean) => {
     let [x, v, rock, u] = [0, 999, 240, 0];
     const n = 200_000;
@@ -88,7 +88,7 @@ describe('the speed limit of an axis', () => {
     return { v, at: x };
   };
 
-  it.each(['x', 'y'] as const)('is reached where it is, whether or not the target moves: %s', (axis) => {
+  it.each(['x', 'y'] as const)('is reached exactly, whether or not the target moves: %s', (axis) => {
     for (const recoil of [false, true]) {
       const [played, right] = [fall(axis, recoil), stepped(recoil)];
       expect(Math.abs(played.v - right.v)).toBeLessThan(1e-3);
@@ -113,7 +113,7 @@ describe('a start on the rim of a field', () => {
       { maxTime },
     ).final;
 
-  it.each([0, 1e-10, 1e-3])('she goes in, is turned back, and leaves as fast as she came: %f px before it', (off) => {
+  it.each([0, 1e-10, 1e-3])('turns her back, and she leaves as fast as she came: %f px before it', (off) => {
     const [v, time] = [6, 1];
     const inside = run(v, off, 0.3);
     expect(inside.vx).toBeCloseTo(v - 20 * (0.3 - off / v), 8);
@@ -123,15 +123,15 @@ describe('a start on the rim of a field', () => {
     expect(after.x).toBeCloseTo(off - v * (time - off / v - (2 * v) / 20), 7);
   });
 
-  it('she who goes away is not pushed', () => {
+  it('does not push her if she moves away', () => {
     const after = run(-6, 0, 1);
     expect(after.vx).toBe(-6);
     expect(after.x).toBeCloseTo(-6, 12);
   });
 });
 
-describe('warnings of what is out of reach, with recoil', () => {
-  // a rock of radius 60 drifts 60 s at 1 / 120 px/s2: 15 px; two of them towards each other, and a frame's jump of 23.57 px
+describe('warnings about objects out of reach, with recoil', () => {
+  // an asteroid of radius 60 drifts 15 px in 60 s at 1 / 120 px/s2; two of them towards each other, and a frame's jump of 23.57 px
   const rock = (x: number) => ({ x, y: 0, radius: 60 });
   const warns = (d: number, thing: number) =>
     findWarnings(level({ asteroids: [rock(0), rock(d)], blackHole: { x: d + thing, y: 0 }, recoil: true })).some(
@@ -139,12 +139,12 @@ describe('warnings of what is out of reach, with recoil', () => {
     );
   const jump = (Math.sqrt(2) * 1000) / 60;
 
-  it('a gap between ranges is wider by both drifts', () => {
+  it('a gap between ranges may be wider by both drifts', () => {
     expect(warns(500 + 30 + jump - 0.1, 100)).toBe(false);
     expect(warns(500 + 30 + jump + 0.1, 100)).toBe(true);
   });
 
-  it('and a thing is farther by one', () => {
+  it('an object may be farther by one drift', () => {
     const reach = 250 + 18 + DEFAULT_BOX.halfDiagonal + 15;
     expect(warns(100, reach - 0.01)).toBe(false);
     expect(warns(100, reach + 0.01)).toBe(true);

@@ -3,7 +3,7 @@ import { expect, it } from 'vitest';
 import { compile, createSimulation, playScript, STATE_SIZE, simulate } from '../../engine/index.ts';
 import { plainLevel } from './plain-level.ts';
 
-// In levels made on a grid, events fall on ticks, and guards onto 0 but for rounding.
+// In levels on a grid, events happen at ticks, and guards are 0 except for rounding.
 
 const SECONDS = 12;
 

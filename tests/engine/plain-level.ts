@@ -2,7 +2,7 @@ import { type Asteroid, type Circle, type Level, NO_OBJECTS } from '../../schema
 
 type Place = Pick<Circle, 'x' | 'y' | 'radius'>;
 
-/** The lists of a level as a test writes them: without ids, cold where not said otherwise. */
+/** The lists of a level as tests write them: without ids, and cold by default. */
 export interface PlainLevel {
   astronaut?: Partial<Level['astronaut']>;
   blackHole?: Partial<Level['blackHole']>;
@@ -17,7 +17,7 @@ export interface PlainLevel {
 
 const named = (list: readonly Place[] | undefined): Circle[] => (list ?? []).map((o) => ({ id: null, ...o }));
 
-/** A level with only what the test is about: she rests at 0, 0; the black hole and an asteroid (never in reach) are far away. */
+/** A level with only the objects of a test: she rests at 0, 0; the black hole and an asteroid (never in range) are far away. */
 export function plainLevel(parts: PlainLevel = {}): Level {
   const asteroids = parts.asteroids ?? [{ x: 1e5, y: 1e5, radius: 16 }];
   return {

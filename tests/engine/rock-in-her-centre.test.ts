@@ -4,9 +4,9 @@ import { compile, simulate, WorkBudget } from '../../engine/index.ts';
 import { continuousNames } from './accuracies.ts';
 import { plainLevel } from './plain-level.ts';
 
-// In a field the gun drags what it holds, and that may lie in her very centre.
+// In a field the gun drags its target, which may be exactly in her centre.
 
-it.each(continuousNames)('at rest in the centre of a field with it she stays there, and so does it: %s', (accuracy) => {
+it.each(continuousNames)('at rest in the centre of a field, both she and the target stay there: %s', (accuracy) => {
   for (const apart of [0, 1e-300, 1e-12]) {
     const level = plainLevel({
       asteroids: [{ x: apart, y: 0, radius: 16 }],
@@ -25,7 +25,7 @@ it.each(continuousNames)('at rest in the centre of a field with it she stays the
   }
 });
 
-it.each(continuousNames)('in scenes where she also slides along a rim, numbers stay finite and work small: %s', (accuracy) => {
+it.each(continuousNames)('numbers stay finite and the work small if she also slides along a rim: %s', (accuracy) => {
   for (const seed of [30_279, 22_978, 30_909, 34_301, 209_007]) {
     const { level, holds, maxTime } = randomScene(seed);
     const budget = new WorkBudget();

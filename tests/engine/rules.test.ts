@@ -18,7 +18,7 @@ import { arbitraryRules, CORNERS } from './arbitrary-rules.ts';
 import { flipped, imageOf } from './image.ts';
 import { plainLevel } from './plain-level.ts';
 
-// Rules are data: whatever is true of the game's own numbers is true of any in their ranges.
+// Rules are data: properties that hold for the default numbers hold for any numbers within the ranges.
 
 const withRules = (level: Level, rules: OwnRules): Level => ({ ...level, rules });
 const plan = fc.array(fc.record({ ticks: fc.integer({ min: 1, max: 60 }), held: fc.boolean() }), { minLength: 1, maxLength: 6 });
@@ -29,7 +29,7 @@ const stateOf = (simulation: ReturnType<typeof createSimulation>): number[] => {
   return [...state];
 };
 
-describe.each(accuracyNames)('with rules of its own, at %s', (accuracy) => {
+describe.each(accuracyNames)('with its own rules, at %s', (accuracy) => {
   it('a run has the same bits however it is split', () => {
     fc.assert(
       fc.property(levelsFor(accuracy), arbitraryRules, plan, fc.integer({ min: 1, max: 13 }), (level, rules, steps, chunk) => {
@@ -50,7 +50,7 @@ describe.each(accuracyNames)('with rules of its own, at %s', (accuracy) => {
     );
   });
 
-  it('a run under the game’s own rules, said or left out, has one hash', () => {
+  it('a run with the default rules, written or omitted, has the same hash', () => {
     fc.assert(
       fc.property(
         arbitraryPlayableLevel,
@@ -66,7 +66,7 @@ describe.each(accuracyNames)('with rules of its own, at %s', (accuracy) => {
     );
   });
 
-  it('numbers stay finite at every corner of the ranges', () => {
+  it('numbers stay finite at every combination of limits', () => {
     const scenes = [
       plainLevel({ asteroids: [{ x: 120, y: 0, radius: 16 }], range: 250, recoil: true, novae: [{ x: 300, y: 10, radius: 16 }] }),
       plainLevel({
@@ -89,7 +89,7 @@ describe.each(accuracyNames)('with rules of its own, at %s', (accuracy) => {
     }
   });
 
-  it('no speed along an axis is above a limit of another size', () => {
+  it('no speed along an axis exceeds a changed limit', () => {
     const limits = fc.integer({ min: 10, max: 300 });
     let reached = 0;
     fc.assert(
@@ -110,7 +110,7 @@ describe.each(accuracyNames)('with rules of its own, at %s', (accuracy) => {
 });
 
 describe.each(continuousNames)('in continuous time, at %s', (accuracy) => {
-  it('she falls from rest as the closed form says, with any pull', () => {
+  it('she falls from rest as in the closed form, with any pull', () => {
     // r'' = -pull (1 - r / range): towards the end of the range the pull weakens evenly, so range - r grows as cosh
     const range = 500;
     fc.assert(
@@ -129,7 +129,7 @@ describe.each(continuousNames)('in continuous time, at %s', (accuracy) => {
     );
   });
 
-  it('a scene and its mirror image play alike', () => {
+  it('a scene and its mirror image give mirrored runs', () => {
     fc.assert(
       fc.property(arbitraryPlayableLevel, arbitraryRules, arbitraryHolds(200), (level, rules, holds: Hold[]) => {
         const play = (of: Level) =>
@@ -144,8 +144,8 @@ describe.each(continuousNames)('in continuous time, at %s', (accuracy) => {
 });
 
 describe('contact with a box of another size', () => {
-  it('agrees with the corners, sides and middle of the box, looked at one by one', () => {
-    /** px from a point to the segment between two others */
+  it('agrees with separate checks of the corners, sides and middle of the box', () => {
+    /** The distance from a point to the segment between two others, px. */
     const toSegment = (px: number, py: number, ax: number, ay: number, bx: number, by: number) => {
       const [ux, uy] = [bx - ax, by - ay];
       const along = Math.min(1, Math.max(0, ((px - ax) * ux + (py - ay) * uy) / (ux * ux + uy * uy)));
@@ -186,7 +186,7 @@ describe('contact with a box of another size', () => {
 describe('a level file', () => {
   const file = { version: 1, name: 'ruled', astronaut: { x: 0, y: 0 }, blackHole: { x: 100, y: 0 } } as const;
 
-  it('that says the game’s own rules is the level that says none', () => {
+  it('with the default rules gives the same level as one without rules', () => {
     expect(resolveLevel({ ...file, rules: { pull: 39, boxHeight: 32 } })).toEqual(resolveLevel(file));
     expect(resolveLevel({ ...file, rules: { pull: 40, boxHeight: 32 } }).rules).toEqual({ pull: 40 });
   });

@@ -19,7 +19,7 @@ describe('joining holds', () => {
     );
   });
 
-  it('gives holds in order, none empty, none that touches the next', () => {
+  it('gives holds in order, none of which is empty or touches the next', () => {
     fc.assert(
       fc.property(arbitraryHolds(60), (holds) => {
         const joined = joinHolds(holds);
@@ -40,7 +40,7 @@ describe('joining holds', () => {
     );
   });
 
-  it('leaves what it is given alone', () => {
+  it('does not change its arguments', () => {
     const holds: Hold[] = [
       [5, 9],
       [0, 6],

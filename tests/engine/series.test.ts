@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { expect, it } from 'vitest';
 import { centralSeries, chaserSeries, drivenSeries, TAYLOR_DEGREE } from '../../engine/motion/index.ts';
 
-// Two ways to the same coefficients that share no formula: by the energy, and by plain Cauchy products.
+// Two methods for the same coefficients that share no formula: by the energy, and by plain Cauchy products.
 
 const component = (most: number) => fc.double({ min: -most, max: most, noNaN: true });
 const start = fc
@@ -50,7 +50,7 @@ it('gives the coefficients that plain products give', () => {
   );
 });
 
-it('turns in a circle where the pull holds her on it', () => {
+it('follows a circle if the pull keeps her on it', () => {
   fc.assert(
     fc.property(fc.double({ min: 1, max: 500, noNaN: true }), pull, (r, alpha) => {
       const omega = Math.sqrt(-alpha / r);
@@ -89,7 +89,7 @@ function plainChase(qx: Float64Array, qy: Float64Array, ax: Float64Array, ay: Fl
   }
 }
 
-it('gives what plain products give for a body that chases', () => {
+it('gives the same as plain products for a body that chases', () => {
   const orbit = fc.record({ r: component(300), alpha: pull, vy: component(200) }).filter(({ r }) => Math.abs(r) > 10);
   fc.assert(
     fc.property(orbit, start, fc.double({ min: 1, max: 60, noNaN: true }), ({ r, alpha, vy }, { x, y, vx, vy: v }, kappa) => {
@@ -98,7 +98,7 @@ it('gives what plain products give for a body that chases', () => {
       const [x1, y1, x2, y2] = [series(r + x, vx), series(y, v), series(r + x, vx), series(y, v)];
       chaserSeries(x1, y1, ax, ay, kappa);
       plainChase(x2, y2, ax, ay, kappa);
-      // until they can meet, and until what it chases can be at its own centre
+      // until they can meet, and until the chased body can be at its own centre
       const d = Math.hypot(x, y);
       const fast = Math.hypot(vx, v - vy);
       const meet = (2 * d) / (fast + Math.sqrt(fast * fast + 2 * (kappa - alpha) * d));
@@ -113,7 +113,7 @@ it('gives what plain products give for a body that chases', () => {
   );
 });
 
-it('does not divide by a distance of nothing', () => {
+it('does not divide by a distance of 0', () => {
   const [qx, qy] = [series(1, 2), series(3, 4)];
   qx[5] = 7;
   chaserSeries(qx, qy, series(1 + 1e-7, 0), series(3, 0), 10);

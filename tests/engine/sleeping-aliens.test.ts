@@ -20,7 +20,7 @@ const SEED = fc.nat(1_000_000);
 
 const circle = (x: number, y: number, radius: number): Circle => ({ id: null, x, y, radius });
 
-/** So many sleepers that she can't come near, in no order. */
+/** Sleeping aliens that she can't reach, in random order. */
 const farAway = ({ astronaut }: Level, count: number): Circle[] =>
   Array.from({ length: count }, (_, i) => circle(astronaut.x + 3e5 + 60 * ((7 * i) % count), astronaut.y - 3e5, 5));
 
@@ -34,7 +34,7 @@ function crowd(seed: number, count: number): ReturnType<typeof randomScene> {
   return { ...scene, level: { ...scene.level, aliens } };
 }
 
-/** Her orbit lies in the middle of a ring of aliens: most of them see her, chase her, and meet one another. */
+/** Her orbit is in the middle of a ring of aliens: most of them see her, chase her, and meet each other. */
 function chasing(seed: number, count: number): Level {
   const random = seeded(seed);
   const aliens: Circle[] = [];
@@ -52,8 +52,8 @@ function chasing(seed: number, count: number): Level {
   });
 }
 
-// a list of 12 is looked at one by one, one of 300 through the index
-it('sleepers far away change no bit of what the others do', () => {
+// a list of 12 is checked one by one, one of 300 through the index
+it('distant sleeping aliens change no bit of the others', () => {
   fc.assert(
     fc.property(SEED, ACCURACY, (seed, accuracy) => {
       const { level, holds, maxTime } = crowd(seed, 12);
@@ -68,8 +68,8 @@ it('sleepers far away change no bit of what the others do', () => {
 
 const CONTINUOUS = fc.constantFrom<AccuracyName>('precise', 'standard', 'fast');
 
-// more than 16 that are awake are looked at through an index, too
-it('two of a crowd that chases her explode as they touch, and no others touch', () => {
+// more than 16 awake aliens are checked through an index, too
+it('two aliens of a chasing crowd explode when they touch, and no others touch', () => {
   let explosions = 0;
   fc.assert(
     fc.property(SEED, CONTINUOUS, fc.constantFrom(20, 60), (seed, accuracy, count) => {
@@ -104,7 +104,7 @@ const explosionsOf = (aliens: readonly Circle[], accuracy: AccuracyName) =>
   simulate(compile(plainLevel({ aliens }), accuracy), [], { maxTime: 5 }).events.filter(({ type }) => type === 'explosion');
 
 // one that chases her from rest, while she rests, comes nearer by 4 t2
-it('two that chase her side by side touch when a closed form says so, in a crowd', () => {
+it('two aliens of a crowd that chase her side by side touch at the time of a closed form', () => {
   fc.assert(
     fc.property(SEED, CONTINUOUS, fc.constantFrom(1, 7, 9, 12), (seed, accuracy, pairs) => {
       const random = seeded(seed);
@@ -126,7 +126,7 @@ it('two that chase her side by side touch when a closed form says so, in a crowd
   );
 });
 
-it('one that chases her past a large sleeper touches it when a closed form says so, in a crowd', () => {
+it('an alien of a crowd that chases her past a large sleeping one touches it at the time of a closed form', () => {
   fc.assert(
     fc.property(SEED, CONTINUOUS, fc.constantFrom(0, 30, 300), fc.boolean(), (seed, accuracy, others, isFirst) => {
       const random = seeded(seed);
@@ -145,7 +145,7 @@ it('one that chases her past a large sleeper touches it when a closed form says 
   );
 });
 
-it('a sleeper so large that she touches it before it wakes ends the run when a closed form says so', () => {
+it('a sleeping alien that is large enough to touch before it wakes ends the run at the time of a closed form', () => {
   fc.assert(
     fc.property(
       SEED,
@@ -179,7 +179,7 @@ it('a sleeper so large that she touches it before it wakes ends the run when a c
   );
 });
 
-it('a sleeper so large that she touches it before it wakes is as deadly as a nova of its size', () => {
+it('a sleeping alien that is large enough to touch before it wakes is as deadly as a nova of its size', () => {
   let touched = 0;
   fc.assert(
     fc.property(SEED, CONTINUOUS, fc.constantFrom(0, 30, 300), (seed, accuracy, others) => {
@@ -209,7 +209,7 @@ it('a sleeper so large that she touches it before it wakes is as deadly as a nov
   expect(touched).toBeGreaterThan(12);
 });
 
-it('after a reset or a restore a crowd goes on as it did', () => {
+it('a crowd continues in the same way after a reset or a restore', () => {
   fc.assert(
     fc.property(SEED, ACCURACY, fc.integer({ min: 1, max: 200 }), (seed, accuracy, tick) => {
       const { level, holds } = crowd(seed, 150);
@@ -241,7 +241,7 @@ it('after a reset or a restore a crowd goes on as it did', () => {
   );
 });
 
-it.each([8, 100, 1000, 20_000])('%i that sleep cost no work', (count) => {
+it.each([8, 100, 1000, 20_000])('%i sleeping aliens cost no work', (count) => {
   const level: Level = {
     ...randomScene(1).level,
     astronaut: { x: 0, y: 0, vx: 0, vy: 40 },
@@ -269,7 +269,7 @@ it.each([8, 100, 1000, 20_000])('%i that sleep cost no work', (count) => {
   }
 });
 
-it('while nobody may have stirred every alien is as it was at the start, after a snapshot and a reset as well', () => {
+it('every alien keeps its initial state until one can wake, also after a snapshot and a reset', () => {
   let hasBeenCalm = false;
   let hasStirred = false;
   fc.assert(

@@ -7,7 +7,7 @@ import { plainLevel } from './plain-level.ts';
 
 const LAST_TICK = 300;
 
-/** Everything that can be seen of a simulation. */
+/** Everything that is visible of a simulation. */
 function view(simulation: Simulation) {
   const { level } = simulation.scene;
   const state = new Float64Array(STATE_SIZE);
@@ -25,14 +25,14 @@ function view(simulation: Simulation) {
   };
 }
 
-/** Button states with how many ticks each lasts. */
+/** States of the button with the number of ticks of each. */
 const plan = fc.array(fc.record({ ticks: fc.integer({ min: 1, max: 90 }), held: fc.boolean() }), { maxLength: 8 });
 
 describe.each(accuracyNames)('a simulation at %s', (accuracy) => {
   // half of the levels are those in which a run lasts
   const level = fc.oneof(levelsFor(accuracy), arbitraryPlayableLevel);
 
-  it('goes on from a snapshot with the same bits as if it had not been interrupted', () => {
+  it('continues from a snapshot with the same bits as without the interruption', () => {
     fc.assert(
       fc.property(level, plan, plan, plan, (of, before, other, after) => {
         const scene = compile(of, accuracy);
@@ -50,7 +50,7 @@ describe.each(accuracyNames)('a simulation at %s', (accuracy) => {
         simulation.restore(snapshot);
         expect(play(after)).toEqual(uninterrupted);
 
-        // another simulation of the same scene takes the snapshot, too
+        // another simulation of the same scene accepts the snapshot, too
         const fresh = createSimulation(scene);
         fresh.restore(snapshot);
         for (const { ticks, held } of after) fresh.advance(ticks, held);
@@ -63,7 +63,7 @@ describe.each(accuracyNames)('a simulation at %s', (accuracy) => {
     );
   });
 
-  it('advances in many calls to the same bits as in one', () => {
+  it('has the same bits after many calls of advance as after one', () => {
     fc.assert(
       fc.property(level, plan, fc.array(fc.integer({ min: 1, max: 17 }), { minLength: 1 }), (of, steps, chunks) => {
         const scene = compile(of, accuracy);
@@ -85,7 +85,7 @@ describe.each(accuracyNames)('a simulation at %s', (accuracy) => {
     );
   });
 
-  it('advances by what is asked, or to the tick in which the run ends, and then no more', () => {
+  it('advances by the requested ticks, or to the tick in which the run ends, and then no more', () => {
     fc.assert(
       fc.property(level, fc.integer({ min: 0, max: 200 }), fc.boolean(), (of, ticks, held) => {
         const simulation = createSimulation(compile(of, accuracy));
@@ -103,7 +103,7 @@ describe.each(accuracyNames)('a simulation at %s', (accuracy) => {
     );
   });
 
-  it('ends where simulate says, and simulating twice gives the same hash', () => {
+  it('ends at the same tick as simulate, and simulating twice gives the same hash', () => {
     fc.assert(
       fc.property(level, arbitraryHolds(LAST_TICK), (of, holds) => {
         const scene = compile(of, accuracy);

@@ -10,7 +10,7 @@ const RANGE = 1e5;
 
 type State = readonly [x: number, y: number, vx: number, vy: number];
 
-/** The pull of one asteroid at 0, 0, by the rules; along x the limit may hold it back. */
+/** The pull of one asteroid at 0, 0; along x, the limit may cancel it. */
 function rates([x, y, vx, vy]: State, held: boolean): State {
   const d = Math.hypot(x, y);
   const a = -39 * (1 / d - 1 / RANGE);
@@ -32,8 +32,8 @@ const STEPS = 5000;
 
 /**
  * Flies from the left past the asteroid, pulled towards it, for `seconds`.
- * @param limited whether the limit is kept to; it holds her until the pull turns round above the asteroid
- * @returns the last state, the greatest vx, and when the limit is reached (s, -1: never)
+ * @param limited whether the limit applies; it holds her until the pull reverses above the asteroid
+ * @returns the last state, the largest vx, and the time at which the limit is reached (s, -1: never)
  */
 function fly(start: State, seconds: number, limited: boolean): { end: State; fastest: number; reached: number } {
   let s = start;
@@ -74,7 +74,7 @@ function fly(start: State, seconds: number, limited: boolean): { end: State; fas
 }
 
 describe('the speed limit along an axis', () => {
-  it('is seen however little she would exceed it, when she would, and holds her until the force turns round', () => {
+  it('acts on time however little she would exceed it, and holds her until the force reverses', () => {
     const counts = { held: 0, free: 0 };
     fc.assert(
       fc.property(
@@ -130,7 +130,7 @@ describe('the speed limit along an axis', () => {
 });
 
 describe('the speed limit on a line through a field', () => {
-  it('lets her pass the asteroid that she holds without moving it, or the field', () => {
+  it('lets her pass the target without moving it, or the field', () => {
     fc.assert(
       fc.property(
         fc.record({
@@ -170,7 +170,7 @@ describe('the speed limit on a line through a field', () => {
   });
 });
 
-describe.each(continuousNames)('let go at the limit she is not held again without being driven on: %s', (accuracy) => {
+describe.each(continuousNames)('once released, the limit does not hold her again without a force: %s', (accuracy) => {
   it('in a bounded number of pieces', () => {
     const even = (min: number, max: number) => fc.integer({ min: 0, max: 1000 }).map((k) => min + ((max - min) * k) / 1000);
     fc.assert(
@@ -219,8 +219,8 @@ const atLimitBySmallSteps = once((x: number, y: number, vy: number, recoil: numb
   return { hers, held };
 });
 
-describe.each(continuousNames)('held at the limit while recoil moves the asteroid: %s', (accuracy) => {
-  it('she goes on as fast as the limit says, as in small steps of another program', () => {
+describe.each(continuousNames)('at the limit while recoil moves the asteroid: %s', (accuracy) => {
+  it('she moves at the limit, as in small steps of another program', () => {
     const even = (min: number, max: number) => fc.integer({ min: 0, max: 1000 }).map((k) => min + ((max - min) * k) / 1000);
     let held = 0;
     fc.assert(

@@ -6,7 +6,7 @@ import { plainLevel } from './plain-level.ts';
 
 const place = (from: number, to: number) => fc.double({ min: from, max: to, noNaN: true });
 
-// a step of `standard` ends a little beside the cubic that events are found on
+// a step of `standard` ends slightly beside the cubic on which events are found
 it.each([
   ['fast', 1e-12],
   ['standard', 1e-6],
@@ -48,7 +48,7 @@ it.each([
 });
 
 // held along one axis, then along the other, she comes back to the tie whichever of the two the target is
-it.each(continuousNames)('at the speed limit between two asteroids there is no end of changes: %s', (accuracy) => {
+it.each(continuousNames)('the target changes a bounded number of times at the speed limit: %s', (accuracy) => {
   for (const [apart, along, recoil] of [
     [50, 90, false],
     [77, 40, true],

@@ -9,11 +9,11 @@ import { continuousNames } from './accuracies.ts';
 import { flipped, imageOf, swapped } from './image.ts';
 import { plainLevel } from './plain-level.ts';
 
-// Nothing in continuous time knows right from left, or one axis from the other: what a slip makes of one of them shows in the image.
+// Nothing in continuous time distinguishes right from left, or the axes: a bug in one of them shows in the image.
 
 const SEED = fc.nat(1_000_000);
 
-describe.each(continuousNames)('the image of a scene plays as the scene does: %s', (accuracy) => {
+describe.each(continuousNames)('the image of a scene gives the image of its run: %s', (accuracy) => {
   const play = (level: Level, holds: readonly Hold[], maxTime: number): Run =>
     simulate(compile(level, accuracy), holds, { maxTime, budget: new WorkBudget(50_000) });
 
@@ -33,7 +33,7 @@ describe.each(continuousNames)('the image of a scene plays as the scene does: %s
     );
   });
 
-  it('x for y, but for the box that stands upright at the start', () => {
+  it('x for y, except the box, which is upright at the start', () => {
     let compared = 0;
     fc.assert(
       fc.property(SEED, (seed) => {
@@ -61,7 +61,7 @@ describe.each(continuousNames)('the image of a scene plays as the scene does: %s
   });
 
   // the frame goes with the rock until she is in the field
-  it('x for y, where she comes to slide along a rim while recoil moves what holds her', () => {
+  it('x for y, where she slides along a rim while recoil moves the target', () => {
     let slides = 0;
     fc.assert(
       fc.property(SEED, (seed) => {

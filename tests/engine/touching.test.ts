@@ -27,7 +27,7 @@ function withThing(kind: (typeof KINDS)[number], circle: Place, parts: PlainLeve
   }
 }
 
-/** When she first touches anything, s; null where she doesn't. */
+/** The time of her first contact, s; null if there is none. */
 function touchTime(parts: PlainLevel, holds: readonly Hold[], accuracy: (typeof continuousNames)[number]): number | null {
   const run = simulate(compile(plainLevel(parts), accuracy), holds, { maxTime: 0.25 });
   const touches = run.events.filter(({ type }) => type === 'mineral' || type === 'collided' || type === 'completed');
@@ -41,7 +41,7 @@ describe.each(continuousNames)('a start at which box and circle exactly touch, %
     const touch = (x: number, parts: PlainLevel, holds: readonly Hold[] = []) =>
       touchTime(withThing(kind, { x, y: 0, radius: 16 }, parts), holds, accuracy);
 
-    it('is a contact at once when she moves into it, and none when she rests, slides along or moves away', () => {
+    it('is an immediate contact if she moves into it, and none if she rests, slides along or moves away', () => {
       expect(touch(26, { astronaut: { vx: 40 } })).toBe(0);
       expect(touch(26, { astronaut: { vx: 1e-3 } })).toBe(0);
       expect(touch(26, { astronaut: { vx: -40 } })).toBeNull();
@@ -50,7 +50,7 @@ describe.each(continuousNames)('a start at which box and circle exactly touch, %
       expect(touch(26, { astronaut: { vy: 40 } })).toBeNull();
     });
 
-    it('by one unit of the last digit farther apart or nearer is what it is', () => {
+    it('is decided correctly with one unit of the last digit more or less distance', () => {
       expect(touch(ULP_BELOW_26, {})).toBe(0);
       expect(touch(ULP_BELOW_26, { astronaut: { vx: -40 } })).toBe(0);
       const later = touch(26 + 2 ** -48, { astronaut: { vx: 2 ** -20 } });
@@ -60,7 +60,7 @@ describe.each(continuousNames)('a start at which box and circle exactly touch, %
     });
 
     if (kind === 'hot asteroid') return;
-    it('is a contact at once when the gun pulls her into it from rest, and none when it pulls her away', () => {
+    it('is an immediate contact if the gun pulls her into it from rest, and none if it pulls her away', () => {
       const holds: Hold[] = [[0, 60]];
       const asteroids = (x: number) => [{ x, y: 0, radius: 16 }];
       expect(touch(26, { asteroids: asteroids(100) }, holds)).toBe(0);
@@ -87,7 +87,7 @@ describe.each(continuousNames)('a press that turns the box exactly to touching, 
     return gx * gx + gy * gy > (radius + 1) * (radius + 1);
   });
 
-  it('is a contact at once where the pull goes on into it, and none where it goes away', () => {
+  it('is an immediate contact if the pull continues into it, and none if it leads away', () => {
     expect(apart.length).toBeGreaterThan(20);
     const holds: Hold[] = [[0, 60]];
     const found = { into: 0, away: 0 };
@@ -105,7 +105,7 @@ describe.each(continuousNames)('a press that turns the box exactly to touching, 
   });
 });
 
-describe.each(continuousNames)('a start that stands exactly on a border, %s', (accuracy) => {
+describe.each(continuousNames)('a start exactly on a rim, %s', (accuracy) => {
   const firstOf = (type: RunEvent['type'], parts: PlainLevel, holds: readonly Hold[] = []) => {
     const run = simulate(compile(plainLevel(parts), accuracy), holds, { maxTime: 0.1 });
     return run.events.find((event) => event.type === type && !(event.type === 'target' && event.index === 0))?.time ?? null;
@@ -113,7 +113,7 @@ describe.each(continuousNames)('a start that stands exactly on a border, %s', (a
   const holds: Hold[] = [[0, 6]];
   const asteroids = [{ x: 60, y: 80, radius: 16 }];
 
-  it('crosses it at once when she moves or is pulled over it', () => {
+  it('crosses it at once if she moves or is pulled over it', () => {
     const repulsors = [{ x: 30, y: 40, radius: 50 }];
     expect(firstOf('enter', { repulsors, astronaut: { vx: 30, vy: 40 } })).toBeLessThan(1e-12);
     expect(firstOf('enter', { repulsors, asteroids }, holds)).toBeLessThan(1e-9);
@@ -125,7 +125,7 @@ describe.each(continuousNames)('a start that stands exactly on a border, %s', (a
     expect(firstOf('target', { asteroids: two, astronaut: { vx: -40 } }, holds)).toBeLessThan(1e-12);
   });
 
-  it('stays where she is while she rests or moves the other way', () => {
+  it('does not cross it while she rests or moves the other way', () => {
     const repulsors = [{ x: 30, y: 40, radius: 50 }];
     const aliens = [{ x: 90, y: 120, radius: 5 }];
     for (const astronaut of [{}, { vx: -30, vy: -40 }]) {

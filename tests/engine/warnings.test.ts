@@ -17,7 +17,7 @@ const hot = (x: number, y: number, radius = 16) => ({ x, y, radius, hot: true })
 const cold = (x: number, y: number, radius = 16) => ({ x, y, radius });
 const run = (...holds: [number, number][]) => [{ name: 'r', holds }];
 
-// what each rule must tell, and the nearest thing to it that it must not
+// a case that each rule must report, and the most similar one that it must not report
 const CASES: [code: string, pointer: string, wrong: Partial<LevelFile>, right: Partial<LevelFile>][] = [
   // 25 px down: the box ends at 16, so a nova of 16 reaches in by 7; at 32 it only touches
   ['starts-in-hazard', '/astronaut', { novae: [cold(0, 25)] }, { novae: [cold(0, 32)] }],
@@ -62,7 +62,7 @@ const CASES: [code: string, pointer: string, wrong: Partial<LevelFile>, right: P
     { novae: [cold(80, 60)], minerals: [{ x: 89, y: 60 }] },
     { novae: [cold(80, 60)], minerals: [{ x: 90, y: 60 }] },
   ],
-  // who is drawn by recoil, or lured, uncovers it
+  // a target that recoil moves, or a lured alien, uncovers it
   [
     'mineral-covered',
     '/minerals/0',
@@ -141,21 +141,21 @@ const CASES: [code: string, pointer: string, wrong: Partial<LevelFile>, right: P
   ['holds-unsorted', '/runs/0/holds/1', { runs: run([50, 60], [10, 20]) }, { runs: run([10, 20], [50, 60]) }],
 ];
 
-describe('each rule tells what is wrong, and is silent a hair beside it', () => {
+describe('each rule reports its case, and nothing slightly beside it', () => {
   test.each(CASES)('%s at %s: %j against %j', (code, pointer, wrong, right) => {
     const found = findWarnings(level(wrong));
     expect(found.filter((w) => w.code === code).map((w) => w.pointer)).toContain(pointer);
     expect(codes(level(right))).not.toContain(code);
   });
 
-  test('a level as it should be has no warnings, nor has one with things that may overlap', () => {
+  test('a good level has no warnings, nor has one with objects that may overlap', () => {
     expect(findWarnings(level({}))).toEqual([]);
     // awake at the start, a field over an asteroid, a mineral inside a cold one
     const busy = { aliens: [{ x: 0, y: -100 }], repulsors: [cold(150, 20, 48)], minerals: [{ x: 150, y: 5 }] };
     expect(findWarnings(level(busy))).toEqual([]);
   });
 
-  test('every code is covered here, explained once, and its warnings say numbers and what to do', () => {
+  test('every code is covered here and explained once, and its warnings contain numbers and a hint', () => {
     const told = new Set([...CASES.map(([code]) => code), 'unused-asteroid']);
     expect(new Set(WARNING_CODES.map(({ code }) => code))).toEqual(told);
     expect(WARNING_CODES.length).toBe(told.size);
@@ -168,14 +168,14 @@ describe('each rule tells what is wrong, and is silent a hair beside it', () => 
     }
   });
 
-  test('the distances told are the distances', () => {
+  test('the reported distances are correct', () => {
     const [warning] = findWarnings(level({ blackHole: { x: 450, y: 0 } }));
     expect(warning.message).toContain('asteroid 1, is 300 px away');
     expect(warning.message).toContain('286.868 px');
     expect(warning.hint).toContain('13.132 px');
   });
 
-  test('one overlap is told once, by the rule that says most', () => {
+  test('an overlap is reported once, by the most specific rule', () => {
     expect(codes(level({ novae: [cold(300, 0, 32)] }))).toEqual(['black-hole-covered']);
     expect(codes(level({ novae: [cold(100, 99), cold(100, 99)] }))).toEqual(['same-place']);
   });
@@ -188,18 +188,18 @@ describe('unused-asteroid', () => {
     return findWarnings(l, [simulate(compile(l, 'arcade'), holds)]).filter(({ code }) => code === 'unused-asteroid');
   };
 
-  test('tells an asteroid that no completing run targets', () => {
+  test('reports an asteroid that no completing run targets', () => {
     // pressed for a moment at x = 128, where asteroid 1 is the nearest
     const found = simulated(straight, [[128, 129]]);
     expect(found.map(({ pointer }) => pointer)).toEqual(['/asteroids/1']);
   });
 
-  test('is silent without runs, and when no run completes', () => {
+  test('reports nothing without runs, or if no run completes the level', () => {
     expect(findWarnings(resolveLevel(straight)).map(({ code }) => code)).not.toContain('unused-asteroid');
     expect(simulated({ ...straight, novae: [cold(200, 0)] }, [[128, 129]])).toEqual([]);
   });
 
-  test('is silent about one that keeps her in range, and about a hot one', () => {
+  test('does not report an asteroid that keeps her in range, or a hot one', () => {
     const far = { ...straight, blackHole: { x: 700, y: 0 }, asteroids: [cold(150, 60), cold(550, 60), hot(200, -200)] };
     expect(simulated(far, [[128, 129]])).toEqual([]);
   });
@@ -243,7 +243,7 @@ describe('properties', () => {
     );
   });
 
-  test('no run completes a level whose black hole is told to be out of reach', () => {
+  test('no run completes a level whose black hole is reported as out of reach', () => {
     const fast = fc.integer({ min: -1000, max: 1000 });
     const holds = fc.array(fc.tuple(fc.integer({ min: 0, max: 300 }), fc.integer({ min: 1, max: 200 })), { maxLength: 5 });
     fc.assert(
@@ -264,7 +264,7 @@ describe('properties', () => {
     );
   });
 
-  test('many objects are searched by an index with the same result', () => {
+  test('an index for many objects gives the same result', () => {
     // novae on a lattice: without the index the same neighbours overlap
     const novae = Array.from({ length: 300 }, (_, i) => cold(50 * (i % 20), 400 + 50 * Math.floor(i / 20)));
     novae[17] = cold(novae[16].x + 20, novae[16].y);

@@ -13,7 +13,7 @@ const even = (min: number, max: number) => fc.integer({ min: 0, max: 1_000_000 }
 // Every accuracy is compared with the same flights.
 const bySmallSteps = once(computeBySmallSteps);
 
-/** How far from the truth each accuracy may be after some seconds, px. */
+/** The allowed error of each accuracy after some seconds, px. */
 const ERROR = { fast: 2e-2, standard: 1e-4, precise: 1e-7 } as const;
 
 const told = (events: readonly RunEvent[]) =>
@@ -51,7 +51,7 @@ describe.each(continuousNames)('winds and wormholes at %s', (accuracy) => {
     );
   });
 
-  it('what is read between two ticks lies between them, long after she has left a wind', () => {
+  it('states between two ticks are between those of the ticks, long after she has left a wind', () => {
     const level: Level = {
       ...plainLevel({ astronaut: { x: 0, y: 0, vx: 60, vy: 0 }, asteroids: [{ x: 300, y: 200, radius: 16 }], range: 1000 }),
       winds: [{ id: null, x: 0, y: 0, radius: 30, ax: 100, ay: 0 }],
@@ -67,7 +67,7 @@ describe.each(continuousNames)('winds and wormholes at %s', (accuracy) => {
     }
   });
 
-  it('is blown out of the very centre of a repulsor, whatever the gun holds', () => {
+  it('she is blown out of the exact centre of a repulsor, whatever the target', () => {
     const level: Level = {
       ...plainLevel({
         astronaut: { x: 0, y: 0, vx: 0, vy: 0 },
@@ -83,7 +83,7 @@ describe.each(continuousNames)('winds and wormholes at %s', (accuracy) => {
     expect(Math.abs(final.y - 3.75)).toBeLessThan(1e-9);
   });
 
-  it('two asteroids in one place, one of them held in a wind, are looked at in a bounded time', () => {
+  it('two asteroids at one place, one of them the target in a wind, take bounded work', () => {
     const level: Level = {
       ...plainLevel({
         astronaut: { x: 0, y: 0, vx: -19, vy: 0 },
@@ -99,7 +99,7 @@ describe.each(continuousNames)('winds and wormholes at %s', (accuracy) => {
     expect(simulate(compile(level, accuracy), [[0, 60]], { maxTime: 1, budget: new WorkBudget(2000) }).stopped).toBeNull();
   });
 
-  it('goes where small steps of another program go: gun, repulsor, winds and a wormhole together', () => {
+  it('her path agrees with small steps of another program: gun, repulsor, winds and a wormhole together', () => {
     let jumps = 0;
     fc.assert(
       fc.property(
@@ -133,7 +133,7 @@ describe.each(continuousNames)('winds and wormholes at %s', (accuracy) => {
           const run = simulate(scene, holds, { maxTime: 3 });
           const truth = bySmallSteps(level, holds, 3, 1 / 2000);
           jumps += told(run.events).filter((what) => what.startsWith('jump')).length;
-          // where a rim is all but grazed a small error becomes a large one
+          // where a rim is nearly grazed, a small error becomes a large one
           const finer = bySmallSteps(level, holds, 3, 1 / 2700);
           const doubt = Math.hypot(finer.x - truth.x, finer.y - truth.y);
           fc.pre(doubt < 1e-8);
@@ -145,7 +145,7 @@ describe.each(continuousNames)('winds and wormholes at %s', (accuracy) => {
     expect(jumps).toBeGreaterThan(5);
   });
 
-  it('through a wormhole a coast goes on as if space had been cut out', () => {
+  it('a coast continues through a wormhole as if the space between had been cut out', () => {
     fc.assert(
       fc.property(even(20, 200), even(-15, 15), even(-3000, 3000), even(200, 3000), (vx, offset, dx, dy) => {
         const there = { x: 100, y: 0, toX: 100 + dx, toY: dy, radius: 20 };
@@ -166,7 +166,7 @@ describe.each(continuousNames)('winds and wormholes at %s', (accuracy) => {
   });
 
   it('a wormhole does not fire again before she has left the mouth she is in', () => {
-    // the exit lies on the way to the entrance: she falls out of the one and comes to the other again and again
+    // the exit is on the path to the entrance: she leaves the one and reaches the other again and again
     const level: Level = {
       ...plainLevel({ astronaut: { x: 0, y: 0, vx: 60, vy: 0 } }),
       wormholes: [{ id: null, x: 200, y: 0, toX: 100, toY: 0, radius: 20 }],
@@ -187,7 +187,7 @@ describe.each(continuousNames)('winds and wormholes at %s', (accuracy) => {
     }
   });
 
-  it('at the speed limit a wind does not hold her and let her go without end', () => {
+  it('at the speed limit, a wind holds and releases her a bounded number of times', () => {
     for (const [vx, vy, ax, ay] of [
       [0, 1000, 14, -4],
       [1000, 412, 5, 20],
@@ -211,12 +211,12 @@ describe.each(continuousNames)('winds and wormholes at %s', (accuracy) => {
     }
   });
 
-  it('she who starts in a mouth is not moved', () => {
+  it('a start in a mouth does not move her', () => {
     const level: Level = { ...plainLevel(), wormholes: [{ id: null, x: 3, y: 0, toX: 500, toY: 0, radius: 20 }] };
     expect(simulate(compile(level, accuracy), [], { maxTime: 2 }).final).toMatchObject({ x: 0, y: 0 });
   });
 
-  it('rests in the centre of the target against a wind weaker than the pull, and is blown out by a stronger one', () => {
+  it('she rests in the centre of the target against a wind weaker than the pull, and is blown out by a stronger one', () => {
     const windy = (ax: number): Level => ({
       ...plainLevel({ astronaut: { x: 0, y: 0 }, range: 1000, asteroids: [{ x: 0, y: 0, radius: 16 }] }),
       winds: [{ id: null, x: 0, y: 0, radius: 400, ax, ay: 0 }],
@@ -230,7 +230,7 @@ describe.each(continuousNames)('winds and wormholes at %s', (accuracy) => {
 });
 
 describe.each(accuracyNames)('scenes with winds and wormholes at %s', (accuracy) => {
-  it('stay finite, end, and are the same run again', () => {
+  it('stay finite, end, and give the same run again', () => {
     let effects = 0;
     for (let seed = 0; seed < 60; seed++) {
       const { level, holds } = windyScene(seed);

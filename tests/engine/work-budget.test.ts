@@ -19,7 +19,7 @@ const ACCURACY = fc.constantFrom<AccuracyName>('precise', 'standard', 'fast', 'a
 const SEED = fc.nat(1_000_000);
 
 describe('a budget of work', () => {
-  it('changes nothing where it suffices, and stops the run with a name where it does not', () => {
+  it('changes nothing if it suffices, and else stops the run with its reason', () => {
     fc.assert(
       fc.property(SEED, ACCURACY, fc.integer({ min: 1, max: 3000 }), (seed, accuracy, maxWork) => {
         const { level, holds, maxTime } = randomScene(seed);
@@ -39,7 +39,7 @@ describe('a budget of work', () => {
     );
   });
 
-  it('pays for the orbits that are looked through to be skipped', () => {
+  it('covers the search for repeated orbits to skip', () => {
     for (const share of [1, 1e-2, 1e-4, 1e-8]) {
       const across = 3e-7;
       const level = plainLevel({
@@ -56,11 +56,11 @@ describe('a budget of work', () => {
     }
   });
 
-  it('a run in which events follow each other at one instant without end is cut, with or without a budget', () => {
+  it('an endless sequence of events at one instant is stopped, with or without a budget', () => {
     const level = plainLevel({ astronaut: { vx: 60 }, repulsors: [{ x: 100, y: 0, radius: 40 }] });
     const rule = EFFECTS.find(({ name }) => name === 'repulsor')?.events?.find(({ name }) => name === 'enter');
     if (rule === undefined) throw new Error('no such rule');
-    // an effect at fault: its event changes nothing, so it is due again at once
+    // a faulty effect: its event changes nothing, so it is due again at once
     const fault = vi.spyOn(rule, 'fire').mockReturnValue(-1);
     try {
       const scene = compile(level, 'precise');
@@ -93,14 +93,14 @@ describe('a budget of work', () => {
     );
   });
 
-  it('counts what recordings take, and ends a run that would take more', () => {
+  it('covers recordings, and ends a run that would exceed it', () => {
     const scene = compile(resolveLevel(HEAVY_LEVELS['tiny-orbit']()));
     const run = simulate(scene, [[0, 3600]], { budget: new WorkBudget(Number.POSITIVE_INFINITY, 100_000) });
     expect(run.stopped).toBe('work-limit');
     expect(run.work.pieces).toBeLessThan(1000);
   });
 
-  it('is shared by runs one after the other, and by what is asked of them', () => {
+  it('is shared by consecutive runs and their evaluations', () => {
     const { level, holds } = randomScene(11);
     const budget = new WorkBudget(1e6);
     const scene = compile(level);
@@ -112,7 +112,7 @@ describe('a budget of work', () => {
     expect(budget.spent).toBeGreaterThan(played);
   });
 
-  it('that is used up before the run begins stops it at the start', () => {
+  it('stops a run at its start if it is already used up', () => {
     const budget = new WorkBudget(0);
     for (const name of ['everything', 'recoil', 'ring-of-aliens']) {
       const level = resolveLevel(HEAVY_LEVELS[name](0.05));
@@ -126,13 +126,13 @@ describe('a budget of work', () => {
     for (const accuracy of ['precise', 'fast', 'arcade'] as const) {
       const budget = new WorkBudget(20_000);
       for (const { holds } of level.runs.slice(0, 3)) simulate(compile(level, accuracy), holds, { budget });
-      // one piece more than allowed, with all that it looks at in one go
+      // one more piece than allowed, with everything that it evaluates at once
       expect(budget.spent).toBeLessThan(30_000);
     }
   });
 });
 
-it('a run of which nothing but events is kept has the same hash, clearance and way', () => {
+it('a run that keeps only events has the same hash, clearance and path', () => {
   fc.assert(
     fc.property(SEED, ACCURACY, (seed, accuracy) => {
       const { level, holds, maxTime } = randomScene(seed);

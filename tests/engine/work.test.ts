@@ -7,7 +7,8 @@ import { hashedRuns } from '../browsers/scenes.ts';
 import { accuracyNames, continuousNames } from './accuracies.ts';
 import { plainLevel } from './plain-level.ts';
 
-// What runs cost, counted: the same on every machine. A change that makes them dearer, or cheaper, shows here, and what is new is taken over from the failure.
+// The counted cost of runs, which is the same on every machine. A change that makes runs more or less expensive shows here;
+// copy the new numbers from the failure.
 
 interface Scene {
   readonly level: Level;
@@ -15,7 +16,7 @@ interface Scene {
   readonly maxTime: number;
 }
 
-/** Sums over scenes, by accuracy: pieces, evaluations of forces, guards looked at, roots found, looks of the budget. */
+/** Sums over scenes, by accuracy: pieces, evaluations of forces, evaluated guards, found roots, checks of the budget. */
 function workOf(scenes: readonly Scene[], accuracies: readonly AccuracyName[]): Record<string, string> {
   return Object.fromEntries(
     accuracies.map((accuracy) => {
@@ -50,7 +51,7 @@ it('of random scenes', () => {
   });
 });
 
-it('of scenes in which a digit decides', () => {
+it('of scenes that depend on the last digits', () => {
   expect(workOf(some(150, degenerateScene), continuousNames)).toEqual({
     fast: '79372 99632 87164 13690 1797870',
     precise: '48171 75970 62626 18176 1340789',
