@@ -58,7 +58,7 @@ export function createEventStreams(known: KnownLevels): { open(): ReadableStream
             // while data waits to be read, no heartbeat is needed
             if (!isOver && (controller.desiredSize ?? 0) > 0) controller.enqueue(encoder.encode(': still here\n\n'));
           }, EDIT_API.HEARTBEAT * 1000);
-          const hush = known.listen((event) => {
+          const stopListening = known.listen((event) => {
             // a new list replaces all earlier events
             if (event.type === 'list') waiting = [];
             waiting.push(...inParts(event));
@@ -69,7 +69,7 @@ export function createEventStreams(known: KnownLevels): { open(): ReadableStream
           });
           leave = () => {
             clearInterval(beat);
-            hush();
+            stopListening();
           };
           sendSome(controller);
         },

@@ -3,7 +3,7 @@ import type { IncomingMessage } from 'node:http';
 import { EDIT_API } from '../../schema/index.ts';
 import { Refusal } from './refusal.ts';
 
-const OPEN_IT_ANEW = 'Open the address that gq edit printed.';
+const OPEN_PRINTED = 'Open the address that gq edit printed.';
 
 /**
  * Accepts only requests that the editor's own page sends to this server, or that open the page. Any website can make a
@@ -16,7 +16,7 @@ export function guard(incoming: IncomingMessage, port: number): void {
   const host = onlyHost(incoming);
   // an attacker can make a host name resolve to 127.0.0.1 (DNS rebinding), but Host still contains that name
   if (host === null || !hostsOf(port).includes(host)) {
-    throw new Refusal('wrong-host', `expected Host: 127.0.0.1:${port}, found ${quoted(host)}`, OPEN_IT_ANEW);
+    throw new Refusal('wrong-host', `expected Host: 127.0.0.1:${port}, found ${quoted(host)}`, OPEN_PRINTED);
   }
   if (headers.upgrade !== undefined || /\bupgrade\b/i.test(headers.connection ?? '')) {
     throw new Refusal('upgrade-refused', 'this server speaks only HTTP/1.1, not WebSocket', 'Send the request without Upgrade.');
@@ -24,12 +24,12 @@ export function guard(incoming: IncomingMessage, port: number): void {
   const reads = method === 'GET' || method === 'HEAD';
   const site = headers['sec-fetch-site'];
   if (site !== undefined && site !== 'same-origin' && !(reads && !isApi(url) && (site === 'none' || opensPage(incoming)))) {
-    throw new Refusal('foreign-page', `a page of another site (${quoted(String(site))}) sent this request`, OPEN_IT_ANEW);
+    throw new Refusal('foreign-page', `a page of another site (${quoted(String(site))}) sent this request`, OPEN_PRINTED);
   }
   // browsers send Origin with everything that is not GET or HEAD
   const { origin } = headers;
   if (origin !== undefined ? origin !== `http://${host}` : !reads) {
-    throw new Refusal('foreign-page', `expected Origin: http://${host}, found ${quoted(origin ?? null)}`, OPEN_IT_ANEW);
+    throw new Refusal('foreign-page', `expected Origin: http://${host}, found ${quoted(origin ?? null)}`, OPEN_PRINTED);
   }
 }
 
@@ -37,7 +37,7 @@ export function guard(incoming: IncomingMessage, port: number): void {
 export function checkToken(incoming: IncomingMessage, token: string): void {
   const given = incoming.headers[EDIT_API.TOKEN_HEADER];
   if (typeof given === 'string' && timingSafeEqual(digest(given), digest(token))) return;
-  throw new Refusal('wrong-token', 'this page belongs to another run of gq edit', OPEN_IT_ANEW);
+  throw new Refusal('wrong-token', 'this page belongs to another run of gq edit', OPEN_PRINTED);
 }
 
 const digest = (text: string): Buffer => createHash('sha256').update(text).digest();
