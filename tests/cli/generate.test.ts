@@ -82,7 +82,7 @@ describe('gq generate', () => {
   });
 
   it.runIf(process.platform === 'linux')(
-    'ends on a signal without a report; files that were written by then are whole',
+    'ends on a signal without a report, and files that are already written are whole',
     async () => {
       const { code, stdout } = await gqProcess('generate --out stopped --count 500 --difficulty hard --format json'.split(' '), {
         cwd,

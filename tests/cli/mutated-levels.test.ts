@@ -67,7 +67,7 @@ function mutate(text: string, { kind, at, with: value, length }: Mutation): stri
 }
 
 it.each([ACCURACIES.arcade, ACCURACIES.precise])(
-  'whatever becomes of a level file, it ends in a verdict with finite numbers: $name',
+  'any mutated level file gets a verdict with finite numbers: $name',
   (accuracy) => {
     const seen = new Set<string>();
     fc.assert(

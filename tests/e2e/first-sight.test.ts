@@ -6,7 +6,7 @@ import { until } from './until.ts';
 
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 
-inChromium('what is seen first, in Chromium', ({ on }) => {
+inChromium('the first sight in Chromium', ({ on }) => {
   it(
     'the tour mentions fingers on touch screens, and its card is completely visible',
     on(

@@ -34,7 +34,7 @@ const pairs = (page: Page): Readonly<Record<string, readonly [Locator, Locator]>
   ],
 });
 
-inChromium('colours of the system in Chromium', ({ on }) => {
+inChromium('system colours in Chromium', ({ on }) => {
   it(
     'selected, held and remaining parts are distinguishable with forced colours and with more contrast',
     on(

@@ -18,7 +18,7 @@ const drop = (page: Page, files: Readonly<Record<string, readonly number[] | str
     document.body.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
   }, files);
 
-inChromium('an import of what is no level, in Chromium', ({ on }) => {
+inChromium('a refused import in Chromium', ({ on }) => {
   it(
     'says what the file is, does not cover the work area, and disappears with the next import',
     on({ '01': straight() }, async ({ page, context, saved, folder }) => {

@@ -4,7 +4,7 @@ import { garden, straight } from './levels.ts';
 import { inChromium } from './stage.ts';
 import { until } from './until.ts';
 
-inChromium('undo of what is done to the list of levels, in Chromium', ({ on }) => {
+inChromium('undo for the list of levels in Chromium', ({ on }) => {
   it(
     'a new order and a deletion are undone and redone in sequence with changes of levels',
     on(

@@ -12,7 +12,7 @@ const firewalk = () => readFileSync(join(import.meta.dirname, '..', '..', 'level
 const playtest = (page: Page) => page.getByRole('application', { name: /^Playtest/ });
 const theEnd = (page: Page) => playtest(page).getByRole('status');
 
-inChromium('attempts that do not get through, in Chromium', ({ on }) => {
+inChromium('attempts that do not complete the level, in Chromium', ({ on }) => {
   it(
     'become the last run, by key or button, even if they were left before their end',
     on({ '16': firewalk() }, async ({ page, file }) => {

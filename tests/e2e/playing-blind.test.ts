@@ -9,7 +9,7 @@ import { until } from './until.ts';
 
 const playtest = (page: Page) => page.getByRole('application', { name: /^Playtest/ });
 
-inChromium('playing in Chromium without being told how', ({ on }) => {
+inChromium('playing without a shown run, in Chromium', ({ on }) => {
   it(
     'hides the run, on the canvas and the timeline, until a button or key shows it',
     on(

@@ -8,7 +8,7 @@ import { until } from './until.ts';
 /** A mineral that nobody can reach. */
 const ASIDE = [{ id: 'gem', x: 660, y: 520, radius: 7 }];
 
-inChromium('what the solver says, in Chromium', ({ on }) => {
+inChromium('messages of the solver in Chromium', ({ on }) => {
   it(
     'mentions the request and the results of the own runs, and minerals only if they were requested',
     on({ '01': straight({ minerals: ASIDE }) }, async ({ page, saved }) => {

@@ -18,7 +18,7 @@ const DIALOGS: Readonly<Record<string, string>> = {
   'Unsaved changes kept in this browser': 'Unsaved changes',
 };
 
-inChromium('a finger in Chromium', ({ on }) => {
+inChromium('touch in Chromium', ({ on }) => {
   it(
     'every control is large enough for a finger, in every panel, menu and dialog',
     on(

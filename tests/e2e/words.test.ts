@@ -5,7 +5,7 @@ import { until } from './until.ts';
 
 const rock = { x: 448, y: 304, radius: 16 };
 
-inChromium('what things are called, in Chromium', ({ on }) => {
+inChromium('words in Chromium', ({ on }) => {
   it(
     'objects have the same names everywhere, a copy gets its own name and number, and file names have no umlauts',
     on(

@@ -3,7 +3,7 @@ import { garden } from './levels.ts';
 import { inChromium } from './stage.ts';
 import { until } from './until.ts';
 
-inChromium('what is typed wrongly, in Chromium', ({ on }) => {
+inChromium('wrong input in Chromium', ({ on }) => {
   it(
     'stays in its field, which says what was expected and found, until it is fixed or Esc restores the value',
     on({ '01': garden() }, async ({ page, canvas, file, saved }) => {

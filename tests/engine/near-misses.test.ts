@@ -131,7 +131,7 @@ describe('a start on the rim of a field', () => {
 });
 
 describe('warnings about objects out of reach, with recoil', () => {
-  // an asteroid of radius 60 drifts 15 px in 60 s at 1 / 120 px/s2; two of them towards each other, and a frame's jump of 23.57 px
+  // an asteroid of radius 60 drifts 15 px in 60 s at 1 / 120 px/s2; two approach each other; a frame may jump by 23.57 px
   const rock = (x: number) => ({ x, y: 0, radius: 60 });
   const warns = (d: number, thing: number) =>
     findWarnings(level({ asteroids: [rock(0), rock(d)], blackHole: { x: d + thing, y: 0 }, recoil: true })).some(

@@ -39,7 +39,7 @@ const level = fc
 const holds = fc.constantFrom<[number, number][]>([], [[0, 60]], [[60, 180]], [[120, 720]], [[0, 720]]);
 
 it.each(['fast', 'standard', 'precise', 'arcade'] as const)(
-  'recorded, in one go and by the tick a run is the same: %s',
+  'a run is the same with and without recording, at once and tick by tick: %s',
   (accuracy) => {
     let crossings = 0;
     fc.assert(

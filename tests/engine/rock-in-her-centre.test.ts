@@ -40,7 +40,7 @@ it.each(continuousNames)('numbers stay finite and the work small if she also sli
 });
 
 it.each(continuousNames)(
-  'what the gun holds may come to lie in the centre of her who slides along a huge rim: %s',
+  'work stays bounded if the target gets into her centre while she slides along a huge rim: %s',
   (accuracy) => {
     const level = plainLevel({
       range: 250,

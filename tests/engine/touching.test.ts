@@ -81,7 +81,7 @@ for (let i = -30; i <= 30; i++) {
   }
 }
 
-describe.each(continuousNames)('a press that turns the box exactly to touching, %s', (accuracy) => {
+describe.each(continuousNames)('a press that turns the box into an exact touch, %s', (accuracy) => {
   const apart = turned.filter(({ x, y, radius }) => {
     const [gx, gy] = [Math.max(0, Math.abs(x) - 10), Math.max(0, Math.abs(y) - 16)];
     return gx * gx + gy * gy > (radius + 1) * (radius + 1);

@@ -142,7 +142,7 @@ const CASES: [code: string, pointer: string, wrong: Partial<LevelFile>, right: P
 ];
 
 describe('each rule reports its case, and nothing slightly beside it', () => {
-  test.each(CASES)('%s at %s: %j against %j', (code, pointer, wrong, right) => {
+  test.each(CASES)('%s at %s: %j, but not %j', (code, pointer, wrong, right) => {
     const found = findWarnings(level(wrong));
     expect(found.filter((w) => w.code === code).map((w) => w.pointer)).toContain(pointer);
     expect(codes(level(right))).not.toContain(code);

@@ -61,7 +61,7 @@ describe('gq edit', () => {
   });
 
   it.runIf(process.platform !== 'win32')(
-    'ends with 130 on Ctrl-C and 143 on SIGTERM, with pages that listen, and leaves nothing half-written',
+    'ends with 130 on Ctrl-C and 143 on SIGTERM while pages listen, and leaves no partial file',
     async () => {
       for (const [signal, code, step] of [
         ['SIGINT', 130, 'openSync'],

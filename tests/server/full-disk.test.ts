@@ -96,7 +96,7 @@ describe.each(['ENOSPC', 'EDQUOT', 'EROFS', 'EACCES', 'EIO', 'EPERM'])('%s', (co
 });
 
 it.runIf(process.platform !== 'win32')(
-  'a disk that takes only a part of the text keeps the old one, and goes on with smaller ones',
+  'the old text stays if the disk has room for only a part of the new one, and smaller texts can be saved',
   async () => {
     // the kernel's limit for file sizes, KiB: it writes what fits and refuses the rest, like a full disk
     const server = await gqEdit(['.', '--port', '0'], { cwd: made.folder, maxFileSize: 8 });

@@ -32,7 +32,7 @@ const write = (): Promise<{ entry: { name: string | null } }> => {
 };
 const lock = (): string => join(made.folder, '.gq-edit.lock');
 
-describe.runIf(process.platform === 'linux')('in the place of the lock', () => {
+describe.runIf(process.platform === 'linux')('an obstacle in place of the lock', () => {
   it.each([
     ['a device without end', () => symlinkSync('/dev/zero', lock())],
     ['a link to nowhere', () => symlinkSync('nowhere', lock())],

@@ -75,7 +75,7 @@ const names = () => readdirSync(made.folder).sort();
 
 describe('a disk without links', () => {
   it.each(['EPERM', 'ENOTSUP', 'EOPNOTSUPP', 'ENOSYS', 'EMLINK', 'EINVAL'])(
-    'that says %s renames, never onto another file',
+    'that reports %s renames files, but never over another file',
     (code) => {
       disk.instead = ([step]) => (step === 'linkSync' ? fails(code) : undefined);
       expect([moveFile(path('a'), path('c')), content('a'), content('c')]).toEqual([true, null, 'A']);
