@@ -26,7 +26,7 @@ const EXPLANATIONS: Readonly<Record<ProofCode, Pick<ProofExplanation, 'title' | 
   'out-of-range': {
     title: 'the object is out of range of every asteroid that she can reach',
     why:
-      'She can pass from one asteroid to another only where their ranges overlap, or through a wormhole. The proof lists every ' +
+      'She can pass from one asteroid to another only where their ranges overlap, or where an effect moves her from place to place at once. The proof lists every ' +
       'asteroid and mouth that she can reach in this way. The object is too far from all of them: she is lost before she touches it.',
     fix: 'Move the object nearer to an asteroid that she can reach, add an asteroid in the gap, or raise the range.',
   },
