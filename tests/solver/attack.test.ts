@@ -53,11 +53,11 @@ describe.each(ALL_PROVERS)('false claims: %s', (prover) => {
 describe('levels that a known run completes, under any rules, with winds and wormholes', () => {
   it.each(ALL_ACCURACIES)('none is proved impossible, and no certificate of its twin is accepted: %s', (accuracy) => {
     const tally = emptySolvable();
-    for (let seed = 0; seed < 250; seed++) attackSolvable(seed, accuracy, 0, tally);
+    for (let seed = 0; seed < 120; seed++) attackSolvable(seed, accuracy, 0, tally);
     expect(tally.accepted).toEqual([]);
     // Otherwise the test would be vacuous.
     expect(tally.completed).toBeGreaterThan(3);
-    expect(tally.collected).toBeGreaterThan(20);
+    expect(tally.collected).toBeGreaterThan(10);
     // what the twins' certificates were made from
     expect(tally.twins).toBeGreaterThan(3);
   });
