@@ -42,7 +42,7 @@ function touched(scene: Scene, holds: readonly Hold[]): (number | 'blackHole')[]
 }
 
 /** Levels that a search has to complete, and levels over at the start in which it is tried. */
-const ENOUGH = 16;
+const ENOUGH = 8;
 
 describe('nothing that a run touches is proved to be out of reach', () => {
   // Every proof is attacked at all accuracies that it claims to cover, not only at the one it was asked for.
@@ -64,12 +64,12 @@ describe('nothing that a run touches is proved to be out of reach', () => {
           }
         }
       }),
-      { numRuns: 150 },
+      { numRuns: 75 },
     );
     // The property is meaningful only if both occur.
     for (const accuracy of accuracyNames) {
-      expect(runsThatTouch[accuracy]).toBeGreaterThan(10);
-      expect(proofs[accuracy]).toBeGreaterThan(100);
+      expect(runsThatTouch[accuracy]).toBeGreaterThan(5);
+      expect(proofs[accuracy]).toBeGreaterThan(50);
     }
   });
 
@@ -90,16 +90,16 @@ describe('nothing that a run touches is proved to be out of reach', () => {
         if (search.solutions.length > 0) found++;
         expect(proof === null || search.solutions.length === 0).toBe(true);
       }),
-      { numRuns: 150 },
+      { numRuns: 75 },
     );
     expect(found).toBeGreaterThanOrEqual(ENOUGH);
-    expect(proved).toBeGreaterThan(15);
+    expect(proved).toBeGreaterThan(8);
   });
 
   it('the shipped levels', () => {
     for (const { slug, level } of pack) {
       for (const accuracy of ASKED) {
-        expect(`${slug} ${accuracy}: ${proofsFor(level, accuracy).map(thingOf)}`).toBe(`${slug} ${accuracy}: `);
+        expect(`${slug} ${accuracy}: ${proofsFor(level, accuracy, LITTLE).map(thingOf)}`).toBe(`${slug} ${accuracy}: `);
       }
     }
   });
@@ -127,9 +127,9 @@ describe('a proof of another level is refused for a level that can be completed'
         rejected++;
         expect(verifyProof(eased, proof).ok).toBe(false);
       }),
-      { numRuns: 600 },
+      { numRuns: 300 },
     );
-    expect(rejected).toBeGreaterThan(5);
+    expect(rejected).toBeGreaterThan(2);
   });
 });
 
