@@ -58,7 +58,7 @@ it('no run is found where the line ends in a dead end, or where recoil is claime
       search.advance(30_000);
       expect(search.solutions).toEqual([]);
     }),
-    { numRuns: 600 },
+    { numRuns: 250 },
   );
   // The property is meaningful only if all of this occurs.
   expect(deadEnds).toBeGreaterThan(5);
