@@ -82,8 +82,8 @@ describe.each(['arcade', 'precise'] as const)('at %s', (accuracy) => {
           }
         }
       }),
-      // Fewer miss a certificate that tries extreme shifts only.
-      { numRuns: accuracy === 'arcade' ? 30 : 8 },
+      // A certificate that tries extreme shifts only passes here: any-game.test.ts finds it.
+      { numRuns: accuracy === 'arcade' ? 12 : 8 },
     );
     expect(proved).toBeGreaterThan(0);
     expect(close).toBeGreaterThan(0);
