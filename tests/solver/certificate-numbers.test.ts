@@ -23,7 +23,7 @@ function* changedNumbers(certificate: Json): Generator<Json> {
   look(copy);
   for (const [holder, key] of places) {
     const old = holder[key] as number;
-    for (const by of [1e-9, 1e-6, 1e-3, 0.1, 1, 10, 100, 1000]) {
+    for (const by of [1e-9, 1e-4, 0.1, 10, 1000]) {
       for (const value of [old + by, old - by, old * (1 + by), old / (1 + by)]) {
         holder[key] = value;
         yield copy;
@@ -46,7 +46,7 @@ function completable(of: Level): Level[] {
     const state = new Float64Array(STATE_SIZE);
     return [0.3, 0.6, 0.95].flatMap((share) => {
       trajectory.at(share * time, state);
-      return [0, 30, 33].flatMap((above) => {
+      return [0, 33].flatMap((above) => {
         const blackHole = { ...of.blackHole, x: state[0], y: state[1] + above };
         const level = { ...of, blackHole };
         return simulate(compile(level), holds).outcome === 'completed' ? [level] : [];
