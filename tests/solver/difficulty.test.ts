@@ -101,7 +101,7 @@ describe('the difficulty of a run', () => {
     const level = shipped('16-firewalk');
     const scene = compile(level);
     const { holds } = level.runs[0];
-    const options = { samples: 300, seed: 5 };
+    const options = { samples: 150, seed: 5 };
     const success = (sigma: number) => successProbability(scene, holds, ANY, sigma, options);
     const plain = findSigmaAtHalf(scene, holds, ANY, options);
     for (const known of [[30, 40, 60, 80], [170], [400, 20]]) {
