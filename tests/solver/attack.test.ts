@@ -16,8 +16,8 @@ const SEEDS: Readonly<Partial<Record<Prover, number>>> = {
   doomed: 2,
   enclosed: 2,
   covered: 4,
-  'line-trap': 16,
-  'dead-end': 12,
+  'line-trap': 10,
+  'dead-end': 8,
 };
 
 /** The first seed, where the levels of earlier ones take seconds each. `npm run bench:soak` attacks those as well. */
