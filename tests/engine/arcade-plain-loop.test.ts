@@ -70,7 +70,7 @@ describe('arcade has the same bits as a loop that checks every object in every f
     ['playable', arbitraryPlayableLevel],
     ['crowded', crowdedLevel],
   ] as const)('on %s levels', (_, level) => {
-    fc.assert(fc.property(level, plan, compareWithPlain), { numRuns: 150 });
+    fc.assert(fc.property(level, plan, compareWithPlain), { numRuns: 60 });
   });
 
   it.each([
@@ -79,7 +79,7 @@ describe('arcade has the same bits as a loop that checks every object in every f
     ['crowded', crowdedLevel],
   ] as const)('on %s levels with rules of their own', (_, level) => {
     const ruled = fc.record({ level, rules: arbitraryRules }).map((made) => ({ ...made.level, rules: made.rules }));
-    fc.assert(fc.property(ruled, plan, compareWithPlain), { numRuns: 100 });
+    fc.assert(fc.property(ruled, plan, compareWithPlain), { numRuns: 40 });
   });
 
   it('if an alien that starts from rest is less than 2 px away', () => {
@@ -100,7 +100,7 @@ describe('arcade has the same bits as a loop that checks every object in every f
           { ticks: 90, held: false },
         ]);
       }),
-      { numRuns: 100 },
+      { numRuns: 40 },
     );
   });
 
@@ -117,7 +117,7 @@ describe('arcade has the same bits as a loop that checks every object in every f
         const asteroids = field(200, 16, 45).map((a, i) => ({ ...a, hot: i % 9 === 0 }));
         compareWithPlain({ ...level, recoil, asteroids, novae: field(150, 7, 20), minerals: field(140, 7, 3) }, steps);
       }),
-      { numRuns: 25 },
+      { numRuns: 10 },
     );
   });
 
@@ -131,7 +131,7 @@ describe('arcade has the same bits as a loop that checks every object in every f
         const alone = { ...level, asteroids, novae: [], repulsors: [], aliens: [], minerals: [], blackHole: nowhere };
         compareWithPlain({ ...alone, recoil: true, range: 4000 }, [{ ticks: 100, held: true }, ...steps]);
       }),
-      { numRuns: 100 },
+      { numRuns: 40 },
     );
   });
 
@@ -156,7 +156,7 @@ describe('arcade has the same bits as a loop that checks every object in every f
           { ticks: waited, held: false },
         ]);
       }),
-      { numRuns: 150 },
+      { numRuns: 60 },
     );
   });
 });

@@ -30,7 +30,7 @@ const DIRECTIONS = [
 ] as const;
 
 const TICKS = 400;
-const RUNS = 60;
+const RUNS = 25;
 
 function heldBy(parts: readonly number[]): (tick: number) => boolean {
   const held: boolean[] = parts.flatMap((count, i) => new Array<boolean>(count).fill(i % 2 === 1));

@@ -67,7 +67,7 @@ describe('box and circle', () => {
         if (difference === 0n) touching++;
         if (!undecidable) expect(overlaps).toBe(difference < 0n);
       }),
-      { numRuns: 5000 },
+      { numRuns: 2000 },
     );
     expect(touching).toBeGreaterThan(0);
   });
@@ -105,7 +105,7 @@ describe('box and circle', () => {
           expect(boxOverlapsCircle(DEFAULT_BOX, dx, dy, Math.cos(angle), Math.sin(angle), r)).toBe(gap < 0);
         expect(gap).toBeGreaterThanOrEqual(-r);
       }),
-      { numRuns: 3000 },
+      { numRuns: 1200 },
     );
   });
 
@@ -126,7 +126,7 @@ describe('box and circle', () => {
         expect(nearest).toBeGreaterThanOrEqual(gap - 1e-9);
         expect(nearest).toBeLessThanOrEqual(gap + spacing + 1e-9);
       }),
-      { numRuns: 200 },
+      { numRuns: 80 },
     );
   });
 
@@ -148,7 +148,7 @@ describe('box and circle', () => {
           expect(boxOverlapsCircle(DEFAULT_BOX, x, y, c, s, r)).toBe(overlaps);
         }
       }),
-      { numRuns: 1000 },
+      { numRuns: 400 },
     );
   });
 
@@ -160,7 +160,7 @@ describe('box and circle', () => {
         const sin = (turn.s * c + turn.c * s) / (turn.n * n);
         expect(boxCircleGap(DEFAULT_BOX, (dx * c - dy * s) / n, (dy * c + dx * s) / n, cos, sin, r)).toBeCloseTo(before, 10);
       }),
-      { numRuns: 1000 },
+      { numRuns: 400 },
     );
   });
 });
@@ -180,7 +180,7 @@ describe('circle and circle', () => {
       fc.property(fc.oneof(near, pythagorean), ([dx, dy, reach]) => {
         expect(circlesOverlap(dx, dy, reach)).toBe(exact(dx) ** 2n + exact(dy) ** 2n < exact(reach) ** 2n);
       }),
-      { numRuns: 5000 },
+      { numRuns: 2000 },
     );
     expect(circlesOverlap(30, 40, 50)).toBe(false);
     expect(circlesOverlap(30, 40, 50 + 2 ** -40)).toBe(true);

@@ -59,7 +59,7 @@ describe.each(accuracyNames)('at %s', (accuracy) => {
           expect(gain).toBeLessThan(most);
         }
       }),
-      { numRuns: 100 },
+      { numRuns: 40 },
     );
     // and the bound is not far too large
     expect(fastest).toBeGreaterThan(0.7);

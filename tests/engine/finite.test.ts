@@ -47,7 +47,7 @@ describe.each(accuracyNames)('any level at %s', (accuracy) => {
         expect(Math.abs(run.final.vy)).toBeLessThanOrEqual(DEFAULT_RULES.speedLimit);
         expect(Math.hypot(run.final.cos, run.final.sin)).toBeCloseTo(1, 12);
       }),
-      { numRuns: accuracy === 'arcade' ? 500 : 100 },
+      { numRuns: accuracy === 'arcade' ? 200 : 40 },
     );
   });
 
@@ -65,7 +65,7 @@ describe.each(accuracyNames)('any level at %s', (accuracy) => {
         });
         expect({ ...image, final: 0, hash: 0, trajectory: 0 }).toEqual({ ...run, final: 0, hash: 0, trajectory: 0 });
       }),
-      { numRuns: accuracy === 'arcade' ? 200 : 70 },
+      { numRuns: accuracy === 'arcade' ? 80 : 30 },
     );
   });
 
@@ -115,7 +115,7 @@ describe.each(accuracyNames)('any level at %s', (accuracy) => {
           expect(notFinite(level, simulate(compile(level, accuracy), holds, { maxTime: LAST_TICK / 60, budget }))).toEqual([]);
         },
       ),
-      { numRuns: 300 },
+      { numRuns: 120 },
     );
   });
 });

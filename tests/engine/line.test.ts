@@ -135,7 +135,7 @@ describe.each(accuracies.map((a) => [a.name, a] as const))('from rest she stays 
         expect(watch.worst).toBeLessThan(1);
         expect(watch.turned).toBe(0);
       }),
-      { numRuns: 25 },
+      { numRuns: 10 },
     );
     expect(worst).toBeGreaterThan(0);
   });

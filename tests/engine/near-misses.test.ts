@@ -53,7 +53,7 @@ describe('an alien that she flies away from', () => {
         const time = (v + Math.sqrt(v * v + 16 * gap)) / 8;
         expect(Math.abs(run.time - time)).toBeLessThan(accuracy === 'fast' ? 1e-6 : 1e-8);
       }),
-      { numRuns: 60 },
+      { numRuns: 25 },
     );
   });
 });

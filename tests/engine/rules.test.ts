@@ -46,7 +46,7 @@ describe.each(accuracyNames)('with its own rules, at %s', (accuracy) => {
         }
         expect([split.tick, split.ending, stateOf(split)]).toEqual([whole.tick, whole.ending, stateOf(whole)]);
       }),
-      { numRuns: 20 },
+      { numRuns: 8 },
     );
   });
 
@@ -103,7 +103,7 @@ describe.each(accuracyNames)('with its own rules, at %s', (accuracy) => {
           if (Math.max(Math.abs(vx), Math.abs(vy)) > 0.999 * speedLimit) reached++;
         }
       }),
-      { numRuns: 30 },
+      { numRuns: 12 },
     );
     expect(reached).toBeGreaterThan(2);
   });
@@ -125,7 +125,7 @@ describe.each(continuousNames)('in continuous time, at %s', (accuracy) => {
         const tolerance = accuracy === 'precise' ? 1e-9 : accuracy === 'standard' ? 1e-5 : 0.05;
         expect(Math.abs(start - stateOf(simulation)[0] - distanceAt(ticks / 60))).toBeLessThan(tolerance);
       }),
-      { numRuns: 60 },
+      { numRuns: 25 },
     );
   });
 
@@ -138,7 +138,7 @@ describe.each(continuousNames)('in continuous time, at %s', (accuracy) => {
         expect([image.outcome, image.with, image.time, image.events]).toEqual([run.outcome, run.with, run.time, run.events]);
         expect([0 - image.final.x, image.final.y + 0]).toEqual([run.final.x + 0, run.final.y + 0]);
       }),
-      { numRuns: 20 },
+      { numRuns: 8 },
     );
   });
 });
@@ -178,7 +178,7 @@ describe('contact with a box of another size', () => {
         if (Math.abs(gap) > 1e-9) expect(boxOverlapsCircle(box, dx, dy, cos, sin, r)).toBe(gap < 0);
         expect(box.halfDiagonal).toBeGreaterThanOrEqual(Math.hypot(boxWidth, boxHeight) / 2);
       }),
-      { numRuns: 500 },
+      { numRuns: 200 },
     );
   });
 });

@@ -59,7 +59,7 @@ describe.each(accuracyNames)('a simulation at %s', (accuracy) => {
         simulation.reset();
         expect(view(simulation)).toEqual(view(createSimulation(scene)));
       }),
-      { numRuns: 100 },
+      { numRuns: 40 },
     );
   });
 
@@ -81,7 +81,7 @@ describe.each(accuracyNames)('a simulation at %s', (accuracy) => {
         }
         expect(view(split)).toEqual(view(whole));
       }),
-      { numRuns: 100 },
+      { numRuns: 40 },
     );
   });
 
@@ -99,7 +99,7 @@ describe.each(accuracyNames)('a simulation at %s', (accuracy) => {
           expect(view(simulation)).toEqual(before);
         }
       }),
-      { numRuns: 100 },
+      { numRuns: 40 },
     );
   });
 
@@ -118,7 +118,7 @@ describe.each(accuracyNames)('a simulation at %s', (accuracy) => {
         expect([...state]).toEqual([x, y, vx, vy, cos, sin]);
         expect(simulate(compile(structuredClone(of), accuracy), holds, { maxTime: LAST_TICK / 60 }).hash).toBe(run.hash);
       }),
-      { numRuns: 100 },
+      { numRuns: 40 },
     );
   });
 
@@ -132,7 +132,7 @@ describe.each(accuracyNames)('a simulation at %s', (accuracy) => {
         expect(simulation.snapshot(into)).toBe(into);
         expect([...into]).toEqual([...snapshot]);
       }),
-      { numRuns: 20 },
+      { numRuns: 8 },
     );
   });
 });

@@ -29,7 +29,7 @@ describe.each(continuousNames)('the image of a scene gives the image of its run:
         // whichever of the two zeros it is
         expect([0 - x, y + 0, 0 - vx, vy + 0]).toEqual([final.x + 0, final.y + 0, final.vx + 0, final.vy + 0]);
       }),
-      { numRuns: 60 },
+      { numRuns: 25 },
     );
   });
 
@@ -55,9 +55,9 @@ describe.each(continuousNames)('the image of a scene gives the image of its run:
         expect(Math.hypot(image.final.x - run.final.y, image.final.y - run.final.x)).toBeLessThan(1e-6);
         expect(Math.hypot(image.final.vx - run.final.vy, image.final.vy - run.final.vx)).toBeLessThan(1e-6);
       }),
-      { numRuns: 60 },
+      { numRuns: 25 },
     );
-    expect(compared).toBeGreaterThan(40);
+    expect(compared).toBeGreaterThan(16);
   });
 
   // the frame goes with the rock until she is in the field

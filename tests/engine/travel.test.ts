@@ -15,12 +15,14 @@ import {
   WorkLimitReached,
 } from '../../engine/index.ts';
 import { ALERTNESS, alienPlaceAt, type Motion, placeAt, RECORDS, rockAt, SLOTS } from '../../engine/motion/index.ts';
+import { propertySettings } from '../property-settings.ts';
 import { continuousNames } from './accuracies.ts';
 
 const { LENGTH_H } = SLOTS;
 const { CHASER } = RECORDS;
 const { GONE } = ALERTNESS;
 const SAMPLES = 16;
+const { runs } = propertySettings(process.env);
 
 type State = Float64Array;
 const apart = (a: State, b: State): number => Math.hypot(b[0] - a[0], b[1] - a[1]);
@@ -92,7 +94,7 @@ describe.each(SETTINGS.map((accuracy) => [accuracy.name, accuracy] as const))('a
   ] as const)('no piece takes her, a rock or an alien farther than is said, in %s', (_name, make) => {
     let beyond = Number.NEGATIVE_INFINITY;
     let share = 0;
-    for (let seed = 0; seed < 40; seed++) {
+    for (let seed = 0; seed < 16 * runs; seed++) {
       const found = farthest(make(seed), accuracy);
       beyond = Math.max(beyond, found.beyond);
       share = Math.max(share, found.share);

@@ -35,7 +35,7 @@ describe('a budget of work', () => {
           expect(limited.events).toEqual(whole.events.slice(0, limited.events.length));
         }
       }),
-      { numRuns: 60 },
+      { numRuns: 25 },
     );
   });
 
@@ -89,7 +89,7 @@ describe('a budget of work', () => {
         };
         expect(spentBy()).toBe(spentBy());
       }),
-      { numRuns: 40 },
+      { numRuns: 16 },
     );
   });
 
@@ -142,6 +142,6 @@ it('a run that keeps only events has the same hash, clearance and path', () => {
       expect([not.hash, not.clearance, not.trajectory.duration]).toEqual([kept.hash, kept.clearance, kept.trajectory.duration]);
       expect([not.outcome, not.events, not.final]).toEqual([kept.outcome, kept.events, kept.final]);
     }),
-    { numRuns: 40 },
+    { numRuns: 16 },
   );
 });

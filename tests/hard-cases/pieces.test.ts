@@ -5,6 +5,7 @@ import { compile, STATE_SIZE, simulate } from '../../engine/index.ts';
 import { DEFAULT_RULES, type Hold } from '../../schema/index.ts';
 import { continuousNames } from '../engine/accuracies.ts';
 import { type PlainLevel, plainLevel } from '../engine/plain-level.ts';
+import { propertySettings } from '../property-settings.ts';
 
 const HELD: Hold[] = [[0, 3600]];
 
@@ -76,7 +77,7 @@ describe.each(continuousNames)('pieces per second: %s', (accuracy) => {
 });
 
 it('random degenerate scenes take bounded work (the soak tests more of them)', () => {
-  const found = Array.from({ length: 20 }, (_, seed) =>
+  const found = Array.from({ length: 10 * propertySettings(process.env).runs }, (_, seed) =>
     checkPieces(degenerateScene(seed)).filter((f) => f.kind === 'bug'),
   ).flat();
   expect(found).toEqual([]);

@@ -44,7 +44,7 @@ describe.each(accuracyNames)('hard cases in parts: %s', (accuracy) => {
         const cuts = new Set(parts.map((part) => Math.floor(part * ticksOf(c))));
         expect(playCut(c, accuracy, cuts)).toEqual(playCut(c, accuracy, new Set()));
       }),
-      { numRuns: 60 },
+      { numRuns: 25 },
     );
   });
 
@@ -67,7 +67,7 @@ describe.each(accuracyNames)('hard cases in parts: %s', (accuracy) => {
           ]),
         ).toBe(joined);
       }),
-      { numRuns: 25 },
+      { numRuns: 10 },
     );
   });
 });

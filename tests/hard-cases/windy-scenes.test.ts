@@ -3,17 +3,23 @@ import { checkBySteps } from '../../bench/soak/by-steps.ts';
 import { checkScene } from '../../bench/soak/check-scene.ts';
 import { checkPieces } from '../../bench/soak/pieces.ts';
 import { steppableScene, windyDegenerateScene, windyScene } from '../../bench/soak/windy-scene.ts';
+import { propertySettings } from '../property-settings.ts';
 
+const { runs } = propertySettings(process.env);
 const seeds = (count: number) => Array.from({ length: count }, (_, seed) => seed);
 
 // a sample of bench/soak.ts, which tests any number of scenes
 describe('scenes with winds and wormholes', () => {
   it('obey every rule at every accuracy, whole or split, at two tolerances', () => {
-    expect(seeds(50).flatMap((seed) => checkScene(windyScene(seed), seed).filter(({ kind }) => kind === 'bug'))).toEqual([]);
+    expect(seeds(20 * runs).flatMap((seed) => checkScene(windyScene(seed), seed).filter(({ kind }) => kind === 'bug'))).toEqual(
+      [],
+    );
   });
 
   it('take a bounded number of pieces from starts on rims, in mouths and between balanced forces', () => {
-    expect(seeds(20).flatMap((seed) => checkPieces(windyDegenerateScene(seed)).filter(({ kind }) => kind === 'bug'))).toEqual([]);
+    expect(
+      seeds(10 * runs).flatMap((seed) => checkPieces(windyDegenerateScene(seed)).filter(({ kind }) => kind === 'bug')),
+    ).toEqual([]);
   });
 
   it('take a bounded number of pieces if the mouths of a wormhole nearly coincide', () => {
@@ -25,7 +31,7 @@ describe('scenes with winds and wormholes', () => {
 
   it('end at the same place as in another program with small steps', () => {
     let [agreeing, jumps, crossings] = [0, 0, 0];
-    for (const seed of seeds(30)) {
+    for (const seed of seeds(15 * runs)) {
       const finding = checkBySteps(steppableScene(seed));
       expect({ seed, finding }).not.toHaveProperty('finding.why');
       if (finding.what !== 'agrees') continue;
@@ -33,8 +39,8 @@ describe('scenes with winds and wormholes', () => {
       jumps += finding.jumps;
       crossings += finding.crossings;
     }
-    expect(agreeing).toBeGreaterThan(10);
-    expect(jumps).toBeGreaterThan(3);
-    expect(crossings).toBeGreaterThan(5);
+    expect(agreeing).toBeGreaterThan(5);
+    expect(jumps).toBeGreaterThan(1);
+    expect(crossings).toBeGreaterThan(2);
   });
 });
