@@ -174,7 +174,7 @@ describe('any sequence of operations', () => {
         expect(level.file()).toStrictEqual(end);
         expect(level.store.getState()).toMatchObject({ done, steps });
       }),
-      { numRuns: 100 },
+      { numRuns: 40 },
     );
   });
 
@@ -194,7 +194,7 @@ describe('any sequence of operations', () => {
         expect(seen).toStrictEqual(level.file());
         expect(kept).toStrictEqual(level.file());
       }),
-      { numRuns: 100 },
+      { numRuns: 40 },
     );
   });
 });
@@ -207,7 +207,7 @@ describe('patches', () => {
         expect(applyPatches(b, diffFiles(b, a))).toStrictEqual(a);
         expect(diffFiles(a, structuredClone(a))).toEqual([]);
       }),
-      { numRuns: 300 },
+      { numRuns: 120 },
     );
   });
 

@@ -282,7 +282,7 @@ describe('patches', () => {
         expect(isSame(a, shuffled(a))).toBe(true);
         expect(isSame(a, b)).toBe(sorted(a) === sorted(b));
       }),
-      { numRuns: 2000 },
+      { numRuns: 800 },
     );
     expect(isSame({ a: undefined }, { b: undefined })).toBe(false);
     expect(isSame({ a: undefined }, {})).toBe(false);

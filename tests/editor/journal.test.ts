@@ -300,7 +300,7 @@ describe('the journal', () => {
           expect(recovery?.lost).toBe(0);
         },
       ),
-      { numRuns: 300 },
+      { numRuns: 120 },
     );
   });
 

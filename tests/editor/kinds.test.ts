@@ -331,7 +331,7 @@ describe('operations on a level of any kinds', () => {
         const reading = readLevel(formatLevel(after));
         expect(reading.ok && reading.document.file).toEqual(after);
       }),
-      { numRuns: 300 },
+      { numRuns: 120 },
     );
   });
 

@@ -68,7 +68,7 @@ describe('merging', () => {
         expect(mergeLevels(base, base, a)).toEqual({ file: a, conflicts: [] });
         expect(mergeLevels(base, a, a)).toEqual({ file: a, conflicts: [] });
       }),
-      { numRuns: 100 },
+      { numRuns: 40 },
     );
   });
 
@@ -91,7 +91,7 @@ describe('merging', () => {
             for (const { id } of side[list] ?? []) if (!old.has(id)) expect(kept.has(id)).toBe(true);
         }
       }),
-      { numRuns: 100 },
+      { numRuns: 40 },
     );
   });
 
@@ -105,7 +105,7 @@ describe('merging', () => {
         // the values that they have are theirs everywhere
         expect(isSame(mergeLevels(base, theirs, mine).file, chosen.file)).toBe(true);
       }),
-      { numRuns: 100 },
+      { numRuns: 40 },
     );
   });
 

@@ -184,7 +184,7 @@ describe('objects', () => {
         });
         expect(fileAfter(file, alignObjects(file, keys, edge))).toEqual(expected);
       }),
-      { numRuns: 300 },
+      { numRuns: 120 },
     );
   });
 
@@ -206,7 +206,7 @@ describe('objects', () => {
           if (!keys.includes(key)) expect(now.get(key)).toEqual(place);
         }
       }),
-      { numRuns: 300 },
+      { numRuns: 120 },
     );
   });
 

@@ -384,7 +384,7 @@ describe('whatever happens', () => {
         expect(places.sort((a, b) => a - b)).toEqual(added);
         for (const { workspace } of pages) expect(['saved', 'readOnly']).toContain(saveState(workspace));
       }),
-      { numRuns: 120 },
+      { numRuns: 50 },
     );
   });
 });

@@ -53,7 +53,7 @@ describe('the canonical text', () => {
         expect(text.endsWith('}\n')).toBe(true);
         expect(text).not.toMatch(/\r|[ \t]\n/);
       }),
-      { numRuns: 300 },
+      { numRuns: 120 },
     );
   });
 
@@ -70,7 +70,7 @@ describe('the canonical text', () => {
         expect(b).toHaveLength(a.length);
         expect(b.filter((line, i) => line !== a[i])).toHaveLength(1);
       }),
-      { numRuns: 200 },
+      { numRuns: 80 },
     );
   });
 

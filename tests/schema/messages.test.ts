@@ -25,7 +25,7 @@ describe('did you mean', () => {
         const distance = plainDistance(a, b);
         expect(editDistance(a, b, limit)).toBe(distance <= limit ? distance : limit + 1);
       }),
-      { numRuns: 500 },
+      { numRuns: 200 },
     );
   });
 
@@ -117,7 +117,7 @@ describe('the code frame', () => {
         expect(line).toBe(`> 1 | ${from > 0 ? '…' : ''}${shown}${rest}`);
         expect(caret).toBe(`    | ${' '.repeat(column - 1 - from + (from > 0 ? 1 : 0))}^`);
       }),
-      { numRuns: 500 },
+      { numRuns: 200 },
     );
   });
 
