@@ -1,7 +1,19 @@
 // A process that runs one command of gq after another, for tests/cli/gq.ts: only the first pays for starting node and loading gq.
 import { writeSync } from 'node:fs';
+import { register } from 'node:module';
 import process from 'node:process';
 import { runCommandLine } from '../../dist/cli/command-line.js';
+
+const SHARED_POOLS = new URL('./shared-pools.mjs', import.meta.url).href;
+
+// gq loads `tinypool` only when it needs threads
+register(
+  `data:text/javascript,${encodeURIComponent(`
+  const shared = ${JSON.stringify(SHARED_POOLS)};
+  export const resolve = (name, context, next) =>
+    name === 'tinypool' && context.parentURL !== shared ? { url: shared, shortCircuit: true } : next(name, context);
+`)}`,
+);
 
 /** @typedef {{ code: number, signal: null, stdout: string, stderr: string }} Ended */
 
