@@ -28,7 +28,7 @@ const difficulty = async (args: string) => {
 
 describe('gq difficulty', () => {
   it('measures each level it can, gives the reason for the others, and has the same result for any number of threads', async () => {
-    const ended = await Promise.all(['1', '2'].map((jobs) => difficulty(`d --effort 400000 --jobs ${jobs}`)));
+    const ended = await Promise.all(['1', '2'].map((jobs) => difficulty(`d --effort 100000 --jobs ${jobs}`)));
     expect(ended[1].stdout).toBe(ended[0].stdout);
     const { code, levels } = ended[0];
     expect(code).toBe(1);
@@ -41,7 +41,7 @@ describe('gq difficulty', () => {
   });
 
   it('prints a table of several levels, the easiest first', async () => {
-    const { code, stdout } = await gq(['difficulty', 'd', '--effort', '400000', '--jobs', '1'], { cwd });
+    const { code, stdout } = await gq(['difficulty', 'd', '--effort', '100000', '--jobs', '1'], { cwd });
     expect(code).toBe(1);
     const grades = [...stdout.matchAll(/^ +(\d+\.\d) {2}\w+ /gm)].map(([, grade]) => Number(grade));
     expect(grades).toEqual(grades.toSorted((a, b) => a - b));
