@@ -68,7 +68,7 @@ describe('without --solve', () => {
 
 describe('--solve', () => {
   it('gives every level the right verdict, the same for any number of threads', async () => {
-    const [one, two] = await Promise.all(['1', '2'].map((jobs) => check(`a --solve --effort 400000 --jobs ${jobs}`)));
+    const [one, two] = await Promise.all(['1', '2'].map((jobs) => check(`a --solve --effort 100000 --jobs ${jobs}`)));
     expect(withoutTimes(two.stdout)).toBe(withoutTimes(one.stdout));
     const { code, levels } = one;
     expect(code).toBe(1);
@@ -95,7 +95,7 @@ describe('--solve', () => {
 
   it('passes a level that a found run completes; once the run is written, it passes without a search, too', async () => {
     const args = ['--objective', 'first', '--effort', '4000000', '--jobs', '1', '--write'];
-    expect((await check('own.level.json --solve --effort 400000 --jobs 1')).code).toBe(0);
+    expect((await check('own.level.json --solve --effort 100000 --jobs 1')).code).toBe(0);
     expect((await gq(['solve', 'own.level.json', ...args], { cwd })).code).toBe(0);
     const { code, levels } = await check('own.level.json');
     expect(code).toBe(0);
