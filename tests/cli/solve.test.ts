@@ -33,10 +33,9 @@ const report = ({ stdout }: { stdout: string }) => solveReportSchema.parse(JSON.
 
 describe('a run that is found', () => {
   it.each([
-    [shipped('02-first-swing'), 'precise', 'any'],
-    [shipped('02-first-swing'), 'arcade', 'all'],
+    [shipped('02-first-swing'), 'precise', 'all'],
     [shipped('07-nova-lane'), 'fast', '1'],
-    [shipped('11-blind-date'), 'precise', 'any'],
+    [shipped('11-blind-date'), 'arcade', 'any'],
   ])('in %s under %s with %s minerals is confirmed by gq simulate, bit for bit', async (file, accuracy, minerals) => {
     const ended = await gq([
       'solve',
@@ -75,14 +74,11 @@ describe('a run that is found', () => {
   });
 
   it('is the same for any number of threads, with the same effort', async () => {
-    for (const args of ['--objective robust --effort 300000 --count 2', '--objective first --effort 4000000 --seed 5']) {
-      const ended = await Promise.all(
-        ['1', '3'].map((jobs) => solve(`first-swing.level.json ${args} --format json --jobs ${jobs}`)),
-      );
-      const [one, three] = ended.map(({ stdout }) => withoutTimes(stdout));
-      expect(three).toBe(one);
-      expect(JSON.parse(one).found).toBe(true);
-    }
+    const args = '--objective robust --effort 300000 --count 2 --format json';
+    const ended = await Promise.all(['1', '3'].map((jobs) => solve(`first-swing.level.json ${args} --jobs ${jobs}`)));
+    const [one, three] = ended.map(({ stdout }) => withoutTimes(stdout));
+    expect(three).toBe(one);
+    expect(JSON.parse(one).found).toBe(true);
   });
 
   it('comes with others if several are wanted; the best is first and at the top', async () => {
@@ -122,13 +118,13 @@ describe('no run', () => {
   });
 
   it('not found: prints the effort and the closest run, which is a real run, with exit code 1', async () => {
-    const ended = await solve('needle.level.json --effort 60000 --format json');
+    const ended = await solve('needle.level.json --effort 20000 --format json');
     expect(ended.code).toBe(1);
     const { found, closest, impossible, effort, robustness } = report(ended);
     expect({ found, impossible, robustness }).toEqual({ found: false, impossible: null, robustness: null });
-    expect(effort.ticks).toBeGreaterThanOrEqual(60_000);
+    expect(effort.ticks).toBeGreaterThanOrEqual(20_000);
     expect(closest?.distance).toBeGreaterThan(0);
-    const pretty = await solve('needle.level.json --effort 60000');
+    const pretty = await solve('needle.level.json --effort 20000');
     expect(pretty).toMatchObject({ code: 1, stderr: '' });
     expect(pretty.stdout).toMatch(
       /no run found; this does not prove that there is none\n\neffort .*\nclosest +[\d.]+ px from the black hole/,
@@ -177,7 +173,7 @@ describe('--write', () => {
 
   it('writes nothing if nothing was found', async () => {
     const text = inDirectory(cwd, 'needle.level.json');
-    const { code, stderr } = await solve('needle.level.json --effort 40000 --write');
+    const { code, stderr } = await solve('needle.level.json --effort 10000 --write');
     expect({ code, stderr }).toEqual({ code: 1, stderr: 'nothing was written: no run was found\n' });
     expect(inDirectory(cwd, 'needle.level.json')).toBe(text);
   });
@@ -219,20 +215,15 @@ describe.runIf(process.platform === 'linux')('a running search', () => {
   // no run of this level is so robust that the search ends by itself
   const ENDLESS = withoutRuns('17-watchdog');
 
-  it('ends on a signal with 130 or 143, and nothing is reported or written', async () => {
-    for (const [signal, code, answers] of [
-      ['SIGINT', 130, 1],
-      ['SIGTERM', 143, 4],
-    ] as const) {
-      writeFileSync(join(cwd, 'stop.level.json'), ENDLESS);
-      const ended = await gqProcess('solve stop.level.json --effort 1000000000 --write --format json'.split(' '), {
-        cwd,
-        // the signal arrives together with the answer of a thread
-        env: interruptAt({ of: 'message', number: answers, signals: [signal] }),
-      });
-      expect(ended).toEqual({ code, signal: null, stdout: '', stderr: '' });
-      expect(inDirectory(cwd, 'stop.level.json')).toBe(ENDLESS);
-    }
+  it('ends on a signal, and nothing is reported or written', async () => {
+    writeFileSync(join(cwd, 'stop.level.json'), ENDLESS);
+    const ended = await gqProcess('solve stop.level.json --effort 1000000000 --write --format json'.split(' '), {
+      cwd,
+      // the signal arrives together with the answer of a thread
+      env: interruptAt({ of: 'message', number: 3, signals: ['SIGTERM'] }),
+    });
+    expect(ended).toEqual({ code: 143, signal: null, stdout: '', stderr: '' });
+    expect(inDirectory(cwd, 'stop.level.json')).toBe(ENDLESS);
   });
 
   it('does not write to a file that has changed in the meantime, but reports the run', async () => {
@@ -253,7 +244,7 @@ describe.runIf(process.platform === 'linux')('a running search', () => {
     // progress appears after half a second: here every look at the clock advances it by a second
     const slow = 'const now = performance.now(); let looks = 0; performance.now = () => now + 1000 * looks++;';
     const env = { ...process.env, NODE_OPTIONS: `--import=data:text/javascript,${encodeURIComponent(slow)}` };
-    const command = `'${process.execPath}' '${MAIN}' solve needle.level.json --effort 100000 --jobs 1`;
+    const command = `'${process.execPath}' '${MAIN}' solve needle.level.json --effort 20000 --jobs 1`;
     const terminal = execFileSync(SCRIPT, ['-qec', `${command} 2>&1 || true`, '/dev/null'], { cwd, env, encoding: 'utf8' });
     const [, ...lines] = terminal.split('\r\u001b[2K');
     expect(lines[0]).toMatch(/^solving, \d+ s, [\d.]+ million ticks: no run yet, closest [\d.]+ px; Ctrl-C ends$/);
