@@ -7,6 +7,7 @@ import { afterAll, describe, expect, it } from 'vitest';
 import { interruptAt } from '../../bench/soak/interrupted/step.ts';
 import { readPage } from '../../cli/edit/page-files.ts';
 import { EDIT_API } from '../../schema/index.ts';
+import { gq } from '../cli/gq.ts';
 import { until } from '../until.ts';
 import { gqEdit } from './command.ts';
 import { levelPath, levelText, makeFolder, pageOf, put } from './running.ts';
@@ -86,12 +87,12 @@ describe('gq edit', () => {
   );
 
   it('reports what is wrong with a folder', async () => {
-    expect(await refusal(['nowhere'])).toMatchObject({
+    expect(await gq(['edit', 'nowhere'], { cwd })).toMatchObject({
       code: 2,
       stdout: '',
       stderr: expect.stringMatching(/^error: nowhere: .*no such file.*mkdir nowhere\n$/),
     });
-    expect(await refusal(['file.txt'])).toMatchObject({
+    expect(await gq(['edit', 'file.txt'], { cwd })).toMatchObject({
       code: 2,
       stderr: expect.stringMatching(/^error: file\.txt: is a file; .*gq edit \.\n$/),
     });
@@ -100,7 +101,7 @@ describe('gq edit', () => {
     await empty.end('SIGTERM');
   });
 
-  it('reports that a port is taken; without --port, it takes the next one', async () => {
+  it('reports that a port is taken; without --port, it takes the next one, and can serve the same folder', async () => {
     const first = await gqEdit([], { cwd });
     const second = await gqEdit([], { cwd });
     expect(second.port).not.toBe(first.port);
@@ -111,22 +112,17 @@ describe('gq edit', () => {
       stdout: '',
       stderr: expect.stringMatching(/^error: --port \d+: .*perhaps by another gq edit; give another port/),
     });
-    for (const wrong of ['x', '-1', '65536', '1.5']) expect(await refusal(['--port', wrong])).toMatchObject({ code: 2 });
+    for (const wrong of ['x', '-1', '65536', '1.5']) {
+      expect(await gq(['edit', '--port', wrong], { cwd })).toMatchObject({ code: 2 });
+    }
+    // both serve the same folder: each sees the changes of the other
+    const { etag } = (await pageOf(first).get(levelPath('a'))).json() as { etag: string };
+    const write = (edit: typeof first, name: string) =>
+      pageOf(edit).send('PUT', levelPath('a'), { text: levelText(name), client: 'c' }, { 'If-Match': etag });
+    expect((await write(first, 'first')).status).toBe(200);
+    expect((await write(second, 'second')).status).toBe(412);
     await Promise.all([first.end('SIGTERM'), second.end('SIGTERM')]);
     (await listenOn(first.port)).close();
-  });
-
-  it('can serve a folder twice: each server sees the changes of the other', async () => {
-    const [one, two] = await Promise.all([
-      gqEdit(['levels', '--port', '0'], { cwd }),
-      gqEdit(['levels', '--port', '0'], { cwd }),
-    ]);
-    const { etag } = (await pageOf(one).get(levelPath('a'))).json() as { etag: string };
-    const write = (edit: typeof one, name: string) =>
-      pageOf(edit).send('PUT', levelPath('a'), { text: levelText(name), client: 'c' }, { 'If-Match': etag });
-    expect((await write(one, 'first')).status).toBe(200);
-    expect((await write(two, 'second')).status).toBe(412);
-    await Promise.all([one.end('SIGTERM'), two.end('SIGTERM')]);
   });
 
   it.runIf(process.platform === 'linux')('opens the browser without a shell, and reports a failure', async () => {
