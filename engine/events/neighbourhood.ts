@@ -2,7 +2,7 @@ import type { IndexedCircles } from '../indexed-circles.ts';
 import { ALERTNESS, type EventRule, type Motion, RECORDS, SLOTS, targetsAround } from '../motion/index.ts';
 import { SURPLUS } from '../tolerances.ts';
 
-const { TARGET, ACCELERATION } = SLOTS;
+const { BASE, TARGET, ACCELERATION } = SLOTS;
 const { CHASER, ROCK } = RECORDS;
 const { AWAKE } = ALERTNESS;
 
@@ -78,17 +78,21 @@ export function farthestRockTravel(m: Motion, h: number): number {
     const o = m.rocks + ROCK * i;
     fastest = Math.max(fastest, s[o + 2] * s[o + 2] + s[o + 3] * s[o + 3]);
   }
-  const v = Math.sqrt(fastest);
+  const v = Math.sqrt(Math.max(fastest, baseSpeedSquared(m)));
   const a = m.kappa;
   return v > 0 || a > 0 ? (v + a * h) * h : 0;
 }
+
+/** (px/s)². The base's record can have its velocity at an earlier event; its polynomial has that of the current piece. */
+const baseSpeedSquared = ({ px, py }: Motion): number => px[1] * px[1] + py[1] * py[1];
 
 /** Upper bound of how far a target moves in `h` s, px. */
 export function rockTravel(m: Motion, i: number, h: number): number {
   const { s } = m;
   if (!m.recoil) return 0;
   const o = m.rocks + ROCK * i;
-  const v = Math.sqrt(s[o + 2] * s[o + 2] + s[o + 3] * s[o + 3]);
+  const recorded = s[o + 2] * s[o + 2] + s[o + 3] * s[o + 3];
+  const v = Math.sqrt(i === s[BASE] ? Math.max(recorded, baseSpeedSquared(m)) : recorded);
   const a = i === s[TARGET] ? m.kappa : 0;
   return v > 0 || a > 0 ? (v + a * h) * h : 0;
 }

@@ -22,8 +22,9 @@ const { LENGTH_H } = SLOTS;
 const { CHASER } = RECORDS;
 const { GONE } = ALERTNESS;
 const SAMPLES = 16;
-// The first 40 scenes of each kind in a hunt, 16 otherwise.
-const SCENES = Math.min(40, 16 * propertySettings(process.env).runs);
+const SCENES = 16 * propertySettings(process.env).runs;
+/** Seeds of scenes in which the rock that she drags is faster than its record says. */
+const FORMERLY_BEYOND = [106, 115];
 
 type State = Float64Array;
 const apart = (a: State, b: State): number => Math.hypot(b[0] - a[0], b[1] - a[1]);
@@ -95,7 +96,7 @@ describe.each(SETTINGS.map((accuracy) => [accuracy.name, accuracy] as const))('a
   ] as const)('no piece takes her, a rock or an alien farther than is said, in %s', (_name, make) => {
     let beyond = Number.NEGATIVE_INFINITY;
     let share = 0;
-    for (let seed = 0; seed < SCENES; seed++) {
+    for (const seed of [...Array(SCENES).keys(), ...FORMERLY_BEYOND]) {
       const found = farthest(make(seed), accuracy);
       beyond = Math.max(beyond, found.beyond);
       share = Math.max(share, found.share);
