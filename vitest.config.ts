@@ -24,13 +24,24 @@ export default defineConfig({
       { extends: true, test: { name: 'node-alone', include: ALONE, exclude: NO_NODE } },
       // `npm run test:browser`: everything that needs Chromium or Firefox
       // its files are not isolated from one another: those that one worker runs share a Chromium
-      { extends: true, test: { name: 'browser', include: [IN_BROWSERS], globalSetup: 'tests/e2e/profiles.ts', isolate: false } },
+      {
+        extends: true,
+        test: {
+          name: 'browser',
+          include: [IN_BROWSERS],
+          globalSetup: 'tests/e2e/profiles.ts',
+          isolate: false,
+          // a browser is several processes: more of them would only wait for each other
+          maxWorkers: 2,
+          sequence: { groupOrder: 1 },
+        },
+      },
     ],
     // a skipped test is loud on a developer's machine and an error in CI: see .ci/run
     reporters: ['default'],
     testTimeout: PATIENCE,
     hookTimeout: PATIENCE,
-    // two workers: more would only wait for each other on the machines this runs on
-    maxWorkers: 2,
+    // for two cores: tests that wait for a command or a server leave theirs to another
+    maxWorkers: 3,
   },
 });
