@@ -218,6 +218,8 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
     'of two tabs, one writes; the other follows and can take over',
     on({ '01': garden() }, async ({ page, canvas, file, open, saved }) => {
       await saved();
+      // a page that starts while another is still opening the level asks before it opens it, too
+      await page.waitForFunction(() => !localStorage.getItem('gravity-quest-editor-opening')?.includes('"'));
       const other = await open();
       await saving(other.page, /^read-only$/);
       await canvas.fit(file('01'));
