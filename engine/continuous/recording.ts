@@ -1,6 +1,6 @@
 import { ChangeLog } from '../change-log.ts';
 import { type Clearance, ClearanceTracker } from '../clearance.ts';
-import { awakeAt, type Motion, packPiece, RECORDS, type Recorder, SLOTS } from '../motion/index.ts';
+import { awakeAt, type Motion, PackedPieces, RECORDS, type Recorder, SLOTS } from '../motion/index.ts';
 import type { Scene } from '../scene.ts';
 import type { RunEvent } from '../simulation.ts';
 import type { Trajectory } from '../trajectory.ts';
@@ -19,8 +19,8 @@ const FIRST_LOOKS = 64;
 /** Records every piece and event of a run in continuous time. */
 export class PieceRecorder implements Recorder, Trajectory {
   readonly events: RunEvent[] = [];
-  /** For each piece, what {@link packPiece} copies; chasers and asteroids are kept separately. */
-  private states: Float64Array[] = [];
+  /** The pieces, without chasers and asteroids. */
+  private readonly pieces = new PackedPieces();
   private chasers: ChangeLog | null = null;
   private rocks: ChangeLog | null = null;
   private starts: number[] = [];
@@ -44,11 +44,9 @@ export class PieceRecorder implements Recorder, Trajectory {
   piece(motion: Motion, t: number): void {
     if (!this.keeps) return;
     const { s, crowd, budget, chasers, rocks, minerals, stirred } = motion;
-    const state = packPiece(motion);
-    budget.record(8 * state.length + BYTES_A_PIECE);
+    budget.record(8 * this.pieces.add(motion) + BYTES_A_PIECE);
     const start = s[START];
     this.end = start + t;
-    this.states.push(state);
     this.starts.push(start);
     this.lengths.push(t);
     if (rocks > chasers) {
@@ -119,7 +117,7 @@ export class PieceRecorder implements Recorder, Trajectory {
     this.reader ??= new ContinuousSimulation(this.scene, null, this.budget);
     if (this.readerAt === piece) return this.reader;
     this.readerAt = piece;
-    this.reader.resumePiece(this.states[piece], (chasers, rocks) => {
+    this.reader.resumePiece(this.pieces, piece, (chasers, rocks) => {
       this.chasers?.seek(piece, chasers);
       this.rocks?.seek(piece, rocks);
     });

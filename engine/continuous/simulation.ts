@@ -8,13 +8,13 @@ import {
   alienPlaceAt,
   MODES,
   Motion,
+  type PackedPieces,
   RECORDS,
   type Recorder,
   readRocks,
   rockAt,
   SLOTS,
   settleAndTurnAt,
-  unpackPiece,
 } from '../motion/index.ts';
 import type { Scene } from '../scene.ts';
 import type { Ending, Mode, Simulation, Work } from '../simulation.ts';
@@ -138,12 +138,12 @@ export class ContinuousSimulation implements Simulation {
   }
 
   /**
-   * Puts the simulation on a recorded piece, to be read but not advanced.
+   * Puts the simulation on piece `i` of a record, to be read but not advanced.
    * @param others - writes the chasers and asteroids of that time
    */
-  resumePiece(packed: Float64Array, others: (chasers: Float64Array, rocks: Float64Array) => void): void {
+  resumePiece(pieces: PackedPieces, i: number, others: (chasers: Float64Array, rocks: Float64Array) => void): void {
     const { motion } = this;
-    unpackPiece(motion, packed);
+    pieces.restore(i, motion);
     others(motion.s.subarray(motion.chasers, motion.rocks), motion.s.subarray(motion.rocks, motion.minerals));
     this.resume();
   }

@@ -31,7 +31,7 @@ export {
   type SteadyForce,
 } from './motion.ts';
 export { distanceSquared, nearest } from './nearest.ts';
-export { packPiece, unpackPiece } from './packed-piece.ts';
+export { PackedPieces } from './packed-pieces.ts';
 export { alienPlaceAt, directionAt, lookAt, placeAt, rockAt, settleAndTurnAt } from './places.ts';
 export { addProduct, pairAt, shift, valueAt } from './polynomial.ts';
 export { drivenSeries, LONGEST_SERIES, linearSeries, TAYLOR_DEGREE, taylorStep } from './power-series.ts';

@@ -34,7 +34,11 @@ async function readUntil(stream: ReadableStream<Uint8Array>, passes: (event: Edi
   for (;;) {
     const { value, done } = await reader.read();
     if (done) return heard;
-    const parts = (rest + value).split('\n\n');
+    // a list comes in hundreds of chunks: only those that can end an event are searched together with what came before
+    const ends = value.includes('\n\n') || (value.startsWith('\n') && rest.endsWith('\n'));
+    rest += value;
+    if (!ends) continue;
+    const parts = rest.split('\n\n');
     rest = parts.pop() ?? '';
     for (const part of parts) if (part.startsWith('data: ')) heard.push(JSON.parse(part.slice('data: '.length)));
     if (heard.length > 0 && passes(heard[heard.length - 1])) {

@@ -1,0 +1,70 @@
+import type { Motion } from './motion.ts';
+import { HEAD, SLOTS } from './state.ts';
+
+const { DEGREE } = SLOTS;
+
+/** Numbers in the first block. Each block has twice as many as the one before, up to the largest. */
+const FIRST_BLOCK = 1024;
+const LARGEST_BLOCK = 65_536;
+
+/**
+ * What describes her on each of many pieces: the slots at the head of the state, and as many coefficients as the piece has.
+ * They share blocks of memory, because an array for each piece takes longer to create than to fill.
+ */
+export class PackedPieces {
+  private readonly blocks: Float64Array[] = [];
+  /** How many numbers of the last block are in use. */
+  private used = 0;
+  /** For each piece, the index of its block, and of its first number in that. */
+  private readonly blockOf: number[] = [];
+  private readonly from: number[] = [];
+
+  /**
+   * Adds the piece that the motion is on.
+   * @returns how many numbers it takes
+   */
+  add(m: Motion): number {
+    const { s, ux, uy, px, py } = m;
+    const length = s[DEGREE] + 1;
+    const size = HEAD + length * (m.recoil ? 4 : 2);
+    const block = this.blockFor(size);
+    let at = this.used;
+    this.blockOf.push(this.blocks.length - 1);
+    this.from.push(at);
+    for (let k = 0; k < HEAD; k++) block[at++] = s[k];
+    for (let k = 0; k < length; k++) block[at++] = ux[k];
+    for (let k = 0; k < length; k++) block[at++] = uy[k];
+    if (m.recoil) {
+      for (let k = 0; k < length; k++) block[at++] = px[k];
+      for (let k = 0; k < length; k++) block[at++] = py[k];
+    }
+    this.used = at;
+    return size;
+  }
+
+  /** Restores piece `i` to the state of the motion. */
+  restore(i: number, m: Motion): void {
+    const { s, ux, uy, px, py } = m;
+    const block = this.blocks[this.blockOf[i]];
+    let at = this.from[i];
+    for (let k = 0; k < HEAD; k++) s[k] = block[at++];
+    const length = s[DEGREE] + 1;
+    for (let k = 0; k < length; k++) ux[k] = block[at++];
+    for (let k = 0; k < length; k++) uy[k] = block[at++];
+    if (!m.recoil) return;
+    for (let k = 0; k < length; k++) px[k] = block[at++];
+    for (let k = 0; k < length; k++) py[k] = block[at++];
+  }
+
+  /** A block with room for `size` more numbers. */
+  private blockFor(size: number): Float64Array {
+    const { blocks } = this;
+    const last = blocks.at(-1);
+    if (last !== undefined && this.used + size <= last.length) return last;
+    const next = last === undefined ? FIRST_BLOCK : Math.min(LARGEST_BLOCK, 2 * last.length);
+    const block = new Float64Array(Math.max(size, next));
+    blocks.push(block);
+    this.used = 0;
+    return block;
+  }
+}
