@@ -27,7 +27,7 @@ const answersOf = (table: HashTable): string[] =>
 
 /** QuickJS interprets, some hundred times slower: it is asked about a part of the seeded scenes and of the hard cases. */
 const SHARE_OF_SCENES = 10;
-const SHARE_OF_CASES = isHunt ? 1 : 3;
+const SHARE_OF_CASES = isHunt ? 1 : 7;
 const forQuickJs = runs.filter(({ name }, i) => {
   if (name.startsWith('scene ')) return i % SHARE_OF_SCENES === 0;
   return !name.startsWith('hard: ') || i % SHARE_OF_CASES === 0;

@@ -33,13 +33,14 @@ function workOf(scenes: readonly Scene[], accuracies: readonly AccuracyName[]): 
 
 const some = (count: number, scene: (seed: number) => Scene): Scene[] => Array.from({ length: count }, (_, i) => scene(i));
 
-it('of the runs whose hashes are committed', () => {
-  const scenes = hashedRuns().map(({ level, holds }) => ({ level, holds, maxTime: 60 }));
+it('of a third of the runs whose hashes are committed', () => {
+  const third = hashedRuns().filter((_, i) => i % 3 === 0);
+  const scenes = third.map(({ level, holds }) => ({ level, holds, maxTime: 60 }));
   expect(workOf(scenes, accuracyNames)).toEqual({
-    arcade: '290527 93293 1084653 0 1237667.875',
-    fast: '104378 108626 44153 1338 1821069',
-    precise: '11731 11219 11015 1436 225382',
-    standard: '104379 434528 44152 1338 1820852',
+    arcade: '106263 31489 389719 0 450645.25',
+    fast: '35554 36355 16093 379 607329',
+    precise: '4040 3855 3410 392 75327',
+    standard: '35555 145424 16092 379 607218',
   });
 });
 
@@ -52,10 +53,10 @@ it('of random scenes', () => {
 });
 
 it('of scenes that depend on the last digits', () => {
-  expect(workOf(some(150, degenerateScene), continuousNames)).toEqual({
-    fast: '79372 99632 87164 13690 1797870',
-    precise: '48171 75970 62626 18176 1340789',
-    standard: '80381 378214 86240 12936 1815646',
+  expect(workOf(some(60, degenerateScene), continuousNames)).toEqual({
+    fast: '34529 45767 34325 4569 800220',
+    precise: '19138 31550 24801 7630 535896',
+    standard: '34534 166426 33597 4233 798232',
   });
 });
 

@@ -25,31 +25,44 @@ export function slideByAngle(level: Level, until: number, between: 'gun' | 'fiel
   const { x: cx, y: cy, radius } = level.repulsors[0];
   const { astronaut, asteroids, range } = level;
   const kappa = level.recoil ? 1 / (2 * asteroids[0].radius) : 0;
-  const forces = ([angle, turn, qx, qy]: State) => {
-    const [c, s] = [Math.cos(angle), Math.sin(angle)];
+  const forces = (q: State) => {
+    const [c, s] = [Math.cos(q[0]), Math.sin(q[0])];
     const [x, y] = [cx + radius * c, cy + radius * s];
-    const d = Math.hypot(qx - x, qy - y);
-    let [fx, fy] = [qx - x, qy - y].map((w) => DEFAULT_RULES.pull * (1 / d - 1 / range) * w);
+    const [wx, wy] = [q[2] - x, q[3] - y];
+    const d = Math.sqrt(wx * wx + wy * wy);
+    const pull = DEFAULT_RULES.pull * (1 / d - 1 / range);
+    let [fx, fy] = [pull * wx, pull * wy];
     if (between === 'fields') {
       const other = level.repulsors[1];
-      const apart = Math.hypot(x - other.x, y - other.y);
-      [fx, fy] = [x - other.x, y - other.y].map((w) => (DEFAULT_RULES.push / apart) * w);
+      const push = DEFAULT_RULES.push / Math.hypot(x - other.x, y - other.y);
+      [fx, fy] = [push * (x - other.x), push * (y - other.y)];
     }
-    const drawn = [x - qx, y - qy].map((w) => (kappa / d) * w);
-    return { out: fx * c + fy * s, along: fy * c - fx * s, flies: radius * turn * turn, drawn };
+    const drawn = -kappa / d;
+    return { out: fx * c + fy * s, along: fy * c - fx * s, flies: radius * q[1] * q[1], dx: drawn * wx, dy: drawn * wy };
   };
-  const presses = (q: State) => -forces(q).out - forces(q).flies;
+  const presses = (q: State): number => {
+    const { out, flies } = forces(q);
+    return -out - flies;
+  };
   const rate = (q: State): State => {
-    const { out, along, flies, drawn } = forces(q);
-    return [q[1], (((DEFAULT_RULES.push + flies) / (DEFAULT_RULES.push - out)) * along) / radius, q[4], q[5], drawn[0], drawn[1]];
+    const { out, along, flies, dx, dy } = forces(q);
+    return [q[1], (((DEFAULT_RULES.push + flies) / (DEFAULT_RULES.push - out)) * along) / radius, q[4], q[5], dx, dy];
   };
-  const plus = (q: State, h: number, d: State) => q.map((value, i) => value + h * d[i]) as unknown as State;
+  // written out, because the tests take millions of steps
+  const plus = (q: State, h: number, d: State): State => [
+    q[0] + h * d[0],
+    q[1] + h * d[1],
+    q[2] + h * d[2],
+    q[3] + h * d[3],
+    q[4] + h * d[4],
+    q[5] + h * d[5],
+  ];
   const advanced = (q: State, h: number): State => {
     const a = rate(q);
     const b = rate(plus(q, h / 2, a));
     const c = rate(plus(q, h / 2, b));
     const d = rate(plus(q, h, c));
-    return plus(q, h / 6, a.map((value, i) => value + 2 * b[i] + 2 * c[i] + d[i]) as unknown as State);
+    return plus(plus(plus(plus(q, h / 6, a), h / 3, b), h / 3, c), h / 6, d);
   };
   const start = Math.atan2(astronaut.y - cy, astronaut.x - cx);
   const turn = (astronaut.vy * Math.cos(start) - astronaut.vx * Math.sin(start)) / radius;
