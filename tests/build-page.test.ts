@@ -1,0 +1,55 @@
+import { cpSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join } from 'node:path';
+import { afterEach, beforeEach, expect, it } from 'vitest';
+import { fingerprint, isSource, SOURCES } from '../editor/build-page.mjs';
+
+// The page is built again only if its sources have another fingerprint than at the last build.
+
+let project = '';
+const put = (path: string, text: string): void => {
+  mkdirSync(dirname(join(project, path)), { recursive: true });
+  writeFileSync(join(project, path), text);
+};
+beforeEach(() => {
+  project = mkdtempSync(join(tmpdir(), 'gq-page-'));
+  for (const source of SOURCES) put(source.includes('.') ? source : `${source}/deep/a.ts`, source);
+});
+afterEach(() => rmSync(project, { recursive: true, force: true }));
+
+it('a copy of the project has the same fingerprint, whatever else is in it', () => {
+  const copy = mkdtempSync(join(tmpdir(), 'gq-page-'));
+  cpSync(project, copy, { recursive: true });
+  writeFileSync(join(copy, 'README.md'), 'more');
+  expect(fingerprint(copy)).toBe(fingerprint(project));
+  rmSync(copy, { recursive: true });
+});
+
+it('any change to a source changes the fingerprint', () => {
+  const seen = [fingerprint(project)];
+  const changes = [
+    ...SOURCES.map((source) => () => put(source.includes('.') ? source : `${source}/deep/a.ts`, 'changed')),
+    () => put('engine/new.ts', ''),
+    () => put('engine/newer.ts', ''),
+    () => rmSync(join(project, 'engine/newer.ts')),
+    () => rmSync(join(project, 'solver/deep/a.ts')),
+  ];
+  for (const change of changes) {
+    change();
+    seen.push(fingerprint(project));
+  }
+  // the file that came and went
+  expect(seen.at(-2)).toBe(seen.at(-4));
+  expect(new Set(seen).size).toBe(seen.length - 1);
+});
+
+it.each([
+  ['engine/index.ts', true],
+  ['levels/01.level.json?raw', true],
+  ['node_modules/phaser/phaser.js', true],
+  ['cli/main.ts', false],
+  ['engine-room/index.ts', false],
+  ['../elsewhere.ts', false],
+])('%s: a source or in a package: %s', (path, is) => {
+  expect(isSource('/project', join('/project', path))).toBe(is);
+});
