@@ -1,5 +1,6 @@
 import { fileURLToPath } from 'node:url';
 import { configDefaults, defineConfig } from 'vitest/config';
+import { BUILT_FILES, builtRooms } from './tests/built-rooms.ts';
 import { propertySettings } from './tests/property-settings.ts';
 
 // ms: no test is about time; this ends what hangs, also on a machine that is busy with something else
@@ -11,7 +12,7 @@ const NO_NODE = [...configDefaults.exclude, IN_BROWSERS];
 // They replace modules of Node. `vi.mock` reaches only what is loaded after it, so that each needs modules of its own.
 const ALONE = ['disk', 'full-disk', 'locks', 'other-systems', 'refusals', 'watch'].map((name) => `tests/server/${name}.test.ts`);
 
-export default defineConfig({
+export default defineConfig(({ mode }) => ({
   // properties get one seed for all, see there
   resolve: { alias: [{ find: /^fast-check$/, replacement: fileURLToPath(new URL('tests/fast-check.ts', import.meta.url)) }] },
   test: {
@@ -19,7 +20,14 @@ export default defineConfig({
       // `npm test`: everything that needs no browser. The files of a worker share modules, so that those are loaded once.
       {
         extends: true,
-        test: { name: 'node', include: NODE, exclude: [...NO_NODE, ...ALONE], isolate: false },
+        plugins: mode === 'built' ? [builtRooms(import.meta.dirname)] : [],
+        test: {
+          name: 'node',
+          include: NODE,
+          exclude: [...NO_NODE, ...ALONE],
+          isolate: false,
+          server: { deps: { external: mode === 'built' ? [BUILT_FILES] : [] } },
+        },
       },
       { extends: true, test: { name: 'node-alone', include: ALONE, exclude: NO_NODE } },
       // `npm run test:browser`: everything that needs Chromium or Firefox
@@ -44,4 +52,4 @@ export default defineConfig({
     // for two cores: tests that wait for a command or a server leave theirs to another
     maxWorkers: 3,
   },
-});
+}));

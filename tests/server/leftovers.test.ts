@@ -116,8 +116,10 @@ it('a folder keeps its port; if that is taken, gq edit says where unsaved edits 
   const start = (...args: string[]) => gqEdit(['.', ...args], { cwd: made.folder, env });
   const any = await start('--port', '0');
   await any.end('SIGTERM');
-  const first = await start('--port', '0');
-  expect(first.port).toBe(any.port);
+  const again = await start('--port', '0');
+  expect(again.port).toBe(any.port);
+  await again.end('SIGTERM');
+  const first = await start('--port', String(any.port));
   await first.end('SIGTERM');
   const second = await start();
   expect(second.port).toBe(first.port);
