@@ -26,11 +26,15 @@ const TIMES = 10;
 export function attackProperties(from: number, until: number): void {
   let seed = from;
   for (; Date.now() < until; seed++) {
-    const ended = spawnSync(process.execPath, ['node_modules/vitest/vitest.mjs', 'run', '--mode', 'built', '--project', 'node', ...FOLDERS], {
-      env: { ...process.env, PROPERTY_SEED: String(seed), PROPERTY_RUNS: String(TIMES) },
-      stdio: 'inherit',
-      timeout: until - Date.now(),
-    });
+    const ended = spawnSync(
+      process.execPath,
+      ['node_modules/vitest/vitest.mjs', 'run', '--mode', 'built', '--project', 'node', ...FOLDERS],
+      {
+        env: { ...process.env, PROPERTY_SEED: String(seed), PROPERTY_RUNS: String(TIMES) },
+        stdio: 'inherit',
+        timeout: until - Date.now(),
+      },
+    );
     if (ended.signal !== null) break;
     if (ended.status !== 0) {
       console.log(`bug  properties with PROPERTY_SEED=${seed} PROPERTY_RUNS=${TIMES}`);
