@@ -56,13 +56,11 @@ describe.each(Object.entries(ROOMS).filter(([name]) => existsSync(join(root, nam
 });
 
 describe('imports of files', () => {
-  const graph = importGraph([...Object.keys(ROOMS), 'bench', 'tests'].flatMap(sourcesOf));
-  const inRooms = new Map([...graph].filter(([path]) => path.split('/')[0] in ROOMS));
-  const problems = [...circlesIn(graph), ...passedFaces(inRooms)];
-
   it('have no cycles, and never bypass the index file of a folder', () => {
+    const graph = importGraph([...Object.keys(ROOMS), 'bench', 'tests'].flatMap(sourcesOf));
+    const inRooms = new Map([...graph].filter(([path]) => path.split('/')[0] in ROOMS));
     expect(graph.size).toBeGreaterThan(500);
-    expect(problems).toEqual([]);
+    expect([...circlesIn(graph), ...passedFaces(inRooms)]).toEqual([]);
   });
 });
 

@@ -1,11 +1,5 @@
-import { parseSync } from 'vite';
 import { KINDS, OBJECT_KINDS, OBJECT_LISTS } from '../../schema/index.ts';
-
-interface Node {
-  readonly type: string;
-  readonly start: number;
-  readonly [key: string]: unknown;
-}
+import { lineOf, type Node, treeOf, walk } from './syntax.ts';
 
 /** A text in a source file; `parts` are what stands between the expressions of a template. */
 interface Text {
@@ -15,30 +9,17 @@ interface Text {
   readonly between: readonly string[];
 }
 
-const isNode = (value: unknown): value is Node =>
-  typeof value === 'object' && value !== null && typeof (value as { type?: unknown }).type === 'string';
-
-function walk(node: Node, visit: (node: Node) => void): void {
-  visit(node);
-  for (const value of Object.values(node)) {
-    for (const child of Array.isArray(value) ? value : [value]) if (isNode(child)) walk(child, visit);
-  }
-}
-
 /** Every string, template and text between tags in a source file. Comments are none of them. */
 function textsOf(path: string, source: string): Text[] {
-  const { program, errors } = parseSync(path, source);
-  if (errors.length > 0) throw new SyntaxError(`${path}: ${errors[0].message}`);
   const texts: Text[] = [];
-  walk(program as unknown as Node, (node) => {
-    const line = source.slice(0, node.start).split('\n').length;
+  walk(treeOf(path, source), (node) => {
     if ((node.type === 'Literal' || node.type === 'JSXText') && typeof node.value === 'string') {
-      texts.push({ line, parts: [node.value], between: [] });
+      texts.push({ line: lineOf(source, node), parts: [node.value], between: [] });
     } else if (node.type === 'TemplateLiteral') {
       const quasis = node.quasis as { readonly value: { readonly cooked: string } }[];
       const expressions = node.expressions as (Node & { readonly end: number })[];
       const between = expressions.map(({ start, end }) => source.slice(start, end));
-      texts.push({ line, parts: quasis.map(({ value }) => value.cooked), between });
+      texts.push({ line: lineOf(source, node), parts: quasis.map(({ value }) => value.cooked), between });
     }
   });
   return texts;
