@@ -26,9 +26,16 @@ function quietEnvironment(): NodeJS.ProcessEnv {
   return { ...rest, NO_COLOR: '1' };
 }
 
+/** What the shared process answers. */
+interface Answer {
+  readonly ended: Ended;
+  /** Both streams, as a terminal shows them. */
+  readonly shown: string;
+}
+
 interface WarmProcess {
   readonly child: ChildProcess;
-  readonly waiting: Map<number, { resolve(ended: Ended): void; reject(error: Error): void }>;
+  readonly waiting: Map<number, { resolve(answer: Answer): void; reject(error: Error): void }>;
   asked: number;
 }
 
@@ -37,8 +44,8 @@ let warm: WarmProcess | null = null;
 function startWarmProcess(): WarmProcess {
   const child = fork(WARM, { env: quietEnvironment(), execArgv: [], stdio: ['ignore', 'inherit', 'inherit', 'ipc'] });
   const started: WarmProcess = { child, waiting: new Map(), asked: 0 };
-  child.on('message', ({ id, ended }: { id: number; ended: Ended }) => {
-    started.waiting.get(id)?.resolve(ended);
+  child.on('message', ({ id, ...answer }: Answer & { id: number }) => {
+    started.waiting.get(id)?.resolve(answer);
     started.waiting.delete(id);
   });
   child.on('exit', (code, signal) => {
@@ -54,31 +61,45 @@ function startWarmProcess(): WarmProcess {
 // the commands of the shared process, one after the other
 let earlier: Promise<unknown> = Promise.resolve();
 
-/**
- * Runs gq to its end. The commands of a worker run one after the other in a shared process, so that the start-up time is
- * spent only once. Tests about the process itself use `gqProcess`.
- */
-export function gq(args: readonly string[], { cwd = process.cwd() }: { readonly cwd?: string } = {}): Promise<Ended> {
-  // the time limit of a command begins when those before it have ended
-  const ended = earlier.then(() => ask(args, cwd));
-  earlier = ended.catch(() => undefined);
-  return ended;
+interface Place {
+  /** The working directory; the one of this process if it is left out. */
+  readonly cwd?: string;
 }
 
-function ask(args: readonly string[], cwd: string): Promise<Ended> {
+/**
+ * Runs gq to its end. The commands of a worker run one after the other in a shared process, so that the start-up time is
+ * spent only once. The work of threads is done in its main thread. Tests about the process itself and its threads use `gqProcess`.
+ */
+export const gq = async (args: readonly string[], { cwd = process.cwd() }: Place = {}): Promise<Ended> =>
+  (await inTurn(args, cwd)).ended;
+
+/** The same as in a terminal: with what a person sees. */
+export async function gqInTerminal(args: readonly string[], cwd: string): Promise<{ code: number | null; shown: string }> {
+  const { ended, shown } = await inTurn(args, cwd);
+  return { code: ended.code, shown };
+}
+
+function inTurn(args: readonly string[], cwd: string): Promise<Answer> {
+  // the time limit of a command begins when those before it have ended
+  const answer = earlier.then(() => ask(args, cwd));
+  earlier = answer.catch(() => undefined);
+  return answer;
+}
+
+function ask(args: readonly string[], cwd: string): Promise<Answer> {
   warm ??= startWarmProcess();
   const { child, waiting } = warm;
   const id = warm.asked++;
-  return new Promise<Ended>((resolve, reject) => {
+  return new Promise<Answer>((resolve, reject) => {
     const killer = setTimeout(() => {
       reject(new Error(`gq ${args.join(' ')}: took more than ${TOO_LONG / 1000} s`));
       child.kill('SIGKILL');
       if (warm?.child === child) warm = null;
     }, TOO_LONG);
     waiting.set(id, {
-      resolve(ended) {
+      resolve(answer) {
         clearTimeout(killer);
-        resolve(ended);
+        resolve(answer);
       },
       reject(error) {
         clearTimeout(killer);

@@ -5,6 +5,7 @@ import { dirname, join } from 'node:path';
 import process from 'node:process';
 import { pathToFileURL } from 'node:url';
 import { constants, runInThisContext } from 'node:vm';
+import { gqInTerminal } from '../cli/gq.ts';
 import { PROJECT } from './page.ts';
 
 // Node's own import: the test runner's would transform every file again
@@ -12,43 +13,8 @@ const nativeImport = runInThisContext('(url) => import(url)', {
   importModuleDynamically: constants.USE_MAIN_CONTEXT_DEFAULT_LOADER,
 });
 
-/** Built modules: the commands start workers, which need compiled files. */
+/** Built modules, which are loaded as they are. */
 const built = (path: string) => nativeImport(pathToFileURL(join(PROJECT, 'dist', path)).href);
-
-interface Outcome {
-  readonly output: string;
-  readonly code: number;
-}
-
-/** Runs `gq` within this process: starting one takes longer than most commands. */
-async function gq(args: readonly string[]): Promise<Outcome> {
-  const { runCommandLine } = await built('cli/command-line.js');
-  const written: string[] = [];
-  const streams = [process.stdout, process.stderr];
-  const emitters: readonly (readonly [NodeJS.EventEmitter, string])[] = [
-    ...streams.map((stream) => [stream, 'error'] as const),
-    [process, 'uncaughtException'],
-  ];
-  const watched = emitters.map(([emitter, event]) => ({ emitter, event, before: emitter.listeners(event) }));
-  const writes = streams.map(({ write }) => write);
-  for (const stream of streams) {
-    stream.write = ((chunk: string | Uint8Array) => {
-      written.push(typeof chunk === 'string' ? chunk : Buffer.from(chunk).toString());
-      return true;
-    }) as typeof stream.write;
-  }
-  try {
-    const code: number = await runCommandLine(args);
-    return { output: written.join(''), code };
-  } finally {
-    for (const [i, stream] of streams.entries()) stream.write = writes[i];
-    for (const { emitter, event, before } of watched) {
-      for (const listener of emitter.listeners(event)) {
-        if (!before.includes(listener)) emitter.off(event, listener as () => void);
-      }
-    }
-  }
-}
 
 /** Splits a command line at blanks, but not within quotes, and leaves out a comment. */
 export function wordsOf(command: string): string[] {
@@ -76,20 +42,9 @@ export function openTerminal(): Terminal {
   async function perform(words: readonly string[]): Promise<string> {
     const [program, ...args] = words;
     if (program === 'npx' && args[0] === 'gq') {
-      const home = process.cwd();
-      const { NO_COLOR, FORCE_COLOR } = process.env;
-      process.chdir(directory);
-      process.env.NO_COLOR = '1';
-      delete process.env.FORCE_COLOR;
-      try {
-        const outcome = await gq(args.slice(1));
-        code = outcome.code;
-        return outcome.output;
-      } finally {
-        process.chdir(home);
-        if (NO_COLOR === undefined) delete process.env.NO_COLOR;
-        if (FORCE_COLOR !== undefined) process.env.FORCE_COLOR = FORCE_COLOR;
-      }
+      const ended = await gqInTerminal(args.slice(1), directory);
+      code = ended.code ?? -1;
+      return ended.shown;
     }
     if (program === 'node') {
       const ended = spawnSync(process.execPath, args, { cwd: directory, encoding: 'utf8' });
