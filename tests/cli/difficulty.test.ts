@@ -10,7 +10,7 @@ const files = makeFiles({
   'd/away.level.json': fallThrough({ blackHole: { x: 5000, y: 0 } }),
   'd/invalid.level.json': '{ "version": 1 }',
   'd/through.level.json': fallThrough(),
-  'd/unsolved.level.json': withoutRuns('02-first-swing'),
+  'd/unsolved.level.json': withoutRuns('01-first-pull'),
   'named.level.json': fallThrough({
     runs: [
       { name: 'never', holds: [] },
@@ -28,7 +28,7 @@ const difficulty = async (args: string) => {
 
 describe('gq difficulty', () => {
   it('measures each level it can, gives the reason for the others, and has the same result for any number of threads', async () => {
-    const ended = await Promise.all(['1', '2'].map((jobs) => difficulty(`d --effort 100000 --jobs ${jobs}`)));
+    const ended = await Promise.all(['1', '2'].map((jobs) => difficulty(`d --effort 40000 --jobs ${jobs}`)));
     expect(ended[1].stdout).toBe(ended[0].stdout);
     const { code, levels } = ended[0];
     expect(code).toBe(1);
@@ -41,7 +41,7 @@ describe('gq difficulty', () => {
   });
 
   it('prints a table of several levels, the easiest first', async () => {
-    const { code, stdout } = await gq(['difficulty', 'd', '--effort', '100000', '--jobs', '1'], { cwd });
+    const { code, stdout } = await gq(['difficulty', 'd', '--effort', '40000', '--jobs', '1'], { cwd });
     expect(code).toBe(1);
     const grades = [...stdout.matchAll(/^ +(\d+\.\d) {2}\w+ /gm)].map(([, grade]) => Number(grade));
     expect(grades).toEqual(grades.toSorted((a, b) => a - b));

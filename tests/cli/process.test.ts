@@ -39,7 +39,7 @@ it('prints its version, and help for every command, on stdout', async () => {
     'edit',
   ];
   const [short, long, root, ...helps] = await Promise.all([
-    gqProcess(['-V']),
+    gq(['-V']),
     gqProcess(['--version']),
     gq(['--help']),
     ...names.map((name) => gq([name, '--help'])),

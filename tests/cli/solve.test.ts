@@ -216,7 +216,7 @@ describe.runIf(process.platform === 'linux')('a running search', () => {
     const ended = await gqProcess('solve stop.level.json --effort 1000000000 --jobs 1 --write --format json'.split(' '), {
       cwd,
       // the signal arrives together with the answer of a thread
-      env: interruptAt({ of: 'message', number: 3, signals: ['SIGTERM'] }),
+      env: interruptAt({ of: 'message', number: 2, signals: ['SIGTERM'] }),
     });
     expect(ended).toEqual({ code: 143, signal: null, stdout: '', stderr: '' });
     expect(inDirectory(cwd, 'stop.level.json')).toBe(ENDLESS);
