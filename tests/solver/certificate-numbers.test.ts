@@ -3,6 +3,7 @@ import { compile, STATE_SIZE, simulate } from '../../engine/index.ts';
 import type { Hold, Level } from '../../schema/index.ts';
 import { type Proof, proveImpossible, verifyProof } from '../../solver/index.ts';
 import { LEVELS } from './impossible-levels.ts';
+import { isHunt } from './is-hunt.ts';
 
 // Changes every number of a certificate in every way: the certificate stays refused for a level that a run completes.
 // Certificates with many sets are in certificate-sets.test.ts.
@@ -63,7 +64,8 @@ describe.each(Object.keys(LEVELS).filter((name) => !CARRY_SETS.includes(name)))(
     const levels = completable(LEVELS[name]);
     // A run that ends at once passes nothing, and neither does one that is covered or enclosed.
     if (!['nothing-in-range', 'starts-in-hazard'].includes(name)) expect(levels.length).toBeGreaterThan(0);
-    for (const level of levels) {
+    // A hunt tries all of them.
+    for (const level of levels.filter((_, i) => isHunt || i % 3 === 0)) {
       const accepts = (certificate: unknown) =>
         verifyProof(level, { ...proof, covers: ['precise'], certificate: certificate as Proof['certificate'] }).ok;
       expect(accepts(proof.certificate)).toBe(false);

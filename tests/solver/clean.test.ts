@@ -33,7 +33,7 @@ describe.each(accuracyNames)('simplifying at %s', (accuracy) => {
           if (goal.minerals === 'all') expect(clean.run.minerals.length).toBe(level.minerals.length);
         },
       ),
-      { numRuns: 12 },
+      { numRuns: 8 },
     );
     expect(cleaned).toBeGreaterThan(2);
   });

@@ -63,7 +63,7 @@ describe('single presses', () => {
       fc.assert(
         fc.property(
           nearLevel,
-          fc.integer({ min: 1, max: 36 }),
+          fc.integer({ min: 1, max: 30 }),
           stride,
           fc.constantFrom('any', 'all'),
           (level, length, stride, minerals) => {

@@ -106,7 +106,7 @@ describe('chord: between two frames outside a disc she enters it no deeper than 
           }
         },
       ),
-      { numRuns: 300 },
+      { numRuns: 120 },
     );
     expect(deepest).toBeGreaterThan(0.1);
   });
@@ -140,7 +140,7 @@ describe('fall drift: on a fall the path of the asteroid relates to hers at most
           }
         },
       ),
-      { numRuns: 40 },
+      { numRuns: 20 },
     );
     expect(closest).toBeGreaterThan(0.8);
   });
@@ -186,7 +186,7 @@ describe('swing drift: an asteroid through which she swings drifts no farther th
           }
         },
       ),
-      { numRuns: 10 },
+      { numRuns: 6 },
     );
     expect(most).toBeGreaterThan(0.05);
   });

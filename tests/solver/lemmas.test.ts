@@ -148,8 +148,8 @@ describe('line: from rest in front of one asteroid she stays on the line through
           expect(run.minerals).toEqual([]);
           const state = new Float64Array(6);
           const first = (holds[0]?.[0] ?? Number.POSITIVE_INFINITY) * TICK;
-          for (let k = 0; k <= 600; k++) {
-            const time = (Math.min(run.time, seconds) * k) / 600;
+          for (let k = 0; k <= 200; k++) {
+            const time = (Math.min(run.time, seconds) * k) / 200;
             run.trajectory.at(time, state);
             const [x, y, , , cos, sin] = state;
             if (Math.abs(y * ux - x * uy) > 1e-9) expect.fail(`${Math.abs(y * ux - x * uy)} px off the line at ${time} s`);
@@ -204,7 +204,7 @@ describe('speed: v² is at most v0² plus twice the strongest push times the dis
           expect(Math.hypot(s[2], s[3])).toBeLessThanOrEqual(1.0005 * Math.sqrt(start + 2 * push * way) + 2 * push * TICK);
         }
       }),
-      { numRuns: 60 },
+      { numRuns: 30 },
     );
   });
 });
@@ -226,7 +226,7 @@ describe('jump: a frame takes her no farther than the claim says', () => {
           closest = Math.max(closest, way / jump);
         }
       }),
-      { numRuns: 100 },
+      { numRuns: 50 },
     );
     expect(closest).toBeGreaterThan(0.9);
   });
@@ -254,7 +254,7 @@ describe('drift: recoil carries an asteroid no farther than the claim says', () 
           }
         },
       ),
-      { numRuns: 60 },
+      { numRuns: 30 },
     );
     expect(closest).toBeGreaterThan(0.9);
   });
@@ -295,7 +295,7 @@ describe('arcade-axis: on a line along an axis everything across is exactly 0', 
           }
         },
       ),
-      { numRuns: 60 },
+      { numRuns: 30 },
     );
     expect(passes).toBeGreaterThan(10);
   });
@@ -356,7 +356,7 @@ describe('arcade-fall: on the way to the centre rounding takes her no farther of
           }
         },
       ),
-      { numRuns: 80 },
+      { numRuns: 40 },
     );
     expect(looks).toBeGreaterThan(2000);
     expect(largest).toBeGreaterThan(1e-12);
@@ -505,7 +505,7 @@ describe('chasers: aliens are within their discs, and those claimed to be there 
           }
         }
       }),
-      { numRuns: 50 },
+      { numRuns: 25 },
     );
     expect(certain).toBeGreaterThan(300);
     expect(gone).toBeGreaterThan(30);
@@ -545,7 +545,7 @@ describe('order: she leaves a mouth onto a hazard and the black hole', () => {
         const touches = (c: { x: number; y: number }) => boxCircleGap(boxOf(rulesOf(level)), c.x - 149, c.y - 40, 1, 0, 18) < 0;
         if (touches(there)) expect(run.outcome).toBe('collided');
       }),
-      { numRuns: 60 },
+      { numRuns: 30 },
     );
   });
 });

@@ -58,7 +58,7 @@ it('no run is found where the line ends in a dead end, or where recoil is claime
       search.advance(30_000);
       expect(search.solutions).toEqual([]);
     }),
-    { numRuns: 250 },
+    { numRuns: 170 },
   );
   // The property is meaningful only if all of this occurs.
   expect(deadEnds).toBeGreaterThan(5);
@@ -106,7 +106,7 @@ it('off the line she stays within the places that the dead end allows', () => {
         }
       }
     }),
-    { numRuns: 600 },
+    { numRuns: 300 },
   );
   expect(places).toBeGreaterThan(300);
   expect(dies).toBeGreaterThan(50);

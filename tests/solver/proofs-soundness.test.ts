@@ -64,7 +64,7 @@ describe('nothing that a run touches is proved to be out of reach', () => {
           }
         }
       }),
-      { numRuns: 75 },
+      { numRuns: 55 },
     );
     // The property is meaningful only if both occur.
     for (const accuracy of accuracyNames) {
@@ -90,7 +90,7 @@ describe('nothing that a run touches is proved to be out of reach', () => {
         if (search.solutions.length > 0) found++;
         expect(proof === null || search.solutions.length === 0).toBe(true);
       }),
-      { numRuns: 75 },
+      { numRuns: 40 },
     );
     expect(found).toBeGreaterThanOrEqual(ENOUGH);
     expect(proved).toBeGreaterThan(8);
@@ -127,7 +127,7 @@ describe('a proof of another level is refused for a level that can be completed'
         rejected++;
         expect(verifyProof(eased, proof).ok).toBe(false);
       }),
-      { numRuns: 300 },
+      { numRuns: 150 },
     );
     expect(rejected).toBeGreaterThan(2);
   });

@@ -27,7 +27,7 @@ describe('covered', () => {
         expect(of(needed - 0.5)).toBe(not);
         expect(of(needed + 3)).toBeNull();
       }),
-      { numRuns: 15 },
+      { numRuns: 8 },
     );
   });
 

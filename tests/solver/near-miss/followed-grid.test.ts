@@ -4,7 +4,7 @@ import { at, doomedBy, FRAMES, flowpipeBy, levelWith, ORIGIN, whyNot } from './n
 
 // What a certificate with reachable sets may ask for. She moves so fast that she is out of range soon, so all of it is quick.
 
-const AWAY = levelWith({ astronaut: { ...ORIGIN, vx: -60, vy: 0 }, asteroids: [at(200, 0)] });
+const AWAY = levelWith({ astronaut: { ...ORIGIN, vx: -60, vy: 0 }, asteroids: [at(240, 0)] });
 
 const doomed = doomedBy({ axis: [1, 0], cell: 8, bin: 4, frames: 4 }, 30);
 const DOOMED = doomed(AWAY);

@@ -206,7 +206,7 @@ describe.each([
 
   it('what stops her, and what does not', () => {
     const asked: Asked = { covers: ['precise'] };
-    const stops = (more: Partial<LevelFile>) => whyNot(turning(0, { novae: [], ...more }), follow(40), asked);
+    const stops = (more: Partial<LevelFile>) => whyNot(turning(0, { novae: [], ...more }), follow(20), asked);
     expect(stops({ novae: [at(-50, 0, 20)] })).toBeNull();
     expect(stops({ asteroids: [at(100, 0), hot(-50, 0, 4)] })).toBeNull();
     expect(stops({ asteroids: [at(100, 0), at(-50, 0, 20)] })).not.toBeNull();

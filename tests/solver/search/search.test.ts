@@ -50,7 +50,7 @@ describe.each(accuracyNames)('a search at %s', (accuracy) => {
           }
         },
       ),
-      { numRuns: 20 },
+      { numRuns: 10 },
     );
     expect(found).toBeGreaterThan(3);
   });
@@ -74,7 +74,7 @@ describe.each(accuracyNames)('a search at %s', (accuracy) => {
           expect(whole.solutions.length).toBe(count);
         },
       ),
-      { numRuns: 15 },
+      { numRuns: 8 },
     );
   });
 
@@ -91,7 +91,7 @@ describe.each(accuracyNames)('a search at %s', (accuracy) => {
 
   it('goes on after the first run and finds others', () => {
     const search = createSearch(compile(swing(), accuracy), { seed: 2 });
-    search.advance(150_000);
+    search.advance(100_000);
     const scripts = new Set(search.solutions.map(({ holds }) => JSON.stringify(holds)));
     expect(scripts.size).toBe(search.solutions.length);
     expect(scripts.size).toBeGreaterThan(5);
