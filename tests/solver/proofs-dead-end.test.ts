@@ -55,7 +55,7 @@ it('no run is found where the line ends in a dead end, or where recoil is claime
       const { front, back } = proof.certificate;
       if (front.by.kind === 'dead-end' || back.by.kind === 'dead-end') deadEnds++;
       else if (level.recoil) swings++;
-      search.advance(30_000);
+      search.advance(15_000);
       expect(search.solutions).toEqual([]);
     }),
     { numRuns: 170 },

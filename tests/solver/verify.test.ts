@@ -52,7 +52,7 @@ const CHANGES: ((old: Json) => Json | undefined)[] = [
 ];
 
 /** Of larger certificates, so many changes are tried. */
-const MOST_CHANGES = 300;
+const MOST_CHANGES = 200;
 
 const known = new Map<string, Proof | null>();
 
@@ -116,7 +116,7 @@ describe.each(Object.keys(LEVELS))('a certificate of the kind %s', (code) => {
         const edited = changed(LEVELS[code] as unknown as Json, numbers[which], moved) as unknown as Level;
         if (verifyProof(edited, proof).ok) expect(isTrue(edited, proof) || (isTight && findsNothing(edited))).toBe(true);
       }),
-      { numRuns: code === 'flowpipe' ? 8 : 20 },
+      { numRuns: code === 'flowpipe' ? 6 : 15 },
     );
   });
 

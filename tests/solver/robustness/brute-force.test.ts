@@ -38,7 +38,7 @@ describe.each(['arcade', 'precise'] as const)('at %s', (accuracy) => {
   it('slack equals what trying every shift gives', () => {
     fc.assert(
       fc.property(arbitraryRun(accuracy), (found) => {
-        const limit = 12;
+        const limit = 10;
         const slack = findSlack(found.scene, found.holds, found.goal, limit);
         const holds = joinHolds(found.holds);
         const byHand = (edge: number, direction: number) => {
@@ -114,9 +114,9 @@ it('a sampled probability is near the exact one', () => {
   let between = 0;
   fc.assert(
     fc.property(arbitraryRun('arcade', 1), (found) => {
-      const p = exactly(found, 40);
+      const p = exactly(found, 30);
       if (p > 0.05 && p < 0.95) between++;
-      const success = successProbability(found.scene, found.holds, found.goal, 40, { samples: 2000, seed: 5 });
+      const success = successProbability(found.scene, found.holds, found.goal, 30, { samples: 2000, seed: 5 });
       // Four and a half standard deviations.
       expect(Math.abs(success.p - p)).toBeLessThan(4.5 * Math.sqrt((p * (1 - p)) / 2000) + 1e-3);
     }),
