@@ -127,7 +127,7 @@ describe('a proof of another level is refused for a level that can be completed'
         rejected++;
         expect(verifyProof(eased, proof).ok).toBe(false);
       }),
-      { numRuns: 150 },
+      { numRuns: 110 },
     );
     expect(rejected).toBeGreaterThan(2);
   });

@@ -57,7 +57,7 @@ describe.each(['arcade', 'precise'] as const)('at %s', (accuracy) => {
           }
         },
       ),
-      { numRuns: 6 },
+      { numRuns: 5 },
     );
     expect(reported).toBeGreaterThan(0);
   });
