@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import { afterAll, describe, expect, it } from 'vitest';
 import { compile, simulate } from '../../engine/index.ts';
 import { checkReportSchema, type LevelReport, readLevel } from '../../schema/index.ts';
-import { fallThrough, gq, makeFiles } from './gq.ts';
+import { fallThrough, gq, gqProcess, makeFiles } from './gq.ts';
 import { narrowGap, shipped, withoutRuns, withoutTimes } from './levels.ts';
 
 const files = makeFiles({
@@ -23,8 +23,8 @@ const files = makeFiles({
 const cwd = files.directory;
 afterAll(files.remove);
 
-const check = async (args: string): Promise<{ code: number | null; levels: LevelReport[]; stdout: string }> => {
-  const { code, stdout, stderr } = await gq(['check', ...args.split(' '), '--format', 'json'], { cwd });
+const check = async (args: string, run = gq): Promise<{ code: number | null; levels: LevelReport[]; stdout: string }> => {
+  const { code, stdout, stderr } = await run(['check', ...args.split(' '), '--format', 'json'], { cwd });
   expect(stderr).toBe('');
   return { code, levels: checkReportSchema.parse(JSON.parse(stdout)).levels, stdout };
 };
@@ -68,7 +68,8 @@ describe('without --solve', () => {
 
 describe('--solve', () => {
   it('gives every level the right verdict, the same for any number of threads', async () => {
-    const [one, two] = await Promise.all(['1', '2'].map((jobs) => check(`a --solve --effort 100000 --jobs ${jobs}`)));
+    const args = 'a --solve --effort 100000 --jobs';
+    const [one, two] = await Promise.all([check(`${args} 1`), check(`${args} 2`, gqProcess)]);
     expect(withoutTimes(two.stdout)).toBe(withoutTimes(one.stdout));
     const { code, levels } = one;
     expect(code).toBe(1);

@@ -2,7 +2,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { afterAll, describe, expect, it } from 'vitest';
 import { difficultyReportSchema } from '../../schema/index.ts';
-import { fallThrough, gq, makeFiles } from './gq.ts';
+import { fallThrough, gq, gqProcess, makeFiles } from './gq.ts';
 import { shipped, withoutRuns } from './levels.ts';
 
 const files = makeFiles({
@@ -21,14 +21,15 @@ const files = makeFiles({
 const cwd = files.directory;
 afterAll(files.remove);
 
-const difficulty = async (args: string) => {
-  const { code, stdout, stderr } = await gq(['difficulty', ...args.split(' '), '--format', 'json'], { cwd });
+const difficulty = async (args: string, run = gq) => {
+  const { code, stdout, stderr } = await run(['difficulty', ...args.split(' '), '--format', 'json'], { cwd });
   return { code, stderr, stdout, levels: difficultyReportSchema.parse(JSON.parse(stdout)).levels };
 };
 
 describe('gq difficulty', () => {
   it('measures each level it can, gives the reason for the others, and has the same result for any number of threads', async () => {
-    const ended = await Promise.all(['1', '2'].map((jobs) => difficulty(`d --effort 40000 --jobs ${jobs}`)));
+    const args = 'd --effort 40000 --jobs';
+    const ended = await Promise.all([difficulty(`${args} 1`), difficulty(`${args} 2`, gqProcess)]);
     expect(ended[1].stdout).toBe(ended[0].stdout);
     const { code, levels } = ended[0];
     expect(code).toBe(1);

@@ -6,7 +6,7 @@ import { describe, expect, it } from 'vitest';
 import { intervalAround } from '../../cli/tune/interval.ts';
 import { compile, simulate } from '../../engine/index.ts';
 import { readLevel, tuneReportSchema } from '../../schema/index.ts';
-import { fallThrough, gq, makeFiles } from './gq.ts';
+import { fallThrough, gq, gqProcess, makeFiles } from './gq.ts';
 
 const cwd = fileURLToPath(new URL('./fixtures', import.meta.url));
 const LEVELS = fileURLToPath(new URL('../../levels', import.meta.url));
@@ -29,8 +29,8 @@ describe.each(CASES)('%s', (name, args, code) => {
   });
 });
 
-const json = async (args: readonly string[], folder = cwd) => {
-  const { stdout, code, stderr } = await gq(['tune', ...args, '--format', 'json'], { cwd: folder });
+const json = async (args: readonly string[], folder = cwd, run = gq) => {
+  const { stdout, code, stderr } = await run(['tune', ...args, '--format', 'json'], { cwd: folder });
   expect({ code, stderr }).toEqual({ code: 0, stderr: '' });
   return tuneReportSchema.parse(JSON.parse(stdout));
 };
@@ -39,7 +39,7 @@ describe('gq tune', () => {
   it('agrees with replays at each value and threshold, for any number of threads', async () => {
     const args = [join(LEVELS, '0*.level.json'), '--sweep', 'pull=0.9x..1.1x:3', '--accuracy', 'fast'];
     const report = await json([...args, '--jobs', '1']);
-    expect(await json([...args, '--jobs', '2'])).toEqual(report);
+    expect(await json([...args, '--jobs', '2'], cwd, gqProcess)).toEqual(report);
     expect(report.levels.length).toBeGreaterThan(5);
     let bounds = 0;
     for (const { file, run, values, intervals } of report.levels) {
