@@ -6,7 +6,7 @@ import { mouthDiscs, RIM_SLACK } from './rims.ts';
 import type { Setting, Thing } from './setting.ts';
 
 /** A box of places and velocities: least and greatest of x, y, vx, vy, px and px/s, along the grid's axes. */
-type Box = Float64Array;
+type Box = [number, number, number, number, number, number, number, number];
 
 interface Circle {
   readonly x: number;
@@ -54,7 +54,7 @@ export function followFan(
   let boxes = 0;
   let near = false;
   while (layer.size > 0 && !near && boxes <= most.boxes && layers.length < most.steps) {
-    layers.push([...layer.values()].map((box) => [...box]));
+    layers.push([...layer.values()]);
     const next = new Map<number, Box>();
     for (const box of layer.values()) {
       near = !fan.advance(box, layers.length * grid.frames * TICK, next);
@@ -105,7 +105,7 @@ class Fan {
     const [ux, uy] = this.grid.axis;
     const v = { x: vx * ux + vy * uy, y: vy * ux - vx * uy };
     const layer = new Map<number, Box>();
-    this.put(layer, Float64Array.of(down(0), up(0), down(0), up(0), down(v.x), up(v.x), down(v.y), up(v.y)), 0);
+    this.put(layer, [down(0), up(0), down(0), up(0), down(v.x), up(v.x), down(v.y), up(v.y)], 0);
     return layer;
   }
 
@@ -134,7 +134,7 @@ class Fan {
     const more = 0.5 * step * (step + TICK);
     const low = (v: number) => Math.min(v * less, v * more);
     const high = (v: number) => Math.max(v * less, v * more);
-    const moved = Float64Array.of(
+    const moved: Box = [
       down(box[0] + box[4] * step + low(a[0])),
       up(box[1] + box[5] * step + high(a[1])),
       down(box[2] + box[6] * step + low(a[2])),
@@ -143,7 +143,7 @@ class Fan {
       up(box[5] + a[1] * step),
       down(box[6] + a[2] * step),
       up(box[7] + a[3] * step),
-    );
+    ];
     if (Math.max(-moved[4], moved[5], -moved[6], moved[7]) > easySpeed(this.setting.rules)) return false;
     this.put(next, moved, time);
     return true;
@@ -159,7 +159,8 @@ class Fan {
         const ya = Math.max(box[2], j * cell);
         const yb = Math.min(box[3], (j + 1) * cell);
         if (time > 0 && this.isOver(xa, xb, ya, yb, time)) continue;
-        this.squares.set(i * 32768 + j, { x: i * cell, y: j * cell });
+        const square = i * 32768 + j;
+        if (!this.squares.has(square)) this.squares.set(square, { x: i * cell, y: j * cell });
         for (let k = Math.floor(box[4] / bin); k * bin <= box[5]; k++) {
           for (let l = Math.floor(box[6] / bin); l * bin <= box[7]; l++) {
             const key = (((i + 16384) * 32768 + (j + 16384)) * 2048 + (k + 1024)) * 2048 + (l + 1024);
@@ -168,8 +169,8 @@ class Fan {
             const wa = Math.max(box[6], l * bin);
             const wb = Math.min(box[7], (l + 1) * bin);
             const there = layer.get(key);
-            if (there === undefined) layer.set(key, Float64Array.of(xa, xb, ya, yb, va, vb, wa, wb));
-            else join(there, xa, xb, ya, yb, va, vb, wa, wb);
+            if (there === undefined) layer.set(key, [xa, xb, ya, yb, va, vb, wa, wb]);
+            else join(there, [xa, xb, ya, yb, va, vb, wa, wb]);
           }
         }
       }
@@ -264,7 +265,7 @@ class Fan {
 const least = (v: number, g0: number, g1: number): number => Math.min(v * g0, v * g1);
 const greatest = (v: number, g0: number, g1: number): number => Math.max(v * g0, v * g1);
 
-function join(box: Box, ...by: number[]): void {
+function join(box: Box, by: Box): void {
   for (let i = 0; i < 8; i += 2) {
     box[i] = Math.min(box[i], by[i]);
     box[i + 1] = Math.max(box[i + 1], by[i + 1]);
