@@ -3,6 +3,7 @@ import { loadPeers, PEERS, type Peer, simulatePeer } from '../../bench/peers/ind
 import { referenceEnd } from '../../bench/reference.ts';
 import { FALL, fallDistance, ORBIT, TWELVE_CIRCLES } from '../../bench/scenes/index.ts';
 import type { Level } from '../../schema/index.ts';
+import { once } from '../once.ts';
 
 // A peer that was driven wrongly would still draw a nice curve: with an ever smaller step each must come to the same motion,
 // and its contacts must say what ours say.
@@ -20,11 +21,13 @@ const fallError = (peer: Peer, rate: number): number => {
   return Math.hypot(x + fallDistance(FALL.seconds), y);
 };
 
+const SECONDS = 5;
+const orbitTruth = once(() => referenceEnd(ORBIT.level, ORBIT.holds, SECONDS, 960));
+
 const orbitError = (peer: Peer, rate: number): number => {
-  const seconds = 5;
-  const { samples } = simulatePeer(peer, ORBIT.level, ORBIT.holds, seconds, rate);
+  const { samples } = simulatePeer(peer, ORBIT.level, ORBIT.holds, SECONDS, rate);
   const [, x, y, vx, vy] = samples[samples.length - 1];
-  const truth = referenceEnd(ORBIT.level, ORBIT.holds, seconds, 960);
+  const truth = orbitTruth();
   return Math.max(Math.hypot(x - truth[0], y - truth[1]), Math.hypot(vx - truth[2], vy - truth[3]));
 };
 

@@ -7,7 +7,7 @@ import { once } from '../once.ts';
 // a step of a command of each kind, with one thread; `npm run bench:soak -- --attack signals` tries all of them.
 
 const wholeRun = once((name: keyof typeof SIGNALLED_COMMANDS) =>
-  runWhole(SIGNALLED_COMMANDS[name].replace('--jobs 2', '--jobs 1').replace('--count 2', '--count 1')),
+  runWhole(SIGNALLED_COMMANDS[name].replace('--jobs 2', '--jobs 1')),
 );
 
 const SIGNALS: readonly (readonly NodeJS.Signals[])[] = [['SIGINT'], ['SIGTERM'], ['SIGINT', 'SIGTERM', 'SIGINT']];

@@ -31,10 +31,10 @@ const PLAIN: GeneratorOptions = { seed: 2, size: 'medium', difficulty: 'easy', i
 // Seeds that finish soon, and for a hunt seeds that take longer. The digest is the first part of the SHA-256 of the text.
 const WISHES: readonly (GeneratorOptions & { readonly digest: string })[] = [
   { ...PLAIN, digest: '5df8d964a7cfc321' },
-  { seed: 2, size: 'medium', difficulty: 'medium', digest: 'b5d189d10a00a53e' },
   { seed: 3, size: 'medium', difficulty: 'easy', ingredients: ['winds', 'wormholes'], digest: '867ab626e896dc03' },
   ...(isHunt
     ? ([
+        { seed: 2, size: 'medium', difficulty: 'medium', digest: 'b5d189d10a00a53e' },
         { seed: 3, size: 'small', difficulty: 'easy', digest: 'd1075594f33b9a0f' },
         { seed: 1, size: 'medium', difficulty: 'easy', digest: '10fe3da5714ec28c' },
         { seed: 3, size: 'small', difficulty: 'easy', ingredients: ['winds', 'wormholes'], digest: '8f4b084f3f1c4236' },

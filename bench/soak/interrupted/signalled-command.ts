@@ -25,7 +25,7 @@ export const SIGNALLED_COMMANDS = {
   explain: 'explain',
   solve: 'solve swing.level.json --objective first --effort 400000 --jobs 2 --write',
   difficulty: 'difficulty a.level.json long/1.level.json --effort 20000 --jobs 2 --svg d.svg',
-  generate: 'generate --out made/new --count 2 --effort 100000 --difficulty easy --size small --ingredients none --jobs 2',
+  generate: 'generate --out made/new --seed 2 --difficulty easy --size medium --ingredients none --jobs 2',
   render: 'render a.level.json -o a.png --width 320',
   'render --solve': 'render swing.level.json -o solved.svg --solve 1 --effort 200000',
   fmt: 'fmt untidy',
