@@ -1,8 +1,10 @@
-import { cpSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { execFileSync } from 'node:child_process';
+import { cpSync, mkdirSync, mkdtempSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
+import process from 'node:process';
 import { afterEach, beforeEach, expect, it } from 'vitest';
-import { fingerprint, isSource, SOURCES } from '../editor/build-page.mjs';
+import { fingerprint, isSource, SOURCES } from '../editor/page-sources.mjs';
 
 // The page is built again only if its sources have another fingerprint than at the last build.
 
@@ -41,6 +43,15 @@ it('any change to a source changes the fingerprint', () => {
   // the file that came and went
   expect(seen.at(-2)).toBe(seen.at(-4));
   expect(new Set(seen).size).toBe(seen.length - 1);
+});
+
+it.runIf(process.platform !== 'win32')('whatever else stands in a folder is left out', () => {
+  const before = fingerprint(project);
+  symlinkSync('nowhere', join(project, 'levels/nowhere.level.json'));
+  symlinkSync('.', join(project, 'levels/round'));
+  put('levels/.gq-trash/old.level.json', 'old');
+  execFileSync('mkfifo', [join(project, 'levels/pipe.level.json')]);
+  expect(fingerprint(project)).toBe(before);
 });
 
 it.each([
