@@ -16,7 +16,7 @@ function isBuilt() {
 const sourcesAreKnown = {
   name: 'sources-are-known',
   buildEnd() {
-    const others = [...this.getModuleIds()].filter((id) => existsSync(id.replace(/\?.*$/, '')) && !isSource(project, id));
+    const others = [...this.getModuleIds()].filter((id) => !isSource(project, id));
     if (others.length > 0) this.error(`editor/page-sources.mjs: SOURCES lacks ${others.join(', ')}`);
   },
 };

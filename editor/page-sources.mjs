@@ -1,6 +1,6 @@
 import { createHash } from 'node:crypto';
 import { lstatSync, readdirSync, readFileSync, statSync } from 'node:fs';
-import { join, relative, sep } from 'node:path';
+import { isAbsolute, join, relative, sep } from 'node:path';
 
 /** Everything the page is made of: folders with all their files, and files. */
 export const SOURCES = [
@@ -8,6 +8,7 @@ export const SOURCES = [
   'editor',
   'engine',
   'levels',
+
   'picture',
   'schema',
   'solver',
@@ -34,11 +35,13 @@ export function fingerprint(project) {
 }
 
 /**
- * Whether a module is among the sources, or in a package, which package-lock.json names.
+ * Whether a module is among the sources, in a package, which package-lock.json names, or made up by the bundler.
  * @param {string} project
  * @param {string} id as the bundler has it, perhaps with a query
  */
 export function isSource(project, id) {
-  const path = relative(project, id.replace(/^\0/, '').replace(/\?.*$/, ''));
+  const file = id.replace(/\?.*$/, '');
+  if (!isAbsolute(file)) return true;
+  const path = relative(project, file);
   return path.split(sep).includes('node_modules') || SOURCES.includes(path.split(sep)[0]);
 }
