@@ -1,30 +1,22 @@
 import { dirname, posix } from 'node:path';
 import { IMPURE_GLOBALS, PORTABLE_MATH, ROOMS, TOPS } from './rooms.ts';
-import { isNode, lineOf, type Node, parse, treeOf, walk } from './syntax.ts';
+import { isNode, lineOf, type Node, treeOf, walk } from './syntax.ts';
 
 const literal = (value: unknown): string | null =>
   isNode(value) && value.type === 'Literal' && typeof value.value === 'string' ? value.value : null;
 
 /** What a source file imports: static, re-exported, dynamic and in types. A dynamic import of no literal is `null`. */
 export function importsOf(path: string, text: string): (string | null)[] {
-  const parsed = parse(path, text);
-  const { staticImports, staticExports } = parsed.module;
-  const requests = [
-    ...staticImports.map(({ moduleRequest }) => moduleRequest),
-    ...staticExports.flatMap(({ entries }) => entries.flatMap(({ moduleRequest }) => moduleRequest ?? [])),
-  ];
-  // by the place in the text: each name of a re-export has the same request
-  const found = new Map<number, string | null>(requests.map(({ start, value }) => [start, value]));
-  // The tree takes longer than everything else. Only an import() in code or in a type, and an empty re-export, need it.
-  if (/\bimport\s*[(/]|\bexport\s*\{\s*\}/.test(text)) {
-    walk(parsed.program as unknown as Node, (node) => {
-      const isEmpty = node.type === 'ExportNamedDeclaration' && node.source && (node.specifiers as []).length === 0;
-      if (isEmpty || node.type === 'ImportExpression' || node.type === 'TSImportType') {
-        found.set(node.start, literal(node.source));
-      }
-    });
-  }
-  return [...found].sort(([a], [b]) => a - b).map(([, name]) => name);
+  const found: (string | null)[] = [];
+  walk(treeOf(path, text), (node) => {
+    if (node.type === 'ImportDeclaration' || node.type === 'ImportExpression' || node.type === 'TSImportType') {
+      found.push(literal(node.source));
+    }
+    if ((node.type === 'ExportNamedDeclaration' && node.source) || node.type === 'ExportAllDeclaration') {
+      found.push(literal(node.source));
+    }
+  });
+  return found;
 }
 
 const packageName = (specifier: string) =>

@@ -7,15 +7,15 @@ export interface Node {
   readonly [key: string]: unknown;
 }
 
-/** @throws SyntaxError if the file has one */
-export function parse(path: string, text: string) {
-  const parsed = parseSync(path, text);
-  if (parsed.errors.length > 0) throw new SyntaxError(`${path}: ${parsed.errors[0].message}`);
-  return parsed;
+/**
+ * The syntax tree of a source file.
+ * @throws SyntaxError if the file has one
+ */
+export function treeOf(path: string, text: string): Node {
+  const { program, errors } = parseSync(path, text);
+  if (errors.length > 0) throw new SyntaxError(`${path}: ${errors[0].message}`);
+  return program as unknown as Node;
 }
-
-/** The syntax tree of a source file. */
-export const treeOf = (path: string, text: string): Node => parse(path, text).program as unknown as Node;
 
 export const isNode = (value: unknown): value is Node =>
   typeof value === 'object' && value !== null && typeof (value as { type?: unknown }).type === 'string';
