@@ -6,8 +6,8 @@ import { dirname, join } from 'node:path';
 import { getQuickJS } from 'quickjs-emscripten';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { ACCURACIES } from '../../engine/index.ts';
+import { isHunt } from '../is-hunt.ts';
 import { declareMissing } from '../missing.ts';
-import { propertySettings } from '../property-settings.ts';
 import { bundleEngine } from './bundle.ts';
 import { committedTable, type HashTable, questions } from './hash-table.ts';
 import { hashedRuns } from './scenes.ts';
@@ -18,8 +18,7 @@ const runs = hashedRuns();
 const BUN = join(dirname(createRequire(import.meta.url).resolve('bun/package.json')), 'bin', 'bun.exe');
 
 const accuracies = Object.keys(ACCURACIES);
-/** A hunt tries ten times as many examples: it asks about each run at every accuracy. Otherwise the accuracies take turns. */
-const isHunt = propertySettings(process.env).runs >= 10;
+/** A hunt asks about each run at every accuracy. Otherwise the accuracies take turns. */
 const isAsked = (accuracy: string, run: number): boolean => isHunt || accuracy === accuracies[run % accuracies.length];
 const asked = runs.flatMap((run, i) => questions([run]).filter(([, , accuracy]) => isAsked(accuracy, i)));
 const answersOf = (table: HashTable): string[] =>

@@ -6,15 +6,12 @@ import { rulesOnDisk } from '../../cli/edit/rules-on-disk.ts';
 import { ACCURACIES, type AccuracyName } from '../../engine/index.ts';
 import { checkReportSchema, type LevelReport, type OwnRules } from '../../schema/index.ts';
 import { gq, makeFiles } from '../cli/gq.ts';
-import { propertySettings } from '../property-settings.ts';
+import { isHunt } from '../is-hunt.ts';
 import { BAD_LEVELS } from '../schema/fixtures/bad-levels.ts';
 import { inTheList, onThePage, type Said } from './on-the-page.ts';
 import { PROBLEM_LEVELS } from './problem-levels.ts';
 
 const root = join(import.meta.dirname, '..', '..');
-
-/** A hunt tries ten times as many examples. */
-const isHunt = propertySettings(process.env).runs >= 10;
 
 /** The permitted differences between the two, with reasons; everything else must be equal. */
 const EXCEPTIONS = {

@@ -2,11 +2,9 @@ import { describe, expect, it } from 'vitest';
 import { type AccuracyName, compile, STATE_SIZE, simulate } from '../../engine/index.ts';
 import { DEFAULT_RULES } from '../../schema/index.ts';
 import { plainLevel } from '../engine/plain-level.ts';
-import { propertySettings } from '../property-settings.ts';
+import { isHunt } from '../is-hunt.ts';
 
 const RANGE = 250;
-/** A hunt tries ten times as many examples: it plays an hour at every accuracy. */
-const isHunt = propertySettings(process.env).runs >= 10;
 
 /**
  * How long she circles, in s, and the allowed relative change of energy and angular momentum. In an hour at `precise`, 6.5e-14

@@ -7,8 +7,8 @@ import { specOf } from '../../solver/generate/generator-spec.ts';
 import { layOut } from '../../solver/generate/layout.ts';
 import { certify, createGenerator, findShortcuts, type Generated, type GeneratorOptions, verifyRun } from '../../solver/index.ts';
 import { createRandom } from '../../solver/random.ts';
+import { isHunt } from '../is-hunt.ts';
 import { once } from '../once.ts';
-import { isHunt } from './is-hunt.ts';
 
 const ANY = { minerals: 'any' } as const;
 
