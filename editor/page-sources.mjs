@@ -10,6 +10,7 @@ export const SOURCES = [
   'levels',
 
   'picture',
+  'review',
   'schema',
   'solver',
   'package-lock.json',

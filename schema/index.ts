@@ -29,5 +29,6 @@ export {
   rulesOf,
   rulesSchema,
 } from './rules.ts';
+export { isSame } from './same-json.ts';
 export type { TextPlace } from './text-place.ts';
 export { type TuneReport, tuneReportSchema } from './tune-report.ts';

@@ -22,7 +22,7 @@ export default defineConfig({
       },
       transform(code, id) {
         const file = id.split('?')[0].slice(root.length);
-        const isSource = id.startsWith(root) && /^(schema|engine|solver|picture|cli|editor)\/.*\.ts$/.test(file);
+        const isSource = id.startsWith(root) && /^(schema|engine|solver|check|picture|review|cli|editor)\/.*\.ts$/.test(file);
         return isSource
           ? {
               code: instrumented(

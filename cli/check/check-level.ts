@@ -13,7 +13,7 @@ import {
   withinWork,
 } from '../../check/index.ts';
 import { compile, DEFAULT_MAX_WORK, type Run, type Scene, simulate, TICK_RATE, WorkBudget } from '../../engine/index.ts';
-import { type Hold, readLevel } from '../../schema/index.ts';
+import { type Hold, readLevel, type ScriptedRun } from '../../schema/index.ts';
 import type { Proof } from '../../solver/index.ts';
 import { showProblems } from '../code-frames.ts';
 import { Failure } from '../failure.ts';
@@ -80,6 +80,8 @@ function replay(file: string, { level, document }: OpenedLevel, settings: CheckS
 
 /** Holds and their simulated run. */
 interface PlayedRun {
+  /** The name of the run in the file; null if a search found it. */
+  readonly name: string | null;
   readonly holds: readonly Hold[];
   readonly run: Run;
 }
@@ -104,11 +106,11 @@ function withoutRun(scene: Scene, settings: CheckSettings, budget: WorkBudget): 
   const holds = searched.found;
   const run = simulate(scene, holds, { maxTime });
   if (run.outcome !== 'completed') throw new Error(`a run that was found does not complete the level: ${JSON.stringify(holds)}`);
-  return { impossible, searched, found: { holds, run } };
+  return { impossible, searched, found: { name: null, holds, run } };
 }
 
-const chosen = (runs: readonly { readonly holds: readonly Hold[] }[], played: readonly Run[], index: number): PlayedRun | null =>
-  runs.length === 0 ? null : { holds: runs[index].holds, run: played[index] };
+const chosen = (runs: readonly ScriptedRun[], played: readonly Run[], index: number): PlayedRun | null =>
+  runs.length === 0 ? null : { ...runs[index], run: played[index] };
 
 /** The shown run, in brief and on request in full; null if the run was stopped or a report would cost too much work. */
 function inWords(
@@ -118,9 +120,12 @@ function inWords(
   budget: WorkBudget,
 ): Pick<CheckedLevel, 'run' | 'report'> {
   if (shown === null || shown.run.stopped !== null) return { run: null, report: null };
-  const brief = withinWork(budget, () => inBrief(shown.run));
+  const brief = withinWork(budget, () => inBrief(shown));
   if (brief === null || !inFull) return { run: brief, report: null };
   return { run: brief, report: withinWork(budget, () => reportRun(level, accuracy.name, shown.holds, shown.run, null)) };
 }
 
-const inBrief = ({ time, minerals, clearance }: Run): RunInBrief => ({ time, minerals: [...minerals], clearance });
+function inBrief({ name, run }: PlayedRun): RunInBrief {
+  const { outcome, time, tick, minerals, clearance } = run;
+  return { name, outcome, time, tick, minerals: [...minerals], clearance };
+}

@@ -3,8 +3,11 @@ import type { Hold, OwnRules, RunReport, Verdict } from '../../schema/index.ts';
 import type { Limits } from '../search-options.ts';
 import type { ShownProblem } from '../shown-problem.ts';
 
-/** The data for one line about a run. */
-export type RunInBrief = Pick<RunReport, 'time' | 'minerals' | 'clearance'>;
+/** A run in brief: what a line about it, and a place in it, need. */
+export interface RunInBrief extends Pick<RunReport, 'outcome' | 'time' | 'tick' | 'minerals' | 'clearance'> {
+  /** Its name in the file; null if a search found it. */
+  readonly name: string | null;
+}
 
 /** The results of `check` for one level file. */
 export interface CheckedLevel {

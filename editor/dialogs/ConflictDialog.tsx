@@ -1,8 +1,9 @@
 import { useEffect, useMemo, useState } from 'react';
 import { useStore } from 'zustand';
+import { type Choices, type Conflict, mergeLevels, type Side } from '../../review/index.ts';
 import { formatLevel, type LevelFile, type Problem } from '../../schema/index.ts';
 import { LevelContext, useDocument, useEditor, useLevel, useSession } from '../context/index.ts';
-import { type Choices, type Conflict, folderOf, mergeLevels, readStored, type Side } from '../files/index.ts';
+import { folderOf, readStored } from '../files/index.ts';
 import { addLevels, openListed, stemOf, TextDialog } from '../panels/levels/index.ts';
 import { Button, Dialog } from '../ui/index.ts';
 import { diffLines } from './line-diff.ts';

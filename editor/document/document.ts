@@ -1,10 +1,10 @@
 import { freeze, produce } from 'immer';
 import { createStore, type StoreApi } from 'zustand/vanilla';
-import { type LevelFile, OBJECT_LISTS } from '../../schema/index.ts';
+import { isSame, type LevelFile, OBJECT_LISTS } from '../../schema/index.ts';
 import { History } from './history.ts';
 import { createListeners } from './listeners.ts';
 import { objectsOf } from './objects.ts';
-import { applyPatches, diffFiles, isSame, type Patch } from './patch.ts';
+import { applyPatches, diffFiles, type Patch } from './patch.ts';
 import { type Refusal, settle } from './settle.ts';
 
 /** Changes a draft of the file in place, as with immer. The result is settled, so numbers may be out of range. */

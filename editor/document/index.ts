@@ -17,7 +17,7 @@ export {
   objectsOf,
 } from './objects.ts';
 export * from './operations/index.ts';
-export { applyPatches, diffFiles, isSame, type Patch } from './patch.ts';
+export { applyPatches, diffFiles, type Patch } from './patch.ts';
 export { placesOf } from './places.ts';
 export { createSelection, type SelectionStore } from './selection.ts';
 export { settle } from './settle.ts';

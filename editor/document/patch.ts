@@ -1,5 +1,5 @@
 import { enablePatches, type Patch as ImmerPatch, applyPatches as immerApply } from 'immer';
-import type { LevelFile } from '../../schema/index.ts';
+import { isSame, type LevelFile } from '../../schema/index.ts';
 
 enablePatches();
 
@@ -91,16 +91,6 @@ function diffValue(before: unknown, after: unknown, path: Path, into: Patch[]): 
   if (Array.isArray(before) && Array.isArray(after)) diffLists(before, after, path, into);
   else if (isObject(before) && isObject(after)) diffObjects(before, after, path, into);
   else into.push({ op: 'replace', path, value: after });
-}
-
-/** Whether two JSON values are equal, in any order of keys. */
-export function isSame(a: unknown, b: unknown): boolean {
-  if (a === b) return true;
-  if (Array.isArray(a) && Array.isArray(b)) return a.length === b.length && a.every((entry, i) => isSame(entry, b[i]));
-  if (!isObject(a) || !isObject(b)) return false;
-  const keys = Object.keys(a);
-  if (keys.length !== Object.keys(b).length) return false;
-  return keys.every((key) => Object.hasOwn(b, key) && isSame(a[key], b[key]));
 }
 
 /**

@@ -1,8 +1,8 @@
-import type { LevelFile, Problem, ReadResponse } from '../../schema/index.ts';
-import { type EditedLevel, isSame } from '../document/index.ts';
+import { type Merged, mergeLevels } from '../../review/index.ts';
+import { isSame, type LevelFile, type Problem, type ReadResponse } from '../../schema/index.ts';
+import type { EditedLevel } from '../document/index.ts';
 import { readStored } from './disk-text.ts';
 import type { KnownDisk } from './known-disk.ts';
-import { type Merged, mergeLevels } from './merge.ts';
 
 /** What a look at the disk means for a level. */
 export type DiskNews =

@@ -1,5 +1,4 @@
-import type { FolderRules, ListResponse } from '../../schema/index.ts';
-import { isSame } from '../document/index.ts';
+import { type FolderRules, isSame, type ListResponse } from '../../schema/index.ts';
 
 /** For levels in folders without a configuration. */
 export const NO_FOLDER_RULES: FolderRules = { file: null, own: {}, problems: [] };

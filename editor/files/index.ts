@@ -3,7 +3,6 @@ export { readStored, readText } from './disk-text.ts';
 export { folderRulesIn } from './folder-rules.ts';
 export { folderOf, idsIn } from './level-list.ts';
 export { type Answer, errorInWords, type LevelStorage, type Link, type StorageError } from './level-storage.ts';
-export { type Choices, type Conflict, mergeLevels, type Side } from './merge.ts';
 export type { OpenedLevel } from './open-level.ts';
 export { createOpeningMarks, type OpeningMarks } from './opening-marks.ts';
 export { pageSurroundings } from './page-surroundings.ts';

@@ -1,11 +1,11 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
-import { formatLevel, type Problem } from '../../schema/index.ts';
-import { createEditedLevel, type EditedLevel, isSame } from '../document/index.ts';
+import { mergeLevels } from '../../review/index.ts';
+import { formatLevel, isSame, type Problem } from '../../schema/index.ts';
+import { createEditedLevel, type EditedLevel } from '../document/index.ts';
 import type { Journal, Keeping, LevelJournal, Recovery } from '../journal/index.ts';
 import { readStored, readText } from './disk-text.ts';
 import type { DiskBase } from './known-disk.ts';
 import type { LevelStorage, StorageError } from './level-storage.ts';
-import { mergeLevels } from './merge.ts';
 import { createSaver, type Saver } from './saver.ts';
 import { type Throttled, type Timers, throttled } from './timers.ts';
 import { type Channel, claimLevel, type Role, type Shown, type WriterLock } from './writer-lock.ts';

@@ -1,5 +1,5 @@
+import type { Conflict } from '../../review/index.ts';
 import type { Problem } from '../../schema/index.ts';
-import type { Conflict } from './merge.ts';
 
 /** Where the work is stored, as the user sees it. In all states but the first two, the journal has what the disk lacks. */
 export type SaveState =

@@ -1,10 +1,10 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
+import { type Choices, mergeLevels } from '../../review/index.ts';
 import { formatLevel, type LevelFile, type ReadResponse } from '../../schema/index.ts';
 import type { EditedLevel } from '../document/index.ts';
 import { diskNews } from './disk-news.ts';
 import { type DiskBase, KnownDisk } from './known-disk.ts';
 import type { LevelStorage, StorageError } from './level-storage.ts';
-import { type Choices, mergeLevels } from './merge.ts';
 import type { SaveState } from './save-state.ts';
 import { atMost, type Timers } from './timers.ts';
 import { WritePacing } from './write-pacing.ts';

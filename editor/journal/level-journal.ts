@@ -1,6 +1,6 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
-import { formatLevel, type LevelFile } from '../../schema/index.ts';
-import { type EditedLevel, isSame } from '../document/index.ts';
+import { formatLevel, isSame, type LevelFile } from '../../schema/index.ts';
+import type { EditedLevel } from '../document/index.ts';
 import { failureOf, isQuota, type JournalState } from './journal-state.ts';
 import type { JournalBase, JournalEntry, JournalStore, JournalWrite } from './journal-store.ts';
 

@@ -1,7 +1,7 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { AccuracyName } from '../../engine/index.ts';
-import type { OwnRules } from '../../schema/index.ts';
-import { type EditedLevel, isSame } from '../document/index.ts';
+import { isSame, type OwnRules } from '../../schema/index.ts';
+import type { EditedLevel } from '../document/index.ts';
 import type { LiveProof } from './answer.ts';
 import { AT_REST, WHILE_DRAGGED } from './patience.ts';
 import { createProver } from './prover.ts';

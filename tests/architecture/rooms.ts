@@ -17,8 +17,9 @@ export const ROOMS: Readonly<Record<string, Room>> = {
   solver: { knows: ['schema', 'engine'], packages: ['flatbush', 'kdbush'], pure: true },
   check: { knows: ['schema', 'engine', 'solver'], packages: [], pure: true },
   picture: { knows: ['schema', 'engine'], packages: [], pure: true, drawing: true },
-  cli: { knows: ['schema', 'engine', 'solver', 'check', 'picture'], packages: null, pure: false },
-  editor: { knows: ['schema', 'engine', 'solver', 'check', 'picture'], packages: null, pure: false, bundled: true },
+  review: { knows: ['schema', 'engine', 'solver', 'check', 'picture'], packages: [], pure: true, drawing: true },
+  cli: { knows: ['schema', 'engine', 'solver', 'check', 'picture', 'review'], packages: null, pure: false },
+  editor: { knows: ['schema', 'engine', 'solver', 'check', 'picture', 'review'], packages: null, pure: false, bundled: true },
 };
 
 /** Folders that stand on all others of their room, and who alone may know them: whoever else did would stand on itself. */

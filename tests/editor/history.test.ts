@@ -11,12 +11,11 @@ import {
   deleteObjects,
   deleteRun,
   diffFiles,
-  isSame,
   moveObjects,
   type Patch,
   setLevelProperty,
 } from '../../editor/document/index.ts';
-import type { LevelFile } from '../../schema/index.ts';
+import { isSame, type LevelFile } from '../../schema/index.ts';
 import { arbitraryFile } from './arbitrary-file.ts';
 
 const PLAIN: LevelFile = {

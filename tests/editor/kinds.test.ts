@@ -31,12 +31,12 @@ import {
   setObjectProperty,
   setRadius,
 } from '../../editor/document/index.ts';
-import { mergeLevels } from '../../editor/files/merge.ts';
 import { withoutEffect } from '../../editor/panels/effects/without.ts';
 import { fieldsOf } from '../../editor/panels/inspector/fields.ts';
 import { objectRows } from '../../editor/panels/outliner/object-rows.ts';
 import { TOOLS } from '../../editor/session/index.ts';
 import { boxOf, EFFECTS } from '../../engine/index.ts';
+import { mergeLevels } from '../../review/index.ts';
 import {
   DEFAULT_RULES,
   type FieldName,

@@ -4,11 +4,11 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { createEditedLevel, resetRules, setRule } from '../../editor/document/index.ts';
 import { withKeptRules } from '../../editor/files/folder-rules.ts';
-import { mergeLevels } from '../../editor/files/index.ts';
 import { positionOf, SLIDER_END, stepOf, valueAt } from '../../editor/panels/inspector/rule-scale.ts';
 import { originOf, ruleLabel, ruleValues } from '../../editor/panels/inspector/rule-values.ts';
 import { createProofStore, createProver } from '../../editor/proof/index.ts';
 import { compile, simulate } from '../../engine/index.ts';
+import { mergeLevels } from '../../review/index.ts';
 import {
   type FolderRules,
   formatLevel,

@@ -5,7 +5,6 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { surveyLink } from '../../editor/dialogs/survey-link.ts';
 import { applyPatches, createEditedLevel, diffFiles } from '../../editor/document/index.ts';
-import { mergeLevels } from '../../editor/files/index.ts';
 import { createProver } from '../../editor/proof/index.ts';
 import {
   enteringFolder,
@@ -19,6 +18,7 @@ import {
   slugOf,
 } from '../../editor/share/index.ts';
 import { TEMPLATES } from '../../editor/templates/index.ts';
+import { mergeLevels } from '../../review/index.ts';
 import {
   formatLevel,
   LEVEL_ID_PART,

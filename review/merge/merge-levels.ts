@@ -1,5 +1,4 @@
-import { KINDS, kindOfList, type LevelFile, OBJECT_LISTS, type ObjectKind, SINGLE_KINDS } from '../../schema/index.ts';
-import { isSame } from '../document/index.ts';
+import { isSame, KINDS, kindOfList, type LevelFile, OBJECT_LISTS, type ObjectKind, SINGLE_KINDS } from '../../schema/index.ts';
 
 export type Side = 'mine' | 'theirs';
 

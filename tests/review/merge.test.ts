@@ -1,9 +1,9 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { isSame, settle } from '../../editor/document/index.ts';
-import { mergeLevels } from '../../editor/files/merge.ts';
-import { formatLevel, type LevelFile, OBJECT_LISTS, readLevel, withIds } from '../../schema/index.ts';
-import { arbitraryFile } from './arbitrary-file.ts';
+import { settle } from '../../editor/document/index.ts';
+import { mergeLevels } from '../../review/index.ts';
+import { formatLevel, isSame, type LevelFile, OBJECT_LISTS, readLevel, withIds } from '../../schema/index.ts';
+import { arbitraryFile } from '../editor/arbitrary-file.ts';
 
 const BASE: LevelFile = {
   version: 1,

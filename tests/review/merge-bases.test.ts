@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { mergeLevels } from '../../editor/files/merge.ts';
+import { mergeLevels } from '../../review/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
 
 const named = (name: string): LevelFile => ({ version: 1, name, astronaut: { x: 0, y: 0 }, blackHole: { x: 300, y: 0 } });
