@@ -1,10 +1,10 @@
-import { readFileSync } from 'node:fs';
 import process from 'node:process';
 import { Command, CommanderError } from 'commander';
 import type { CommandResult } from './command.ts';
 import { COMMANDS } from './commands/index.ts';
 import { Failure } from './failure.ts';
 import { beginSignals, leaveSignals } from './signals.ts';
+import { readVersion } from './version.ts';
 import { visible } from './visible.ts';
 
 /**
@@ -17,16 +17,22 @@ export async function runCommandLine(args: readonly string[]): Promise<number> {
   watchStreams();
   try {
     const result = await perform(args);
+    // imported only if needed, as it is needed by few commands
+    const { messages, failed } =
+      result.files === undefined ? NOTHING_WRITTEN : await (await import('./result-files.ts')).writeResultFiles(result.files);
     // from here on a signal ends the process even while a write waits for its reader
     await leaveSignals();
     if (result.messages) process.stderr.write(result.messages);
+    for (const message of messages) process.stderr.write(`${visible(message)}\n`);
     if (result.output !== undefined && result.output.length > 0) process.stdout.write(result.output);
-    return result.exitCode;
+    return failed && result.exitCode < 2 ? 2 : result.exitCode;
   } catch (error) {
     await leaveSignals();
     return reportError(error);
   }
 }
+
+const NOTHING_WRITTEN: { readonly messages: readonly string[]; readonly failed: boolean } = { messages: [], failed: false };
 
 async function perform(args: readonly string[]): Promise<CommandResult> {
   let result: CommandResult = { exitCode: 0 };
@@ -69,10 +75,6 @@ Exit codes: 0 every level is completable, or the command did what was asked; 1 a
 2 the command failed: bad option, nothing matched, unreadable file; 130 and 143 on SIGINT and SIGTERM.`,
     );
   return program;
-}
-
-function readVersion(): string {
-  return JSON.parse(readFileSync(new URL('../../package.json', import.meta.url), 'utf8')).version;
 }
 
 function reportError(error: unknown): number {

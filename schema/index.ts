@@ -12,6 +12,7 @@ export * from './level.ts';
 export { LIMITS } from './limits.ts';
 export type { JsonObject, Migration } from './migrate.ts';
 export { entryName, objectName, touchedName } from './names.ts';
+export * from './other-reports.ts';
 export type { Problem } from './problem.ts';
 export { type FolderRulesReading, readFolderRules } from './read-folder-rules.ts';
 export { MAX_FILE_SIZE } from './read-json.ts';

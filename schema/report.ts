@@ -1,4 +1,5 @@
 import * as z from 'zod';
+import { problem, version } from './report-parts.ts';
 
 /** The verdicts on a level. All but the first need attention. */
 export const VERDICTS = ['completable', 'broken', 'unproven', 'impossible', 'invalid', 'crashed'] as const;
@@ -10,7 +11,7 @@ const time = z.number().min(0).describe('Seconds from the start.');
 const index = z.int().min(0).describe("Within the level's own list of that kind, from 0.");
 const kind = z.enum(['nova', 'asteroid', 'alien', 'blackHole']);
 
-/** The zod schema of what `gq simulate` prints as JSON: one run. */
+/** The zod schema of a run in reports. */
 export const runReportSchema = z.strictObject({
   level: z.string(),
   accuracy: z.string(),
@@ -32,17 +33,14 @@ export const runReportSchema = z.strictObject({
   hash: z.string().describe('Covers every sample, event and the final state bit for bit.'),
 });
 
-/** A run, as `gq simulate` prints it. */
-export type RunReport = z.infer<typeof runReportSchema>;
+/** The zod schema of what `gq simulate` prints as JSON. */
+export const simulateReportSchema = z.strictObject({ version, ...runReportSchema.shape });
 
-const problem = z.strictObject({
-  code: z.string(),
-  severity: z.enum(['error', 'warning']),
-  message: z.string(),
-  line: z.int().min(1).nullable(),
-  column: z.int().min(1).nullable(),
-  pointer: z.string().describe("JSON pointer; '' is the whole file."),
-});
+/** What `gq simulate` prints as JSON. */
+export type SimulateReport = z.infer<typeof simulateReportSchema>;
+
+/** A run in reports. */
+export type RunReport = z.infer<typeof runReportSchema>;
 
 const levelReport = z.strictObject({
   file: z.string(),
@@ -50,13 +48,24 @@ const levelReport = z.strictObject({
   verdict: z.enum(VERDICTS),
   run: runReportSchema.nullable(),
   problems: z.array(problem),
-  ms: z.number().min(0),
+  failure: z
+    .strictObject({
+      command: z.string().describe('Shows the failure.'),
+      link: z.string().nullable().describe('Opens the editor there; null if no address of a page is known.'),
+      tick: z.int().min(0).nullable().describe('At which the run that fails ends; null if no run fails.'),
+    })
+    .nullable()
+    .describe('Where to look at the failure; null if the level does not fail.'),
+  ms: z.number().min(0).describe('Wall time.'),
 });
 
 /** The zod schema of what `gq check` prints as JSON: one entry per level, and how many levels have each verdict. */
 export const checkReportSchema = z.strictObject({
+  version,
   levels: z.array(levelReport),
   summary: z.partialRecord(z.enum(VERDICTS), z.int().min(0)),
+  interrupted: z.boolean().describe('Whether a signal ended the check early.'),
+  unchecked: z.array(z.string()).describe('The files that were not checked because of that.'),
 });
 
 /** A level, as `gq check` reports it. */
@@ -128,6 +137,7 @@ const solution = z.strictObject({
 
 /** The zod schema of what `gq solve` prints as JSON: the best run, and with `--count` the others. */
 export const solveReportSchema = z.strictObject({
+  version,
   ...solution.shape,
   solutions: z.array(solution).optional().describe('With --count above 1: all of them, best first.'),
 });
@@ -194,6 +204,7 @@ const measuredDifficulty = z.strictObject({
 
 /** The zod schema of what `gq difficulty` prints as JSON. */
 export const difficultyReportSchema = z.strictObject({
+  version,
   levels: z.array(
     z.strictObject({
       file: z.string(),
@@ -210,6 +221,7 @@ export type DifficultyReport = z.infer<typeof difficultyReportSchema>;
 
 /** The zod schema of what `gq generate` prints as JSON. */
 export const generateReportSchema = z.strictObject({
+  version,
   asked: z.int().min(1).describe('Levels asked for.'),
   levels: z.array(
     z.strictObject({

@@ -1,4 +1,5 @@
 import * as z from 'zod';
+import { version } from './report-parts.ts';
 import { RULE_NAMES } from './rules.ts';
 
 const rule = z.enum(RULE_NAMES as [string, ...string[]]);
@@ -6,7 +7,7 @@ const isRelative = z.boolean().describe("Whether it is a share of each level's o
 
 /** The zod schema of what `gq tune` prints as JSON. */
 export const tuneReportSchema = z.strictObject({
-  version: z.literal(1),
+  version,
   accuracy: z.string(),
   changes: z.array(z.strictObject({ rule, amount: z.number(), isRelative })).describe('Made together.'),
   sweep: z

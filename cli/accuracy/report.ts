@@ -1,6 +1,6 @@
 import type { Accuracy } from '../../engine/index.ts';
 import { GOOD_ENOUGH, type Measured, type WorkPrecision } from '../../engine/work-precision/index.ts';
-import type { Hold } from '../../schema/index.ts';
+import type { AccuracyReport as AccuracyJson, Hold } from '../../schema/index.ts';
 
 /** The results of `accuracy` for a run of a level. */
 export interface AccuracyReport {
@@ -33,9 +33,10 @@ const methodJson = ({ accuracy, error, cost, outcome, time, sameVerdict }: Measu
 /** The results of `accuracy` as JSON: errors in px, costs in microseconds per simulated second, times in s. */
 export function accuracyJson({ level, holds, measured, cheapest }: AccuracyReport): string {
   const { tolerance, outcome, time, floor } = measured.reference;
-  const report = {
+  const report: AccuracyJson = {
+    version: 1,
     level,
-    holds,
+    holds: holds.map(([press, release]) => [press, release]),
     reference: { tolerance, outcome, time, floor },
     methods: measured.methods.map(methodJson),
     cheapest: { below: GOOD_ENOUGH, name: cheapest?.accuracy.name ?? null },

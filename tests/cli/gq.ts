@@ -20,9 +20,9 @@ export interface Ended {
 /** ms; only a process that hangs takes this long, even on a busy machine */
 const TOO_LONG = 120_000;
 
-/** The environment without the user's settings for colours, which must not affect tests. */
+/** The environment without the user's settings for colours and those of a CI service, which must not affect tests. */
 function quietEnvironment(): NodeJS.ProcessEnv {
-  const { FORCE_COLOR: _, ...rest } = process.env;
+  const { FORCE_COLOR: _, GITHUB_WORKSPACE: _folder, GITHUB_STEP_SUMMARY: _summary, JENKINS_URL: _url, ...rest } = process.env;
   return { ...rest, NO_COLOR: '1' };
 }
 

@@ -3,12 +3,12 @@ import { join } from 'node:path';
 import fc from 'fast-check';
 import { afterAll, expect, it } from 'vitest';
 import { checkLevel } from '../../cli/check/check-level.ts';
-import { PLAIN } from '../../cli/colors.ts';
-import { checkJson } from '../../cli/commands/check/json.ts';
-import { checkPretty } from '../../cli/commands/check/pretty.ts';
+import { checkJson } from '../../cli/reporters/json.ts';
+import { checkPretty } from '../../cli/reporters/pretty.ts';
 import { ACCURACIES } from '../../engine/index.ts';
 import { checkReportSchema } from '../../schema/index.ts';
 import { fallThrough, makeFiles } from './gq.ts';
+import { CONTEXT, resultsOf } from './reporters/context.ts';
 
 const SETTINGS = { maxTime: 60, inFull: true, proveMinerals: true, search: null, requireSlack: null } as const;
 
@@ -77,9 +77,9 @@ it.each([ACCURACIES.arcade, ACCURACIES.precise])(
         expect(checked.verdict).not.toBe('crashed');
         seen.add(checked.verdict);
         // a number that is not finite becomes null in JSON, which the schema refuses
-        const report = checkReportSchema.parse(JSON.parse(checkJson([checked])));
+        const report = checkReportSchema.parse(JSON.parse(checkJson(resultsOf([checked]))));
         expect(report.levels[0].problems.length > 0 || checked.verdict === 'completable').toBe(true);
-        expect(checkPretty([checked], PLAIN)).toContain(checked.verdict);
+        expect(checkPretty(resultsOf([checked]), CONTEXT)).toContain(checked.verdict);
       }),
       { numRuns: 200 },
     );

@@ -1,6 +1,6 @@
 import { fileURLToPath } from 'node:url';
 import { describe, expect, it } from 'vitest';
-import { checkReportSchema, runReportSchema } from '../../schema/index.ts';
+import { checkReportSchema, simulateReportSchema } from '../../schema/index.ts';
 import { gq } from './gq.ts';
 import { withoutTimes } from './levels.ts';
 
@@ -45,7 +45,8 @@ it('reports in JSON have the published shapes, and a verdict contains the same r
     gq('simulate levels/01-through.level.json --accuracy arcade --format json'.split(' '), { cwd }),
   ]);
   const report = checkReportSchema.parse(JSON.parse(check.stdout));
-  const run = runReportSchema.parse(JSON.parse(simulate.stdout));
+  const { version, ...run } = simulateReportSchema.parse(JSON.parse(simulate.stdout));
+  expect(version).toBe(1);
   expect(report.levels[0].run).toEqual(run);
   expect(report.levels.reduce((sum, level) => sum + (level.verdict === 'invalid' ? 1 : 0), 0)).toBe(report.summary.invalid);
   expect(report.levels).toHaveLength(Object.values(report.summary).reduce((a, b) => a + b, 0));

@@ -247,7 +247,7 @@ describe.runIf(process.platform !== 'win32')('special files', () => {
     expect(stderr).toMatch(/^error: lost\/gone\.level\.json: can't be read: no such file or directory/);
     expect(await run('fmt lost')).toMatchObject({ code: 2, stdout: '1 file: 1 failed\n' });
     const json = JSON.parse((await run('fmt lost --format json')).stdout);
-    expect(json).toEqual({ files: [{ file: 'lost/gone.level.json', status: 'failed', problems: [] }] });
+    expect(json).toEqual({ version: 1, files: [{ file: 'lost/gone.level.json', status: 'failed', problems: [] }] });
   });
 });
 

@@ -32,18 +32,22 @@ const run: RunReport = {
 };
 
 const report: CheckReport = {
+  version: 1,
   levels: [
-    { file: 'a.level.json', name: 'A', verdict: 'broken', run, problems: [], ms: 1.5 },
+    { file: 'a.level.json', name: 'A', verdict: 'broken', run, problems: [], failure: null, ms: 1.5 },
     {
       file: 'b.level.json',
       name: 'b.level.json',
       verdict: 'invalid',
       run: null,
       problems: [{ code: 'empty-file', severity: 'error', message: 'the file is empty', line: 1, column: 1, pointer: '' }],
+      failure: { command: 'gq edit --open b.level.json', link: null, tick: null },
       ms: 0,
     },
   ],
   summary: { broken: 1, invalid: 1 },
+  interrupted: false,
+  unchecked: [],
 };
 
 describe('the JSON of reports', () => {
@@ -117,7 +121,17 @@ const generated = {
   ...{ length: 0, presses: -7, attempts: -7, ticks: -7 },
 };
 const problem = { code: '', severity: 'error', message: '', line: 1, column: 1, pointer: '' };
-const checked = { file: '', name: '', verdict: 'invalid', run: leastRun, problems: [problem], ms: 0 };
+const checked = {
+  file: '',
+  name: '',
+  verdict: 'invalid',
+  run: leastRun,
+  problems: [problem],
+  failure: { command: '', link: null, tick: 0 },
+  ms: 0,
+};
+const version = { version: 1 };
+const early = { interrupted: false, unchecked: [''] };
 
 /** The path of every number in a value. */
 function* numbersIn(value: unknown, path: readonly string[] = []): Generator<readonly string[]> {
@@ -135,16 +149,24 @@ function withNumber(value: unknown, [key, ...rest]: readonly string[], change: (
 
 describe.each<[name: string, schema: z.ZodType, least: object]>([
   ['a run', runReportSchema, leastRun],
-  ['check', checkReportSchema, { levels: [checked], summary: { invalid: 0 } }],
+  ['check', checkReportSchema, { ...version, levels: [checked], summary: { invalid: 0 }, ...early }],
   ['robustness', robustnessReportSchema, robustness],
-  ['solve', solveReportSchema, { ...solution, solutions: [solution] }],
-  ['difficulty', difficultyReportSchema, { levels: [{ file: '', name: '', problems: [problem], measured, why: null }] }],
-  ['generate', generateReportSchema, { asked: 1, levels: [generated], rejected: 0 }],
+  ['solve', solveReportSchema, { ...version, ...solution, solutions: [solution] }],
+  [
+    'difficulty',
+    difficultyReportSchema,
+    { ...version, levels: [{ file: '', name: '', problems: [problem], measured, why: null }] },
+  ],
+  ['generate', generateReportSchema, { ...version, asked: 1, levels: [generated], rejected: 0 }],
 ])('the numbers of %s', (_, schema, least) => {
   test('may be at their minimum, and not below; shares are at most 1, and a grade at most 10', () => {
     expect(schema.safeParse(least)).toMatchObject({ success: true });
     for (const path of numbersIn(least)) {
       const takes = (change: (old: number) => number) => schema.safeParse(withNumber(least, path, change)).success;
+      if (path.join() === 'version') {
+        expect(takes((old) => old + 1)).toBe(false);
+        continue;
+      }
       const isFree = takes((old) => (old < 0 ? old - 1 : Number.NaN));
       expect([path, takes((old) => old - 1)]).toEqual([path, isFree]);
       const most = /^(p\d\d|p|share|low|high)$/.test(path.at(-1) ?? '') || path.includes('intervals') ? 1 : 10;

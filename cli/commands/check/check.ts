@@ -1,20 +1,16 @@
 import { availableParallelism } from 'node:os';
-import process from 'node:process';
 import type { Command } from 'commander';
 import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../../accuracy-options.ts';
 import type { CheckedLevel, CheckSettings } from '../../check/index.ts';
 import { checkFiles, exitCodeOf, unreadableLevel } from '../../check/index.ts';
-import { colorsFor } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
 import { findConfig } from '../../config-file.ts';
 import { Failure } from '../../failure.ts';
 import { findLevelFiles } from '../../files.ts';
-import { formatOption, jobsOption, maxTimeOption, maxWorkOption, wholeNumberOption } from '../../options.ts';
+import { jobsOption, maxTimeOption, maxWorkOption, wholeNumberOption } from '../../options.ts';
 import { createProgress } from '../../progress.ts';
+import { chooseReports, expectReportFiles, reportCheck, reporterOption, reportFormatOption } from '../../reporters/index.ts';
 import { addSearchOptions, limitsOf, type SearchOptions } from '../../search-options.ts';
-import { checkGithub } from './github.ts';
-import { checkJson } from './json.ts';
-import { checkPretty } from './pretty.ts';
 
 /**
  * With more files than this, proofs about minerals are not tried, unless --solve takes its time anyway: a check of a thousand
@@ -27,7 +23,8 @@ interface CheckOptions extends AccuracyOptions, SearchOptions {
   readonly requireSlack?: number;
   readonly maxTime: number;
   readonly maxWork: number;
-  readonly format: 'pretty' | 'json' | 'github';
+  readonly format?: string;
+  readonly reporter?: readonly string[];
   readonly jobs: number;
 }
 
@@ -43,7 +40,8 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     )
     .addOption(maxTimeOption())
     .addOption(maxWorkOption())
-    .addOption(formatOption('pretty', 'json', 'github'))
+    .addOption(reportFormatOption())
+    .addOption(reporterOption())
     .addOption(jobsOption(availableParallelism()))
     .addHelpText(
       'after',
@@ -65,14 +63,17 @@ Examples:
   $ gq check --solve --budget 30 drafts  search for runs, at most half a minute for each level
   $ gq check --require-slack 2           for CI: every run forgives errors of 33 ms
   $ gq check --format json | jq .summary
-  $ gq check --format github             annotations for a pull request`,
+  $ gq check --format github             annotations for a pull request
+  $ gq check --reporter github --reporter json=out/levels.json   a report on stdout, and one in a file`,
     )
     .action(async (paths: string[], options: CheckOptions) => finish(await check(paths, options)));
 }
 
 async function check(paths: readonly string[], options: CheckOptions): Promise<CommandResult> {
   const search = searchOf(options);
+  const asked = chooseReports(options);
   const { files, unreadable } = await findLevelFiles(paths);
+  expectReportFiles(asked, files);
   // imported only if needed: it loads the schema, which usually only the workers load
   const rules = findConfig() === null ? {} : (await import('../../folder-rules.ts')).folderRules();
   const settings: CheckSettings = {
@@ -80,7 +81,7 @@ async function check(paths: readonly string[], options: CheckOptions): Promise<C
     accuracy: chooseAccuracy(options),
     maxTime: options.maxTime,
     maxWork: options.maxWork,
-    inFull: options.format === 'json',
+    inFull: asked.some(({ name }) => name === 'json'),
     search,
     proveMinerals: options.solve === true || files.length <= FEW_FILES,
     requireSlack: options.requireSlack ?? null,
@@ -90,7 +91,8 @@ async function check(paths: readonly string[], options: CheckOptions): Promise<C
   progress.clear();
   for (const { path, reason } of unreadable)
     reports.push(unreadableLevel(path, `${path}: the directory can't be read: ${reason}`));
-  return { output: report(reports, options.format), exitCode: exitCodeOf(reports) };
+  const results = { levels: reports, unchecked: [], interrupted: false };
+  return reportCheck(results, asked, { exitCode: exitCodeOf(reports), accuracy: settings.accuracy.name });
 }
 
 function searchOf(options: CheckOptions): CheckSettings['search'] {
@@ -99,15 +101,4 @@ function searchOf(options: CheckOptions): CheckSettings['search'] {
   const part = budget !== undefined ? '--budget' : effort !== undefined ? '--effort' : null;
   if (part !== null) throw new Failure(`${part} limits the search of --solve: give --solve as well`);
   return null;
-}
-
-function report(reports: readonly CheckedLevel[], format: CheckOptions['format']): string {
-  switch (format) {
-    case 'json':
-      return checkJson(reports);
-    case 'github':
-      return checkGithub(reports);
-    case 'pretty':
-      return checkPretty(reports, colorsFor(process.stdout));
-  }
 }

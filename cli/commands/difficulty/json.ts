@@ -5,7 +5,7 @@ import { problemJson, robustnessJson } from '../../report-parts/index.ts';
 
 /** The difficulty of levels as JSON. */
 export function difficultyJson(levels: readonly MeasuredLevel[]): string {
-  const report: DifficultyReport = { levels: levels.map(levelJson) };
+  const report: DifficultyReport = { version: 1, levels: levels.map(levelJson) };
   return `${JSON.stringify(report)}\n`;
 }
 

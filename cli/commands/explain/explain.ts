@@ -1,7 +1,7 @@
 import process from 'node:process';
 import type { Command } from 'commander';
 import { WARNING_CODES } from '../../../engine/index.ts';
-import { CODES } from '../../../schema/index.ts';
+import { CODES, type ExplainReport } from '../../../schema/index.ts';
 import { CHECK_CODES } from '../../check/index.ts';
 import { colorsFor } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
@@ -37,13 +37,20 @@ function explain(code: string | undefined, format: 'pretty' | 'json'): CommandRe
   const colors = colorsFor(process.stdout);
   if (code === undefined) {
     return {
-      output: format === 'json' ? `${JSON.stringify({ codes: ALL, proofs: PROOF_KINDS })}\n` : listCodes(ALL, PROOFS, colors),
+      output:
+        format === 'json'
+          ? `${JSON.stringify({ version: 1, codes: ALL, proofs: [...PROOF_KINDS] } satisfies ExplainReport)}\n`
+          : listCodes(ALL, PROOFS, colors),
       exitCode: 0,
     };
   }
   const proof = PROOFS.find((entry) => entry.code === code);
   if (proof !== undefined)
-    return { output: format === 'json' ? `${JSON.stringify(proof)}\n` : explainProof(proof, colors), exitCode: 0 };
+    return {
+      output:
+        format === 'json' ? `${JSON.stringify({ version: 1, ...proof } satisfies ExplainReport)}\n` : explainProof(proof, colors),
+      exitCode: 0,
+    };
   const found = ALL.find((entry) => entry.code === code);
   if (found === undefined) {
     const codes = [...ALL, ...PROOFS].map((entry) => entry.code);
@@ -51,5 +58,9 @@ function explain(code: string | undefined, format: 'pretty' | 'json'): CommandRe
       `no problem or kind of proof has the code ${JSON.stringify(code)}${didYouMean(code, codes)}; gq explain lists all codes`,
     );
   }
-  return { output: format === 'json' ? `${JSON.stringify(found)}\n` : explainPretty(found, colors), exitCode: 0 };
+  return {
+    output:
+      format === 'json' ? `${JSON.stringify({ version: 1, ...found } satisfies ExplainReport)}\n` : explainPretty(found, colors),
+    exitCode: 0,
+  };
 }

@@ -1,4 +1,5 @@
 import { plural } from '../../../check/words/index.ts';
+import type { FmtReport } from '../../../schema/index.ts';
 import type { Colors } from '../../colors.ts';
 import { problemJson, showFileProblems } from '../../report-parts/index.ts';
 import { shellPath } from '../../shown-path.ts';
@@ -15,7 +16,7 @@ export interface FormattedFile {
 /** The results of `fmt` as JSON. */
 export function fmtJson(files: readonly FormattedFile[]): string {
   const list = files.map(({ file, status, problems }) => ({ file, status, problems: problems.map(problemJson) }));
-  return `${JSON.stringify({ files: list })}\n`;
+  return `${JSON.stringify({ version: 1, files: list } satisfies FmtReport)}\n`;
 }
 
 /** What `fmt` did to the files of these paths, for a person: the files that were not as they should be, and a count. */

@@ -109,6 +109,7 @@ async function generate(options: Options): Promise<CommandResult> {
   }
   done.sort((a, b) => a.seed - b.seed);
   const report: GenerateReport = {
+    version: 1,
     asked: count,
     levels: done,
     rejected: done.reduce((sum, { attempts, status }) => sum + attempts - (status === 'nothing' ? 0 : 1), 0),

@@ -1,4 +1,5 @@
 import { plural } from '../../../check/words/index.ts';
+import type { ImportReport } from '../../../schema/index.ts';
 import { visibleLine } from '../../visible.ts';
 
 export interface ImportedFile {
@@ -15,7 +16,8 @@ export interface Imported {
 }
 
 /** The results of `import` as JSON. */
-export const importJson = (imported: Imported): string => `${JSON.stringify(imported)}\n`;
+export const importJson = ({ files, notes }: Imported): string =>
+  `${JSON.stringify({ version: 1, files: [...files], notes: [...notes] } satisfies ImportReport)}\n`;
 
 /** The results of `import` for people. */
 export function importPretty({ files, notes }: Imported): string {

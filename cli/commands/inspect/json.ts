@@ -1,7 +1,17 @@
+import type { InspectReport } from '../../../schema/index.ts';
 import type { Inspection } from '../../inspection.ts';
 import { problemJson } from '../../report-parts/index.ts';
 
 /** The results of `inspect` as JSON. */
 export function inspectJson({ level, effects, counts, modes, work, problems }: Inspection): string {
-  return `${JSON.stringify({ level, effects, counts, modes, work, problems: problems.map(problemJson) })}\n`;
+  const report: InspectReport = {
+    version: 1,
+    level,
+    effects: { simulated: [...effects.simulated], notCalledFor: [...effects.notCalledFor] },
+    counts,
+    modes: [...modes],
+    work,
+    problems: problems.map(problemJson),
+  };
+  return `${JSON.stringify(report)}\n`;
 }

@@ -1,7 +1,7 @@
 import process from 'node:process';
 import { type Command, Option } from 'commander';
 import { compile, simulate } from '../../../engine/index.ts';
-import type { Hold, Level } from '../../../schema/index.ts';
+import type { Hold, Level, SimulateReport } from '../../../schema/index.ts';
 import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../../accuracy-options.ts';
 import { chooseRun } from '../../chosen-run.ts';
 import { colorsFor } from '../../colors.ts';
@@ -70,7 +70,7 @@ function play(file: string, options: SimulateOptions): CommandResult {
   const report = reportRun(level, accuracy.name, holds, run, sample ?? null);
   const output =
     options.format === 'json'
-      ? `${JSON.stringify(report)}\n`
+      ? `${JSON.stringify({ version: 1, ...report } satisfies SimulateReport)}\n`
       : simulatePretty(level, name, run, report, colorsFor(process.stdout));
   return { output, exitCode: 0 };
 }

@@ -25,7 +25,7 @@ export function solveJson({ level, accuracy, seed, count }: SolveSettings, solve
         : { code: impossible.code, reason: impossible.reason, certificate: jsonOf(impossible.certificate) },
     hash: found?.run.hash ?? null,
   });
-  const report: SolveReport = { ...toReport(runs[0]) };
+  const report: SolveReport = { version: 1, ...toReport(runs[0]) };
   if (count > 1) report.solutions = runs.map(toReport);
   return `${JSON.stringify(report)}\n`;
 }

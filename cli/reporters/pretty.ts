@@ -1,10 +1,10 @@
-import { bodyInWords, countMinerals, plural, VERDICT_MEANS } from '../../../check/words/index.ts';
-import type { Verdict } from '../../../schema/index.ts';
-import type { CheckedLevel } from '../../check/index.ts';
-import { summarize } from '../../check/index.ts';
-import type { Colors } from '../../colors.ts';
-import { alignColumns, showFileProblems } from '../../report-parts/index.ts';
-import { visibleLine } from '../../visible.ts';
+import { bodyInWords, countMinerals, plural, VERDICT_MEANS } from '../../check/words/index.ts';
+import type { Verdict } from '../../schema/index.ts';
+import { type CheckedLevel, summarize } from '../check/index.ts';
+import { alignColumns, showFileProblems } from '../report-parts/index.ts';
+import { visibleLine } from '../visible.ts';
+import { earlyEndInWords } from './early-end.ts';
+import type { ReportContext, Results } from './reporter.ts';
 
 const WHAT_TO_DO: Record<Exclude<Verdict, 'completable'>, string> = {
   broken: 'change the level or a run; gq simulate shows how a run ends',
@@ -15,7 +15,8 @@ const WHAT_TO_DO: Record<Exclude<Verdict, 'completable'>, string> = {
 };
 
 /** The results of `check` for people: a line for each level with its problems below, and a summary. */
-export function checkPretty(reports: readonly CheckedLevel[], colors: Colors): string {
+export function checkPretty(results: Results, { colors }: ReportContext): string {
+  const { levels: reports } = results;
   const lines = alignColumns(reports.map(row), [TIME_COLUMN]);
   const paint = (verdict: Verdict): ((text: string) => string) =>
     verdict === 'completable' ? colors.green : verdict === 'unproven' ? colors.yellow : colors.red;
@@ -25,7 +26,8 @@ export function checkPretty(reports: readonly CheckedLevel[], colors: Colors): s
   }
   const summary = summarize(reports);
   const counts = Object.entries(summary).filter(([, count]) => count > 0);
-  text += `\n${colors.bold(plural(reports.length, 'level'))}: ${counts.map(([v, count]) => paint(v as Verdict)(`${count} ${v}`)).join(', ')}\n`;
+  const words = counts.map(([v, count]) => paint(v as Verdict)(`${count} ${v}`)).join(', ');
+  text += `\n${colors.bold(plural(reports.length, 'level'))}${words === '' ? '' : `: ${words}`}\n${earlyEndInWords(results)}`;
   const tight = reports.filter(({ problems }) => problems.some(({ code }) => code === 'slack-below-required')).length;
   if (tight > 0)
     text += `${colors.red(`${plural(tight, 'level')} ${tight === 1 ? 'forgives' : 'forgive'} less than --require-slack requires`)}\n`;

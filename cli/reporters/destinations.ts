@@ -1,0 +1,143 @@
+import { lstatSync, realpathSync, statSync } from 'node:fs';
+import { basename, dirname, join, resolve } from 'node:path';
+import { Option } from 'commander';
+import { didYouMean } from '../did-you-mean.ts';
+import { Failure, systemReason } from '../failure.ts';
+import { namedPath } from '../shown-path.ts';
+import { whyNotWritable } from '../writable.ts';
+import { REPORTER_NAMES, type ReporterName } from './reporter.ts';
+
+/** A report that is asked for. */
+export interface Destination {
+  readonly name: ReporterName;
+  /** The file it is written to; null: stdout. */
+  readonly file: string | null;
+}
+
+/** The ways to ask for reports, as they were given. */
+export interface AskedReports {
+  /** `--format NAME`, the short form for stdout. */
+  readonly format?: string;
+  /** `--reporter NAME[=FILE]`, as often as it was given. */
+  readonly reporter?: readonly string[];
+  /** `reporters` of the configuration. */
+  readonly configured?: readonly string[];
+}
+
+const NAMES = REPORTER_NAMES.join(', ');
+
+/** `--format`, whose default depends on the other options. */
+export const reportFormatOption = (): Option =>
+  new Option('--format <format>', 'format of the report on stdout: the short form of --reporter')
+    .choices(REPORTER_NAMES)
+    .default(undefined, 'pretty');
+
+export const reporterOption = (): Option =>
+  new Option(
+    '--reporter <name[=file]>',
+    `write a report to stdout or into a file; may be given several times: ${NAMES}`,
+  ).argParser((text: string, others: readonly string[] | undefined) => [...(others ?? []), text]);
+
+/**
+ * The reports that are asked for. Options win over the configuration: `--reporter` replaces all of its reports, `--format` the
+ * one for stdout. Without a report for stdout, there is a pretty one.
+ * @throws Failure if they can't all be made
+ */
+export function chooseReports({ format, reporter, configured = [] }: AskedReports): Destination[] {
+  const parsed =
+    reporter !== undefined
+      ? reporter.map((text) => parse(text, `--reporter ${text}`))
+      : configured.map((text) => parse(text, `reporters: ${JSON.stringify(text)} in the configuration`));
+  const forStdout = parsed.filter(({ file }) => file === null);
+  const forFiles = parsed.filter(({ file }) => file !== null);
+  if (format !== undefined && reporter === undefined) forStdout.length = 0;
+  if (format !== undefined) forStdout.push({ name: format as ReporterName, file: null });
+  if (forStdout.length > 1) {
+    const names = forStdout.map(({ name }) => name);
+    throw new Failure(
+      `only one report can go to stdout, found ${forStdout.length}: ${names.join(', ')}; give the others a file, as in --reporter ${names[0]}=FILE`,
+    );
+  }
+  return [...forFiles, forStdout[0] ?? { name: 'pretty', file: null }];
+}
+
+function parse(text: string, given: string): Destination {
+  const at = text.indexOf('=');
+  const name = at < 0 ? text : text.slice(0, at);
+  const known = REPORTER_NAMES.find((one) => one === name);
+  if (known === undefined) {
+    throw new Failure(
+      `${given}: there is no reporter ${JSON.stringify(name)}${didYouMean(name, REPORTER_NAMES)}; expected one of ${NAMES}`,
+    );
+  }
+  if (at < 0) return { name: known, file: null };
+  const file = text.slice(at + 1);
+  if (file === '') throw new Failure(`${given}: expected a file after the =; without the =, the report goes to stdout`);
+  return { name: known, file };
+}
+
+/**
+ * Checks before the work that the reports can be written.
+ * @param levels the level files that are read, which no report may replace
+ * @throws Failure for each file that can't be written
+ */
+export function expectReportFiles(reports: readonly Destination[], levels: readonly string[]): void {
+  const files = reports.flatMap(({ name, file }) => (file === null ? [] : [{ name, file }]));
+  if (files.length === 0) return;
+  const seen = new Map<string, string>();
+  const read = new Set(levels.map(identity));
+  const wrong: string[] = [];
+  for (const { name, file } of files) {
+    const given = `--reporter ${name}=${file}`;
+    const why = whyNoReport(file);
+    if (why !== null) {
+      wrong.push(`${given}: ${namedPath(file)} can't be written: ${why}`);
+      continue;
+    }
+    const id = identity(file);
+    const other = seen.get(id);
+    if (other !== undefined) wrong.push(`${given}: ${other} writes the same file; give each report a file of its own`);
+    else if (read.has(id)) wrong.push(`${given}: the report would replace a level that is checked; give it another file`);
+    if (isRegularOrNew(file)) seen.set(id, given);
+  }
+  if (wrong.length > 0) throw new Failure(`nothing was checked: ${wrong.join('\n')}`);
+}
+
+/** Why no report can be written to a file; null if one can. The folders above it may be missing. */
+function whyNoReport(file: string): string | null {
+  try {
+    const stats = statSync(file, { throwIfNoEntry: false });
+    if (stats?.isDirectory()) return 'it is a folder; expected a file';
+    if (stats !== undefined) return whyNotWritable(file);
+    if (/[/\\]$/.test(file)) return 'it names a folder; expected a file';
+    for (let folder = dirname(resolve(file)); ; folder = dirname(folder)) {
+      const above = statSync(folder, { throwIfNoEntry: false });
+      if (above === undefined && lstatSync(folder, { throwIfNoEntry: false })?.isSymbolicLink())
+        return `${folder} is a broken link`;
+      if (above?.isDirectory() === false) return `${folder} is a file, not a folder`;
+      if (above !== undefined) {
+        const why = whyNotWritable(folder);
+        return why === null ? null : `${folder}: ${why}`;
+      }
+      if (dirname(folder) === folder) return 'no such folder';
+    }
+  } catch (error) {
+    return systemReason(error);
+  }
+}
+
+/** The same text for paths that lead to the same file. */
+function identity(file: string): string {
+  const full = resolve(file);
+  for (let folder = full, below: string[] = []; ; below = [basename(folder), ...below], folder = dirname(folder)) {
+    try {
+      return join(realpathSync(folder), ...below);
+    } catch {
+      // the part of the path that does not exist yet is taken as it is
+      if (dirname(folder) === folder) return full;
+    }
+  }
+}
+
+/** Whether writing replaces a file, as opposed to a device such as /dev/null. */
+const isRegularOrNew = (file: string): boolean => statSync(file, { throwIfNoEntry: false })?.isFile() !== false;

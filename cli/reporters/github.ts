@@ -1,0 +1,25 @@
+import { plural } from '../../check/words/index.ts';
+import { summarize } from '../check/index.ts';
+import { earlyEndInWords } from './early-end.ts';
+import { failureOf } from './failing-place.ts';
+import { pathInWorkspace } from './paths.ts';
+import type { ReportContext, Results } from './reporter.ts';
+import { type Annotation, errorsFirst, workflowCommand } from './workflow-command.ts';
+
+/** The results of `check` as workflow commands, which GitHub shows at the lines of a pull request, and a summary line. */
+export function checkGithub(results: Results, { places }: ReportContext): string {
+  const { levels } = results;
+  const annotations = levels.flatMap((level): Annotation[] => {
+    const failure = failureOf(level);
+    const file = pathInWorkspace(level.file, places);
+    return level.problems.map(({ severity, code, message, hint, line, column }) => {
+      const lines = [message, hint];
+      if (severity === 'error' && failure !== null) lines.push(`to see it: ${failure.link ?? failure.command}`);
+      return { severity, file, line, column, title: code, message: lines.filter((text) => text !== '').join('\n') };
+    });
+  });
+  const counts = Object.entries(summarize(levels)).filter(([, count]) => count > 0);
+  const words = counts.map(([verdict, count]) => `${count} ${verdict}`).join(', ');
+  const summary = `${plural(levels.length, 'level')}${words === '' ? '' : `: ${words}`}`;
+  return `${errorsFirst(annotations).map(workflowCommand).join('')}${summary}\n${earlyEndInWords(results)}`;
+}

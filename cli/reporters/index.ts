@@ -1,0 +1,2 @@
+export { chooseReports, expectReportFiles, reporterOption, reportFormatOption } from './destinations.ts';
+export { reportCheck } from './report-check.ts';

@@ -1,0 +1,37 @@
+import process from 'node:process';
+import { colorsFor, PLAIN } from '../colors.ts';
+import type { CommandResult, ResultFile } from '../command.ts';
+import { readVersion } from '../version.ts';
+import type { Destination } from './destinations.ts';
+import { placesOf } from './places.ts';
+import type { ReportContext, Reporter, ReporterName, Results } from './reporter.ts';
+
+/** Loads a reporter, and with it the words that it needs: only one that is used. */
+const REPORTERS: Readonly<Record<ReporterName, () => Promise<Reporter>>> = {
+  pretty: async () => (await import('./pretty.ts')).checkPretty,
+  json: async () => (await import('./json.ts')).checkJson,
+  github: async () => (await import('./github.ts')).checkGithub,
+};
+
+/** Makes the reports of a check: those for files, and the one for stdout. */
+export async function reportCheck(
+  results: Results,
+  reports: readonly Destination[],
+  { exitCode, accuracy }: { readonly exitCode: CommandResult['exitCode']; readonly accuracy: string },
+): Promise<CommandResult> {
+  const context: ReportContext = {
+    colors: PLAIN,
+    version: readVersion(),
+    accuracy,
+    exitCode,
+    places: placesOf(process.cwd(), process.env),
+  };
+  const files: ResultFile[] = [];
+  let output = '';
+  for (const { name, file } of reports) {
+    const make = await REPORTERS[name]();
+    if (file === null) output = make(results, { ...context, colors: colorsFor(process.stdout) });
+    else files.push({ path: file, content: make(results, context), mode: 'replace' });
+  }
+  return { output, files, messages: '', exitCode };
+}

@@ -1,0 +1,41 @@
+import type { CheckedLevel } from '../check/index.ts';
+import type { Colors } from '../colors.ts';
+
+/** The names of all reporters. */
+export const REPORTER_NAMES = ['pretty', 'json', 'github'] as const;
+
+export type ReporterName = (typeof REPORTER_NAMES)[number];
+
+/** What a check has found out. */
+export interface Results {
+  readonly levels: readonly CheckedLevel[];
+  /** The files that were not checked, because the check ended early. */
+  readonly unchecked: readonly string[];
+  /** Whether a signal ended the check early. */
+  readonly interrupted: boolean;
+}
+
+/** What a report depends on besides the results. */
+export interface ReportContext {
+  /** The colours of the report's destination. */
+  readonly colors: Colors;
+  /** The version of gq. */
+  readonly version: string;
+  /** The name of the accuracy at which was checked. */
+  readonly accuracy: string;
+  readonly exitCode: number;
+  readonly places: Places;
+}
+
+/** Folders to which paths in reports are relative; absolute paths. */
+export interface Places {
+  /** The working directory. */
+  readonly directory: string;
+  /** The folder that GitHub takes for the root of the repository, under each name that is known; empty outside of GitHub. */
+  readonly workspaces: readonly string[];
+  /** The root of the repository; the working directory if there is none. */
+  readonly root: string;
+}
+
+/** Makes a report. It depends on nothing else. */
+export type Reporter = (results: Results, context: ReportContext) => string;

@@ -1,0 +1,65 @@
+import { mkdirSync, symlinkSync } from 'node:fs';
+import { join } from 'node:path';
+import fc from 'fast-check';
+import { afterAll, describe, expect, it } from 'vitest';
+import { checkGithub } from '../../../cli/reporters/github.ts';
+import { fallThrough, gqProcess, makeFiles } from '../gq.ts';
+import { brokenLevel, CONTEXT, checkedLevel, resultsOf, shownProblem } from './context.ts';
+
+/** Reads workflow commands as GitHub does. */
+function annotations(text: string) {
+  const unescaped = (value: string): string =>
+    value.replaceAll('%3A', ':').replaceAll('%2C', ',').replaceAll('%0D', '\r').replaceAll('%0A', '\n').replaceAll('%25', '%');
+  return text.split('\n').flatMap((line) => {
+    const found = /^::(error|warning) (.*?)::(.*)$/.exec(line);
+    if (found === null) return [];
+    const properties = Object.fromEntries(found[2].split(',').map((part) => part.split('=').map(unescaped)));
+    return [{ severity: found[1], message: unescaped(found[3]), ...properties } as Record<string, string>];
+  });
+}
+
+const files = makeFiles({
+  'game/levels/a.level.json': fallThrough({ asteriods: [] }),
+  'elsewhere/b.level.json': fallThrough({ runs: [] }),
+});
+afterAll(() => files.remove());
+
+describe('the github reporter', () => {
+  it('names files relative to the workspace, also through a link, and others as they were given', async () => {
+    const cwd = join(files.directory, 'game');
+    symlinkSync(files.directory, join(files.directory, 'link'));
+    mkdirSync(join(files.directory, 'game/out'));
+    const named = async (workspace: string, ...paths: string[]) => {
+      const { stdout } = await gqProcess(['check', ...paths, '--format', 'github'], {
+        cwd,
+        env: { GITHUB_WORKSPACE: workspace },
+      });
+      return annotations(stdout).map(({ file }) => file);
+    };
+    const both = ['levels', '../elsewhere'];
+    expect(await named(files.directory, ...both)).toEqual(['game/levels/a.level.json', 'elsewhere/b.level.json']);
+    expect(await named(join(files.directory, 'link'), ...both)).toEqual(['game/levels/a.level.json', 'elsewhere/b.level.json']);
+    expect(await named(cwd, ...both)).toEqual(['levels/a.level.json', '../elsewhere/b.level.json']);
+    expect(await named('', ...both)).toEqual(['levels/a.level.json', '../elsewhere/b.level.json']);
+  });
+
+  it('says everything about a problem, whatever is in its texts', () => {
+    const text = fc.string({ unit: fc.constantFrom('a', '%', ':', ',', '\n', '\r', '%0A', '::', '=') });
+    fc.assert(
+      fc.property(text, text, (message, hint) => {
+        const problem = shownProblem({ message: `m${message}`, hint: `h${hint}`, line: 3, column: 7 });
+        const [found] = annotations(checkGithub(resultsOf([brokenLevel({ problems: [problem] })]), CONTEXT));
+        expect(found).toMatchObject({ severity: 'error', file: 'levels/a.level.json', line: '3', endLine: '3', col: '7' });
+        expect(found).toMatchObject({ title: 'unknown-key' });
+        expect(found.message).toBe(`m${message}\nh${hint}\nto see it: gq edit --open levels/a.level.json:120`);
+      }),
+    );
+  });
+
+  it('puts errors first, since GitHub shows ten of each', () => {
+    const warned = checkedLevel({ problems: [shownProblem({ severity: 'warning', hint: '' })] });
+    const found = annotations(checkGithub(resultsOf([warned, brokenLevel(), warned, brokenLevel()]), CONTEXT));
+    expect(found.map(({ severity }) => severity)).toEqual(['error', 'error', 'warning', 'warning']);
+    expect(found[2].message).toBe('unknown key "asteriods"');
+  });
+});
