@@ -13,6 +13,7 @@ export { LIMITS } from './limits.ts';
 export type { JsonObject, Migration } from './migrate.ts';
 export { entryName, objectName, touchedName } from './names.ts';
 export * from './other-reports.ts';
+export { type EditorPlace, type PlaceReading, placeFragment, placeIn } from './place-link.ts';
 export type { Problem } from './problem.ts';
 export { type FolderRulesReading, readFolderRules } from './read-folder-rules.ts';
 export { MAX_FILE_SIZE } from './read-json.ts';

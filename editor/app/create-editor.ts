@@ -68,6 +68,7 @@ function openParts(editor: Editor, opened: OpenedLevel): { level: OpenLevel; clo
     hoverTick: null,
     isPlayingBack: false,
     mode: 'edit',
+    lookAt: null,
     accuracy: settings.getState().accuracy,
   });
   const level: OpenLevel = {

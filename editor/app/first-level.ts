@@ -1,10 +1,12 @@
 import type { Editor } from '../context/index.ts';
 import { openFirst } from '../panels/levels/index.ts';
+import { followPlaces, takePlace } from '../places/index.ts';
 
 const KEY = 'gravity-quest-last-level';
 
 /**
- * Opens the level that was last open in this tab, or else the first valid one, and remembers each level opened from then on.
+ * Opens the place that the page's address names, or else the level that was last open in this tab, or else the first valid one.
+ * Remembers each level opened from then on, and follows links to other places.
  */
 export async function openFirstLevel(editor: Editor): Promise<void> {
   const { workspace } = editor;
@@ -23,5 +25,6 @@ export async function openFirstLevel(editor: Editor): Promise<void> {
       // the browser stores nothing
     }
   });
-  await openFirst(editor, last);
+  followPlaces(editor);
+  if (!(await takePlace(editor))) await openFirst(editor, last);
 }

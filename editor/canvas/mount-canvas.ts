@@ -9,7 +9,7 @@ import type { SearchPicture } from './layers/index.ts';
 import { stageOf } from './page-stage.ts';
 import { listenToDrops, listenToPointer, type PointerContext } from './pointer/index.ts';
 import type { Stage } from './stage.ts';
-import { fitBox, type View } from './view.ts';
+import { fitBox, lookAt, type View } from './view.ts';
 
 interface MountParts {
   readonly element: HTMLElement;
@@ -32,7 +32,7 @@ export function mountCanvas({ element, editor, level, canvas, said, search }: Mo
   };
   const stage = stageOf(editor);
   const unmount = stage.mount(element, pictureOf(editor, level, canvas, search));
-  const { bringIntoView, stop: stopFitting } = fitView({ element, level, canvas, stage, setView });
+  const { bringIntoView, stop: stopFitting } = fitView({ element, editor, level, canvas, stage, setView });
   const context: PointerContext = {
     document,
     her: () => level.proof.proof().scene.box,
@@ -65,6 +65,7 @@ export function mountCanvas({ element, editor, level, canvas, said, search }: Mo
 
 interface FitParts {
   readonly element: HTMLElement;
+  readonly editor: Editor;
   readonly level: OpenLevel;
   readonly canvas: StoreApi<CanvasState>;
   readonly stage: Stage;
@@ -77,8 +78,11 @@ interface Fitting {
   readonly stop: () => void;
 }
 
-/** Keeps the view at the size of the element, and the whole level in view until the user moves the view. */
-function fitView({ element, level, canvas, stage, setView }: FitParts): Fitting {
+/**
+ * Keeps the view at the size of the element, and the whole level in view until the user moves the view; then looks at the place
+ * that the session asks for.
+ */
+function fitView({ element, editor: { session, open }, level, canvas, stage, setView }: FitParts): Fitting {
   // the view that shows the whole level, while the user has not moved it
   let fitted: View | null = null;
   const bringIntoView = (keys?: readonly string[]) => {
@@ -88,6 +92,14 @@ function fitView({ element, level, canvas, stage, setView }: FitParts): Fitting 
     if (keys === undefined) fitted = canvas.getState().view;
   };
   let isShown = false;
+  const look = () => {
+    const place = session.getState().lookAt;
+    // the canvas of the last level may still be there
+    if (place === null || !isShown || open.getState() !== level) return;
+    session.setState({ lookAt: null });
+    setView(lookAt(canvas.getState().view, place));
+  };
+  const stopLooking = session.subscribe(look);
   const observer = new ResizeObserver(() => {
     const { clientWidth: width, clientHeight: height } = element;
     stage.resize(width, height);
@@ -96,7 +108,12 @@ function fitView({ element, level, canvas, stage, setView }: FitParts): Fitting 
     // A view that shows the whole level continues to do so when the page is rotated or a panel opens.
     if (width > 1 && (!isShown || view === fitted)) bringIntoView();
     isShown ||= width > 1;
+    look();
   });
   observer.observe(element);
-  return { bringIntoView, stop: () => observer.disconnect() };
+  const stop = () => {
+    observer.disconnect();
+    stopLooking();
+  };
+  return { bringIntoView, stop };
 }

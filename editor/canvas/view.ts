@@ -64,6 +64,16 @@ export function withinView(view: View, place: Point): View {
   return dx === 0 && dy === 0 ? view : panBy(view, dx, dy);
 }
 
+/** least px of screen per px of the level at which a place can be made out */
+const LEGIBLE = 0.5;
+
+/** Shows a place: moves and enlarges the view only if the place is at its edge or too small to be made out. */
+export function lookAt(view: View, place: Point): View {
+  if (view.zoom >= LEGIBLE && withinView(view, place) === view) return view;
+  const zoom = Math.max(view.zoom, LEGIBLE);
+  return { ...view, zoom, x: place.x, y: place.y - TOOLS / 2 / zoom };
+}
+
 /** Whether a point is visible. */
 export function isInView(view: View, place: Point): boolean {
   const { x, y } = toScreen(view, place);

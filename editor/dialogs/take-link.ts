@@ -1,9 +1,11 @@
+import { placeIn } from '../../schema/index.ts';
 import type { Editor } from '../context/index.ts';
 import { levelOf } from '../share/index.ts';
 
 /** Takes the level out of the page's address and asks the user whether to add it; a reload does not ask again. */
 async function takeLink({ notices, incoming }: Editor): Promise<void> {
   const { hash } = window.location;
+  if (placeIn(hash) !== null) return;
   const linked = await levelOf(hash);
   if (linked === null) return;
   if (window.location.hash === hash) {

@@ -6,6 +6,7 @@ export { type Answer, errorInWords, type LevelStorage, type Link, type StorageEr
 export type { OpenedLevel } from './open-level.ts';
 export { createOpeningMarks, type OpeningMarks } from './opening-marks.ts';
 export { pageSurroundings } from './page-surroundings.ts';
+export { isOtherToken } from './page-token.ts';
 export { problemsInWords } from './problems-in-words.ts';
 export type { SaveState } from './save-state.ts';
 export { createSaver, type Saver } from './saver.ts';

@@ -16,6 +16,25 @@ export interface TokenPage {
 export const mayBeServed = ({ location }: Pick<TokenPage, 'location'>): boolean =>
   location.protocol === 'http:' && HOSTS.includes(location.hostname) && PATHS.includes(location.pathname);
 
+/** The token in the address of a page; '' if there is none. */
+const tokenIn = ({ hash }: Pick<Location, 'hash'>): string =>
+  partsOf(hash)
+    .find((part) => part.startsWith(`${PART}=`))
+    ?.slice(PART.length + 1) ?? '';
+
+const partsOf = (hash: string): string[] => hash.replace(/^#/, '').split('&');
+
+/** Whether the address has a token that this tab does not know yet: another start of `gq edit` has printed the address. */
+export function isOtherToken(page: Omit<TokenPage, 'history'>): boolean {
+  const given = tokenIn(page.location);
+  if (given === '' || !mayBeServed(page)) return false;
+  try {
+    return page.sessionStorage.getItem(KEPT) !== given;
+  } catch {
+    return true;
+  }
+}
+
 /**
  * Takes the token from the address that `gq edit` prints. It is removed from the address, so that no bookmark, screenshot or
  * history contains it, and kept for this tab only, so that the page can be reloaded. If the tab can't store it, it stays in the
@@ -25,8 +44,7 @@ export const mayBeServed = ({ location }: Pick<TokenPage, 'location'>): boolean 
 export function takeToken(page: TokenPage): string | null {
   if (!mayBeServed(page)) return null;
   const { pathname, search, hash } = page.location;
-  const parts = hash.replace(/^#/, '').split('&');
-  const given = parts.find((part) => part.startsWith(`${PART}=`))?.slice(PART.length + 1) ?? '';
+  const given = tokenIn(page.location);
   try {
     if (given === '') return page.sessionStorage.getItem(KEPT);
     page.sessionStorage.setItem(KEPT, given);
@@ -34,7 +52,9 @@ export function takeToken(page: TokenPage): string | null {
   } catch {
     return given === '' ? null : given;
   }
-  const rest = parts.filter((part) => !part.startsWith(`${PART}=`)).join('&');
+  const rest = partsOf(hash)
+    .filter((part) => !part.startsWith(`${PART}=`))
+    .join('&');
   page.history.replaceState(page.history.state, '', `${pathname}${search}${rest === '' ? '' : `#${rest}`}`);
   return given;
 }

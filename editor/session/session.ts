@@ -49,6 +49,8 @@ export interface Session {
   readonly panels: { readonly left: string; readonly right: string; readonly phone: string | null };
   /** A rule to focus as soon as it is shown; null: none. */
   readonly askedRule: RuleName | null;
+  /** A point of the level to bring into view as soon as the canvas is shown; null: none. */
+  readonly lookAt: { readonly x: number; readonly y: number } | null;
   /** px of screen per px of the level on the canvas */
   readonly zoom: number;
 }
@@ -71,6 +73,7 @@ export function createSession(accuracy: AccuracyName): SessionStore {
     overlay: null,
     panels: { left: 'outline', right: 'inspector', phone: 'timeline' },
     askedRule: null,
+    lookAt: null,
     zoom: 1,
   }));
 }

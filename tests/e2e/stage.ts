@@ -27,6 +27,8 @@ export interface StageOptions {
   readonly complaints?: RegExp;
   /** The query of the page's address, such as `renderer=webgl`. */
   readonly query?: string;
+  /** The fragment of the page's address besides the token, such as `level=01&tick=12`. */
+  readonly fragment?: string;
 }
 
 interface StageServer {
@@ -196,6 +198,7 @@ export function inChromium(suite: string, declare: (browsers: Browsers) => void)
             readOnly = false,
             ownProcess = readOnly,
             query = '',
+            fragment = '',
             others = {},
           } = {},
         ) =>
@@ -216,6 +219,7 @@ export function inChromium(suite: string, declare: (browsers: Browsers) => void)
           const address = () => {
             const asked = new URL(server.address);
             asked.search = query;
+            if (fragment !== '') asked.hash += `&${fragment}`;
             return asked.href;
           };
           try {

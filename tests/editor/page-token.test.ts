@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { mayBeServed, type TokenPage, takeToken } from '../../editor/files/page-token.ts';
+import { isOtherToken, mayBeServed, type TokenPage, takeToken } from '../../editor/files/page-token.ts';
 
 /** A tab on an address, which history.replaceState changes. */
 function tab(address: string, { keeps = true, kept = new Map<string, string>() } = {}) {
@@ -78,6 +78,21 @@ describe('the token of gq edit', () => {
     expect(takeToken(page)).toBeNull();
     expect(kept.size).toBe(0);
     expect(now()).toBe(address);
+  });
+
+  it('is another one if the address has one that the tab does not know', () => {
+    const { page, kept } = tab(`${ROOT}#token=abc`);
+    expect(isOtherToken(page)).toBe(true);
+    takeToken(page);
+    expect(isOtherToken(page)).toBe(false);
+    const isOther = (address: string) => isOtherToken(tab(address, { kept }).page);
+    expect(isOther(`${ROOT}#level=07&token=abc`)).toBe(false);
+    expect(isOther(`${ROOT}#level=07&token=next`)).toBe(true);
+    expect(isOther(`${ROOT}#level=07`)).toBe(false);
+    expect(isOther(`${ROOT}#token=`)).toBe(false);
+    // a page that gq edit does not serve
+    expect(isOther('https://example.org/#token=next')).toBe(false);
+    expect(isOtherToken(tab(`${ROOT}#token=abc`, { keeps: false }).page)).toBe(true);
   });
 
   it('is null in a tab without one', () => {

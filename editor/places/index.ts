@@ -1,0 +1,1 @@
+export { followPlaces, takePlace } from './follow-places.ts';
