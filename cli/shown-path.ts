@@ -1,5 +1,16 @@
-/** A path quoted for a shell. */
-export const shellPath = (file: string): string => (/^[\w./\\:-]+$/.test(file) ? file : JSON.stringify(file));
+import process from 'node:process';
+
+/**
+ * A path quoted for a shell. A name with characters that mean something between double quotes gets single quotes, so that no
+ * file name can run a command when a person pastes the line. On Windows, cmd.exe knows only double quotes, which no name has.
+ */
+export function shellPath(file: string, platform: string = process.platform): string {
+  // a name that looks like an option
+  const path = file.startsWith('-') && file !== '-' ? `./${file}` : file;
+  if (platform === 'win32') return /^[\w./\\:-]+$/.test(path) ? path : `"${path}"`;
+  if (/^[\w./:-]+$/.test(path)) return path;
+  return /["$`!\\]/.test(path) ? `'${path.replaceAll("'", "'\\''")}'` : `"${path}"`;
+}
 
 /** A path for a message, in which an empty path must be visible. */
 export const namedPath = (file: string): string => (file === '' ? '""' : file);

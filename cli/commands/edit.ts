@@ -1,7 +1,8 @@
 import process from 'node:process';
 import type { Command } from 'commander';
+import { placeFragment } from '../../schema/index.ts';
 import type { CommandResult } from '../command.ts';
-import { DEFAULT_PORT, type EditServer, openBrowser, PAGE, startServer } from '../edit/index.ts';
+import { DEFAULT_PORT, type EditServer, openBrowser, openedPlace, PAGE, startServer } from '../edit/index.ts';
 import { folderRules } from '../folder-rules.ts';
 import { wholeNumberOption } from '../options.ts';
 import { catchSignals } from '../signals.ts';
@@ -9,19 +10,22 @@ import { visible } from '../visible.ts';
 
 interface EditOptions {
   readonly port?: number;
-  readonly open?: true;
+  /** true: the browser is opened, but at no place */
+  readonly open?: true | string;
+  readonly run?: string;
 }
 
 export function declare(command: Command, _finish: (result: CommandResult) => void): void {
   command
     .description('Edit the levels of a folder in the browser. The run and its verdict follow every change at once.')
-    .argument('[dir]', 'folder of level files', 'levels')
+    .argument('[dir]', 'folder of level files (default: "levels", or the folder of the file to open)')
     .option(
       '--port <n>',
       `port on 127.0.0.1; 0 for any free port (default: the last one used for this folder, else ${DEFAULT_PORT} or the next free one)`,
       wholeNumberOption('a port', 0, 65535),
     )
-    .option('--open', 'open the browser')
+    .option('--open [file[:tick]]', 'open the browser: at a level, and at a tick of its run')
+    .option('--run <name>', 'with --open FILE: the run to show (default: the first)')
     .addHelpText(
       'after',
       `
@@ -35,13 +39,14 @@ not valid.
 Examples:
   $ gq edit
   $ gq edit levels --open
+  $ gq edit --open levels/07-slingshot.level.json:412   where the run is after 412 ticks
   $ gq edit my-levels --port 8080`,
     )
     .action(edit);
 }
 
 /** Runs until a signal ends it. */
-async function edit(folder: string, options: EditOptions): Promise<void> {
+async function edit(dir: string | undefined, options: EditOptions): Promise<void> {
   const print = (text: string): void => void process.stderr.write(visible(text));
   const onCrash = (error: unknown): void => {
     const stack = error instanceof Error ? error.stack : String(error);
@@ -49,24 +54,28 @@ async function edit(folder: string, options: EditOptions): Promise<void> {
   };
   // the server leaves the event loop free except for short moments, and finishes a file that it is writing
   catchSignals();
+  const wanted = typeof options.open === 'string' ? options.open : undefined;
+  const { folder, place } = openedPlace(dir, wanted, options.run);
   // an invalid configuration is an error at the start; later the page reports it
   folderRules();
   const server = await startServer({ folder, port: options.port ?? null, configFrom: process.cwd(), page: PAGE, onCrash });
+  const fragment = place === null ? '' : placeFragment(place);
+  const address = fragment === '' ? server.address : `${server.address}&${fragment}`;
   // unlike the reports of other commands, the address is needed before the command ends
-  process.stdout.write(announcement(folder, server, options));
+  process.stdout.write(announcement(folder, { ...server, address }, options, fragment));
   if (options.open) {
-    openBrowser(server.address, (why) =>
-      print(`the browser could not be opened (${why}): open the address above in a browser\n`),
-    );
+    openBrowser(address, (why) => print(`the browser could not be opened (${why}): open the address above in a browser\n`));
   }
   await new Promise<never>(() => {});
 }
 
-function announcement(folder: string, { address, port, portBefore }: EditServer, options: EditOptions): string {
+function announcement(folder: string, { address, port, portBefore }: EditServer, options: EditOptions, fragment: string): string {
   const notes: string[] = [];
   const usual = portBefore ?? DEFAULT_PORT;
   const isOther = options.port === undefined && port !== usual;
   if (isOther) notes.push(`Port ${usual} is taken, perhaps by another gq edit; this one uses ${port}.`);
+  if (isOther && fragment !== '')
+    notes.push(`If that one edits the same folder, its page goes to the same place with #${fragment} at the end of its address.`);
   if (portBefore !== null && portBefore !== port && options.port !== 0) {
     const old = `http://127.0.0.1:${portBefore}/`;
     notes.push(

@@ -106,6 +106,9 @@ describe('gq edit', () => {
     const second = await gqEdit([], { cwd });
     expect(second.port).not.toBe(first.port);
     expect(second.said().stdout).toMatch(new RegExp(`^Port ${first.port} is taken, .*\\nEditing`));
+    const third = await gqEdit(['--open', 'levels/a.level.json:3'], { cwd, env: { PATH: '' } });
+    expect(third.said().stdout).toContain('goes to the same place with #level=a.level.json&tick=3 at the end of its address.');
+    await third.end('SIGTERM');
     const busy = await refusal(['--port', String(first.port)]);
     expect(busy).toMatchObject({
       code: 2,
@@ -134,6 +137,10 @@ describe('gq edit', () => {
     await until(() => existsSync(opened) && readFileSync(opened, 'utf8').endsWith('\n'));
     expect(readFileSync(opened, 'utf8')).toBe(`1\n${edit.address}\n`);
     await edit.end('SIGTERM');
+    const there = await gqEdit(['--port', '0', '--open', 'levels/a.level.json:12', '--run', 'r & r'], { cwd, env });
+    expect(there.address).toMatch(/#token=[\w-]{43}&level=a\.level\.json&tick=12&run=r%20%26%20r$/);
+    await until(() => readFileSync(opened, 'utf8') === `1\n${there.address}\n`);
+    await there.end('SIGTERM');
     const lost = await gqEdit(['levels', '--port', '0', '--open'], { cwd, env: { PATH: join(cwd, 'empty') } });
     await until(() => lost.said().stderr !== '');
     expect(lost.said().stderr).toMatch(

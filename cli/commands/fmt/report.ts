@@ -33,6 +33,6 @@ export function fmtPretty(files: readonly FormattedFile[], paths: readonly strin
     .filter(([, count]) => count > 0)
     .map(([status, count]) => `${count} ${status}`);
   const wouldChange = files.some(({ status }) => status === 'would change');
-  const todo = wouldChange ? `to format what would change: gq fmt ${paths.map(shellPath).join(' ')}\n` : '';
+  const todo = wouldChange ? `to format what would change: gq fmt ${paths.map((path) => shellPath(path)).join(' ')}\n` : '';
   return `${text}${plural(files.length, 'file')}: ${counts.join(', ')}\n${todo}`;
 }
