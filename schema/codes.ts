@@ -190,6 +190,31 @@ const EXPLANATIONS = {
     why: 'Empty objects are placeholders of the original game and are skipped. The file holds nothing else.',
     fix: 'Check that it is the file with the level objects: a list of objects with "player" and "target", or one of them.',
   },
+  'not-in-original': {
+    title: 'the original game does not have what the level has',
+    why: 'The level objects of the original game have no words for it, and without it the level plays differently: runs that complete it here may fail there.',
+    fix: 'Remove it from the level and check the runs again. `gq export --drop` leaves it out of the exported file.',
+  },
+  'unknown-class': {
+    title: 'an object of a Tiled map has no class that is a kind of object',
+    why: 'The class says what the object is in the level. An object that was left out without a word would be missing in the level.',
+    fix: 'Set its Class in Tiled to astronaut, blackHole, asteroid, nova, repulsor, alien, mineral, wind or wormhole, or name its layer after the kind.',
+  },
+  'wrong-shape': {
+    title: 'an object of a Tiled map is not drawn as a circle or a point',
+    why: 'Everything in a level is a circle, but for the astronaut, who has a place. An ellipse, a polygon or a tile would become another shape than the one that was drawn.',
+    fix: 'Draw circles with Insert Ellipse while Shift is held, the astronaut and minerals with Insert Point, and leave the rotation at 0.',
+  },
+  'unpaired-mouth': {
+    title: 'a mouth of a wormhole in a Tiled map leads nowhere',
+    why: 'A wormhole has two mouths. In a map they are two circles, and a property of one of them names the other.',
+    fix: 'Give one of the two a property `to` of type object, and choose the other one.',
+  },
+  'unsupported-map': {
+    title: 'the Tiled map is of a kind that cannot be read',
+    why: 'Places in an isometric or hexagonal map are not the places that are seen, and a text that is not valid XML has no places at all.',
+    fix: 'Save an orthogonal map with Tiled, as .tmj or .tmx.',
+  },
   'more-problems': {
     title: 'there are more problems than are shown',
     why: 'After 20 problems the rest are only counted, because many of them tend to have the same cause.',

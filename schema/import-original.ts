@@ -3,9 +3,10 @@ import { withIds } from './ids.ts';
 import { fieldsOf, isRequired, KINDS, OBJECT_KINDS, type ObjectKind } from './kinds.ts';
 import { LEVEL_VERSION, type LevelFile } from './level.ts';
 import { LIMITS } from './limits.ts';
+import { readModule } from './module-text.ts';
 import { toWords } from './names.ts';
 import { type Finding, MAX_FINDINGS, type Path, type Problem } from './problem.ts';
-import { readJson, toProblems } from './read-json.ts';
+import { type JsonReading, MAX_FILE_SIZE, readJson, toProblems } from './read-json.ts';
 
 /** A level of the original game, as a level file. */
 export interface ImportedLevel {
@@ -212,15 +213,30 @@ function readLevelObject(reader: OriginalReader, level: Json, path: Path, name: 
   };
 }
 
+/** The command that writes what a module exports as JSON. */
+const AS_JSON = `node -p "JSON.stringify(require('./FILE.js'))" > levels.json`;
+
+/** Reads JSON, or a module that exports JSON. */
+function readSource(source: Uint8Array | string): JsonReading {
+  const module = source.length > MAX_FILE_SIZE ? null : readModule(source);
+  if (module === null) return readJson(source, 'skip');
+  const json = readJson(module.value, 'skip');
+  if (json.ok) return { ...json, text: module.text };
+  const [first, ...rest] = json.problems;
+  const hint = `Only a module that exports plain JSON can be read. Write its value as JSON: ${AS_JSON}.`;
+  return { ok: false, problems: [{ ...first, hint }, ...rest], text: module.text };
+}
+
 /**
- * Reads levels of the original game: a JSON list of its level objects, or a single one. Throws nothing for any content.
+ * Reads levels of the original game: a JSON list of its level objects, or a single one; also a CommonJS module that exports
+ * them as JSON. Throws nothing for any content.
  *
  * @param source - the bytes of the file, or its text
  * @param options - `recoil`: whether the levels have recoil, as in the original
  * @returns the levels and notes on what was ignored, or every problem found
  */
 export function importOriginal(source: Uint8Array | string, options: { readonly recoil: boolean }): ImportReading {
-  const json = readJson(source, 'skip');
+  const json = readSource(source);
   if (!json.ok) return json;
   const { text, value, locator } = json;
   const reader = new OriginalReader();

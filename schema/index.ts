@@ -2,6 +2,13 @@ export { closestName } from './closest-name.ts';
 export { codeFrame } from './code-frame.ts';
 export { CODES, type CodeExplanation } from './codes.ts';
 export * from './edit-api.ts';
+export {
+  exportOriginal,
+  formatOriginal,
+  type OriginalExport,
+  type OriginalLevel,
+  type TitledOriginal,
+} from './export-original.ts';
 export { formatLevel } from './format.ts';
 export { withIds } from './ids.ts';
 export { type ImportedLevel, type ImportReading, importOriginal } from './import-original.ts';
@@ -33,4 +40,16 @@ export {
 } from './rules.ts';
 export { isSame } from './same-json.ts';
 export type { TextPlace } from './text-place.ts';
+export {
+  exportTiled,
+  formatTiled,
+  formatTmx,
+  type ImportTiledOptions,
+  importTiled,
+  isTiledMap,
+  type TiledLayer,
+  type TiledMap,
+  type TiledObject,
+  type TiledProperty,
+} from './tiled/index.ts';
 export { type TuneReport, tuneReportSchema } from './tune-report.ts';
