@@ -4,4 +4,6 @@
  *
  * @module
  */
+
+export * from './diff/index.ts';
 export * from './merge/index.ts';
