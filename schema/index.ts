@@ -17,6 +17,17 @@ export type { Appearance, Field, FlagField, Kind, NumberField, Pair } from './ki
 export * from './kinds.ts';
 export * from './level.ts';
 export { LIMITS } from './limits.ts';
+export {
+  formatLock,
+  formatLockJsonSchema,
+  LOCK_NAME,
+  LOCK_VERSION,
+  type Lock,
+  type LockEntry,
+  lockEntrySchema,
+  lockJsonSchema,
+  lockSchema,
+} from './lock.ts';
 export type { JsonObject, Migration } from './migrate.ts';
 export { entryName, objectName, touchedName } from './names.ts';
 export * from './other-reports.ts';
@@ -25,6 +36,7 @@ export type { Problem } from './problem.ts';
 export { type FolderRulesReading, readFolderRules } from './read-folder-rules.ts';
 export { MAX_FILE_SIZE } from './read-json.ts';
 export { type LevelDocument, type LevelReading, type ReadLevelOptions, readLevel } from './read-level.ts';
+export { type LockReading, readLock } from './read-lock.ts';
 export * from './report.ts';
 export { resolveLevel } from './resolve.ts';
 export {

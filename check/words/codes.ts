@@ -90,6 +90,21 @@ const MEANINGS = {
       'runs were not played to the end is unproven. If a run has completed the level, the verdict stays, and this is only a warning that ' +
       'says what was left out.',
   },
+  'result-changed': {
+    severity: 'error',
+    title: 'the result of a level is not the one that was agreed on',
+    why: () =>
+      'A lock file records what was agreed on for each level: verdict, end of the run, minerals, certified ticks and the hash of the ' +
+      'motion. A difference means that the level, the rules or the toolkit has changed since, and that the level plays differently now. ' +
+      'The message says what it is now and what it was before. Where rules differ, it names them: then the level may be untouched.',
+  },
+  'not-in-lock': {
+    severity: 'error',
+    title: 'nothing was agreed on for a level',
+    why: () =>
+      'The check compares levels with a lock file, and the lock has no entry for this level. A later change of its result would not be ' +
+      'noticed. The level is new or has another name, or the lock was not updated with it.',
+  },
   'unreadable-file': {
     severity: 'error',
     title: 'a file or directory cannot be read',

@@ -12,8 +12,9 @@ import {
   verdictOfFindings,
   withinWork,
 } from '../../check/index.ts';
+import { ticksToAgree } from '../../check/lock/index.ts';
 import { compile, DEFAULT_MAX_WORK, type Run, type Scene, simulate, TICK_RATE, WorkBudget } from '../../engine/index.ts';
-import { type Hold, readLevel, type ScriptedRun } from '../../schema/index.ts';
+import { codeFrame, type Hold, readLevel, type ScriptedRun } from '../../schema/index.ts';
 import type { Proof } from '../../solver/index.ts';
 import { showProblems } from '../code-frames.ts';
 import { Failure } from '../failure.ts';
@@ -52,7 +53,7 @@ function replay(file: string, { level, document }: OpenedLevel, settings: CheckS
   const { impossible, searched, found } = completing >= 0 ? NOT_NEEDED : withoutRun(scene, settings, proofs);
 
   const shown = found ?? chosen(level.runs, scripted, Math.max(completing, 0));
-  const { run, report } = inWords(level, shown, settings, budget);
+  const { run: brief, report } = inWords(level, shown, settings, budget);
   const runs = examineRuns(level, scripted, { accuracy, maxTime, maxWork, budget, found: found?.run });
   const isSlackAskedFor = requireSlack !== null || search !== null;
   const asked = settings.proveMinerals ? mineralsToProve(level, runs.collected) : [];
@@ -63,6 +64,7 @@ function replay(file: string, { level, document }: OpenedLevel, settings: CheckS
     tight: isSlackAskedFor ? tightRuns(scene, completingRuns(level, scripted, found?.holds ?? null), requireSlack) : [],
     lost: proveMineralsLost(level, accuracy, asked, ticksOf(settings), proofs),
   });
+  const run = settings.forLock && brief !== null ? { ...brief, ...lockedRun(scene, shown!, document, settings, budget) } : brief;
   const problems = problemsOf(findings, commandHints(file)).map((problem) => placed(problem, document));
   return {
     file,
@@ -72,6 +74,7 @@ function replay(file: string, { level, document }: OpenedLevel, settings: CheckS
     found: found?.holds ?? null,
     report,
     mineralCount: level.minerals.length,
+    ...(settings.forLock && { rules: level.rules ?? {} }),
     problems: problems.length > 0 ? showProblems(problems, document.text) : [],
     unreadable: false,
     ms: 0,
@@ -128,4 +131,27 @@ function inWords(
 function inBrief({ name, run }: PlayedRun): RunInBrief {
   const { outcome, time, tick, minerals, clearance } = run;
   return { name, outcome, time, tick, minerals: [...minerals], clearance };
+}
+
+/** What a lock compares of the shown run, and where the run stands in the file. */
+function lockedRun(
+  scene: Scene,
+  { name, holds, run }: PlayedRun,
+  document: OpenedLevel['document'],
+  settings: CheckSettings,
+  budget: WorkBudget,
+): Pick<RunInBrief, 'hash' | 'certifiedTicks' | 'place'> {
+  const { maxWork = DEFAULT_MAX_WORK } = settings;
+  const isCompleted = run.outcome === 'completed';
+  const pointer = `/runs/${scene.level.runs.findIndex((one) => one.name === name)}`;
+  return {
+    hash: withinWork(budget, () => run.hash),
+    certifiedTicks: isCompleted ? ticksToAgree(scene, holds, ticksOf(settings), maxWork / 2) : null,
+    place: name === null ? null : placeOf(pointer, document),
+  };
+}
+
+function placeOf(pointer: string, { text, locate }: OpenedLevel['document']): NonNullable<RunInBrief['place']> {
+  const { line, column } = locate(pointer);
+  return { pointer, line, column, frame: codeFrame(text, line, column) };
 }

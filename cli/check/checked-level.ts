@@ -7,6 +7,12 @@ import type { ShownProblem } from '../shown-problem.ts';
 export interface RunInBrief extends Pick<RunReport, 'outcome' | 'time' | 'tick' | 'minerals' | 'clearance'> {
   /** Its name in the file; null if a search found it. */
   readonly name: string | null;
+  /** Covers its motion bit for bit. Only with `forLock`; null if it would cost too much work. */
+  readonly hash?: string | null;
+  /** Its certified ticks, as a lock counts them. Only with `forLock`; null if it does not complete the level or costs too much work. */
+  readonly certifiedTicks?: number | null;
+  /** Where it stands in the file. Only with `forLock`; null if a search found it. */
+  readonly place?: Pick<ShownProblem, 'pointer' | 'line' | 'column' | 'frame'> | null;
 }
 
 /** The results of `check` for one level file. */
@@ -23,6 +29,8 @@ export interface CheckedLevel {
   readonly report: RunReport | null;
   /** The number of minerals in the level. */
   readonly mineralCount: number;
+  /** The rules that have another value than in the original game. Only with `forLock`, and of a valid level. */
+  readonly rules?: OwnRules;
   readonly problems: readonly ShownProblem[];
   /** Whether the file itself could not be read. */
   readonly unreadable: boolean;
@@ -37,6 +45,8 @@ export interface CheckSettings {
   readonly maxTime: number;
   /** Whether runs are reported in full; the hash covers every sample and takes an eighth of the time of a check. */
   readonly inFull: boolean;
+  /** Whether to find out what a lock compares: hash and certified ticks. Off by default, as it takes longer than the rest. */
+  readonly forLock?: boolean;
   /** Whether to try to prove that minerals which no run collects can't be collected: takes up to 0.1 s for each level. */
   readonly proveMinerals: boolean;
   /** How to search if no run of the level completes it; null: not at all. */

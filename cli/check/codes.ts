@@ -51,6 +51,14 @@ const ADVICE: Readonly<Record<CheckCode, Advice>> = {
       'The message says what was exceeded and where. Delete what the level does not need, or runs that show nothing. If you know the ' +
       'level, you can allow more with `gq check --max-work N`. With the default, the check of any file ends within seconds.',
   },
+  'result-changed': {
+    fix:
+      'If the change is wanted, agree anew with `gq check --update-lock` and have the change of the lock reviewed with that of the level. ' +
+      'If not, `git diff` of the level and of gq.config.json shows where it comes from.',
+  },
+  'not-in-lock': {
+    fix: 'Agree on its result with `gq check --update-lock`, and commit the lock with the level.',
+  },
   'unreadable-file': {
     fix: 'Make the file readable, or leave it out of the paths that are checked.',
   },

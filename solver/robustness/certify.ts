@@ -1,4 +1,4 @@
-import { joinHolds, type Scene } from '../../engine/index.ts';
+import { joinHolds, type Scene, type WorkBudget } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import type { Goal } from '../goal.ts';
 import { finish, type Steps } from '../steps.ts';
@@ -29,6 +29,8 @@ export interface CertifyOptions {
   readonly maxRuns?: number;
   /** The largest shift to certify, ticks; 60 by default. */
   readonly limit?: number;
+  /** Limits the work of all runs together; `certify` throws `WorkLimitReached` when it is used up. No limit by default. */
+  readonly budget?: WorkBudget;
 }
 
 /** The result of trying every combination of shifts. */
@@ -68,7 +70,12 @@ export interface Certification {
  * ```
  */
 export function certify(scene: Scene, holds: readonly Hold[], goal: Goal, options: CertifyOptions = {}): Certification {
-  return certifyWith(createTrials(scene, goal, options.maxTicks), joinHolds(holds), options.maxRuns, options.limit);
+  return certifyWith(
+    createTrials(scene, goal, options.maxTicks, options.budget),
+    joinHolds(holds),
+    options.maxRuns,
+    options.limit,
+  );
 }
 
 /**

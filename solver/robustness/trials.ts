@@ -1,4 +1,4 @@
-import { createSimulation, type Scene, type Simulation } from '../../engine/index.ts';
+import { createSimulation, type Scene, type Simulation, type WorkBudget } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import { type Goal, mineralsNeeded } from '../goal.ts';
 import { DEFAULT_MAX_TICKS, verifyRun } from '../verified-run.ts';
@@ -16,9 +16,12 @@ export interface Trials {
   ticks: number;
 }
 
-/** Creates trials at the start of the scene. */
-export function createTrials(scene: Scene, goal: Goal, maxTicks = DEFAULT_MAX_TICKS): Trials {
-  return { scene, goal, maxTicks, simulation: createSimulation(scene), runs: 0, ticks: 0 };
+/**
+ * Creates trials at the start of the scene.
+ * @param budget limits the work of all runs together; no limit by default
+ */
+export function createTrials(scene: Scene, goal: Goal, maxTicks = DEFAULT_MAX_TICKS, budget?: WorkBudget): Trials {
+  return { scene, goal, maxTicks, simulation: createSimulation(scene, budget), runs: 0, ticks: 0 };
 }
 
 /** Advances the simulation to `tick`, or to the end of the run if that comes first. */

@@ -1,5 +1,6 @@
 import { availableParallelism } from 'node:os';
 import type { Command } from 'commander';
+import { plural } from '../../../check/words/index.ts';
 import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../../accuracy-options.ts';
 import type { CheckedLevel, CheckSettings } from '../../check/index.ts';
 import { checkFiles, exitCodeOf, unreadableLevel } from '../../check/index.ts';
@@ -26,6 +27,9 @@ interface CheckOptions extends AccuracyOptions, SearchOptions {
   readonly format?: string;
   readonly reporter?: readonly string[];
   readonly jobs: number;
+  readonly lock?: string;
+  readonly updateLock?: true;
+  readonly bail?: number;
 }
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
@@ -43,6 +47,9 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     .addOption(reportFormatOption())
     .addOption(reporterOption())
     .addOption(jobsOption(availableParallelism()))
+    .option('--lock <file>', 'compare the results with those agreed on in this file; a difference is the error result-changed')
+    .option('--update-lock', 'agree anew: write the results into the lock file (default: gq.lock.json)')
+    .option('--bail <n>', 'check no more levels after N have failed', wholeNumberOption('a number of levels', 1, 1e6))
     .addHelpText(
       'after',
       `
@@ -53,6 +60,11 @@ unproven. Work is counted, so it is the same on every machine; with the default,
 --budget, --effort and --seed are for --solve. Proofs that nobody can collect a mineral are attempted with --solve, or when at
 most ${FEW_FILES} files are checked.
 
+--lock and --update-lock measure certified ticks and the hash of each run, which takes about four times as long as the check
+alone. A level without an entry in the lock fails; an entry whose level is gone is only said. --update-lock keeps the entries of
+levels that are not checked, and writes nothing when the check ends early.
+--bail counts in the order of the files: the report ends with the Nth level that fails, for any number of threads.
+
 Exit code: 2 when a path matches nothing (then nothing is checked), or when a file could not be read or gq failed on it (the
 other levels are still reported); otherwise 1 when a level is not completable, or a run forgives less than --require-slack;
 otherwise 0.
@@ -62,6 +74,8 @@ Examples:
   $ gq check levels extra/a.level.json   a directory and a file
   $ gq check --solve --budget 30 drafts  search for runs, at most half a minute for each level
   $ gq check --require-slack 2           for CI: every run forgives errors of 33 ms
+  $ gq check --lock gq.lock.json         compare with what was agreed on; --update-lock agrees anew
+  $ gq check --bail 1                    stop at the first level that fails
   $ gq check --format json | jq .summary
   $ gq check --format github             annotations for a pull request
   $ gq check --reporter github --reporter json=out/levels.json   a report on stdout, and one in a file`,
@@ -76,9 +90,23 @@ async function check(paths: readonly string[], options: CheckOptions): Promise<C
   expectReportFiles(asked, files);
   // imported only if needed: it loads the schema, which usually only the workers load
   const rules = findConfig() === null ? {} : (await import('../../folder-rules.ts')).folderRules();
+  const accuracy = chooseAccuracy(options);
+  const lockFile = options.lock ?? (options.updateLock ? 'gq.lock.json' : null);
+  const lock =
+    lockFile === null
+      ? null
+      : (await import('../../lock/index.ts')).openComparison({
+          file: lockFile,
+          update: options.updateLock === true,
+          accuracy: accuracy.name,
+          paths,
+          levels: files,
+        });
+  const compare = (levels: readonly CheckedLevel[]): readonly CheckedLevel[] => lock?.compare(levels) ?? levels;
   const settings: CheckSettings = {
     rules,
-    accuracy: chooseAccuracy(options),
+    accuracy,
+    forLock: lock !== null,
     maxTime: options.maxTime,
     maxWork: options.maxWork,
     inFull: asked.some(({ name }) => name === 'json'),
@@ -87,13 +115,23 @@ async function check(paths: readonly string[], options: CheckOptions): Promise<C
     requireSlack: options.requireSlack ?? null,
   };
   const progress = createProgress('checked', files.length);
-  const reports: CheckedLevel[] = await checkFiles(files, settings, options.jobs, progress.update);
+  const bail =
+    options.bail === undefined ? null : { most: options.bail, fails: (level: CheckedLevel) => exitCodeOf(compare([level])) > 0 };
+  const reports: CheckedLevel[] = await checkFiles(files, settings, options.jobs, progress.update, bail);
   progress.clear();
+  const unchecked = files.slice(reports.length);
+  const messages = await lock?.end(reports, unchecked.length === 0 && unreadable.length === 0);
   for (const { path, reason } of unreadable)
     reports.push(unreadableLevel(path, `${path}: the directory can't be read: ${reason}`));
-  const results = { levels: reports, unchecked: [], interrupted: false };
-  return reportCheck(results, asked, { exitCode: exitCodeOf(reports), accuracy: settings.accuracy.name });
+  const levels = compare(reports);
+  const results = { levels, unchecked, interrupted: false };
+  const report = await reportCheck(results, asked, { exitCode: exitCodeOf(levels), accuracy: accuracy.name });
+  return { ...report, messages: `${report.messages ?? ''}${bailedInWords(unchecked)}${messages ?? ''}` };
 }
+
+/** What was left out after the last failing level, for people. */
+const bailedInWords = (unchecked: readonly string[]): string =>
+  unchecked.length === 0 ? '' : `--bail: ${plural(unchecked.length, 'level')} not checked\n`;
 
 function searchOf(options: CheckOptions): CheckSettings['search'] {
   const { solve, budget, effort, seed } = options;

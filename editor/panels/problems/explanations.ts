@@ -5,7 +5,14 @@ import { CODES, type CodeExplanation } from '../../../schema/index.ts';
 /** The codes that the page can report: it does not search for runs unless asked, and shows slack elsewhere. */
 type PageCode = Exclude<
   CheckCode,
-  'found-run' | 'no-run-found' | 'low-slack' | 'slack-below-required' | 'unreadable-file' | 'crashed'
+  | 'found-run'
+  | 'no-run-found'
+  | 'low-slack'
+  | 'slack-below-required'
+  | 'result-changed'
+  | 'not-in-lock'
+  | 'unreadable-file'
+  | 'crashed'
 >;
 
 /** What to do on the page about the problems that only a check of the level finds. */

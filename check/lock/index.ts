@@ -1,0 +1,2 @@
+export { ticksToAgree } from './certified-ticks.ts';
+export { entryChange, isAgreed, resultChange } from './compare.ts';

@@ -1,0 +1,1 @@
+export { type Compared, type LockComparison, openComparison } from './comparison.ts';
