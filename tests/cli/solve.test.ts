@@ -79,8 +79,9 @@ describe('a run that is found', () => {
 
   it('comes with others if several are wanted; the best is first and at the top', async () => {
     const found = report(await solve('first-swing.level.json --objective time --effort 1000000 --count 3 --format json'));
-    const { solutions = [], ...best } = found;
+    const { version, solutions = [], ...best } = found;
     expect(solutions.length).toBeGreaterThan(1);
+    expect(version).toBe(1);
     expect(solutions[0]).toEqual(best);
     expect(new Set(solutions.map(({ holds }) => JSON.stringify(holds))).size).toBe(solutions.length);
   });
