@@ -1,6 +1,7 @@
 export { closestName } from './closest-name.ts';
 export { codeFrame } from './code-frame.ts';
 export { CODES, type CodeExplanation } from './codes.ts';
+export { type DiffReport, diffReportSchema } from './diff-report.ts';
 export * from './edit-api.ts';
 export {
   exportOriginal,

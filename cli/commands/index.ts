@@ -42,6 +42,7 @@ export const COMMANDS: readonly CommandEntry[] = [
     load: () => import('./inspect/index.ts'),
   },
   { name: 'render', summary: 'draw a level and its run as SVG or PNG', load: () => import('./render.ts') },
+  { name: 'diff', summary: 'show what changed in levels, and what that does to them', load: () => import('./diff/index.ts') },
   { name: 'import', summary: "turn the original game's levels into level files", load: () => import('./import/index.ts') },
   { name: 'fmt', summary: 'format level files', load: () => import('./fmt/index.ts') },
   { name: 'schema', summary: 'print the JSON Schema of a level file', load: () => import('./schema.ts') },

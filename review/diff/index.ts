@@ -13,4 +13,19 @@ export type {
   ValueChange,
 } from './change.ts';
 export { diffLevels } from './diff-levels.ts';
-export { changesInWords, compareHolds, type HoldsChange, type MovedEdge } from './words/index.ts';
+export {
+  type AssessOptions,
+  assessLevel,
+  playAlike,
+  renamedStanding,
+  type Standing,
+  type StandingRun,
+} from './standing.ts';
+export {
+  changesInWords,
+  compareHolds,
+  effectsInWords,
+  type HoldsChange,
+  type MovedEdge,
+  standingInWords,
+} from './words/index.ts';

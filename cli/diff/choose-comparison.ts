@@ -1,0 +1,104 @@
+import { existsSync } from 'node:fs';
+import { Failure } from '../failure.ts';
+import { namedPath } from '../shown-path.ts';
+import { siblingHint } from '../sibling-hint.ts';
+import { compareInGit, mergeBase, type Revisions } from './compare-git.ts';
+import { comparePaths } from './compare-paths.ts';
+import type { Comparison } from './comparison.ts';
+import { gitOrNull, repositoryRoot, shallowHint, treeOf } from './git.ts';
+
+/** What stands on the command line. */
+export interface DiffArguments {
+  /** What stands before `--`, or all if there is none. */
+  readonly words: readonly string[];
+  /** What stands after `--`; null if there is none. */
+  readonly paths: readonly string[] | null;
+  /** Whether to compare what is in the index. */
+  readonly staged: boolean;
+}
+
+const RANGE = /^(.*?)(\.{2,3})(.*)$/;
+
+/**
+ * Finds what to compare. Revisions stand before paths, as for `git diff`. Two files or two folders, without `--` and without
+ * a revision, are compared with each other.
+ * @throws Failure if an argument is neither a revision nor a path, or if it may be both
+ */
+export async function chooseComparison({ words, paths, staged }: DiffArguments): Promise<Comparison> {
+  if (paths === null && !staged && words.length === 2 && words.every((word) => existsSync(word)) && !words.some(isBoth)) {
+    return comparePaths(words[0], words[1]);
+  }
+  const isGit = repositoryRoot() !== null;
+  if (!isGit && words.length > 0) expectPaths(words);
+  const { revisions, rest } = splitWords(words, paths);
+  return compareInGit(sidesOf(revisions, staged), [...rest, ...(paths ?? [])]);
+}
+
+/** Whether a word names both a file and a revision. */
+const isBoth = (word: string): boolean => existsSync(word) && treeOfWord(word);
+
+/** @throws Failure with the path that does not exist */
+function expectPaths(words: readonly string[]): void {
+  const missing = words.find((word) => !existsSync(word));
+  if (missing === undefined) return;
+  throw new Failure(
+    `${namedPath(missing)}: no such file or directory${siblingHint(missing)}; this is not a git repository: expected two files or two folders`,
+  );
+}
+
+/** Divides what stands before `--` into revisions and paths. */
+function splitWords(
+  words: readonly string[],
+  paths: readonly string[] | null,
+): { readonly revisions: readonly string[]; readonly rest: readonly string[] } {
+  if (paths !== null) return { revisions: words, rest: [] };
+  const revisions: string[] = [];
+  for (const [i, word] of words.entries()) {
+    const isRevision = treeOfWord(word);
+    if (isRevision && existsSync(word)) {
+      throw new Failure(
+        `${word}: it is both a revision and a file: write gq diff ${word} -- for the revision, gq diff -- ${word} for the file`,
+      );
+    }
+    if (isRevision) {
+      revisions.push(word);
+      continue;
+    }
+    const rest = words.slice(i);
+    const unknown = rest.find((path) => !existsSync(path) && !/[*?]/.test(path));
+    if (unknown === undefined) return { revisions, rest };
+    throw new Failure(
+      `${namedPath(unknown)}: expected a revision or a file, found neither${siblingHint(unknown)}; for a file that is gone, write -- before it${shallowHint()}`,
+    );
+  }
+  return { revisions, rest: [] };
+}
+
+/** Whether a word is a revision or a range of revisions. */
+function treeOfWord(word: string): boolean {
+  if (gitOrNull(['rev-parse', '--git-dir']) === null) return false;
+  if (treeOf(word) !== null) return true;
+  const [, from, , to] = RANGE.exec(word) ?? [];
+  return from !== undefined && from + to !== '' && [from, to].every((end) => end === '' || treeOf(end) !== null);
+}
+
+function sidesOf(revisions: readonly string[], staged: boolean): Revisions {
+  const range = revisions.map((word) => (treeOf(word) === null ? RANGE.exec(word) : null));
+  const tooMany = (): Failure =>
+    new Failure(`expected at most two revisions, found ${revisions.length}: ${revisions.join(' ')}; paths stand after --`);
+  const here = staged ? 'index' : 'worktree';
+  if (revisions.length > 2) throw tooMany();
+  if (revisions.length === 1 && range[0] !== null) {
+    const [, from, dots, to] = range[0];
+    if (staged)
+      throw new Failure(`--staged and ${revisions[0]} cannot be combined: --staged compares one revision with the index`);
+    const [before, after] = [from || 'HEAD', to || 'HEAD'];
+    return { before: dots === '...' ? mergeBase(before, after) : before, after };
+  }
+  if (range.some((match) => match !== null)) throw tooMany();
+  if (revisions.length === 2) {
+    if (staged) throw new Failure('--staged and two revisions cannot be combined: --staged compares one revision with the index');
+    return { before: revisions[0], after: revisions[1] };
+  }
+  return { before: revisions[0] ?? null, after: here };
+}

@@ -1,0 +1,34 @@
+import type { OwnRules } from '../../schema/index.ts';
+
+/** One version of a level file. */
+export interface FileVersion {
+  /** Its path for people and reports, relative to the working directory. */
+  readonly path: string;
+  readonly bytes: Uint8Array;
+}
+
+/** Two versions of a level file; null where there is none. */
+export interface Pair {
+  readonly before: FileVersion | null;
+  readonly after: FileVersion | null;
+}
+
+/** One side of a comparison. */
+export interface Side {
+  /** What it is: `HEAD`, `the working tree`, a path. */
+  readonly label: string;
+  /** The rules of its configuration. */
+  readonly rules: OwnRules;
+}
+
+/** What is to be compared. */
+export interface Comparison {
+  readonly before: Side;
+  readonly after: Side;
+  /** Files that differ, sorted by path. */
+  readonly pairs: readonly Pair[];
+  /** Files that are equal on both sides. They are read only where the rules differ, since every level may then play differently. */
+  readonly equal: readonly FileVersion[];
+  /** Messages for people. */
+  readonly messages: readonly string[];
+}

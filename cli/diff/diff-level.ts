@@ -1,0 +1,84 @@
+import { basename } from 'node:path';
+import {
+  assessLevel,
+  type Change,
+  changesInWords,
+  diffLevels,
+  effectsInWords,
+  playAlike,
+  renamedStanding,
+  standingInWords,
+} from '../../review/index.ts';
+import { type LevelReading, type OwnRules, readLevel } from '../../schema/index.ts';
+import { showProblems } from '../code-frames.ts';
+import type { FileVersion } from './comparison.ts';
+import type { DiffedLevel, DiffSettings, DiffStatus, DiffTask, JudgedVersion } from './diffed-level.ts';
+
+type ValidReading = Extract<LevelReading, { readonly ok: true }>;
+
+interface Version {
+  readonly file: FileVersion;
+  readonly read: LevelReading;
+}
+
+/** Compares two versions of a level file and judges both. */
+export function diffLevel({ pair, rules, settings }: DiffTask): DiffedLevel {
+  const open = (file: FileVersion | null, own: OwnRules): Version | null =>
+    file === null ? null : { file, read: readLevel(file.bytes, { byteOrderMark: 'skip', rules: own }) };
+  const [before, after] = [open(pair.before, rules.before), open(pair.after, rules.after)];
+  const [old, now] = [validOf(before), validOf(after)];
+  const changes = old === null || now === null ? null : diffLevels(old.document.file, now.document.file);
+  const judged = judgeBoth(before, after, settings);
+  const status = statusOf(pair.before, pair.after, changes);
+  return {
+    status,
+    ...judged,
+    changes,
+    words: changes === null || now === null ? [] : changesInWords(changes, now.document.file),
+    effects: effectsOf(judged.before, judged.after, (now ?? old)?.level.range ?? 0),
+  };
+}
+
+const validOf = (version: Version | null): ValidReading | null => (version?.read.ok === true ? version.read : null);
+
+function statusOf(before: FileVersion | null, after: FileVersion | null, changes: readonly Change[] | null): DiffStatus {
+  if (before === null) return 'added';
+  if (after === null) return 'removed';
+  if (Buffer.compare(before.bytes, after.bytes) === 0) return before.path === after.path ? 'rules' : 'renamed';
+  return changes !== null && changes.length === 0 ? 'layout' : 'changed';
+}
+
+/** Judges both versions; only once if they play alike. */
+function judgeBoth(
+  before: Version | null,
+  after: Version | null,
+  settings: DiffSettings,
+): { readonly before: JudgedVersion | null; readonly after: JudgedVersion | null } {
+  const [old, now] = [validOf(before), validOf(after)];
+  const first = before === null ? null : judge(before, settings);
+  if (after === null) return { before: first, after: null };
+  if (first === null || first.standing === null || old === null || now === null || !playAlike(old.level, now.level)) {
+    return { before: first, after: judge(after, settings) };
+  }
+  const standing = renamedStanding(first.standing, old.level, now.level);
+  return { before: first, after: { ...first, file: after.file.path, name: now.level.name, standing } };
+}
+
+function judge({ file: { path: file }, read }: Version, settings: DiffSettings): JudgedVersion {
+  if (!read.ok) {
+    const name = basename(file).replace(/(\.level)?\.json$/, '');
+    return { file, name, verdict: 'invalid', problems: showProblems(read.problems, read.text), standing: null };
+  }
+  const standing = assessLevel(read.level, settings);
+  return { file, name: read.level.name, verdict: standing.verdict, problems: [], standing };
+}
+
+function effectsOf(before: JudgedVersion | null, after: JudgedVersion | null, range: number): string[] {
+  if (before === null || after === null) {
+    const standing = (before ?? after)?.standing ?? null;
+    return [standing === null ? 'not a valid level' : standingInWords(standing, range)];
+  }
+  if (before.standing !== null && after.standing !== null) return effectsInWords(before.standing, after.standing, range);
+  if (before.verdict === after.verdict) return ['not a valid level, before and after'];
+  return [`${before.verdict} -> ${after.standing === null ? after.verdict : standingInWords(after.standing, range)}`];
+}

@@ -1,0 +1,50 @@
+import type { Accuracy } from '../../engine/index.ts';
+import type { Change, Standing } from '../../review/index.ts';
+import type { OwnRules, Verdict } from '../../schema/index.ts';
+import type { ShownProblem } from '../shown-problem.ts';
+import type { Pair } from './comparison.ts';
+
+/** One version of a level, judged. */
+export interface JudgedVersion {
+  /** The path of its file. */
+  readonly file: string;
+  /** The name of the level; of its file if it is not valid. */
+  readonly name: string;
+  readonly verdict: Verdict;
+  /** Why it is not a valid level; empty for one that is. */
+  readonly problems: readonly ShownProblem[];
+  /** null if it is not a valid level. */
+  readonly standing: Standing | null;
+}
+
+/** What became of a level file. `layout`: its content is the same; `rules`: the file is, and the rules of its folder are not. */
+export type DiffStatus = 'added' | 'removed' | 'changed' | 'renamed' | 'layout' | 'rules';
+
+/** What changed in one level file. This is plain data that a worker can send. */
+export interface DiffedLevel {
+  readonly status: DiffStatus;
+  readonly before: JudgedVersion | null;
+  readonly after: JudgedVersion | null;
+  /** What turns the first version into the second; null unless both are valid levels. */
+  readonly changes: readonly Change[] | null;
+  /** The changes, in words. */
+  readonly words: readonly string[];
+  /** What follows from them, in words. */
+  readonly effects: readonly string[];
+}
+
+/** How levels are judged. */
+export interface DiffSettings {
+  readonly accuracy: Accuracy;
+  /** s of simulated time after which a run is a timeout. */
+  readonly maxTime: number;
+  /** Whether to measure slack. */
+  readonly slack: boolean;
+}
+
+/** A message to a worker. */
+export interface DiffTask {
+  readonly pair: Pair;
+  readonly rules: { readonly before: OwnRules; readonly after: OwnRules };
+  readonly settings: DiffSettings;
+}

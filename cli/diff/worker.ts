@@ -1,0 +1,7 @@
+import { diffLevel } from './diff-level.ts';
+import type { DiffedLevel, DiffTask } from './diffed-level.ts';
+
+/** Runs in a worker thread: compares the two versions of one level file. */
+export default function diff(task: DiffTask): DiffedLevel {
+  return diffLevel(task);
+}

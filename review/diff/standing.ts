@@ -1,0 +1,121 @@
+import { playRuns, proveGoalImpossible, verdictOfFindings, withinWork } from '../../check/index.ts';
+import {
+  type Accuracy,
+  compile,
+  DEFAULT_MAX_WORK,
+  type Run,
+  type Scene,
+  simulate,
+  TICK_RATE,
+  WorkBudget,
+} from '../../engine/index.ts';
+import { type Hold, isSame, type Level, LISTED_KINDS, listOf, type Verdict } from '../../schema/index.ts';
+import { findSlackInSteps } from '../../solver/index.ts';
+
+/** The run by which a level is judged: the first that completes it, else its first. */
+export interface StandingRun extends Pick<Run, 'outcome' | 'with' | 'time' | 'tick'> {
+  readonly name: string;
+  readonly holds: readonly Hold[];
+  /** How many different minerals it collects. */
+  readonly minerals: number;
+  /** The least distance to a hazard, px; null if there is none, or it was not computed. */
+  readonly clearance: number | null;
+  /**
+   * How far each press and release can move alone, ticks; null for a run that fails, and if it was not measured. `smallestWindow`
+   * is the smallest sum of both directions, null without any press.
+   */
+  readonly slack: {
+    readonly edges: readonly (readonly [earlier: number, later: number])[];
+    readonly smallestWindow: number | null;
+  } | null;
+}
+
+/** What is true of a version of a level. */
+export interface Standing {
+  readonly verdict: Exclude<Verdict, 'invalid' | 'crashed'>;
+  /** The number of minerals in the level. */
+  readonly mineralCount: number;
+  readonly run: StandingRun | null;
+}
+
+/** How to judge a level. */
+export interface AssessOptions {
+  readonly accuracy: Accuracy;
+  /** s of simulated time after which a run is a timeout. */
+  readonly maxTime: number;
+  /** Whether to measure how far each press and release can move. */
+  readonly slack: boolean;
+}
+
+/** The most work for measuring slack, pieces of motion: a second or two. */
+const MOST_SLACK_WORK = 2_000_000;
+
+/** Judges a level by its own runs, as a check does. The result is plain data. */
+export function assessLevel(level: Level, { accuracy, maxTime, slack }: AssessOptions): Standing {
+  const budget = new WorkBudget(DEFAULT_MAX_WORK);
+  const scene = compile(level, accuracy);
+  const runs = playRuns(scene, maxTime, budget);
+  const completing = runs.findIndex(({ outcome }) => outcome === 'completed');
+  const maxTicks = Math.round(maxTime * TICK_RATE);
+  const impossible =
+    completing >= 0
+      ? null
+      : proveGoalImpossible(level, accuracy, { minerals: 'any' }, maxTicks, new WorkBudget(DEFAULT_MAX_WORK / 2));
+  const ends = runs.map(({ outcome, with: touched, time, tick, stopped }, i) => ({
+    name: level.runs[i].name,
+    outcome,
+    with: touched,
+    time,
+    tick,
+    isStopped: stopped !== null,
+  }));
+  const verdict = verdictOfFindings({ ends, impossible, searched: null });
+  const shown = Math.max(0, completing);
+  if (runs.length === 0 || runs[shown].stopped !== null) {
+    return { verdict, mineralCount: level.minerals.length, run: null };
+  }
+  const { name, holds } = level.runs[shown];
+  // only the first run was recorded
+  const played = shown === 0 ? runs[0] : (withinWork(budget, () => simulate(scene, holds, { maxTime, budget })) ?? runs[shown]);
+  const { outcome, with: touched, time, tick } = played;
+  const run: StandingRun = {
+    ...{ name, holds, outcome, with: touched, time, tick },
+    minerals: new Set(played.minerals.map(({ index }) => index)).size,
+    clearance: withinWork(budget, () => played.clearance?.distance ?? null),
+    slack: slack && outcome === 'completed' ? slackOf(scene, holds, played, maxTicks) : null,
+  };
+  return { verdict, mineralCount: level.minerals.length, run };
+}
+
+function slackOf(scene: Scene, holds: readonly Hold[], run: Run, maxTicks: number): StandingRun['slack'] {
+  // a shifted run may go on to the time limit
+  const costOfStep = Math.max(1, (run.work.pieces * maxTicks) / Math.max(1, run.tick));
+  const steps = findSlackInSteps(scene, holds, { minerals: 'any' });
+  for (let cost = 0; cost <= MOST_SLACK_WORK; cost += costOfStep) {
+    const step = steps.next();
+    if (step.done !== true) continue;
+    const edges = step.value.map(({ earlier, later }) => [earlier, later] as const);
+    return { edges, smallestWindow: edges.length === 0 ? null : Math.min(...edges.map(([a, b]) => a + b)) };
+  }
+  return null;
+}
+
+/** Whether two versions of a level play alike: they differ at most in names, ids and texts. */
+export function playAlike(before: Level, after: Level): boolean {
+  const plain = (level: Level): unknown => {
+    const lists = LISTED_KINDS.map((kind) => [
+      listOf(kind),
+      level[listOf(kind)].map((object: object) => ({ ...object, id: null })),
+    ]);
+    const runs = level.runs.map(({ holds }) => holds);
+    return { ...level, rules: level.rules ?? null, name: '', description: '', ...Object.fromEntries(lists), runs };
+  };
+  return isSame(plain(before), plain(after));
+}
+
+/** The same standing for a version that plays alike. */
+export const renamedStanding = (standing: Standing, before: Level, after: Level): Standing => {
+  if (standing.run === null) return standing;
+  const index = before.runs.findIndex(({ name }) => name === standing.run?.name);
+  return { ...standing, run: { ...standing.run, name: after.runs[index].name } };
+};
