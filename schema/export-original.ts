@@ -87,7 +87,7 @@ function refusals(level: Level, { file, locate }: LevelDocument): Problem[] {
   };
   if (!level.recoil) {
     const path = file.recoil === undefined ? [] : ['recoil'];
-    const message = 'expected "recoil": true, as the original game always has recoil, found a level without it';
+    const message = 'recoil: expected true, as the original game always has it, found false';
     refuse(path, message, 'Write "recoil": true and check the runs again, or leave this out with --drop.');
   }
   for (const name of RULE_NAMES) {

@@ -44,6 +44,16 @@ export const COMMANDS: readonly CommandEntry[] = [
   { name: 'render', summary: 'draw a level and its run as SVG or PNG', load: () => import('./render.ts') },
   { name: 'diff', summary: 'show what changed in levels, and what that does to them', load: () => import('./diff/index.ts') },
   { name: 'import', summary: "turn the original game's levels into level files", load: () => import('./import/index.ts') },
+  {
+    name: 'import',
+    summary: "turn the original game's levels or a Tiled map into level files",
+    load: () => import('./import/index.ts'),
+  },
+  {
+    name: 'export',
+    summary: "turn levels back into the original game's, or into Tiled maps",
+    load: () => import('./export/index.ts'),
+  },
   { name: 'fmt', summary: 'format level files', load: () => import('./fmt/index.ts') },
   { name: 'schema', summary: 'print the JSON Schema of a level file', load: () => import('./schema.ts') },
   {

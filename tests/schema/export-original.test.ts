@@ -134,7 +134,7 @@ describe('a level of the original game', () => {
     const { refused, object } = exported(file, { alienSight: 100 });
     const text = formatLevel(file).split('\n');
     expect(refused.map(({ pointer, message }) => [pointer, message.split(':')[0]])).toEqual([
-      ['/recoil', 'expected "recoil"'],
+      ['/recoil', 'recoil'],
       ['/rules/pull', 'the rule pull'],
       ['', 'the rule alienSight'],
       ['/winds/0', 'wind 1'],

@@ -1,60 +1,79 @@
-import { mkdirSync, rmdirSync, rmSync } from 'node:fs';
-import { dirname, join, resolve } from 'node:path';
+import { basename, join } from 'node:path';
 import process from 'node:process';
 import { type Command, Option } from 'commander';
-import { formatLevel, importOriginal, MAX_FILE_SIZE } from '../../../schema/index.ts';
+import {
+  formatLevel,
+  type ImportReading,
+  importOriginal,
+  importTiled,
+  isTiledMap,
+  MAX_FILE_SIZE,
+} from '../../../schema/index.ts';
 import { showProblems } from '../../code-frames.ts';
 import { colorsFor } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
-import { Failure, systemReason } from '../../failure.ts';
+import { Failure } from '../../failure.ts';
 import { formatOption } from '../../options.ts';
 import { readBytes } from '../../read-bytes.ts';
-import { readRegularFile } from '../../regular-file.ts';
 import { showFileProblems } from '../../report-parts/index.ts';
 import { schemaReference } from '../../schema-reference.ts';
 import { namedPath } from '../../shown-path.ts';
-import { allOrNone } from '../../signals.ts';
-import { replaceRegular } from '../../write-file.ts';
+import { differing, type PlannedFile, planFile, writeAll } from '../../write-all.ts';
 import { type ImportedFile, importJson, importPretty } from './report.ts';
 
 interface ImportOptions {
   readonly out: string;
-  readonly recoil: 'on' | 'off';
+  readonly recoil?: 'on' | 'off';
   readonly force?: true;
   readonly format: 'pretty' | 'json';
 }
 
-interface Target extends ImportedFile {
-  readonly content: Uint8Array;
-  /** The current content of the file; null if there is none. */
-  readonly before: Uint8Array | null;
-}
+type Target = ImportedFile & PlannedFile;
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
   command
-    .description("Turn the original game's levels (a JSON array of its level objects, or one object) into level files.")
-    .argument('<file>', 'JSON file with the original levels')
+    .description(
+      "Turn the original game's levels (a JSON array of its level objects, or one object) or a Tiled map into level files.",
+    )
+    .argument('<file>', 'JSON file with the original levels, or a module that exports them; or a Tiled map (.tmj, .tmx)')
     .requiredOption('--out <dir>', 'directory for the level files; it is created when missing')
     .addOption(
-      new Option('--recoil <on|off>', 'whether the levels have recoil, as the original has').choices(['on', 'off']).default('on'),
+      new Option('--recoil <on|off>', 'whether levels of the original have recoil, as they have there (default: "on")').choices([
+        'on',
+        'off',
+      ]),
     )
     .option('--force', 'overwrite existing level files that differ')
     .addOption(formatOption('pretty', 'json'))
     .addHelpText(
       'after',
       `
-Writes either every level or none. Exit code: 0; 1 when the file does not have the original's format; 2 when it could not be
-read or the levels could not be written.
+Writes either every level or none. Exit code: 0; 1 when the file has neither the original's format nor Tiled's; 2 when it could
+not be read or the levels could not be written.
 
 Examples:
   $ gq import levels.json --out imported
-  $ gq import levels.json --out imported --recoil off --force`,
+  $ gq import levels.json --out imported --recoil off --force
+  $ gq import drawn.tmj --out levels       writes levels/drawn.level.json`,
     )
     .action(async (file: string, options: ImportOptions) => finish(await importFile(file, options)));
 }
 
+/** `maps/First swing.tmj` becomes `First swing`. */
+const stemOf = (file: string): string => basename(file.replaceAll('\\', '/')).replace(/\.(tmj|tmx|json|xml)$/i, '');
+
+function read(file: string, { recoil }: ImportOptions): ImportReading {
+  const bytes = readBytes(file);
+  if (!isTiledMap(bytes)) return importOriginal(bytes, { recoil: recoil !== 'off' });
+  if (recoil !== undefined)
+    throw new Failure(
+      `--recoil ${recoil}: expected levels of the original game, found a Tiled map; the property "recoil" of the map says it`,
+    );
+  return importTiled(bytes, { slug: stemOf(file) });
+}
+
 async function importFile(file: string, options: ImportOptions): Promise<CommandResult> {
-  const imported = importOriginal(readBytes(file), { recoil: options.recoil === 'on' });
+  const imported = read(file, options);
   if (!imported.ok) {
     const problems = showProblems(imported.problems, imported.text);
     return { messages: showFileProblems(file, problems, colorsFor(process.stderr)), exitCode: 1 };
@@ -62,73 +81,16 @@ async function importFile(file: string, options: ImportOptions): Promise<Command
   const $schema = schemaReference(options.out) ?? undefined;
   const targets = imported.levels.map(({ slug, file: level }): Target => {
     const path = join(options.out, `${slug}.level.json`);
-    const content = Buffer.from(formatLevel({ $schema, ...level }));
-    const before = contentOf(path);
-    const status = before === null ? 'written' : content.equals(before) ? 'unchanged' : 'overwritten';
-    return { file: path, level: level.name, content, before, status };
+    return { level: level.name, ...planFile(path, formatLevel({ $schema, ...level }), 'gq import', MAX_FILE_SIZE) };
   });
-  const differing = targets.filter((target) => target.status === 'overwritten');
-  if (differing.length > 0 && options.force !== true) {
-    const names = differing.map((target) => `  ${target.file}\n`).join('');
+  const others = differing(targets);
+  if (others.length > 0 && options.force !== true) {
+    const names = others.map((target) => `  ${target.file}\n`).join('');
     throw new Failure(
       `nothing was written, because these files exist and differ:\n${names}give another --out, or --force to overwrite them`,
     );
   }
-  await writeAll(options.out, targets);
+  await writeAll(targets, () => `--out ${namedPath(options.out)}`);
   const result = { files: targets.map(({ file, level, status }) => ({ file, level, status })), notes: imported.notes };
   return { output: options.format === 'json' ? importJson(result) : importPretty(result), exitCode: 0 };
-}
-
-function contentOf(path: string): Uint8Array | null {
-  try {
-    const bytes = readRegularFile(path, MAX_FILE_SIZE);
-    if (bytes.length > MAX_FILE_SIZE) throw new Error('it is larger than a level file may be: move it away');
-    return bytes;
-  } catch (error) {
-    if (['ENOENT', 'ENOTDIR'].includes((error as NodeJS.ErrnoException).code ?? '')) return null;
-    throw new Failure(`${path}: gq import writes a file here, but the existing one can't be read: ${systemReason(error)}`);
-  }
-}
-
-/** Writes all files or none, even if a signal interrupts it. */
-async function writeAll(directory: string, targets: readonly Target[]): Promise<void> {
-  const done: Target[] = [];
-  let made: string | undefined;
-  await allOrNone(
-    [
-      () => {
-        made = makeDirectory(directory);
-      },
-      ...targets
-        .filter(({ status }) => status !== 'unchanged')
-        .map((target) => () => {
-          replaceRegular(target.file, target.content);
-          done.push(target);
-        }),
-    ],
-    () => {
-      for (const { file, before } of done.reverse()) {
-        if (before === null) rmSync(file, { force: true });
-        else replaceRegular(file, before);
-      }
-      if (made !== undefined) removeDirectories(directory, made);
-    },
-  );
-}
-
-/** @returns the outermost directory that was created, if any */
-function makeDirectory(directory: string): string | undefined {
-  try {
-    return mkdirSync(directory, { recursive: true });
-  } catch (error) {
-    throw new Failure(
-      `--out ${namedPath(directory)}: the directory can't be created: ${systemReason(error)}; expected a directory that can be written`,
-    );
-  }
-}
-
-/** Removes empty directories, the innermost first. */
-function removeDirectories(innermost: string, outermost: string): void {
-  const last = resolve(outermost);
-  for (let at = resolve(innermost); at.length >= last.length; at = dirname(at)) rmdirSync(at);
 }
