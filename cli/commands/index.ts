@@ -43,7 +43,6 @@ export const COMMANDS: readonly CommandEntry[] = [
   },
   { name: 'render', summary: 'draw a level and its run as SVG or PNG', load: () => import('./render.ts') },
   { name: 'diff', summary: 'show what changed in levels, and what that does to them', load: () => import('./diff/index.ts') },
-  { name: 'import', summary: "turn the original game's levels into level files", load: () => import('./import/index.ts') },
   {
     name: 'import',
     summary: "turn the original game's levels or a Tiled map into level files",
