@@ -23,10 +23,11 @@ export const isTaken = (path: string): boolean => lstatSync(path, { throwIfNoEnt
 export const UNFINISHED = /^\.gq-edit-[0-9a-f]{16}\.tmp$/;
 
 /**
- * Writes a content completely to a temporary file in the folder of `path` and syncs it to the disk, then calls `place`.
+ * Writes a content completely to a temporary file in the folder of `path`, syncs it to the disk, and calls `place`.
  * @param place moves the temporary file; if it throws, nothing has changed
+ * @param isLasting whether the content must survive a power failure: without syncing, it takes much less time
  */
-function withUnfinished(path: string, content: Uint8Array, place: (unfinished: string) => void): void {
+function withUnfinished(path: string, content: Uint8Array, place: (unfinished: string) => void, isLasting = true): void {
   const unfinished = join(dirname(path), `.gq-edit-${randomBytes(8).toString('hex')}.tmp`);
   try {
     const descriptor = openSync(unfinished, 'wx', 0o666);
@@ -34,7 +35,7 @@ function withUnfinished(path: string, content: Uint8Array, place: (unfinished: s
       keepOwnerAndMode(descriptor, path);
       // writeFileSync writes everything or throws; a single writeSync may write less if the disk is nearly full
       writeFileSync(descriptor, content);
-      fsyncSync(descriptor);
+      if (isLasting) fsyncSync(descriptor);
     } finally {
       closeSync(descriptor);
     }
@@ -42,7 +43,7 @@ function withUnfinished(path: string, content: Uint8Array, place: (unfinished: s
   } finally {
     rmSync(unfinished, { force: true });
   }
-  syncFolder(dirname(path));
+  if (isLasting) syncFolder(dirname(path));
 }
 
 /**
@@ -54,6 +55,11 @@ export function replaceFile(path: string, content: Uint8Array, isBase: () => voi
     isBase();
     renamePatiently(unfinished, path);
   });
+}
+
+/** The same for a file that can be made anew: after a power failure it may be torn. */
+export function replaceSpareFile(path: string, content: Uint8Array): void {
+  withUnfinished(path, content, (unfinished) => renamePatiently(unfinished, path), false);
 }
 
 /**

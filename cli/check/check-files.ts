@@ -3,7 +3,9 @@ import { statOrError } from '../files.ts';
 import { isStream } from '../read-bytes.ts';
 import { catchSignals, hearSignals } from '../signals.ts';
 import { type Bail, cutAtBail, FailureCount } from './bail.ts';
+import type { CheckedFile } from './check-level.ts';
 import type { CheckedLevel, CheckSettings } from './checked-level.ts';
+import type { LevelCache } from './level-cache.ts';
 import { crashedLevel } from './refused-level.ts';
 import type { Batch } from './worker.ts';
 
@@ -16,11 +18,18 @@ const MUCH_WORK = 256 * 1024 * 60;
 /** ms of work on the main thread between two checks for signals */
 const SLICE = 20;
 
+/** What a check may do without. */
+export interface Shortcuts {
+  /** When to stop before the last file. */
+  readonly bail?: Bail | null;
+  /** Has the reports of earlier checks, and gets the new ones. */
+  readonly cache?: LevelCache | null;
+}
+
 /**
  * Checks level files.
  * @param jobs the largest number of worker threads; the reports don't depend on it
  * @param onProgress called now and then with the number of files that are done
- * @param bail when to stop before the last file
  * @returns one report for each file, in the same order; with `bail`, those of the first files up to the failing one that was too many
  */
 export async function checkFiles(
@@ -28,27 +37,62 @@ export async function checkFiles(
   settings: CheckSettings,
   jobs: number,
   onProgress: (done: number) => void,
-  bail: Bail | null = null,
+  { bail = null, cache = null }: Shortcuts = {},
 ): Promise<CheckedLevel[]> {
   const stats = files.map((file) => statOrError(file));
   // reading a pipe may block forever, and a blocked worker can't be ended
   const waiting = files.filter((file, i) => !(stats[i] instanceof Error) && isStream(file, stats[i]));
-  const others = new Set(waiting);
-  const regular = files.filter((file) => !others.has(file));
   const early = waiting.length === 0 ? [] : await checkWaiting(waiting, settings);
+  const streams = new Set(waiting);
+  const known = new Map(cache?.recall(files.filter((file) => !streams.has(file))));
+  for (const level of early) known.set(level.file, level);
 
-  const bytes = stats.reduce((sum, s) => sum + (s instanceof Error ? 0 : s.size), 0);
-  const useWorkers = isLong(settings) || (jobs > 1 && regular.length >= MANY_FILES) || bytes * settings.maxTime > MUCH_WORK;
-  const reports = await (useWorkers
-    ? checkInWorkers(regular, settings, jobs, onProgress, bail)
-    : checkHere(regular, settings, onProgress, bail));
-  if (early.length === 0) return cutAtBail(reports, bail);
-  const byFile = new Map([...early, ...reports].map((report) => [report.file, report]));
+  const places = unknownPlaces(files, known, bail);
+  const unknown = places.map((i) => files[i]);
+  const failures = new FailureCount(bail);
+  for (const [i, file] of files.entries()) if (known.has(file)) failures.add(i, [known.get(file)!]);
+  const bytes = places.map((i) => stats[i]).reduce((sum, s) => sum + (s instanceof Error ? 0 : s.size), 0);
+  const useWorkers = isLong(settings) || (jobs > 1 && unknown.length >= MANY_FILES) || bytes * settings.maxTime > MUCH_WORK;
+  const checked = await (useWorkers ? checkInWorkers : checkHere)(
+    unknown,
+    { settings, cacheKey: cache?.key ?? null },
+    {
+      jobs,
+      onProgress: (done) => onProgress(files.length - unknown.length + done),
+      isEnough(first, levels) {
+        for (const [k, level] of levels.entries()) failures.add(places[first + k], [level]);
+        return failures.isEnough;
+      },
+    },
+  );
+  for (const { kept } of checked) if (kept !== null) cache?.keep(kept);
+  await cache?.save();
+
+  for (const { level } of checked) known.set(level.file, level);
   // where the check stopped early, the rest has no report
   return cutAtBail(
-    files.flatMap((file) => byFile.get(file) ?? []),
+    files.flatMap((file) => known.get(file) ?? []),
     bail,
   );
+}
+
+/** The indices of the files that must be checked, up to where known levels alone end the check. */
+function unknownPlaces(files: readonly string[], known: ReadonlyMap<string, CheckedLevel>, bail: Bail | null): number[] {
+  let failing = 0;
+  const isLast = (level: CheckedLevel | undefined): boolean =>
+    bail !== null && level !== undefined && bail.fails(level) && ++failing >= bail.most;
+  const last = files.findIndex((file) => isLast(known.get(file)));
+  return [...files.keys()].filter((i) => !known.has(files[i]) && (last < 0 || i < last));
+}
+
+/** How files are checked, whatever does it. */
+interface Checking {
+  /** The largest number of worker threads. */
+  readonly jobs: number;
+  /** Called now and then with the number of files that are done. */
+  readonly onProgress: (done: number) => void;
+  /** Called with the results of files that follow one another: whether enough levels have failed. */
+  readonly isEnough: (first: number, levels: readonly CheckedLevel[]) => boolean;
 }
 
 /** Whether a level may take seconds. */
@@ -61,19 +105,18 @@ async function checkWaiting(files: readonly string[], settings: CheckSettings): 
 
 async function checkHere(
   files: readonly string[],
-  settings: CheckSettings,
-  onProgress: (done: number) => void,
-  bail: Bail | null,
-): Promise<CheckedLevel[]> {
+  { settings, cacheKey }: Omit<Batch, 'files'>,
+  { onProgress, isEnough }: Checking,
+): Promise<CheckedFile[]> {
+  if (files.length === 0) return [];
   // only the thread that checks loads schema and engine
-  const { checkLevel } = await import('./check-level.ts');
-  const reports: CheckedLevel[] = [];
-  const failures = new FailureCount(bail);
+  const { checkFile } = await import('./check-level.ts');
+  const reports: CheckedFile[] = [];
   let listened = performance.now();
   for (const file of files) {
-    reports.push(checkLevel(file, settings));
-    failures.add(reports.length - 1, reports.slice(-1));
-    if (failures.isEnough) break;
+    const report = checkFile(file, settings, cacheKey);
+    reports.push(report);
+    if (isEnough(reports.length - 1, [report.level])) break;
     if (performance.now() - listened < SLICE) continue;
     await hearSignals();
     onProgress(reports.length);
@@ -84,15 +127,14 @@ async function checkHere(
 
 async function checkInWorkers(
   files: readonly string[],
-  settings: CheckSettings,
-  jobs: number,
-  onProgress: (done: number) => void,
-  bail: Bail | null,
-): Promise<CheckedLevel[]> {
+  work: Omit<Batch, 'files'>,
+  { jobs, onProgress, isEnough }: Checking,
+): Promise<CheckedFile[]> {
+  if (files.length === 0) return [];
   const { Tinypool } = await import('tinypool');
   catchSignals();
   // several batches for each worker, so that none waits long for one with slow levels
-  const size = isLong(settings) ? 1 : Math.max(1, Math.min(32, Math.ceil(files.length / (4 * jobs))));
+  const size = isLong(work.settings) ? 1 : Math.max(1, Math.min(32, Math.ceil(files.length / (4 * jobs))));
   const threads = Math.min(jobs, Math.ceil(files.length / size));
   const pool = new Tinypool({
     filename: new URL('./worker.js', import.meta.url).href,
@@ -101,24 +143,23 @@ async function checkInWorkers(
     isolateWorkers: false,
   });
   let done = 0;
-  const failures = new FailureCount(bail);
-  const enough = bail === null ? null : new AbortController();
+  const enough = new AbortController();
   // every batch listens
-  if (enough !== null) setMaxListeners(0, enough.signal);
-  const check = async (batch: readonly string[], number: number): Promise<CheckedLevel[]> => {
+  setMaxListeners(0, enough.signal);
+  const check = async (batch: readonly string[], number: number): Promise<CheckedFile[]> => {
     const reports = await runBatch(batch);
-    failures.add(number * size, reports);
-    if (failures.isEnough) enough?.abort();
+    const levels = reports.map(({ level }) => level);
+    if (isEnough(number * size, levels)) enough.abort();
     done += batch.length;
     onProgress(done);
     return reports;
   };
-  const runBatch = async (batch: readonly string[]): Promise<CheckedLevel[]> => {
+  const runBatch = async (batch: readonly string[]): Promise<CheckedFile[]> => {
     try {
-      return await pool.run({ files: batch, settings } satisfies Batch, { signal: enough?.signal });
+      return await pool.run({ files: batch, ...work } satisfies Batch, { signal: enough.signal });
     } catch (error) {
-      if (enough?.signal.aborted) return [];
-      if (batch.length === 1) return [crashedLevel(batch[0], error)];
+      if (enough.signal.aborted) return [];
+      if (batch.length === 1) return [{ level: crashedLevel(batch[0], error), kept: null }];
       // the worker died with the whole batch: check its levels one at a time to find the one that kills it
       return (await Promise.all(batch.map((file) => runBatch([file])))).flat();
     }

@@ -7,7 +7,6 @@ import {
   problemsOf,
   proveGoalImpossible,
   proveMineralsLost,
-  type Searched,
   tightRuns,
   verdictOfFindings,
   withinWork,
@@ -21,28 +20,56 @@ import { Failure } from '../failure.ts';
 import { type OpenedLevel, placed } from '../level-source.ts';
 import { readBytes } from '../read-bytes.ts';
 import { reportRun } from '../run-report.ts';
+import { shellPath } from '../shown-path.ts';
+import { ANYWHERE, atFile, mayMention } from './anywhere.ts';
 import type { CheckedLevel, CheckSettings, RunInBrief } from './checked-level.ts';
 import { commandHints } from './hints.ts';
+import { type KeptLevel, keptLevel } from './level-cache.ts';
 import { crashedLevel, refusedLevel, unreadableLevel } from './refused-level.ts';
-import { searchLevel } from './search-level.ts';
+import { type LevelSearch, searchLevel } from './search-level.ts';
 
-/** Reads and validates one level file and replays its runs in order. Never throws: errors become verdicts. */
-export function checkLevel(file: string, settings: CheckSettings): CheckedLevel {
-  const start = performance.now();
-  const report = judge(file, settings);
-  return { ...report, ms: performance.now() - start };
+/** The report for a file. */
+export interface CheckedFile {
+  readonly level: CheckedLevel;
+  /** What the cache is to keep; null if it has no use for it. */
+  readonly kept: KeptLevel | null;
 }
 
-function judge(file: string, settings: CheckSettings): CheckedLevel {
+/** Reads and validates one level file and replays its runs in order. Never throws: errors become verdicts. */
+export const checkLevel = (file: string, settings: CheckSettings): CheckedLevel => checkFile(file, settings, null).level;
+
+/** The same, with the report for the cache. @param cacheKey null without a cache */
+export function checkFile(file: string, settings: CheckSettings, cacheKey: string | null): CheckedFile {
+  const start = performance.now();
   try {
-    const read = readLevel(readBytes(file), settings);
-    return read.ok ? replay(file, read, settings) : refusedLevel(file, 'invalid', showProblems(read.problems, read.text));
+    const bytes = readBytes(file);
+    const { level, isAnywhere, isSettled } = judge(file, bytes, settings);
+    const timed = { ...level, ms: performance.now() - start };
+    return {
+      level: isAnywhere ? atFile(timed, file) : timed,
+      kept: cacheKey !== null && isAnywhere && isSettled ? keptLevel(cacheKey, bytes, timed) : null,
+    };
   } catch (error) {
-    return error instanceof Failure ? unreadableLevel(file, error.message) : crashedLevel(file, error);
+    const level = error instanceof Failure ? unreadableLevel(file, error.message) : crashedLevel(file, error);
+    return { level: { ...level, ms: performance.now() - start }, kept: null };
   }
 }
 
-function replay(file: string, { level, document }: OpenedLevel, settings: CheckSettings): CheckedLevel {
+interface Judgement {
+  readonly level: CheckedLevel;
+  /** Whether the level is as it would be for a file in another place, with `ANYWHERE` for its path. */
+  readonly isAnywhere: boolean;
+  /** Whether the same bytes always get the same report, whatever the speed of the machine. */
+  readonly isSettled: boolean;
+}
+
+function judge(file: string, bytes: Uint8Array, settings: CheckSettings): Judgement {
+  const read = readLevel(bytes, settings);
+  if (read.ok) return replay(file, read, settings);
+  return { level: refusedLevel(file, 'invalid', showProblems(read.problems, read.text)), isAnywhere: true, isSettled: true };
+}
+
+function replay(file: string, { level, document }: OpenedLevel, settings: CheckSettings): Judgement {
   const { accuracy, maxTime, maxWork = DEFAULT_MAX_WORK, requireSlack, search } = settings;
   // each part of a check has a budget of its own, so that none uses up another's
   const budget = new WorkBudget(maxWork);
@@ -65,8 +92,10 @@ function replay(file: string, { level, document }: OpenedLevel, settings: CheckS
     lost: proveMineralsLost(level, accuracy, asked, ticksOf(settings), proofs),
   });
   const run = settings.forLock && brief !== null ? { ...brief, ...lockedRun(scene, shown!, document, settings, budget) } : brief;
-  const problems = problemsOf(findings, commandHints(file)).map((problem) => placed(problem, document));
-  return {
+  const isAnywhere = !mayMention(document.text);
+  const hints = commandHints(isAnywhere ? ANYWHERE : shellPath(file));
+  const problems = problemsOf(findings, hints).map((problem) => placed(problem, document));
+  const checked: CheckedLevel = {
     file,
     name: level.name,
     verdict: verdictOfFindings(findings),
@@ -79,6 +108,7 @@ function replay(file: string, { level, document }: OpenedLevel, settings: CheckS
     unreadable: false,
     ms: 0,
   };
+  return { level: checked, isAnywhere, isSettled: searched?.isOutOfTime !== true };
 }
 
 /** Holds and their simulated run. */
@@ -93,7 +123,7 @@ const ticksOf = ({ maxTime }: CheckSettings): number => Math.round(maxTime * TIC
 
 interface WithoutRun {
   readonly impossible: Proof | null;
-  readonly searched: Searched | null;
+  readonly searched: LevelSearch | null;
   readonly found: PlayedRun | null;
 }
 

@@ -1,10 +1,8 @@
 import type { Hints } from '../../check/index.ts';
 import { byHolds } from '../report-parts/index.ts';
-import { shellPath } from '../shown-path.ts';
 
-/** Hints for the command line about the problems of a level file. */
-export function commandHints(file: string): Hints {
-  const path = shellPath(file);
+/** Hints for the command line about the problems of a level file. @param path the file, quoted for a shell */
+export function commandHints(path: string): Hints {
   return {
     firstRun: `find one with gq solve ${path} --write, or add "runs": [{ "name": "solution", "holds": [[press, release], ...] }], in ticks of 1/60 s`,
     seeRun: (name) => `; to see how it ends: gq simulate ${path} --run ${JSON.stringify(name)}`,

@@ -1,5 +1,6 @@
 export { checkFiles } from './check-files.ts';
 export type { CheckedLevel, CheckSettings } from './checked-level.ts';
 export { CHECK_CODES } from './codes.ts';
+export { openLevelCache } from './level-cache.ts';
 export { unreadableLevel } from './refused-level.ts';
 export { exitCodeOf, summarize } from './summary.ts';

@@ -27,11 +27,14 @@ const problemOfFile = (code: string, message: string, hint: string): ShownProble
   frame: null,
 });
 
+/** The name of a file without its ending. */
+export const nameOfFile = (file: string): string => basename(file).replace(/(\.level)?\.json$/, '');
+
 /** The report for a file of which only the problems are known. */
 export function refusedLevel(file: string, verdict: 'invalid' | 'crashed', problems: readonly ShownProblem[]): CheckedLevel {
   return {
     file,
-    name: basename(file).replace(/(\.level)?\.json$/, ''),
+    name: nameOfFile(file),
     verdict,
     run: null,
     found: null,

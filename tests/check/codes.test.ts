@@ -4,6 +4,7 @@ import type { CheckCode } from '../../check/words/index.ts';
 import { CHECK_CODES } from '../../cli/check/codes.ts';
 import { commandHints } from '../../cli/check/hints.ts';
 import { crashedLevel, unreadableLevel } from '../../cli/check/refused-level.ts';
+import { shellPath } from '../../cli/shown-path.ts';
 import { explanationOf } from '../../editor/panels/problems/explanations.ts';
 import { PAGE_HINTS } from '../../editor/proof/hints.ts';
 import { ACCURACIES, DEFAULT_MAX_TIME, WARNING_CODES } from '../../engine/index.ts';
@@ -80,7 +81,7 @@ const FOUND: Readonly<Record<Exclude<CheckCode, (typeof OF_FILES)[number]>, Part
 
 describe('every code that a check can report', () => {
   it.each(Object.entries(FOUND))('%s is reported alone where it is found, and is explained', (code, found) => {
-    const problems = problemsOf({ ...NOTHING, ...found }, commandHints('a b.level.json'));
+    const problems = problemsOf({ ...NOTHING, ...found }, commandHints(shellPath('a b.level.json')));
     expect(problems.map((problem) => problem.code)).toEqual([code]);
     const explanation = all.find((entry) => entry.code === code);
     expect(problems[0].severity).toBe(explanation?.severity);

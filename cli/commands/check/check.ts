@@ -2,8 +2,9 @@ import { availableParallelism } from 'node:os';
 import type { Command } from 'commander';
 import { plural } from '../../../check/words/index.ts';
 import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../../accuracy-options.ts';
+import { addCacheOptions, type CacheOptions, cacheFolder, chosenCache } from '../../cache/index.ts';
 import type { CheckedLevel, CheckSettings } from '../../check/index.ts';
-import { checkFiles, exitCodeOf, unreadableLevel } from '../../check/index.ts';
+import { checkFiles, exitCodeOf, openLevelCache, unreadableLevel } from '../../check/index.ts';
 import type { CommandResult } from '../../command.ts';
 import { findConfig } from '../../config-file.ts';
 import { Failure } from '../../failure.ts';
@@ -19,7 +20,7 @@ import { addSearchOptions, limitsOf, type SearchOptions } from '../../search-opt
  */
 const FEW_FILES = 64;
 
-interface CheckOptions extends AccuracyOptions, SearchOptions {
+interface CheckOptions extends AccuracyOptions, SearchOptions, CacheOptions {
   readonly solve?: true;
   readonly requireSlack?: number;
   readonly maxTime: number;
@@ -33,7 +34,7 @@ interface CheckOptions extends AccuracyOptions, SearchOptions {
 }
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  addSearchOptions(addAccuracyOptions(command), ' for each level')
+  addCacheOptions(addSearchOptions(addAccuracyOptions(command), ' for each level'))
     .description('Read and validate every level, replay its runs, and report which levels can be completed.')
     .argument('[path...]', 'level files, directories, or quoted patterns with * ** ?', ['levels'])
     .option('--solve', 'search for a run where none in the file completes the level, and warn of runs that forgive no error')
@@ -114,10 +115,12 @@ async function check(paths: readonly string[], options: CheckOptions): Promise<C
     proveMinerals: options.solve === true || files.length <= FEW_FILES,
     requireSlack: options.requireSlack ?? null,
   };
+  const folder = cacheFolder(chosenCache(options, null));
+  const cache = folder === null ? null : openLevelCache(folder, settings);
   const progress = createProgress('checked', files.length);
   const bail =
     options.bail === undefined ? null : { most: options.bail, fails: (level: CheckedLevel) => exitCodeOf(compare([level])) > 0 };
-  const reports: CheckedLevel[] = await checkFiles(files, settings, options.jobs, progress.update, bail);
+  const reports: CheckedLevel[] = await checkFiles(files, settings, options.jobs, progress.update, { bail, cache });
   progress.clear();
   const unchecked = files.slice(reports.length);
   const messages = await lock?.end(reports, unchecked.length === 0 && unreadable.length === 0);

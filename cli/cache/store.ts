@@ -1,0 +1,130 @@
+import { mkdirSync, readdirSync, rmdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { replaceSpareFile, UNFINISHED } from '../disk.ts';
+import { readRegularFile } from '../regular-file.ts';
+import { uncut } from '../signals.ts';
+import { joinShard, makeRecord, type RecordLine, splitShard, textOf } from './records.ts';
+
+// Records are spread over a few files, the shards, by the first digit of their keys: reading a thousand small files takes
+// longer than the work that they save. A shard is replaced as a whole. When two processes replace it at once, the later one
+// wins, and what the other one has added is computed anew some day.
+//
+// A shard has its records in the order of their last use, as far as is known: the ones that were used or added by the process
+// that wrote it come first. So the last ones are dropped when it gets too large, and no clock is needed.
+
+/** The size to which unused records may fill a shard, bytes. */
+const SHARD_SIZE = 4 * 1024 * 1024;
+
+/** A shard of more than this is not read, bytes: no check has written it. */
+const LARGEST_SHARD = 1024 * 1024 * 1024;
+
+/** A longer text is not kept, characters. */
+const LONGEST_TEXT = 1024 * 1024;
+
+/** ms; an unfinished file that is older belongs to a process that was killed */
+const LONG_AGO = 3_600_000;
+
+/** Texts by keys of 64 digits, kept in a folder from one process to the next. Trouble with the folder is never an error. */
+export interface Store {
+  /** The text of a key; null if there is none, or if it is damaged. */
+  get(key: string): string | null;
+  /** @param text has no line breaks */
+  put(key: string, text: string): void;
+  /** Whether there are no records at all. */
+  isEmpty(): boolean;
+  /** Writes what has been put, unless a signal ends the process before. */
+  save(): Promise<void>;
+}
+
+/** @param shardSize the size to which unused records may fill a shard, bytes */
+export function openStore(folder: string, shardSize: number = SHARD_SIZE): Store {
+  const shards = new Map<string, Map<string, RecordLine>>();
+  const shardOf = (digit: string): Map<string, RecordLine> => {
+    const known = shards.get(digit);
+    if (known !== undefined) return known;
+    const read = readShard(folder, digit);
+    shards.set(digit, read);
+    return read;
+  };
+  const used = new Map<string, RecordLine>();
+  const changed = new Set<string>();
+  return {
+    get(key) {
+      const line = used.get(key) ?? shardOf(key[0]).get(key);
+      const text = line === undefined ? null : textOf(line, key);
+      if (line !== undefined && text !== null) used.set(key, line);
+      return text;
+    },
+    put(key, text) {
+      if (text.length > LONGEST_TEXT) return;
+      used.set(key, makeRecord(key, text));
+      changed.add(key[0]);
+    },
+    isEmpty: () => DIGITS.every((digit) => shardOf(digit).size === 0),
+    async save() {
+      if (changed.size === 0) return;
+      const digits = [...changed].sort();
+      changed.clear();
+      if (!(await uncut(() => prepare(folder)))) return;
+      for (const digit of digits) {
+        const ours = [...used].filter(([key]) => key.startsWith(digit));
+        await uncut(() => writeShard(folder, digit, ours, shardSize));
+      }
+    },
+  };
+}
+
+const DIGITS = [...'0123456789abcdef'];
+
+const shardPath = (folder: string, digit: string): string => join(folder, `check-${digit}`);
+
+function readShard(folder: string, digit: string): Map<string, RecordLine> {
+  try {
+    return splitShard(readRegularFile(shardPath(folder, digit), LARGEST_SHARD));
+  } catch {
+    // no cache yet, or one that can't be read: as good as an empty one
+    return new Map();
+  }
+}
+
+/** Makes the folder and removes what killed processes have left there; false if the folder can't be written. */
+function prepare(folder: string): boolean {
+  try {
+    if (mkdirSync(folder, { recursive: true }) !== undefined) markFolder(folder);
+    for (const name of readdirSync(folder)) {
+      const path = join(folder, name);
+      if (UNFINISHED.test(name) && Date.now() - statSync(path).mtimeMs > LONG_AGO) rmSync(path, { force: true });
+    }
+    return true;
+  } catch {
+    return false;
+  }
+}
+
+/** Keeps a new folder out of repositories and backups. */
+function markFolder(folder: string): void {
+  writeFileSync(join(folder, '.gitignore'), '*\n');
+  writeFileSync(
+    join(folder, 'CACHEDIR.TAG'),
+    'Signature: 8a477f597d28d172789f06886806bc55\n# The cache of gq check. It can be deleted at any time.\n',
+  );
+}
+
+function writeShard(folder: string, digit: string, ours: readonly (readonly [string, RecordLine])[], shardSize: number): void {
+  const path = shardPath(folder, digit);
+  const lines = new Map(ours);
+  let size = ours.reduce((sum, [, line]) => sum + line.length, 0);
+  // read again, as another process may have added records
+  for (const [key, line] of readShard(folder, digit)) {
+    if (lines.has(key)) continue;
+    size += line.length;
+    if (size > shardSize) break;
+    if (textOf(line, key) !== null) lines.set(key, line);
+  }
+  try {
+    if (statSync(path, { throwIfNoEntry: false })?.isDirectory()) rmdirSync(path);
+    replaceSpareFile(path, joinShard(lines.values()));
+  } catch {
+    // read-only, full, or taken by something else: this shard is not kept
+  }
+}

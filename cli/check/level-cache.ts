@@ -1,0 +1,83 @@
+import { contentKey, keyOf, openStore, semantics } from '../cache/index.ts';
+import { readRegularFile } from '../regular-file.ts';
+import { atFile } from './anywhere.ts';
+import type { CheckedLevel, CheckSettings } from './checked-level.ts';
+
+/** Changes when what is kept about a level changes its shape. */
+const SHAPE = 1;
+
+/** A report to keep. */
+export interface KeptLevel {
+  /** The key of the file's bytes and of everything else that the report depends on. */
+  readonly key: string;
+  readonly text: string;
+}
+
+/** The reports of earlier checks with the same settings. */
+export interface LevelCache {
+  /** The key of everything that a report depends on besides the bytes of the file. */
+  readonly key: string;
+  /** The reports that are known for files with the bytes that they have now. */
+  recall(files: readonly string[]): ReadonlyMap<string, CheckedLevel>;
+  keep(kept: KeptLevel): void;
+  /** Writes what was kept, unless a signal ends the process before. */
+  save(): Promise<void>;
+}
+
+/**
+ * Opens the cache in a folder.
+ * @param semanticsNow the fingerprint of the code that decides
+ * @returns null if there is no such fingerprint
+ */
+export function openLevelCache(folder: string, settings: CheckSettings, semanticsNow = semanticsOrNull): LevelCache | null {
+  const code = semanticsNow();
+  if (code === null) return null;
+  const key = keyOf({ shape: SHAPE, code, settings });
+  const store = openStore(folder);
+  return {
+    key,
+    recall(files) {
+      const recalled = new Map<string, CheckedLevel>();
+      if (store.isEmpty()) return recalled;
+      for (const file of files) {
+        const bytes = bytesOrNull(file);
+        const level = bytes === null ? null : parsed(store.get(contentKey(key, bytes)));
+        if (level !== null) recalled.set(file, atFile(level, file));
+      }
+      return recalled;
+    },
+    keep: (kept) => store.put(kept.key, kept.text),
+    async save() {
+      // the toolkit may have been built anew meanwhile, and then nobody knows which code has decided
+      if (semanticsNow() === code) await store.save();
+    },
+  };
+}
+
+/** The report of a level for the cache. */
+export const keptLevel = (key: string, bytes: Uint8Array, level: CheckedLevel): KeptLevel => ({
+  key: contentKey(key, bytes),
+  text: JSON.stringify({ ...level, file: '' }),
+});
+
+function semanticsOrNull(): string | null {
+  try {
+    return semantics();
+  } catch {
+    return null;
+  }
+}
+
+/** Files beyond this are not looked up, bytes: it is the largest level. */
+const LARGEST_FILE = 8 * 1024 * 1024;
+
+function bytesOrNull(file: string): Uint8Array | null {
+  try {
+    return readRegularFile(file, LARGEST_FILE);
+  } catch {
+    // the check says why
+    return null;
+  }
+}
+
+const parsed = (text: string | null): CheckedLevel | null => (text === null ? null : (JSON.parse(text) as CheckedLevel));
