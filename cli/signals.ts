@@ -1,6 +1,6 @@
 import { constants } from 'node:os';
 import process from 'node:process';
-import { setImmediate } from 'node:timers/promises';
+import { setImmediate, setTimeout } from 'node:timers/promises';
 
 // A signal without a handler ends the process at once, and a shell reports 130 or 143. That is the default here: the event loop
 // calls a handler only when it is free, not during long work, nor while a write waits for its reader. Signals are caught only
@@ -15,7 +15,11 @@ const ALWAYS_CATCHES = process.platform === 'win32' || process.pid === 1;
 let isCatching = false;
 let undo: () => void = () => {};
 
+/** Takes a signal that is not to end the process; null: every signal ends it. */
+let listener: ((signal: NodeJS.Signals) => boolean) | null = null;
+
 const end = (signal: NodeJS.Signals): void => {
+  if (listener?.(signal)) return;
   try {
     undo();
   } finally {
@@ -86,5 +90,45 @@ export async function allOrNone(steps: Iterable<() => void>, takeBack: () => voi
     throw error;
   } finally {
     undo = () => {};
+  }
+}
+
+/** The exit code after a signal. */
+export const exitCodeAfter = (signal: StoppingSignal): 130 | 143 => (signal === 'SIGINT' ? 130 : 143);
+
+export type StoppingSignal = (typeof SIGNALS)[number];
+
+/**
+ * ms in which the same signal again is taken for the same one: on Ctrl-C the terminal sends it to every process, and npx passes
+ * it on once more
+ */
+const REPEATED = 200;
+
+/**
+ * Does long work that leaves the event loop free, and that the first signal only stops: the caller then reports what is done and
+ * ends with `exitCodeAfter`. A second signal ends the process at once.
+ * @param work stops early, with what is done, when it is told to
+ * @returns the signal that came; null if none did
+ */
+export async function stoppable<T>(
+  work: (stopping: AbortSignal) => Promise<T>,
+): Promise<{ readonly done: T; readonly signal: StoppingSignal | null }> {
+  const stopping = new AbortController();
+  let first: { readonly signal: StoppingSignal; readonly at: number } | null = null;
+  catchSignals();
+  listener = (signal) => {
+    if (first !== null) return signal === first.signal && performance.now() - first.at < REPEATED;
+    first = { signal: signal as StoppingSignal, at: performance.now() };
+    stopping.abort();
+    return true;
+  };
+  try {
+    const done = await work(stopping.signal);
+    await hearSignals();
+    const heard = first as { readonly signal: StoppingSignal; readonly at: number } | null;
+    if (heard !== null) await setTimeout(Math.max(0, heard.at + REPEATED - performance.now()));
+    return { done, signal: heard?.signal ?? null };
+  } finally {
+    listener = null;
   }
 }

@@ -1,7 +1,7 @@
 import { setMaxListeners } from 'node:events';
 import { statOrError } from '../files.ts';
 import { isStream } from '../read-bytes.ts';
-import { catchSignals, hearSignals } from '../signals.ts';
+import { catchSignals, hearSignals, type StoppingSignal, stoppable } from '../signals.ts';
 import { type Bail, cutAtBail, FailureCount } from './bail.ts';
 import type { CheckedFile } from './check-level.ts';
 import type { CheckedLevel, CheckSettings } from './checked-level.ts';
@@ -26,11 +26,23 @@ export interface Shortcuts {
   readonly cache?: LevelCache | null;
 }
 
+/** What became of the files of a check. */
+export interface CheckedFiles {
+  /** In the order of the files. */
+  readonly levels: readonly CheckedLevel[];
+  /** The files that were not checked, because the check ended early. */
+  readonly unchecked: readonly string[];
+  /** The signal that ended the check early; null if none came. */
+  readonly signal: StoppingSignal | null;
+}
+
 /**
- * Checks level files.
+ * Checks level files. A check that may take long is stopped by the first signal, with what is checked; a signal ends the process
+ * during any other.
  * @param jobs the largest number of worker threads; the reports don't depend on it
  * @param onProgress called now and then with the number of files that are done
- * @returns one report for each file, in the same order; with `bail`, those of the first files up to the failing one that was too many
+ * @returns what became of the files: one report for each, in the same order; with `bail`, those of the first files up to the failing
+ *   one that was too many; after a signal, those that were checked
  */
 export async function checkFiles(
   files: readonly string[],
@@ -38,7 +50,7 @@ export async function checkFiles(
   jobs: number,
   onProgress: (done: number) => void,
   { bail = null, cache = null }: Shortcuts = {},
-): Promise<CheckedLevel[]> {
+): Promise<CheckedFiles> {
   const stats = files.map((file) => statOrError(file));
   // reading a pipe may block forever, and a blocked worker can't be ended
   const waiting = files.filter((file, i) => !(stats[i] instanceof Error) && isStream(file, stats[i]));
@@ -53,27 +65,33 @@ export async function checkFiles(
   for (const [i, file] of files.entries()) if (known.has(file)) failures.add(i, [known.get(file)!]);
   const bytes = places.map((i) => stats[i]).reduce((sum, s) => sum + (s instanceof Error ? 0 : s.size), 0);
   const useWorkers = isLong(settings) || (jobs > 1 && unknown.length >= MANY_FILES) || bytes * settings.maxTime > MUCH_WORK;
-  const checked = await (useWorkers ? checkInWorkers : checkHere)(
-    unknown,
-    { settings, cacheKey: cache?.key ?? null },
-    {
-      jobs,
-      onProgress: (done) => onProgress(files.length - unknown.length + done),
-      isEnough(first, levels) {
-        for (const [k, level] of levels.entries()) failures.add(places[first + k], [level]);
-        return failures.isEnough;
-      },
+  const work = { settings, cacheKey: cache?.key ?? null };
+  const checking: Checking = {
+    jobs,
+    onProgress: (done) => onProgress(files.length - unknown.length + done),
+    isEnough(first, levels) {
+      for (const [k, level] of levels.entries()) failures.add(places[first + k], [level]);
+      return failures.isEnough;
     },
-  );
-  for (const { kept } of checked) if (kept !== null) cache?.keep(kept);
-  await cache?.save();
+  };
+  const inWorkers = (stopping: AbortSignal | null) => checkInWorkers(unknown, work, checking, stopping);
+  const { done, signal } = isLong(settings)
+    ? await stoppable(inWorkers)
+    : { done: await (useWorkers ? inWorkers(null) : checkHere(unknown, work, checking)), signal: null };
+  // nothing is written after a signal
+  if (signal === null) {
+    for (const { kept } of done) if (kept !== null) cache?.keep(kept);
+    await cache?.save();
+  }
 
-  for (const { level } of checked) known.set(level.file, level);
-  // where the check stopped early, the rest has no report
-  return cutAtBail(
+  for (const { level } of done) known.set(level.file, level);
+  // where the check ended early, the rest has no report
+  const levels = cutAtBail(
     files.flatMap((file) => known.get(file) ?? []),
     bail,
   );
+  const checked = new Set(levels.map(({ file }) => file));
+  return { levels, unchecked: files.filter((file) => !checked.has(file)), signal };
 }
 
 /** The indices of the files that must be checked, up to where known levels alone end the check. */
@@ -129,6 +147,7 @@ async function checkInWorkers(
   files: readonly string[],
   work: Omit<Batch, 'files'>,
   { jobs, onProgress, isEnough }: Checking,
+  stopping: AbortSignal | null,
 ): Promise<CheckedFile[]> {
   if (files.length === 0) return [];
   const { Tinypool } = await import('tinypool');
@@ -150,7 +169,7 @@ async function checkInWorkers(
     const reports = await runBatch(batch);
     const levels = reports.map(({ level }) => level);
     if (isEnough(number * size, levels)) enough.abort();
-    done += batch.length;
+    done += levels.length;
     onProgress(done);
     return reports;
   };
@@ -158,17 +177,22 @@ async function checkInWorkers(
     try {
       return await pool.run({ files: batch, ...work } satisfies Batch, { signal: enough.signal });
     } catch (error) {
-      if (enough.signal.aborted) return [];
+      if (stopping?.aborted || enough.signal.aborted) return [];
       if (batch.length === 1) return [{ level: crashedLevel(batch[0], error), kept: null }];
       // the worker died with the whole batch: check its levels one at a time to find the one that kills it
       return (await Promise.all(batch.map((file) => runBatch([file])))).flat();
     }
   };
+  // ends the workers, which rejects what they have not finished
+  const stop = (): void => void pool.destroy();
+  stopping?.addEventListener('abort', stop);
   try {
+    if (stopping?.aborted) return [];
     const batches: (readonly string[])[] = [];
     for (let i = 0; i < files.length; i += size) batches.push(files.slice(i, i + size));
     return (await Promise.all(batches.map(check))).flat();
   } finally {
+    stopping?.removeEventListener('abort', stop);
     await pool.destroy();
   }
 }

@@ -13,6 +13,7 @@ import { jobsOption, maxTimeOption, maxWorkOption, wholeNumberOption } from '../
 import { createProgress } from '../../progress.ts';
 import { chooseReports, expectReportFiles, reportCheck, reporterOption, reportFormatOption } from '../../reporters/index.ts';
 import { addSearchOptions, limitsOf, type SearchOptions } from '../../search-options.ts';
+import { exitCodeAfter } from '../../signals.ts';
 
 /**
  * With more files than this, proofs about minerals are not tried, unless --solve takes its time anyway: a check of a thousand
@@ -59,7 +60,7 @@ name is. Verdicts: completable; broken (it has runs, and none completes it); unp
 impossible (it is proved that nobody can complete it); invalid; crashed. A level that costs more work than --max-work allows is
 unproven. Work is counted, so it is the same on every machine; with the default, the check of any file ends within seconds.
 --budget, --effort and --seed are for --solve. Proofs that nobody can collect a mineral are attempted with --solve, or when at
-most ${FEW_FILES} files are checked.
+most ${FEW_FILES} files are checked. When a signal ends a check with --solve or --require-slack, what is checked until then is reported.
 
 --lock and --update-lock measure certified ticks and the hash of each run, which takes about four times as long as the check
 alone. A level without an entry in the lock fails; an entry whose level is gone is only said. --update-lock keeps the entries of
@@ -120,16 +121,20 @@ async function check(paths: readonly string[], options: CheckOptions): Promise<C
   const progress = createProgress('checked', files.length);
   const bail =
     options.bail === undefined ? null : { most: options.bail, fails: (level: CheckedLevel) => exitCodeOf(compare([level])) > 0 };
-  const reports: CheckedLevel[] = await checkFiles(files, settings, options.jobs, progress.update, { bail, cache });
+  const checkedFiles = await checkFiles(files, settings, options.jobs, progress.update, { bail, cache });
+  const { levels: checked, unchecked, signal } = checkedFiles;
   progress.clear();
-  const unchecked = files.slice(reports.length);
-  const messages = await lock?.end(reports, unchecked.length === 0 && unreadable.length === 0);
+  const isWhole = signal === null && unchecked.length === 0 && unreadable.length === 0;
+  const messages = await lock?.end(checked, isWhole);
+  const reports = [...checked];
   for (const { path, reason } of unreadable)
     reports.push(unreadableLevel(path, `${path}: the directory can't be read: ${reason}`));
   const levels = compare(reports);
-  const results = { levels, unchecked, interrupted: false };
-  const report = await reportCheck(results, asked, { exitCode: exitCodeOf(levels), accuracy: accuracy.name });
-  return { ...report, messages: `${report.messages ?? ''}${bailedInWords(unchecked)}${messages ?? ''}` };
+  const results = { levels, unchecked, interrupted: signal !== null };
+  const exitCode = signal === null ? exitCodeOf(levels) : exitCodeAfter(signal);
+  const report = await reportCheck(results, asked, { exitCode, accuracy: accuracy.name });
+  const bailed = signal === null ? bailedInWords(unchecked) : '';
+  return { ...report, messages: `${report.messages ?? ''}${bailed}${messages ?? ''}` };
 }
 
 /** What was left out after the last failing level, for people. */
