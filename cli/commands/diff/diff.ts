@@ -1,12 +1,22 @@
 import { availableParallelism } from 'node:os';
 import process from 'node:process';
-import type { Command } from 'commander';
+import { type Command, Option } from 'commander';
+import { plural } from '../../../check/words/index.ts';
 import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../../accuracy-options.ts';
-import { colorsFor } from '../../colors.ts';
+import { colorsFor, PLAIN } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
-import { chooseComparison, diffFiles } from '../../diff/index.ts';
+import {
+  chooseComparison,
+  type Diff,
+  type DiffSettings,
+  diffFiles,
+  type PlayedVersions,
+  playVersions,
+} from '../../diff/index.ts';
+import { Failure } from '../../failure.ts';
 import { formatOption, jobsOption, maxTimeOption } from '../../options.ts';
-import { visible } from '../../visible.ts';
+import { visible, visibleLine } from '../../visible.ts';
+import { writeWhole } from '../../write-file.ts';
 import { diffJson } from './json.ts';
 import { diffText } from './text.ts';
 
@@ -14,7 +24,9 @@ interface Options extends AccuracyOptions {
   readonly staged?: true;
   readonly exitCode?: true;
   readonly slack: boolean;
-  readonly format: 'text' | 'json';
+  readonly format: 'text' | 'json' | 'html' | 'svg';
+  readonly output?: string;
+  readonly theme: 'dark' | 'light';
   readonly maxTime: number;
   readonly jobs: number;
 }
@@ -31,7 +43,9 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
       .option('--exit-code', 'end with 1 if any level file differs')
       .option('--no-slack', 'do not measure how far presses and releases can move, which takes most of the time'),
   )
-    .addOption(formatOption('text', 'json'))
+    .addOption(formatOption('text', 'json', 'html', 'svg'))
+    .option('-o, --output <file>', 'write to FILE and not to standard output')
+    .addOption(new Option('--theme <theme>', 'colours of --format svg').choices(['dark', 'light']).default('dark'))
     .addOption(maxTimeOption())
     .addOption(jobsOption(availableParallelism()))
     .addHelpText(
@@ -45,7 +59,8 @@ Exit code: 0; with --exit-code 1 if a level file differs; 2 when the comparison 
 Examples:
   $ gq diff                          what changed since the last commit
   $ gq diff main...feature levels    what a branch changes
-  $ gq diff old.level.json new.level.json`,
+  $ gq diff old.level.json new.level.json
+  $ gq diff main --format html -o diff.html`,
     )
     .action(async (words: string[], options: Options) => finish(await diff(words, command, options)));
 }
@@ -61,12 +76,31 @@ function divided(words: readonly string[], command: Command): { words: readonly 
 }
 
 async function diff(words: readonly string[], command: Command, options: Options): Promise<CommandResult> {
-  const { maxTime, slack, jobs, format } = options;
+  const { maxTime, slack, jobs } = options;
   const settings = { accuracy: chooseAccuracy(options), maxTime, slack };
   const comparison = await chooseComparison({ ...divided(words, command), staged: options.staged === true });
   const result = await diffFiles(comparison, settings, jobs);
   const exitCode = options.exitCode && result.levels.length > 0 ? 1 : 0;
   const messages = comparison.messages.map((message) => `${visible(message)}\n`).join('');
-  const output = format === 'json' ? diffJson(result) : diffText(result, colorsFor(process.stdout));
-  return { output, messages, exitCode };
+  const output = await written(result, settings, options);
+  if (options.output === undefined) return { output, messages, exitCode };
+  await writeWhole(options.output, output);
+  return { messages: `${messages}wrote ${visibleLine(options.output)}\n`, exitCode };
+}
+
+/** The diff in the format that is asked for. Pictures are loaded only where they are drawn. */
+async function written(result: Diff, settings: DiffSettings, { format, output, theme }: Options): Promise<string> {
+  if (format === 'json') return diffJson(result);
+  if (format === 'text') return diffText(result, output === undefined ? colorsFor(process.stdout) : PLAIN);
+  const rules = { before: result.comparison.before.rules, after: result.comparison.after.rules };
+  const play = (i: number): PlayedVersions => playVersions(result.pairs[i], rules, result.levels[i], settings);
+  if (format === 'html') return (await import('./page/index.ts')).diffPage(result, play);
+  if (result.levels.length !== 1) {
+    throw new Failure(
+      `--format svg draws one level, and ${plural(result.levels.length, 'level')} changed: name the file of one, or use --format html`,
+    );
+  }
+  const svg = (await import('./svg.ts')).diffSvg(result.levels[0], play(0), { width: 1200, theme });
+  if (svg !== null) return svg;
+  throw new Failure('there is nothing to draw: neither version of the file is a valid level');
 }

@@ -1,0 +1,1 @@
+export { diffPage } from './page.ts';

@@ -1,0 +1,81 @@
+import { compile, type Run, simulate, WorkBudget } from '../../engine/index.ts';
+import type { Mark } from '../../picture/comparison/index.ts';
+import type { Change, StandingRun } from '../../review/index.ts';
+import {
+  KINDS,
+  kindOfList,
+  type Level,
+  type ObjectKind,
+  type ObjectList,
+  type OwnRules,
+  readLevel,
+  SINGLE_KINDS,
+} from '../../schema/index.ts';
+import type { FileVersion, Pair } from './comparison.ts';
+import type { DiffedLevel, DiffSettings, JudgedVersion } from './diffed-level.ts';
+
+/** A version of a level with the run by which it is judged, for a picture. */
+export interface PlayedVersion {
+  readonly level: Level;
+  readonly run: Run | null;
+  readonly judged: StandingRun | null;
+}
+
+/** Both versions of a level for a picture; null where there is no valid level. */
+export interface PlayedVersions {
+  readonly before: PlayedVersion | null;
+  readonly after: PlayedVersion | null;
+  readonly marks: readonly Mark[];
+}
+
+/** Reads both versions again and plays their runs. */
+export function playVersions(
+  pair: Pair,
+  rules: { readonly before: OwnRules; readonly after: OwnRules },
+  diffed: DiffedLevel,
+  settings: DiffSettings,
+): PlayedVersions {
+  const before = play(pair.before, rules.before, diffed.before, settings);
+  const after = play(pair.after, rules.after, diffed.after, settings);
+  const marks = before === null || after === null ? [] : marksOf(diffed.changes ?? [], before.level, after.level);
+  return { before, after, marks };
+}
+
+function play(
+  file: FileVersion | null,
+  rules: OwnRules,
+  judged: JudgedVersion | null,
+  { accuracy, maxTime }: DiffSettings,
+): PlayedVersion | null {
+  if (file === null || judged?.standing == null) return null;
+  const read = readLevel(file.bytes, { byteOrderMark: 'skip', rules });
+  if (!read.ok) return null;
+  const { run } = judged.standing;
+  if (run === null) return { level: read.level, run: null, judged: null };
+  const played = simulate(compile(read.level, accuracy), run.holds, { maxTime, budget: new WorkBudget() });
+  return { level: read.level, run: played.stopped === null ? played : null, judged: run };
+}
+
+/** The objects that differ in what can be seen. */
+function marksOf(changes: readonly Change[], before: Level, after: Level): Mark[] {
+  return changes.flatMap((change): Mark[] => {
+    if (change.type !== 'added' && change.type !== 'removed' && change.type !== 'changed') return [];
+    const kind = kindOf(change.of);
+    if (kind === null) return [];
+    const [b, a] = [before, after].map((level, side) => {
+      if (change.type !== 'changed')
+        return (change.type === 'added') === (side === 1) ? objectAt(level, kind, change.index) : null;
+      return objectAt(level, kind, side === 0 ? change.before : change.after);
+    });
+    const isSeen = change.type !== 'changed' || change.fields.some(({ key }) => Object.hasOwn(KINDS[kind].fields, key));
+    return isSeen ? [{ kind, before: b, after: a }] : [];
+  });
+}
+
+const kindOf = (of: string): ObjectKind | null =>
+  SINGLE_KINDS.find((kind) => kind === of) ?? (of === 'runs' ? null : kindOfList(of as ObjectList));
+
+function objectAt(level: Level, kind: ObjectKind, index: number): NonNullable<Mark['before']> {
+  const single = SINGLE_KINDS.find((one) => one === kind);
+  return single === undefined ? level[KINDS[kind].list as ObjectList][index] : level[single];
+}
