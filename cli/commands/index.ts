@@ -44,6 +44,11 @@ export const COMMANDS: readonly CommandEntry[] = [
   { name: 'render', summary: 'draw a level and its run as SVG or PNG', load: () => import('./render.ts') },
   { name: 'diff', summary: 'show what changed in levels, and what that does to them', load: () => import('./diff/index.ts') },
   {
+    name: 'difftool',
+    summary: 'show two versions of a level in the browser, for git difftool',
+    load: () => import('./difftool.ts'),
+  },
+  {
     name: 'import',
     summary: "turn the original game's levels or a Tiled map into level files",
     load: () => import('./import/index.ts'),

@@ -25,8 +25,8 @@ export function compareFiles(before: string, after: string, name?: string): Comp
   const isEqual = pair.before !== null && pair.after !== null && Buffer.compare(pair.before.bytes, pair.after.bytes) === 0;
   const rules = folderRules();
   return {
-    before: { label: before, rules },
-    after: { label: after, rules },
+    before: { label: name === undefined ? before : `${name} before`, rules },
+    after: { label: name === undefined ? after : `${name} after`, rules },
     pairs: isEqual || (pair.before === null && pair.after === null) ? [] : [pair],
     equal: [],
     messages: [],

@@ -13,6 +13,7 @@ export type {
   ValueChange,
 } from './change.ts';
 export { diffLevels } from './diff-levels.ts';
+export { levelInLines } from './level-lines.ts';
 export {
   type AssessOptions,
   assessLevel,

@@ -4,7 +4,7 @@ import { dirname, join } from 'node:path';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { applyDiff, type Change } from '../../review/index.ts';
 import { type DiffReport, diffReportSchema, formatLevel, type LevelFile, withIds } from '../../schema/index.ts';
-import { fallThrough, gq, makeFiles } from './gq.ts';
+import { fallThrough, gq, MAIN, makeFiles } from './gq.ts';
 import { shipped } from './levels.ts';
 
 // with real git, in repositories of their own
@@ -218,6 +218,58 @@ describe('gq diff in a repository', () => {
     rmSync(clone, { recursive: true, force: true });
     expect(code).toBe(2);
     expect(stderr).toContain('this clone is shallow: git fetch --unshallow');
+  });
+});
+
+describe('gq inside git', () => {
+  const GQ = `"${process.execPath}" "${MAIN}"`.replaceAll('\\', '/');
+  const shown = (...args: string[]): string =>
+    execFileSync('git', args, {
+      cwd: root,
+      encoding: 'utf8',
+      env: { ...process.env, ...QUIET, DISPLAY: '', WAYLAND_DISPLAY: '', NO_COLOR: '1' },
+    });
+  beforeAll(() => {
+    write('.git/info/attributes', '*.level.json diff=gq-level\n');
+    write('levels/a.level.json', level({ name: 'Inside', blackHole: { x: 171, y: 0 } }));
+  });
+
+  it('is a textconv: git diff shows a line for each object', () => {
+    const text = shown('-c', `diff.gq-level.textconv=${GQ} diff --textconv`, 'diff', '--', 'levels/a.level.json');
+    expect(text).toContain('-black hole at (170, 0)\n+black hole at (171, 0)\n');
+    write('levels/a.level.json', '{ "version": 1');
+    expect(shown('-c', `diff.gq-level.textconv=${GQ} diff --textconv`, 'diff', '--', 'levels/a.level.json')).toContain(
+      '+not a valid level: 1:',
+    );
+    write('levels/a.level.json', level({ name: 'Inside', blackHole: { x: 171, y: 0 } }));
+  });
+
+  it('is an external diff: git diff prints what changed in words', () => {
+    const text = shown('-c', `diff.gq-level.command=${GQ} difftool`, 'diff', '--ext-diff', '--', 'levels/a.level.json');
+    expect(text).toContain('~ levels/a.level.json');
+    expect(text).toContain('black hole moved 1 px right');
+  });
+
+  it('is a difftool: it writes a page, and prints its path where there is no display', () => {
+    const tool = `${GQ} difftool "$LOCAL" "$REMOTE" "$MERGED"`;
+    const text = shown('-c', `difftool.gq.cmd=${tool}`, 'difftool', '--no-prompt', '--tool=gq', '--', 'levels/a.level.json');
+    expect(text).toMatch(/gq-diff-\w+[\\/]a\.level\.json\.html\n$/);
+    const page = text.trim();
+    expect(readFileSync(page, 'utf8')).toContain('black hole moved 1 px right');
+    rmSync(dirname(page), { recursive: true });
+  });
+
+  it('refuses other arguments', async () => {
+    expect(await gq(['difftool', 'a', 'b', 'c', 'd'], { cwd: root })).toMatchObject({
+      code: 2,
+      stderr: expect.stringContaining('expected LOCAL REMOTE [PATH]'),
+    });
+    expect(await gq(['difftool', 'levels/a.level.json'], { cwd: root })).toMatchObject({
+      code: 0,
+      stdout: '* unmerged levels/a.level.json\n',
+    });
+    expect(await diff('--textconv', 'levels/a.level.json', 'HEAD')).toMatchObject({ code: 2 });
+    expect(await diff('--textconv', 'nowhere.json')).toMatchObject({ code: 2, stderr: expect.stringContaining('no such file') });
   });
 });
 

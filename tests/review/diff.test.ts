@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { applyDiff, type Change, changesInWords, compareHolds, diffLevels } from '../../review/index.ts';
+import { applyDiff, type Change, changesInWords, compareHolds, diffLevels, levelInLines } from '../../review/index.ts';
 import { formatLevel, KINDS, type LevelFile, LISTED_KINDS, OBJECT_LISTS } from '../../schema/index.ts';
 import { arbitraryFile as fileWithIds } from '../editor/arbitrary-file.ts';
 import { arbitraryFile as anyFile } from '../schema/arbitrary-file.ts';
@@ -283,6 +283,39 @@ describe('the words of a diff', () => {
     const lines = words({ name: `\u001b[31mred\u202e${'x'.repeat(90)}`, 'x-\u001b[2J': 1 } as never);
     for (const line of lines) expect(line).not.toMatch(/[\p{Cc}\p{Cf}]/u);
     expect(lines[0].length).toBeLessThan(120);
+  });
+});
+
+describe('a level in lines', () => {
+  it('differs wherever the level does, but for the order of objects and keys, and for empty lists', () => {
+    const isOrder = ({ type }: Change): boolean => type === 'order' || type === 'keys' || type === 'empty-list';
+    fc.assert(
+      fc.property(edited, ({ before, after }) => {
+        const changes = diffLevels(before, after).filter((change) => !isOrder(change));
+        const isEmptyMap = (change: Change): boolean => change.type === 'map' && change.fields.length === 0;
+        const isSame = levelInLines(before) === levelInLines(after);
+        if (changes.some((change) => !isEmptyMap(change) && !('keys' in change && change.keys !== null)))
+          expect(isSame).toBe(false);
+        if (diffLevels(before, after).length === 0) expect(isSame).toBe(true);
+        expect(levelInLines({ ...after, asteroids: [...(after.asteroids ?? [])].reverse() })).toBe(levelInLines(after));
+      }),
+      RUNS,
+    );
+  });
+
+  it('has a line for each object and hold', () => {
+    expect(levelInLines(BASE)).toBe(`level "Base"
+version 1
+astronaut at (0, 0)
+black hole at (300, 0)
+asteroid aa at (0, 0), radius 16 px
+asteroid bb at (100, 0), radius 16 px
+asteroid cc at (200, 0), radius 16 px
+run "solution"
+  hold 12-96
+  hold 130-188
+run "other"
+`);
   });
 });
 

@@ -15,14 +15,17 @@ import {
 } from '../../diff/index.ts';
 import { Failure } from '../../failure.ts';
 import { formatOption, jobsOption, maxTimeOption } from '../../options.ts';
+import { readBytes } from '../../read-bytes.ts';
 import { visible, visibleLine } from '../../visible.ts';
 import { writeWhole } from '../../write-file.ts';
 import { diffJson } from './json.ts';
 import { diffText } from './text.ts';
+import { textOfLevel } from './textconv.ts';
 
 interface Options extends AccuracyOptions {
   readonly staged?: true;
   readonly exitCode?: true;
+  readonly textconv?: string;
   readonly slack: boolean;
   readonly format: 'text' | 'json' | 'html' | 'svg';
   readonly output?: string;
@@ -41,6 +44,7 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
       .usage('[options] [REF [REF]] [--] [PATH...]')
       .option('--staged', 'compare what is staged for the next commit, and not the working tree')
       .option('--exit-code', 'end with 1 if any level file differs')
+      .option('--textconv <file>', 'print one level as lines of text, for the textconv of git diff, and compare nothing')
       .option('--no-slack', 'do not measure how far presses and releases can move, which takes most of the time'),
   )
     .addOption(formatOption('text', 'json', 'html', 'svg'))
@@ -76,7 +80,11 @@ function divided(words: readonly string[], command: Command): { words: readonly 
 }
 
 async function diff(words: readonly string[], command: Command, options: Options): Promise<CommandResult> {
-  const { maxTime, slack, jobs } = options;
+  const { maxTime, slack, jobs, textconv } = options;
+  if (textconv !== undefined) {
+    if (words.length > 0) throw new Failure(`--textconv takes one file and nothing else, found ${words.join(' ')}`);
+    return { output: textOfLevel(readBytes(textconv)), exitCode: 0 };
+  }
   const settings = { accuracy: chooseAccuracy(options), maxTime, slack };
   const comparison = await chooseComparison({ ...divided(words, command), staged: options.staged === true });
   const result = await diffFiles(comparison, settings, jobs);

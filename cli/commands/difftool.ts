@@ -1,0 +1,102 @@
+import { mkdtempSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { basename, join } from 'node:path';
+import process from 'node:process';
+import { pathToFileURL } from 'node:url';
+import type { Command } from 'commander';
+import { ACCURACIES, DEFAULT_ACCURACY, DEFAULT_MAX_TIME } from '../../engine/index.ts';
+import { colorsFor } from '../colors.ts';
+import type { CommandResult } from '../command.ts';
+import { compareFiles, type Diff, type DiffSettings, diffFiles, playVersions } from '../diff/index.ts';
+import { Failure } from '../failure.ts';
+import { visibleLine } from '../visible.ts';
+import { writeWhole } from '../write-file.ts';
+import { diffPage } from './diff/page/index.ts';
+import { diffText } from './diff/text.ts';
+
+interface Options {
+  readonly open: boolean;
+}
+
+const SETTINGS: DiffSettings = { accuracy: ACCURACIES[DEFAULT_ACCURACY], maxTime: DEFAULT_MAX_TIME, slack: true };
+
+export function declare(command: Command, finish: (result: CommandResult) => void): void {
+  command
+    .description(
+      'Show two versions of a level in the browser: what changed, and both runs on one stage. Called with the seven arguments of an external diff of git, print what changed instead.',
+    )
+    .argument('<files...>', 'LOCAL REMOTE [PATH]: the two versions, and the name that the file has in the repository')
+    .usage('[options] LOCAL REMOTE [PATH]')
+    .option('--no-open', 'only write the page, and print its path')
+    .addHelpText(
+      'after',
+      `
+The page is written to the folder for temporary files. Where there is no display, its path is printed.
+
+Exit code: 0; 2 when a file could not be read.
+
+Examples:
+  $ gq difftool old.level.json new.level.json
+  $ git config difftool.gq.cmd 'gq difftool "$LOCAL" "$REMOTE" "$MERGED"'
+  $ git difftool --tool gq`,
+    )
+    .action(async (files: string[], options: Options) => finish(await difftool(files, options)));
+}
+
+async function difftool(files: readonly string[], { open }: Options): Promise<CommandResult> {
+  switch (files.length) {
+    case 1:
+      // so git calls an external diff for a file that is not merged
+      return { output: `* unmerged ${visibleLine(files[0])}\n`, exitCode: 0 };
+    case 2:
+    case 3:
+      return show(await compare(files[0], files[1], files[2]), files[2] ?? files[1], open);
+    case 7:
+    case 9: {
+      const [path, before, , , after] = files;
+      return { output: diffText(await compare(before, after, files[7] ?? path), colorsFor(process.stdout)), exitCode: 0 };
+    }
+    default:
+      throw new Failure(
+        `expected LOCAL REMOTE [PATH], or the 7 or 9 arguments of an external diff of git, found ${files.length}`,
+      );
+  }
+}
+
+const compare = (before: string, after: string, name: string | undefined): Promise<Diff> =>
+  diffFiles(compareFiles(before, after, name), SETTINGS, 1);
+
+async function show(diff: Diff, name: string, open: boolean): Promise<CommandResult> {
+  const { before, after } = diff.comparison;
+  const rules = { before: before.rules, after: after.rules };
+  const page = diffPage(diff, (i) => playVersions(diff.pairs[i], rules, diff.levels[i], SETTINGS));
+  const folder = mkdtempSync(join(tmpdir(), 'gq-diff-'));
+  const file = join(folder, `${basename(name).replace(/[^\w.-]/g, '_')}.html`);
+  await writeWhole(file, page);
+  if (!open || !hasDisplay()) return { output: `${file}\n`, exitCode: 0 };
+  const failure = await opened(pathToFileURL(file).href);
+  if (failure === null) return { exitCode: 0 };
+  return { output: `${file}\n`, messages: `the browser could not be opened (${failure}): open the page yourself\n`, exitCode: 0 };
+}
+
+/** Whether a browser can show anything. */
+function hasDisplay(): boolean {
+  const { DISPLAY, WAYLAND_DISPLAY, WSL_DISTRO_NAME, BROWSER } = process.env;
+  const isLinux = process.platform !== 'darwin' && process.platform !== 'win32';
+  return !isLinux || [DISPLAY, WAYLAND_DISPLAY, WSL_DISTRO_NAME, BROWSER].some((value) => value !== undefined && value !== '');
+}
+
+/** ms after which a browser that has not failed counts as open. */
+const SOON = 1500;
+
+/** Opens an address. @returns why it failed; null if it did not */
+async function opened(address: string): Promise<string | null> {
+  const { openBrowser } = await import('../edit/index.ts');
+  return new Promise((resolve) => {
+    const timer = setTimeout(() => resolve(null), SOON);
+    openBrowser(address, (why) => {
+      clearTimeout(timer);
+      resolve(why);
+    });
+  });
+}
