@@ -113,6 +113,12 @@ interface Checking {
   readonly isEnough: (first: number, levels: readonly CheckedLevel[]) => boolean;
 }
 
+/** Checks a content as if it were that of a file; nothing is read or cached. */
+export async function checkContent(file: string, content: Uint8Array, settings: CheckSettings): Promise<CheckedLevel> {
+  const { checkLevel } = await import('./check-level.ts');
+  return checkLevel(file, settings, content);
+}
+
 /** Whether a level may take seconds. */
 const isLong = ({ search, requireSlack }: CheckSettings): boolean => search !== null || requireSlack !== null;
 

@@ -35,14 +35,18 @@ export interface CheckedFile {
   readonly kept: KeptLevel | null;
 }
 
-/** Reads and validates one level file and replays its runs in order. Never throws: errors become verdicts. */
-export const checkLevel = (file: string, settings: CheckSettings): CheckedLevel => checkFile(file, settings, null).level;
+/**
+ * Reads and validates one level file and replays its runs in order. Never throws: errors become verdicts.
+ * @param content in place of what the file has
+ */
+export const checkLevel = (file: string, settings: CheckSettings, content?: Uint8Array): CheckedLevel =>
+  checkFile(file, settings, null, content).level;
 
 /** The same, with the report for the cache. @param cacheKey null without a cache */
-export function checkFile(file: string, settings: CheckSettings, cacheKey: string | null): CheckedFile {
+export function checkFile(file: string, settings: CheckSettings, cacheKey: string | null, content?: Uint8Array): CheckedFile {
   const start = performance.now();
   try {
-    const bytes = readBytes(file);
+    const bytes = content ?? readBytes(file);
     const { level, isAnywhere, isSettled } = judge(file, bytes, settings);
     const timed = { ...level, ms: performance.now() - start };
     return {

@@ -1,4 +1,4 @@
-export { type CheckedFiles, checkFiles } from './check-files.ts';
+export { type CheckedFiles, checkContent, checkFiles } from './check-files.ts';
 export type { CheckedLevel, CheckSettings } from './checked-level.ts';
 export { CHECK_CODES } from './codes.ts';
 export { openLevelCache } from './level-cache.ts';

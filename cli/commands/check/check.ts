@@ -1,19 +1,18 @@
 import { availableParallelism } from 'node:os';
 import type { Command } from 'commander';
-import { plural } from '../../../check/words/index.ts';
 import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../../accuracy-options.ts';
 import { addCacheOptions, type CacheOptions, cacheFolder, chosenCache } from '../../cache/index.ts';
 import type { CheckedLevel, CheckSettings } from '../../check/index.ts';
-import { checkFiles, exitCodeOf, openLevelCache, unreadableLevel } from '../../check/index.ts';
+import { checkContent, checkFiles, exitCodeOf, openLevelCache, unreadableLevel } from '../../check/index.ts';
 import type { CommandResult } from '../../command.ts';
 import { findConfig } from '../../config-file.ts';
 import { Failure } from '../../failure.ts';
-import { findLevelFiles } from '../../files.ts';
 import { jobsOption, maxTimeOption, maxWorkOption, wholeNumberOption } from '../../options.ts';
 import { createProgress } from '../../progress.ts';
 import { chooseReports, expectReportFiles, reportCheck, reporterOption, reportFormatOption } from '../../reporters/index.ts';
 import { addSearchOptions, limitsOf, type SearchOptions } from '../../search-options.ts';
 import { exitCodeAfter } from '../../signals.ts';
+import { chooseFiles } from './choose-files.ts';
 
 /**
  * With more files than this, proofs about minerals are not tried, unless --solve takes its time anyway: a check of a thousand
@@ -32,6 +31,8 @@ interface CheckOptions extends AccuracyOptions, SearchOptions, CacheOptions {
   readonly lock?: string;
   readonly updateLock?: true;
   readonly bail?: number;
+  readonly changed?: true | string;
+  readonly stdinPath?: string;
 }
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
@@ -51,6 +52,8 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     .addOption(jobsOption(availableParallelism()))
     .option('--lock <file>', 'compare the results with those agreed on in this file; a difference is the error result-changed')
     .option('--update-lock', 'agree anew: write the results into the lock file (default: gq.lock.json)')
+    .option('--changed [ref]', 'check only levels that differ from REF (default: from the branch that changes go into)')
+    .option('--stdin-path <file>', 'with the path -: the name in reports of the level that is read from standard input')
     .option('--bail <n>', 'check no more levels after N have failed', wholeNumberOption('a number of levels', 1, 1e6))
     .addHelpText(
       'after',
@@ -65,6 +68,10 @@ most ${FEW_FILES} files are checked. When a signal ends a check with --solve or 
 --lock and --update-lock measure certified ticks and the hash of each run, which takes about four times as long as the check
 alone. A level without an entry in the lock fails; an entry whose level is gone is only said. --update-lock keeps the entries of
 levels that are not checked, and writes nothing when the check ends early.
+--changed asks git: levels that have changed since the history left that of REF count, whether committed, staged, renamed or new;
+ignored files do not. REF is a branch, a tag or a commit; without it the branch of the pull request on GitHub and GitLab, else
+origin/HEAD, main or master, else the last commit. A changed gq.config.json may change every result, so then all levels are
+checked. If no level has changed, nothing needs a check: the exit code is 0. A path that matches no level file stays an error.
 --bail counts in the order of the files: the report ends with the Nth level that fails, for any number of threads.
 
 Exit code: 2 when a path matches nothing (then nothing is checked), or when a file could not be read or gq failed on it (the
@@ -77,6 +84,8 @@ Examples:
   $ gq check --solve --budget 30 drafts  search for runs, at most half a minute for each level
   $ gq check --require-slack 2           for CI: every run forgives errors of 33 ms
   $ gq check --lock gq.lock.json         compare with what was agreed on; --update-lock agrees anew
+  $ gq check levels --changed            only what this branch changes; --changed=HEAD: what is not committed
+  $ gq check - < a.level.json            a level from standard input
   $ gq check --bail 1                    stop at the first level that fails
   $ gq check --format json | jq .summary
   $ gq check --format github             annotations for a pull request
@@ -88,7 +97,7 @@ Examples:
 async function check(paths: readonly string[], options: CheckOptions): Promise<CommandResult> {
   const search = searchOf(options);
   const asked = chooseReports(options);
-  const { files, unreadable } = await findLevelFiles(paths);
+  const { files, unreadable, input, message } = await chooseFiles(paths, options);
   expectReportFiles(asked, files);
   // imported only if needed: it loads the schema, which usually only the workers load
   const rules = findConfig() === null ? {} : (await import('../../folder-rules.ts')).folderRules();
@@ -101,7 +110,7 @@ async function check(paths: readonly string[], options: CheckOptions): Promise<C
           file: lockFile,
           update: options.updateLock === true,
           accuracy: accuracy.name,
-          paths,
+          paths: input === null ? paths : files,
           levels: files,
         });
   const compare = (levels: readonly CheckedLevel[]): readonly CheckedLevel[] => lock?.compare(levels) ?? levels;
@@ -121,8 +130,13 @@ async function check(paths: readonly string[], options: CheckOptions): Promise<C
   const progress = createProgress('checked', files.length);
   const bail =
     options.bail === undefined ? null : { most: options.bail, fails: (level: CheckedLevel) => exitCodeOf(compare([level])) > 0 };
-  const checkedFiles = await checkFiles(files, settings, options.jobs, progress.update, { bail, cache });
-  const { levels: checked, unchecked, signal } = checkedFiles;
+  const {
+    levels: checked,
+    unchecked,
+    signal,
+  } = input === null
+    ? await checkFiles(files, settings, options.jobs, progress.update, { bail, cache })
+    : { levels: [await checkContent(files[0], input, settings)], unchecked: [], signal: null };
   progress.clear();
   const isWhole = signal === null && unchecked.length === 0 && unreadable.length === 0;
   const messages = await lock?.end(checked, isWhole);
@@ -131,15 +145,12 @@ async function check(paths: readonly string[], options: CheckOptions): Promise<C
     reports.push(unreadableLevel(path, `${path}: the directory can't be read: ${reason}`));
   const levels = compare(reports);
   const results = { levels, unchecked, interrupted: signal !== null };
-  const exitCode = signal === null ? exitCodeOf(levels) : exitCodeAfter(signal);
-  const report = await reportCheck(results, asked, { exitCode, accuracy: accuracy.name });
-  const bailed = signal === null ? bailedInWords(unchecked) : '';
-  return { ...report, messages: `${report.messages ?? ''}${bailed}${messages ?? ''}` };
+  const isNothing = levels.length === 0 && options.changed !== undefined;
+  const exitCode = signal !== null ? exitCodeAfter(signal) : isNothing ? 0 : exitCodeOf(levels);
+  const reported = isNothing ? asked.filter(({ name }) => name !== 'pretty') : asked;
+  const report = await reportCheck(results, reported, { exitCode, accuracy: accuracy.name });
+  return { ...report, messages: `${message}${report.messages ?? ''}${messages ?? ''}` };
 }
-
-/** What was left out after the last failing level, for people. */
-const bailedInWords = (unchecked: readonly string[]): string =>
-  unchecked.length === 0 ? '' : `--bail: ${plural(unchecked.length, 'level')} not checked\n`;
 
 function searchOf(options: CheckOptions): CheckSettings['search'] {
   const { solve, budget, effort, seed } = options;

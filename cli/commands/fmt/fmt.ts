@@ -8,12 +8,15 @@ import { Failure } from '../../failure.ts';
 import { findLevelFiles } from '../../files.ts';
 import { formatOption } from '../../options.ts';
 import { readBytes } from '../../read-bytes.ts';
+import { showFileProblems } from '../../report-parts/index.ts';
 import { hearSignals } from '../../signals.ts';
+import { readStdin, stdinName } from '../../stdin.ts';
 import { visible, visibleLine } from '../../visible.ts';
 import { writeWhole } from '../../write-file.ts';
 import { type FormattedFile, fmtJson, fmtPretty } from './report.ts';
 
 interface FmtOptions {
+  readonly stdinPath?: string;
   readonly check?: true;
   readonly format: 'pretty' | 'json';
 }
@@ -25,21 +28,27 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     )
     .argument('[path...]', 'level files, directories, or quoted patterns with * ** ?', ['levels'])
     .option('--check', 'only report which files would change')
+    .option('--stdin-path <file>', 'with the path -: the name in messages of the level that is read from standard input')
     .addOption(formatOption('pretty', 'json'))
     .addHelpText(
       'after',
       `
+With the path -, one level is read from standard input, and its formatted text goes to standard output; with --check, nothing does.
+
 Exit code: 0; 1 when a file is invalid or, with --check, would change; 2 when a file could not be read or written.
 
 Examples:
   $ gq fmt
   $ gq fmt --check levels      for CI
-  $ gq fmt my.level.json`,
+  $ gq fmt my.level.json
+  $ gq fmt - < my.level.json`,
     )
     .action(async (paths: string[], options: FmtOptions) => finish(await fmt(paths, options)));
 }
 
 async function fmt(paths: readonly string[], options: FmtOptions): Promise<CommandResult> {
+  const stdin = stdinName(paths, options.stdinPath);
+  if (stdin !== null) return fmtStdin(stdin, options);
   const { files, unreadable } = await findLevelFiles(paths);
   const done: FormattedFile[] = [];
   const failures = unreadable.map(({ path, reason }) => `error: ${visibleLine(path)}: the directory can't be read: ${reason}\n`);
@@ -61,6 +70,20 @@ async function fmt(paths: readonly string[], options: FmtOptions): Promise<Comma
     messages: failures.join(''),
     exitCode: failures.length > 0 ? 2 : clean ? 0 : 1,
   };
+}
+
+/** A level from standard input: its formatted text, or what is wrong with it. */
+function fmtStdin(name: string, { check, format }: FmtOptions): CommandResult {
+  if (format === 'json')
+    throw new Failure('--format json: standard output gets the formatted text of standard input: leave it out');
+  const bytes = readStdin('fmt');
+  const read = readLevel(bytes, { byteOrderMark: 'skip' });
+  if (!read.ok)
+    return { messages: showFileProblems(name, showProblems(read.problems, read.text), colorsFor(process.stderr)), exitCode: 1 };
+  const text = formatLevel(withIds(read.document.file));
+  if (!check) return { output: text, exitCode: 0 };
+  if (Buffer.from(text).equals(bytes)) return { exitCode: 0 };
+  return { messages: `${visibleLine(name)}: would change\n`, exitCode: 1 };
 }
 
 async function formatFile(file: string, onlyCheck: boolean): Promise<FormattedFile> {

@@ -1,0 +1,1 @@
+export { changedFiles } from './changed-files.ts';

@@ -1,0 +1,42 @@
+import { Failure } from '../../failure.ts';
+import { type FoundFiles, findLevelFiles } from '../../files.ts';
+import { readStdin, STDIN_NAME, stdinName } from '../../stdin.ts';
+
+/** What the options say about the files to check. */
+export interface ChoiceOptions {
+  /** `true`: no ref was given. */
+  readonly changed?: true | string;
+  readonly stdinPath?: string;
+  readonly lock?: string;
+  readonly updateLock?: true;
+}
+
+/** The files to check. */
+export interface ChosenFiles extends FoundFiles {
+  /** The content of the only level, if it comes from standard input. */
+  readonly input: Uint8Array | null;
+  /** Which files these are, for people; '' for all that the paths name. */
+  readonly message: string;
+}
+
+/** Chooses the files to check. @throws Failure if a path matches none, or options contradict each other */
+export async function chooseFiles(paths: readonly string[], options: ChoiceOptions): Promise<ChosenFiles> {
+  const { changed } = options;
+  const stdin = stdinName(paths, options.stdinPath);
+  if (stdin !== null) {
+    refuseForStdin(stdin, options);
+    return { files: [stdin], unreadable: [], input: readStdin('check'), message: '' };
+  }
+  const found = await findLevelFiles(paths);
+  if (changed === undefined) return { ...found, input: null, message: '' };
+  const { changedFiles } = await import('../../changed/index.ts');
+  const { files, inWords } = changedFiles(found.files, changed === true ? null : changed);
+  return { files, unreadable: found.unreadable, input: null, message: `${inWords}\n` };
+}
+
+function refuseForStdin(stdin: string, { changed, lock, updateLock }: ChoiceOptions): void {
+  if (changed !== undefined) throw new Failure('--changed chooses among files: expected no level from standard input with it');
+  if (updateLock) throw new Failure('--update-lock records files: expected no level from standard input with it');
+  if (lock !== undefined && stdin === STDIN_NAME)
+    throw new Failure('--lock has results of files: expected --stdin-path FILE with it, to say which one the level is');
+}
