@@ -10,6 +10,7 @@ import { rulesSchema } from './rules.ts';
 
 const { shape } = levelSchema;
 const runSchema = shape.runs.unwrap().element;
+const conflictSchema = shape.conflicts.unwrap().element;
 
 /** Names from the original game, which people who know it may write. */
 const NAMES_OF_THE_ORIGINAL: Readonly<Record<string, string>> = {
@@ -41,6 +42,7 @@ interface Compiled {
   readonly elements: Parts;
   readonly run: z.core.$ZodType;
   readonly hold: z.core.$ZodType;
+  readonly conflict: z.core.$ZodType;
 }
 
 let compiled: Compiled | null = null;
@@ -54,6 +56,7 @@ function parts(): Compiled {
     elements: Object.fromEntries(LISTED_KINDS.map((kind) => [KINDS[kind].list, z.compile(OBJECT_SCHEMAS[kind])])),
     run: z.compile(runSchema),
     hold: z.compile(runSchema.shape.holds.element),
+    conflict: z.compile(conflictSchema),
   };
   return compiled;
 }
@@ -234,16 +237,17 @@ export function checkShape(value: unknown): Finding[] {
   const findings: Finding[] = [];
   if (!isObject(value)) return [wrongType([], 'object', value)];
   const hollow = { ...value };
-  for (const list of [...OBJECT_LISTS, 'runs']) if (Array.isArray(hollow[list])) hollow[list] = [];
+  for (const list of [...OBJECT_LISTS, 'runs', 'conflicts']) if (Array.isArray(hollow[list])) hollow[list] = [];
   checkPart(parts().root, hollow, [], value, findings);
-  for (const list of OBJECT_LISTS) {
+  const checkEach = (list: string, schema: z.core.$ZodType, most: number) => {
     const entries = value[list];
-    if (!Array.isArray(entries) || !checkLength(entries, LIMITS.objects, [list], value, findings)) continue;
-    const schema = parts().elements[list];
+    if (!Array.isArray(entries) || !checkLength(entries, most, [list], value, findings)) return;
     for (let i = 0; i < entries.length && findings.length < MAX_FINDINGS; i++) {
       checkPart(schema, entries[i], [list, i], value, findings);
     }
-  }
+  };
+  checkEach('conflicts', parts().conflict, LIMITS.conflicts);
+  for (const list of OBJECT_LISTS) checkEach(list, parts().elements[list], LIMITS.objects);
   if (Array.isArray(value.runs) && checkLength(value.runs, LIMITS.runs, ['runs'], value, findings))
     checkRuns(value.runs, value, findings);
   return findings;

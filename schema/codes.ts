@@ -179,6 +179,13 @@ const EXPLANATIONS = {
     fix: 'Swap the two ticks, or remove the hold.',
     example: '[96, 12]  ->  [12, 96]',
   },
+  'merge-conflict': {
+    title: 'a merge left something undecided',
+    why: 'Two versions of the level changed the same property in different ways. The level holds our value, and "conflicts" lists both, so nothing is lost; but nobody has decided yet which of them is right.',
+    fix: 'Open the level with `gq edit` and choose a side for each conflict. Or edit the file: correct the value in place where theirs is right, and delete the entry of "conflicts"; delete the key once its list is empty.',
+    example:
+      '"conflicts": [\n  {\n    "what": "asteroid k3x9qa, radius",\n    "key": "asteroids/k3x9qa/radius",\n    "base": 16,\n    "ours": 20,\n    "theirs": 24\n  }\n]',
+  },
   'one-per-level': {
     title: 'a list stands where a level has exactly one object',
     why: 'A level has one astronaut and one black hole.',

@@ -6,12 +6,14 @@ type Json = { readonly [key: string]: unknown };
 
 const { shape } = levelSchema;
 const run = shape.runs.unwrap().element;
+const conflict = shape.conflicts.unwrap().element;
 
 /** The order of keys in a file is that of the schema. */
 const KEYS = {
   level: Object.keys(shape),
   rules: RULE_NAMES,
   runs: Object.keys(run.shape),
+  conflicts: Object.keys(conflict.shape),
   ...Object.fromEntries(OBJECT_KINDS.map((kind) => [KINDS[kind].list ?? kind, Object.keys(OBJECT_SCHEMAS[kind].shape)])),
 } as { readonly [part: string]: readonly string[] };
 
@@ -53,9 +55,17 @@ function formatRun(value: Json, indent: string): string {
   return block('{', rows, '}', indent);
 }
 
+/** A conflict has a line for each value, so that both can be compared. */
+function formatConflict(value: Json, indent: string): string {
+  const rows = entriesOf(value, KEYS.conflicts).map(([key, inner]) => `${JSON.stringify(key)}: ${inline(inner)}`);
+  return block('{', rows, '}', indent);
+}
+
+const ENTRIES: Readonly<Record<string, (value: Json, indent: string) => string>> = { runs: formatRun, conflicts: formatConflict };
+
 function formatMember(key: string, value: unknown): string {
   if (!Array.isArray(value) || !Object.hasOwn(KEYS, key)) return inline(value, KEYS[key]);
-  const rows = value.map((entry) => (key === 'runs' ? formatRun(entry as Json, '    ') : inline(entry, KEYS[key])));
+  const rows = value.map((entry) => ENTRIES[key]?.(entry as Json, '    ') ?? inline(entry, KEYS[key]));
   return block('[', rows, ']', '  ');
 }
 

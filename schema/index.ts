@@ -29,6 +29,7 @@ export {
   lockJsonSchema,
   lockSchema,
 } from './lock.ts';
+export { conflictProblems } from './merge-conflicts.ts';
 export type { JsonObject, Migration } from './migrate.ts';
 export { entryName, objectName, touchedName } from './names.ts';
 export * from './other-reports.ts';

@@ -80,11 +80,29 @@ const run = z
   })
   .describe('What a player does: proof that the level can be completed, or that it fails as it should.');
 
+const conflict = z
+  .strictObject({
+    what: z.string().describe('What it is about, in words.'),
+    key: z.string().min(1).describe('The property it is about, such as asteroids/k3x9qa/radius.'),
+    base: z.unknown().optional().describe('The value before both changes; left out when there was none.'),
+    ours: z
+      .unknown()
+      .optional()
+      .describe('The value of our version, which stands in the level; left out when it is deleted there.'),
+    theirs: z.unknown().optional().describe('The value of their version; left out when it is deleted there.'),
+  })
+  .describe('A property that two merged versions changed in different ways.');
+
 /** The zod schema of a level file. Lists that are left out are empty. */
 export const levelSchema = z
   .strictObject({
     $schema: z.string().optional().describe('Where the JSON Schema of this format is, for editors.'),
     version: z.literal(LEVEL_VERSION).describe('Version of this format.'),
+    conflicts: z
+      .array(conflict)
+      .max(LIMITS.conflicts)
+      .optional()
+      .describe('What a merge left undecided: `gq check` refuses the level until the list is gone.'),
     name: z.string().min(1).max(120).describe('What players and reports call the level.'),
     description: z.string().max(2000).optional().describe('What the level teaches or asks for.'),
     ...singles,
@@ -103,6 +121,9 @@ export const levelSchema = z
 
 /** The content of a level file: what may be left out may be missing. */
 export type LevelFile = z.infer<typeof levelSchema>;
+
+/** An entry of `conflicts` in a level file: a property that two merged versions changed in different ways. */
+export type FileConflict = NonNullable<LevelFile['conflicts']>[number];
 
 /** An object of a kind with every default filled in, as a {@link Level} has it. Only kinds with a list have an `id`. */
 export type ObjectOf<K extends ObjectKind> = (K extends ListedKind ? { readonly id: string | null } : unknown) & {

@@ -18,4 +18,6 @@ export const LIMITS = {
   runs: 1000,
   /** Holds in one run. */
   holds: 20_000,
+  /** Conflicts that a merge may leave in one level. */
+  conflicts: 20_000,
 } as const;

@@ -37,6 +37,7 @@ export const touchedName = (kind: ObjectKind, index: number): string =>
 const ONE_OF: Readonly<Record<string, string>> = {
   ...Object.fromEntries(OBJECT_LISTS.map((list) => [list, KINDS[kindOfList(list)].one])),
   runs: 'run',
+  conflicts: 'conflict',
   holds: 'hold',
 };
 

@@ -1,20 +1,28 @@
-import { isSame, KINDS, kindOfList, type LevelFile, OBJECT_LISTS, type ObjectKind, SINGLE_KINDS } from '../../schema/index.ts';
-
-export type Side = 'mine' | 'theirs';
-
-/** A property that both sides changed in different ways. */
-export interface Conflict {
-  /** Identifies what it is about, for choices: `asteroids/a7k2/place`, `runs/solution/holds`, `name`. */
-  readonly key: string;
-  /** The same in words: `asteroid a7k2, place`. */
-  readonly what: string;
-  /** JSON values; undefined if missing or deleted. */
-  readonly base: unknown;
-  readonly mine: unknown;
-  readonly theirs: unknown;
-}
-
-export type Choices = ReadonlyMap<string, Side>;
+import {
+  type FileConflict,
+  isSame,
+  KINDS,
+  kindOfList,
+  type LevelFile,
+  OBJECT_SCHEMAS,
+  SINGLE_KINDS,
+} from '../../schema/index.ts';
+import { type Choices, type Conflict, conflictKey, ORDER } from './conflict.ts';
+import {
+  ALONE,
+  fromGroups,
+  inList,
+  type Json,
+  type Listed,
+  listedIn,
+  type MergedList,
+  OBJECTS,
+  RUNS,
+  type Together,
+  toGroups,
+  togetherIn,
+} from './merged-lists.ts';
+import { keysInOrder, mergeOrder } from './order.ts';
 
 export interface Merged {
   readonly file: LevelFile;
@@ -22,71 +30,50 @@ export interface Merged {
   readonly conflicts: readonly Conflict[];
 }
 
-type Json = { readonly [key: string]: unknown };
+/** Keys with an object of settings, each of which is merged by itself. */
+export const SETTINGS: readonly string[] = ['rules', 'allow'];
 
-/** Groups, by the fields they contain. */
-type Together = ReadonlyMap<string, string>;
+/** The entries of lists, by name. */
+type Entries = ReadonlyMap<string, Listed>;
 
-const ALONE: Together = new Map();
-
-/** Fields of a kind that belong together: the coordinates of a place must not be mixed from two versions. */
-function togetherIn(kind: ObjectKind): Together {
-  const { places, vectors } = KINDS[kind];
-  const groups = [...places.map((pair, i) => [i === 0 ? 'place' : `place ${i + 1}`, pair] as const), ...Object.entries(vectors)];
-  return new Map(groups.flatMap(([group, pair]) => pair.map((field) => [field, group] as const)));
+function entriesOf(lists: readonly MergedList[], file: Json): Entries {
+  const entries = new Map<string, Listed>();
+  for (const { list, nameKey } of lists)
+    for (const entry of (file[list] ?? []) as readonly Json[]) entries.set(String(entry[nameKey]), { list, entry });
+  return entries;
 }
 
-/** An object with its fields in groups; a group is an object of its fields. */
-function toGroups(object: Json, together: Together): Map<string, unknown> {
-  const groups = new Map<string, unknown>();
-  for (const [key, value] of Object.entries(object)) {
-    if (value === undefined) continue;
-    const group = together.get(key);
-    if (group === undefined) groups.set(key, value);
-    else groups.set(group, { ...(groups.get(group) as object | undefined), [key]: value });
-  }
-  return groups;
-}
-
-function fromGroups(groups: ReadonlyMap<string, unknown>, together: Together): Json {
-  const object: Record<string, unknown> = {};
-  const names = new Set(together.values());
-  for (const [group, value] of groups) {
-    if (names.has(group)) Object.assign(object, value);
-    else object[group] = value;
-  }
-  return object;
-}
-
-/** A list whose entries have names. */
-interface MergedList {
-  readonly list: string;
-  /** A single entry in words. */
-  readonly kind: string;
-  /** The field with the name. */
-  readonly nameKey: string;
-  readonly together: Together;
+/** Whether an object can belong to a list of another kind, apart from keys that begin with x-. */
+function fits(list: string, entry: Json): boolean {
+  const plain = Object.entries(entry).filter(([key]) => !key.startsWith('x-'));
+  return OBJECT_SCHEMAS[kindOfList(list as never)].safeParse(Object.fromEntries(plain)).success;
 }
 
 class Merge {
   readonly conflicts: Conflict[] = [];
 
-  constructor(private readonly choices: Choices) {}
+  /** @param doubtful keys of values of the base that are not known: an earlier merge left them undecided */
+  constructor(
+    private readonly choices: Choices,
+    private readonly doubtful: readonly string[],
+  ) {}
 
   /** Merges one value as a whole. */
   value(key: string, what: string, bases: readonly unknown[], mine: unknown, theirs: unknown): unknown {
-    if (isSame(mine, theirs) || bases.some((base) => isSame(base, theirs))) return mine;
-    if (bases.every((base) => isSame(base, mine))) return theirs;
-    this.conflicts.push({ key, what, base: bases[0], mine, theirs });
-    return this.choices.get(key) === 'theirs' ? theirs : mine;
+    if (isSame(mine, theirs)) return mine;
+    if (!this.isDoubtful(key)) {
+      if (bases.some((base) => isSame(base, theirs))) return mine;
+      if (bases.every((base) => isSame(base, mine))) return theirs;
+    }
+    return this.conflict({ key, what, base: bases[0], mine, theirs });
   }
 
-  fields(key: string, what: string, together: Together, bases: readonly Json[], mine: Json, theirs: Json): Json {
+  fields(key: readonly string[], what: string, together: Together, bases: readonly Json[], mine: Json, theirs: Json): Json {
     const [m, t, ...b] = [mine, theirs, ...bases].map((object) => toGroups(object, together));
     const merged = new Map<string, unknown>();
-    for (const field of new Set([...m.keys(), ...t.keys()])) {
+    for (const field of keysInOrder(b[0].keys(), m.keys(), t.keys())) {
       const old = b.map((groups) => groups.get(field));
-      const value = this.value(`${key}/${field}`, `${what}, ${field}`, old, m.get(field), t.get(field));
+      const value = this.value(conflictKey(...key, field), `${what}, ${field}`, old, m.get(field), t.get(field));
       if (value !== undefined) merged.set(field, value);
     }
     return fromGroups(merged, together);
@@ -100,135 +87,168 @@ class Merge {
     theirs: Json | undefined,
   ): Json | undefined {
     const before = bases.map((base) => base ?? {});
-    const merged = this.fields(key, key, ALONE, before, mine ?? {}, theirs ?? {});
+    const merged = this.fields([key], key, ALONE, before, mine ?? {}, theirs ?? {});
     if (Object.keys(merged).length > 0) return merged;
     const sides = isSame(bases[0], mine) ? [theirs] : isSame(bases[0], theirs) ? [mine] : [mine, theirs];
     return sides.some((side) => side !== undefined && Object.keys(side).length === 0) ? merged : undefined;
   }
 
-  /** Merges a list whose entries have names: objects by id, runs by name. */
-  list(
-    key: string,
-    { kind, nameKey, together }: MergedList,
-    bases: readonly (readonly Json[])[],
-    mine: readonly Json[],
-    theirs: readonly Json[],
-  ): Json[] {
-    const byName = (list: readonly Json[]) => new Map(list.map((entry) => [String(entry[nameKey]), entry]));
-    const [m, t, ...b] = [mine, theirs, ...bases].map(byName);
-    const merged = new Map<string, Json>();
+  /** Merges lists whose entries have names: objects by id, runs by name. @returns the lists that the result has */
+  lists(lists: readonly MergedList[], bases: readonly Json[], mine: Json, theirs: Json): Map<string, readonly Json[]> {
+    const byList = new Map(lists.map((one) => [one.list, one]));
+    const [m, t, ...b] = [mine, theirs, ...bases].map((file) => entriesOf(lists, file));
+    const merged = new Map<string, Listed>();
     for (const name of new Set([...m.keys(), ...t.keys()])) {
-      const [here, there] = [m.get(name), t.get(name)];
       const old = b.map((entries) => entries.get(name));
-      const what = `${kind} ${name}`;
-      if (here !== undefined && there !== undefined) {
-        const fields = old.map((entry) => entry ?? {});
-        merged.set(name, this.fields(`${key}/${name}`, what, together, fields, here, there));
-        continue;
-      }
-      // added on one side, or deleted on the other
-      const kept = this.value(`${key}/${name}`, what, old, here, there) as Json | undefined;
+      const kept = this.entry(name, byList, old, m.get(name), t.get(name));
       if (kept !== undefined) merged.set(name, kept);
     }
-    const before = b.map((entries) => [...entries.keys()]);
-    const names = this.order(key, kind, before, [...m.keys()], [...t.keys()], new Set(merged.keys()));
-    return names.map((name) => merged.get(name) as Json);
-  }
-
-  /** The order of the kept entries: that of the side that changed it; new entries go where their side has them. */
-  private order(
-    key: string,
-    kind: string,
-    bases: readonly (readonly string[])[],
-    mine: readonly string[],
-    theirs: readonly string[],
-    kept: ReadonlySet<string>,
-  ): string[] {
-    const all = [mine, theirs, ...bases].map((names) => new Set(names));
-    const isCommon = (name: string) => all.every((names) => names.has(name));
-    const [m, t, ...b] = [mine, theirs, ...bases].map((list) => list.filter(isCommon));
-    const common = this.value(`${key}/order`, `${kind}s, their order`, b, m, t) as string[];
-    const [hereAfter, thereAfter] = [followers(mine, isCommon, kept), followers(theirs, isCommon, kept)];
-    const placed = new Set<string>();
-    const result: string[] = [];
-    const put = (name: string) => {
-      if (placed.has(name)) return;
-      placed.add(name);
-      result.push(name);
-    };
-    for (const anchor of ['', ...common]) {
-      if (anchor !== '') put(anchor);
-      const groups = [hereAfter.get(anchor) ?? [], thereAfter.get(anchor) ?? []];
-      // the result must not depend on which side is called mine
-      groups.sort((p, q) => (p.join() < q.join() ? -1 : 1));
-      for (const name of groups.flat()) put(name);
+    const results = new Map<string, readonly Json[]>();
+    for (const one of lists) {
+      const { list, nameKey } = one;
+      const [here, there, ...old] = [mine, theirs, ...bases].map((file) => file[list] as readonly Json[] | undefined);
+      const [mineNames, theirNames, ...before] = [here, there, ...old].map((entries = []) =>
+        entries.map((entry) => String(entry[nameKey])),
+      );
+      const kept = new Set([...mineNames, ...theirNames].filter((name) => merged.get(name)?.list === list));
+      const names = this.withinLimit(
+        one,
+        mergeOrder(before, mineNames, theirNames, kept, (b, m, t) => {
+          const key = conflictKey(ORDER, list);
+          return this.value(key, `${one.many}, their order`, b, m, t) as string[];
+        }),
+        [old[0], here, there],
+      );
+      // an empty list and none are the same level, but differ as text
+      const sides = isSame(old[0], here) ? [there] : isSame(old[0], there) ? [here] : [here, there];
+      if (names.length > 0 || sides.some((side) => side?.length === 0))
+        results.set(
+          list,
+          names.map((name) => (merged.get(name) as Listed).entry),
+        );
     }
-    return result;
+    return results;
+  }
+
+  private isDoubtful(key: string): boolean {
+    return this.doubtful.some((one) => one === key || key.startsWith(`${one}/`) || one.startsWith(`${key}/`));
+  }
+
+  /** @returns the value of the chosen side */
+  private conflict(conflict: Conflict): unknown {
+    this.conflicts.push(conflict);
+    return this.choices.get(conflict.key) === 'theirs' ? conflict.theirs : conflict.mine;
+  }
+
+  /** Merges one object or run, which may be missing in each version. */
+  private entry(
+    name: string,
+    lists: ReadonlyMap<string, MergedList>,
+    old: readonly (Listed | undefined)[],
+    here: Listed | undefined,
+    there: Listed | undefined,
+  ): Listed | undefined {
+    const isNew = old.every((before) => before === undefined);
+    if (here !== undefined && there !== undefined && !isNew) {
+      const list = this.listOf(name, old, here, there);
+      const { one, together } = lists.get(list ?? here.list) as MergedList;
+      if (list !== null) {
+        const before = this.conflicts.length;
+        const fields = old.map((listed) => listed?.entry ?? {});
+        const entry = this.fields([list, name], `${one} ${name}`, together, fields, here.entry, there.entry);
+        if (here.list === there.list || fits(list, entry)) return { list, entry };
+        this.conflicts.length = before;
+      }
+    }
+    // added, deleted, or of a new kind that lacks what the other side changed: merged as a whole
+    const places = [old.find((before) => before !== undefined), here, there].flatMap((listed) => listed?.list ?? []);
+    const list = isNew ? [...places].sort()[0] : places[0];
+    const { one } = lists.get(list) as MergedList;
+    const shown = (listed: Listed | undefined) => inList(list, listed);
+    return listedIn(list, this.value(conflictKey(list, name), `${one} ${name}`, old.map(shown), shown(here), shown(there)));
+  }
+
+  /** The list that an object belongs to after the merge; null if both sides moved it to different ones. */
+  private listOf(name: string, old: readonly (Listed | undefined)[], here: Listed, there: Listed): string | null {
+    if (here.list === there.list) return here.list;
+    if (old.some((before) => before !== undefined && this.isDoubtful(conflictKey(before.list, name)))) return null;
+    if (old.some((before) => before?.list === there.list)) return here.list;
+    return old.every((before) => before?.list === here.list) ? there.list : null;
+  }
+
+  /** Both sides together may have added more entries than a level can have: then one side's list stands. */
+  private withinLimit(
+    { list, many, nameKey, most }: MergedList,
+    names: readonly string[],
+    [base, mine, theirs]: readonly (readonly Json[] | undefined)[],
+  ): readonly string[] {
+    if (names.length <= most) return names;
+    const chosen = this.conflict({ key: list, what: `${many}, more than ${most} together`, base, mine, theirs });
+    const allowed = new Set(((chosen ?? []) as readonly Json[]).map((entry) => String(entry[nameKey])));
+    return names.filter((name) => allowed.has(name));
   }
 }
 
-/** Names that are not common to all, by the common name that they follow; '' for those before the first. */
-function followers(
-  list: readonly string[],
-  isCommon: (name: string) => boolean,
-  kept: ReadonlySet<string>,
-): Map<string, string[]> {
-  const after = new Map<string, string[]>();
-  let anchor = '';
-  for (const name of list) {
-    if (isCommon(name)) anchor = name;
-    else if (kept.has(name)) after.set(anchor, [...(after.get(anchor) ?? []), name]);
+/** Merges what earlier merges left undecided: an entry goes once one side has removed it. */
+function mergeUndecided(base: LevelFile, mine: LevelFile, theirs: LevelFile): FileConflict[] {
+  const [b, m, t] = [base, mine, theirs].map(({ conflicts = [] }) => new Map(conflicts.map((one) => [one.key, one])));
+  const kept: FileConflict[] = [];
+  for (const key of keysInOrder(b.keys(), m.keys(), t.keys())) {
+    const [old, here, there] = [b.get(key), m.get(key), t.get(key)];
+    if (here !== undefined && there !== undefined) kept.push(isSame(here, old) ? there : here);
+    else if (!isSame(old, here ?? there)) kept.push((here ?? there) as FileConflict);
   }
-  return after;
+  return kept;
 }
 
-const LISTS: readonly MergedList[] = [
-  ...OBJECT_LISTS.map((list) => {
-    const kind = kindOfList(list);
-    return { list, kind: KINDS[kind].one, nameKey: 'id', together: togetherIn(kind) };
-  }),
-  { list: 'runs', kind: 'run', nameKey: 'name', together: ALONE },
-];
+/** Keys that the base leaves undecided and both sides have decided since, on their own. */
+function doubtfulKeys(base: LevelFile, mine: LevelFile, theirs: LevelFile): string[] {
+  const open = new Set([...(mine.conflicts ?? []), ...(theirs.conflicts ?? [])].map(({ key }) => key));
+  return (base.conflicts ?? []).map(({ key }) => key).filter((key) => !open.has(key));
+}
 
 /**
  * Merges two changed versions of a level. Changes made on one side only are taken. Objects are identified by id and runs by
- * name, so their position in a list does not matter. A property that both sides changed differently is a conflict.
- * @param base the version that both started from; all objects have ids, as in `mine` and `theirs`
+ * name, so their position in a list does not matter, and an object may change its kind. A property that both sides changed
+ * differently is a conflict.
+ * @param base the version that both started from; all objects have ids, as in `mine` and `theirs`. null: there is none
  * @param sent states of mine that were sent and that theirs may have started from instead: a value that occurs in one of them
  * is no change of theirs, and mine counts as unchanged only if it equals all of them
  */
 export function mergeLevels(
-  base: LevelFile,
+  base: LevelFile | null,
   mine: LevelFile,
   theirs: LevelFile,
   choices: Choices = new Map(),
   sent: readonly LevelFile[] = [],
 ): Merged {
-  const merge = new Merge(choices);
-  const lists: readonly string[] = LISTS.map(({ list }) => list);
+  const before = base ?? ({} as LevelFile);
+  const merge = new Merge(choices, doubtfulKeys(before, mine, theirs));
+  const lists: readonly string[] = [...OBJECTS, RUNS].map(({ list }) => list);
   const merged: Record<string, unknown> = {};
-  const [m, t, ...b] = [mine, theirs, base, ...sent] as unknown as Json[];
-  for (const key of new Set([...Object.keys(m), ...Object.keys(t)])) {
-    if (lists.includes(key)) continue;
+  const [m, t, ...b] = [mine, theirs, before, ...sent] as unknown as Json[];
+  for (const key of keysInOrder(Object.keys(before), Object.keys(m), Object.keys(t))) {
+    if (key === 'conflicts' || lists.includes(key)) continue;
     const old = b.map((file) => file[key]);
     const single = SINGLE_KINDS.find((kind) => kind === key);
-    const fields = [old, m[key], t[key]] as [Json[], Json, Json];
+    const [here, there] = [m[key], t[key]] as [Json, Json];
     const value =
       single !== undefined
-        ? merge.fields(key, KINDS[single].one, togetherIn(single), ...fields)
-        : key === 'rules'
-          ? merge.optionalFields(key, ...fields)
-          : merge.value(key, key, old, m[key], t[key]);
+        ? merge.fields(
+            [key],
+            KINDS[single].one,
+            togetherIn(single),
+            old.map((one) => (one ?? {}) as Json),
+            here,
+            there,
+          )
+        : SETTINGS.includes(key)
+          ? merge.optionalFields(key, old as Json[], here, there)
+          : merge.value(conflictKey(key), key, old, here, there);
     if (value !== undefined) merged[key] = value;
   }
-  for (const one of LISTS) {
-    const { list } = one;
-    const [here, there, ...old] = [m, t, ...b].map((file) => file[list] as readonly Json[] | undefined);
-    const before = old.map((entries) => entries ?? []);
-    const entries = merge.list(list, one, before, here ?? [], there ?? []);
-    // an empty list and none are the same level, but differ as text
-    const sides = isSame(old[0], here) ? [there] : isSame(old[0], there) ? [here] : [here, there];
-    if (entries.length > 0 || sides.some((side) => side?.length === 0)) merged[list] = entries;
-  }
+  const undecided = mergeUndecided(before, mine, theirs);
+  if (undecided.length > 0) merged.conflicts = undecided;
+  for (const group of [OBJECTS, [RUNS]]) for (const [list, entries] of merge.lists(group, b, m, t)) merged[list] = entries;
   return { file: merged as LevelFile, conflicts: merge.conflicts };
 }

@@ -153,7 +153,7 @@ describe('merging', () => {
       'aa',
       'bb',
     ]);
-    expect(mergeLevels(BASE, rocks(cc, aa, bb), rocks(bb, aa, cc)).conflicts).toMatchObject([{ key: 'asteroids/order' }]);
+    expect(mergeLevels(BASE, rocks(cc, aa, bb), rocks(bb, aa, cc)).conflicts).toMatchObject([{ key: 'order/asteroids' }]);
   });
 
   it('names the astronaut, the black hole and the level in conflicts', () => {

@@ -60,6 +60,8 @@ describe('a file that is not a level', () => {
     given.add('more-problems');
     // their own tests have cases of these
     for (const code of ['not-in-original', 'unknown-class', 'wrong-shape', 'unpaired-mouth', 'unsupported-map']) given.add(code);
+    // a file with conflicts can be read: tests/review has its cases
+    given.add('merge-conflict');
     expect([...given].sort()).toEqual(CODES.map(({ code }) => code).sort());
   });
 
