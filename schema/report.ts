@@ -50,12 +50,12 @@ const levelReport = z.strictObject({
   problems: z.array(problem),
   failure: z
     .strictObject({
-      command: z.string().describe('Shows the failure.'),
+      command: z.string().describe('Opens the editor at the failure.'),
       link: z.string().nullable().describe('Opens the editor there; null if no address of a page is known.'),
       tick: z.int().min(0).nullable().describe('At which the run that fails ends; null if no run fails.'),
     })
     .nullable()
-    .describe('Where to look at the failure; null if the level does not fail.'),
+    .describe('Where to look at the failure; null if the level does not fail, or the editor can not open its file.'),
   ms: z.number().min(0).describe('Wall time.'),
 });
 

@@ -1,20 +1,20 @@
 import { plural } from '../../check/words/index.ts';
 import { summarize } from '../check/index.ts';
+import { failureOf, placeInWords } from '../show-failure/index.ts';
 import { earlyEndInWords } from './early-end.ts';
-import { failureOf } from './failing-place.ts';
 import { pathInWorkspace } from './paths.ts';
 import type { ReportContext, Results } from './reporter.ts';
 import { type Annotation, errorsFirst, workflowCommand } from './workflow-command.ts';
 
 /** The results of `check` as workflow commands, which GitHub shows at the lines of a pull request, and a summary line. */
-export function checkGithub(results: Results, { places }: ReportContext): string {
+export function checkGithub(results: Results, { places, linkTo }: ReportContext): string {
   const { levels } = results;
   const annotations = levels.flatMap((level): Annotation[] => {
-    const failure = failureOf(level);
+    const failure = failureOf(level, linkTo);
     const file = pathInWorkspace(level.file, places);
     return level.problems.map(({ severity, code, message, hint, line, column }) => {
       const lines = [message, hint];
-      if (severity === 'error' && failure !== null) lines.push(`to see it: ${failure.link ?? failure.command}`);
+      if (severity === 'error' && failure !== null) lines.push(`to see it: ${placeInWords(failure)}`);
       return { severity, file, line, column, title: code, message: lines.filter((text) => text !== '').join('\n') };
     });
   });

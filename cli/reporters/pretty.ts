@@ -2,6 +2,7 @@ import { bodyInWords, countMinerals, plural, VERDICT_MEANS } from '../../check/w
 import type { Verdict } from '../../schema/index.ts';
 import { type CheckedLevel, summarize } from '../check/index.ts';
 import { alignColumns, showFileProblems } from '../report-parts/index.ts';
+import { failureOf, placeInWords } from '../show-failure/index.ts';
 import { visibleLine } from '../visible.ts';
 import { earlyEndInWords } from './early-end.ts';
 import type { ReportContext, Results } from './reporter.ts';
@@ -15,14 +16,17 @@ const WHAT_TO_DO: Record<Exclude<Verdict, 'completable'>, string> = {
 };
 
 /** The results of `check` for people: a line for each level with its problems below, and a summary. */
-export function checkPretty(results: Results, { colors }: ReportContext): string {
+export function checkPretty(results: Results, { colors, linkTo }: ReportContext): string {
   const { levels: reports } = results;
   const lines = alignColumns(reports.map(row), [TIME_COLUMN]);
   const paint = (verdict: Verdict): ((text: string) => string) =>
     verdict === 'completable' ? colors.green : verdict === 'unproven' ? colors.yellow : colors.red;
   let text = '';
-  for (const [i, { file, verdict, problems }] of reports.entries()) {
+  for (const [i, level] of reports.entries()) {
+    const { file, verdict, problems } = level;
     text += `${paint(verdict)(verdict)}${lines[i].slice(verdict.length)}\n${showFileProblems(file, problems, colors)}`;
+    const failure = failureOf(level, linkTo);
+    if (failure !== null) text += `    ${colors.dim(`look at it: ${visibleLine(placeInWords(failure))}`)}\n`;
   }
   const summary = summarize(reports);
   const counts = Object.entries(summary).filter(([, count]) => count > 0);

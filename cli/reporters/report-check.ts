@@ -17,13 +17,14 @@ const REPORTERS: Readonly<Record<ReporterName, () => Promise<Reporter>>> = {
 export async function reportCheck(
   results: Results,
   reports: readonly Destination[],
-  { exitCode, accuracy }: { readonly exitCode: CommandResult['exitCode']; readonly accuracy: string },
+  { exitCode, accuracy, linkTo }: { readonly exitCode: CommandResult['exitCode'] } & Pick<ReportContext, 'accuracy' | 'linkTo'>,
 ): Promise<CommandResult> {
   const context: ReportContext = {
     colors: PLAIN,
     version: readVersion(),
     accuracy,
     exitCode,
+    linkTo,
     places: placesOf(process.cwd(), process.env),
   };
   const files: ResultFile[] = [];

@@ -1,5 +1,6 @@
 import type { CheckedLevel } from '../check/index.ts';
 import type { Colors } from '../colors.ts';
+import type { EditorLink } from '../show-failure/index.ts';
 
 /** The names of all reporters. */
 export const REPORTER_NAMES = ['pretty', 'json', 'github'] as const;
@@ -24,6 +25,8 @@ export interface ReportContext {
   /** The name of the accuracy at which was checked. */
   readonly accuracy: string;
   readonly exitCode: number;
+  /** Makes links to a page of the editor; null if none is known. */
+  readonly linkTo: EditorLink | null;
   readonly places: Places;
 }
 

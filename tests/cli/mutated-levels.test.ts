@@ -77,7 +77,7 @@ it.each([ACCURACIES.arcade, ACCURACIES.precise])(
         expect(checked.verdict).not.toBe('crashed');
         seen.add(checked.verdict);
         // a number that is not finite becomes null in JSON, which the schema refuses
-        const report = checkReportSchema.parse(JSON.parse(checkJson(resultsOf([checked]))));
+        const report = checkReportSchema.parse(JSON.parse(checkJson(resultsOf([checked]), CONTEXT)));
         expect(report.levels[0].problems.length > 0 || checked.verdict === 'completable').toBe(true);
         expect(checkPretty(resultsOf([checked]), CONTEXT)).toContain(checked.verdict);
       }),

@@ -11,6 +11,7 @@ import { jobsOption, maxTimeOption, maxWorkOption, wholeNumberOption } from '../
 import { createProgress } from '../../progress.ts';
 import { chooseReports, expectReportFiles, reportCheck, reporterOption, reportFormatOption } from '../../reporters/index.ts';
 import { addSearchOptions, limitsOf, type SearchOptions } from '../../search-options.ts';
+import { editorLinkTo, editorUrlOption } from '../../show-failure/index.ts';
 import { exitCodeAfter } from '../../signals.ts';
 import { chooseFiles } from './choose-files.ts';
 
@@ -33,6 +34,7 @@ interface CheckOptions extends AccuracyOptions, SearchOptions, CacheOptions {
   readonly bail?: number;
   readonly changed?: true | string;
   readonly stdinPath?: string;
+  readonly editorUrl?: string;
 }
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
@@ -49,6 +51,7 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     .addOption(maxWorkOption())
     .addOption(reportFormatOption())
     .addOption(reporterOption())
+    .addOption(editorUrlOption())
     .addOption(jobsOption(availableParallelism()))
     .option('--lock <file>', 'compare the results with those agreed on in this file; a difference is the error result-changed')
     .option('--update-lock', 'agree anew: write the results into the lock file (default: gq.lock.json)')
@@ -148,7 +151,8 @@ async function check(paths: readonly string[], options: CheckOptions): Promise<C
   const isNothing = levels.length === 0 && options.changed !== undefined;
   const exitCode = signal !== null ? exitCodeAfter(signal) : isNothing ? 0 : exitCodeOf(levels);
   const reported = isNothing ? asked.filter(({ name }) => name !== 'pretty') : asked;
-  const report = await reportCheck(results, reported, { exitCode, accuracy: accuracy.name });
+  const linkTo = await editorLinkTo(options.editorUrl);
+  const report = await reportCheck(results, reported, { exitCode, accuracy: accuracy.name, linkTo });
   return { ...report, messages: `${message}${report.messages ?? ''}${messages ?? ''}` };
 }
 

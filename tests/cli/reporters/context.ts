@@ -9,6 +9,7 @@ export const CONTEXT: ReportContext = {
   version: '1.2.3',
   accuracy: 'precise',
   exitCode: 1,
+  linkTo: null,
   places: { directory: '/project', workspaces: [], root: '/project' },
 };
 
