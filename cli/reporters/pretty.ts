@@ -1,4 +1,4 @@
-import { bodyInWords, countMinerals, plural, VERDICT_MEANS } from '../../check/words/index.ts';
+import { plural, VERDICT_MEANS } from '../../check/words/index.ts';
 import type { Verdict } from '../../schema/index.ts';
 import { type CheckedLevel, summarize } from '../check/index.ts';
 import { alignColumns, showFileProblems } from '../report-parts/index.ts';
@@ -6,6 +6,7 @@ import { failureOf, placeInWords } from '../show-failure/index.ts';
 import { visibleLine } from '../visible.ts';
 import { earlyEndInWords } from './early-end.ts';
 import type { ReportContext, Results } from './reporter.ts';
+import { runInWords } from './run-in-words.ts';
 
 const WHAT_TO_DO: Record<Exclude<Verdict, 'completable'>, string> = {
   broken: 'change the level or a run; gq simulate shows how a run ends',
@@ -45,16 +46,8 @@ export function checkPretty(results: Results, { colors, linkTo }: ReportContext)
 const TIME_COLUMN = 3;
 
 /** The cells of a line: verdict, file, name, time, minerals, clearance. */
-function row({ verdict, file, name, run, found, mineralCount }: CheckedLevel): string[] {
-  const cells = [verdict, visibleLine(file), verdict === 'invalid' || verdict === 'crashed' ? '' : visibleLine(name)];
-  if (verdict !== 'completable' || run === null) return cells;
-  const minerals = mineralCount === 0 ? 'no minerals' : `${countMinerals(run)} of ${plural(mineralCount, 'mineral')}`;
-  const near = run.clearance;
-  const clearance = near === null ? 'nothing deadly' : `${near.distance.toFixed(1)} px clear of ${bodyInWords(near)}`;
-  return [
-    ...cells,
-    `${run.time.toFixed(2)} s`,
-    minerals,
-    found === null ? clearance : `${clearance}, in a run that a search found`,
-  ];
+function row(level: CheckedLevel): string[] {
+  const { verdict, file, name } = level;
+  const shownName = verdict === 'invalid' || verdict === 'crashed' ? '' : visibleLine(name);
+  return [verdict, visibleLine(file), shownName, ...runInWords(level)];
 }

@@ -11,6 +11,8 @@ const REPORTERS: Readonly<Record<ReporterName, () => Promise<Reporter>>> = {
   pretty: async () => (await import('./pretty.ts')).checkPretty,
   json: async () => (await import('./json.ts')).checkJson,
   github: async () => (await import('./github.ts')).checkGithub,
+  junit: async () => (await import('./junit.ts')).checkJunit,
+  markdown: async () => (await import('./markdown.ts')).checkMarkdown,
 };
 
 /** Makes the reports of a check: those for files, and the one for stdout. */
@@ -26,6 +28,7 @@ export async function reportCheck(
     exitCode,
     linkTo,
     places: placesOf(process.cwd(), process.env),
+    isJenkins: Boolean(process.env.JENKINS_URL),
   };
   const files: ResultFile[] = [];
   let output = '';
@@ -34,5 +37,9 @@ export async function reportCheck(
     if (file === null) output = make(results, { ...context, colors: colorsFor(process.stdout) });
     else files.push({ path: file, content: make(results, context), mode: 'replace' });
   }
-  return { output, files, messages: '', exitCode };
+  const summary = process.env.GITHUB_STEP_SUMMARY;
+  if (!summary || !reports.some(({ name }) => name === 'github')) return { output, files, exitCode };
+  const { stepSummary } = await import('./step-summary.ts');
+  const step = stepSummary(summary, results);
+  return { output, files: [...files, ...step.files], messages: step.messages, exitCode };
 }

@@ -3,7 +3,7 @@ import type { Colors } from '../colors.ts';
 import type { EditorLink } from '../show-failure/index.ts';
 
 /** The names of all reporters. */
-export const REPORTER_NAMES = ['pretty', 'json', 'github'] as const;
+export const REPORTER_NAMES = ['pretty', 'json', 'github', 'junit', 'markdown'] as const;
 
 export type ReporterName = (typeof REPORTER_NAMES)[number];
 
@@ -28,6 +28,8 @@ export interface ReportContext {
   /** Makes links to a page of the editor; null if none is known. */
   readonly linkTo: EditorLink | null;
   readonly places: Places;
+  /** Whether the report is for Jenkins, whose schema refuses an attribute that other readers of JUnit reports want. */
+  readonly isJenkins: boolean;
 }
 
 /** Folders to which paths in reports are relative; absolute paths. */

@@ -11,6 +11,7 @@ export const CONTEXT: ReportContext = {
   exitCode: 1,
   linkTo: null,
   places: { directory: '/project', workspaces: [], root: '/project' },
+  isJenkins: false,
 };
 
 /** The results of a check that was not interrupted. */

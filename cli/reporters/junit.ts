@@ -1,0 +1,120 @@
+import type { CheckedLevel } from '../check/index.ts';
+import type { ShownProblem } from '../shown-problem.ts';
+import { visibleLine } from '../visible.ts';
+import { isFailing, placeOfFailure } from './failing-place.ts';
+import { pathInRepository } from './paths.ts';
+import type { ReportContext, Results } from './reporter.ts';
+import { runInWords } from './run-in-words.ts';
+import { xmlAttributes, xmlText } from './xml.ts';
+
+type State = 'passed' | 'failure' | 'error' | 'skipped';
+
+interface TestCase {
+  readonly folder: string;
+  readonly state: State;
+  /** s */
+  readonly time: number;
+  readonly xml: string;
+}
+
+/** The results of `check` as JUnit XML: a test case for each level, a suite for each folder. */
+export function checkJunit({ levels, unchecked, interrupted }: Results, context: ReportContext): string {
+  const why = interrupted ? 'not checked: a signal ended the check early' : 'not checked: the check ended early';
+  const cases = [...levels.map((level) => caseOf(level, context)), ...unchecked.map((file) => skippedCase(file, why, context))];
+  const folders = [...new Set(cases.map(({ folder }) => folder))];
+  const suites = folders.map((folder) =>
+    suiteOf(
+      folder,
+      cases.filter((one) => one.folder === folder),
+      context,
+    ),
+  );
+  const { skipped: _, ...counts } = countsOf(cases);
+  return `<?xml version="1.0" encoding="UTF-8"?>\n<testsuites${xmlAttributes({ name: 'gq check', ...counts })}>\n${suites.join('')}</testsuites>\n`;
+}
+
+function countsOf(cases: readonly TestCase[]) {
+  const count = (state: State): number => cases.filter((one) => one.state === state).length;
+  return {
+    tests: cases.length,
+    failures: count('failure'),
+    errors: count('error'),
+    skipped: count('skipped'),
+    time: cases.reduce((sum, { time }) => sum + time, 0).toFixed(3),
+  };
+}
+
+function suiteOf(folder: string, cases: readonly TestCase[], { version, accuracy }: ReportContext): string {
+  const properties = Object.entries({ 'gq.version': version, 'gq.accuracy': accuracy })
+    .map(([name, value]) => `      <property${xmlAttributes({ name, value })}/>\n`)
+    .join('');
+  const head = xmlAttributes({ name: folder, ...countsOf(cases) });
+  return `  <testsuite${head}>\n    <properties>\n${properties}    </properties>\n${cases.map(({ xml }) => xml).join('')}  </testsuite>\n`;
+}
+
+/** How a test case is found: its folder as the class, its file as the name. */
+function identityOf(file: string, { places, isJenkins }: ReportContext) {
+  const path = pathInRepository(file, places)?.path ?? file.replaceAll('\\', '/');
+  const at = path.lastIndexOf('/');
+  const folder = at < 0 ? '.' : path.slice(0, at) || '/';
+  return {
+    folder,
+    // Jenkins groups by what stands before the last dot
+    classname: folder === '.' ? 'levels' : folder.replace(/^\/+/, '').replaceAll('/', '.'),
+    name: path.slice(at + 1).replace(/\.level\.json$/, ''),
+    // the schema of Jenkins' xUnit plugin refuses it; GitLab and others link to it
+    file: isJenkins ? undefined : path,
+  };
+}
+
+function caseOf(level: CheckedLevel, context: ReportContext): TestCase {
+  const { folder, ...identity } = identityOf(level.file, context);
+  const state = stateOf(level);
+  const time = level.ms / 1000;
+  const body = `${state === 'passed' ? '' : failure(state, level)}      <system-out>${xmlText(output(level))}</system-out>\n`;
+  const head = xmlAttributes({ ...identity, time: time.toFixed(3) });
+  return { folder, state, time, xml: `    <testcase${head}>\n${body}    </testcase>\n` };
+}
+
+function skippedCase(file: string, why: string, context: ReportContext): TestCase {
+  const { folder, ...identity } = identityOf(file, context);
+  const head = xmlAttributes({ ...identity, time: '0.000' });
+  const xml = `    <testcase${head}>\n      <skipped${xmlAttributes({ message: why })}/>\n    </testcase>\n`;
+  return { folder, state: 'skipped', time: 0, xml };
+}
+
+/** An error is a level that could not be judged. */
+function stateOf(level: CheckedLevel): State {
+  if (!isFailing(level)) return 'passed';
+  return level.verdict === 'crashed' || level.unreadable ? 'error' : 'failure';
+}
+
+/** The failure of a level: its first error in brief, all of them in full, and where to look. */
+function failure(state: State, level: CheckedLevel): string {
+  const { verdict, problems } = level;
+  const errors = problems.filter(({ severity }) => severity === 'error');
+  const message = errors.length === 0 ? verdict : `${verdict}: ${visibleLine(errors[0].message)}`;
+  const text = [...errors.map((problem) => problemText(level, problem)), ...placeText(level)].join('\n');
+  const head = xmlAttributes({ message, type: errors[0]?.code ?? verdict });
+  return `      <${state}${head}>${xmlText(text)}</${state}>\n`;
+}
+
+function problemText({ file }: CheckedLevel, { severity, code, message, hint, line, column, frame }: ShownProblem): string {
+  const place = line === null ? file : `${file}:${line}:${column ?? 1}`;
+  const rest = [frame?.trimEnd() ?? '', hint].filter((text) => text !== '').map((text) => `\n${text.replace(/^/gm, '    ')}`);
+  return `${place}: ${severity} ${code}: ${message}${rest.join('')}`;
+}
+
+function placeText(level: CheckedLevel): string[] {
+  const { command, link } = placeOfFailure(level);
+  return [`to see it: ${command}`, ...(link === null ? [] : [link])];
+}
+
+/** What a passing level says, too: its name, its run, its warnings. */
+function output(level: CheckedLevel): string {
+  const run = runInWords(level);
+  const lines = [`${level.verdict}: ${visibleLine(level.name)}`, ...(run.length === 0 ? [] : [run.join(', ')])];
+  for (const problem of level.problems) if (problem.severity === 'warning') lines.push(problemText(level, problem));
+  if (isFailing(level)) lines.push(...placeText(level));
+  return `${lines.join('\n')}\n`;
+}

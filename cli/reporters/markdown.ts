@@ -1,0 +1,155 @@
+import { plural, VERDICT_MEANS } from '../../check/words/index.ts';
+import { type CheckedLevel, summarize } from '../check/index.ts';
+import { MAX_SHOWN, type ShownProblem } from '../shown-problem.ts';
+import { visible } from '../visible.ts';
+import { isFailing, placeOfFailure } from './failing-place.ts';
+import { markdownBlock, markdownCode, markdownText } from './markdown-text.ts';
+import type { ReportContext, Results } from './reporter.ts';
+import { runInWords } from './run-in-words.ts';
+
+/** Bytes that a comment on GitHub may have. */
+export const COMMENT_BYTES = 65_536;
+
+/** Bytes that are kept for what was left out. */
+const RESERVE = 400;
+
+/** A part of the report, which is there as a whole or not at all. */
+interface Part {
+  readonly text: string;
+  readonly bytes: number;
+}
+
+const part = (text: string): Part => ({ text, bytes: Buffer.byteLength(text) });
+
+/** The results of `check` as Markdown for people: failing levels first, each with its problems folded; at most a comment's size. */
+export const checkMarkdown = (results: Results, _context: ReportContext): string => markdownWithin(results, COMMENT_BYTES);
+
+/**
+ * The same in any size.
+ * @param mostBytes the largest size in UTF-8; what does not fit is left out, and the end says so
+ */
+export function markdownWithin(results: Results, mostBytes: number): string {
+  const { levels } = results;
+  const failing = levels.filter(isFailing);
+  const passing = levels.filter((level) => !isFailing(level));
+  const warned = passing.filter(({ problems }) => problems.length > 0);
+  const space = new Space(mostBytes - RESERVE);
+
+  const head = space.take([part(heading(results, failing.length))]);
+  if (head.length === 0) return '';
+  const rows = space.take(
+    failing.map((level) => part(row(level))),
+    TABLE,
+  );
+  const problems = space.take([...failing, ...warned].map((level) => part(details(level))));
+  const fine = space.take(
+    passing.map((level) => part(row(level))),
+    PASSING,
+  );
+  const early = space.take(earlyEnd(results).map(part));
+
+  const left = [
+    [failing.length - rows.length, 'failing level', 'failing levels'],
+    [failing.length + warned.length - problems.length, 'level with its problems', 'levels with their problems'],
+    [passing.length - fine.length, 'completable level', 'completable levels'],
+  ] as const;
+  const leftOut = left.filter(([count]) => count > 0).map(([count, one, many]) => plural(count, one, many));
+  const note =
+    leftOut.length === 0 ? '' : `\nLeft out, as it did not fit: ${leftOut.join('; ')}. The JSON report has everything.\n`;
+  const text = [
+    head.join(''),
+    rows.length === 0 ? '' : `${TABLE}${rows.join('')}`,
+    problems.length === 0 ? '' : `\n${problems.join('')}`,
+    fine.length === 0 ? '' : `${PASSING}${fine.join('')}\n</details>\n`,
+    early.join(''),
+    note,
+  ].join('');
+  return Buffer.byteLength(text) <= mostBytes ? text : '';
+}
+
+/** The space that is left in a report. */
+class Space {
+  constructor(private left: number) {}
+
+  /** The first parts that fit, below a frame that is only there if one of them is. */
+  take(parts: readonly Part[], frame = ''): string[] {
+    const taken: string[] = [];
+    const before = this.left;
+    this.left -= frame === '' ? 0 : Buffer.byteLength(frame) + FRAME_END;
+    for (const { text, bytes } of parts) {
+      if (bytes > this.left) break;
+      this.left -= bytes;
+      taken.push(text);
+    }
+    if (taken.length === 0) this.left = before;
+    return taken;
+  }
+}
+
+/** Bytes of what may follow a frame's parts. */
+const FRAME_END = 20;
+
+const HEADER = '| verdict | level | name | run or problem |\n| --- | --- | --- | --- |\n';
+const TABLE = `\n${HEADER}`;
+const PASSING = `\n<details><summary>Completable levels</summary>\n\n${HEADER}`;
+
+function heading({ levels }: Results, failing: number): string {
+  const counts = Object.entries(summarize(levels)).filter(([, count]) => count > 0);
+  const words = counts.map(([verdict, count]) => `${count} ${verdict}`).join(', ');
+  const title =
+    levels.length === 0
+      ? 'No level was checked'
+      : failing === 0
+        ? 'Every level is good'
+        : `${failing} of ${plural(levels.length, 'level')} ${failing === 1 ? 'fails' : 'fail'}`;
+  return `### ${failing === 0 && levels.length > 0 ? '✅' : '❌'} ${title}\n\n${plural(levels.length, 'level')}${words === '' ? '' : `: ${words}`}\n`;
+}
+
+function row(level: CheckedLevel): string {
+  const { verdict, file, name, problems } = level;
+  const error = problems.find(({ severity }) => severity === 'error');
+  const last =
+    error === undefined
+      ? runInWords(level).join(', ') || (verdict === 'completable' ? '' : VERDICT_MEANS[verdict])
+      : error.message;
+  return `| ${isFailing(level) ? '❌ ' : ''}${verdict} | ${markdownCode(file)} | ${markdownText(name)} | ${markdownText(last)} |\n`;
+}
+
+/** The problems of a level, and where to look, folded. */
+function details(level: CheckedLevel): string {
+  const { file, problems } = level;
+  const count = (severity: string): number => problems.filter((problem) => problem.severity === severity).length;
+  const counts = [plural(count('error'), 'error'), plural(count('warning'), 'warning')].filter((text) => !text.startsWith('0'));
+  const shown = problems.slice(0, MAX_SHOWN).map(problemText);
+  const more = problems.length > MAX_SHOWN ? `- and ${problems.length - MAX_SHOWN} more\n` : '';
+  const summary = `${markdownCode(file)}: ${counts.join(', ')}`;
+  return `<details><summary>${summaryHtml(summary)}</summary>\n\n${shown.join('')}${more}\n${isFailing(level) ? placeText(level) : ''}</details>\n`;
+}
+
+/** A summary is HTML, in which nothing of Markdown is read. */
+const summaryHtml = (markdown: string): string =>
+  markdown.replace(
+    /^`([^`]*)`/,
+    (_, code: string) => `<code>${code.replace(/[&<>]/g, (one) => `&#${one.charCodeAt(0)};`)}</code>`,
+  );
+
+function problemText({ severity, code, message, hint, line, column, frame }: ShownProblem): string {
+  const place = line === null ? '' : ` in line ${line}, column ${column ?? 1}`;
+  const rest = hint === '' ? '' : `  \n  ${markdownText(hint)}`;
+  const lines = frame === null ? '' : `\n${markdownBlock(visible(frame)).replace(/^(?=.)/gm, '  ')}`;
+  return `- **${severity}** ${markdownCode(code)}${place}: ${markdownText(message)}${rest}\n${lines}`;
+}
+
+function placeText(level: CheckedLevel): string {
+  const { command, link } = placeOfFailure(level);
+  const shown = link === null ? '' : `[Open the editor there](<${link.replace(/[<>\s]/g, encodeURIComponent)}>), or: `;
+  return `${link === null ? 'To see it: ' : shown}${markdownCode(command)}\n\n`;
+}
+
+function earlyEnd({ unchecked, interrupted }: Results): string[] {
+  if (!interrupted && unchecked.length === 0) return [];
+  const why = interrupted ? 'A signal ended the check early' : 'The check ended early';
+  const files = unchecked.slice(0, 20).map((file) => `- ${markdownCode(file)}\n`);
+  const more = unchecked.length > 20 ? `- and ${unchecked.length - 20} more\n` : '';
+  return [`\n**${why}**: ${plural(unchecked.length, 'level')} not checked\n\n${files.join('')}${more}`];
+}
