@@ -25,6 +25,7 @@ import { ANYWHERE, atFile, mayMention } from './anywhere.ts';
 import type { CheckedLevel, CheckSettings, RunInBrief } from './checked-level.ts';
 import { commandHints } from './hints.ts';
 import { type KeptLevel, keptLevel } from './level-cache.ts';
+import { withKeys } from './problem-keys.ts';
 import { crashedLevel, refusedLevel, unreadableLevel } from './refused-level.ts';
 import { type LevelSearch, searchLevel } from './search-level.ts';
 
@@ -70,7 +71,11 @@ interface Judgement {
 function judge(file: string, bytes: Uint8Array, settings: CheckSettings): Judgement {
   const read = readLevel(bytes, settings);
   if (read.ok) return replay(file, read, settings);
-  return { level: refusedLevel(file, 'invalid', showProblems(read.problems, read.text)), isAnywhere: true, isSettled: true };
+  return {
+    level: refusedLevel(file, 'invalid', withKeys(showProblems(read.problems, read.text), read.text)),
+    isAnywhere: true,
+    isSettled: true,
+  };
 }
 
 function replay(file: string, { level, document }: OpenedLevel, settings: CheckSettings): Judgement {
@@ -108,7 +113,7 @@ function replay(file: string, { level, document }: OpenedLevel, settings: CheckS
     report,
     mineralCount: level.minerals.length,
     ...(settings.forLock && { rules: level.rules ?? {} }),
-    problems: problems.length > 0 ? showProblems(problems, document.text) : [],
+    problems: problems.length > 0 ? withKeys(showProblems(problems, document.text), document.text) : [],
     unreadable: false,
     ms: 0,
   };

@@ -2,5 +2,6 @@ export { type CheckedFiles, checkContent, checkFiles } from './check-files.ts';
 export type { CheckedLevel, CheckSettings } from './checked-level.ts';
 export { CHECK_CODES } from './codes.ts';
 export { openLevelCache } from './level-cache.ts';
+export { keyOf } from './problem-keys.ts';
 export { unreadableLevel } from './refused-level.ts';
 export { exitCodeOf, summarize } from './summary.ts';

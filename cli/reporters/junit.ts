@@ -54,7 +54,7 @@ function suiteOf(folder: string, cases: readonly TestCase[], { version, accuracy
 
 /** How a test case is found: its folder as the class, its file as the name. */
 function identityOf(file: string, { places, isJenkins }: ReportContext) {
-  const path = pathInRepository(file, places)?.path ?? file.replaceAll('\\', '/');
+  const path = pathInRepository(file, places) ?? file.replaceAll('\\', '/');
   const at = path.lastIndexOf('/');
   const folder = at < 0 ? '.' : path.slice(0, at) || '/';
   return {

@@ -12,6 +12,7 @@ const REPORTERS: Readonly<Record<ReporterName, () => Promise<Reporter>>> = {
   json: async () => (await import('./json.ts')).checkJson,
   github: async () => (await import('./github.ts')).checkGithub,
   junit: async () => (await import('./junit.ts')).checkJunit,
+  sarif: async () => (await import('./sarif.ts')).checkSarif,
   markdown: async () => (await import('./markdown.ts')).checkMarkdown,
 };
 

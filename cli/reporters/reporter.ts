@@ -3,7 +3,7 @@ import type { Colors } from '../colors.ts';
 import type { EditorLink } from '../show-failure/index.ts';
 
 /** The names of all reporters. */
-export const REPORTER_NAMES = ['pretty', 'json', 'github', 'junit', 'markdown'] as const;
+export const REPORTER_NAMES = ['pretty', 'json', 'github', 'junit', 'sarif', 'markdown'] as const;
 
 export type ReporterName = (typeof REPORTER_NAMES)[number];
 

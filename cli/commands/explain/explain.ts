@@ -1,17 +1,15 @@
 import process from 'node:process';
 import type { Command } from 'commander';
-import { WARNING_CODES } from '../../../engine/index.ts';
-import { CODES, type ExplainReport } from '../../../schema/index.ts';
-import { CHECK_CODES } from '../../check/index.ts';
+import type { ExplainReport } from '../../../schema/index.ts';
 import { colorsFor } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
 import { didYouMean } from '../../did-you-mean.ts';
+import { EXPLAINED_CODES as ALL } from '../../explained-codes.ts';
 import { Failure } from '../../failure.ts';
 import { formatOption } from '../../options.ts';
 import { explainPretty, explainProof, listCodes } from './pretty.ts';
 import { PROOF_KINDS } from './proofs.ts';
 
-const ALL = [...CHECK_CODES, ...CODES, ...WARNING_CODES];
 /** A code that is also one of a problem is explained as that. */
 const PROOFS = PROOF_KINDS.filter(({ code }) => !ALL.some((problem) => problem.code === code));
 
@@ -39,7 +37,7 @@ function explain(code: string | undefined, format: 'pretty' | 'json'): CommandRe
     return {
       output:
         format === 'json'
-          ? `${JSON.stringify({ version: 1, codes: ALL, proofs: [...PROOF_KINDS] } satisfies ExplainReport)}\n`
+          ? `${JSON.stringify({ version: 1, codes: [...ALL], proofs: [...PROOF_KINDS] } satisfies ExplainReport)}\n`
           : listCodes(ALL, PROOFS, colors),
       exitCode: 0,
     };

@@ -1,0 +1,157 @@
+import { mkdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { Ajv } from 'ajv';
+import formats from 'ajv-formats';
+import fc from 'fast-check';
+import { afterAll, describe, expect, it } from 'vitest';
+import { checkSarif } from '../../../cli/reporters/sarif.ts';
+import { fallThrough, gqProcess, makeFiles } from '../gq.ts';
+import { brokenLevel, CONTEXT, checkedLevel, resultsOf, shownProblem } from './context.ts';
+
+// the schema is of draft 4, of which it uses nothing that has another meaning in draft 7, but for the name of its id
+const {
+  id: _,
+  $schema,
+  ...schema
+} = JSON.parse(readFileSync(new URL('./fixtures/sarif-schema-2.1.0.json', import.meta.url), 'utf8'));
+const ajv = new Ajv({ strict: false, allErrors: true });
+(formats as unknown as (ajv: Ajv) => void)(ajv);
+const isValid = ajv.compile(schema);
+const problemsOf = (report: unknown): unknown => (isValid(report) ? [] : isValid.errors);
+
+interface Result {
+  readonly ruleId: string;
+  readonly ruleIndex: number;
+  readonly level: string;
+  readonly message: { readonly text: string };
+  readonly locations: readonly {
+    readonly physicalLocation: { readonly artifactLocation: { uri: string }; readonly region?: object };
+  }[];
+  readonly partialFingerprints: Readonly<Record<string, string>>;
+}
+
+const runOf = (text: string) => {
+  const report = JSON.parse(text);
+  expect(problemsOf(report)).toEqual([]);
+  const [run] = report.runs;
+  return run as { readonly results: readonly Result[]; readonly tool: { driver: { rules: { id: string }[] } } } & Record<
+    string,
+    unknown
+  >;
+};
+
+const files = makeFiles({ 'game/levels/ä b%.level.json': fallThrough({ runs: [], asteriods: [] }) });
+afterAll(() => files.remove());
+
+const hostile = fc.string({
+  unit: fc.oneof(
+    fc.constantFrom('%', '/', '?', '#', ':', '\\', '🚀', '\ud800', '\u0000', ' '),
+    fc.string({ unit: 'binary', maxLength: 2 }),
+  ),
+});
+
+describe('the sarif reporter', () => {
+  it('is valid and percent-encodes paths, whatever is in them', () => {
+    fc.assert(
+      fc.property(fc.array(fc.tuple(hostile, hostile), { maxLength: 3 }), (texts) => {
+        const levels = texts.map(([file, message]) =>
+          brokenLevel({ file: `levels/x${file}`, problems: [shownProblem({ message: `m${message}` })] }),
+        );
+        const run = runOf(checkSarif(resultsOf(levels, { unchecked: texts.map(([file]) => file), interrupted: true }), CONTEXT));
+        expect(run.results).toHaveLength(texts.length);
+        for (const { locations } of run.results)
+          expect(locations[0].physicalLocation.artifactLocation.uri).toMatch(/^[\w%.!~*'()/-]+$|^file:/);
+      }),
+      { numRuns: 50 },
+    );
+  });
+
+  it('would be refused without its results', () => {
+    const report = JSON.parse(checkSarif(resultsOf([brokenLevel()]), CONTEXT));
+    const [run] = report.runs;
+    expect(problemsOf({ ...report, runs: [{ ...run, tool: undefined }] })).not.toEqual([]);
+    expect(problemsOf({ ...report, runs: [{ ...run, results: [{}] }] })).not.toEqual([]);
+  });
+
+  it('has the places, rules and levels of the problems', () => {
+    const warning = shownProblem({
+      code: 'low-slack',
+      severity: 'warning',
+      line: null,
+      column: null,
+      message: 'tight',
+      hint: '',
+    });
+    const levels = [brokenLevel(), checkedLevel({ file: '/elsewhere/b.level.json', problems: [warning] })];
+    const run = runOf(checkSarif(resultsOf(levels), CONTEXT));
+    expect(run).toMatchObject({
+      columnKind: 'utf16CodeUnits',
+      invocations: [{ exitCode: 1, executionSuccessful: true, toolExecutionNotifications: [] }],
+      originalUriBaseIds: { '%SRCROOT%': { uri: 'file:///project/' } },
+      tool: { driver: { name: 'gq', version: '1.2.3' } },
+      results: [
+        {
+          level: 'error',
+          locations: [
+            {
+              physicalLocation: {
+                artifactLocation: { uri: 'levels/a.level.json', uriBaseId: '%SRCROOT%' },
+                region: { startLine: 9, startColumn: 5 },
+              },
+            },
+          ],
+        },
+        { level: 'warning', message: { text: 'tight' } },
+      ],
+    });
+    expect(run.results[0].message.text).toBe(
+      'unknown key "asteriods"\nWrite "asteroids".\nto see it: gq edit --open levels/a.level.json:120',
+    );
+    expect(run.results[1].locations[0].physicalLocation.artifactLocation).toEqual({ uri: 'file:///elsewhere/b.level.json' });
+    for (const { ruleId, ruleIndex } of run.results) expect(run.tool.driver.rules[ruleIndex].id).toBe(ruleId);
+    expect(run.tool.driver.rules[1]).toMatchObject({
+      id: 'run-does-not-complete',
+      shortDescription: { text: expect.any(String) },
+      help: { markdown: expect.stringContaining('**How to fix it:**') },
+      defaultConfiguration: { level: 'error' },
+    });
+  });
+
+  it('names files relative to the root of the repository or the workspace', async () => {
+    const cwd = join(files.directory, 'game');
+    const uris = async (env: Record<string, string>) => {
+      const { stdout } = await gqProcess(['check', '--format', 'sarif'], { cwd, env });
+      return runOf(stdout).results.map(({ locations }) => locations[0].physicalLocation.artifactLocation.uri);
+    };
+    expect(await uris({ GITHUB_WORKSPACE: files.directory })).toEqual(['game/levels/%C3%A4%20b%25.level.json']);
+    mkdirSync(join(files.directory, '.git'));
+    expect(await uris({})).toEqual(['game/levels/%C3%A4%20b%25.level.json']);
+    renameSync(join(files.directory, '.git'), join(cwd, '.git'));
+    expect(await uris({})).toEqual(['levels/%C3%A4%20b%25.level.json']);
+  });
+
+  it('keeps fingerprints when lines, objects, runs and other problems come before', async () => {
+    const { directory, remove } = makeFiles({});
+    const asteroid = (id: string, more = {}) => ({ id, x: 100, y: 0, radius: 16, ...more });
+    const fingerprints = async (level: Record<string, unknown>, layout: number) => {
+      writeFileSync(join(directory, 'a.level.json'), JSON.stringify(JSON.parse(fallThrough(level)), null, layout));
+      const { stdout } = await gqProcess(['check', 'a.level.json', '--format', 'sarif'], { cwd: directory });
+      return runOf(stdout).results.map(({ ruleId, partialFingerprints }) => `${ruleId} ${partialFingerprints['gqProblem/v1']}`);
+    };
+    const wrong = asteroid('bbbbbb', { raduis: 1 });
+    const before = await fingerprints({ asteroids: [asteroid('aaaaaa'), wrong] }, 0);
+    expect(before).toHaveLength(1);
+    const after = await fingerprints(
+      { description: 'x', asteroids: [asteroid('cccccc', { hots: true }), asteroid('aaaaaa'), wrong] },
+      2,
+    );
+    expect(after).toHaveLength(2);
+    expect(after).toContain(before[0]);
+    const run = (name: string) => ({ name, holds: [[5, 6]] });
+    const runs = await fingerprints({ runs: [run('b'), run('c')] }, 0);
+    expect(new Set(runs).size).toBe(runs.length);
+    const more = await fingerprints({ runs: [run('a'), run('c'), run('b')] }, 1);
+    for (const one of runs.filter((text) => text.startsWith('run-'))) expect(more).toContain(one);
+    remove();
+  });
+});
