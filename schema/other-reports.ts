@@ -113,3 +113,39 @@ export const importReportSchema = z.strictObject({
 
 /** What `gq import` prints as JSON. */
 export type ImportReport = z.infer<typeof importReportSchema>;
+
+/** The zod schema of what `gq export` prints as JSON. */
+export const exportReportSchema = z.strictObject({
+  version,
+  files: z.array(
+    z.strictObject({
+      file: z.string(),
+      levels: z.array(z.string()).describe('The level files that are in it.'),
+      status: z.enum(['written', 'overwritten', 'unchanged']),
+    }),
+  ),
+  warnings: z
+    .array(z.strictObject({ file: z.string().describe('The level file.'), message: z.string() }))
+    .describe('What the other format does not say.'),
+});
+
+/** What `gq export` prints as JSON. */
+export type ExportReport = z.infer<typeof exportReportSchema>;
+
+/** The zod schema of what `gq init` prints as JSON. */
+export const initReportSchema = z.strictObject({
+  version,
+  dryRun: z.boolean().describe('Whether nothing was written.'),
+  ci: z.enum(['github', 'gitlab', 'none']),
+  files: z.array(
+    z.strictObject({
+      file: z.string(),
+      status: z.enum(['written', 'changed', 'unchanged', 'left']).describe('left: it exists, and is as it was.'),
+      note: z.string().nullable().describe('Why it was left, or what else to do.'),
+    }),
+  ),
+  next: z.array(z.string()).describe('What to do next: commands.'),
+});
+
+/** What `gq init` prints as JSON. */
+export type InitReport = z.infer<typeof initReportSchema>;

@@ -4,6 +4,7 @@ import { join } from 'node:path';
 import process from 'node:process';
 import { fileURLToPath } from 'node:url';
 import { afterAll, describe, expect, it } from 'vitest';
+import { exportReportSchema } from '../../schema/index.ts';
 import { fallThrough, gq, makeFiles } from './gq.ts';
 
 const MAPS = fileURLToPath(new URL('../schema/fixtures/tiled', import.meta.url));
@@ -78,7 +79,7 @@ describe('gq export --to gravityquest', () => {
     expect(refused.stderr).toContain('mine.json');
     expect(read('mine.json')).toBe('mine');
     const json = ['levels', '--to', 'gravityquest', '-o', 'mine.json', '--format', 'json'];
-    const forced = JSON.parse((await run(...json, '--force')).stdout);
+    const forced = exportReportSchema.parse(JSON.parse((await run(...json, '--force')).stdout));
     expect(forced).toMatchObject({ version: 1, files: [{ file: 'mine.json', status: 'overwritten' }] });
     expect(forced.warnings).toHaveLength(2);
     expect(JSON.parse((await run(...json)).stdout).files[0].status).toBe('unchanged');

@@ -1,4 +1,5 @@
 import { plural } from '../../../check/words/index.ts';
+import type { ExportReport } from '../../../schema/index.ts';
 import { visibleLine } from '../../visible.ts';
 import type { FileStatus } from '../../write-all.ts';
 import type { Made } from './made.ts';
@@ -32,7 +33,11 @@ export function warningsInWords(warnings: Made['warnings']): string {
 }
 
 /** The results of `export` as JSON. */
-export const exportJson = ({ files, warnings }: Exported): string => `${JSON.stringify({ version: 1, files, warnings })}\n`;
+export function exportJson({ files, warnings }: Exported): string {
+  const rows = files.map(({ file, levels, status }) => ({ file, levels: [...levels], status }));
+  const report: ExportReport = { version: 1, files: rows, warnings: [...warnings] };
+  return `${JSON.stringify(report)}\n`;
+}
 
 /** The results of `export` for people. */
 export function exportPretty({ files }: Exported): string {
