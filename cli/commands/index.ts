@@ -58,6 +58,11 @@ export const COMMANDS: readonly CommandEntry[] = [
     summary: "turn levels back into the original game's, or into Tiled maps",
     load: () => import('./export/index.ts'),
   },
+  {
+    name: 'init',
+    summary: 'put levels, configuration and a workflow for CI into a project',
+    load: () => import('./init/index.ts'),
+  },
   { name: 'fmt', summary: 'format level files', load: () => import('./fmt/index.ts') },
   { name: 'schema', summary: 'print the JSON Schema of a level file', load: () => import('./schema.ts') },
   {

@@ -1,0 +1,94 @@
+import { spawnSync } from 'node:child_process';
+import { existsSync, readdirSync } from 'node:fs';
+import { dirname, join, relative, resolve, sep } from 'node:path';
+import { readText } from './read-text.ts';
+import { readTemplate } from './templates.ts';
+
+/** Where levels are checked for everybody. */
+export type Ci = 'github' | 'gitlab' | 'none';
+
+/** A file of a project that a plan is about. */
+export interface PlannedText {
+  readonly file: string;
+  /** Its new text; null: it is left as it is. */
+  readonly text: string | null;
+  /** Why it is left, or what else to do. */
+  readonly note?: string;
+}
+
+/** The root of the repository around a folder; the folder itself if there is none. */
+export function repositoryOf(folder: string): string {
+  for (let at = resolve(folder); ; at = dirname(at)) {
+    if (existsSync(join(at, '.git'))) return at;
+    if (dirname(at) === at) return resolve(folder);
+  }
+}
+
+/** The address of the repository's origin; '' if there is none, or no git. */
+function originOf(root: string): string {
+  if (!existsSync(join(root, '.git'))) return '';
+  const { stdout } = spawnSync('git', ['remote', 'get-url', 'origin'], { cwd: root, encoding: 'utf8', timeout: 5000 });
+  return stdout ?? '';
+}
+
+/** What the repository uses; where nothing says it, GitHub. */
+export function chooseCi(folder: string): Ci {
+  const root = repositoryOf(folder);
+  if (existsSync(join(root, '.gitlab-ci.yml'))) return 'gitlab';
+  if (existsSync(join(root, '.github'))) return 'github';
+  return /gitlab/i.test(originOf(root)) ? 'gitlab' : 'github';
+}
+
+const CHECKS = /\bgq check\b|gravity-quest-toolkit/;
+
+/** A value of YAML. */
+const inYaml = (text: string): string => (/^[\w./-]+$/.test(text) ? text : JSON.stringify(text));
+
+/** The workflow for a project in a folder of the repository: paths lead there. */
+function githubWorkflow(folder: string): string {
+  const text = readTemplate('github-workflow.yml');
+  if (folder === '') return text;
+  return text
+    .replaceAll('working-directory: .', `working-directory: ${inYaml(folder)}`)
+    .replace(
+      /: (\.\/node_modules\/.*|\.\/package-lock\.json)$/gm,
+      (_, path: string) => `: ${inYaml(`./${folder}${path.slice(1)}`)}`,
+    );
+}
+
+function gitlabJob(folder: string): string {
+  const text = readTemplate('gitlab-ci.yml');
+  if (folder === '') return text;
+  return text
+    .replace('    - npm ci', `    - cd ${JSON.stringify(folder)}\n    - npm ci`)
+    .replace('        - package-lock.json', `        - ${inYaml(`${folder}/package-lock.json`)}`);
+}
+
+function planGithub(root: string, folder: string): PlannedText {
+  const workflows = join(root, '.github', 'workflows');
+  const file = join(workflows, 'levels.yml');
+  const names = existsSync(workflows) ? readdirSync(workflows).filter((name) => /\.ya?ml$/.test(name)) : [];
+  const checking = names.sort().find((name) => CHECKS.test(readText(join(workflows, name)) ?? ''));
+  if (checking !== undefined) return { file: join(workflows, checking), text: null, note: 'it checks levels already' };
+  if (names.includes('levels.yml')) return { file, text: null, note: 'it exists; templates/github-workflow.yml shows the steps' };
+  return { file, text: githubWorkflow(folder) };
+}
+
+function planGitlab(root: string, folder: string): PlannedText {
+  const main = join(root, '.gitlab-ci.yml');
+  const before = readText(main);
+  if (before === null) return { file: main, text: gitlabJob(folder) };
+  const name = 'levels.gitlab-ci.yml';
+  if (CHECKS.test(before) || before.includes(name)) return { file: main, text: null, note: 'it checks levels already' };
+  const file = join(root, name);
+  if (existsSync(file)) return { file, text: null, note: `it exists; .gitlab-ci.yml does not include it yet` };
+  return { file, text: gitlabJob(folder), note: `include it in .gitlab-ci.yml: include: [{ local: ${name} }]` };
+}
+
+/** The file by which everybody's levels are checked; null if none is wanted. */
+export function planCi(folder: string, ci: Ci): PlannedText | null {
+  const root = repositoryOf(folder);
+  const inside = relative(root, resolve(folder)).split(sep).join('/');
+  if (ci === 'none') return null;
+  return ci === 'github' ? planGithub(root, inside) : planGitlab(root, inside);
+}

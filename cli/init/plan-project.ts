@@ -1,0 +1,103 @@
+import { existsSync, readdirSync } from 'node:fs';
+import { join, relative, resolve } from 'node:path';
+import { formatLevel, readLevel } from '../../schema/index.ts';
+import { CONFIG_NAME, configFolders } from '../config-file.ts';
+import { Failure, systemReason } from '../failure.ts';
+import { statOrError } from '../files.ts';
+import { schemaReference } from '../schema-reference.ts';
+import { type Ci, type PlannedText, planCi, repositoryOf } from './ci.ts';
+import { hasToolkit, planManifest } from './manifest.ts';
+import { readShippedLevel } from './templates.ts';
+import { planSettings } from './vscode.ts';
+
+/** What `gq init` is going to do. */
+export interface Plan {
+  readonly files: readonly PlannedText[];
+  /** Whether the project has the toolkit among its dependencies. */
+  readonly isInstalled: boolean;
+}
+
+/** The levels to begin with. Both have runs that complete them. */
+const FIRST_LEVELS = ['01-first-pull.level.json', '02-first-swing.level.json'];
+
+const LEVELS = 'levels';
+
+const LEVEL_SCHEMA = 'schema/level.schema.json';
+
+/** The path from a folder to the package, for JSON files in it; where it is not installed yet, where npm will put it. */
+function homeOf(folder: string, project: string): string {
+  const reference = schemaReference(folder);
+  const home = reference?.endsWith(LEVEL_SCHEMA) ? reference.slice(0, -LEVEL_SCHEMA.length - 1) : null;
+  const back = relative(resolve(folder), resolve(project)).replaceAll('\\', '/');
+  const path = home ?? join(back, 'node_modules/gravity-quest-toolkit').replaceAll('\\', '/');
+  if (path === '') return '.';
+  return path.startsWith('.') ? path : `./${path}`;
+}
+
+/** Why no levels are put into a folder; null if they may be. */
+function whyNoLevels(folder: string): string | null {
+  const stats = statOrError(folder);
+  if (stats instanceof Error) return null;
+  if (!stats.isDirectory()) return 'it is a file';
+  try {
+    const names = readdirSync(folder, { recursive: true });
+    return names.some((name) => String(name).endsWith('.level.json')) ? 'it has levels already' : null;
+  } catch (error) {
+    throw new Failure(`${folder}: can't be read: ${systemReason(error)}; gq init looks for levels here`);
+  }
+}
+
+function planLevels(project: string): PlannedText[] {
+  const folder = join(project, LEVELS);
+  const note = whyNoLevels(folder);
+  if (note !== null) return [{ file: folder, text: null, note }];
+  return FIRST_LEVELS.map((name) => {
+    const read = readLevel(readShippedLevel(name));
+    if (!read.ok) throw new Error(`the shipped level ${name} is not valid`);
+    const $schema = `${homeOf(folder, project)}/${LEVEL_SCHEMA}`;
+    return { file: join(folder, name), text: formatLevel({ ...read.document.file, $schema }) };
+  });
+}
+
+function planConfig(project: string): PlannedText {
+  const file = join(project, CONFIG_NAME);
+  const there = configFolders(project)
+    .map((folder) => join(folder, CONFIG_NAME))
+    .find((one) => existsSync(one));
+  if (there !== undefined) {
+    const isHere = resolve(there) === resolve(file);
+    return { file: isHere ? file : relative('', there), text: null, note: isHere ? 'it exists' : 'it applies here, too' };
+  }
+  const $schema = `${homeOf(project, project)}/schema/config.schema.json`;
+  return { file, text: `${JSON.stringify({ $schema, levels: LEVELS }, null, 2)}\n` };
+}
+
+/** A new project gets one, so that nobody commits what npm installs. */
+function planIgnored(project: string): PlannedText[] {
+  const isNew = !existsSync(join(project, 'package.json'));
+  const isIgnored = [project, repositoryOf(project)].some((folder) => existsSync(join(folder, '.gitignore')));
+  return isNew && !isIgnored ? [{ file: join(project, '.gitignore'), text: 'node_modules/\n' }] : [];
+}
+
+/**
+ * Finds out what a project lacks. It reads only.
+ * @throws Failure if a file of the project can't be read
+ */
+export function planProject(project: string, ci: Ci): Plan {
+  const stats = statOrError(project);
+  if (!(stats instanceof Error) && !stats.isDirectory())
+    throw new Failure(`${project}: expected a directory for the project, found a file`);
+  const config = planConfig(project);
+  // a configuration says itself where the levels are
+  const levels = config.text === null ? [] : planLevels(project);
+  const workflow = planCi(project, ci);
+  const files = [
+    ...levels,
+    config,
+    planManifest(project),
+    ...(workflow === null ? [] : [workflow]),
+    planSettings(project, homeOf(project, project)),
+    ...planIgnored(project),
+  ];
+  return { files, isInstalled: hasToolkit(project) };
+}
