@@ -11,7 +11,7 @@ import { readShippedLevel } from './templates.ts';
 import { planSettings } from './vscode.ts';
 
 /** What `gq init` is going to do. */
-export interface Plan {
+interface Plan {
   readonly files: readonly PlannedText[];
   /** Whether the project has the toolkit among its dependencies. */
   readonly isInstalled: boolean;
