@@ -1,3 +1,4 @@
+export { cutAtBail } from './bail.ts';
 export { type CheckedFiles, checkContent, checkFiles } from './check-files.ts';
 export type { CheckedLevel, CheckSettings } from './checked-level.ts';
 export { CHECK_CODES } from './codes.ts';

@@ -1,7 +1,7 @@
 import type { CheckedLevel } from '../check/index.ts';
+import { type EditorLink, failureOf, isFailing } from '../show-failure/index.ts';
 import type { ShownProblem } from '../shown-problem.ts';
 import { visibleLine } from '../visible.ts';
-import { isFailing, placeOfFailure } from './failing-place.ts';
 import { pathInRepository } from './paths.ts';
 import type { ReportContext, Results } from './reporter.ts';
 import { runInWords } from './run-in-words.ts';
@@ -71,7 +71,7 @@ function caseOf(level: CheckedLevel, context: ReportContext): TestCase {
   const { folder, ...identity } = identityOf(level.file, context);
   const state = stateOf(level);
   const time = level.ms / 1000;
-  const body = `${state === 'passed' ? '' : failure(state, level)}      <system-out>${xmlText(output(level))}</system-out>\n`;
+  const body = `${state === 'passed' ? '' : failure(state, level, context.linkTo)}      <system-out>${xmlText(output(level, context.linkTo))}</system-out>\n`;
   const head = xmlAttributes({ ...identity, time: time.toFixed(3) });
   return { folder, state, time, xml: `    <testcase${head}>\n${body}    </testcase>\n` };
 }
@@ -90,11 +90,11 @@ function stateOf(level: CheckedLevel): State {
 }
 
 /** The failure of a level: its first error in brief, all of them in full, and where to look. */
-function failure(state: State, level: CheckedLevel): string {
+function failure(state: State, level: CheckedLevel, linkTo: EditorLink | null): string {
   const { verdict, problems } = level;
   const errors = problems.filter(({ severity }) => severity === 'error');
   const message = errors.length === 0 ? verdict : `${verdict}: ${visibleLine(errors[0].message)}`;
-  const text = [...errors.map((problem) => problemText(level, problem)), ...placeText(level)].join('\n');
+  const text = [...errors.map((problem) => problemText(level, problem)), ...placeText(level, linkTo)].join('\n');
   const head = xmlAttributes({ message, type: errors[0]?.code ?? verdict });
   return `      <${state}${head}>${xmlText(text)}</${state}>\n`;
 }
@@ -105,16 +105,18 @@ function problemText({ file }: CheckedLevel, { severity, code, message, hint, li
   return `${place}: ${severity} ${code}: ${message}${rest.join('')}`;
 }
 
-function placeText(level: CheckedLevel): string[] {
-  const { command, link } = placeOfFailure(level);
+function placeText(level: CheckedLevel, linkTo: EditorLink | null): string[] {
+  const place = failureOf(level, linkTo);
+  if (place === null) return [];
+  const { command, link } = place;
   return [`to see it: ${command}`, ...(link === null ? [] : [link])];
 }
 
 /** What a passing level says, too: its name, its run, its warnings. */
-function output(level: CheckedLevel): string {
+function output(level: CheckedLevel, linkTo: EditorLink | null): string {
   const run = runInWords(level);
   const lines = [`${level.verdict}: ${visibleLine(level.name)}`, ...(run.length === 0 ? [] : [run.join(', ')])];
   for (const problem of level.problems) if (problem.severity === 'warning') lines.push(problemText(level, problem));
-  if (isFailing(level)) lines.push(...placeText(level));
+  lines.push(...placeText(level, linkTo));
   return `${lines.join('\n')}\n`;
 }

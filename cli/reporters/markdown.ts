@@ -1,8 +1,8 @@
 import { plural, VERDICT_MEANS } from '../../check/words/index.ts';
 import { type CheckedLevel, summarize } from '../check/index.ts';
+import { type EditorLink, failureOf, isFailing } from '../show-failure/index.ts';
 import { MAX_SHOWN, type ShownProblem } from '../shown-problem.ts';
 import { visible } from '../visible.ts';
-import { isFailing, placeOfFailure } from './failing-place.ts';
 import { markdownBlock, markdownCode, markdownText } from './markdown-text.ts';
 import type { ReportContext, Results } from './reporter.ts';
 import { runInWords } from './run-in-words.ts';
@@ -22,13 +22,14 @@ interface Part {
 const part = (text: string): Part => ({ text, bytes: Buffer.byteLength(text) });
 
 /** The results of `check` as Markdown for people: failing levels first, each with its problems folded; at most a comment's size. */
-export const checkMarkdown = (results: Results, _context: ReportContext): string => markdownWithin(results, COMMENT_BYTES);
+export const checkMarkdown = (results: Results, { linkTo }: ReportContext): string =>
+  markdownWithin(results, linkTo, COMMENT_BYTES);
 
 /**
  * The same in any size.
  * @param mostBytes the largest size in UTF-8; what does not fit is left out, and the end says so
  */
-export function markdownWithin(results: Results, mostBytes: number): string {
+export function markdownWithin(results: Results, linkTo: EditorLink | null, mostBytes: number): string {
   const { levels } = results;
   const failing = levels.filter(isFailing);
   const passing = levels.filter((level) => !isFailing(level));
@@ -41,7 +42,7 @@ export function markdownWithin(results: Results, mostBytes: number): string {
     failing.map((level) => part(row(level))),
     TABLE,
   );
-  const problems = space.take([...failing, ...warned].map((level) => part(details(level))));
+  const problems = space.take([...failing, ...warned].map((level) => part(details(level, linkTo))));
   const fine = space.take(
     passing.map((level) => part(row(level))),
     PASSING,
@@ -116,14 +117,14 @@ function row(level: CheckedLevel): string {
 }
 
 /** The problems of a level, and where to look, folded. */
-function details(level: CheckedLevel): string {
+function details(level: CheckedLevel, linkTo: EditorLink | null): string {
   const { file, problems } = level;
   const count = (severity: string): number => problems.filter((problem) => problem.severity === severity).length;
   const counts = [plural(count('error'), 'error'), plural(count('warning'), 'warning')].filter((text) => !text.startsWith('0'));
   const shown = problems.slice(0, MAX_SHOWN).map(problemText);
   const more = problems.length > MAX_SHOWN ? `- and ${problems.length - MAX_SHOWN} more\n` : '';
   const summary = `${markdownCode(file)}: ${counts.join(', ')}`;
-  return `<details><summary>${summaryHtml(summary)}</summary>\n\n${shown.join('')}${more}\n${isFailing(level) ? placeText(level) : ''}</details>\n`;
+  return `<details><summary>${summaryHtml(summary)}</summary>\n\n${shown.join('')}${more}\n${placeText(level, linkTo)}</details>\n`;
 }
 
 /** A summary is HTML, in which nothing of Markdown is read. */
@@ -140,8 +141,10 @@ function problemText({ severity, code, message, hint, line, column, frame }: Sho
   return `- **${severity}** ${markdownCode(code)}${place}: ${markdownText(message)}${rest}\n${lines}`;
 }
 
-function placeText(level: CheckedLevel): string {
-  const { command, link } = placeOfFailure(level);
+function placeText(level: CheckedLevel, linkTo: EditorLink | null): string {
+  const place = failureOf(level, linkTo);
+  if (place === null) return '';
+  const { command, link } = place;
   const shown = link === null ? '' : `[Open the editor there](<${link.replace(/[<>\s]/g, encodeURIComponent)}>), or: `;
   return `${link === null ? 'To see it: ' : shown}${markdownCode(command)}\n\n`;
 }

@@ -25,6 +25,7 @@ export function checkPretty(results: Results, { colors, linkTo }: ReportContext)
   let text = '';
   for (const [i, level] of reports.entries()) {
     const { file, verdict, problems } = level;
+    if (results.shown?.has(file) === false) continue;
     text += `${paint(verdict)(verdict)}${lines[i].slice(verdict.length)}\n${showFileProblems(file, problems, colors)}`;
     const failure = failureOf(level, linkTo);
     if (failure !== null) text += `    ${colors.dim(`look at it: ${visibleLine(placeInWords(failure))}`)}\n`;

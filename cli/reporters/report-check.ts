@@ -41,6 +41,6 @@ export async function reportCheck(
   const summary = process.env.GITHUB_STEP_SUMMARY;
   if (!summary || !reports.some(({ name }) => name === 'github')) return { output, files, exitCode };
   const { stepSummary } = await import('./step-summary.ts');
-  const step = stepSummary(summary, results);
+  const step = stepSummary(summary, results, linkTo);
   return { output, files: [...files, ...step.files], messages: step.messages, exitCode };
 }

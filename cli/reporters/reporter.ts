@@ -14,6 +14,8 @@ export interface Results {
   readonly unchecked: readonly string[];
   /** Whether a signal ended the check early. */
   readonly interrupted: boolean;
+  /** The files that a report for people lists; all if it is left out. The summary is of all levels. */
+  readonly shown?: ReadonlySet<string>;
 }
 
 /** What a report depends on besides the results. */

@@ -5,9 +5,9 @@ import { plural } from '../../check/words/index.ts';
 import type { CodeExplanation } from '../../schema/index.ts';
 import { type CheckedLevel, keyOf } from '../check/index.ts';
 import { EXPLAINED_CODES } from '../explained-codes.ts';
+import { failureOf } from '../show-failure/index.ts';
 import type { ShownProblem } from '../shown-problem.ts';
 import { visible, visibleLine } from '../visible.ts';
-import { failureOf } from './failing-place.ts';
 import { pathInRepository, rootOf } from './paths.ts';
 import type { ReportContext, Results } from './reporter.ts';
 
@@ -67,7 +67,7 @@ function resultOf(
   context: ReportContext,
 ) {
   const { code, severity, message, hint, line, column } = problem;
-  const failure = severity === 'error' ? failureOf(level) : null;
+  const failure = severity === 'error' ? failureOf(level, context.linkTo) : null;
   const lines = [message, hint, failure === null ? '' : `to see it: ${failure.command}`].filter((text) => text !== '');
   const artifactLocation = locationOf(level.file, context);
   const fingerprint = fingerprints.next(code, artifactLocation.uri, problem.key ?? keyOf(problem.pointer, null));

@@ -1,5 +1,6 @@
 import { statSync } from 'node:fs';
 import type { ResultFile } from '../command.ts';
+import type { EditorLink } from '../show-failure/index.ts';
 import { markdownWithin } from './markdown.ts';
 import type { Results } from './reporter.ts';
 
@@ -10,10 +11,14 @@ const STEP_BYTES = 1024 * 1024;
  * What to add to the summary of a step of a workflow, of which earlier commands may have written a part.
  * @param path `GITHUB_STEP_SUMMARY`
  */
-export function stepSummary(path: string, results: Results): { readonly files: ResultFile[]; readonly messages: string } {
+export function stepSummary(
+  path: string,
+  results: Results,
+  linkTo: EditorLink | null,
+): { readonly files: ResultFile[]; readonly messages: string } {
   const before = statSync(path, { throwIfNoEntry: false })?.size ?? 0;
   const start = before === 0 ? '' : '\n';
-  const content = markdownWithin(results, STEP_BYTES - before - start.length);
+  const content = markdownWithin(results, linkTo, STEP_BYTES - before - start.length);
   if (content !== '') return { files: [{ path, content: start + content, mode: 'append' }], messages: '' };
   return { files: [], messages: 'warning: the summary of this step is full (1 MiB): the table of levels is left out\n' };
 }

@@ -13,6 +13,7 @@ import { chooseReports, expectReportFiles, reportCheck, reporterOption, reportFo
 import { addSearchOptions, limitsOf, type SearchOptions } from '../../search-options.ts';
 import { editorLinkTo, editorUrlOption } from '../../show-failure/index.ts';
 import { exitCodeAfter } from '../../signals.ts';
+import { STDIN } from '../../stdin.ts';
 import { chooseFiles } from './choose-files.ts';
 
 /**
@@ -35,6 +36,7 @@ interface CheckOptions extends AccuracyOptions, SearchOptions, CacheOptions {
   readonly changed?: true | string;
   readonly stdinPath?: string;
   readonly editorUrl?: string;
+  readonly watch?: true;
 }
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
@@ -56,6 +58,7 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     .option('--lock <file>', 'compare the results with those agreed on in this file; a difference is the error result-changed')
     .option('--update-lock', 'agree anew: write the results into the lock file (default: gq.lock.json)')
     .option('--changed [ref]', 'check only levels that differ from REF (default: from the branch that changes go into)')
+    .option('-w, --watch', 'check again what has changed, until q or Ctrl-C')
     .option('--stdin-path <file>', 'with the path -: the name in reports of the level that is read from standard input')
     .option('--bail <n>', 'check no more levels after N have failed', wholeNumberOption('a number of levels', 1, 1e6))
     .addHelpText(
@@ -75,6 +78,8 @@ levels that are not checked, and writes nothing when the check ends early.
 ignored files do not. REF is a branch, a tag or a commit; without it the branch of the pull request on GitHub and GitLab, else
 origin/HEAD, main or master, else the last commit. A changed gq.config.json may change every result, so then all levels are
 checked. If no level has changed, nothing needs a check: the exit code is 0. A path that matches no level file stays an error.
+--watch prints the reports of levels that have changed and the summary of all; other levels keep their reports. A changed
+gq.config.json or lock counts for all levels. With --format json, each round prints one line.
 --bail counts in the order of the files: the report ends with the Nth level that fails, for any number of threads.
 
 Exit code: 2 when a path matches nothing (then nothing is checked), or when a file could not be read or gq failed on it (the
@@ -88,16 +93,41 @@ Examples:
   $ gq check --require-slack 2           for CI: every run forgives errors of 33 ms
   $ gq check --lock gq.lock.json         compare with what was agreed on; --update-lock agrees anew
   $ gq check levels --changed            only what this branch changes; --changed=HEAD: what is not committed
+  $ gq check --watch                     check again whenever a level is saved
   $ gq check - < a.level.json            a level from standard input
   $ gq check --bail 1                    stop at the first level that fails
   $ gq check --format json | jq .summary
   $ gq check --format github             annotations for a pull request
   $ gq check --reporter github --reporter json=out/levels.json   a report on stdout, and one in a file`,
     )
-    .action(async (paths: string[], options: CheckOptions) => finish(await check(paths, options)));
+    .action(async (paths: string[], options: CheckOptions) =>
+      finish(await (options.watch ? watchLevels(paths, options) : check(paths, options, checkFiles))),
+    );
 }
 
-async function check(paths: readonly string[], options: CheckOptions): Promise<CommandResult> {
+async function watchLevels(paths: readonly string[], options: CheckOptions): Promise<CommandResult> {
+  refuseToWatch(paths, options);
+  const { Memory, watchAndRepeat } = await import('../../watch/index.ts');
+  const memory = new Memory();
+  return watchAndRepeat({
+    paths,
+    files: options.lock === undefined ? [] : [options.lock],
+    forget: () => memory.forget(),
+    round: () => memory.round(() => check(paths, options, memory.remembering(checkFiles), (levels) => memory.newOf(levels))),
+  });
+}
+
+function refuseToWatch(paths: readonly string[], { updateLock }: CheckOptions): void {
+  if (updateLock) throw new Failure('--update-lock agrees on one result of each level: expected no --watch with it');
+  if (paths.includes(STDIN)) throw new Failure('--watch follows files: expected no level from standard input with it');
+}
+
+async function check(
+  paths: readonly string[],
+  options: CheckOptions,
+  checkThem: typeof checkFiles,
+  shown: (levels: readonly CheckedLevel[]) => ReadonlySet<string> | undefined = () => undefined,
+): Promise<CommandResult> {
   const search = searchOf(options);
   const asked = chooseReports(options);
   const { files, unreadable, input, message } = await chooseFiles(paths, options);
@@ -138,7 +168,7 @@ async function check(paths: readonly string[], options: CheckOptions): Promise<C
     unchecked,
     signal,
   } = input === null
-    ? await checkFiles(files, settings, options.jobs, progress.update, { bail, cache })
+    ? await checkThem(files, settings, options.jobs, progress.update, { bail, cache })
     : { levels: [await checkContent(files[0], input, settings)], unchecked: [], signal: null };
   progress.clear();
   const isWhole = signal === null && unchecked.length === 0 && unreadable.length === 0;
@@ -147,7 +177,7 @@ async function check(paths: readonly string[], options: CheckOptions): Promise<C
   for (const { path, reason } of unreadable)
     reports.push(unreadableLevel(path, `${path}: the directory can't be read: ${reason}`));
   const levels = compare(reports);
-  const results = { levels, unchecked, interrupted: signal !== null };
+  const results = { levels, unchecked, interrupted: signal !== null, shown: shown(levels) };
   const isNothing = levels.length === 0 && options.changed !== undefined;
   const exitCode = signal !== null ? exitCodeAfter(signal) : isNothing ? 0 : exitCodeOf(levels);
   const reported = isNothing ? asked.filter(({ name }) => name !== 'pretty') : asked;

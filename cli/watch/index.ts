@@ -1,0 +1,2 @@
+export { Memory } from './memory.ts';
+export { watchAndRepeat } from './watch.ts';
