@@ -127,7 +127,7 @@ describe('the summary of a step', () => {
     const levels = Array.from({ length: 9000 }, (_, i) => brokenLevel({ file: `levels/${i}.level.json` }));
     for (const before of [0, 1000, MIB - 5000, MIB - 10, MIB + 5]) {
       writeFileSync(at('full.md'), 'x'.repeat(before));
-      const { files: added, messages } = stepSummary(at('full.md'), resultsOf(levels));
+      const { files: added, messages } = stepSummary(at('full.md'), resultsOf(levels), null);
       for (const { path, content } of added) appendFileSync(path, content);
       const text = readFileSync(at('full.md'));
       expect(text.length).toBeLessThanOrEqual(Math.max(before, MIB));
