@@ -3,6 +3,7 @@ import { Command, CommanderError } from 'commander';
 import type { CommandResult } from './command.ts';
 import { COMMANDS } from './commands/index.ts';
 import { Failure } from './failure.ts';
+import { takeNotices } from './notices.ts';
 import { beginSignals, leaveSignals } from './signals.ts';
 import { readVersion } from './version.ts';
 import { visible } from './visible.ts';
@@ -22,7 +23,8 @@ export async function runCommandLine(args: readonly string[]): Promise<number> {
       result.files === undefined ? NOTHING_WRITTEN : await (await import('./result-files.ts')).writeResultFiles(result.files);
     // from here on a signal ends the process even while a write waits for its reader
     await leaveSignals();
-    if (result.messages) process.stderr.write(result.messages);
+    const said = takeNotices() + (result.messages ?? '');
+    if (said !== '') process.stderr.write(said);
     for (const message of messages) process.stderr.write(`${visible(message)}\n`);
     if (result.output !== undefined && result.output.length > 0) process.stdout.write(result.output);
     return failed && result.exitCode < 2 ? 2 : result.exitCode;

@@ -10,9 +10,9 @@ export interface CommandResult {
   readonly messages?: string;
   /**
    * 0: done, and every level is completable; 1: at least one level is not, or is invalid; 2: the command could not be done;
-   * 130 and 143: a signal came, and what was done until then is reported.
+   * 129: git takes it for the failure of a merge driver; 130 and 143: a signal came, and what was done until then is reported.
    */
-  readonly exitCode: 0 | 1 | 2 | 130 | 143;
+  readonly exitCode: 0 | 1 | 2 | 129 | 130 | 143;
 }
 
 /** A file that belongs to the result of a command. */

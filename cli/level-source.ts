@@ -5,9 +5,11 @@ import { showProblems } from './code-frames.ts';
 import { colorsFor } from './colors.ts';
 import type { CommandResult } from './command.ts';
 import { folderRules } from './folder-rules.ts';
+import { notice } from './notices.ts';
 import { readBytes } from './read-bytes.ts';
 import { showFileProblems } from './report-parts/index.ts';
 import type { ShownProblem } from './shown-problem.ts';
+import { visibleLine } from './visible.ts';
 
 export interface OpenedLevel {
   readonly level: Level;
@@ -27,7 +29,14 @@ export interface OpenedFile extends OpenedLevel {
 export function openLevel(file: string): OpenedFile | CommandResult {
   const bytes = readBytes(file);
   const read = readLevel(bytes, { rules: folderRules() });
-  if (read.ok) return { level: read.level, document: read.document, bytes };
+  if (read.ok) {
+    const { length } = read.document.file.conflicts ?? [];
+    if (length > 0) {
+      const open = `${length === 1 ? 'a conflict' : `${length} conflicts`} of a merge`;
+      notice(`warning: ${visibleLine(file)} has ${open}: gq used our values; gq check lists them, gq edit decides them\n`);
+    }
+    return { level: read.level, document: read.document, bytes };
+  }
   return { messages: showFileProblems(file, showProblems(read.problems, read.text), colorsFor(process.stderr)), exitCode: 1 };
 }
 

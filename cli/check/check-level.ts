@@ -13,7 +13,7 @@ import {
 } from '../../check/index.ts';
 import { ticksToAgree } from '../../check/lock/index.ts';
 import { compile, DEFAULT_MAX_WORK, type Run, type Scene, simulate, TICK_RATE, WorkBudget } from '../../engine/index.ts';
-import { codeFrame, type Hold, readLevel, type ScriptedRun } from '../../schema/index.ts';
+import { codeFrame, conflictProblems, type Hold, type Problem, readLevel, type ScriptedRun } from '../../schema/index.ts';
 import type { Proof } from '../../solver/index.ts';
 import { showProblems } from '../code-frames.ts';
 import { Failure } from '../failure.ts';
@@ -70,12 +70,14 @@ interface Judgement {
 
 function judge(file: string, bytes: Uint8Array, settings: CheckSettings): Judgement {
   const read = readLevel(bytes, settings);
-  if (read.ok) return replay(file, read, settings);
-  return {
-    level: refusedLevel(file, 'invalid', withKeys(showProblems(read.problems, read.text), read.text)),
-    isAnywhere: true,
-    isSettled: true,
-  };
+  if (!read.ok) return refused(file, read.problems, read.text);
+  const undecided = conflictProblems(read.document);
+  return undecided.length > 0 ? refused(file, undecided, read.document.text) : replay(file, read, settings);
+}
+
+function refused(file: string, problems: readonly Problem[], text: string): Judgement {
+  const level = refusedLevel(file, 'invalid', withKeys(showProblems(problems, text), text));
+  return { level, isAnywhere: true, isSettled: true };
 }
 
 function replay(file: string, { level, document }: OpenedLevel, settings: CheckSettings): Judgement {

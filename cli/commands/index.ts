@@ -43,6 +43,8 @@ export const COMMANDS: readonly CommandEntry[] = [
   },
   { name: 'render', summary: 'draw a level and its run as SVG or PNG', load: () => import('./render.ts') },
   { name: 'diff', summary: 'show what changed in levels, and what that does to them', load: () => import('./diff/index.ts') },
+  { name: 'merge-driver', summary: 'merge two versions of a level, for git', load: () => import('./merge-driver.ts') },
+  { name: 'git-setup', summary: 'tell git to merge and compare levels with gq', load: () => import('./git-setup.ts') },
   {
     name: 'difftool',
     summary: 'show two versions of a level in the browser, for git difftool',

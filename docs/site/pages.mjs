@@ -15,6 +15,7 @@ export const GROUPS = [
     text: 'Levels',
     pages: [
       { file: 'docs/level-format.md', name: 'level-format', text: 'Level format' },
+      { file: 'docs/merging.md', name: 'merging', text: 'Merging levels' },
       { file: 'docs/tune.md', name: 'tune', text: 'Rules and tuning' },
       { file: 'docs/difficulty.md', name: 'difficulty', text: 'Difficulty and new levels' },
       { file: 'docs/import-and-export.md', name: 'import-and-export', text: 'Import and export' },

@@ -1,0 +1,1 @@
+export { missing, type OnBrokenRun, setUp, undo } from './set-up.ts';

@@ -1,0 +1,91 @@
+import { existsSync, readFileSync, rmSync } from 'node:fs';
+import { join } from 'node:path';
+import { Failure, systemReason } from '../failure.ts';
+import { writeWhole } from '../write-file.ts';
+import { DRIVER, hasAttributes, withAttributes, withoutAttributes } from './attributes.ts';
+import { ownCommand } from './own-command.ts';
+import { git, runGit, workingTree } from './run-git.ts';
+
+/** What happens when no run completes a merged level any more. */
+export type OnBrokenRun = 'stop' | 'warn';
+
+/** git's settings for levels, by key. */
+function settingsFor(root: string, onBrokenRun: OnBrokenRun): ReadonlyMap<string, string> {
+  const gq = ownCommand(root);
+  const option = onBrokenRun === 'stop' ? '' : ` --on-broken-run=${onBrokenRun}`;
+  return new Map([
+    [`merge.${DRIVER}.name`, 'levels of Gravity Quest, by object and run'],
+    // git replaces what begins with % in the command of a merge driver
+    [`merge.${DRIVER}.driver`, `${gq.replaceAll('%', '%%')} merge-driver --marker-size=%L${option} %O %A %B %P`],
+    [`diff.${DRIVER}.textconv`, `${gq} diff --textconv`],
+    [`difftool.${DRIVER}.cmd`, `${gq} difftool "$LOCAL" "$REMOTE" "$MERGED"`],
+  ]);
+}
+
+const current = (key: string): string | null => runGit(['config', '--local', '--get', key]).out;
+
+const attributesIn = (root: string): string => join(root, '.gitattributes');
+
+function readAttributes(path: string): string {
+  try {
+    return existsSync(path) ? readFileSync(path, 'utf8') : '';
+  } catch (error) {
+    throw new Failure(`${path}: can't be read: ${systemReason(error)}`);
+  }
+}
+
+/** Tells git to use gq for levels. @returns what was done, in words */
+export async function setUp(onBrokenRun: OnBrokenRun): Promise<string[]> {
+  const root = workingTree();
+  const done: string[] = [];
+  for (const [key, value] of settingsFor(root, onBrokenRun)) {
+    const before = current(key);
+    if (before === value) continue;
+    git(['config', '--local', '--replace-all', key, value]);
+    done.push(`${before === null ? 'set' : 'changed'} ${key} in the configuration of this clone`);
+  }
+  const path = attributesIn(root);
+  const text = readAttributes(path);
+  if (!hasAttributes(text)) {
+    await writeWhole(path, withAttributes(text));
+    done.push(`${text === '' ? 'wrote' : 'added a line for levels to'} ${path}: commit it`);
+  }
+  return done;
+}
+
+/** Takes back what `setUp` has done. @returns what was done, in words */
+export async function undo(): Promise<string[]> {
+  const root = workingTree();
+  const done: string[] = [];
+  for (const key of settingsFor(root, 'stop').keys()) {
+    if (current(key) === null) continue;
+    git(['config', '--local', '--unset-all', key]);
+    done.push(`removed ${key} from the configuration of this clone`);
+  }
+  const path = attributesIn(root);
+  const text = readAttributes(path);
+  const without = withoutAttributes(text);
+  if (without === text) return done;
+  if (without === '') rmSync(path);
+  else await writeWhole(path, without);
+  done.push(without === '' ? `removed ${path}` : `removed the line for levels from ${path}`);
+  return done;
+}
+
+/** What is missing for git to use gq for levels, in words; nothing if it is set up. */
+export function missing(): string[] {
+  const root = workingTree();
+  const lacking: string[] = [];
+  for (const [key, value] of settingsFor(root, 'stop')) {
+    const now = current(key);
+    if (now === null) lacking.push(`${key} is not set in this clone`);
+    else if (now.replace(' --on-broken-run=warn', '') !== value) lacking.push(`${key} starts another gq than this one: ${now}`);
+  }
+  const path = attributesIn(root);
+  if (!hasAttributes(readAttributes(path))) lacking.push(`${path} has no line for levels`);
+  else {
+    const used = git(['-C', root, 'check-attr', 'merge', '--', 'x.level.json']);
+    if (!used.endsWith(`: ${DRIVER}`)) lacking.push(`another line of git attributes wins for levels: ${used}`);
+  }
+  return lacking;
+}
