@@ -1,7 +1,8 @@
 import { decodeUtf8 } from './utf8.ts';
 
 /** What stands before the value that a module exports. */
-const BEGINNING = /^(?:\s|\/\/.*|(['"])use strict\1;?)*(?:module\.exports\s*=|export\s+default\b)/;
+// a comment is matched with its line end: otherwise a line of slashes could be split in very many ways
+const BEGINNING = /^(?:\s|\/\/[^\n]*\n|(['"])use strict\1;?)*(?:module\.exports\s*=|export\s+default\b)/;
 
 /** The first bytes, in which a module says that it is one. */
 const HEAD = 4096;

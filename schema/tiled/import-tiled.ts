@@ -28,7 +28,7 @@ function pairs(objects: readonly ReadObject[], kind: ObjectKind, reader: MapRead
     const hint = `Give one of the two mouths a property "${PARTNER}" of type object, and choose the other mouth.`;
     reader.find('unpaired-mouth', path, `${title}: ${message}`, hint);
   };
-  const isBack = (from: ReadObject, to: ReadObject): boolean => from.properties.get(PARTNER)?.value === to.id;
+  const firstOf = new Map<ReadObject, ReadObject>();
   for (const object of objects) {
     const property = object.properties.get(PARTNER);
     // Tiled writes 0 for "no object"
@@ -44,7 +44,9 @@ function pairs(objects: readonly ReadObject[], kind: ObjectKind, reader: MapRead
       taken.add(object);
       taken.add(other);
       found.push([object, other]);
-    } else if (!isBack(other, object) || !found.some(([a, b]) => a === other && b === object)) {
+      firstOf.set(object, other);
+      // both may name each other
+    } else if (firstOf.get(other) !== object) {
       taken.add(object);
       refuse(object, `expected a mouth without another partner as "${PARTNER}", found ${other.title}`);
     }

@@ -8,7 +8,7 @@ import type { MapSource } from './map-source.ts';
 import { readXml, type XmlElement } from './xml.ts';
 
 /** How a map in XML begins: with the declaration and comments, if any, and then the element. */
-const BEGINNING = /^\ufeff?\s*(?:<\?xml[^>]*>\s*)?(?:<!DOCTYPE[^>[]*>\s*)?(?:<!--[\s\S]*?-->\s*)*<map[\s>/]/;
+const BEGINNING = /^\ufeff?\s*(?:<\?xml[^>]*>\s*)?(?:<!DOCTYPE[^>[]*>\s*)?(?:<!--(?:(?!-->)[\s\S])*-->\s*)*<map[\s>/]/;
 
 /** The first bytes, in which a file says that it is a map. */
 const HEAD = 4096;

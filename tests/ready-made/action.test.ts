@@ -134,6 +134,13 @@ describe('action.yml', () => {
       ...['--lock', 'gq.lock.json', '--changed=origin/main', '--max-warnings=0', '--solve'],
       ...['--', 'levels', 'a b/*.level.json', '$(touch stolen)'],
     ]);
+    for (const [changed, given] of [
+      ['true', ['--changed']],
+      ['false', []],
+    ] as const) {
+      runAction(directory, { changed });
+      expect(argumentsOf(directory)).toEqual(['check', '--reporter', 'github', ...given, '--']);
+    }
     expect(existsSync(join(directory, 'stolen'))).toBe(false);
     expect(status).toBe(1);
     expect(outputs).toEqual({

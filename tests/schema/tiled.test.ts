@@ -6,6 +6,7 @@ import {
   formatLevel,
   formatTiled,
   formatTmx,
+  importOriginal,
   importTiled,
   isTiledMap,
   type LevelFile,
@@ -296,6 +297,30 @@ test('only maps are taken for maps', () => {
   expect(isTiledMap(fixture('mistakes.tmx'))).toBe(true);
   for (const other of ['', '{', '[]', '{"player":{}}', '{"version":1}', '<svg/>', '<?xml version="1.0"?><tileset/>']) {
     expect(isTiledMap(other)).toBe(false);
+  }
+});
+
+test('both mouths of a wormhole may name each other, and a third may not', () => {
+  const mouth = (id: number, to: number) => ({
+    ...blackHole,
+    id,
+    x: 100 * id,
+    type: 'wormhole',
+    properties: [{ name: 'to', value: to }],
+  });
+  const { file } = imported(map([astronaut, blackHole, mouth(3, 4), mouth(4, 3)]));
+  expect(file.wormholes).toMatchObject([{ x: 318, toX: 418 }]);
+  const [{ pointer, message }] = problems(map([astronaut, blackHole, mouth(3, 4), mouth(4, 3), mouth(5, 4)]));
+  expect([pointer, message]).toEqual([
+    '/layers/0/objects/4',
+    'object 5: expected a mouth without another partner as "to", found object 4',
+  ]);
+});
+
+test('a beginning that goes on and on is recognized at once', () => {
+  for (const source of ['/'.repeat(4000), '//\n'.repeat(1300), '<!---->'.repeat(580), '<!-- '.repeat(800)]) {
+    expect(isTiledMap(`${source}{`)).toBe(false);
+    expect(importOriginal(`${source}{`, { recoil: true }).ok).toBe(false);
   }
 });
 
