@@ -61,7 +61,8 @@ function gitlabJob(folder: string): string {
   if (folder === '') return text;
   return text
     .replace('    - npm ci', `    - cd ${JSON.stringify(folder)}\n    - npm ci`)
-    .replace('        - package-lock.json', `        - ${inYaml(`${folder}/package-lock.json`)}`);
+    .replace('        - package-lock.json', `        - ${inYaml(`${folder}/package-lock.json`)}`)
+    .replace('junit: gq-junit.xml', `junit: ${inYaml(`${folder}/gq-junit.xml`)}`);
 }
 
 function planGithub(root: string, folder: string): PlannedText {

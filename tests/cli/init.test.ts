@@ -166,6 +166,7 @@ describe('gq init', () => {
       await init(other, name, '--ci', 'gitlab');
       const { levels } = parse(readFileSync(join(other, '.gitlab-ci.yml'), 'utf8'));
       expect(levels.script[0]).toBe(`cd ${JSON.stringify(name)}`);
+      expect(levels.artifacts.reports.junit).toBe(`${name}/gq-junit.xml`);
       expect(levels.cache.key.files).toEqual([`${name}/package-lock.json`]);
     },
   );

@@ -106,8 +106,16 @@ describe('action.yml', () => {
     expect(red.status).toBe(1);
     expect(red.stdout).toMatch(/^::error file=levels\/bad\.level\.json,line=2,/m);
     expect(red.outputs).toEqual({ 'exit-code': '1', reports: '', junit: '', sarif: '' });
-    const green = runAction(directory, { paths: 'levels/good.level.json\n', reporters: 'pretty\njson=out/report.json' });
-    expect(green).toMatchObject({ status: 0, outputs: { 'exit-code': '0', reports: 'out/report.json' } });
+    const green = runAction(directory, {
+      paths: 'levels/good.level.json\n',
+      reporters: 'pretty\njson=out/report.json',
+      junit: 'out/junit.xml',
+    });
+    expect(green).toMatchObject({
+      status: 0,
+      outputs: { 'exit-code': '0', reports: 'out/report.json\nout/junit.xml', junit: 'out/junit.xml' },
+    });
+    expect(readFileSync(join(directory, 'out/junit.xml'), 'utf8')).toContain('<testsuite');
     expect(green.stdout).toContain('1 level: 1 completable');
     expect(JSON.parse(readFileSync(join(directory, 'out/report.json'), 'utf8')).summary.completable).toBe(1);
   });

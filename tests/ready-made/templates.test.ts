@@ -1,10 +1,11 @@
-import { existsSync } from 'node:fs';
+import { existsSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { parse } from 'yaml';
 import { fallThrough, gq, makeFiles } from '../cli/gq.ts';
 import { type Commands, readCommands, wordsOf } from '../docs/terminal.ts';
-import { ofPackage } from './project.ts';
+import { makeProject, ofPackage, runIn } from './project.ts';
 
 interface Pattern {
   readonly regexp: string;
@@ -83,6 +84,17 @@ describe('the job for GitLab', () => {
     const calls = script.filter((line) => line.includes(' gq '));
     expect(calls.length).toBeGreaterThan(1);
     for (const line of calls) expect(commands.problemOf(wordsOf(line.replace('npx --no-install gq ', ''))), line).toBeNull();
+  });
+
+  it('writes the report that it keeps, also of a check that fails', () => {
+    const project = makeProject({ 'levels/bad.level.json': '{' }, 'real');
+    const [check] = script.filter((line) => line.includes(' gq check'));
+    const { status } = runIn(project.directory, 'sh', ['-ec', check]);
+    const report = gitlab.levels.artifacts.reports.junit;
+    expect(gitlab.levels.artifacts.when).toBe('always');
+    expect(readFileSync(join(project.directory, report), 'utf8')).toMatch(/<testsuite [\s\S]*levels\/bad\.level\.json/);
+    expect(status).toBe(1);
+    project.remove();
   });
 
   it('runs when levels, rules or the toolkit change', () => {
