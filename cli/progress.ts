@@ -10,9 +10,10 @@ export interface StatusLine {
   clear(): void;
 }
 
-/** A status line on stderr, shown only on a terminal and after half a second of work. */
+/** A status line on stderr, shown only on a terminal that can take it away, and after half a second of work. */
 export function createStatusLine(): StatusLine {
-  if (!process.stderr.isTTY) return { show: () => {}, clear: () => {} };
+  // a dumb terminal does not know the code that takes a line away
+  if (!process.stderr.isTTY || process.env.TERM === 'dumb') return { show: () => {}, clear: () => {} };
   const start = performance.now();
   let shown = false;
   return {

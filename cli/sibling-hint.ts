@@ -1,4 +1,4 @@
-import { lstatSync, readdirSync, readlinkSync } from 'node:fs';
+import { existsSync, lstatSync, readdirSync, readlinkSync } from 'node:fs';
 import { basename, dirname } from 'node:path';
 import { closestName } from '../schema/index.ts';
 
@@ -6,13 +6,14 @@ import { closestName } from '../schema/index.ts';
 const stemOf = (name: string): string => name.replace(/(?:\.level)?\.[^.]+$/, '');
 
 /**
- * For a path at which there is nothing: what a symbolic link there points to, or ` (did you mean X?)` when a name beside
+ * For a path at which there is nothing: where a symbolic link at it or above it points to, or ` (did you mean X?)` when a name beside
  * it is close, else nothing.
  */
 export function siblingHint(path: string): string {
   try {
-    if (lstatSync(path, { throwIfNoEntry: false })?.isSymbolicLink() === true)
-      return `; it is a symbolic link to ${readlinkSync(path)}, which leads nowhere`;
+    const broken = brokenLinkOn(path);
+    if (broken !== null)
+      return `; ${broken === path ? 'it' : broken} is a symbolic link to ${readlinkSync(broken)}, which leads nowhere`;
     const names = readdirSync(dirname(path));
     const stem = closestName(stemOf(basename(path)), names.map(stemOf));
     const same = names.filter((name) => stemOf(name) === stem);
@@ -20,5 +21,14 @@ export function siblingHint(path: string): string {
     return best === undefined ? '' : ` (did you mean ${best}?)`;
   } catch {
     return '';
+  }
+}
+
+/** The symbolic link on the way to a path that leads nowhere: the path itself or a folder of it; null if there is none. */
+function brokenLinkOn(path: string): string | null {
+  for (let at = path; ; at = dirname(at)) {
+    const stats = lstatSync(at, { throwIfNoEntry: false });
+    if (stats?.isSymbolicLink() === true && !existsSync(at)) return at;
+    if (stats !== undefined || dirname(at) === at) return null;
   }
 }

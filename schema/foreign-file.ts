@@ -63,3 +63,14 @@ export function foreignKind(source: Uint8Array | string): string | null {
 export function isUtf16(bytes: Uint8Array): boolean {
   return (bytes[0] === 0xff && bytes[1] === 0xfe) || (bytes[0] === 0xfe && bytes[1] === 0xff);
 }
+
+/**
+ * The order of the bytes in a text that is UTF-16 without a byte order mark; null if it is not. JSON begins with two characters
+ * of ASCII, of which UTF-16 makes every other byte NUL.
+ */
+export function unmarkedUtf16(source: Uint8Array | string): 'little-endian' | 'big-endian' | null {
+  if (typeof source === 'string' || source.length < 4) return null;
+  const [a, b, c, d] = source;
+  if (a !== 0 && b === 0 && c !== 0 && d === 0) return 'little-endian';
+  return a === 0 && b !== 0 && c === 0 && d !== 0 ? 'big-endian' : null;
+}

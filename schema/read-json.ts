@@ -1,4 +1,4 @@
-import { foreignKind, isUtf16 } from './foreign-file.ts';
+import { foreignKind, isUtf16, unmarkedUtf16 } from './foreign-file.ts';
 import { createLocator, type Locator } from './locate.ts';
 import { type Finding, MAX_FINDINGS, MAX_PROBLEMS, type Path, type Problem, toPointer } from './problem.ts';
 import { scanJson } from './scan-json.ts';
@@ -108,6 +108,11 @@ export function readJson(source: Uint8Array | string, byteOrderMark: 'refuse' | 
   }
   const kind = foreignKind(source);
   if (kind !== null) return wholeFile('not-a-level', `expected a level as JSON text, found ${kind}`, hintFor(kind));
+  const order = unmarkedUtf16(source);
+  if (order !== null) {
+    const message = `expected UTF-8, found UTF-16 (${order}) without a byte order mark`;
+    return wholeFile('not-utf8', message, 'Save the file as UTF-8.');
+  }
   const decoded = typeof source === 'string' ? { text: source, bad: null } : decodeUtf8(source);
   const hasMark = decoded.text.startsWith(MARK);
   const text = hasMark ? decoded.text.slice(1) : decoded.text;

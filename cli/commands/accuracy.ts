@@ -13,6 +13,7 @@ import { Failure } from '../failure.ts';
 import { parseHolds } from '../holds-option.ts';
 import { openLevel } from '../level-source.ts';
 import { formatOption, maxTimeOption } from '../options.ts';
+import { refuseUnused } from '../unused-options.ts';
 import { visibleLine } from '../visible.ts';
 import { writeWhole } from '../write-file.ts';
 
@@ -59,12 +60,13 @@ Examples:
   $ gq accuracy levels/01-first-pull.level.json --integrator verlet --rate 90
   $ gq accuracy levels/01-first-pull.level.json --format json | jq '.methods[] | select(.sameVerdict | not) | .name'`,
     )
-    .action(async (file: string, options: Options) => finish(await measure(file, options)));
+    .action(async (file: string, options: Options) => finish(await measure(file, options, command)));
 }
 
-async function measure(file: string, options: Options): Promise<CommandResult> {
+async function measure(file: string, options: Options, command: Command): Promise<CommandResult> {
   const { svg, format } = options;
   if (svg !== undefined && !/\.svg$/i.test(svg)) throw new Failure(`--svg ${svg}: expected a name that ends in .svg`);
+  refuseUnused(command, [{ option: '--theme', isUsed: svg !== undefined, needs: '--svg' }]);
   const custom = customAccuracy(options);
   const asked = custom ?? (options.accuracy === undefined ? null : ACCURACIES[options.accuracy]);
   const isNew = custom !== null && METHODS.every(({ name }) => name !== custom.name);

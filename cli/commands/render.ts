@@ -26,6 +26,7 @@ import {
 import { expectMinerals, mineralsOption } from '../search-options.ts';
 import { namedPath, shellPath } from '../shown-path.ts';
 import { type Solved, solveLevel } from '../solve/index.ts';
+import { refuseUnused } from '../unused-options.ts';
 import { visibleLine } from '../visible.ts';
 import { writeWhole } from '../write-file.ts';
 
@@ -53,6 +54,7 @@ interface Options extends AccuracyOptions {
 }
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
+  const given = new Set<string>();
   addAccuracyOptions(command)
     .description('Draw a level with one of its runs, or with what a search or a proof shows.')
     .argument('<level>', 'a level file')
@@ -101,10 +103,15 @@ Examples:
   $ gq render levels/16-firewalk.level.json -o fan.svg --fan 3
   $ gq render levels/16-firewalk.level.json -o explored.png --explored --minerals all`,
     )
-    .action(async (file: string, options: Options) => finish(await render(file, options)));
+    .action(async (file: string, options: Options) => {
+      if (given.size > 1) throw new Failure('--run and --no-run cannot be combined: give one of the two');
+      finish(await render(file, options, command));
+    });
+  // both set the same value: of the two, only the last is seen there
+  for (const name of ['run', 'no-run']) command.on(`option:${name}`, () => given.add(name));
 }
 
-async function render(file: string, options: Options): Promise<CommandResult> {
+async function render(file: string, options: Options, command: Command): Promise<CommandResult> {
   const { output, width, theme } = options;
   const subject = { accuracy: chooseAccuracy(options), maxTime: options.maxTime };
   const kind = output === '-' ? '.svg' : extname(output).toLowerCase();
@@ -114,6 +121,7 @@ async function render(file: string, options: Options): Promise<CommandResult> {
     );
   }
   expectOneView(options);
+  expectUsed(command, options);
   const opened = openLevel(file);
   if (!('level' in opened)) return opened;
   const view = await viewOf(file, { level: opened.level, ...subject }, options);
@@ -188,7 +196,22 @@ function expectOneView({ run, holds, allRuns, solve, explored, closest, fan, pro
   if (views.length > 1) throw new Failure(`${views.join(' and ')} cannot be combined: give one of them`);
   if (run === false && holds !== undefined) throw new Failure('--no-run and --holds cannot be combined: give one of the two');
   if (run === false && fan !== undefined) throw new Failure('--no-run and --fan cannot be combined: the fan shows a run');
+  const withRuns = views.find((view) => view !== '--explored');
+  if (run === false && withRuns !== undefined) {
+    throw new Failure(`--no-run and ${withRuns} cannot be combined: ${withRuns} shows what a run does`);
+  }
   const others = views.filter((view) => view !== '--fan' && view !== '--explored');
   const given = typeof run === 'string' ? '--run' : holds !== undefined ? '--holds' : null;
   if (given !== null && others.length > 0) throw new Failure(`${given} and ${others[0]} cannot be combined: give one of the two`);
+}
+
+/** @throws Failure if an option was given that has no effect on the view */
+function expectUsed(command: Command, { solve, explored, closest, fan, proof }: Options): void {
+  const searches = solve !== undefined || explored === true || closest === true;
+  const needs = '--solve, --explored or --closest';
+  refuseUnused(command, [
+    { option: '--effort', isUsed: searches, needs },
+    { option: '--seed', isUsed: searches || fan !== undefined, needs: '--solve, --explored, --closest or --fan' },
+    { option: '--minerals', isUsed: searches || proof === true, needs: '--solve, --explored, --closest or --proof' },
+  ]);
 }

@@ -7,6 +7,7 @@ import { createAdaptorServer } from '@hono/node-server';
 import { Failure, systemReason } from '../failure.ts';
 import { statOrError } from '../files.ts';
 import { namedPath, shellPath } from '../shown-path.ts';
+import { siblingHint } from '../sibling-hint.ts';
 import { createApi } from './api.ts';
 import { createApp } from './app.ts';
 import { keepPort, lastPort } from './last-port.ts';
@@ -94,8 +95,12 @@ export async function startServer({ folder, port, configFrom, page, onCrash }: E
 function realFolder(folder: string): string {
   const stats = statOrError(folder);
   if (stats instanceof Error) {
-    const hint = `expected a folder of level files; make one with: mkdir ${shellPath(folder)}`;
-    throw new Failure(`${namedPath(folder)}: can't be opened: ${systemReason(stats)}; ${hint}`);
+    const near = siblingHint(folder);
+    // a folder can't be made in the place of a link
+    const make = near.startsWith(';') ? '' : `; make one with: mkdir ${shellPath(folder)}`;
+    throw new Failure(
+      `${namedPath(folder)}: can't be opened: ${systemReason(stats)}${near}; expected a folder of level files${make}`,
+    );
   }
   if (!stats.isDirectory()) {
     throw new Failure(`${folder}: is a file; expected a folder of level files: gq edit ${shellPath(dirname(folder))}`);

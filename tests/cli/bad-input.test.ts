@@ -245,6 +245,21 @@ describe('what gq suggests for a path', () => {
     }
   });
 
+  it('is the folder on the way that is a link and leads nowhere', async () => {
+    mkdirSync(join(cwd, 'ways'));
+    symlinkSync('gone', join(cwd, 'ways/lost'));
+    symlinkSync('lost', join(cwd, 'ways/far'));
+    const { stderr } = await gq(['check', 'ways/lost/a.level.json', 'ways/far'], { cwd });
+    expect(stderr).toContain(
+      '  ways/lost/a.level.json: no such file or directory; ways/lost is a symbolic link to gone, which leads nowhere\n',
+    );
+    expect(stderr).toContain('  ways/far: no such file or directory; it is a symbolic link to lost, which leads nowhere\n');
+    const edit = await gq(['edit', 'ways/lost'], { cwd });
+    expect(edit.stderr).toBe(
+      "error: ways/lost: can't be opened: no such file or directory; it is a symbolic link to gone, which leads nowhere; expected a folder of level files\n",
+    );
+  });
+
   it('is no file whose name has only the ending in common', async () => {
     const { stderr } = await gq(['check', 'fine/deleted.level.json', 'fine/good.json'], { cwd });
     expect(stderr).toContain('  fine/deleted.level.json: no such file or directory\n');

@@ -14,6 +14,7 @@ import { addSearchOptions, limitsOf, type SearchOptions } from '../../search-opt
 import { editorLinkTo, editorUrlOption } from '../../show-failure/index.ts';
 import { exitCodeAfter } from '../../signals.ts';
 import { STDIN } from '../../stdin.ts';
+import { refuseUnused } from '../../unused-options.ts';
 import { chooseFiles } from './choose-files.ts';
 
 /**
@@ -100,9 +101,10 @@ Examples:
   $ gq check --format github             annotations for a pull request
   $ gq check --reporter github --reporter json=out/levels.json   a report on stdout, and one in a file`,
     )
-    .action(async (paths: string[], options: CheckOptions) =>
-      finish(await (options.watch ? watchLevels(paths, options) : check(paths, options, checkFiles))),
-    );
+    .action(async (paths: string[], options: CheckOptions) => {
+      refuseUnused(command, [{ option: '--seed', isUsed: options.solve === true, needs: '--solve' }]);
+      finish(await (options.watch ? watchLevels(paths, options) : check(paths, options, checkFiles)));
+    });
 }
 
 async function watchLevels(paths: readonly string[], options: CheckOptions): Promise<CommandResult> {

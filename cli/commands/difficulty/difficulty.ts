@@ -14,6 +14,7 @@ import { folderRules } from '../../folder-rules.ts';
 import { formatOption, jobsOption, maxTimeOption, seedOption, wholeNumberOption } from '../../options.ts';
 import { createProgress } from '../../progress.ts';
 import { mineralsOption } from '../../search-options.ts';
+import { refuseUnused } from '../../unused-options.ts';
 import { visibleLine } from '../../visible.ts';
 import { writeWhole } from '../../write-file.ts';
 import { difficultyJson } from './json.ts';
@@ -77,12 +78,13 @@ Examples:
   $ gq difficulty levels/16-firewalk.level.json --run all-minerals --minerals all
   $ gq difficulty levels --format json | jq '.levels[] | [.measured.grade.value, .name]'`,
     )
-    .action(async (paths: string[], options: Options) => finish(await measure(paths, options)));
+    .action(async (paths: string[], options: Options) => finish(await measure(paths, options, command)));
 }
 
-async function measure(paths: readonly string[], options: Options): Promise<CommandResult> {
+async function measure(paths: readonly string[], options: Options, command: Command): Promise<CommandResult> {
   const { svg, theme, format, jobs } = options;
   if (svg !== undefined && !/\.svg$/i.test(svg)) throw new Failure(`--svg ${svg}: expected a name that ends in .svg`);
+  refuseUnused(command, [{ option: '--theme', isUsed: svg !== undefined, needs: '--svg' }]);
   if (options.run !== undefined && options.search)
     throw new Failure('--run and --search cannot be combined: give one of the two');
   const accuracy = chooseAccuracy(options);

@@ -22,6 +22,7 @@ import {
   type TuneSettings,
   tuneLevels,
 } from '../../tune/index.ts';
+import { refuseUnused } from '../../unused-options.ts';
 import { visibleLine } from '../../visible.ts';
 import { writeWhole } from '../../write-file.ts';
 import { tuneJson } from './json.ts';
@@ -78,10 +79,10 @@ Examples:
   $ gq tune levels --sweep pull=0.8x..1.2x:41 --svg pull.svg
   $ gq tune levels --set push=25 --sweep boxHeight=28..36:17 --solve --effort 200000`,
     )
-    .action(async (paths: string[], options: Options) => finish(await tune(paths, options)));
+    .action(async (paths: string[], options: Options) => finish(await tune(paths, options, command)));
 }
 
-async function tune(paths: readonly string[], options: Options): Promise<CommandResult> {
+async function tune(paths: readonly string[], options: Options, command: Command): Promise<CommandResult> {
   const { set: changes = [], sweep = null, svg } = options;
   if (changes.length === 0 && sweep === null) {
     throw new Failure('no rule is changed: give --set or --sweep, for example --set pull=1.1x');
@@ -92,6 +93,10 @@ async function tune(paths: readonly string[], options: Options): Promise<Command
   if (!options.solve && (options.budget !== undefined || options.effort !== undefined)) {
     throw new Failure('--budget and --effort limit the search of --solve: give --solve as well');
   }
+  refuseUnused(command, [
+    { option: '--seed', isUsed: options.solve === true, needs: '--solve' },
+    { option: '--theme', isUsed: svg !== undefined, needs: '--svg' },
+  ]);
   if (svg !== undefined && !/\.svg$/i.test(svg)) throw new Failure(`--svg ${svg}: expected a name that ends in .svg`);
   const settings: TuneSettings = {
     accuracy: chooseAccuracy(options),
