@@ -55,6 +55,7 @@ export function examineRuns(
   return {
     accuracy: accuracy.name,
     range: level.range,
+    allow: level.allow ?? {},
     ends: runs.map(({ outcome, with: touched, time, tick, stopped: by }, i) => ({
       name: level.runs[i].name,
       outcome,

@@ -1,5 +1,5 @@
 import type { Warning, WorkBudget } from '../engine/index.ts';
-import type { Hold } from '../schema/index.ts';
+import type { Allowed, Hold } from '../schema/index.ts';
 import type { Closest, Effort, Proof } from '../solver/index.ts';
 import type { AccuracyHang } from './accuracy-hangs.ts';
 import type { LostMineral } from './proofs.ts';
@@ -41,6 +41,8 @@ export interface RunFindings {
   readonly collected: readonly number[];
   /** Runs that complete the level at some accuracies but not at others. */
   readonly hangs: readonly AccuracyHang[];
+  /** The problems that the level allows, by code. */
+  readonly allow: Allowed;
   /** The warnings, in the order of `findWarnings`. */
   readonly warnings: readonly Warning[];
   /** What was left out because it would have exceeded the work limit; null where nothing was. */
@@ -74,13 +76,28 @@ export interface MoreFindings {
   readonly searched: Searched | null;
   /** Runs with fewer certified ticks than required; empty when nothing was required. */
   readonly tight: readonly TightRun[];
+  readonly sought: Sought;
+}
+
+/** What was looked for beyond the level's own runs. Where nothing was looked for, nothing is known. */
+export interface Sought {
+  /** The slack of the runs: `low`, whether there is any; `required`, whether it is as required; null, nothing. */
+  readonly slack: 'low' | 'required' | null;
+  /** Whether minerals were to be proved out of reach. */
+  readonly minerals: boolean;
 }
 
 /** Everything that a check finds out about a level, before it is put into words. */
 export interface Findings extends RunFindings, MoreFindings {}
 
 /** The findings when nothing was proved, searched for or certified. */
-export const unproved: MoreFindings = { impossible: null, lost: [], searched: null, tight: [] };
+export const unproved: MoreFindings = {
+  impossible: null,
+  lost: [],
+  searched: null,
+  tight: [],
+  sought: { slack: null, minerals: false },
+};
 
 /**
  * Combines findings.

@@ -1,5 +1,6 @@
 import { type Command, InvalidArgumentError, Option } from 'commander';
 import { ACCURACIES, type Accuracy, type AccuracyName, accuracyOf, DEFAULT_ACCURACY } from '../engine/index.ts';
+import type { Configuration } from './configuration.ts';
 import { Failure } from './failure.ts';
 import { numberOption } from './options.ts';
 
@@ -55,11 +56,11 @@ const parseTolerance = (text: string): number => {
 };
 
 /**
- * The accuracy that the options select, or the default.
+ * The accuracy that the options select, else that of the configuration, else the default.
  * @throws Failure if they contradict each other
  */
-export function chooseAccuracy(options: AccuracyOptions): Accuracy {
-  return customAccuracy(options) ?? ACCURACIES[options.accuracy ?? DEFAULT_ACCURACY];
+export function chooseAccuracy(options: AccuracyOptions, configured: Pick<Configuration, 'accuracy'>): Accuracy {
+  return customAccuracy(options) ?? ACCURACIES[options.accuracy ?? configured.accuracy ?? DEFAULT_ACCURACY];
 }
 
 /**

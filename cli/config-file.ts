@@ -1,6 +1,7 @@
 import { existsSync } from 'node:fs';
 import { dirname, join, relative, resolve } from 'node:path';
 import process from 'node:process';
+import type { Command } from 'commander';
 
 export const CONFIG_NAME = 'gq.config.json';
 
@@ -23,4 +24,25 @@ export function findConfig(folder: string = process.cwd()): string | null {
     .map((at) => join(at, CONFIG_NAME))
     .find((one) => existsSync(one));
   return path === undefined ? null : relative('', path);
+}
+
+/** The values of the options that `addConfigOptions` declares. */
+export interface ConfigOptions {
+  /** The file that `--config` names; false with `--no-config`. */
+  readonly config?: string | boolean;
+}
+
+/** Declares `--config` and `--no-config`. */
+export const addConfigOptions = (command: Command): Command =>
+  command
+    .option('--config <file>', 'configuration to use (default: the nearest gq.config.json up to the root of the repository)')
+    .option('--no-config', 'use no configuration');
+
+/**
+ * The file of the configuration that the options choose, as the working directory sees it; null if there is none.
+ * @param folder the search starts here and goes upwards
+ */
+export function chosenConfig({ config }: ConfigOptions, folder: string = process.cwd()): string | null {
+  if (config === false) return null;
+  return typeof config === 'string' ? config : findConfig(folder);
 }

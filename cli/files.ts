@@ -1,6 +1,7 @@
 import { type Dirent, readdirSync, realpathSync, type Stats, statSync } from 'node:fs';
 import { resolve, sep } from 'node:path';
 import { Failure, systemReason } from './failure.ts';
+import type { Ignore } from './ignore.ts';
 import { namedPath } from './shown-path.ts';
 
 const LEVEL_FILE = /\.level\.json$/;
@@ -12,17 +13,24 @@ export interface FoundFiles {
   readonly unreadable: readonly { readonly path: string; readonly reason: string }[];
 }
 
+/** What a configuration leaves out, and which file says so. */
+interface LeftOut {
+  readonly file: string | null;
+  readonly ignores: Ignore;
+}
+
 /**
  * Finds the level files that paths name. A file counts whatever its name; a directory stands for every `*.level.json` below it,
  * except in hidden directories and node_modules; a path with `*`, `**` or `?` that is not a file is a pattern.
- * @throws Failure with every path that matches nothing
+ * @param leftOut files that are left out of directories and patterns; a file that is named counts all the same
+ * @throws Failure with every path that matches nothing, or only what is left out
  */
-export async function findLevelFiles(paths: readonly string[]): Promise<FoundFiles> {
+export async function findLevelFiles(paths: readonly string[], leftOut: LeftOut | null = null): Promise<FoundFiles> {
   const files: string[] = [];
   const unreadable: { path: string; reason: string }[] = [];
   const unmatched: string[] = [];
   for (const path of paths) {
-    const found = await expand(path, unreadable);
+    const found = await expand(path, unreadable, leftOut);
     if (typeof found === 'string') unmatched.push(`${namedPath(path)}: ${found}`);
     else for (const file of found) files.push(file);
   }
@@ -36,13 +44,17 @@ export async function findLevelFiles(paths: readonly string[]): Promise<FoundFil
 }
 
 /** The files that a path names, or why there are none. */
-async function expand(path: string, unreadable: { path: string; reason: string }[]): Promise<string[] | string> {
+async function expand(
+  path: string,
+  unreadable: { path: string; reason: string }[],
+  leftOut: LeftOut | null,
+): Promise<string[] | string> {
   const before = unreadable.length;
   const stats = statOrError(path);
   if (!(stats instanceof Error)) {
     if (!stats.isDirectory()) return [path];
     const found = walk(path, (name) => LEVEL_FILE.test(name), unreadable);
-    if (found.length > 0 || unreadable.length > before) return found;
+    if (found.length > 0 || unreadable.length > before) return without(found, leftOut);
     // as below, the schema comes with it
     const { isNearlyLevelName, nearLevelsHint } = await import('./near-levels.ts');
     return `the directory contains no *.level.json${nearLevelsHint(walk(path, isNearlyLevelName, []))}`;
@@ -58,7 +70,21 @@ async function expand(path: string, unreadable: { path: string; reason: string }
   if (statOrError(root) instanceof Error) return `there is no directory ${root}`;
   const matches = globToRegExp(pattern);
   const found = walk(root, () => true, unreadable).filter((file) => matches.test(file));
-  return found.length > 0 || unreadable.length > before ? found : 'no file matches this pattern';
+  return found.length > 0 || unreadable.length > before ? without(found, leftOut) : 'no file matches this pattern';
+}
+
+/** The files that are not left out, or why there are none. */
+function without(files: string[], leftOut: LeftOut | null): string[] | string {
+  if (leftOut === null) return files;
+  const counts = new Map<string, number>();
+  const kept = files.filter((file) => {
+    const pattern = leftOut.ignores(file);
+    if (pattern !== null) counts.set(pattern, (counts.get(pattern) ?? 0) + 1);
+    return pattern === null;
+  });
+  if (kept.length > 0 || files.length === 0) return kept;
+  const by = [...counts].map(([pattern, count]) => `${JSON.stringify(pattern)} ignores ${count}`).join(', ');
+  return `all its level files are ignored: in ${leftOut.file}, ${by}; name a file to check it all the same, or use --no-config`;
 }
 
 /** Every file below a directory whose path passes, sorted by path. Follows links, but enters no directory twice. */

@@ -4,7 +4,7 @@ import { type Level, type LevelDocument, type Problem, readLevel } from '../sche
 import { showProblems } from './code-frames.ts';
 import { colorsFor } from './colors.ts';
 import type { CommandResult } from './command.ts';
-import { folderRules } from './folder-rules.ts';
+import type { Configuration } from './configuration.ts';
 import { notice } from './notices.ts';
 import { readBytes } from './read-bytes.ts';
 import { showFileProblems } from './report-parts/index.ts';
@@ -22,13 +22,14 @@ export interface OpenedFile extends OpenedLevel {
 }
 
 /**
- * Reads the level that a command works on, with the rules of the working directory.
+ * Reads the level that a command works on.
+ * @param configuration its rules apply where the level has none of its own
  * @returns the level, or the result of the command if the file is not a valid level
- * @throws Failure if the file or the configuration can't be read
+ * @throws Failure if the file can't be read
  */
-export function openLevel(file: string): OpenedFile | CommandResult {
+export function openLevel(file: string, { rules }: Pick<Configuration, 'rules'>): OpenedFile | CommandResult {
   const bytes = readBytes(file);
-  const read = readLevel(bytes, { rules: folderRules() });
+  const read = readLevel(bytes, { rules });
   if (read.ok) {
     const { length } = read.document.file.conflicts ?? [];
     if (length > 0) {

@@ -154,7 +154,7 @@ const EXPLANATIONS = {
   },
   'text-too-long': {
     title: 'a text is too long',
-    why: 'A name must fit on one line of a report: at most 120 characters for a level and 80 for a run. A description has at most 2000.',
+    why: 'A name must fit on one line of a report: at most 120 characters for a level and 80 for a run. A description has at most 2000, the reason for an allowed problem 300.',
     fix: 'Shorten it.',
   },
   'bad-id': {
@@ -221,6 +221,29 @@ const EXPLANATIONS = {
     title: 'the Tiled map is of a kind that cannot be read',
     why: 'Places in an isometric or hexagonal map are not the places that are seen, and a text that is not valid XML has no places at all.',
     fix: 'Save an orthogonal map with Tiled, as .tmj or .tmx.',
+  },
+  'unknown-code': {
+    title: 'no problem has this code',
+    why: 'A misspelt code would silently change nothing, and the problem that is meant would still be reported.',
+    fix: 'Correct the spelling: `gq explain` lists all codes.',
+    example: '"allow": { "unused-astroid": "a landmark" }  ->  "allow": { "unused-asteroid": "a landmark" }',
+  },
+  'fixed-severity': {
+    title: 'this problem cannot be allowed, lowered or switched off here',
+    why: 'Some problems are always errors: a file with one is no level, or nothing shows that the level can be completed. No configuration makes such a level green. Others are not about one level, so a level cannot allow them.',
+    fix: 'Remove the line and mend the problem, or leave the file out with "ignore" in gq.config.json.',
+    example: '"allow": { "no-run": "still a draft" }  ->  "ignore": ["drafts"]',
+  },
+  'unknown-value': {
+    title: 'a text is none of those that are known here',
+    why: 'A misspelt name of a severity, an accuracy or a reporter would otherwise be ignored, and the check would not be the one that is meant.',
+    fix: 'Write one of the names that the message lists.',
+    example: '"accuracy": "exact"  ->  "accuracy": "precise"',
+  },
+  'empty-list': {
+    title: 'a list of the configuration is empty',
+    why: 'Nothing checked is never green, so an empty list of levels or reports is a mistake.',
+    fix: 'Add an entry, or remove the key: then the default applies.',
   },
   'more-problems': {
     title: 'there are more problems than are shown',

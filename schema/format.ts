@@ -1,3 +1,4 @@
+import { ALLOWABLE_CODES } from './adjustable.ts';
 import { KINDS, OBJECT_KINDS } from './kinds.ts';
 import { type LevelFile, levelSchema, OBJECT_SCHEMAS } from './level.ts';
 import { RULE_NAMES } from './rules.ts';
@@ -12,6 +13,7 @@ const conflict = shape.conflicts.unwrap().element;
 const KEYS = {
   level: Object.keys(shape),
   rules: RULE_NAMES,
+  allow: ALLOWABLE_CODES,
   runs: Object.keys(run.shape),
   conflicts: Object.keys(conflict.shape),
   ...Object.fromEntries(OBJECT_KINDS.map((kind) => [KINDS[kind].list ?? kind, Object.keys(OBJECT_SCHEMAS[kind].shape)])),
@@ -64,13 +66,17 @@ function formatConflict(value: Json, indent: string): string {
 const ENTRIES: Readonly<Record<string, (value: Json, indent: string) => string>> = { runs: formatRun, conflicts: formatConflict };
 
 function formatMember(key: string, value: unknown): string {
+  if (key === 'allow' && typeof value === 'object' && value !== null) {
+    const rows = entriesOf(value as Json, KEYS.allow).map(([code, reason]) => `${JSON.stringify(code)}: ${inline(reason)}`);
+    return block('{', rows, '}', '  ');
+  }
   if (!Array.isArray(value) || !Object.hasOwn(KEYS, key)) return inline(value, KEYS[key]);
   const rows = value.map((entry) => ENTRIES[key]?.(entry as Json, '    ') ?? inline(entry, KEYS[key]));
   return block('[', rows, ']', '  ');
 }
 
 /**
- * Writes a level file in the canonical layout: keys in the order of the schema and x- keys after them, one object or hold per
+ * Writes a level file in the canonical layout: keys in the order of the schema and x- keys after them, one object, hold or allowed problem per
  * line, LF, and a line end at the end of the file. Lists keep their order, what is missing stays missing, and -0 is written as
  * 0.
  *

@@ -1,6 +1,25 @@
+export {
+  ADJUSTABLE_CODES,
+  ADJUSTMENTS,
+  type AdjustableCode,
+  type Adjustment,
+  ALLOWABLE_CODES,
+  type AllowableCode,
+  adjustmentOf,
+} from './adjustable.ts';
 export { closestName } from './closest-name.ts';
 export { codeFrame } from './code-frame.ts';
 export { CODES, type CodeExplanation } from './codes.ts';
+export {
+  ACCURACY_NAMES,
+  type ConfigFile,
+  type ConfiguredSeverity,
+  configSchema,
+  REPORTER_NAMES,
+  type ReporterName,
+  SEVERITIES,
+  type SeverityMap,
+} from './config.ts';
 export { type DiffReport, diffReportSchema } from './diff-report.ts';
 export * from './edit-api.ts';
 export {
@@ -13,7 +32,7 @@ export {
 export { formatLevel } from './format.ts';
 export { withIds } from './ids.ts';
 export { type ImportedLevel, type ImportReading, importOriginal } from './import-original.ts';
-export { formatLevelJsonSchema, levelJsonSchema } from './json-schema.ts';
+export { configJsonSchema, formatConfigJsonSchema, formatLevelJsonSchema, levelJsonSchema } from './json-schema.ts';
 export type { Appearance, Field, FlagField, Kind, NumberField, Pair } from './kind.ts';
 export * from './kinds.ts';
 export * from './level.ts';
@@ -35,7 +54,7 @@ export { entryName, objectName, touchedName } from './names.ts';
 export * from './other-reports.ts';
 export { type EditorPlace, type PlaceReading, placeFragment, placeIn } from './place-link.ts';
 export type { Problem } from './problem.ts';
-export { type FolderRulesReading, readFolderRules } from './read-folder-rules.ts';
+export { type ConfigReading, readConfig } from './read-config.ts';
 export { MAX_FILE_SIZE } from './read-json.ts';
 export { type LevelDocument, type LevelReading, type ReadLevelOptions, readLevel } from './read-level.ts';
 export { type LockReading, readLock } from './read-lock.ts';

@@ -1,4 +1,5 @@
 import * as z from 'zod';
+import { configSchema } from './config.ts';
 import { levelSchema } from './level.ts';
 
 /**
@@ -7,20 +8,36 @@ import { levelSchema } from './level.ts';
  *
  * @returns a new JSON object
  */
-export function levelJsonSchema(): object {
-  return z.toJSONSchema(levelSchema, {
+export const levelJsonSchema = (): object => withExtensions(levelSchema);
+
+/**
+ * The JSON Schema (draft 2020-12) of `gq.config.json`, for editors and other tools. Keys that begin with x- are allowed in every
+ * object.
+ *
+ * @returns a new JSON object
+ */
+export const configJsonSchema = (): object => withExtensions(configSchema);
+
+const withExtensions = (schema: z.core.$ZodType): object =>
+  z.toJSONSchema(schema, {
     target: 'draft-2020-12',
     override: ({ jsonSchema }) => {
       if (jsonSchema.type === 'object') jsonSchema.patternProperties = { '^x-': {} };
     },
   });
-}
 
 /**
  * The text of `level.schema.json`.
  *
  * @returns the JSON Schema, indented by two spaces
  */
-export function formatLevelJsonSchema(): string {
-  return `${JSON.stringify(levelJsonSchema(), null, 2)}\n`;
-}
+export const formatLevelJsonSchema = (): string => text(levelJsonSchema());
+
+/**
+ * The text of `config.schema.json`.
+ *
+ * @returns the JSON Schema, indented by two spaces
+ */
+export const formatConfigJsonSchema = (): string => text(configJsonSchema());
+
+const text = (schema: object): string => `${JSON.stringify(schema, null, 2)}\n`;

@@ -1,4 +1,5 @@
 import * as z from 'zod';
+import { ALLOWABLE_CODES, type AllowableCode } from './adjustable.ts';
 import type { Field } from './kind.ts';
 import {
   type FieldsOf,
@@ -93,6 +94,17 @@ const conflict = z
   })
   .describe('A property that two merged versions changed in different ways.');
 
+const allow = z
+  .strictObject(
+    Object.fromEntries(
+      ALLOWABLE_CODES.map((code) => [
+        code,
+        z.string().min(1).regex(/\S/).max(LIMITS.reason).optional().describe(`Why ${code} is meant in this level.`),
+      ]),
+    ) as { [code in AllowableCode]: z.ZodOptional<z.ZodString> },
+  )
+  .describe('Problems that are meant in this level, each with the reason: `gq check` does not report them.');
+
 /** The zod schema of a level file. Lists that are left out are empty. */
 export const levelSchema = z
   .strictObject({
@@ -114,6 +126,7 @@ export const levelSchema = z
       .describe(`Farther than this from the centre of every asteroid she is lost, px; ${DEFAULT_RANGE} when left out.`),
     recoil: z.boolean().optional().describe('Whether the target of the gun is pulled towards her, too; false when left out.'),
     rules: rulesSchema.optional(),
+    allow: allow.optional(),
     ...lists,
     runs: z.array(run).max(LIMITS.runs).optional().describe('Scripted runs; the first is the one that is shown.'),
   })
@@ -129,6 +142,9 @@ export type FileConflict = NonNullable<LevelFile['conflicts']>[number];
 export type ObjectOf<K extends ObjectKind> = (K extends ListedKind ? { readonly id: string | null } : unknown) & {
   readonly [F in keyof FieldsOf<K>]: ValueOf<FieldsOf<K>[F]>;
 };
+
+/** The reasons why problems are meant in a level, by code. */
+export type Allowed = { readonly [code in AllowableCode]?: string };
 
 /** A place in a level. */
 export interface Place {
@@ -187,6 +203,8 @@ export interface Level extends LevelObjects {
   readonly recoil: boolean;
   /** The rules that have another value in this level than in the original game; missing if there are none. */
   readonly rules?: OwnRules;
+  /** The problems that are meant in this level, by code, each with the reason; missing if there are none. */
+  readonly allow?: Allowed;
   /** The runs in the file; the first one is shown by default. */
   readonly runs: readonly ScriptedRun[];
 }

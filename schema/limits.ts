@@ -20,4 +20,6 @@ export const LIMITS = {
   holds: 20_000,
   /** Conflicts that a merge may leave in one level. */
   conflicts: 20_000,
+  /** Characters of the reason why a problem is allowed. */
+  reason: 300,
 } as const;

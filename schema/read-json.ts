@@ -38,10 +38,14 @@ function wholeFile(code: Finding['code'], message: string, hint: string): JsonRe
   return { ok: false, problems: [{ code, severity: 'error', message, hint, pointer: '', line: null, column: null }], text: '' };
 }
 
-const hintFor = (kind: string): string =>
-  kind.endsWith('archive')
+type Content = 'level' | 'configuration';
+
+function hintFor(kind: string, content: Content): string {
+  if (content === 'configuration') return 'Write a JSON text that begins with {, or name another file.';
+  return kind.endsWith('archive')
     ? 'Unpack it and take the level files that are in it.'
     : 'Level files end in .level.json and begin with {. Choose one of those.';
+}
 
 function badByteFinding(bytes: Uint8Array, bad: { byte: number; at: number; offset: number }): Finding {
   const hex = bad.byte.toString(16).toUpperCase().padStart(2, '0');
@@ -101,13 +105,18 @@ function toPlacedProblems(findings: readonly Finding[], text: string): JsonReadi
  * doubles.
  * @param source - the bytes of the file, or its text
  * @param byteOrderMark - whether a byte order mark is a problem (`refuse`) or skipped (`skip`)
+ * @param content - what the file should hold
  */
-export function readJson(source: Uint8Array | string, byteOrderMark: 'refuse' | 'skip'): JsonReading {
+export function readJson(source: Uint8Array | string, byteOrderMark: 'refuse' | 'skip', content: Content = 'level'): JsonReading {
   if (source.length > MAX_FILE_SIZE) {
-    return wholeFile('file-too-large', 'a file may have 8 MiB, this one has more', 'Check that the path names a level file.');
+    return wholeFile(
+      'file-too-large',
+      'a file may have 8 MiB, this one has more',
+      `Check that the path names a ${content === 'level' ? 'level file' : content}.`,
+    );
   }
   const kind = foreignKind(source);
-  if (kind !== null) return wholeFile('not-a-level', `expected a level as JSON text, found ${kind}`, hintFor(kind));
+  if (kind !== null) return wholeFile('not-a-level', `expected a ${content} as JSON text, found ${kind}`, hintFor(kind, content));
   const order = unmarkedUtf16(source);
   if (order !== null) {
     const message = `expected UTF-8, found UTF-16 (${order}) without a byte order mark`;
@@ -128,7 +137,7 @@ export function readJson(source: Uint8Array | string, byteOrderMark: 'refuse' | 
         {
           code: 'empty-file',
           message: 'the file is empty',
-          hint: 'Write a level into it, or delete it.',
+          hint: `Write ${content === 'level' ? 'a level' : '{ }'} into it, or delete it.`,
           path: [],
           part: 'value',
           offset: 0,

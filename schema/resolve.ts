@@ -1,5 +1,6 @@
+import { ALLOWABLE_CODES } from './adjustable.ts';
 import { fieldsOf, KINDS, LISTED_KINDS, type ObjectKind, type ObjectList, SINGLE_KINDS, type SingleKind } from './kinds.ts';
-import { DEFAULT_RANGE, type Level, type LevelFile } from './level.ts';
+import { type Allowed, DEFAULT_RANGE, type Level, type LevelFile } from './level.ts';
 import { type OwnRules, RULE_NAMES, RULES } from './rules.ts';
 
 type Written = Readonly<Record<string, unknown>>;
@@ -24,6 +25,10 @@ function ownRules({ rules }: LevelFile, folder: OwnRules): Pick<Level, 'rules'> 
   return own.length === 0 ? {} : { rules: Object.fromEntries(own) };
 }
 
+/** What a level allows, without x- keys. */
+const allowed = (allow: Allowed): Allowed =>
+  Object.fromEntries(ALLOWABLE_CODES.flatMap((code) => (Object.hasOwn(allow, code) ? [[code, allow[code]]] : [])));
+
 /**
  * Fills in every default that a level file leaves out. {@link readLevel} does so, too.
  *
@@ -45,6 +50,8 @@ export function resolveLevel(file: LevelFile, folder: OwnRules = {}): Level {
     range: file.range ?? DEFAULT_RANGE,
     recoil: file.recoil ?? false,
     ...ownRules(file, folder),
+    ...(file.allow !== undefined &&
+      Object.keys(file.allow).some((code) => !code.startsWith('x-')) && { allow: allowed(file.allow) }),
     ...(Object.fromEntries(lists) as Pick<Level, ObjectList>),
     runs: (file.runs ?? []).map((run) => ({
       name: run.name,

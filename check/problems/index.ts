@@ -5,6 +5,7 @@ import { foundRun, noRun, noRunFound, provedImpossible } from './level-problems.
 import { mineralLost } from './mineral-lost.ts';
 import type { CheckProblem, LevelProblem } from './problem.ts';
 import { failedRun, hangingRun, tightRun } from './run-problems.ts';
+import { unusedAllows } from './unused-allow.ts';
 import { accuraciesCut, nearnessCut, runsCut } from './work-limit.ts';
 
 export type { Hints } from './hints.ts';
@@ -14,13 +15,13 @@ export type { LevelProblem } from './problem.ts';
  * Lists everything that is wrong or looks wrong in a level.
  * @param findings what a check found out about the level
  * @param hints words that depend on where the problems are read
- * @returns the problems in order: those that decide the verdict, then runs, minerals and warnings
+ * @returns the problems in order: those that decide the verdict, then runs, minerals, warnings, and what is allowed in vain
  */
 export function problemsOf(findings: Findings, hints: Hints): LevelProblem[] {
   const { accuracy, range, ends, hangs, cuts, tight, lost } = findings;
   const verdict = verdictOfFindings(findings);
   const isCompletable = verdict === 'completable';
-  return [
+  const problems: LevelProblem[] = [
     ...ofTheLevel(findings, hints),
     ...(cuts.runs === null ? [] : [runsCut(ends, cuts.runs, verdict === 'unproven', hints)]),
     ...ends.flatMap((run, index) =>
@@ -33,6 +34,8 @@ export function problemsOf(findings: Findings, hints: Hints): LevelProblem[] {
     ...(cuts.nearness === null ? [] : [nearnessCut(cuts.nearness, hints)]),
     ...stillToBeWarnedOf(findings),
   ];
+  // a warning that gives way to a proof is still there
+  return [...problems, ...unusedAllows(findings, new Set([...problems, ...findings.warnings].map(({ code }) => code)))];
 }
 
 /**

@@ -105,6 +105,13 @@ const MEANINGS = {
       'The check compares levels with a lock file, and the lock has no entry for this level. A later change of its result would not be ' +
       'noticed. The level is new or has another name, or the lock was not updated with it.',
   },
+  'unused-allow': {
+    severity: 'warning',
+    title: 'a level allows a problem that it does not have',
+    why: () =>
+      'The problem was mended, or its code is not the one that was meant. If it stays, it hides the next problem of this kind, which ' +
+      'nobody has looked at.',
+  },
   'unreadable-file': {
     severity: 'error',
     title: 'a file or directory cannot be read',

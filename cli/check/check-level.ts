@@ -12,7 +12,16 @@ import {
   withinWork,
 } from '../../check/index.ts';
 import { ticksToAgree } from '../../check/lock/index.ts';
-import { compile, DEFAULT_MAX_WORK, type Run, type Scene, simulate, TICK_RATE, WorkBudget } from '../../engine/index.ts';
+import {
+  compile,
+  DEFAULT_MAX_WORK,
+  isAccuracyName,
+  type Run,
+  type Scene,
+  simulate,
+  TICK_RATE,
+  WorkBudget,
+} from '../../engine/index.ts';
 import { codeFrame, conflictProblems, type Hold, type Problem, readLevel, type ScriptedRun } from '../../schema/index.ts';
 import type { Proof } from '../../solver/index.ts';
 import { showProblems } from '../code-frames.ts';
@@ -100,6 +109,10 @@ function replay(file: string, { level, document }: OpenedLevel, settings: CheckS
     searched,
     // measuring slack takes long: only on request
     tight: isSlackAskedFor ? tightRuns(scene, completingRuns(level, scripted, found?.holds ?? null), requireSlack) : [],
+    sought: {
+      slack: requireSlack === null ? (search === null ? null : 'low') : requireSlack > 0 ? 'required' : null,
+      minerals: settings.proveMinerals && isAccuracyName(accuracy.name),
+    },
     lost: proveMineralsLost(level, accuracy, asked, ticksOf(settings), proofs),
   });
   const run = settings.forLock && brief !== null ? { ...brief, ...lockedRun(scene, shown!, document, settings, budget) } : brief;
@@ -115,6 +128,7 @@ function replay(file: string, { level, document }: OpenedLevel, settings: CheckS
     report,
     mineralCount: level.minerals.length,
     ...(settings.forLock && { rules: level.rules ?? {} }),
+    ...(level.allow !== undefined && { allow: level.allow }),
     problems: problems.length > 0 ? withKeys(showProblems(problems, document.text), document.text) : [],
     unreadable: false,
     ms: 0,

@@ -1,5 +1,5 @@
 import type { Accuracy } from '../../engine/index.ts';
-import type { Hold, OwnRules, RunReport, Verdict } from '../../schema/index.ts';
+import type { Allowed, Hold, OwnRules, RunReport, Verdict } from '../../schema/index.ts';
 import type { Limits } from '../search-options.ts';
 import type { ShownProblem } from '../shown-problem.ts';
 
@@ -31,6 +31,10 @@ export interface CheckedLevel {
   readonly mineralCount: number;
   /** The rules that have another value than in the original game. Only with `forLock`, and of a valid level. */
   readonly rules?: OwnRules;
+  /** The problems that the level allows, by code; missing if it allows none. */
+  readonly allow?: Allowed;
+  /** How many problems were left out because it allows them. */
+  readonly allowed?: number;
   readonly problems: readonly ShownProblem[];
   /** Whether the file itself could not be read. */
   readonly unreadable: boolean;

@@ -59,6 +59,11 @@ const ADVICE: Readonly<Record<CheckCode, Advice>> = {
   'not-in-lock': {
     fix: 'Agree on its result with `gq check --update-lock`, and commit the lock with the level.',
   },
+  'unused-allow': {
+    also: 'What the check was not asked to look for, such as slack without --solve and --require-slack, is never called unused.',
+    fix: 'Remove the code from "allow" in the level.',
+    example: '"allow": { "unused-asteroid": "a landmark" }',
+  },
   'unreadable-file': {
     fix: 'Make the file readable, or leave it out of the paths that are checked.',
   },

@@ -9,10 +9,12 @@ import { type AccuracyOptions, addAccuracyOptions, customAccuracy } from '../acc
 import { chooseRun } from '../chosen-run.ts';
 import { colorsFor } from '../colors.ts';
 import type { CommandResult } from '../command.ts';
+import { addConfigOptions, type ConfigOptions } from '../config-file.ts';
 import { Failure } from '../failure.ts';
 import { parseHolds } from '../holds-option.ts';
 import { openLevel } from '../level-source.ts';
 import { formatOption, maxTimeOption } from '../options.ts';
+import { readConfiguration } from '../read-configuration.ts';
 import { refuseUnused } from '../unused-options.ts';
 import { visibleLine } from '../visible.ts';
 import { writeWhole } from '../write-file.ts';
@@ -20,7 +22,7 @@ import { writeWhole } from '../write-file.ts';
 /** ms for the timing */
 const BUDGET = 3000;
 
-interface Options extends AccuracyOptions {
+interface Options extends ConfigOptions, AccuracyOptions {
   readonly run?: string;
   readonly holds?: readonly Hold[];
   readonly svg?: string;
@@ -30,7 +32,7 @@ interface Options extends AccuracyOptions {
 }
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  addAccuracyOptions(command)
+  addConfigOptions(addAccuracyOptions(command))
     .description(
       'Measure the error and the cost of every accuracy for one run of a level, and name the cheapest that is good enough.',
     )
@@ -71,7 +73,8 @@ async function measure(file: string, options: Options, command: Command): Promis
   const asked = custom ?? (options.accuracy === undefined ? null : ACCURACIES[options.accuracy]);
   const isNew = custom !== null && METHODS.every(({ name }) => name !== custom.name);
 
-  const opened = openLevel(file);
+  const configuration = readConfiguration(options);
+  const opened = openLevel(file, configuration);
   if (!('level' in opened)) return opened;
   const { level } = opened;
   const { name, holds } = chooseRun(file, level, options);

@@ -2,13 +2,14 @@ import process from 'node:process';
 import type { Command } from 'commander';
 import { placeFragment } from '../../schema/index.ts';
 import type { CommandResult } from '../command.ts';
+import { addConfigOptions, type ConfigOptions } from '../config-file.ts';
 import { DEFAULT_PORT, type EditServer, openBrowser, openedPlace, PAGE, startServer } from '../edit/index.ts';
-import { folderRules } from '../folder-rules.ts';
 import { wholeNumberOption } from '../options.ts';
+import { readConfiguration } from '../read-configuration.ts';
 import { catchSignals } from '../signals.ts';
 import { visible } from '../visible.ts';
 
-interface EditOptions {
+interface EditOptions extends ConfigOptions {
   readonly port?: number;
   /** true: the browser is opened, but at no place */
   readonly open?: true | string;
@@ -16,7 +17,7 @@ interface EditOptions {
 }
 
 export function declare(command: Command, _finish: (result: CommandResult) => void): void {
-  command
+  addConfigOptions(command)
     .description('Edit the levels of a folder in the browser. The run and its verdict follow every change at once.')
     .argument('[dir]', 'folder of level files (default: "levels", or the folder of the file to open)')
     .option(
@@ -57,8 +58,9 @@ async function edit(dir: string | undefined, options: EditOptions): Promise<void
   const wanted = typeof options.open === 'string' ? options.open : undefined;
   const { folder, place } = openedPlace(dir, wanted, options.run);
   // an invalid configuration is an error at the start; later the page reports it
-  folderRules();
-  const server = await startServer({ folder, port: options.port ?? null, configFrom: process.cwd(), page: PAGE, onCrash });
+  readConfiguration(options);
+  const { port = null, config } = options;
+  const server = await startServer({ folder, port, configFrom: process.cwd(), config, page: PAGE, onCrash });
   const fragment = place === null ? '' : placeFragment(place);
   const address = fragment === '' ? server.address : `${server.address}&${fragment}`;
   // unlike the reports of other commands, the address is needed before the command ends

@@ -3,10 +3,10 @@ import { plural } from '../../check/words/index.ts';
 import type { OwnRules } from '../../schema/index.ts';
 import type { CommandResult } from '../command.ts';
 import { Failure, systemReason } from '../failure.ts';
-import { folderRules } from '../folder-rules.ts';
 import { type MergedFile, mergeFiles, mergeText, playAgain } from '../merge-driver/index.ts';
 import { wholeNumberOption } from '../options.ts';
 import { readBytes } from '../read-bytes.ts';
+import { readConfiguration } from '../read-configuration.ts';
 import { shellPath } from '../shown-path.ts';
 import { visibleLine } from '../visible.ts';
 import { writeWhole } from '../write-file.ts';
@@ -90,7 +90,7 @@ function mergeOrSayWhy({ base, ours, theirs }: Paths, notes: string[]): MergedFi
 /** The rules of the folder. A configuration that is broken in the middle of a merge must not stop the merge of levels. */
 function rulesHere(notes: string[]): OwnRules {
   try {
-    return folderRules();
+    return readConfiguration({}).rules;
   } catch (error) {
     if (!(error instanceof Failure)) throw error;
     notes.push("the configuration can't be read, so the runs are played by the original game's rules");

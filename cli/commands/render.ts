@@ -8,11 +8,13 @@ import type { Goal } from '../../solver/index.ts';
 import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../accuracy-options.ts';
 import { type ChosenRun, chooseRun } from '../chosen-run.ts';
 import type { CommandResult } from '../command.ts';
+import { addConfigOptions, type ConfigOptions } from '../config-file.ts';
 import { Failure } from '../failure.ts';
 import { parseHolds } from '../holds-option.ts';
 import { openLevel } from '../level-source.ts';
 import { maxTimeOption, seedOption, wholeNumberOption } from '../options.ts';
 import { renderPng } from '../png.ts';
+import { readConfiguration } from '../read-configuration.ts';
 import {
   type Subject,
   type View,
@@ -35,7 +37,7 @@ const DEFAULT_WIDTH = 1200;
 /** The default effort for a picture of a search, ticks. */
 const DEFAULT_EFFORT = 2_000_000;
 
-interface Options extends AccuracyOptions {
+interface Options extends ConfigOptions, AccuracyOptions {
   readonly output: string;
   readonly run?: string | false;
   readonly holds?: readonly Hold[];
@@ -55,7 +57,7 @@ interface Options extends AccuracyOptions {
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
   const given = new Set<string>();
-  addAccuracyOptions(command)
+  addConfigOptions(addAccuracyOptions(command))
     .description('Draw a level with one of its runs, or with what a search or a proof shows.')
     .argument('<level>', 'a level file')
     .requiredOption('-o, --output <file>', 'FILE.svg or FILE.png; - writes SVG to standard output')
@@ -113,7 +115,8 @@ Examples:
 
 async function render(file: string, options: Options, command: Command): Promise<CommandResult> {
   const { output, width, theme } = options;
-  const subject = { accuracy: chooseAccuracy(options), maxTime: options.maxTime };
+  const configuration = readConfiguration(options);
+  const subject = { accuracy: chooseAccuracy(options, configuration), maxTime: options.maxTime };
   const kind = output === '-' ? '.svg' : extname(output).toLowerCase();
   if (kind !== '.svg' && kind !== '.png') {
     throw new Failure(
@@ -122,7 +125,7 @@ async function render(file: string, options: Options, command: Command): Promise
   }
   expectOneView(options);
   expectUsed(command, options);
-  const opened = openLevel(file);
+  const opened = openLevel(file, configuration);
   if (!('level' in opened)) return opened;
   const view = await viewOf(file, { level: opened.level, ...subject }, options);
   if ('exitCode' in view) return view;

@@ -1,17 +1,45 @@
-import type { Command } from 'commander';
-import { formatLevelJsonSchema } from '../../schema/index.ts';
+import { Argument, type Command } from 'commander';
+import { formatConfigJsonSchema, formatLevelJsonSchema } from '../../schema/index.ts';
 import type { CommandResult } from '../command.ts';
+import { didYouMean } from '../did-you-mean.ts';
+import { Failure } from '../failure.ts';
+
+interface PrintedSchema {
+  readonly about: string;
+  /** The text of the schema, with the line end. */
+  readonly print: () => string;
+}
+
+/** The JSON Schemas that can be printed, by name. */
+const SCHEMAS: Readonly<Record<string, PrintedSchema>> = {
+  level: { about: 'a level file', print: formatLevelJsonSchema },
+  config: { about: 'gq.config.json', print: formatConfigJsonSchema },
+};
+
+const NAMES = Object.keys(SCHEMAS);
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
+  const width = Math.max(...NAMES.map((name) => name.length));
+  const list = Object.entries(SCHEMAS).map(([name, { about }]) => `  ${name.padEnd(width)}  ${about}`);
   command
-    .description('Print the JSON Schema of a level file.')
+    .description('Print the JSON Schema of a level file, or of another file.')
+    .addArgument(new Argument('[name]', 'what to print the schema of').default('level'))
     .addHelpText(
       'after',
       `
-Text editors use it to complete and check level files that name it in "$schema".
+Names:
+${list.join('\n')}
+
+Text editors use it to complete and check level files and gq.config.json that name it in "$schema".
 
 Examples:
-  $ gq schema > level.schema.json`,
+  $ gq schema > level.schema.json
+  $ gq schema config > config.schema.json`,
     )
-    .action(() => finish({ output: formatLevelJsonSchema(), exitCode: 0 }));
+    .action((name: string) => finish({ output: schemaOf(name).print(), exitCode: 0 }));
+}
+
+function schemaOf(name: string): PrintedSchema {
+  if (Object.hasOwn(SCHEMAS, name)) return SCHEMAS[name];
+  throw new Failure(`there is no schema ${JSON.stringify(name)}${didYouMean(name, NAMES)}: expected ${NAMES.join(', ')}`);
 }

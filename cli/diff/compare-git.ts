@@ -3,7 +3,7 @@ import { relative, resolve } from 'node:path';
 import process from 'node:process';
 import { isSame, MAX_FILE_SIZE } from '../../schema/index.ts';
 import { Failure } from '../failure.ts';
-import { folderRules } from '../folder-rules.ts';
+import { readConfiguration } from '../read-configuration.ts';
 import { namedPath } from '../shown-path.ts';
 import type { Comparison, FileVersion, Pair, Side } from './comparison.ts';
 import { git, gitOrNull, readObjects, repositoryRoot, shallowHint, splitNul, treeOf } from './git.ts';
@@ -63,7 +63,7 @@ export function compareInGit({ before, after }: Revisions, paths: readonly strin
   const sides: [Side, Side] = [
     { label: before ?? 'HEAD', rules: rulesInTree(root, from, before ?? 'HEAD', messages) },
     after === 'worktree'
-      ? { label: 'the working tree', rules: folderRules() }
+      ? { label: 'the working tree', rules: readConfiguration({}).rules }
       : { label: isTree ? after : 'the index', rules: rulesInTree(root, tree, isTree ? after : 'the index', messages) },
   ];
   const differ = !isSame(sides[0].rules, sides[1].rules);

@@ -2,8 +2,8 @@ import { relative } from 'node:path';
 import { isSame } from '../../schema/index.ts';
 import { Failure } from '../failure.ts';
 import { findLevelFiles, statOrError } from '../files.ts';
-import { folderRules } from '../folder-rules.ts';
 import { readBytes } from '../read-bytes.ts';
+import { readConfiguration } from '../read-configuration.ts';
 import type { Comparison, FileVersion, Pair } from './comparison.ts';
 import { rulesOfFolder } from './side-rules.ts';
 
@@ -23,7 +23,7 @@ export function compareFiles(before: string, after: string, name?: string): Comp
   const read = (path: string): FileVersion | null => (NOTHING.test(path) ? null : { path: name ?? path, bytes: readBytes(path) });
   const pair = { before: read(before), after: read(after) };
   const isEqual = pair.before !== null && pair.after !== null && Buffer.compare(pair.before.bytes, pair.after.bytes) === 0;
-  const rules = folderRules();
+  const rules = readConfiguration({}).rules;
   return {
     before: { label: name === undefined ? before : `${name} before`, rules },
     after: { label: name === undefined ? after : `${name} after`, rules },

@@ -1,6 +1,6 @@
 import { posix, relative } from 'node:path';
 import process from 'node:process';
-import { type OwnRules, readFolderRules } from '../../schema/index.ts';
+import { type OwnRules, readConfig } from '../../schema/index.ts';
 import { CONFIG_NAME, findConfig } from '../config-file.ts';
 import { readBytes } from '../read-bytes.ts';
 import { readObjects } from './git.ts';
@@ -24,8 +24,8 @@ export function rulesOfFolder(folder: string, messages: string[]): OwnRules {
 }
 
 function rulesOfBytes(bytes: Uint8Array, name: string, messages: string[]): OwnRules {
-  const read = readFolderRules(bytes);
-  if (read.ok) return read.rules;
+  const read = readConfig(bytes);
+  if (read.ok) return read.config.rules ?? {};
   const [{ message, line }] = read.problems;
   messages.push(`warning: ${name} is not valid, and its rules are left out: ${line === null ? '' : `line ${line}: `}${message}`);
   return {};

@@ -4,6 +4,7 @@ import type { Server } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { dirname } from 'node:path';
 import { createAdaptorServer } from '@hono/node-server';
+import type { ConfigOptions } from '../config-file.ts';
 import { Failure, systemReason } from '../failure.ts';
 import { statOrError } from '../files.ts';
 import { namedPath, shellPath } from '../shown-path.ts';
@@ -40,6 +41,8 @@ export interface EditServerOptions {
   readonly port: number | null;
   /** The search for `gq.config.json` starts in this folder and goes upwards. */
   readonly configFrom: string;
+  /** A file to read instead, or false for none. */
+  readonly config?: ConfigOptions['config'];
   /** The folder that contains the built page. */
   readonly page: string;
   readonly onCrash: (error: unknown) => void;
@@ -49,10 +52,10 @@ export interface EditServerOptions {
  * Starts the editor's server on 127.0.0.1.
  * @throws Failure when the folder or the page is not what it should be, or the port is taken
  */
-export async function startServer({ folder, port, configFrom, page, onCrash }: EditServerOptions): Promise<EditServer> {
+export async function startServer({ folder, port, configFrom, config, page, onCrash }: EditServerOptions): Promise<EditServer> {
   const root = realFolder(folder);
   const files = readPage(page);
-  const levels = openLevelFolder(root, folder, rulesOnDisk(configFrom));
+  const levels = openLevelFolder(root, folder, rulesOnDisk(configFrom, config));
   const token = randomBytes(32).toString('base64url');
   const app = createApp({
     api: createApi(levels),
@@ -74,7 +77,7 @@ export async function startServer({ folder, port, configFrom, page, onCrash }: E
   const memory = port === 0 ? `${id}-any` : id;
   const before = lastPort(memory);
   await listen(server, port, before);
-  const watches = [watchFolder(root, levels.known), watchConfig(configFrom, levels.known)];
+  const watches = [watchFolder(root, levels.known), watchConfig(configFrom, levels.known, config)];
   const { port: listening } = server.address() as AddressInfo;
   const close = async (): Promise<void> => {
     for (const end of watches) end();

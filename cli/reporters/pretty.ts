@@ -1,6 +1,6 @@
 import { plural, VERDICT_MEANS } from '../../check/words/index.ts';
 import type { Verdict } from '../../schema/index.ts';
-import { type CheckedLevel, summarize } from '../check/index.ts';
+import { type CheckedLevel, countWarnings, summarize } from '../check/index.ts';
 import { alignColumns, showFileProblems } from '../report-parts/index.ts';
 import { failureOf, placeInWords } from '../show-failure/index.ts';
 import { visibleLine } from '../visible.ts';
@@ -17,13 +17,14 @@ const WHAT_TO_DO: Record<Exclude<Verdict, 'completable'>, string> = {
 };
 
 /** The results of `check` for people: a line for each level with its problems below, and a summary. */
-export function checkPretty(results: Results, { colors, linkTo }: ReportContext): string {
+export function checkPretty(results: Results, { colors, linkTo, quiet = false, excess = null }: ReportContext): string {
   const { levels: reports } = results;
-  const lines = alignColumns(reports.map(row), [TIME_COLUMN]);
+  const listed = quiet ? reports.flatMap(onlyErrors) : reports;
+  const lines = alignColumns(listed.map(row), [TIME_COLUMN]);
   const paint = (verdict: Verdict): ((text: string) => string) =>
     verdict === 'completable' ? colors.green : verdict === 'unproven' ? colors.yellow : colors.red;
   let text = '';
-  for (const [i, level] of reports.entries()) {
+  for (const [i, level] of listed.entries()) {
     const { file, verdict, problems } = level;
     if (results.shown?.has(file) === false) continue;
     text += `${paint(verdict)(verdict)}${lines[i].slice(verdict.length)}\n${showFileProblems(file, problems, colors)}`;
@@ -33,15 +34,32 @@ export function checkPretty(results: Results, { colors, linkTo }: ReportContext)
   const summary = summarize(reports);
   const counts = Object.entries(summary).filter(([, count]) => count > 0);
   const words = counts.map(([v, count]) => paint(v as Verdict)(`${count} ${v}`)).join(', ');
-  text += `\n${colors.bold(plural(reports.length, 'level'))}${words === '' ? '' : `: ${words}`}\n${earlyEndInWords(results)}`;
+  const count = `${colors.bold(plural(reports.length, 'level'))}${words === '' ? '' : `: ${words}`}${besides(reports, quiet)}`;
+  text += `${quiet && listed.length === 0 ? '' : '\n'}${count}\n${earlyEndInWords(results)}`;
+  if (excess !== null) text += `${colors.red(excess)}\n`;
   const tight = reports.filter(({ problems }) => problems.some(({ code }) => code === 'slack-below-required')).length;
   if (tight > 0)
     text += `${colors.red(`${plural(tight, 'level')} ${tight === 1 ? 'forgives' : 'forgive'} less than --require-slack requires`)}\n`;
   for (const [verdict] of counts as [Verdict, number][]) {
     if (verdict !== 'completable') text += `${verdict}: ${VERDICT_MEANS[verdict]}: ${WHAT_TO_DO[verdict]}\n`;
   }
-  if (reports.some((report) => report.problems.length > 0)) text += 'gq explain CODE says more about a problem\n';
+  if (listed.some((report) => report.problems.length > 0)) text += 'gq explain CODE says more about a problem\n';
   return text;
+}
+
+/** A level that has errors, with those alone; nothing for another. */
+function onlyErrors(report: CheckedLevel): CheckedLevel[] {
+  const problems = report.problems.filter(({ severity }) => severity === 'error');
+  return problems.length === 0 && report.verdict === 'completable' ? [] : [{ ...report, problems }];
+}
+
+/** What the summary says besides verdicts: allowed problems, and warnings where they are not listed. */
+function besides(reports: readonly CheckedLevel[], quiet: boolean): string {
+  const allowed = reports.reduce((sum, report) => sum + (report.allowed ?? 0), 0);
+  const warnings = quiet ? countWarnings(reports) : 0;
+  const notes = [warnings === 0 ? '' : plural(warnings, 'warning'), allowed === 0 ? '' : `${plural(allowed, 'problem')} allowed`];
+  const said = notes.filter((note) => note !== '').join(', ');
+  return said === '' ? '' : `; ${said}`;
 }
 
 const TIME_COLUMN = 3;

@@ -20,7 +20,13 @@ const REPORTERS: Readonly<Record<ReporterName, () => Promise<Reporter>>> = {
 export async function reportCheck(
   results: Results,
   reports: readonly Destination[],
-  { exitCode, accuracy, linkTo }: { readonly exitCode: CommandResult['exitCode'] } & Pick<ReportContext, 'accuracy' | 'linkTo'>,
+  {
+    exitCode,
+    accuracy,
+    linkTo,
+    quiet,
+    excess,
+  }: Pick<ReportContext, 'accuracy' | 'linkTo' | 'quiet' | 'excess'> & { readonly exitCode: CommandResult['exitCode'] },
 ): Promise<CommandResult> {
   const context: ReportContext = {
     colors: PLAIN,
@@ -28,6 +34,8 @@ export async function reportCheck(
     accuracy,
     exitCode,
     linkTo,
+    quiet,
+    excess,
     places: placesOf(process.cwd(), process.env),
     isJenkins: Boolean(process.env.JENKINS_URL),
   };
@@ -38,9 +46,11 @@ export async function reportCheck(
     if (file === null) output = make(results, { ...context, colors: colorsFor(process.stdout) });
     else files.push({ path: file, content: make(results, context), mode: 'replace' });
   }
+  const isSaid = reports.some(({ name, file }) => file === null && name === 'pretty');
+  const messages = excess && !isSaid ? `error: ${excess}\n` : '';
   const summary = process.env.GITHUB_STEP_SUMMARY;
-  if (!summary || !reports.some(({ name }) => name === 'github')) return { output, files, exitCode };
+  if (!summary || !reports.some(({ name }) => name === 'github')) return { output, files, messages, exitCode };
   const { stepSummary } = await import('./step-summary.ts');
   const step = stepSummary(summary, results, linkTo);
-  return { output, files: [...files, ...step.files], messages: step.messages, exitCode };
+  return { output, files: [...files, ...step.files], messages: messages + step.messages, exitCode };
 }

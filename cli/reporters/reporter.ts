@@ -29,6 +29,10 @@ export interface ReportContext {
   readonly exitCode: number;
   /** Makes links to a page of the editor; null if none is known. */
   readonly linkTo: EditorLink | null;
+  /** Whether reports for people leave out warnings and levels without errors. */
+  readonly quiet?: boolean;
+  /** That there are more warnings than allowed; null or missing if there are not. */
+  readonly excess?: string | null;
   readonly places: Places;
   /** Whether the report is for Jenkins, whose schema refuses an attribute that other readers of JUnit reports want. */
   readonly isJenkins: boolean;

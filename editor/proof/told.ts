@@ -1,4 +1,5 @@
 import {
+  applyPolicy,
   findingsOf,
   type LevelProblem,
   type LevelVerdict,
@@ -59,5 +60,6 @@ export function toldProblems(
     if (limit !== null) told.push(limitProblem(limit, worker?.message ?? null));
   }
   if (gaveUp !== null && impossible === null) told.push(proofsGivenUp(gaveUp));
-  return told.map((problem) => ({ ...problem, line: null, column: null }));
+  const { problems } = applyPolicy(told, { severity: {}, allow: findings?.allow ?? {} });
+  return problems.map((problem) => ({ ...problem, line: null, column: null }));
 }

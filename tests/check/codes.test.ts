@@ -30,6 +30,7 @@ const NOTHING: Findings = {
   range: 250,
   ends: [],
   collected: [],
+  allow: {},
   hangs: [],
   warnings: [],
   cuts: { runs: null, accuracies: null, nearness: null },
@@ -37,6 +38,7 @@ const NOTHING: Findings = {
   lost: [],
   searched: null,
   tight: [],
+  sought: { slack: null, minerals: false },
 };
 const DRIFT = { name: 'drift', outcome: 'timeout', with: null, time: DEFAULT_MAX_TIME, tick: 3600, isStopped: false } as const;
 const THROUGH = { ...DRIFT, name: 'through', outcome: 'completed', time: 2, tick: 120 } as const;
@@ -76,6 +78,7 @@ const FOUND: Readonly<Record<Exclude<CheckCode, (typeof OF_FILES)[number]>, Part
       },
     ],
   },
+  'unused-allow': { ends: [THROUGH], allow: { 'same-place': 'meant' } },
   'work-limit': { ends: [{ ...DRIFT, isStopped: true }], cuts: { ...NOTHING.cuts, runs: { maxWork: 9, of: 'work' } } },
 };
 

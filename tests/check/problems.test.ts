@@ -61,6 +61,7 @@ const findings: fc.Arbitrary<Findings> = fc
       accuracy: 'precise',
       range: 250,
       collected: [],
+      allow: {},
       hangs: [],
       ends: played,
       cuts: { runs: played.some(({ isStopped }) => isStopped) ? runs : null, accuracies, nearness },

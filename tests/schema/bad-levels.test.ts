@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { CODES, importOriginal, readLevel } from '../../schema/index.ts';
+import { CODES, importOriginal, readConfig, readLevel } from '../../schema/index.ts';
 import { BASE } from './base-level.ts';
 import { BAD_LEVELS } from './fixtures/bad-levels.ts';
 
@@ -62,6 +62,9 @@ describe('a file that is not a level', () => {
     for (const code of ['not-in-original', 'unknown-class', 'wrong-shape', 'unpaired-mouth', 'unsupported-map']) given.add(code);
     // a file with conflicts can be read: tests/review has its cases
     given.add('merge-conflict');
+    const config = readConfig('{ "accuracy": "exact", "levels": [] }');
+    if (config.ok) throw new Error('was read');
+    for (const { code } of config.problems) given.add(code);
     expect([...given].sort()).toEqual(CODES.map(({ code }) => code).sort());
   });
 

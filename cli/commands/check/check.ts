@@ -3,10 +3,21 @@ import type { Command } from 'commander';
 import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../../accuracy-options.ts';
 import { addCacheOptions, type CacheOptions, cacheFolder, chosenCache } from '../../cache/index.ts';
 import type { CheckedLevel, CheckSettings } from '../../check/index.ts';
-import { checkContent, checkFiles, exitCodeOf, openLevelCache, unreadableLevel } from '../../check/index.ts';
+import {
+  checkContent,
+  checkFiles,
+  exitCodeOf,
+  judgeLevels,
+  judgeOf,
+  openLevelCache,
+  tooManyWarnings,
+  unreadableLevel,
+} from '../../check/index.ts';
 import type { CommandResult } from '../../command.ts';
-import { findConfig } from '../../config-file.ts';
+import { addConfigOptions, type ConfigOptions, chosenConfig } from '../../config-file.ts';
+import { type Configuration, noConfiguration } from '../../configuration.ts';
 import { Failure } from '../../failure.ts';
+import { PATHS, pathsOr } from '../../level-paths.ts';
 import { jobsOption, maxTimeOption, maxWorkOption, wholeNumberOption } from '../../options.ts';
 import { createProgress } from '../../progress.ts';
 import { chooseReports, expectReportFiles, reportCheck, reporterOption, reportFormatOption } from '../../reporters/index.ts';
@@ -17,21 +28,27 @@ import { STDIN } from '../../stdin.ts';
 import { refuseUnused } from '../../unused-options.ts';
 import { chooseFiles } from './choose-files.ts';
 
+const MOST_WARNINGS = 1_000_000;
+
 /**
  * With more files than this, proofs about minerals are not tried, unless --solve takes its time anyway: a check of a thousand
  * levels must not keep the user waiting.
  */
 const FEW_FILES = 64;
 
-interface CheckOptions extends AccuracyOptions, SearchOptions, CacheOptions {
+interface CheckOptions extends AccuracyOptions, ConfigOptions, SearchOptions, CacheOptions {
   readonly solve?: true;
-  readonly requireSlack?: number;
+  /** false with --no-require-slack */
+  readonly requireSlack?: number | false;
+  readonly maxWarnings?: number;
+  readonly quiet?: true;
   readonly maxTime: number;
   readonly maxWork: number;
   readonly format?: string;
   readonly reporter?: readonly string[];
   readonly jobs: number;
-  readonly lock?: string;
+  /** false with --no-lock */
+  readonly lock?: string | false;
   readonly updateLock?: true;
   readonly bail?: number;
   readonly changed?: true | string;
@@ -41,15 +58,22 @@ interface CheckOptions extends AccuracyOptions, SearchOptions, CacheOptions {
 }
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  addCacheOptions(addSearchOptions(addAccuracyOptions(command), ' for each level'))
+  addCacheOptions(addSearchOptions(addConfigOptions(addAccuracyOptions(command)), ' for each level'))
     .description('Read and validate every level, replay its runs, and report which levels can be completed.')
-    .argument('[path...]', 'level files, directories, or quoted patterns with * ** ?', ['levels'])
+    .argument('[path...]', PATHS)
     .option('--solve', 'search for a run where none in the file completes the level, and warn of runs that forgive no error')
     .option(
       '--require-slack <ticks>',
       'require that every run that completes a level still does when all its presses and releases are off by up to TICKS',
       wholeNumberOption('a number of ticks', 0, 60),
     )
+    .option('--no-require-slack', 'require no slack, whatever the configuration says')
+    .option(
+      '--max-warnings <n>',
+      'fail when there are more warnings than this (default: any number is allowed)',
+      wholeNumberOption('a number of warnings', 0, MOST_WARNINGS),
+    )
+    .option('--quiet', 'show only errors and the summary; warnings still count')
     .addOption(maxTimeOption())
     .addOption(maxWorkOption())
     .addOption(reportFormatOption())
@@ -57,6 +81,7 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     .addOption(editorUrlOption())
     .addOption(jobsOption(availableParallelism()))
     .option('--lock <file>', 'compare the results with those agreed on in this file; a difference is the error result-changed')
+    .option('--no-lock', 'compare with no lock, whatever the configuration says')
     .option('--update-lock', 'agree anew: write the results into the lock file (default: gq.lock.json)')
     .option('--changed [ref]', 'check only levels that differ from REF (default: from the branch that changes go into)')
     .option('-w, --watch', 'check again what has changed, until q or Ctrl-C')
@@ -69,7 +94,8 @@ A directory stands for every *.level.json below it, except in hidden directories
 name is. Verdicts: completable; broken (it has runs, and none completes it); unproven (no run shows that it can be completed);
 impossible (it is proved that nobody can complete it); invalid; crashed. A level that costs more work than --max-work allows is
 unproven. Work is counted, so it is the same on every machine; with the default, the check of any file ends within seconds.
---budget, --effort and --seed are for --solve. Proofs that nobody can collect a mineral are attempted with --solve, or when at
+gq.config.json sets defaults of these options and the severity of problems, and a level can allow a problem: see
+docs/configuration.md. --budget, --effort and --seed are for --solve. Proofs that nobody can collect a mineral are attempted with --solve, or when at
 most ${FEW_FILES} files are checked. When a signal ends a check with --solve or --require-slack, what is checked until then is reported.
 
 --lock and --update-lock measure certified ticks and the hash of each run, which takes about four times as long as the check
@@ -84,8 +110,8 @@ gq.config.json or lock counts for all levels. With --format json, each round pri
 --bail counts in the order of the files: the report ends with the Nth level that fails, for any number of threads.
 
 Exit code: 2 when a path matches nothing (then nothing is checked), or when a file could not be read or gq failed on it (the
-other levels are still reported); otherwise 1 when a level is not completable, or a run forgives less than --require-slack;
-otherwise 0.
+other levels are still reported); otherwise 1 when a level is not completable or has an error, such as a run that forgives less than
+--require-slack, or when there are more warnings than --max-warnings; otherwise 0.
 
 Examples:
   $ gq check                             every level under levels/
@@ -111,9 +137,11 @@ async function watchLevels(paths: readonly string[], options: CheckOptions): Pro
   refuseToWatch(paths, options);
   const { Memory, watchAndRepeat } = await import('../../watch/index.ts');
   const memory = new Memory();
+  const configuration = await configurationFor(options);
+  const lock = options.lock ?? configuration.lock;
   return watchAndRepeat({
-    paths,
-    files: options.lock === undefined ? [] : [options.lock],
+    paths: pathsOr(paths, configuration),
+    files: lock ? [lock] : [],
     forget: () => memory.forget(),
     round: () => memory.round(() => check(paths, options, memory.remembering(checkFiles), (levels) => memory.newOf(levels))),
   });
@@ -131,13 +159,19 @@ async function check(
   shown: (levels: readonly CheckedLevel[]) => ReadonlySet<string> | undefined = () => undefined,
 ): Promise<CommandResult> {
   const search = searchOf(options);
-  const asked = chooseReports(options);
-  const { files, unreadable, input, message } = await chooseFiles(paths, options);
+  const configuration = await configurationFor(options);
+  const configured = configuration.reporters?.map(({ name, file }) => (file === null ? name : `${name}=${file}`));
+  const asked = chooseReports({ ...options, configured });
+  const { files, unreadable, input, message } = await chooseFiles(
+    paths,
+    { ...options, lock: options.lock || undefined },
+    configuration,
+  );
   expectReportFiles(asked, files);
-  // imported only if needed: it loads the schema, which usually only the workers load
-  const rules = findConfig() === null ? {} : (await import('../../folder-rules.ts')).folderRules();
-  const accuracy = chooseAccuracy(options);
-  const lockFile = options.lock ?? (options.updateLock ? 'gq.lock.json' : null);
+  const accuracy = chooseAccuracy(options, configuration);
+  // a level from standard input without a name is in no lock
+  const configuredLock = input !== null && options.stdinPath === undefined ? null : configuration.lock;
+  const lockFile = (options.lock ?? configuredLock) || (options.updateLock ? 'gq.lock.json' : null);
   const lock =
     lockFile === null
       ? null
@@ -145,12 +179,12 @@ async function check(
           file: lockFile,
           update: options.updateLock === true,
           accuracy: accuracy.name,
-          paths: input === null ? paths : files,
+          paths: input === null ? pathsOr(paths, configuration) : files,
           levels: files,
         });
   const compare = (levels: readonly CheckedLevel[]): readonly CheckedLevel[] => lock?.compare(levels) ?? levels;
   const settings: CheckSettings = {
-    rules,
+    rules: configuration.rules,
     accuracy,
     forLock: lock !== null,
     maxTime: options.maxTime,
@@ -158,13 +192,12 @@ async function check(
     inFull: asked.some(({ name }) => name === 'json'),
     search,
     proveMinerals: options.solve === true || files.length <= FEW_FILES,
-    requireSlack: options.requireSlack ?? null,
+    requireSlack: requiredSlack(options, configuration),
   };
-  const folder = cacheFolder(chosenCache(options, null));
+  const folder = cacheFolder(chosenCache(options, configuration.cache));
   const cache = folder === null ? null : openLevelCache(folder, settings);
   const progress = createProgress('checked', files.length);
-  const bail =
-    options.bail === undefined ? null : { most: options.bail, fails: (level: CheckedLevel) => exitCodeOf(compare([level])) > 0 };
+  const bail = options.bail === undefined ? null : { most: options.bail, fails: await failsFor(configuration, compare) };
   const {
     levels: checked,
     unchecked,
@@ -178,14 +211,40 @@ async function check(
   const reports = [...checked];
   for (const { path, reason } of unreadable)
     reports.push(unreadableLevel(path, `${path}: the directory can't be read: ${reason}`));
-  const levels = compare(reports);
+  // severity, what levels allow and the lock do not change what was checked and kept
+  const levels = await judgeLevels(compare(reports), configuration);
+  const maxWarnings = options.maxWarnings ?? configuration.maxWarnings;
   const results = { levels, unchecked, interrupted: signal !== null, shown: shown(levels) };
   const isNothing = levels.length === 0 && options.changed !== undefined;
-  const exitCode = signal !== null ? exitCodeAfter(signal) : isNothing ? 0 : exitCodeOf(levels);
+  const exitCode = signal !== null ? exitCodeAfter(signal) : isNothing ? 0 : exitCodeOf(levels, maxWarnings);
   const reported = isNothing ? asked.filter(({ name }) => name !== 'pretty') : asked;
-  const linkTo = await editorLinkTo(options.editorUrl);
-  const report = await reportCheck(results, reported, { exitCode, accuracy: accuracy.name, linkTo });
+  const report = await reportCheck(results, reported, {
+    exitCode,
+    accuracy: accuracy.name,
+    linkTo: await editorLinkTo(options.editorUrl),
+    quiet: options.quiet,
+    excess: tooManyWarnings(levels, maxWarnings),
+  });
   return { ...report, messages: `${message}${report.messages ?? ''}${messages ?? ''}` };
+}
+
+/** Whether a level alone makes a check fail. */
+async function failsFor(
+  configuration: Configuration,
+  compare: (levels: readonly CheckedLevel[]) => readonly CheckedLevel[],
+): Promise<(level: CheckedLevel) => boolean> {
+  const judge = await judgeOf(configuration);
+  return (level) => exitCodeOf(compare([level]).map(judge), null) > 0;
+}
+
+/** What applies to this check. Without a file, the code that reads one is not loaded: it needs the schema. */
+const configurationFor = async (options: ConfigOptions): Promise<Configuration> =>
+  chosenConfig(options) === null ? noConfiguration() : (await import('../../read-configuration.ts')).readConfiguration(options);
+
+/** The ticks that are required; null: none. The command line wins over the configuration, where 0 requires nothing. */
+function requiredSlack({ requireSlack }: CheckOptions, configured: Configuration): number | null {
+  if (requireSlack === false) return null;
+  return requireSlack ?? (configured.requireSlack || null);
 }
 
 function searchOf(options: CheckOptions): CheckSettings['search'] {

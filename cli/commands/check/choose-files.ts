@@ -1,5 +1,7 @@
+import type { Configuration } from '../../configuration.ts';
 import { Failure } from '../../failure.ts';
-import { type FoundFiles, findLevelFiles } from '../../files.ts';
+import type { FoundFiles } from '../../files.ts';
+import { findConfigured } from '../../level-paths.ts';
 import { readStdin, STDIN_NAME, stdinName } from '../../stdin.ts';
 
 /** What the options say about the files to check. */
@@ -20,14 +22,18 @@ export interface ChosenFiles extends FoundFiles {
 }
 
 /** Chooses the files to check. @throws Failure if a path matches none, or options contradict each other */
-export async function chooseFiles(paths: readonly string[], options: ChoiceOptions): Promise<ChosenFiles> {
+export async function chooseFiles(
+  paths: readonly string[],
+  options: ChoiceOptions,
+  configuration: Configuration,
+): Promise<ChosenFiles> {
   const { changed } = options;
   const stdin = stdinName(paths, options.stdinPath);
   if (stdin !== null) {
     refuseForStdin(stdin, options);
     return { files: [stdin], unreadable: [], input: readStdin('check'), message: '' };
   }
-  const found = await findLevelFiles(paths);
+  const found = await findConfigured(paths, configuration);
   if (changed === undefined) return { ...found, input: null, message: '' };
   const { changedFiles } = await import('../../changed/index.ts');
   const { files, inWords } = changedFiles(found.files, changed === true ? null : changed);

@@ -16,6 +16,7 @@ import {
 import { Failure } from '../../failure.ts';
 import { formatOption, jobsOption, maxTimeOption } from '../../options.ts';
 import { readBytes } from '../../read-bytes.ts';
+import { readConfiguration } from '../../read-configuration.ts';
 import { visible, visibleLine } from '../../visible.ts';
 import { writeWhole } from '../../write-file.ts';
 import { diffJson } from './json.ts';
@@ -85,7 +86,7 @@ async function diff(words: readonly string[], command: Command, options: Options
     if (words.length > 0) throw new Failure(`--textconv takes one file and nothing else, found ${words.join(' ')}`);
     return { output: textOfLevel(readBytes(textconv)), exitCode: 0 };
   }
-  const settings = { accuracy: chooseAccuracy(options), maxTime, slack };
+  const settings = { accuracy: chooseAccuracy(options, readConfiguration({})), maxTime, slack };
   const comparison = await chooseComparison({ ...divided(words, command), staged: options.staged === true });
   const result = await diffFiles(comparison, settings, jobs);
   const exitCode = options.exitCode && result.levels.length > 0 ? 1 : 0;

@@ -7,12 +7,13 @@ import type { Goal } from '../../../solver/index.ts';
 import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../../accuracy-options.ts';
 import { colorsFor } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
+import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
 import { type MeasuredLevel, type MeasureSettings, measureLevels } from '../../difficulty/index.ts';
 import { Failure } from '../../failure.ts';
-import { findLevelFiles } from '../../files.ts';
-import { folderRules } from '../../folder-rules.ts';
+import { findConfigured, PATHS } from '../../level-paths.ts';
 import { formatOption, jobsOption, maxTimeOption, seedOption, wholeNumberOption } from '../../options.ts';
 import { createProgress } from '../../progress.ts';
+import { readConfiguration } from '../../read-configuration.ts';
 import { mineralsOption } from '../../search-options.ts';
 import { refuseUnused } from '../../unused-options.ts';
 import { visibleLine } from '../../visible.ts';
@@ -23,7 +24,7 @@ import { difficultyPretty } from './pretty.ts';
 /** The default effort to find a run, ticks. */
 const DEFAULT_EFFORT = 5_000_000;
 
-interface Options extends AccuracyOptions {
+interface Options extends ConfigOptions, AccuracyOptions {
   readonly run?: string;
   readonly search?: true;
   readonly minerals: Goal['minerals'];
@@ -37,9 +38,9 @@ interface Options extends AccuracyOptions {
 }
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  addAccuracyOptions(command)
+  addConfigOptions(addAccuracyOptions(command))
     .description('Measure how hard levels are: success under timing noise, slack, random play, shortcuts, and a grade.')
-    .argument('<path...>', 'level files, directories, or quoted patterns with * ** ?')
+    .argument('[path...]', PATHS)
     .option('--run <name>', 'the run to measure (default: the first that completes the level, or one that a search finds)')
     .option('--search', "measure the run that forgives most, among the level's own and those that a search finds")
     .addOption(mineralsOption())
@@ -87,10 +88,11 @@ async function measure(paths: readonly string[], options: Options, command: Comm
   refuseUnused(command, [{ option: '--theme', isUsed: svg !== undefined, needs: '--svg' }]);
   if (options.run !== undefined && options.search)
     throw new Failure('--run and --search cannot be combined: give one of the two');
-  const accuracy = chooseAccuracy(options);
-  const { files, unreadable } = await findLevelFiles(paths);
+  const configuration = readConfiguration(options);
+  const accuracy = chooseAccuracy(options, configuration);
+  const { files, unreadable } = await findConfigured(paths, configuration);
   const settings: MeasureSettings = {
-    rules: folderRules(),
+    rules: configuration.rules,
     accuracy,
     goal: { minerals: options.minerals },
     run: options.run ?? null,

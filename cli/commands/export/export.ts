@@ -5,11 +5,13 @@ import { MAX_FILE_SIZE, type OwnRules, readLevel } from '../../../schema/index.t
 import { showProblems } from '../../code-frames.ts';
 import { colorsFor } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
+import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
 import { Failure } from '../../failure.ts';
-import { findLevelFiles, statOrError } from '../../files.ts';
-import { folderRules } from '../../folder-rules.ts';
+import { statOrError } from '../../files.ts';
+import { findConfigured } from '../../level-paths.ts';
 import { formatOption } from '../../options.ts';
 import { readBytes } from '../../read-bytes.ts';
+import { readConfiguration } from '../../read-configuration.ts';
 import { showFileProblems } from '../../report-parts/index.ts';
 import { namedPath } from '../../shown-path.ts';
 import { differing, planFile, writeAll } from '../../write-all.ts';
@@ -19,7 +21,7 @@ import { type ExportedFile, exportJson, exportPretty, warningsInWords } from './
 import { type OriginalOptions, toOriginal } from './to-original.ts';
 import { toTiled } from './to-tiled.ts';
 
-interface ExportOptions extends OriginalOptions {
+interface ExportOptions extends OriginalOptions, ConfigOptions {
   readonly to: 'gravityquest' | 'tiled';
   readonly out?: string;
   readonly force?: true;
@@ -27,7 +29,7 @@ interface ExportOptions extends OriginalOptions {
 }
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  command
+  addConfigOptions(command)
     .description("Turn levels back into the original game's level objects, or into Tiled maps.")
     .argument('<path...>', 'level files, directories, or quoted patterns with * ** ?')
     .addOption(
@@ -107,12 +109,13 @@ const shown = (invalid: readonly Refused[]): string =>
 async function exportLevels(paths: readonly string[], options: ExportOptions): Promise<CommandResult> {
   checkOptions(options);
   checkEnding(options);
-  const { files, unreadable } = await findLevelFiles(paths);
+  const configuration = readConfiguration(options);
+  const { files, unreadable } = await findConfigured(paths, configuration);
   if (unreadable.length > 0) {
     const list = unreadable.map(({ path, reason }) => `  ${path}: ${reason}\n`).join('');
     throw new Failure(`nothing was written, because directories can't be read:\n${list.trimEnd()}`);
   }
-  const { levels, invalid } = readAll(files, folderRules());
+  const { levels, invalid } = readAll(files, configuration.rules);
   if (invalid.length > 0) return { messages: shown(invalid), exitCode: 1 };
   const made = options.to === 'tiled' ? toTiled(levels, options) : toOriginal(levels, options);
   if ('refused' in made) {

@@ -4,10 +4,12 @@ import { formatLevel, readLevel, withIds } from '../../../schema/index.ts';
 import { showProblems } from '../../code-frames.ts';
 import { colorsFor } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
+import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
 import { Failure } from '../../failure.ts';
-import { findLevelFiles } from '../../files.ts';
+import { findConfigured, PATHS, pathsOr } from '../../level-paths.ts';
 import { formatOption } from '../../options.ts';
 import { readBytes } from '../../read-bytes.ts';
+import { readConfiguration } from '../../read-configuration.ts';
 import { showFileProblems } from '../../report-parts/index.ts';
 import { hearSignals } from '../../signals.ts';
 import { readStdin, stdinName } from '../../stdin.ts';
@@ -15,18 +17,18 @@ import { visible, visibleLine } from '../../visible.ts';
 import { writeWhole } from '../../write-file.ts';
 import { type FormattedFile, fmtJson, fmtPretty } from './report.ts';
 
-interface FmtOptions {
+interface FmtOptions extends ConfigOptions {
   readonly stdinPath?: string;
   readonly check?: true;
   readonly format: 'pretty' | 'json';
 }
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  command
+  addConfigOptions(command)
     .description(
       'Format level files, and give an id to every object that has none. The content stays the same; an invalid file is left alone.',
     )
-    .argument('[path...]', 'level files, directories, or quoted patterns with * ** ?', ['levels'])
+    .argument('[path...]', PATHS)
     .option('--check', 'only report which files would change')
     .option('--stdin-path <file>', 'with the path -: the name in messages of the level that is read from standard input')
     .addOption(formatOption('pretty', 'json'))
@@ -49,7 +51,8 @@ Examples:
 async function fmt(paths: readonly string[], options: FmtOptions): Promise<CommandResult> {
   const stdin = stdinName(paths, options.stdinPath);
   if (stdin !== null) return fmtStdin(stdin, options);
-  const { files, unreadable } = await findLevelFiles(paths);
+  const configuration = readConfiguration(options);
+  const { files, unreadable } = await findConfigured(paths, configuration);
   const done: FormattedFile[] = [];
   const failures = unreadable.map(({ path, reason }) => `error: ${visibleLine(path)}: the directory can't be read: ${reason}\n`);
   for (const file of files) {
@@ -62,7 +65,8 @@ async function fmt(paths: readonly string[], options: FmtOptions): Promise<Comma
       done.push({ file, status: 'failed', problems: [] });
     }
   }
-  const output = options.format === 'json' ? fmtJson(done) : fmtPretty(done, paths, colorsFor(process.stdout));
+  const output =
+    options.format === 'json' ? fmtJson(done) : fmtPretty(done, pathsOr(paths, configuration), colorsFor(process.stdout));
   const clean = done.every(({ status }) => status === 'unchanged' || status === 'formatted');
   // if a folder could not be read and no file was found, there is nothing to count
   return {

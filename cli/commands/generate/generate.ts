@@ -12,12 +12,13 @@ import {
 } from '../../../solver/index.ts';
 import { colorsFor } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
+import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
 import { Failure } from '../../failure.ts';
-import { folderRules } from '../../folder-rules.ts';
 import type { GenerateTask, MadeLevel } from '../../generate/index.ts';
 import { generatedPath, keepLevel, makeDirectory, makeLevels } from '../../generate/index.ts';
 import { formatOption, jobsOption, LARGEST_SEED, seedOption, wholeNumberOption } from '../../options.ts';
 import { createProgress } from '../../progress.ts';
+import { readConfiguration } from '../../read-configuration.ts';
 import { uncut } from '../../signals.ts';
 import { visibleLine } from '../../visible.ts';
 import { generateJson, generatePretty } from './report.ts';
@@ -25,7 +26,7 @@ import { generateJson, generatePretty } from './report.ts';
 /** The default effort for each level, ticks: takes minutes. */
 const DEFAULT_EFFORT = 500_000_000;
 
-interface Options {
+interface Options extends ConfigOptions {
   readonly out: string;
   readonly count: number;
   readonly seed: number;
@@ -38,7 +39,7 @@ interface Options {
 }
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  command
+  addConfigOptions(command)
     .description(
       'Make new levels from a seed, a size and a difficulty. Every level comes with runs that complete it and forgive errors.',
     )
@@ -90,7 +91,7 @@ async function generate(options: Options): Promise<CommandResult> {
   // each level has a seed of its own, with which it can be generated again
   if (seed + count - 1 > LARGEST_SEED)
     throw new Failure(`--seed ${seed} --count ${count}: expected seeds up to ${LARGEST_SEED}, found up to ${seed + count - 1}`);
-  const rules = folderRules();
+  const { rules } = readConfiguration(options);
   await uncut(() => makeDirectory(out));
   const tasks = Array.from({ length: count }, (_, i): GenerateTask => {
     const options: GeneratorOptions = { seed: seed + i, size, difficulty, rules, ...(ingredients && { ingredients }) };

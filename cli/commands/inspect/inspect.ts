@@ -4,19 +4,21 @@ import { compile, simulate, type Work } from '../../../engine/index.ts';
 import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../../accuracy-options.ts';
 import { colorsFor } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
+import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
 import { countObjects, type Inspection } from '../../inspection.ts';
 import { openLevel, warningsOf } from '../../level-source.ts';
 import { formatOption, maxTimeOption } from '../../options.ts';
+import { readConfiguration } from '../../read-configuration.ts';
 import { inspectJson } from './json.ts';
 import { inspectPretty } from './pretty.ts';
 
-interface InspectOptions extends AccuracyOptions {
+interface InspectOptions extends ConfigOptions, AccuracyOptions {
   readonly maxTime: number;
   readonly format: 'pretty' | 'json';
 }
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  addAccuracyOptions(command)
+  addConfigOptions(addAccuracyOptions(command))
     .description('Show what a level calls for: which effects are simulated and which are not, with the reason; counts; warnings.')
     .argument('<level>', 'a level file')
     .addOption(maxTimeOption())
@@ -36,8 +38,9 @@ Examples:
 }
 
 function inspect(file: string, options: InspectOptions): CommandResult {
-  const accuracy = chooseAccuracy(options);
-  const opened = openLevel(file);
+  const configuration = readConfiguration(options);
+  const accuracy = chooseAccuracy(options, configuration);
+  const opened = openLevel(file, configuration);
   if (!('level' in opened)) return opened;
   const { level } = opened;
   const scene = compile(level, accuracy);

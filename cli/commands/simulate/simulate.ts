@@ -6,16 +6,18 @@ import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../../
 import { chooseRun } from '../../chosen-run.ts';
 import { colorsFor } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
+import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
 import { Failure } from '../../failure.ts';
 import { parseHolds } from '../../holds-option.ts';
 import { openLevel } from '../../level-source.ts';
 import { formatOption, maxTimeOption, numberOption } from '../../options.ts';
+import { readConfiguration } from '../../read-configuration.ts';
 import { reportRun } from '../../run-report.ts';
 import { simulatePretty } from './pretty.ts';
 
 const MAX_SAMPLES = 1_000_000;
 
-interface SimulateOptions extends AccuracyOptions {
+interface SimulateOptions extends ConfigOptions, AccuracyOptions {
   readonly run?: string;
   readonly holds?: readonly Hold[];
   readonly maxTime: number;
@@ -25,7 +27,7 @@ interface SimulateOptions extends AccuracyOptions {
 }
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  addAccuracyOptions(command)
+  addConfigOptions(addAccuracyOptions(command))
     .description('Play one run of a level and report everything that happens.')
     .argument('<level>', 'a level file')
     .option('--run <name>', 'the run to play (default: the first)')
@@ -56,13 +58,14 @@ Examples:
 
 function play(file: string, options: SimulateOptions): CommandResult {
   const { sample, maxTime } = options;
-  const accuracy = chooseAccuracy(options);
+  const configuration = readConfiguration(options);
+  const accuracy = chooseAccuracy(options, configuration);
   if (sample !== undefined && sample * maxTime > MAX_SAMPLES) {
     throw new Failure(
       `--sample ${sample} over --max-time ${maxTime} can give more than ${MAX_SAMPLES} samples: lower one of the two`,
     );
   }
-  const opened = openLevel(file);
+  const opened = openLevel(file, configuration);
   if (!('level' in opened)) return opened;
   const level: Level = options.recoil === undefined ? opened.level : { ...opened.level, recoil: options.recoil === 'on' };
   const { name, holds } = chooseRun(file, level, options);

@@ -7,10 +7,12 @@ import type { Goal, Objective } from '../../../solver/index.ts';
 import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../../accuracy-options.ts';
 import { colorsFor } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
+import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
 import { Failure } from '../../failure.ts';
 import { type OpenedFile, openLevel } from '../../level-source.ts';
 import { formatOption, jobsOption, maxTimeOption, wholeNumberOption } from '../../options.ts';
 import { createStatusLine } from '../../progress.ts';
+import { readConfiguration } from '../../read-configuration.ts';
 import {
   addSearchOptions,
   expectMinerals,
@@ -26,7 +28,7 @@ import { visibleLine } from '../../visible.ts';
 import { solveJson } from './json.ts';
 import { solvePretty } from './pretty.ts';
 
-interface Options extends AccuracyOptions, SearchOptions {
+interface Options extends ConfigOptions, AccuracyOptions, SearchOptions {
   readonly minerals: Goal['minerals'];
   readonly objective: Objective;
   readonly count: number;
@@ -38,7 +40,7 @@ interface Options extends AccuracyOptions, SearchOptions {
 }
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  addSearchOptions(addAccuracyOptions(command))
+  addSearchOptions(addConfigOptions(addAccuracyOptions(command)))
     .description(
       'Find a run that completes a level, by default the one that forgives bad timing most, or prove that there is none.',
     )
@@ -71,8 +73,9 @@ Examples:
 }
 
 async function solve(file: string, options: Options): Promise<CommandResult> {
-  const accuracy = chooseAccuracy(options);
-  const opened = openLevel(file);
+  const configuration = readConfiguration(options);
+  const accuracy = chooseAccuracy(options, configuration);
+  const opened = openLevel(file, configuration);
   if (!('level' in opened)) return opened;
   const { level } = opened;
   expectRunName(file, level, options);

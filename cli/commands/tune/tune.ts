@@ -5,11 +5,12 @@ import { drawTuning, type Ground } from '../../../picture/tune/index.ts';
 import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../../accuracy-options.ts';
 import { colorsFor } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
+import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
 import { Failure } from '../../failure.ts';
-import { findLevelFiles } from '../../files.ts';
-import { folderRules } from '../../folder-rules.ts';
+import { findConfigured, PATHS } from '../../level-paths.ts';
 import { formatOption, jobsOption, maxTimeOption, maxWorkOption } from '../../options.ts';
 import { createProgress } from '../../progress.ts';
+import { readConfiguration } from '../../read-configuration.ts';
 import { showFileProblems } from '../../report-parts/index.ts';
 import { addSearchOptions, limitsOf, type SearchOptions } from '../../search-options.ts';
 import {
@@ -28,7 +29,7 @@ import { writeWhole } from '../../write-file.ts';
 import { tuneJson } from './json.ts';
 import { tuneText } from './text.ts';
 
-interface Options extends AccuracyOptions, SearchOptions {
+interface Options extends ConfigOptions, AccuracyOptions, SearchOptions {
   readonly set?: readonly Change[];
   readonly sweep?: Sweep;
   readonly solve?: true;
@@ -41,11 +42,11 @@ interface Options extends AccuracyOptions, SearchOptions {
 }
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  const described = addAccuracyOptions(command)
+  const described = addConfigOptions(addAccuracyOptions(command))
     .description(
       "Show what a change of the game's rules does to each level: whether its run still completes it, and from which value on it does not.",
     )
-    .argument('<path...>', 'level files, directories, or quoted patterns with * ** ?')
+    .argument('[path...]', PATHS)
     .option(
       '--set <rule=value>',
       "set a rule to a value, or to a multiple of each level's own like 1.1x; can be given several times",
@@ -98,16 +99,17 @@ async function tune(paths: readonly string[], options: Options, command: Command
     { option: '--theme', isUsed: svg !== undefined, needs: '--svg' },
   ]);
   if (svg !== undefined && !/\.svg$/i.test(svg)) throw new Failure(`--svg ${svg}: expected a name that ends in .svg`);
+  const configuration = readConfiguration(options);
   const settings: TuneSettings = {
-    accuracy: chooseAccuracy(options),
+    accuracy: chooseAccuracy(options, configuration),
     maxTime: options.maxTime,
     maxWork: options.maxWork,
-    rules: folderRules(),
+    rules: configuration.rules,
     changes,
     sweep,
     search: options.solve ? { limits: limitsOf(options), seed: options.seed } : null,
   };
-  const { files, unreadable } = await findLevelFiles(paths);
+  const { files, unreadable } = await findConfigured(paths, configuration);
   const progress = createProgress('tuned', files.length);
   let levels: TunedLevel[];
   try {

@@ -24,6 +24,7 @@ const ADVICE: Readonly<Record<PageCode, Advice>> = {
   },
   'proved-impossible': { fix: 'Move the objects that the reason names. Solve draws the proof on the canvas.' },
   'mineral-never-collectable': { fix: 'Move the mineral, or the objects that keep her from it.' },
+  'unused-allow': { fix: 'Remove the code from "allow" in the level file.' },
   'work-limit': {
     also: 'While a level is edited, the page simulates less of it; a worker simulates the rest.',
     fix: 'The message says which limit was reached. Delete what the level does not need: aliens above all, or runs that do not complete it.',

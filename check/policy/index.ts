@@ -1,0 +1,7 @@
+/**
+ * Decides which problems count: what a configuration says about their severity, and what a level allows. Verdicts are not
+ * decided here, and nothing here makes a level completable.
+ *
+ * @module
+ */
+export { applyPolicy, type Judged, type Policy } from './apply-policy.ts';

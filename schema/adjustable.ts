@@ -1,0 +1,84 @@
+import { CODES } from './codes.ts';
+
+/** How far a configuration, and `allow` in a level, can change the problems of a code. */
+export interface Adjustment {
+  /**
+   * `free`: every problem of this code; `warnings`: only where it is a warning, because as an error it decides the verdict;
+   * `fixed`: none, it is always an error.
+   */
+  readonly severity: 'free' | 'warnings' | 'fixed';
+  /** Whether a level can allow it. */
+  readonly allow: boolean;
+}
+
+const FREE = { severity: 'free', allow: true } as const;
+const WARNINGS = { severity: 'warnings', allow: true } as const;
+/** About the configuration or the project, so no level can allow it. */
+const NOT_IN_A_LEVEL = { severity: 'free', allow: false } as const;
+const FIXED = { severity: 'fixed', allow: false } as const;
+
+/**
+ * What can be changed about the problems that a check of a readable level finds, in the order in which they are listed. Codes of
+ * {@link CODES} are not listed: they are always errors.
+ */
+export const ADJUSTMENTS = {
+  'run-does-not-complete': WARNINGS,
+  'no-run': FIXED,
+  'found-run': FREE,
+  'no-run-found': FIXED,
+  'proved-impossible': FIXED,
+  'mineral-never-collectable': FREE,
+  'low-slack': FREE,
+  'slack-below-required': FREE,
+  'verdict-hangs-on-accuracy': FREE,
+  'work-limit': WARNINGS,
+  'result-changed': NOT_IN_A_LEVEL,
+  'not-in-lock': NOT_IN_A_LEVEL,
+  'unused-allow': NOT_IN_A_LEVEL,
+  'unreadable-file': FIXED,
+  crashed: FIXED,
+  'nothing-in-range-at-start': FREE,
+  'starts-in-hazard': FREE,
+  'touches-black-hole-at-start': FREE,
+  'black-hole-out-of-reach': FREE,
+  'black-hole-covered': FREE,
+  'mineral-out-of-reach': FREE,
+  'mineral-covered': FREE,
+  'aliens-explode-at-start': FREE,
+  'repulsor-never-acts': FREE,
+  'same-place': FREE,
+  overlapping: FREE,
+  'holds-overlap': FREE,
+  'holds-unsorted': FREE,
+  'unused-asteroid': FREE,
+} as const satisfies Readonly<Record<string, Adjustment>>;
+
+type Listed = typeof ADJUSTMENTS;
+
+/** A code whose severity a configuration can set. */
+export type AdjustableCode = { [C in keyof Listed]: Listed[C]['severity'] extends 'fixed' ? never : C }[keyof Listed];
+
+/** A code that a level can allow. */
+export type AllowableCode = { [C in keyof Listed]: Listed[C]['allow'] extends true ? C : never }[keyof Listed];
+
+const codes = Object.keys(ADJUSTMENTS) as (keyof Listed)[];
+
+/** The codes whose severity a configuration can set. */
+export const ADJUSTABLE_CODES = codes.filter((code) => ADJUSTMENTS[code].severity !== 'fixed') as readonly AdjustableCode[];
+
+/** The codes that a level can allow. */
+export const ALLOWABLE_CODES = codes.filter((code) => ADJUSTMENTS[code].allow) as readonly AllowableCode[];
+
+/**
+ * What can be changed about the problems of a code.
+ *
+ * @param code - any text
+ * @returns the adjustment; of the code of a file that is no level, that it is fixed; null if there is no such code
+ */
+export function adjustmentOf(code: string): Adjustment | null {
+  if (Object.hasOwn(ADJUSTMENTS, code)) return ADJUSTMENTS[code as keyof Listed];
+  return CODES.some((known) => known.code === code) ? FIXED : null;
+}
+
+/** Every code that there is. */
+export const allCodes = (): string[] => [...codes, ...CODES.map(({ code }) => code)];
