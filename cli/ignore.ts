@@ -27,7 +27,8 @@ export async function ignoreOf({ directory, ignore }: Pick<Configuration, 'direc
     const onlyDirectories = body.endsWith('/');
     const plain = body.replace(/\/+$/, '').replace(/^\/+/, '');
     const glob = body.replace(/\/+$/, '').includes('/') ? plain : `**/${plain}`;
-    return { text, isNegated, onlyDirectories, matches: picomatch(glob, { dot: true, nonegate: true }) };
+    const isMatch = picomatch(glob, { dot: true, nonegate: true });
+    return { text, isNegated, onlyDirectories, matches: (path) => isMatch(path) };
   });
   return (file) => {
     const path = relative(directory, resolve(file)).split(sep).join('/');
@@ -35,7 +36,7 @@ export async function ignoreOf({ directory, ignore }: Pick<Configuration, 'direc
     const directories = steps.slice(1).map((_, i) => steps.slice(0, i + 1).join('/'));
     let last: Pattern | null = null;
     for (const pattern of patterns) {
-      if (directories.some(pattern.matches) || (!pattern.onlyDirectories && pattern.matches(path))) last = pattern;
+      if (directories.some((one) => pattern.matches(one)) || (!pattern.onlyDirectories && pattern.matches(path))) last = pattern;
     }
     return last === null || last.isNegated ? null : last.text;
   };

@@ -136,13 +136,19 @@ export function codeFinding(path: Path, meant: string | null, possible: readonly
 const ALWAYS_AN_ERROR =
   'Remove it here. A level with this problem is not known to be completable: mend it, or leave its file out with "ignore" in gq.config.json.';
 
+/** The name that was meant: a close one, or the only one that begins so, as in `warn`. */
+function meantBy(value: string, known: readonly string[]): string | null {
+  const longer = value.length < 3 ? [] : known.filter((name) => name.startsWith(value.toLowerCase()));
+  return longer.length === 1 ? longer[0] : closestName(value, known);
+}
+
 /** A text that is none of those that are known. */
 export function unknownValue(path: Path, known: readonly string[], value: unknown): Finding {
   const words = `${known
     .slice(0, -1)
     .map((one) => `"${one}"`)
     .join(', ')} or "${known[known.length - 1]}"`;
-  const meant = typeof value === 'string' ? closestName(value, known) : null;
+  const meant = typeof value === 'string' ? meantBy(value, known) : null;
   const guess = meant === null ? '' : `: did you mean "${meant}"?`;
   const message = `${toWords(path)}: expected ${words}, found ${formatValue(value)}${guess}`;
   return found(path, 'unknown-value', message, meant === null ? `Write ${words}.` : `Write "${meant}".`);
