@@ -9,6 +9,7 @@ export const GROUPS = [
       { file: 'docs/recipes.md', name: 'recipes', text: 'Recipes' },
       { file: 'docs/editor.md', name: 'editor', text: 'Editor' },
       { file: 'docs/ci.md', name: 'ci', text: 'CI' },
+      { file: 'docs/configuration.md', name: 'configuration', text: 'Configuration' },
     ],
   },
   {
