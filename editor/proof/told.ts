@@ -21,6 +21,8 @@ import { limitProblem, proofsGivenUp } from './left-out.ts';
 export interface Proved {
   readonly impossible: Proof | null;
   readonly minerals: readonly LostMineral[];
+  /** Whether everything was tried that a check tries; false when missing. */
+  readonly isWhole?: boolean;
   /** Why the search for proofs ended early; null: it did not, or is still running. */
   readonly gaveUp?: string | null;
 }
@@ -50,11 +52,12 @@ export function toldVerdict(
 export function toldProblems(
   { findings: own, limit }: Pick<LiveProof, 'findings' | 'limit'>,
   worker: FoundByWorker | null,
-  { impossible, minerals: lost, gaveUp = null }: Proved,
+  { impossible, minerals: lost, isWhole = false, gaveUp = null }: Proved,
 ): Problem[] {
   const findings = own ?? worker?.result ?? null;
   const told: LevelProblem[] = [];
-  if (findings !== null) told.push(...problemsOf(findingsOf(findings, { impossible, lost }), PAGE_HINTS));
+  if (findings !== null)
+    told.push(...problemsOf(findingsOf(findings, { impossible, lost, sought: { slack: null, minerals: isWhole } }), PAGE_HINTS));
   else {
     told.push(...proofProblems({ impossible, lost }, PAGE_HINTS));
     if (limit !== null) told.push(limitProblem(limit, worker?.message ?? null));

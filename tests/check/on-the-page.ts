@@ -33,7 +33,7 @@ function work<K extends JobKind>(kind: K, request: Requests[K]): Results[K] {
 /** As it comes back from a worker. */
 const sent = <T>(message: T): T => structuredClone(message);
 
-const NOTHING: Proved = { impossible: null, minerals: [] };
+const NOTHING: Proved = { impossible: null, minerals: [], isWhole: true };
 
 /** What a worker finds where the page has left something out; null when it has not. */
 function foundByWorker(proof: LiveProof): FoundByWorker | null {
@@ -43,7 +43,7 @@ function foundByWorker(proof: LiveProof): FoundByWorker | null {
 
 function proved(proof: LiveProof): Proved {
   const question = toProve(proof);
-  return question === null ? NOTHING : sent(work('proofs', sent(question)));
+  return question === null ? NOTHING : { ...sent(work('proofs', sent(question))), isWhole: true };
 }
 
 const shown = ({ code, severity, message, pointer, line, column }: Problem): Said['problems'][number] => {

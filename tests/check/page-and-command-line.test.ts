@@ -205,6 +205,7 @@ it('the compared levels have every problem that the page can report, and every v
     'proved-impossible /astronaut',
     'mineral-never-collectable warning',
     'verdict-hangs-on-accuracy warning',
+    'unused-allow warning',
     'work-limit warning',
     'work-limit error',
     'same-place warning',

@@ -88,4 +88,33 @@ export const PROBLEM_LEVELS: Readonly<Record<string, LevelFile>> = {
     ...BASE,
     minerals: Array.from({ length: 30 }, (_, i) => ({ x: 75 + Math.floor(i / 2), y: 0 })),
   },
+  'an untidy level that allows it': {
+    ...BASE,
+    allow: {
+      'same-place': 'twins',
+      'repulsor-never-acts': 'scenery',
+      'unused-asteroid': 'a landmark',
+      'run-does-not-complete': 'a warning',
+      'holds-overlap': 'nothing overlaps',
+      'mineral-never-collectable': 'there is no mineral',
+      'low-slack': 'for experts',
+    },
+    asteroids: [
+      { x: 150, y: 0, radius: 16 },
+      { x: 150, y: 0, radius: 20 },
+      { x: 150, y: 400, radius: 16 },
+    ],
+    repulsors: [{ x: 5000, y: 0, radius: 40 }],
+    runs: [...(BASE.runs ?? []), DRIFT],
+  },
+  'a broken level that allows its runs to fail': {
+    ...BASE,
+    allow: { 'run-does-not-complete': 'it cannot be allowed', 'unused-asteroid': 'nothing is known of it' },
+    runs: [DRIFT],
+  },
+  'a lost mineral that is allowed': {
+    ...BASE,
+    allow: { 'mineral-never-collectable': 'only to be seen', 'mineral-out-of-reach': 'only to be seen' },
+    minerals: [{ x: 0, y: 9000 }],
+  },
 };

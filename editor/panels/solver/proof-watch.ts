@@ -40,14 +40,18 @@ export function watchProofs({ level: { proof }, workers, afterRest }: WatchParts
   const prove = () => {
     forget = null;
     const question = toProve(proof.proof());
-    if (question === null) return;
+    if (question === null) {
+      // everything is reached, so there is nothing to prove
+      store.setState({ ...NOTHING, isWhole: true }, true);
+      return;
+    }
     const mine = workers.start('proofs', question, (proved) => {
       if (job === mine) store.setState({ ...proved, gaveUp: null }, true);
     });
     job = mine;
     void mine.end.then((end) => {
       if (job !== mine) return;
-      if (end.kind === 'done') store.setState({ ...end.result, gaveUp: null }, true);
+      if (end.kind === 'done') store.setState({ ...end.result, gaveUp: null, isWhole: true }, true);
       else if (end.kind === 'gaveUp') store.setState({ gaveUp: end.message });
     });
   };
