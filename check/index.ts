@@ -10,11 +10,10 @@ export {
   findingsOf,
   type RunFindings,
   type Searched,
-  type Sought,
   unproved,
   verdictOfFindings,
 } from './findings.ts';
-export { applyPolicy, type Judged, type Policy } from './policy/index.ts';
+export { applyPolicy } from './policy/index.ts';
 export { type Hints, type LevelProblem, problemsOf, proofProblems } from './problems/index.ts';
 export { type LostMineral, mineralsToProve, proveGoalImpossible, proveMineralsLost } from './proofs.ts';
 export { completingRuns, tightRuns } from './tight-runs.ts';

@@ -231,7 +231,7 @@ const EXPLANATIONS = {
   'fixed-severity': {
     title: 'this problem cannot be allowed, lowered or switched off here',
     why: 'Some problems are always errors: a file with one is no level, or nothing shows that the level can be completed. No configuration makes such a level green. Others are not about one level, so a level cannot allow them.',
-    fix: 'Remove the line and mend the problem, or leave the file out with "ignore" in gq.config.json.',
+    fix: 'Remove the line and fix the problem, or leave the file out with "ignore" in gq.config.json.',
     example: '"allow": { "no-run": "still a draft" }  ->  "ignore": ["drafts"]',
   },
   'unknown-value': {

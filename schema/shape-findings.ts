@@ -134,7 +134,7 @@ export function codeFinding(path: Path, meant: string | null, possible: readonly
 }
 
 const ALWAYS_AN_ERROR =
-  'Remove it here. A level with this problem is not known to be completable: mend it, or leave its file out with "ignore" in gq.config.json.';
+  'Remove it here. A level with this problem is not known to be completable: fix it, or leave its file out with "ignore" in gq.config.json.';
 
 /** The name that was meant: a close one, or the only one that begins so, as in `warn`. */
 function meantBy(value: string, known: readonly string[]): string | null {

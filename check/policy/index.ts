@@ -4,4 +4,4 @@
  *
  * @module
  */
-export { applyPolicy, type Judged, type Policy } from './apply-policy.ts';
+export { applyPolicy } from './apply-policy.ts';

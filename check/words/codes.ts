@@ -109,7 +109,7 @@ const MEANINGS = {
     severity: 'warning',
     title: 'a level allows a problem that it does not have',
     why: () =>
-      'The problem was mended, or its code is not the one that was meant. If it stays, it hides the next problem of this kind, which ' +
+      'The problem was fixed, or its code is not the one that was meant. If it stays, it hides the next problem of this kind, which ' +
       'nobody has looked at.',
   },
   'unreadable-file': {
