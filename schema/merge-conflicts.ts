@@ -1,4 +1,5 @@
 import { quote } from './format-value.ts';
+import type { LevelFile } from './level.ts';
 import { MAX_PROBLEMS, type Problem } from './problem.ts';
 import type { LevelDocument } from './read-level.ts';
 
@@ -16,11 +17,11 @@ function short(value: unknown): string {
 /**
  * The problems of a level in which a merge left something undecided: one for each entry of `conflicts` in the file.
  *
- * @param document - the document of a valid level file
- * @returns the problems, with their places; none if the file has no conflicts
+ * @param file - the content of a valid level file
+ * @param locate - finds places in its text; the problems have no places when left out
+ * @returns the problems; none if the file has no conflicts
  */
-export function conflictProblems(document: LevelDocument): Problem[] {
-  const conflicts = document.file.conflicts ?? [];
+export function conflictProblems({ conflicts = [] }: LevelFile, locate?: LevelDocument['locate']): Problem[] {
   const problems = conflicts.slice(0, MAX_PROBLEMS).map(({ what, ours, theirs }, i): Problem => {
     const pointer = `/conflicts/${i}`;
     return {
@@ -29,7 +30,7 @@ export function conflictProblems(document: LevelDocument): Problem[] {
       message: `${quote(what)} is undecided after a merge: ours is ${short(ours)}, theirs ${short(theirs)}`,
       hint: 'Open it with gq edit and choose, or delete the entry when the value in place is right.',
       pointer,
-      ...document.locate(pointer),
+      ...(locate?.(pointer) ?? { line: null, column: null }),
     };
   });
   const rest = conflicts.length - problems.length;

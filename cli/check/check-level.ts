@@ -80,7 +80,7 @@ interface Judgement {
 function judge(file: string, bytes: Uint8Array, settings: CheckSettings): Judgement {
   const read = readLevel(bytes, settings);
   if (!read.ok) return refused(file, read.problems, read.text);
-  const undecided = conflictProblems(read.document);
+  const undecided = conflictProblems(read.document.file, read.document.locate);
   return undecided.length > 0 ? refused(file, undecided, read.document.text) : replay(file, read, settings);
 }
 

@@ -1,7 +1,7 @@
 import { CircleAlert, CircleCheck, CloudOff, Download, Eye, FileWarning, GitMerge, LoaderCircle } from 'lucide-react';
 import type { ComponentType } from 'react';
 import { useStore } from 'zustand';
-import { useEditor, useLevel } from '../context/index.ts';
+import { useDocument, useEditor, useLevel } from '../context/index.ts';
 import { problemsInWords, type SaveState } from '../files/index.ts';
 import type { Keeping } from '../journal/index.ts';
 import { keepFile, levelFile } from '../share/index.ts';
@@ -78,6 +78,7 @@ export function SaveStatus() {
   const state = useStore(opened.saver.store);
   const role = useStore(opened.lock.store);
   const keeping = useStore(opened.keeping);
+  const isUndecided = useDocument(({ file }) => (file.conflicts ?? []).length > 0);
   const { lasts } = workspace.storage;
   const { Icon } = LOOKS[state.kind];
   return (
@@ -95,7 +96,7 @@ export function SaveStatus() {
           onClick={() => void keepFile(levelFile(opened.id(), document.settledFile()))}
         />
       )}
-      {TO_RESOLVE.includes(state.kind) && (
+      {(TO_RESOLVE.includes(state.kind) || isUndecided) && (
         <Button hint="Compare both versions and choose" look="outlined" onClick={() => session.setState({ overlay: 'conflict' })}>
           Resolve
         </Button>

@@ -2,7 +2,7 @@ import { CircleCheck, CircleHelp, CircleX } from 'lucide-react';
 import { useStore } from 'zustand';
 import type { LevelVerdict } from '../../check/index.ts';
 import { VERDICT_MEANS } from '../../check/words/index.ts';
-import { useLevel, useProof } from '../context/index.ts';
+import { useDocument, useLevel, useProof } from '../context/index.ts';
 import { plural } from '../panels/figures/index.ts';
 import { useVerdict } from '../panels/solver/index.ts';
 import { endInWords } from '../proof/index.ts';
@@ -14,6 +14,9 @@ const LOOKS = {
   unproven: { Icon: CircleHelp, text: 'unproven' },
   impossible: { Icon: CircleX, text: 'impossible' },
 } as const;
+
+/** A level in which a merge left conflicts, whatever its runs do. */
+const UNDECIDED = { Icon: CircleX, text: 'invalid' } as const;
 
 /** How many ticks all presses and releases of the shown run may slip at once, as far as it is known. */
 function Slack() {
@@ -57,12 +60,15 @@ export function VerdictBadge() {
   const minerals = useProof((proof) => proof.level.minerals.length);
   const shown = useProof((proof) => proof.run.name);
   const ends = useProof(endInWords);
-  const { Icon, text } = LOOKS[verdict];
-  const why = limit ?? (verdict === 'completable' ? provenInWords(provenBy) : meaningOf(verdict, reason));
+  const isUndecided = useDocument(({ file }) => (file.conflicts ?? []).length > 0);
+  const { Icon, text } = isUndecided ? UNDECIDED : LOOKS[verdict];
+  const why = isUndecided
+    ? 'A merge left conflicts in it'
+    : (limit ?? (verdict === 'completable' ? provenInWords(provenBy) : meaningOf(verdict, reason)));
   return (
     <>
       <Hint text={`${why}. Shown: ${shown === null ? 'no run, she drifts' : `"${shown}"`}, ${ends}`}>
-        <output className={`badge badge--${verdict}`} aria-label={`Verdict: ${text}`}>
+        <output className={`badge badge--${isUndecided ? 'broken' : verdict}`} aria-label={`Verdict: ${text}`}>
           <Icon size={15} aria-hidden />
           {text}
         </output>

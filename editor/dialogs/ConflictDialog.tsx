@@ -1,6 +1,6 @@
 import { useEffect, useMemo, useState } from 'react';
 import { useStore } from 'zustand';
-import { type Choices, type Conflict, mergeLevels, type Side } from '../../review/index.ts';
+import { type Choices, type Conflict, conflictsOf, mergeLevels, resolveConflicts, type Side } from '../../review/index.ts';
 import { formatLevel, type LevelFile, type Problem } from '../../schema/index.ts';
 import { LevelContext, useDocument, useEditor, useLevel, useSession } from '../context/index.ts';
 import { folderOf, readStored } from '../files/index.ts';
@@ -27,8 +27,9 @@ function Disagreement({ onClose }: { readonly onClose: () => void }) {
   const state = useStore(opened.saver.store);
   // Text that the user is editing stays open even if the file is fixed in the meantime.
   const [asText, setAsText] = useState(false);
+  const undecided = useDocument(({ file }) => file.conflicts?.length ?? 0);
   // resolved in some other way: nothing left to choose
-  const isOver = state.kind !== 'conflict' && state.kind !== 'deleted' && state.kind !== 'unreadable';
+  const isOver = state.kind !== 'conflict' && state.kind !== 'deleted' && state.kind !== 'unreadable' && undecided === 0;
   useEffect(() => {
     if (isOver && !asText) onClose();
   }, [isOver, asText, onClose]);
@@ -36,7 +37,7 @@ function Disagreement({ onClose }: { readonly onClose: () => void }) {
   if (state.kind === 'conflict') return <Merge conflicts={state.conflicts} onClose={onClose} />;
   if (state.kind === 'deleted') return <Displaced problems={null} onFix={() => {}} onClose={onClose} />;
   if (state.kind === 'unreadable') return <Displaced problems={state.problems} onFix={() => setAsText(true)} onClose={onClose} />;
-  return null;
+  return undecided > 0 ? <Undecided onClose={onClose} /> : null;
 }
 
 /** The level on disk; null while it is read or if it is not a valid level. */
@@ -60,28 +61,88 @@ function useTheirs(): LevelFile | null {
 
 function Merge({ conflicts, onClose }: { readonly conflicts: readonly Conflict[]; readonly onClose: () => void }) {
   const { opened } = useLevel();
+  const mine = useDocument(({ file }) => file);
+  const theirs = useTheirs();
+  const merged = (choices: Choices) => {
+    const { file: base, sent } = opened.saver.base();
+    return theirs === null ? null : mergeLevels(base, mine, theirs, choices, sent).file;
+  };
+  return (
+    <ChooseSides
+      title="Two versions of this level"
+      about="It was changed here and on disk. Changes made on one side only are merged automatically; choose a side for each of the others."
+      conflicts={conflicts}
+      sides={{ mine: ['mine', 'on the screen'], theirs: ['theirs', 'on disk'] }}
+      later="Decide later; nothing is saved until then"
+      merged={merged}
+      onMerge={(choices) => opened.saver.resolve(choices)}
+      onClose={onClose}
+    />
+  );
+}
+
+/** Asks how to resolve what a merge outside the editor has left undecided in the file. */
+function Undecided({ onClose }: { readonly onClose: () => void }) {
+  const { notices } = useEditor();
+  const { document } = useLevel();
+  const file = useDocument(({ file }) => file);
+  const conflicts = useMemo(() => conflictsOf(file), [file]);
+  const decide = (choices: Choices) => {
+    const all = new Map(conflicts.map(({ key }): [string, Side] => [key, choices.get(key) ?? 'mine']));
+    document.seal();
+    const result = document.replace('Decide conflicts', resolveConflicts(document.file(), all));
+    if (!result.ok) notices.show('warning', `${result.refusal.message}. ${result.refusal.hint}`);
+  };
+  return (
+    <ChooseSides
+      title="A merge left conflicts in this level"
+      about="Both merged versions changed the same things in different ways. Choose a side for each; the level is refused by checks until then."
+      conflicts={conflicts}
+      sides={{ mine: ['ours', 'in the level now'], theirs: ['theirs', 'merged in'] }}
+      later="Decide later; the file keeps both versions"
+      merged={(choices) => resolveConflicts(file, choices)}
+      onMerge={decide}
+      onClose={onClose}
+    />
+  );
+}
+
+interface ChooseSidesProps {
+  readonly title: string;
+  readonly about: string;
+  readonly conflicts: readonly Conflict[];
+  /** What each side is called, and where it is. */
+  readonly sides: Readonly<Record<Side, readonly [name: string, where: string]>>;
+  /** What the button for later does. */
+  readonly later: string;
+  /** The result of choices; null while it is not known. */
+  readonly merged: (choices: Choices) => LevelFile | null;
+  readonly onMerge: (choices: Choices) => void;
+  readonly onClose: () => void;
+}
+
+function ChooseSides({ title, about, conflicts, sides, later, merged, onMerge, onClose }: ChooseSidesProps) {
   const [choices, setChoices] = useState<Choices>(new Map());
   const all = (side: Side) => setChoices(new Map(conflicts.map(({ key }) => [key, side])));
   const sideOf = (key: string): Side => choices.get(key) ?? 'mine';
   const merge = () => {
-    opened.saver.resolve(choices);
+    onMerge(choices);
     onClose();
   };
+  const result = merged(new Map(conflicts.map(({ key }): [string, Side] => [key, sideOf(key)])));
   return (
-    <Dialog
-      open
-      wide
-      title="Two versions of this level"
-      about="It was changed here and on disk. Changes made on one side only are merged automatically; choose a side for each of the others."
-      onClose={onClose}
-    >
+    <Dialog open wide title={title} about={about} onClose={onClose}>
       <div className="share__buttons">
-        <Button hint="Use the version on the screen for every difference" look="outlined" onClick={() => all('mine')}>
-          Use all mine
-        </Button>
-        <Button hint="Use the version on disk for every difference" look="outlined" onClick={() => all('theirs')}>
-          Use all theirs
-        </Button>
+        {(['mine', 'theirs'] as const).map((side) => (
+          <Button
+            key={side}
+            hint={`Use the version ${sides[side][1]} for every difference`}
+            look="outlined"
+            onClick={() => all(side)}
+          >
+            Use all {sides[side][0]}
+          </Button>
+        ))}
         <span className="share__about">
           {conflicts.length} {conflicts.length === 1 ? 'difference' : 'differences'} to resolve
         </span>
@@ -92,10 +153,10 @@ function Merge({ conflicts, onClose }: { readonly conflicts: readonly Conflict[]
             <legend className="conflict__what">{what}</legend>
             {(
               [
-                ['mine', 'mine, on the screen', mine],
-                ['theirs', 'theirs, on disk', theirs],
+                ['mine', mine],
+                ['theirs', theirs],
               ] as const
-            ).map(([side, title, value]) => (
+            ).map(([side, value]) => (
               <label key={side} className="conflict__side">
                 <input
                   type="radio"
@@ -103,7 +164,7 @@ function Merge({ conflicts, onClose }: { readonly conflicts: readonly Conflict[]
                   checked={sideOf(key) === side}
                   onChange={() => setChoices(new Map(choices).set(key, side))}
                 />
-                <span className="conflict__title">{title}</span>
+                <span className="conflict__title">{sides[side].join(', ')}</span>
                 <span className="conflict__value">{valueInWords(value)}</span>
               </label>
             ))}
@@ -111,9 +172,9 @@ function Merge({ conflicts, onClose }: { readonly conflicts: readonly Conflict[]
           </fieldset>
         ))}
       </div>
-      <Preview choices={choices} />
+      {result !== null && <Preview result={result} />}
       <div className="form__buttons">
-        <Button hint="Decide later; nothing is saved until then" look="outlined" onClick={onClose}>
+        <Button hint={later} look="outlined" onClick={onClose}>
           Later
         </Button>
         <Button hint="Save the chosen version; this can be undone" look="main" onClick={merge}>
@@ -127,17 +188,11 @@ function Merge({ conflicts, onClose }: { readonly conflicts: readonly Conflict[]
 /** lines of context around a difference */
 const AROUND = 2;
 
-function Preview({ choices }: { readonly choices: Choices }) {
-  const { opened } = useLevel();
+function Preview({ result }: { readonly result: LevelFile }) {
   const mine = useDocument(({ file }) => file);
-  const theirs = useTheirs();
-  const lines = useMemo(() => {
-    if (theirs === null) return null;
-    const { file: base, sent } = opened.saver.base();
-    const { file } = mergeLevels(base, mine, theirs, choices, sent);
-    return diffLines(formatLevel(mine), formatLevel(file));
-  }, [opened, mine, theirs, choices]);
-  if (lines === null) return null;
+  // what is undecided is shown above
+  const shown = ({ conflicts: _, ...file }: LevelFile) => formatLevel(file);
+  const lines = diffLines(shown(mine), shown(result));
   const near = lines.map((_, i) => lines.slice(Math.max(0, i - AROUND), i + AROUND + 1).some(({ kind }) => kind !== 'same'));
   return (
     <details className="merged" open>

@@ -18,16 +18,17 @@ function disagreementOf(id: string, state: SaveState): string | null {
 }
 
 /**
- * Shows a notice while the file on disk and the page differ, with a way to resolve it; the user may keep editing. @returns
- * stops it
+ * Shows a notice while the file on disk and the page differ, with a way to resolve it; the user may keep editing. A level that
+ * has conflicts of a merge is opened with the question about them. @returns stops it
  */
 export function followDisagreement({ open, notices, session }: Editor): () => void {
   let stop = () => {};
   const follow = () => {
     stop();
     notices.settle(TOPIC);
-    const opened = open.getState()?.opened;
-    if (opened === undefined) return;
+    const level = open.getState();
+    if (level === null) return;
+    const { opened, document } = level;
     const { store } = opened.saver;
     let last: string | null = null;
     const look = () => {
@@ -43,6 +44,9 @@ export function followDisagreement({ open, notices, session }: Editor): () => vo
     };
     look();
     stop = store.subscribe(look);
+    // what a merge left undecided is asked once; afterwards the top bar and the problems offer it
+    const isUndecided = (document.file().conflicts ?? []).length > 0;
+    if (isUndecided && session.getState().overlay === null) session.setState({ overlay: 'conflict' });
   };
   follow();
   const stopOpen = open.subscribe(follow);

@@ -54,7 +54,7 @@ describe('conflicts in a file', () => {
   });
 
   it('are problems with the places of their entries', () => {
-    expect(conflictProblems(read(marked).document)).toMatchObject([
+    expect(conflictProblems(marked, read(marked).document.locate)).toMatchObject([
       {
         code: 'merge-conflict',
         severity: 'error',
@@ -64,9 +64,9 @@ describe('conflicts in a file', () => {
         column: 5,
       },
     ]);
-    expect(conflictProblems(read(BASE).document)).toEqual([]);
+    expect(conflictProblems(BASE, read(BASE).document.locate)).toEqual([]);
     const many = { ...BASE, conflicts: Array.from({ length: 30 }, (_, i) => ({ what: `w${i}`, key: `x-${i}`, theirs: null })) };
-    const problems = conflictProblems(read(many).document);
+    const problems = conflictProblems(many, read(many).document.locate);
     expect(problems).toHaveLength(21);
     expect(problems[20]).toMatchObject({ code: 'more-problems', message: 'and 10 more conflicts' });
     expect(problems[0].message).toContain('ours is nothing, theirs null');

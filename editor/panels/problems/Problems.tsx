@@ -61,7 +61,7 @@ const ProblemCard = memo(function ProblemCard({ problem, place, fixTitle }: Prob
             {fixTitle}
           </Button>
         )}
-        {(code === 'file-unreadable' || code === 'file-deleted') && (
+        {['file-unreadable', 'file-deleted', 'merge-conflict'].includes(code) && (
           <Button
             hint="Compare both versions and choose"
             look="outlined"

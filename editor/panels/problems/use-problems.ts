@@ -1,7 +1,7 @@
 import { useMemo, useRef } from 'react';
 import { useStore } from 'zustand';
-import type { Problem } from '../../../schema/index.ts';
-import { useLevel } from '../../context/index.ts';
+import { conflictProblems, type LevelFile, type Problem } from '../../../schema/index.ts';
+import { useDocument, useLevel } from '../../context/index.ts';
 import { problemsInWords, type SaveState } from '../../files/index.ts';
 import { type LiveProof, toldProblems } from '../../proof/index.ts';
 import { useDebouncedProof } from '../parts/index.ts';
@@ -31,20 +31,26 @@ function problemsOfFile(id: string, state: SaveState): readonly Problem[] {
   return [{ code, severity: 'error', message, hint, pointer: '', line: null, column: null }];
 }
 
+/** What a merge left undecided in the level. */
+const problemsOfMerge = (file: LevelFile): Problem[] =>
+  conflictProblems(file).map((problem) => ({ ...problem, pointer: '', hint: 'Review it, and choose one of the two.' }));
+
 /** The errors and warnings of the level, including what a worker has proved about it; updated once the level rests. */
 export function useProblems(): readonly Problem[] {
   const known = useDebouncedProof(knownOf, REST);
   const { proofs, checks } = useSolverSession();
   const proved = useStore(proofs.store);
   const checked = useStore(checks.store);
-  const { opened } = useLevel();
+  const { opened, document } = useLevel();
   const state = useStore(opened.saver.store);
+  const conflicts = useDocument(({ file }) => file.conflicts);
   const last = useRef<readonly Problem[]>([]);
   return useMemo(() => {
-    const all = [...problemsOfFile(opened.id(), state), ...toldProblems(known, checkedOf(known, checked), proved)];
+    const ofMerge = conflicts === undefined ? [] : problemsOfMerge({ ...document.file(), conflicts });
+    const all = [...problemsOfFile(opened.id(), state), ...ofMerge, ...toldProblems(known, checkedOf(known, checked), proved)];
     last.current = keepSame(last.current, all);
     return last.current;
-  }, [known, proved, checked, opened, state]);
+  }, [known, proved, checked, opened, document, conflicts, state]);
 }
 
 /** The number of problems. */
