@@ -130,7 +130,7 @@ async function finishMerge(merged: MergedFile, paths: Paths, { markerSize, onBro
       if (broken.length === 0) messages.push('merged, and no run completes it any more (before: one did on both sides)');
       if (onBrokenRun === 'warn') return { messages, exitCode: 0 };
       const file = shellPath(path);
-      messages.push(`mend it (gq edit ${file}, gq solve ${file} --write) or leave it so, and then: git add ${file}`);
+      messages.push(`fix it (gq edit ${file}, gq solve ${file} --write) or leave it so, and then: git add ${file}`);
       return { messages, exitCode: 1 };
     }
   }

@@ -110,7 +110,7 @@ describe('gq merge-driver', () => {
     const ended = await merge(level(), ours, theirs);
     expect(ended.code).toBe(1);
     expect(ended.stderr).toMatch(
-      /^levels\/x\.level\.json: merged, and the run "solution" now dies at tick \d+, at nova 1 \(before: completed at tick \d+ on our side and \d+ on theirs\)\nlevels\/x\.level\.json: mend it \(/,
+      /^levels\/x\.level\.json: merged, and the run "solution" now dies at tick \d+, at nova 1 \(before: completed at tick \d+ on our side and \d+ on theirs\)\nlevels\/x\.level\.json: fix it \(/,
     );
     expect(levelIn('ours').conflicts).toBeUndefined();
     folder.remove();
