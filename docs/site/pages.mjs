@@ -10,6 +10,7 @@ export const GROUPS = [
       { file: 'docs/editor.md', name: 'editor', text: 'Editor' },
       { file: 'docs/ci.md', name: 'ci', text: 'CI' },
       { file: 'docs/configuration.md', name: 'configuration', text: 'Configuration' },
+      { file: 'docs/diff.md', name: 'diff', text: 'What changed' },
     ],
   },
   {

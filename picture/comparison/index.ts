@@ -1,1 +1,1 @@
-export { type Comparison, type ComparisonOptions, type Mark, pathOf, renderComparison } from './draw-comparison.ts';
+export { type Comparison, type Mark, pathOf, renderComparison } from './draw-comparison.ts';

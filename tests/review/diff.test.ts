@@ -197,7 +197,7 @@ describe('the words of a diff', () => {
     ['a name', { name: 'New' }, ['renamed "Base" -> "New"']],
     ['the range', { range: 300 }, ['range 250 -> 300 px']],
     ['the default range, written', { range: 250 }, ['range 250 px, the default, is now written']],
-    ['a rule', { rules: { pull: 45 } }, ['rule pull 45 px/s² added']],
+    ['a rule', { rules: { pull: 45 } }, ['rule pull 45 px/s2 added']],
     ['recoil', { recoil: true }, ['recoil turned on']],
     ['a description', { description: 'Pull.' }, ['description added']],
     ['an x- key', { 'x-author': 'Ann' } as never, ['x-author "Ann" added']],

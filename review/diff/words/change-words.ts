@@ -104,9 +104,9 @@ function mapInWords({ of, fields, keys, empty }: MapChange): string[] {
       const { default: usual, unit } = RULES[field.key as RuleName];
       // without a value of its own a level has that of its folder, which need not be the default
       if (!Object.hasOwn(field, 'before') || !Object.hasOwn(field, 'after')) {
-        return `rule ${valueChangeInWords(field, field.key, ` ${unit.replace(/2/g, '²')}`)}`;
+        return `rule ${valueChangeInWords(field, field.key, ` ${unit}`)}`;
       }
-      return `rule ${defaulted(field, usual, field.key, ` ${unit.replace(/2/g, '²')}`)}`;
+      return `rule ${defaulted(field, usual, field.key, ` ${unit}`)}`;
     }
     return `${of}: ${valueChangeInWords(field)}`;
   });

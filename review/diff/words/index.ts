@@ -1,4 +1,4 @@
 export { changesInWords } from './change-words.ts';
 export { effectsInWords, standingInWords } from './effect-words.ts';
-export { compareHolds, type HoldsChange, type MovedEdge } from './holds.ts';
+export { compareHolds } from './holds.ts';
 export { keyInWords } from './values.ts';

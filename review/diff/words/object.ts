@@ -3,9 +3,7 @@ import type { FieldChange, Json, PartChange } from '../change.ts';
 import { moveInWords, numberInWords, numbersApart } from './numbers.ts';
 import { valueChangeInWords } from './values.ts';
 
-const UNITS = { px: ' px', 'px/s': ' px/s', 'px/s2': ' px/s²' } as const;
-
-const unitOf = ({ unit }: NumberField): string => (unit === null ? '' : UNITS[unit]);
+const unitOf = ({ unit }: NumberField): string => (unit === null ? '' : ` ${unit}`);
 
 const PLACES = ['', 'second ', 'third ', 'fourth '];
 
