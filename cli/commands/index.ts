@@ -48,7 +48,7 @@ export const COMMANDS: readonly CommandEntry[] = [
   {
     name: 'difftool',
     summary: 'show two versions of a level in the browser, for git difftool',
-    load: () => import('./difftool.ts'),
+    load: async () => ({ declare: (await import('./diff/index.ts')).declareDifftool }),
   },
   {
     name: 'import',

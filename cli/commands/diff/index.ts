@@ -1,1 +1,2 @@
 export { declare } from './diff.ts';
+export { declareDifftool } from './difftool.ts';

@@ -85,6 +85,7 @@ function conflictsInWords({ before, after }: FieldChange): string {
   const count = (value: unknown): number => (typeof value === 'object' && value !== null ? Object.keys(value).length : 0);
   const [was, is] = [count(before), count(after)];
   if (is === 0) return 'conflicts of a merge resolved';
+  if (was === is) return 'unresolved conflicts of a merge changed';
   return was === 0
     ? `${is} unresolved ${is === 1 ? 'conflict' : 'conflicts'} of a merge`
     : `unresolved conflicts ${was} -> ${is}`;

@@ -4,15 +4,14 @@ import { basename, join } from 'node:path';
 import process from 'node:process';
 import { pathToFileURL } from 'node:url';
 import type { Command } from 'commander';
-import { ACCURACIES, DEFAULT_ACCURACY, DEFAULT_MAX_TIME } from '../../engine/index.ts';
-import { colorsFor } from '../colors.ts';
-import type { CommandResult } from '../command.ts';
-import { compareFiles, type Diff, type DiffSettings, diffFiles, playVersions } from '../diff/index.ts';
-import { Failure } from '../failure.ts';
-import { visibleLine } from '../visible.ts';
-import { writeWhole } from '../write-file.ts';
-import { diffPage } from './diff/page/index.ts';
-import { diffText } from './diff/text.ts';
+import { ACCURACIES, DEFAULT_ACCURACY, DEFAULT_MAX_TIME } from '../../../engine/index.ts';
+import { colorsFor } from '../../colors.ts';
+import type { CommandResult } from '../../command.ts';
+import { compareFiles, type Diff, type DiffSettings, diffFiles, playVersions } from '../../diff/index.ts';
+import { Failure } from '../../failure.ts';
+import { visibleLine } from '../../visible.ts';
+import { writeWhole } from '../../write-file.ts';
+import { diffText } from './text.ts';
 
 interface Options {
   readonly open: boolean;
@@ -20,7 +19,8 @@ interface Options {
 
 const SETTINGS: DiffSettings = { accuracy: ACCURACIES[DEFAULT_ACCURACY], maxTime: DEFAULT_MAX_TIME, slack: true };
 
-export function declare(command: Command, finish: (result: CommandResult) => void): void {
+/** Declares `gq difftool`. */
+export function declareDifftool(command: Command, finish: (result: CommandResult) => void): void {
   command
     .description(
       'Show two versions of a level in the browser: what changed, and both runs on one stage. Called with the seven arguments of an external diff of git, print what changed instead.',
@@ -69,6 +69,7 @@ const compare = (before: string, after: string, name: string | undefined): Promi
 async function show(diff: Diff, name: string, open: boolean): Promise<CommandResult> {
   const { before, after } = diff.comparison;
   const rules = { before: before.rules, after: after.rules };
+  const { diffPage } = await import('./page/index.ts');
   const page = diffPage(diff, (i) => playVersions(diff.pairs[i], rules, diff.levels[i], SETTINGS));
   const folder = mkdtempSync(join(tmpdir(), 'gq-diff-'));
   const file = join(folder, `${basename(name).replace(/[^\w.-]/g, '_')}.html`);
@@ -91,7 +92,7 @@ const SOON = 1500;
 
 /** Opens an address. @returns why it failed; null if it did not */
 async function opened(address: string): Promise<string | null> {
-  const { openBrowser } = await import('../edit/index.ts');
+  const { openBrowser } = await import('../../edit/index.ts');
   return new Promise((resolve) => {
     const timer = setTimeout(() => resolve(null), SOON);
     openBrowser(address, (why) => {
