@@ -98,7 +98,7 @@ describe.each(RUN_PAGES)('%s', (path) => {
     }
     const spans = [...withoutMissing(page.prose).matchAll(/`([^`\n]+)`/g)].map(([, span]) => span);
     for (const span of spans) {
-      const gq = /^(?:npx )?gq ([a-z-]+)(.*)$/.exec(span);
+      const gq = /^(?:npx )?gq ([a-z][a-z-]*)(.*)$/.exec(span);
       const flags = span.match(/(?<![\w-])--[a-z][a-z-]*/g) ?? [];
       if (gq !== null) {
         expect([...commands.names], span).toContain(gq[1]);
