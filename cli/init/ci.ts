@@ -86,10 +86,26 @@ function planGitlab(root: string, folder: string): PlannedText {
   return { file, text: gitlabJob(folder), note: `include it in .gitlab-ci.yml: include: [{ local: ${name} }]` };
 }
 
+const OTHER_LOCKS: readonly (readonly [file: string, manager: string])[] = [
+  ['pnpm-lock.yaml', 'pnpm'],
+  ['yarn.lock', 'yarn'],
+  ['bun.lock', 'bun'],
+  ['bun.lockb', 'bun'],
+];
+
+/** Says that a new workflow installs with npm where the project uses another package manager. */
+function withManager(planned: PlannedText, folders: readonly string[]): PlannedText {
+  if (planned.text === null) return planned;
+  const found = OTHER_LOCKS.find(([file]) => folders.some((folder) => existsSync(join(folder, file))));
+  if (found === undefined) return planned;
+  const note = `it installs with npm ci: change that to ${found[1]}, which this project uses`;
+  return { ...planned, note: planned.note === undefined ? note : `${planned.note}; ${note}` };
+}
+
 /** The file by which everybody's levels are checked; null if none is wanted. */
 export function planCi(folder: string, ci: Ci): PlannedText | null {
   const root = repositoryOf(folder);
   const inside = relative(root, resolve(folder)).split(sep).join('/');
   if (ci === 'none') return null;
-  return ci === 'github' ? planGithub(root, inside) : planGitlab(root, inside);
+  return withManager(ci === 'github' ? planGithub(root, inside) : planGitlab(root, inside), [folder, root]);
 }

@@ -138,6 +138,11 @@ describe('gq init', () => {
     expect(readFileSync(join(used, '.gitlab-ci.yml'), 'utf8')).toBe('build:\n  script: make\n');
     expect((await init(used)).stdout).not.toMatch(/^(written|changed)/m);
 
+    const pnpm = folder({ 'pnpm-lock.yaml': '' });
+    expect((await init(pnpm, '--dry-run')).stdout).toMatch(
+      /^would write .*levels\.yml: it installs with npm ci: change that to pnpm/m,
+    );
+
     const none = folder();
     await init(none, '--ci', 'none');
     expect(Object.keys(contentOf(none))).toEqual(WHOLE.filter((name) => !name.startsWith('.github')));
