@@ -90,6 +90,11 @@ function refusals(level: Level, { file, locate }: LevelDocument): Problem[] {
     const message = 'recoil: expected true, as the original game always has it, found false';
     refuse(path, message, 'Write "recoil": true and check the runs again, or leave this out with --drop.');
   }
+  const undecided = file.conflicts?.length ?? 0;
+  if (undecided > 0) {
+    const message = `expected a level whose merge is finished, found ${undecided} undecided in "conflicts"`;
+    refuse(['conflicts'], message, 'Decide them in the editor (gq edit), or remove the list.');
+  }
   for (const name of RULE_NAMES) {
     const value = level.rules?.[name];
     if (value === undefined) continue;
@@ -123,11 +128,18 @@ function* everyObject(file: LevelFile): Generator<readonly [kind: ObjectKind, ob
   }
 }
 
+/** Keys of a level file that are in the level object, are refused, or are named in words. */
+const SAID: readonly string[] = [
+  ...['$schema', 'version', 'name', 'description', 'range', 'recoil', 'rules', 'runs', 'conflicts'],
+  ...OBJECT_KINDS.map((kind) => KINDS[kind].list ?? kind),
+];
+
 function lostIn(file: LevelFile): string[] {
   const lost = ['its name'];
   if (file.description !== undefined) lost.push('its description');
   const runs = file.runs?.length ?? 0;
   if (runs > 0) lost.push(runs === 1 ? 'its run' : `its ${runs} runs`);
+  for (const key of Object.keys(file)) if (!SAID.includes(key) && !key.startsWith('x-')) lost.push(JSON.stringify(key));
   const objects = [...everyObject(file)].map(([, object]) => object);
   if (objects.some(({ id }) => id !== undefined)) lost.push('the ids of its objects');
   const isOwn = (object: object): boolean => Object.keys(object).some((key) => key.startsWith('x-'));

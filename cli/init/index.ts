@@ -1,2 +1,2 @@
 export { type Ci, chooseCi } from './ci.ts';
-export { planProject } from './plan-project.ts';
+export { type Plan, planProject } from './plan-project.ts';

@@ -11,10 +11,12 @@ import { readShippedLevel } from './templates.ts';
 import { planSettings } from './vscode.ts';
 
 /** What `gq init` is going to do. */
-interface Plan {
+export interface Plan {
   readonly files: readonly PlannedText[];
   /** Whether the project has the toolkit among its dependencies. */
   readonly isInstalled: boolean;
+  /** Whether the project is in a repository of git. */
+  readonly isRepository: boolean;
 }
 
 /** The levels to begin with. Both have runs that complete them. */
@@ -99,5 +101,5 @@ export function planProject(project: string, ci: Ci): Plan {
     planSettings(project, homeOf(project, project)),
     ...planIgnored(project),
   ];
-  return { files, isInstalled: hasToolkit(project) };
+  return { files, isInstalled: hasToolkit(project), isRepository: existsSync(join(repositoryOf(project), '.git')) };
 }

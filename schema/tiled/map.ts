@@ -1,3 +1,6 @@
+import { KINDS, OBJECT_KINDS } from '../kinds.ts';
+import { levelSchema } from '../level.ts';
+
 /** A custom property in a Tiled map. */
 export interface TiledProperty {
   /** Its name. */
@@ -112,12 +115,15 @@ export const OFFSET = ['offsetX', 'offsetY'] as const;
 /** Properties of an object: its place, where the numbers of the map don't give it to the last bit. */
 export const EXACT = ['exactX', 'exactY'] as const;
 
+/** Keys of a level file that the layers of the map stand for, or that only a file has. */
+const ELSEWHERE: readonly string[] = ['$schema', 'version', ...OBJECT_KINDS.map((kind) => KINDS[kind].list ?? kind)];
+
+/** Keys of a level file whose values are texts, numbers or flags. */
+const PLAIN: readonly string[] = ['name', 'description', 'range', 'recoil'];
+
 /** Keys of a level file that are properties of the map; those with `true` are written as JSON text. */
-export const MAP_KEYS: Readonly<Record<string, boolean>> = {
-  name: false,
-  description: false,
-  range: false,
-  recoil: false,
-  rules: true,
-  runs: true,
-};
+export const MAP_KEYS: Readonly<Record<string, boolean>> = Object.fromEntries(
+  Object.keys(levelSchema.shape)
+    .filter((key) => !ELSEWHERE.includes(key))
+    .map((key) => [key, !PLAIN.includes(key)]),
+);

@@ -48,6 +48,7 @@ describe('gq init', () => {
 
     const made = await init(cwd);
     expect(made).toMatchObject({ code: 0, stderr: '' });
+    expect(made.stdout).not.toContain('git-setup');
     const after = contentOf(cwd);
     expect(Object.keys(after)).toEqual(WHOLE);
     for (const name of WHOLE) expect(made.stdout).toContain(`written ${name}\n`);
@@ -128,7 +129,7 @@ describe('gq init', () => {
     const gitlab = folder();
     execFileSync('git', ['init', '-q'], { cwd: gitlab });
     execFileSync('git', ['remote', 'add', 'origin', 'git@gitlab.example.org:a/b.git'], { cwd: gitlab });
-    await init(gitlab);
+    expect((await init(gitlab)).stdout).toContain('npx gq git-setup');
     expect(Object.keys(contentOf(gitlab))).toContain('.gitlab-ci.yml');
     expect(Object.keys(contentOf(gitlab))).not.toContain('.github/workflows/levels.yml');
     expect((await init(gitlab)).stdout).not.toMatch(/^(written|changed)/m);

@@ -130,11 +130,13 @@ describe('a level of the original game', () => {
         { x: 1, y: 0, radius: 9 },
       ],
       wormholes: [{ x: 0, y: 0, toX: 1, toY: 1, radius: 9 }],
+      conflicts: [{ what: 'the range', key: 'range', ours: 1, theirs: 2 }],
     };
     const { refused, object } = exported(file, { alienSight: 100 });
     const text = formatLevel(file).split('\n');
     expect(refused.map(({ pointer, message }) => [pointer, message.split(':')[0]])).toEqual([
       ['/recoil', 'recoil'],
+      ['/conflicts', 'expected a level whose merge is finished, found 1 undecided in "conflicts"'],
       ['/rules/pull', 'the rule pull'],
       ['', 'the rule alienSight'],
       ['/winds/0', 'wind 1'],
@@ -142,7 +144,7 @@ describe('a level of the original game', () => {
       ['/wormholes/0', 'wormhole 1'],
     ]);
     expect(refused.every(({ code, hint }) => code === 'not-in-original' && /^[A-Z].*\.$/.test(hint))).toBe(true);
-    for (const { pointer, line } of refused.slice(0, 2)) expect(text[(line ?? 0) - 1]).toContain(pointer.split('/')[1]);
+    for (const { pointer, line } of refused.slice(0, 3)) expect(text[(line ?? 0) - 1]).toContain(pointer.split('/')[1]);
     // what is left is a level without them
     expect(Object.keys(object)).toEqual(['player', 'target', 'asteroids', 'novae', 'goodies', 'maxDistance']);
   });

@@ -37,7 +37,7 @@ function problems(source: Uint8Array | string) {
 /** The level with ids, and the keys of its own, which resolving drops. */
 const complete = (file: LevelFile): readonly unknown[] => [
   resolveLevel(withIds(file)),
-  Object.entries(file).filter(([key]) => key.startsWith('x-')),
+  Object.entries(file).filter(([key]) => key.startsWith('x-') || key === 'conflicts' || key === 'allow'),
   LISTED_KINDS.map((kind) =>
     (file[listOf(kind)] ?? []).map((object) => Object.entries(object).filter(([key]) => key.startsWith('x-'))),
   ),
@@ -87,6 +87,12 @@ describe('a level', () => {
       }),
       { numRuns: 40 },
     );
+  });
+
+  test('keeps what a merge left undecided', () => {
+    const conflicts = [{ what: 'the range', key: 'range', base: [1], theirs: null }];
+    const file = canonical({ version: 1, name: 'a', astronaut: { x: 0, y: 0 }, blackHole: { x: 9, y: 9 }, conflicts });
+    expect(imported(formatTiled(exportTiled(file))).file.conflicts).toEqual(conflicts);
   });
 
   test('becomes a map whose circles are where the level has them, moved into the map as a whole', () => {

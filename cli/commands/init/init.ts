@@ -2,7 +2,7 @@ import { relative } from 'node:path';
 import { type Command, Option } from 'commander';
 import type { InitReport } from '../../../schema/index.ts';
 import type { CommandResult } from '../../command.ts';
-import { type Ci, chooseCi, planProject } from '../../init/index.ts';
+import { type Ci, chooseCi, type Plan, planProject } from '../../init/index.ts';
 import { formatOption } from '../../options.ts';
 import { shellPath } from '../../shown-path.ts';
 import { planFile, writeAll } from '../../write-all.ts';
@@ -49,7 +49,8 @@ Examples:
 
 async function init(directory: string, options: InitOptions): Promise<CommandResult> {
   const ci = options.ci ?? chooseCi(directory);
-  const { files, isInstalled } = planProject(directory, ci);
+  const plan = planProject(directory, ci);
+  const { files } = plan;
   const wanted = files.flatMap(({ file, text }) => (text === null ? [] : [planFile(file, text, 'gq init', LARGEST)]));
   if (!options.dryRun) await writeAll(wanted);
   const statuses = new Map(wanted.map(({ file, status }) => [file, status]));
@@ -63,12 +64,12 @@ async function init(directory: string, options: InitOptions): Promise<CommandRes
     dryRun: options.dryRun === true,
     ci,
     files: done,
-    next: nextSteps(directory, isInstalled),
+    next: nextSteps(directory, plan),
   };
   return { output: options.format === 'json' ? initJson(report) : initPretty(report), exitCode: 0 };
 }
 
-function nextSteps(directory: string, isInstalled: boolean): string[] {
+function nextSteps(directory: string, { isInstalled, isRepository }: Plan): string[] {
   const inside = relative('', directory);
   return [
     ...(inside === '' ? [] : [`cd ${shellPath(inside)}`]),
@@ -77,5 +78,6 @@ function nextSteps(directory: string, isInstalled: boolean): string[] {
       : ['npm install --save-dev PACKAGE, where PACKAGE is the tarball or the address of gravity-quest-toolkit']),
     'npx gq check',
     'npx gq edit levels',
+    ...(isRepository ? ['npx gq git-setup, so that git merges and compares levels with gq'] : []),
   ];
 }
