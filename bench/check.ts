@@ -1,33 +1,15 @@
 import { spawnSync } from 'node:child_process';
-import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { DEFAULT_ACCURACY } from '../engine/index.ts';
-import type { LevelFile } from '../schema/index.ts';
+import { writeCopies } from './copied-levels.ts';
 import { atMost, compare, optionValue, publish } from './harness.ts';
-import { movedLevel } from './moved-level.ts';
 
 const GQ = fileURLToPath(new URL('../cli/main.js', import.meta.url));
-/** The shipped levels, or those of a directory given with --levels. */
-const SHIPPED = optionValue('--levels') ?? fileURLToPath(new URL('../../levels/', import.meta.url));
 const ACCURACY = optionValue('--accuracy') ?? DEFAULT_ACCURACY;
 const FILES = 1000;
-
-/** Writes 1,000 level files into `directory`, made in turn from the shipped levels that have a run. */
-function writeLevels(directory: string): void {
-  const shipped = readdirSync(SHIPPED)
-    .filter((name) => name.endsWith('.level.json'))
-    .map((name) => JSON.parse(readFileSync(join(SHIPPED, name), 'utf8')) as LevelFile)
-    .filter((file) => (file.runs?.length ?? 0) > 0);
-  if (shipped.length === 0) throw new Error(`expected level files with a run in ${SHIPPED}, found none`);
-  for (let i = 0; i < FILES; i++) {
-    const name = `Moved ${i}`;
-    const file = shipped[i % shipped.length];
-    const moved = { ...movedLevel(file, i, -2 * i), name, runs: file.runs?.slice(0, 1) };
-    writeFileSync(join(directory, `${String(i).padStart(4, '0')}.level.json`), `${JSON.stringify(moved, null, 2)}\n`);
-  }
-}
 
 /**
  * Checks the directory.
@@ -36,7 +18,7 @@ function writeLevels(directory: string): void {
 function check(directory: string): number {
   const { stdout, stderr, status } = spawnSync(
     process.execPath,
-    [GQ, 'check', directory, '--jobs', '2', '--accuracy', ACCURACY, '--format', 'json'],
+    [GQ, 'check', directory, '--no-cache', '--jobs', '2', '--accuracy', ACCURACY, '--format', 'json'],
     { encoding: 'utf8', maxBuffer: 2 ** 30 },
   );
   if (status !== 0) throw new Error(`expected gq check to exit with 0, it exited with ${status}: ${stderr.slice(0, 2000)}`);
@@ -49,7 +31,7 @@ const directory = mkdtempSync(join(tmpdir(), 'gq-bench-check-'));
 try {
   const levels = join(directory, 'levels');
   mkdirSync(levels);
-  writeLevels(levels);
+  writeCopies(levels, FILES);
   const names = { bare: 'node -e 0', check: 'gq check --jobs 2' };
   const measured = compare(
     [

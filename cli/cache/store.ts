@@ -1,4 +1,4 @@
-import { mkdirSync, readdirSync, rmdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readdirSync, rmdirSync, rmSync, statSync } from 'node:fs';
 import { join } from 'node:path';
 import { replaceSpareFile, UNFINISHED } from '../disk.ts';
 import { readRegularFile } from '../regular-file.ts';
@@ -65,7 +65,10 @@ export function openStore(folder: string, shardSize: number = SHARD_SIZE): Store
       if (changed.size === 0) return;
       const digits = [...changed].sort();
       changed.clear();
-      if (!(await uncut(() => prepare(folder)))) return;
+      // a signal ends the process between any two of these
+      const isNew = await uncut(() => makeFolder(folder));
+      if (isNew) for (const [name, text] of MARKS) await uncut(() => replaceIfPossible(join(folder, name), Buffer.from(text)));
+      await uncut(() => removeUnfinished(folder));
       for (const digit of digits) {
         const ours = [...used].filter(([key]) => key.startsWith(digit));
         await uncut(() => writeShard(folder, digit, ours, shardSize));
@@ -87,27 +90,41 @@ function readShard(folder: string, digit: string): Map<string, RecordLine> {
   }
 }
 
-/** Makes the folder and removes what killed processes have left there; false if the folder can't be written. */
-function prepare(folder: string): boolean {
+/** Keeps a new folder out of repositories and backups. */
+const MARKS = [
+  ['.gitignore', '*\n'],
+  ['CACHEDIR.TAG', 'Signature: 8a477f597d28d172789f06886806bc55\n# The cache of gq check. It can be deleted at any time.\n'],
+] as const;
+
+/** Whether the folder was made; false if it is there already, or can't be made. */
+function makeFolder(folder: string): boolean {
   try {
-    if (mkdirSync(folder, { recursive: true }) !== undefined) markFolder(folder);
-    for (const name of readdirSync(folder)) {
-      const path = join(folder, name);
-      if (UNFINISHED.test(name) && Date.now() - statSync(path).mtimeMs > LONG_AGO) rmSync(path, { force: true });
-    }
-    return true;
+    return mkdirSync(folder, { recursive: true }) !== undefined;
   } catch {
     return false;
   }
 }
 
-/** Keeps a new folder out of repositories and backups. */
-function markFolder(folder: string): void {
-  writeFileSync(join(folder, '.gitignore'), '*\n');
-  writeFileSync(
-    join(folder, 'CACHEDIR.TAG'),
-    'Signature: 8a477f597d28d172789f06886806bc55\n# The cache of gq check. It can be deleted at any time.\n',
-  );
+/** Removes what killed processes have left. */
+function removeUnfinished(folder: string): void {
+  try {
+    for (const name of readdirSync(folder)) {
+      const path = join(folder, name);
+      if (UNFINISHED.test(name) && Date.now() - statSync(path).mtimeMs > LONG_AGO) rmSync(path, { force: true });
+    }
+  } catch {
+    // there is no folder, or another process is faster
+  }
+}
+
+/** A file that can't be written is not kept: the folder may be missing, read-only or full, or something else has the name. */
+function replaceIfPossible(path: string, bytes: Uint8Array): void {
+  try {
+    if (statSync(path, { throwIfNoEntry: false })?.isDirectory()) rmdirSync(path);
+    replaceSpareFile(path, bytes);
+  } catch {
+    // as if there were no cache
+  }
 }
 
 function writeShard(folder: string, digit: string, ours: readonly (readonly [string, RecordLine])[], shardSize: number): void {
@@ -121,10 +138,5 @@ function writeShard(folder: string, digit: string, ours: readonly (readonly [str
     if (size > shardSize) break;
     if (textOf(line, key) !== null) lines.set(key, line);
   }
-  try {
-    if (statSync(path, { throwIfNoEntry: false })?.isDirectory()) rmdirSync(path);
-    replaceSpareFile(path, joinShard(lines.values()));
-  } catch {
-    // read-only, full, or taken by something else: this shard is not kept
-  }
+  replaceIfPossible(path, joinShard(lines.values()));
 }

@@ -22,6 +22,17 @@ describe.runIf(process.platform !== 'win32')('a signal at any step', () => {
     expect(await signalAt(whole, 1, ['SIGTERM'], 'fsyncSync')).toEqual([]);
   });
 
+  it('of gq check that writes its cache: each file of it is whole, and no other follows', async () => {
+    const whole = await wholeRun('check --cache-dir');
+    const files = Object.keys(whole.after).filter((name) => name.startsWith('work/cache/deep/'));
+    await fc.assert(
+      fc.asyncProperty(fc.integer({ min: 1, max: files.length }), fc.constantFrom(...SIGNALS), async (number, signals) => {
+        expect(await signalAt(whole, number, signals, 'renameSync')).toEqual([]);
+      }),
+      { numRuns: 2, endOnFailure: true },
+    );
+  });
+
   it.each(DRAWN)('of gq %s', async (name) => {
     const whole = await wholeRun(name);
     let heard = 0;
