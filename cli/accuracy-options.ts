@@ -1,5 +1,5 @@
 import { type Command, InvalidArgumentError, Option } from 'commander';
-import { ACCURACIES, type Accuracy, type AccuracyName, accuracyOf, DEFAULT_ACCURACY } from '../engine/index.ts';
+import { ACCURACIES, type Accuracy, type AccuracyName, accuracyOf, DEFAULT_ACCURACY } from '../engine/basics/index.ts';
 import type { Configuration } from './configuration.ts';
 import { Failure } from './failure.ts';
 import { numberOption } from './options.ts';

@@ -1,4 +1,4 @@
-import { closestName } from '../schema/index.ts';
+import { closestName } from '../schema/basics/index.ts';
 
 /** ` (did you mean X?)`, or an empty text if no candidate is close. */
 export function didYouMean(word: string, candidates: readonly string[]): string {

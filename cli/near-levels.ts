@@ -1,5 +1,5 @@
 import { basename, join } from 'node:path';
-import { MAX_FILE_SIZE } from '../schema/index.ts';
+import { MAX_FILE_SIZE } from '../schema/basics/index.ts';
 import { readRegularFile } from './regular-file.ts';
 
 /** A name that is nearly that of a level file: `far.json`, `far.level.json.txt`, `far.level.txt`. */

@@ -1,5 +1,5 @@
 import { InvalidArgumentError, Option } from 'commander';
-import { DEFAULT_MAX_TIME, DEFAULT_MAX_WORK, TICK_RATE } from '../engine/index.ts';
+import { DEFAULT_MAX_TIME, DEFAULT_MAX_WORK, TICK_RATE } from '../engine/basics/index.ts';
 
 /** s; the longest run that is ever simulated: one hour, the limit of holds in a level file */
 const LONGEST_RUN = 3600;

@@ -1,5 +1,5 @@
 import { closeSync, openSync, realpathSync, type Stats, statSync } from 'node:fs';
-import { MAX_FILE_SIZE } from '../schema/index.ts';
+import { MAX_FILE_SIZE } from '../schema/basics/index.ts';
 import { Failure, systemReason } from './failure.ts';
 import { NotAFile, readBeyond, readRegularFile } from './regular-file.ts';
 import { namedPath } from './shown-path.ts';

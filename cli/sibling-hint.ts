@@ -1,6 +1,6 @@
 import { existsSync, lstatSync, readdirSync, readlinkSync } from 'node:fs';
 import { basename, dirname } from 'node:path';
-import { closestName } from '../schema/index.ts';
+import { closestName } from '../schema/basics/index.ts';
 
 /** The part of a name that tells level files apart: `.level.json` at the end of both would make any two names look close. */
 const stemOf = (name: string): string => name.replace(/(?:\.level)?\.[^.]+$/, '');

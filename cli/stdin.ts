@@ -1,6 +1,6 @@
 import { fstatSync, readSync } from 'node:fs';
 import process from 'node:process';
-import { MAX_FILE_SIZE } from '../schema/index.ts';
+import { MAX_FILE_SIZE } from '../schema/basics/index.ts';
 import { Failure, systemReason } from './failure.ts';
 
 /** The path that stands for standard input. */

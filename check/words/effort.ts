@@ -1,4 +1,4 @@
-import { TICK } from '../../engine/index.ts';
+import { TICK } from '../../engine/basics/index.ts';
 import type { Closest, Effort } from '../../solver/index.ts';
 import { plural } from './plural.ts';
 

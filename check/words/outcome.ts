@@ -1,5 +1,5 @@
 import type { Outcome, Run, Touched } from '../../engine/index.ts';
-import { touchedName } from '../../schema/index.ts';
+import { touchedName } from '../../schema/basics/index.ts';
 
 /** How a run ended. */
 export interface RunEnd {

@@ -9,7 +9,7 @@ import { fileURLToPath } from 'node:url';
 export const DECIDING_ROOMS = ['schema', 'engine', 'solver', 'check', 'cli'] as const;
 
 /** The packages that decide, each with the package that needs it if it is not this one. */
-const DECIDING_PACKAGES: readonly (readonly [name: string, neededBy?: string])[] = [
+export const DECIDING_PACKAGES: readonly (readonly [name: string, neededBy?: string])[] = [
   ['zod'],
   ['flatbush'],
   ['flatqueue', 'flatbush'],

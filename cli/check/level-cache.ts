@@ -1,3 +1,4 @@
+import { MAX_FILE_SIZE } from '../../schema/basics/index.ts';
 import { contentKey, keyOf, openStore, semantics } from '../cache/index.ts';
 import { readRegularFile } from '../regular-file.ts';
 import { atFile } from './anywhere.ts';
@@ -68,12 +69,9 @@ function semanticsOrNull(): string | null {
   }
 }
 
-/** Files beyond this are not looked up, bytes: it is the largest level. */
-const LARGEST_FILE = 8 * 1024 * 1024;
-
 function bytesOrNull(file: string): Uint8Array | null {
   try {
-    return readRegularFile(file, LARGEST_FILE);
+    return readRegularFile(file, MAX_FILE_SIZE);
   } catch {
     // the check says why
     return null;

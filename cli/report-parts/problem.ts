@@ -1,5 +1,5 @@
 import { plural } from '../../check/words/index.ts';
-import { MORE_WARNINGS } from '../../engine/index.ts';
+import { MORE_WARNINGS } from '../../engine/basics/index.ts';
 import type { Colors } from '../colors.ts';
 import { MAX_SHOWN, type ShownProblem } from '../shown-problem.ts';
 import { visible, visibleLine } from '../visible.ts';

@@ -1,5 +1,5 @@
 import { plural } from '../../check/words/index.ts';
-import { TICK } from '../../engine/index.ts';
+import { TICK } from '../../engine/basics/index.ts';
 import type { RobustnessReport } from '../../schema/index.ts';
 import type { Robustness } from '../../solver/index.ts';
 

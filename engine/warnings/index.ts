@@ -1,5 +1,6 @@
 import { type Level, rulesOf } from '../../schema/index.ts';
 import { boxOf } from '../contact/index.ts';
+import { MAX_WARNINGS_PER_CODE, MORE_WARNINGS } from '../more-warnings.ts';
 import type { Run } from '../simulate.ts';
 import { aliensExplodeAtStart } from './aliens-explode-at-start.ts';
 import { blackHoleCovered } from './black-hole-covered.ts';
@@ -20,6 +21,7 @@ import { touchesBlackHoleAtStart } from './touches-black-hole-at-start.ts';
 import { unusedAsteroid } from './unused-asteroid.ts';
 import type { Rule, Warning, WarningExplanation } from './warning.ts';
 
+export { MAX_WARNINGS_PER_CODE, MORE_WARNINGS } from '../more-warnings.ts';
 export type { Warning, WarningExplanation } from './warning.ts';
 
 // in the order in which they are reported: what ends the level, then what obstructs it, then what is untidy
@@ -42,12 +44,6 @@ const RULES: readonly Rule[] = [
 
 /** The explanations of all codes that {@link findWarnings} can give. */
 export const WARNING_CODES: readonly WarningExplanation[] = RULES.map((rule) => rule.explanation);
-
-/** A level gets at most this many warnings of one code, plus one that says that there are more. */
-export const MAX_WARNINGS_PER_CODE = 20;
-
-/** The message of that additional warning. */
-export const MORE_WARNINGS = `the level has more warnings of this kind: only the first ${MAX_WARNINGS_PER_CODE} are listed`;
 
 /**
  * Finds what the designer of a valid level most likely did not intend. It examines the level only; nothing is simulated.

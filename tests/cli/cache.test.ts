@@ -1,14 +1,17 @@
 import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
 import fc from 'fast-check';
 import { afterAll, describe, expect, it } from 'vitest';
 import { cacheFolder, chosenCache, semantics } from '../../cli/cache/index.ts';
+import { DECIDING_PACKAGES, DECIDING_ROOMS } from '../../cli/cache/semantics.ts';
 import { ANYWHERE } from '../../cli/check/anywhere.ts';
 import { checkFile } from '../../cli/check/check-level.ts';
 import type { CheckSettings } from '../../cli/check/index.ts';
 import { type CheckedLevel, checkFiles, openLevelCache } from '../../cli/check/index.ts';
 import { accuracyOf, DEFAULT_MAX_WORK } from '../../engine/index.ts';
 import { MAX_FILE_SIZE, RULE_NAMES, RULES } from '../../schema/index.ts';
+import { importGraph } from '../architecture/import-graph.ts';
 import { fallThrough, gq, gqProcess, makeFiles } from './gq.ts';
 import { narrowGap, shipped } from './levels.ts';
 
@@ -284,9 +287,47 @@ describe('the fingerprint of the code that decides', () => {
     expect(seen.slice(-2)).toEqual([seen[6], seen[6]]);
   });
 
+  it('covers every module and package that a report of a level depends on', () => {
+    const root = fileURLToPath(new URL('../../', import.meta.url));
+    const sources = readdirSync(root, { recursive: false, encoding: 'utf8' })
+      .filter((name) => ['schema', 'engine', 'solver', 'check', 'picture', 'review', 'cli', 'editor'].includes(name))
+      .flatMap((room) => readdirSync(join(root, room), { recursive: true, encoding: 'utf8' }).map((name) => `${room}/${name}`))
+      .map((path) => path.replaceAll('\\', '/'))
+      .filter((path) => /\.tsx?$/.test(path))
+      .map((path) => ({ path, text: readFileSync(join(root, path), 'utf8') }));
+    const graph = importGraph(sources);
+    const reached = new Set(['cli/check/worker.ts']);
+    for (const path of reached) for (const next of graph.get(path) ?? []) reached.add(next);
+    expect(reached.size).toBeGreaterThan(300);
+    expect([...reached].filter((path) => !DECIDING_ROOMS.some((room) => path.startsWith(`${room}/`)))).toEqual([]);
+    const packages = sources
+      .filter(({ path }) => reached.has(path))
+      .flatMap(({ text }) =>
+        [...text.matchAll(/^(?:import|export) (?!type )[^;]*? from '(?!\.|node:)([^']+)';/gm)].map(([, name]) => name),
+      );
+    expect([...new Set(packages)].sort()).toEqual(['commander', 'flatbush', 'picocolors', 'zod']);
+    // of these, the ones that decide, and what they need; options and colours decide nothing
+    expect(DECIDING_PACKAGES.map(([name]) => name)).toEqual(['zod', 'flatbush', 'flatqueue']);
+  });
+
   it('without which there is no cache', () => {
     expect(() => semantics(at('nowhere'), '.js')).toThrow('ENOENT');
   });
+});
+
+it('a check whose reports are all known loads neither the engine nor zod', async () => {
+  const place = makeFiles({ 'levels/a.level.json': fallThrough(), 'levels/b.level.json': fallThrough({ runs: [] }) });
+  const modulesOf = async (...options: string[]) => {
+    const coverage = join(place.directory, 'coverage');
+    await gqProcess(['check', '--cache-dir', 'c', ...options], { cwd: place.directory, env: { NODE_V8_COVERAGE: coverage } });
+    const texts = readdirSync(coverage).map((name) => readFileSync(join(coverage, name), 'utf8'));
+    rmSync(coverage, { recursive: true });
+    return texts.join('');
+  };
+  const heavy = /\/dist\/(?:engine|schema)\/index\.js|\/node_modules\/zod\//;
+  expect(await modulesOf()).toMatch(heavy);
+  expect(await modulesOf()).not.toMatch(heavy);
+  place.remove();
 });
 
 describe('the folder', () => {
