@@ -42,7 +42,8 @@ async function perform(args: readonly string[]): Promise<CommandResult> {
   const program = createProgram();
   for (const { name, summary, load } of COMMANDS) {
     const command = program.command(name).summary(summary).description(summary);
-    if (name !== asked) continue;
+    // completion tells of all commands
+    if (name !== asked && asked !== 'completion') continue;
     const module = await load();
     module.declare(command, (r) => {
       result = r;

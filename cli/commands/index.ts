@@ -73,4 +73,9 @@ export const COMMANDS: readonly CommandEntry[] = [
     load: () => import('./explain/index.ts'),
   },
   { name: 'edit', summary: 'edit levels in the browser, with a live run and verdict', load: () => import('./edit.ts') },
+  {
+    name: 'completion',
+    summary: 'print the completion script of a shell: bash, zsh or fish',
+    load: () => import('./completion/index.ts'),
+  },
 ];

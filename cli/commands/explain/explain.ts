@@ -13,6 +13,9 @@ import { PROOF_KINDS } from './proofs.ts';
 /** A code that is also one of a problem is explained as that. */
 const PROOFS = PROOF_KINDS.filter(({ code }) => !ALL.some((problem) => problem.code === code));
 
+/** Every code that the command explains. */
+export const EXPLAINED_CODES: readonly string[] = [...ALL, ...PROOFS].map(({ code }) => code);
+
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
   command
     .description(
@@ -51,9 +54,8 @@ function explain(code: string | undefined, format: 'pretty' | 'json'): CommandRe
     };
   const found = ALL.find((entry) => entry.code === code);
   if (found === undefined) {
-    const codes = [...ALL, ...PROOFS].map((entry) => entry.code);
     throw new Failure(
-      `no problem or kind of proof has the code ${JSON.stringify(code)}${didYouMean(code, codes)}; gq explain lists all codes`,
+      `no problem or kind of proof has the code ${JSON.stringify(code)}${didYouMean(code, EXPLAINED_CODES)}; gq explain lists all codes`,
     );
   }
   return {

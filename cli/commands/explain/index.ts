@@ -1,1 +1,1 @@
-export { declare } from './explain.ts';
+export { declare, EXPLAINED_CODES } from './explain.ts';
