@@ -40,6 +40,10 @@ export function checkPretty(results: Results, { colors, linkTo, quiet = false, e
   const tight = reports.filter(({ problems }) => problems.some(({ code }) => code === 'slack-below-required')).length;
   if (tight > 0)
     text += `${colors.red(`${plural(tight, 'level')} ${tight === 1 ? 'forgives' : 'forgive'} less than --require-slack requires`)}\n`;
+  const differing = reports.filter(({ problems }) =>
+    problems.some(({ code, severity }) => severity === 'error' && (code === 'result-changed' || code === 'not-in-lock')),
+  ).length;
+  if (differing > 0) text += `${colors.red(`${plural(differing, 'level')} not as agreed on in the lock`)}\n`;
   for (const [verdict] of counts as [Verdict, number][]) {
     if (verdict !== 'completable') text += `${verdict}: ${VERDICT_MEANS[verdict]}: ${WHAT_TO_DO[verdict]}\n`;
   }

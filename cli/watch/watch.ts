@@ -40,6 +40,8 @@ export async function watchAndRepeat({ paths, files, round, forget }: Watching):
   try {
     for (let isFirst = true; ; isFirst = false) {
       exitCode = (await tryRound(round, isFirst)) ?? exitCode;
+      // a signal has ended the check of this round, and with it the watch
+      if (exitCode > 2) return { exitCode };
       await changes.next();
       if (changes.isOver) return { exitCode };
     }
@@ -66,7 +68,9 @@ async function print({ output = '', messages = '', files = [], exitCode }: Comma
   if (isScreen) process.stdout.write(CLEAR_SCREEN);
   if (output.length > 0) process.stdout.write(output);
   const all = [...written.messages.map((text) => `${text}\n`), messages].join('');
-  process.stderr.write(`${all}watching for changes${process.stdin.isTTY ? ': a checks all again, q ends' : ''}\n`);
+  const isOver = exitCode > 2;
+  const prompt = isOver ? '' : `watching for changes${process.stdin.isTTY ? ': a checks all again, q ends' : ''}\n`;
+  process.stderr.write(all + prompt);
   return written.failed ? 2 : exitCode;
 }
 

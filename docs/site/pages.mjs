@@ -11,6 +11,7 @@ export const GROUPS = [
       { file: 'docs/ci.md', name: 'ci', text: 'CI' },
       { file: 'docs/configuration.md', name: 'configuration', text: 'Configuration' },
       { file: 'docs/diff.md', name: 'diff', text: 'What changed' },
+      { file: 'docs/lock.md', name: 'lock', text: 'Agree on results' },
     ],
   },
   {

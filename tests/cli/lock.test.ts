@@ -51,6 +51,7 @@ describe('gq check --lock', () => {
     expect(changed[0]).toMatchObject({ line: 1, pointer: '/runs/0', severity: 'error' });
     const pretty = await check('--lock', 'gq.lock.json');
     expect(pretty.stdout).toContain('gq check levels/b.level.json --lock gq.lock.json --update-lock');
+    expect(pretty.stdout).toContain('\n2 levels not as agreed on in the lock\n');
     const again = await agree('levels/b.level.json');
     expect(again.stderr).toMatch(
       /^gq\.lock\.json: agreed anew: 1 changed, 3 other entries kept\n {2}changed levels\/b\.level\.json: completed at/,

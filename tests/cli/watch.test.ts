@@ -3,6 +3,9 @@ import { mkdirSync, renameSync, rmSync, utimesSync, writeFileSync } from 'node:f
 import { join, resolve } from 'node:path';
 import process from 'node:process';
 import { afterEach, expect, it } from 'vitest';
+import type { CommandResult } from '../../cli/command.ts';
+import { leaveSignals } from '../../cli/signals.ts';
+import { watchAndRepeat } from '../../cli/watch/watch.ts';
 import { watchedPaths } from '../../cli/watch/watched-paths.ts';
 import { fallThrough, gq, MAIN, makeFiles } from './gq.ts';
 
@@ -136,6 +139,15 @@ it('gq check --watch lists what has changed, with the summary of all', async () 
   expect(watching.out).toContain('unproven     levels/b.level.json');
   expect(watching.out).not.toMatch(/levels\/(a|sub\/c)\.level/);
   expect(watching.out).not.toContain('\u001b');
+});
+
+it('gq check --watch ends when a signal has ended the check of a round', async () => {
+  begin();
+  let rounds = 0;
+  const round = async (): Promise<CommandResult> => ({ exitCode: rounds++ === 0 ? 130 : 0 });
+  const ended = await watchAndRepeat({ paths: [files.directory], files: [], round, forget: () => {} });
+  await leaveSignals();
+  expect([ended, rounds]).toEqual([{ exitCode: 130 }, 1]);
 });
 
 it('--watch does not go with what is done once, and ends at once when there is nothing to check', async () => {
