@@ -12,3 +12,10 @@ export function colorsFor(stream: { readonly isTTY?: boolean }): Colors {
   if (NO_COLOR) return PLAIN;
   return pc.createColors(FORCE_COLOR ? FORCE_COLOR !== '0' : stream.isTTY === true && TERM !== 'dumb');
 }
+
+/** The characters of a line of a terminal; null for files and pipes, which can have lines of any length. */
+export function widthOf(stream: { readonly isTTY?: boolean; readonly columns?: number }): number | null {
+  if (stream.isTTY !== true) return null;
+  const asked = Number(process.env.COLUMNS);
+  return Number.isInteger(asked) && asked > 0 ? asked : (stream.columns ?? null) || null;
+}

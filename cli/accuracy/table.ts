@@ -16,7 +16,7 @@ export function brief(value: number): string {
 }
 
 /** The results of `accuracy` for people: all settings, the named ones, and a summary. */
-export function accuracyPretty(report: AccuracyReport, colors: Colors): string {
+export function accuracyPretty(report: AccuracyReport, colors: Colors, width: number | null = null): string {
   const { level, run, measured, cheapest, asked } = report;
   const { reference, methods } = measured;
   const how = `${reference.outcome} at ${reference.time.toFixed(6)} s`;
@@ -30,7 +30,7 @@ export function accuracyPretty(report: AccuracyReport, colors: Colors): string {
     if (Math.abs(late) < 1e-9) return m.outcome;
     return `${m.outcome} ${brief(Math.abs(late) * 1000)} ms ${late > 0 ? 'later' : 'earlier'}`;
   };
-  const rows: (readonly string[])[] = [COLUMNS];
+  const rows: (readonly string[])[] = [];
   const colored: ((line: string) => string)[] = [colors.bold];
   let before: string | null = null;
   for (const m of methods) {
@@ -46,8 +46,8 @@ export function accuracyPretty(report: AccuracyReport, colors: Colors): string {
     rows.push([nameIn(accuracy), brief(m.error), brief(m.cost.minimum), end(m), ...pair]);
     colored.push(m === cheapest ? colors.green : m.sameVerdict ? (line) => line : colors.red);
   }
-  text += alignColumns(rows, RIGHT)
-    .map((line, i) => `${colored[i](line)}\n`)
+  text += alignColumns(rows, { right: RIGHT, head: COLUMNS, lead: 0, width })
+    .map((line, i) => (line === '' && i === 0 ? '' : `${colored[i](line)}\n`))
     .join('');
 
   text += `\n${conclusion(report)}`;

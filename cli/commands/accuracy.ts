@@ -7,7 +7,7 @@ import type { Hold } from '../../schema/index.ts';
 import { type AccuracyReport, accuracyJson, accuracyPretty, brief } from '../accuracy/index.ts';
 import { type AccuracyOptions, addAccuracyOptions, customAccuracy } from '../accuracy-options.ts';
 import { chooseRun } from '../chosen-run.ts';
-import { colorsFor } from '../colors.ts';
+import { colorsFor, widthOf } from '../colors.ts';
 import type { CommandResult } from '../command.ts';
 import { addConfigOptions, type ConfigOptions } from '../config-file.ts';
 import { Failure } from '../failure.ts';
@@ -95,7 +95,7 @@ async function measure(file: string, options: Options, command: Command): Promis
   };
   if (svg !== undefined) await writeWhole(svg, draw(report, options.theme));
   return {
-    output: format === 'json' ? accuracyJson(report) : accuracyPretty(report, colorsFor(process.stdout)),
+    output: format === 'json' ? accuracyJson(report) : accuracyPretty(report, colorsFor(process.stdout), widthOf(process.stdout)),
     messages: svg === undefined ? undefined : `wrote ${visibleLine(svg)}\n`,
     exitCode: 0,
   };

@@ -1,5 +1,5 @@
 import process from 'node:process';
-import { colorsFor, PLAIN } from '../colors.ts';
+import { colorsFor, PLAIN, widthOf } from '../colors.ts';
 import type { CommandResult, ResultFile } from '../command.ts';
 import { readVersion } from '../version.ts';
 import type { Destination } from './destinations.ts';
@@ -30,6 +30,7 @@ export async function reportCheck(
 ): Promise<CommandResult> {
   const context: ReportContext = {
     colors: PLAIN,
+    width: null,
     version: readVersion(),
     accuracy,
     exitCode,
@@ -43,7 +44,7 @@ export async function reportCheck(
   let output = '';
   for (const { name, file } of reports) {
     const make = await REPORTERS[name]();
-    if (file === null) output = make(results, { ...context, colors: colorsFor(process.stdout) });
+    if (file === null) output = make(results, { ...context, colors: colorsFor(process.stdout), width: widthOf(process.stdout) });
     else files.push({ path: file, content: make(results, context), mode: 'replace' });
   }
   const isSaid = reports.some(({ name, file }) => file === null && name === 'pretty');

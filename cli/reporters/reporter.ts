@@ -22,6 +22,8 @@ export interface Results {
 export interface ReportContext {
   /** The colours of the report's destination. */
   readonly colors: Colors;
+  /** The characters of a line of the report's destination; null: as many as it likes. */
+  readonly width: number | null;
   /** The version of gq. */
   readonly version: string;
   /** The name of the accuracy at which was checked. */

@@ -5,7 +5,7 @@ import { plural } from '../../../check/words/index.ts';
 import { type DifficultyPicture, drawDifficulty, type Ground } from '../../../picture/difficulty/index.ts';
 import type { Goal } from '../../../solver/index.ts';
 import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../../accuracy-options.ts';
-import { colorsFor } from '../../colors.ts';
+import { colorsFor, widthOf } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
 import { type MeasuredLevel, type MeasureSettings, measureLevels } from '../../difficulty/index.ts';
@@ -116,7 +116,8 @@ async function measure(paths: readonly string[], options: Options, command: Comm
       messages.push(`wrote ${visibleLine(svg)}\n`);
     }
   }
-  const output = format === 'json' ? difficultyJson(levels) : difficultyPretty(levels, colorsFor(process.stdout));
+  const output =
+    format === 'json' ? difficultyJson(levels) : difficultyPretty(levels, colorsFor(process.stdout), widthOf(process.stdout));
   return { output, messages: messages.join(''), exitCode: code };
 }
 

@@ -8,9 +8,9 @@ import { alignColumns, percent, robustnessLines, showFileProblems } from '../../
 import { visible, visibleLine } from '../../visible.ts';
 
 /** The difficulty of levels for people: one level in detail, several as a table with the easiest first. */
-export function difficultyPretty(levels: readonly MeasuredLevel[], colors: Colors): string {
+export function difficultyPretty(levels: readonly MeasuredLevel[], colors: Colors, width: number | null = null): string {
   const measured = levels.filter(hasDifficulty);
-  const text = levels.length === 1 && measured.length === 1 ? detail(measured[0], colors) : table(measured, colors);
+  const text = levels.length === 1 && measured.length === 1 ? detail(measured[0], colors) : table(measured, colors, width);
   const failures = levels.filter(({ difficulty }) => difficulty === null);
   const reported = failures.map(({ file, why, problems }) =>
     problems.length > 0
@@ -25,10 +25,10 @@ type Hard = MeasuredLevel & { readonly difficulty: Difficulty };
 
 const hasDifficulty = (level: MeasuredLevel): level is Hard => level.difficulty !== null;
 
-function table(levels: readonly Hard[], colors: Colors): string {
+function table(levels: readonly Hard[], colors: Colors, width: number | null): string {
   if (levels.length === 0) return '';
   const sorted = [...levels].sort((a, b) => a.difficulty.grade.value - b.difficulty.grade.value);
-  const head = ['grade', '', 'P(40 ms)', 'half at', 'window', 'presses', 'length', 'random', 'level'];
+  const head = ['grade', '', 'success at 40 ms', 'half at', 'window', 'presses', 'length', 'random', 'level'];
   const rows = sorted.map(({ file, difficulty }) => {
     const { grade, robustness, sigmaAtHalf, smallestWindow, presses, length, randomPlay } = difficulty;
     return [
@@ -43,9 +43,9 @@ function table(levels: readonly Hard[], colors: Colors): string {
       visibleLine(file),
     ];
   });
-  const [first, ...lines] = alignColumns([head, ...rows], [0, 2, 3, 4, 5, 6, 7]);
+  const [first, ...lines] = alignColumns(rows, { right: [0, 2, 3, 4, 5, 6, 7], head, lead: 8, width });
   const painted = lines.map((line, i) => paint(sorted[i].difficulty.grade.word, colors)(line));
-  return `${colors.bold(first)}\n${painted.join('\n')}\n\n`;
+  return `${first === '' ? '' : `${colors.bold(first)}\n`}${painted.join('\n')}\n\n`;
 }
 
 const sigmaInWords = ({ ms, capped }: Difficulty['sigmaAtHalf']): string => `${capped ? '> ' : ''}${ms.toFixed(0)} ms`;

@@ -13,7 +13,7 @@ export function generatePretty({ levels, rejected }: GenerateReport, colors: Col
     status,
     file === null ? `seed ${seed}` : visibleLine(file),
     grade === null ? '' : `${grade.word} ${grade.value.toFixed(1)}`,
-    p40 === null ? '' : `P(40 ms) ${percent(p40)}`,
+    p40 === null ? '' : `${percent(p40)} success at 40 ms`,
     certifiedTicks === null ? '' : `certified ${plural(certifiedTicks, 'tick')}`,
     length === null || presses === null ? '' : `${length.toFixed(2)} s, ${plural(presses, 'press', 'presses')}`,
     `${plural(attempts, 'layout')} tried`,

@@ -2,7 +2,7 @@ import process from 'node:process';
 import type { Command } from 'commander';
 import { compile, simulate, type Work } from '../../../engine/index.ts';
 import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../../accuracy-options.ts';
-import { colorsFor } from '../../colors.ts';
+import { colorsFor, widthOf } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
 import { countObjects, type Inspection } from '../../inspection.ts';
@@ -54,7 +54,10 @@ function inspect(file: string, options: InspectOptions): CommandResult {
     work: runs[0]?.work ?? NO_WORK,
     problems: warningsOf(opened, runs),
   };
-  const output = options.format === 'json' ? inspectJson(inspection) : inspectPretty(inspection, colorsFor(process.stdout));
+  const output =
+    options.format === 'json'
+      ? inspectJson(inspection)
+      : inspectPretty(inspection, colorsFor(process.stdout), widthOf(process.stdout));
   return { output, exitCode: 0 };
 }
 

@@ -5,10 +5,17 @@ import { alignColumns, showFileProblems } from '../../report-parts/index.ts';
 import { visibleLine } from '../../visible.ts';
 
 /** The results of `inspect` for people. */
-export function inspectPretty({ file, level, effects, counts, modes, work, problems }: Inspection, colors: Colors): string {
+export function inspectPretty(
+  { file, level, effects, counts, modes, work, problems }: Inspection,
+  colors: Colors,
+  width: number | null = null,
+): string {
   const list = (rows: readonly { readonly name: string; readonly because: string }[]): string =>
-    alignColumns(rows.map(({ name, because }) => [name, because]))
-      .map((line) => `  ${line}\n`)
+    alignColumns(
+      rows.map(({ name, because }) => [name, because]),
+      { width: width === null ? null : width - 2 },
+    )
+      .map((line) => `${line.replace(/^/gm, '  ')}\n`)
       .join('');
   const has = COUNTED.filter(({ key }) => counts[key] > 0).map(({ key, one, many }) => plural(counts[key], one, many));
   let text = `${colors.bold(visibleLine(level))}: ${has.length === 0 ? 'only the black hole' : has.join(', ')}\n`;

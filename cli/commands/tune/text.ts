@@ -8,6 +8,8 @@ import { independentRules } from './independent-rules.ts';
 /** The largest number of columns of the matrix: a line with name and interval has 80 characters. */
 const MOST_COLUMNS = 41;
 const NAME = 20;
+/** The same on a terminal with less than 80 characters. */
+const NARROW_NAME = 12;
 
 const SIGNS: Readonly<Record<TunedState, string>> = { kept: '#', other: 'o', unproven: '.', impossible: 'x' };
 const WORDS: Readonly<Record<TunedState, string>> = {
@@ -28,16 +30,16 @@ function intervalText({ run }: TunedLevel, { low, high, isLowBound, isHighBound 
   return `${isLowBound ? '' : '<'}${brief(low)}..${isHighBound ? '' : '>'}${brief(high)}`;
 }
 
-function nameText({ name }: TunedLevel): string {
+function nameText({ name }: TunedLevel, size = NAME): string {
   const letters = [...visibleLine(name)];
-  return (letters.length > NAME ? `${letters.slice(0, NAME - 1).join('')}…` : letters.join('')).padEnd(NAME);
+  return (letters.length > size ? `${letters.slice(0, size - 1).join('')}…` : letters.join('')).padEnd(size);
 }
 
 const changeText = ({ rule, amount: value, isRelative }: Change): string => `${rule}=${amount(value, isRelative)}`;
 
 /** One sign for each value; if there are too many, neighbours share the sign of the worst. */
-function matrixRow(states: readonly TunedState[]): string {
-  const columns = Math.min(MOST_COLUMNS, states.length);
+function matrixRow(states: readonly TunedState[], most: number): string {
+  const columns = Math.min(most, states.length);
   return Array.from({ length: columns }, (_, c) => {
     const from = Math.floor((c * states.length) / columns);
     const to = Math.max(from + 1, Math.floor(((c + 1) * states.length) / columns));
@@ -53,23 +55,39 @@ function withOwn(scale: string, from: number, to: number, columns: number, isRel
   return isRelative && at > 0 && isFree ? `${scale.slice(0, at)}1x${scale.slice(at + 2)}` : scale;
 }
 
-function matrix(levels: readonly TunedLevel[], { rule, from, to, count, isRelative }: Sweep, colors: Colors): string[] {
-  const columns = Math.min(MOST_COLUMNS, count);
+function matrix(
+  levels: readonly TunedLevel[],
+  { rule, from, to, count, isRelative }: Sweep,
+  colors: Colors,
+  narrow: number | null,
+): string[] {
+  const size = narrow === null ? NAME : NARROW_NAME;
+  const most = narrow === null ? MOST_COLUMNS : Math.max(1, Math.min(MOST_COLUMNS, narrow - size - 1));
+  // on a narrow terminal, what stands beside the signs stands below them
+  const gap = narrow === null ? ' ' : '\n  ';
+  const columns = Math.min(most, count);
   const [left, right] = [amount(from, isRelative), amount(to, isRelative)];
   const scale = withOwn(left + right.padStart(Math.max(right.length + 1, columns - left.length)), from, to, columns, isRelative);
   return [
-    colors.dim(`${'level'.padEnd(NAME)} ${scale} ${rule}, ${RULES[rule].unit}`),
+    colors.dim(`${'level'.padEnd(size)} ${scale}${gap}${rule}, ${RULES[rule].unit}`),
     ...levels.map((level) => {
-      const row = matrixRow(level.values.map(({ state }) => state)).padEnd(scale.length);
-      return `${nameText(level)} ${row} ${level.intervals.map((interval) => intervalText(level, interval)).join(' ')}`;
+      const row = matrixRow(
+        level.values.map(({ state }) => state),
+        most,
+      ).padEnd(narrow === null ? scale.length : 0);
+      return `${nameText(level, size)} ${row}${gap}${level.intervals.map((interval) => intervalText(level, interval)).join(' ')}`;
     }),
   ];
 }
 
 /** One line for each level, and one more for each further rule. */
-function list(levels: readonly TunedLevel[]): string[] {
+function list(levels: readonly TunedLevel[], narrow: number | null): string[] {
   return levels.flatMap((level) => {
     const state = (level.values[0] === undefined ? '' : WORDS[level.values[0].state]).padEnd(20);
+    if (narrow !== null) {
+      const below = level.intervals.map((interval) => `  ${interval.rule} ${intervalText(level, interval)}`);
+      return [nameText(level).trimEnd(), `  ${state}`.trimEnd(), ...below].filter((line) => line !== '');
+    }
     return level.intervals.map((interval, i) => {
       const before = i === 0 ? `${nameText(level)} ${state}` : ' '.repeat(NAME + 21);
       return `${before} ${interval.rule} ${intervalText(level, interval)}`.trimEnd();
@@ -77,16 +95,24 @@ function list(levels: readonly TunedLevel[]): string[] {
   });
 }
 
-/** The results of `tune` for people: at most 80 characters in a line. */
-export function tuneText(levels: readonly TunedLevel[], { accuracy, changes, sweep }: TuneSettings, colors: Colors): string {
+/** The results of `tune` for people: at most 80 characters in a line, or as many as a narrower terminal has. */
+export function tuneText(
+  levels: readonly TunedLevel[],
+  { accuracy, changes, sweep }: TuneSettings,
+  colors: Colors,
+  width: number | null = null,
+): string {
+  const narrow = width !== null && width < 80 ? width : null;
   const looked = levels.filter(({ code }) => code === 0);
   const set = changes.map(changeText).join(' ');
   const title = sweep === null ? `with ${set}` : `${sweep.rule} at ${sweep.count} values${set === '' ? '' : `, with ${set}`}`;
   const kept = looked.filter(({ values }) => values.every(({ state }) => state === 'kept')).length;
-  const signs = (Object.keys(SIGNS) as TunedState[]).map((state) => `${SIGNS[state]} ${WORDS[state]}`).join('  ');
+  const signs = (Object.keys(SIGNS) as TunedState[])
+    .map((state) => `${SIGNS[state]} ${WORDS[state]}`)
+    .join(narrow === null ? '  ' : '\n');
   const lines = [
     colors.bold(`${title}, accuracy ${accuracy.name}`),
-    ...(sweep === null ? list(looked) : [...matrix(looked, sweep, colors), colors.dim(signs)]),
+    ...(sweep === null ? list(looked, narrow) : [...matrix(looked, sweep, colors, narrow), colors.dim(signs)]),
     `${kept} of ${plural(looked.length, 'level')} ${kept === 1 ? 'keeps its' : 'keep their'} run${sweep === null ? '' : ' at every value'}`,
   ];
   const independent = independentRules(looked);

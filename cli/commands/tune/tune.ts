@@ -3,7 +3,7 @@ import process from 'node:process';
 import { type Command, Option } from 'commander';
 import { drawTuning, type Ground } from '../../../picture/tune/index.ts';
 import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../../accuracy-options.ts';
-import { colorsFor } from '../../colors.ts';
+import { colorsFor, widthOf } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
 import { Failure } from '../../failure.ts';
@@ -127,7 +127,10 @@ async function tune(paths: readonly string[], options: Options, command: Command
     await writeWhole(svg, drawTuning(pictureOf(levels, settings), options.theme));
     messages.push(`wrote ${visibleLine(svg)}\n`);
   }
-  const output = options.format === 'json' ? tuneJson(levels, settings) : tuneText(levels, settings, colorsFor(process.stdout));
+  const output =
+    options.format === 'json'
+      ? tuneJson(levels, settings)
+      : tuneText(levels, settings, colorsFor(process.stdout), widthOf(process.stdout));
   const exitCode = Math.max(0, ...levels.map(({ code }) => code), ...unreadable.map(() => 2)) as 0 | 1 | 2;
   return { output, messages: messages.join(''), exitCode };
 }

@@ -6,6 +6,7 @@ import type { ShownProblem } from '../../../cli/shown-problem.ts';
 /** What reporters are given where a test does not care. */
 export const CONTEXT: ReportContext = {
   colors: PLAIN,
+  width: null,
   version: '1.2.3',
   accuracy: 'precise',
   exitCode: 1,
