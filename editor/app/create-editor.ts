@@ -13,6 +13,7 @@ import {
   type OpenedLevel,
   pageSurroundings,
   pageTimers,
+  tabName,
 } from '../files/index.ts';
 import { createNotices } from '../notices/index.ts';
 import { openHeldBack } from '../panels/levels/index.ts';
@@ -24,10 +25,10 @@ import { createSettings } from '../settings/index.ts';
 import { createWorkers, spawnPageWorker } from '../workers/index.ts';
 import { followConfiguration } from './follow-configuration.ts';
 
-/** The page's local storage, or null where the browser refuses access. */
-function pageStorage(): Storage | null {
+/** A storage of the page, or null where the browser refuses access. */
+function pageStorage(name: 'localStorage' | 'sessionStorage'): Storage | null {
   try {
-    return window.localStorage;
+    return window[name];
   } catch {
     return null;
   }
@@ -176,7 +177,7 @@ export async function tellKept({ journal, workspace, notices, session }: Editor)
  * browser.
  */
 export async function createEditor(): Promise<Editor> {
-  const settings = createSettings(pageStorage());
+  const settings = createSettings(pageStorage('localStorage'));
   const { lateLevels, ...surroundings } = await pageSurroundings(window);
   const workspace = createWorkspace(surroundings);
   const notices = createNotices();
@@ -207,7 +208,7 @@ export async function createEditor(): Promise<Editor> {
     notices,
     workspace,
     journal,
-    marks: createOpeningMarks(pageStorage()),
+    marks: createOpeningMarks(pageStorage('localStorage'), tabName(pageStorage('sessionStorage'))),
     incoming: createStore<LevelFile | null>(() => null),
     heldBack: createStore<string | null>(() => null),
     unchecked: new Set(),

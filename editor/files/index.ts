@@ -4,7 +4,7 @@ export { folderRulesIn } from './folder-rules.ts';
 export { folderOf, idsIn } from './level-list.ts';
 export { type Answer, errorInWords, type LevelStorage, type Link, type StorageError } from './level-storage.ts';
 export type { OpenedLevel } from './open-level.ts';
-export { createOpeningMarks, type OpeningMarks } from './opening-marks.ts';
+export { createOpeningMarks, type OpeningMarks, tabName } from './opening-marks.ts';
 export { pageSurroundings } from './page-surroundings.ts';
 export { isOtherToken } from './page-token.ts';
 export { problemsInWords } from './problems-in-words.ts';

@@ -33,7 +33,7 @@ beforeEach(async () => {
   });
   await workspace.start();
   const parts: Partial<Editor> = {
-    ...{ workspace, notices: createNotices(), marks: createOpeningMarks(null) },
+    ...{ workspace, notices: createNotices(), marks: createOpeningMarks(null, 'tab') },
     open: createStore<OpenLevel | null>(() => null),
   };
   editor = parts as Editor;

@@ -1,5 +1,8 @@
 import { describe, expect, it } from 'vitest';
-import { createOpeningMarks } from '../../editor/files/opening-marks.ts';
+import { createOpeningMarks as createMarks, tabName } from '../../editor/files/opening-marks.ts';
+
+/** Marks of the pages of one tab, one after the other. */
+const createOpeningMarks = (storage: Parameters<typeof createMarks>[0]) => createMarks(storage, 'tab');
 
 function keeper() {
   const kept = new Map<string, string>();
@@ -41,7 +44,7 @@ describe('marks of levels that are being opened', () => {
 
   it('are ignored if nothing or something else is stored', () => {
     const { storage, kept } = keeper();
-    for (const junk of ['', '{', '{"a":1}', 'null', '[1, null, "x"]']) {
+    for (const junk of ['', '{', '{"a":1}', 'null', '[1, null, "x"]', '[{"place":"a"}]', '[{"place":"a","tab":1,"at":0}]']) {
       kept.set('gravity-quest-editor-opening', junk);
       const marks = createOpeningMarks(storage);
       expect(marks.has('a')).toBe(false);
@@ -59,10 +62,52 @@ describe('marks of levels that are being opened', () => {
     expect(createOpeningMarks(null).has('a')).toBe(false);
   });
 
+  it('of another tab that is just opening the level do not count, unless that takes so long that it hangs', () => {
+    const { storage } = keeper();
+    let now = 1_000_000;
+    const tab = (name: string) => createMarks(storage, name, () => now);
+    const first = tab('first');
+    first.set('folder/07');
+    now += 2000;
+    const second = tab('second');
+    expect(second.has('folder/07')).toBe(false);
+    second.set('folder/07');
+    second.clear('folder/07');
+    // that of the first is still there: its tab is reloaded
+    expect(tab('first').has('folder/07')).toBe(true);
+    now += 9000;
+    expect(tab('second').has('folder/07')).toBe(true);
+    // the user has decided to open it
+    tab('second').clear('folder/07');
+    expect(tab('first').has('folder/07')).toBe(false);
+    first.set('folder/08');
+    // the clock was set back
+    now -= 3_600_000;
+    expect(tab('second').has('folder/08')).toBe(true);
+  });
+
+  it('stored by an earlier version count', () => {
+    const { storage, kept } = keeper();
+    kept.set('gravity-quest-editor-opening', '["folder/07"]');
+    const marks = createOpeningMarks(storage);
+    expect([marks.has('folder/07'), marks.has('folder/08')]).toEqual([true, false]);
+    marks.clear('folder/07');
+    expect(marks.has('folder/07')).toBe(false);
+  });
+
+  it('know a tab by a name that a reload keeps', () => {
+    const { storage } = keeper();
+    const name = tabName(storage);
+    expect(name).not.toBe('');
+    expect(tabName(storage)).toBe(name);
+    expect(tabName(keeper().storage)).not.toBe(name);
+    expect(tabName(null)).not.toBe(tabName(null));
+  });
+
   it('stay few', () => {
     const { storage, kept } = keeper();
     for (let i = 0; i < 1000; i++) createOpeningMarks(storage).set(`level ${i}`);
-    expect(kept.get('gravity-quest-editor-opening')?.length).toBeLessThan(2000);
+    expect(kept.get('gravity-quest-editor-opening')?.length).toBeLessThan(4000);
     expect(createOpeningMarks(storage).has('level 999')).toBe(true);
     expect(createOpeningMarks(storage).has('level 950')).toBe(true);
     expect(createOpeningMarks(storage).has('level 949')).toBe(false);
