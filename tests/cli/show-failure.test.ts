@@ -77,7 +77,7 @@ describe('where to look at the failure of a level', () => {
     expect(levelIn('my levels/$(x)&tick=1#.level.json')).toBe('my levels/$(x)&tick=1#.level.json');
     expect(levelIn('../levels/./07.level.json')).toBe('levels/07.level.json');
     expect(levelIn('levels\\world\\07.level.json')).toBe('levels/world/07.level.json');
-    expect(levelIn('/home/me/levels/07.level.json')).toBe('07.level.json');
+    expect(levelIn('/srv/game/levels/07.level.json')).toBe('07.level.json');
     expect(levelIn('C:\\me\\levels\\07.level.json')).toBe('07.level.json');
   });
 });
