@@ -59,6 +59,7 @@ export { MAX_FILE_SIZE } from './read-json.ts';
 export { type LevelDocument, type LevelReading, type ReadLevelOptions, readLevel } from './read-level.ts';
 export { type LockReading, readLock } from './read-lock.ts';
 export * from './report.ts';
+export { formatReportJsonSchema, REPORT_SCHEMAS, type ReportName, reportJsonSchema } from './report-schemas.ts';
 export { resolveLevel } from './resolve.ts';
 export {
   DEFAULT_RULES,

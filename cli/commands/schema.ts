@@ -1,5 +1,12 @@
 import { Argument, type Command } from 'commander';
-import { formatConfigJsonSchema, formatLevelJsonSchema } from '../../schema/index.ts';
+import {
+  formatConfigJsonSchema,
+  formatLevelJsonSchema,
+  formatLockJsonSchema,
+  formatReportJsonSchema,
+  REPORT_SCHEMAS,
+  type ReportName,
+} from '../../schema/index.ts';
 import type { CommandResult } from '../command.ts';
 import { didYouMean } from '../did-you-mean.ts';
 import { Failure } from '../failure.ts';
@@ -10,10 +17,19 @@ interface PrintedSchema {
   readonly print: () => string;
 }
 
+const REPORTS = Object.keys(REPORT_SCHEMAS) as ReportName[];
+
 /** The JSON Schemas that can be printed, by name. */
 const SCHEMAS: Readonly<Record<string, PrintedSchema>> = {
   level: { about: 'a level file', print: formatLevelJsonSchema },
   config: { about: 'gq.config.json', print: formatConfigJsonSchema },
+  lock: { about: 'the file of gq check --lock', print: formatLockJsonSchema },
+  ...Object.fromEntries(
+    REPORTS.map((name) => [
+      name,
+      { about: `what gq ${name} prints with --format json`, print: () => formatReportJsonSchema(name) },
+    ]),
+  ),
 };
 
 const NAMES = Object.keys(SCHEMAS);
@@ -22,7 +38,7 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
   const width = Math.max(...NAMES.map((name) => name.length));
   const list = Object.entries(SCHEMAS).map(([name, { about }]) => `  ${name.padEnd(width)}  ${about}`);
   command
-    .description('Print the JSON Schema of a level file, or of another file.')
+    .description('Print the JSON Schema of a level file, of another file, or of a report.')
     .addArgument(new Argument('[name]', 'what to print the schema of').default('level'))
     .addHelpText(
       'after',
@@ -34,7 +50,8 @@ Text editors use it to complete and check level files and gq.config.json that na
 
 Examples:
   $ gq schema > level.schema.json
-  $ gq schema config > config.schema.json`,
+  $ gq schema config > config.schema.json
+  $ gq schema check > check-report.schema.json`,
     )
     .action((name: string) => finish({ output: schemaOf(name).print(), exitCode: 0 }));
 }

@@ -1,2 +1,2 @@
 export { editorUrlOption } from './editor-url.ts';
-export { type EditorLink, editorLinkTo, failureOf, placeInWords } from './failing-place.ts';
+export { type EditorLink, editorLinkTo, failureOf, isFailing, placeInWords } from './failing-place.ts';

@@ -89,7 +89,8 @@ describe('the junit reporter', () => {
     ]);
     expect(cases[0].body).toContain('levels/a.level.json:4:1: warning low-slack: tight');
     expect(cases[1].body).toContain('<failure message="broken: unknown key &quot;asteriods&quot;" type="run-does-not-complete">');
-    for (const { body, state } of cases) expect(body.includes('gq edit --open')).toBe(state === 'failure' || state === 'error');
+    for (const { body, state } of cases)
+      expect(body.includes('gq edit --open')).toBe(state === 'failure' || body.includes('type="crashed"'));
     expect(cases[1].body).toContain('gq edit --open levels/b.level.json:120');
     const suites = [...xml.matchAll(/<testsuite( [^>]*)>/g)].map(([, head]) => attributesOf(head));
     expect(suites).toMatchObject([
