@@ -1,3 +1,6 @@
 export { chooseReports, expectReportFiles, reporterOption, reportFormatOption } from './destinations.ts';
+export { pathInWorkspace } from './paths.ts';
+export { placesOf } from './places.ts';
 export { reportCheck } from './report-check.ts';
-export { REPORTER_NAMES } from './reporter.ts';
+export { type Places, REPORTER_NAMES } from './reporter.ts';
+export { type Annotation, errorsFirst, workflowCommand } from './workflow-command.ts';

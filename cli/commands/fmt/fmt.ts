@@ -11,16 +11,17 @@ import { formatOption } from '../../options.ts';
 import { readBytes } from '../../read-bytes.ts';
 import { readConfiguration } from '../../read-configuration.ts';
 import { showFileProblems } from '../../report-parts/index.ts';
+import { placesOf } from '../../reporters/index.ts';
 import { hearSignals } from '../../signals.ts';
 import { readStdin, stdinName } from '../../stdin.ts';
 import { visible, visibleLine } from '../../visible.ts';
 import { writeWhole } from '../../write-file.ts';
-import { type FormattedFile, fmtJson, fmtPretty } from './report.ts';
+import { type FormattedFile, fmtGithub, fmtJson, fmtPretty } from './report.ts';
 
 interface FmtOptions extends ConfigOptions {
   readonly stdinPath?: string;
   readonly check?: true;
-  readonly format: 'pretty' | 'json';
+  readonly format: 'pretty' | 'json' | 'github';
 }
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
@@ -31,7 +32,7 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     .argument('[path...]', PATHS)
     .option('--check', 'only report which files would change')
     .option('--stdin-path <file>', 'with the path -: the name in messages of the level that is read from standard input')
-    .addOption(formatOption('pretty', 'json'))
+    .addOption(formatOption('pretty', 'json', 'github'))
     .addHelpText(
       'after',
       `
@@ -42,6 +43,7 @@ Exit code: 0; 1 when a file is invalid or, with --check, would change; 2 when a 
 Examples:
   $ gq fmt
   $ gq fmt --check levels      for CI
+  $ gq fmt --check --format github   annotations for a pull request
   $ gq fmt my.level.json
   $ gq fmt - < my.level.json`,
     )
@@ -65,21 +67,26 @@ async function fmt(paths: readonly string[], options: FmtOptions): Promise<Comma
       done.push({ file, status: 'failed', problems: [] });
     }
   }
-  const output =
-    options.format === 'json' ? fmtJson(done) : fmtPretty(done, pathsOr(paths, configuration), colorsFor(process.stdout));
+  const output = report(done, pathsOr(paths, configuration), options.format);
   const clean = done.every(({ status }) => status === 'unchanged' || status === 'formatted');
   // if a folder could not be read and no file was found, there is nothing to count
   return {
-    output: done.length === 0 && options.format === 'pretty' ? '' : output,
+    output: done.length === 0 && options.format !== 'json' ? '' : output,
     messages: failures.join(''),
     exitCode: failures.length > 0 ? 2 : clean ? 0 : 1,
   };
 }
 
+function report(files: readonly FormattedFile[], paths: readonly string[], format: FmtOptions['format']): string {
+  if (format === 'json') return fmtJson(files);
+  if (format === 'github') return fmtGithub(files, placesOf(process.cwd(), process.env));
+  return fmtPretty(files, paths, colorsFor(process.stdout));
+}
+
 /** A level from standard input: its formatted text, or what is wrong with it. */
 function fmtStdin(name: string, { check, format }: FmtOptions): CommandResult {
-  if (format === 'json')
-    throw new Failure('--format json: standard output gets the formatted text of standard input: leave it out');
+  if (format !== 'pretty')
+    throw new Failure(`--format ${format}: standard output gets the formatted text of standard input: leave it out`);
   const bytes = readStdin('fmt');
   const read = readLevel(bytes, { byteOrderMark: 'skip' });
   if (!read.ok)

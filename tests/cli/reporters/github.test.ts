@@ -43,6 +43,24 @@ describe('the github reporter', () => {
     expect(await named('', ...both)).toEqual(['levels/a.level.json', '../elsewhere/b.level.json']);
   });
 
+  it('is there for gq fmt --check: what would change and what is invalid, at the same paths', async () => {
+    const { code, stdout } = await gqProcess(['fmt', '--check', 'levels', '../elsewhere', '--format', 'github'], {
+      cwd: join(files.directory, 'game'),
+      env: { GITHUB_WORKSPACE: files.directory },
+    });
+    expect(code).toBe(1);
+    expect(annotations(stdout)).toEqual([
+      expect.objectContaining({ severity: 'error', file: 'game/levels/a.level.json', line: '1', title: 'unknown-key' }),
+      {
+        severity: 'error',
+        file: 'elsewhere/b.level.json',
+        title: 'layout',
+        message: 'the layout is not the canonical one\nto format it: gq fmt ../elsewhere/b.level.json',
+      },
+    ]);
+    expect(stdout).toMatch(/\n2 files: 1 would change, 1 invalid\n$/);
+  });
+
   it('says everything about a problem, whatever is in its texts', () => {
     const text = fc.string({ unit: fc.constantFrom('a', '%', ':', ',', '\n', '\r', '%0A', '::', '=') });
     fc.assert(
