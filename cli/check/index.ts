@@ -1,5 +1,5 @@
 export { cutAtBail } from './bail.ts';
-export { type CheckedFiles, checkContent, checkFiles } from './check-files.ts';
+export { checkContent, checkFiles } from './check-files.ts';
 export type { CheckedLevel, CheckSettings } from './checked-level.ts';
 export { CHECK_CODES } from './codes.ts';
 export { judgeLevels, judgeOf } from './judge-levels.ts';

@@ -1,3 +1,3 @@
 export { type MergedFile, mergeFiles } from './merge-files.ts';
-export { mergeText, type TextMerge } from './merge-text.ts';
-export { type ProofAgain, playAgain } from './proof-again.ts';
+export { mergeText } from './merge-text.ts';
+export { playAgain } from './proof-again.ts';

@@ -17,10 +17,7 @@ const WHAT_TO_DO: Record<Exclude<Verdict, 'completable'>, string> = {
 };
 
 /** The results of `check` for people: a line for each level with its problems below, and a summary. */
-export function checkPretty(
-  results: Results,
-  { colors, width, linkTo, quiet = false, excess = null }: ReportContext,
-): string {
+export function checkPretty(results: Results, { colors, width, linkTo, quiet = false, excess = null }: ReportContext): string {
   const { levels: reports } = results;
   const listed = quiet ? reports.flatMap(onlyErrors) : reports;
   const lines = alignColumns(listed.map(row), { right: [TIME_COLUMN], width });
