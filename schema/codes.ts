@@ -1,3 +1,5 @@
+import { OBJECT_KINDS } from './kinds.ts';
+
 /** The explanation of a code, as `gq explain CODE` prints it. */
 export interface CodeExplanation {
   /** The stable name of the kind of problem. */
@@ -205,7 +207,7 @@ const EXPLANATIONS = {
   'unknown-class': {
     title: 'an object of a Tiled map has no class that is a kind of object',
     why: 'The class says what the object is in the level. An object that was left out without a word would be missing in the level.',
-    fix: 'Set its Class in Tiled to astronaut, blackHole, asteroid, nova, repulsor, alien, mineral, wind or wormhole, or name its layer after the kind.',
+    fix: `Set its Class in Tiled to one of ${OBJECT_KINDS.join(', ')}, or name its layer after the kind.`,
   },
   'wrong-shape': {
     title: 'an object of a Tiled map is not drawn as a circle or a point',
@@ -213,8 +215,8 @@ const EXPLANATIONS = {
     fix: 'Draw circles with Insert Ellipse while Shift is held, the astronaut and minerals with Insert Point, and leave the rotation at 0.',
   },
   'unpaired-mouth': {
-    title: 'a mouth of a wormhole in a Tiled map leads nowhere',
-    why: 'A wormhole has two mouths. In a map they are two circles, and a property of one of them names the other.',
+    title: 'a mouth in a Tiled map leads nowhere',
+    why: 'Objects with two places are two circles in a map, and a property of one of them names the other.',
     fix: 'Give one of the two a property `to` of type object, and choose the other one.',
   },
   'unsupported-map': {

@@ -23,17 +23,10 @@ const MARGIN = 2 * TILE;
 /** Most tiles in a row or column: a larger grid would take Tiled long to draw. Objects may lie beyond it. */
 const MOST_TILES = 10_000;
 
-const COLORS: Readonly<Record<ObjectKind, string>> = {
-  astronaut: '#ffffff',
-  blackHole: '#b388ff',
-  asteroid: '#b0bec5',
-  nova: '#ff7043',
-  repulsor: '#26c6da',
-  alien: '#9ccc65',
-  mineral: '#ffee58',
-  wind: '#42a5f5',
-  wormhole: '#ec407a',
-};
+/** The colours of layers in Tiled, for the kinds in their order. */
+const COLORS = ['#ffffff', '#b388ff', '#b0bec5', '#ff7043', '#26c6da', '#9ccc65', '#ffee58', '#42a5f5', '#ec407a'];
+
+const colorOf = (kind: ObjectKind): string => COLORS[OBJECT_KINDS.indexOf(kind) % COLORS.length];
 
 interface Located {
   readonly x: number;
@@ -152,7 +145,7 @@ export function exportTiled(file: LevelFile): TiledMap {
   const layers = OBJECT_KINDS.map((kind, i): TiledLayer => {
     const objects = objectsOf(file, kind).flatMap((object) => drawing.objects(kind, object));
     const name = KINDS[kind].list ?? kind;
-    const look = { draworder: 'index', color: COLORS[kind], opacity: 1, visible: true, x: 0, y: 0 } as const;
+    const look = { draworder: 'index', color: colorOf(kind), opacity: 1, visible: true, x: 0, y: 0 } as const;
     return { id: i + 1, name, type: 'objectgroup', ...look, objects };
   });
   const known = Object.entries(MAP_KEYS).flatMap(([key, isText]) => {

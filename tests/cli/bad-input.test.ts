@@ -176,7 +176,7 @@ describe('invalid options', () => {
     [['simulate'], /missing required argument 'level'/],
     [['simulate', 'a', 'b'], /too many arguments/],
     [['simulate', ''], /^error: "": can't be read/],
-    [['import', 'originals.json', '--out', ''], /^error: --out "": the directory can't be created/],
+    [['import', 'originals.json', '--out', ''], /^error: --out "": expected a folder, found an empty name/],
     [['edit', ''], /^error: "": can't be opened: .*mkdir ""/],
     [['simulate', 'fine/good.level.json', '--sample', '-1'], /'-1' is invalid/],
     [['simulate', 'fine/good.level.json', '--sample', '10000', '--max-time', '3600'], /can give more than 1000000 samples/],

@@ -226,7 +226,7 @@ describe('a text that is not JSON', () => {
 const small = (rest: string) => `{"version":1,"name":"a","astronaut":{"x":1,"y":2},"blackHole":{"x":1,"y":3}${rest}}`;
 const nova = (rest: string) => small(`,"novae":[{"x":1,"y":2,"radius":3${rest}}]`);
 const hold = (text: string) => small(`,"runs":[{"name":"a","holds":[${text}]}]`);
-const TOP = `$schema, version, conflicts, name, description, astronaut, blackHole, range, recoil, rules, ${OBJECT_LISTS.join(', ')}, runs`;
+const TOP = `$schema, version, conflicts, name, description, astronaut, blackHole, range, recoil, rules, allow, ${OBJECT_LISTS.join(', ')}, runs`;
 
 /** Invalid levels, by hint: the text and the message. */
 const PROBLEMS: Readonly<Record<string, readonly (readonly [source: string, message: string])[]>> = {

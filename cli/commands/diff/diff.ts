@@ -5,6 +5,7 @@ import { plural } from '../../../check/words/index.ts';
 import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../../accuracy-options.ts';
 import { colorsFor, PLAIN } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
+import { type Configuration, noConfiguration } from '../../configuration.ts';
 import {
   chooseComparison,
   type Diff,
@@ -80,13 +81,26 @@ function divided(words: readonly string[], command: Command): { words: readonly 
   return { words: words.slice(0, words.length - count), paths: words.slice(words.length - count) };
 }
 
+/**
+ * What the working directory sets. Two commits can be compared whatever is in it: a comparison with the working tree itself says
+ * what is wrong with its configuration.
+ */
+function configurationHere(): Configuration {
+  try {
+    return readConfiguration({});
+  } catch (error) {
+    if (error instanceof Failure) return noConfiguration();
+    throw error;
+  }
+}
+
 async function diff(words: readonly string[], command: Command, options: Options): Promise<CommandResult> {
   const { maxTime, slack, jobs, textconv } = options;
   if (textconv !== undefined) {
     if (words.length > 0) throw new Failure(`--textconv takes one file and nothing else, found ${words.join(' ')}`);
     return { output: textOfLevel(readBytes(textconv)), exitCode: 0 };
   }
-  const settings = { accuracy: chooseAccuracy(options, readConfiguration({})), maxTime, slack };
+  const settings = { accuracy: chooseAccuracy(options, configurationHere()), maxTime, slack };
   const comparison = await chooseComparison({ ...divided(words, command), staged: options.staged === true });
   const result = await diffFiles(comparison, settings, jobs);
   const exitCode = options.exitCode && result.levels.length > 0 ? 1 : 0;

@@ -47,7 +47,7 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     .addHelpText(
       'after',
       `
-gravityquest refuses what the original game does not have (winds, wormholes, own rules, a level without recoil), each with its
+gravityquest refuses what the original game does not have (kinds of objects, own rules, a level without recoil), each with its
 place: without it the level plays differently. Names, descriptions, runs and ids are lost, with a warning. A Tiled map keeps
 everything. gq import reads both back. Writes either every file or none.
 

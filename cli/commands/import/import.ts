@@ -78,6 +78,7 @@ async function importFile(file: string, options: ImportOptions): Promise<Command
     const problems = showProblems(imported.problems, imported.text);
     return { messages: showFileProblems(file, problems, colorsFor(process.stderr)), exitCode: 1 };
   }
+  if (options.out === '') throw new Failure('--out "": expected a folder, found an empty name; . is the working directory');
   const $schema = schemaReference(options.out) ?? undefined;
   const targets = imported.levels.map(({ slug, file: level }): Target => {
     const path = join(options.out, `${slug}.level.json`);
