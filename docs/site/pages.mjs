@@ -8,17 +8,25 @@ export const GROUPS = [
       { file: 'docs/tutorial.md', name: 'tutorial', text: 'Tutorial' },
       { file: 'docs/recipes.md', name: 'recipes', text: 'Recipes' },
       { file: 'docs/editor.md', name: 'editor', text: 'Editor' },
+    ],
+  },
+  {
+    text: 'In CI and review',
+    pages: [
       { file: 'docs/ci.md', name: 'ci', text: 'CI' },
+      { file: 'docs/ready-made.md', name: 'ready-made', text: 'Ready-made files' },
       { file: 'docs/configuration.md', name: 'configuration', text: 'Configuration' },
-      { file: 'docs/diff.md', name: 'diff', text: 'What changed' },
+      { file: 'docs/reports.md', name: 'reports', text: 'Reports' },
       { file: 'docs/lock.md', name: 'lock', text: 'Agree on results' },
+      { file: 'docs/diff.md', name: 'diff', text: 'What changed' },
+      { file: 'docs/merging.md', name: 'merging', text: 'Merging levels' },
+      { file: 'docs/compared.md', name: 'compared', text: 'Compared with six tools' },
     ],
   },
   {
     text: 'Levels',
     pages: [
       { file: 'docs/level-format.md', name: 'level-format', text: 'Level format' },
-      { file: 'docs/merging.md', name: 'merging', text: 'Merging levels' },
       { file: 'docs/tune.md', name: 'tune', text: 'Rules and tuning' },
       { file: 'docs/difficulty.md', name: 'difficulty', text: 'Difficulty and new levels' },
       { file: 'docs/import-and-export.md', name: 'import-and-export', text: 'Import and export' },
