@@ -33,6 +33,9 @@ const MARKUP: readonly (readonly [kind: string, beginning: RegExp])[] = [
 /** Number of bytes that are examined. */
 const HEAD = 1024;
 
+/** `{` */
+const BRACE = 0x7b;
+
 /** NUL does not occur in text. UTF-16, a different mistake, has it in every other place. */
 function isBinary(head: Uint8Array): boolean {
   const at = head.indexOf(0);
@@ -47,6 +50,8 @@ function isBinary(head: Uint8Array): boolean {
 export function foreignKind(source: Uint8Array | string): string | null {
   const head = typeof source === 'string' ? source.slice(0, HEAD) : source.subarray(0, HEAD);
   if (typeof head !== 'string') {
+    // nearly every file is an object: no other kind of file begins like one
+    if (head[0] === BRACE) return isBinary(head) ? 'a binary file' : null;
     const found = BEGINNINGS.find(([, bytes]) => bytes.every((byte, i) => byte === null || head[i] === byte));
     if (found !== undefined) return found[0];
     if (!isUtf16(head) && isBinary(head)) return 'a binary file';
