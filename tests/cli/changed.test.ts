@@ -1,8 +1,9 @@
 import { execFileSync, spawnSync } from 'node:child_process';
-import { chmodSync, mkdirSync, readFileSync, renameSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
+import { chmodSync, cpSync, mkdirSync, readFileSync, renameSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import process from 'node:process';
 import { afterAll, beforeEach, describe, expect, it } from 'vitest';
+import { once } from '../once.ts';
 import { fallThrough, gq, gqProcess, makeFiles } from './gq.ts';
 
 const removals: (() => void)[] = [];
@@ -12,13 +13,21 @@ afterAll(() => {
 
 const NAMES = ['a', 'b', 'c', 'sub/d', "odd 'né' $(x)"];
 
-function makeRepository(): string {
+/** A repository with one commit. */
+const original = once((): string => {
   const { directory, remove } = makeFiles(
     Object.fromEntries(NAMES.map((name) => [`game/levels/${name}.level.json`, fallThrough({ name })])),
   );
   removals.push(remove);
-  git(directory, 'init', '-q', '-b', 'main');
+  git(directory, 'init', '-q', '-b', 'main', '--template=');
   commit(directory);
+  return directory;
+});
+
+function makeRepository(): string {
+  const { directory, remove } = makeFiles({});
+  removals.push(remove);
+  cpSync(original(), directory, { recursive: true });
   return directory;
 }
 
@@ -87,9 +96,9 @@ describe('gq check --changed', () => {
     // GitHub names the branch into which a pull request goes
     git(root, 'branch', 'release', 'topic');
     const env = { GITHUB_BASE_REF: 'release' };
-    const { stderr } = await gqProcess(['check', '--changed'], { cwd: game, env });
+    const { stderr } = await gq(['check', '--changed'], { cwd: game, env });
     expect(stderr).toMatch(/^1 of 5 levels changed since release/);
-    const missing = await gqProcess(['check', '--changed'], { cwd: game, env: { GITHUB_BASE_REF: 'gone' } });
+    const missing = await gq(['check', '--changed'], { cwd: game, env: { GITHUB_BASE_REF: 'gone' } });
     expect(missing).toMatchObject({ code: 2, stderr: expect.stringMatching(/branch gone, into which .*git fetch origin gone/) });
   });
 
@@ -166,13 +175,14 @@ describe('gq check --changed', () => {
       code: 2,
       stderr: expect.stringMatching(/not a git repository.*\nexpected a working directory in a git repository/),
     });
-    const noGit = await gqProcess(['check', '--changed'], { cwd: game, env: { PATH: directory } });
+    const noGit = await gq(['check', '--changed'], { cwd: game, env: { PATH: directory } });
     expect(noGit).toMatchObject({ code: 2, stdout: '', stderr: expect.stringContaining('there is no command git') });
   });
 });
 
 describe('a level from standard input', () => {
-  const run = (args: readonly string[], input: string | Uint8Array) =>
+  const run = (args: readonly string[], input: string | Uint8Array) => gq(args, { cwd: game, input });
+  const runPiped = (args: readonly string[], input: string | Uint8Array) =>
     gqProcess(args, {
       cwd: game,
       during: (child) => {
@@ -184,11 +194,8 @@ describe('a level from standard input', () => {
   it('is checked and formatted as its file would be', async () => {
     const text = fallThrough({ runs: [] });
     write('a', text);
-    const [fromFile, fromInput] = await Promise.all([
-      gqProcess(['check', 'levels/a.level.json'], { cwd: game }),
-      run(['check', '-', '--stdin-path', 'levels/a.level.json'], text),
-    ]);
-    expect(fromInput).toEqual(fromFile);
+    const fromFile = await gq(['check', 'levels/a.level.json'], { cwd: game });
+    expect(await runPiped(['check', '-', '--stdin-path', 'levels/a.level.json'], text)).toEqual(fromFile);
     const unnamed = await run(['check', '-'], text);
     expect(unnamed.stdout).toBe(
       fromFile.stdout
@@ -196,7 +203,7 @@ describe('a level from standard input', () => {
         .replaceAll('levels/a.level.json', '<stdin>')
         .replace(/(gq solve )<stdin>/, '$1"<stdin>"'),
     );
-    const formatted = await run(['fmt', '-'], text);
+    const formatted = await runPiped(['fmt', '-'], text);
     await gq(['fmt', 'levels/a.level.json'], { cwd: game });
     expect(formatted).toMatchObject({ code: 0, stderr: '', stdout: readFileSync(join(game, 'levels/a.level.json'), 'utf8') });
     expect(await run(['fmt', '-', '--check'], formatted.stdout)).toMatchObject({ code: 0, stdout: '', stderr: '' });

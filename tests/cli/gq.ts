@@ -64,29 +64,32 @@ let earlier: Promise<unknown> = Promise.resolve();
 interface Place {
   /** The working directory; the one of this process if it is left out. */
   readonly cwd?: string;
+  /** Added to the environment. */
+  readonly env?: Readonly<Record<string, string>>;
+  /** The standard input, a file. It is empty if it is left out. */
+  readonly input?: string | Uint8Array;
 }
 
 /**
  * Runs gq to its end. The commands of a worker run one after the other in a shared process, so that the start-up time is
  * spent only once. The work of threads is done in its main thread. Tests about the process itself and its threads use `gqProcess`.
  */
-export const gq = async (args: readonly string[], { cwd = process.cwd() }: Place = {}): Promise<Ended> =>
-  (await inTurn(args, cwd)).ended;
+export const gq = async (args: readonly string[], place: Place = {}): Promise<Ended> => (await inTurn(args, place)).ended;
 
 /** The same as in a terminal: with what a person sees. */
 export async function gqInTerminal(args: readonly string[], cwd: string): Promise<{ code: number | null; shown: string }> {
-  const { ended, shown } = await inTurn(args, cwd);
+  const { ended, shown } = await inTurn(args, { cwd });
   return { code: ended.code, shown };
 }
 
-function inTurn(args: readonly string[], cwd: string): Promise<Answer> {
+function inTurn(args: readonly string[], place: Place): Promise<Answer> {
   // the time limit of a command begins when those before it have ended
-  const answer = earlier.then(() => ask(args, cwd));
+  const answer = earlier.then(() => ask(args, place));
   earlier = answer.catch(() => undefined);
   return answer;
 }
 
-function ask(args: readonly string[], cwd: string): Promise<Answer> {
+function ask(args: readonly string[], { cwd = process.cwd(), env = {}, input }: Place): Promise<Answer> {
   warm ??= startWarmProcess();
   const { child, waiting } = warm;
   const id = warm.asked++;
@@ -106,7 +109,7 @@ function ask(args: readonly string[], cwd: string): Promise<Answer> {
         reject(error);
       },
     });
-    child.send({ id, args, cwd });
+    child.send({ id, args, cwd, env, input: input === undefined ? null : Buffer.from(input).toString('base64') });
   });
 }
 

@@ -1,7 +1,8 @@
 // A process that runs one command of gq after another, for tests/cli/gq.ts: only the first pays for starting node and loading gq.
-import { writeSync } from 'node:fs';
+import { closeSync, mkdtempSync, openSync, rmSync, writeFileSync, writeSync } from 'node:fs';
 import { register, syncBuiltinESMExports } from 'node:module';
 import os from 'node:os';
+import { join } from 'node:path';
 import process from 'node:process';
 import { runCommandLine } from '../../dist/cli/command-line.js';
 
@@ -30,11 +31,38 @@ for (const stream of [process.stdout, process.stderr]) collect(stream);
 const written = (only) =>
   Buffer.concat(pieces.flatMap(({ stream, bytes }) => (only === undefined || stream === only ? [bytes] : []))).toString();
 
+/** Makes a file the standard input. */
+function takeInput(path) {
+  // what is opened next gets the lowest number that is free
+  closeSync(0);
+  if (openSync(path) !== 0) throw new Error(`${path} is not the standard input`);
+}
+
+/** Calls a function with a standard input; null: an empty one. */
+async function withInput(input, call) {
+  if (input === null) return call();
+  const folder = mkdtempSync(join(os.tmpdir(), 'gq-input-'));
+  try {
+    writeFileSync(join(folder, 'input'), Buffer.from(input, 'base64'));
+    takeInput(join(folder, 'input'));
+    return await call();
+  } finally {
+    takeInput(os.devNull);
+    rmSync(folder, { recursive: true });
+  }
+}
+
 /** @returns {Promise<{ ended: Ended, shown: string }>} `shown`: both streams, as a terminal shows them */
-async function run(args, cwd) {
+async function run({ args, cwd, env, input }) {
   process.chdir(cwd);
   process.exitCode = undefined;
-  const code = await runCommandLine(args);
+  const usual = { ...process.env };
+  Object.assign(process.env, env);
+  const code = await withInput(input, () => runCommandLine(args));
+  for (const name of Object.keys(env)) {
+    if (name in usual) process.env[name] = usual[name];
+    else delete process.env[name];
+  }
   // the command line expects to be called once in a process
   process.stdout.removeAllListeners('error');
   process.stderr.removeAllListeners('error');
@@ -47,8 +75,8 @@ async function run(args, cwd) {
 
 // one at a time: the working directory and the streams belong to the whole process
 let last = Promise.resolve();
-process.on('message', ({ id, args, cwd }) => {
-  last = last.then(async () => void process.send({ id, ...(await run(args, cwd)) }));
+process.on('message', ({ id, ...command }) => {
+  last = last.then(async () => void process.send({ id, ...(await run(command)) }));
 });
 // a command that ends the process, as a crash does, is not to hide what it said
 process.on('exit', () => void writeSync(2, written()));

@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import fc from 'fast-check';
 import { afterAll, describe, expect, it } from 'vitest';
 import { checkGithub } from '../../../cli/reporters/github.ts';
-import { fallThrough, gqProcess, makeFiles } from '../gq.ts';
+import { fallThrough, gq, makeFiles } from '../gq.ts';
 import { brokenLevel, CONTEXT, checkedLevel, resultsOf, shownProblem } from './context.ts';
 
 /** Reads workflow commands as GitHub does. */
@@ -30,7 +30,7 @@ describe('the github reporter', () => {
     symlinkSync(files.directory, join(files.directory, 'link'));
     mkdirSync(join(files.directory, 'game/out'));
     const named = async (workspace: string, ...paths: string[]) => {
-      const { stdout } = await gqProcess(['check', ...paths, '--format', 'github'], {
+      const { stdout } = await gq(['check', ...paths, '--format', 'github'], {
         cwd,
         env: { GITHUB_WORKSPACE: workspace },
       });
@@ -44,7 +44,7 @@ describe('the github reporter', () => {
   });
 
   it('is there for gq fmt --check: what would change and what is invalid, at the same paths', async () => {
-    const { code, stdout } = await gqProcess(['fmt', '--check', 'levels', '../elsewhere', '--format', 'github'], {
+    const { code, stdout } = await gq(['fmt', '--check', 'levels', '../elsewhere', '--format', 'github'], {
       cwd: join(files.directory, 'game'),
       env: { GITHUB_WORKSPACE: files.directory },
     });

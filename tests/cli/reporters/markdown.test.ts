@@ -5,7 +5,7 @@ import { afterAll, describe, expect, it } from 'vitest';
 import { COMMENT_BYTES, checkMarkdown, markdownWithin } from '../../../cli/reporters/markdown.ts';
 import { markdownBlock, markdownCode, markdownText } from '../../../cli/reporters/markdown-text.ts';
 import { stepSummary } from '../../../cli/reporters/step-summary.ts';
-import { fallThrough, gqProcess, makeFiles } from '../gq.ts';
+import { fallThrough, gq, makeFiles } from '../gq.ts';
 import { brokenLevel, CONTEXT, checkedLevel, resultsOf, shownProblem } from './context.ts';
 
 const MIB = 1024 * 1024;
@@ -108,14 +108,14 @@ describe('the markdown reporter', () => {
 });
 
 describe('the summary of a step', () => {
-  const check = (summary: string) => gqProcess(['check', '--format', 'github'], { cwd, env: { GITHUB_STEP_SUMMARY: summary } });
+  const check = (summary: string) => gq(['check', '--format', 'github'], { cwd, env: { GITHUB_STEP_SUMMARY: summary } });
 
   it('gets the table after what is there, also with a report in a file', async () => {
     writeFileSync(at('summary.md'), 'before\n');
     expect(await check(at('summary.md'))).toMatchObject({ code: 1, stderr: '' });
     const text = readFileSync(at('summary.md'), 'utf8');
     expect(text).toMatch(/^before\n\n### ❌ 1 of 2 levels fails\n/);
-    const { stdout } = await gqProcess(['check', '--reporter', 'github=g.txt', '--format', 'markdown'], {
+    const { stdout } = await gq(['check', '--reporter', 'github=g.txt', '--format', 'markdown'], {
       cwd,
       env: { GITHUB_STEP_SUMMARY: at('second.md') },
     });

@@ -5,7 +5,7 @@ import formats from 'ajv-formats';
 import fc from 'fast-check';
 import { afterAll, describe, expect, it } from 'vitest';
 import { checkSarif } from '../../../cli/reporters/sarif.ts';
-import { fallThrough, gqProcess, makeFiles } from '../gq.ts';
+import { fallThrough, gq, makeFiles } from '../gq.ts';
 import { brokenLevel, CONTEXT, checkedLevel, resultsOf, shownProblem } from './context.ts';
 
 // the schema is of draft 4, of which it uses nothing that has another meaning in draft 7, but for the name of its id
@@ -120,7 +120,7 @@ describe('the sarif reporter', () => {
   it('names files relative to the root of the repository or the workspace', async () => {
     const cwd = join(files.directory, 'game');
     const uris = async (env: Record<string, string>) => {
-      const { stdout } = await gqProcess(['check', '--format', 'sarif'], { cwd, env });
+      const { stdout } = await gq(['check', '--format', 'sarif'], { cwd, env });
       return runOf(stdout).results.map(({ locations }) => locations[0].physicalLocation.artifactLocation.uri);
     };
     expect(await uris({ GITHUB_WORKSPACE: files.directory })).toEqual(['game/levels/%C3%A4%20b%25.level.json']);
@@ -135,7 +135,7 @@ describe('the sarif reporter', () => {
     const asteroid = (id: string, more = {}) => ({ id, x: 100, y: 0, radius: 16, ...more });
     const fingerprints = async (level: Record<string, unknown>, layout: number) => {
       writeFileSync(join(directory, 'a.level.json'), JSON.stringify(JSON.parse(fallThrough(level)), null, layout));
-      const { stdout } = await gqProcess(['check', 'a.level.json', '--format', 'sarif'], { cwd: directory });
+      const { stdout } = await gq(['check', 'a.level.json', '--format', 'sarif'], { cwd: directory });
       return runOf(stdout).results.map(({ ruleId, partialFingerprints }) => `${ruleId} ${partialFingerprints['gqProblem/v1']}`);
     };
     const wrong = asteroid('bbbbbb', { raduis: 1 });
