@@ -1,8 +1,8 @@
 import { spawnSync } from 'node:child_process';
-import { existsSync, readFileSync, realpathSync, writeFileSync } from 'node:fs';
+import { cpSync, existsSync, readFileSync, realpathSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import process from 'node:process';
-import { afterEach, beforeEach, describe, expect, it } from 'vitest';
+import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
 import { formatLevel, type LevelFile, readLevel } from '../../schema/index.ts';
 import { gq, MAIN, makeFiles } from './gq.ts';
 
@@ -179,12 +179,19 @@ describe('git, set up by gq git-setup', () => {
   };
   const setUp = (...more: string[]) => gq(['git-setup', ...more], { cwd: folder.directory });
 
-  beforeEach(async () => {
-    folder = makeFiles({ [FILE]: level(), '.gitattributes': '*.png binary' });
-    git('init', '-qb', 'main');
+  let original: ReturnType<typeof makeFiles>;
+  beforeAll(async () => {
+    original = makeFiles({ [FILE]: level(), '.gitattributes': '*.png binary' });
+    folder = original;
+    git('init', '-qb', 'main', '--template=');
     expect((await setUp()).code).toBe(0);
     git('add', '-A');
     git('commit', '-qm', 'base');
+  });
+  afterAll(() => original.remove());
+  beforeEach(() => {
+    folder = makeFiles({});
+    cpSync(original.directory, folder.directory, { recursive: true });
   });
 
   const moved = level(novae(500, -400));

@@ -12,8 +12,9 @@ const wholeRun = once((name: keyof typeof SIGNALLED_COMMANDS) =>
 
 const SIGNALS: readonly (readonly NodeJS.Signals[])[] = [['SIGINT'], ['SIGTERM'], ['SIGINT', 'SIGTERM', 'SIGINT']];
 
-// one that reports, one with threads that share a search, one with a pool of threads, one that writes, one that takes back
-const DRAWN = ['check', 'solve', 'generate', 'fmt', 'import'] as const;
+// one that reports and keeps its reports, one with threads that share a search, one with a pool of threads, one that writes, one
+// that takes back
+const DRAWN = ['check --cache-dir', 'solve', 'generate', 'fmt', 'import'] as const;
 
 describe.runIf(process.platform !== 'win32')('a signal at any step', () => {
   it.each(['fmt', 'import'] as const)('of gq %s that writes a file: the file is finished', async (name) => {
