@@ -4,6 +4,7 @@
  *
  * @module
  */
+export { ticksToAgree } from './certified-ticks.ts';
 export { type ExamineOptions, examineRuns, playRuns } from './examine-runs.ts';
 export {
   type Findings,

@@ -7,11 +7,11 @@ import {
   problemsOf,
   proveGoalImpossible,
   proveMineralsLost,
+  ticksToAgree,
   tightRuns,
   verdictOfFindings,
   withinWork,
 } from '../../check/index.ts';
-import { ticksToAgree } from '../../check/lock/index.ts';
 import {
   compile,
   DEFAULT_MAX_WORK,

@@ -1,6 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { entryChange, isAgreed, resultChange, ticksToAgree } from '../../check/lock/index.ts';
+import { ticksToAgree } from '../../check/index.ts';
+import { entryChange, isAgreed, resultChange } from '../../check/lock/index.ts';
 import { ACCURACIES, compile } from '../../engine/index.ts';
 import { type Hold, type LockEntry, resolveLevel } from '../../schema/index.ts';
 import { certify } from '../../solver/index.ts';

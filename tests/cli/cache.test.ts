@@ -327,6 +327,10 @@ it('a check whose reports are all known loads neither the engine nor zod', async
   const heavy = /\/dist\/(?:engine|schema)\/index\.js|\/node_modules\/zod\//;
   expect(await modulesOf()).toMatch(heavy);
   expect(await modulesOf()).not.toMatch(heavy);
+  // a lock is read with zod, and is compared without playing
+  const playing = /\/dist\/(?:engine|solver|check)\/index\.js/;
+  expect(await modulesOf('--lock', 'gq.lock.json', '--update-lock')).toMatch(playing);
+  expect(await modulesOf('--lock', 'gq.lock.json')).not.toMatch(playing);
   place.remove();
 });
 

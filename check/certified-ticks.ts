@@ -1,7 +1,7 @@
-import { type Scene, WorkBudget } from '../../engine/index.ts';
-import type { Hold } from '../../schema/index.ts';
-import { certify } from '../../solver/index.ts';
-import { withinWork } from '../within-work.ts';
+import { type Scene, WorkBudget } from '../engine/index.ts';
+import type { Hold } from '../schema/index.ts';
+import { certify } from '../solver/index.ts';
+import { withinWork } from './within-work.ts';
 
 /** The most runs to simulate for one level: a tenth of what a person who asks for one level gets. */
 const MOST_RUNS = 1000;
