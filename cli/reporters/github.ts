@@ -21,5 +21,15 @@ export function checkGithub(results: Results, { places, linkTo }: ReportContext)
   const counts = Object.entries(summarize(levels)).filter(([, count]) => count > 0);
   const words = counts.map(([verdict, count]) => `${count} ${verdict}`).join(', ');
   const summary = `${plural(levels.length, 'level')}${words === '' ? '' : `: ${words}`}`;
+  if (results.excess) annotations.push(excessOf(results.excess));
   return `${errorsFirst(annotations).map(workflowCommand).join('')}${summary}\n${earlyEndInWords(results)}`;
 }
+
+const excessOf = (message: string): Annotation => ({
+  severity: 'error',
+  file: null,
+  line: null,
+  column: null,
+  title: 'too many warnings',
+  message,
+});

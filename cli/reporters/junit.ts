@@ -18,7 +18,7 @@ interface TestCase {
 }
 
 /** The results of `check` as JUnit XML: a test case for each level, a suite for each folder. */
-export function checkJunit({ levels, unchecked, interrupted }: Results, context: ReportContext): string {
+export function checkJunit({ levels, unchecked, interrupted, excess }: Results, context: ReportContext): string {
   const why = interrupted ? 'not checked: a signal ended the check early' : 'not checked: the check ended early';
   const cases = [...levels.map((level) => caseOf(level, context)), ...unchecked.map((file) => skippedCase(file, why, context))];
   const folders = [...new Set(cases.map(({ folder }) => folder))];
@@ -27,6 +27,7 @@ export function checkJunit({ levels, unchecked, interrupted }: Results, context:
       folder,
       cases.filter((one) => one.folder === folder),
       context,
+      excess ?? null,
     ),
   );
   const { skipped: _, ...counts } = countsOf(cases);
@@ -44,12 +45,19 @@ function countsOf(cases: readonly TestCase[]) {
   };
 }
 
-function suiteOf(folder: string, cases: readonly TestCase[], { version, accuracy }: ReportContext): string {
+/** @param excess that there are too many warnings in the whole check: no level fails by it */
+function suiteOf(
+  folder: string,
+  cases: readonly TestCase[],
+  { version, accuracy }: ReportContext,
+  excess: string | null,
+): string {
   const properties = Object.entries({ 'gq.version': version, 'gq.accuracy': accuracy })
     .map(([name, value]) => `      <property${xmlAttributes({ name, value })}/>\n`)
     .join('');
+  const said = excess === null ? '' : `    <system-err>${xmlText(excess)}\n</system-err>\n`;
   const head = xmlAttributes({ name: folder, ...countsOf(cases) });
-  return `  <testsuite${head}>\n    <properties>\n${properties}    </properties>\n${cases.map(({ xml }) => xml).join('')}  </testsuite>\n`;
+  return `  <testsuite${head}>\n    <properties>\n${properties}    </properties>\n${cases.map(({ xml }) => xml).join('')}${said}  </testsuite>\n`;
 }
 
 /** How a test case is found: its folder as the class, its file as the name. */

@@ -94,16 +94,23 @@ const HEADER = '| verdict | level | name | run or problem |\n| --- | --- | --- |
 const TABLE = `\n${HEADER}`;
 const PASSING = `\n<details><summary>Completable levels</summary>\n\n${HEADER}`;
 
-function heading({ levels }: Results, failing: number): string {
+const GOOD = 'Every level is good';
+
+function heading({ levels, unchecked, interrupted, excess }: Results, failing: number): string {
   const counts = Object.entries(summarize(levels)).filter(([, count]) => count > 0);
   const words = counts.map(([verdict, count]) => `${count} ${verdict}`).join(', ');
   const title =
     levels.length === 0
       ? 'No level was checked'
       : failing === 0
-        ? 'Every level is good'
+        ? excess
+          ? 'Too many warnings'
+          : interrupted || unchecked.length > 0
+            ? 'The check is not complete'
+            : GOOD
         : `${failing} of ${plural(levels.length, 'level')} ${failing === 1 ? 'fails' : 'fail'}`;
-  return `### ${failing === 0 && levels.length > 0 ? '✅' : '❌'} ${title}\n\n${plural(levels.length, 'level')}${words === '' ? '' : `: ${words}`}\n`;
+  const isGood = title === GOOD;
+  return `### ${isGood ? '✅' : '❌'} ${title}\n\n${plural(levels.length, 'level')}${words === '' ? '' : `: ${words}`}\n${excess ? `\n**${excess}**\n` : ''}`;
 }
 
 function row(level: CheckedLevel): string {

@@ -17,7 +17,7 @@ const WHAT_TO_DO: Record<Exclude<Verdict, 'completable'>, string> = {
 };
 
 /** The results of `check` for people: a line for each level with its problems below, and a summary. */
-export function checkPretty(results: Results, { colors, width, linkTo, quiet = false, excess = null }: ReportContext): string {
+export function checkPretty(results: Results, { colors, width, linkTo, quiet = false }: ReportContext): string {
   const { levels: reports } = results;
   const listed = quiet ? reports.flatMap(onlyErrors) : reports;
   const lines = alignColumns(listed.map(row), { right: [TIME_COLUMN], width });
@@ -36,7 +36,7 @@ export function checkPretty(results: Results, { colors, width, linkTo, quiet = f
   const words = counts.map(([v, count]) => paint(v as Verdict)(`${count} ${v}`)).join(', ');
   const count = `${colors.bold(plural(reports.length, 'level'))}${words === '' ? '' : `: ${words}`}${besides(reports, quiet)}`;
   text += `${quiet && listed.length === 0 ? '' : '\n'}${count}\n${earlyEndInWords(results)}`;
-  if (excess !== null) text += `${colors.red(excess)}\n`;
+  if (results.excess) text += `${colors.red(results.excess)}\n`;
   const tight = reports.filter(({ problems }) => problems.some(({ code }) => code === 'slack-below-required')).length;
   if (tight > 0)
     text += `${colors.red(`${plural(tight, 'level')} ${tight === 1 ? 'forgives' : 'forgive'} less than --require-slack requires`)}\n`;

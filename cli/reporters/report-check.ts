@@ -25,8 +25,7 @@ export async function reportCheck(
     accuracy,
     linkTo,
     quiet,
-    excess,
-  }: Pick<ReportContext, 'accuracy' | 'linkTo' | 'quiet' | 'excess'> & { readonly exitCode: CommandResult['exitCode'] },
+  }: Pick<ReportContext, 'accuracy' | 'linkTo' | 'quiet'> & { readonly exitCode: CommandResult['exitCode'] },
 ): Promise<CommandResult> {
   const context: ReportContext = {
     colors: PLAIN,
@@ -36,7 +35,6 @@ export async function reportCheck(
     exitCode,
     linkTo,
     quiet,
-    excess,
     places: placesOf(process.cwd(), process.env),
     isJenkins: Boolean(process.env.JENKINS_URL),
   };
@@ -48,7 +46,7 @@ export async function reportCheck(
     else files.push({ path: file, content: make(results, context), mode: 'replace' });
   }
   const isSaid = reports.some(({ name, file }) => file === null && name === 'pretty');
-  const messages = excess && !isSaid ? `error: ${excess}\n` : '';
+  const messages = results.excess && !isSaid ? `error: ${results.excess}\n` : '';
   const summary = process.env.GITHUB_STEP_SUMMARY;
   if (!summary || !reports.some(({ name }) => name === 'github')) return { output, files, messages, exitCode };
   const { stepSummary } = await import('./step-summary.ts');

@@ -16,6 +16,8 @@ export interface Results {
   readonly interrupted: boolean;
   /** The files that a report for people lists; all if it is left out. The summary is of all levels. */
   readonly shown?: ReadonlySet<string>;
+  /** That there are more warnings than allowed; null or missing if there are not. */
+  readonly excess?: string | null;
 }
 
 /** What a report depends on besides the results. */
@@ -33,8 +35,6 @@ export interface ReportContext {
   readonly linkTo: EditorLink | null;
   /** Whether reports for people leave out warnings and levels without errors. */
   readonly quiet?: boolean;
-  /** That there are more warnings than allowed; null or missing if there are not. */
-  readonly excess?: string | null;
   readonly places: Places;
   /** Whether the report is for Jenkins, whose schema refuses an attribute that other readers of JUnit reports want. */
   readonly isJenkins: boolean;

@@ -29,6 +29,7 @@ export function checkSarif(results: Results, context: ReportContext): string {
     invocations: [
       {
         exitCode,
+        ...(results.excess ? { exitCodeDescription: results.excess } : {}),
         executionSuccessful: exitCode < 2,
         workingDirectory: { uri: folderUri(places.directory) },
         toolExecutionNotifications: earlyEnd(results),

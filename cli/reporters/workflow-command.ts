@@ -1,7 +1,8 @@
 /** A message that GitHub shows at a place in a file of a pull request. */
 export interface Annotation {
   readonly severity: 'error' | 'warning';
-  readonly file: string;
+  /** null: no file in particular. */
+  readonly file: string | null;
   /** Line and column, from 1; null: the whole file. */
   readonly line: number | null;
   readonly column: number | null;
@@ -12,7 +13,8 @@ export interface Annotation {
 /** A line by which a step of a workflow tells GitHub something about a file. */
 export function workflowCommand({ severity, file, line, column, title, message }: Annotation): string {
   const at = line === null ? '' : `,line=${line},endLine=${line},col=${column ?? 1}`;
-  return `::${severity} file=${property(file)}${at},title=${property(title)}::${data(message)}\n`;
+  const where = file === null ? '' : `file=${property(file)}${at},`;
+  return `::${severity} ${where}title=${property(title)}::${data(message)}\n`;
 }
 
 /** Annotations in the order in which GitHub shows most of those that matter: it shows only ten of each severity. */

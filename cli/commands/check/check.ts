@@ -214,7 +214,13 @@ async function check(
   // severity, what levels allow and the lock do not change what was checked and kept
   const levels = await judgeLevels(compare(reports), configuration);
   const maxWarnings = options.maxWarnings ?? configuration.maxWarnings;
-  const results = { levels, unchecked, interrupted: signal !== null, shown: shown(levels) };
+  const results = {
+    levels,
+    unchecked,
+    interrupted: signal !== null,
+    shown: shown(levels),
+    excess: tooManyWarnings(levels, maxWarnings),
+  };
   const isNothing = levels.length === 0 && options.changed !== undefined;
   const exitCode = signal !== null ? exitCodeAfter(signal) : isNothing ? 0 : exitCodeOf(levels, maxWarnings);
   const reported = isNothing ? asked.filter(({ name }) => name !== 'pretty') : asked;
@@ -223,7 +229,6 @@ async function check(
     accuracy: accuracy.name,
     linkTo: await editorLinkTo(options.editorUrl),
     quiet: options.quiet,
-    excess: tooManyWarnings(levels, maxWarnings),
   });
   return { ...report, messages: `${message}${report.messages ?? ''}${messages ?? ''}` };
 }
