@@ -1,9 +1,10 @@
 import { realpathSync } from 'node:fs';
-import { basename, dirname, join, resolve, sep } from 'node:path';
+import { basename, dirname, join, relative, resolve, sep } from 'node:path';
 import process from 'node:process';
 import { plural } from '../../check/words/index.ts';
 import { CONFIG_NAME, configFolders } from '../config-file.ts';
 import { Failure } from '../failure.ts';
+import { visibleLine } from '../visible.ts';
 import { findBase } from './base.ts';
 import { askGit } from './git.ts';
 
@@ -13,32 +14,59 @@ export interface ChangedFiles {
   readonly inWords: string;
 }
 
+/** Files besides the levels that decide on results; null: there is none. */
+export interface Deciding {
+  /** The configuration that is used. */
+  readonly config: string | null;
+  /** The lock with which levels are compared. */
+  readonly lock: string | null;
+}
+
 /**
  * Chooses the files that differ from a commit: changed, staged, renamed or new, whether committed or not. When a configuration that
- * applies here has changed, these are all files, because its rules may change every result.
+ * applies here has changed, these are all files, because its rules may change every result. A file whose entry in the lock differs is
+ * among them, too.
  * @param files the files that could be checked
  * @param ref the branch, tag or commit from which they differ; null: the branch that changes go into
  * @throws Failure if git can't say
  */
-export function changedFiles(files: readonly string[], ref: string | null): ChangedFiles {
+export async function changedFiles(
+  files: readonly string[],
+  ref: string | null,
+  { config: used, lock }: Deciding,
+): Promise<ChangedFiles> {
   const folder = process.cwd();
   const root = findRoot(folder);
   const base = findBase(root, ref);
   const { changed, folders, gone } = differences(root, base.commit);
-  const configs = configFolders(folder).map((at) => join(at, CONFIG_NAME));
-  const config = configs.find((path) => changed.has(realPath(path)) || gone.has(realPath(path)));
+  const isChanged = (path: string): boolean =>
+    namesOf(path).some((name) => changed.has(name) || gone.has(name) || folders.some((below) => name.startsWith(below)));
+  const found = configFolders(folder).map((at) => join(at, CONFIG_NAME));
+  const config = [...found, ...(used === null ? [] : [used])].find(isChanged);
   if (config !== undefined)
-    return { files, inWords: `all ${plural(files.length, 'level')} checked: ${CONFIG_NAME} has changed since ${base.inWords}` };
+    return {
+      files,
+      inWords: `all ${plural(files.length, 'level')} checked: ${found.includes(config) ? CONFIG_NAME : visibleLine(config)} has changed since ${base.inWords}`,
+    };
   const prefix = root.endsWith(sep) ? root : root + sep;
-  const differs = (file: string): boolean => {
-    const paths = [realPath(file), resolve(realPath(dirname(file)), basename(file))];
+  const isLockedAnew = lock !== null && isChanged(lock) ? await changedInLock(lock, root, base.commit) : () => false;
+  const differs = (file: string): boolean =>
     // what git does not know of is checked
-    if (!paths.some((path) => path.startsWith(prefix))) return true;
-    return paths.some((path) => changed.has(path) || folders.some((below) => path.startsWith(below)));
-  };
+    !namesOf(file).some((path) => path.startsWith(prefix)) || isChanged(file) || isLockedAnew(file);
   const chosen = files.filter(differs);
   if (chosen.length === 0) return { files: [], inWords: `no level has changed since ${base.inWords}` };
   return { files: chosen, inWords: `${chosen.length} of ${plural(files.length, 'level')} changed since ${base.inWords}` };
+}
+
+/** The names that git may have for a file: where a link leads, and the link. */
+const namesOf = (file: string): string[] => [realPath(file), resolve(realPath(dirname(file)), basename(file))];
+
+/** Whether the entry of a file in the lock differs from that in a commit. */
+async function changedInLock(lock: string, root: string, commit: string | null): Promise<(file: string) => boolean> {
+  const { changedEntries } = await import('../lock/index.ts');
+  const name = relative(root, realPath(lock)).split(sep).join('/');
+  const before = commit === null ? null : askGit(root, ['show', `${commit}:${name}`]);
+  return changedEntries(lock, before?.ok ? before.output : null);
 }
 
 /** The real root of the repository. */

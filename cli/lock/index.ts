@@ -1,1 +1,2 @@
+export { changedEntries } from './changed-entries.ts';
 export { type Compared, type LockComparison, openComparison } from './comparison.ts';

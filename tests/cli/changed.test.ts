@@ -62,6 +62,43 @@ async function checked(args: readonly string[], cwd = game) {
 }
 
 describe('gq check --changed', () => {
+  it('checks all levels when the configuration that --config names has changed, wherever it is', async () => {
+    mkdirSync(join(root, 'conf'));
+    const config = join(root, 'conf/strict.json');
+    writeFileSync(config, '{ "levels": "../game/levels" }');
+    commit(root);
+    const args = ['--changed', '--config', '../conf/strict.json'];
+    expect((await checked(args)).names).toEqual([]);
+    writeFileSync(config, '{ "levels": "../game/levels", "rules": { "pull": 10 } }');
+    const { names, stderr } = await checked(args);
+    expect(names).toHaveLength(NAMES.length);
+    expect(stderr).toMatch(/^all 5 levels checked: ..\/conf\/strict.json has changed since main/);
+  });
+
+  it('checks levels whose entry in the lock has changed', async () => {
+    const lock = join(game, 'gq.lock.json');
+    await gq(['check', '--update-lock'], { cwd: game });
+    commit(root);
+    const args = ['--changed', '--lock', 'gq.lock.json'];
+    expect(await checked(args)).toMatchObject({ code: 0, names: [] });
+    const before = readFileSync(lock, 'utf8');
+    writeFileSync(lock, before.replace(/("levels\/b.level.json".*"tick": ?)\d+/, '$17'));
+    expect(await checked(args)).toMatchObject({ code: 1, names: ['b'] });
+    expect(await checked(['--changed'])).toMatchObject({ code: 0, names: [] });
+    // an entry that is gone
+    writeFileSync(lock, before.replace(/.*"levels\/b.level.json".*\n/, ''));
+    expect(await checked(args)).toMatchObject({ code: 1, names: ['b'] });
+    // a lock that is gone
+    rmSync(lock);
+    expect(await checked(args)).toMatchObject({ code: 2, stderr: expect.stringContaining('there is no lock file') });
+    expect(await checked([...args, '--update-lock'])).toMatchObject({ code: 0, names: expect.arrayContaining(['a', 'b']) });
+    // a new lock
+    git(root, 'rm', '-q', '--cached', 'game/gq.lock.json');
+    git(root, 'commit', '-qm', 'no lock');
+    writeFileSync(lock, before);
+    expect((await checked(args)).names).toHaveLength(NAMES.length);
+  });
+
   it('checks what differs from the last commit on the default branch: changed, staged, renamed, new; not what is deleted', async () => {
     expect(await checked(['--changed'])).toMatchObject({
       code: 0,

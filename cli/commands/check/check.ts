@@ -103,8 +103,8 @@ alone. A level without an entry in the lock fails; an entry whose level is gone 
 levels that are not checked, and writes nothing when the check ends early.
 --changed asks git: levels that have changed since the history left that of REF count, whether committed, staged, renamed or new;
 ignored files do not. REF is a branch, a tag or a commit; without it the branch of the pull request on GitHub and GitLab, else
-origin/HEAD, main or master, else the last commit. A changed gq.config.json may change every result, so then all levels are
-checked. If no level has changed, nothing needs a check: the exit code is 0. A path that matches no level file stays an error.
+origin/HEAD, main or master, else the last commit. A changed configuration may change every result, so then all levels are
+checked, and so are levels whose entry in the lock has changed. If no level has changed, nothing needs a check: the exit code is 0. A path that matches no level file stays an error.
 --watch prints the reports of levels that have changed and the summary of all; other levels keep their reports. A changed
 gq.config.json or lock counts for all levels. With --format json, each round prints one line.
 --bail counts in the order of the files: the report ends with the Nth level that fails, for any number of threads.
@@ -164,7 +164,7 @@ async function check(
   const asked = chooseReports({ ...options, configured });
   const { files, unreadable, input, message } = await chooseFiles(
     paths,
-    { ...options, lock: options.lock || undefined },
+    { ...options, lock: options.lock || undefined, comparedLock: (options.lock ?? configuration.lock) || null },
     configuration,
   );
   expectReportFiles(asked, files);

@@ -11,6 +11,8 @@ export interface ChoiceOptions {
   readonly stdinPath?: string;
   readonly lock?: string;
   readonly updateLock?: true;
+  /** The lock with which levels are compared, whatever has chosen it; null: none. */
+  readonly comparedLock: string | null;
 }
 
 /** The files to check. */
@@ -36,7 +38,10 @@ export async function chooseFiles(
   const found = await findConfigured(paths, configuration);
   if (changed === undefined) return { ...found, input: null, message: '' };
   const { changedFiles } = await import('../../changed/index.ts');
-  const { files, inWords } = changedFiles(found.files, changed === true ? null : changed);
+  const { files, inWords } = await changedFiles(found.files, changed === true ? null : changed, {
+    config: configuration.file,
+    lock: options.comparedLock,
+  });
   return { files, unreadable: found.unreadable, input: null, message: `${inWords}\n` };
 }
 
