@@ -79,13 +79,19 @@ function parse(text: string, given: string): Destination {
 /**
  * Checks before the work that the reports can be written.
  * @param levels the level files that are read, which no report may replace
+ * @param others files besides that no report may replace, by what they are in words; null: there is none
  * @throws Failure for each file that can't be written
  */
-export function expectReportFiles(reports: readonly Destination[], levels: readonly string[]): void {
+export function expectReportFiles(
+  reports: readonly Destination[],
+  levels: readonly string[],
+  others: Readonly<Record<string, string | null>>,
+): void {
   const files = reports.flatMap(({ name, file }) => (file === null ? [] : [{ name, file }]));
   if (files.length === 0) return;
   const seen = new Map<string, string>();
-  const read = new Set(levels.map(identity));
+  const read = new Map(levels.map((level) => [identity(level), 'a level that is checked']));
+  for (const [what, path] of Object.entries(others)) if (path !== null) read.set(identity(path), what);
   const wrong: string[] = [];
   for (const { name, file } of files) {
     const given = `--reporter ${name}=${file}`;
@@ -97,7 +103,7 @@ export function expectReportFiles(reports: readonly Destination[], levels: reado
     const id = identity(file);
     const other = seen.get(id);
     if (other !== undefined) wrong.push(`${given}: ${other} writes the same file; give each report a file of its own`);
-    else if (read.has(id)) wrong.push(`${given}: the report would replace a level that is checked; give it another file`);
+    else if (read.has(id)) wrong.push(`${given}: the report would replace ${read.get(id)}; give it another file`);
     if (isRegularOrNew(file)) seen.set(id, given);
   }
   if (wrong.length > 0) throw new Failure(`nothing was checked: ${wrong.join('\n')}`);

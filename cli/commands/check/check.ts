@@ -141,7 +141,7 @@ async function watchLevels(paths: readonly string[], options: CheckOptions): Pro
   const lock = options.lock ?? configuration.lock;
   return watchAndRepeat({
     paths: pathsOr(paths, configuration),
-    files: lock ? [lock] : [],
+    files: [lock, configuration.file].filter((file) => typeof file === 'string'),
     forget: () => memory.forget(),
     round: () => memory.round(() => check(paths, options, memory.remembering(checkFiles), (levels) => memory.newOf(levels))),
   });
@@ -167,11 +167,11 @@ async function check(
     { ...options, lock: options.lock || undefined, comparedLock: (options.lock ?? configuration.lock) || null },
     configuration,
   );
-  expectReportFiles(asked, files);
   const accuracy = chooseAccuracy(options, configuration);
   // a level from standard input without a name is in no lock
   const configuredLock = input !== null && options.stdinPath === undefined ? null : configuration.lock;
   const lockFile = (options.lock ?? configuredLock) || (options.updateLock ? 'gq.lock.json' : null);
+  expectReportFiles(asked, files, { 'the lock': lockFile, 'the configuration': configuration.file });
   const lock =
     lockFile === null
       ? null

@@ -65,6 +65,18 @@ describe('gq check --reporter', () => {
   symlinkSync('same.json', at('link.json'));
   writeFileSync(at('same.json'), 'old');
   it.each([
+    ['the lock', 'conf/agreed.json'],
+    ['the configuration', 'conf/strict.json'],
+  ])('never replaces %s', async (what, file) => {
+    mkdirSync(at('conf'), { recursive: true });
+    writeFileSync(at('conf/strict.json'), '{ "lock": "agreed.json", "levels": "../levels" }');
+    writeFileSync(at('conf/agreed.json'), '{ "version": 1, "levels": {} }');
+    const ended = await gq(['check', '--config', 'conf/strict.json', '--reporter', `json=${file}`], { cwd });
+    expect(ended).toMatchObject({ code: 2, stdout: '' });
+    expect(ended.stderr).toContain(`the report would replace ${what}; give it another file`);
+  });
+
+  it.each([
     ['two for stdout', 'json github', 'only one report can go to stdout, found 2: json, github; give the others a file'],
     ['an unknown name', 'jnuit=x.xml', '--reporter jnuit=x.xml: there is no reporter "jnuit"'],
     ['no file', 'json=', '--reporter json=: expected a file after the ='],
