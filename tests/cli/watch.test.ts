@@ -127,6 +127,17 @@ it('gq check --watch makes few rounds of a burst, and checks all again for the c
   expect(await watching.ended).toBe(143);
 });
 
+it('gq check --watch follows the configuration that --config names', async () => {
+  begin();
+  mkdirSync(join(files.directory, 'conf'));
+  write('conf/strict.json', '{ "levels": "../levels/a.level.json" }');
+  const watching = new Watching(['check', '--watch', '--format', 'json', '--config', 'conf/strict.json']);
+  await watching.untilRound(['a completable']);
+  write('conf/strict.json', '{ "levels": "../levels/a.level.json", "rules": { "pull": 10 } }');
+  // a round with the same reports says nothing
+  await watching.until(() => watching.rounds().length > 1);
+});
+
 it('gq check --watch lists what has changed, with the summary of all', async () => {
   begin();
   const watching = new Watching(['check', '-w']);
