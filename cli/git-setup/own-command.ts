@@ -20,15 +20,15 @@ function insideOf(root: string, main: string): string | null {
 }
 
 /**
- * The shell command that starts this gq for git, which runs it in the root of a working tree. It takes the one installed in
- * that tree first, so that each worktree uses its own, and else the one that runs now.
+ * The shell commands that define the function `gq` for git, which starts this gq in the root of a working tree. It takes the one
+ * installed in that tree first, so that each worktree uses its own, and else the one that runs now.
  */
-export function ownCommand(root: string): string {
+export function ownFunction(root: string): string {
   const main = realpathSync(fileURLToPath(new URL('../main.js', import.meta.url)));
   // programs with windows often have no node on their PATH
   const node = `"$(command -v node || echo ${quoted(process.execPath)})"`;
   const inside = insideOf(root, main);
-  if (inside === null) return `gq() { ${node} ${quoted(main)} "$@"; }; gq`;
-  const choose = `m=${quoted(inside)}; test -e "$m" || m=${quoted(main)}`;
-  return `gq() { ${choose}; ${node} "$m" "$@"; }; gq`;
+  const choose = inside === null ? `m=${quoted(main)}` : `m=${quoted(inside)}; test -e "$m" || m=${quoted(main)}`;
+  const check = 'test -e "$m" || { echo "gq is not at $m any more: install it, and run gq git-setup again" >&2; return 127; }';
+  return `gq() { ${choose}; ${check}; ${node} "$m" "$@"; }`;
 }

@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import { Failure, systemReason } from '../failure.ts';
 import { writeWhole } from '../write-file.ts';
 import { DRIVER, hasAttributes, withAttributes, withoutAttributes } from './attributes.ts';
-import { ownCommand } from './own-command.ts';
+import { ownFunction } from './own-command.ts';
 import { git, runGit, workingTree } from './run-git.ts';
 
 /** What happens when no run completes a merged level any more. */
@@ -11,16 +11,29 @@ export type OnBrokenRun = 'stop' | 'warn';
 
 /** git's settings for levels, by key. */
 function settingsFor(root: string, onBrokenRun: OnBrokenRun): ReadonlyMap<string, string> {
-  const gq = ownCommand(root);
+  const gq = ownFunction(root);
   const option = onBrokenRun === 'stop' ? '' : ` --on-broken-run=${onBrokenRun}`;
   return new Map([
     [`merge.${DRIVER}.name`, 'levels of Gravity Quest, by object and run'],
     // git replaces what begins with % in the command of a merge driver
-    [`merge.${DRIVER}.driver`, `${gq.replaceAll('%', '%%')} merge-driver --marker-size=%L${option} %O %A %B %P`],
-    [`diff.${DRIVER}.textconv`, `${gq} diff --textconv`],
-    [`difftool.${DRIVER}.cmd`, `${gq} difftool "$LOCAL" "$REMOTE" "$MERGED"`],
+    [
+      `merge.${DRIVER}.driver`,
+      `${gq.replaceAll('%', '%%')}; gq merge-driver --marker-size=%L${option} %O %A %B %P; ${OR_AS_TEXT}`,
+    ],
+    [`diff.${DRIVER}.textconv`, `${gq}; text() { gq diff --textconv "$1" || cat "$1"; }; text`],
+    [`difftool.${DRIVER}.cmd`, `${gq}; gq difftool "$LOCAL" "$REMOTE" "$MERGED"`],
   ]);
 }
+
+/**
+ * What the merge driver does after gq. git takes an exit code up to 128 for a conflict in a file that holds both sides: if gq did
+ * not start, the file would hold our version only, and theirs would be lost with the next commit.
+ */
+const OR_AS_TEXT = [
+  'c=$?; if test $c -lt 2 || test $c -gt 128; then exit $c; fi',
+  "echo %P': merged as text, as gq did not run: see gq git-setup --check' >&2",
+  'git merge-file -q --marker-size=%L -L ours -L base -L theirs %A %O %B',
+].join('; ');
 
 const current = (key: string): string | null => runGit(['config', '--local', '--get', key]).out;
 
