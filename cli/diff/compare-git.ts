@@ -41,9 +41,16 @@ export function compareInGit({ before, after }: Revisions, paths: readonly strin
   const specs = paths.length === 0 ? [':(top,glob)**/*.level.json'] : paths;
   const isLevel = levelFilter(root, paths);
 
-  const changed = changedFiles(others, specs).filter(({ before: b, after: a }) => isLevel(b?.path) || isLevel(a?.path));
+  const all = changedFiles(others, specs).filter(({ before: b, after: a }) => isLevel(b?.path) || isLevel(a?.path));
+  // the index has several versions of a file with conflicts, and what is on disk is none of them
+  const isOpen = ({ isUnmerged }: ChangedFile): boolean => isUnmerged && after === 'index';
+  const changed = all.filter((file) => !isOpen(file));
   const untracked = after === 'worktree' ? untrackedFiles(specs).filter(isLevel) : [];
   const shown = (path: string): string => relative('', resolve(root, path)).replaceAll('\\', '/');
+  for (const { after: open } of all.filter(isOpen)) {
+    const path = namedPath(shown(open?.path ?? ''));
+    messages.push(`${path} is not compared: git has conflicts in it, and nothing of it is staged until git add`);
+  }
   const blobs = [...new Set(changed.flatMap((file) => [file.before?.blob, file.after?.blob]).filter((blob) => blob != null))];
   const objects = new Map(readObjects(blobs).map((bytes, i) => [blobs[i], bytes]));
   const read = (file: ChangedSide | null): FileVersion | null => {
@@ -82,6 +89,8 @@ interface ChangedSide {
 interface ChangedFile {
   readonly before: ChangedSide | null;
   readonly after: ChangedSide | null;
+  /** Whether git has conflicts in it. */
+  readonly isUnmerged: boolean;
 }
 
 /** The files that differ, as git says. */
@@ -97,11 +106,11 @@ function changedFiles(others: readonly string[], specs: readonly string[]): Chan
       REGULAR.test(mode) ? { path: at, blob: NO_OBJECT.test(blob) ? null : blob } : null;
     // a file with conflicts has a second entry that compares what is on disk
     if (status === 'U') {
-      if (!files.has(path)) files.set(path, { before: null, after: { path, blob: null } });
+      if (!files.has(path)) files.set(path, { before: null, after: { path, blob: null }, isUnmerged: true });
       continue;
     }
     const before = status === 'A' ? null : side(modeBefore, blobBefore, path);
-    files.set(later, { before, after: status === 'D' ? null : side(modeAfter, blobAfter, later) });
+    files.set(later, { before, after: status === 'D' ? null : side(modeAfter, blobAfter, later), isUnmerged: false });
   }
   return [...files.values()];
 }
