@@ -7,8 +7,19 @@ const LINE = `*.level.json merge=${DRIVER} diff=${DRIVER} text eol=lf`;
 const plain = (line: string): string => line.replace(/\r$/, '');
 const isOurs = (line: string): boolean => plain(line) === COMMENT || plain(line) === LINE;
 
-/** Whether a `.gitattributes` has the line for levels. */
-export const hasAttributes = (text: string): boolean => text.split('\n').some((line) => plain(line) === LINE);
+const OURS = LINE.split(' ');
+
+/** A line for levels that names gq, and to which somebody has added attributes of their own. */
+function isEdited(line: string): boolean {
+  const words = plain(line).trim().split(/\s+/);
+  return words[0] === OURS[0] && words.length > OURS.length && OURS.every((word) => words.includes(word));
+}
+
+/** Whether a `.gitattributes` has the line for levels, perhaps with further attributes. */
+export const hasAttributes = (text: string): boolean => text.split('\n').some((line) => plain(line) === LINE || isEdited(line));
+
+/** The numbers, from 1, of lines for levels that somebody has edited: `withoutAttributes` leaves them. */
+export const editedLines = (text: string): number[] => text.split('\n').flatMap((line, i) => (isEdited(line) ? [i + 1] : []));
 
 /** Adds the line for levels to a `.gitattributes`, at its end, where it wins over other lines. The rest stays as it is. */
 export function withAttributes(text: string): string {

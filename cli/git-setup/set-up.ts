@@ -2,7 +2,7 @@ import { existsSync, readFileSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { Failure, systemReason } from '../failure.ts';
 import { writeWhole } from '../write-file.ts';
-import { DRIVER, hasAttributes, withAttributes, withoutAttributes } from './attributes.ts';
+import { DRIVER, editedLines, hasAttributes, withAttributes, withoutAttributes } from './attributes.ts';
 import { ownFunction } from './own-command.ts';
 import { git, runGit, workingTree } from './run-git.ts';
 
@@ -78,11 +78,13 @@ export async function undo(): Promise<string[]> {
   const path = attributesIn(root);
   const text = readAttributes(path);
   const without = withoutAttributes(text);
-  if (without === text) return done;
+  const left = editedLines(without).map((line) => `left ${path}:${line}: it was edited, so remove "${DRIVER}" from it yourself`);
+  if (without === text) return [...done, ...left];
   if (without === '') rmSync(path);
   else await writeWhole(path, without);
-  done.push(without === '' ? `removed ${path}` : `removed the line for levels from ${path}`);
-  return done;
+  const what = left.length > 0 ? 'the comment about levels' : 'the line for levels';
+  done.push(without === '' ? `removed ${path}` : `removed ${what} from ${path}`);
+  return [...done, ...left];
 }
 
 /** What is missing for git to use gq for levels, in words; nothing if it is set up. */
