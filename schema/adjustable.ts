@@ -53,15 +53,17 @@ export const ADJUSTMENTS = {
   'unused-asteroid': FREE,
 } as const satisfies Readonly<Record<string, Adjustment>>;
 
-type Listed = typeof ADJUSTMENTS;
-
 /** A code whose severity a configuration can set. */
-export type AdjustableCode = { [C in keyof Listed]: Listed[C]['severity'] extends 'fixed' ? never : C }[keyof Listed];
+export type AdjustableCode = {
+  [C in keyof typeof ADJUSTMENTS]: (typeof ADJUSTMENTS)[C]['severity'] extends 'fixed' ? never : C;
+}[keyof typeof ADJUSTMENTS];
 
 /** A code that a level can allow. */
-export type AllowableCode = { [C in keyof Listed]: Listed[C]['allow'] extends true ? C : never }[keyof Listed];
+export type AllowableCode = {
+  [C in keyof typeof ADJUSTMENTS]: (typeof ADJUSTMENTS)[C]['allow'] extends true ? C : never;
+}[keyof typeof ADJUSTMENTS];
 
-const codes = Object.keys(ADJUSTMENTS) as (keyof Listed)[];
+const codes = Object.keys(ADJUSTMENTS) as (keyof typeof ADJUSTMENTS)[];
 
 /** The codes whose severity a configuration can set. */
 export const ADJUSTABLE_CODES = codes.filter((code) => ADJUSTMENTS[code].severity !== 'fixed') as readonly AdjustableCode[];
@@ -76,7 +78,7 @@ export const ALLOWABLE_CODES = codes.filter((code) => ADJUSTMENTS[code].allow) a
  * @returns the adjustment; of the code of a file that is no level, that it is fixed; null if there is no such code
  */
 export function adjustmentOf(code: string): Adjustment | null {
-  if (Object.hasOwn(ADJUSTMENTS, code)) return ADJUSTMENTS[code as keyof Listed];
+  if (Object.hasOwn(ADJUSTMENTS, code)) return ADJUSTMENTS[code as keyof typeof ADJUSTMENTS];
   return CODES.some((known) => known.code === code) ? FIXED : null;
 }
 

@@ -10,6 +10,7 @@ export interface EditorPlace {
 
 /** What a fragment of the page's address says about a place. */
 export interface PlaceReading {
+  /** The place; without a tick where that could not be read. */
   readonly place: EditorPlace;
   /** Why the tick could not be read, for people; null if it could, or if none is given. */
   readonly problem: string | null;
@@ -31,8 +32,14 @@ function decoded(text: string): string {
   }
 }
 
-/** The fragment of a link to a place, without `#`: `level=levels/07.level.json&tick=412&run=solution`. */
-export function placeFragment({ level, run, tick }: EditorPlace): string {
+/**
+ * The fragment of a link to a place, without `#`: `level=levels/07.level.json&tick=412&run=solution`.
+ *
+ * @param place - the place
+ * @returns the fragment
+ */
+export function placeFragment(place: EditorPlace): string {
+  const { level, run, tick } = place;
   const parts = [`level=${encoded(level)}`];
   if (tick !== null) parts.push(`tick=${tick}`);
   if (run !== null) parts.push(`run=${encoded(run)}`);
@@ -42,6 +49,9 @@ export function placeFragment({ level, run, tick }: EditorPlace): string {
 /**
  * The place that the fragment of an address names; null if it names none. A level inside a link has the same key `level`: it is
  * told apart by its length, and comes without a run and a tick.
+ *
+ * @param fragment - the fragment, with or without `#`
+ * @returns the place, and what is wrong with it
  */
 export function placeIn(fragment: string): PlaceReading | null {
   const parts = fragment.replace(/^#/, '').split('&');

@@ -9,7 +9,7 @@ import {
   renamedStanding,
   standingInWords,
 } from '../../review/index.ts';
-import { type LevelReading, type OwnRules, readLevel } from '../../schema/index.ts';
+import { conflictProblems, type LevelReading, type OwnRules, readLevel } from '../../schema/index.ts';
 import { showProblems } from '../code-frames.ts';
 import type { FileVersion } from './comparison.ts';
 import type { DiffedLevel, DiffSettings, DiffStatus, DiffTask, JudgedVersion } from './diffed-level.ts';
@@ -57,17 +57,37 @@ function judgeBoth(
   const [old, now] = [validOf(before), validOf(after)];
   const first = before === null ? null : judge(before, settings);
   if (after === null) return { before: first, after: null };
-  if (first === null || first.standing === null || old === null || now === null || !playAlike(old.level, now.level)) {
+  if (
+    first === null ||
+    first.standing === null ||
+    old === null ||
+    now === null ||
+    isUndecided(now) ||
+    !playAlike(old.level, now.level)
+  ) {
     return { before: first, after: judge(after, settings) };
   }
   const standing = renamedStanding(first.standing, old.level, now.level);
   return { before: first, after: { ...first, file: after.file.path, name: now.level.name, standing } };
 }
 
+/** Whether a merge left conflicts in it. */
+const isUndecided = ({ document }: ValidReading): boolean => (document.file.conflicts ?? []).length > 0;
+
 function judge({ file: { path: file }, read }: Version, settings: DiffSettings): JudgedVersion {
   if (!read.ok) {
     const name = basename(file).replace(/(\.level)?\.json$/, '');
     return { file, name, verdict: 'invalid', problems: showProblems(read.problems, read.text), standing: null };
+  }
+  const undecided = conflictProblems(read.document.file, read.document.locate);
+  if (undecided.length > 0) {
+    return {
+      file,
+      name: read.level.name,
+      verdict: 'invalid',
+      problems: showProblems(undecided, read.document.text),
+      standing: null,
+    };
   }
   const standing = assessLevel(read.level, settings);
   return { file, name: read.level.name, verdict: standing.verdict, problems: [], standing };

@@ -5,12 +5,15 @@ import type { Results } from './reporter.ts';
 /** The files that a report for people names at most. */
 const MOST_NAMED = 20;
 
-/** What was not checked, for people: lines, or nothing if all was checked. */
+/**
+ * What was not checked, for people: lines, or nothing if all was checked. No line begins with a file, whose name GitHub could take
+ * for a command.
+ */
 export function earlyEndInWords({ unchecked, interrupted }: Results): string {
   if (unchecked.length === 0) return interrupted ? 'interrupted by a signal after the last level\n' : '';
   const why = interrupted ? 'interrupted by a signal' : 'ended early';
   const are = unchecked.length === 1 ? 'is' : 'are';
-  const named = unchecked.slice(0, MOST_NAMED).map((file) => `  ${visibleLine(file)}\n`);
-  const more = unchecked.length > MOST_NAMED ? `  and ${unchecked.length - MOST_NAMED} more\n` : '';
+  const named = unchecked.slice(0, MOST_NAMED).map((file) => `  - ${visibleLine(file)}\n`);
+  const more = unchecked.length > MOST_NAMED ? `  - and ${unchecked.length - MOST_NAMED} more\n` : '';
   return `${why}: ${plural(unchecked.length, 'level')} ${are} not checked:\n${named.join('')}${more}`;
 }

@@ -14,7 +14,7 @@ export function checkGithub(results: Results, { places, linkTo }: ReportContext)
     const file = pathInWorkspace(level.file, places);
     return level.problems.map(({ severity, code, message, hint, line, column }) => {
       const lines = [message, hint];
-      if (severity === 'error' && failure !== null) lines.push(`to see it: ${placeInWords(failure)}`);
+      if (severity === 'error' && failure !== null) lines.push(`look at it: ${placeInWords(failure)}`);
       return { severity, file, line, column, title: code, message: lines.filter((text) => text !== '').join('\n') };
     });
   });

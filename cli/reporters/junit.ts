@@ -117,7 +117,7 @@ function placeText(level: CheckedLevel, linkTo: EditorLink | null): string[] {
   const place = failureOf(level, linkTo);
   if (place === null) return [];
   const { command, link } = place;
-  return [`to see it: ${command}`, ...(link === null ? [] : [link])];
+  return [`look at it: ${command}`, ...(link === null ? [] : [link])];
 }
 
 /** What a passing level says, too: its name, its run, its warnings. */

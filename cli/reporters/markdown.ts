@@ -28,8 +28,14 @@ export const checkMarkdown = (results: Results, { linkTo }: ReportContext): stri
 /**
  * The same in any size.
  * @param mostBytes the largest size in UTF-8; what does not fit is left out, and the end says so
+ * @param shown a file as the table names it
  */
-export function markdownWithin(results: Results, linkTo: EditorLink | null, mostBytes: number): string {
+export function markdownWithin(
+  results: Results,
+  linkTo: EditorLink | null,
+  mostBytes: number,
+  shown: (file: string) => string = (file) => file,
+): string {
   const { levels } = results;
   const failing = levels.filter(isFailing);
   const passing = levels.filter((level) => !isFailing(level));
@@ -39,12 +45,12 @@ export function markdownWithin(results: Results, linkTo: EditorLink | null, most
   const head = space.take([part(heading(results, failing.length))]);
   if (head.length === 0) return '';
   const rows = space.take(
-    failing.map((level) => part(row(level))),
+    failing.map((level) => part(row(level, shown))),
     TABLE,
   );
-  const problems = space.take([...failing, ...warned].map((level) => part(details(level, linkTo))));
+  const problems = space.take([...failing, ...warned].map((level) => part(details(level, linkTo, shown))));
   const fine = space.take(
-    passing.map((level) => part(row(level))),
+    passing.map((level) => part(row(level, shown))),
     PASSING,
   );
   const early = space.take(earlyEnd(results).map(part));
@@ -113,24 +119,24 @@ function heading({ levels, unchecked, interrupted, excess }: Results, failing: n
   return `### ${isGood ? '✅' : '❌'} ${title}\n\n${plural(levels.length, 'level')}${words === '' ? '' : `: ${words}`}\n${excess ? `\n**${excess}**\n` : ''}`;
 }
 
-function row(level: CheckedLevel): string {
+function row(level: CheckedLevel, shownFile: (file: string) => string): string {
   const { verdict, file, name, problems } = level;
   const error = problems.find(({ severity }) => severity === 'error');
   const last =
     error === undefined
       ? runInWords(level).join(', ') || (verdict === 'completable' ? '' : VERDICT_MEANS[verdict])
       : error.message;
-  return `| ${isFailing(level) ? '❌ ' : ''}${verdict} | ${markdownCode(file)} | ${markdownText(name)} | ${markdownText(last)} |\n`;
+  return `| ${isFailing(level) ? '❌ ' : ''}${verdict} | ${markdownCode(shownFile(file))} | ${markdownText(name)} | ${markdownText(last)} |\n`;
 }
 
 /** The problems of a level, and where to look, folded. */
-function details(level: CheckedLevel, linkTo: EditorLink | null): string {
+function details(level: CheckedLevel, linkTo: EditorLink | null, shownFile: (file: string) => string): string {
   const { file, problems } = level;
   const count = (severity: string): number => problems.filter((problem) => problem.severity === severity).length;
   const counts = [plural(count('error'), 'error'), plural(count('warning'), 'warning')].filter((text) => !text.startsWith('0'));
   const shown = problems.slice(0, MAX_SHOWN).map(problemText);
   const more = problems.length > MAX_SHOWN ? `- and ${problems.length - MAX_SHOWN} more\n` : '';
-  const summary = `${markdownCode(file)}: ${counts.join(', ')}`;
+  const summary = `${markdownCode(shownFile(file))}: ${counts.join(', ')}`;
   return `<details><summary>${summaryHtml(summary)}</summary>\n\n${shown.join('')}${more}\n${placeText(level, linkTo)}</details>\n`;
 }
 
@@ -153,7 +159,7 @@ function placeText(level: CheckedLevel, linkTo: EditorLink | null): string {
   if (place === null) return '';
   const { command, link } = place;
   const shown = link === null ? '' : `[Open the editor there](<${link.replace(/[<>\s]/g, encodeURIComponent)}>), or: `;
-  return `${link === null ? 'To see it: ' : shown}${markdownCode(command)}\n\n`;
+  return `${link === null ? 'Look at it: ' : shown}${markdownCode(command)}\n\n`;
 }
 
 function earlyEnd({ unchecked, interrupted }: Results): string[] {

@@ -50,6 +50,6 @@ export async function reportCheck(
   const summary = process.env.GITHUB_STEP_SUMMARY;
   if (!summary || !reports.some(({ name }) => name === 'github')) return { output, files, messages, exitCode };
   const { stepSummary } = await import('./step-summary.ts');
-  const step = stepSummary(summary, results, linkTo);
+  const step = stepSummary(summary, results, context);
   return { output, files: [...files, ...step.files], messages: messages + step.messages, exitCode };
 }

@@ -69,7 +69,7 @@ function resultOf(
 ) {
   const { code, severity, message, hint, line, column } = problem;
   const failure = severity === 'error' ? failureOf(level, context.linkTo) : null;
-  const lines = [message, hint, failure === null ? '' : `to see it: ${failure.command}`].filter((text) => text !== '');
+  const lines = [message, hint, failure === null ? '' : `look at it: ${failure.command}`].filter((text) => text !== '');
   const artifactLocation = locationOf(level.file, context);
   const fingerprint = fingerprints.next(code, artifactLocation.uri, problem.key ?? keyOf(problem.pointer, null));
   // a problem of the whole file is shown at its first line; of a file that can't be read, nothing is known

@@ -1,8 +1,8 @@
 import { statSync } from 'node:fs';
 import type { ResultFile } from '../command.ts';
-import type { EditorLink } from '../show-failure/index.ts';
 import { markdownWithin } from './markdown.ts';
-import type { Results } from './reporter.ts';
+import { pathInWorkspace } from './paths.ts';
+import type { ReportContext, Results } from './reporter.ts';
 
 /** Bytes that GitHub takes as the summary of a step; of a larger file it takes nothing. */
 const STEP_BYTES = 1024 * 1024;
@@ -14,11 +14,11 @@ const STEP_BYTES = 1024 * 1024;
 export function stepSummary(
   path: string,
   results: Results,
-  linkTo: EditorLink | null,
+  { linkTo, places }: Pick<ReportContext, 'linkTo' | 'places'>,
 ): { readonly files: ResultFile[]; readonly messages: string } {
   const before = statSync(path, { throwIfNoEntry: false })?.size ?? 0;
   const start = before === 0 ? '' : '\n';
-  const content = markdownWithin(results, linkTo, STEP_BYTES - before - start.length);
+  const content = markdownWithin(results, linkTo, STEP_BYTES - before - start.length, (file) => pathInWorkspace(file, places));
   if (content !== '') return { files: [{ path, content: start + content, mode: 'append' }], messages: '' };
   return { files: [], messages: 'warning: the summary of this step is full (1 MiB): the table of levels is left out\n' };
 }

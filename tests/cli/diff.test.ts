@@ -294,6 +294,15 @@ describe('gq diff of files and folders, without git', () => {
     expect((await compare('old/a.level.json', '/dev/null')).stdout).toContain('1 removed');
   });
 
+  it('calls a level with conflicts of a merge invalid, as a check does', async () => {
+    const conflicts = [
+      { what: 'the black hole', key: 'blackHole/place', base: null, ours: { x: 170, y: 0 }, theirs: { x: 9, y: 0 } },
+    ];
+    writeFileSync(join(files.directory, 'undecided.level.json'), formatLevel({ ...THROUGH, conflicts }));
+    const { stdout } = await compare('old/a.level.json', 'undecided.level.json');
+    expect(stdout).toContain('completable -> invalid');
+  });
+
   it('compares two folders by the paths in them', async () => {
     const { stdout } = await compare('old', 'new');
     expect(stdout).toContain('old -> new: 2 changed');

@@ -33,7 +33,7 @@ describe.runIf(process.platform !== 'win32')('an interrupted gq check --solve', 
     // the second one is the first, passed on by npx
     expect(ended).toMatchObject({ code: 130, signal: null, stderr: '' });
     expect(ended.stdout).toContain(
-      '3 levels: 3 completable\ninterrupted by a signal: 2 levels are not checked:\n  levels/m.level.json\n',
+      '3 levels: 3 completable\ninterrupted by a signal: 2 levels are not checked:\n  - levels/m.level.json\n',
     );
     const report = checkReportSchema.parse(JSON.parse(readFileSync(join(cwd, 'out/r.json'), 'utf8')));
     expect(report).toMatchObject({ interrupted: true, unchecked: SLOW, summary: { completable: 3 } });

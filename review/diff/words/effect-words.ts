@@ -22,7 +22,7 @@ export function effectsInWords(before: Standing, after: Standing, range: number)
   if (!isDone) {
     // what a failing run does matters if it did something else before
     const isNew = b === null || b.name !== a.name || outcomeAsPredicate(b, range) !== end;
-    if (isNew) words.push(`run ${quoted(a.name)} ${b === null ? '' : 'now '}${end}`);
+    if (isNew) words.push(`run ${quoted(a.name)} ${b === null ? end : sinceNow(end)}`);
     return words;
   }
   if (before.verdict !== 'completable' || b === null) return [...words, `run ${quoted(a.name)} ${end}`];
@@ -60,3 +60,6 @@ export function standingInWords({ verdict, mineralCount, run }: Standing, range:
   if (slack !== null) words.push(`slack ${plural(slack, 'tick')}`);
   return words.join(', ');
 }
+
+/** `dies` becomes `now dies`, and `is lost` `is now lost`. */
+const sinceNow = (end: string): string => (end.startsWith('is ') ? `is now ${end.slice(3)}` : `now ${end}`);

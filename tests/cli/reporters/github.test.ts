@@ -69,7 +69,7 @@ describe('the github reporter', () => {
         const [found] = annotations(checkGithub(resultsOf([brokenLevel({ problems: [problem] })]), CONTEXT));
         expect(found).toMatchObject({ severity: 'error', file: 'levels/a.level.json', line: '3', endLine: '3', col: '7' });
         expect(found).toMatchObject({ title: 'unknown-key' });
-        expect(found.message).toBe(`m${message}\nh${hint}\nto see it: gq edit --open levels/a.level.json:120`);
+        expect(found.message).toBe(`m${message}\nh${hint}\nlook at it: gq edit --open levels/a.level.json:120`);
       }),
     );
   });
@@ -79,5 +79,15 @@ describe('the github reporter', () => {
     const found = annotations(checkGithub(resultsOf([warned, brokenLevel(), warned, brokenLevel()]), CONTEXT));
     expect(found.map(({ severity }) => severity)).toEqual(['error', 'error', 'warning', 'warning']);
     expect(found[2].message).toBe('unknown key "asteriods"');
+  });
+
+  it('gives no command that is in the name of a file, as GitHub reads one after any spaces', () => {
+    const name = '::add-mask::x.level.json';
+    const texts = [
+      checkGithub(resultsOf([], { unchecked: [name], interrupted: true }), CONTEXT),
+      checkGithub(resultsOf([brokenLevel({ file: name, name })]), CONTEXT),
+    ];
+    for (const line of texts.join('').split('\n')) expect(line.trim()).not.toMatch(/^::(?!error |warning )/);
+    expect(texts[0]).toContain(name);
   });
 });

@@ -49,7 +49,7 @@ describe('the markdown reporter', () => {
     expect(text).toContain(
       '- **error** `run-does-not-complete` in line 9, column 5: unknown key "asteriods"  \n  Write "asteroids".\n',
     );
-    expect(text).toContain('To see it: `gq edit --open levels/b.level.json:120`');
+    expect(text).toContain('Look at it: `gq edit --open levels/b.level.json:120`');
     expect(text).not.toContain('Left out');
     const early = checkMarkdown(resultsOf([], { unchecked: ['x.level.json'], interrupted: true }), CONTEXT);
     expect(early).toContain('**A signal ended the check early**: 1 level not checked\n\n- `x.level.json`\n');
@@ -96,7 +96,7 @@ describe('the markdown reporter', () => {
         expect(Buffer.byteLength(text)).toBeLessThanOrEqual(Math.max(0, most));
         if (most > 1000) expect(text).toContain('### ❌ 14 of 40 levels fail');
         const rows = rowsOf(text).filter((row) => !/^\| (verdict|---)/.test(row));
-        const isWhole = rows.length === 40 && text.match(/To see it/g)?.length === 14;
+        const isWhole = rows.length === 40 && text.match(/Look at it/g)?.length === 14;
         if (text !== '') expect(text.includes('Left out, as it did not fit: ')).toBe(!isWhole);
         const count = (words: RegExp): number => Number(words.exec(text)?.[1] ?? 0);
         if (text !== '') expect(rows.length + count(/(\d+) failing levels?/) + count(/(\d+) completable levels?[.;]/)).toBe(40);
@@ -123,11 +123,18 @@ describe('the summary of a step', () => {
     expect(text).toBe(`before\n\n${stdout}`);
   });
 
+  it('names files as the annotations do, relative to the workspace', () => {
+    const places = { directory: '/project/game', workspaces: ['/project'], root: '/project' };
+    const { files: added } = stepSummary(at('none.md'), resultsOf([brokenLevel()]), { ...CONTEXT, places });
+    expect(added[0].content).toContain('| `game/levels/a.level.json` |');
+    expect(added[0].content).toContain('gq edit --open levels/a.level.json');
+  });
+
   it('stays below 1 MiB together with what is there', () => {
     const levels = Array.from({ length: 9000 }, (_, i) => brokenLevel({ file: `levels/${i}.level.json` }));
     for (const before of [0, 1000, MIB - 5000, MIB - 10, MIB + 5]) {
       writeFileSync(at('full.md'), 'x'.repeat(before));
-      const { files: added, messages } = stepSummary(at('full.md'), resultsOf(levels), null);
+      const { files: added, messages } = stepSummary(at('full.md'), resultsOf(levels), CONTEXT);
       for (const { path, content } of added) appendFileSync(path, content);
       const text = readFileSync(at('full.md'));
       expect(text.length).toBeLessThanOrEqual(Math.max(before, MIB));

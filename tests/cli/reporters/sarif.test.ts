@@ -105,7 +105,7 @@ describe('the sarif reporter', () => {
       ],
     });
     expect(run.results[0].message.text).toBe(
-      'unknown key "asteriods"\nWrite "asteroids".\nto see it: gq edit --open levels/a.level.json:120',
+      'unknown key "asteriods"\nWrite "asteroids".\nlook at it: gq edit --open levels/a.level.json:120',
     );
     expect(run.results[1].locations[0].physicalLocation.artifactLocation).toEqual({ uri: 'file:///elsewhere/b.level.json' });
     for (const { ruleId, ruleIndex } of run.results) expect(run.tool.driver.rules[ruleIndex].id).toBe(ruleId);

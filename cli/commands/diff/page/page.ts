@@ -175,7 +175,7 @@ function ghostOf(when: 'before' | 'after', run: Run, level: Level, view: Compari
   const [w, h] = [Math.max(5, halfWidth * view.scale), Math.max(8, halfHeight * view.scale)].map(tenth);
   return (
     `<g class="${when}"><path class="way free" d="${free}"/><path class="way held" d="${held}"/></g>` +
-    `<g class="ghost ${when}"><rect x="${-w}" y="${-h}" width="${2 * w}" height="${2 * h}" rx="3"/><text y="5">${when === 'before' ? 'B' : 'A'}</text></g>`
+    `<g class="ghost ${when}"><rect x="${-w}" y="${-h}" width="${2 * w}" height="${2 * h}" rx="3"/><text y="5">${when === 'before' ? 1 : 2}</text></g>`
   );
 }
 
