@@ -7,12 +7,13 @@ import type { ReportContext, Results } from './reporter.ts';
 import { type Annotation, errorsFirst, workflowCommand } from './workflow-command.ts';
 
 /** The results of `check` as workflow commands, which GitHub shows at the lines of a pull request, and a summary line. */
-export function checkGithub(results: Results, { places, linkTo }: ReportContext): string {
+export function checkGithub(results: Results, { places, linkTo, quiet = false }: ReportContext): string {
   const { levels } = results;
   const annotations = levels.flatMap((level): Annotation[] => {
     const failure = failureOf(level, linkTo);
     const file = pathInWorkspace(level.file, places);
-    return level.problems.map(({ severity, code, message, hint, line, column }) => {
+    const problems = quiet ? level.problems.filter(({ severity }) => severity === 'error') : level.problems;
+    return problems.map(({ severity, code, message, hint, line, column }) => {
       const lines = [message, hint];
       if (severity === 'error' && failure !== null) lines.push(`look at it: ${placeInWords(failure)}`);
       return { severity, file, line, column, title: code, message: lines.filter((text) => text !== '').join('\n') };

@@ -73,7 +73,7 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
       'fail when there are more warnings than this (default: any number is allowed)',
       wholeNumberOption('a number of warnings', 0, MOST_WARNINGS),
     )
-    .option('--quiet', 'show only errors and the summary; warnings still count')
+    .option('--quiet', 'show only errors and the summary (pretty and github); warnings still count')
     .addOption(maxTimeOption())
     .addOption(maxWorkOption())
     .addOption(reportFormatOption())

@@ -20,7 +20,8 @@ const MAX_TICKS = Math.round(DEFAULT_MAX_TIME * TICK_RATE);
 export const thumbnail: Start<'thumbnail'> = function* ({ text, rules, accuracy, width, theme }) {
   const reading = readLevel(text, { byteOrderMark: 'skip', rules });
   if (!reading.ok) return { svg: '', verdict: 'invalid', minerals: 0 };
-  const { level } = reading;
+  const { level, document } = reading;
+  const isUndecided = (document.file.conflicts ?? []).length > 0;
   const scene = compile(level, accuracy);
   const budget = new WorkBudget(DEFAULT_MAX_WORK);
   const runs: Run[] = [];
@@ -34,12 +35,14 @@ export const thumbnail: Start<'thumbnail'> = function* ({ text, rules, accuracy,
   const proofs = new WorkBudget(DEFAULT_MAX_WORK / 2);
   const isImpossible =
     completing === undefined && proveGoalImpossible(level, ACCURACIES[accuracy], { minerals: 'any' }, MAX_TICKS, proofs) !== null;
-  const verdict = verdictOf({
+  const played = verdictOf({
     isCompleted: completing !== undefined,
     isImpossible,
     runs: level.runs.length,
     areAllPlayed: runs.every(({ stopped }) => stopped === null),
   });
+  // a merge has left two candidates for something: neither is judged
+  const verdict = isUndecided ? 'invalid' : played;
   const shown = completing ?? runs[0];
   const looks = { width, theme, words: false };
   // the path of a run that cost too much is not drawn

@@ -81,6 +81,12 @@ describe('the github reporter', () => {
     expect(found[2].message).toBe('unknown key "asteriods"');
   });
 
+  it('leaves out warnings if it is to be quiet', () => {
+    const warned = checkedLevel({ problems: [shownProblem({ severity: 'warning' })] });
+    const found = annotations(checkGithub(resultsOf([warned, brokenLevel()]), { ...CONTEXT, quiet: true }));
+    expect(found.map(({ severity }) => severity)).toEqual(['error']);
+  });
+
   it('gives no command that is in the name of a file, as GitHub reads one after any spaces', () => {
     const name = '::add-mask::x.level.json';
     const texts = [
