@@ -74,11 +74,11 @@ function planConfig(project: string): PlannedText {
   return { file, text: `${JSON.stringify({ $schema, levels: LEVELS }, null, 2)}\n` };
 }
 
-/** A new project gets one, so that nobody commits what npm installs. */
+/** A new project gets one, and one in which npm has installed something, so that nobody commits that. */
 function planIgnored(project: string): PlannedText[] {
-  const isNew = !existsSync(join(project, 'package.json'));
+  const isNeeded = !existsSync(join(project, 'package.json')) || existsSync(join(project, 'node_modules'));
   const isIgnored = [project, repositoryOf(project)].some((folder) => existsSync(join(folder, '.gitignore')));
-  return isNew && !isIgnored ? [{ file: join(project, '.gitignore'), text: 'node_modules/\n' }] : [];
+  return isNeeded && !isIgnored ? [{ file: join(project, '.gitignore'), text: 'node_modules/\n' }] : [];
 }
 
 /**

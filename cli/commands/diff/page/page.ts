@@ -186,7 +186,7 @@ function controlsOf(
 ): string {
   const ends = sides.map(
     ({ when, version, run }) =>
-      `<span><span class="key ${when}">${when === 'before' ? 'B before' : 'A after'}</span> ${html(`${version.judged?.name ?? ''}: ${outcomeInWords(run, version.level.range)}`)}</span>`,
+      `<span><span class="key ${when}">${when === 'before' ? '1 before' : '2 after'}</span> ${html(`${version.judged?.name ?? ''}: ${outcomeInWords(run, version.level.range)}`)}</span>`,
   );
   const holds = (when: 'before' | 'after'): readonly Hold[] =>
     sides.find((side) => side.when === when)?.version.judged?.holds ?? [];
