@@ -1,6 +1,7 @@
 import { spawnSync } from 'node:child_process';
 import { existsSync, readdirSync } from 'node:fs';
-import { dirname, join, relative, resolve, sep } from 'node:path';
+import { join, relative, resolve, sep } from 'node:path';
+import { repositoryOf } from '../repository.ts';
 import { readText } from './read-text.ts';
 import { readTemplate } from './templates.ts';
 
@@ -14,14 +15,6 @@ export interface PlannedText {
   readonly text: string | null;
   /** Why it is left, or what else to do. */
   readonly note?: string;
-}
-
-/** The root of the repository around a folder; the folder itself if there is none. */
-export function repositoryOf(folder: string): string {
-  for (let at = resolve(folder); ; at = dirname(at)) {
-    if (existsSync(join(at, '.git'))) return at;
-    if (dirname(at) === at) return resolve(folder);
-  }
 }
 
 /** The address of the repository's origin; '' if there is none, or no git. */

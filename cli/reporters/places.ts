@@ -1,5 +1,6 @@
-import { existsSync, realpathSync } from 'node:fs';
-import { dirname, join, resolve } from 'node:path';
+import { realpathSync } from 'node:fs';
+import { resolve } from 'node:path';
+import { repositoryOf } from '../repository.ts';
 import type { Places } from './reporter.ts';
 
 /** The folders to which paths in reports are relative. */
@@ -14,13 +15,5 @@ function real(path: string): string {
     return realpathSync(path);
   } catch {
     return path;
-  }
-}
-
-/** The root of the repository around a folder; the folder itself if there is none. */
-function repositoryOf(directory: string): string {
-  for (let at = directory; ; at = dirname(at)) {
-    if (existsSync(join(at, '.git'))) return at;
-    if (dirname(at) === at) return directory;
   }
 }

@@ -1,25 +1,16 @@
 import { spawnSync } from 'node:child_process';
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import process from 'node:process';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
+import { GIT_ENVIRONMENT } from './git-environment.ts';
 import { fallThrough, gq, makeFiles } from './gq.ts';
 
-const environment = {
-  ...process.env,
-  GIT_CONFIG_GLOBAL: '/dev/null',
-  GIT_CONFIG_SYSTEM: '/dev/null',
-  GIT_AUTHOR_NAME: 'a',
-  GIT_AUTHOR_EMAIL: 'a@example.org',
-  GIT_COMMITTER_NAME: 'a',
-  GIT_COMMITTER_EMAIL: 'a@example.org',
-};
 const FILE = 'levels/ü x.level.json';
 const named = (name: string): string => JSON.stringify({ ...JSON.parse(fallThrough()), name });
 
 describe('gq diff while git has conflicts in a level', () => {
   let folder: ReturnType<typeof makeFiles>;
-  const git = (...args: string[]) => spawnSync('git', args, { cwd: folder.directory, env: environment, encoding: 'utf8' });
+  const git = (...args: string[]) => spawnSync('git', args, { cwd: folder.directory, env: GIT_ENVIRONMENT, encoding: 'utf8' });
   const commit = (name: string) => {
     writeFileSync(join(folder.directory, FILE), named(name));
     git('add', '-A');

@@ -1,8 +1,8 @@
 import { spawnSync } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import process from 'node:process';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
+import { GIT_ENVIRONMENT } from './git-environment.ts';
 import { gq, makeFiles } from './gq.ts';
 
 // git takes any small exit code of a merge driver for a conflict in a file that holds both sides. A gq that can't start leaves
@@ -12,19 +12,9 @@ const FILE = "levels/it's ä 50%.level.json";
 const level = (name: string, radius: number) =>
   `{\n  "version": 1,\n  "name": "${name}",\n  "astronaut": { "x": 0, "y": 0 },\n  "blackHole": { "x": 0, "y": 200 },\n\n\n\n\n\n  "asteroids": [\n    { "id": "aa", "x": 0, "y": 100, "radius": ${radius} }\n  ]\n}\n`;
 
-const environment = {
-  ...process.env,
-  GIT_CONFIG_GLOBAL: '/dev/null',
-  GIT_CONFIG_SYSTEM: '/dev/null',
-  GIT_AUTHOR_NAME: 'a',
-  GIT_AUTHOR_EMAIL: 'a@example.org',
-  GIT_COMMITTER_NAME: 'a',
-  GIT_COMMITTER_EMAIL: 'a@example.org',
-};
-
 let folder: ReturnType<typeof makeFiles>;
 const run = (...args: string[]) => {
-  const { status, stdout, stderr } = spawnSync('git', args, { cwd: folder.directory, env: environment, encoding: 'utf8' });
+  const { status, stdout, stderr } = spawnSync('git', args, { cwd: folder.directory, env: GIT_ENVIRONMENT, encoding: 'utf8' });
   return { status, said: stdout + stderr };
 };
 const git = (...args: string[]): string => {

@@ -1,9 +1,9 @@
 import { spawnSync } from 'node:child_process';
 import { cpSync, existsSync, readFileSync, realpathSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import process from 'node:process';
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
 import { formatLevel, type LevelFile, readLevel } from '../../schema/index.ts';
+import { GIT_ENVIRONMENT } from './git-environment.ts';
 import { gq, MAIN, makeFiles } from './gq.ts';
 
 // She falls from rest through an asteroid at y 100 into the black hole below while the gun is held.
@@ -145,16 +145,7 @@ describe('gq merge-driver', () => {
 });
 
 describe('git, set up by gq git-setup', () => {
-  const environment = {
-    ...process.env,
-    GIT_CONFIG_GLOBAL: '/dev/null',
-    GIT_CONFIG_SYSTEM: '/dev/null',
-    GIT_AUTHOR_NAME: 'a',
-    GIT_AUTHOR_EMAIL: 'a@example.org',
-    GIT_COMMITTER_NAME: 'a',
-    GIT_COMMITTER_EMAIL: 'a@example.org',
-    GIT_EDITOR: 'true',
-  };
+  const environment = { ...GIT_ENVIRONMENT, GIT_EDITOR: 'true' };
   const FILE = "levels/it's a.level.json";
   const run = (...args: string[]) => {
     const { status, stdout, stderr } = spawnSync('git', args, { cwd: folder.directory, env: environment, encoding: 'utf8' });
